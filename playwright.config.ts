@@ -6,7 +6,10 @@ const port = Number(process.env["PORT"] ?? 4179);
 const executablePath = process.env["CHROMIUM_PATH"] ?? findBrowser();
 const launchOptions = { args: browserFlags, ...(executablePath ? { executablePath } : {}) };
 
-/** Room for a machine many times slower than this and busy: a limit is for what never comes, not for what comes late, ms. */
+/**
+ * Room for a machine many times slower than this and busy: a limit is for what never comes, not for what comes late,
+ * ms.
+ */
 const PATIENCE = { journey: 300_000, step: 90_000 };
 
 export default defineConfig({
@@ -37,17 +40,21 @@ export default defineConfig({
     stdout: "ignore",
     stderr: "pipe",
   },
-  projects: [{
-    name: "desktop",
-    testIgnore: /touch\.spec\.ts/,
-    use: { ...devices["Desktop Chrome"], viewport: { width: 1280, height: 800 } },
-  }, {
-    name: "tablet",
-    testMatch: /(touch|screens)\.spec\.ts/,
-    use: { ...devices["Desktop Chrome"], viewport: { width: 1024, height: 768 }, hasTouch: true },
-  }, {
-    name: "phone",
-    testMatch: /screens\.spec\.ts/,
-    use: { ...devices["Desktop Chrome"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
-  }],
+  projects: [
+    {
+      name: "desktop",
+      testIgnore: /touch\.spec\.ts/,
+      use: { ...devices["Desktop Chrome"], viewport: { width: 1280, height: 800 } },
+    },
+    {
+      name: "tablet",
+      testMatch: /(touch|screens)\.spec\.ts/,
+      use: { ...devices["Desktop Chrome"], viewport: { width: 1024, height: 768 }, hasTouch: true },
+    },
+    {
+      name: "phone",
+      testMatch: /screens\.spec\.ts/,
+      use: { ...devices["Desktop Chrome"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+    },
+  ],
 });

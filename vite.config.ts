@@ -11,16 +11,19 @@ import { contentPolicy } from "./scripts/serve.mjs";
 import { MEDIA } from "./src/app/base/media.ts";
 
 /**
- * The static site (paths relative, so that it runs from any folder) and the tests. Where CI is set a missing golden is an error and never
- * written. A tree passes its tests or it does not: their shuffled order and the cases of the laws come from a seed that stays the same.
- * SEED=number is another order, LAW_SEED=number other cases; `npm run laws` looks for cases that nobody has tried.
+ * The static site (paths relative, so that it runs from any folder) and the tests. Where CI is set a missing golden is
+ * an error and never written. A tree passes its tests or it does not: their shuffled order and the cases of the laws
+ * come from a seed that stays the same. SEED=number is another order, LAW_SEED=number other cases; `npm run laws` looks
+ * for cases that nobody has tried.
  */
 const seed = Number(process.env["SEED"] ?? 1);
 process.env["LAW_SEED"] ??= "1";
 const exclude = [...configDefaults.exclude, "e2e/**"];
 
 // The page says which version it is.
-process.env["VITE_VERSION"] = (JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8")) as { version: string }).version;
+process.env["VITE_VERSION"] = (
+  JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8")) as { version: string }
+).version;
 
 /** Tests of modules with a state, or with another module in the place of one: each file in a process of its own. */
 const STATEFUL = ["src/app/**/*.test.ts", "src/features/**/*.test.ts", "tests/made-up/**/*.test.ts"];
@@ -29,24 +32,30 @@ const STATEFUL = ["src/app/**/*.test.ts", "src/features/**/*.test.ts", "tests/ma
 const policyOfPage: Plugin = {
   name: "content-policy",
   apply: "build",
-  transformIndexHtml:
-    () => [{ tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: contentPolicy }, injectTo: "head-prepend" }],
+  transformIndexHtml: () => [
+    {
+      tag: "meta",
+      attrs: { "http-equiv": "Content-Security-Policy", content: contentPolicy },
+      injectTo: "head-prepend",
+    },
+  ],
 };
 
 /** What a root font size of 100 % is for: style sheets are written for it, in pixels. */
 const ROOT_SIZE = 16;
 
 /**
- * `(--name)` in a media query stands for the condition of that name. Lengths in pixels become shares of the root's size, so that
- * the page grows as a whole; hairlines stay what they are.
+ * `(--name)` in a media query stands for the condition of that name. Lengths in pixels become shares of the root's
+ * size, so that the page grows as a whole; hairlines stay what they are.
  */
 const pageStyles: Plugin = {
   name: "page-styles",
   enforce: "pre",
   transform(code, id) {
     if (!/\.css(\?|$)/.test(id) || id.includes("node_modules")) return undefined;
-    const grown = code.replaceAll(/(?<![\w.])(\d*\.?\d+)px\b/g,
-      (written, n: string) => Number(n) > 1 ? `${Number(n) / ROOT_SIZE}rem` : written);
+    const grown = code.replaceAll(/(?<![\w.])(\d*\.?\d+)px\b/g, (written, n: string) =>
+      Number(n) > 1 ? `${Number(n) / ROOT_SIZE}rem` : written,
+    );
     return grown.replaceAll(/\(--([a-z]+)\)(?=[^;{}]*\{)/g, (written, name: string) => {
       const condition = Object.entries(MEDIA).find(([known]) => known === name)?.[1];
       if (condition === undefined) this.error(`${written} is no condition of src/app/base/media.ts`);
@@ -59,10 +68,13 @@ const pageStyles: Plugin = {
 function madeModules(id: string, script: string, made: string): Plugin {
   let modules: Promise<Readonly<Record<string, string>>> | null = null;
   const make = () =>
-    modules ??= runnerImport<Readonly<Record<string, () => Readonly<Record<string, string>>>>>(new URL(script, import.meta.url).pathname, {
-      configFile: false,
-      logLevel: "error",
-    }).then(({ module }) => module[made]?.() ?? {});
+    (modules ??= runnerImport<Readonly<Record<string, () => Readonly<Record<string, string>>>>>(
+      new URL(script, import.meta.url).pathname,
+      {
+        configFile: false,
+        logLevel: "error",
+      },
+    ).then(({ module }) => module[made]?.() ?? {}));
   return {
     name: id,
     resolveId: (asked) => (asked.startsWith(id) ? `\0${asked}` : undefined),
@@ -122,7 +134,9 @@ interface Modules {
 const module = (path: string) => new URL(path, import.meta.url).pathname;
 /** Where the dialog of a cycle begins: everything that these cannot start without is fetched before it works. */
 const WORK = ["src/app/shell/Workplace.tsx", "src/features/start/begin.ts"].map(module);
-/** What the first screen fetches by itself: what it shares with a dialog is a file of its own, and brings none along. */
+/**
+ * What the first screen fetches by itself: what it shares with a dialog is a file of its own, and brings none along.
+ */
 const EARLY = [
   "src/features/course/CourseEntrance.tsx",
   "src/features/start/Welcome.tsx",
@@ -150,7 +164,8 @@ function partOf(id: string, modules: Modules): "work" | "shared" | null {
   if (!known.work.has(id) || WORK.includes(id)) return null;
   return known.early.has(id) ? "shared" : "work";
 }
-const only = (part: "work" | "shared") => (id: string, modules: Modules) => (partOf(id, modules) === part ? part : null);
+const only = (part: "work" | "shared") => (id: string, modules: Modules) =>
+  partOf(id, modules) === part ? part : null;
 
 export default defineConfig({
   base: "./",
@@ -162,14 +177,19 @@ export default defineConfig({
     manifest: true,
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 900,
-    // All that the start page waits for is one file: one request, and 2 kB less than the same in nine. So is what a dialog waits for.
+    // All that the start page waits for is one file: one request, and 2 kB less than the same in nine. So is what a
+    // dialog waits for.
     rolldownOptions: {
       output: {
         codeSplitting: {
-          groups: [{ name: "first", tags: ["$initial"], priority: 2 }, { name: only("shared"), priority: 1 }, {
-            name: only("work"),
-            priority: 0,
-          }],
+          groups: [
+            { name: "first", tags: ["$initial"], priority: 2 },
+            { name: only("shared"), priority: 1 },
+            {
+              name: only("work"),
+              priority: 0,
+            },
+          ],
         },
       },
     },
@@ -183,36 +203,40 @@ export default defineConfig({
     // For what never ends; a slow machine may take long.
     testTimeout: 600_000,
     hookTimeout: 600_000,
-    projects: [{
-      extends: true,
-      test: {
-        name: "pure",
-        environment: "node",
-        // What has no state needs no fresh process for each file: a third less work.
-        isolate: false,
-        globalSetup: "./tests/announce.ts",
-        setupFiles: ["./tests/seed.ts"],
-        exclude: [...exclude, ...STATEFUL],
-        include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
+    projects: [
+      {
+        extends: true,
+        test: {
+          name: "pure",
+          environment: "node",
+          // What has no state needs no fresh process for each file: a third less work.
+          isolate: false,
+          globalSetup: "./tests/announce.ts",
+          setupFiles: ["./tests/seed.ts"],
+          exclude: [...exclude, ...STATEFUL],
+          include: ["src/**/*.test.ts", "tests/**/*.test.ts"],
+        },
       },
-    }, {
-      extends: true,
-      test: {
-        name: "node",
-        environment: "node",
-        setupFiles: ["./tests/seed.ts"],
-        exclude,
-        include: STATEFUL,
+      {
+        extends: true,
+        test: {
+          name: "node",
+          environment: "node",
+          setupFiles: ["./tests/seed.ts"],
+          exclude,
+          include: STATEFUL,
+        },
       },
-    }, {
-      extends: true,
-      test: {
-        name: "jsdom",
-        environment: "jsdom",
-        setupFiles: ["./tests/seed.ts", "./tests/jsdom.ts"],
-        exclude,
-        include: ["src/**/*.test.tsx"],
+      {
+        extends: true,
+        test: {
+          name: "jsdom",
+          environment: "jsdom",
+          setupFiles: ["./tests/seed.ts", "./tests/jsdom.ts"],
+          exclude,
+          include: ["src/**/*.test.tsx"],
+        },
       },
-    }],
+    ],
   },
 });

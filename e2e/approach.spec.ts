@@ -3,7 +3,9 @@ import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a milled program shows its plane, and its approach is changed by prompt, by dragging, by another form", async ({ page }) => {
+test("a milled program shows its plane, and its approach is changed by prompt, by dragging, by another form", async ({
+  page,
+}) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("plate");
   await expect(page.getByRole("region", { name: t.approach.view })).toBeVisible();
@@ -55,20 +57,27 @@ const MIXED = `0 BEGIN PGM MIXED MM
 test("milled stock is drawn, and its path leads to its block", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("plate");
-  const plane = page.getByRole("region", { name: t.approach.view }), stage = plane.getByRole("group", { name: t.approach.view });
+  const plane = page.getByRole("region", { name: t.approach.view }),
+    stage = plane.getByRole("group", { name: t.approach.view });
   const depths = plane.getByRole("list", { name: t.approach.milled.title });
-  await expect(depths.getByRole("listitem")).toHaveText([t.approach.milled.depth("-5"), t.approach.milled.depth("-10")]);
+  await expect(depths.getByRole("listitem")).toHaveText([
+    t.approach.milled.depth("-5"),
+    t.approach.milled.depth("-10"),
+  ]);
   await expect(stage.locator(".lathe-scales text", { hasText: /^100$/ })).not.toHaveCount(0);
   // A place of the plane on the screen, by the scales along its edges.
   const at = async (x: number, y: number) => {
     const box = await settledBox(stage);
     const of = (text: string, side: "x" | "y") =>
-      stage.locator(".lathe-scales text").evaluateAll((all, [wanted, axis]) =>
-        all.flatMap((each) => {
-          const place = { x: Number(each.getAttribute("x")), y: Number(each.getAttribute("y")) - 4 };
-          const isMine = (axis === "x") === (each.getAttribute("text-anchor") === "middle");
-          return each.textContent === wanted && isMine ? [place[axis as "x" | "y"]] : [];
-        })[0] ?? Number.NaN, [text, side] as const);
+      stage.locator(".lathe-scales text").evaluateAll(
+        (all, [wanted, axis]) =>
+          all.flatMap((each) => {
+            const place = { x: Number(each.getAttribute("x")), y: Number(each.getAttribute("y")) - 4 };
+            const isMine = (axis === "x") === (each.getAttribute("text-anchor") === "middle");
+            return each.textContent === wanted && isMine ? [place[axis as "x" | "y"]] : [];
+          })[0] ?? Number.NaN,
+        [text, side] as const,
+      );
     const [x0, x1, y0, y1] = [await of("0", "x"), await of("100", "x"), await of("0", "y"), await of("100", "y")];
     return { x: box.x + x0 + (x / 100) * (x1 - x0), y: box.y + y0 + (y / 100) * (y1 - y0) };
   };
@@ -90,7 +99,9 @@ test("milled stock is drawn, and its path leads to its block", async ({ page }) 
   await accessible(page);
 });
 
-test("a program that turns and mills shows the picture that a choice, a finding or playing belongs to", async ({ page }) => {
+test("a program that turns and mills shows the picture that a choice, a finding or playing belongs to", async ({
+  page,
+}) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openFile("MIXED.H", new TextEncoder().encode(MIXED));
   const plane = page.getByRole("region", { name: t.approach.view });
@@ -137,7 +148,9 @@ test("a mouth narrower than the tool is told at its place, with the radius that 
   const { editor, t } = await Turnwise.open(page);
   await editor.openFile("NARROW.h", Buffer.from(NARROW));
   await editor.show("findings");
-  await expect(page.getByText(/Along element 1 the tool cuts 1 mm into element 8 at .*Y\s?\+?9.*4\.5/).first()).toBeVisible();
+  await expect(
+    page.getByText(/Along element 1 the tool cuts 1 mm into element 8 at .*Y\s?\+?9.*4\.5/).first(),
+  ).toBeVisible();
   const view = page.getByRole("region", { name: t.approach.view });
   await expect(view.getByRole("button", { name: /Along element 1 the tool cuts/ })).toBeVisible();
 });

@@ -12,7 +12,7 @@ async function holdable(page: Page): Promise<(hold: boolean) => Promise<void>> {
     const send: (this: Worker, ...sent: Parameters<Worker["postMessage"]>) => void = Worker.prototype.postMessage;
     const waiting: (() => void)[] = [];
     let held = false;
-    Worker.prototype.postMessage = function(this: Worker, ...sent: unknown[]) {
+    Worker.prototype.postMessage = function (this: Worker, ...sent: unknown[]) {
       const go = () => send.apply(this, sent as Parameters<Worker["postMessage"]>);
       if (held) waiting.push(go);
       else go();
@@ -27,9 +27,13 @@ async function holdable(page: Page): Promise<(hold: boolean) => Promise<void>> {
 
 /** The page plans as soon as the part that does it is there. */
 const plans = (page: Page) =>
-  page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => /\/plan-[^/]+\.js$/.test(name)));
+  page.waitForFunction(() =>
+    performance.getEntriesByType("resource").some(({ name }) => /\/plan-[^/]+\.js$/.test(name)),
+  );
 
-test("a changed value moves the path at once, and what is not proved yet says that it is being checked", async ({ page }) => {
+test("a changed value moves the path at once, and what is not proved yet says that it is being checked", async ({
+  page,
+}) => {
   const hold = await holdable(page);
   const turnwise = await Turnwise.open(page);
   const { effect, dialog, lathe, t } = turnwise;
@@ -42,11 +46,13 @@ test("a changed value moves the path at once, and what is not proved yet says th
   await expect(effect.strip).toHaveAttribute("aria-busy", "false");
   const mark = effect.strip.getByRole("img", { name: t.lathe.checking });
   await expect(mark).toHaveCount(0);
-  const drawn = () => lathe.picture.locator(".lathe-paths path").evaluateAll((all) => all.map((path) => path.getAttribute("d")).join());
+  const drawn = () =>
+    lathe.picture.locator(".lathe-paths path").evaluateAll((all) => all.map((path) => path.getAttribute("d")).join());
   const box = await effect.strip.boundingBox();
   let [passes, infeed]: readonly [string | null, number] = [null, 2.1];
 
-  // A machine that does many other things takes longer for a plan now and then than the page waits for: it is tried again.
+  // A machine that does many other things takes longer for a plan now and then than the page waits for: it is tried
+  // again.
   await expect(async () => {
     await hold(false);
     infeed -= 0.1;

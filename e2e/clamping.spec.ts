@@ -14,9 +14,12 @@ async function spot({ page, lathe, t }: Turnwise, z: number, x: number): Promise
   return (await page.screenshot({ clip: { x: at.x - 1, y: at.y - 1, width: 2, height: 2 } })).toString("base64");
 }
 
-test("a work's clamping: stated, drawn to scale, run into at its block, changed until it is proved, kept and printed", async ({ page }) => {
+test("a work's clamping: stated, drawn to scale, run into at its block, changed until it is proved, kept and printed", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
-  const { clamping, dialog, effect, findings, lathe, program, sheet, t } = turnwise, c = clamping.words;
+  const { clamping, dialog, effect, findings, lathe, program, sheet, t } = turnwise,
+    c = clamping.words;
   await turnwise.start.beginWithExample(812);
   await effect.proved();
   await expect(lathe.view).toContainText(t.lathe.held.note);
@@ -72,9 +75,13 @@ test("a work's clamping: stated, drawn to scale, run into at its block, changed 
   await looksRightInBoth(page, "the setup sheet with a clamping");
 });
 
-test("a program's clamping is a comment that its dialog writes, goes along in a link and stays", async ({ page, browser }) => {
+test("a program's clamping is a comment that its dialog writes, goes along in a link and stays", async ({
+  page,
+  browser,
+}) => {
   const turnwise = await Turnwise.open(page);
-  const { clamping, editor, findings, lathe, t } = turnwise, c = clamping.words;
+  const { clamping, editor, findings, lathe, t } = turnwise,
+    c = clamping.words;
   const verdict = editor.total(t.findings.verdict.title);
   const bar = (await readFile("tests/cases/clamped-bar.h", "utf8")).replace("Q494=-80", "Q494=-50");
   await editor.paste(bar.replace(/; CLAMPING.*\n/, ""));
@@ -103,7 +110,8 @@ test("a program's clamping is a comment that its dialog writes, goes along in a 
   await expect(editor.text).toContainText("; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60 SIZE160");
 
   const link = await editor.sharedLink();
-  const other = await browser.newContext({ hasTouch: true }), receiver = await other.newPage();
+  const other = await browser.newContext({ hasTouch: true }),
+    receiver = await other.newPage();
   await receiver.goto(link);
   const received = Turnwise.at(receiver);
   await received.handing.open();

@@ -19,7 +19,10 @@ test("a changed infeed is told with what comes of it, by keyboard, and leads to 
 
   // Another state of the same program comes by the clipboard: with two other values, and another title.
   const text = await readFile("src/examples/flange.h", "utf8");
-  const other = text.replace("Q463=+3 ;", "Q463=+4 ;").replace("TOOL CALL 3", "TOOL CALL 5").replace("FACING", "FACE FIRST");
+  const other = text
+    .replace("Q463=+3 ;", "Q463=+4 ;")
+    .replace("TOOL CALL 3", "TOOL CALL 5")
+    .replace("FACING", "FACE FIRST");
   await page.evaluate((copied) => navigator.clipboard.writeText(copied), other);
   await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
   await dialog.getByRole("button", { name: words.clipboard, exact: true }).click();

@@ -4,20 +4,30 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 interface TaskFile {
-  readonly words: Readonly<Record<"en" | "de", { readonly title: string; readonly hints: readonly string[]; readonly learned: string }>>;
+  readonly words: Readonly<
+    Record<"en" | "de", { readonly title: string; readonly hints: readonly string[]; readonly learned: string }>
+  >;
   readonly solution: readonly string[];
 }
-const taskFile = (id: string): TaskFile => JSON.parse(readFileSync(new URL(`../src/course/tasks/${id}.json`, import.meta.url), "utf8"));
+const taskFile = (id: string): TaskFile =>
+  JSON.parse(readFileSync(new URL(`../src/course/tasks/${id}.json`, import.meta.url), "utf8"));
 
 /** Opens the tasks of a lesson and begins one of them. */
-async function begin(turnwise: Turnwise, lesson: string, title: string, press: "Enter" | "tap" = "Enter"): Promise<void> {
+async function begin(
+  turnwise: Turnwise,
+  lesson: string,
+  title: string,
+  press: "Enter" | "tap" = "Enter",
+): Promise<void> {
   await turnwise.page.goto(`./#/course/${lesson}/tasks`);
   const button = turnwise.course.task(title);
   await (press === "tap" ? button.tap() : button.press("Enter"));
   await expect(turnwise.task.assignment).toBeVisible();
 }
 
-test("a task by keyboard: a wrong try says where and which step; hints, solution, passed, found again", async ({ page }) => {
+test("a task by keyboard: a wrong try says where and which step; hints, solution, passed, found again", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { task, dialog, lathe } = turnwise;
   const { words } = task;
@@ -45,7 +55,9 @@ test("a task by keyboard: a wrong try says where and which step; hints, solution
   for (const [q, value] of values) await dialog.set(q, value);
   await turnwise.effect.proved();
   await task.check.press("Enter");
-  await expect(task.mark).toContainText(/mm too much was cut at ⌀[\d.]+, Z-[\d.]+: block \d+, (pass \d+|finishing cut)/);
+  await expect(task.mark).toContainText(
+    /mm too much was cut at ⌀[\d.]+, Z-[\d.]+: block \d+, (pass \d+|finishing cut)/,
+  );
   await expect(lathe.mark("1")).toBeVisible();
   await looksRightInBoth(page, "a task with a wrong try");
   await task.nextMark.press("Enter");
@@ -124,7 +136,9 @@ test("what is foretold, a fault that is found and mended, and a drawing with its
   await task.field("z").fill("-32.4");
   await expect(lathe.mark(String.raw`\?`)).toBeVisible();
   await task.run.press("Enter");
-  await expect(task.panel.getByRole("listitem").first()).toContainText(words.foretell.right(words.foretell.isBlock("11")));
+  await expect(task.panel.getByRole("listitem").first()).toContainText(
+    words.foretell.right(words.foretell.isBlock("11")),
+  );
   await task.check.press("Enter");
   await expect(task.mark).toContainText(/^\d?\s*A rapid runs into steel at ⌀[\d.]+, Z-[\d.]+: block 11/);
   await editor.text.press("ControlOrMeta+a");
@@ -146,7 +160,9 @@ test("what is foretold, a fault that is found and mended, and a drawing with its
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
 
-  test("a fault by finger, in German: the place is tapped on the part, and nothing covers the picture", async ({ page }) => {
+  test("a fault by finger, in German: the place is tapped on the part, and nothing covers the picture", async ({
+    page,
+  }) => {
     const turnwise = await Turnwise.open(page, { language: "de" });
     const { task, lathe } = turnwise;
     const { words } = task;
@@ -165,10 +181,12 @@ test.describe("on a phone", () => {
     await expect(task.panel.getByRole("listitem").nth(1)).toContainText("⌀");
     await task.check.tap();
     await expect(task.mark).toContainText("Satz 11");
-    await expect.poll(async () => {
-      const [bar, picture] = [await task.panel.boundingBox(), await stage.boundingBox()];
-      return bar && picture && bar.y + bar.height <= picture.y;
-    }).toBe(true);
+    await expect
+      .poll(async () => {
+        const [bar, picture] = [await task.panel.boundingBox(), await stage.boundingBox()];
+        return bar && picture && bar.y + bar.height <= picture.y;
+      })
+      .toBe(true);
     await task.unfold.tap();
     await expect(stage).toBeHidden();
     await task.hint(1).tap();

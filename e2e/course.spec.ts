@@ -4,7 +4,9 @@ import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the course by keyboard: a lesson to its end, a value slid, example and task opened, all found again", async ({ page }) => {
+test("the course by keyboard: a lesson to its end, a value slid, example and task opened, all found again", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   const { course, t } = turnwise;
   const { words } = course;
@@ -88,7 +90,9 @@ test("the course by keyboard: a lesson to its end, a value slid, example and tas
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, reducedMotion: "reduce" });
 
-  test("a lesson by finger, in German: it stands still until it is played, and pages are turned across the text", async ({ page }) => {
+  test("a lesson by finger, in German: it stands still until it is played, and pages are turned across the text", async ({
+    page,
+  }) => {
     const turnwise = await Turnwise.open(page, { language: "de" });
     const { course, t } = turnwise;
     await course.entrance.tap();
@@ -96,7 +100,8 @@ test.describe("on a phone", () => {
     await expect(course.play).toBeVisible();
     await course.play.tap();
     await expect(course.pause).toBeVisible();
-    const words = page.locator(".lesson-words"), shown = page.getByRole("main");
+    const words = page.locator(".lesson-words"),
+      shown = page.getByRole("main");
     const swipe = async (by: number) => {
       const box = await settledBox(words);
       const from = { x: box.x + box.width / 2 - by / 2, y: box.y + 40 };

@@ -10,7 +10,11 @@ const button = (within: Page | Locator, name: string) => within.getByRole("butto
 /** What a press hands to the downloads: its name and its bytes. */
 async function downloaded(page: Page, press: () => Promise<void>) {
   const [download] = await Promise.all([page.waitForEvent("download"), press()]);
-  return { name: download.suggestedFilename(), mimeType: "application/zip", buffer: await readFile(await download.path()) };
+  return {
+    name: download.suggestedFilename(),
+    mimeType: "application/zip",
+    buffer: await readFile(await download.path()),
+  };
 }
 
 /** A cycle and a program, both kept. */
@@ -27,7 +31,9 @@ async function twoWorks(page: Page): Promise<Turnwise> {
   return turnwise;
 }
 
-test("all works by keyboard: sought, called otherwise, doubled, deleted and brought back, at every size", async ({ page }) => {
+test("all works by keyboard: sought, called otherwise, doubled, deleted and brought back, at every size", async ({
+  page,
+}) => {
   const turnwise = await twoWorks(page);
   await page.getByRole("link", { name: turnwise.t.page.start.allWorks(2) }).press("Enter");
   const search = page.getByRole("searchbox", { name: t.works.search });
@@ -57,7 +63,11 @@ test("all works by keyboard: sought, called otherwise, doubled, deleted and brou
   await page.keyboard.press("Delete");
   await expect(rows).toHaveCount(2);
   await expect(rows.getByRole("button", { name: /^Open/ }).and(page.locator(":focus"))).toHaveCount(1);
-  for (const [width, height] of [[1280, 800], [768, 1024], [390, 844]] as const) {
+  for (const [width, height] of [
+    [1280, 800],
+    [768, 1024],
+    [390, 844],
+  ] as const) {
     await page.setViewportSize({ width, height });
     await looksRightInBoth(page, `all works at ${width}`);
   }
@@ -69,7 +79,10 @@ test("all works by keyboard: sought, called otherwise, doubled, deleted and brou
   await expect(rows).toHaveCount(2);
 });
 
-test("everything as one file comes back on another device, and nothing there is written over", async ({ page, browser }) => {
+test("everything as one file comes back on another device, and nothing there is written over", async ({
+  page,
+  browser,
+}) => {
   const turnwise = await twoWorks(page);
   await turnwise.settings.open();
   // What is kept on the device is counted and listed by and by: the way out stays where it was pressed.
@@ -88,7 +101,10 @@ test("everything as one file comes back on another device, and nothing there is 
   const dialog = elsewhere.page.getByRole("dialog", { name: t.bringIn.title(file.name) });
   const bring = async () => {
     await elsewhere.settings.open();
-    const [chooser] = await Promise.all([elsewhere.page.waitForEvent("filechooser"), button(elsewhere.page, t.here.importLong).click()]);
+    const [chooser] = await Promise.all([
+      elsewhere.page.waitForEvent("filechooser"),
+      button(elsewhere.page, t.here.importLong).click(),
+    ]);
     await chooser.setFiles(file);
     await expect(dialog).toBeVisible();
   };
@@ -121,7 +137,10 @@ test("everything as one file comes back on another device, and nothing there is 
   await other.close();
 });
 
-test("a full disk and refused storage are said, work goes on, and what is not kept leaves as a file", async ({ page, browser }) => {
+test("a full disk and refused storage are said, work goes on, and what is not kept leaves as a file", async ({
+  page,
+  browser,
+}) => {
   await page.addInitScript(() => {
     const full = () => {
       throw new DOMException("no room", "QuotaExceededError");
@@ -167,11 +186,17 @@ test("a full disk and refused storage are said, work goes on, and what is not ke
   await refused.close();
 });
 
-test("a fault of the page leaves the work, a way out of it, and a report that stays here", async ({ page, context }) => {
+test("a fault of the page leaves the work, a way out of it, and a report that stays here", async ({
+  page,
+  context,
+}) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await page.route(/assets\/ToolPage-.*\.js/,
-    (route) =>
-      route.fulfill({ contentType: "text/javascript", body: 'export const ToolPage = () => { throw new Error("planted fault"); };' }));
+  await page.route(/assets\/ToolPage-.*\.js/, (route) =>
+    route.fulfill({
+      contentType: "text/javascript",
+      body: 'export const ToolPage = () => { throw new Error("planted fault"); };',
+    }),
+  );
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);
   await turnwise.dialog.set("Q493", "51.25");

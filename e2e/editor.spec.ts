@@ -3,9 +3,12 @@ import { expect, test } from "./pages/test.ts";
 import { provedIn } from "./pages/effect.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-const STRANGE = "1  BEGIN PGM ALT MM\r\n2 L  X+50 Z+2 FMAX ; nach vorn \xd8\r\n\r\n77 UNBEKANNT 5\r\n4 M30\r\n5 END PGM ALT MM";
+const STRANGE =
+  "1  BEGIN PGM ALT MM\r\n2 L  X+50 Z+2 FMAX ; nach vorn \xd8\r\n\r\n77 UNBEKANNT 5\r\n4 M30\r\n5 END PGM ALT MM";
 
-test("a file that is opened and saved unchanged keeps its bytes; one changed value changes only itself", async ({ page }) => {
+test("a file that is opened and saved unchanged keeps its bytes; one changed value changes only itself", async ({
+  page,
+}) => {
   const { editor } = await Turnwise.open(page);
   const bytes = Buffer.from(STRANGE, "latin1");
   await editor.openFile("ALT.H", bytes);
@@ -17,7 +20,9 @@ test("a file that is opened and saved unchanged keeps its bytes; one changed val
   expect(await editor.downloaded()).toEqual(Buffer.from(STRANGE.replace("X+50", "X+52.5"), "latin1"));
 });
 
-test("the shipped program of six tools and eight cycles runs clean, and its parts lead to their blocks", async ({ page }) => {
+test("the shipped program of six tools and eight cycles runs clean, and its parts lead to their blocks", async ({
+  page,
+}) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openExample("flange");
   await expect(editor.total(t.findings.verdict.title)).toHaveText(provedIn(t));
@@ -56,7 +61,9 @@ test("typing and dialog are the same edit, with one history", async ({ page }) =
   await expect(editor.line("Q463=+2.4")).toBeVisible();
 });
 
-test("one history: text, tools and the way to another work are undone in their order; text just typed stays", async ({ page }) => {
+test("one history: text, tools and the way to another work are undone in their order; text just typed stays", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { editor, tools, t } = turnwise;
   await editor.openExample("shoulder");
@@ -71,7 +78,10 @@ test("one history: text, tools and the way to another work are undone in their o
   await page.keyboard.press("End");
   await page.keyboard.type(" LAST");
   await page.getByRole("button", { name: t.page.newProgram }).click();
-  await page.getByRole("dialog", { name: t.operations.newProgram }).getByRole("button", { name: t.operations.cancel }).click();
+  await page
+    .getByRole("dialog", { name: t.operations.newProgram })
+    .getByRole("button", { name: t.operations.cancel })
+    .click();
   await expect(editor.line("CYCL CALL ;FIRST LAST")).toBeVisible();
   await editor.create("top");
   await expect(editor.line("CYCL CALL")).toHaveCount(0);
@@ -100,9 +110,13 @@ test("blocks are put in, doubled, moved and deleted by dialog", async ({ page })
   await editor.tool("duplicate").click();
   await editor.tool("up").click();
   await editor.tool("up").click();
-  expect((await editor.downloaded()).toString()).toBe("0 BEGIN PGM A MM\n1 * - PART\n2 L X+10\n3 * - PART\n4 M30\n5 END PGM A MM\n");
+  expect((await editor.downloaded()).toString()).toBe(
+    "0 BEGIN PGM A MM\n1 * - PART\n2 L X+10\n3 * - PART\n4 M30\n5 END PGM A MM\n",
+  );
   await editor.tool("remove").click();
-  expect((await editor.downloaded()).toString()).toBe("0 BEGIN PGM A MM\n1 L X+10\n2 * - PART\n3 M30\n4 END PGM A MM\n");
+  expect((await editor.downloaded()).toString()).toBe(
+    "0 BEGIN PGM A MM\n1 L X+10\n2 * - PART\n3 M30\n4 END PGM A MM\n",
+  );
 });
 
 test("a share link opens the same program, and a reload keeps what was typed", async ({ page, context }) => {
@@ -124,12 +138,17 @@ test("a share link opens the same program, and a reload keeps what was typed", a
 
 test("what is not understood is said in the margin and hides nothing behind it", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
-  await editor.paste("0 BEGIN PGM A MM\n1 STRANGE WORDS\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 L X+10 Z+2 F0.2\n5 M30\n6 END PGM A MM\n");
+  await editor.paste(
+    "0 BEGIN PGM A MM\n1 STRANGE WORDS\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 L X+10 Z+2 F0.2\n5 M30\n6 END PGM A MM\n",
+  );
   await editor.show("findings");
   const notUnderstood = t.messages.of.notUnderstood({ text: "STRANGE WORDS" }, { text: (x: string) => x } as never);
   await expect(page.getByText(notUnderstood).first()).toBeVisible();
   await expect(page.locator(".cm-lint-marker").first()).toBeVisible();
-  await page.getByRole("button", { name: t.findings.goTo(t.findings.inBlock("1")), exact: true }).first().click();
+  await page
+    .getByRole("button", { name: t.findings.goTo(t.findings.inBlock("1")), exact: true })
+    .first()
+    .click();
   await expect(page.getByRole("form").getByText(notUnderstood)).toBeVisible();
 });
 

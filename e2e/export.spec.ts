@@ -22,18 +22,22 @@ function measured(bytes: Buffer) {
   let [volume, left, right] = [0, Infinity, -Infinity];
   for (let t = 0; t < count; t += 1) {
     const n = (k: number) => bytes.readFloatLE(84 + 50 * t + 12 + 4 * k);
-    volume += n(0) * (n(4) * n(8) - n(5) * n(7)) + n(1) * (n(5) * n(6) - n(3) * n(8)) + n(2) * (n(3) * n(7) - n(4) * n(6));
+    volume +=
+      n(0) * (n(4) * n(8) - n(5) * n(7)) + n(1) * (n(5) * n(6) - n(3) * n(8)) + n(2) * (n(3) * n(7) - n(4) * n(6));
     for (const z of [n(2), n(5), n(8)]) [left, right] = [Math.min(left, z), Math.max(right, z)];
   }
   return { volume: volume / 6, left, right };
 }
 
-test("the part leaves as bodies and drawings that other programs read, from a cycle and from a program", async ({ page }) => {
+test("the part leaves as bodies and drawings that other programs read, from a cycle and from a program", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { effect, lathe, start, t } = turnwise;
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
   const open = () => page.getByRole("button", { name: t.page.text.exportPart, exact: true }).click();
-  const save = (what: string, format: string) => downloaded(dialog.getByRole("button", { name: words.save(what, format), exact: true }));
+  const save = (what: string, format: string) =>
+    downloaded(dialog.getByRole("button", { name: words.save(what, format), exact: true }));
 
   await start.beginWithExample(812);
   await effect.proved();
@@ -76,7 +80,10 @@ test("the part leaves as bodies and drawings that other programs read, from a cy
   await dialog.getByRole("combobox", { name: words.which, exact: true }).selectOption("1");
   expect((await save(words.contour, "DXF")).name).toBe("FLANGE_2.dxf");
   expect(measured((await save(words.body.part, "STL")).bytes).volume).toBeGreaterThan(10_000);
-  for (const [width, height] of [[390, 844], [768, 1024]] as const) {
+  for (const [width, height] of [
+    [390, 844],
+    [768, 1024],
+  ] as const) {
     await page.setViewportSize({ width, height });
     await looksRight(page);
   }

@@ -34,7 +34,9 @@ Q506=+0 ;CONTOUR SMOOTHING
 `;
 const AWAY = "0 BEGIN PGM AWAY MM\n1 L X+95 Z+52 R0 FMAX\n2 END PGM AWAY MM\n";
 
-test("files that are dropped together run together, a missing one is said and added, and a reload keeps them", async ({ page }) => {
+test("files that are dropped together run together, a missing one is said and added, and a reload keeps them", async ({
+  page,
+}) => {
   // The browser's own question for files can not be answered from here; the plain one can.
   await page.addInitScript(() => Object.assign(window, { showOpenFilePicker: undefined }));
   const turnwise = await Turnwise.open(page);
@@ -63,7 +65,9 @@ test("files that are dropped together run together, a missing one is said and ad
   await expect(verdict).toHaveText(provedIn(t));
 });
 
-test("a called program is looked at and edited, the one that calls runs again, and another one may run", async ({ page }) => {
+test("a called program is looked at and edited, the one that calls runs again, and another one may run", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { editor, findings, t } = turnwise;
   const passes = editor.total(t.page.effect.passes);
@@ -93,7 +97,11 @@ test("a called program is looked at and edited, the one that calls runs again, a
   await editor.file("away.h").click();
   await editor.show("findings");
   const place = t.findings.blockOf("1", "defines.h");
-  await findings.items.filter({ hasText: "QL7" }).getByRole("button", { name: t.findings.goTo(place) }).first().click();
+  await findings.items
+    .filter({ hasText: "QL7" })
+    .getByRole("button", { name: t.findings.goTo(place) })
+    .first()
+    .click();
   await expect(editor.file("defines.h")).toHaveAttribute("aria-current", "true");
 
   await editor.files.getByRole("button", { name: t.editor.files.runLong("away.h"), exact: true }).press("Enter");
@@ -128,7 +136,11 @@ test("blocks behind a skip mark are left out by a switch of the work", async ({ 
 
 test("a link carries the files of a work and its switch", async ({ page, context }) => {
   const { editor } = await Turnwise.open(page);
-  await editor.drop({ "defines.h": DEFINES, "MAIN.h": MAIN.replace("/9 CYCL CALL", "9 CYCL CALL\n/10 L Z+51 FMAX"), "away.h": AWAY });
+  await editor.drop({
+    "defines.h": DEFINES,
+    "MAIN.h": MAIN.replace("/9 CYCL CALL", "9 CYCL CALL\n/10 L Z+51 FMAX"),
+    "away.h": AWAY,
+  });
   await editor.leaveOut.check();
   const link = await editor.sharedLink();
   const other = await context.newPage();
@@ -141,24 +153,39 @@ test("a link carries the files of a work and its switch", async ({ page, context
   await expect(opened.total(t.editor.operations)).toHaveText("1");
 });
 
-test("of a folder with several programs one is opened with what it calls, or all, each as a work of its own", async ({ page }) => {
-  // The browser's own question for a folder can not be answered from here: it is one of the page's own place on the device.
+test("of a folder with several programs one is opened with what it calls, or all, each as a work of its own", async ({
+  page,
+}) => {
+  // The browser's own question for a folder can not be answered from here: it is one of the page's own place on the
+  // device.
   await page.addInitScript(() =>
-    Object.assign(window, { showDirectoryPicker: async () => (await navigator.storage.getDirectory()).getDirectoryHandle("job") })
+    Object.assign(window, {
+      showDirectoryPicker: async () => (await navigator.storage.getDirectory()).getDirectoryHandle("job"),
+    }),
   );
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   const other = AWAY.replaceAll("AWAY", "OTHER");
-  await page.evaluate(async (all) => {
-    const root = await (await navigator.storage.getDirectory()).getDirectoryHandle("job", { create: true });
-    for (const [path, text] of Object.entries(all)) {
-      const [name = "", folder] = path.split("/").reverse();
-      const place = folder === undefined ? root : await root.getDirectoryHandle(folder, { create: true });
-      const out = await (await place.getFileHandle(name, { create: true })).createWritable();
-      await out.write(text);
-      await out.close();
-    }
-  }, { "MAIN.h": MAIN, "work/away.h": AWAY, "work/defines.h": DEFINES, "OTHER.h": other, ".hidden.h": AWAY, "photo.jpg": "1" });
+  await page.evaluate(
+    async (all) => {
+      const root = await (await navigator.storage.getDirectory()).getDirectoryHandle("job", { create: true });
+      for (const [path, text] of Object.entries(all)) {
+        const [name = "", folder] = path.split("/").reverse();
+        const place = folder === undefined ? root : await root.getDirectoryHandle(folder, { create: true });
+        const out = await (await place.getFileHandle(name, { create: true })).createWritable();
+        await out.write(text);
+        await out.close();
+      }
+    },
+    {
+      "MAIN.h": MAIN,
+      "work/away.h": AWAY,
+      "work/defines.h": DEFINES,
+      "OTHER.h": other,
+      ".hidden.h": AWAY,
+      "photo.jpg": "1",
+    },
+  );
   const openFolder = page.getByRole("button", { name: t.page.programs.openFolder, exact: true });
   await openFolder.click();
   const question = page.getByRole("dialog", { name: words.choose.title, exact: true });

@@ -63,7 +63,9 @@ test("a program that is not simulated is never called proved, and says from whic
   await expect(page.getByText(t.findings.verdict.proved)).toHaveCount(0);
 });
 
-test("a program with faults leaves only when it is meant to: copying, downloading and sharing ask, in words", async ({ page }) => {
+test("a program with faults leaves only when it is meant to: copying, downloading and sharing ask, in words", async ({
+  page,
+}) => {
   const { editor, findings, handing, t } = await Turnwise.open(page);
   await editor.paste(MILLING);
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));
@@ -116,7 +118,9 @@ test("what stays leads to its place in the picture, and to a tool that takes it"
   await expect(lathe.mark("A")).toHaveAttribute("aria-pressed", "true");
   await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atEnd));
   await findings.button(t.findings.residue.ask).click();
-  const take = findings.panel.getByRole("button", { name: new RegExp(`^${t.setup.tool.take(0).split("0")[0]}`) }).first();
+  const take = findings.panel
+    .getByRole("button", { name: new RegExp(`^${t.setup.tool.take(0).split("0")[0]}`) })
+    .first();
   const tool = /\d+/.exec((await take.textContent()) ?? "")?.[0] ?? "";
   await take.click();
   await expect(program.blocks.filter({ hasText: `TOOL CALL ${tool}` })).toBeVisible();

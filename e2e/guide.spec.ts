@@ -5,7 +5,9 @@ import { looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("from a prompt to the page of its parameter, to a word, and back; advice is marked and taken", async ({ page }) => {
+test("from a prompt to the page of its parameter, to a word, and back; advice is marked and taken", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);
   const { dialog } = turnwise;
@@ -25,7 +27,9 @@ test("from a prompt to the page of its parameter, to a word, and back; advice is
   await expect(values.getByRole("img")).toHaveCount(3);
   await expect(values).toContainText(t.values.yours);
   await expect(main.getByRole("region", { name: t.acts.title }).getByText(t.acts.here)).toHaveCount(3);
-  await expect.poll(() => main.getByRole("region", { name: t.mistakes }).getByRole("listitem").count()).toBeGreaterThan(3);
+  await expect
+    .poll(() => main.getByRole("region", { name: t.mistakes }).getByRole("listitem").count())
+    .toBeGreaterThan(3);
   await looksRightInBoth(page, "a parameter");
 
   // The better value is one press, and undo takes it back.
@@ -90,12 +94,18 @@ test("the numbered steps are played by keys and by finger; cutting data are the 
   await expect(speed).toHaveValue("143");
 
   // Out as a file, and in again; a file that is none takes nothing.
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: advice.table.save }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: advice.table.save }).click(),
+  ]);
   expect(download.suggestedFilename()).toBe("CUTTING.json");
   await page.getByRole("button", { name: advice.table.reset }).click();
   await expect(speed).toHaveValue("190");
   const take = async (file: string | { readonly name: string; readonly mimeType: string; readonly buffer: Buffer }) => {
-    const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("button", { name: advice.table.open }).click()]);
+    const [chooser] = await Promise.all([
+      page.waitForEvent("filechooser"),
+      page.getByRole("button", { name: advice.table.open }).click(),
+    ]);
     await chooser.setFiles(file);
   };
   await take({ name: "TOOLS.json", mimeType: "application/json", buffer: Buffer.from("{}") });

@@ -12,7 +12,10 @@ async function downloaded(button: Locator): Promise<string> {
   return (await readFile(await (await waiting).path())).toString();
 }
 
-test("a work handed on gives the same report to the byte elsewhere, and its tools may stay", async ({ page, browser }) => {
+test("a work handed on gives the same report to the byte elsewhere, and its tools may stay", async ({
+  page,
+  browser,
+}) => {
   // The sender has a tool of his own under number 3.
   const sender = await Turnwise.open(page);
   await sender.tools.open();
@@ -21,7 +24,8 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
   await sender.tools.close();
   await sender.editor.openExample("flange");
   const { words } = sender.handing;
-  const totals = ({ editor, t }: Turnwise) => [t.page.effect.residual, t.findings.verdict.title].map((name) => editor.total(name));
+  const totals = ({ editor, t }: Turnwise) =>
+    [t.page.effect.residual, t.findings.verdict.title].map((name) => editor.total(name));
   const [stays, verdict] = totals(sender);
   await expect(stays!).toContainText("1.74");
   await expect(verdict!).toContainText(sender.t.findings.verdict.notes);
@@ -37,7 +41,11 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
   const black = [...(drawn ?? "").matchAll(/M(\d+) (\d+)h(\d+)/g)].reduce((sum, [, , , wide]) => sum + Number(wide), 0);
   expect(black).toBe(rows.flat().filter(Boolean).length);
   const report = await downloaded(sender.handing.out.getByRole("button", { name: words.report, exact: true }));
-  expect(JSON.parse(report)).toMatchObject({ format: "turnwise-report/1", file: "FLANGE.h", proof: { verdict: "proved" } });
+  expect(JSON.parse(report)).toMatchObject({
+    format: "turnwise-report/1",
+    file: "FLANGE.h",
+    proof: { verdict: "proved" },
+  });
 
   // The receiver has the shipped tools and works at something else.
   const context = await browser.newContext();
@@ -56,7 +64,9 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
   await expect(receiver.dialog.question).toBeVisible();
   await other.goto("about:blank");
   await other.goto(link);
-  await expect(receiver.handing.inside("FLANGE.h").getByRole("button", { name: words.open, exact: true })).toBeFocused();
+  await expect(
+    receiver.handing.inside("FLANGE.h").getByRole("button", { name: words.open, exact: true }),
+  ).toBeFocused();
   await other.keyboard.press("Enter");
   for (const [i, total] of totals(receiver).entries()) await expect(total).toHaveText(said[i] ?? "");
   await expect(receiver.handing.line).toContainText("6");
@@ -70,7 +80,11 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
   await receiver.handing.line.getByRole("button").click();
   const { tools } = receiver.handing;
   await expect(tools.getByRole("row").filter({ hasText: "RS" })).toContainText("0.4");
-  for (const [width, height] of [[390, 844], [768, 1024], [1280, 800]] as const) {
+  for (const [width, height] of [
+    [390, 844],
+    [768, 1024],
+    [1280, 800],
+  ] as const) {
     await other.setViewportSize({ width, height });
     await looksRight(other);
   }

@@ -14,7 +14,10 @@ test("a reload in the middle of typing loses nothing", async ({ page }) => {
   await expect(dialog.line("Q494")).toContainText("-41.25");
 });
 
-test("of two tabs on one work one has it: it is taken over with the last key, given back, or copied", async ({ page, context }) => {
+test("of two tabs on one work one has it: it is taken over with the last key, given back, or copied", async ({
+  page,
+  context,
+}) => {
   const t = deviceTexts.elsewhere;
   const first = await Turnwise.open(page);
   await first.start.beginWithExample(812);
@@ -61,7 +64,10 @@ test("a damaged save is set aside with a message, and the page opens", async ({ 
   await expect(turnwise.start.button(812, true)).toBeVisible();
 });
 
-/** Breaks every save on the device, as soon as the open work is written with what lists show of it; their number, 0 before. */
+/**
+ * Breaks every save on the device, as soon as the open work is written with what lists show of it; their number, 0
+ * before.
+ */
 function damageSaves(page: Page): Promise<number> {
   return page.evaluate(async () => {
     let count = 0;

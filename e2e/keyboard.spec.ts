@@ -10,7 +10,12 @@ const JOBS: readonly { cycle: number; own: Answers; expected: readonly string[];
     own: { Q493: "48.5", Q494: "-42", Q463: "2,4", Q506: "1" },
     expected: ["Q493=+48.5 ", "Q494=-42 ", "Q463=+2.4 ", "Q506=+1 "],
   },
-  { cycle: 820, own: { Q463: "75/30", Q488: "0.12" }, expected: ["Q463=+2.5 ", "Q488=+0.12 ", "L X+75 Z-20", "RND R2"], contour: true },
+  {
+    cycle: 820,
+    own: { Q463: "75/30", Q488: "0.12" },
+    expected: ["Q463=+2.5 ", "Q488=+0.12 ", "L X+75 Z-20", "RND R2"],
+    contour: true,
+  },
   {
     cycle: 852,
     own: { Q494: "-38.5", Q505: "0,15", Q507: "1" },
@@ -55,13 +60,24 @@ for (const { cycle, own, expected, contour } of JOBS) {
           await table.kind(n).press(row.kind === "RND" ? "R" : "C");
           await expect(table.kind(n)).toHaveValue(row.kind);
         }
-        for (const [field, text] of [[table.x(n), row.x], [table.z(n), row.z], [table.radius(n), row.r]] as const) {
+        for (const [field, text] of [
+          [table.x(n), row.x],
+          [table.z(n), row.z],
+          [table.radius(n), row.r],
+        ] as const) {
           if (text === undefined) continue;
-          await tabTo(page, field, await field.evaluate((e) =>
-              Boolean(document.activeElement && document.activeElement.compareDocumentPosition(e) & Node.DOCUMENT_POSITION_PRECEDING)
-            )
-            ? "Shift+Tab"
-            : "Tab");
+          await tabTo(
+            page,
+            field,
+            (await field.evaluate((e) =>
+              Boolean(
+                document.activeElement &&
+                document.activeElement.compareDocumentPosition(e) & Node.DOCUMENT_POSITION_PRECEDING,
+              ),
+            ))
+              ? "Shift+Tab"
+              : "Tab",
+          );
           await keyboard.type(text);
         }
       }
@@ -83,7 +99,14 @@ for (const { cycle, own, expected, contour } of JOBS) {
     await expect(program.confirmation).toBeVisible();
     expect(text).toMatch(/^0\s+BEGIN PGM /);
     for (const line of expected) expect(text.replace(/ +/g, " ")).toContain(line);
-    await expect.poll(() => program.shown()).toEqual(text.trimEnd().split(/\r?\n/).map((line) => line.trimEnd()));
+    await expect
+      .poll(() => program.shown())
+      .toEqual(
+        text
+          .trimEnd()
+          .split(/\r?\n/)
+          .map((line) => line.trimEnd()),
+      );
   });
 }
 
@@ -97,7 +120,8 @@ test("dimensions of the contour are chosen and typed on the drawing by keyboard 
   // On the way the keyboard went through the table: its last element is the chosen one.
   for (let i = 0; i < 2; i += 1) await keyboard.press("ArrowLeft");
   await expect(contour.drawing).toHaveAccessibleName(new RegExp(t.contour.drawingElement(4)));
-  const x = t.contour.xOf(4), z = t.contour.zOf(4);
+  const x = t.contour.xOf(4),
+    z = t.contour.zOf(4);
   await keyboard.press("Tab");
   await expect(contour.dimension(x)).toBeFocused();
   await keyboard.press("Enter");

@@ -1,7 +1,9 @@
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a groove from empty prompts: after each value the picture says what is known of it, in one's own numbers", async ({ page }) => {
+test("a groove from empty prompts: after each value the picture says what is known of it, in one's own numbers", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, t } = turnwise;
   await turnwise.start.button(852, false).click();

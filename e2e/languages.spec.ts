@@ -32,7 +32,9 @@ for (const language of LANGUAGES) {
   });
 }
 
-test("with a held clock and a seed two runs give the same addresses, dates and files, byte by byte", async ({ browser }) => {
+test("with a held clock and a seed two runs give the same addresses, dates and files, byte by byte", async ({
+  browser,
+}) => {
   const run = async () => {
     const page = await (await browser.newContext()).newPage();
     const turnwise = await Turnwise.open(page, { heldClock: "2026-11-21T08:05", seed: 7 });

@@ -3,7 +3,9 @@ import { load as en } from "../src/i18n/en/load.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("roughness and load by colour: scale, worst place, values under the pointer, list, other values, other language", async ({ page }) => {
+test("roughness and load by colour: scale, worst place, values under the pointer, list, other values, other language", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, editor } = turnwise;
   await editor.openExample("flange");

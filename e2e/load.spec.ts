@@ -20,7 +20,8 @@ test("the first load is small, and asks no other host", async ({ page, baseURL }
     if (!request.url().startsWith(baseURL ?? "") && !/^(data|blob):/.test(request.url())) foreign.push(request.url());
   });
   page.on("response", (response) => {
-    if (isFirst && /\.js(\?|$)/.test(response.url())) scripts.push(response.body().then((body) => gzipSync(body).length));
+    if (isFirst && /\.js(\?|$)/.test(response.url()))
+      scripts.push(response.body().then((body) => gzipSync(body).length));
   });
   const turnwise = await Turnwise.open(page);
   await expect(turnwise.start.button(812, true)).toBeEnabled();

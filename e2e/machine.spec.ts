@@ -4,7 +4,9 @@ import { accessible, looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("machine data: a preset, a value that is wrong, the file out and in, and the time that comes of them", async ({ page }) => {
+test("machine data: a preset, a value that is wrong, the file out and in, and the time that comes of them", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);
   await turnwise.effect.proved();
@@ -23,7 +25,10 @@ test("machine data: a preset, a value that is wrong, the file out and in, and th
   const most = section.getByRole("textbox", { name: t.fields.most, exact: true });
   await expect(most).toHaveValue("1600");
   await accessible(page);
-  for (const [width, height] of [[1280, 800], [390, 664]] as const) {
+  for (const [width, height] of [
+    [1280, 800],
+    [390, 664],
+  ] as const) {
     await page.setViewportSize({ width, height });
     await looksRightInBoth(page, `machine ${width}`);
   }
@@ -37,9 +42,16 @@ test("machine data: a preset, a value that is wrong, the file out and in, and th
   await most.press("Enter");
   await expect(dialog).toBeVisible();
   await expect(section.getByRole("combobox", { name: t.preset })).toHaveValue("own");
-  const [download] = await Promise.all([page.waitForEvent("download"), section.getByRole("button", { name: t.save }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    section.getByRole("button", { name: t.save }).click(),
+  ]);
   const file = await readFile(await download.path(), "utf8");
-  expect(JSON.parse(file)).toMatchObject({ format: "turnwise-machine/1", spindle: { most: 1500 }, output: { spindleOn: 303 } });
+  expect(JSON.parse(file)).toMatchObject({
+    format: "turnwise-machine/1",
+    spindle: { most: 1500 },
+    output: { spindleOn: 303 },
+  });
 
   const bring = async (name: string, text: string) => {
     const choosing = page.waitForEvent("filechooser");

@@ -9,7 +9,9 @@ test.use({ hasTouch: true });
 
 const { kinds } = measure;
 
-test("diameter, length, radius, angle by keys: they stay, follow a value, go onto the sheet, are undone", async ({ page }) => {
+test("diameter, length, radius, angle by keys: they stay, follow a value, go onto the sheet, are undone", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, dialog, effect, sheet } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -58,7 +60,9 @@ test("diameter, length, radius, angle by keys: they stay, follow a value, go ont
   await expect(drawing).not.toContainText("R1.500");
 });
 
-test("by touch: a tap on a surface, a finger beside the point, a text that is moved, and all of it cleared", async ({ page }) => {
+test("by touch: a tap on a surface, a finger beside the point, a text that is moved, and all of it cleared", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, effect } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -82,7 +86,10 @@ test("by touch: a tap on a surface, a finger beside the point, a text that is mo
   await turnwise.undo();
   await expect.poll(async () => Math.round(((await one.boundingBox())?.x ?? 0) - before.x)).toBe(0);
   await one.tap();
-  await lathe.view.getByRole("button", { name: /^Remove Diameter ⌀75\.000/ }).first().tap();
+  await lathe.view
+    .getByRole("button", { name: /^Remove Diameter ⌀75\.000/ })
+    .first()
+    .tap();
   await expect(one).toHaveCount(0);
   await lathe.view.getByText(measure.count("1")).tap();
   await lathe.view.getByRole("button", { name: measure.clear }).tap();

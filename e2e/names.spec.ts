@@ -6,24 +6,30 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 /** The golden, and how long a screen is given to become what it says, ms: one whose names changed takes that long. */
-const LIST = new URL("names.txt", import.meta.url), LATEST = 15_000;
+const LIST = new URL("names.txt", import.meta.url),
+  LATEST = 15_000;
 
 /*
- * Roles and names are what tests of others hold on to: e2e/names.txt lists each under the first screen that has it, and changing one
- * is a decision. After it, `npm run e2e -- names --update-snapshots` writes the list anew.
+ * Roles and names are what tests of others hold on to: e2e/names.txt lists each under the first screen that has it, and
+ * changing one is a decision. After it, `npm run e2e -- names --update-snapshots` writes the list anew.
  */
 test("every control of every screen has the name it is known by, and no other has it", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true, seed: 7 });
-  const { comparison, course, dialog, editor, effect, handing, own, settings, sheet, start, t, tools, works } = turnwise;
+  const { comparison, course, dialog, editor, effect, handing, own, settings, sheet, start, t, tools, works } =
+    turnwise;
   const home = () => page.getByRole("link", { name: t.page.home }).click();
   const screens: string[] = [];
   const known = new Set<string>();
-  // What comes a moment later is waited for, by the names that are known; that they are all there and no others is compared at the end.
+  // What comes a moment later is waited for, by the names that are known; that they are all there and no others is
+  // compared at the end.
   const listed = (existsSync(LIST) ? readFileSync(LIST, "utf8") : "").trimEnd().split("\n\n");
   const look = async (screen: string, part = page.locator("body")) => {
     const fresh = async () => kinds(await controls(part)).filter((kind) => !known.has(kind));
-    const section = async () => [`# ${screen}`, ...await fresh()].join("\n");
-    await expect.poll(async () => listed.includes(await section()), { timeout: LATEST }).toBe(true).catch(() => undefined);
+    const section = async () => [`# ${screen}`, ...(await fresh())].join("\n");
+    await expect
+      .poll(async () => listed.includes(await section()), { timeout: LATEST })
+      .toBe(true)
+      .catch(() => undefined);
     expect.soft(ambiguous(await controls(part)), `on the screen "${screen}"`).toEqual([]);
     screens.push(await section());
     for (const kind of await fresh()) known.add(kind);

@@ -35,7 +35,10 @@ async function kept(turnwise: Turnwise): Promise<void> {
 /** The script that a page was started with. */
 const version = (page: Page) => page.locator("script[type=module][src]").getAttribute("src");
 
-test("in flight mode: home screen, example, edit, proof, copy, languages, tools, Back, and a killed worker", async ({ page, context }) => {
+test("in flight mode: home screen, example, edit, proof, copy, languages, tools, Back, and a killed worker", async ({
+  page,
+  context,
+}) => {
   const first = await openPage(page);
   const { url } = site;
   await kept(first);
@@ -74,8 +77,12 @@ test("in flight mode: home screen, example, edit, proof, copy, languages, tools,
   await turnwise.editor.openExample("flange");
   await expect(turnwise.editor.total(turnwise.t.findings.verdict.title)).toHaveText(provedIn(turnwise.t));
   for (const language of ["zh", "fr", "de"] as const) {
-    await Turnwise.at(screen, language === "zh" ? "en" : language === "fr" ? "zh" : "fr").settings.chooseLanguage(language);
-    await expect(screen.getByText(Turnwise.at(screen, language).t.editor.sections.structure, { exact: true })).toBeVisible();
+    await Turnwise.at(screen, language === "zh" ? "en" : language === "fr" ? "zh" : "fr").settings.chooseLanguage(
+      language,
+    );
+    await expect(
+      screen.getByText(Turnwise.at(screen, language).t.editor.sections.structure, { exact: true }),
+    ).toBeVisible();
   }
   await screen.goto(`${url}gallery.html`);
   await expect(screen.getByRole("heading").first()).toBeVisible();
@@ -83,7 +90,10 @@ test("in flight mode: home screen, example, edit, proof, copy, languages, tools,
   await expect(screen.getByRole("dialog", { name: Turnwise.at(screen, "de").t.operations.newProgram })).toBeVisible();
 });
 
-test("half an update changes nothing; a whole one is said, waits for the button, and loses nothing", async ({ page, context }) => {
+test("half an update changes nothing; a whole one is said, waits for the button, and loses nothing", async ({
+  page,
+  context,
+}) => {
   const turnwise = await openPage(page);
   await turnwise.start.beginWithExample(812);
   await turnwise.dialog.set("Q493", "51.5");
@@ -128,14 +138,20 @@ test("half an update changes nothing; a whole one is said, waits for the button,
   await expect(other.page.getByText(en.elsewhere)).toBeVisible();
   expect(await version(other.page)).toBe(old);
   const keeps = () =>
-    other.page.evaluate(async (name) => {
-      const [cache = ""] = await caches.keys();
-      return (await (await caches.open(cache)).keys()).some(({ url }) => url.endsWith(name));
-    }, old?.slice(1) ?? "");
+    other.page.evaluate(
+      async (name) => {
+        const [cache = ""] = await caches.keys();
+        return (await (await caches.open(cache)).keys()).some(({ url }) => url.endsWith(name));
+      },
+      old?.slice(1) ?? "",
+    );
   expect(await keeps()).toBe(true);
   await other.tools.open();
   await expect(other.tools.row(1)).toBeVisible();
-  await Promise.all([other.page.waitForEvent("load"), other.page.getByRole("button", { name: en.reload, exact: true }).click()]);
+  await Promise.all([
+    other.page.waitForEvent("load"),
+    other.page.getByRole("button", { name: en.reload, exact: true }).click(),
+  ]);
   await expect(other.tools.row(1)).toBeVisible();
   expect(await version(other.page)).not.toBe(old);
   await expect.poll(keeps).toBe(false);
@@ -173,7 +189,10 @@ test("a part that does not come is said, keeps what is open, and comes with the 
   site.serve(newerVersion());
   await page.getByRole("button", { name: t.page.settings, exact: true }).click();
   await expect(page.getByText(missing.gone)).toBeVisible();
-  await Promise.all([page.waitForEvent("load"), page.getByRole("button", { name: t.page.notice.reload, exact: true }).click()]);
+  await Promise.all([
+    page.waitForEvent("load"),
+    page.getByRole("button", { name: t.page.notice.reload, exact: true }).click(),
+  ]);
   await expect(dialog.line("Q463")).toContainText("2.4");
   await turnwise.settings.open();
   await expect(turnwise.settings.dialog).toBeVisible();

@@ -71,7 +71,10 @@ test("a program of three operations from nothing, by keyboard alone", async ({ p
     await expect(page.getByRole("form", { name: t.dialog.form })).toBeVisible();
   };
   await put(822);
-  for (const [done, cycle] of [[1, 812], [2, 862]] as const) {
+  for (const [done, cycle] of [
+    [1, 812],
+    [2, 862],
+  ] as const) {
     await expect(editor.total(t.editor.operations)).toHaveText(String(done));
     await tabTo(page, page.getByRole("tab", { name: t.editor.sections.block, exact: true }), "Shift+Tab");
     await keyboard.press("ArrowRight");
@@ -85,7 +88,9 @@ test("a program of three operations from nothing, by keyboard alone", async ({ p
   await expect(editor.total(t.editor.operations)).toHaveText("2");
 });
 
-test("a new program that is given up at its first operation is a sane one, and offers the operation again", async ({ page }) => {
+test("a new program that is given up at its first operation is a sane one, and offers the operation again", async ({
+  page,
+}) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.create();
   await editor.show("structure");

@@ -18,7 +18,9 @@ const PROGRAM = `0 BEGIN PGM PULL MM
 `;
 const stored = "turnwise/own-cycles";
 
-test("an unknown block is described, its dialog changes the text, and it is put in a second time after a reload", async ({ page }) => {
+test("an unknown block is described, its dialog changes the text, and it is put in a second time after a reload", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { editor, dialog, own, t } = turnwise;
   await editor.openFile("PULL.H", Buffer.from(PROGRAM));
@@ -51,7 +53,9 @@ test("an unknown block is described, its dialog changes the text, and it is put 
   expect((await editor.downloaded()).toString()).toBe(changed);
   await expect(page.getByRole("region", { name: t.editor.total })).toContainText("CYCL DEF 317 BAR PULLER");
 
-  await expect.poll(() => page.evaluate((key) => localStorage.getItem(key) ?? "", stored)).toContain("0 open, 1 closed");
+  await expect
+    .poll(() => page.evaluate((key) => localStorage.getItem(key) ?? "", stored))
+    .toContain("0 open, 1 closed");
   await page.reload();
   await editor.line("Q1713").click();
   await editor.show("block");
@@ -59,13 +63,19 @@ test("an unknown block is described, its dialog changes the text, and it is put 
   await editor.line("Q1712").getByText("Q1712", { exact: true }).hover();
   await expect(page.locator(".nc-help")).toContainText("1: closed");
   await editor.tool("insertLong").click();
-  await page.getByRole("group", { name: t.editor.palette }).getByRole("button", { name: t.editor.kinds.cycle, exact: true }).click();
+  await page
+    .getByRole("group", { name: t.editor.palette })
+    .getByRole("button", { name: t.editor.kinds.cycle, exact: true })
+    .click();
   await own.group.getByRole("button", { name: t.page.own.title }).click();
   await expect(own.group).toContainText(t.own.mark);
   await looksRight(page);
-  await own.group.getByRole("button", { name: `${t.page.start.cycle(317, "BAR PULLER")}: ${t.chooser.insert}` }).click();
+  await own.group
+    .getByRole("button", { name: `${t.page.start.cycle(317, "BAR PULLER")}: ${t.chooser.insert}` })
+    .click();
   await expect(dialog.question).toHaveText("PULL LENGTH");
-  const second = "6 CYCL DEF 317 BAR PULLER ~\n    Q1711=+31.7 ;PULL LENGTH ~\n    Q1712=+1 ;GRIP ~\n    Q1713=+250 ;FEED RATE\n";
+  const second =
+    "6 CYCL DEF 317 BAR PULLER ~\n    Q1711=+31.7 ;PULL LENGTH ~\n    Q1712=+1 ;GRIP ~\n    Q1713=+250 ;FEED RATE\n";
   expect((await editor.downloaded()).toString()).toContain(second);
 });
 

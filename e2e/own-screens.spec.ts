@@ -15,24 +15,30 @@ const parameter = (id: string, q: string, prompt: string, more: object) => ({
 /** One that can be used, and one with errors. */
 const KEPT = JSON.stringify({
   version: 1,
-  cycles: [{
-    id: "c1",
-    number: "317",
-    name: "BAR PULLER",
-    parameters: [
-      parameter("p1", "Q1711", "PULL LENGTH", { kind: "length", min: "0.5", max: "187.25" }),
-      parameter("p2", "Q1712", "GRIP", { kind: "choice", choices: "0 open, 1 closed" }),
-    ],
-  }, {
-    id: "c2",
-    number: "812",
-    name: "A VERY LONG NAME OF A CYCLE THAT WRAPS",
-    parameters: [parameter("p1", "R1", "", { kind: "feed", first: "x" })],
-  }],
+  cycles: [
+    {
+      id: "c1",
+      number: "317",
+      name: "BAR PULLER",
+      parameters: [
+        parameter("p1", "Q1711", "PULL LENGTH", { kind: "length", min: "0.5", max: "187.25" }),
+        parameter("p2", "Q1712", "GRIP", { kind: "choice", choices: "0 open, 1 closed" }),
+      ],
+    },
+    {
+      id: "c2",
+      number: "812",
+      name: "A VERY LONG NAME OF A CYCLE THAT WRAPS",
+      parameters: [parameter("p1", "R1", "", { kind: "feed", first: "x" })],
+    },
+  ],
 });
-const PROGRAM = "BEGIN PGM A MM\nCYCL DEF 317 BAR PULLER ~\nQ1711=+200 ;PULL LENGTH ~\nQ1712=+1 ;GRIP\nCYCL CALL\nEND PGM A MM\n";
+const PROGRAM =
+  "BEGIN PGM A MM\nCYCL DEF 317 BAR PULLER ~\nQ1711=+200 ;PULL LENGTH ~\nQ1712=+1 ;GRIP\nCYCL CALL\nEND PGM A MM\n";
 
-test("own cycles: the list, a description with errors and the dialog of a block pass axe, and fit", async ({ page }) => {
+test("own cycles: the list, a description with errors and the dialog of a block pass axe, and fit", async ({
+  page,
+}) => {
   await page.addInitScript((kept) => localStorage.setItem("turnwise/own-cycles", kept), KEPT);
   const { dialog, editor, own, settings, t } = await Turnwise.open(page);
   await settings.open();

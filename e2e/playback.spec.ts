@@ -2,23 +2,30 @@ import { frames } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** What is painted as material, one letter for each small square of the canvas: how single edge pixels are rounded does not count. */
+/**
+ * What is painted as material, one letter for each small square of the canvas: how single edge pixels are rounded does
+ * not count.
+ */
 const stock = (turnwise: Turnwise) =>
   turnwise.lathe.picture.locator("canvas.material").evaluate((element) => {
-    const { width, height } = element as HTMLCanvasElement, side = 4;
+    const { width, height } = element as HTMLCanvasElement,
+      side = 4;
     const pixels = (element as HTMLCanvasElement).getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
     let squares = "";
     for (let y = 0; y + side <= height; y += side) {
       for (let x = 0; x + side <= width; x += side) {
         let covered = 0;
-        for (let i = 0; i < side * side; i += 1) covered += pixels[4 * ((y + Math.floor(i / side)) * width + x + (i % side)) + 3] ?? 0;
+        for (let i = 0; i < side * side; i += 1)
+          covered += pixels[4 * ((y + Math.floor(i / side)) * width + x + (i % side)) + 3] ?? 0;
         squares += covered > side * side * 128 ? "#" : ".";
       }
     }
     return squares;
   });
 
-test("playing with a held clock: time moves when the test says so, and the step of the manual is shown", async ({ page }) => {
+test("playing with a held clock: time moves when the test says so, and the step of the manual is shown", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   const { lathe, program, effect } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -30,7 +37,8 @@ test("playing with a held clock: time moves when the test says so, and the step 
   await lathe.advance(5000);
   await expect.poll(async () => Number(await lathe.timeline.inputValue())).toBeGreaterThan(Number(before));
   await lathe.button("pause").click();
-  for (let i = 0; i < 40 && !/Step 2 of 6/.test((await lathe.running.textContent()) ?? ""); i += 1) await lathe.button("forward").click();
+  for (let i = 0; i < 40 && !/Step 2 of 6/.test((await lathe.running.textContent()) ?? ""); i += 1)
+    await lathe.button("forward").click();
   await expect(lathe.running).toContainText("Step 2 of 6");
   await expect(program.runningBlock).toContainText("CYCL CALL");
 });
@@ -61,7 +69,8 @@ test("playing, stepping and seeking show the same stock", async ({ page }) => {
 /** How the picture of the material is shaded, or another canvas of it: the mean of each square. */
 const shades = (turnwise: Turnwise, canvas = "canvas.material") =>
   turnwise.lathe.picture.locator(canvas).evaluate((element) => {
-    const { width, height } = element as HTMLCanvasElement, side = 12;
+    const { width, height } = element as HTMLCanvasElement,
+      side = 12;
     const pen = new OffscreenCanvas(width, height).getContext("2d");
     pen?.drawImage(element as HTMLCanvasElement, 0, 0);
     const pixels = pen?.getImageData(0, 0, width, height).data ?? [];
@@ -69,7 +78,8 @@ const shades = (turnwise: Turnwise, canvas = "canvas.material") =>
     for (let y = 0; y + side <= height; y += side) {
       for (let x = 0; x + side <= width; x += side) {
         let sum = 0;
-        for (let i = 0; i < side * side; i += 1) sum += pixels[4 * ((y + Math.floor(i / side)) * width + x + (i % side))] ?? 0;
+        for (let i = 0; i < side * side; i += 1)
+          sum += pixels[4 * ((y + Math.floor(i / side)) * width + x + (i % side))] ?? 0;
         squares.push(sum / (side * side));
       }
     }
@@ -77,11 +87,13 @@ const shades = (turnwise: Turnwise, canvas = "canvas.material") =>
   });
 
 /** Squares that are shaded differently in two pictures. */
-const differing = (one: readonly number[], other: readonly number[]) => one.filter((v, i) => Math.abs(v - (other[i] ?? 0)) > 6).length;
+const differing = (one: readonly number[], other: readonly number[]) =>
+  one.filter((v, i) => Math.abs(v - (other[i] ?? 0)) > 6).length;
 
 test("while it plays by itself the worker paints the stock, as the page does at rest", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
-  const { lathe, effect } = turnwise, layer = lathe.picture.locator(".played canvas");
+  const { lathe, effect } = turnwise,
+    layer = lathe.picture.locator(".played canvas");
   await turnwise.start.beginWithExample(812);
   await effect.proved();
   const blank = await shades(turnwise);
@@ -103,7 +115,9 @@ test("while it plays by itself the worker paints the stock, as the page does at 
   }
 });
 
-test("in each view, and with X down, the work looks the same when it was played and when it is looked at anew", async ({ page }) => {
+test("in each view, and with X down, the work looks the same when it was played and when it is looked at anew", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   const { lathe, effect, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -143,7 +157,8 @@ test("the chip that is cut stands at the edge and in numbers, and passes that ar
   const { lathe, effect } = turnwise;
   await turnwise.start.beginWithExample(812);
   await effect.proved();
-  const edge = lathe.picture.locator(".chip-edge"), measure = lathe.picture.locator(".chip-sheet text");
+  const edge = lathe.picture.locator(".chip-edge"),
+    measure = lathe.picture.locator(".chip-sheet text");
   const passes = (progress: "done" | "running" | "coming") => lathe.picture.locator(`.pass-${progress}`);
   await expect(passes("done")).toHaveCount(0);
   await expect(lathe.running).not.toContainText(/\bap /);

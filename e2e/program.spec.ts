@@ -4,7 +4,8 @@ import { Turnwise } from "./pages/turnwise.ts";
 import { looksRight } from "./pages/look.ts";
 import { output } from "../src/i18n/en/output.ts";
 
-const UNTIED = "0 BEGIN PGM OLD MM\n1 BLK FORM CYLINDER Z D75 L100\n2 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2 ;B\n3 M30\n4 END PGM OLD MM\n";
+const UNTIED =
+  "0 BEGIN PGM OLD MM\n1 BLK FORM CYLINDER Z D75 L100\n2 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2 ;B\n3 M30\n4 END PGM OLD MM\n";
 
 test("files of both controls, and labels in a language of their own", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
@@ -115,7 +116,14 @@ test("the download is the text on the screen, under the program's name", async (
   expect(download.suggestedFilename()).toBe("WELLE7.h");
   const text = await readFile(await download.path(), "utf8");
   expect(text).toContain("BEGIN PGM WELLE7 MM");
-  await expect.poll(() => program.shown()).toEqual(text.trimEnd().split(/\r?\n/).map((line) => line.trimEnd()));
+  await expect
+    .poll(() => program.shown())
+    .toEqual(
+      text
+        .trimEnd()
+        .split(/\r?\n/)
+        .map((line) => line.trimEnd()),
+    );
 });
 
 test("where the clipboard is refused the text is offered, selected", async ({ page }) => {

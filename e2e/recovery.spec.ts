@@ -33,10 +33,13 @@ test("wrong input says what is wrong and what would work, and the picture stays"
   await expect(lathe.view).not.toContainText(t.lathe.outdated);
 });
 
-test("a block of a program that is half typed keeps the last good picture, until it is right or left", async ({ page }) => {
+test("a block of a program that is half typed keeps the last good picture, until it is right or left", async ({
+  page,
+}) => {
   const { editor, dialog, lathe, t } = await Turnwise.open(page);
   await editor.openFile("FLANGE.h", readFileSync("src/examples/flange.h"));
-  const passes = editor.total(t.page.effect.passes), proved = editor.total(t.findings.verdict.title);
+  const passes = editor.total(t.page.effect.passes),
+    proved = editor.total(t.findings.verdict.title);
   await expect(passes).toHaveText(/^[1-9]\d$/);
   await expect(proved).toHaveText(provedIn(t));
   const all = (await passes.textContent()) ?? "";
@@ -87,7 +90,9 @@ test("a half typed word of an approach keeps the last good picture too", async (
   await expect(outdated).toBeHidden();
 });
 
-test("a start diameter equal to the end diameter is named at its prompt and in the list, and leads there", async ({ page }) => {
+test("a start diameter equal to the end diameter is named at its prompt and in the list, and leads there", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, findings, effect } = turnwise;
   await turnwise.start.beginWithExample(812);

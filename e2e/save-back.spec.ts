@@ -5,7 +5,10 @@ import { looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** What the older character set holds, bytes without a character among them, line ends of all kinds, and no line end at the end. */
+/**
+ * What the older character set holds, bytes without a character among them, line ends of all kinds, and no line end at
+ * the end.
+ */
 const AWKWARD = [
   ...Buffer.from("0 BEGIN PGM AWK MM\r\n1 ; ", "latin1"),
   ...Array.from({ length: 128 }, (_, i) => 128 + i),
@@ -13,24 +16,30 @@ const AWKWARD = [
 ];
 
 const put = (page: Page, bytes: readonly number[]) =>
-  page.evaluate(async (all) => {
-    const root = await navigator.storage.getDirectory();
-    const out = await (await root.getFileHandle("AWK.H", { create: true })).createWritable();
-    await out.write(new Uint8Array(all));
-    await out.close();
-  }, [...bytes]);
+  page.evaluate(
+    async (all) => {
+      const root = await navigator.storage.getDirectory();
+      const out = await (await root.getFileHandle("AWK.H", { create: true })).createWritable();
+      await out.write(new Uint8Array(all));
+      await out.close();
+    },
+    [...bytes],
+  );
 const onDevice = (page: Page) =>
   page.evaluate(async () => {
     const root = await navigator.storage.getDirectory();
     return [...new Uint8Array(await (await (await root.getFileHandle("AWK.H")).getFile()).arrayBuffer())];
   });
 
-test("a file is saved back to the byte after a reload, and never over what somebody else wrote there", async ({ page }) => {
-  // The browser's own question for files can not be answered from here: the files are those of the page's own place on the device.
+test("a file is saved back to the byte after a reload, and never over what somebody else wrote there", async ({
+  page,
+}) => {
+  // The browser's own question for files can not be answered from here: the files are those of the page's own place on
+  // the device.
   await page.addInitScript(() =>
     Object.assign(window, {
       showOpenFilePicker: async () => [await (await navigator.storage.getDirectory()).getFileHandle("AWK.H")],
-    })
+    }),
   );
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;

@@ -12,7 +12,10 @@ test("the start, the settings and the files of a work pass axe, and fit", async 
   await settings.open();
   await looksRightInBoth(page, "the settings");
   await page.keyboard.press("Escape");
-  await editor.drop({ "MAIN.h": "BEGIN PGM MAIN MM\nCALL PGM CUT\n/CALL PGM AWAY\nM30\n", "cut.h": "BEGIN PGM CUT MM\nL X+1\n" });
+  await editor.drop({
+    "MAIN.h": "BEGIN PGM MAIN MM\nCALL PGM CUT\n/CALL PGM AWAY\nM30\n",
+    "cut.h": "BEGIN PGM CUT MM\nL X+1\n",
+  });
   await editor.show("text");
   await expect(editor.leaveOut).toBeVisible();
   await expect(editor.files.getByText("AWAY.H")).toBeVisible();

@@ -59,7 +59,9 @@ test("of a bar and the part that came off it the part is turned round; the dialo
 test("a program with errors leaves nothing to turn round, and it is said why", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { language: "de" });
   const { editor, t } = turnwise;
-  await editor.paste("0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D40 L60\n2 FUNCTION MODE TURN\n3 TOOL CALL 99\n4 M30\n5 END PGM A MM\n");
+  await editor.paste(
+    "0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D40 L60\n2 FUNCTION MODE TURN\n3 TOOL CALL 99\n4 M30\n5 END PGM A MM\n",
+  );
   await page.getByRole("button", { name: t.page.text.turnRound, exact: true }).click();
   const dialog = page.getByRole("dialog", { name: de.title, exact: true });
   await expect(dialog.getByRole("status")).toHaveText(de.lack.faults);

@@ -35,7 +35,8 @@ test("the same by keyboard: from the picture to the prompt and back", async ({ p
   await editor.paste(WRONG);
   await expect(editor.total(turnwise.t.page.effect.passes)).toHaveText("81");
   await stageOf(turnwise).focus();
-  for (let i = 0; i < 200 && !/Block 21/.test((await lathe.running.textContent()) ?? ""); i += 1) await page.keyboard.press("ArrowRight");
+  for (let i = 0; i < 200 && !/Block 21/.test((await lathe.running.textContent()) ?? ""); i += 1)
+    await page.keyboard.press("ArrowRight");
   await expect(lathe.running).toContainText("Block 21");
   await page.keyboard.press("Enter");
   await expect(dialog.value).toHaveAccessibleName(/^Q463/);
@@ -71,7 +72,10 @@ test("in the workplace of one cycle: line, prompt, path and step are the same pl
   const { lathe, dialog, effect, program, t } = turnwise;
   await turnwise.start.beginWithExample(812);
   await effect.proved();
-  await program.panel.getByRole("code").filter({ hasText: /^Q505=/ }).click();
+  await program.panel
+    .getByRole("code")
+    .filter({ hasText: /^Q505=/ })
+    .click();
   await expect(dialog.value).toHaveAccessibleName(/^Q505/);
   await expect(program.runningBlock).toContainText("CYCL CALL");
   const steps = lathe.view.getByRole("list", { name: t.lathe.stepList.title }).getByRole("listitem");
@@ -110,7 +114,8 @@ test("a drag with the ruler measures, and leaves the picture where it is", async
   const reading = lathe.view.locator(".measure-panel");
   await expect(reading.getByRole("status")).not.toBeEmpty();
   const stage = stageOf(turnwise);
-  const from = await pictureAt(page, stage, -90, 20), to = await pictureAt(page, stage, -70, 30);
+  const from = await pictureAt(page, stage, -90, 20),
+    to = await pictureAt(page, stage, -70, 30);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move((from.x + to.x) / 2, to.y, { steps: 4 });

@@ -22,7 +22,14 @@ test("a shoulder from the empty page by keyboard alone, in few keys beside its v
   await press("Enter");
   await expect(dialog.question).toHaveText(t.setup.blank.outside);
   await press("End");
-  for (const [q, value] of [["Q215", ""], ["Q460", ""], ["Q491", "61.3"], ["Q492", ""], ["Q493", "42"], ["Q494", "-35"]] as const) {
+  for (const [q, value] of [
+    ["Q215", ""],
+    ["Q460", ""],
+    ["Q491", "61.3"],
+    ["Q492", ""],
+    ["Q493", "42"],
+    ["Q494", "-35"],
+  ] as const) {
     await asks(q);
     await keyboard.type(value);
     if (q === "Q494") await press("End");
@@ -40,12 +47,20 @@ test("a shoulder from the empty page by keyboard alone, in few keys beside its v
   expect(keys).toBeLessThan(MOST_KEYS);
 });
 
-test("a groove from Z0 is cut in the blank that is proposed, and a forgotten minus is asked about", async ({ page }) => {
+test("a groove from Z0 is cut in the blank that is proposed, and a forgotten minus is asked about", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, effect, t } = turnwise;
   await turnwise.start.beginEmpty(852);
   await dialog.active.getByRole("button", { name: t.dialog.setup.toPrompts, exact: true }).click();
-  for (const [q, value] of [["Q491", "61.3"], ["Q492", "0"], ["Q493", "42.7"], ["Q494", "12"]] as const) await dialog.set(q, value);
+  for (const [q, value] of [
+    ["Q491", "61.3"],
+    ["Q492", "0"],
+    ["Q493", "42.7"],
+    ["Q494", "12"],
+  ] as const)
+    await dialog.set(q, value);
   await dialog.open("Q494");
   await expect(dialog.messages).toContainText("Z+12");
   await dialog.messages.getByRole("button", { name: t.dialog.takeNearest("-12"), exact: true }).click();

@@ -16,7 +16,9 @@ test("a tool that cannot make the contour says so at once, and names one that ca
   await effect.proved();
 });
 
-test("a start point that stands in the material is said at its field, and the picture follows the blank", async ({ page }) => {
+test("a start point that stands in the material is said at its field, and the picture follows the blank", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { setup, effect, lathe, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -29,7 +31,10 @@ test("a start point that stands in the material is said at its field, and the pi
   await setup.start("z").fill("-10");
   await expect(page.getByRole("tab", { name: new RegExp(`^${t.findings.title}`) })).toContainText(/\d/);
   await turnwise.show("findings");
-  await turnwise.findings.panel.getByRole("button", { name: t.findings.goTo(t.findings.places.startX), exact: true }).first().click();
+  await turnwise.findings.panel
+    .getByRole("button", { name: t.findings.goTo(t.findings.places.startX), exact: true })
+    .first()
+    .click();
   await expect(setup.start("x")).toBeFocused();
   await setup.start("x").fill("75");
   await setup.start("z").fill("2");

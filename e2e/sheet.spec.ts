@@ -44,7 +44,9 @@ test("the setup sheet of a program: what stands on it, remarks that stay, its pa
   await expect(editor.total(t.editor.operations)).toHaveText("8");
 });
 
-test("the sheet of a cycle, in German on a phone; a program with faults is marked; the workplace prints its program", async ({ page }) => {
+test("the sheet of a cycle, in German on a phone; a program with faults is marked; the workplace prints its program", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page, { language: "de" });
   const { dialog, effect, sheet } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -55,7 +57,9 @@ test("the sheet of a cycle, in German on a phone; a program with faults is marke
   await expect(sheet.preview).toContainText(sheet.words.stamp.good);
   await page.setViewportSize({ width: 390, height: 844 });
   await accessible(page);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)).toBeLessThanOrEqual(0);
+  expect(
+    await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth),
+  ).toBeLessThanOrEqual(0);
   await page.setViewportSize({ width: 1280, height: 800 });
   await sheet.withProgram.uncheck();
   expect((await sheet.printed()).pages).toBe(1);
@@ -65,7 +69,9 @@ test("the sheet of a cycle, in German on a phone; a program with faults is marke
   await expect(sheet.preview.getByRole("heading", { name: sheet.words.stamp.faults })).toBeVisible();
 });
 
-test("the setup sheet of an inch program is in inches, its tools in mm; so is what comes of a difference", async ({ page }) => {
+test("the setup sheet of an inch program is in inches, its tools in mm; so is what comes of a difference", async ({
+  page,
+}) => {
   const { editor, sheet, t } = await Turnwise.open(page);
   const text = readFileSync("tests/programs/shoulder-inch.h", "utf8");
   await editor.openFile("SHOULDER.h", Buffer.from(text));
@@ -74,7 +80,9 @@ test("the setup sheet of an inch program is in inches, its tools in mm; so is wh
   await expect(preview).toContainText(words.inch);
   await expect(preview.getByRole("img", { name: words.drawingOf("SHOULDER_INCH") })).toContainText("⌀2.338");
   await expect(preview).toContainText("⌀2.9528 × 3.937");
-  await expect(preview.getByRole("row", { name: /812.*T1.*X⌀2\.9528 Z\+0\.0787.*0\.0118 \/ 0\.0079 inch\/rev/ })).toBeVisible();
+  await expect(
+    preview.getByRole("row", { name: /812.*T1.*X⌀2\.9528 Z\+0\.0787.*0\.0118 \/ 0\.0079 inch\/rev/ }),
+  ).toBeVisible();
   await expect(preview.getByRole("row", { name: /CNMG-80-R08.*RS 0\.8/ })).toBeVisible();
   await sheet.close();
 
@@ -82,5 +90,7 @@ test("the setup sheet of an inch program is in inches, its tools in mm; so is wh
   await page.getByRole("button", { name: t.page.text.compare, exact: true }).click();
   const dialog = page.getByRole("dialog", { name: compare.title, exact: true });
   await dialog.getByRole("button", { name: compare.clipboard, exact: true }).click();
-  await expect(dialog.getByText(new RegExp(String.raw`${compare.effects.infeed} 0\.0\d+ inch → 0\.\d+ inch`)).first()).toBeVisible();
+  await expect(
+    dialog.getByText(new RegExp(String.raw`${compare.effects.infeed} 0\.0\d+ inch → 0\.\d+ inch`)).first(),
+  ).toBeVisible();
 });

@@ -5,20 +5,28 @@ import { frames, settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the turned body in space: turned, cut open, at any moment; the section where the graphics card is gone", async ({ page }) => {
+test("the turned body in space: turned, cut open, at any moment; the section where the graphics card is gone", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { effect, lathe, start } = turnwise;
-  const field = lathe.view.getByRole("group", { name: words.title, exact: true }), picture = field.getByRole("img");
-  const seen = async () => createHash("sha1").update(await picture.screenshot()).digest("hex");
+  const field = lathe.view.getByRole("group", { name: words.title, exact: true }),
+    picture = field.getByRole("img");
+  const seen = async () =>
+    createHash("sha1")
+      .update(await picture.screenshot())
+      .digest("hex");
   /** What is seen once it is another picture than before, and stays. */
   const changed = async (before: string) => {
     let now = before;
-    await expect.poll(async () => {
-      const last = now;
-      await frames(page, 6);
-      now = await seen();
-      return now !== before && now === last;
-    }).toBe(true);
+    await expect
+      .poll(async () => {
+        const last = now;
+        await frames(page, 6);
+        now = await seen();
+        return now !== before && now === last;
+      })
+      .toBe(true);
     return now;
   };
   await start.beginWithExample(812);
@@ -84,7 +92,7 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   await page.addInitScript(() => {
     const before = HTMLCanvasElement.prototype.getContext;
     let refused = 0;
-    HTMLCanvasElement.prototype.getContext = function(this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
       if (kind.startsWith("webgl") && (refused += 1) === 1) return null;
       return Reflect.apply(before, this, [kind, ...rest]) as never;
     } as typeof before;
@@ -105,7 +113,11 @@ test("on small screens the named views can be pressed while something is told by
   await lathe.colours.selectOption("roughness");
   await lathe.shows("solid");
   const quarter = lathe.view.getByRole("button", { name: words.quarter, exact: true });
-  for (const [width, height] of [[390, 844], [844, 390], [1024, 768]] as const) {
+  for (const [width, height] of [
+    [390, 844],
+    [844, 390],
+    [1024, 768],
+  ] as const) {
     await page.setViewportSize({ width, height });
     await expect(quarter).toBeVisible();
     const before = await quarter.getAttribute("aria-pressed");

@@ -3,8 +3,9 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 /*
- * Every changed value has to reach the picture. How long that takes is printed, never judged: it says more about the machine
- * than about the page (docs/performance.md has what was measured on a quiet one). What is judged is what does not depend on it.
+ * Every changed value has to reach the picture. How long that takes is printed, never judged: it says more about the
+ * machine than about the page (docs/performance.md has what was measured on a quiet one). What is judged is what does
+ * not depend on it.
  */
 test.describe.configure({ mode: "serial" });
 
@@ -14,7 +15,8 @@ const MANY = 300;
 const GROWTH = 3_000_000;
 
 /** Oversizes, each another one: every one moves the path. */
-const oversizes = (count: number, from = 0) => Array.from({ length: count }, (_, i) => (0.1 + ((i + from) % 300) / 1000).toFixed(3));
+const oversizes = (count: number, from = 0) =>
+  Array.from({ length: count }, (_, i) => (0.1 + ((i + from) % 300) / 1000).toFixed(3));
 
 for (const cycle of [812, 820, 852]) {
   test(`a changed value of ${cycle} is a new picture`, async ({ page }) => {

@@ -3,7 +3,13 @@ import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-const SIZES = [[390, 844], [768, 1024], [1024, 768], [1440, 900], [2560, 1440]] as const;
+const SIZES = [
+  [390, 844],
+  [768, 1024],
+  [1024, 768],
+  [1440, 900],
+  [2560, 1440],
+] as const;
 
 test("the start page is right at every size, for the first visit and with work", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
@@ -50,7 +56,7 @@ test("kept work stands first, opens with one press, and is taken out with a way 
   await expect(kept).toContainText(t.cycles.of[852].name);
   const [top, cycles] = [await settledBox(kept), await settledBox(start.search)];
   expect(top.y).toBeLessThan(cycles.y);
-  const name = await kept.locator("b.kept-name").first().textContent() ?? "";
+  const name = (await kept.locator("b.kept-name").first().textContent()) ?? "";
   await kept.getByRole("button", { name: t.page.start.forget(name) }).click();
   await expect(start.kept(name)).toHaveCount(0);
   await kept.getByRole("button", { name: t.page.undo }).click();

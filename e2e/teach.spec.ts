@@ -33,7 +33,8 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await looksRightInBoth(page, "the form of a task");
 
   // A rule that its own answer breaks keeps the task in.
-  const depth = form.getByRole("textbox", { name: words.rule.depth, exact: true }), was = await depth.inputValue();
+  const depth = form.getByRole("textbox", { name: words.rule.depth, exact: true }),
+    was = await depth.inputValue();
   await depth.fill("0.3");
   await expect(instructor.teaching.check).toContainText(words.refused);
   await expect(form.getByRole("button", { name: words.tryIt, exact: true })).toBeDisabled();
@@ -47,7 +48,11 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   const link = await instructor.teaching.link(form);
   const [file, text] = await downloaded(form.getByRole("button", { name: words.saveTask, exact: true }));
   expect(file).toMatch(/^shoulder-50-\w+\.turnwise-task\.json$/);
-  expect(JSON.parse(text)).toMatchObject({ format: "turnwise-task/1", words: { en: { title } }, sizes: [{ upper: 0.05, lower: -0.05 }] });
+  expect(JSON.parse(text)).toMatchObject({
+    format: "turnwise-task/1",
+    words: { en: { title } },
+    sizes: [{ upper: 0.05, lower: -0.05 }],
+  });
   // A form that is closed, and a page that goes, lose nothing.
   await page.keyboard.press("Escape");
   await expect(form).toBeHidden();
@@ -62,7 +67,9 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   const other = learner.page;
   await other.goto("about:blank");
   await other.goto(`${link.slice(0, link.indexOf("#"))}${link.slice(link.indexOf("#"), -20)}`);
-  await expect(other.getByRole("dialog", { name: words.problem.link, exact: true })).toContainText(words.problem.damaged);
+  await expect(other.getByRole("dialog", { name: words.problem.link, exact: true })).toContainText(
+    words.problem.damaged,
+  );
   await other.goto("about:blank");
   await other.goto(link);
   const incoming = learner.teaching.incoming(title);
@@ -93,7 +100,10 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await expect(handIn.getByRole("checkbox", { name: title, exact: true })).toBeChecked();
   const [resultFile, handed] = await downloaded(handIn.getByRole("button", { name: words.hand.save, exact: true }));
   expect(resultFile).toBe("Ada-7.turnwise-result.json");
-  const { name, tasks: [first] } = JSON.parse(handed) as { name: string; tasks: { program: string; steps: number; worked: number }[] };
+  const {
+    name,
+    tasks: [first],
+  } = JSON.parse(handed) as { name: string; tasks: { program: string; steps: number; worked: number }[] };
   expect([name, first?.program]).toEqual(["Ada 7", solution]);
   expect(first?.steps).toBeGreaterThan(0);
   await looksRightInBoth(other, "results that are handed in");

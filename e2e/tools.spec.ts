@@ -6,7 +6,9 @@ import { looksRight } from "./pages/look.ts";
 import { words } from "./pages/words.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a tool of one's own by keyboard alone: made, kept over a reload, offered in the set-up and run with", async ({ page }) => {
+test("a tool of one's own by keyboard alone: made, kept over a reload, offered in the set-up and run with", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { tools, setup, effect, t } = turnwise;
   const { keyboard } = page;
@@ -102,7 +104,8 @@ test("TO by its picture, columns that a type has no use for, and a sum", async (
   await expect(tools.drawing.locator("path.shape-holder")).toBeAttached();
 });
 
-const codes = words("en", "tool-codes"), files = words("en", "tool-files");
+const codes = words("en", "tool-codes"),
+  files = words("en", "tool-files");
 
 test("out and in again, as JSON and as column text", async ({ page }) => {
   const { tools, t } = await Turnwise.open(page);
@@ -113,7 +116,10 @@ test("out and in again, as JSON and as column text", async ({ page }) => {
   const text = await tools.export("text");
   expect(text.name).toBe("TOOLTURN.TRN");
   expect(text.text).toMatch(/^BEGIN TOOLTURN\.TRN MM\r\nT /);
-  await tools.choose({ name: "SHOP.TRN", content: text.text.replace("CNMG-80-R08", "MINE-80-R08").replace("\r\n15 ", "\r\n40 ") });
+  await tools.choose({
+    name: "SHOP.TRN",
+    content: text.text.replace("CNMG-80-R08", "MINE-80-R08").replace("\r\n15 ", "\r\n40 "),
+  });
   await expect(tools.incoming).toContainText(files.fresh(1));
   await expect(tools.incoming).toContainText("NAME CNMG-80-R08 → MINE-80-R08");
   await expect(tools.incoming).toContainText(files.same(13));
@@ -154,7 +160,9 @@ const SHOP = [
   "",
 ].join("\r\n");
 
-test("a shop's table comes back to the byte but for the tool that changed, and a sheet adds to it", async ({ page }) => {
+test("a shop's table comes back to the byte but for the tool that changed, and a sheet adds to it", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { tools } = turnwise;
   await tools.open();
@@ -181,13 +189,17 @@ test("a shop's table comes back to the byte but for the tool that changed, and a
   await tools.take("new");
   const changed = await tools.export("again");
   const titles = SHOP.split("\r\n")[4] ?? "";
-  const expected = SHOP.replace("+0,4     1  +93", "+0,2     1  +93").replace("84      SCHL",
-    `${
-      "83      NEU                                           +1,2     1  +95     +80               ROUGH".padEnd(titles.length)
-    }\r\n84      SCHL`);
+  const expected = SHOP.replace("+0,4     1  +93", "+0,2     1  +93").replace(
+    "84      SCHL",
+    `${"83      NEU                                           +1,2     1  +95     +80               ROUGH".padEnd(
+      titles.length,
+    )}\r\n84      SCHL`,
+  );
   expect(changed.bytes.toString("latin1")).toBe(expected);
   const sheet = await tools.export("csv");
-  expect(sheet.text.split("\r\n").find((line) => line.startsWith("84,"))).toMatch(/^84,SCHLICHTER,118\.25,-40,,,,0\.2,/);
+  expect(sheet.text.split("\r\n").find((line) => line.startsWith("84,"))).toMatch(
+    /^84,SCHLICHTER,118\.25,-40,,,,0\.2,/,
+  );
 });
 
 test("codes typed by keyboard make a tool with its holder, and a proved program runs with it", async ({ page }) => {

@@ -41,7 +41,10 @@ test("the keys of the keypad are large enough for a glove, and keep the system k
   await expect(dialog.key("enterLong")).toBeVisible();
   for (const key of await dialog.keypad.getByRole("button").all()) {
     const box = await key.boundingBox();
-    expect(Math.min(box?.width ?? 0, box?.height ?? 0), await key.getAttribute("aria-label") ?? "").toBeGreaterThanOrEqual(TARGET);
+    expect(
+      Math.min(box?.width ?? 0, box?.height ?? 0),
+      (await key.getAttribute("aria-label")) ?? "",
+    ).toBeGreaterThanOrEqual(TARGET);
   }
   await dialog.key("signLong").tap();
   await expect(dialog.value).toHaveValue("-50");
@@ -49,7 +52,9 @@ test("the keys of the keypad are large enough for a glove, and keep the system k
   await expect(dialog.value).toHaveValue("50");
 });
 
-test("a contour of five elements by touch: drawn, a diameter changed on the drawing, a corner chamfered, each undone", async ({ page }) => {
+test("a contour of five elements by touch: drawn, a diameter changed on the drawing, a corner chamfered, each undone", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { contour, dialog, t } = turnwise;
   await turnwise.start.button(820, false).tap();
@@ -63,7 +68,8 @@ test("a contour of five elements by touch: drawn, a diameter changed on the draw
   }
   await expect(contour.drawing).toHaveAccessibleName(new RegExp(t.contour.drawingElement(5)));
 
-  const name = t.contour.xOf(5), drawn = await contour.x(5).inputValue();
+  const name = t.contour.xOf(5),
+    drawn = await contour.x(5).inputValue();
   await contour.dimension(name).tap();
   await expect(contour.dimensionField(name)).toHaveAttribute("inputmode", "none");
   for (const key of [7, 3, "point", 4] as const) await dialog.key(key).tap();
@@ -89,7 +95,9 @@ test("a contour of five elements by touch: drawn, a diameter changed on the draw
   }
 });
 
-test("every number field brings the keypad and stays in sight above it; a name keeps the keyboard of the device", async ({ page }) => {
+test("every number field brings the keypad and stays in sight above it; a name keeps the keyboard of the device", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, setup, t } = turnwise;
   await turnwise.start.button(812, true).tap();
@@ -106,7 +114,8 @@ test("every number field brings the keypad and stays in sight above it; a name k
   await expect(field).toHaveValue("4.5");
   await dialog.keypad.getByRole("button", { name: t.dialog.keys.enterField, exact: true }).tap();
   await expect(field).not.toBeFocused();
-  const above = await settledBox(dialog.keypad), at = await settledBox(page.locator(":focus"));
+  const above = await settledBox(dialog.keypad),
+    at = await settledBox(page.locator(":focus"));
   expect(at.y + at.height).toBeLessThanOrEqual(above.y);
   await dialog.keypad.getByRole("button", { name: t.dialog.keys.readyLong, exact: true }).tap();
   await expect(dialog.keypad).toBeHidden();
@@ -118,13 +127,18 @@ test("a program of three operations from nothing, by touch alone", async ({ page
   await page.getByRole("button", { name: t.operations.create, exact: true }).tap();
   const put = async (group: "transverse" | "longitudinal" | "recessing", cycle: 822 | 812 | 862) => {
     await editor.inserting.getByRole("button", { name: new RegExp(t.cycles.groups[group]) }).tap();
-    await editor.inserting.getByRole("button", { name: new RegExp(`^${t.page.start.cycle(cycle, t.cycles.of[cycle].name)}`) }).first()
+    await editor.inserting
+      .getByRole("button", { name: new RegExp(`^${t.page.start.cycle(cycle, t.cycles.of[cycle].name)}`) })
+      .first()
       .tap();
     await editor.inserting.getByRole("button", { name: t.operations.put, exact: true }).tap();
     await expect(editor.inserting).toHaveCount(0);
   };
   await put("transverse", 822);
-  for (const [done, group, cycle] of [[1, "longitudinal", 812], [2, "recessing", 862]] as const) {
+  for (const [done, group, cycle] of [
+    [1, "longitudinal", 812],
+    [2, "recessing", 862],
+  ] as const) {
     await expect(editor.total(t.editor.operations)).toHaveText(String(done));
     await page.getByRole("tab", { name: t.editor.sections.structure, exact: true }).tap();
     await page.getByRole("button", { name: t.operations.insert, exact: true }).tap();
@@ -155,7 +169,17 @@ test("a wrong infeed is mended by touch: the pass in the picture, its prompt, th
 });
 
 /** Phones and tablets, held upright and lying, windows of half a screen, and a notebook. */
-const SCREENS = ["320x640", "390x844", "600x960", "768x1024", "844x390", "800x600", "900x600", "1024x768", "1280x800"] as const;
+const SCREENS = [
+  "320x640",
+  "390x844",
+  "600x960",
+  "768x1024",
+  "844x390",
+  "800x600",
+  "900x600",
+  "1024x768",
+  "1280x800",
+] as const;
 
 test("nothing sticks out of any screen, with usual and with large letters, where words are long", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { language: "fr" });

@@ -15,7 +15,10 @@ test("a shape in a sentence shows the ways to make it, and the best begins a wor
   await expect(list).toHaveAttribute("aria-busy", "false");
   await expect(list.getByText(which.best, { exact: true })).toBeVisible();
   await looksRight(page);
-  await list.getByRole("button", { name: /^Take it/ }).first().click();
+  await list
+    .getByRole("button", { name: /^Take it/ })
+    .first()
+    .click();
   await expect(dialog).toBeHidden();
   await effect.proved();
 });

@@ -41,7 +41,12 @@ test("tabs by arrows, Home and End", async ({ page }) => {
   await turnwise.start.beginWithExample(820);
   const tab = page.getByRole("tab");
   await tabTo(page, page.getByRole("tab", { selected: true }), "Shift+Tab");
-  for (const [key, at] of [["End", -1], ["Home", 0], ["ArrowRight", 1], ["ArrowLeft", 0]] as const) {
+  for (const [key, at] of [
+    ["End", -1],
+    ["Home", 0],
+    ["ArrowRight", 1],
+    ["ArrowLeft", 0],
+  ] as const) {
     await press(page, key);
     const reached = at < 0 ? tab.last() : tab.nth(at);
     await expect(reached).toBeFocused();

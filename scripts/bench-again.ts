@@ -13,9 +13,17 @@ const shop = { tools: shippedTools, rapid: 10_000 };
 const STATES = 64;
 
 /** Where in a program it is changed, as a part of its operations, or by a comment that moves nothing. */
-export const PLACES = [["first", 0], ["middle", 0.5], ["last", 1], ["nothing", null]] as const;
+export const PLACES = [
+  ["first", 0],
+  ["middle", 0.5],
+  ["last", 1],
+  ["nothing", null],
+] as const;
 
-/** A program with another safety clearance in one of its cycles, each time another: each move to its start is another one then. */
+/**
+ * A program with another safety clearance in one of its cycles, each time another: each move to its start is another
+ * one then.
+ */
 export function changedAt(text: string, place: number | null, count: number): string {
   if (place === null) return text.replace("END PGM", `; ${count}\n$&`);
   const values = [...text.matchAll(/CYCL DEF 8\d\d[\s\S]*?Q460=\+?\d+/g)];
@@ -27,11 +35,15 @@ export function changedAt(text: string, place: number | null, count: number): st
 
 /** Plans one state of a program after the other, as the page does with each key. */
 export function planningAgain(): (text: string) => ReturnType<typeof run> {
-  const plan = planner(), table = { tools: shippedTools, mills: [], refused: new Map() };
+  const plan = planner(),
+    table = { tools: shippedTools, mills: [], refused: new Map() };
   return (text) => plan({ version: 0, text, table, rapid: shop.rapid, control: "TNC 640" }).run;
 }
 
-/** What a change of the first, the middle and the last operation costs: from the beginning, and from what is known of the state before. */
+/**
+ * What a change of the first, the middle and the last operation costs: from the beginning, and from what is known of
+ * the state before.
+ */
 export function* changedOperations(): Generator<readonly [name: string, work: (count: number) => unknown]> {
   for (const name of PROGRAMS) {
     const text = readFileSync(`src/examples/${name}.h`, "utf8");
@@ -42,7 +54,8 @@ export function* changedOperations(): Generator<readonly [name: string, work: (c
     }
     yield [`stock ${name}`, () => simulate(run(parse(text), { ...shop, tracing }))];
     for (const [where, place] of PLACES) {
-      const plan = planningAgain(), proved = simulating();
+      const plan = planningAgain(),
+        proved = simulating();
       yield [`stock ${name}, ${where} changed`, (count) => proved(plan(changedAt(text, place, count)))];
     }
   }

@@ -4,8 +4,17 @@ import { cpus } from "node:os";
 import { join } from "node:path";
 import type { Browser } from "@playwright/test";
 import { openBench, serveBuilt, startBrowser, type Bench } from "./browser-bench/bench-page.ts";
-import { measureBox, measureKeys, measureLooking, measureOrbit, measurePlaying, measureSpace, type FrameResult, type KeyResult,
-  type ScreenResults } from "./browser-bench/measure-work.ts";
+import {
+  measureBox,
+  measureKeys,
+  measureLooking,
+  measureOrbit,
+  measurePlaying,
+  measureSpace,
+  type FrameResult,
+  type KeyResult,
+  type ScreenResults,
+} from "./browser-bench/measure-work.ts";
 import { readOptions, type BenchOptions, type CaseName } from "./browser-bench/options.ts";
 import type { Screen } from "./browser-bench/screens.ts";
 import { writeIntoPage } from "./performance-page.ts";
@@ -19,7 +28,15 @@ function newest(path: string): number {
   return Math.max(0, ...readdirSync(path).map((name) => newest(join(path, name))));
 }
 
-const SOURCES = ["src", "public", "index.html", "package-lock.json", "vite.config.ts", "scripts/start-pictures.ts", "scripts/menu.ts"];
+const SOURCES = [
+  "src",
+  "public",
+  "index.html",
+  "package-lock.json",
+  "vite.config.ts",
+  "scripts/start-pictures.ts",
+  "scripts/menu.ts",
+];
 
 /** The built page, built anew when it is older than what it is made of. */
 function built(): string {
@@ -34,7 +51,12 @@ function built(): string {
   return "dist";
 }
 
-function measureCase(bench: Bench, work: MeasuredWork, name: Exclude<CaseName, "key">, options: BenchOptions): Promise<FrameResult> {
+function measureCase(
+  bench: Bench,
+  work: MeasuredWork,
+  name: Exclude<CaseName, "key">,
+  options: BenchOptions,
+): Promise<FrameResult> {
   switch (name) {
     case "1x":
       return measurePlaying(bench, work, 1, options);
@@ -53,7 +75,9 @@ function measureCase(bench: Bench, work: MeasuredWork, name: Exclude<CaseName, "
 /** The work is calculated and drawn when its timeline can be moved and the calculation is no longer spoken of. */
 async function openWork({ page, turnwise }: Bench, work: MeasuredWork): Promise<void> {
   await work.open(turnwise);
-  await page.waitForFunction(() => document.querySelector<HTMLInputElement>(".lathe-timeline input")?.disabled === false);
+  await page.waitForFunction(
+    () => document.querySelector<HTMLInputElement>(".lathe-timeline input")?.disabled === false,
+  );
   await page.waitForFunction(() => document.querySelector(".working") === null);
   await page.waitForTimeout(1500);
 }
@@ -62,8 +86,14 @@ async function openWork({ page, turnwise }: Bench, work: MeasuredWork): Promise<
 const begin = (what: string) => void process.stderr.write(what);
 const say = (result: string) => void process.stderr.write(`${result}\n`);
 
-async function measureScreen(browser: Browser, address: string, screen: Screen, options: BenchOptions): Promise<ScreenResults> {
-  const frames: Record<string, FrameResult> = {}, keys: Record<string, KeyResult> = {};
+async function measureScreen(
+  browser: Browser,
+  address: string,
+  screen: Screen,
+  options: BenchOptions,
+): Promise<ScreenResults> {
+  const frames: Record<string, FrameResult> = {},
+    keys: Record<string, KeyResult> = {};
   let box: FrameResult | null = null;
   for (const work of options.works) {
     const counted = options.cases.filter((name) => name !== "key");
@@ -73,11 +103,16 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
       box ??= await measureBox(bench, options);
       for (const name of counted) {
         begin(`${screen.name}: ${work.name} ${name} … `);
-        const { share, perSecond, empty, worst, long } = frames[`${work.name} ${name}`] = await measureCase(bench, work, name, options);
+        const { share, perSecond, empty, worst, long } = (frames[`${work.name} ${name}`] = await measureCase(
+          bench,
+          work,
+          name,
+          options,
+        ));
         say(
-          `${Math.round(share * 100)} % (${perSecond.toFixed(1)} of ${empty.toFixed(1)} a second, worst ${
-            worst.toFixed(0)
-          } ms, ${long} long tasks)`,
+          `${Math.round(share * 100)} % (${perSecond.toFixed(1)} of ${empty.toFixed(1)} a second, worst ${worst.toFixed(
+            0,
+          )} ms, ${long} long tasks)`,
         );
       }
       await bench.context.close();
@@ -86,7 +121,7 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
       begin(`${screen.name}: ${work.name} key … `);
       const bench = await openBench(browser, address, screen, true);
       await openWork(bench, work);
-      const { digit, path, picture, long } = keys[work.name] = await measureKeys(bench, work, options);
+      const { digit, path, picture, long } = (keys[work.name] = await measureKeys(bench, work, options));
       say(
         `digit ${digit.median.toFixed(0)} ms, path ${path.median.toFixed(0)} ms, stock ${picture.median.toFixed(0)} ms, ${long} long tasks`,
       );
@@ -97,14 +132,14 @@ async function measureScreen(browser: Browser, address: string, screen: Screen, 
 }
 
 /**
- * `npm run bench:browser`: what the built page does with the frames of Chromium on several screens, beside an empty page, and how long it
- * is from a key to the drawing. All of it takes half an hour. One case takes seconds:
+ * `npm run bench:browser`: what the built page does with the frames of Chromium on several screens, beside an empty
+ * page, and how long it is from a key to the drawing. All of it takes half an hour. One case takes seconds:
  *
  *     npm run --silent bench:browser -- --quick --screen="1440x900 slow" --work=flange --case=10x
  *
- * `--screen`, `--work` and `--case` take names or parts of them, with commas; `--rounds`, `--seconds` and `--keys` say how much is
- * measured, `--quick` that it is little; `--built=FOLDER` measures another build; `--json` prints one object in place of the tables,
- * which are Markdown; `--write` puts them into docs/performance.md as well.
+ * `--screen`, `--work` and `--case` take names or parts of them, with commas; `--rounds`, `--seconds` and `--keys` say
+ * how much is measured, `--quick` that it is little; `--built=FOLDER` measures another build; `--json` prints one
+ * object in place of the tables, which are Markdown; `--write` puts them into docs/performance.md as well.
  */
 export async function main(args: readonly string[]): Promise<number> {
   const options = readOptions(args);
@@ -114,7 +149,11 @@ export async function main(args: readonly string[]): Promise<number> {
     const results: ScreenResults[] = [];
     for (const screen of options.screens) results.push(await measureScreen(browser, server.address, screen, options));
     const about = { processor: cpus()[0]?.model ?? "", cores: cpus().length, chromium: browser.version() };
-    const lines = [`${about.processor}, ${about.cores} cores, Chromium ${about.chromium}:`, ...frameTable(results), ...keyTable(results)];
+    const lines = [
+      `${about.processor}, ${about.cores} cores, Chromium ${about.chromium}:`,
+      ...frameTable(results),
+      ...keyTable(results),
+    ];
     if (options.isWritten) writeIntoPage("bench:browser", lines);
     console.log(options.isJson ? JSON.stringify({ ...about, screens: results }) : lines.join("\n"));
     return 0;

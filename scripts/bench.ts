@@ -44,9 +44,16 @@ const rounded = (value: number) => Number(value.toFixed(3));
 
 /** Beside the reference loop: what else the machine does weighs on both. */
 function beside(times: () => readonly number[]): Measured {
-  const before = referenceTime(), sorted = [...times()].sort((a, b) => a - b), reference = middle([before, referenceTime()]);
+  const before = referenceTime(),
+    sorted = [...times()].sort((a, b) => a - b),
+    reference = middle([before, referenceTime()]);
   const median = quantile(sorted, 0.5);
-  return { median: rounded(median), p95: rounded(quantile(sorted, 0.95)), n: sorted.length, ratio: rounded(median / reference) };
+  return {
+    median: rounded(median),
+    p95: rounded(quantile(sorted, 0.95)),
+    n: sorted.length,
+    ratio: rounded(median / reference),
+  };
 }
 
 function timed(work: () => unknown): number {
@@ -105,7 +112,8 @@ function* printedCases(): Generator<BenchCase> {
     yield benchCase(`plan ${cycle}`, () => run(program, { tools: shippedTools, rapid: 10_000 }));
     yield benchCase(`update ${cycle}`, (count) => update(job, count));
     yield benchCase(`verify ${cycle}`, (count) =>
-      verified("example.h", printJob(changed(job, count), labels), { tools: shippedTools, refused: new Map() }));
+      verified("example.h", printJob(changed(job, count), labels), { tools: shippedTools, refused: new Map() }),
+    );
   }
 }
 
@@ -117,7 +125,10 @@ const seekIn = (name: string, text: () => string): BenchCase => {
   });
 };
 
-/** What has grown: contours of 1,000 elements, and 100 operations with 50,000 moves, whole and changed at the last operation. */
+/**
+ * What has grown: contours of 1,000 elements, and 100 operations with 50,000 moves, whole and changed at the last
+ * operation.
+ */
 function* grownCases(): Generator<BenchCase> {
   const [across, along] = [820, 810].map((cycle) => printJob(longContour(cycle, 1000), labels));
   if (across === undefined || along === undefined) return;
@@ -131,17 +142,29 @@ function* grownCases(): Generator<BenchCase> {
   yield benchCase("plan grown", planText(grown), FEW);
   yield benchCase("stock grown", () => stock(grown), FEW);
   for (const [where, place] of PLACES) {
-    const plan = planningAgain(), proved = simulating();
+    const plan = planningAgain(),
+      proved = simulating();
     yield benchCase(`plan grown, ${where} changed`, (count) => plan(changedAt(grown, place, count)), FEW);
     yield benchCase(`stock grown, ${where} changed`, (count) => proved(plan(changedAt(grown, place, count))), FEW);
   }
   yield seekIn("seek grown", () => grown);
   const both = [0, 1].map((count) => planText(changedAt(grown, 1, count))());
-  yield benchCase("picture grown", (count) => {
-    const made = both[count % 2];
-    return made
-      && sceneOf({ blank: made.blank, clamping: made.clamping, contours: made.operations.map((o) => o.plan.contour), steps: made.steps });
-  }, FEW);
+  yield benchCase(
+    "picture grown",
+    (count) => {
+      const made = both[count % 2];
+      return (
+        made &&
+        sceneOf({
+          blank: made.blank,
+          clamping: made.clamping,
+          contours: made.operations.map((o) => o.plan.contour),
+          steps: made.steps,
+        })
+      );
+    },
+    FEW,
+  );
 }
 
 function* allCases(): Generator<BenchCase> {
@@ -188,7 +211,9 @@ interface Large {
 
 /** One program alone in a process that may use no more memory than a tablet has; null when it needs more. */
 function large(name: (typeof LARGE)[number]): Large | null {
-  const done = spawnSync(process.execPath, ["--max-old-space-size=800", "scripts/run.mjs", "large", name], { encoding: "utf8" });
+  const done = spawnSync(process.execPath, ["--max-old-space-size=800", "scripts/run.mjs", "large", name], {
+    encoding: "utf8",
+  });
   return done.status === 0 ? (JSON.parse(done.stdout) as Large) : null;
 }
 
@@ -212,13 +237,22 @@ const LIMITS: readonly (readonly [string, number])[] = [
 const limit = (name: string) => LIMITS.find(([begin]) => name.startsWith(begin))?.[1] ?? FRAME;
 
 function resultRow([name, each]: readonly [string, Measured]): readonly string[] {
-  const most = limit(name) / REFERENCE, kept = each.ratio <= most ? most.toFixed(2) : `${most.toFixed(2)}, missed`;
-  return [name, each.median.toFixed(2), each.p95.toFixed(2), String(each.n), each.ratio.toFixed(2), kept, String(limit(name))];
+  const most = limit(name) / REFERENCE,
+    kept = each.ratio <= most ? most.toFixed(2) : `${most.toFixed(2)}, missed`;
+  return [
+    name,
+    each.median.toFixed(2),
+    each.p95.toFixed(2),
+    String(each.n),
+    each.ratio.toFixed(2),
+    kept,
+    String(limit(name)),
+  ];
 }
 
 /**
- * `npm run bench`: a table of times; with --json one object on one line. `--only=WORD` measures the cases whose names hold the word, and
- * leaves out the programs at the bounds; `--write` puts all of it into docs/performance.md as well.
+ * `npm run bench`: a table of times; with --json one object on one line. `--only=WORD` measures the cases whose names
+ * hold the word, and leaves out the programs at the bounds; `--write` puts all of it into docs/performance.md as well.
  */
 export function main(args: readonly string[]): number {
   const only = args.find((arg) => arg.startsWith("--only="))?.slice("--only=".length) ?? "";
@@ -232,14 +266,23 @@ export function main(args: readonly string[]): number {
   const lines = [
     `The reference loop takes ${reference.toFixed(2)} ms here, Node ${process.version}:`,
     "",
-    ...markdownTable(1, ["", "median ms", "p95 ms", "n", "ratio", "limit of ratio", "limit ms"], Object.entries(results).map(resultRow)),
+    ...markdownTable(
+      1,
+      ["", "median ms", "p95 ms", "n", "ratio", "limit of ratio", "limit ms"],
+      Object.entries(results).map(resultRow),
+    ),
   ];
-  const atBounds = bounds.length === 0
-    ? []
-    : markdownTable(1, ["at the bounds", "parse ms", "run ms", "simulate ms", "report ms", "moves", "MB"],
-      bounds.map(
-        ([name, m]) => [name, ...(m ? [m.parsed, m.ran, m.simulated, m.reported, m.steps + m.plane, m.mbReport].map(String) : ["failed"])]
-      ));
+  const atBounds =
+    bounds.length === 0
+      ? []
+      : markdownTable(
+          1,
+          ["at the bounds", "parse ms", "run ms", "simulate ms", "report ms", "moves", "MB"],
+          bounds.map(([name, m]) => [
+            name,
+            ...(m ? [m.parsed, m.ran, m.simulated, m.reported, m.steps + m.plane, m.mbReport].map(String) : ["failed"]),
+          ]),
+        );
   console.log([...lines, "", ...atBounds].join("\n"));
   if (args.includes("--write") && only === "") {
     writeIntoPage("bench", lines);

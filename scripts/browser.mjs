@@ -6,7 +6,8 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { root } from "./packages.mjs";
 
-const runs = (path) => Boolean(path) && existsSync(path) && spawnSync(path, ["--version"], { stdio: "ignore" }).status === 0;
+const runs = (path) =>
+  Boolean(path) && existsSync(path) && spawnSync(path, ["--version"], { stdio: "ignore" }).status === 0;
 
 /** The Chromium that Playwright would download, whether or not it is there. */
 function playwrightsOwn() {
@@ -28,11 +29,15 @@ export function ensureBrowser() {
   const found = findBrowser();
   if (found) return found;
   const run = (command, args) =>
-    spawnSync(command, args, { cwd: root, stdio: ["ignore", 2, 2], env: { ...process.env, DEBIAN_FRONTEND: "noninteractive" } }).status
-      === 0;
+    spawnSync(command, args, {
+      cwd: root,
+      stdio: ["ignore", 2, 2],
+      env: { ...process.env, DEBIAN_FRONTEND: "noninteractive" },
+    }).status === 0;
   console.error("Installing Chromium …");
   if (process.getuid?.() === 0 && existsSync("/usr/bin/apt-get")) {
-    if (run("apt-get", ["update"])) run("apt-get", ["install", "--no-install-recommends", "-y", "chromium", "fonts-dejavu-core"]);
+    if (run("apt-get", ["update"]))
+      run("apt-get", ["install", "--no-install-recommends", "-y", "chromium", "fonts-dejavu-core"]);
   }
   const system = findBrowser();
   if (system) return system;
@@ -46,9 +51,9 @@ export function ensureBrowser() {
 if (process.argv[1] === fileURLToPath(import.meta.url)) ensureBrowser();
 
 /**
- * Parts of Chromium that are left out. The last two are lists below the address bar: each is a page of its own for every page that is
- * opened, seen by nobody, and takes as much time as the page. The others are those that Playwright leaves out: of two such lists
- * Chromium takes the last.
+ * Parts of Chromium that are left out. The last two are lists below the address bar: each is a page of its own for
+ * every page that is opened, seen by nobody, and takes as much time as the page. The others are those that Playwright
+ * leaves out: of two such lists Chromium takes the last.
  */
 const LEFT_OUT = [
   "AvoidUnnecessaryBeforeUnloadCheckSync",

@@ -30,7 +30,8 @@ async function oneModule(entry, { minify = false, plugins = [], external = [] } 
 }
 
 /**
- * scripts/NAME.ts with all it imports as the text of one module, which plain Node runs without a checkout and without packages.
+ * scripts/NAME.ts with all it imports as the text of one module, which plain Node runs without a checkout and without
+ * packages.
  *
  * @param {string} name the script
  * @param {{ minify?: boolean }} [how]
@@ -59,7 +60,9 @@ function stamp(path) {
   return `${size} ${mtimeMs}`;
 }
 
-/** The types that were made last, if nothing has changed since that they come from: the compiler takes seconds for them. */
+/**
+ * The types that were made last, if nothing has changed since that they come from: the compiler takes seconds for them.
+ */
 function keptTypes() {
   try {
     const { stamps, types } = JSON.parse(readFileSync(KEPT_TYPES, "utf8"));
@@ -75,7 +78,10 @@ async function pageTypes() {
   const script = join(root, "scripts", "page-types.mjs");
   const { stdout } = await promisify(execFile)(process.execPath, [script], { maxBuffer: 10_000_000 });
   const { types, from } = JSON.parse(stdout);
-  const stamps = [...from, script, join(root, "package-lock.json"), join(root, "tsconfig.base.json")].map((path) => [path, stamp(path)]);
+  const stamps = [...from, script, join(root, "package-lock.json"), join(root, "tsconfig.base.json")].map((path) => [
+    path,
+    stamp(path),
+  ]);
   mkdirSync(dirname(KEPT_TYPES), { recursive: true });
   const fresh = `${KEPT_TYPES}-${process.pid}`;
   writeFileSync(fresh, JSON.stringify({ stamps, types }));

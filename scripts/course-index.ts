@@ -10,9 +10,10 @@ import { LANGUAGES, type Language } from "../src/i18n/languages.ts";
 const files = (folder: string): readonly unknown[] =>
   !existsSync(join("src", "course", folder))
     ? []
-    : readdirSync(join("src", "course", folder)).filter((name) => name.endsWith(".json")).sort().map((name): unknown =>
-      JSON.parse(readFileSync(join("src", "course", folder, name), "utf8"))
-    );
+    : readdirSync(join("src", "course", folder))
+        .filter((name) => name.endsWith(".json"))
+        .sort()
+        .map((name): unknown => JSON.parse(readFileSync(join("src", "course", folder, name), "utf8")));
 
 /** What ships with the page says something. */
 function told<T>(words: InLanguages<T>, language: Language, id: string): T {
@@ -25,34 +26,42 @@ function told<T>(words: InLanguages<T>, language: Language, id: string): T {
 export function courseIndex(lessons: readonly Lesson[], tasks: readonly Task[], language: Language): CourseIndex {
   const byId = new Map(tasks.map((task) => [task.id, task]));
   return {
-    lessons: [...lessons].sort((a, b) => a.number - b.number).map(({ id, number, pages, words, tasks: asked }) => {
-      const { title, aim } = told(words, language, id);
-      return {
-        id,
-        number,
-        title,
-        aim,
-        pages: pages.length,
-        tasks: asked.flatMap((each) => {
-          const task = byId.get(each);
-          return task ? [{ id: each, kind: task.kind, title: told(task.words, language, each).title }] : [];
-        }),
-      };
-    }),
+    lessons: [...lessons]
+      .sort((a, b) => a.number - b.number)
+      .map(({ id, number, pages, words, tasks: asked }) => {
+        const { title, aim } = told(words, language, id);
+        return {
+          id,
+          number,
+          title,
+          aim,
+          pages: pages.length,
+          tasks: asked.flatMap((each) => {
+            const task = byId.get(each);
+            return task ? [{ id: each, kind: task.kind, title: told(task.words, language, each).title }] : [];
+          }),
+        };
+      }),
   };
 }
 
 /** The modules that the page imports by the name in src/app/records/course/course-index.d.ts, by their ids. */
 export function courseModules(): Readonly<Record<string, string>> {
   const id = "virtual:course-index";
-  const [lessons, tasks] = [files("lessons").map((each) => lessonSchema.parse(each)), files("tasks").map((each) => taskSchema.parse(each))];
+  const [lessons, tasks] = [
+    files("lessons").map((each) => lessonSchema.parse(each)),
+    files("tasks").map((each) => taskSchema.parse(each)),
+  ];
   const cases = LANGUAGES.map((language) => `${language}: () => import("${id}/${language}")`);
   return {
-    [id]: `export const lessonNumbers = ${
-      JSON.stringify(Object.fromEntries(lessons.map((each) => [each.id, each.number])))
-    };\nconst made = { ${cases.join(", ")} };\nexport const courseIndexOf = async (language) => (await made[language]()).index;`,
+    [id]: `export const lessonNumbers = ${JSON.stringify(
+      Object.fromEntries(lessons.map((each) => [each.id, each.number])),
+    )};\nconst made = { ${cases.join(", ")} };\nexport const courseIndexOf = async (language) => (await made[language]()).index;`,
     ...Object.fromEntries(
-      LANGUAGES.map((language) => [`${id}/${language}`, `export const index = ${JSON.stringify(courseIndex(lessons, tasks, language))};`]),
+      LANGUAGES.map((language) => [
+        `${id}/${language}`,
+        `export const index = ${JSON.stringify(courseIndex(lessons, tasks, language))};`,
+      ]),
     ),
   };
 }

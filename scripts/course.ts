@@ -43,14 +43,16 @@ function told(mark: TaskMark, task: Task): string {
 }
 
 function sums({ run, simulation }: Answer): string {
-  const calls = run.operations.map((o, i) =>
-    `call ${i}: cycle ${o.cycle} T${o.tool.T}, ${o.plan.passes} passes, infeed ${short(o.plan.infeed)}, deepest ${
-      short(simulation.proof.operations[i]?.deepest?.depth ?? 0)
-    }, ${short(o.seconds)} s`
+  const calls = run.operations.map(
+    (o, i) =>
+      `call ${i}: cycle ${o.cycle} T${o.tool.T}, ${o.plan.passes} passes, infeed ${short(o.plan.infeed)}, deepest ${short(
+        simulation.proof.operations[i]?.deepest?.depth ?? 0,
+      )}, ${short(o.seconds)} s`,
   );
-  return [`  ${short(simulation.totalSeconds)} s, made part ${short(areaOf(simulation.final))} mm²`, ...calls.map((c) => `  ${c}`)].join(
-    "\n",
-  );
+  return [
+    `  ${short(simulation.totalSeconds)} s, made part ${short(areaOf(simulation.final))} mm²`,
+    ...calls.map((c) => `  ${c}`),
+  ].join("\n");
 }
 
 function show(title: string, task: Task, program: readonly string[], whole: boolean): Answer {
@@ -66,13 +68,23 @@ function tellTask(file: string, task: Task): boolean {
   const wanted = task.part ? wantedPart(task.part) : null;
   if (wanted) {
     write(`blank ${short(areaOf(wanted.blank))} mm², wanted part ${short(areaOf(wanted.rings))} mm²`);
-    for (const ring of wanted.rings) write(`  X${ring.slice(0, 40).map((p) => `${short(toDiameter(p.r))} Z${short(p.z)}`).join("  X")}`);
+    for (const ring of wanted.rings)
+      write(
+        `  X${ring
+          .slice(0, 40)
+          .map((p) => `${short(toDiameter(p.r))} Z${short(p.z)}`)
+          .join("  X")}`,
+      );
   }
   if (task.solution) show("solution", task, task.solution, true);
   (task.wrong ?? []).forEach((wrong, i) => {
     const answer = show(`wrong ${i + 1}`, task, wrong.program, false);
     const found = refuses(task, wrong, answer);
-    write(found ? `  refused as the file says` : `  NOT REFUSED AS THE FILE SAYS: ${JSON.stringify({ ...wrong, program: undefined })}`);
+    write(
+      found
+        ? `  refused as the file says`
+        : `  NOT REFUSED AS THE FILE SAYS: ${JSON.stringify({ ...wrong, program: undefined })}`,
+    );
   });
   const problems = taskProblems(task, file);
   for (const problem of problems) write(`PROBLEM ${problem}`);

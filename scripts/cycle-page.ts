@@ -20,16 +20,29 @@ const units: Partial<Record<Param["kind"], string>> = {
   revolutions: "rev",
 };
 const cell = (text: string) => text.replaceAll("|", "\\|");
-const list = (lines: readonly string[], mark: (i: number) => string) => lines.map((line, i) => `${mark(i)} ${line}`).join("\n");
+const list = (lines: readonly string[], mark: (i: number) => string) =>
+  lines.map((line, i) => `${mark(i)} ${line}`).join("\n");
 
-const countsOnly = ({ counts }: Param) => (counts === null ? "" : `only with ${counts.q} = ${counts.among.join(" or ")}`);
+const countsOnly = ({ counts }: Param) =>
+  counts === null ? "" : `only with ${counts.q} = ${counts.among.join(" or ")}`;
 
 function row(q: string, p: Param): string {
   const text = params[p.text as ParamTextId];
-  const choices = "choices" in text ? Object.entries(text.choices).map(([n, meaning]) => `${n}: ${meaning}`).join("; ") : "";
+  const choices =
+    "choices" in text
+      ? Object.entries(text.choices)
+          .map(([n, meaning]) => `${n}: ${meaning}`)
+          .join("; ")
+      : "";
   const range = p.choices ? p.choices.join(", ") : `${p.range[0]} … ${p.range[1]}`;
-  const notes = [p.optional ? "NO ENT allowed" : "", p.incremental ? "incremental" : "", p.reserved ? "reserved" : "", countsOnly(p)]
-    .filter(Boolean).join(", ");
+  const notes = [
+    p.optional ? "NO ENT allowed" : "",
+    p.incremental ? "incremental" : "",
+    p.reserved ? "reserved" : "",
+    countsOnly(p),
+  ]
+    .filter(Boolean)
+    .join(", ");
   const cells = [
     q,
     text.prompt,
@@ -82,8 +95,9 @@ function sourceOf({ manual, partly, evidence }: Cycle): string {
 export function cyclePage(cycle: Cycle): string {
   const number = cycle.number as CycleNumber;
   const text = cycles.of[number];
-  return ""
-    + ([
+  return (
+    "" +
+    [
       `<!-- Written by \`npm run docs\` from src/cycles/c${number}.ts and src/i18n/en; edit those. -->`,
       `# ${number} ${text.name}`,
       text.summary,
@@ -95,6 +109,7 @@ export function cyclePage(cycle: Cycle): string {
       ...(text.finish.length > 0 ? ["## Finishing, step by step", list(text.finish, (i) => `${i + 1}.`)] : []),
       "## Notes",
       list(text.notes, () => "-"),
-    ].join("\n\n"))
-    + "\n";
+    ].join("\n\n") +
+    "\n"
+  );
 }

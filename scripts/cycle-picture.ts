@@ -14,10 +14,16 @@ import { helpRules, styled } from "./page-colours.ts";
 const SIZE = { width: 520, height: 340 };
 
 /** The hatches of the part and of what is cut, as the page has them. */
-const HATCHES = [["part", 7, 45], ["cut", 5, -45]].map(([name, size, turn]) =>
-  `<pattern id="hatch-${name}" width="${size}" height="${size}" patternUnits="userSpaceOnUse" patternTransform="rotate(${turn})">`
-  + `<rect class="hatch-ground" width="${size}" height="${size}"/><path class="hatch-${name}" d="M0.5 0V${size}"/></pattern>`
-).join("");
+const HATCHES = [
+  ["part", 7, 45],
+  ["cut", 5, -45],
+]
+  .map(
+    ([name, size, turn]) =>
+      `<pattern id="hatch-${name}" width="${size}" height="${size}" patternUnits="userSpaceOnUse" patternTransform="rotate(${turn})">` +
+      `<rect class="hatch-ground" width="${size}" height="${size}"/><path class="hatch-${name}" d="M0.5 0V${size}"/></pattern>`,
+  )
+  .join("");
 
 /** The help picture of the example of a cycle, without colours of its own; null for a cycle that cuts nothing. */
 export function cyclePicture(cycle: Cycle): string | null {
@@ -45,7 +51,8 @@ export function cyclePicture(cycle: Cycle): string | null {
       notToScale: help.notToScale,
     },
   });
-  return helpSvg(drawing).replace("<svg ", `<svg class="help-picture" role="img" aria-label="${help.picture(String(cycle.number))}" `)
+  return helpSvg(drawing)
+    .replace("<svg ", `<svg class="help-picture" role="img" aria-label="${help.picture(String(cycle.number))}" `)
     .replaceAll(/data-lens="(\S+) (\S+) (\S+)"/g, 'style="clip-path: circle($3px at $1px $2px)"');
 }
 
@@ -66,7 +73,7 @@ export function cycleSvg(cycle: Cycle): string | null {
   const head = drawn?.indexOf(">") ?? 0;
   if (!drawn) return null;
   const ground = `<rect width="100%" height="100%" style="fill: var(--surface)"/>`;
-  return `${drawn.slice(0, head + 1)}\n  <style>${styled(pictureRules())}</style>\n  ${pictureHatches()}\n  ${ground}${
-    drawn.slice(head + 1)
-  }`;
+  return `${drawn.slice(0, head + 1)}\n  <style>${styled(pictureRules())}</style>\n  ${pictureHatches()}\n  ${ground}${drawn.slice(
+    head + 1,
+  )}`;
 }

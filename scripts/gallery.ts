@@ -23,7 +23,8 @@ const SIZE = { width: 520, height: 300 };
 const MARGIN = { left: 8, right: 8, top: 8, bottom: 8 };
 
 const escaped = (text: string) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll('"', "&quot;");
-const clock = (seconds: number) => `${Math.floor(seconds / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")} min`;
+const clock = (seconds: number) =>
+  `${Math.floor(seconds / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")} min`;
 const many = (n: number, one: string) => `${n} ${one}${n === 1 ? "" : "es"}`;
 
 /** The part, what is left of the stock, and the path, from back to front. */
@@ -74,8 +75,9 @@ function work(name: string, text: string): Work | null {
   return {
     name,
     cycle,
-    figure: `<figure>${picture(made, simulation)}<figcaption><code>${escaped(name)}</code>`
-      + `<span class="${judged.verdict}">${escaped(verdictText(judged, left))}</span><span>${escaped(said)}</span></figcaption></figure>`,
+    figure:
+      `<figure>${picture(made, simulation)}<figcaption><code>${escaped(name)}</code>` +
+      `<span class="${judged.verdict}">${escaped(verdictText(judged, left))}</span><span>${escaped(said)}</span></figcaption></figure>`,
   };
 }
 
@@ -114,20 +116,24 @@ code { font-family: var(--number-font); font-weight: 600; }
 /** Families as the chooser has them. */
 const ORDER: readonly Group[] = ["longitudinal", "transverse", "recessTurning", "recessing", "thread"];
 
-/** The page: of each family its cycles with their help pictures, and every golden program that it begins. Runs in the project folder. */
+/**
+ * The page: of each family its cycles with their help pictures, and every golden program that it begins. Runs in the
+ * project folder.
+ */
 export function page(): string {
   const folder = join("tests", "programs");
-  const works = readdirSync(folder).filter((name) => name.endsWith(".h")).sort().flatMap((name) =>
-    work(name, readFileSync(join(folder, name), "utf8")) ?? []
-  );
+  const works = readdirSync(folder)
+    .filter((name) => name.endsWith(".h"))
+    .sort()
+    .flatMap((name) => work(name, readFileSync(join(folder, name), "utf8")) ?? []);
   const groups = ORDER.filter((group) => cuttingCycles.some((c) => c.group === group));
   const sections = groups.map((group) => {
     const own = cuttingCycles.filter((c) => c.group === group);
     const programs = works.filter((w) => w.cycle.group === group);
     const goldens = `<h3>Programs</h3><div class="figures">${programs.map((w) => w.figure).join("\n")}</div>`;
-    return `<section id="${group}"><h2>${escaped(cycles.groups[group])}</h2><h3>Cycles</h3><div class="figures">${
-      own.map(cycleFigure).join("\n")
-    }</div>${programs.length > 0 ? goldens : ""}</section>`;
+    return `<section id="${group}"><h2>${escaped(cycles.groups[group])}</h2><h3>Cycles</h3><div class="figures">${own
+      .map(cycleFigure)
+      .join("\n")}</div>${programs.length > 0 ? goldens : ""}</section>`;
   });
   const links = groups.map((group) => `<a href="#${group}">${escaped(cycles.groups[group])}</a>`).join("");
   return `<!doctype html>

@@ -1,6 +1,6 @@
 /**
- * `node scripts/icons.mjs`: draws public/icon.svg into the pictures that home screens want, with the Chromium of the journeys. What it
- * writes to public/icons/ belongs to the tree: run it when the drawing changes.
+ * `node scripts/icons.mjs`: draws public/icon.svg into the pictures that home screens want, with the Chromium of the
+ * journeys. What it writes to public/icons/ belongs to the tree: run it when the drawing changes.
  */
 import { createRequire } from "node:module";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -10,14 +10,21 @@ import { root } from "./packages.mjs";
 
 const drawing = readFileSync(join(root, "public", "icon.svg"), "utf8");
 /** The same without rounded corners and smaller, for systems that cut their own shape: its middle 80 % always stays. */
-const whole = drawing.replace(/ rx="\d+"/, "").replace(/(<rect[^>]*\/>)([\s\S]*)(<\/svg>)/,
-  (_, ground, inside, end) => `${ground}<g transform="translate(32 32) scale(.72) translate(-32 -32)">${inside}</g>${end}`);
+const whole = drawing
+  .replace(/ rx="\d+"/, "")
+  .replace(
+    /(<rect[^>]*\/>)([\s\S]*)(<\/svg>)/,
+    (_, ground, inside, end) =>
+      `${ground}<g transform="translate(32 32) scale(.72) translate(-32 -32)">${inside}</g>${end}`,
+  );
 
-const PICTURES = [["icon-192", 192, drawing], ["icon-512", 512, drawing], ["maskable-192", 192, whole], ["maskable-512", 512, whole], [
-  "apple-touch-icon",
-  180,
-  whole,
-]];
+const PICTURES = [
+  ["icon-192", 192, drawing],
+  ["icon-512", 512, drawing],
+  ["maskable-192", 192, whole],
+  ["maskable-512", 512, whole],
+  ["apple-touch-icon", 180, whole],
+];
 
 const folder = join(root, "public", "icons");
 mkdirSync(folder, { recursive: true });

@@ -6,7 +6,10 @@ const cell = (text: string) => text.replaceAll("|", "\\|");
 const code = (lines: readonly string[]) => lines.map((line) => `\`${cell(line)}\``).join("<br>");
 
 /** The example of a word as a block of DIN/ISO, without its number where it has one. */
-const isoExample = (klartext: string) => isoProgramText(parse(`${klartext}\n`)).text.trimEnd().replace(/^N\d{1,3} /, "");
+const isoExample = (klartext: string) =>
+  isoProgramText(parse(`${klartext}\n`))
+    .text.trimEnd()
+    .replace(/^N\d{1,3} /, "");
 
 function row(w: IsoWord): string {
   const klartext = w.klartext === "" ? "none" : code(w.klartext.replaceAll(" ~", "").split("\n"));
@@ -17,7 +20,10 @@ function row(w: IsoWord): string {
 
 /** Words in a line of the page. */
 const IN_A_LINE = 16;
-const recalled = isoWords.filter(isRecalledIsoWord).map((w, i) => `${i > 0 && i % IN_A_LINE === 0 ? "\n" : ""}\`${w.word}\``).join(", ")
+const recalled = isoWords
+  .filter(isRecalledIsoWord)
+  .map((w, i) => `${i > 0 && i % IN_A_LINE === 0 ? "\n" : ""}\`${w.word}\``)
+  .join(", ")
   .replaceAll(" \n", "\n");
 
 const HEAD = `# DIN/ISO programs
@@ -81,7 +87,9 @@ that comments end with \` *\` is recalled (K3). Check the first file on your con
 
 /** The page of DIN/ISO, with the table that printer and reader use. */
 export function isoPage(): string {
-  const sources = Object.entries(isoSources).map(([key, what]) => `| ${key} | ${what} |\n`).join("");
+  const sources = Object.entries(isoSources)
+    .map(([key, what]) => `| ${key} | ${what} |\n`)
+    .join("");
   return `${HEAD}${isoWords.map(row).join("")}
 ## Sources
 

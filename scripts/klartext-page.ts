@@ -39,7 +39,11 @@ const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
   label: ["LBL 3", "LBL 0"],
   call: ["CALL LBL 7", "CALL LBL 7 REP2"],
   cycleLine: ["CYCL DEF 7.1 Z-20", "CYCL DEF 9.1 V.ZEIT 0.5", "CYCL DEF 10.1 ROT+30", "CYCL DEF 19.1 A+10"],
-  cycle: ["CYCL DEF 812 SHOULDER, LONG. EXT. ~\n Q215=+0", "CYCL DEF 247 PRESETTING ~\n Q339=+1", "CYCL DEF 880 GEAR HOBBING ~\n Q215=+0"],
+  cycle: [
+    "CYCL DEF 812 SHOULDER, LONG. EXT. ~\n Q215=+0",
+    "CYCL DEF 247 PRESETTING ~\n Q339=+1",
+    "CYCL DEF 880 GEAR HOBBING ~\n Q215=+0",
+  ],
   cycleCall: ["CYCL CALL", "CYCL CALL PAT", "CYCL CALL POS X+0 Y+0 Z+0"],
   selectContour: ['SEL CONTOUR "PART.H"'],
   contourDefinition: ["CONTOUR DEF P1 = LBL 7", 'CONTOUR DEF P1 = LBL 7 I2 = "PART.H" DEPTH5'],
@@ -93,18 +97,24 @@ const TAKEN: ReadonlySet<Statement["kind"]> = new Set(["selectContour", "contour
 const TAKING = {
   turning: [
     "L X+90 FMAX",
-    "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n"
-    + "Q505=+0.2 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0 ~\nQ487=+0 ~\nQ488=+0",
+    "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n" +
+      "Q505=+0.2 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0 ~\nQ487=+0 ~\nQ488=+0",
     "CYCL CALL",
   ],
   milling: ["CYCL DEF 22 ROUGH-OUT ~\nQ10=+5", "CYCL CALL"],
 } as const;
 
 /** Files that lie beside the small program. */
-const FILES = filesByName([{ name: "DRILL.H", text: "0 BEGIN PGM DRILL MM\n1 L IZ+5 FMAX\n2 END PGM DRILL MM\n" }, {
-  name: "PART.H",
-  text: "0 BEGIN PGM PART MM\n1 L X+70 Z-9\n2 L X+50\n3 L Z+0\n4 END PGM PART MM\n",
-}], parse);
+const FILES = filesByName(
+  [
+    { name: "DRILL.H", text: "0 BEGIN PGM DRILL MM\n1 L IZ+5 FMAX\n2 END PGM DRILL MM\n" },
+    {
+      name: "PART.H",
+      text: "0 BEGIN PGM PART MM\n1 L X+70 Z-9\n2 L X+50\n3 L Z+0\n4 END PGM PART MM\n",
+    },
+  ],
+  parse,
+);
 
 /** The block in a small program, and what that program says of it. */
 function fateOf(block: string, place: keyof typeof PLACES): Fate {
@@ -113,7 +123,11 @@ function fateOf(block: string, place: keyof typeof PLACES): Fate {
   const behind = ["L X+62 IZ+1", "M30", "LBL 7", "L X+70 Z-9", "L X+50", "L Z+0", "LBL 0", "END PGM K MM"];
   // What a cycle does shows when it is called, and a contour when a cycle takes it.
   const kind = parse(`0 ${block}`).blocks[0]?.statement.kind ?? "empty";
-  const called = TAKEN.has(kind) ? TAKING[place] : block.startsWith("CYCL DEF") && block.includes("~") ? ["CYCL CALL"] : [];
+  const called = TAKEN.has(kind)
+    ? TAKING[place]
+    : block.startsWith("CYCL DEF") && block.includes("~")
+      ? ["CYCL CALL"]
+      : [];
   const text = [...before, block, ...called, ...behind].map((b, i) => `${i} ${b}`).join("\n");
   const program = parse(text);
   const statement = program.blocks[before.length]?.statement;
@@ -125,8 +139,10 @@ function fateOf(block: string, place: keyof typeof PLACES): Fate {
     refused: new Map(),
     files: FILES,
   });
-  if (unproved.some(({ block: at }) => at !== null && at >= before.length && at <= before.length + called.length)) return "unproved";
-  const silent = statement.kind === "unknown" || issues.some((f) => f.issue.code === "notSimulated" && f.block === before.length);
+  if (unproved.some(({ block: at }) => at !== null && at >= before.length && at <= before.length + called.length))
+    return "unproved";
+  const silent =
+    statement.kind === "unknown" || issues.some((f) => f.issue.code === "notSimulated" && f.block === before.length);
   return silent ? "kept" : "run";
 }
 
@@ -148,9 +164,12 @@ The page is written by \`npm run docs\`: each block is run in a small program.
 
 /** The page of all kinds of blocks. */
 export function klartextPage(): string {
-  const rows = Object.values(BLOCKS).flat().filter((b) => b !== "").map((b) => {
-    const shown = (b.split("\n")[0] ?? "").replace(" ~", " …").replaceAll("|", "\\|");
-    return `| \`${shown}\` | ${fateOf(b, "turning")} | ${fateOf(b, "milling")} |\n`;
-  });
+  const rows = Object.values(BLOCKS)
+    .flat()
+    .filter((b) => b !== "")
+    .map((b) => {
+      const shown = (b.split("\n")[0] ?? "").replace(" ~", " …").replaceAll("|", "\\|");
+      return `| \`${shown}\` | ${fateOf(b, "turning")} | ${fateOf(b, "milling")} |\n`;
+    });
   return HEAD + rows.join("");
 }

@@ -16,7 +16,8 @@ const HEAD = [
 const TAIL = ["M30", "END PGM LARGE MM"];
 
 const numbered = (blocks: readonly string[]) => blocks.map((b, i) => `${i} ${b}\n`).join("");
-const program = (body: readonly string[], behind: readonly string[] = []) => numbered([...HEAD, ...body, "M30", ...behind, TAIL[1] ?? ""]);
+const program = (body: readonly string[], behind: readonly string[] = []) =>
+  numbered([...HEAD, ...body, "M30", ...behind, TAIL[1] ?? ""]);
 const times = <T>(count: number, line: (i: number) => T): T[] => Array.from({ length: count }, (_, i) => line(i));
 
 /** A tip that goes up and down along the work, a little deeper each time: every move cuts. */
@@ -32,7 +33,10 @@ const rapids = (i: number) => `${zigzag(i).replace(" F0.2", "")} FMAX`;
 function cycle(number: number, values: Readonly<Record<string, string>>): string {
   const printed = printJob(printedExample(number), ncLabels("en"));
   const found = new RegExp(String.raw`CYCL DEF ${number}[\s\S]*?(?=\r?\n\d+ )`).exec(printed)?.[0] ?? "";
-  return Object.entries(values).reduce((text, [q, value]) => text.replace(new RegExp(`${q}=[^ ;~]*`), `${q}=${value}`), found);
+  return Object.entries(values).reduce(
+    (text, [q, value]) => text.replace(new RegExp(`${q}=[^ ;~]*`), `${q}=${value}`),
+    found,
+  );
 }
 
 /** A shoulder of 3 mm from a diameter, roughed in so many passes. */
@@ -57,34 +61,41 @@ const passes = (operations: number, each: number) =>
 const [MOVES_OF_PASS, MOVES_BESIDE] = [5, 10];
 
 /**
- * A program that has grown: so many operations that rough and finish ever smaller and shorter shoulders, each on the material that
- * the one before left and with its share of so many moves.
+ * A program that has grown: so many operations that rough and finish ever smaller and shorter shoulders, each on the
+ * material that the one before left and with its share of so many moves.
  */
 export function grownProgram(operations: number, moves: number): string {
-  const step = 80 / operations, count = Math.max(1, Math.round((moves / operations - MOVES_BESIDE) / MOVES_OF_PASS));
+  const step = 80 / operations,
+    count = Math.max(1, Math.round((moves / operations - MOVES_BESIDE) / MOVES_OF_PASS));
   // The control knows thousandths: what they do not divide stays for finishing.
-  const infeed = Math.max(1, Math.floor((500 * step) / count)) / 1000, oversize = step - 2 * infeed * count;
-  return program(times(operations, (i) => {
-    const from = 100 - i * step;
-    const values = {
-      Q491: `+${from.toFixed(3)}`,
-      Q493: `+${(from - step).toFixed(3)}`,
-      Q494: `-${(150 - (i * 120) / operations).toFixed(3)}`,
-      Q495: "+0",
-      Q500: "+0",
-      Q501: "+0",
-      Q503: "+0",
-      Q483: `+${oversize.toFixed(3)}`,
-      Q484: "+0.1",
-      Q463: `+${infeed.toFixed(3)}`,
-      Q215: "+0",
-      Q460: "+0.5",
-    };
-    return [cycle(812, values), `L X+${from.toFixed(3)} Z+2 FMAX`, "CYCL CALL"];
-  }).flat());
+  const infeed = Math.max(1, Math.floor((500 * step) / count)) / 1000,
+    oversize = step - 2 * infeed * count;
+  return program(
+    times(operations, (i) => {
+      const from = 100 - i * step;
+      const values = {
+        Q491: `+${from.toFixed(3)}`,
+        Q493: `+${(from - step).toFixed(3)}`,
+        Q494: `-${(150 - (i * 120) / operations).toFixed(3)}`,
+        Q495: "+0",
+        Q500: "+0",
+        Q501: "+0",
+        Q503: "+0",
+        Q483: `+${oversize.toFixed(3)}`,
+        Q484: "+0.1",
+        Q463: `+${infeed.toFixed(3)}`,
+        Q215: "+0",
+        Q460: "+0.5",
+      };
+      return [cycle(812, values), `L X+${from.toFixed(3)} Z+2 FMAX`, "CYCL CALL"];
+    }).flat(),
+  );
 }
 
-/** A plate with a square round which is milled after an approach, and a face that is roughed in so many short cuts at three depths. */
+/**
+ * A plate with a square round which is milled after an approach, and a face that is roughed in so many short cuts at
+ * three depths.
+ */
 export function milledProgram(cuts: number): string {
   const rows = Math.ceil(cuts / 3 / 20);
   const row = (i: number) => {
@@ -126,7 +137,10 @@ const untilFull = (line: (i: number) => string) => {
   return lines;
 };
 
-/** Programs at the bounds of what is read, run and simulated: by size, by blocks, by moves, by passes, by loops and by faults. */
+/**
+ * Programs at the bounds of what is read, run and simulated: by size, by blocks, by moves, by passes, by loops and by
+ * faults.
+ */
 export const largePrograms = {
   "10 MB of cuts": () => program(untilFull(zigzag)),
   "10 MB of rapids in stock": () => program(untilFull(rapids)),
@@ -148,13 +162,17 @@ export const largePrograms = {
       "TOOL DEF 1 L+0 R+5",
       "TOOL CALL 1 Z S3000",
       "L X-10 Y-10 Z-5 R0 FMAX",
-      ...untilFull((i) => `L X+${((i * 0.01) % 1000).toFixed(3)} Y+${((i % 2) * 0.01).toFixed(3)}${i === 0 ? " RL F500" : ""}`),
+      ...untilFull(
+        (i) => `L X+${((i * 0.01) % 1000).toFixed(3)} Y+${((i % 2) * 0.01).toFixed(3)}${i === 0 ? " RL F500" : ""}`,
+      ),
       ...TAIL,
     ]),
   "10 MB of turning with RR": () =>
     program(
-      untilFull(
-        (i) => (i === 0 ? "L X+96 Z-0.01 RR F0.2" : `L X+${(96 + (i % 2) * 0.01).toFixed(3)} Z-${(i * 0.0005 + 0.011).toFixed(4)}`)
+      untilFull((i) =>
+        i === 0
+          ? "L X+96 Z-0.01 RR F0.2"
+          : `L X+${(96 + (i % 2) * 0.01).toFixed(3)} Z-${(i * 0.0005 + 0.011).toFixed(4)}`,
       ),
     ),
   "10 MB of nonsense": () => program(untilFull((i) => `HEIDENHAIN what ever ${i}`)),
@@ -163,32 +181,44 @@ export const largePrograms = {
   "10 MB of comments": () => program(untilFull((i) => `; comment ${i}`)),
   "10 MB without numbers": () => [...HEAD, ...untilFull(zigzag), ...TAIL].join("\n"),
   "10 MB in one line": () => program([`L ${"X+1 ".repeat(TEN_MB / 4)}`]),
-  "10 MB in one cycle": () => program([`CYCL DEF 812 X ~\n${times(TEN_MB / 20, (i) => `Q${(i % 900) + 100}=+1.5 ;X~`).join("\n")}`]),
+  "10 MB in one cycle": () =>
+    program([`CYCL DEF 812 X ~\n${times(TEN_MB / 20, (i) => `Q${(i % 900) + 100}=+1.5 ;X~`).join("\n")}`]),
   "10 MB of labels": () => program(untilFull((i) => `LBL "PART ${i}"`)),
-  "10 MB of unknown cycles": () => program(untilFull((i) => (i % 2 === 0 ? `CYCL DEF 811 X ~\nQ460=+${i}` : "CYCL CALL"))),
+  "10 MB of unknown cycles": () =>
+    program(untilFull((i) => (i % 2 === 0 ? `CYCL DEF 811 X ~\nQ460=+${i}` : "CYCL CALL"))),
   "10 MB of corners": () => program(untilFull((i) => (i % 2 === 0 ? zigzag(i) : "RND R0.003"))),
   "200,000 blocks": () => program(times(200_000 - 10, zigzag)),
   "400,000 moves": () => program([shoulder(100, 930), "LBL 1", "L X+100 Z+2 FMAX", "CYCL CALL", "CALL LBL 1 REP 99"]),
-  "loop of short moves": () => program(["LBL 1", "L IX-0.001 F0.2", "L IZ-0.001", "L IX+0.0009", "L IZ-0.0001", "CALL LBL 1 REP 60000"]),
+  "loop of short moves": () =>
+    program(["LBL 1", "L IX-0.001 F0.2", "L IZ-0.001", "L IX+0.0009", "L IZ-0.0001", "CALL LBL 1 REP 60000"]),
   "endless loop": () => program(["LBL 1", "L IX-0.0001 F0.2", "L IZ-0.0001", "CALL LBL 1 REP 999999999"]),
   "endless recursion": () => program(["LBL 1", "L IX-0.0001 F0.2", "CALL LBL 1", "L IZ-0.0001", "CALL LBL 1", "LBL 0"]),
   "loop of cycles": () => program([cycle(812, {}), "LBL 1", "CYCL CALL", "CALL LBL 1 REP 65534"]),
   "loop of free contours": () =>
-    program([
-      "CYCL DEF 14.0 CONTOUR",
-      "CYCL DEF 14.1 LABEL 2",
-      cycle(820, {}),
-      "LBL 1",
-      "L X+75 Z+2 FMAX",
-      "CYCL CALL",
-      "CALL LBL 1 REP 65534",
-    ], ["LBL 2", "L X+75 Z-20", "L X+50", "RND R2", "L X+20 Z-25", "RND R2", "L Z+0", "LBL 0"]),
+    program(
+      [
+        "CYCL DEF 14.0 CONTOUR",
+        "CYCL DEF 14.1 LABEL 2",
+        cycle(820, {}),
+        "LBL 1",
+        "L X+75 Z+2 FMAX",
+        "CYCL CALL",
+        "CALL LBL 1 REP 65534",
+      ],
+      ["LBL 2", "L X+75 Z-20", "L X+50", "RND R2", "L X+20 Z-25", "RND R2", "L Z+0", "LBL 0"],
+    ),
   "contour of 20,000 elements": () =>
-    program(["CYCL DEF 14.0 CONTOUR", "CYCL DEF 14.1 LABEL 2", cycle(820, { Q463: "+1" }), "L X+204 Z+2 FMAX", "CYCL CALL"], [
-      "LBL 2",
-      ...times(19_990, (i) => `L X+${(100 - i * 0.004).toFixed(4)} Z-${(30 - i * 0.001 + (i % 2) * 0.002).toFixed(4)}`),
-      "LBL 0",
-    ]),
+    program(
+      ["CYCL DEF 14.0 CONTOUR", "CYCL DEF 14.1 LABEL 2", cycle(820, { Q463: "+1" }), "L X+204 Z+2 FMAX", "CYCL CALL"],
+      [
+        "LBL 2",
+        ...times(
+          19_990,
+          (i) => `L X+${(100 - i * 0.004).toFixed(4)} Z-${(30 - i * 0.001 + (i % 2) * 0.002).toFixed(4)}`,
+        ),
+        "LBL 0",
+      ],
+    ),
   "10,000 passes": () => passes(10, 1000),
   "12,000 passes": () => passes(8, 1500),
 } satisfies Record<string, () => string>;

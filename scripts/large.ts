@@ -12,7 +12,9 @@ const cpu = () => {
   return (user + system) / 1000;
 };
 
-/** `node scripts/run.mjs large NAME …`: processor times in ms and the highest memory in MB of each named program, alone. */
+/**
+ * `node scripts/run.mjs large NAME …`: processor times in ms and the highest memory in MB of each named program, alone.
+ */
 export function main(names: readonly string[]): number {
   for (const name of names.length > 0 ? names : Object.keys(largePrograms)) {
     const text = largePrograms[name as keyof typeof largePrograms]();
@@ -29,26 +31,28 @@ export function main(names: readonly string[]): number {
     const json = JSON.stringify(told).length;
     mark();
     const [parsed, ran, simulated, reported] = at.slice(1).map((t, i) => Math.round(t - (at[i] ?? 0)));
-    console.log(JSON.stringify({
-      name,
-      parsed,
-      ran,
-      simulated,
-      reported,
-      mb: Math.round(mid),
-      mbReport: Math.round(process.resourceUsage().maxRSS / 1024),
-      text: text.length,
-      blocks: program.blocks.length,
-      steps: made.steps.length,
-      plane: made.plane.length,
-      operations: made.operations.length,
-      issues: told.issues.length,
-      findings: simulation.findings.length,
-      passes: made.operations.reduce((n, o) => n + o.plan.passes, 0),
-      verdict: verdictOf(made, simulation).verdict,
-      checkpoints: simulation.checkpoints.length,
-      json,
-    }));
+    console.log(
+      JSON.stringify({
+        name,
+        parsed,
+        ran,
+        simulated,
+        reported,
+        mb: Math.round(mid),
+        mbReport: Math.round(process.resourceUsage().maxRSS / 1024),
+        text: text.length,
+        blocks: program.blocks.length,
+        steps: made.steps.length,
+        plane: made.plane.length,
+        operations: made.operations.length,
+        issues: told.issues.length,
+        findings: simulation.findings.length,
+        passes: made.operations.reduce((n, o) => n + o.plan.passes, 0),
+        verdict: verdictOf(made, simulation).verdict,
+        checkpoints: simulation.checkpoints.length,
+        json,
+      }),
+    );
   }
   return 0;
 }

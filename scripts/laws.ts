@@ -29,7 +29,10 @@ interface Outcome {
 /** The set-ups of one operation of a cycle; a thread has only one. */
 const drawnFor = (number: number, operation: number) => situations(operation).find((s) => s.cycle.number === number);
 
-/** Draws set-ups and holds each to the laws. None is made smaller: at a contour that takes longer than to draw thousands more. */
+/**
+ * Draws set-ups and holds each to the laws. None is made smaller: at a contour that takes longer than to draw thousands
+ * more.
+ */
 function tried({ cycle: number, operation, cases, seed }: Job): Outcome {
   const cycle = cycleByNumber(number);
   const drawn = drawnFor(number, operation);
@@ -49,7 +52,9 @@ function inProcess(job: Job): Promise<Outcome> {
     });
     let out = "";
     child.stdout.on("data", (data: Buffer) => (out += data.toString()));
-    child.on("exit", (code) => (code === 0 ? resolve(JSON.parse(out) as Outcome) : reject(new Error(`a process ended with ${code}`))));
+    child.on("exit", (code) =>
+      code === 0 ? resolve(JSON.parse(out) as Outcome) : reject(new Error(`a process ended with ${code}`)),
+    );
   });
 }
 
@@ -59,8 +64,9 @@ const option = (args: readonly string[], name: string, otherwise: number) => {
 };
 
 /**
- * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: N set-ups of each cycle (10,000), cut twice and held to every law. A set-up
- * that breaks one is written to tests/laws/found, where `npm test` tries it from then on. 1 when there was one.
+ * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: N set-ups of each cycle (10,000), cut twice and held to
+ * every law. A set-up that breaks one is written to tests/laws/found, where `npm test` tries it from then on. 1 when
+ * there was one.
  */
 export async function main(args: readonly string[]): Promise<number> {
   if (args[0] === "--job") {
@@ -71,29 +77,42 @@ export async function main(args: readonly string[]): Promise<number> {
   const [cases, only] = [option(args, "cases", 10_000), option(args, "cycle", 0)];
   console.log(`LAW_SEED=${seed}, ${cases} set-ups of each cycle`);
   const each = Math.ceil(cases / OPERATIONS.length);
-  const jobs = cuttingCycles.filter((c) => only === 0 || c.number === only).flatMap(({ number }) =>
-    OPERATIONS.filter((operation) => drawnFor(number, operation)).flatMap((operation) =>
-      Array.from({ length: Math.ceil(each / SHARE) },
-        (_, i): Job => ({ cycle: number, operation, cases: Math.min(SHARE, each - i * SHARE), seed: (seed + i * 7919) % 2 ** 31 }))
-    )
-  );
+  const jobs = cuttingCycles
+    .filter((c) => only === 0 || c.number === only)
+    .flatMap(({ number }) =>
+      OPERATIONS.filter((operation) => drawnFor(number, operation)).flatMap((operation) =>
+        Array.from({ length: Math.ceil(each / SHARE) }, (_, i): Job => ({
+          cycle: number,
+          operation,
+          cases: Math.min(SHARE, each - i * SHARE),
+          seed: (seed + i * 7919) % 2 ** 31,
+        })),
+      ),
+    );
   const table = new Map<string, { tried: number; broken: number }>();
   const waiting = [...jobs];
   let bad = 0;
-  await Promise.all(Array.from({ length: Math.min(availableParallelism(), jobs.length) }, async () => {
-    for (let job = waiting.shift(); job; job = waiting.shift()) {
-      const { tried: count, found } = await inProcess(job);
-      const row = `${job.cycle} Q215=${job.operation}`;
-      const before = table.get(row) ?? { tried: 0, broken: 0 };
-      table.set(row, { tried: before.tried + count, broken: before.broken + found.length });
-      bad += found.length;
-      found.forEach((one, i) => {
-        const path = join("tests", "laws", "found", `${job.cycle}-${job.operation}-${job.seed}${i > 0 ? `-${i + 1}` : ""}.json`);
-        writeFileSync(path, `${JSON.stringify(one)}\n`);
-        console.log(`${path}: ${one.said.join("; ")}`);
-      });
-    }
-  }));
+  await Promise.all(
+    Array.from({ length: Math.min(availableParallelism(), jobs.length) }, async () => {
+      for (let job = waiting.shift(); job; job = waiting.shift()) {
+        const { tried: count, found } = await inProcess(job);
+        const row = `${job.cycle} Q215=${job.operation}`;
+        const before = table.get(row) ?? { tried: 0, broken: 0 };
+        table.set(row, { tried: before.tried + count, broken: before.broken + found.length });
+        bad += found.length;
+        found.forEach((one, i) => {
+          const path = join(
+            "tests",
+            "laws",
+            "found",
+            `${job.cycle}-${job.operation}-${job.seed}${i > 0 ? `-${i + 1}` : ""}.json`,
+          );
+          writeFileSync(path, `${JSON.stringify(one)}\n`);
+          console.log(`${path}: ${one.said.join("; ")}`);
+        });
+      }
+    }),
+  );
   console.log("| cycle | set-ups | broken |\n|---|---:|---:|");
   for (const [row, { tried: count, broken }] of [...table].sort()) console.log(`| ${row} | ${count} | ${broken} |`);
   return bad > 0 ? 1 : 0;

@@ -1,6 +1,9 @@
 import type { TestSpecification, Vitest } from "vitest/node";
 
-/** Test files that work long, the longest first. Files are begun by their size where nothing else is known, and these are short. */
+/**
+ * Test files that work long, the longest first. Files are begun by their size where nothing else is known, and these
+ * are short.
+ */
 const LONGEST = ["/tests/laws/cut.test.ts", "/tests/help/help.test.ts", "/tests/laws/"];
 
 const rank = ({ moduleId }: TestSpecification): number => {
@@ -8,7 +11,9 @@ const rank = ({ moduleId }: TestSpecification): number => {
   return found < 0 ? LONGEST.length : found;
 };
 
-/** The usual order of test files, but what works longest is begun first: begun last, one core would wait for the other. */
+/**
+ * The usual order of test files, but what works longest is begun first: begun last, one core would wait for the other.
+ */
 export class LongestFirst {
   constructor(private readonly run: Vitest) {}
 
@@ -22,7 +27,10 @@ export class LongestFirst {
   }
 
   async sort(files: TestSpecification[]): Promise<TestSpecification[]> {
-    const sorted = await (await this.usual()).sort(files), projects = new Set(sorted.map(({ project }) => project));
-    return [...projects].flatMap((each) => sorted.filter(({ project }) => project === each).sort((a, b) => rank(a) - rank(b)));
+    const sorted = await (await this.usual()).sort(files),
+      projects = new Set(sorted.map(({ project }) => project));
+    return [...projects].flatMap((each) =>
+      sorted.filter(({ project }) => project === each).sort((a, b) => rank(a) - rank(b)),
+    );
   }
 }

@@ -27,9 +27,14 @@ function outlineOf(cycle: Cycle, job: Job): Outline | null {
   return outline.issues.some(({ severity }) => severity === "error") ? null : outline;
 }
 
-/** Exchanges what two texts say, so that what was outside is inside: the diameters of the contour, or its only one with the start point. */
+/**
+ * Exchanges what two texts say, so that what was outside is inside: the diameters of the contour, or its only one with
+ * the start point.
+ */
 function turnedInside(cycle: Cycle, job: Job): Job {
-  const found = Object.entries(cycle.params).filter(([, { kind, shown }]) => kind === "diameter" && shown === "outline").map(([q]) => q);
+  const found = Object.entries(cycle.params)
+    .filter(([, { kind, shown }]) => kind === "diameter" && shown === "outline")
+    .map(([q]) => q);
   const draft = { ...job.drafts[cycle.number] };
   const [first = "", last] = found;
   const xs = job.contour.flatMap(({ x }) => (x === "" ? [] : [Number(x)]));
@@ -83,7 +88,10 @@ export function menuModules(): Readonly<Record<string, string>> {
       "export const menuWordsOf = async (language) => (await words[language]()).words;",
     ].join("\n"),
     ...Object.fromEntries(
-      LANGUAGES.map((language) => [`${id}/${language}`, `export const words = ${JSON.stringify(menuWords(language))};`]),
+      LANGUAGES.map((language) => [
+        `${id}/${language}`,
+        `export const words = ${JSON.stringify(menuWords(language))};`,
+      ]),
     ),
   };
 }

@@ -1,7 +1,8 @@
 /**
- * `npm run mutants [-- --write] [WORD …]`: plants each fault of tests/mutants/*.json in a copy of the tree, one at a time, and runs the
- * fast tests there. A fault that no test sees survives, and the command fails; so it does when the text of a fault is no
- * longer in its file. WORD chooses faults by their file or description. `--write` puts the table into docs/proof.md.
+ * `npm run mutants [-- --write] [WORD …]`: plants each fault of tests/mutants/*.json in a copy of the tree, one at a
+ * time, and runs the fast tests there. A fault that no test sees survives, and the command fails; so it does when the
+ * text of a fault is no longer in its file. WORD chooses faults by their file or description. `--write` puts the table
+ * into docs/proof.md.
  */
 import { spawn } from "node:child_process";
 import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
@@ -12,13 +13,19 @@ import { ensurePackages, root } from "./packages.mjs";
 const args = process.argv.slice(2);
 const words = args.filter((a) => !a.startsWith("--"));
 const WRITE = args.includes("--write");
-/** Copies that are tried side by side, and cases per law: a fault that needs thousands of cases to be seen is one that survives. */
+/**
+ * Copies that are tried side by side, and cases per law: a fault that needs thousands of cases to be seen is one that
+ * survives.
+ */
 const SIDE_BY_SIDE = Number(process.env.JOBS ?? 2);
 const LAW_CASES = process.env.LAW_CASES ?? "10";
 /** Seconds a run may take: a fault that makes a path endless is one that is seen. */
 const PATIENCE = Number(process.env.PATIENCE ?? 600);
 
-/** Tests in the order in which they are tried; goldens last, since a golden says that something changed and not what is right. */
+/**
+ * Tests in the order in which they are tried; goldens last, since a golden says that something changed and not what is
+ * right.
+ */
 const STAGES = [
   {
     kind: "unit",
@@ -34,22 +41,41 @@ const STAGES = [
       "tests/messages.test.ts",
     ],
   },
-  { kind: "law", tests: ["tests/laws", "tests/judge", "tests/job-laws.test.ts", "tests/examples.test.ts", "tests/adapted-tools.test.ts"] },
-  { kind: "golden", tests: ["tests/cases", "tests/goldens.test.ts", "tests/printed-examples.test.ts", "tests/verify.test.ts"] },
+  {
+    kind: "law",
+    tests: [
+      "tests/laws",
+      "tests/judge",
+      "tests/job-laws.test.ts",
+      "tests/examples.test.ts",
+      "tests/adapted-tools.test.ts",
+    ],
+  },
+  {
+    kind: "golden",
+    tests: ["tests/cases", "tests/goldens.test.ts", "tests/printed-examples.test.ts", "tests/verify.test.ts"],
+  },
 ];
 
 const folder = join(root, "tests", "mutants");
 /** What is planted: `find` stands exactly once in `file`. `tests` are tried first, because they look at that place. */
-const all = readdirSync(folder).filter((name) => name.endsWith(".json")).sort().flatMap((name) =>
-  JSON.parse(readFileSync(join(folder, name), "utf8")).map((m) => ({ ...m, group: name.replace(".json", "") }))
-);
+const all = readdirSync(folder)
+  .filter((name) => name.endsWith(".json"))
+  .sort()
+  .flatMap((name) =>
+    JSON.parse(readFileSync(join(folder, name), "utf8")).map((m) => ({ ...m, group: name.replace(".json", "") })),
+  );
 const chosen = all.filter((m) => words.every((w) => `${m.group} ${m.file} ${m.what}`.includes(w)));
 
 function planted(base, { file, find, replace }) {
   const path = join(base, file);
   const text = readFileSync(path, "utf8");
-  if (text.split(find).length !== 2) throw new Error(`${file}: "${find}" stands ${text.split(find).length - 1} times, not once`);
-  writeFileSync(path, text.replace(find, () => replace));
+  if (text.split(find).length !== 2)
+    throw new Error(`${file}: "${find}" stands ${text.split(find).length - 1} times, not once`);
+  writeFileSync(
+    path,
+    text.replace(find, () => replace),
+  );
   return () => writeFileSync(path, text);
 }
 
@@ -66,19 +92,15 @@ function firstFailure(base, tests) {
   const report = join(base, "mutant.json");
   rmSync(report, { force: true });
   const cli = join(base, "node_modules", "vitest", "vitest.mjs");
-  const child = spawn(process.execPath, [
-    cli,
-    "run",
-    ...tests,
-    "--bail=1",
-    "--reporter=json",
-    `--outputFile.json=${report}`,
-    "--passWithNoTests",
-  ], {
-    cwd: base,
-    stdio: "ignore",
-    env: { ...process.env, CI: "true", LAW_CASES, LAW_SEED: process.env.LAW_SEED ?? "1", SEED: "1" },
-  });
+  const child = spawn(
+    process.execPath,
+    [cli, "run", ...tests, "--bail=1", "--reporter=json", `--outputFile.json=${report}`, "--passWithNoTests"],
+    {
+      cwd: base,
+      stdio: "ignore",
+      env: { ...process.env, CI: "true", LAW_CASES, LAW_SEED: process.env.LAW_SEED ?? "1", SEED: "1" },
+    },
+  );
   let patient = true;
   const patience = setTimeout(() => {
     patient = false;
@@ -101,7 +123,7 @@ function firstFailure(base, tests) {
         // A run that wrote no report failed all the same.
       }
       resolve({ file, test });
-    })
+    }),
   );
 }
 
@@ -119,12 +141,12 @@ async function tried(base, mutant, lists) {
   }
 }
 
-const kindOf =
-  (file) => (file.startsWith("src") || /validation|catalogue|messages/.test(file)
+const kindOf = (file) =>
+  file.startsWith("src") || /validation|catalogue|messages/.test(file)
     ? "unit"
     : /laws|judge|course|examples\.test|adapted/.test(file) && !/printed/.test(file)
-    ? "law"
-    : "golden");
+      ? "law"
+      : "golden";
 
 ensurePackages();
 const stale = all.flatMap((m) => {
@@ -145,17 +167,21 @@ async function round(mutants, tests, listsOf) {
   const clean = await firstFailure(bases[0], tests);
   if (clean) throw new Error(`the tests fail without a fault: ${clean.file}: ${clean.test}`);
   const [waiting, unseen] = [[...mutants], []];
-  await Promise.all(bases.map(async (base) => {
-    for (let m = waiting.shift(); m; m = waiting.shift()) {
-      const failure = await tried(base, m, listsOf(m));
-      if (!failure) {
-        unseen.push(m);
-        continue;
+  await Promise.all(
+    bases.map(async (base) => {
+      for (let m = waiting.shift(); m; m = waiting.shift()) {
+        const failure = await tried(base, m, listsOf(m));
+        if (!failure) {
+          unseen.push(m);
+          continue;
+        }
+        results.push({ ...m, failure });
+        console.log(
+          `${kindOf(failure.file).padEnd(8)} ${m.what} (${m.file}): ${failure.file}: ${failure.test.slice(0, 100)}`,
+        );
       }
-      results.push({ ...m, failure });
-      console.log(`${kindOf(failure.file).padEnd(8)} ${m.what} (${m.file}): ${failure.file}: ${failure.test.slice(0, 100)}`);
-    }
-  }));
+    }),
+  );
   return unseen;
 }
 
@@ -179,9 +205,11 @@ const total = `${results.length} faults, ${survivors.length} survive, ${byGolden
 console.log(total);
 if (WRITE) {
   const cell = (text) => text.replaceAll("|", "\\|");
-  const rows = results.map((r) =>
-    `| ${cell(r.what)} | \`${r.file.replace("src/", "")}\` | `
-    + (r.failure ? `${kindOf(r.failure.file)}: \`${r.failure.file}\`` : "**survives**") + " |"
+  const rows = results.map(
+    (r) =>
+      `| ${cell(r.what)} | \`${r.file.replace("src/", "")}\` | ` +
+      (r.failure ? `${kindOf(r.failure.file)}: \`${r.failure.file}\`` : "**survives**") +
+      " |",
   );
   const table = [
     "<!-- mutants: written by npm run mutants -- --write -->",
@@ -195,6 +223,9 @@ if (WRITE) {
     "<!-- /mutants -->",
   ].join("\n");
   const path = join(root, "docs", "proof.md");
-  writeFileSync(path, readFileSync(path, "utf8").replace(/<!-- mutants:[\s\S]*<!-- \/mutants -->/, () => table));
+  writeFileSync(
+    path,
+    readFileSync(path, "utf8").replace(/<!-- mutants:[\s\S]*<!-- \/mutants -->/, () => table),
+  );
 }
 process.exitCode = survivors.length > 0 || byGolden.length * 2 > results.length ? 1 : 0;

@@ -10,23 +10,40 @@ export interface KeptFile {
   readonly integrity: string;
 }
 
-/** Scripts of Fontsource that no screen language and no name in western Europe needs; the system's own font stands in for them. */
+/**
+ * Scripts of Fontsource that no screen language and no name in western Europe needs; the system's own font stands in
+ * for them.
+ */
 const SPARE_FONT = /-(?:cyrillic|cyrillic-ext|greek-ext|vietnamese)-wght-/;
 
-/** True for a file of the build that the page can ask for; what is run by Node, maps and packed copies stay with the server. */
+/**
+ * True for a file of the build that the page can ask for; what is run by Node, maps and packed copies stay with the
+ * server.
+ */
 export const isKept = (path: string): boolean =>
-  /\.(?:html|js|css|svg|png|woff2|webmanifest)$/.test(path) && path !== "sw.js" && !/(?:^|\/)\./.test(path) && !SPARE_FONT.test(path);
+  /\.(?:html|js|css|svg|png|woff2|webmanifest)$/.test(path) &&
+  path !== "sw.js" &&
+  !/(?:^|\/)\./.test(path) &&
+  !SPARE_FONT.test(path);
 
 /** The site in a folder as a list that tells every change of every file. */
 export function keptFiles(folder: string): readonly KeptFile[] {
-  const paths = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((e) => e.isFile()).map((e) =>
-    join(e.parentPath, e.name).slice(folder.length + 1).split(sep).join("/")
-  );
-  return paths.filter(isKept).sort().map((url) => {
-    const content = readFileSync(join(folder, url));
-    const hash = createHash("sha384").update(content).digest("base64");
-    return { url, revision: url.startsWith("assets/") ? null : hash.slice(0, 16), integrity: `sha384-${hash}` };
-  });
+  const paths = readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((e) => e.isFile())
+    .map((e) =>
+      join(e.parentPath, e.name)
+        .slice(folder.length + 1)
+        .split(sep)
+        .join("/"),
+    );
+  return paths
+    .filter(isKept)
+    .sort()
+    .map((url) => {
+      const content = readFileSync(join(folder, url));
+      const hash = createHash("sha384").update(content).digest("base64");
+      return { url, revision: url.startsWith("assets/") ? null : hash.slice(0, 16), integrity: `sha384-${hash}` };
+    });
 }
 
 /** The service worker as one script that holds the list of the site. */
@@ -52,8 +69,8 @@ async function serviceWorker(root: string, files: readonly KeptFile[]): Promise<
 }
 
 /**
- * Makes the site installable and complete without a network: manifests, their link in the page, and the service worker with the list of
- * everything that the build wrote. The list is made last, of the files as they lie there.
+ * Makes the site installable and complete without a network: manifests, their link in the page, and the service worker
+ * with the list of everything that the build wrote. The list is made last, of the files as they lie there.
  */
 export function offline(): Plugin {
   let root = "";
@@ -65,20 +82,28 @@ export function offline(): Plugin {
       root = config.root;
       folder = join(config.root, config.build.outDir);
     },
-    transformIndexHtml: () => [{ tag: "link", attrs: { rel: "manifest", href: "./manifest.en.webmanifest" }, injectTo: "head" }, {
-      tag: "link",
-      attrs: { rel: "apple-touch-icon", href: "./icons/apple-touch-icon.png" },
-      injectTo: "head",
-    }],
+    transformIndexHtml: () => [
+      { tag: "link", attrs: { rel: "manifest", href: "./manifest.en.webmanifest" }, injectTo: "head" },
+      {
+        tag: "link",
+        attrs: { rel: "apple-touch-icon", href: "./icons/apple-touch-icon.png" },
+        injectTo: "head",
+      },
+    ],
     async generateBundle() {
       // The server in one file, for those who have nothing but the folder.
-      this.emitFile({ type: "asset", fileName: "serve.mjs", source: readFileSync(join(root, "scripts", "serve.mjs"), "utf8") });
+      this.emitFile({
+        type: "asset",
+        fileName: "serve.mjs",
+        source: readFileSync(join(root, "scripts", "serve.mjs"), "utf8"),
+      });
       const from = join(root, "scripts", "web-manifest.ts");
       const { module } = await runnerImport<{ manifests: () => Readonly<Record<string, string>> }>(from, {
         configFile: false,
         logLevel: "error",
       });
-      for (const [fileName, source] of Object.entries(module.manifests())) this.emitFile({ type: "asset", fileName, source });
+      for (const [fileName, source] of Object.entries(module.manifests()))
+        this.emitFile({ type: "asset", fileName, source });
     },
     closeBundle: {
       order: "post",

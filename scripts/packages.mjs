@@ -17,8 +17,9 @@ function installed() {
   const kept = join("node_modules", ".package-lock.json");
   if (!existsSync(join(root, kept))) return false;
   const present = lock(kept);
-  return Object.entries(lock("package-lock.json")).every(([name, wanted]) =>
-    name === "" || (present[name] ? present[name].version === wanted.version : wanted.optional === true)
+  return Object.entries(lock("package-lock.json")).every(
+    ([name, wanted]) =>
+      name === "" || (present[name] ? present[name].version === wanted.version : wanted.optional === true),
   );
 }
 
@@ -28,7 +29,8 @@ function installed() {
  */
 export function ensurePackages() {
   const [major, minor] = process.versions.node.split(".").map(Number);
-  if (major < 20 || (major === 20 && minor < 19)) throw new Error(`Node 20.19 or newer is needed, this is ${process.version}.`);
+  if (major < 20 || (major === 20 && minor < 19))
+    throw new Error(`Node 20.19 or newer is needed, this is ${process.version}.`);
   if (installed()) return;
   console.error("Installing packages (npm ci) …");
   const npm = process.platform === "win32" ? "npm.cmd" : "npm";

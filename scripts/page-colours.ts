@@ -6,23 +6,35 @@ const sheet = (path: string) => readFileSync(join("src", "app", path), "utf8");
 
 /** The declarations of all rules with a selector that stand at the beginning of a line: those of no `@media`. */
 const rulesOf = (css: string, selector: string): string =>
-  css.split("\n").flatMap((line, i, lines) => (line.startsWith(`${selector} {`) ? [lines.slice(i).join("\n")] : [])).map((rule) =>
-    rule.slice(rule.indexOf("{") + 1, rule.indexOf("}"))
-  ).join(";");
+  css
+    .split("\n")
+    .flatMap((line, i, lines) => (line.startsWith(`${selector} {`) ? [lines.slice(i).join("\n")] : []))
+    .map((rule) => rule.slice(rule.indexOf("{") + 1, rule.indexOf("}")))
+    .join(";");
 
 /** The colours by name, light, and dark where the system is. Only those that a text uses. */
 function colours(used: string): string {
   const tokens = sheet("base/styles/tokens.css");
   const of = (selector: string) =>
-    rulesOf(tokens, selector).split(";").map((d) => d.trim()).filter((d) => used.includes(`var(${d.split(":")[0]})`)).join(";");
+    rulesOf(tokens, selector)
+      .split(";")
+      .map((d) => d.trim())
+      .filter((d) => used.includes(`var(${d.split(":")[0]})`))
+      .join(";");
   return `:root{color-scheme:light dark;${of(":root")}}@media (prefers-color-scheme: dark){:root{${of(':root[data-theme="dark"]')}}}`;
 }
 
 /** A sheet with the colours that it names, on few lines. */
-export const styled = (css: string): string => (colours(css) + css.replace(/\/\*.*?\*\//gs, "")).replace(/\s+/g, " ").trim();
+export const styled = (css: string): string =>
+  (colours(css) + css.replace(/\/\*.*?\*\//gs, "")).replace(/\s+/g, " ").trim();
 
 /** How the help picture is drawn, for an `svg` of that class. */
 export const helpRules = (): string =>
-  [...(sheet("pictures/help/help.css").split("@media")[0] ?? "").matchAll(/^\.help-picture (?:path|text|\.)[^{}]*\{[^{}]*\}/gm)].map(
-    ([rule]) => rule
-  ).filter((rule) => !/^\.help-picture \.(?:help-note|dimmed)/.test(rule)).join("\n");
+  [
+    ...(sheet("pictures/help/help.css").split("@media")[0] ?? "").matchAll(
+      /^\.help-picture (?:path|text|\.)[^{}]*\{[^{}]*\}/gm,
+    ),
+  ]
+    .map(([rule]) => rule)
+    .filter((rule) => !/^\.help-picture \.(?:help-note|dimmed)/.test(rule))
+    .join("\n");

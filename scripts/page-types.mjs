@@ -1,7 +1,8 @@
 /**
- * `node scripts/page-types.mjs`: writes the types of the page objects to standard output, as the text of one file that needs
- * Playwright's own types and no other, with the files that they come from: `{ types, from }`. The classes come from the compiler; a type
- * of the page that they name is taken over as it is written there, or, where it is computed from values, as what it comes to.
+ * `node scripts/page-types.mjs`: writes the types of the page objects to standard output, as the text of one file that
+ * needs Playwright's own types and no other, with the files that they come from: `{ types, from }`. The classes come
+ * from the compiler; a type of the page that they name is taken over as it is written there, or, where it is computed
+ * from values, as what it comes to.
  */
 import { join } from "node:path";
 import ts from "typescript";
@@ -9,7 +10,10 @@ import { root } from "./packages.mjs";
 
 const ENTRY = join(root, "e2e", "pages", "index.ts");
 const PAGES = join(root, "e2e", "pages");
-const flags = ts.NodeBuilderFlags.NoTruncation | ts.NodeBuilderFlags.InTypeAlias | ts.NodeBuilderFlags.UseAliasDefinedOutsideCurrentScope;
+const flags =
+  ts.NodeBuilderFlags.NoTruncation |
+  ts.NodeBuilderFlags.InTypeAlias |
+  ts.NodeBuilderFlags.UseAliasDefinedOutsideCurrentScope;
 
 const { config } = ts.readConfigFile(join(root, "tsconfig.base.json"), ts.sys.readFile);
 const { options } = ts.parseJsonConfigFileContent(config, ts.sys, root);
@@ -29,18 +33,23 @@ const isOurs = (file) => file.fileName.startsWith(join(root, "src")) || file.fil
 const PLAIN = { Sentences: "Readonly<Record<string, unknown>>" };
 
 /** What an import or a re-export stands for. */
-const meant = (symbol) => symbol && symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol;
+const meant = (symbol) => (symbol && symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol);
 
 /** Declarations that the file has to hold, by name, in the order in which they are named. */
 const held = new Map();
 
 /** Notes the types of this project that a declaration names. */
 function follow(node) {
-  const named = ts.isTypeReferenceNode(node) ? node.typeName : ts.isExpressionWithTypeArguments(node) ? node.expression : null;
+  const named = ts.isTypeReferenceNode(node)
+    ? node.typeName
+    : ts.isExpressionWithTypeArguments(node)
+      ? node.expression
+      : null;
   if (named && ts.isIdentifier(named)) {
     const symbol = meant(named.symbol ?? checker.getSymbolAtLocation(named));
     const [declaration] = symbol?.declarations ?? [];
-    if (declaration && isOurs(declaration.getSourceFile()) && !ts.isTypeParameterDeclaration(declaration)) take(symbol, declaration);
+    if (declaration && isOurs(declaration.getSourceFile()) && !ts.isTypeParameterDeclaration(declaration))
+      take(symbol, declaration);
   }
   ts.forEachChild(node, follow);
 }
@@ -57,7 +66,8 @@ function take(symbol, declaration) {
   if (ts.isClassDeclaration(declaration)) return;
   const { name } = symbol;
   if (held.has(name)) {
-    if (held.get(name).declaration !== declaration) throw new Error(`Two types that page objects name are called ${name}.`);
+    if (held.get(name).declaration !== declaration)
+      throw new Error(`Two types that page objects name are called ${name}.`);
     return;
   }
   const entry = { declaration, text: `type ${name} = ${PLAIN[name]};` };
@@ -70,12 +80,17 @@ function take(symbol, declaration) {
     follow(made);
     return;
   }
-  entry.text = declaration.getFullText().trim().replace(/^export /m, "");
+  entry.text = declaration
+    .getFullText()
+    .trim()
+    .replace(/^export /m, "");
   follow(declaration);
 }
 
 const pages = program.getSourceFiles().filter((file) => file.fileName.startsWith(PAGES) && file.fileName !== ENTRY);
-const shown = new Set(checker.getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(ENTRY))).map((symbol) => symbol.name));
+const shown = new Set(
+  checker.getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(ENTRY))).map((symbol) => symbol.name),
+);
 const classes = [];
 const fromPlaywright = new Set();
 for (const page of pages) {
@@ -87,17 +102,24 @@ for (const page of pages) {
       if (statement.moduleSpecifier.text === "@playwright/test") {
         for (const { name } of statement.importClause?.namedBindings?.elements ?? []) fromPlaywright.add(name.text);
       }
-    } else if (ts.isClassDeclaration(statement) && shown.has(statement.name.text)) classes.push(statement.getFullText().trim());
+    } else if (ts.isClassDeclaration(statement) && shown.has(statement.name.text))
+      classes.push(statement.getFullText().trim());
   }
   // Of the classes' own files too: types beside them, and those that they import.
   for (const statement of page.statements) if (ts.isClassDeclaration(statement)) follow(statement);
 }
-const imports = [...fromPlaywright].filter((name) => name !== "expect").sort().join(", ");
+const imports = [...fromPlaywright]
+  .filter((name) => name !== "expect")
+  .sort()
+  .join(", ");
 const types = [
   `// Page objects of Turnwise for Playwright; made by the build.\nimport type { ${imports} } from "@playwright/test";`,
   ...[...held].map(([name, { text }]) => (shown.has(name) ? text.replace(/^(?=interface|type)/m, "export ") : text)),
   ...classes,
   "export {};\n",
 ].join("\n\n");
-const from = program.getSourceFiles().filter(isOurs).map(({ fileName }) => fileName);
+const from = program
+  .getSourceFiles()
+  .filter(isOurs)
+  .map(({ fileName }) => fileName);
 process.stdout.write(JSON.stringify({ types, from }));

@@ -2,9 +2,13 @@ import { readFileSync, writeFileSync } from "node:fs";
 
 const PAGE = "docs/performance.md";
 
-/** Puts lines into docs/performance.md, in place of those between the marks of this name: `<!-- name -->` and `<!-- /name -->`. */
+/**
+ * Puts lines into docs/performance.md, in place of those between the marks of this name: `<!-- name -->` and `<!--
+ * /name -->`.
+ */
 export function writeIntoPage(name: string, lines: readonly string[]): void {
-  const page = readFileSync(PAGE, "utf8"), [begin, end] = [`<!-- ${name} -->`, `<!-- /${name} -->`];
+  const page = readFileSync(PAGE, "utf8"),
+    [begin, end] = [`<!-- ${name} -->`, `<!-- /${name} -->`];
   const [from, to] = [page.indexOf(begin), page.indexOf(end)];
   if (from < 0 || to < from) throw new Error(`${PAGE} has no place for ${name}`);
   writeFileSync(PAGE, `${page.slice(0, from + begin.length)}\n${lines.join("\n").trim()}\n${page.slice(to)}`);

@@ -2,9 +2,10 @@
 export const REFERENCE = 4;
 
 /**
- * The reference loop: a fixed amount of arithmetic, of typed arrays and of work on rings of points, as the proof has it. A time divided by
- * that of this loop beside it can be compared between machines, and between a quiet and a busy hour of one. It is one function without a
- * name from outside, so that it can be sent into a page as text. Returns a number that depends on all of it, the same every time.
+ * The reference loop: a fixed amount of arithmetic, of typed arrays and of work on rings of points, as the proof has
+ * it. A time divided by that of this loop beside it can be compared between machines, and between a quiet and a busy
+ * hour of one. It is one function without a name from outside, so that it can be sent into a page as text. Returns a
+ * number that depends on all of it, the same every time.
  */
 export function referenceWork(): number {
   const [points, cuts, cells] = [600, 40, 20_000];
@@ -12,17 +13,22 @@ export function referenceWork(): number {
   const next = () => (seed = (seed * 1_103_515_245 + 12_345) % 2_147_483_648) / 2_147_483_648;
   const heights = new Float64Array(cells);
   let ring = Array.from({ length: points }, (_, i) => {
-    const angle = (2 * Math.PI * i) / points, far = 40 + next();
+    const angle = (2 * Math.PI * i) / points,
+      far = 40 + next();
     return { z: far * Math.cos(angle), r: far * Math.sin(angle) };
   });
   let sum = 0;
   for (let cut = 0; cut < cuts; cut += 1) {
     // Half of the plane is taken away from the ring, each time in another direction.
-    const angle = 2 * Math.PI * next(), [nz, nr] = [Math.cos(angle), Math.sin(angle)], limit = 39.5 - cut * 0.1;
+    const angle = 2 * Math.PI * next(),
+      [nz, nr] = [Math.cos(angle), Math.sin(angle)],
+      limit = 39.5 - cut * 0.1;
     const kept = [];
     for (let i = 0; i < ring.length; i += 1) {
-      const a = ring[i] ?? { z: 0, r: 0 }, b = ring[(i + 1) % ring.length] ?? a;
-      const over = a.z * nz + a.r * nr - limit, overNext = b.z * nz + b.r * nr - limit;
+      const a = ring[i] ?? { z: 0, r: 0 },
+        b = ring[(i + 1) % ring.length] ?? a;
+      const over = a.z * nz + a.r * nr - limit,
+        overNext = b.z * nz + b.r * nr - limit;
       if (over <= 0) kept.push(a);
       if (over <= 0 !== overNext <= 0) {
         const part = over / (over - overNext);
@@ -31,11 +37,13 @@ export function referenceWork(): number {
     }
     ring = kept;
     for (let i = 0; i < ring.length; i += 1) {
-      const a = ring[i] ?? { z: 0, r: 0 }, b = ring[(i + 1) % ring.length] ?? a;
+      const a = ring[i] ?? { z: 0, r: 0 },
+        b = ring[(i + 1) % ring.length] ?? a;
       sum += a.z * b.r - b.z * a.r;
     }
     for (let i = 0; i < cells; i += 1) {
-      const z = (i - cells / 2) / 200, deep = Math.sqrt(Math.abs(limit * limit - z * z)) * (1 + 0.01 * cut);
+      const z = (i - cells / 2) / 200,
+        deep = Math.sqrt(Math.abs(limit * limit - z * z)) * (1 + 0.01 * cut);
       heights[i] = Math.max(heights[i] ?? 0, deep - 0.5 * Math.abs(z));
     }
     for (let i = 1; i < cells; i += 1) sum += Math.abs((heights[i] ?? 0) - (heights[i - 1] ?? 0));
@@ -45,16 +53,19 @@ export function referenceWork(): number {
 
 /** The middle one of some numbers; of an even count the mean of the two. */
 export function middle(numbers: readonly number[]): number {
-  const sorted = [...numbers].sort((a, b) => a - b), half = sorted.length / 2;
+  const sorted = [...numbers].sort((a, b) => a - b),
+    half = sorted.length / 2;
   const [below, above] = [sorted[Math.ceil(half) - 1], sorted[Math.floor(half)]];
   return below === undefined || above === undefined ? Number.NaN : (below + above) / 2;
 }
 
 /** How long the reference loop takes now, in this process, ms: the middle one of a few rounds. */
 export function referenceTime(rounds = 5): number {
-  return middle(Array.from({ length: rounds }, () => {
-    const began = performance.now();
-    if (Number.isNaN(referenceWork())) throw new Error("the reference loop went wrong");
-    return performance.now() - began;
-  }));
+  return middle(
+    Array.from({ length: rounds }, () => {
+      const began = performance.now();
+      if (Number.isNaN(referenceWork())) throw new Error("the reference loop went wrong");
+      return performance.now() - began;
+    }),
+  );
 }

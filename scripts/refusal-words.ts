@@ -23,8 +23,8 @@ const SENTENCES: Sentences = {
   unitMissing: ({ units }) => `the unit is missing behind the program name: ${units}`,
   blockNumber: ({ text }) => `"${text}" is not a block number`,
   listWithoutTilde: ({ list, lines }) =>
-    `the list of ${list} has no " ~" at the end of the line before, so ${plural(lines, "line becomes a block", "lines become blocks")} of `
-    + `${lines === 1 ? "its" : "their"} own`,
+    `the list of ${list} has no " ~" at the end of the line before, so ${plural(lines, "line becomes a block", "lines become blocks")} of ` +
+    `${lines === 1 ? "its" : "their"} own`,
   tildeAtEnd: () => 'the line ends in "~", but the block does not continue on the next line',
   equalsMissing: ({ word }) => `"=" is missing behind ${word}`,
   unknownWord: ({ text }) => `unknown word "${text}"`,
@@ -68,4 +68,10 @@ export interface RefusedPlace {
 }
 
 export const refusedPlaces = (refused: readonly FileRefusal[]): readonly RefusedPlace[] =>
-  refused.map((each) => ({ block: each.block, line: each.line, column: each.column, code: each.code, text: refusalText(each) }));
+  refused.map((each) => ({
+    block: each.block,
+    line: each.line,
+    column: each.column,
+    code: each.code,
+    text: refusalText(each),
+  }));

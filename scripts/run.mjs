@@ -18,7 +18,8 @@ function fingerprint() {
     for (const entry of readdirSync(join(root, folder), { withFileTypes: true })) {
       const path = join(folder, entry.name);
       if (entry.isDirectory()) walk(path);
-      else if (/\.(tsx?|json)$/.test(entry.name) && !/\.test\.tsx?$/.test(entry.name) && !folder.endsWith("found")) note(path);
+      else if (/\.(tsx?|json)$/.test(entry.name) && !/\.test\.tsx?$/.test(entry.name) && !folder.endsWith("found"))
+        note(path);
     }
   };
   const note = (path) => {

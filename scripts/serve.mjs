@@ -1,8 +1,8 @@
 #!/usr/bin/env node
 /**
  * Serves the built page with nothing but Node: `node serve.mjs [--port 8080] [--host 127.0.0.1] [--under /turnwise/]
- * [--cert FILE --key FILE] [FOLDER]`. The build puts a copy beside the page, which serves the folder that it lies in. What it sends
- * with each file is written down for other servers in docs/serving.md.
+ * [--cert FILE --key FILE] [FOLDER]`. The build puts a copy beside the page, which serves the folder that it lies in.
+ * What it sends with each file is written down for other servers in docs/serving.md.
  */
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync } from "node:fs";
@@ -14,7 +14,10 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
 
-/** What the page may load: itself only. Style attributes come from the editor and the drawings. The page says the same of itself. */
+/**
+ * What the page may load: itself only. Style attributes come from the editor and the drawings. The page says the same
+ * of itself.
+ */
 export const contentPolicy = [
   "default-src 'none'",
   "script-src 'self'",
@@ -33,8 +36,9 @@ export const securityHeaders = {
   "Content-Security-Policy": `${contentPolicy}; frame-ancestors 'self'`,
   "X-Content-Type-Options": "nosniff",
   "Referrer-Policy": "no-referrer",
-  "Permissions-Policy": "camera=(), microphone=(), geolocation=(), payment=(), usb=(), serial=(), hid=(), midi=(), "
-    + "clipboard-read=(self), clipboard-write=(self), fullscreen=(self)",
+  "Permissions-Policy":
+    "camera=(), microphone=(), geolocation=(), payment=(), usb=(), serial=(), hid=(), midi=(), " +
+    "clipboard-read=(self), clipboard-write=(self), fullscreen=(self)",
   "Cross-Origin-Opener-Policy": "same-origin",
   "Cross-Origin-Resource-Policy": "same-origin",
 };
@@ -64,13 +68,18 @@ const packers = {
 
 /** The packing that a browser takes, the smaller one first. */
 function packingFor(accepted = "") {
-  const wanted = accepted.split(",").map((each) => each.trim().split(/\s*;\s*q=/)).filter(([, q = "1"]) => Number(q) > 0).map(([name]) =>
-    name
-  );
+  const wanted = accepted
+    .split(",")
+    .map((each) => each.trim().split(/\s*;\s*q=/))
+    .filter(([, q = "1"]) => Number(q) > 0)
+    .map(([name]) => name);
   return Object.keys(packers).find((name) => wanted.includes(name)) ?? null;
 }
 
-/** The file that a path names, or null: nothing outside the folder and nothing hidden is ever given, by whatever spelling. */
+/**
+ * The file that a path names, or null: nothing outside the folder and nothing hidden is ever given, by whatever
+ * spelling.
+ */
 async function fileOf(root, path) {
   let name;
   try {
@@ -114,14 +123,18 @@ export function site(folder, under = "/") {
       response.end(request.method === "HEAD" ? undefined : body);
     };
     const plain = { "Content-Type": types[".txt"], "Cache-Control": cacheRules.others };
-    if (request.method !== "GET" && request.method !== "HEAD") return end(405, { ...plain, Allow: "GET, HEAD" }, "Only GET and HEAD.\n");
+    if (request.method !== "GET" && request.method !== "HEAD")
+      return end(405, { ...plain, Allow: "GET, HEAD" }, "Only GET and HEAD.\n");
     const [path = "/", query] = (request.url ?? "/").split("?");
-    if (path === "/" && under !== "/" || `${path}/` === under)
+    if ((path === "/" && under !== "/") || `${path}/` === under)
       return end(307, { ...plain, Location: query === undefined ? under : `${under}?${query}` });
     const file = path.startsWith(under) ? await fileOf(await realpath(folder), path.slice(under.length)) : null;
     if (!file) return end(404, plain, "There is no such file.\n");
     const ending = extname(file.found).toLowerCase();
-    const { body, mark } = await contentOf(file, PACKED.has(ending) ? packingFor(request.headers["accept-encoding"]) : null);
+    const { body, mark } = await contentOf(
+      file,
+      PACKED.has(ending) ? packingFor(request.headers["accept-encoding"]) : null,
+    );
     const packing = /-(br|gzip)"$/.exec(mark)?.[1];
     const headers = {
       "Content-Type": types[ending] ?? "application/octet-stream",
@@ -135,7 +148,11 @@ export function site(folder, under = "/") {
 }
 
 /** A path with a stroke before and behind. */
-export const wholePath = (path) => `/${path.split("/").filter((part) => part !== "").join("/")}/`.replace("//", "/");
+export const wholePath = (path) =>
+  `/${path
+    .split("/")
+    .filter((part) => part !== "")
+    .join("/")}/`.replace("//", "/");
 
 function main(args) {
   const asked = { port: "8080", host: "127.0.0.1", under: "/", cert: "", key: "" };
@@ -144,11 +161,17 @@ function main(args) {
     const name = args[i].replace(/^--/, "");
     if (!args[i].startsWith("--")) folder = args[i];
     else if (name in asked && args[i + 1] !== undefined) asked[name] = args[++i];
-    else throw new Error(`${args[i]} is not understood. Known: ${Object.keys(asked).map((known) => `--${known} …`).join(" ")} FOLDER`);
+    else
+      throw new Error(
+        `${args[i]} is not understood. Known: ${Object.keys(asked)
+          .map((known) => `--${known} …`)
+          .join(" ")} FOLDER`,
+      );
   }
   const beside = dirname(fileURLToPath(import.meta.url));
   const root = folder ?? (existsSync(join(beside, "index.html")) ? beside : join(beside, "..", "dist"));
-  if (!existsSync(join(root, "index.html"))) throw new Error(`There is no index.html in ${root}: build first, or name the folder.`);
+  if (!existsSync(join(root, "index.html")))
+    throw new Error(`There is no index.html in ${root}: build first, or name the folder.`);
   const under = wholePath(asked.under);
   const isSecure = asked.cert !== "" && asked.key !== "";
   const answer = site(root, under);

@@ -1,7 +1,7 @@
 /**
- * Fails when the page has grown past what it may make an operator wait for, compressed as a server sends it. Two sums, each with the
- * largest of the languages: all JavaScript that the first screen needs, and all that is fetched until the dialog of a cycle works,
- * its calculation in the worker included.
+ * Fails when the page has grown past what it may make an operator wait for, compressed as a server sends it. Two sums,
+ * each with the largest of the languages: all JavaScript that the first screen needs, and all that is fetched until the
+ * dialog of a cycle works, its calculation in the worker included.
  */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -52,7 +52,10 @@ function withImports(file, seen = new Set()) {
   return seen;
 }
 
-const first = new Set([...filesOf("index.html"), ...largest((l) => [`virtual:cycle-menu/${l}`, `src/i18n/${l}/first.ts`])]);
+const first = new Set([
+  ...filesOf("index.html"),
+  ...largest((l) => [`virtual:cycle-menu/${l}`, `src/i18n/${l}/first.ts`]),
+]);
 const dialog = new Set([
   ...first,
   ...union(["src/features/start/begin.ts", "src/app/shell/Workplace.tsx"]),
@@ -62,7 +65,10 @@ const dialog = new Set([
 
 const kB = (bytes) => `${(bytes / 1000).toFixed(1).padStart(7)} kB`;
 for (const file of dialog) console.log(`${kB(weight(file))}  ${first.has(file) ? "first  " : "dialog "} ${file}`);
-for (const [name, files, limit] of [["first load", first, LIMITS.first], ["until a dialog works", dialog, LIMITS.dialog]]) {
+for (const [name, files, limit] of [
+  ["first load", first, LIMITS.first],
+  ["until a dialog works", dialog, LIMITS.dialog],
+]) {
   console.log(`${kB(sum(files))}  ${name}, limit ${limit} kB`);
   if (sum(files) / 1000 > limit) process.exitCode = 1;
 }

@@ -47,7 +47,9 @@ function planeThumbnail({ plane }: Run): Thumbnail | null {
   const [width, height] = [Math.max(...xs) - left, Math.max(...ys) - top];
   const air = Math.max(width, height) / 16;
   const box = [left - air, top - air, width + 2 * air, height + 2 * air].map(rounded) as unknown as ViewBox;
-  const way = cut.map(({ from, to }) => `M${rounded(from.x)} ${rounded(-from.y)}L${rounded(to.x)} ${rounded(-to.y)}`).join("");
+  const way = cut
+    .map(({ from, to }) => `M${rounded(from.x)} ${rounded(-from.y)}L${rounded(to.x)} ${rounded(-to.y)}`)
+    .join("");
   return { box, part: "", blank: "", plane: way };
 }
 
@@ -65,13 +67,14 @@ const PIECES = 8;
 const pointsTo = ({ from, move }: Step): readonly Pt[] =>
   move.kind === "arc"
     ? Array.from({ length: PIECES }, (_, i) =>
-      part.pointOn({ kind: "arc", from, to: move.to, centre: move.centre, turn: move.turn }, (i + 1) / PIECES))
+        part.pointOn({ kind: "arc", from, to: move.to, centre: move.centre, turn: move.turn }, (i + 1) / PIECES),
+      )
     : [move.to];
 
 /** What a place of the way belongs to. */
 const passOf = ({ move }: Step): number => {
   if (move.kind === "rapid") return 0;
-  return move.run === "finish" ? -1 : move.pass ?? 0;
+  return move.run === "finish" ? -1 : (move.pass ?? 0);
 };
 
 function live(file: string): LiveRun {
@@ -95,7 +98,8 @@ function live(file: string): LiveRun {
       if (now !== stocks.at(-1)) stocks.push(now);
     }
     for (const to of pointsTo(step)) {
-      time += Math.hypot(to.z - here.z, to.r - here.r) / (step.move.kind === "rapid" ? SHOWN.rapid : SHOWN.feed) * 1000;
+      time +=
+        (Math.hypot(to.z - here.z, to.r - here.r) / (step.move.kind === "rapid" ? SHOWN.rapid : SHOWN.feed)) * 1000;
       way.push([Math.round(time), rounded(to.z), rounded(to.r), stocks.length - 1, passOf(step)]);
       const line = `M${thumbPlace(here)}L${thumbPlace(to)}`;
       if (step.move.kind === "rapid") rapids += line;

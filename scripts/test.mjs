@@ -1,6 +1,7 @@
 /**
- * `npm test`: installs what is missing, then checks types and style and builds, then runs unit tests with goldens and laws, size and the
- * journeys in Chromium. Stops after the first stage that fails; the last line says how many tests passed and failed.
+ * `npm test`: installs what is missing, then checks types and style and builds, then runs unit tests with goldens and
+ * laws, size and the journeys in Chromium. Stops after the first stage that fails; the last line says how many tests
+ * passed and failed.
  */
 import { spawn } from "node:child_process";
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
@@ -9,6 +10,8 @@ import { join } from "node:path";
 import { ensureBrowser } from "./browser.mjs";
 import { ensurePackages, root } from "./packages.mjs";
 
+/** What Prettier looks after, as in `npm run format`. */
+const SOURCES = "**/*.{ts,tsx,mjs,js}";
 const results = join(root, "node_modules", ".cache", "turnwise");
 const bin = (...path) => join(root, "node_modules", ...path);
 
@@ -24,25 +27,39 @@ const unitReport = join(results, "unit.json");
 const journeyReport = join(results, "journeys.json");
 const unitCount = () => counted(unitReport, (r) => ({ passed: r.numPassedTests, failed: r.numFailedTests }));
 /** A journey that passes when it is tried again has passed; Playwright names it as flaky, above. */
-const journeyCount = () => counted(journeyReport, (r) => ({ passed: r.stats.expected + r.stats.flaky, failed: r.stats.unexpected }));
+const journeyCount = () =>
+  counted(journeyReport, (r) => ({ passed: r.stats.expected + r.stats.flaky, failed: r.stats.unexpected }));
 
-const unit = [bin("vitest", "vitest.mjs"), "run", "--reporter=default", "--reporter=json", `--outputFile.json=${unitReport}`];
+const unit = [
+  bin("vitest", "vitest.mjs"),
+  "run",
+  "--reporter=default",
+  "--reporter=json",
+  `--outputFile.json=${unitReport}`,
+];
 
 /**
- * Stages run one after the other; of the commands of one stage as many at once as there are cores, the longest first. The journeys have
- * the machine for themselves.
+ * Stages run one after the other; of the commands of one stage as many at once as there are cores, the longest first.
+ * The journeys have the machine for themselves.
  */
 const stages = [
   [
     { name: "lint", args: [bin("eslint", "bin", "eslint.js"), "--max-warnings", "0", "."] },
     { name: "types", args: [bin("typescript", "bin", "tsc"), "-b"] },
     { name: "build", args: [bin("vite", "bin", "vite.js"), "build", "--logLevel", "warn"] },
-    { name: "format", args: [join(root, "scripts", "format.mjs"), "--check"] },
+    { name: "format", args: [bin("prettier", "bin", "prettier.cjs"), "--check", "--log-level", "warn", SOURCES] },
     { name: "a Chromium is here", args: [join(root, "scripts", "browser.mjs")] },
   ],
   [{ name: "unit tests, goldens and laws", count: unitCount, args: unit }],
   [{ name: "size", args: [join(root, "scripts", "size.mjs")] }],
-  [{ name: "journeys in Chromium", count: journeyCount, browser: true, args: [bin("@playwright", "test", "cli.js"), "test"] }],
+  [
+    {
+      name: "journeys in Chromium",
+      count: journeyCount,
+      browser: true,
+      args: [bin("@playwright", "test", "cli.js"), "test"],
+    },
+  ],
 ];
 
 function run({ name, args, browser }) {
@@ -59,7 +76,7 @@ function run({ name, args, browser }) {
       const seconds = ((performance.now() - began) / 1000).toFixed(1);
       console.log(`${code === 0 ? "ok  " : "FAIL"} ${name} (${seconds} s)`);
       resolve(code === 0);
-    })
+    }),
   );
 }
 

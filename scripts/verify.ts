@@ -35,8 +35,8 @@ class Refusal extends Error {}
 const STDIN = "-";
 
 const usage = (called: string): string =>
-  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS.json] [--machine MACHINE.json] [--control tnc640|tnc7] [--as tnc640|tnc7|iso] `
-  + "[--skip] [--json | --print]";
+  `usage: ${called} FILE.h [FILE.h …] [--tools TOOLS.json] [--machine MACHINE.json] [--control tnc640|tnc7] [--as tnc640|tnc7|iso] ` +
+  "[--skip] [--json | --print]";
 
 const help = (called: string): string =>
   `${usage(called)}
@@ -81,7 +81,13 @@ const CONTROLS: Readonly<Record<string, Control>> = { tnc640: "TNC 640", tnc7: "
 
 function command(args: readonly string[], called: string): Command {
   const files: string[] = [];
-  let [tools, machine, json, printing, skip]: [string | null, string | null, boolean, boolean, boolean] = [null, null, false, false, false];
+  let [tools, machine, json, printing, skip]: [string | null, string | null, boolean, boolean, boolean] = [
+    null,
+    null,
+    false,
+    false,
+    false,
+  ];
   let control: Control = "TNC 640";
   let as: LoadingControl | null = null;
   for (let i = 0; i < args.length; i += 1) {
@@ -90,16 +96,16 @@ function command(args: readonly string[], called: string): Command {
     else if (arg === "--print") printing = true;
     else if (arg === "--skip") skip = true;
     else if (arg === "--tools" || arg === "--machine") {
-      const path = args[i += 1];
+      const path = args[(i += 1)];
       if (path === undefined) throw new Refusal(`${arg} needs a file`);
       if (arg === "--tools") tools = path;
       else machine = path;
     } else if (arg === "--control") {
-      const named = CONTROLS[args[i += 1]?.toLowerCase() ?? ""];
+      const named = CONTROLS[args[(i += 1)]?.toLowerCase() ?? ""];
       if (!named) throw new Refusal(`--control needs one of ${Object.keys(CONTROLS).join(", ")}`);
       control = named;
     } else if (arg === "--as") {
-      as = loadingControl(args[i += 1]);
+      as = loadingControl(args[(i += 1)]);
     } else if (arg.startsWith("--")) throw new Refusal(`unknown option ${arg}`);
     else files.push(arg);
   }
@@ -160,7 +166,9 @@ function machineIn(path: string | null): MachineData | null {
   const read = readMachine(decoded(bytes(path)).text);
   if ("machine" in read) return read.machine;
   const [{ kind, at, limit }] = read.problems;
-  throw new Refusal(`machine file ${path}: ${machineTexts.problems[kind](at === "" ? "" : `${at}: `, String(limit ?? ""))}`);
+  throw new Refusal(
+    `machine file ${path}: ${machineTexts.problems[kind](at === "" ? "" : `${at}: `, String(limit ?? ""))}`,
+  );
 }
 
 /** A program as Klartext, with what a DIN/ISO program lost on the way there. */
@@ -170,12 +178,15 @@ const asKlartext = (text: string): KlartextOfIso =>
 /** What is said of a translation, beside the blocks that were not understood: the reader of Klartext says those. */
 const lostIn = (issues: readonly IsoIssue[]): Report["issues"] =>
   issues.flatMap((i) => {
-    const text = i.code === "isoPlaneLeftOut"
-      ? `${i.data.word} outside of T and G30 is left out: the working plane is that of the tool call.`
-      : i.code === "isoBlocksRecounted"
-      ? "The block numbers do not rise or leave no room: blocks are counted from 0."
-      : null;
-    return text === null ? [] : [{ code: i.code, severity: i.severity, ...(i.number !== null && { block: i.number }), data: i.data, text }];
+    const text =
+      i.code === "isoPlaneLeftOut"
+        ? `${i.data.word} outside of T and G30 is left out: the working plane is that of the tool call.`
+        : i.code === "isoBlocksRecounted"
+          ? "The block numbers do not rise or leave no room: blocks are counted from 0."
+          : null;
+    return text === null
+      ? []
+      : [{ code: i.code, severity: i.severity, ...(i.number !== null && { block: i.number }), data: i.data, text }];
   });
 
 /** How a program is run. */
@@ -187,7 +198,9 @@ interface Setting {
   readonly skipMarked?: boolean;
 }
 
-/** Reads and runs a program. Its blocks are not kept: of a long one they would fill the memory that the report needs. */
+/**
+ * Reads and runs a program. Its blocks are not kept: of a long one they would fill the memory that the report needs.
+ */
 function ran(text: string, shop: ShopTools, setting: Setting) {
   const started = performance.now();
   const klartext = asKlartext(text);
@@ -210,13 +223,21 @@ export function verified(file: string, text: string, shop: ShopTools, setting: S
 /** The names of a folder's files by what they are compared by; empty where it can not be read. */
 function namesIn(folder: string): ReadonlyMap<string, string> {
   try {
-    return new Map(readdirSync(folder).toSorted().reverse().map((name) => [fileKey(name), name]));
+    return new Map(
+      readdirSync(folder)
+        .toSorted()
+        .reverse()
+        .map((name) => [fileKey(name), name]),
+    );
   } catch {
     return new Map();
   }
 }
 
-/** What a program can call: the files that lie in its folder, and those that were given with it; each is read when it is called. */
+/**
+ * What a program can call: the files that lie in its folder, and those that were given with it; each is read when it is
+ * called.
+ */
 function besides(path: string, given: ReadonlyMap<string, string>): ProgramFiles {
   const folder = dirname(path);
   const read = new Map<string, ProgramFile | null>();
@@ -262,8 +283,8 @@ function written(
 }
 
 /**
- * `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. `called` is how its
- * user called it.
+ * `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. `called` is
+ * how its user called it.
  */
 export function main(args: readonly string[], called = "npm run --silent verify --"): number {
   // Whole folders of long programs go through one process: it tidies up before its memory has doubled.
@@ -278,7 +299,12 @@ export function main(args: readonly string[], called = "npm run --silent verify 
     const { files, tools, machine: machinePath, print: printing, control, skip } = asked;
     const [shop, machine] = [toolsOf(tools), machineIn(machinePath)];
     for (const file of files) readable(file);
-    const given = new Map(files.filter((file) => file !== STDIN).toReversed().map((file) => [fileKey(basename(file)), file]));
+    const given = new Map(
+      files
+        .filter((file) => file !== STDIN)
+        .toReversed()
+        .map((file) => [fileKey(basename(file)), file]),
+    );
     let status = 0;
     for (const file of files) {
       const { text, encoding } = decoded(bytes(file));
@@ -286,7 +312,12 @@ export function main(args: readonly string[], called = "npm run --silent verify 
         process.stdout.write(Buffer.from(print(parse(text)), encoding));
         continue;
       }
-      const made = verified(file, text, shop, { control, files: besides(file, given), skipMarked: skip, ...(machine && { machine }) });
+      const made = verified(file, text, shop, {
+        control,
+        files: besides(file, given),
+        skipMarked: skip,
+        ...(machine && { machine }),
+      });
       const out = written(made, text, asked);
       if (out.isFaulty) status = 1;
       process.stdout.write(out.text);

@@ -5,7 +5,9 @@ import { LANGUAGES, type Language } from "../src/i18n/languages.ts";
 
 /** The value of a colour of the light page. */
 const colour = (name: string): string =>
-  new RegExp(`--${name}: (#[0-9a-f]{6});`).exec(readFileSync(join("src", "app", "base", "styles", "tokens.css"), "utf8"))?.[1] ?? "";
+  new RegExp(`--${name}: (#[0-9a-f]{6});`).exec(
+    readFileSync(join("src", "app", "base", "styles", "tokens.css"), "utf8"),
+  )?.[1] ?? "";
 
 const icon = (name: string, size: number, purpose: "any" | "maskable") => ({
   src: `icons/${name}-${size}.png`,
@@ -44,4 +46,6 @@ export function webManifest(language: Language): object {
 
 /** The manifest in each language as text, by the name of its file. */
 export const manifests = (): Readonly<Record<string, string>> =>
-  Object.fromEntries(LANGUAGES.map((language) => [`manifest.${language}.webmanifest`, JSON.stringify(webManifest(language), null, 1)]));
+  Object.fromEntries(
+    LANGUAGES.map((language) => [`manifest.${language}.webmanifest`, JSON.stringify(webManifest(language), null, 1)]),
+  );

@@ -40,26 +40,25 @@ const shoulder = [
   "Q505=+0.2 ~",
   "Q506=+0",
 ];
-const contour =
-  (reverse: number) => [
-    "CYCL DEF 14.0 CONTOUR",
-    "CYCL DEF 14.1 CONTOUR LABEL2",
-    "CYCL DEF 820 CONTOUR ~",
-    "Q215=+0 ~",
-    "Q460=+2 ~",
-    `Q499=+${reverse} ~`,
-    "Q463=+3 ~",
-    "Q478=+0.3 ~",
-    "Q483=+0.4 ~",
-    "Q484=+0.2 ~",
-    "Q505=+0.2 ~",
-    "Q487=+1 ~",
-    "Q488=+0 ~",
-    "Q479=+0 ~",
-    "Q480=+0 ~",
-    "Q482=+0 ~",
-    "Q506=+0",
-  ];
+const contour = (reverse: number) => [
+  "CYCL DEF 14.0 CONTOUR",
+  "CYCL DEF 14.1 CONTOUR LABEL2",
+  "CYCL DEF 820 CONTOUR ~",
+  "Q215=+0 ~",
+  "Q460=+2 ~",
+  `Q499=+${reverse} ~`,
+  "Q463=+3 ~",
+  "Q478=+0.3 ~",
+  "Q483=+0.4 ~",
+  "Q484=+0.2 ~",
+  "Q505=+0.2 ~",
+  "Q487=+1 ~",
+  "Q488=+0 ~",
+  "Q479=+0 ~",
+  "Q480=+0 ~",
+  "Q482=+0 ~",
+  "Q506=+0",
+];
 const label = ["LBL 2", "L X+75 Z-20", "L X+50", "RND R2", "L X+20 Z-25", "RND R2", "L Z+0", "LBL 0"];
 function cut(tool: number, cycle: readonly string[], x: number) {
   const done = run(
@@ -82,7 +81,11 @@ function cut(tool: number, cycle: readonly string[], x: number) {
     shop,
   );
   const simulation = simulate(done);
-  return { done, simulation, issues: [...done.issues.map((f) => f.issue), ...stockIssues(simulation).map((p) => p.issue)] };
+  return {
+    done,
+    simulation,
+    issues: [...done.issues.map((f) => f.issue), ...stockIssues(simulation).map((p) => p.issue)],
+  };
 }
 
 test("a tool that Q499 = 2 mirrors cuts as the mirrored tool, in the stock too", () => {
@@ -114,7 +117,9 @@ describe("what a leaning edge leaves is laid to that edge", () => {
   });
   test("a tool set at 93 degrees on a face that falls by 18 degrees", () => {
     const { issues } = cut(2, contour(0), 75);
-    expect(issues.find((i) => i.code === "angleNotFollowed")).toMatchObject({ data: { edge: "mainEdge", max: expect.closeTo(3, 6) } });
+    expect(issues.find((i) => i.code === "angleNotFollowed")).toMatchObject({
+      data: { edge: "mainEdge", max: expect.closeTo(3, 6) },
+    });
     expect(issues.find((i) => i.code === "materialLeft")).toMatchObject({ data: { reason: "mainEdge" } });
   });
 });

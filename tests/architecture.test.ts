@@ -50,7 +50,9 @@ describe("who may import whom", () => {
   });
 });
 
-/** A name of a place across the axis or of a diameter. Radii of arcs, noses and cutters are lengths and may be doubled. */
+/**
+ * A name of a place across the axis or of a diameter. Radii of arcs, noses and cutters are lengths and may be doubled.
+ */
 const ACROSS = String.raw`\b(?:[xXrR]|(?<!\.)radius|diameter|[a-z]\w*Diameter|outside|bore|Q4[89][13])\b`;
 const TWO = String.raw`(?:2(?:\.0*)?|0?\.50*)(?![\d.])`;
 /** Twice or half of it, in either order, bracketed or not; as a sum with itself. */
@@ -61,11 +63,15 @@ const DOUBLED = new RegExp(
     String.raw`([\w.]*\.[xr]) \+ \1\b`,
   ].join("|"),
 );
-/** A number that is called a radius or a diameter without the functions for it, or the factor between them taken from a 1. */
+/**
+ * A number that is called a radius or a diameter without the functions for it, or the factor between them taken from a
+ * 1.
+ */
 const FORCED = /\bas (?:Radius|Diameter)\b|\bto(?:Radius|Diameter)\(\s*(?:radius|diameter)\(\s*[\d.]*[1-9]/;
 const MEAN = /\([^()]*\+[^()]*\)\s*\/\s*2\b/g;
 /** Whether a line makes a diameter of a radius or the other way round. Pictures also have an x, in pixels. */
-const converts = (line: string, layer: string) => FORCED.test(line) || (layer !== "view" && DOUBLED.test(line.replaceAll(MEAN, "")));
+const converts = (line: string, layer: string) =>
+  FORCED.test(line) || (layer !== "view" && DOUBLED.test(line.replaceAll(MEAN, "")));
 
 describe("what one file keeps to itself", () => {
   test("only kernel/clip.ts imports the polygon engine", () => {
@@ -79,38 +85,50 @@ describe("what one file keeps to itself", () => {
     expect(makes).toEqual(["src/app/base/parts.ts"]);
   });
 
-  test.each([["NumberInput", "fields/number/NumberInput", /data-number"/], [
-    "Message",
-    "base/Message",
-    /className=\S*field-message\b(?!s)/,
-  ]])("only %s makes what it stands for", (_, file, pattern) => {
-    const found = all.filter((s) => s.path.endsWith(".tsx") && !s.path.endsWith(".test.tsx") && pattern.test(code(s.text)));
+  test.each([
+    ["NumberInput", "fields/number/NumberInput", /data-number"/],
+    ["Message", "base/Message", /className=\S*field-message\b(?!s)/],
+  ])("only %s makes what it stands for", (_, file, pattern) => {
+    const found = all.filter(
+      (s) => s.path.endsWith(".tsx") && !s.path.endsWith(".test.tsx") && pattern.test(code(s.text)),
+    );
     expect(found.map((s) => s.path)).toEqual([`src/app/${file}.tsx`]);
   });
 
   test("only app/base/kept.ts and app/base/database.ts ask the browser to keep anything", () => {
     const page = all.filter((s) => PAGE.includes(layerOf(s.path)) && !/\.test\.tsx?$|\/fake-device\.ts$/.test(s.path));
-    const asks = page.filter((s) => /\b(?:localStorage|sessionStorage|indexedDB)\b/.test(code(s.text)) || /"idb-keyval"/.test(s.text));
+    const asks = page.filter(
+      (s) => /\b(?:localStorage|sessionStorage|indexedDB)\b/.test(code(s.text)) || /"idb-keyval"/.test(s.text),
+    );
     expect(asks.map((s) => s.path).sort()).toEqual(["src/app/base/database.ts", "src/app/base/kept.ts"]);
     // Each thing that is kept is declared once, under a key of its own.
-    const keys = page.flatMap(
-      (s) => [...s.text.matchAll(/\b(?:kept(?:Text|Data)(?:<.*>)?|database)\("([\w-]+)"|\brecord\(\{\s*key: "([\w-]+)"/g)]
-    ).map(([, key, ofRecord]) => key ?? ofRecord);
+    const keys = page
+      .flatMap((s) => [
+        ...s.text.matchAll(/\b(?:kept(?:Text|Data)(?:<.*>)?|database)\("([\w-]+)"|\brecord\(\{\s*key: "([\w-]+)"/g),
+      ])
+      .map(([, key, ofRecord]) => key ?? ofRecord);
     expect(new Set(keys).size).toBe(keys.length);
     expect(keys.length).toBeGreaterThan(18);
   });
 
   test("every record goes into archives", () => {
-    const records = all.flatMap((s) => [...s.text.matchAll(/^export const (\w+) = record\(/gm)].map(([, name = ""]) => name));
+    const records = all.flatMap((s) =>
+      [...s.text.matchAll(/^export const (\w+) = record\(/gm)].map(([, name = ""]) => name),
+    );
     const parts = all.find((s) => s.path === "src/app/records/parts.ts")?.text ?? "";
     expect(records.length).toBeGreaterThan(5);
     expect(records.filter((name) => !parts.includes(`ofRecord(${name},`))).toEqual([]);
   });
 
   test("only kernel/units.ts halves or doubles an X", () => {
-    const found = all.filter((s) => s.path !== "src/kernel/units.ts").flatMap((s) =>
-      code(s.text).split("\n").filter((line) => converts(line, layerOf(s.path))).map((line) => `${s.path}: ${line.trim()}`)
-    );
+    const found = all
+      .filter((s) => s.path !== "src/kernel/units.ts")
+      .flatMap((s) =>
+        code(s.text)
+          .split("\n")
+          .filter((line) => converts(line, layerOf(s.path)))
+          .map((line) => `${s.path}: ${line.trim()}`),
+      );
     expect(found).toEqual([]);
   });
 
@@ -155,7 +173,9 @@ describe("what one file keeps to itself", () => {
     const view = all.filter((s) => layerOf(s.path) === "view");
     const dividing = /^src\/kernel\/strategy\/(?:infeed|levels|leveled|recess)/;
     expect(view.filter((s) => s.imports.some((i) => dividing.test(i.target))).map((s) => s.path)).toEqual([]);
-    expect(view.filter((s) => /\.(?:startsWith|endsWith)\(|\.text [!=]==/.test(code(s.text))).map((s) => s.path)).toEqual([]);
+    expect(
+      view.filter((s) => /\.(?:startsWith|endsWith)\(|\.text [!=]==/.test(code(s.text))).map((s) => s.path),
+    ).toEqual([]);
   });
 
   test("no cycle number outside the catalogue, the texts and the help picture", () => {
@@ -163,9 +183,14 @@ describe("what one file keeps to itself", () => {
     expect(numbers.length).toBeGreaterThan(2);
     // A number in quotes is a value as it is typed.
     const pattern = new RegExp(`(?<![\\d."])(?:${numbers.join("|")})(?![\\d."])`);
-    const found = all.filter((s) => !["cycles", "i18n"].includes(layerOf(s.path)) && !s.path.startsWith("src/view/help/")).flatMap((s) =>
-      s.text.split("\n").filter((line) => pattern.test(line)).map((line) => `${s.path}: ${line.trim()}`)
-    );
+    const found = all
+      .filter((s) => !["cycles", "i18n"].includes(layerOf(s.path)) && !s.path.startsWith("src/view/help/"))
+      .flatMap((s) =>
+        s.text
+          .split("\n")
+          .filter((line) => pattern.test(line))
+          .map((line) => `${s.path}: ${line.trim()}`),
+      );
     expect(found).toEqual([]);
   });
 });
@@ -176,7 +201,8 @@ describe("what the start page waits for", () => {
   const visit = (path: string, from: string) => {
     if (reached.has(path)) return;
     reached.set(path, from);
-    for (const { target, typesOnly, lazy } of files.get(path)?.imports ?? []) if (!typesOnly && !lazy) visit(target, path);
+    for (const { target, typesOnly, lazy } of files.get(path)?.imports ?? [])
+      if (!typesOnly && !lazy) visit(target, path);
   };
   visit("src/app/shell/main.tsx", "");
 
@@ -213,12 +239,10 @@ test("the page does not fetch the grammar of files", () => {
 describe("what is nowhere", () => {
   const bans: [string, RegExp, (path: string) => boolean][] = [
     ["eval of any kind", /\beval\s*\(|new Function\s*\(/, () => true],
-    ["default exports", /^export default\b/m, () =>
-      true],
+    ["default exports", /^export default\b/m, () => true],
     ["star exports", /^export \*/m, () => true],
     ["React below app", /from "react/, (p) => !PAGE.includes(layerOf(p))],
-    ["clock or chance below app", /\bDate\b|Math\.random|performance\.now/, (p) =>
-      !PAGE.includes(layerOf(p))],
+    ["clock or chance below app", /\bDate\b|Math\.random|performance\.now/, (p) => !PAGE.includes(layerOf(p))],
     ["vague file names", /^$/, (p) => /(?:^|\/)(?:utils?|helpers?|common|misc|manager)\.tsx?$/.test(p)],
   ];
   test.each(bans)("%s", (name, pattern, where) => {
@@ -230,20 +254,30 @@ describe("what is nowhere", () => {
 /** What decides whether two numbers agree is a constant with a name and a reason, here or in kernel/tolerance.ts. */
 test("no tolerance without a name", () => {
   const bare = (line: string) => /\de-\d/.test(line) && !/^(?:export )?const [A-Z_]+ = /.test(line);
-  const found = all.flatMap(({ path, text }) => code(text).split("\n").filter(bare).map((line) => `${path}: ${line.trim()}`));
+  const found = all.flatMap(({ path, text }) =>
+    code(text)
+      .split("\n")
+      .filter(bare)
+      .map((line) => `${path}: ${line.trim()}`),
+  );
   expect(found).toEqual([]);
 });
 
-/** Style sheets name the conditions of app/media.ts; only its lathe and contour panels ask for their own width, by container. */
+/**
+ * Style sheets name the conditions of app/media.ts; only its lathe and contour panels ask for their own width, by
+ * container.
+ */
 test("breakpoints exist once", () => {
-  const styles = readdirSync(projectPath("src"), { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".css")).map(
-    (name) => ({ path: `src/${name}`, text: readFileSync(projectPath(`src/${name}`), "utf8") })
-  );
+  const styles = readdirSync(projectPath("src"), { recursive: true, encoding: "utf8" })
+    .filter((name) => name.endsWith(".css"))
+    .map((name) => ({ path: `src/${name}`, text: readFileSync(projectPath(`src/${name}`), "utf8") }));
   expect(styles.length).toBeGreaterThan(5);
   const bare = styles.flatMap(({ path, text }) =>
-    [...text.matchAll(/@media[^{]*?(?:width|height)[^{]*/g)].map(([query]) => `${path}: ${query}`)
+    [...text.matchAll(/@media[^{]*?(?:width|height)[^{]*/g)].map(([query]) => `${path}: ${query}`),
   );
-  const queries = all.filter(({ path, text }) => path !== "src/app/base/media.ts" && /\((?:min|max)-(?:width|height):/.test(code(text)));
+  const queries = all.filter(
+    ({ path, text }) => path !== "src/app/base/media.ts" && /\((?:min|max)-(?:width|height):/.test(code(text)),
+  );
   expect([...bare, ...queries.map(({ path }) => path)]).toEqual([]);
 });
 
@@ -267,7 +301,10 @@ test("no exported name means two things in one layer, room or feature", () => {
   const owners = new Map<string, string[]>();
   for (const { path, text } of all.filter((s) => !s.path.startsWith("src/i18n/")))
     for (const [, name = ""] of text.matchAll(/^export (?:const|function|class|interface|type) (\w+)/gm)) {
-      const within = path.split("/").slice(1, PAGE.includes(layerOf(path)) ? 3 : 2).join("/");
+      const within = path
+        .split("/")
+        .slice(1, PAGE.includes(layerOf(path)) ? 3 : 2)
+        .join("/");
       owners.set(`${within}: ${name}`, [...(owners.get(`${within}: ${name}`) ?? []), path]);
     }
   expect([...owners].filter(([, paths]) => paths.length > 1)).toEqual([]);
@@ -282,16 +319,23 @@ describe("packages", () => {
     "@types/three",
     "@testing-library/dom",
     "jsdom",
+    "prettier",
     "typescript",
   ]);
   const read = (path: string) => readFileSync(projectPath(path), "utf8");
-  const manifest = JSON.parse(read("package.json")) as Record<"dependencies" | "devDependencies", Record<string, string>>;
+  const manifest = JSON.parse(read("package.json")) as Record<
+    "dependencies" | "devDependencies",
+    Record<string, string>
+  >;
   const files = ["src", "tests", "scripts", "e2e"].flatMap((folder) =>
-    readdirSync(projectPath(folder), { recursive: true, encoding: "utf8" }).filter((name) => /\.(?:tsx?|css|mjs)$/.test(name)).map((name) =>
-      `${folder}/${name}`
-    )
+    readdirSync(projectPath(folder), { recursive: true, encoding: "utf8" })
+      .filter((name) => /\.(?:tsx?|css|mjs)$/.test(name))
+      .map((name) => `${folder}/${name}`),
   );
   const text = [...files, "vite.config.ts", "eslint.config.js", "playwright.config.ts"].map(read).join("\n");
-  test.each(Object.keys({ ...manifest.dependencies, ...manifest.devDependencies }).filter((name) => !unimported.has(name)))("%s is used",
-    (name) => expect(new RegExp(`(?:from|import|import\\()\\s*["']${name}(?:/[^"']*)?["']`).test(text)).toBe(true));
+  test.each(
+    Object.keys({ ...manifest.dependencies, ...manifest.devDependencies }).filter((name) => !unimported.has(name)),
+  )("%s is used", (name) =>
+    expect(new RegExp(`(?:from|import|import\\()\\s*["']${name}(?:/[^"']*)?["']`).test(text)).toBe(true),
+  );
 });

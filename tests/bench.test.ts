@@ -40,10 +40,14 @@ test("a grown program has as many operations and about as many moves as it is as
 });
 
 test("columns of words begin, columns of numbers end at one line", () => {
-  expect(markdownTable(1, ["", "ms"], [["update 812", "9.5"], ["plan", "10.25"]])).toEqual([
-    "|            |    ms |",
-    "|------------|------:|",
-    "| update 812 |   9.5 |",
-    "| plan       | 10.25 |",
-  ]);
+  expect(
+    markdownTable(
+      1,
+      ["", "ms"],
+      [
+        ["update 812", "9.5"],
+        ["plan", "10.25"],
+      ],
+    ),
+  ).toEqual(["|            |    ms |", "|------------|------:|", "| update 812 |   9.5 |", "| plan       | 10.25 |"]);
 });

@@ -14,11 +14,13 @@ const cycles = catalogue.map((cycle) => [cycle.number, cycle] as const);
 
 /** Q number and value of each line, in the order of the printed examples. */
 const PRINTED: Readonly<Record<number, string>> = {
-  812: "Q215 0, Q460 2, Q491 75, Q492 0, Q493 50, Q494 -55, Q495 5, Q501 1, Q502 0.5, Q500 1.5, Q496 0, Q503 1, Q504 0.5, Q463 3, "
-    + "Q478 0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q506 0",
+  812:
+    "Q215 0, Q460 2, Q491 75, Q492 0, Q493 50, Q494 -55, Q495 5, Q501 1, Q502 0.5, Q500 1.5, Q496 0, Q503 1, Q504 0.5, Q463 3, " +
+    "Q478 0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q506 0",
   820: "Q215 0, Q460 2, Q499 0, Q463 3, Q478 0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q487 1, Q488 0, Q479 0, Q480 0, Q482 0, Q506 0",
-  852: "Q215 0, Q460 2, Q491 75, Q492 -20, Q493 50, Q494 -50, Q495 5, Q501 1, Q502 0.5, Q500 1.5, Q496 5, Q503 1, Q504 0.5, Q478 "
-    + "0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q463 2, Q507 0, Q508 0, Q509 0, Q488 0",
+  852:
+    "Q215 0, Q460 2, Q491 75, Q492 -20, Q493 50, Q494 -50, Q495 5, Q501 1, Q502 0.5, Q500 1.5, Q496 5, Q503 1, Q504 0.5, Q478 " +
+    "0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q463 2, Q507 0, Q508 0, Q509 0, Q488 0",
 };
 
 /** Ranges that the pages of each cycle print. */
@@ -239,7 +241,8 @@ describe.each(cycles)("cycle %i", (number, cycle) => {
 
   test("has the printed labels and names in NC text, and tags the others", () => {
     for (const [q, p] of params) {
-      for (const language of NC_LANGUAGES) expect(ncLabels(language).label(p.text), q).toMatch(/^[A-Z0-9][A-Z0-9 .,'/()-]+$/);
+      for (const language of NC_LANGUAGES)
+        expect(ncLabels(language).label(p.text), q).toMatch(/^[A-Z0-9][A-Z0-9 .,'/()-]+$/);
       if (!isPrinted) continue;
       expect([q, ncLabels("fr").label(p.text)]).toEqual([q, FRENCH_LABELS[`${number}/${q}`] ?? FRENCH_LABELS[q]]);
       const word = ncWords("en").params[p.text as ParamTextId];
@@ -268,7 +271,9 @@ describe("the catalogue", () => {
 
   test("only Q488 and Q500 may be left out, and only the clearance of recess turning is reserved", () => {
     const all = catalogue.flatMap((c) => Object.entries(c.params).map(([q, p]) => ({ q, group: c.group, p })));
-    expect(all.filter(({ p }) => p.optional !== p.text.startsWith("plungingFeed") && !p.rounds).map(({ q }) => q)).toEqual([]);
+    expect(
+      all.filter(({ p }) => p.optional !== p.text.startsWith("plungingFeed") && !p.rounds).map(({ q }) => q),
+    ).toEqual([]);
     expect(all.filter(({ p }) => p.rounds && !p.optional).map(({ q }) => q)).toEqual([]);
     for (const { q, group, p } of all) expect([q, p.reserved]).toEqual([q, q === "Q460" && group === "recessTurning"]);
   });

@@ -17,25 +17,41 @@ const typed = (p: Param) => {
     : fc.integer({ min: Math.ceil(least * 1000), max: Math.floor(most * 1000) }).map((n) => String(n / 1000));
   return fc.oneof({ weight: 40, arbitrary: usual }, { weight: 1, arbitrary: odd });
 };
-/** A position is typed without a limit, and printed as typed: beyond ±99999.9999 the text is refused, so none is drawn here. */
-const length = fc.oneof({ weight: 20, arbitrary: fc.integer({ min: -60000, max: 90000 }).map((n) => String(n / 1000)) }, {
-  weight: 1,
-  arbitrary: fc.constantFrom(...ODD),
-});
-const row = fc.record({
-  id: fc.uuid(),
-  kind: fc.constantFrom("L" as const, "RND" as const, "CHF" as const, "CR" as const, "CC" as const, "C" as const, "CT" as const),
-  x: length,
-  z: length,
-  r: length,
-  turn: fc.constantFrom("cw" as const, "ccw" as const),
-  incrementalX: fc.boolean(),
-  incrementalZ: fc.boolean(),
-  angle: fc.oneof(fc.constant(""), length),
-  length: fc.oneof(fc.constant(""), length),
-  tangent: fc.boolean(),
-  second: fc.boolean(),
-}).map(({ id, ...given }) => newRow(id, given));
+/**
+ * A position is typed without a limit, and printed as typed: beyond ±99999.9999 the text is refused, so none is drawn
+ * here.
+ */
+const length = fc.oneof(
+  { weight: 20, arbitrary: fc.integer({ min: -60000, max: 90000 }).map((n) => String(n / 1000)) },
+  {
+    weight: 1,
+    arbitrary: fc.constantFrom(...ODD),
+  },
+);
+const row = fc
+  .record({
+    id: fc.uuid(),
+    kind: fc.constantFrom(
+      "L" as const,
+      "RND" as const,
+      "CHF" as const,
+      "CR" as const,
+      "CC" as const,
+      "C" as const,
+      "CT" as const,
+    ),
+    x: length,
+    z: length,
+    r: length,
+    turn: fc.constantFrom("cw" as const, "ccw" as const),
+    incrementalX: fc.boolean(),
+    incrementalZ: fc.boolean(),
+    angle: fc.oneof(fc.constant(""), length),
+    length: fc.oneof(fc.constant(""), length),
+    tangent: fc.boolean(),
+    second: fc.boolean(),
+  })
+  .map(({ id, ...given }) => newRow(id, given));
 
 const functionNumber = fc.integer({ min: 0, max: 999 });
 const outputs = fc.record({
@@ -50,17 +66,22 @@ const outputs = fc.record({
 
 /** Jobs as they may be typed, mostly with values of their ranges, in each language, layout and setting. */
 export const typedJobs: fc.Arbitrary<SetJob> = fc.constantFrom(...cuttingCycles).chain((cycle) =>
-  fc.record({
-    draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
-    contour: fc.oneof(fc.constant(exampleJob(cycle).contour), fc.array(row, { maxLength: 8 })),
-    start: fc.record({ x: length, z: length }),
-    name: fc.oneof(fc.constant("PART"), fc.string({ maxLength: 12, unit: "binary" })),
-    parameters: fc.oneof(fc.constant({}), length.map((Q5) => ({ Q5 }))),
-    ncLanguage: fc.constantFrom(...NC_LANGUAGES),
-    perRevolution: fc.boolean(),
-    layout: fc.constantFrom(...JOB_LAYOUTS),
-    output: outputs,
-  }).map(({ draft, ...rest }) => ({ ...exampleJob(cycle), drafts: { [cycle.number]: draft }, ...rest }))
+  fc
+    .record({
+      draft: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, typed(p)]))),
+      contour: fc.oneof(fc.constant(exampleJob(cycle).contour), fc.array(row, { maxLength: 8 })),
+      start: fc.record({ x: length, z: length }),
+      name: fc.oneof(fc.constant("PART"), fc.string({ maxLength: 12, unit: "binary" })),
+      parameters: fc.oneof(
+        fc.constant({}),
+        length.map((Q5) => ({ Q5 })),
+      ),
+      ncLanguage: fc.constantFrom(...NC_LANGUAGES),
+      perRevolution: fc.boolean(),
+      layout: fc.constantFrom(...JOB_LAYOUTS),
+      output: outputs,
+    })
+    .map(({ draft, ...rest }) => ({ ...exampleJob(cycle), drafts: { [cycle.number]: draft }, ...rest })),
 );
 
 /** Largest positions, deltas and feeds of the input formats, and how many parameters of a program there are. */
@@ -92,10 +113,13 @@ function held(value: unknown, key: string): unknown {
 /** Statements that make a program: their values are those that a control holds, and each label is set once. */
 export function heldByControl(list: readonly Statement[]): readonly Statement[] {
   const labels = new Set<string | number>([0]);
-  return list.filter((s) => s.kind !== "begin" && s.kind !== "end").map((s) => held(s, s.kind) as Statement).filter((s) => {
-    if (s.kind !== "label" || s.label === 0) return true;
-    const isNew = !labels.has(s.label);
-    labels.add(s.label);
-    return isNew;
-  });
+  return list
+    .filter((s) => s.kind !== "begin" && s.kind !== "end")
+    .map((s) => held(s, s.kind) as Statement)
+    .filter((s) => {
+      if (s.kind !== "label" || s.label === 0) return true;
+      const isNew = !labels.has(s.label);
+      labels.add(s.label);
+      return isNew;
+    });
 }

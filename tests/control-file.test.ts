@@ -22,26 +22,34 @@ import { projectFile, projectFolder } from "./sources.ts";
 /** What both controls refuse, with its line in front: nothing in a text that the printer may hand on. */
 const refused = (text: string) =>
   (["tnc640", "tnc7"] as const).flatMap((control) =>
-    refusals(text, control).map((r) => `${r.code} ${JSON.stringify(r.data)} in line ${r.line}: ${text.split(/\r\n|\n|\r/)[r.line - 1]}`)
+    refusals(text, control).map(
+      (r) => `${r.code} ${JSON.stringify(r.data)} in line ${r.line}: ${text.split(/\r\n|\n|\r/)[r.line - 1]}`,
+    ),
   );
 /** The same of the DIN/ISO twin of a program. */
 function refusedAsIso(klartext: string): readonly string[] {
   const { text } = isoProgramText(parse(klartext));
   const lines = text.split(/\r\n|\n|\r/);
-  return refusals(text, "iso").map((r) => `${r.code} ${JSON.stringify(r.data)} in line ${r.line}: ${lines[r.line - 1]}`);
+  return refusals(text, "iso").map(
+    (r) => `${r.code} ${JSON.stringify(r.data)} in line ${r.line}: ${lines[r.line - 1]}`,
+  );
 }
 /** File layouts: the look of the manual is none. */
-const FILES: readonly Style[] = [...(["tnc640", "tnc7"] as const).map((name) => LAYOUTS[name]), {
-  ...LAYOUTS.tnc7,
-  plus: false,
-  decimal: ",",
-  indent: "    ",
-  rapid: "F MAX",
-  spacedWords: true,
-  newLine: "\r\n",
-}];
+const FILES: readonly Style[] = [
+  ...(["tnc640", "tnc7"] as const).map((name) => LAYOUTS[name]),
+  {
+    ...LAYOUTS.tnc7,
+    plus: false,
+    decimal: ",",
+    indent: "    ",
+    rapid: "F MAX",
+    spacedWords: true,
+    newLine: "\r\n",
+  },
+];
 describe("a control loads what the printer prints", () => {
-  test.each(cuttingCycles.map((c) => [c.number, c] as const))("the example of cycle %i in each language, layout and setting",
+  test.each(cuttingCycles.map((c) => [c.number, c] as const))(
+    "the example of cycle %i in each language, layout and setting",
     (_, cycle) => {
       for (const ncLanguage of NC_LANGUAGES) {
         for (const layout of JOB_LAYOUTS) {
@@ -52,39 +60,54 @@ describe("a control loads what the printer prints", () => {
           }
         }
       }
-    });
+    },
+  );
 
   test("whatever is typed, when the program has no error of its own", () => {
     let read = 0;
-    fc.assert(fc.property(typedJobs, (job) => {
-      const text = printJob(job, ncLabels(job.ncLanguage));
-      if (issuesOf(parse(text)).some((i) => i.severity === "error")) return;
-      read += 1;
-      expect(refused(text)).toEqual([]);
-    }), { numRuns: 400 });
+    fc.assert(
+      fc.property(typedJobs, (job) => {
+        const text = printJob(job, ncLabels(job.ncLanguage));
+        if (issuesOf(parse(text)).some((i) => i.severity === "error")) return;
+        read += 1;
+        expect(refused(text)).toEqual([]);
+      }),
+      { numRuns: 400 },
+    );
     expect(read).toBeGreaterThan(20);
   });
 
   test("any statements, numbered or not", () => {
     const inside = fc.array(statements, { minLength: 1, maxLength: 12 });
     fc.assert(
-      fc.property(inside, fc.constantFrom(...FILES), fc.boolean(), fc.constantFrom("\n" as const, "\r\n" as const),
+      fc.property(
+        inside,
+        fc.constantFrom(...FILES),
+        fc.boolean(),
+        fc.constantFrom("\n" as const, "\r\n" as const),
         (list, style, numbered, newLine) => {
-          const framed: Statement[] = [{ kind: "begin", name: "A", unit: "MM" }, ...heldByControl(list), {
-            kind: "end",
-            name: "A",
-            unit: "MM",
-          }];
+          const framed: Statement[] = [
+            { kind: "begin", name: "A", unit: "MM" },
+            ...heldByControl(list),
+            {
+              kind: "end",
+              name: "A",
+              unit: "MM",
+            },
+          ];
           expect(refused(programText(framed, { ...style, newLine }, numbered))).toEqual([]);
           expect(refusedAsIso(programText(framed, { ...style, newLine }))).toEqual([]);
-        }),
+        },
+      ),
       { numRuns: 3000 },
     );
   });
 
   test.each([...NC_LANGUAGES])("a new program, named as in %s", (language) => {
     for (const name of ["", "Welle 7/2", "轴 1", "a:b*c?", "é".repeat(60)])
-      expect(refused(emptyProgram(`${name} ${language}`, { outside: "75", bore: "0", length: "100", allowance: "1" }))).toEqual([]);
+      expect(
+        refused(emptyProgram(`${name} ${language}`, { outside: "75", bore: "0", length: "100", allowance: "1" })),
+      ).toEqual([]);
   });
 });
 
@@ -95,13 +118,15 @@ describe("the look of the manual is refused where its first list is", () => {
     const head = lines.findIndex((line) => /CYCL DEF \d+ /.test(line));
     const block = Number(/^\d+/.exec(lines[head] ?? "")?.[0]);
     for (const control of ["tnc640", "tnc7"] as const) {
-      expect(refusals(text, control)).toEqual([expect.objectContaining({
-        line: head + 2,
-        column: 1,
-        block,
-        code: "listWithoutTilde",
-        data: expect.objectContaining({ list: `CYCL DEF ${cycle.number}` }) as object,
-      })]);
+      expect(refusals(text, control)).toEqual([
+        expect.objectContaining({
+          line: head + 2,
+          column: 1,
+          block,
+          code: "listWithoutTilde",
+          data: expect.objectContaining({ list: `CYCL DEF ${cycle.number}` }) as object,
+        }),
+      ]);
     }
   });
 });
@@ -112,12 +137,15 @@ const isPiece = (text: string) => !text.includes("BEGIN PGM") || !text.includes(
 const firstStray = (lines: readonly string[]) =>
   lines.findIndex((line, i) => /^Q\d+\s*[=+-]/.test(line) && !/~\s*$/.test(lines[i - 1] ?? ""));
 
-/** A program that ships or is tested: a control loads it, or it has the look of the manual and is refused for that, where it begins. */
+/**
+ * A program that ships or is tested: a control loads it, or it has the look of the manual and is refused for that,
+ * where it begins.
+ */
 function isFileOrLook(text: string): void {
   const lines = text.split(/\r?\n/);
   const stray = firstStray(lines);
-  const found = refusals(text, "tnc640").filter(({ code }) =>
-    !isPiece(text) || !["beginMissing", "endMissing", "tildeAtEnd"].includes(code)
+  const found = refusals(text, "tnc640").filter(
+    ({ code }) => !isPiece(text) || !["beginMissing", "endMissing", "tildeAtEnd"].includes(code),
   );
   if (stray < 0) return expect(found).toEqual([]);
   const block = Number(/^\d+/.exec(lines[stray - 1] ?? "")?.[0]);
@@ -140,33 +168,57 @@ describe("programs of the tests, the examples and the course", () => {
   test("lessons and tasks", () => {
     const files = projectFolder("src/course/lessons").map((name) => `src/course/lessons/${name}`);
     const tasks = projectFolder("src/course/tasks").map((name) => `src/course/tasks/${name}`);
-    const programs = [...files, ...tasks].filter((path) => path.endsWith(".json")).flatMap((path) =>
-      programsIn(JSON.parse(projectFile(path)))
-    );
+    const programs = [...files, ...tasks]
+      .filter((path) => path.endsWith(".json"))
+      .flatMap((path) => programsIn(JSON.parse(projectFile(path))));
     expect(programs.length).toBeGreaterThan(100);
     expect(programs.flatMap((text) => refused(text))).toEqual([]);
   });
 
   test("damage is refused or not, and never more than that", () => {
-    const pieces = fc.constantFrom("", "~", "\r", "\n", ";", '"', "Q", "=", "/", "*", "%", "(", "{", " ", "\t", "1e9", "9".repeat(99),
-      "CYCL DEF ", "\ufeff");
-    const edits = fc.array(fc.tuple(fc.double({ min: 0, max: 1, noNaN: true }), fc.nat(40), fc.oneof(pieces, fc.string({ maxLength: 8 }))),
+    const pieces = fc.constantFrom(
+      "",
+      "~",
+      "\r",
+      "\n",
+      ";",
+      '"',
+      "Q",
+      "=",
+      "/",
+      "*",
+      "%",
+      "(",
+      "{",
+      " ",
+      "\t",
+      "1e9",
+      "9".repeat(99),
+      "CYCL DEF ",
+      "\ufeff",
+    );
+    const edits = fc.array(
+      fc.tuple(fc.double({ min: 0, max: 1, noNaN: true }), fc.nat(40), fc.oneof(pieces, fc.string({ maxLength: 8 }))),
       {
         maxLength: 12,
-      });
+      },
+    );
     const control = fc.constantFrom("tnc640" as const, "tnc7" as const, "iso" as const);
-    fc.assert(fc.property(fc.constantFrom(...texts, ""), edits, control, (whole, changes, as) => {
-      const text = changes.reduce((t, [where, drop, put]) => {
-        const at = Math.floor(where * t.length);
-        return t.slice(0, at) + put + t.slice(at + drop);
-      }, whole);
-      const lines = text.split(/\r\n|\n|\r/);
-      for (const { line, column, block } of refusals(text, as)) {
-        expect(lines.length).toBeGreaterThanOrEqual(line);
-        expect((lines[line - 1] ?? "").length + 1).toBeGreaterThanOrEqual(column);
-        expect(block === null || block >= 0).toBe(true);
-      }
-    }), { numRuns: 1500 });
+    fc.assert(
+      fc.property(fc.constantFrom(...texts, ""), edits, control, (whole, changes, as) => {
+        const text = changes.reduce((t, [where, drop, put]) => {
+          const at = Math.floor(where * t.length);
+          return t.slice(0, at) + put + t.slice(at + drop);
+        }, whole);
+        const lines = text.split(/\r\n|\n|\r/);
+        for (const { line, column, block } of refusals(text, as)) {
+          expect(lines.length).toBeGreaterThanOrEqual(line);
+          expect((lines[line - 1] ?? "").length + 1).toBeGreaterThanOrEqual(column);
+          expect(block === null || block >= 0).toBe(true);
+        }
+      }),
+      { numRuns: 1500 },
+    );
   });
 });
 

@@ -11,20 +11,24 @@ import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
 /*
- * The example of every cycle, as the page begins a work with it: whoever meets a cycle for the first time sees a program that is proved.
+ * The example of every cycle, as the page begins a work with it: whoever meets a cycle for the first time sees a
+ * program that is proved.
  */
 const cutting = cuttingCycles;
 const tools = { tools: shippedTools, refused: new Map() };
 
 describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i", (number, cycle) => {
-  test.each(["tnc640", "tnc7"] as const)("comes back to the byte in the layout of %s, in every label language", (layout) => {
-    for (const ncLanguage of NC_LANGUAGES) {
-      const text = printJob({ ...exampleJob(cycle), layout, ncLanguage }, ncLabels(ncLanguage));
-      const program = parse(text);
-      expect(print(program)).toBe(text);
-      expect(issuesOf(program)).toEqual([]);
-    }
-  });
+  test.each(["tnc640", "tnc7"] as const)(
+    "comes back to the byte in the layout of %s, in every label language",
+    (layout) => {
+      for (const ncLanguage of NC_LANGUAGES) {
+        const text = printJob({ ...exampleJob(cycle), layout, ncLanguage }, ncLabels(ncLanguage));
+        const program = parse(text);
+        expect(print(program)).toBe(text);
+        expect(issuesOf(program)).toEqual([]);
+      }
+    },
+  );
 
   test("runs with its tool from its start point, cuts nothing it should not, and is proved", () => {
     const text = printJob(exampleJob(cycle), ncLabels("en"));
@@ -45,18 +49,23 @@ const TOLD: Readonly<Record<number, readonly string[]>> = {
   832: ["deeperThanInfeed", "materialLeft", "threadMeets"],
 };
 
-test.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the example of cycle %i opens with no warning that can be helped",
+test.each(cutting.map((cycle) => [cycle.number, cycle] as const))(
+  "the example of cycle %i opens with no warning that can be helped",
   (number, cycle) => {
     const { issues } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
     const told = new Set(issues.filter((i) => i.severity !== "info").map((i) => i.code));
     expect([...told].toSorted()).toEqual(TOLD[number] ?? []);
-  });
+  },
+);
 
-test.each(SQUARE)("the example of the simple shoulder %i leaves what a round nose leaves in a square corner, and no more", (number) => {
-  const cycle = cutting.find((c) => c.number === number) as (typeof cutting)[number];
-  const { proof, operations } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
-  const nose = Number(operations[0]?.tool["RS"]);
-  expect(proof.residual.map((left) => left.reason)).toEqual(["insertRadius"]);
-  // The simulation cuts with chords half a micron off.
-  expect(Math.abs((proof.residual[0]?.area ?? NaN) - (1 - Math.PI / 4) * nose ** 2)).toBeLessThan(0.002);
-});
+test.each(SQUARE)(
+  "the example of the simple shoulder %i leaves what a round nose leaves in a square corner, and no more",
+  (number) => {
+    const cycle = cutting.find((c) => c.number === number) as (typeof cutting)[number];
+    const { proof, operations } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
+    const nose = Number(operations[0]?.tool["RS"]);
+    expect(proof.residual.map((left) => left.reason)).toEqual(["insertRadius"]);
+    // The simulation cuts with chords half a micron off.
+    expect(Math.abs((proof.residual[0]?.area ?? NaN) - (1 - Math.PI / 4) * nose ** 2)).toBeLessThan(0.002);
+  },
+);

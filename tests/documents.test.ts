@@ -9,13 +9,17 @@ import { catalogue } from "../src/cycles/index.ts";
 import { projectFile, projectFolder, projectPath } from "./sources.ts";
 
 describe("pages written from the catalogue", () => {
-  test.each(catalogue.map((c) => [c.number, c] as const))("the page of %i is what `npm run docs` writes", (number, cycle) => {
-    expect(projectFile(`docs/cycles/${number}.md`)).toBe(cyclePage(cycle));
-    const picture = cycleSvg(cycle);
-    if (picture !== null) expect(projectFile(`docs/cycles/${number}.svg`)).toBe(picture);
-  });
+  test.each(catalogue.map((c) => [c.number, c] as const))(
+    "the page of %i is what `npm run docs` writes",
+    (number, cycle) => {
+      expect(projectFile(`docs/cycles/${number}.md`)).toBe(cyclePage(cycle));
+      const picture = cycleSvg(cycle);
+      if (picture !== null) expect(projectFile(`docs/cycles/${number}.svg`)).toBe(picture);
+    },
+  );
 
-  test("the page of all blocks is what `npm run docs` writes", () => expect(projectFile("docs/klartext.md")).toBe(klartextPage()));
+  test("the page of all blocks is what `npm run docs` writes", () =>
+    expect(projectFile("docs/klartext.md")).toBe(klartextPage()));
 
   test("the schema of machine files is what `npm run docs` writes", () =>
     expect(projectFile("docs/machine.schema.json")).toBe(machineJsonSchema()));
@@ -31,16 +35,26 @@ describe("what documents name exists", () => {
   const documents = [
     "README.md",
     "CONTRIBUTING.md",
-    ...["docs", "docs/decisions"].flatMap((folder) => projectFolder(folder).filter((n) => n.endsWith(".md")).map((n) => `${folder}/${n}`)),
+    ...["docs", "docs/decisions"].flatMap((folder) =>
+      projectFolder(folder)
+        .filter((n) => n.endsWith(".md"))
+        .map((n) => `${folder}/${n}`),
+    ),
   ];
   const known = ["src", "tests", "e2e", "scripts"].flatMap((folder) =>
-    readdirSync(projectPath(folder), { recursive: true, encoding: "utf8" }).map((name) => `/${folder}/${name.replaceAll("\\", "/")}`)
+    readdirSync(projectPath(folder), { recursive: true, encoding: "utf8" }).map(
+      (name) => `/${folder}/${name.replaceAll("\\", "/")}`,
+    ),
   );
   test.each(documents)("%s", (path) => {
     const text = projectFile(path);
-    const links = [...text.matchAll(/\]\(([^)#\s]+)[^)]*\)/g)].map(([, to = ""]) => to).filter((to) => !/^[a-z]+:/.test(to));
+    const links = [...text.matchAll(/\]\(([^)#\s]+)[^)]*\)/g)]
+      .map(([, to = ""]) => to)
+      .filter((to) => !/^[a-z]+:/.test(to));
     const files = [...text.matchAll(/`((?:src|tests|e2e|scripts|docs)\/[\w./-]+)`/g)].map(([, to = ""]) => to);
-    const missing = [...links.map((to) => join(dirname(path), to)), ...files].filter((to) => !existsSync(projectPath(to)));
+    const missing = [...links.map((to) => join(dirname(path), to)), ...files].filter(
+      (to) => !existsSync(projectPath(to)),
+    );
     // A file may be named by the end of its path.
     const short = [...text.matchAll(/`((?!dist\/)[\w.-]+\/[\w./-]+\.(?:tsx?|mjs|css))`/g)].map(([, to = ""]) => to);
     const lost = short.filter((to) => !known.some((each) => each.endsWith(`/${to}`)));
@@ -49,9 +63,9 @@ describe("what documents name exists", () => {
 
   test("the commands of the README are scripts of package.json", () => {
     const { scripts } = JSON.parse(projectFile("package.json")) as { scripts: Record<string, string> };
-    const named = [...projectFile("README.md").matchAll(/npm (?:run )?(?:--silent )?(?:run )?(?:--silent )?([a-z0-9]+)/g)].map(
-      ([, name = ""]) => name
-    );
+    const named = [
+      ...projectFile("README.md").matchAll(/npm (?:run )?(?:--silent )?(?:run )?(?:--silent )?([a-z0-9]+)/g),
+    ].map(([, name = ""]) => name);
     expect(named.filter((name) => !(name in scripts))).toEqual([]);
     expect(named.length).toBeGreaterThan(5);
   });

@@ -2,7 +2,12 @@ import { labelsOverlap, type LabelBox } from "../src/view/help/labels.ts";
 import type { WorkshopPrint } from "../src/view/drawing/workshop-drawing.ts";
 
 /** A box without the air around its letters. */
-const letters = ({ x, y, width, height }: LabelBox): LabelBox => ({ x: x + 0.8, y: y + 0.8, width: width - 1.6, height: height - 1.6 });
+const letters = ({ x, y, width, height }: LabelBox): LabelBox => ({
+  x: x + 0.8,
+  y: y + 0.8,
+  width: width - 1.6,
+  height: height - 1.6,
+});
 
 type Spot = readonly [x: number, y: number];
 
@@ -10,7 +15,10 @@ type Spot = readonly [x: number, y: number];
 const straights = (d: string): (readonly [Spot, Spot])[] =>
   [...d.matchAll(/M[^MQaZ]+/g)].flatMap(([line]) => {
     const numbers = [...line.matchAll(/-?\d+(?:\.\d+)?/g)].map(([n]) => Number(n));
-    const spots = Array.from({ length: Math.floor(numbers.length / 2) }, (_, i): Spot => [numbers[2 * i] ?? 0, numbers[2 * i + 1] ?? 0]);
+    const spots = Array.from({ length: Math.floor(numbers.length / 2) }, (_, i): Spot => [
+      numbers[2 * i] ?? 0,
+      numbers[2 * i + 1] ?? 0,
+    ]);
     return line.includes("H") ? [] : spots.slice(1).map((to, i) => [spots[i] ?? to, to] as const);
   });
 
@@ -26,14 +34,19 @@ function crosses([[ax, ay], [bx, by]]: readonly [Spot, Spot], { x, y, width, hei
 /** What is wrong with a drawing as a print. */
 export function faultsOf({ texts, shapes, width, height }: WorkshopPrint): string[] {
   const over = texts.flatMap((a, i) =>
-    texts.slice(i + 1).filter((b) => labelsOverlap(a.box, b.box)).map((b) => `${a.text} over ${b.text}`)
+    texts
+      .slice(i + 1)
+      .filter((b) => labelsOverlap(a.box, b.box))
+      .map((b) => `${a.text} over ${b.text}`),
   );
   const out = texts.filter(({ box: b }) => b.x < 0 || b.y < 0 || b.x + b.width > width || b.y + b.height > height);
-  const lines = shapes.filter(({ role }) => role === "thin" || role === "outline" || role === "edge").flatMap(({ role, d }) =>
-    straights(d).map((line) => ({ role, line }))
-  );
+  const lines = shapes
+    .filter(({ role }) => role === "thin" || role === "outline" || role === "edge")
+    .flatMap(({ role, d }) => straights(d).map((line) => ({ role, line })));
   const through = texts.flatMap((text) =>
-    lines.filter(({ line }) => crosses(line, letters(text.box))).map(({ role }) => `a ${role} line through ${text.text}`)
+    lines
+      .filter(({ line }) => crosses(line, letters(text.box)))
+      .map(({ role }) => `a ${role} line through ${text.text}`),
   );
   return [...over, ...out.map(({ text }) => `${text} outside`), ...through];
 }

@@ -5,7 +5,10 @@ type Drawn = Parameters<typeof drawnTask>[0];
 type Sizes = NonNullable<Drawn["sizes"]>;
 type Threads = NonNullable<NonNullable<Drawn["part"]>["threads"]>;
 
-/** How a step of a generated part is given, in tenths of a millimetre before it is scaled; `feature`: what is cut into its surface. */
+/**
+ * How a step of a generated part is given, in tenths of a millimetre before it is scaled; `feature`: what is cut into
+ * its surface.
+ */
 interface Step {
   readonly rise: number;
   readonly long: number;
@@ -22,12 +25,18 @@ const step = fc.record({
   deviation: fc.integer({ min: 0, max: 3 }),
 });
 
-const DEVIATIONS = [{ upper: 0, lower: -0.021 }, { upper: 0.05, lower: -0.05 }, { upper: -0.007, lower: -0.028 }] as const;
+const DEVIATIONS = [
+  { upper: 0, lower: -0.021 },
+  { upper: 0.05, lower: -0.05 },
+  { upper: -0.007, lower: -0.028 },
+] as const;
 
 /** Pins of a watch to shafts of a mill. */
 export const SCALES = [0.05, 0.21, 1, 4.3, 11] as const;
 
-/** A turned part of any size with steps, chamfers, roundings, undercuts, grooves, cones and threads, outside and inside. */
+/**
+ * A turned part of any size with steps, chamfers, roundings, undercuts, grooves, cones and threads, outside and inside.
+ */
 export const turnedParts = fc.record({
   scale: fc.constantFrom(...SCALES),
   long: fc.constantFrom(1, 1, 3.7),
@@ -41,19 +50,25 @@ export type TurnedPart = typeof turnedParts extends fc.Arbitrary<infer P> ? P : 
 export function partOf({ scale, long, outside, inside, rest }: TurnedPart): Drawn {
   const round = (value: number): number => Math.round(value * scale * 1000) / 1000;
   const at = (x: number, z: number) => `L X${round(2 * x)} Z${round(z)}`;
-  const sizes: Sizes[number][] = [], threads: Threads[number][] = [];
-  const wall = 2, least = 1.2;
+  const sizes: Sizes[number][] = [],
+    threads: Threads[number][] = [];
+  const wall = 2,
+    least = 1.2;
   const depthOf = (steps: readonly Step[]) => steps.reduce((sum, { rise }) => sum + rise / 20, 0);
   const mouth = inside.length > 0 ? least + depthOf(inside) : 0;
 
   const chain = (steps: readonly Step[], start: number, sign: 1 | -1) => {
-    let r = start, z = 0;
+    let r = start,
+      z = 0;
     const lines: string[] = [];
     steps.forEach(({ rise, long: tenths, corner, feature, deviation }, i) => {
-      const before = r, end = z - (tenths / 10) * long, deep = Math.min(rise / 20, 0.9) * 0.6;
+      const before = r,
+        end = z - (tenths / 10) * long,
+        deep = Math.min(rise / 20, 0.9) * 0.6;
       if (sign > 0 || i > 0) r += (sign * rise) / 20;
       const broken = Math.min(0.5, Math.abs(r - before) * 0.6, (z - end) * 0.1);
-      const name = corner === "chamfer" ? `CHF ${Math.max(0.001, round(broken))}` : `RND R${Math.max(0.001, round(broken))}`;
+      const name =
+        corner === "chamfer" ? `CHF ${Math.max(0.001, round(broken))}` : `RND R${Math.max(0.001, round(broken))}`;
       if (feature === "cone" && sign > 0) lines.push(at(before + (r - before) / 2, z), at(r, end));
       else {
         lines.push(at(r, z));
@@ -77,7 +92,12 @@ export function partOf({ scale, long, outside, inside, rest }: TurnedPart): Draw
         }
         const given = DEVIATIONS[deviation];
         if (given && feature !== "thread")
-          sizes.push({ kind: sign > 0 ? "diameter" : "bore", at: round(z * 0.8 + end * 0.2), nominal: round(2 * r), ...given });
+          sizes.push({
+            kind: sign > 0 ? "diameter" : "bore",
+            at: round(z * 0.8 + end * 0.2),
+            nominal: round(2 * r),
+            ...given,
+          });
       }
       z = end;
     });
@@ -85,7 +105,8 @@ export function partOf({ scale, long, outside, inside, rest }: TurnedPart): Draw
   };
   const bore = chain(inside, mouth, -1);
   const outer = chain(outside, mouth + (inside.length > 0 ? wall : 0), 1);
-  const end = outer.r + 3, hole = Math.max(0.6, bore.r - 0.8);
+  const end = outer.r + 3,
+    hole = Math.max(0.6, bore.r - 0.8);
   const length = Math.max(-outer.z, -bore.z) + (rest ? 30 * long : 0) + 1;
   return {
     part: {

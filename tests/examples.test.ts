@@ -18,20 +18,26 @@ function verified(text: string) {
 const textOf = (id: string) => examples.find((e) => e.id === id)?.text ?? "";
 const isTurned = (text: string) => text.includes("FUNCTION MODE TURN");
 
-test.each(examples.map((e) => [e.id, e.text] as const))("%s is printed as it was read, and the reader finds nothing", (id, text) => {
-  const program = parse(text);
-  expect(print(program)).toBe(text);
-  expect(issuesOf(program)).toEqual([]);
-  for (const l of LANGUAGES) expect(texts(l).page.examples[id]).toBeTruthy();
-});
+test.each(examples.map((e) => [e.id, e.text] as const))(
+  "%s is printed as it was read, and the reader finds nothing",
+  (id, text) => {
+    const program = parse(text);
+    expect(print(program)).toBe(text);
+    expect(issuesOf(program)).toEqual([]);
+    for (const l of LANGUAGES) expect(texts(l).page.examples[id]).toBeTruthy();
+  },
+);
 
-test.each(examples.map((e) => [e.id, e.text] as const))("%s runs without a finding and cuts nothing it should not", (_, text) => {
-  const { done, simulation, issues } = verified(text);
-  expect(done.operations.length > 0).toBe(isTurned(text));
-  expect(done.seconds).toBeGreaterThan(0);
-  expect(issues.filter((i) => i.code !== "airPasses" && i.code !== "depthFromPitch")).toEqual([]);
-  expect(simulation.proof).toMatchObject({ gouge: 0, rapidInStock: 0 });
-});
+test.each(examples.map((e) => [e.id, e.text] as const))(
+  "%s runs without a finding and cuts nothing it should not",
+  (_, text) => {
+    const { done, simulation, issues } = verified(text);
+    expect(done.operations.length > 0).toBe(isTurned(text));
+    expect(done.seconds).toBeGreaterThan(0);
+    expect(issues.filter((i) => i.code !== "airPasses" && i.code !== "depthFromPitch")).toEqual([]);
+    expect(simulation.proof).toMatchObject({ gouge: 0, rapidInStock: 0 });
+  },
+);
 
 describe("the flange", () => {
   const { done, simulation } = verified(textOf("flange"));
@@ -71,13 +77,37 @@ describe("the shaft", () => {
     const has = (x: number, z: number) => corners.some((p) => Math.abs(p.x - x) < 0.02 && Math.abs(p.z - z) < 0.02);
     // The ends of the taper, the floor of the undercut before the shoulder, the wall behind the last cylinder.
     expect([has(66, -26), has(72, -46), has(91.6, -104)]).toEqual([true, true, false]);
-    expect(Math.min(...within(-72, -74).map((p) => p.x).filter((x) => x > 60))).toBeCloseTo(71.4, 1);
+    expect(
+      Math.min(
+        ...within(-72, -74)
+          .map((p) => p.x)
+          .filter((x) => x > 60),
+      ),
+    ).toBeCloseTo(71.4, 1);
     // The floors of the groove, of the recess and of the relief in the bore.
     expect(Math.min(...within(-57.9, -62.3).map((p) => p.x))).toBeCloseTo(66.5, 2);
     expect(Math.min(...within(-79, -99).map((p) => p.x))).toBeCloseTo(76, 2);
-    expect(Math.max(...within(-28.9, -34.1).map((p) => p.x).filter((x) => x < 50))).toBeCloseTo(45, 2);
+    expect(
+      Math.max(
+        ...within(-28.9, -34.1)
+          .map((p) => p.x)
+          .filter((x) => x < 50),
+      ),
+    ).toBeCloseTo(45, 2);
     // Roots of both threads.
-    expect(Math.min(...within(-3, -19).map((p) => p.x).filter((x) => x > 50))).toBeCloseTo(60 - 2 * 0.6134 * 1.5, 2);
-    expect(Math.max(...within(-3, -25).map((p) => p.x).filter((x) => x < 50))).toBeCloseTo(44, 2);
+    expect(
+      Math.min(
+        ...within(-3, -19)
+          .map((p) => p.x)
+          .filter((x) => x > 50),
+      ),
+    ).toBeCloseTo(60 - 2 * 0.6134 * 1.5, 2);
+    expect(
+      Math.max(
+        ...within(-3, -25)
+          .map((p) => p.x)
+          .filter((x) => x < 50),
+      ),
+    ).toBeCloseTo(44, 2);
   });
 });

@@ -28,8 +28,8 @@ import { tipAt } from "../src/view/tip.ts";
 import type { Run } from "../src/program/state/run-types.ts";
 
 /**
- * The lathe view, kept as drawings: the work as it is painted, path and contour, the tool in its holder, and the chip that it cuts. The
- * printed examples, a bore, a thread, recesses in the face and around.
+ * The lathe view, kept as drawings: the work as it is painted, path and contour, the tool in its holder, and the chip
+ * that it cuts. The printed examples, a bore, a thread, recesses in the face and around.
  */
 const programs = import.meta.glob<string>("./programs/*.h", { query: "?raw", import: "default", eager: true });
 
@@ -44,12 +44,15 @@ const COLOURS: MaterialColours = {
   chuck: "#a9b4be",
   chuckLight: "#cfd7de",
 };
-const SIZE = { width: 420, height: 280 }, MARGIN = { left: 8, right: 8, top: 8, bottom: 8 };
+const SIZE = { width: 420, height: 280 },
+  MARGIN = { left: 8, right: 8, top: 8, bottom: 8 };
 
 /** A program of the folder, or the example of a cycle. */
 function textOf(name: string): string {
   const cycle = cycleByNumber(Number(name));
-  return cycle ? printJob(exampleJob(cycle), ncLabels("en")) : programs[`./programs/${name}.h`] ?? expect.fail(`${name} is there`);
+  return cycle
+    ? printJob(exampleJob(cycle), ncLabels("en"))
+    : (programs[`./programs/${name}.h`] ?? expect.fail(`${name} is there`));
 }
 
 type Section = "half" | "full" | "outside";
@@ -81,33 +84,48 @@ const paths = (shapes: readonly { readonly role: string; readonly d: string }[])
   shapes.map(({ role, d }) => `<path class="shape-${role}" d="${d}"/>`).join("\n");
 
 /** The tool of a moment with its holder, as far as the work leaves it to be seen. */
-function toolText(steps: Run["steps"], stock: readonly Ring[], now: PlayPosition, camera: Camera, section: Section): string {
-  const tip = tipAt(steps, now), step = steps[Math.min(now.step, steps.length - 1)];
+function toolText(
+  steps: Run["steps"],
+  stock: readonly Ring[],
+  now: PlayPosition,
+  camera: Camera,
+  section: Section,
+): string {
+  const tip = tipAt(steps, now),
+    step = steps[Math.min(now.step, steps.length - 1)];
   if (!tip || !step) return "";
-  const { x, y } = toScreen(camera, tip), { scale, xUp } = camera, edge = silhouetteOf(stock);
+  const { x, y } = toScreen(camera, tip),
+    { scale, xUp } = camera,
+    edge = silhouetteOf(stock);
   const covers = section === "outside" || (liesInward(step.tool) && section === "half");
   const isBehind = covers && liesBehind(step.tool, [step.from, step.move.to], edge);
   const broken = breakOf(step.tool, tip, camera, { left: 0, right: SIZE.width, top: 0, bottom: SIZE.height });
   const cut = broken && breakData(broken.width, 9);
   const tool =
-    `<g transform="translate(${x.toFixed(2)} ${y.toFixed(2)}) scale(${scale.toFixed(4)} ${(xUp ? -scale : scale).toFixed(4)})">\n`
-    + `${paths(toolShapes(step.tool))}\n</g>`
-    + (broken && cut
-      ? `<g transform="translate(${broken.at.x.toFixed(2)} ${broken.at.y.toFixed(2)}) rotate(${broken.turn})"><path class="break-ground" `
-        + `d="${cut.ground}"/><path class="break-line" d="${cut.line}"/></g>`
+    `<g transform="translate(${x.toFixed(2)} ${y.toFixed(2)}) scale(${scale.toFixed(4)} ${(xUp ? -scale : scale).toFixed(4)})">\n` +
+    `${paths(toolShapes(step.tool))}\n</g>` +
+    (broken && cut
+      ? `<g transform="translate(${broken.at.x.toFixed(2)} ${broken.at.y.toFixed(2)}) rotate(${broken.turn})"><path class="break-ground" ` +
+        `d="${cut.ground}"/><path class="break-line" d="${cut.line}"/></g>`
       : "");
   const windows = isBehind ? windowsOf(section, camera, SIZE, edge) : null;
   const seenIn = (window: string, more = "") => `<g${more} style="clip-path:${window} view-box">\n${tool}\n</g>`;
-  return windows ? `${seenIn(windows.seen)}\n${seenIn(windows.other, section === "outside" ? ` class="behind"` : "")}` : tool;
+  return windows
+    ? `${seenIn(windows.seen)}\n${seenIn(windows.other, section === "outside" ? ` class="behind"` : "")}`
+    : tool;
 }
 
 /** The chip of a moment, the edge that cuts it and its thickness. */
 function chipDrawing(chip: Chip | null, at: Place, { scale, xUp }: Camera): string {
   if (!chip) return "";
-  const { area, edge } = drawnChip(chip), measure = chipMeasure(chip, scale, xUp), flip = xUp ? -scale : scale;
-  return `<g transform="translate(${at.x.toFixed(2)} ${at.y.toFixed(2)})"><g transform="scale(${scale.toFixed(4)} ${flip.toFixed(4)})">`
-    + `<path class="chip-area" d="${area}"/><path class="chip-edge" d="${edge}"/></g>`
-    + `${measure ? `<path class="chip-measure" d="${measure.line}"/>` : ""}</g>`;
+  const { area, edge } = drawnChip(chip),
+    measure = chipMeasure(chip, scale, xUp),
+    flip = xUp ? -scale : scale;
+  return (
+    `<g transform="translate(${at.x.toFixed(2)} ${at.y.toFixed(2)})"><g transform="scale(${scale.toFixed(4)} ${flip.toFixed(4)})">` +
+    `<path class="chip-area" d="${area}"/><path class="chip-edge" d="${edge}"/></g>` +
+    `${measure ? `<path class="chip-measure" d="${measure.line}"/>` : ""}</g>`
+  );
 }
 
 /** All that lies over the work. */
@@ -118,7 +136,10 @@ function overlay(
   now: PlayPosition,
   look: { readonly camera: Camera; readonly section: Section },
 ) {
-  const { camera, section } = look, { zero, scale, xUp } = camera, player = playerOf(simulation), tip = tipAt(made.steps, now);
+  const { camera, section } = look,
+    { zero, scale, xUp } = camera,
+    player = playerOf(simulation),
+    tip = tipAt(made.steps, now);
   const world = `translate(${zero.x.toFixed(2)} ${zero.y.toFixed(2)}) scale(${scale.toFixed(4)} ${(xUp ? -scale : scale).toFixed(4)})`;
   const chip = now.step < made.steps.length ? chipsOf(made.steps, made.spindles, player)(now) : null;
   return [
@@ -137,14 +158,16 @@ function overlay(
 
 /** The first moment of a share of the run in which something is cut. */
 function cuttingMoment({ steps, spindles }: Run, simulation: Simulation, share: number): PlayPosition {
-  const chipOf = chipsOf(steps, spindles, playerOf(simulation)), from = Math.floor(share * steps.length);
+  const chipOf = chipsOf(steps, spindles, playerOf(simulation)),
+    from = Math.floor(share * steps.length);
   const found = steps.findIndex((_, i) => i >= from && chipOf({ step: i, fraction: 0.5 }) !== null);
   return found < 0 ? { step: steps.length, fraction: 0 } : { step: found, fraction: 0.5 };
 }
 
 function drawn(program: string, share: number, section: Section, xUp: boolean): string {
   const made = run(parse(textOf(program)), { tools: shippedTools, rapid: 10_000 });
-  const simulation = simulate(made), surfaces = surfacesOf(made.steps, (step) => spindleAt(made.spindles, step));
+  const simulation = simulate(made),
+    surfaces = surfacesOf(made.steps, (step) => spindleAt(made.spindles, step));
   const scene = sceneOf({
     blank: made.blank,
     clamping: made.clamping,
@@ -152,24 +175,36 @@ function drawn(program: string, share: number, section: Section, xUp: boolean): 
     steps: made.steps,
   });
   const now = cuttingMoment(made, simulation, share);
-  const { pen, text } = svgPen(SIZE), camera = fitted(scene.bounds, SIZE, MARGIN, xUp),
+  const { pen, text } = svgPen(SIZE),
+    camera = fitted(scene.bounds, SIZE, MARGIN, xUp),
     look = { colours: COLOURS, ratio: 1, origin: { x: 0, y: 0 } };
-  paintMaterial(pen, { rings: playerOf(simulation).at(now), section, now, surfaces, chuck: scene.chuck }, camera, look, {
-    x: 0,
-    y: 0,
-    ...SIZE,
-  });
+  paintMaterial(
+    pen,
+    { rings: playerOf(simulation).at(now), section, now, surfaces, chuck: scene.chuck },
+    camera,
+    look,
+    {
+      x: 0,
+      y: 0,
+      ...SIZE,
+    },
+  );
   return text().replace(/<\/svg>\s*$/, overlay(made, simulation, scene, now, { camera, section }));
 }
 
-describe.each(
-  [["812", "half", true], ["820", "outside", true], ["852", "half", false], ["bore-810", "full", true], ["831", "half", true], [
-    "870",
-    "half",
-    true,
-  ], ["862", "outside", true]] as const,
-)("%s, %s", (program, section, xUp) => {
-  test.each([["middle", 0.537], ["end", 1]] as const)("in the %s", async (moment, share) => {
+describe.each([
+  ["812", "half", true],
+  ["820", "outside", true],
+  ["852", "half", false],
+  ["bore-810", "full", true],
+  ["831", "half", true],
+  ["870", "half", true],
+  ["862", "outside", true],
+] as const)("%s, %s", (program, section, xUp) => {
+  test.each([
+    ["middle", 0.537],
+    ["end", 1],
+  ] as const)("in the %s", async (moment, share) => {
     await expect(drawn(program, share, section, xUp)).toMatchFileSnapshot(`./material/${program}-${moment}.svg`);
   });
 });

@@ -7,7 +7,9 @@ import { menuWords } from "../src/i18n/menu-words.ts";
 import { PICTOGRAM } from "../src/view/pictogram-box.ts";
 
 test("the menu has the cycles that cut, in the order of the catalogue", () => {
-  expect(menu.map(({ number, group }) => [number, group])).toEqual(cuttingCycles.map(({ number, group }) => [number, group]));
+  expect(menu.map(({ number, group }) => [number, group])).toEqual(
+    cuttingCycles.map(({ number, group }) => [number, group]),
+  );
 });
 
 test("only cycles that no page prints are marked", () => {
@@ -22,12 +24,15 @@ describe.each(LANGUAGES)("the words of the menu in %s", (language) => {
     const { name, summary } = texts(language).cycles.of[number as 812];
     expect(words.of[number]).toMatchObject({ name, summary });
   });
-  test("hold no text of a dialog", () => expect(JSON.stringify(words)).not.toContain(texts(language).cycles.of[812].description[0]));
+  test("hold no text of a dialog", () =>
+    expect(JSON.stringify(words)).not.toContain(texts(language).cycles.of[812].description[0]));
 });
 
 describe("drawings", () => {
-  const numbers = (d: string) => [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)] as const);
-  test.each(menu.filter(({ group }) => group !== "special").map((cycle) => [cycle.number, cycle] as const))("%i stays in its box",
+  const numbers = (d: string) =>
+    [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)] as const);
+  test.each(menu.filter(({ group }) => group !== "special").map((cycle) => [cycle.number, cycle] as const))(
+    "%i stays in its box",
     (_, cycle) => {
       expect(cycle.pictograms.length).toBeGreaterThan(0);
       for (const { body, cut, contour } of cycle.pictograms)
@@ -37,11 +42,15 @@ describe("drawings", () => {
           expect(y).toBeGreaterThanOrEqual(0);
           expect(y).toBeLessThanOrEqual(PICTOGRAM.height);
         }
-    });
+    },
+  );
 
   test("the inside of a cycle is another drawing than its outside", () => {
     const twice = menu.filter(({ pictograms }) => pictograms.length === 2);
     expect(twice.length).toBeGreaterThan(0);
-    for (const { pictograms: [outside, inside] } of twice) expect(inside?.body).not.toBe(outside?.body);
+    for (const {
+      pictograms: [outside, inside],
+    } of twice)
+      expect(inside?.body).not.toBe(outside?.body);
   });
 });

@@ -211,29 +211,53 @@ describe.each(LANGUAGES)("messages in %s", (language) => {
     const sentence = message(language, found(code));
     expect(sentence).toMatch(/\S.*[.。?？]$/);
     expect(sentence).not.toMatch(/undefined|NaN|\[object|null/);
-    const own = Object.entries(SAMPLES[code]).filter(([key, value]) =>
-      !["reason", "edge", "quantity", "place", "shape", "motion", "meets", "part", "by", "how", "of", "rule"].includes(key)
-      && typeof value !== "boolean"
+    const own = Object.entries(SAMPLES[code]).filter(
+      ([key, value]) =>
+        ![
+          "reason",
+          "edge",
+          "quantity",
+          "place",
+          "shape",
+          "motion",
+          "meets",
+          "part",
+          "by",
+          "how",
+          "of",
+          "rule",
+        ].includes(key) && typeof value !== "boolean",
     );
-    const shown = own.map(([, value]) => (typeof value === "number" ? formatNumber(language, value, 4) : String(value)));
+    const shown = own.map(([, value]) =>
+      typeof value === "number" ? formatNumber(language, value, 4) : String(value),
+    );
     for (const data of shown.filter((text) => !text.includes(","))) expect(sentence).toContain(data);
-    if ("nearest" in SAMPLES[code]) expect(sentence).toContain(formatNumber(language, (SAMPLES[code] as { nearest: number }).nearest, 4));
+    if ("nearest" in SAMPLES[code])
+      expect(sentence).toContain(formatNumber(language, (SAMPLES[code] as { nearest: number }).nearest, 4));
   });
 
   test("a diameter carries its sign, an angle its degrees", () => {
     expect(message(language, found("outOfRange"), "diameter")).toContain(`⌀${formatNumber(language, 999.999)}`);
     expect(message(language, found("outOfRange"), "angle")).toContain(`${formatNumber(language, 999.999)}°`);
     expect(message(language, found("outOfRange"), "radial")).not.toContain("⌀");
-    expect(message(language, found("gouge"))).toContain(`X⌀${formatNumber(language, 60.5)} Z${formatNumber(language, -5.5)}`);
+    expect(message(language, found("gouge"))).toContain(
+      `X⌀${formatNumber(language, 60.5)} Z${formatNumber(language, -5.5)}`,
+    );
   });
 
   test("a limit is not rounded past itself", () => {
-    const found: AnyIssue = { code: "outOfRange", severity: "error", data: { value: 10, min: -9.9999, max: 9.9999, nearest: 9.9999 } };
+    const found: AnyIssue = {
+      code: "outOfRange",
+      severity: "error",
+      data: { value: 10, min: -9.9999, max: 9.9999, nearest: 9.9999 },
+    };
     expect(message(language, found, "axial")).toContain(formatNumber(language, 9.9999, 4));
   });
 
   test("a long quotation is cut short", () => {
-    expect(message(language, { code: "notANumber", severity: "error", data: { text: "x".repeat(5000) } }).length).toBeLessThan(120);
+    expect(
+      message(language, { code: "notANumber", severity: "error", data: { text: "x".repeat(5000) } }).length,
+    ).toBeLessThan(120);
   });
 });
 
@@ -243,19 +267,17 @@ test("the running step reads as a status line", () => {
 });
 
 describe("numbers of a language", () => {
-  test.each(
-    [
-      ["en", 25.4, "25.4"],
-      ["de", 25.4, "25,4"],
-      ["fr", -0.5, "-0,5"],
-      ["zh", 1000, "1000"],
-      ["en", 0.0004, "0"],
-      ["de", -0.0001, "0"],
-      ["en", 100, "100"],
-      ["en", NaN, "–"],
-      ["fr", Infinity, "–"],
-    ] as const,
-  )("%s writes %d as %s", (language, value, text) => expect(formatNumber(language, value)).toBe(text));
+  test.each([
+    ["en", 25.4, "25.4"],
+    ["de", 25.4, "25,4"],
+    ["fr", -0.5, "-0,5"],
+    ["zh", 1000, "1000"],
+    ["en", 0.0004, "0"],
+    ["de", -0.0001, "0"],
+    ["en", 100, "100"],
+    ["en", NaN, "–"],
+    ["fr", Infinity, "–"],
+  ] as const)("%s writes %d as %s", (language, value, text) => expect(formatNumber(language, value)).toBe(text));
 
   test("positions keep sign and decimals, as the control shows them", () => {
     expect(formatPosition("en", 25.4)).toBe("+25.400");
@@ -268,8 +290,11 @@ describe("numbers of a language", () => {
 
   test("law: what is written reads back within its decimals", () => {
     fc.assert(
-      fc.property(fc.double({ min: -1e6, max: 1e6, noNaN: true }), fc.constantFrom(...LANGUAGES), (value, language) =>
-        Math.abs(Number(formatNumber(language, value).replace(",", ".")) - value) <= 0.0005 + 1e-9),
+      fc.property(
+        fc.double({ min: -1e6, max: 1e6, noNaN: true }),
+        fc.constantFrom(...LANGUAGES),
+        (value, language) => Math.abs(Number(formatNumber(language, value).replace(",", ".")) - value) <= 0.0005 + 1e-9,
+      ),
       { numRuns: 2000 },
     );
   });
@@ -279,11 +304,15 @@ describe("numbers of a language", () => {
 test("every text of the screen has a name that something else in the tree says", () => {
   const isText = (path: string) => /^src\/i18n\/\w+\//.test(path);
   const all = sources("src");
-  const said = new Set(all.filter(({ path }) => !isText(path)).flatMap(({ text }) => text.match(/[A-Za-z_]\w*/g) ?? []));
+  const said = new Set(
+    all.filter(({ path }) => !isText(path)).flatMap(({ text }) => text.match(/[A-Za-z_]\w*/g) ?? []),
+  );
   const english = all.filter(({ path }) => path.startsWith("src/i18n/en/") && !path.endsWith(".test.ts"));
   const names = english.flatMap(({ path, text }) =>
-    [...text.matchAll(/^\s*([A-Za-z_]\w*):/gm)].map(([, name = ""]) => [path, name] as const)
+    [...text.matchAll(/^\s*([A-Za-z_]\w*):/gm)].map(([, name = ""]) => [path, name] as const),
   );
   expect(names.length).toBeGreaterThan(1000);
-  expect(names.filter(([, name]) => !/^M\d+$/.test(name) && !said.has(name)).map(([path, name]) => `${path}: ${name}`)).toEqual([]);
+  expect(
+    names.filter(([, name]) => !/^M\d+$/.test(name) && !said.has(name)).map(([path, name]) => `${path}: ${name}`),
+  ).toEqual([]);
 });

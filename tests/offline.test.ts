@@ -71,11 +71,17 @@ interface Manifest {
   readonly shortcuts: readonly { readonly name: string; readonly url: string }[];
 }
 
-test.each(LANGUAGES)("the manifest in %s leads nowhere but into its own folder, and its pictures are there in the size they say",
+test.each(LANGUAGES)(
+  "the manifest in %s leads nowhere but into its own folder, and its pictures are there in the size they say",
   (language) => {
     const manifest = webManifest(language) as unknown as Manifest;
     expect(manifest["lang"]).toBe(language);
-    const addresses = [manifest["id"], manifest["start_url"], manifest["scope"], ...manifest.shortcuts.map(({ url }) => url)];
+    const addresses = [
+      manifest["id"],
+      manifest["start_url"],
+      manifest["scope"],
+      ...manifest.shortcuts.map(({ url }) => url),
+    ];
     for (const address of addresses) expect(address).toMatch(/^\.\/(?:#\/\w+)?$/);
     for (const { src, sizes } of manifest.icons) {
       expect(existsSync(projectPath(`public/${src}`))).toBe(true);
@@ -84,11 +90,16 @@ test.each(LANGUAGES)("the manifest in %s leads nowhere but into its own folder, 
       expect(pngSize(src)).toEqual([width, width]);
     }
     expect(new Set(manifest.shortcuts.map(({ name }) => name)).size).toBe(3);
-  });
+  },
+);
 
 test("the colours of the browser's own parts are those of the page", () => {
-  const tokens = [...projectFile("src/app/base/styles/tokens.css").matchAll(/--page: (#\w+);/g)].map(([, colour]) => colour);
-  const page = [...projectFile("index.html").matchAll(/name="theme-color" content="(#\w+)"/g)].map(([, colour]) => colour);
+  const tokens = [...projectFile("src/app/base/styles/tokens.css").matchAll(/--page: (#\w+);/g)].map(
+    ([, colour]) => colour,
+  );
+  const page = [...projectFile("index.html").matchAll(/name="theme-color" content="(#\w+)"/g)].map(
+    ([, colour]) => colour,
+  );
   expect(page).toHaveLength(2);
   expect(page).toEqual([...new Set(tokens)]);
   expect((webManifest("en") as unknown as Manifest)["theme_color"]).toBe(page[0]);

@@ -14,18 +14,22 @@ import { drawingOnSheet } from "../src/view/drawing/workshop-drawing.ts";
 import { finishedBody, isBody } from "../src/view/solid/bodies.ts";
 import { faultsOf } from "./drawing-faults.ts";
 
-const SHEET = { width: 275, height: 158 }, words = printWords(english, "en");
+const SHEET = { width: 275, height: 158 },
+  words = printWords(english, "en");
 
 /** The part that comes of a program, as its drawing has it. */
 function drawn(text: string, known: Parameters<typeof drawnProgram>[2] = null): DrawnTask | null {
-  const answer = answerOf(text), wanted = finishedBody(answer.simulation, answer.run.operations);
+  const answer = answerOf(text),
+    wanted = finishedBody(answer.simulation, answer.run.operations);
   return drawnProgram(answer, isBody(wanted) ? wanted : madeOf(answer.simulation), known);
 }
 const example = (name: string) => readFileSync(new URL(`../src/examples/${name}.h`, import.meta.url), "utf8");
 const printOf = (part: DrawnTask | null) => part && drawingOnSheet(part, words, SHEET);
 /** The sizes of a drawing, kind by kind, as they are written. */
 const sizesOf = (part: DrawnTask | null) =>
-  (printOf(part)?.list ?? []).map(({ kind, size }) => `${kind} ${[size.text, size.upper, size.lower].filter(Boolean).join(" ")}`).sort();
+  (printOf(part)?.list ?? [])
+    .map(({ kind, size }) => `${kind} ${[size.text, size.upper, size.lower].filter(Boolean).join(" ")}`)
+    .sort();
 
 test("a program of eight operations is drawn with the sizes of its contours, and not with those of chords", () => {
   expect(sizesOf(drawn(example("flange")))).toEqual([
@@ -55,11 +59,14 @@ test("a program of eight operations is drawn with the sizes of its contours, and
   ]);
 });
 
-test.each(["flange", "shaft", "groove", "shoulder", "contour"])("the drawing of %s is a legible print on one sheet", (name) => {
-  const print = printOf(drawn(example(name)));
-  expect(print && faultsOf(print)).toEqual([]);
-  expect(print?.height).toBeLessThanOrEqual(SHEET.height);
-});
+test.each(["flange", "shaft", "groove", "shoulder", "contour"])(
+  "the drawing of %s is a legible print on one sheet",
+  (name) => {
+    const print = printOf(drawn(example(name)));
+    expect(print && faultsOf(print)).toEqual([]);
+    expect(print?.height).toBeLessThanOrEqual(SHEET.height);
+  },
+);
 
 test("threads are drawn by their name and crest, outside and in the bore, and none of their grooves", () => {
   const part = drawn(example("shaft"));
@@ -70,8 +77,8 @@ test("threads are drawn by their name and crest, outside and in the bore, and no
 });
 
 const BAR = (moves: string) =>
-  `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D48 L93.7 DIST+0.7\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n`
-  + `4 FUNCTION TURNDATA SPIN VCONST:OFF S800\n5 M136\n${moves}90 M30\n91 END PGM A MM\n`;
+  `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D48 L93.7 DIST+0.7\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n` +
+  `4 FUNCTION TURNDATA SPIN VCONST:OFF S800\n5 M136\n${moves}90 M30\n91 END PGM A MM\n`;
 
 test("what is turned by hand alone is drawn as it is made; what is not turned is not drawn", () => {
   expect(sizesOf(drawn(BAR("6 L X+41.36 Z+2 R0 FMAX M303\n7 L Z-23.4 F0.2\n8 L X+52\n")))).toEqual([
@@ -85,8 +92,10 @@ test("what is turned by hand alone is drawn as it is made; what is not turned is
 });
 
 test("of what is parted off the piece in front is the part", () => {
-  const parted = BAR("").replace("3 TOOL CALL 1", "3 TOOL CALL 10").replace("D48", "D36").replace("90 M30",
-    "6 L X+40 Z-31.3 R0 FMAX M303\n7 L X-1 F0.05\n8 L X+40 FMAX\n90 M30");
+  const parted = BAR("")
+    .replace("3 TOOL CALL 1", "3 TOOL CALL 10")
+    .replace("D48", "D36")
+    .replace("90 M30", "6 L X+40 Z-31.3 R0 FMAX M303\n7 L X-1 F0.05\n8 L X+40 FMAX\n90 M30");
   const part = drawn(parted);
   expect(boxAround([...(part?.rings ?? [])]).left).toBeGreaterThan(-33);
 });
@@ -101,7 +110,8 @@ test("deviations that a task gives stand on the part that has the very size, and
 });
 
 test("the sheet is a file of its own: everything within its frame, and names as they are written", () => {
-  const part = drawn(example("groove")), print = printOf(part);
+  const part = drawn(example("groove")),
+    print = printOf(part);
   if (!part || !print) throw new Error("nothing drawn");
   const titled = {
     name: "SEAL <A&B> FOR A PUMP WITH A VERY LONG NAME INDEED, FIRST OF TWO, LEFT HAND",

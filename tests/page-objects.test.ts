@@ -79,7 +79,7 @@ describe("the page objects as a module", () => {
     for (const [i, [line, named]] of wrong.entries()) expect(rest[i], line).toContain(named);
   });
   test("are the objects that the documentation lists, each with what it drives", async () => {
-    const { Turnwise } = await import(join(folder, "playwright.mjs")) as typeof Pages;
+    const { Turnwise } = (await import(join(folder, "playwright.mjs"))) as typeof Pages;
     const turnwise = Turnwise.at({} as never);
     const classOf = (part: object) => part.constructor.name;
     const parts = Object.entries(turnwise).filter(([, part]) => typeof part === "object" && classOf(part) !== "Object");
@@ -89,8 +89,10 @@ describe("the page objects as a module", () => {
       expect(declared[1], declared[2]).not.toBe("");
   });
   test("ask in the words of each language", async () => {
-    const { Turnwise } = await import(join(folder, "playwright.mjs")) as typeof Pages;
-    const asked = (["en", "de", "fr", "zh"] as const).map((language) => Turnwise.at({} as never, language).dialog.promptOf(812, "Q463"));
+    const { Turnwise } = (await import(join(folder, "playwright.mjs"))) as typeof Pages;
+    const asked = (["en", "de", "fr", "zh"] as const).map((language) =>
+      Turnwise.at({} as never, language).dialog.promptOf(812, "Q463"),
+    );
     expect(new Set(asked).size).toBe(4);
     expect(asked).not.toContain("");
     expect(Turnwise.at({} as never).start.cycles).toContain(852);

@@ -9,14 +9,23 @@ import { axial, radius } from "../src/kernel/units.ts";
  * The cases that decided which polygon engine is used (docs/decisions/0001): each is one that another port of the same
  * library gets wrong. They hold for whatever engine kernel/clip.ts uses.
  */
-const ring = (...points: readonly (readonly [number, number])[]): Ring => points.map(([z, r]) => ({ z: axial(z), r: radius(r) }));
-const units = (...points: readonly (readonly [number, number])[]): Ring => ring(...points.map(([x, y]) => [x * GRID, y * GRID] as const));
-const box = (z: number, r: number, width: number, height: number) => ring([z, r], [z + width, r], [z + width, r + height], [z, r + height]);
+const ring = (...points: readonly (readonly [number, number])[]): Ring =>
+  points.map(([z, r]) => ({ z: axial(z), r: radius(r) }));
+const units = (...points: readonly (readonly [number, number])[]): Ring =>
+  ring(...points.map(([x, y]) => [x * GRID, y * GRID] as const));
+const box = (z: number, r: number, width: number, height: number) =>
+  ring([z, r], [z + width, r], [z + width, r + height], [z, r + height]);
 
 describe("the polygon engine", () => {
   test("keeps its input: a vertex of the triangle is not overwritten by an intersection", () => {
     const triangle = units([-968021, 289005], [-943762, 302447], [-1000000, 237828]);
-    const pentagon = units([-163353, 261701], [-163023, 262156], [-122651, 448734], [-968021, 289005], [-1021013, 204201]);
+    const pentagon = units(
+      [-163353, 261701],
+      [-163023, 262156],
+      [-122651, 448734],
+      [-968021, 289005],
+      [-1021013, 204201],
+    );
     const before = JSON.stringify([triangle, pentagon]);
     // The reference implementation in C++ leaves 66 589 013 square units.
     expect(areaOf(difference([triangle], [pentagon])) / GRID / GRID).toBeCloseTo(66_589_013, -3);

@@ -10,20 +10,23 @@ const programs = import.meta.glob<string>("./programs/cycle-*.h", { query: "?raw
 
 /** The misprints of the pages put right, block numbers taken away. */
 const comparable = (text: string) =>
-  text.replaceAll("Q493+50", "Q493=+50").replaceAll("Q499 =", "Q499=").split("\n").map((line) => line.replace(/^\d+( +)/, "#$1"));
+  text
+    .replaceAll("Q493+50", "Q493=+50")
+    .replaceAll("Q499 =", "Q499=")
+    .split("\n")
+    .map((line) => line.replace(/^\d+( +)/, "#$1"));
 
 /** One printed page sets one blank before M303, two others two: we print two. */
-const positioning = (lines: string[]) => lines.map((line) => (/M303/.test(line) ? line.replace(/FMAX +M/, "FMAX M") : line));
+const positioning = (lines: string[]) =>
+  lines.map((line) => (/M303/.test(line) ? line.replace(/FMAX +M/, "FMAX M") : line));
 
 describe("the printed examples, from their example values", () => {
-  test.each(
-    [[812, "tnc640", "fr", "cycle-812-tnc640-fr"], [820, "tnc640", "fr", "cycle-820-tnc640-fr"], [820, "tnc7", "en", "cycle-820-tnc7-en"], [
-      852,
-      "tnc640",
-      "fr",
-      "cycle-852-tnc640-fr",
-    ]] as const,
-  )("%i %s %s, character for character", (number, layout, ncLanguage, file) => {
+  test.each([
+    [812, "tnc640", "fr", "cycle-812-tnc640-fr"],
+    [820, "tnc640", "fr", "cycle-820-tnc640-fr"],
+    [820, "tnc7", "en", "cycle-820-tnc7-en"],
+    [852, "tnc640", "fr", "cycle-852-tnc640-fr"],
+  ] as const)("%i %s %s, character for character", (number, layout, ncLanguage, file) => {
     const cycle = cycleByNumber(number);
     const printed = programs[`./programs/${file}.h`];
     if (!cycle || printed === undefined) throw new Error(`${number}: no cycle or no example`);

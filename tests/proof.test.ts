@@ -5,10 +5,12 @@ import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
 /*
  * Programs with what their proof must say, in their first line: `code@block`, `-code`, `verdict=…`, `holder=…`,
- * `deepest=depth/allowed` (within 0.02 mm), `residual=reason`, `-residual=reason`, and `tools=…`: tools in this order among
- * those that would take the largest region.
+ * `deepest=depth/allowed` (within 0.02 mm), `residual=reason`, `-residual=reason`, and `tools=…`: tools in this order
+ * among those that would take the largest region.
  */
-const programs = Object.entries(import.meta.glob<string>("./proof/*.h", { query: "?raw", import: "default", eager: true }));
+const programs = Object.entries(
+  import.meta.glob<string>("./proof/*.h", { query: "?raw", import: "default", eager: true }),
+);
 
 function says(report: ReturnType<typeof verified>, word: string): void {
   const { proof } = report;

@@ -7,7 +7,18 @@ const layerOf = (path: string) => path.split("/")[1] ?? "";
 const PAGE = ["app", "features"];
 
 /** Rooms of the page from the ground up: each imports those below it, and of features none another one. */
-const ROOMS = ["base", "place", "document", "calculation", "records", "findings", "pictures", "fields", "features", "shell"];
+const ROOMS = [
+  "base",
+  "place",
+  "document",
+  "calculation",
+  "records",
+  "findings",
+  "pictures",
+  "fields",
+  "features",
+  "shell",
+];
 
 describe("rooms of the page", () => {
   /** The room of a file, and the feature; null outside the page. */
@@ -30,7 +41,8 @@ describe("rooms of the page", () => {
       if (!here || ROOMS[here.floor] !== room) return [];
       return s.imports.flatMap(({ target }) => {
         const there = placeOf(target);
-        const isBelow = !there || there.floor < here.floor || (there.floor === here.floor && there.feature === here.feature);
+        const isBelow =
+          !there || there.floor < here.floor || (there.floor === here.floor && there.feature === here.feature);
         return isBelow ? [] : [`${s.path} → ${target}`];
       });
     });
@@ -40,14 +52,18 @@ describe("rooms of the page", () => {
 
 test("a feature is known from outside by its index, which fetches its parts, and by its part of the first screen", () => {
   const featureOf = (path: string) => (layerOf(path) === "features" ? path.split("/")[2] : null);
-  const wrong = all.filter((s) => !/\.test\.tsx?$/.test(s.path)).flatMap((s) =>
-    s.imports.flatMap(({ target }) => {
-      const feature = featureOf(target);
-      const isKnown = !feature || feature === featureOf(s.path)
-        || ["index", "first"].some((name) => target === `src/features/${feature}/${name}.ts`);
-      return isKnown ? [] : [`${s.path} → ${target}`];
-    })
-  );
+  const wrong = all
+    .filter((s) => !/\.test\.tsx?$/.test(s.path))
+    .flatMap((s) =>
+      s.imports.flatMap(({ target }) => {
+        const feature = featureOf(target);
+        const isKnown =
+          !feature ||
+          feature === featureOf(s.path) ||
+          ["index", "first"].some((name) => target === `src/features/${feature}/${name}.ts`);
+        return isKnown ? [] : [`${s.path} → ${target}`];
+      }),
+    );
   expect(wrong).toEqual([]);
   const indexes = all.filter((s) => /^src\/features\/[^/]+\/index\.ts$/.test(s.path));
   expect(indexes.length).toBeGreaterThan(10);
@@ -57,7 +73,21 @@ test("a feature is known from outside by its index, which fetches its parts, and
 /** Folders of a layer from the ground up; "" are its files that stand in none. */
 const FOLDERS: Readonly<Record<string, readonly string[]>> = {
   kernel: ["", "geometry", "area", "plan", "reach", "contour", "solve", "time", "plane", "cutter", "free", "strategy"],
-  program: ["values", "machine", "tools", "iso-codes", "state", "clamping", "motion", "blocks", "run", "job", "dxf", "edits", "compare"],
+  program: [
+    "values",
+    "machine",
+    "tools",
+    "iso-codes",
+    "state",
+    "clamping",
+    "motion",
+    "blocks",
+    "run",
+    "job",
+    "dxf",
+    "edits",
+    "compare",
+  ],
 };
 
 describe.each(Object.entries(FOLDERS))("folders of %s", (layer, folders) => {
@@ -69,7 +99,9 @@ describe.each(Object.entries(FOLDERS))("folders of %s", (layer, folders) => {
     const own = files.filter((s) => floorOf(s.path) === here);
     expect(own.length).toBeGreaterThan(1);
     const wrong = own.flatMap((s) =>
-      s.imports.filter((i) => i.relative && layerOf(i.target) === layer && floorOf(i.target) > here).map((i) => `${s.path} → ${i.target}`)
+      s.imports
+        .filter((i) => i.relative && layerOf(i.target) === layer && floorOf(i.target) > here)
+        .map((i) => `${s.path} → ${i.target}`),
     );
     expect(wrong).toEqual([]);
   });
@@ -82,10 +114,18 @@ describe.each(Object.entries(FOLDERS))("folders of %s", (layer, folders) => {
 /** How many variables of modules may change. */
 const MOST_STATE = 47;
 
-/** Module-level state of the page that changes. Each is a store of its own that nobody sees: there may be fewer, and no more. */
+/**
+ * Module-level state of the page that changes. Each is a store of its own that nobody sees: there may be fewer, and no
+ * more.
+ */
 test("module-level state does not grow", () => {
-  const held = all.filter((s) => PAGE.includes(layerOf(s.path)) && !/\.test\.tsx?$/.test(s.path)).flatMap((s) =>
-    code(s.text).split("\n").filter((line) => line.startsWith("let ")).map((line) => `${s.path}: ${line}`)
-  );
+  const held = all
+    .filter((s) => PAGE.includes(layerOf(s.path)) && !/\.test\.tsx?$/.test(s.path))
+    .flatMap((s) =>
+      code(s.text)
+        .split("\n")
+        .filter((line) => line.startsWith("let "))
+        .map((line) => `${s.path}: ${line}`),
+    );
   expect(held.length).toBeLessThanOrEqual(MOST_STATE);
 });

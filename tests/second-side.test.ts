@@ -35,16 +35,28 @@ describe("the program of the next clamping", () => {
 
   test("begins as the one before began to turn, with nothing of its mills and parameters", () => {
     const first = (...lines: readonly string[]) =>
-      secondSide(parse(["BEGIN PGM A MM", "BLK FORM CYLINDER Z D40 L60", ...lines, "M30", "END PGM A MM", ""].join("\n")), [[
-        at(-60, 0),
-        at(0, 0),
-        at(0, 20),
-        at(-60, 20),
-      ]], { allowance: 0, output }).split("\n").slice(2, 7).filter((line) => !/^(?:L|M30|LBL)/.test(line));
+      secondSide(
+        parse(["BEGIN PGM A MM", "BLK FORM CYLINDER Z D40 L60", ...lines, "M30", "END PGM A MM", ""].join("\n")),
+        [[at(-60, 0), at(0, 0), at(0, 20), at(-60, 20)]],
+        { allowance: 0, output },
+      )
+        .split("\n")
+        .slice(2, 7)
+        .filter((line) => !/^(?:L|M30|LBL)/.test(line));
     const spin = "FUNCTION TURNDATA SPIN VCONST:OFF S850";
-    expect(first("TOOL CALL 30 Z S4000 F200", "M136", 'FUNCTION MODE TURN "AC_TURN"', 'TOOL CALL "CNMG" DL+0.1', spin, "TOOL CALL 3"))
-      .toEqual(['FUNCTION MODE TURN "AC_TURN"', 'TOOL CALL "CNMG"', spin, "M136"]);
-    expect(first("Q5 = 3", "TOOL CALL Q5", "FUNCTION TURNDATA SPIN VCONST:ON VC:Q7 SMAX2500")).toEqual(["FUNCTION MODE TURN"]);
+    expect(
+      first(
+        "TOOL CALL 30 Z S4000 F200",
+        "M136",
+        'FUNCTION MODE TURN "AC_TURN"',
+        'TOOL CALL "CNMG" DL+0.1',
+        spin,
+        "TOOL CALL 3",
+      ),
+    ).toEqual(['FUNCTION MODE TURN "AC_TURN"', 'TOOL CALL "CNMG"', spin, "M136"]);
+    expect(first("Q5 = 3", "TOOL CALL Q5", "FUNCTION TURNDATA SPIN VCONST:ON VC:Q7 SMAX2500")).toEqual([
+      "FUNCTION MODE TURN",
+    ]);
   });
 
   test("where nothing is left there is no program", () => {
@@ -56,7 +68,8 @@ describe("the program of the next clamping", () => {
     const ring = (z0: number, r0: number, z1: number, r1: number) =>
       parse(`BEGIN PGM B MM\nBLK FORM CYLINDER Z R${r1} L${z1 - z0} DIST${z1} RI${r0}\nM30\nEND PGM B MM\n`);
     const blank = (p: ReturnType<typeof parse>) => run(p, { tools: [], rapid: 1 }).blank;
-    const [outer = []] = blank(ring(-60, 0, 0, 20)), [inner = []] = blank(ring(-31.7, 6.3, -12.2, 11.1));
+    const [outer = []] = blank(ring(-60, 0, 0, 20)),
+      [inner = []] = blank(ring(-31.7, 6.3, -12.2, 11.1));
     const text = secondSide(program, [outer, [...inner].reverse()], { allowance: 0, output });
     expect(areaOf(blank(parse(text)))).toBeCloseTo(60 * 20 - 19.5 * 4.8, 6);
     expect(text).not.toMatch(/^\d/m);

@@ -32,14 +32,20 @@ afterAll(() => {
 });
 
 /** Asks for a path as it is spelled. */
-function ask(path: string, headers: Record<string, string> = {}, method = "GET"): Promise<IncomingMessage & { readonly body: Buffer }> {
+function ask(
+  path: string,
+  headers: Record<string, string> = {},
+  method = "GET",
+): Promise<IncomingMessage & { readonly body: Buffer }> {
   return new Promise((done, fail) => {
     const { port } = server.address() as AddressInfo;
     request({ host: "127.0.0.1", port, path, method, headers }, (response) => {
       const parts: Buffer[] = [];
       response.on("data", (part: Buffer) => parts.push(part));
       response.on("end", () => done(Object.assign(response, { body: Buffer.concat(parts) })));
-    }).on("error", fail).end();
+    })
+      .on("error", fail)
+      .end();
   });
 }
 
@@ -52,7 +58,12 @@ test("a file comes with its type, its rule and every header", async () => {
     ["/shop/assets/font-a.woff2", ".woff2", cacheRules.assets],
   ] as const) {
     const { statusCode, headers } = await ask(path);
-    expect([path, statusCode, headers["content-type"], headers["cache-control"]]).toEqual([path, 200, types[type], rule]);
+    expect([path, statusCode, headers["content-type"], headers["cache-control"]]).toEqual([
+      path,
+      200,
+      types[type],
+      rule,
+    ]);
     for (const [name, value] of Object.entries(securityHeaders)) expect(headers[name.toLowerCase()]).toBe(value);
   }
 });
@@ -91,7 +102,9 @@ test("texts are packed as the browser takes them, fonts are not", async () => {
   const plain = await ask(path);
   expect([plain.headers["content-encoding"], plain.body.toString()]).toEqual([undefined, SCRIPT]);
   expect(new Set([brotli, gzip, plain].map(({ headers }) => headers.etag)).size).toBe(3);
-  expect((await ask("/shop/assets/font-a.woff2", { "accept-encoding": "br" })).headers["content-encoding"]).toBe(undefined);
+  expect((await ask("/shop/assets/font-a.woff2", { "accept-encoding": "br" })).headers["content-encoding"]).toBe(
+    undefined,
+  );
 });
 
 test("what has not changed is not sent again, until it has", async () => {
@@ -109,13 +122,18 @@ test("only GET and HEAD", async () => {
   expect([head.statusCode, head.headers["content-length"], head.body.length]).toEqual([200, "11", 0]);
 });
 
-test.each([["", "/"], ["/", "/"], ["turnwise", "/turnwise/"], ["/a/b", "/a/b/"], ["//a//", "/a/"]])("%j is the path %s",
-  (given, path) => expect(wholePath(given)).toBe(path));
+test.each([
+  ["", "/"],
+  ["/", "/"],
+  ["turnwise", "/turnwise/"],
+  ["/a/b", "/a/b/"],
+  ["//a//", "/a/"],
+])("%j is the path %s", (given, path) => expect(wholePath(given)).toBe(path));
 
 describe("docs/serving.md says what the code sends", () => {
   const page = projectFile("docs/serving.md");
-  const recipes = [...page.matchAll(/```(nginx|apache|caddy|xml)\n([\s\S]*?)```/g)].map(([, name = "", text = ""]) =>
-    [name, text] as const
+  const recipes = [...page.matchAll(/```(nginx|apache|caddy|xml)\n([\s\S]*?)```/g)].map(
+    ([, name = "", text = ""]) => [name, text] as const,
   );
   const said = (name: string, value: string): Readonly<Record<string, string>> => ({
     nginx: `add_header ${name} "${value}" always;`,
@@ -127,7 +145,9 @@ describe("docs/serving.md says what the code sends", () => {
   test.each(recipes)("%s", (server, text) => {
     for (const [name, value] of Object.entries(securityHeaders)) expect(text).toContain(said(name, value)[server]);
     for (const rule of Object.values(cacheRules)) expect(text).toContain(rule);
-    expect(text.match(/-Policy/g)?.length).toBe(Object.keys(securityHeaders).filter((name) => name.endsWith("-Policy")).length);
+    expect(text.match(/-Policy/g)?.length).toBe(
+      Object.keys(securityHeaders).filter((name) => name.endsWith("-Policy")).length,
+    );
     for (const ending of [".webmanifest", ".mjs", ".woff2"])
       if (server !== "caddy") expect(text).toContain(types[ending]?.split(";")[0]);
   });

@@ -38,9 +38,14 @@ function drawnWork(text: string): DrawnWork {
 /** What is wrong with a drawing: texts over one another or outside of it. */
 function faultsOf({ texts, width, height }: PartDrawing): readonly string[] {
   const over = texts.flatMap((a, i) =>
-    texts.slice(i + 1).filter((b) => labelsOverlap(a.box, b.box)).map((b) => `${a.text} over ${b.text}`)
+    texts
+      .slice(i + 1)
+      .filter((b) => labelsOverlap(a.box, b.box))
+      .map((b) => `${a.text} over ${b.text}`),
   );
-  const out = texts.filter(({ box }) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height);
+  const out = texts.filter(
+    ({ box }) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height,
+  );
   return [...over, ...out.map(({ text }) => `${text} outside`)];
 }
 
@@ -48,7 +53,9 @@ const examples = cuttingCycles.map((cycle) => {
   const job = exampleJob(cycle);
   return [String(cycle.number), printJob(job, ncLabels("en"))] as const;
 });
-const programs = ["flange", "shaft"].map((name) => [name, readFileSync(join("src", "examples", `${name}.h`), "utf8")] as const);
+const programs = ["flange", "shaft"].map(
+  (name) => [name, readFileSync(join("src", "examples", `${name}.h`), "utf8")] as const,
+);
 
 describe("no dimension over another, none outside", () => {
   test.each([...examples, ...programs])("%s", (_, text) => {
@@ -64,15 +71,21 @@ describe("no dimension over another, none outside", () => {
   test("of any size in any room", () => {
     const works = [...examples.slice(0, 4), ...programs].map(([, text]) => drawnWork(text));
     const scaled = (work: DrawnWork, k: number): DrawnWork => {
-      const ring = (points: DrawnWork["blank"][number]) => points.map(({ z, r }) => ({ z: z * k, r: r * k }) as typeof points[number]);
+      const ring = (points: DrawnWork["blank"][number]) =>
+        points.map(({ z, r }) => ({ z: z * k, r: r * k }) as (typeof points)[number]);
       return { blank: work.blank.map(ring), finished: work.finished.map(ring), contours: [] };
     };
     fc.assert(
-      fc.property(fc.constantFrom(...works), fc.double({ min: 0.03, max: 30, noNaN: true }), fc.double({ min: 62, max: 190, noNaN: true }),
-        fc.double({ min: 45, max: 150, noNaN: true }), (work, k, width, height) => {
-        const drawing = partDrawing(scaled(work, k), words, { width, height });
-        expect(drawing && faultsOf(drawing)).toEqual([]);
-      }),
+      fc.property(
+        fc.constantFrom(...works),
+        fc.double({ min: 0.03, max: 30, noNaN: true }),
+        fc.double({ min: 62, max: 190, noNaN: true }),
+        fc.double({ min: 45, max: 150, noNaN: true }),
+        (work, k, width, height) => {
+          const drawing = partDrawing(scaled(work, k), words, { width, height });
+          expect(drawing && faultsOf(drawing)).toEqual([]);
+        },
+      ),
       { numRuns: 60 },
     );
   });
@@ -97,15 +110,21 @@ describe("what a drawing says", () => {
   });
 
   test("the shaft: its threads with their lead", () => {
-    expect(drawing("shaft").texts.map(({ text }) => text)).toEqual(expect.arrayContaining(["⌀60×1.5", "⌀42.376×1.5", "⌀66.5", "-26"]));
+    expect(drawing("shaft").texts.map(({ text }) => text)).toEqual(
+      expect.arrayContaining(["⌀60×1.5", "⌀42.376×1.5", "⌀66.5", "-26"]),
+    );
   });
 
   test("to scale: shoulders stand as far apart on paper as their leaders say", () => {
     const made = drawing("flange");
     const begin = (of: string) => {
-      const thin = made.shapes.filter(({ role }) => role === "thin").map(({ d }) => [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)]);
+      const thin = made.shapes
+        .filter(({ role }) => role === "thin")
+        .map(({ d }) => [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)]);
       const text = made.texts.find((each) => each.text === of && each.turned);
-      const own = thin.find((points) => points.length === 3 && Math.abs(Number(points[2]?.[1]) - (text?.at.x ?? 0)) < 0.02);
+      const own = thin.find(
+        (points) => points.length === 3 && Math.abs(Number(points[2]?.[1]) - (text?.at.x ?? 0)) < 0.02,
+      );
       return Number(own?.[0]?.[1]);
     };
     expect(begin("-4") - begin("-58")).toBeCloseTo(54 * factorOf(made.scale), 1);

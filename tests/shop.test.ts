@@ -20,8 +20,8 @@ const programs = import.meta.glob<string>("./shop/*.h", { query: "?raw", import:
 const nameOf = (path: string) => path.replace(/^\.\/shop\/|\.h$/g, "");
 
 /**
- * Programs as setters write them, each with paths that were read by eye. They hold the proof to what a shop sees every day: nobody
- * reads findings any more where each third program has one that is none.
+ * Programs as setters write them, each with paths that were read by eye. They hold the proof to what a shop sees every
+ * day: nobody reads findings any more where each third program has one that is none.
  */
 const shop: Readonly<Record<string, Said>> = {
   "bar-parts": { partsOff: 3 },

@@ -21,33 +21,51 @@ export interface Source {
 }
 
 const STATEMENT = new RegExp(
-  String.raw`(?:^|\n)\s*(?:import|export)\s+(type\s+)?(?:([^"';]*?)\s*from\s*)?["']([^"']+)["']|`
-    + String.raw`\bimport\(\s*["']([^"']+)["']\s*\)|new URL\(\s*["'](\.[^"']+)["']`,
+  String.raw`(?:^|\n)\s*(?:import|export)\s+(type\s+)?(?:([^"';]*?)\s*from\s*)?["']([^"']+)["']|` +
+    String.raw`\bimport\(\s*["']([^"']+)["']\s*\)|new URL\(\s*["'](\.[^"']+)["']`,
   "g",
 );
 
 /** True when every name between the braces is marked `type`. */
 const onlyTypes = (names: string | undefined) =>
-  names !== undefined && /^\{[^}]*\}$/.test(names.trim())
-  && names.replace(/[{}\s]+/g, " ").trim().replace(/,\s*$/, "").split(",").every((n) => n.trim().startsWith("type "));
+  names !== undefined &&
+  /^\{[^}]*\}$/.test(names.trim()) &&
+  names
+    .replace(/[{}\s]+/g, " ")
+    .trim()
+    .replace(/,\s*$/, "")
+    .split(",")
+    .every((n) => n.trim().startsWith("type "));
 
 function imports(path: string, text: string): Import[] {
   return [...text.matchAll(STATEMENT)].map(([, type, names, fixed, lazy, url]) => {
     const to = fixed ?? lazy ?? url ?? "";
     const relative = to.startsWith(".");
-    const target = relative ? posix.join(posix.dirname(path), to) : to.split("/").slice(0, to.startsWith("@") ? 2 : 1).join("/");
+    const target = relative
+      ? posix.join(posix.dirname(path), to)
+      : to
+          .split("/")
+          .slice(0, to.startsWith("@") ? 2 : 1)
+          .join("/");
     return { target, relative, typesOnly: type !== undefined || onlyTypes(names), lazy: fixed === undefined };
   });
 }
 
 /** All TypeScript files below `folder`; tests and their fixtures aside. */
 export function sources(folder: string): Source[] {
-  return readdirSync(join(root, folder), { recursive: true, withFileTypes: true }).filter((e) =>
-    e.isFile() && /\.tsx?$/.test(e.name) && !/\.test(-d)?\.tsx?$/.test(e.name)
-  ).map((e) => join(e.parentPath, e.name).slice(root.length + 1).split(sep).join("/")).sort().map((path) => {
-    const text = readFileSync(join(root, path), "utf8");
-    return { path, text, imports: imports(path, text) };
-  });
+  return readdirSync(join(root, folder), { recursive: true, withFileTypes: true })
+    .filter((e) => e.isFile() && /\.tsx?$/.test(e.name) && !/\.test(-d)?\.tsx?$/.test(e.name))
+    .map((e) =>
+      join(e.parentPath, e.name)
+        .slice(root.length + 1)
+        .split(sep)
+        .join("/"),
+    )
+    .sort()
+    .map((path) => {
+      const text = readFileSync(join(root, path), "utf8");
+      return { path, text, imports: imports(path, text) };
+    });
 }
 
 /** Text without comments. */

@@ -11,17 +11,23 @@ let folder = "";
 
 const GROOVE = "tests/programs/groove-852.h";
 /** A program that calls its cycle without turning mode, and ends in the middle of a block. */
-const broken = () => readFileSync("tests/programs/shoulder-812.h", "utf8").replace("FUNCTION MODE TURN", "").slice(0, -9);
+const broken = () =>
+  readFileSync("tests/programs/shoulder-812.h", "utf8").replace("FUNCTION MODE TURN", "").slice(0, -9);
 
 beforeAll(async () => {
   folder = mkdtempSync(join(tmpdir(), "standalone-"));
   const path = join(folder, "verify.mjs");
   writeFileSync(path, `#!/usr/bin/env node\n${await bundle("standalone", { minify: true })}`);
   chmodSync(path, 0o755);
-  for (const name of ["shoulder-812", "groove-852"]) copyFileSync(`tests/programs/${name}.h`, join(folder, `${name}.h`));
+  for (const name of ["shoulder-812", "groove-852"])
+    copyFileSync(`tests/programs/${name}.h`, join(folder, `${name}.h`));
   writeFileSync(join(folder, "broken.h"), broken());
-  writeFileSync(join(folder, "tools.json"),
-    JSON.stringify({ tools: [{ T: 1, NAME: "OURS", TYPE: "ROUGH", TO: 1, RS: 0.37, "T-ANGLE": 95, "P-ANGLE": 80, CUTLENGTH: 11.3 }] }));
+  writeFileSync(
+    join(folder, "tools.json"),
+    JSON.stringify({
+      tools: [{ T: 1, NAME: "OURS", TYPE: "ROUGH", TO: 1, RS: 0.37, "T-ANGLE": 95, "P-ANGLE": 80, CUTLENGTH: 11.3 }],
+    }),
+  );
 });
 afterAll(() => rmSync(folder, { recursive: true }));
 
@@ -34,8 +40,8 @@ function alone(args: readonly string[], { input = "", cwd = folder } = {}) {
 function checkout(args: readonly string[]) {
   let [out, err] = ["", ""];
   const spies = [
-    vi.spyOn(process.stdout, "write").mockImplementation((data) => Boolean(out += String(data))),
-    vi.spyOn(process.stderr, "write").mockImplementation((data) => Boolean(err += String(data))),
+    vi.spyOn(process.stdout, "write").mockImplementation((data) => Boolean((out += String(data)))),
+    vi.spyOn(process.stderr, "write").mockImplementation((data) => Boolean((err += String(data)))),
   ];
   const here = process.cwd();
   process.chdir(folder);
@@ -47,7 +53,10 @@ function checkout(args: readonly string[]) {
   }
 }
 /** How long a run took is all that may differ. */
-const timeless = (ran: ReturnType<typeof alone>) => ({ ...ran, out: ran.out.replaceAll(/"milliseconds":\{[^}]*\}/g, "") });
+const timeless = (ran: ReturnType<typeof alone>) => ({
+  ...ran,
+  out: ran.out.replaceAll(/"milliseconds":\{[^}]*\}/g, ""),
+});
 
 describe("verify.mjs", () => {
   test.each([
@@ -67,12 +76,16 @@ describe("verify.mjs", () => {
   });
   test("runs with the shop's tools, and not with its own of that number", () => {
     const tool = (args: string[]) =>
-      (JSON.parse(alone(["shoulder-812.h", "--json", ...args]).out) as { operations: { tool: object }[] }).operations[0]?.tool;
+      (JSON.parse(alone(["shoulder-812.h", "--json", ...args]).out) as { operations: { tool: object }[] }).operations[0]
+        ?.tool;
     expect(tool(["--tools", "tools.json"])).toMatchObject({ NAME: "OURS", RS: 0.37 });
     expect(tool([])).toMatchObject({ NAME: "CNMG-80-R08" });
   });
   test("reads a program from standard input, with what it calls from the folder", () => {
-    writeFileSync(join(folder, "SUB.H"), "0 BEGIN PGM SUB MM\n1 L X+77.3 Z+3.1 R0 FMAX\n2 L X+71.9 FMAX\n3 END PGM SUB MM\n");
+    writeFileSync(
+      join(folder, "SUB.H"),
+      "0 BEGIN PGM SUB MM\n1 L X+77.3 Z+3.1 R0 FMAX\n2 L X+71.9 FMAX\n3 END PGM SUB MM\n",
+    );
     const input = [
       "BEGIN PGM MAIN MM",
       "BLK FORM CYLINDER Z D80 L100 DIST+1",
@@ -81,7 +94,9 @@ describe("verify.mjs", () => {
       "CALL PGM SUB.H",
       "M30",
       "END PGM MAIN MM",
-    ].map((line, i) => `${i} ${line}\n`).join("");
+    ]
+      .map((line, i) => `${i} ${line}\n`)
+      .join("");
     const { status, out } = alone(["-", "--json"], { input });
     expect(JSON.parse(out)).toMatchObject({ file: "-", program: { name: "MAIN" }, moves: [{ x: 71.9, z: 3.1 }] });
     expect(status).toBe(0);
@@ -91,8 +106,13 @@ describe("verify.mjs", () => {
     const { status, out } = alone(["--help"]);
     expect(status).toBe(0);
     expect(out).toMatch(/^usage: node verify\.mjs FILE\.h/);
-    for (const option of ["--tools", "--control", "--skip", "--json", "--print", "--help"]) expect(out).toContain(`  ${option}`);
-    expect(alone([])).toMatchObject({ status: 2, out: "", err: expect.stringMatching(/^verify: usage: node verify\.mjs .*\n$/) });
+    for (const option of ["--tools", "--control", "--skip", "--json", "--print", "--help"])
+      expect(out).toContain(`  ${option}`);
+    expect(alone([])).toMatchObject({
+      status: 2,
+      out: "",
+      err: expect.stringMatching(/^verify: usage: node verify\.mjs .*\n$/),
+    });
   });
   test("can be called from another folder", () => {
     const other = join(folder, "other");

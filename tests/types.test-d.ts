@@ -1,11 +1,20 @@
 /**
- * What the compiler has to refuse. Nothing here runs: `tsc` reads it, and an expected error that does not come is itself
- * an error.
+ * What the compiler has to refuse. Nothing here runs: `tsc` reads it, and an expected error that does not come is
+ * itself an error.
  */
 import { diameterParam, lengthParam, radial, type Values } from "../src/cycles/params.ts";
 import { issue } from "../src/kernel/plan/issue.ts";
 import type { Pt } from "../src/kernel/geometry/point.ts";
-import { axial, diameter, radius, toDiameter, toRadius, type Axial, type Diameter, type Radius } from "../src/kernel/units.ts";
+import {
+  axial,
+  diameter,
+  radius,
+  toDiameter,
+  toRadius,
+  type Axial,
+  type Diameter,
+  type Radius,
+} from "../src/kernel/units.ts";
 
 const d = diameter(60);
 const r = radius(30);

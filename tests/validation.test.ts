@@ -51,8 +51,14 @@ describe.each(rules.map((rule) => [`${rule.name} (${rule.cycle} ${rule.code})`, 
     const found = check(rule.cycle, rule.trips).issues.find((i) => i.code === rule.code && i.at === rule.field);
     const nearest = found ? nearestOf(found) : null;
     if (nearest === null || rule.nearestElsewhere) return;
-    const mended = check(rule.cycle, { ...rule.trips, change: { ...rule.trips.change, [rule.field]: String(nearest) } });
-    expect([nearest, codes(mended.issues)]).not.toEqual([nearest, expect.arrayContaining([`${rule.code} ${rule.field}`])]);
+    const mended = check(rule.cycle, {
+      ...rule.trips,
+      change: { ...rule.trips.change, [rule.field]: String(nearest) },
+    });
+    expect([nearest, codes(mended.issues)]).not.toEqual([
+      nearest,
+      expect.arrayContaining([`${rule.code} ${rule.field}`]),
+    ]);
   });
 });
 
@@ -65,12 +71,23 @@ describe("the printed examples", () => {
 });
 
 describe("a tool that cannot make the contour", () => {
-  test.each([[812, 5, 1], [820, 1, 15], [852, 1, 8]])("cycle %i with tool %i: tool %i is the usual one", (number, T, usualOne) => {
+  test.each([
+    [812, 5, 1],
+    [820, 1, 15],
+    [852, 1, 8],
+  ])("cycle %i with tool %i: tool %i is the usual one", (number, T, usualOne) => {
     const { cycle, reading, given, setting } = check(number, { tool: { T } });
     expect(reading.values && betterTool(cycle, reading.values, given, setting, shippedTools)?.T).toBe(usualOne);
   });
 
-  test.each([[820, 1], [820, 5], [852, 1], [852, 10], [812, 5], [812, 8]])("cycle %i with tool %i: one that can is named", (number, T) => {
+  test.each([
+    [820, 1],
+    [820, 5],
+    [852, 1],
+    [852, 10],
+    [812, 5],
+    [812, 8],
+  ])("cycle %i with tool %i: one that can is named", (number, T) => {
     const { cycle, reading, given, setting } = check(number, { tool: { T } });
     if (!reading.values) throw new Error("the example reads");
     const better = betterTool(cycle, reading.values, given, setting, shippedTools);

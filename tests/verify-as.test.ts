@@ -29,16 +29,19 @@ const file = (name: string, lines: readonly string[]) => {
   writeFileSync(path, `${lines.join("\r\n")}\r\n`);
   return path;
 };
-const reports = () => out.trimEnd().split("\n").map((line) => JSON.parse(line) as FileReport);
-const program =
-  (...lines: readonly string[]) => [
-    "0 BEGIN PGM A MM",
-    "1 BLK FORM CYLINDER Z D50 L60",
-    "2 FUNCTION MODE TURN",
-    "3 TOOL CALL 1",
-    ...lines,
-    "9 END PGM A MM",
-  ];
+const reports = () =>
+  out
+    .trimEnd()
+    .split("\n")
+    .map((line) => JSON.parse(line) as FileReport);
+const program = (...lines: readonly string[]) => [
+  "0 BEGIN PGM A MM",
+  "1 BLK FORM CYLINDER Z D50 L60",
+  "2 FUNCTION MODE TURN",
+  "3 TOOL CALL 1",
+  ...lines,
+  "9 END PGM A MM",
+];
 const LOOK = ["4 CYCL DEF 200  DRILLING", "Q200=+2 ;CLEARANCE", "Q201=-3 ;DEPTH"];
 
 describe("verify --as", () => {
@@ -47,22 +50,27 @@ describe("verify --as", () => {
     expect(main([path, "--as", "tnc640"])).toBe(1);
     const last = out.trimEnd().split("\n").at(-1);
     expect(last).toBe(
-      `${path}: a TNC 640 would not load it: block 4, column 1 (line 6): the list of CYCL DEF 200 has no " ~" at the end of the `
-        + "line before, so 2 lines become blocks of their own",
+      `${path}: a TNC 640 would not load it: block 4, column 1 (line 6): the list of CYCL DEF 200 has no " ~" at the end of the ` +
+        "line before, so 2 lines become blocks of their own",
     );
     expect(main([path])).toBe(0);
   });
   test("each file has its own places in the report, empty where the control takes it", () => {
-    const paths = [file("look.h", program(...LOOK)), file("file.h", program("4 CYCL DEF 200 DRILLING ~", "Q200=+2 ;CLEARANCE"))];
+    const paths = [
+      file("look.h", program(...LOOK)),
+      file("file.h", program("4 CYCL DEF 200 DRILLING ~", "Q200=+2 ;CLEARANCE")),
+    ];
     expect(main([...paths, "--as", "tnc7", "--json"])).toBe(1);
     const [look, whole] = reports();
-    expect(look?.refused).toEqual([{
-      block: 4,
-      line: 6,
-      column: 1,
-      code: "listWithoutTilde",
-      text: expect.stringContaining("CYCL DEF 200") as string,
-    }]);
+    expect(look?.refused).toEqual([
+      {
+        block: 4,
+        line: 6,
+        column: 1,
+        code: "listWithoutTilde",
+        text: expect.stringContaining("CYCL DEF 200") as string,
+      },
+    ]);
     expect(whole?.refused).toEqual([]);
     expect(look?.format).toBe("turnwise-report/1");
   });
@@ -83,7 +91,10 @@ describe("verify --as", () => {
     expect(out.match(/unknown word "LOOP"/g)).toHaveLength(20);
     expect(out).toMatch(/: a TNC7 would not load it: and 5 more\n$/);
   });
-  test.each([["another control", ["--as", "itnc530"]], ["nothing", ["--as"]]])("%s: status 2", (_, args) => {
+  test.each([
+    ["another control", ["--as", "itnc530"]],
+    ["nothing", ["--as"]],
+  ])("%s: status 2", (_, args) => {
     expect(main([file("file.h", program()), ...args])).toBe(2);
     expect(err).toBe("verify: --as needs one of tnc640, tnc7, iso\n");
   });
@@ -106,7 +117,9 @@ describe("verify --as", () => {
       refusals(["BEGIN PGM A:B MM", ...lines, ...LOOK, "CYCL DEF 200 ~", "END PGM MM", "M3"].join("\n"), "tnc640"),
       refusals("M3", "tnc7"),
       refusals("%A\n%B G71 *", "iso"),
-    ].flat().map(refusalText);
+    ]
+      .flat()
+      .map(refusalText);
     expect(new Set(texts).size).toBeGreaterThan(17);
     expect(texts.filter((text) => text === "" || /undefined|NaN|\[object/.test(text))).toEqual([]);
   });

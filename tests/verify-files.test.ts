@@ -83,7 +83,10 @@ describe("programs beside the program", () => {
       unproved: [],
     });
   });
-  test.each([["nothing of that name", "SUB1.H"], ["another kind of file", "SUB.I"]])("one that is missing: %s", (_, name) => {
+  test.each([
+    ["nothing of that name", "SUB1.H"],
+    ["another kind of file", "SUB.I"],
+  ])("one that is missing: %s", (_, name) => {
     file(name, SUB);
     const r = ran(file("main.h", turned(["CALL PGM SUB", "L IZ-1 FMAX"])));
     // Where the tool was brought before, and nowhere behind.
@@ -102,13 +105,18 @@ describe("programs beside the program", () => {
     expect(ran(path, far).places.at(-1)).toBe("83.9 40.7");
   });
   test("a contour in a file, by either way to name it", () => {
-    const cycle = "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n"
-      + "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0";
+    const cycle =
+      "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n" +
+      "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0";
     file("outline.H", called(["L X+80 Z-20.5", "L X+50", "L Z+0"]));
     for (const block of ['SEL CONTOUR "TNC:\\c\\OUTLINE"', 'CONTOUR DEF P1 = "outline.h"']) {
       out = "";
       main([file("main.h", turned(["TOOL CALL 15", block, cycle, "L X+82 Z+3 FMAX", "CYCL CALL"])), "--json"]);
-      expect((JSON.parse(out) as Report).operations[0]?.contour).toEqual([[-20.5, 40], [-20.5, 25], [0, 25]]);
+      expect((JSON.parse(out) as Report).operations[0]?.contour).toEqual([
+        [-20.5, 40],
+        [-20.5, 25],
+        [0, 25],
+      ]);
     }
   });
   test("a program that calls itself ends with a finding", () => {

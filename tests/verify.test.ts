@@ -33,7 +33,11 @@ const file = (name: string, content: string | Buffer) => {
   writeFileSync(path, content);
   return path;
 };
-const reports = () => out.trimEnd().split("\n").map((line) => JSON.parse(line) as Report);
+const reports = () =>
+  out
+    .trimEnd()
+    .split("\n")
+    .map((line) => JSON.parse(line) as Report);
 
 describe("verify", () => {
   test("--control chooses how Z in an APPR is read: in the plane first, or all axes at once", () => {
@@ -53,7 +57,9 @@ describe("verify", () => {
     const depths = (control: string) => {
       chunks.length = 0;
       main([path, "--control", control, "--json"]);
-      return reports()[0]?.moves.filter((m) => m.block === 5).map((m) => m.z);
+      return reports()[0]
+        ?.moves.filter((m) => m.block === 5)
+        .map((m) => m.z);
     };
     const [plane, together] = [depths("tnc640"), depths("tnc7")];
     expect(plane?.at(-1)).toBe(-7.3);
@@ -75,7 +81,14 @@ describe("verify", () => {
       tool: { T: 1, NAME: "CNMG-80-R08", TYPE: "ROUGH", TO: 1, RS: 0.8, "T-ANGLE": 95 },
     });
     expect(first?.proof.gouge).toBe(0);
-    expect(first?.stock.initial).toEqual([[[-100, 0], [0, 0], [0, 37.5], [-100, 37.5]]]);
+    expect(first?.stock.initial).toEqual([
+      [
+        [-100, 0],
+        [0, 0],
+        [0, 37.5],
+        [-100, 37.5],
+      ],
+    ]);
     expect(err).toBe("");
   });
   test("arcs carry their centre as a diameter, and a direction", () => {
@@ -94,9 +107,14 @@ describe("verify", () => {
   });
   test("a cycle that nobody here knows is named by its number and name, and nothing behind its call is proved", () => {
     const cycle = ["CYCL DEF 317 BAR PULLER ~", "  Q1711=+31.7 ;PULL LENGTH", "L X+30 Z+1.5 R0 FMAX", "CYCL CALL"];
-    const text = ["BEGIN PGM A MM", "BLK FORM CYLINDER Z D27 L61", "FUNCTION MODE TURN", "TOOL CALL 1", ...cycle, "END PGM A MM"].join(
-      "\n",
-    );
+    const text = [
+      "BEGIN PGM A MM",
+      "BLK FORM CYLINDER Z D27 L61",
+      "FUNCTION MODE TURN",
+      "TOOL CALL 1",
+      ...cycle,
+      "END PGM A MM",
+    ].join("\n");
     main([file("called.h", text), file("defined.h", text.replace("CYCL CALL\n", "")), "--json"]);
     const [called, defined] = reports();
     const unproved = "CYCL DEF 317 BAR PULLER";
@@ -113,16 +131,21 @@ describe("verify", () => {
     expect(main([program("shoulder-812"), program("bad/words"), "--json"])).toBe(1);
     expect(reports()[1]?.issues.some((i) => i.severity === "error" && i.block === 4 && i.text.length > 5)).toBe(true);
   });
-  test.each([["nothing", ""], ["binary", "\u0000\u0001\u0002"], ["endless", "LBL 1\nCALL LBL 1 REP 60000\nCALL LBL 1 REP 60000\n"]])(
-    "%s is no crash",
-    (_, text) => {
-      expect(main([file("x.h", text), "--json"])).toBeLessThan(2);
-      expect(reports()).toHaveLength(1);
-    },
-  );
+  test.each([
+    ["nothing", ""],
+    ["binary", "\u0000\u0001\u0002"],
+    ["endless", "LBL 1\nCALL LBL 1 REP 60000\nCALL LBL 1 REP 60000\n"],
+  ])("%s is no crash", (_, text) => {
+    expect(main([file("x.h", text), "--json"])).toBeLessThan(2);
+    expect(reports()).toHaveLength(1);
+  });
   test("a tools file replaces tools of the same number and adds others", () => {
-    const tools = file("t.json",
-      JSON.stringify({ tools: [{ T: 1, NAME: "MINE", TYPE: "ROUGH", TO: 1, RS: 0.4, "T-ANGLE": 95, "P-ANGLE": 80, CUTLENGTH: null }] }));
+    const tools = file(
+      "t.json",
+      JSON.stringify({
+        tools: [{ T: 1, NAME: "MINE", TYPE: "ROUGH", TO: 1, RS: 0.4, "T-ANGLE": 95, "P-ANGLE": 80, CUTLENGTH: null }],
+      }),
+    );
     main([program("shoulder-812"), program("groove-852"), "--json", "--tools", tools]);
     expect(reports().map((r) => r.operations[0]?.tool["NAME"])).toEqual(["MINE", "FACE-RECTURN-3"]);
     expect(reports()[0]?.operations[0]?.tool).not.toHaveProperty("CUTLENGTH");
@@ -133,8 +156,10 @@ describe("verify", () => {
     expect(reports()[0]?.issues.map((i) => `${i.code} ${i.at} ${i.block}`)).toContain("toolColumn RS 3");
   });
   test("--machine: its times go into the report and the summary, which say what they contain", () => {
-    const machine = file("m.json",
-      JSON.stringify({ format: "turnwise-machine/1", name: "Lathe 7", rapid: { x: 9000, z: 12_500 }, toolChange: 3.7 }));
+    const machine = file(
+      "m.json",
+      JSON.stringify({ format: "turnwise-machine/1", name: "Lathe 7", rapid: { x: 9000, z: 12_500 }, toolChange: 3.7 }),
+    );
     expect(main([program("shoulder-812"), "--json", "--machine", machine])).toBe(0);
     expect(reports()[0]?.time).toMatchObject({
       toolChange: 3.7,
@@ -147,29 +172,35 @@ describe("verify", () => {
     );
     chunks.length = 0;
     main([program("shoulder-812")]);
-    expect(out).toMatch(/ {2}time .* at 10 m\/min; no machine data, without acceleration, tool changes, run-up of the spindle\n/);
+    expect(out).toMatch(
+      / {2}time .* at 10 m\/min; no machine data, without acceleration, tool changes, run-up of the spindle\n/,
+    );
   });
-  test.each([["not JSON", "{", "It is not JSON."], ["a tool file", '{"tools":[]}', "It is not a machine file."], [
-    "a slip of units",
-    '{"format":"turnwise-machine/1","name":"A","rapid":{"x":24,"z":30}}',
-    "rapid.x: at least 100",
-  ]])("broken machine file, %s: status 2", (_, text, why) => {
+  test.each([
+    ["not JSON", "{", "It is not JSON."],
+    ["a tool file", '{"tools":[]}', "It is not a machine file."],
+    ["a slip of units", '{"format":"turnwise-machine/1","name":"A","rapid":{"x":24,"z":30}}', "rapid.x: at least 100"],
+  ])("broken machine file, %s: status 2", (_, text, why) => {
     const path = file("m.json", text);
     expect(main([program("shoulder-812"), "--machine", path])).toBe(2);
     expect(err).toBe(`verify: machine file ${path}: ${why}\n`);
   });
-  test.each([["no file", ["nowhere.h"]], ["nothing to do", []], ["an unknown option", [program("shoulder-812"), "--jason"]], [
-    "no tools file",
-    [program("shoulder-812"), "--tools", "nowhere.json"],
-  ]])("%s: status 2 and one line of error", (_, args) => {
+  test.each([
+    ["no file", ["nowhere.h"]],
+    ["nothing to do", []],
+    ["an unknown option", [program("shoulder-812"), "--jason"]],
+    ["no tools file", [program("shoulder-812"), "--tools", "nowhere.json"]],
+  ])("%s: status 2 and one line of error", (_, args) => {
     expect(main([...args])).toBe(2);
     expect(out).toBe("");
     expect(err).toMatch(/^verify: .+\n$/);
   });
-  test.each([["not JSON", "{"], ["no table", "[]"], ["a wrong cell", '{"tools":[{"T":"one","TYPE":"ROUGH"}]}'], [
-    "a wrong type",
-    '{"tools":[{"T":1,"TYPE":"HAMMER"}]}',
-  ]])("broken tools file, %s: status 2", (_, text) => {
+  test.each([
+    ["not JSON", "{"],
+    ["no table", "[]"],
+    ["a wrong cell", '{"tools":[{"T":"one","TYPE":"ROUGH"}]}'],
+    ["a wrong type", '{"tools":[{"T":1,"TYPE":"HAMMER"}]}'],
+  ])("broken tools file, %s: status 2", (_, text) => {
     expect(main([program("shoulder-812"), "--tools", file("t.json", text)])).toBe(2);
     expect(err).toMatch(/^verify: tools file .+\n$/);
   });

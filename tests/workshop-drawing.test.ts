@@ -31,14 +31,23 @@ const shaft: Drawn = {
       "L X+62",
     ],
   },
-  sizes: [{ kind: "diameter", at: -11, nominal: 28, upper: -0.007, lower: -0.02 }, {
-    kind: "diameter",
-    at: -30,
-    nominal: 40,
-    upper: 0.05,
-    lower: -0.05,
-  }, { kind: "face", at: 34, nominal: -22.4, upper: 0.1, lower: 0 }],
-  rules: { rz: [{ from: 0, to: -22, most: 6.3 }, { from: -22.4, to: -61, most: 25 }] },
+  sizes: [
+    { kind: "diameter", at: -11, nominal: 28, upper: -0.007, lower: -0.02 },
+    {
+      kind: "diameter",
+      at: -30,
+      nominal: 40,
+      upper: 0.05,
+      lower: -0.05,
+    },
+    { kind: "face", at: 34, nominal: -22.4, upper: 0.1, lower: 0 },
+  ],
+  rules: {
+    rz: [
+      { from: 0, to: -22, most: 6.3 },
+      { from: -22.4, to: -61, most: 25 },
+    ],
+  },
 };
 const flange: Drawn = {
   part: {
@@ -61,13 +70,16 @@ const flange: Drawn = {
     ],
     bore: ["L X+40 Z+0", "CHF 1", "L Z-32", "RND R1", "L X+24"],
   },
-  sizes: [{ kind: "bore", at: -20, nominal: 40, upper: 0.025, lower: 0 }, {
-    kind: "diameter",
-    at: -20,
-    nominal: 62,
-    upper: 0,
-    lower: -0.03,
-  }],
+  sizes: [
+    { kind: "bore", at: -20, nominal: 40, upper: 0.025, lower: 0 },
+    {
+      kind: "diameter",
+      at: -20,
+      nominal: 62,
+      upper: 0,
+      lower: -0.03,
+    },
+  ],
   rules: { rz: [{ from: 0, to: -58, most: 16 }] },
 };
 const thread: Drawn = {
@@ -125,7 +137,13 @@ const many: Drawn = {
     upper: 0.021,
     lower: -0.013,
   })),
-  rules: { rz: [{ from: 0, to: -7, most: 4 }, { from: -31, to: -44, most: 6.3 }, { from: -60, to: -75, most: 16 }] },
+  rules: {
+    rz: [
+      { from: 0, to: -7, most: 4 },
+      { from: -31, to: -44, most: 6.3 },
+      { from: -60, to: -75, most: 16 },
+    ],
+  },
 };
 const works = { shaft, flange, thread, ball, many };
 
@@ -142,18 +160,24 @@ function drawn(work: Drawn, room: keyof typeof ROOMS, language: "en" | "de" = "e
 function svgOf({ width, height, shapes, texts }: WorkshopPrint): string {
   const n = (v: number) => String(Math.round(v * 100) / 100 + 0);
   const style =
-    `svg{background:#fff;fill:none;stroke:#000;stroke-width:.15}.outline{stroke-width:.5}.edge{stroke-width:.35}.arrow{fill:#000}`
-    + `.axis{stroke-dasharray:6 1 1 1}.section{fill:#ddd;stroke:none;fill-rule:evenodd}text{font:3px monospace;fill:#000;stroke:#fff;`
-    + `stroke-width:.9;paint-order:stroke;dominant-baseline:central}`;
+    `svg{background:#fff;fill:none;stroke:#000;stroke-width:.15}.outline{stroke-width:.5}.edge{stroke-width:.35}.arrow{fill:#000}` +
+    `.axis{stroke-dasharray:6 1 1 1}.section{fill:#ddd;stroke:none;fill-rule:evenodd}text{font:3px monospace;fill:#000;stroke:#fff;` +
+    `stroke-width:.9;paint-order:stroke;dominant-baseline:central}`;
   const rows = texts.map((t) => {
-    const start = t.at.x - widthOf(t) / 2, next = start + nominalWidth(t) + NEXT, small = n(FIGURES * SMALL);
+    const start = t.at.x - widthOf(t) / 2,
+      next = start + nominalWidth(t) + NEXT,
+      small = n(FIGURES * SMALL);
     const turn = t.turned ? ` transform="rotate(-90 ${n(t.at.x)} ${n(t.at.y)})"` : "";
-    return `  <g${turn}><text x="${n(start)}" y="${n(t.at.y)}">${t.text}</text>`
-      + (t.upper === undefined
+    return (
+      `  <g${turn}><text x="${n(start)}" y="${n(t.at.y)}">${t.text}</text>` +
+      (t.upper === undefined
         ? ""
-        : `<text font-size="${small}" style="font-size:${small}px" x="${n(next)}" y="${n(t.at.y - 1.2)}">${t.upper}</text>`)
-      + (t.lower === undefined ? "" : `<text style="font-size:${small}px" x="${n(next)}" y="${n(t.at.y + 1.2)}">${t.lower}</text>`)
-      + "</g>";
+        : `<text font-size="${small}" style="font-size:${small}px" x="${n(next)}" y="${n(t.at.y - 1.2)}">${t.upper}</text>`) +
+      (t.lower === undefined
+        ? ""
+        : `<text style="font-size:${small}px" x="${n(next)}" y="${n(t.at.y + 1.2)}">${t.lower}</text>`) +
+      "</g>"
+    );
   });
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${n(width)} ${n(height)}" width="${n(width)}mm">`,
@@ -167,14 +191,21 @@ function svgOf({ width, height, shapes, texts }: WorkshopPrint): string {
 
 describe.each(Object.entries(works))("%s", (name, work) => {
   test.each(["wide", "narrow"] as const)("is drawn, %s", async (room) => {
-    await expect(svgOf(drawn(work, room, room === "narrow" ? "de" : "en"))).toMatchFileSnapshot(`drawings/${name}-${room}.svg`);
+    await expect(svgOf(drawn(work, room, room === "narrow" ? "de" : "en"))).toMatchFileSnapshot(
+      `drawings/${name}-${room}.svg`,
+    );
   });
   test.each(["wide", "narrow"] as const)("has no text over another, none outside, %s", (room) => {
     const { texts, width, height } = drawn(work, room);
     const over = texts.flatMap((a, i) =>
-      texts.slice(i + 1).filter((b) => labelsOverlap(a.box, b.box)).map((b) => `${a.text} over ${b.text}`)
+      texts
+        .slice(i + 1)
+        .filter((b) => labelsOverlap(a.box, b.box))
+        .map((b) => `${a.text} over ${b.text}`),
     );
-    const out = texts.filter(({ box }) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height);
+    const out = texts.filter(
+      ({ box }) => box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height,
+    );
     expect([...over, ...out.map(({ text }) => `${text} outside`)]).toEqual([]);
   });
 });
@@ -183,12 +214,21 @@ test("each size stands in the list, with its deviations", () => {
   const { list, general } = drawn(flange, "wide");
   expect(general).toBe("Rz 16");
   expect(list.find(({ kind }) => kind === "bore")?.size).toEqual({ text: "⌀40", upper: "+0.025", lower: "0" });
-  expect(list.filter(({ kind }) => kind === "length").map(({ size }) => size.text).sort()).toEqual(["32", "40", "58", "6"]);
+  expect(
+    list
+      .filter(({ kind }) => kind === "length")
+      .map(({ size }) => size.text)
+      .sort(),
+  ).toEqual(["32", "40", "58", "6"]);
 });
 
 test("a length behind Z0 grows where Z falls", () => {
   const { list } = drawn(shaft, "wide");
-  expect(list.find(({ kind, at }) => kind === "length" && at[0] === -22.4)?.size).toEqual({ text: "22.4", upper: "0", lower: "−0.1" });
+  expect(list.find(({ kind, at }) => kind === "length" && at[0] === -22.4)?.size).toEqual({
+    text: "22.4",
+    upper: "0",
+    lower: "−0.1",
+  });
 });
 
 test("a thread has its name", () => {

@@ -63,7 +63,9 @@ export class ContourTable {
   /** Which picture stands in the middle. */
   view(view: "draw" | "lathe"): Locator {
     const { label, [view]: name } = this.context.t.contour.views;
-    return this.context.page.getByRole("group", { name: label, exact: true }).getByRole("button", { name, exact: true });
+    return this.context.page
+      .getByRole("group", { name: label, exact: true })
+      .getByRole("button", { name, exact: true });
   }
 
   /** A dimension on the drawing, by the name of its field: "Element 2, Z". */

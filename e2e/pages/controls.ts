@@ -39,20 +39,27 @@ export async function controls(part: Locator): Promise<readonly Control[]> {
   return snapshot.split("\n").flatMap((line) => controlOf(line) ?? []);
 }
 
-/** A name without what comes from values: numbers, what a numbered thing holds, the name of a tool, and what is proposed. */
+/**
+ * A name without what comes from values: numbers, what a numbered thing holds, the name of a tool, and what is
+ * proposed.
+ */
 const bare = (name: string): string =>
-  name.replaceAll(/[-−+]?\d+(?:[.,:]\d+)*/g, "#").replace(/^(\w* ?#[^:,]*): .*$/, "$1: …").replace(/\b([Tt]ool|Take it:) # .*$/, "$1 # …");
+  name
+    .replaceAll(/[-−+]?\d+(?:[.,:]\d+)*/g, "#")
+    .replace(/^(\w* ?#[^:,]*): .*$/, "$1: …")
+    .replace(/\b([Tt]ool|Take it:) # .*$/, "$1 # …");
 
 /** Role and name of each kind of control, sorted; what differs in values alone is one kind. */
 export function kinds(found: readonly Control[]): readonly string[] {
   return [
-    ...new Set(found.map(({ role, name }) =>
-      `${role} ${
-        role === "textbox"
-          ? name.replace(/^Element \d+|\d+[.,]\d+/, (n) => n.replace(/[\d.,]+/, "#"))
-          : bare(name)
-      }`
-    )),
+    ...new Set(
+      found.map(
+        ({ role, name }) =>
+          `${role} ${
+            role === "textbox" ? name.replace(/^Element \d+|\d+[.,]\d+/, (n) => n.replace(/[\d.,]+/, "#")) : bare(name)
+          }`,
+      ),
+    ),
   ].sort();
 }
 

@@ -12,7 +12,9 @@ export class Course {
 
   /** The way into it on the start page. */
   get entrance(): Locator {
-    return this.context.page.locator(".start-page").getByRole("link", { name: new RegExp(`^${this.words.entrance.name} `) });
+    return this.context.page
+      .locator(".start-page")
+      .getByRole("link", { name: new RegExp(`^${this.words.entrance.name} `) });
   }
 
   /** Opens the list of lessons from the start page. */
@@ -44,7 +46,10 @@ export class Course {
 
   /** The link to a page, or to the tasks. */
   page(at: number | "tasks"): Locator {
-    return this.pages.getByRole("link", { name: at === "tasks" ? this.words.tasks : this.words.page(String(at)), exact: true });
+    return this.pages.getByRole("link", {
+      name: at === "tasks" ? this.words.tasks : this.words.page(String(at)),
+      exact: true,
+    });
   }
 
   /** The text of the open page. */
@@ -76,7 +81,10 @@ export class Course {
 
   /** A number that comes of the values of the page, by its name on the page. */
   fact(name: string): Locator {
-    return this.picture.locator("dl > div").filter({ has: this.context.page.getByText(name, { exact: true }) }).locator("dd");
+    return this.picture
+      .locator("dl > div")
+      .filter({ has: this.context.page.getByText(name, { exact: true }) })
+      .locator("dd");
   }
 
   /** The block of the printed program that the picture is at. */

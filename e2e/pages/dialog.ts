@@ -48,9 +48,19 @@ export class Dialog {
   }
 
   /** A key of the keypad: a digit, or a key by its name in the texts. */
-  key(key: "enterLong" | "noEnterLong" | "endLong" | "signLong" | "point" | "eraseLong" | "previous" | "next" | "cancel"
-    | number): Locator
-  {
+  key(
+    key:
+      | "enterLong"
+      | "noEnterLong"
+      | "endLong"
+      | "signLong"
+      | "point"
+      | "eraseLong"
+      | "previous"
+      | "next"
+      | "cancel"
+      | number,
+  ): Locator {
     const name = typeof key === "number" ? String(key) : this.context.t.dialog.keys[key];
     return this.keypad.getByRole("button", { name, exact: true });
   }

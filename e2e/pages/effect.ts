@@ -3,7 +3,10 @@ import type { Context } from "./turnwise.ts";
 
 type EffectCell = "passes" | "infeed" | "time" | "chip" | "residual" | "proof";
 
-/** Any verdict that the path is proved, in the words of a language; nobody states for which diameters an axial blade is ground. */
+/**
+ * Any verdict that the path is proved, in the words of a language; nobody states for which diameters an axial blade is
+ * ground.
+ */
 export function provedIn({ findings: { verdict } }: Context["t"]): RegExp {
   const [proved = ""] = verdict.proved.split(/[\s:：]/);
   return new RegExp(`^(?:${proved}|${verdict.curvatureUnknown})`);
@@ -20,7 +23,9 @@ export class Effect {
   /** The value of one cell, found by its name. */
   cell(cell: EffectCell): Locator {
     const { page, t } = this.context;
-    const name = page.getByRole("term").filter({ hasText: cell === "proof" ? t.findings.verdict.title : t.page.effect[cell] });
+    const name = page
+      .getByRole("term")
+      .filter({ hasText: cell === "proof" ? t.findings.verdict.title : t.page.effect[cell] });
     return this.strip.locator("div").filter({ has: name }).getByRole("definition");
   }
 

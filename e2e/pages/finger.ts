@@ -5,7 +5,10 @@ interface Spot {
   readonly y: number;
 }
 
-/** The browser drops a tap that follows within 90 ms of a drag, as a bounce. No finger is elsewhere so soon: it travels this long, ms. */
+/**
+ * The browser drops a tap that follows within 90 ms of a drag, as a bounce. No finger is elsewhere so soon: it travels
+ * this long, ms.
+ */
 const TRAVEL = 250;
 
 /** One finger that presses, moves, lifts, and is on its way to the next place. */

@@ -1,4 +1,6 @@
-/** What the build hands to other test projects as dist/playwright.mjs: nothing else of this folder is meant for them. */
+/**
+ * What the build hands to other test projects as dist/playwright.mjs: nothing else of this folder is meant for them.
+ */
 export { ClampingPage } from "./clamping.ts";
 export { Comparison } from "./comparison.ts";
 export { ContourTable } from "./contour-table.ts";

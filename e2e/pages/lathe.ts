@@ -1,12 +1,15 @@
 import type { Locator } from "@playwright/test";
 import type { Context } from "./turnwise.ts";
 
-/** The view of the machine, the lathe or the plane of a milled program: picture, playback, timeline, findings and moves. */
+/**
+ * The view of the machine, the lathe or the plane of a milled program: picture, playback, timeline, findings and moves.
+ */
 export class Lathe {
   constructor(private readonly context: Context) {}
 
   get view(): Locator {
-    const { page, t } = this.context, named = (name: string) => page.getByRole("region", { name, exact: true });
+    const { page, t } = this.context,
+      named = (name: string) => page.getByRole("region", { name, exact: true });
     return named(t.lathe.title).or(named(t.approach.view));
   }
 
@@ -15,7 +18,9 @@ export class Lathe {
     return this.view.getByRole("img").first();
   }
 
-  button(name: "play" | "pause" | "forward" | "back" | "first" | "last" | "xDown" | "ruler" | "zoomIn" | "zoomOut" | "fit"): Locator {
+  button(
+    name: "play" | "pause" | "forward" | "back" | "first" | "last" | "xDown" | "ruler" | "zoomIn" | "zoomOut" | "fit",
+  ): Locator {
     return this.view.getByRole("button", { name: this.context.t.lathe[name], exact: true });
   }
 
@@ -24,13 +29,16 @@ export class Lathe {
     return this.view.getByRole("combobox", { name: this.context.t.lathe.sections.title, exact: true });
   }
 
-  /** Shows the work cut, from outside or in space; where there is little room the choice is behind a button, and goes there again. */
+  /**
+   * Shows the work cut, from outside or in space; where there is little room the choice is behind a button, and goes
+   * there again.
+   */
   async shows(view: string): Promise<void> {
     const fold = this.view.getByRole("button", { name: this.context.t.lathe.viewTools, exact: true }),
       folded = !(await this.section.isVisible());
     if (folded) await fold.click();
     await this.section.selectOption(view);
-    if (folded && await this.section.isVisible()) await fold.click();
+    if (folded && (await this.section.isVisible())) await fold.click();
   }
 
   /** What is told by colour along path or surface. */

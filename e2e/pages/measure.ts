@@ -2,34 +2,37 @@ import type { Page } from "@playwright/test";
 import type { Turnwise } from "./turnwise.ts";
 
 /**
- * Times inside the page, in ms, from a typed character to the new picture on the screen: text, worker, stock and drawing included.
- * The open prompt has to be a number; `values` are typed into it one after the other.
+ * Times inside the page, in ms, from a typed character to the new picture on the screen: text, worker, stock and
+ * drawing included. The open prompt has to be a number; `values` are typed into it one after the other.
  */
 export async function editTimes({ page, lathe, dialog }: Turnwise, values: readonly string[]): Promise<number[]> {
   const field = await dialog.value.elementHandle();
   const picture = await lathe.picture.elementHandle();
-  return page.evaluate(async ({ field, picture, values }) => {
-    const write = Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set;
-    const path = () => [...(picture?.querySelectorAll("path") ?? [])].map((p) => p.getAttribute("d")).join();
-    const times: number[] = [];
-    for (const value of values) {
-      const before = path();
-      const began = performance.now();
-      const drawn = new Promise<number>((resolve) => {
-        const observer = new MutationObserver(() => {
-          if (path() === before) return;
-          observer.disconnect();
-          resolve(performance.now() - began);
+  return page.evaluate(
+    async ({ field, picture, values }) => {
+      const write = Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set;
+      const path = () => [...(picture?.querySelectorAll("path") ?? [])].map((p) => p.getAttribute("d")).join();
+      const times: number[] = [];
+      for (const value of values) {
+        const before = path();
+        const began = performance.now();
+        const drawn = new Promise<number>((resolve) => {
+          const observer = new MutationObserver(() => {
+            if (path() === before) return;
+            observer.disconnect();
+            resolve(performance.now() - began);
+          });
+          if (picture) observer.observe(picture, { subtree: true, childList: true, attributes: true });
         });
-        if (picture) observer.observe(picture, { subtree: true, childList: true, attributes: true });
-      });
-      write?.call(field, value);
-      field?.dispatchEvent(new InputEvent("input", { bubbles: true }));
-      times.push(await drawn);
-      await new Promise((resolve) => requestAnimationFrame(resolve));
-    }
-    return times;
-  }, { field, picture, values });
+        write?.call(field, value);
+        field?.dispatchEvent(new InputEvent("input", { bubbles: true }));
+        times.push(await drawn);
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+      }
+      return times;
+    },
+    { field, picture, values },
+  );
 }
 
 /** Bytes of living objects on the page, after a collection. */

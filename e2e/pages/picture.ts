@@ -17,9 +17,10 @@ export async function frames(page: Page, count: number): Promise<void> {
 
 /** What is read twice alike, some pictures apart. */
 async function settled<T>(page: Page, read: () => Promise<T>): Promise<T> {
-  for (let last = JSON.stringify(await read());;) {
+  for (let last = JSON.stringify(await read()); ;) {
     await frames(page, 3);
-    const now = await read(), same = JSON.stringify(now);
+    const now = await read(),
+      same = JSON.stringify(now);
     if (same === last) return now;
     last = same;
   }
@@ -34,10 +35,21 @@ export async function settledBox(part: Locator): Promise<Box> {
 }
 
 /** A place of the picture by the numbers on its scales, once the path is drawn: Z, and X as a diameter. */
-export async function pictureAt(page: Page, stage: Locator, z: number, x: number): Promise<{ readonly x: number; readonly y: number }> {
+export async function pictureAt(
+  page: Page,
+  stage: Locator,
+  z: number,
+  x: number,
+): Promise<{ readonly x: number; readonly y: number }> {
   await page.locator(".lathe-paths path").first().waitFor({ state: "attached" });
-  const [box, matrix] = await settled(page,
-    async () => [await stage.boundingBox(), await page.locator(".lathe-picture .still > g").first().getAttribute("transform")] as const);
+  const [box, matrix] = await settled(
+    page,
+    async () =>
+      [
+        await stage.boundingBox(),
+        await page.locator(".lathe-picture .still > g").first().getAttribute("transform"),
+      ] as const,
+  );
   const [a = 1, , , d = -1, e = 0, f = 0] = (/\(([^)]*)\)/.exec(matrix ?? "")?.[1] ?? "").split(/[\s,]+/).map(Number);
   return { x: (box?.x ?? 0) + a * z + e, y: (box?.y ?? 0) + d * (x / 2) + f };
 }

@@ -15,10 +15,12 @@ export class ProgramEditor {
   }
 
   async openExample(id: Example): Promise<void> {
-    await this.context.page.getByRole("button", {
-      name: this.context.t.page.programs.example(this.context.t.page.examples[id]),
-      exact: true,
-    }).click();
+    await this.context.page
+      .getByRole("button", {
+        name: this.context.t.page.programs.example(this.context.t.page.examples[id]),
+        exact: true,
+      })
+      .click();
     await expect(this.text).toBeVisible();
   }
 
@@ -88,17 +90,24 @@ export class ProgramEditor {
 
   /** Heading of the dialog: number and kind of the open block. */
   get heading(): Locator {
-    return this.context.page.getByRole("heading", { level: 2 }).filter({ hasText: this.words.heading("", "").split(" ")[0] ?? "" });
+    return this.context.page
+      .getByRole("heading", { level: 2 })
+      .filter({ hasText: this.words.heading("", "").split(" ")[0] ?? "" });
   }
 
   field(name: keyof Context["t"]["editor"]["fields"]): Locator {
     const words = this.words.fields[name];
-    return this.context.page.getByRole("form").getByLabel(typeof words === "string" ? words : words(""), { exact: true });
+    return this.context.page
+      .getByRole("form")
+      .getByLabel(typeof words === "string" ? words : words(""), { exact: true });
   }
 
   /** Entry of the list of parts that holds these characters. */
   part(characters: string): Locator {
-    return this.context.page.getByRole("list", { name: this.words.list, exact: true }).getByRole("button").filter({ hasText: characters })
+    return this.context.page
+      .getByRole("list", { name: this.words.list, exact: true })
+      .getByRole("button")
+      .filter({ hasText: characters })
       .first();
   }
 
@@ -109,18 +118,24 @@ export class ProgramEditor {
 
   /** An operation of the program by its number. */
   operation(number: number): Locator {
-    return this.context.page.getByRole("list", { name: this.context.t.operations.list, exact: true }).getByRole("button", {
-      name: new RegExp(`^${this.context.t.operations.name(number, "")}`),
-    });
+    return this.context.page
+      .getByRole("list", { name: this.context.t.operations.list, exact: true })
+      .getByRole("button", {
+        name: new RegExp(`^${this.context.t.operations.name(number, "")}`),
+      });
   }
 
   /** Takes an operation by its grip to the place of another one; both are counted from 1. */
   async dragOperation(number: number, to: number): Promise<void> {
-    const { page: { mouse }, t } = this.context;
+    const {
+      page: { mouse },
+      t,
+    } = this.context;
     const row = (each: number) => this.operation(each).locator("xpath=ancestor::li[1]");
     const grip = row(number).getByTitle(t.operations.drag);
     await grip.scrollIntoViewIfNeeded();
-    const target = await settledBox(row(to)), from = await settledBox(grip);
+    const target = await settledBox(row(to)),
+      from = await settledBox(grip);
     const x = from.x + from.width / 2;
     await mouse.move(x, from.y + from.height / 2);
     await mouse.down();
@@ -141,7 +156,9 @@ export class ProgramEditor {
   /** Begins a program with its blank, from the start page or the top line, and leaves out its first operation. */
   async create(from: "start" | "top" = "start"): Promise<void> {
     const { page, t } = this.context;
-    await page.getByRole("button", { name: from === "top" ? t.page.newProgram : t.page.programs.create, exact: true }).click();
+    await page
+      .getByRole("button", { name: from === "top" ? t.page.newProgram : t.page.programs.create, exact: true })
+      .click();
     const dialog = page.getByRole("dialog", { name: t.operations.newProgram, exact: true });
     await dialog.getByRole("button", { name: t.operations.create, exact: true }).click();
     await this.inserting.getByRole("button", { name: t.operations.close, exact: true }).click();
@@ -149,19 +166,26 @@ export class ProgramEditor {
   }
 
   tool(name: "insertLong" | "duplicate" | "remove" | "up" | "down"): Locator {
-    return this.context.page.getByRole("group", { name: this.words.tools }).getByRole("button", { name: this.words[name], exact: true });
+    return this.context.page
+      .getByRole("group", { name: this.words.tools })
+      .getByRole("button", { name: this.words[name], exact: true });
   }
 
   /** Puts a block of this kind behind the open one. */
   async insert(kind: keyof Context["t"]["editor"]["kinds"]): Promise<void> {
     await this.tool("insertLong").click();
-    await this.context.page.getByRole("group", { name: this.words.palette }).getByRole("button", { name: this.words.kinds[kind] }).first()
+    await this.context.page
+      .getByRole("group", { name: this.words.palette })
+      .getByRole("button", { name: this.words.kinds[kind] })
+      .first()
       .click();
   }
 
   /** Totals of the whole program, by their name. */
   total(name: string): Locator {
-    return this.context.page.getByRole("region", { name: this.words.total, exact: true }).locator(".effect-cell", { hasText: name })
+    return this.context.page
+      .getByRole("region", { name: this.words.total, exact: true })
+      .locator(".effect-cell", { hasText: name })
       .locator("dd");
   }
 

@@ -31,7 +31,9 @@ export class ProgramText {
 
   /** What is said once the program is on the clipboard. */
   get confirmation(): Locator {
-    return this.context.page.getByRole("status").filter({ hasText: this.context.t.page.text.copiedLong(0).split("0")[0] ?? "" });
+    return this.context.page
+      .getByRole("status")
+      .filter({ hasText: this.context.t.page.text.copiedLong(0).split("0")[0] ?? "" });
   }
 
   /** The text on the screen, line by line. */
@@ -39,7 +41,10 @@ export class ProgramText {
     return (await this.panel.getByRole("code").allTextContents()).map((line) => line.trimEnd());
   }
 
-  /** Presses the button and returns what is on the clipboard then: all pages of a browser have the same one, so it is emptied before. */
+  /**
+   * Presses the button and returns what is on the clipboard then: all pages of a browser have the same one, so it is
+   * emptied before.
+   */
   async copy(): Promise<string> {
     await this.context.page.evaluate(() => navigator.clipboard.writeText(""));
     await this.copyButton.click();
@@ -65,6 +70,8 @@ export class ProgramText {
   }
 
   async chooseLabels(language: NcLanguage): Promise<void> {
-    await this.panel.getByRole("combobox", { name: this.context.t.page.text.languageLong, exact: true }).selectOption(language);
+    await this.panel
+      .getByRole("combobox", { name: this.context.t.page.text.languageLong, exact: true })
+      .selectOption(language);
   }
 }

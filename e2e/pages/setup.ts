@@ -40,7 +40,9 @@ export class Setup {
 
   /** A tool of the table by its number. */
   tool(number: number): Locator {
-    return this.tools.getByRole("radio", { name: new RegExp(`^${this.context.t.setup.tool.name(number, "").trim()} `) });
+    return this.tools.getByRole("radio", {
+      name: new RegExp(`^${this.context.t.setup.tool.name(number, "").trim()} `),
+    });
   }
 
   private field(name: string): Locator {

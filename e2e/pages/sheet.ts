@@ -40,7 +40,13 @@ export class SetupSheetPage {
   /** What the browser prints of the page: how many pages, and the size of the first one, points. */
   async printed(): Promise<{ readonly pages: number; readonly size: readonly number[] }> {
     const pdf = (await this.context.page.pdf({ preferCSSPageSize: true })).toString("latin1");
-    const size = /\/MediaBox\s*\[\s*([\d.\s]+)\]/.exec(pdf)?.[1]?.trim().split(/\s+/).slice(2).map((n) => Math.round(Number(n))) ?? [];
+    const size =
+      /\/MediaBox\s*\[\s*([\d.\s]+)\]/
+        .exec(pdf)?.[1]
+        ?.trim()
+        .split(/\s+/)
+        .slice(2)
+        .map((n) => Math.round(Number(n))) ?? [];
     return { pages: [...pdf.matchAll(/\/Type\s*\/Page\b(?!s)/g)].length, size };
   }
 }

@@ -10,8 +10,8 @@ const BUILT = new URL("../../dist", import.meta.url).pathname;
 const UNDER = "/shop/turnwise/";
 
 /**
- * Makes of the built site another version of it: every hashed name is another one, wherever it is written, and the list of the service
- * worker is that of the new files. Gives its folder.
+ * Makes of the built site another version of it: every hashed name is another one, wherever it is written, and the list
+ * of the service worker is that of the new files. Gives its folder.
  */
 export function newerVersion(): string {
   const folder = mkdtempSync(join(tmpdir(), "turnwise-newer-"));
@@ -19,7 +19,11 @@ export function newerVersion(): string {
   const assets = readdirSync(join(folder, "assets"));
   const renamed = new Map(assets.map((name) => [name, name.replace(/(\.\w+)$/, "x$1")]));
   const pattern = new RegExp(assets.map((name) => name.replaceAll(/[.$]/g, "\\$&")).join("|"), "g");
-  const rewrite = (path: string) => writeFileSync(path, readFileSync(path, "utf8").replace(pattern, (name) => renamed.get(name) ?? name));
+  const rewrite = (path: string) =>
+    writeFileSync(
+      path,
+      readFileSync(path, "utf8").replace(pattern, (name) => renamed.get(name) ?? name),
+    );
   for (const [name, fresh] of renamed) {
     if (/\.(?:js|css)$/.test(name)) rewrite(join(folder, "assets", name));
     renameSync(join(folder, "assets", name), join(folder, "assets", fresh));
@@ -27,7 +31,10 @@ export function newerVersion(): string {
   rewrite(join(folder, "index.html"));
   const worker = join(folder, "sw.js");
   const list = JSON.stringify(keptFiles(folder));
-  writeFileSync(worker, readFileSync(worker, "utf8").replace(/\[\{url:`[\s\S]*?\}\]/, () => list));
+  writeFileSync(
+    worker,
+    readFileSync(worker, "utf8").replace(/\[\{url:`[\s\S]*?\}\]/, () => list),
+  );
   return folder;
 }
 

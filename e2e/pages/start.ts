@@ -13,7 +13,10 @@ export class Start {
   button(cycle: number, withExample: boolean): Locator {
     const { page, t } = this.context;
     const name = t.page.start.cycle(cycle, t.cycles.of[cycle as CycleNumber].name);
-    return page.getByRole("button", { name: `${name}: ${withExample ? t.page.start.withExample : t.page.start.empty}`, exact: true });
+    return page.getByRole("button", {
+      name: `${name}: ${withExample ? t.page.start.withExample : t.page.start.empty}`,
+      exact: true,
+    });
   }
 
   /** Searches the cycles by number, name or shop word; on the start page examples and earlier work too. */

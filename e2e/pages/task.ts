@@ -46,7 +46,10 @@ export class TaskPanel {
 
   /** A goal of the list, by characters of it. */
   goal(characters: string): Locator {
-    return this.panel.getByRole("region", { name: this.words.goals, exact: true }).getByRole("listitem").filter({ hasText: characters });
+    return this.panel
+      .getByRole("region", { name: this.words.goals, exact: true })
+      .getByRole("listitem")
+      .filter({ hasText: characters });
   }
 
   /** What is wrong, one at a time: a press goes there. */

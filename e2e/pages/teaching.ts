@@ -25,7 +25,8 @@ export class Teaching {
   async tell(title: string, ask: string): Promise<void> {
     await this.form.getByLabel(this.words.name, { exact: true }).fill(title);
     await this.form.getByLabel(this.words.ask, { exact: true }).fill(ask);
-    for (const [i, hint] of this.words.hints.entries()) await this.form.getByLabel(hint, { exact: true }).fill(`${i + 1}. ${title}`);
+    for (const [i, hint] of this.words.hints.entries())
+      await this.form.getByLabel(hint, { exact: true }).fill(`${i + 1}. ${title}`);
   }
 
   /** Whether the answer passes. */

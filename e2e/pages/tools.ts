@@ -21,21 +21,25 @@ export class ToolTable {
 
   get table(): Locator {
     const { table, millTable } = this.context.t.tools;
-    return this.context.page.getByRole("table", { name: table, exact: true }).or(
-      this.context.page.getByRole("table", { name: millTable, exact: true }),
-    );
+    return this.context.page
+      .getByRole("table", { name: table, exact: true })
+      .or(this.context.page.getByRole("table", { name: millTable, exact: true }));
   }
 
   /** Shows the tools of a kind. */
   async show(kind: "turning" | "milling"): Promise<void> {
     const { kinds } = this.context.t.tools;
-    await this.context.page.getByRole("group", { name: kinds.name, exact: true }).getByRole("button", { name: kinds[kind], exact: true })
+    await this.context.page
+      .getByRole("group", { name: kinds.name, exact: true })
+      .getByRole("button", { name: kinds[kind], exact: true })
       .click();
   }
 
   /** The row of a tool by its number. */
   row(number: number | string): Locator {
-    return this.table.getByRole("row").filter({ has: this.context.page.getByRole("button", { name: this.rowName(number) }) });
+    return this.table
+      .getByRole("row")
+      .filter({ has: this.context.page.getByRole("button", { name: this.rowName(number) }) });
   }
 
   /** The button that opens a row. */
@@ -56,7 +60,10 @@ export class ToolTable {
   }
 
   get type(): Locator {
-    return this.form.getByRole("combobox", { name: this.context.t.tools.field("TYPE", this.context.t.tools.columns.TYPE), exact: true });
+    return this.form.getByRole("combobox", {
+      name: this.context.t.tools.field("TYPE", this.context.t.tools.columns.TYPE),
+      exact: true,
+    });
   }
 
   /** One of the nine directions of TO. */
@@ -70,9 +77,9 @@ export class ToolTable {
 
   get drawing(): Locator {
     const { drawing, millDrawing } = this.context.t.tools;
-    return this.form.getByRole("figure", { name: drawing, exact: true }).or(
-      this.form.getByRole("figure", { name: millDrawing, exact: true }),
-    );
+    return this.form
+      .getByRole("figure", { name: drawing, exact: true })
+      .or(this.form.getByRole("figure", { name: millDrawing, exact: true }));
   }
 
   /** What came of a file, of deleting, of putting the shipped tools back. */
@@ -105,21 +112,27 @@ export class ToolTable {
   async choose(...files: readonly { readonly name: string; readonly content: string | Buffer }[]): Promise<void> {
     const choosing = this.context.page.waitForEvent("filechooser");
     await this.button(this.words.files.importLong).click();
-    await (await choosing).setFiles(
+    await (
+      await choosing
+    ).setFiles(
       files.map(({ name, content }) => ({ name, mimeType: "text/plain", buffer: Buffer.from(content as string) })),
     );
   }
 
   /** What chosen files would do to the table. */
   get incoming(): Locator {
-    return this.context.page.getByRole("dialog", { name: new RegExp(plainText(this.words.files.title("§")).replace("§", ".*")) });
+    return this.context.page.getByRole("dialog", {
+      name: new RegExp(plainText(this.words.files.title("§")).replace("§", ".*")),
+    });
   }
 
   /** Takes over what files bring: all of it, or the tools with new numbers. */
   async take(choice: "all" | "new" = "all"): Promise<void> {
     const { takeAll, takeNew } = this.words.files;
     const [before = "", behind = ""] = (choice === "all" ? takeAll : takeNew)(0).split("0");
-    await this.incoming.getByRole("button", { name: new RegExp(`^${plainText(before)}\\d+${plainText(behind)}$`) }).click();
+    await this.incoming
+      .getByRole("button", { name: new RegExp(`^${plainText(before)}\\d+${plainText(behind)}$`) })
+      .click();
     await this.incoming.waitFor({ state: "hidden" });
   }
 
@@ -130,13 +143,19 @@ export class ToolTable {
   }
 
   /** Downloads the table and gives the file; `again` is the file that tools came from, with their changes. */
-  async export(kind: "json" | "csv" | "text" | "millText" | "again"): Promise<{ name: string; text: string; bytes: Buffer }> {
+  async export(
+    kind: "json" | "csv" | "text" | "millText" | "again",
+  ): Promise<{ name: string; text: string; bytes: Buffer }> {
     const { exportLong, exportTitle, json, sheet, turning, milling, again } = this.words.files;
     const downloading = this.context.page.waitForEvent("download");
     await this.button(exportLong).click();
     const names = { json, csv: sheet, text: turning, millText: milling, again: again("§") };
     const name = new RegExp(`^${plainText(names[kind]).replace("§", ".*")}$`);
-    await this.context.page.getByRole("dialog", { name: exportTitle, exact: true }).getByRole("button", { name }).first().click();
+    await this.context.page
+      .getByRole("dialog", { name: exportTitle, exact: true })
+      .getByRole("button", { name })
+      .first()
+      .click();
     const download = await downloading;
     const stream = await download.createReadStream();
     const parts: Buffer[] = [];

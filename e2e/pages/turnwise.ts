@@ -33,7 +33,10 @@ export interface Context {
 export interface Options {
   /** Screen language; English if not said. */
   readonly language?: Language;
-  /** Time stands still until `lathe.advance(milliseconds)`; a text is the local time at which it stands: "2026-11-21T08:00". */
+  /**
+   * Time stands still until `lathe.advance(milliseconds)`; a text is the local time at which it stands:
+   * "2026-11-21T08:00".
+   */
   readonly heldClock?: boolean | string;
   /** Whatever is drawn by lot comes out the same in a fresh context: names of works, addresses, ids in files. */
   readonly seed?: number;
@@ -64,7 +67,10 @@ export class Turnwise {
   readonly task: TaskPanel;
   readonly t: Texts & TableTexts;
 
-  private constructor(readonly page: Page, readonly language: Language) {
+  private constructor(
+    readonly page: Page,
+    readonly language: Language,
+  ) {
     this.t = { ...words(language, "workplace"), ...words(language, "tables") };
     const context: Context = { page, t: this.t, language };
     this.start = new Start(context);
@@ -90,7 +96,10 @@ export class Turnwise {
   }
 
   /** Opens the page as a first-time visitor of this language would see it. */
-  static async open(page: Page, { language = "en", heldClock = false, seed, theme = "light" }: Options = {}): Promise<Turnwise> {
+  static async open(
+    page: Page,
+    { language = "en", heldClock = false, seed, theme = "light" }: Options = {},
+  ): Promise<Turnwise> {
     await page.emulateMedia({ colorScheme: theme });
     const search = new URLSearchParams();
     if (heldClock !== false) search.set("clock", heldClock === true ? "manual" : heldClock);

@@ -19,13 +19,21 @@ const NAMES = [
 ] as const satisfies readonly PartName[];
 type Name = (typeof NAMES)[number];
 
-/** All of them, read beforehand: Playwright runs these files as they are, without what Vite makes of the page's own loader. */
-const read = new Map(await Promise.all(LANGUAGES.flatMap((language) =>
-  NAMES.map(async (name) => {
-    const file = (await import(`../../src/i18n/${language}/${name}.ts`)) as Readonly<Record<string, unknown>>;
-    return [`${language}/${name}`, Object.values(file)[0]] as const;
-  })
-)));
+/**
+ * All of them, read beforehand: Playwright runs these files as they are, without what Vite makes of the page's own
+ * loader.
+ */
+const read = new Map(
+  await Promise.all(
+    LANGUAGES.flatMap((language) =>
+      NAMES.map(async (name) => {
+        const file = (await import(`../../src/i18n/${language}/${name}.ts`)) as Readonly<Record<string, unknown>>;
+        return [`${language}/${name}`, Object.values(file)[0]] as const;
+      }),
+    ),
+  ),
+);
 
 /** What the page says in a language. */
-export const words = <N extends Name>(language: Language, name: N): PartTexts<N> => read.get(`${language}/${name}`) as PartTexts<N>;
+export const words = <N extends Name>(language: Language, name: N): PartTexts<N> =>
+  read.get(`${language}/${name}`) as PartTexts<N>;

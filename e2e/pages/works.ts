@@ -31,7 +31,9 @@ export class WorksList {
 
   /** Puts the list in another order. */
   async sort(order: "newest" | "name" | "kind" | "size"): Promise<void> {
-    await this.context.page.getByRole("combobox", { name: this.words.sort, exact: true }).selectOption({ label: this.words.orders[order] });
+    await this.context.page
+      .getByRole("combobox", { name: this.words.sort, exact: true })
+      .selectOption({ label: this.words.orders[order] });
   }
 
   /** The rows, in the order in which they are shown. */

@@ -30,7 +30,7 @@ export function startBrowser(): Promise<Browser> {
 /** How to make the processor of a page slower; 1 is full speed. */
 async function slowing(page: Page): Promise<(rate: number) => Promise<void>> {
   const session = await page.context().newCDPSession(page);
-  return async (rate) => void await session.send("Emulation.setCPUThrottlingRate", { rate });
+  return async (rate) => void (await session.send("Emulation.setCPUThrottlingRate", { rate }));
 }
 
 /** The page on a screen, and the empty one beside it. */
@@ -39,14 +39,20 @@ export interface Bench {
   readonly page: Page;
   readonly turnwise: Turnwise;
   readonly empty: Page;
-  /** Makes the page as slow as the screen says, or the empty one in its place: a slowed page takes a core, also behind another. */
+  /**
+   * Makes the page as slow as the screen says, or the empty one in its place: a slowed page takes a core, also behind
+   * another.
+   */
   readonly slow: (which: "page" | "empty") => Promise<void>;
 }
 
 /** Room for a slow page on a busy machine, ms. */
 const PATIENCE = 300_000;
 
-/** Opens the page and the empty one. `watched`: it notes what is drawn after a key, which costs a little; frames are counted without. */
+/**
+ * Opens the page and the empty one. `watched`: it notes what is drawn after a key, which costs a little; frames are
+ * counted without.
+ */
 export async function openBench(browser: Browser, address: string, screen: Screen, watched: boolean): Promise<Bench> {
   const { width, height, pixels, touch, slower } = screen;
   const context = await browser.newContext({
@@ -80,9 +86,9 @@ export async function openBench(browser: Browser, address: string, screen: Scree
 export async function referenceIn(page: Page): Promise<number> {
   const times: number[] = [];
   // As text: the page may not make functions out of text itself.
-  const timed = `(() => { const work = ${
-    String(referenceWork)
-  }; const began = performance.now(); work(); return performance.now() - began; })()`;
+  const timed = `(() => { const work = ${String(
+    referenceWork,
+  )}; const began = performance.now(); work(); return performance.now() - began; })()`;
   for (let round = 0; round < 3; round += 1) times.push(await page.evaluate<number>(timed));
   return middle(times);
 }

@@ -1,5 +1,6 @@
 /**
- * What is measured inside a page. Each function is sent there as text, so it uses nothing from outside itself; times are ms of the page.
+ * What is measured inside a page. Each function is sent there as text, so it uses nothing from outside itself; times
+ * are ms of the page.
  */
 
 /** Frames of a stretch of time. */
@@ -32,13 +33,19 @@ export async function countFrames(lasts: number): Promise<Frames> {
   });
   for (const { duration } of observer.takeRecords()) long.push(Math.round(duration));
   observer.disconnect();
-  const gaps = times.slice(1).map((time, i) => time - (times[i] ?? time)).sort((a, b) => a - b);
+  const gaps = times
+    .slice(1)
+    .map((time, i) => time - (times[i] ?? time))
+    .sort((a, b) => a - b);
   const at = (part: number) => gaps[Math.min(gaps.length - 1, Math.floor(part * gaps.length))] ?? Number.NaN;
   const whole = (times.at(-1) ?? 0) - (times[0] ?? 0);
   return { perSecond: (1000 * gaps.length) / whole, median: at(0.5), p95: at(0.95), worst: at(1), long };
 }
 
-/** A box of 100 points that is moved with every frame, on a page with nothing else: what any page can reach that shows a change. */
+/**
+ * A box of 100 points that is moved with every frame, on a page with nothing else: what any page can reach that shows a
+ * change.
+ */
 export function moveBox(): void {
   const box = document.createElement("div");
   box.style.cssText = "position:absolute;width:100px;height:100px;background:teal;will-change:transform";
@@ -58,8 +65,8 @@ export const removeBox = (): void => document.querySelector("div")?.remove();
 /** What `watchDrawing` leaves on the page. */
 export interface Watched {
   /**
-   * When the last key went down, when its digit was drawn, when the path was next drawn after it, and when the picture was last drawn;
-   * painting included, ms.
+   * When the last key went down, when its digit was drawn, when the path was next drawn after it, and when the picture
+   * was last drawn; painting included, ms.
    */
   key: number;
   digit: number;
@@ -80,14 +87,16 @@ declare global {
 }
 
 /**
- * Before a page is loaded: notes when a key goes down, when path and material are drawn anew in the picture of the lathe, and what is
- * asked of the worker. A change counts when the frame that shows it is painted, as far as the page's own thread goes.
+ * Before a page is loaded: notes when a key goes down, when path and material are drawn anew in the picture of the
+ * lathe, and what is asked of the worker. A change counts when the frame that shows it is painted, as far as the page's
+ * own thread goes.
  */
 export function watchDrawing(): void {
   const watched: Watched = { key: 0, digit: 0, path: 0, picture: 0, asked: 0, stir: 0, tasks: [] };
   window.__watched = watched;
   /** Changes that the next painted frame shows. */
-  let path = false, picture = false;
+  let path = false,
+    picture = false;
   const changed = (isPath: boolean) => {
     if (isPath) path = true;
     picture = true;
@@ -106,12 +115,16 @@ export function watchDrawing(): void {
     requestAnimationFrame(frame);
   };
   requestAnimationFrame(frame);
-  addEventListener("keydown", (event) => {
-    watched.key = watched.stir = event.timeStamp;
-    watched.digit = watched.path = watched.picture = 0;
-    watched.tasks = [];
-    path = picture = false;
-  }, { capture: true });
+  addEventListener(
+    "keydown",
+    (event) => {
+      watched.key = watched.stir = event.timeStamp;
+      watched.digit = watched.path = watched.picture = 0;
+      watched.tasks = [];
+      path = picture = false;
+    },
+    { capture: true },
+  );
   new MutationObserver((records) => {
     for (const { target } of records) {
       const element = target instanceof Element ? target : target.parentElement;
@@ -119,10 +132,12 @@ export function watchDrawing(): void {
       else if (element?.closest(".shape-stock, .lathe-residual")) changed(false);
     }
   }).observe(document, { subtree: true, childList: true, attributes: true, attributeFilter: ["d"] });
-  const pens = [[CanvasRenderingContext2D.prototype, "fill"], [CanvasRenderingContext2D.prototype, "stroke"], [
-    CanvasRenderingContext2D.prototype,
-    "drawImage",
-  ], [ImageBitmapRenderingContext.prototype, "transferFromImageBitmap"]] as const;
+  const pens = [
+    [CanvasRenderingContext2D.prototype, "fill"],
+    [CanvasRenderingContext2D.prototype, "stroke"],
+    [CanvasRenderingContext2D.prototype, "drawImage"],
+    [ImageBitmapRenderingContext.prototype, "transferFromImageBitmap"],
+  ] as const;
   for (const [pen, name] of pens) {
     const own = Reflect.get(pen, name) as (...given: unknown[]) => void;
     Object.defineProperty(pen, name, {
@@ -152,14 +167,32 @@ export function watchDrawing(): void {
   };
 }
 
-/** Waits for the path, and then until nothing has stirred for so long: what it took from the key, null where nothing was drawn. */
-export async function drawnAfterKey({ quiet, patience }: { readonly quiet: number; readonly patience: number }): Promise<
-  { readonly digit: number | null; readonly path: number | null; readonly picture: number | null; readonly tasks: readonly number[] }
-> {
+/**
+ * Waits for the path, and then until nothing has stirred for so long: what it took from the key, null where nothing was
+ * drawn.
+ */
+export async function drawnAfterKey({
+  quiet,
+  patience,
+}: {
+  readonly quiet: number;
+  readonly patience: number;
+}): Promise<{
+  readonly digit: number | null;
+  readonly path: number | null;
+  readonly picture: number | null;
+  readonly tasks: readonly number[];
+}> {
   const watched = window.__watched;
   if (!watched) throw new Error("the page is not watched");
-  const { key } = watched, goesOn = () => watched.path === 0 || watched.asked > 0 || performance.now() - watched.stir < quiet;
+  const { key } = watched,
+    goesOn = () => watched.path === 0 || watched.asked > 0 || performance.now() - watched.stir < quiet;
   while (goesOn() && performance.now() - key < patience) await new Promise((done) => setTimeout(done, quiet / 10));
   const since = (time: number) => (time > 0 ? time - key : null);
-  return { digit: since(watched.digit), path: since(watched.path), picture: since(watched.picture), tasks: watched.tasks };
+  return {
+    digit: since(watched.digit),
+    path: since(watched.path),
+    picture: since(watched.picture),
+    tasks: watched.tasks,
+  };
 }

@@ -56,7 +56,11 @@ async function look({ empty, slow }: Bench): Promise<number> {
   return (await empty.evaluate(countFrames, LOOK_MS)).perSecond;
 }
 
-async function paired(bench: Bench, options: BenchOptions, act: (round: number) => Promise<() => Promise<void>>): Promise<FrameResult> {
+async function paired(
+  bench: Bench,
+  options: BenchOptions,
+  act: (round: number) => Promise<() => Promise<void>>,
+): Promise<FrameResult> {
   const rounds: { readonly empty: number; readonly frames: Frames }[] = [];
   let before = await look(bench);
   for (let round = 0; round < options.rounds; round += 1) {
@@ -81,7 +85,9 @@ async function paired(bench: Bench, options: BenchOptions, act: (round: number) 
   };
 }
 
-/** A page with a moving box and nothing else, beside the empty one: what can be reached at all where something is drawn. */
+/**
+ * A page with a moving box and nothing else, beside the empty one: what can be reached at all where something is drawn.
+ */
 export async function measureBox(bench: Bench, options: BenchOptions): Promise<FrameResult> {
   const box = { ...bench, page: bench.empty, slow: () => bench.slow("empty") };
   return paired(box, { ...options, rounds: Math.min(3, options.rounds) }, async () => {
@@ -99,15 +105,24 @@ async function seek({ turnwise }: Bench, part: number): Promise<void> {
 }
 
 /** Frames while a work plays so many times as fast as the machine, each round from another place of it. */
-export async function measurePlaying(bench: Bench, work: MeasuredWork, rate: number, options: BenchOptions): Promise<FrameResult> {
-  const { page, turnwise: { lathe } } = bench;
+export async function measurePlaying(
+  bench: Bench,
+  work: MeasuredWork,
+  rate: number,
+  options: BenchOptions,
+): Promise<FrameResult> {
+  const {
+    page,
+    turnwise: { lathe },
+  } = bench;
   await lathe.speed.selectOption(String(rate));
   const result = await paired(bench, options, async (round) => {
     await seek(bench, work.from[round % work.from.length] ?? 0);
     await lathe.button("play").click();
     await page.waitForTimeout(SETTLE);
     return async () => {
-      if (await lathe.button("play").isVisible()) throw new Error(`${work.name} came to its end while it was measured at ${rate}x`);
+      if (await lathe.button("play").isVisible())
+        throw new Error(`${work.name} came to its end while it was measured at ${rate}x`);
       await lathe.button("pause").click();
     };
   });
@@ -126,8 +141,12 @@ async function inSpace<Result>({ page, turnwise: { lathe } }: Bench, measure: ()
 }
 
 /** Frames while a work plays in space. */
-export const measureSpace = (bench: Bench, work: MeasuredWork, rate: number, options: BenchOptions): Promise<FrameResult> =>
-  inSpace(bench, () => measurePlaying(bench, work, rate, options));
+export const measureSpace = (
+  bench: Bench,
+  work: MeasuredWork,
+  rate: number,
+  options: BenchOptions,
+): Promise<FrameResult> => inSpace(bench, () => measurePlaying(bench, work, rate, options));
 
 /** Frames while the body is turned by hand, at rest in the middle of the work. */
 export const measureOrbit = (bench: Bench, work: MeasuredWork, options: BenchOptions): Promise<FrameResult> =>
@@ -152,7 +171,10 @@ export async function measureLooking(
   how: "pan" | "zoom" | "orbit",
   options: BenchOptions,
 ): Promise<FrameResult> {
-  const { page, turnwise: { lathe } } = bench;
+  const {
+    page,
+    turnwise: { lathe },
+  } = bench;
   await seek(bench, work.from[2] ?? 0);
   const box = await (how === "orbit" ? page.locator(".solid-field") : lathe.picture).boundingBox();
   if (!box) throw new Error("there is no picture");
@@ -163,7 +185,7 @@ export async function measureLooking(
     const stop = goingOn((count) =>
       how !== "zoom"
         ? page.mouse.move(x + 80 * Math.sin(count / 9), y + 50 * Math.cos(count / 7))
-        : page.mouse.wheel(0, Math.floor(count / 24) % 2 === 0 ? -60 : 60)
+        : page.mouse.wheel(0, Math.floor(count / 24) % 2 === 0 ? -60 : 60),
     );
     await page.waitForTimeout(SETTLE);
     return async () => {
@@ -175,17 +197,27 @@ export async function measureLooking(
   return result;
 }
 
-/** A picture is whole when nothing has stirred for so long, longer than the page waits for a pause in typing; or it is given up, ms. */
+/**
+ * A picture is whole when nothing has stirred for so long, longer than the page waits for a pause in typing; or it is
+ * given up, ms.
+ */
 const SEEN = { quiet: 900, patience: 60_000 };
 
-/** From a pressed key to the new path, and to the whole new picture: at the end of the work, where its stock shows every change. */
+/**
+ * From a pressed key to the new path, and to the whole new picture: at the end of the work, where its stock shows every
+ * change.
+ */
 export async function measureKeys(bench: Bench, work: MeasuredWork, options: BenchOptions): Promise<KeyResult> {
   const { page, turnwise } = bench;
   await work.ask(turnwise);
   await turnwise.lathe.button("last").click();
   await turnwise.dialog.value.fill("0.1");
   await bench.slow("page");
-  const digits: number[] = [], paths: number[] = [], pictures: number[] = [], references: number[] = [], long: number[] = [];
+  const digits: number[] = [],
+    paths: number[] = [],
+    pictures: number[] = [],
+    references: number[] = [],
+    long: number[] = [];
   for (let key = -2; key < options.keys; key += 1) {
     if (key % 4 === 0) references.push(await referenceIn(page));
     await page.keyboard.press(key % 2 === 0 ? String(3 + (Math.abs(key) % 7)) : "Backspace");

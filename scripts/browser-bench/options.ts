@@ -21,7 +21,12 @@ export interface BenchOptions {
 }
 
 /** Those that an option names, wholly or by a part of their names; all where it is not given. */
-function chosenOf<T>(option: string, given: string | undefined, all: readonly T[], nameOf: (each: T) => string): readonly T[] {
+function chosenOf<T>(
+  option: string,
+  given: string | undefined,
+  all: readonly T[],
+  nameOf: (each: T) => string,
+): readonly T[] {
   if (given === undefined) return all;
   const words = given.split(",");
   for (const word of words)
@@ -35,11 +40,14 @@ const KNOWN = ["screen", "work", "case", "rounds", "seconds", "keys", "built", "
 
 /** Reads what follows the command. */
 export function readOptions(args: readonly string[]): BenchOptions {
-  const given = new Map(args.map((arg) => {
-    const [, name = "", value = ""] = /^--([a-z]+)(?:=(.*))?$/.exec(arg) ?? [];
-    if (!KNOWN.includes(name)) throw new Error(`${arg} is not understood. Known: ${KNOWN.map((known) => `--${known}`).join(" ")}`);
-    return [name, value];
-  }));
+  const given = new Map(
+    args.map((arg) => {
+      const [, name = "", value = ""] = /^--([a-z]+)(?:=(.*))?$/.exec(arg) ?? [];
+      if (!KNOWN.includes(name))
+        throw new Error(`${arg} is not understood. Known: ${KNOWN.map((known) => `--${known}`).join(" ")}`);
+      return [name, value];
+    }),
+  );
   const number = (name: string, otherwise: number) => {
     const value = Number(given.get(name) ?? otherwise);
     if (!(value > 0)) throw new Error(`--${name} needs a number above zero`);

@@ -1,4 +1,6 @@
-/** A screen that is measured: its size in points, pixels for a point, and how many times the processor is slowed down. */
+/**
+ * A screen that is measured: its size in points, pixels for a point, and how many times the processor is slowed down.
+ */
 export interface Screen {
   readonly name: string;
   readonly width: number;
@@ -6,7 +8,9 @@ export interface Screen {
   readonly pixels: number;
   readonly slower: number;
   readonly touch: boolean;
-  /** The least share of the frames of an empty page while the flange plays; null where frames a second are asked for. */
+  /**
+   * The least share of the frames of an empty page while the flange plays; null where frames a second are asked for.
+   */
   readonly share: number | null;
   readonly perSecond: number | null;
   /** The most that may pass from a key to the path, ms. */

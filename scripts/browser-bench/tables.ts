@@ -6,21 +6,20 @@ import type { Screen } from "./screens.ts";
 const percent = (part: number) => `${Math.round(part * 100)} %`;
 const missed = (limit: string, isKept: boolean) => (isKept ? limit : `${limit}, missed`);
 
-/** What is asked of frames: a share of the empty page's, or so many a second; nothing of works that are larger than usual. */
+/**
+ * What is asked of frames: a share of the empty page's, or so many a second; nothing of works that are larger than
+ * usual.
+ */
 function frameLimit(screen: Screen, name: string, { share, perSecond }: FrameResult): string {
   if (!/^(flange|812) \d+x$/.test(name)) return "";
   if (screen.perSecond !== null) return missed(`${screen.perSecond} a second`, perSecond >= screen.perSecond);
   return screen.share === null ? "" : missed(percent(screen.share), share >= screen.share);
 }
 
-const longTasks = ({ long, longest }: { readonly long: number; readonly longest: number }) => (long === 0 ? "0" : `${long} (${longest})`);
+const longTasks = ({ long, longest }: { readonly long: number; readonly longest: number }) =>
+  long === 0 ? "0" : `${long} (${longest})`;
 
-const frameRow = (
-  screen: Screen,
-  name: string,
-  each: FrameResult,
-  limit: string,
-): string[] => [
+const frameRow = (screen: Screen, name: string, each: FrameResult, limit: string): string[] => [
   screen.name,
   name,
   each.empty.toFixed(1),
@@ -34,24 +33,30 @@ const frameRow = (
 
 /** Frames while something moves, beside those of the empty page. */
 export function frameTable(results: readonly ScreenResults[]): string[] {
-  const rows = results.flatMap(
-    ({ screen, box, frames }) => [
-      ...(box ? [frameRow(screen, "moving box", box, "")] : []),
-      ...Object.entries(frames).map(([name, each]) => frameRow(screen, name, each, frameLimit(screen, name, each))),
-    ]
-  );
+  const rows = results.flatMap(({ screen, box, frames }) => [
+    ...(box ? [frameRow(screen, "moving box", box, "")] : []),
+    ...Object.entries(frames).map(([name, each]) => frameRow(screen, name, each, frameLimit(screen, name, each))),
+  ]);
   if (rows.length === 0) return [];
-  return ["", ...markdownTable(2, ["frames", "", "empty /s", "/s", "share", "limit", "p95 ms", "worst ms", "tasks > 50 ms"], rows)];
+  return [
+    "",
+    ...markdownTable(
+      2,
+      ["frames", "", "empty /s", "/s", "share", "limit", "p95 ms", "worst ms", "tasks > 50 ms"],
+      rows,
+    ),
+  ];
 }
 
 /**
- * A part of the time to the path is waiting for the screen's next picture, which no quicker machine shortens: the limit is kept in ms, or,
- * where the machine is slower than the one that is meant, as a ratio.
+ * A part of the time to the path is waiting for the screen's next picture, which no quicker machine shortens: the limit
+ * is kept in ms, or, where the machine is slower than the one that is meant, as a ratio.
  */
 function keyRow(screen: Screen, name: string, { reference, digit, path, picture, long, longest }: KeyResult): string[] {
   const times = [digit.median, path.median, path.p95, picture.median, picture.p95].map((time) => time.toFixed(0));
   const ratios = [path.median, picture.median].map((time) => (time / reference).toFixed(1));
-  const most = screen.key / (REFERENCE * screen.slower), limit = `${most.toFixed(1)} = ${screen.key} ms`;
+  const most = screen.key / (REFERENCE * screen.slower),
+    limit = `${most.toFixed(1)} = ${screen.key} ms`;
   return [
     screen.name,
     name,
@@ -65,23 +70,29 @@ function keyRow(screen: Screen, name: string, { reference, digit, path, picture,
 
 /** From a key to the drawing; as ratios they are in units of the reference loop in the same page. */
 export function keyTable(results: readonly ScreenResults[]): string[] {
-  const rows = results.flatMap(({ screen, keys }) => Object.entries(keys).map(([name, each]) => keyRow(screen, name, each)));
+  const rows = results.flatMap(({ screen, keys }) =>
+    Object.entries(keys).map(([name, each]) => keyRow(screen, name, each)),
+  );
   if (rows.length === 0) return [];
   return [
     "",
-    ...markdownTable(2, [
-      "from a key",
-      "",
-      "digit ms",
-      "path ms",
-      "p95",
-      "stock ms",
-      "p95",
-      "reference ms",
-      "path ratio",
-      "stock ratio",
-      "limit of path",
-      "tasks > 50 ms",
-    ], rows),
+    ...markdownTable(
+      2,
+      [
+        "from a key",
+        "",
+        "digit ms",
+        "path ms",
+        "p95",
+        "stock ms",
+        "p95",
+        "reference ms",
+        "path ratio",
+        "stock ratio",
+        "limit of path",
+        "tasks > 50 ms",
+      ],
+      rows,
+    ),
   ];
 }

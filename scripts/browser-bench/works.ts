@@ -23,66 +23,76 @@ const GROWN = { operations: 100, moves: 50_000 };
 const CONTOUR = longContour(820, 1000);
 
 /** Opens the dialog of an operation of a program, at one of its prompts. */
-const askOperation = (number: number, q: string) => async ({ editor, dialog }: Turnwise) => {
-  await editor.show("structure");
-  await editor.operation(number).click();
-  await editor.show("block");
-  await dialog.open(q);
-};
+const askOperation =
+  (number: number, q: string) =>
+  async ({ editor, dialog }: Turnwise) => {
+    await editor.show("structure");
+    await editor.operation(number).click();
+    await editor.show("block");
+    await dialog.open(q);
+  };
 
-export const WORKS: readonly MeasuredWork[] = [{
-  name: "flange",
-  from: [0.05, 0.2, 0.35, 0.5, 0.65, 0.8],
-  open: ({ editor }) => editor.openFile("FLANGE.h", readFileSync("src/examples/flange.h")),
-  ask: askOperation(2, "Q484"),
-}, {
-  name: "812",
-  from: [0.1, 0.25, 0.4, 0.55, 0.7],
-  open: ({ start }) => start.beginWithExample(812),
-  async ask(turnwise) {
-    await turnwise.show("prompts");
-    await turnwise.dialog.open("Q484");
+export const WORKS: readonly MeasuredWork[] = [
+  {
+    name: "flange",
+    from: [0.05, 0.2, 0.35, 0.5, 0.65, 0.8],
+    open: ({ editor }) => editor.openFile("FLANGE.h", readFileSync("src/examples/flange.h")),
+    ask: askOperation(2, "Q484"),
   },
-}, {
-  name: "plate",
-  from: [0.1, 0.25, 0.4, 0.55, 0.7],
-  open: ({ editor }) => editor.openFile("PLATE.h", readFileSync("src/examples/plate.h")),
-  async ask({ editor, page }) {
-    await editor.line("APPR LT").click();
-    await editor.show("block");
-    await page.getByRole("button", { name: /^LEN / }).click();
+  {
+    name: "812",
+    from: [0.1, 0.25, 0.4, 0.55, 0.7],
+    open: ({ start }) => start.beginWithExample(812),
+    async ask(turnwise) {
+      await turnwise.show("prompts");
+      await turnwise.dialog.open("Q484");
+    },
   },
-}, {
-  name: "milled",
-  from: [0.1, 0.25, 0.4, 0.55, 0.7],
-  open: ({ editor }) => editor.openFile("MILLED.h", Buffer.from(milledProgram(3000))),
-  async ask({ editor, page }) {
-    await editor.line("APPR LT").click();
-    await editor.show("block");
-    await page.getByRole("button", { name: /^LEN / }).click();
+  {
+    name: "plate",
+    from: [0.1, 0.25, 0.4, 0.55, 0.7],
+    open: ({ editor }) => editor.openFile("PLATE.h", readFileSync("src/examples/plate.h")),
+    async ask({ editor, page }) {
+      await editor.line("APPR LT").click();
+      await editor.show("block");
+      await page.getByRole("button", { name: /^LEN / }).click();
+    },
   },
-}, {
-  name: "grown",
-  from: [0.15, 0.4, 0.65, 0.9],
-  open: ({ editor }) => editor.openFile("GROWN.h", Buffer.from(grownProgram(GROWN.operations, GROWN.moves))),
-  ask: askOperation(GROWN.operations, "Q484"),
-}, {
-  name: "contour",
-  from: [0.1, 0.25, 0.4, 0.55, 0.7],
-  async open({ page, handing }) {
-    const link = linkOf(page.url().replace(/#.*/, ""), CONTOUR);
-    // As if it came from elsewhere: behind the mark alone nothing is loaded.
-    await page.goto("about:blank");
-    await page.goto(link);
-    await handing.open();
+  {
+    name: "milled",
+    from: [0.1, 0.25, 0.4, 0.55, 0.7],
+    open: ({ editor }) => editor.openFile("MILLED.h", Buffer.from(milledProgram(3000))),
+    async ask({ editor, page }) {
+      await editor.line("APPR LT").click();
+      await editor.show("block");
+      await page.getByRole("button", { name: /^LEN / }).click();
+    },
   },
-  async ask(turnwise) {
-    await turnwise.show("prompts");
-    await turnwise.dialog.open("Q484");
+  {
+    name: "grown",
+    from: [0.15, 0.4, 0.65, 0.9],
+    open: ({ editor }) => editor.openFile("GROWN.h", Buffer.from(grownProgram(GROWN.operations, GROWN.moves))),
+    ask: askOperation(GROWN.operations, "Q484"),
   },
-}, {
-  name: "contour text",
-  from: [0.1, 0.25, 0.4, 0.55, 0.7],
-  open: ({ editor }) => editor.openFile("WAVES.h", Buffer.from(printJob(CONTOUR, ncLabels("en")))),
-  ask: askOperation(1, "Q484"),
-}];
+  {
+    name: "contour",
+    from: [0.1, 0.25, 0.4, 0.55, 0.7],
+    async open({ page, handing }) {
+      const link = linkOf(page.url().replace(/#.*/, ""), CONTOUR);
+      // As if it came from elsewhere: behind the mark alone nothing is loaded.
+      await page.goto("about:blank");
+      await page.goto(link);
+      await handing.open();
+    },
+    async ask(turnwise) {
+      await turnwise.show("prompts");
+      await turnwise.dialog.open("Q484");
+    },
+  },
+  {
+    name: "contour text",
+    from: [0.1, 0.25, 0.4, 0.55, 0.7],
+    open: ({ editor }) => editor.openFile("WAVES.h", Buffer.from(printJob(CONTOUR, ncLabels("en")))),
+    ask: askOperation(1, "Q484"),
+  },
+];

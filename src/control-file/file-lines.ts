@@ -5,7 +5,9 @@ export interface FileLine {
   /** From 1. */
   readonly line: number;
   readonly text: string;
-  /** Where the words start, behind skip mark and block number, and where they end, before comment and continuation mark. */
+  /**
+   * Where the words start, behind skip mark and block number, and where they end, before comment and continuation mark.
+   */
   readonly from: number;
   readonly to: number;
   /** The block number as digits; empty where none stands. */
@@ -30,7 +32,9 @@ export function linesOf(text: string): readonly string[] {
   return lines;
 }
 
-/** Where the comment of a line starts, outside of quotation marks; -1 without one. A mark that is not closed hides none. */
+/**
+ * Where the comment of a line starts, outside of quotation marks; -1 without one. A mark that is not closed hides none.
+ */
 function commentOf(text: string, from: number): number {
   let at = from;
   while (at < text.length) {
@@ -61,7 +65,9 @@ export function fileLine(text: string, line: number, letter: "" | "N"): FileLine
   const start = at;
   if (letter !== "" && text.charAt(at).toUpperCase() === letter && isDigit(text.charAt(at + 1))) at += 1;
   const digits = at;
-  if (letter === "" || at > start) { while (isDigit(text.charAt(at))) at += 1; }
+  if (letter === "" || at > start) {
+    while (isDigit(text.charAt(at))) at += 1;
+  }
   const number = text.slice(digits, at);
   const wrongNumber = wrongOf(text, start, number, letter);
   if (number !== "" || letter === "") mark();
@@ -75,15 +81,20 @@ export function fileLine(text: string, line: number, letter: "" | "N"): FileLine
   return { line, text, from: at, to, number, wrongNumber, comment, tilde };
 }
 
-/** What looks like a block number at the beginning of a line and is none: a sign, a point, or a letter before or within it. */
+/**
+ * What looks like a block number at the beginning of a line and is none: a sign, a point, or a letter before or within
+ * it.
+ */
 function wrongOf(text: string, start: number, number: string, letter: "" | "N"): string {
   const behind = start + number.length + (letter !== "" && number !== "" ? 1 : 0);
   const next = text.charAt(behind);
   const c = text.charAt(start);
-  const wrong = number === ""
-    ? (/[+\-.,]/.test(c) && isDigit(text.charAt(start + 1))) || (isDigit(text.charAt(start + 1)) && c.toUpperCase() === "N")
-      || (letter !== "" && isDigit(c))
-    : /[.,+\-:]/.test(next);
+  const wrong =
+    number === ""
+      ? (/[+\-.,]/.test(c) && isDigit(text.charAt(start + 1))) ||
+        (isDigit(text.charAt(start + 1)) && c.toUpperCase() === "N") ||
+        (letter !== "" && isDigit(c))
+      : /[.,+\-:]/.test(next);
   if (!wrong) return "";
   let to = start;
   while (to < text.length && to - start < QUOTED && !isSpace(text.charAt(to))) to += 1;
@@ -91,10 +102,13 @@ function wrongOf(text: string, start: number, number: string, letter: "" | "N"):
 }
 
 /**
- * Where the words of a line end, in front of the `*` of DIN/ISO, which may also stand behind the comment. `isStarred`: blocks end
- * in one.
+ * Where the words of a line end, in front of the `*` of DIN/ISO, which may also stand behind the comment. `isStarred`:
+ * blocks end in one.
  */
-export function endOfWords({ text, from, to, comment }: FileLine, isStarred: boolean): { readonly to: number; readonly hasStar: boolean } {
+export function endOfWords(
+  { text, from, to, comment }: FileLine,
+  isStarred: boolean,
+): { readonly to: number; readonly hasStar: boolean } {
   if (!isStarred) return { to, hasStar: false };
   if (to > from && text.charAt(to - 1) === "*") {
     let end = to - 1;
@@ -107,7 +121,8 @@ export function endOfWords({ text, from, to, comment }: FileLine, isStarred: boo
 }
 
 /** A line without words and without a comment. */
-export const isEmptyLine = (line: FileLine) => line.from >= line.to && line.comment < 0 && line.number === "" && line.tilde < 0;
+export const isEmptyLine = (line: FileLine) =>
+  line.from >= line.to && line.comment < 0 && line.number === "" && line.tilde < 0;
 /** A line that a reader sees and a control skips: a comment, or a structure item, which starts with `*`. */
 export const isRemark = (line: FileLine) =>
   line.from < line.text.length && (line.comment === line.from || line.text.charAt(line.from) === "*");

@@ -85,7 +85,11 @@ class FileReader {
     };
     this.open = open;
     if (line.wrongNumber !== "")
-      return this.refuse(line, open, refuse(line.text.indexOf(line.wrongNumber), "blockNumber", { text: line.wrongNumber }));
+      return this.refuse(
+        line,
+        open,
+        refuse(line.text.indexOf(line.wrongNumber), "blockNumber", { text: line.wrongNumber }),
+      );
     if (!hasWords) return;
     if (this.readFrame(line, cursor())) return;
     if (list !== "") return this.readHead(line, cursor(), open);
@@ -108,7 +112,9 @@ class FileReader {
     this.check.add(line.line, refused);
   }
 
-  /** Beginning and end of the program; true when the line is one of them. What stands outside of both is refused once. */
+  /**
+   * Beginning and end of the program; true when the line is one of them. What stands outside of both is refused once.
+   */
   private readFrame(line: FileLine, cursor: LineCursor): boolean {
     const side = this.dialect.frame(cursor, this.hasBegin);
     const text = line.text.slice(line.from, Math.min(line.to, line.from + QUOTED));
@@ -136,7 +142,10 @@ class FileReader {
   private compareNames(line: FileLine, end: FrameName | null): void {
     const { begin } = this;
     if (!begin || !end || begin.name.toUpperCase() === end.name.toUpperCase()) return;
-    this.check.add(line.line, refuse(end.at, "nameDiffers", { begin: begin.name.slice(0, QUOTED), end: end.name.slice(0, QUOTED) }));
+    this.check.add(
+      line.line,
+      refuse(end.at, "nameDiffers", { begin: begin.name.slice(0, QUOTED), end: end.name.slice(0, QUOTED) }),
+    );
   }
 
   /** Nothing more comes of the open block: what should have ended it or gone on with it is missing. */
@@ -183,7 +192,8 @@ class FileReader {
     const name = set.label.startsWith('"') ? set.label : String(Number(set.label));
     if (name === "0") return;
     const first = this.check.label(name, line.line);
-    if (first !== null) this.check.add(line.line, refuse(set.at, "labelTwice", { label: set.label.slice(0, QUOTED), line: first }));
+    if (first !== null)
+      this.check.add(line.line, refuse(set.at, "labelTwice", { label: set.label.slice(0, QUOTED), line: first }));
   }
 }
 

@@ -2,35 +2,41 @@ import { isDigit, type LineCursor } from "./line-cursor.ts";
 import { refuse, type LineRefusal } from "./refusal.ts";
 import { LOOSE, parameterKind, takeParameter, takeValue } from "./values.ts";
 
-const FUNCTIONS = [...[
-  "SIN",
-  "COS",
-  "TAN",
-  "ASIN",
-  "ACOS",
-  "ATAN",
-  "SQRT",
-  "SQ",
-  "LN",
-  "LOG",
-  "EXP",
-  "NEG",
-  "INT",
-  "ABS",
-  "FRAC",
-  "SGN",
-  "NOT",
-]];
+const FUNCTIONS = [
+  ...[
+    "SIN",
+    "COS",
+    "TAN",
+    "ASIN",
+    "ACOS",
+    "ATAN",
+    "SQRT",
+    "SQ",
+    "LN",
+    "LOG",
+    "EXP",
+    "NEG",
+    "INT",
+    "ABS",
+    "FRAC",
+    "SGN",
+    "NOT",
+  ],
+];
 /** Functions with words of their own between brackets: SUBSTR ( SRC_QS1 BEG2 LEN3 ). */
 const TEXT_FUNCTIONS = ["TONUMB", "INSTR", "STRLEN", "STRCOMP", "TOCHAR", "SUBSTR", "SYSSTR", "CFGREAD"];
 /** Operators that are written as words: of FN 4, FN 8 and FN 13, and comparisons of newer software. */
 const OPERATOR_WORDS = ["DIV", "LEN", "ANG", "MOD", "AND", "OR", "XOR", "EQU", "NE", "GT", "LT"];
 const OPERATORS = "+-*/^%|&\\=<>!";
 
-/** Takes a formula up to the end of the line: values and operators in turn, brackets closed. Tables of functions are known by name. */
+/**
+ * Takes a formula up to the end of the line: values and operators in turn, brackets closed. Tables of functions are
+ * known by name.
+ */
 export function takeFormula(cursor: LineCursor, word: string): LineRefusal | null {
   if (cursor.done) return refuse(cursor.at, "valueMissing", { word });
-  if (cursor.takeWord("SET")) return cursor.takeWord("UNDEFINED") ? null : refuse(cursor.at, "unknownWord", { text: cursor.piece() });
+  if (cursor.takeWord("SET"))
+    return cursor.takeWord("UNDEFINED") ? null : refuse(cursor.at, "unknownWord", { text: cursor.piece() });
   const open: number[] = [];
   let wantsValue = true;
   let last = cursor.at;
@@ -62,8 +68,11 @@ function takeOperand(cursor: LineCursor, word: string, open: number[]): LineRefu
   if (c === '"') return cursor.quoted() === null ? refuse(cursor.at, "stringOpen", {}) : false;
   if (parameterKind(cursor) !== "") return takeParameter(cursor) ?? false;
   const letters = cursor.letters();
-  if (letters === "" && (isDigit(c) || c === "." || c === "," || c === "{")) return takeValue(cursor, word, LOOSE) ?? false;
-  const name = FUNCTIONS.find((each) => letters === each || letters === `${each}Q` || letters === `${each}QL` || letters === `${each}QR`);
+  if (letters === "" && (isDigit(c) || c === "." || c === "," || c === "{"))
+    return takeValue(cursor, word, LOOSE) ?? false;
+  const name = FUNCTIONS.find(
+    (each) => letters === each || letters === `${each}Q` || letters === `${each}QL` || letters === `${each}QR`,
+  );
   if (name !== undefined) {
     cursor.at += name.length;
     return true;
@@ -99,8 +108,8 @@ function takeOperator(cursor: LineCursor, open: number[]): LineRefusal | boolean
     return true;
   }
   const letters = cursor.letters();
-  const operator = OPERATOR_WORDS.find((each) =>
-    letters === each || letters === `${each}Q` || letters === `${each}QL` || letters === `${each}QR`
+  const operator = OPERATOR_WORDS.find(
+    (each) => letters === each || letters === `${each}Q` || letters === `${each}QL` || letters === `${each}QR`,
   );
   if (operator !== undefined) {
     cursor.at += operator.length;

@@ -1,8 +1,23 @@
 import { assignment, checkKlartextBlock } from "./klartext-block.ts";
 import { isBlank, isDigit, type LineCursor } from "./line-cursor.ts";
 import { refuse, type LineRefusal } from "./refusal.ts";
-import { ANY_VALUE, DELTA, FEED, G_FUNCTION, LABEL, M_FUNCTION, type NumberFormat, parameterKind, POSITION, SPEED, takeNumberOrName,
-  takeParameter, takeValue, TOOL, valueStarts } from "./values.ts";
+import {
+  ANY_VALUE,
+  DELTA,
+  FEED,
+  G_FUNCTION,
+  LABEL,
+  M_FUNCTION,
+  type NumberFormat,
+  parameterKind,
+  POSITION,
+  SPEED,
+  takeNumberOrName,
+  takeParameter,
+  takeValue,
+  TOOL,
+  valueStarts,
+} from "./values.ts";
 
 /** Functions without a DIN/ISO word: they stand in the file as in Klartext. */
 export const KLARTEXT_FUNCTIONS: readonly string[] = [
@@ -21,7 +36,10 @@ const REPEAT_OR_NONE: NumberFormat = { least: 0, most: 65534, before: 9, after: 
 const MOST_FUNCTIONS = 4;
 /** First number of the cycles that take Q parameters; lower numbers are functions with words. */
 const FIRST_CYCLE = 200;
-/** G98 sets a label, G99 defines a tool by its length L, G28 mirrors axes, which have no value, and T of G62 is a tolerance. */
+/**
+ * G98 sets a label, G99 defines a tool by its length L, G28 mirrors axes, which have no value, and T of G62 is a
+ * tolerance.
+ */
 const [LABEL_FUNCTION, TOOL_DEFINITION, MIRROR, TOLERANCE] = [98, 99, 28, 62];
 
 /** Addresses and their formats, the longest first. */
@@ -33,7 +51,10 @@ const ADDRESSES: readonly (readonly [string, NumberFormat])[] = [
   ["FZ", FEED],
   ["MB", POSITION],
   ["LA", ANY_VALUE],
-  ...["X", "Y", "Z", "A", "B", "C", "U", "V", "W"].flatMap((axis) => [[`I${axis}`, POSITION] as const, [axis, POSITION] as const]),
+  ...["X", "Y", "Z", "A", "B", "C", "U", "V", "W"].flatMap((axis) => [
+    [`I${axis}`, POSITION] as const,
+    [axis, POSITION] as const,
+  ]),
   ...["I", "J", "K", "R"].map((word) => [word, POSITION] as const),
   ["H", ANY_VALUE],
   ["F", FEED],
@@ -111,7 +132,8 @@ function takeAddresses(cursor: LineCursor): LineRefusal | null {
     const from = cursor.at;
     const c = cursor.char().toUpperCase();
     if (c === "M" && !cursor.letters().startsWith("MB")) functions += 1;
-    if (functions > MOST_FUNCTIONS) return refuse(from, "tooManyFunctions", { text: cursor.piece(), most: MOST_FUNCTIONS });
+    if (functions > MOST_FUNCTIONS)
+      return refuse(from, "tooManyFunctions", { text: cursor.piece(), most: MOST_FUNCTIONS });
     const refused = takeAddress(cursor, c, last);
     if (refused) return refused;
     if (c === "G") last = Number(cursor.text.slice(from + 1, cursor.at));
@@ -124,9 +146,10 @@ function takeAddresses(cursor: LineCursor): LineRefusal | null {
 function takeAddress(cursor: LineCursor, c: string, last: number): LineRefusal | null {
   const from = cursor.at;
   const letters = cursor.letters();
-  if ((ALONE.includes(letters) || (last === MIRROR && letters.length === 1) || letters === "T")
-    && !valueStartsBehind(cursor, letters.length))
-  {
+  if (
+    (ALONE.includes(letters) || (last === MIRROR && letters.length === 1) || letters === "T") &&
+    !valueStartsBehind(cursor, letters.length)
+  ) {
     const quoted = letters === "T" && cursor.char(1) === '"';
     if (!quoted) {
       cursor.at += letters.length;
@@ -146,7 +169,9 @@ function takeAddress(cursor: LineCursor, c: string, last: number): LineRefusal |
     if (cursor.char() === '"') return takeNumberOrName(cursor, "P", LABEL);
     return valueStarts(cursor) ? takeValue(cursor, "P", ANY_VALUE) : unknownWord(cursor);
   }
-  const address = ADDRESSES.find(([word]) => cursor.text.slice(from, Math.min(from + word.length, cursor.end)).toUpperCase() === word);
+  const address = ADDRESSES.find(
+    ([word]) => cursor.text.slice(from, Math.min(from + word.length, cursor.end)).toUpperCase() === word,
+  );
   if (address === undefined) return unknownWord(cursor);
   const [word, numbers] = address;
   cursor.at += word.length;
@@ -160,7 +185,11 @@ function takeAddress(cursor: LineCursor, c: string, last: number): LineRefusal |
 
 const unknownWord = (cursor: LineCursor) => refuse(cursor.at, "unknownWord", { text: cursor.piece() });
 
-function takeBehind(cursor: LineCursor, letters: number, take: (cursor: LineCursor) => LineRefusal | null): LineRefusal | null {
+function takeBehind(
+  cursor: LineCursor,
+  letters: number,
+  take: (cursor: LineCursor) => LineRefusal | null,
+): LineRefusal | null {
   const from = cursor.at;
   const next = cursor.char(letters);
   if (next !== "" && !isBlank(next) && next !== '"' && !valueStartsBehind(cursor, letters)) return unknownWord(cursor);

@@ -35,7 +35,10 @@ export const ISO: Dialect = {
   opensBlock: (line) => {
     const cursor = new LineCursor(line.text, line.from, line.to);
     const letters = cursor.letters();
-    return KLARTEXT_FUNCTIONS.includes(letters) || cursor.char() === "%"
-      || (letters.length === 1 && letters !== "Q" && isDigit(cursor.char(1)));
+    return (
+      KLARTEXT_FUNCTIONS.includes(letters) ||
+      cursor.char() === "%" ||
+      (letters.length === 1 && letters !== "Q" && isDigit(cursor.char(1)))
+    );
   },
 };

@@ -45,12 +45,16 @@ describe("lists, remarks, frame", () => {
     ["~ behind its last line", ["N10 G820 ~", "Q215=+0 ~", "N20 G79 *"], ["tildeAtEnd 10:3:9"]],
     ["without * behind its last line", ["N10 G820 ~", "Q215=+0 ;A", "N20 G79 *"], ["starMissing 10:3:8"]],
     ["remarks with and without *", ["N10 ;turn *", "; off", "N20 * - PART *", "* - PART", "N30 G01 X+5 ;half *"], []],
-    ["Klartext functions", [
-      "N1 BLK FORM CYLINDER Z D50 L20 *",
-      "N2 UDC TYPE_E R1 *",
-      "N3 APPR CT X+1 CCA90 R+3 RR *",
-      "N4 CYCL DEF 7.1 X+3 *",
-    ], []],
+    [
+      "Klartext functions",
+      [
+        "N1 BLK FORM CYLINDER Z D50 L20 *",
+        "N2 UDC TYPE_E R1 *",
+        "N3 APPR CT X+1 CCA90 R+3 RR *",
+        "N4 CYCL DEF 7.1 X+3 *",
+      ],
+      [],
+    ],
     ["a program that is called", ["N10 %B.I *"], []],
     ["a label twice", ["G98 L2 *", "G98 L0 *", "G98 L0 *", "N7 G98 L2 *"], ["labelTwice 7:5:9"]],
   ])("%s", (_, lines, where) => expect(found(file(...lines))).toEqual(where));
@@ -83,7 +87,19 @@ describe("any text", () => {
     "LBL 1\n".repeat(5_000),
     "CYCL DEF 200\nQ200=1\n".repeat(5_000),
   ];
-  const openers = ["", "1 ", "L X", "Q1 = ", "CYCL DEF 200 ", "N1 G200 ", "IF ", "UDC TYPE_E ", "TOOL CALL ", "BEGIN PGM ", "%"];
+  const openers = [
+    "",
+    "1 ",
+    "L X",
+    "Q1 = ",
+    "CYCL DEF 200 ",
+    "N1 G200 ",
+    "IF ",
+    "UDC TYPE_E ",
+    "TOOL CALL ",
+    "BEGIN PGM ",
+    "%",
+  ];
   test.each(openers)("behind %j is read", (opener) => {
     for (const text of [...hostile, ...more]) {
       for (const control of ["tnc640", "tnc7", "iso"] as const) {

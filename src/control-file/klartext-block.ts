@@ -2,8 +2,23 @@ import { takeFormula } from "./formula.ts";
 import { isBlank, isDigit, type LineCursor } from "./line-cursor.ts";
 import { takeAxisAlone, takeNamedWords, takePathWords } from "./path-words.ts";
 import { refuse, type LineRefusal } from "./refusal.ts";
-import { DELTA, ERROR_NUMBER, FEED, LABEL, LOOSE, type NumberFormat, parameterKind, POSITION, REPEAT, SPEED, takeNumberOrName,
-  takeParameter, takeValue, TOOL, valueStarts } from "./values.ts";
+import {
+  DELTA,
+  ERROR_NUMBER,
+  FEED,
+  LABEL,
+  LOOSE,
+  type NumberFormat,
+  parameterKind,
+  POSITION,
+  REPEAT,
+  SPEED,
+  takeNumberOrName,
+  takeParameter,
+  takeValue,
+  TOOL,
+  valueStarts,
+} from "./values.ts";
 
 type Check = (cursor: LineCursor) => LineRefusal | null;
 
@@ -59,7 +74,14 @@ const blank: Check = (cursor) => {
   });
 };
 
-const TOOL_WORDS: Readonly<Record<string, NumberFormat>> = { S: SPEED, FU: FEED, FZ: FEED, DL: DELTA, DR: DELTA, DR2: DELTA };
+const TOOL_WORDS: Readonly<Record<string, NumberFormat>> = {
+  S: SPEED,
+  FU: FEED,
+  FZ: FEED,
+  DL: DELTA,
+  DR: DELTA,
+  DR2: DELTA,
+};
 
 /** TOOL CALL: the tool, its axis, speed, feed and deltas; each may be missing. */
 const toolCall: Check = (cursor) => {
@@ -110,18 +132,28 @@ const toolDefinition: Check = (cursor) =>
 const spin: Check = (cursor) => {
   if (!cursor.takeWord("VCONST")) return takeAnything(cursor);
   cursor.take(":");
-  return oneOf(cursor, allOf(["ON", "OFF"], (c) => takeNamedWords(c, SPIN_WORDS)));
+  return oneOf(
+    cursor,
+    allOf(["ON", "OFF"], (c) => takeNamedWords(c, SPIN_WORDS)),
+  );
 };
 
 const functionBlock: Check = (cursor) => {
   if (cursor.takeWord("MODE")) return oneOf(cursor, allOf(MODES, takeAnything));
-  if (!cursor.takeWord("TURNDATA")) return cursor.done ? refuse(cursor.at, "valueMissing", { word: "FUNCTION" }) : takeAnything(cursor);
+  if (!cursor.takeWord("TURNDATA"))
+    return cursor.done ? refuse(cursor.at, "valueMissing", { word: "FUNCTION" }) : takeAnything(cursor);
   return cursor.takeWord("SPIN") ? spin(cursor) : takeAnything(cursor);
 };
 
-const chamfer: Check = (cursor) => (valueStarts(cursor) ? takeValue(cursor, "CHF", POSITION) : null) ?? takePathWords(cursor);
-const rounding: Check = (cursor) => (valueStarts(cursor) ? takeValue(cursor, "RND", POSITION) : null) ?? takePathWords(cursor);
-const approach: Check = (cursor) => oneOf(cursor, allOf(APPROACH_FORMS, (c) => takePathWords(c)));
+const chamfer: Check = (cursor) =>
+  (valueStarts(cursor) ? takeValue(cursor, "CHF", POSITION) : null) ?? takePathWords(cursor);
+const rounding: Check = (cursor) =>
+  (valueStarts(cursor) ? takeValue(cursor, "RND", POSITION) : null) ?? takePathWords(cursor);
+const approach: Check = (cursor) =>
+  oneOf(
+    cursor,
+    allOf(APPROACH_FORMS, (c) => takePathWords(c)),
+  );
 
 const call: Check = (cursor) =>
   oneOf(cursor, {
@@ -263,5 +295,7 @@ export function checkKlartextBlock(cursor: LineCursor): LineRefusal | null {
   }
   if (/^L(?:I?[XYZABCUVW])$/.test(letters)) cursor.at += 1;
   const refused = takePathWords(cursor);
-  return refused?.code === "unknownWord" && refused.at === start ? refuse(start, "unknownWord", { text: cursor.piece() }) : refused;
+  return refused?.code === "unknownWord" && refused.at === start
+    ? refuse(start, "unknownWord", { text: cursor.piece() })
+    : refused;
 }

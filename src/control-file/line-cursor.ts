@@ -7,7 +7,11 @@ export const isLetter = (c: string) => (c >= "A" && c <= "Z") || (c >= "a" && c 
 
 /** A reading position in one line, up to `end`. Each method moves forwards only. */
 export class LineCursor {
-  constructor(readonly text: string, public at: number, readonly end: number) {}
+  constructor(
+    readonly text: string,
+    public at: number,
+    readonly end: number,
+  ) {}
 
   /** The character here, or `ahead` characters further on; empty behind the end. */
   char(ahead = 0): string {

@@ -10,7 +10,11 @@ export function listOpener(cursor: LineCursor): string {
     cursor.at = from;
     return cursor.takeWord(first) && cursor.takeWord(second);
   };
-  const words = [["CYCL", "DEF"], ["TCH", "PROBE"], ["GLOBAL", "DEF"]].find(([first = "", second = ""]) => opens(first, second));
+  const words = [
+    ["CYCL", "DEF"],
+    ["TCH", "PROBE"],
+    ["GLOBAL", "DEF"],
+  ].find(([first = "", second = ""]) => opens(first, second));
   if (!words) {
     cursor.at = from;
     return "";
@@ -66,8 +70,8 @@ const FIRST_OF_CYCLES = 200;
 
 /**
  * Whether a line behind a list continues it in the look of the manual, without `~`. An assignment of the operator's own
- * behind a list is a block: it has a low number and blanks around `=`. `isNumbered`: the list has a block number, and this line has none;
- * `isClosed`: the list had its `~` up to the line before.
+ * behind a list is a block: it has a low number and blanks around `=`. `isNumbered`: the list has a block number, and
+ * this line has none; `isClosed`: the list had its `~` up to the line before.
  */
 export function looksLikeList(line: FileLine, isNumbered: boolean, isClosed: boolean): boolean {
   if (line.number !== "" || line.wrongNumber !== "") return false;

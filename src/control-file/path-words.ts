@@ -11,7 +11,8 @@ type WordTable = ReadonlyMap<string, Behind>;
 const MOST_FUNCTIONS = 4;
 const AXES = ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"];
 const group = (names: readonly string[], behind: Behind): [string, Behind][] => names.map((name) => [name, behind]);
-const around = (before: readonly string[], axes: readonly string[]) => axes.flatMap((axis) => before.map((text) => text + axis));
+const around = (before: readonly string[], axes: readonly string[]) =>
+  axes.flatMap((axis) => before.map((text) => text + axis));
 
 /** Words of all blocks with a path, its approach included. */
 const PATH: WordTable = new Map<string, Behind>([
@@ -28,7 +29,11 @@ const PATH: WordTable = new Map<string, Behind>([
   ["M", "function"],
 ]);
 /** What some M functions take behind them: M120 LA, M140 MB, M124 T. */
-const BEHIND_FUNCTIONS: WordTable = new Map<string, Behind>([["LA", ANY_VALUE], ["MB", "retract"], ["T", ANY_VALUE]]);
+const BEHIND_FUNCTIONS: WordTable = new Map<string, Behind>([
+  ["LA", ANY_VALUE],
+  ["MB", "retract"],
+  ["T", ANY_VALUE],
+]);
 const FREE: WordTable = new Map<string, Behind>([["CLSD", "sign"]]);
 const LONGEST = 6;
 
@@ -100,8 +105,13 @@ function takeBehind(cursor: LineCursor, word: string, behind: Behind): LineRefus
   }
 }
 
-/** The longest word of the tables that stands here with what it needs behind it; the cursor then is behind its letters. */
-function wordHere(cursor: LineCursor, tables: readonly WordTable[]): { readonly word: string; readonly behind: Behind } | null {
+/**
+ * The longest word of the tables that stands here with what it needs behind it; the cursor then is behind its letters.
+ */
+function wordHere(
+  cursor: LineCursor,
+  tables: readonly WordTable[],
+): { readonly word: string; readonly behind: Behind } | null {
   const from = cursor.at;
   const here = cursor.text.slice(from, Math.min(from + LONGEST, cursor.end)).toUpperCase();
   for (let length = here.length; length > 0; length -= 1) {

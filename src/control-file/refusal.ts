@@ -32,7 +32,12 @@ export interface RefusalData {
   readonly badNumber: { readonly word: string; readonly text: string };
   readonly outOfRange: { readonly word: string; readonly text: string; readonly least: number; readonly most: number };
   /** More digits than the input format of the word has, in front of the point or behind it. */
-  readonly tooManyDigits: { readonly word: string; readonly text: string; readonly before: number; readonly after: number };
+  readonly tooManyDigits: {
+    readonly word: string;
+    readonly text: string;
+    readonly before: number;
+    readonly after: number;
+  };
   /** A fifth M function in one block. */
   readonly tooManyFunctions: { readonly text: string; readonly most: number };
   /** A label that is set a second time; `line` is that of the first. */
@@ -57,7 +62,9 @@ export type FileRefusal = {
 }[RefusalCode];
 
 /** A refusal within one line, before its line and block are known; `at` counts from 0. */
-export type LineRefusal = { [C in RefusalCode]: { readonly at: number; readonly code: C; readonly data: RefusalData[C] } }[RefusalCode];
+export type LineRefusal = {
+  [C in RefusalCode]: { readonly at: number; readonly code: C; readonly data: RefusalData[C] };
+}[RefusalCode];
 
 export const refuse = <C extends RefusalCode>(at: number, code: C, data: RefusalData[C]): LineRefusal =>
   ({ at, code, data }) as LineRefusal;

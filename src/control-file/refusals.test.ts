@@ -74,17 +74,31 @@ describe("lists", () => {
   test("in one line, and without parameters", () =>
     expect(found(file("7 CYCL DEF 200 B Q200=+2 Q201=-3", "8 CYCL DEF 801 RESET"))).toEqual([]));
   test("over blank lines and long comments", () =>
-    expect(found(file("7 CYCL DEF 200 B ~", "", "Q200=+2 ;VERY LONG~", " COMMENT ~", "Q201=+3", "8 L X+1 ;half of key~", " width", "9 M3")))
-      .toEqual([]));
+    expect(
+      found(
+        file(
+          "7 CYCL DEF 200 B ~",
+          "",
+          "Q200=+2 ;VERY LONG~",
+          " COMMENT ~",
+          "Q201=+3",
+          "8 L X+1 ;half of key~",
+          " width",
+          "9 M3",
+        ),
+      ),
+    ).toEqual([]));
   test("without ~ at all: refused at the first line that would be a block of its own, with the number of the cycle", () => {
     const lines = ["7 CYCL DEF 812  EPAUL LONG", "Q215=+0 ;A", "Q499 =+0 ;B", "Q493+50 ;C", "8 CYCL CALL"];
-    expect(refusals(file(...lines), "tnc7")).toEqual([{
-      line: 3,
-      column: 1,
-      block: 7,
-      code: "listWithoutTilde",
-      data: { list: "CYCL DEF 812", lines: 3 },
-    }]);
+    expect(refusals(file(...lines), "tnc7")).toEqual([
+      {
+        line: 3,
+        column: 1,
+        block: 7,
+        code: "listWithoutTilde",
+        data: { list: "CYCL DEF 812", lines: 3 },
+      },
+    ]);
   });
   test.each([
     ["the header alone", ["7 CYCL DEF 200 B", "  Q200=+2 ~", "  Q201=-1"], "listWithoutTilde 7:3:3"],
@@ -101,7 +115,10 @@ describe("lists", () => {
     ["an assignment behind a whole list", ["CYCL DEF 200 B ~", "Q200=+2", "Q5 = 25", "Q7=+1"]],
     ["a numbered assignment", ["7 CYCL DEF 200 B", "8 Q200=+2 ;A"]],
     ["~ in a remark", ["; ~~~~", "7 * - ~", "L X+1"]],
-    ["formulas and areas over several lines", ["5 Q2 = COS ( 3 * ~", "  SIN ( Q4 ) )", "6 CONTOUR DEF ~", "P1 = LBL 1 ~", "I2 = LBL 2"]],
+    [
+      "formulas and areas over several lines",
+      ["5 Q2 = COS ( 3 * ~", "  SIN ( Q4 ) )", "6 CONTOUR DEF ~", "P1 = LBL 1 ~", "I2 = LBL 2"],
+    ],
   ])("%s is taken", (_, lines) => expect(found(file(...lines))).toEqual([]));
 });
 

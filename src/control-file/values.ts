@@ -8,7 +8,12 @@ export interface NumberFormat {
   readonly before: number;
   readonly after: number;
 }
-const format = (least: number, most: number, after: number, before = 9): NumberFormat => ({ least, most, before, after });
+const format = (least: number, most: number, after: number, before = 9): NumberFormat => ({
+  least,
+  most,
+  before,
+  after,
+});
 
 /* Input formats as the TNC 640 manual prints them; six decimals are taken everywhere, since a parameter holds as many. */
 export const POSITION = format(-99999.9999, 99999.9999, 6);
@@ -44,7 +49,9 @@ export function takeParameter(cursor: LineCursor): LineRefusal | null {
   cursor.at += kind.length;
   const digits = cursor.digits();
   const most = LAST_PARAMETER[kind] ?? 0;
-  return Number(digits) <= most ? null : refuse(from, "outOfRange", { word: kind, text: digits.slice(0, 40), least: 0, most });
+  return Number(digits) <= most
+    ? null
+    : refuse(from, "outOfRange", { word: kind, text: digits.slice(0, 40), least: 0, most });
 }
 
 /** Whether a number or a parameter starts behind the blanks here; does not move. */
@@ -58,7 +65,8 @@ export function valueStarts(cursor: LineCursor): boolean {
 }
 
 const isPoint = (c: string) => c === "." || c === ",";
-const isNumberStart = (cursor: LineCursor) => isDigit(cursor.char()) || (isPoint(cursor.char()) && isDigit(cursor.char(1)));
+const isNumberStart = (cursor: LineCursor) =>
+  isDigit(cursor.char()) || (isPoint(cursor.char()) && isDigit(cursor.char(1)));
 
 /** Takes the number, parameter or named parameter behind `word`; `numbers` is the format of numbers. */
 export function takeValue(cursor: LineCursor, word: string, numbers: NumberFormat): LineRefusal | null {

@@ -2,13 +2,19 @@ import type { RuleName, TaskJudgement, TaskMark } from "./judge/judgement.ts";
 import type { Task, TaskRules, TaskSize } from "./task.ts";
 
 /** What a task wants, as one line of its list of goals. */
-export type TaskGoal = { readonly kind: "foretold"; readonly entry: number; readonly of: number } | { readonly kind: "part";
-  readonly residue: number | null } | { readonly kind: "size"; readonly entry: number; readonly size: TaskSize } | {
-  readonly kind: "safe" | "clean";
-} | { readonly kind: "depth" | "speed" | "mostTools" | "seconds" | "passes"; readonly limit: number } | { readonly kind: "tools";
-  readonly tools: readonly number[] } | { readonly kind: "cycles" | "without"; readonly cycle: number } | { readonly kind: "values";
-  readonly entry: number; readonly asked: NonNullable<TaskRules["values"]>[number] } | { readonly kind: "rz"; readonly entry: number;
-  readonly asked: NonNullable<TaskRules["rz"]>[number] } | { readonly kind: "words"; readonly entry: number; readonly word: string };
+export type TaskGoal =
+  | { readonly kind: "foretold"; readonly entry: number; readonly of: number }
+  | { readonly kind: "part"; readonly residue: number | null }
+  | { readonly kind: "size"; readonly entry: number; readonly size: TaskSize }
+  | {
+      readonly kind: "safe" | "clean";
+    }
+  | { readonly kind: "depth" | "speed" | "mostTools" | "seconds" | "passes"; readonly limit: number }
+  | { readonly kind: "tools"; readonly tools: readonly number[] }
+  | { readonly kind: "cycles" | "without"; readonly cycle: number }
+  | { readonly kind: "values"; readonly entry: number; readonly asked: NonNullable<TaskRules["values"]>[number] }
+  | { readonly kind: "rz"; readonly entry: number; readonly asked: NonNullable<TaskRules["rz"]>[number] }
+  | { readonly kind: "words"; readonly entry: number; readonly word: string };
 
 /** So much may stay beside a part without being said, mm²: what an insert leaves of a sharp corner. */
 const UNSAID = 0.05;
@@ -31,7 +37,9 @@ export function goalsOf({ kind, part, sizes = [], rules, predict = [] }: Task): 
     ...(rules.clean ? [{ kind: "clean" as const }] : []),
     ...limits,
     ...(rules.tools ? [{ kind: "tools" as const, tools: rules.tools }] : []),
-    ...(["cycles", "without"] as const).flatMap((name) => (rules[name] ?? []).map((cycle): TaskGoal => ({ kind: name, cycle }))),
+    ...(["cycles", "without"] as const).flatMap((name) =>
+      (rules[name] ?? []).map((cycle): TaskGoal => ({ kind: name, cycle })),
+    ),
     ...(rules.values ?? []).map((asked, entry): TaskGoal => ({ kind: "values", entry, asked })),
     ...(rules.words ?? []).map((word, entry): TaskGoal => ({ kind: "words", entry, word })),
   ];
@@ -92,4 +100,6 @@ export function gathered(
 
 /** Whether a goal is met: by what was foretold, each answer right or not, or by the judgement on the work. */
 export const isMet = (goal: TaskGoal, judgement: TaskJudgement | null, foretold: readonly boolean[]): boolean =>
-  goal.kind === "foretold" ? foretold[goal.entry] === true : judgement !== null && marksOn(goal, judgement).length === 0;
+  goal.kind === "foretold"
+    ? foretold[goal.entry] === true
+    : judgement !== null && marksOn(goal, judgement).length === 0;

@@ -7,8 +7,14 @@ export interface Played {
   readonly last: number;
 }
 
-/** The steps of some blocks of a program, both included; all of them where none is named, or none of these moves anything. */
-export function stepsPlayed(steps: readonly Pick<Step, "block">[], blocks?: { readonly from: number; readonly to: number }): Played {
+/**
+ * The steps of some blocks of a program, both included; all of them where none is named, or none of these moves
+ * anything.
+ */
+export function stepsPlayed(
+  steps: readonly Pick<Step, "block">[],
+  blocks?: { readonly from: number; readonly to: number },
+): Played {
   const all = { first: 0, last: steps.length - 1 };
   if (!blocks) return all;
   const isPlayed = ({ block }: Pick<Step, "block">) => block >= blocks.from && block <= blocks.to;
@@ -17,8 +23,10 @@ export function stepsPlayed(steps: readonly Pick<Step, "block">[], blocks?: { re
 }
 
 /** The cycle calls whose steps are played. */
-export const operationsPlayed = <O extends Pick<Operation, "firstStep" | "lastStep">>(operations: readonly O[], { first, last }: Played) =>
-  operations.filter(({ firstStep, lastStep }) => lastStep >= firstStep && lastStep >= first && firstStep <= last);
+export const operationsPlayed = <O extends Pick<Operation, "firstStep" | "lastStep">>(
+  operations: readonly O[],
+  { first, last }: Played,
+) => operations.filter(({ firstStep, lastStep }) => lastStep >= firstStep && lastStep >= first && firstStep <= last);
 
 /** As a control writes a value: with its sign, without zeros behind. */
 const written = (value: number): string => `${value < 0 ? "" : "+"}${Number(value.toFixed(4))}`;

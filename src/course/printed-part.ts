@@ -3,7 +3,10 @@ import { diameter, toRadius } from "../kernel/units.ts";
 import type { Task } from "./task.ts";
 import { wantedPart, type WantedPart, type WantedThread } from "./wanted-part.ts";
 
-/** A thread as it is drawn: its stretch of the surface, the radius of its ground (null where it has no one), its name. Part space, mm. */
+/**
+ * A thread as it is drawn: its stretch of the surface, the radius of its ground (null where it has no one), its name.
+ * Part space, mm.
+ */
 export interface DrawnThread {
   readonly from: Pt;
   readonly to: Pt;
@@ -27,5 +30,10 @@ export function drawnThread({ from, to, crest, root, name }: WantedThread): Draw
 /** What is drawn of a task: its part with threads, sizes and marks; null where it has no part. */
 export function drawnTask({ part, sizes, rules }: Pick<Task, "part" | "sizes" | "rules">): DrawnTask | null {
   if (!part) return null;
-  return { ...wantedPart(part), sizes: sizes ?? [], threads: (part.threads ?? []).map(drawnThread), marks: rules.rz ?? [] };
+  return {
+    ...wantedPart(part),
+    sizes: sizes ?? [],
+    threads: (part.threads ?? []).map(drawnThread),
+    marks: rules.rz ?? [],
+  };
 }

@@ -25,32 +25,36 @@ const SAME_SIZE = 0.005;
 /** Past every part, mm. */
 const FAR = 10_000;
 
-const ringOf = (
-  left: number,
-  right: number,
-  low: number,
-  high: number,
-): Ring => [at(left, low), at(right, low), at(right, high), at(left, high)];
+const ringOf = (left: number, right: number, low: number, high: number): Ring => [
+  at(left, low),
+  at(right, low),
+  at(right, high),
+  at(left, high),
+];
 
 /** The piece at the free end: what is parted off lies in front of the rest of the bar. */
 function pieceOf(finished: readonly Ring[]): readonly Ring[] {
   const least = PIECE * areaOf(finished);
-  const [first] = regionsOf(finished, least).map((region) => ({ region, end: boxAround([region.outline]).right })).sort((a, b) =>
-    b.end - a.end
-  );
+  const [first] = regionsOf(finished, least)
+    .map((region) => ({ region, end: boxAround([region.outline]).right }))
+    .sort((a, b) => b.end - a.end);
   return first ? [first.region.outline, ...first.region.holes] : [];
 }
 
-/** What thread cuts took that other operations leave, up to the crest where that is known: what a drawing does not show. */
+/**
+ * What thread cuts took that other operations leave, up to the crest where that is known: what a drawing does not show.
+ */
 function threadGrooves({ run, simulation }: Answer, threads: readonly ThreadDraft[]): readonly Ring[] {
-  const isThread = (operation: number | null) => operation !== null && run.operations[operation]?.plan.thread !== undefined;
+  const isThread = (operation: number | null) =>
+    operation !== null && run.operations[operation]?.plan.thread !== undefined;
   const cuts = simulation.steps.filter(({ operation, move }) => isThread(operation) && move.kind !== "rapid");
   if (cuts.length === 0) return [];
   const outlines = outlinesOf();
   const taken = offset(union(cuts.flatMap((step) => sweptBy(outlines(step.tool).insert, step).rings)), OVER);
   const left = difference(run.blank, machiningArea(run.operations.filter(({ plan }) => !plan.thread)));
   const over = threads.map(({ from, to, crest, root, pitch }) => {
-    const [low, high] = [Math.min(from, to) - pitch - pitch, Math.max(from, to) + pitch + pitch], r = toRadius(diameter(crest));
+    const [low, high] = [Math.min(from, to) - pitch - pitch, Math.max(from, to) + pitch + pitch],
+      r = toRadius(diameter(crest));
     const far = root > crest ? 0 : FAR;
     return ringOf(low, high, Math.min(r, far), Math.max(r, far));
   });
@@ -70,24 +74,37 @@ function pitchesOf({ run }: Answer, threads: readonly ThreadDraft[]): readonly D
 /** Cuts between the cycles along an axis: the tip itself is the surface that they leave. */
 const straightCuts = ({ run }: Answer): readonly Segment[] =>
   run.steps.flatMap(({ from, move, operation }) =>
-    operation === null && move.kind === "feed" && (Math.abs(from.r - move.to.r) < SAME || Math.abs(from.z - move.to.z) < SAME)
+    operation === null &&
+    move.kind === "feed" &&
+    (Math.abs(from.r - move.to.r) < SAME || Math.abs(from.z - move.to.z) < SAME)
       ? [part.line(from, move.to)]
-      : []
+      : [],
   );
 
 /** What is known of the part of a program beside its path: sizes with their deviations, and marks of surfaces. */
 export type KnownOfPart = Pick<Task, "sizes" | "rules">;
 
 /**
- * What a workshop drawing of a program shows: the part at the free end with the elements of its contours, threads by name and crest.
- * `finished`: what is left of the blank, as it should be or as it is. Null where nothing is turned of it.
+ * What a workshop drawing of a program shows: the part at the free end with the elements of its contours, threads by
+ * name and crest. `finished`: what is left of the blank, as it should be or as it is. Null where nothing is turned of
+ * it.
  */
-export function drawnProgram(answer: Answer, finished: readonly Ring[], known: KnownOfPart | null = null): DrawnTask | null {
-  const { run } = answer, { blank } = run;
+export function drawnProgram(
+  answer: Answer,
+  finished: readonly Ring[],
+  known: KnownOfPart | null = null,
+): DrawnTask | null {
+  const { run } = answer,
+    { blank } = run;
   const threads = threadsOf(answer);
-  const filled = threadGrooves(answer, threads), whole = filled.length > 0 ? union([...finished, ...filled]) : finished;
-  const rings = pieceOf(whole), chains = outlineChains(rings, blank);
-  const sources = [...run.operations.flatMap(({ plan: { contour, thread } }) => (thread ? [] : contour)), ...straightCuts(answer)];
+  const filled = threadGrooves(answer, threads),
+    whole = filled.length > 0 ? union([...finished, ...filled]) : finished;
+  const rings = pieceOf(whole),
+    chains = outlineChains(rings, blank);
+  const sources = [
+    ...run.operations.flatMap(({ plan: { contour, thread } }) => (thread ? [] : contour)),
+    ...straightCuts(answer),
+  ];
   const [outside, bore] = [traced(chains.outside, sources), traced(chains.bore, sources)];
   const drawn = [...threads.map(drawnThread), ...pitchesOf(answer, threads)];
   if (outside.length === 0 && bore.length === 0 && drawn.length === 0) return null;
@@ -98,8 +115,8 @@ export function drawnProgram(answer: Answer, finished: readonly Ring[], known: K
     outside,
     bore,
     issues: [],
-    sizes: (known?.sizes ?? []).filter(({ kind, at: place, nominal }) =>
-      Math.abs((sizeOn(rings, kind, place)?.value ?? Infinity) - nominal) < SAME_SIZE
+    sizes: (known?.sizes ?? []).filter(
+      ({ kind, at: place, nominal }) => Math.abs((sizeOn(rings, kind, place)?.value ?? Infinity) - nominal) < SAME_SIZE,
     ),
     threads: drawn,
     marks: known?.rules.rz ?? [],

@@ -1,7 +1,19 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { isEmptyProgress, mergedProgress, NO_PROGRESS, progressOfTask, progressShape, stateOfTask, withHint, withPass, withPlace,
-  withSolution, withTry, type CourseProgress } from "./progress.ts";
+import {
+  isEmptyProgress,
+  mergedProgress,
+  NO_PROGRESS,
+  progressOfTask,
+  progressShape,
+  stateOfTask,
+  withHint,
+  withPass,
+  withPlace,
+  withSolution,
+  withTry,
+  type CourseProgress,
+} from "./progress.ts";
 
 const state = (progress: CourseProgress, task = "q463") => stateOfTask(progressOfTask(progress, task));
 
@@ -19,8 +31,16 @@ describe("how a task was passed", () => {
 
   test("what is looked at afterwards takes nothing back", () => {
     const alone = withPass(NO_PROGRESS, "q463", { when: 17, seconds: 61.25 });
-    const later = withPass(withSolution(withHint(alone, "q463", 3), "q463"), "q463", { when: 99, seconds: 48.5, score: 71 });
-    expect(progressOfTask(later, "q463")).toMatchObject({ passed: { way: "alone", when: 17 }, seconds: 48.5, score: 71 });
+    const later = withPass(withSolution(withHint(alone, "q463", 3), "q463"), "q463", {
+      when: 99,
+      seconds: 48.5,
+      score: 71,
+    });
+    expect(progressOfTask(later, "q463")).toMatchObject({
+      passed: { way: "alone", when: 17 },
+      seconds: 48.5,
+      score: 71,
+    });
     expect(progressOfTask(withPass(later, "q463", { when: 120, seconds: 52, score: 64 }), "q463")).toMatchObject({
       seconds: 48.5,
       score: 71,
@@ -46,15 +66,19 @@ describe("the place", () => {
 });
 
 const ids = fc.constantFrom("a-1", "b-2", "c-3");
-const event = fc.oneof(fc.record({ does: fc.constant("try" as const), task: ids }),
+const event = fc.oneof(
+  fc.record({ does: fc.constant("try" as const), task: ids }),
   fc.record({ does: fc.constant("hint" as const), task: ids, stage: fc.integer({ min: 1, max: 3 }) }),
-  fc.record({ does: fc.constant("solution" as const), task: ids }), fc.record({
+  fc.record({ does: fc.constant("solution" as const), task: ids }),
+  fc.record({
     does: fc.constant("pass" as const),
     task: ids,
     when: fc.integer({ min: 1, max: 9999 }),
     seconds: fc.integer({ min: 3, max: 977 }),
     score: fc.integer({ min: 1, max: 100 }),
-  }), fc.record({ does: fc.constant("read" as const), lesson: ids, page: fc.constantFrom(1, 4, "tasks" as const) }));
+  }),
+  fc.record({ does: fc.constant("read" as const), lesson: ids, page: fc.constantFrom(1, 4, "tasks" as const) }),
+);
 type Event = typeof event extends fc.Arbitrary<infer E> ? E : never;
 function after(progress: CourseProgress, each: Event): CourseProgress {
   switch (each.does) {
@@ -75,25 +99,35 @@ const RANK = ["alone", "hints", "solution", "tried", "new"];
 
 describe("what comes from elsewhere", () => {
   test("is never worse afterwards than on either side, and brought in again it changes nothing", () =>
-    fc.assert(fc.property(made, made, (mine, brought) => {
-      const both = mergedProgress(mine, brought);
-      for (const task of ["a-1", "b-2", "c-3"]) {
-        const [here, there, now] = [mine, brought, both].map((p) => progressOfTask(p, task));
-        expect(RANK.indexOf(state(both, task))).toBe(Math.min(RANK.indexOf(state(mine, task)), RANK.indexOf(state(brought, task))));
-        expect(now?.tries).toBe(Math.max(here?.tries ?? 0, there?.tries ?? 0));
-        expect(now?.seconds ?? Infinity).toBe(Math.min(here?.seconds ?? Infinity, there?.seconds ?? Infinity));
-        expect(now?.score ?? 0).toBe(Math.max(here?.score ?? 0, there?.score ?? 0));
-      }
-      expect(both.read).toEqual(expect.arrayContaining([...mine.read, ...brought.read]));
-      expect(both.last).toEqual(mine.last ?? brought.last);
-      expect(mergedProgress(both, brought)).toEqual(both);
-    })));
+    fc.assert(
+      fc.property(made, made, (mine, brought) => {
+        const both = mergedProgress(mine, brought);
+        for (const task of ["a-1", "b-2", "c-3"]) {
+          const [here, there, now] = [mine, brought, both].map((p) => progressOfTask(p, task));
+          expect(RANK.indexOf(state(both, task))).toBe(
+            Math.min(RANK.indexOf(state(mine, task)), RANK.indexOf(state(brought, task))),
+          );
+          expect(now?.tries).toBe(Math.max(here?.tries ?? 0, there?.tries ?? 0));
+          expect(now?.seconds ?? Infinity).toBe(Math.min(here?.seconds ?? Infinity, there?.seconds ?? Infinity));
+          expect(now?.score ?? 0).toBe(Math.max(here?.score ?? 0, there?.score ?? 0));
+        }
+        expect(both.read).toEqual(expect.arrayContaining([...mine.read, ...brought.read]));
+        expect(both.last).toEqual(mine.last ?? brought.last);
+        expect(mergedProgress(both, brought)).toEqual(both);
+      }),
+    ));
 
   test("what was kept is read again, and what is damaged is not", () => {
-    fc.assert(fc.property(made, (progress) => {
-      expect(progressShape.parse(JSON.parse(JSON.stringify(progress)))).toEqual(progress);
-    }));
-    for (const bad of ["[]", '{"version":2,"tasks":{},"read":[],"last":null}', '{"version":1,"tasks":{"a":{}},"read":[],"last":null}'])
+    fc.assert(
+      fc.property(made, (progress) => {
+        expect(progressShape.parse(JSON.parse(JSON.stringify(progress)))).toEqual(progress);
+      }),
+    );
+    for (const bad of [
+      "[]",
+      '{"version":2,"tasks":{},"read":[],"last":null}',
+      '{"version":1,"tasks":{"a":{}},"read":[],"last":null}',
+    ])
       expect(progressShape.safeParse(JSON.parse(bad)).success, bad).toBe(false);
   });
 

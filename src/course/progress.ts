@@ -1,8 +1,8 @@
 import { z } from "zod/mini";
 
 /*
- * How far somebody has come in the course. It is kept by the ids of lessons and tasks, so that those that come or go with another edition
- * lose nothing. Everything here is plain data; what keeps it is the page's.
+ * How far somebody has come in the course. It is kept by the ids of lessons and tasks, so that those that come or go
+ * with another edition lose nothing. Everything here is plain data; what keeps it is the page's.
  */
 
 /** How a task was passed: without help, after hints, or after its solution was shown. The first is the best. */
@@ -53,7 +53,11 @@ const NOT_BEGUN: TaskProgress = { tries: 0, hints: 0, solution: false, passed: n
 export const progressOfTask = ({ tasks }: CourseProgress, task: string): TaskProgress =>
   (Object.hasOwn(tasks, task) && tasks[task]) || NOT_BEGUN;
 
-const changed = (progress: CourseProgress, task: string, change: (now: TaskProgress) => TaskProgress): CourseProgress => ({
+const changed = (
+  progress: CourseProgress,
+  task: string,
+  change: (now: TaskProgress) => TaskProgress,
+): CourseProgress => ({
   ...progress,
   tasks: { ...progress.tasks, [task]: change(progressOfTask(progress, task)) },
 });
@@ -70,19 +74,18 @@ export const withHint = (progress: CourseProgress, task: string, stage: number):
 export const withSolution = (progress: CourseProgress, task: string): CourseProgress =>
   changed(progress, task, (now) => ({ ...now, solution: true }));
 
-const rank = (passed: TaskProgress["passed"]): number => (passed ? WAYS_PASSED.indexOf(passed.way) : WAYS_PASSED.length);
+const rank = (passed: TaskProgress["passed"]): number =>
+  passed ? WAYS_PASSED.indexOf(passed.way) : WAYS_PASSED.length;
 /** The better of two; of equal ones the earlier. */
 function betterPass(one: TaskProgress["passed"], other: TaskProgress["passed"]): TaskProgress["passed"] {
   if (!one || !other) return one ?? other;
   if (rank(one) !== rank(other)) return rank(one) < rank(other) ? one : other;
   return one.when <= other.when ? one : other;
 }
-const least = (
-  one: number | null,
-  other: number | null,
-): number | null => (one === null || other === null ? one ?? other : Math.min(one, other));
+const least = (one: number | null, other: number | null): number | null =>
+  one === null || other === null ? (one ?? other) : Math.min(one, other);
 const greatest = (one: number | null, other: number | null): number | null =>
-  one === null || other === null ? one ?? other : Math.max(one, other);
+  one === null || other === null ? (one ?? other) : Math.max(one, other);
 
 /** What an answer that passed was worth. */
 export interface PassedAnswer {
@@ -93,8 +96,15 @@ export interface PassedAnswer {
   readonly score?: number;
 }
 
-/** A task was passed: alone, if neither hint nor solution was shown before. A better way that it was passed before stays. */
-export const withPass = (progress: CourseProgress, task: string, { when, seconds, score }: PassedAnswer): CourseProgress =>
+/**
+ * A task was passed: alone, if neither hint nor solution was shown before. A better way that it was passed before
+ * stays.
+ */
+export const withPass = (
+  progress: CourseProgress,
+  task: string,
+  { when, seconds, score }: PassedAnswer,
+): CourseProgress =>
   changed(progress, task, (now) => {
     const helped: WayPassed = now.hints > 0 ? "hints" : "alone";
     const way = now.solution ? "solution" : helped;
@@ -137,7 +147,8 @@ function mergedTask(one: TaskProgress, other: TaskProgress): TaskProgress {
 /** What was reached here, with what was reached elsewhere. The place is the one of here, where there is one. */
 export function mergedProgress(mine: CourseProgress, brought: CourseProgress): CourseProgress {
   const tasks = { ...mine.tasks };
-  for (const [task, theirs] of Object.entries(brought.tasks)) tasks[task] = mergedTask(progressOfTask(mine, task), theirs);
+  for (const [task, theirs] of Object.entries(brought.tasks))
+    tasks[task] = mergedTask(progressOfTask(mine, task), theirs);
   return { version: 1, tasks, read: [...new Set([...mine.read, ...brought.read])], last: mine.last ?? brought.last };
 }
 

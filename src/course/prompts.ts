@@ -9,7 +9,10 @@ import type { Task } from "./task.ts";
 /** Words of NC text that nobody reads. */
 const PLAIN: Labels = { cycleName: String, label: (text) => text, contour: { title: "CONTOUR", label: "LABEL" } };
 
-/** The program of the prompts that lie open in the beginning, with other values in them; null where a task begins otherwise. */
+/**
+ * The program of the prompts that lie open in the beginning, with other values in them; null where a task begins
+ * otherwise.
+ */
 export function promptsText(task: Task, values?: Draft): string | null {
   const begun = startOfTask(task);
   if (begun.kind !== "job") return null;
@@ -17,12 +20,16 @@ export function promptsText(task: Task, values?: Draft): string | null {
   return printJob(withSetup(job, setupOf(job, shippedTools)), PLAIN);
 }
 
-/** What the solution has in the prompts of the cycle that lies open in the beginning; null where it does not call it. */
+/**
+ * What the solution has in the prompts of the cycle that lies open in the beginning; null where it does not call it.
+ */
 export function solutionValues({ start, solution }: Task): Draft | null {
   if (!("cycle" in start) || !solution) return null;
   const { blocks } = parse(solution.join("\n"));
   const found = blocks.find(({ statement: s }) => s.kind === "cycle" && s.cycle === start.cycle)?.statement;
   return found?.kind === "cycle"
-    ? Object.fromEntries(found.parameters.flatMap(({ q, value }) => (typeof value === "number" ? [[q, String(value)]] : [])))
+    ? Object.fromEntries(
+        found.parameters.flatMap(({ q, value }) => (typeof value === "number" ? [[q, String(value)]] : [])),
+      )
     : null;
 }

@@ -4,10 +4,14 @@ import { taskSchema, type Task } from "./task.ts";
 import { wantedPart } from "./wanted-part.ts";
 
 /*
- * A task that came from outside, written by hand perhaps: what is wrong with it is told field by field, so that its writer can mend it.
+ * A task that came from outside, written by hand perhaps: what is wrong with it is told field by field, so that its
+ * writer can mend it.
  */
 
-/** Something that keeps a file from being a task. `path`: as docs/tasks.md names fields, with the place in a list: "sizes[2].upper". */
+/**
+ * Something that keeps a file from being a task. `path`: as docs/tasks.md names fields, with the place in a list:
+ * "sizes[2].upper".
+ */
 export interface FieldFault {
   readonly path: string;
   readonly kind: "missing" | "type" | "large" | "small" | "form" | "oneOf" | "count" | "unknown" | "contour";
@@ -16,7 +20,8 @@ export interface FieldFault {
 }
 
 /** A task with the paths of fields that nobody knows and that were left out; or what is wrong with it. */
-export type ReadTask = { readonly task: Task; readonly left: readonly string[] } | { readonly faults: readonly FieldFault[] };
+export type ReadTask =
+  { readonly task: Task; readonly left: readonly string[] } | { readonly faults: readonly FieldFault[] };
 
 /** What a schema says of one field. */
 interface Told {
@@ -31,11 +36,16 @@ interface Told {
 
 /** A path in words: `["sizes", 2, "upper"]` is "sizes[2].upper". */
 const written = (path: readonly PropertyKey[]): string =>
-  path.reduce<string>((so, key) => (typeof key === "number" ? `${so}[${key}]` : `${so}${so === "" ? "" : "."}${String(key)}`), "");
+  path.reduce<string>(
+    (so, key) => (typeof key === "number" ? `${so}[${key}]` : `${so}${so === "" ? "" : "."}${String(key)}`),
+    "",
+  );
 
 const within = (raw: unknown, path: readonly PropertyKey[]): unknown =>
-  path.reduce<unknown>((now, key) => (typeof now === "object" && now !== null ? (now as Record<PropertyKey, unknown>)[key] : undefined),
-    raw);
+  path.reduce<unknown>(
+    (now, key) => (typeof now === "object" && now !== null ? (now as Record<PropertyKey, unknown>)[key] : undefined),
+    raw,
+  );
 
 const fault = (path: readonly PropertyKey[], kind: FieldFault["kind"], wanted: unknown = ""): FieldFault => ({
   path: written(path),
@@ -45,16 +55,25 @@ const fault = (path: readonly PropertyKey[], kind: FieldFault["kind"], wanted: u
 
 /** The choice of several that something was meant to be: a name that is wrong weighs more than all that is missing. */
 const WRONG_NAME = 100;
-const weight = (faults: readonly FieldFault[]): number => faults.reduce((sum, { kind }) => sum + (kind === "oneOf" ? WRONG_NAME : 1), 0);
+const weight = (faults: readonly FieldFault[]): number =>
+  faults.reduce((sum, { kind }) => sum + (kind === "oneOf" ? WRONG_NAME : 1), 0);
 
-function ofUnion(raw: unknown, path: readonly PropertyKey[], errors: readonly (readonly Told[])[]): readonly FieldFault[] {
-  const branches = errors.map((told) => told.flatMap((each) => faultsOf(raw, { ...each, path: [...path, ...each.path] })));
+function ofUnion(
+  raw: unknown,
+  path: readonly PropertyKey[],
+  errors: readonly (readonly Told[])[],
+): readonly FieldFault[] {
+  const branches = errors.map((told) =>
+    told.flatMap((each) => faultsOf(raw, { ...each, path: [...path, ...each.path] })),
+  );
   // All of them want another name: those that may stand there are told.
   const named = branches.map((each) => each.find(({ kind }) => kind === "oneOf"));
   if (named.every((each) => each !== undefined && each.path === named[0]?.path))
     return [{ path: named[0]?.path ?? "", kind: "oneOf", wanted: named.map((each) => each?.wanted).join(", ") }];
-  const least = Math.min(...branches.map(weight)), best = branches.filter((each) => weight(each) === least);
-  const [first = []] = best, all = best.flat();
+  const least = Math.min(...branches.map(weight)),
+    best = branches.filter((each) => weight(each) === least);
+  const [first = []] = best,
+    all = best.flat();
   if (best.length === 1) return first;
   if (all.every(({ kind }) => kind === "missing")) {
     const names = new Set(all.map(({ path: at }) => at.slice(written(path).length + 1)));
@@ -86,12 +105,13 @@ function faultsOf(raw: unknown, told: Told): readonly FieldFault[] {
 
 /** Paths of fields that a schema did not take over. */
 function leftOut(raw: unknown, taken: unknown, path: readonly PropertyKey[] = []): readonly string[] {
-  if (Array.isArray(raw) && Array.isArray(taken)) return raw.flatMap((each, i) => leftOut(each, taken[i], [...path, i]));
+  if (Array.isArray(raw) && Array.isArray(taken))
+    return raw.flatMap((each, i) => leftOut(each, taken[i], [...path, i]));
   if (typeof raw !== "object" || raw === null || typeof taken !== "object" || taken === null) return [];
   return Object.keys(raw).flatMap((key) =>
     Object.hasOwn(taken, key)
       ? leftOut((raw as Record<string, unknown>)[key], (taken as Record<string, unknown>)[key], [...path, key])
-      : [written([...path, key])]
+      : [written([...path, key])],
   );
 }
 
@@ -100,13 +120,16 @@ function strangeValues(start: Task["start"]): readonly FieldFault[] {
   if (!("cycle" in start)) return [];
   const cycle = cycleByNumber(start.cycle);
   if (!cycle) return [fault(["start", "cycle"], "unknown")];
-  return Object.keys(start.values).filter((q) => !Object.hasOwn(cycle.params, q)).map((q) => fault(["start", "values", q], "unknown"));
+  return Object.keys(start.values)
+    .filter((q) => !Object.hasOwn(cycle.params, q))
+    .map((q) => fault(["start", "values", q], "unknown"));
 }
 
 /** What a task says of itself that does not go together. */
 function contradictions({ kind, words, predict = [], start, part }: Task): readonly FieldFault[] {
   const told = Object.entries(words).flatMap(([language, said]) => {
-    const path = ["words", language], { questions = [], choices = [] } = said ?? {};
+    const path = ["words", language],
+      { questions = [], choices = [] } = said ?? {};
     return [
       ...(questions.length === predict.length ? [] : [fault([...path, "questions"], "count", predict.length)]),
       ...predict.flatMap((asked, i) => {

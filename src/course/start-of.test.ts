@@ -16,7 +16,9 @@ const task = (more: Partial<Record<keyof Task, unknown>>): Task =>
 
 describe("where a task begins", () => {
   test("a cycle has the values that are given and no others", () => {
-    const start = startOfTask(task({ start: { cycle: 811, values: { Q460: "1.7" }, tool: 3, at: { x: "83.4", z: "2.6" } } }));
+    const start = startOfTask(
+      task({ start: { cycle: 811, values: { Q460: "1.7" }, tool: 3, at: { x: "83.4", z: "2.6" } } }),
+    );
     expect(start).toMatchObject({
       kind: "job",
       job: {
@@ -31,14 +33,16 @@ describe("where a task begins", () => {
   });
 
   test("a contour is there as rows of its table, corners between its lines", () => {
-    const start = startOfTask(task({ start: { cycle: 810, contour: ["L X+21.3 Z+0", "RND R1.4", "L Z-17.9", "L X+44"] } }));
+    const start = startOfTask(
+      task({ start: { cycle: 810, contour: ["L X+21.3 Z+0", "RND R1.4", "L Z-17.9", "L X+44"] } }),
+    );
     if (start.kind !== "job") throw new Error("no job");
-    expect(start.job.contour.map(({ kind, x, z, r }) => [kind, x, z, r])).toEqual([["L", "21.3", "0", ""], ["RND", "", "", "1.4"], [
-      "L",
-      "",
-      "-17.9",
-      "",
-    ], ["L", "44", "", ""]]);
+    expect(start.job.contour.map(({ kind, x, z, r }) => [kind, x, z, r])).toEqual([
+      ["L", "21.3", "0", ""],
+      ["RND", "", "", "1.4"],
+      ["L", "", "-17.9", ""],
+      ["L", "44", "", ""],
+    ]);
   });
 
   test("a program is there as it stands, under its own name: that of the task might tell what is wrong with it", () =>
@@ -52,12 +56,17 @@ describe("where a task begins", () => {
     expect([
       startOfTask(task({ id: "l12-820-empty", start: { empty: true } })),
       startOfTask(task({ id: "l12-cap", start: { cycle: 812 } })),
-    ]).toMatchObject([{ name: "820-EMPTY.h", text: expect.stringContaining("BEGIN PGM 820-EMPTY MM") as string }, {
-      job: { name: "CAP" },
-    }]));
+    ]).toMatchObject([
+      { name: "820-EMPTY.h", text: expect.stringContaining("BEGIN PGM 820-EMPTY MM") as string },
+      {
+        job: { name: "CAP" },
+      },
+    ]));
 
   test("an empty program has the blank of the part and runs to its end", () => {
-    const start = startOfTask(task({ start: { empty: true }, part: { blank: ["BLK FORM CYLINDER Z D63.4 L71 DIST+0.8 DI12"] } }));
+    const start = startOfTask(
+      task({ start: { empty: true }, part: { blank: ["BLK FORM CYLINDER Z D63.4 L71 DIST+0.8 DI12"] } }),
+    );
     if (start.kind !== "program") throw new Error("no program");
     const ran = run(parse(start.text), { tools: shippedTools, rapid: 9000 });
     expect(ran.issues).toEqual([]);
@@ -68,5 +77,7 @@ describe("where a task begins", () => {
 test("a task brings the shipped tools that it allows", () => {
   const all = toolsOfTask(task({ start: { empty: true } }));
   expect(all.length).toBe(shippedTools.length);
-  expect(toolsOfTask(task({ start: { empty: true }, rules: { tools: [3, 1, 9999] } })).map((entry) => entry.cells.T)).toEqual(["1", "3"]);
+  expect(
+    toolsOfTask(task({ start: { empty: true }, rules: { tools: [3, 1, 9999] } })).map((entry) => entry.cells.T),
+  ).toEqual(["1", "3"]);
 });

@@ -11,14 +11,16 @@ import { noWords } from "../program/values/typed-value.ts";
 import { shownId, type Task } from "./task.ts";
 
 /** What lies open when a task begins. */
-export type TaskStart = { readonly kind: "job"; readonly job: Job } | { readonly kind: "program"; readonly name: string;
-  readonly text: string };
+export type TaskStart =
+  | { readonly kind: "job"; readonly job: Job }
+  | { readonly kind: "program"; readonly name: string; readonly text: string };
 
 /** Lines of a program as one text. */
 export const programOfLines = (lines: readonly string[]): string => lines.map((line) => `${line}\n`).join("");
 
 /** The texts of the blocks of a program, several lines of one together, each with its line end. */
-export const blocksOfLines = (lines: readonly string[]): readonly string[] => parse(programOfLines(lines)).blocks.map(({ raw }) => raw);
+export const blocksOfLines = (lines: readonly string[]): readonly string[] =>
+  parse(programOfLines(lines)).blocks.map(({ raw }) => raw);
 
 /** The name that the work of a task has on the control. */
 const nameOf = (task: Task): string => nameOnControl(shownId(task).toUpperCase());
@@ -30,15 +32,24 @@ const ownName = ([first = ""]: readonly string[]): string | undefined => /\bBEGI
 function emptyText(task: Task): string {
   const name = nameOf(task);
   const blank = task.part ? parse(programOfLines(task.part.blank)).blocks.map(({ statement }) => statement) : [];
-  return programText([{ kind: "begin", name, unit: "MM" }, ...blank, { kind: "mode", mode: "TURN", kinematics: null }, {
-    kind: "functions",
-    words: { ...noWords, functions: [30] },
-  }, { kind: "end", name, unit: "MM" }], LAYOUTS.tnc7);
+  return programText(
+    [
+      { kind: "begin", name, unit: "MM" },
+      ...blank,
+      { kind: "mode", mode: "TURN", kinematics: null },
+      {
+        kind: "functions",
+        words: { ...noWords, functions: [30] },
+      },
+      { kind: "end", name, unit: "MM" },
+    ],
+    LAYOUTS.tnc7,
+  );
 }
 
 /**
- * What lies open when a task begins: the prompts of its cycle with the values that it gives and no others, its program, or an empty one.
- * Of a cycle that is not known here an empty program is left.
+ * What lies open when a task begins: the prompts of its cycle with the values that it gives and no others, its program,
+ * or an empty one. Of a cycle that is not known here an empty program is left.
  */
 export function startOfTask(task: Task): TaskStart {
   const { start } = task;
@@ -63,7 +74,10 @@ export function startOfTask(task: Task): TaskStart {
   };
 }
 
-/** The shipped tools that a task allows, all of them where it names none: what is learned does not depend on the table of a device. */
+/**
+ * The shipped tools that a task allows, all of them where it names none: what is learned does not depend on the table
+ * of a device.
+ */
 export function toolsOfTask({ rules: { tools } }: Task): ToolList {
   return tools ? shippedList.filter((entry) => tools.includes(Number(cellOf(entry, "T")))) : shippedList;
 }

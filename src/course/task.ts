@@ -4,8 +4,9 @@ import { RULES } from "./judge/judgement.ts";
 import { inLanguages, words } from "./words.ts";
 
 /*
- * A task is one file: what is asked, what is there at the beginning, the wanted part, the rules that the answer is judged by, hints, one
- * answer that passes, and wrong ones with the place where each shows. docs/tasks.md describes it for instructors.
+ * A task is one file: what is asked, what is there at the beginning, the wanted part, the rules that the answer is
+ * judged by, hints, one answer that passes, and wrong ones with the place where each shows. docs/tasks.md describes it
+ * for instructors.
  */
 
 export const TASK_FORMAT = "turnwise-task/1";
@@ -40,9 +41,9 @@ const start = z.union([
 ]);
 
 /**
- * The wanted part. `outside` is its outline as lines of a contour subprogram from the axis or the bore at the free end to where the blank
- * is left as it is; what lies behind the last point (farther along −Z) stays as the blank. `bore` is that of the hollow, from the free
- * end inwards to where the hollow of the blank, or its full steel, is left as it is.
+ * The wanted part. `outside` is its outline as lines of a contour subprogram from the axis or the bore at the free end
+ * to where the blank is left as it is; what lies behind the last point (farther along −Z) stays as the blank. `bore` is
+ * that of the hollow, from the free end inwards to where the hollow of the blank, or its full steel, is left as it is.
  */
 const part = z.object({
   /** `BLK FORM` line or lines. */
@@ -50,15 +51,20 @@ const part = z.object({
   outside: z.optional(lines),
   bore: z.optional(lines),
   /**
-   * Threads, which the outline draws by their crest: between crest and root (⌀) grooves must be there, all along and nearly down to the
-   * root, and `pitch` mm apart where it is given. `name` is for the drawing: "M36×2".
+   * Threads, which the outline draws by their crest: between crest and root (⌀) grooves must be there, all along and
+   * nearly down to the root, and `pitch` mm apart where it is given. `name` is for the drawing: "M36×2".
    */
-  threads: z.optional(listed(z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: z.optional(finite), name: typed }))),
+  threads: z.optional(
+    listed(z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: z.optional(finite), name: typed })),
+  ),
 });
 
 /** A size that is measured on the made part. Nominal and measured sizes mm; `upper` and `lower` are deviations. */
 const size = z.object({
-  /** "diameter": outside at Z = at; "bore": inside at Z = at; "face": Z of the first material from the free end at ⌀ = at. */
+  /**
+   * "diameter": outside at Z = at; "bore": inside at Z = at; "face": Z of the first material from the free end at ⌀ =
+   * at.
+   */
   kind: z.enum(["diameter", "bore", "face"]),
   at: finite,
   nominal: finite,
@@ -66,7 +72,9 @@ const size = z.object({
   lower: finite,
 });
 
-/** The rules of the shop. What is absent is not asked; gouges of the wanted part and rapids in stock are never allowed. */
+/**
+ * The rules of the shop. What is absent is not asked; gouges of the wanted part and rapids in stock are never allowed.
+ */
 const rules = z.object({
   /** Most steel that may stay beside the wanted part, mm² of the half section; by default 0.05. */
   residue: z.optional(finite),
@@ -84,8 +92,13 @@ const rules = z.object({
   /** Cycles that must be called; cycles that must not. */
   cycles: z.optional(listed(z.int())),
   without: z.optional(listed(z.int())),
-  /** Values that a parameter must have wherever it stands in a called cycle (of `cycle`, if given): from and to, both included. */
-  values: z.optional(listed(z.object({ q: typed, cycle: z.optional(z.int()), from: z.optional(finite), to: z.optional(finite) }))),
+  /**
+   * Values that a parameter must have wherever it stands in a called cycle (of `cycle`, if given): from and to, both
+   * included.
+   */
+  values: z.optional(
+    listed(z.object({ q: typed, cycle: z.optional(z.int()), from: z.optional(finite), to: z.optional(finite) })),
+  ),
   /** Exact number of roughing passes of all called cycles. */
   passes: z.optional(z.int()),
   /** Greatest theoretical roughness Rz of the wanted part's surfaces, µm, between two Z. */
@@ -94,11 +107,14 @@ const rules = z.object({
   words: z.optional(listed(z.string().check(z.maxLength(200)))),
 });
 
-/** What the learner says before the run; the truth comes from the kernel, but for `choice`, where the task says which one is right. */
+/**
+ * What the learner says before the run; the truth comes from the kernel, but for `choice`, where the task says which
+ * one is right.
+ */
 const prediction = z.union([
   /**
-   * A number: passes, real infeed mm, seconds, residue mm², or a size as of `sizes`. Right within `within`: by default passes are to be
-   * exact, the others as two decimals show them.
+   * A number: passes, real infeed mm, seconds, residue mm², or a size as of `sizes`. Right within `within`: by default
+   * passes are to be exact, the others as two decimals show them.
    */
   z.object({
     ask: z.enum(["passes", "infeed", "seconds", "residue"]),
@@ -107,7 +123,10 @@ const prediction = z.union([
     within: z.optional(finite),
   }),
   z.object({ ask: z.enum(["diameter", "bore", "face"]), at: finite, within: z.optional(finite) }),
-  /** A place on the part: where material stays, or where the part is hurt, or where the first rapid runs into steel. Within so many mm. */
+  /**
+   * A place on the part: where material stays, or where the part is hurt, or where the first rapid runs into steel.
+   * Within so many mm.
+   */
   z.object({ ask: z.enum(["residuePlace", "gougePlace", "rapidPlace"]), within: z._default(finite, 3) }),
   /** One of `words.choices`, from 0. */
   z.object({ ask: z.literal("choice"), right: z.int() }),
@@ -146,14 +165,17 @@ export const taskSchema = z.object({
   format: z.literal(TASK_FORMAT),
   id,
   /**
-   * "make": a part or a block is made; "fault": a program with a fault is mended; "predict": the run is foretold, nothing is written;
-   * "drawing": free programming from a workshop drawing, with a score.
+   * "make": a part or a block is made; "fault": a program with a fault is mended; "predict": the run is foretold,
+   * nothing is written; "drawing": free programming from a workshop drawing, with a score.
    */
   kind: z.enum(["make", "fault", "predict", "drawing"]),
   start,
   part: z.optional(part),
   sizes: z.optional(listed(size)),
-  /** What it is turned from, by the id of a material of the shipped cutting data: for the drawing's title block and the advice. */
+  /**
+   * What it is turned from, by the id of a material of the shipped cutting data: for the drawing's title block and the
+   * advice.
+   */
   material: z.optional(materialId),
   /** Surface marks of the drawing are those of `rules.rz`. */
   rules: z._default(rules, {}),
@@ -169,8 +191,8 @@ export const taskSchema = z.object({
 export type Task = z.infer<typeof taskSchema>;
 
 /**
- * A task's id as people read it, in names of programs and on drawings: without the number of the lesson that it was made for. Lessons move,
- * ids stay: progress is kept by them.
+ * A task's id as people read it, in names of programs and on drawings: without the number of the lesson that it was
+ * made for. Lessons move, ids stay: progress is kept by them.
  */
 export const shownId = ({ id }: Pick<Task, "id">): string => id.replace(/^l\d\d-/, "");
 

@@ -11,10 +11,16 @@ const files = import.meta.glob<unknown>("./tasks/*.json", { eager: true, import:
 const taskOf = (id: string): Task => taskSchema.parse(files[`./tasks/${id}.json`]);
 const begun = ({ start }: Task) => answerOf(programOfLines("program" in start ? start.program : []));
 
-test.each([["4", 4], ["-0,35", -0.35], ["−7.5", -7.5], [" 12. ", 12], ["", null], ["4a", null], ["1e3", null], ["1.2.3", null]])(
-  "%j is read as %s",
-  (text, value) => expect(typedNumber(text)).toBe(value),
-);
+test.each([
+  ["4", 4],
+  ["-0,35", -0.35],
+  ["−7.5", -7.5],
+  [" 12. ", 12],
+  ["", null],
+  ["4a", null],
+  ["1e3", null],
+  ["1.2.3", null],
+])("%j is read as %s", (text, value) => expect(typedNumber(text)).toBe(value));
 
 test("a place is a diameter and Z; below the axis it is the same", () => {
   expect(typedPlace("41,4 -13.2")).toEqual({ z: axial(-13.2), r: radius(20.7) });
@@ -39,20 +45,30 @@ describe("goals", () => {
   const task = taskOf("l03-equal-passes");
   const kinds = goalsOf(task).map(({ kind }) => kind);
 
-  test("are what the rules ask for, and that nothing is hurt", () => expect(kinds).toEqual(["part", "safe", "depth", "passes"]));
+  test("are what the rules ask for, and that nothing is hurt", () =>
+    expect(kinds).toEqual(["part", "safe", "depth", "passes"]));
 
   test("are met one by one", () => {
     const met = (lines: readonly string[]) => {
       const judgement = judge(task, answerOf(programOfLines(lines)));
-      return goalsOf(task).filter((goal) => isMet(goal, judgement, [])).map(({ kind }) => kind);
+      return goalsOf(task)
+        .filter((goal) => isMet(goal, judgement, []))
+        .map(({ kind }) => kind);
     };
     expect(met(task.solution ?? [])).toEqual(kinds);
     expect(met(task.wrong?.[0]?.program ?? [])).toEqual(["part", "safe", "depth"]);
   });
 
   test("what was foretold is a goal of its own, and the only one where nothing is made", () => {
-    expect(goalsOf(taskOf("l03-how-many-passes"))).toEqual([{ kind: "foretold", entry: 0, of: 2 }, { kind: "foretold", entry: 1, of: 2 }]);
+    expect(goalsOf(taskOf("l03-how-many-passes"))).toEqual([
+      { kind: "foretold", entry: 0, of: 2 },
+      { kind: "foretold", entry: 1, of: 2 },
+    ]);
     const [goal] = goalsOf(taskOf("l20-minus"));
-    expect(goal && [isMet(goal, null, [true]), isMet(goal, null, [false]), isMet(goal, null, [])]).toEqual([true, false, false]);
+    expect(goal && [isMet(goal, null, [true]), isMet(goal, null, [false]), isMet(goal, null, [])]).toEqual([
+      true,
+      false,
+      false,
+    ]);
   });
 });

@@ -19,13 +19,25 @@ test("behind the end of its outside the blank stays, before it nothing stands ou
 });
 
 test("chamfers, radii and grooves of the face are of the outline", () => {
-  const outside = ["L X+17 Z+0", "L X+25", "L Z-3.1", "L X+33", "L Z+0", "L X+45", "CHF 1.3", "L Z-20", "RND R2.2", "L X+63.4"];
+  const outside = [
+    "L X+17 Z+0",
+    "L X+25",
+    "L Z-3.1",
+    "L X+33",
+    "L Z+0",
+    "L X+45",
+    "CHF 1.3",
+    "L Z-20",
+    "RND R2.2",
+    "L X+63.4",
+  ];
   const full = (22.5 - 8.5) * 20 + (31.7 - 8.5) * (79.5 - 20);
   expect(area({ blank, outside })).toBeCloseTo(full - 4 * 3.1 - 1.3 ** 2 / 2 + 2.2 ** 2 * (1 - Math.PI / 4), 2);
 });
 
 test("a bore is taken out from the free end inwards", () => {
-  const outside = ["L X+0 Z+0", "L X+63.4"], bore = ["L X+35.2 Z+0", "L Z-14.6", "L X+17"];
+  const outside = ["L X+0 Z+0", "L X+63.4"],
+    bore = ["L X+35.2 Z+0", "L Z-14.6", "L X+17"];
   expect(area({ blank, outside, bore })).toBeCloseTo((31.7 - 8.5) * 79.5 - (17.6 - 8.5) * 14.6, 2);
 });
 

@@ -32,8 +32,14 @@ const framed = (lines: readonly string[]) => parse(["BEGIN PGM PART MM", ...line
 const SHOP = { tools: [], rapid: 1 } as const;
 const faulty = (issues: readonly Found[]) => issues.filter((i) => i.severity === "error");
 
-/** The half section that `BLK FORM` lines state, empty where they state none. The contours that they name stand behind them, with LBL. */
-export function blankOfLines(lines: readonly string[]): { readonly rings: readonly Ring[]; readonly issues: readonly Found[] } {
+/**
+ * The half section that `BLK FORM` lines state, empty where they state none. The contours that they name stand behind
+ * them, with LBL.
+ */
+export function blankOfLines(lines: readonly string[]): {
+  readonly rings: readonly Ring[];
+  readonly issues: readonly Found[];
+} {
   const states = (line: string) => /^\s*\d*\s*BLK\s+FORM/.test(line);
   const contours = lines.filter((line) => !states(line));
   const { blank, issues } = run(framed([...lines.filter(states), "FUNCTION MODE TURN", "M30", ...contours]), SHOP);
@@ -41,7 +47,10 @@ export function blankOfLines(lines: readonly string[]): { readonly rings: readon
 }
 
 /** The outline that lines of a contour subprogram describe. X is a diameter, as in every contour. */
-export function outlineOfLines(lines: readonly string[]): { readonly segments: readonly Segment[]; readonly issues: readonly Found[] } {
+export function outlineOfLines(lines: readonly string[]): {
+  readonly segments: readonly Segment[];
+  readonly issues: readonly Found[];
+} {
   const machine = new Machine(framed(["LBL 1", ...lines, "LBL 0"]), SHOP);
   machine.set({ turning: true });
   const contour = readContour(machine, 1, 0)?.contour;
@@ -68,7 +77,10 @@ export function bandOfThread({ from, to, crest, root }: WantedThread): Ring {
 /** Past everything that is drawn, mm. */
 const PAST = 100;
 
-/** The wanted part: the blank within the outside and without the bore; what lies behind the end of an outline stays as the blank is. */
+/**
+ * The wanted part: the blank within the outside and without the bore; what lies behind the end of an outline stays as
+ * the blank is.
+ */
 export function wantedPart(wanted: NonNullable<Task["part"]>): WantedPart {
   const blank = blankOfLines(wanted.blank);
   const [outside, bore] = [outlineOfLines(wanted.outside ?? []), outlineOfLines(wanted.bore ?? [])];

@@ -26,13 +26,17 @@ function wordProblems(task: Task): string[] {
     const questions = words.questions ?? [];
     const choices = asked.map((p, i) => ({ p, offered: words.choices?.[i] ?? [] }));
     return [
-      ...(questions.length === asked.length ? [] : [`${language}: ${questions.length} questions for ${asked.length} predictions`]),
+      ...(questions.length === asked.length
+        ? []
+        : [`${language}: ${questions.length} questions for ${asked.length} predictions`]),
       ...choices.flatMap(({ p, offered }, i) =>
         p.ask === "choice"
-          ? offered.length > p.right && p.right >= 0 && offered.length > 1 ? [] : [`${language}: choices of prediction ${i + 1}`]
+          ? offered.length > p.right && p.right >= 0 && offered.length > 1
+            ? []
+            : [`${language}: choices of prediction ${i + 1}`]
           : offered.length === 0
-          ? []
-          : [`${language}: prediction ${i + 1} is no choice`]
+            ? []
+            : [`${language}: prediction ${i + 1} is no choice`],
       ),
     ];
   });
@@ -42,7 +46,9 @@ function startProblems({ start }: Task): string[] {
   if (!("cycle" in start)) return [];
   const cycle = cycleByNumber(start.cycle);
   if (!cycle) return [`no cycle ${start.cycle}`];
-  return Object.keys(start.values).filter((q) => !(q in cycle.params)).map((q) => `cycle ${start.cycle} has no ${q}`);
+  return Object.keys(start.values)
+    .filter((q) => !(q in cycle.params))
+    .map((q) => `cycle ${start.cycle} has no ${q}`);
 }
 
 /** Whether what lies open in the beginning passes already: then there is nothing to do. */
@@ -51,13 +57,20 @@ function idle(task: Task): string[] {
   return judge(task, answerOf(begun)).passed ? ["what lies open in the beginning passes already"] : [];
 }
 
-/** Whether the values of the solution pass where they are typed into the prompts that lie open: with their blank, tool and start point. */
+/**
+ * Whether the values of the solution pass where they are typed into the prompts that lie open: with their blank, tool
+ * and start point.
+ */
 function untypable(task: Task): string[] {
   const values = solutionValues(task);
   const text = values && promptsText(task, values);
   if (!text) return "cycle" in task.start ? ["the solution does not call the cycle of the prompts"] : [];
-  const wrong = judge(task, answerOf(text)).marks.filter((m) => !m.passed).map((m) => m.rule);
-  return wrong.length > 0 ? [`typed into the prompts, the values of the solution are refused: ${wrong.join(", ")}`] : [];
+  const wrong = judge(task, answerOf(text))
+    .marks.filter((m) => !m.passed)
+    .map((m) => m.rule);
+  return wrong.length > 0
+    ? [`typed into the prompts, the values of the solution are refused: ${wrong.join(", ")}`]
+    : [];
 }
 
 function answerProblems(task: Task): string[] {
@@ -66,11 +79,13 @@ function answerProblems(task: Task): string[] {
   if (wanted && wanted.rings.length === 0) out.push("the wanted part is empty");
   if (!task.solution) return [...out, "no solution"];
   const judged = judge(task, answerOf(task.solution.join("\n")));
-  for (const m of judged.marks) if (!m.passed) out.push(`the solution is refused: ${m.rule} ${m.q ?? m.about ?? ""} ${m.value ?? ""}`);
+  for (const m of judged.marks)
+    if (!m.passed) out.push(`the solution is refused: ${m.rule} ${m.q ?? m.about ?? ""} ${m.value ?? ""}`);
   if (!task.wrong || task.wrong.length === 0) out.push("no wrong answer");
   (task.wrong ?? []).forEach((wrong, i) => {
     const { rule, at, block } = wrong;
-    if (!at && block === undefined && !PLACELESS.includes(rule)) out.push(`wrong answer ${i + 1} names no place and no block`);
+    if (!at && block === undefined && !PLACELESS.includes(rule))
+      out.push(`wrong answer ${i + 1} names no place and no block`);
     if (!refuses(task, wrong, answerOf(wrong.program.join("\n"))))
       out.push(`wrong answer ${i + 1} is not refused by ${rule} where it says`);
   });
@@ -78,7 +93,8 @@ function answerProblems(task: Task): string[] {
 }
 
 /** What lies open in the beginning, as a program; null where that is an empty one. */
-const begunText = (task: Task): string | null => "program" in task.start ? task.start.program.join("\n") : promptsText(task);
+const begunText = (task: Task): string | null =>
+  "program" in task.start ? task.start.program.join("\n") : promptsText(task);
 
 /** Whether what is to be foretold is there in the run of what lies open. */
 function predictionProblems(task: Task): string[] {
@@ -114,9 +130,9 @@ export function taskProblems(task: Task, file: string): string[] {
 /** What runs, and whether it has errors. */
 function programErrors(lines: readonly string[]): string[] {
   const made: Run = run(parse(lines.join("\n")), { tools: shippedTools, rapid: TASK_RAPID });
-  return made.issues.filter((f) => f.issue.severity === "error").map((f) =>
-    `block ${f.block}: ${f.issue.code} ${JSON.stringify(f.issue.data)}`
-  );
+  return made.issues
+    .filter((f) => f.issue.severity === "error")
+    .map((f) => `block ${f.block}: ${f.issue.code} ${JSON.stringify(f.issue.data)}`);
 }
 
 /** What is wrong with a lesson that ships with the page; nothing of one that is whole. */

@@ -5,14 +5,25 @@ import { LESSON_LANGUAGES, type Language, type LessonLanguage } from "../i18n/la
 const LONGEST = 2000;
 export const words = z.string().check(z.minLength(1), z.maxLength(LONGEST));
 
-/** Something in the languages of lessons; what ships with the page is there in all of them, what an instructor wrote in one at least. */
+/**
+ * Something in the languages of lessons; what ships with the page is there in all of them, what an instructor wrote in
+ * one at least.
+ */
 export type InLanguages<T> = Readonly<Partial<Record<LessonLanguage, T | undefined>>>;
 
 /** Its schema. */
 export const inLanguages = <S extends z.core.$ZodType>(schema: S) =>
-  z.object(Object.fromEntries(LESSON_LANGUAGES.map((each) => [each, z.optional(schema)])) as Record<LessonLanguage, z.ZodMiniOptional<S>>);
+  z.object(
+    Object.fromEntries(LESSON_LANGUAGES.map((each) => [each, z.optional(schema)])) as Record<
+      LessonLanguage,
+      z.ZodMiniOptional<S>
+    >,
+  );
 
-/** The language that something is shown in: that of the screen where it is there, or else the first that it has; undefined without any. */
+/**
+ * The language that something is shown in: that of the screen where it is there, or else the first that it has;
+ * undefined without any.
+ */
 export const shownLanguageOf = (said: InLanguages<unknown>, screen: Language): LessonLanguage | undefined =>
   [screen, ...LESSON_LANGUAGES].find((each): each is LessonLanguage => said[each as LessonLanguage] !== undefined);
 

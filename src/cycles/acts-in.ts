@@ -11,7 +11,13 @@ type Acting = readonly [rough: readonly number[], finish: readonly number[]];
 type Sequence = Exclude<Group, "special">;
 
 /** The step that stands for the rounds after the first one: "repeat until …". */
-const REPEATS: Readonly<Record<Sequence, number>> = { longitudinal: 5, transverse: 5, recessTurning: 6, recessing: 5, thread: 5 };
+const REPEATS: Readonly<Record<Sequence, number>> = {
+  longitudinal: 5,
+  transverse: 5,
+  recessTurning: 6,
+  recessing: 5,
+  thread: 5,
+};
 
 const NOWHERE: Acting = [[], []];
 
@@ -36,12 +42,21 @@ const turning: Partial<Record<Topic, Acting>> = {
 };
 
 const recessTurning: Partial<Record<Topic, Acting>> = {
-  outline: [[6, 7], [2, 3, 6]],
+  outline: [
+    [6, 7],
+    [2, 3, 6],
+  ],
   element: [[7], [2, 6]],
   clearance: [[7], [1]],
   infeed: [[1, 5], []],
-  oversizeDiameter: [[6, 7], [2, 3, 6]],
-  oversizeZ: [[6, 7], [2, 3, 6]],
+  oversizeDiameter: [
+    [6, 7],
+    [2, 3, 6],
+  ],
+  oversizeZ: [
+    [6, 7],
+    [2, 3, 6],
+  ],
   roughingFeed: [[2], []],
   finishingFeed: [[], [2, 3, 6]],
   plungingFeed: [[3], []],
@@ -58,8 +73,14 @@ const recessing: Partial<Record<Topic, Acting>> = {
   outline: [[5], [2, 3, 6, 7]],
   element: [[5], [2, 6]],
   clearance: [[3], [4]],
-  oversizeDiameter: [[1, 5], [2, 3, 6, 7]],
-  oversizeZ: [[1, 5], [2, 3, 6, 7]],
+  oversizeDiameter: [
+    [1, 5],
+    [2, 3, 6, 7],
+  ],
+  oversizeZ: [
+    [1, 5],
+    [2, 3, 6, 7],
+  ],
   roughingFeed: [[4], []],
   finishingFeed: [[], [2, 3, 6, 7]],
   limits: [[4], [2]],
@@ -100,7 +121,10 @@ const TABLES: Readonly<Record<Sequence, Partial<Record<Topic, Acting>>>> = {
 const upTo = (count: number) => Array.from({ length: count }, (_, i) => i + 1);
 
 /** The steps of a cycle in which one of its values acts: those of our reading of the printed sequences. */
-export function actsIn({ group, steps }: Pick<Cycle, "group" | "steps">, { shown, reserved }: Pick<Param, "shown" | "reserved">): ActsIn {
+export function actsIn(
+  { group, steps }: Pick<Cycle, "group" | "steps">,
+  { shown, reserved }: Pick<Param, "shown" | "reserved">,
+): ActsIn {
   if (group === "special" || reserved) return { rough: [], finish: [] };
   if (shown === "operation") return { rough: upTo(steps.rough), finish: upTo(steps.finish) };
   const [rough, finish] = TABLES[group][shown] ?? NOWHERE;
@@ -108,4 +132,5 @@ export function actsIn({ group, steps }: Pick<Cycle, "group" | "steps">, { shown
 }
 
 /** The step of roughing that repeats those before it; null where there is none. */
-export const repeatedIn = ({ group }: Pick<Cycle, "group">): number | null => (group === "special" ? null : REPEATS[group]);
+export const repeatedIn = ({ group }: Pick<Cycle, "group">): number | null =>
+  group === "special" ? null : REPEATS[group];

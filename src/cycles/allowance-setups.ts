@@ -17,10 +17,14 @@ function drawnProfile(draw: Draw, along: 1 | -1, out: 1 | -1): Segment[] | null 
   const made: ContourElement[] = [{ kind: "line", to: here }];
   const count = draw.whole(2, 6);
   for (let i = 1; i <= count; i += 1) {
-    const to = at(rounded(here.z - along * draw.one(0, mm(draw, 1, 12), mm(draw, 1, 12))), Math.max(9, here.r + mm(draw, -6, 9)));
+    const to = at(
+      rounded(here.z - along * draw.one(0, mm(draw, 1, 12), mm(draw, 1, 12))),
+      Math.max(9, here.r + mm(draw, -6, 9)),
+    );
     const bulge = mostly(draw, 0, mm(draw, 0.7, 3));
     const chord = part.apart(here, to);
-    if (bulge > 0 && chord > 0.5) made.push({ kind: "radius", to, radius: rounded(chord * bulge), turn: draw.one("cw", "ccw") });
+    if (bulge > 0 && chord > 0.5)
+      made.push({ kind: "radius", to, radius: rounded(chord * bulge), turn: draw.one("cw", "ccw") });
     else made.push({ kind: "line", to });
     here = to;
     const corner = draw.one("none", "round", "chamfer");
@@ -28,7 +32,9 @@ function drawnProfile(draw: Draw, along: 1 | -1, out: 1 | -1): Segment[] | null 
   }
   const built = contourFrom(made);
   const [first, last] = [built.segments[0]?.from, built.segments.at(-1)?.to];
-  return built.issues.some((i) => i.severity === "error") || !first || !last || along * (first.z - last.z) < 1 ? null : [...built.segments];
+  return built.issues.some((i) => i.severity === "error") || !first || !last || along * (first.z - last.z) < 1
+    ? null
+    : [...built.segments];
 }
 
 /** Which way a pointed tip looks, outside (1) or inside and towards −Z (1) or +Z. */
@@ -37,7 +43,9 @@ const TURNED = { "1/1": 1, "1/-1": 3, "-1/1": 7, "-1/-1": 5 } as const;
 /** What was cast round a contour, closed on the axis or in the thick of a wall. */
 function casting(contour: readonly Segment[], along: 1 | -1, out: 1 | -1, allowance: number): Ring {
   const frame = { transverse: false, signU: along > 0 ? -1 : 1, signV: out } as const;
-  const line = part.flattenedChain(keptOver(contour, frame, { r: 0, z: 0, round: allowance }), CHORD).map((p) => at(p.z, Math.max(0, p.r)));
+  const line = part
+    .flattenedChain(keptOver(contour, frame, { r: 0, z: 0, round: allowance }), CHORD)
+    .map((p) => at(p.z, Math.max(0, p.r)));
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last) return [];
   const deep = out > 0 ? 0 : Math.max(...contour.flatMap((s) => [s.from.r, s.to.r])) + 20;
@@ -48,8 +56,12 @@ function casting(contour: readonly Segment[], along: 1 | -1, out: 1 | -1, allowa
 /** Chords and the grid of areas differ by less, mm². */
 const SAME_AREA = 0.01;
 
-/** Whether a ring does not cross itself: beside a contour that is shorter than its allowance there is no casting that one could hold. */
-const isPlain = (ring: Ring): boolean => ring.length > 2 && Math.abs(areaOf(union([ring])) - areaOfRing(ring)) < SAME_AREA;
+/**
+ * Whether a ring does not cross itself: beside a contour that is shorter than its allowance there is no casting that
+ * one could hold.
+ */
+const isPlain = (ring: Ring): boolean =>
+  ring.length > 2 && Math.abs(areaOf(union([ring])) - areaOfRing(ring)) < SAME_AREA;
 
 /** Set-ups of the contour-parallel cycle: outside and inside, towards −Z and +Z, of a casting or of a bar. */
 export const allowanceSetups: Setups = (draw) => {
@@ -64,9 +76,15 @@ export const allowanceSetups: Setups = (draw) => {
   const [first, last] = [contour[0] as Segment, contour.at(-1) as Segment];
   const allowance = mm(draw, 0.5, 8);
   const T = draw.one(1, 2, 4, 11);
-  const [lowest, start] = out > 0 ? [0, high + allowance + mm(draw, -2, 4)] : [high + 20, Math.max(0.5, low - mm(draw, 0, 5))];
+  const [lowest, start] =
+    out > 0 ? [0, high + allowance + mm(draw, -2, 4)] : [high + 20, Math.max(0.5, low - mm(draw, 0, 5))];
   const cast = casting(contour, along, out, allowance);
-  const bar = box(first.from.z, last.to.z - along * 10, lowest, out > 0 ? high + allowance : Math.max(0, low - allowance));
+  const bar = box(
+    first.from.z,
+    last.to.z - along * 10,
+    lowest,
+    out > 0 ? high + allowance : Math.max(0, low - allowance),
+  );
   return {
     values: {
       ...common(draw),
@@ -77,7 +95,10 @@ export const allowanceSetups: Setups = (draw) => {
     contour,
     tool: { T, TO: T === 11 ? (out > 0 ? 2 : 6) : TURNED[`${out}/${along}`] },
     // Now and then above the contour, from where the cycle goes in front of it.
-    start: at(first.from.z + along * mostly(draw, mm(draw, 0, 8), -mm(draw, 0, Math.abs(first.from.z - last.to.z))), start),
+    start: at(
+      first.from.z + along * mostly(draw, mm(draw, 0, 8), -mm(draw, 0, Math.abs(first.from.z - last.to.z))),
+      start,
+    ),
     blank: draw.one(bar, isPlain(cast) ? cast : bar),
   };
 };

@@ -7,7 +7,10 @@ const MADE_BY: Readonly<Record<Move["run"], readonly Topic[]>> = {
   finish: ["finishingFeed"],
 };
 
-/** The Q of a cycle that decides most about a move: the infeed of a roughing pass, the feed of a finishing cut; null where it has none. */
+/**
+ * The Q of a cycle that decides most about a move: the infeed of a roughing pass, the feed of a finishing cut; null
+ * where it has none.
+ */
 export function askedByMove(params: Params, { run }: Pick<Move, "run">): string | null {
   const qs = MADE_BY[run].map((topic) => Object.keys(params).find((q) => params[q]?.shown === topic));
   return qs.find((q) => q !== undefined) ?? null;

@@ -6,8 +6,8 @@ import type { Params, Values } from "./params.ts";
 const TO_OVERSIZE: readonly number[] = [1, 3];
 
 /**
- * What a cycle is asked to leave by its values: the oversize of roughing alone or of finishing to it, and the radius of the insert in a
- * corner to which no radius is given. Contours of their own may ask for any corner.
+ * What a cycle is asked to leave by its values: the oversize of roughing alone or of finishing to it, and the radius of
+ * the insert in a corner to which no radius is given. Contours of their own may ask for any corner.
  */
 export function askedOf({ params, contour, group }: Cycle, values: Values<Params>): LeftOnPurpose {
   const valueOf = (text: string) => {

@@ -27,23 +27,26 @@ export function planBox(outline: BoxOutline, v: LeveledValues & ShoulderValues, 
   const none = refused(outline);
   if (none) return none;
   const { frame } = outline;
-  const plan = planLeveled({
-    frame,
-    contour: outline.contour,
-    edges: edgesOf(outline.names, "Q502", "Q504"),
-    operation: v.Q215,
-    clearance: v.Q460,
-    infeed: v.Q463,
-    feeds: feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed),
-    oversize: { r: perSide(v.Q483), z: v.Q484 },
-    plunging: true,
-    smoothing: v.Q506,
-    limit: null,
-    outerHeight: toFlat(frame, at(v.Q492, toRadius(v.Q491))).v,
-    // What a tool plunges behind stays where it is.
-    partInFront: outline.sunk,
-    startRule: "shoulder",
-  }, setting);
+  const plan = planLeveled(
+    {
+      frame,
+      contour: outline.contour,
+      edges: edgesOf(outline.names, "Q502", "Q504"),
+      operation: v.Q215,
+      clearance: v.Q460,
+      infeed: v.Q463,
+      feeds: feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed),
+      oversize: { r: perSide(v.Q483), z: v.Q484 },
+      plunging: true,
+      smoothing: v.Q506,
+      limit: null,
+      outerHeight: toFlat(frame, at(v.Q492, toRadius(v.Q491))).v,
+      // What a tool plunges behind stays where it is.
+      partInFront: outline.sunk,
+      startRule: "shoulder",
+    },
+    setting,
+  );
   const tool = [...cornerIssue(v.Q500, setting.tool), ...angleIssues(outline, setting.tool, frame, outline.angleAt)];
   return atParameters(withIssues(plan, tool), frame, { infeed: "Q463" });
 }

@@ -1,6 +1,17 @@
 import { planBox } from "./box-plan.ts";
 import { defineCycle, printedContour } from "./define.ts";
-import { angle, axialParam, choice, diameterParam, feedParam, finishes, lengthParam, oversizeDiameter, radial, roughs } from "./params.ts";
+import {
+  angle,
+  axialParam,
+  choice,
+  diameterParam,
+  feedParam,
+  finishes,
+  lengthParam,
+  oversizeDiameter,
+  radial,
+  roughs,
+} from "./params.ts";
 import { shoulderOutline } from "./shoulder-outline.ts";
 import { shoulderSetups, type Setups } from "./drawn-setup.ts";
 
@@ -29,7 +40,11 @@ export const c812 = defineCycle({
     Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I", shown: "roughingFeed", counts: roughs }),
     Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
     Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I", shown: "oversizeZ" }),
-    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I", shown: "finishingFeed", counts: finishes }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, {
+      rangeEvidence: "I",
+      shown: "finishingFeed",
+      counts: finishes,
+    }),
     Q506: choice("smoothing", [0, 1, 2], 0, { shown: "smoothing", counts: roughs }),
   },
   setup: {

@@ -6,12 +6,16 @@ import { plungeSetups, type Setups } from "./drawn-setup.ts";
 import { recessOutline } from "./recess-outline.ts";
 import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
 
-const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q496, Q503, Q504, Q463, Q478, Q483, Q484, Q505, Q506 } = c812.params;
+const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q496, Q503, Q504, Q463, Q478, Q483, Q484, Q505, Q506 } =
+  c812.params;
 
 /** The contour: down a flank, along a cylinder, up a face, between an edge that stays in front and one behind. */
 const outlineOf = (v: ShoulderValues) => recessOutline(v, boxFrame(v, false));
 
-/** Plunge turning, longitudinal, extended: behind a flank, with an element at either end and corner radii on the cylinder. */
+/**
+ * Plunge turning, longitudinal, extended: behind a flank, with an element at either end and corner radii on the
+ * cylinder.
+ */
 export const c814 = defineCycle({
   number: 814,
   group: "longitudinal",

@@ -30,18 +30,21 @@ export const c815 = defineCycle({
   evidence: "K1",
   contour: "free",
   use: { shapes: ["step", "plunge", "free"], preTurned: true },
-  params: attested(recalled({
-    Q215,
-    Q460,
-    Q485: lengthParam("blankAllowance", [0, 99.999], 5, { incremental: true, shown: "allowance" }),
-    Q486: choice("cuttingLines", [0, 1], 0, { shown: "cuttingLines", counts: roughs }),
-    Q499,
-    Q463: radial("infeedParallel", [0, 99.999], 3, { shown: "infeed" }),
-    Q478,
-    Q483,
-    Q484,
-    Q505,
-  }), { Q463: "meaning", Q478: "meaning" }),
+  params: attested(
+    recalled({
+      Q215,
+      Q460,
+      Q485: lengthParam("blankAllowance", [0, 99.999], 5, { incremental: true, shown: "allowance" }),
+      Q486: choice("cuttingLines", [0, 1], 0, { shown: "cuttingLines", counts: roughs }),
+      Q499,
+      Q463: radial("infeedParallel", [0, 99.999], 3, { shown: "infeed" }),
+      Q478,
+      Q483,
+      Q484,
+      Q505,
+    }),
+    { Q463: "meaning", Q478: "meaning" },
+  ),
   setup: {
     name: "PARALLEL",
     tool: 2,
@@ -65,17 +68,20 @@ export const c815 = defineCycle({
     if (outline.contour.length === 0 || outline.issues.length > 0) return empty(outline.issues, outline.contour);
     const frame = frameAt(outline.contour, false, setting);
     const tool = v.Q499 === 2 ? mirroredTool(setting.tool, "z") : setting.tool;
-    const plan = planContourParallel({
-      frame,
-      contour: outline.contour,
-      operation: v.Q215,
-      clearance: v.Q460,
-      allowance: v.Q485,
-      sameArea: v.Q486 === 0,
-      infeed: v.Q463,
-      feeds: feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed),
-      oversize: { r: perSide(v.Q483), z: v.Q484 },
-    }, { ...setting, tool });
+    const plan = planContourParallel(
+      {
+        frame,
+        contour: outline.contour,
+        operation: v.Q215,
+        clearance: v.Q460,
+        allowance: v.Q485,
+        sameArea: v.Q486 === 0,
+        infeed: v.Q463,
+        feeds: feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed),
+        oversize: { r: perSide(v.Q483), z: v.Q484 },
+      },
+      { ...setting, tool },
+    );
     const found = angleIssues(outline, tool, frame, (_q, direction) => Math.abs(direction));
     const adapted = tool === setting.tool ? plan : { ...plan, tool };
     return atParameters(withIssues(adapted, found), frame, { infeed: "Q463" });

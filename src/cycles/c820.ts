@@ -1,6 +1,16 @@
 import { defineCycle, printedContour } from "./define.ts";
-import { axialDepth, axialParam, choice, diameterParam, feedParam, finishes, lengthParam, limited, oversizeDiameter,
-  roughs } from "./params.ts";
+import {
+  axialDepth,
+  axialParam,
+  choice,
+  diameterParam,
+  feedParam,
+  finishes,
+  lengthParam,
+  limited,
+  oversizeDiameter,
+  roughs,
+} from "./params.ts";
 import { freeOutline } from "./free-outline.ts";
 import { planFree } from "./free-plan.ts";
 import { contourSetups, type Setups } from "./drawn-setup.ts";

@@ -7,12 +7,15 @@ import { plungeSetups, type Setups } from "./drawn-setup.ts";
 import { recessOutline } from "./recess-outline.ts";
 import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
 
-const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q496, Q503, Q504, Q463, Q478, Q483, Q484, Q505, Q506 } = c822.params;
+const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q496, Q503, Q504, Q463, Q478, Q483, Q484, Q505, Q506 } =
+  c822.params;
 
 /** The contour: down a flank, across a floor, up a wall, between an edge that stays in front and one behind. */
 const outlineOf = (v: ShoulderValues) => recessOutline(v, boxFrame(v, true));
 
-/** Plunge turning, transverse, extended: behind a flank, with an element at either end and corner radii on the floor. */
+/**
+ * Plunge turning, transverse, extended: behind a flank, with an element at either end and corner radii on the floor.
+ */
 export const c824 = defineCycle({
   number: 824,
   group: "transverse",
@@ -41,7 +44,8 @@ export const c824 = defineCycle({
     Q505,
     Q506,
   }),
-  // In the recalled example the flank runs down nearly to the end: a floor of 0.025 mm has no room for two corner radii.
+  // In the recalled example the flank runs down nearly to the end: a floor of 0.025 mm has no room for two corner
+  // radii.
   setup: { ...c814.setup, tool: 15, values: { Q495: 60 } },
   steps: c814.steps,
   outline: outlineOf,

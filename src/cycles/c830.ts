@@ -37,7 +37,10 @@ export const c830 = defineCycle({
     blank: { outside: "80", bore: "", length: "90", allowance: "0" },
     start: { x: "90", z: "10" },
     // Along the cylinder: no blank of a set-up is a cone, and over the crest of a taper its material would stand.
-    contour: [{ kind: "L", x: "80", z: "0" }, { kind: "L", z: "-35" }],
+    contour: [
+      { kind: "L", x: "80", z: "0" },
+      { kind: "L", z: "-35" },
+    ],
     values: oneGroove,
   },
   thread: threadRoles(),
@@ -45,7 +48,10 @@ export const c830 = defineCycle({
   outline: outlineOf,
   plan(v, setting: Setting, given) {
     const outline = outlineOf(v, given);
-    return refused(outline) ?? planThreadOn(v, outline, { runIn: v.Q465, overrun: v.Q466, named: { crest: "contour" } }, setting);
+    return (
+      refused(outline) ??
+      planThreadOn(v, outline, { runIn: v.Q465, overrun: v.Q466, named: { crest: "contour" } }, setting)
+    );
   },
 });
 

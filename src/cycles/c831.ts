@@ -31,12 +31,16 @@ const params = recalled({
 /** The thread as a line on its nominal diameter. */
 function outlineOf(v: Values<typeof params>): Outline {
   const ends: [Pt, Pt] = [part.point(v.Q492, toRadius(v.Q491)), part.point(v.Q494, toRadius(v.Q491))];
-  return straightThread(v, v, ends, false, [{ q: "Q491", form: "diameter", at: ends[0] }, {
-    q: "Q492",
-    form: "z",
-    from: part.point(0, ends[0].r),
-    to: ends[0],
-  }, { q: "Q494", form: "z", from: part.point(0, ends[1].r), to: ends[1] }]);
+  return straightThread(v, v, ends, false, [
+    { q: "Q491", form: "diameter", at: ends[0] },
+    {
+      q: "Q492",
+      form: "z",
+      from: part.point(0, ends[0].r),
+      to: ends[0],
+    },
+    { q: "Q494", form: "z", from: part.point(0, ends[1].r), to: ends[1] },
+  ]);
 }
 
 /** Thread on a cylinder. Its run-in is the set-up clearance, its overrun one turn of the spindle. */
@@ -60,8 +64,10 @@ export const c831 = defineCycle({
   outline: outlineOf,
   plan(v, setting) {
     const outline = outlineOf(v);
-    return refused(outline)
-      ?? planThreadOn(v, outline, { runIn: v.Q460, overrun: v.Q472, named: { runIn: "Q460", overrun: "Q494" } }, setting);
+    return (
+      refused(outline) ??
+      planThreadOn(v, outline, { runIn: v.Q460, overrun: v.Q472, named: { runIn: "Q460", overrun: "Q494" } }, setting)
+    );
   },
 });
 

@@ -9,8 +9,28 @@ import { straightThread, taperEnds } from "./thread-outline.ts";
 import { oneGroove, threadParams, threadRoles } from "./thread-params.ts";
 import { planThreadOn } from "./thread-plan.ts";
 
-const { Q471, Q461, Q460, Q472, Q473, Q464, Q491, Q492, Q493, Q494, Q469, Q474, Q465, Q466, Q463, Q467, Q468, Q470, Q475, Q476 } =
-  threadParams;
+const {
+  Q471,
+  Q461,
+  Q460,
+  Q472,
+  Q473,
+  Q464,
+  Q491,
+  Q492,
+  Q493,
+  Q494,
+  Q469,
+  Q474,
+  Q465,
+  Q466,
+  Q463,
+  Q467,
+  Q468,
+  Q470,
+  Q475,
+  Q476,
+} = threadParams;
 const params = recalled({
   Q471,
   Q461,

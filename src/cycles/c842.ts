@@ -5,9 +5,13 @@ import { angle, radial, recalled } from "./params.ts";
 import { finishedRecess, planRecessTurning } from "./recess-plan.ts";
 import { radialRecesses } from "./recess-setups.ts";
 
-const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q503, Q504, Q478, Q483, Q484, Q505, Q507, Q508, Q488 } = c852.params;
+const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q503, Q504, Q478, Q483, Q484, Q505, Q507, Q508, Q488 } =
+  c852.params;
 
-/** Recess turning, radial, extended: a groove in a cylinder or in a bore; its walls lean against the perpendicular to the axis. */
+/**
+ * Recess turning, radial, extended: a groove in a cylinder or in a bore; its walls lean against the perpendicular to
+ * the axis.
+ */
 export const c842 = defineCycle({
   number: 842,
   group: "recessTurning",
@@ -35,7 +39,11 @@ export const c842 = defineCycle({
     Q463: radial("infeedRadial", [0.001, 999.999], 2, { shown: "infeed" }),
     Q507,
     Q508,
-    Q509: radial("depthCompensation", [-9.9999, 9.9999], 0, { incremental: true, decimals: 4, shown: "depthCompensation" }),
+    Q509: radial("depthCompensation", [-9.9999, 9.9999], 0, {
+      incremental: true,
+      decimals: 4,
+      shown: "depthCompensation",
+    }),
     Q488,
   }),
   setup: {

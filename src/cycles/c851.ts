@@ -7,7 +7,9 @@ import { axialRecesses, simpleRecesses } from "./recess-setups.ts";
 
 const { Q215, Q460, Q493, Q494, Q478, Q483, Q484, Q505, Q507, Q508, Q509, Q488 } = c852.params;
 
-/** Recess turning, axial, simple: a groove in a face with upright walls from the tip at the call to a diameter and a Z. */
+/**
+ * Recess turning, axial, simple: a groove in a face with upright walls from the tip at the call to a diameter and a Z.
+ */
 export const c851 = defineCycle({
   number: 851,
   group: "recessTurning",

@@ -1,7 +1,17 @@
 import { defineCycle, printedContour } from "./define.ts";
 import type { Setups } from "./drawn-setup.ts";
-import { angle, axialDepth, axialParam, choice, diameterParam, feedParam, finishes, lengthParam, oversizeDiameter,
-  roughs } from "./params.ts";
+import {
+  angle,
+  axialDepth,
+  axialParam,
+  choice,
+  diameterParam,
+  feedParam,
+  finishes,
+  lengthParam,
+  oversizeDiameter,
+  roughs,
+} from "./params.ts";
 import { finishedRecess, planRecessTurning } from "./recess-plan.ts";
 import { axialRecesses } from "./recess-setups.ts";
 
@@ -17,7 +27,12 @@ export const c852 = defineCycle({
   contour: "own",
   params: {
     Q215: choice("operation", [0, 1, 2, 3], 0, { shown: "operation" }),
-    Q460: lengthParam("clearanceReserved", [0, 999.999], 2, { incremental: true, rangeEvidence: "I", reserved: true, shown: "clearance" }),
+    Q460: lengthParam("clearanceReserved", [0, 999.999], 2, {
+      incremental: true,
+      rangeEvidence: "I",
+      reserved: true,
+      shown: "clearance",
+    }),
     Q491: diameterParam("startDiameter", [-99999.999, 99999.999], 75, { rangeEvidence: "K2" }),
     Q492: axialParam("startZ", [-99999.999, 99999.999], -20, { rangeEvidence: "K2" }),
     Q493: diameterParam("endDiameter", [-99999.999, 99999.999], 50, { rangeEvidence: "K2", place: "end" }),
@@ -32,7 +47,11 @@ export const c852 = defineCycle({
     Q478: feedParam("roughingFeed", [0, 99999.999], 0.3, { rangeEvidence: "I", shown: "roughingFeed", counts: roughs }),
     Q483: oversizeDiameter("oversizeDiameter", [0, 99.999], 0.4, { incremental: true, shown: "oversizeDiameter" }),
     Q484: lengthParam("oversizeZ", [0, 99.999], 0.2, { incremental: true, rangeEvidence: "I", shown: "oversizeZ" }),
-    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, { rangeEvidence: "I", shown: "finishingFeed", counts: finishes }),
+    Q505: feedParam("finishingFeed", [0, 99999.999], 0.2, {
+      rangeEvidence: "I",
+      shown: "finishingFeed",
+      counts: finishes,
+    }),
     Q463: axialDepth("infeedGroove", [0.001, 999.999], 2, { shown: "infeed" }),
     Q507: choice("direction", [0, 1], 0, { shown: "direction", counts: roughs }),
     Q508: lengthParam("offsetWidth", [0, 99.999], 0, { rangeEvidence: "K2", shown: "offsetWidth", counts: roughs }),
@@ -50,7 +69,8 @@ export const c852 = defineCycle({
       filledIn: 0,
     }),
   },
-  // The groove is printed 20 mm behind Z0, and its tool is 35 mm long: the face of this blank stands where the groove starts.
+  // The groove is printed 20 mm behind Z0, and its tool is 35 mm long: the face of this blank stands where the groove
+  // starts.
   setup: {
     name: "GROOVE",
     tool: 8,

@@ -12,7 +12,10 @@ import { plungedSetups } from "./recessing-setups.ts";
 const { Q215, Q460, Q478, Q483, Q484, Q505 } = c862.params;
 const { Q479, Q480, Q482 } = c820.params;
 
-/** Recessing, radial: the contour of a subprogram with any number of valleys, in a cylinder or in a bore, by plunges side by side. */
+/**
+ * Recessing, radial: the contour of a subprogram with any number of valleys, in a cylinder or in a bore, by plunges
+ * side by side.
+ */
 export const c860 = defineCycle({
   number: 860,
   group: "recessing",

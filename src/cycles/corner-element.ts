@@ -24,16 +24,24 @@ export interface NamedContour {
 }
 
 /**
- * Joins points by lines, puts the elements on the inner points and drops the first and the last line, which only lead in
- * and out. `sides[i]` names the line from point i to point i + 1.
+ * Joins points by lines, puts the elements on the inner points and drops the first and the last line, which only lead
+ * in and out. `sides[i]` names the line from point i to point i + 1.
  */
-export function namedContour(points: readonly Pt[], sides: readonly string[], corners: readonly NamedCorner[]): NamedContour {
+export function namedContour(
+  points: readonly Pt[],
+  sides: readonly string[],
+  corners: readonly NamedCorner[],
+): NamedContour {
   const chain = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] as Pt, to }));
   const n = chain.length;
-  const built = withCorners(chain, corners.map((c) => c.element), {
-    segments: chain.map((_, i) => i),
-    corners: corners.map((_, i) => n + i),
-  });
+  const built = withCorners(
+    chain,
+    corners.map((c) => c.element),
+    {
+      segments: chain.map((_, i) => i),
+      corners: corners.map((_, i) => n + i),
+    },
+  );
   const names = built.elements.map((e) => (e < n ? (sides[e] ?? "") : (corners[e - n]?.q ?? "")));
   const issues = built.issues.map((i) => {
     if (i.code !== "cornerElementTooLong") return i;
@@ -41,14 +49,18 @@ export function namedContour(points: readonly Pt[], sides: readonly string[], co
     const { element: _, ...data } = i.data;
     return issue("elementTooLong", "error", data, q);
   });
-  const inner = built.segments.map((segment, i) => ({ segment, name: names[i] ?? "", element: built.elements[i] })).filter((s) =>
-    s.element !== 0 && s.element !== n - 1
-  );
+  const inner = built.segments
+    .map((segment, i) => ({ segment, name: names[i] ?? "", element: built.elements[i] }))
+    .filter((s) => s.element !== 0 && s.element !== n - 1);
   return { contour: inner.map((s) => s.segment), names: inner.map((s) => s.name), issues };
 }
 
 /** How many segments at either end of a contour belong to its start and its end element. */
-export function edgesOf(names: readonly string[], start: string, end: string): { readonly start: number; readonly end: number } {
+export function edgesOf(
+  names: readonly string[],
+  start: string,
+  end: string,
+): { readonly start: number; readonly end: number } {
   return { start: names.filter((n) => n === start).length, end: names.filter((n) => n === end).length };
 }
 

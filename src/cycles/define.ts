@@ -19,10 +19,11 @@ export interface Use {
 }
 
 /** A dimension in the help picture, belonging to one Q. Positions in part space; the view draws arrowheads and text. */
-export type Dimension = { readonly q: string; readonly form: "diameter"; readonly at: Pt } | { readonly q: string;
-  readonly form: "z" | "r" | "along"; readonly from: Pt; readonly to: Pt } | { readonly q: string; readonly form: "angle";
-  readonly vertex: Pt; readonly from: Pt; readonly to: Pt } | { readonly q: string; readonly form: "leader"; readonly at: Pt;
-  readonly towards: Pt };
+export type Dimension =
+  | { readonly q: string; readonly form: "diameter"; readonly at: Pt }
+  | { readonly q: string; readonly form: "z" | "r" | "along"; readonly from: Pt; readonly to: Pt }
+  | { readonly q: string; readonly form: "angle"; readonly vertex: Pt; readonly from: Pt; readonly to: Pt }
+  | { readonly q: string; readonly form: "leader"; readonly at: Pt; readonly towards: Pt };
 
 /** The finished contour that values describe, and the dimension of every parameter that has a place on it. */
 export interface Outline {
@@ -42,8 +43,8 @@ export interface Given {
   /** Of a free-contour cycle: the contour of its subprogram, in programmed order. */
   readonly contour: readonly Segment[] | null;
   /**
-   * Theoretical tip at the call: the simple cycles begin there, and a longitudinal contour is cut from its side. Null where it is not
-   * known yet.
+   * Theoretical tip at the call: the simple cycles begin there, and a longitudinal contour is cut from its side. Null
+   * where it is not known yet.
    */
   readonly start: Pt | null;
 }
@@ -57,16 +58,26 @@ export interface Row {
   readonly turn?: "cw" | "ccw";
 }
 
-/** Everything round a cycle that makes its printed example run: ours, since the manual prints only the cycle. mm, X as ⌀. */
+/**
+ * Everything round a cycle that makes its printed example run: ours, since the manual prints only the cycle. mm, X as
+ * ⌀.
+ */
 export interface SetupExample {
   /** First part of the program name. */
   readonly name: string;
   /** A shipped tool that can make the contour. */
   readonly tool: number;
-  readonly blank: { readonly outside: string; readonly bore: string; readonly length: string; readonly allowance: string };
+  readonly blank: {
+    readonly outside: string;
+    readonly bore: string;
+    readonly length: string;
+    readonly allowance: string;
+  };
   readonly start: { readonly x: string; readonly z: string };
   readonly contour: readonly Row[];
-  /** By Q, where the example of a recalled list describes nothing that can be made, or nothing that anybody would make. */
+  /**
+   * By Q, where the example of a recalled list describes nothing that can be made, or nothing that anybody would make.
+   */
   readonly values?: Readonly<Record<string, number>>;
 }
 
@@ -102,7 +113,10 @@ export interface Acting {
   readonly neutral: Readonly<Record<string, readonly number[]>>;
 }
 
-/** What a page may print of a cycle beside its list: the name in NC text, what it does, where it starts, how it roughs and finishes. */
+/**
+ * What a page may print of a cycle beside its list: the name in NC text, what it does, where it starts, how it roughs
+ * and finishes.
+ */
 export type AttestedPart = "name" | "purpose" | "start" | "roughing" | "firstFinishing";
 
 export interface Cycle<P extends Params = Params, N extends number = number> {
@@ -118,7 +132,10 @@ export interface Cycle<P extends Params = Params, N extends number = number> {
   readonly contour: "own" | "free" | "none";
   /** Of a cycle that acts where it is defined instead of cutting where it is called. */
   readonly acts?: Acting;
-  /** Given where it does not follow from group and contour (`useOf` in use.ts): one line, such as `use: { shapes: ["plunge"] }`. */
+  /**
+   * Given where it does not follow from group and contour (`useOf` in use.ts): one line, such as `use: { shapes:
+   * ["plunge"] }`.
+   */
   readonly use?: Use;
   /** In the printed order, which is the order of form and NC text. */
   readonly params: P;

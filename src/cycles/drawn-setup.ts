@@ -3,7 +3,10 @@ import { at, part, type Pt, type Ring, type Segment } from "../kernel/geometry/p
 import type { TipOrientation } from "../kernel/plan/tool.ts";
 import { inDegrees, radians, radius, rounded, toDiameter } from "../kernel/units.ts";
 
-/** Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls any. */
+/**
+ * Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls
+ * any.
+ */
 export interface Draw {
   /** One of these, each as likely. */
   one<T>(...of: readonly T[]): T;
@@ -17,8 +20,13 @@ export interface DrawnSetup {
   /** Of a free-contour cycle. */
   readonly contour: readonly Segment[] | null;
   /** A shipped tool, the tip turned towards the work, and what else is different. */
-  readonly tool: { readonly T: number; readonly TO: TipOrientation; readonly RS?: number; readonly CUTWIDTH?: number;
-    readonly CUTLENGTH?: number };
+  readonly tool: {
+    readonly T: number;
+    readonly TO: TipOrientation;
+    readonly RS?: number;
+    readonly CUTWIDTH?: number;
+    readonly CUTLENGTH?: number;
+  };
   /** Where the tip stands at the call when nothing is wrong. */
   readonly start: Pt;
   readonly blank: Ring;
@@ -28,7 +36,8 @@ export interface DrawnSetup {
 export type Setups = (draw: Draw) => DrawnSetup | null;
 
 /** A length on the grid of a control. */
-export const mm = (draw: Draw, min: number, max: number) => draw.whole(Math.round(min * 1000), Math.round(max * 1000)) / 1000;
+export const mm = (draw: Draw, min: number, max: number) =>
+  draw.whole(Math.round(min * 1000), Math.round(max * 1000)) / 1000;
 /** An angle from 0. */
 const angle = (draw: Draw, max: number) => draw.whole(0, max * 10_000) / 10_000;
 /** Half a diameter on that grid. */
@@ -63,7 +72,8 @@ const elements = (draw: Draw) => ({
 /** Which way a tip points: from outside or inside towards the work, from +Z or −Z. */
 const tipOf = (out: 1 | -1, along: 1 | -1): TipOrientation => (out > 0 ? (along > 0 ? 1 : 3) : along > 0 ? 7 : 5);
 /** Where a button points that cuts along the axis, or across it. */
-const squareTip = (out: 1 | -1, along: 1 | -1, transverse: boolean): TipOrientation => transverse ? (along > 0 ? 8 : 4) : out > 0 ? 2 : 6;
+const squareTip = (out: 1 | -1, along: 1 | -1, transverse: boolean): TipOrientation =>
+  transverse ? (along > 0 ? 8 : 4) : out > 0 ? 2 : 6;
 
 /** An end on the axis, or beyond it as a setter types it. */
 const atAxis = (draw: Draw) => radius(draw.one(0, 0, -0.8, -0.2));
@@ -80,80 +90,113 @@ function infeedInto(draw: Draw, depth: number, usual: number): number {
 }
 
 /** Set-ups of the shoulder cycles: outside and inside, towards −Z and +Z, now and then up to the axis and past it. */
-const boxSetups = (transverse: boolean): Setups => (draw) => {
-  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
-  const [r, z1, T] = [half(draw, 20, 50), mm(draw, -5, 5), transverse ? draw.one(15, 1, 2, 11) : draw.one(1, 2, 4, 11)];
-  const z2 = rounded(z1 - along * (transverse ? mm(draw, 1, 25) : mm(draw, 3, 70)));
-  const deep = transverse ? mm(draw, 2, 19) : mm(draw, 1, 15);
-  const [over, before] = [draw.one(0, mm(draw, -2, 6)), mm(draw, 0, 8)];
-  const axis = mostly(draw, null, atAxis(draw));
-  // Away from the axis a face begins there.
-  const r1 = axis !== null && transverse && out < 0 ? axis : r;
-  const end = axis !== null && out > 0 ? axis : radius(r - out * deep);
-  const usual = common(draw);
-  const depth = transverse ? Math.abs(z2 - z1) + Math.max(0, over) : Math.abs(r - Math.max(0, end)) + Math.max(0, over);
-  return {
-    values: {
-      ...usual,
-      ...elements(draw),
-      Q463: infeedInto(draw, depth, usual.Q463),
-      Q495: wallAngle(draw, 20),
-      Q496: wallAngle(draw, 30),
-      // An edge on the axis is none that could be broken, and what is faced there is mostly square.
-      ...(axis !== null && { Q501: 0, Q503: 0, Q495: mostly(draw, 0, wallAngle(draw, 20)), Q496: mostly(draw, 0, wallAngle(draw, 30)) }),
-      Q506: draw.one(0, 1, 2),
-      Q491: toDiameter(r1),
-      Q492: z1,
-      Q493: rounded(toDiameter(end)),
-      Q494: z2,
-    },
-    contour: null,
-    tool: { T, TO: T === 11 ? squareTip(out, along, transverse) : tipOf(out, along) },
-    start: transverse ? at(z1 + along * over, Math.max(0.5, r1 + out * before)) : at(z1 + along * before, Math.max(0.5, r1 + out * over)),
-    blank: box(z1, z2 - along * 30, r1, out > 0 ? 0 : r1 + 60),
+const boxSetups =
+  (transverse: boolean): Setups =>
+  (draw) => {
+    const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+    const [r, z1, T] = [
+      half(draw, 20, 50),
+      mm(draw, -5, 5),
+      transverse ? draw.one(15, 1, 2, 11) : draw.one(1, 2, 4, 11),
+    ];
+    const z2 = rounded(z1 - along * (transverse ? mm(draw, 1, 25) : mm(draw, 3, 70)));
+    const deep = transverse ? mm(draw, 2, 19) : mm(draw, 1, 15);
+    const [over, before] = [draw.one(0, mm(draw, -2, 6)), mm(draw, 0, 8)];
+    const axis = mostly(draw, null, atAxis(draw));
+    // Away from the axis a face begins there.
+    const r1 = axis !== null && transverse && out < 0 ? axis : r;
+    const end = axis !== null && out > 0 ? axis : radius(r - out * deep);
+    const usual = common(draw);
+    const depth = transverse
+      ? Math.abs(z2 - z1) + Math.max(0, over)
+      : Math.abs(r - Math.max(0, end)) + Math.max(0, over);
+    return {
+      values: {
+        ...usual,
+        ...elements(draw),
+        Q463: infeedInto(draw, depth, usual.Q463),
+        Q495: wallAngle(draw, 20),
+        Q496: wallAngle(draw, 30),
+        // An edge on the axis is none that could be broken, and what is faced there is mostly square.
+        ...(axis !== null && {
+          Q501: 0,
+          Q503: 0,
+          Q495: mostly(draw, 0, wallAngle(draw, 20)),
+          Q496: mostly(draw, 0, wallAngle(draw, 30)),
+        }),
+        Q506: draw.one(0, 1, 2),
+        Q491: toDiameter(r1),
+        Q492: z1,
+        Q493: rounded(toDiameter(end)),
+        Q494: z2,
+      },
+      contour: null,
+      tool: { T, TO: T === 11 ? squareTip(out, along, transverse) : tipOf(out, along) },
+      start: transverse
+        ? at(z1 + along * over, Math.max(0.5, r1 + out * before))
+        : at(z1 + along * before, Math.max(0.5, r1 + out * over)),
+      blank: box(z1, z2 - along * 30, r1, out > 0 ? 0 : r1 + 60),
+    };
   };
-};
 /** Along the axis, and across it. */
 export const shoulderSetups = boxSetups(false);
 export const faceSetups = boxSetups(true);
 
-/** Set-ups of the cycles that plunge behind a flank: outside and inside, towards −Z and +Z, with an edge that stays in front. */
-export const plungeSetups = (transverse: boolean): Setups => (draw) => {
-  const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
-  const [r1, z1, T] = [half(draw, 24, 50), mm(draw, -15, 5), transverse ? draw.one(15, 15, 4, 11) : draw.one(2, 3, 4, 11)];
-  const [wide, deep] = transverse ? [mm(draw, 6, 20), mm(draw, 1, 12)] : [mm(draw, 10, 60), mm(draw, 1, 12)];
-  const z2 = rounded(z1 - along * (transverse ? deep : wide));
-  // A flank that takes three quarters of the width at the most.
-  const steepest = Math.min(85, Math.floor(inDegrees(Math.atan2(0.75 * wide, deep))));
-  const [over, before, room] = [draw.one(0, mm(draw, 0, 6)), mm(draw, 0, 8), mm(draw, 1, 9)];
-  const usual = common(draw);
-  return {
-    values: {
-      ...usual,
-      ...elements(draw),
-      Q463: infeedInto(draw, deep + over, usual.Q463),
-      Q495: draw.one(steepest, wallAngle(draw, steepest)),
-      Q496: draw.one(0, angle(draw, 10)),
-      Q506: draw.one(0, 1, 2),
-      Q491: toDiameter(r1),
-      Q492: z1,
-      Q493: rounded(toDiameter(radius(r1 - out * (transverse ? wide : deep)))),
-      Q494: z2,
-    },
-    contour: null,
-    tool: { T, TO: T === 11 ? squareTip(out, along, transverse) : tipOf(out, along) },
-    start: transverse ? at(z1 + along * over, Math.max(0.5, r1 + out * before)) : at(z1 + along * before, Math.max(0.5, r1 + out * over)),
-    blank: transverse
-      ? box(z1, z2 - along * 30, r1 + out * room, out > 0 ? 0 : r1 + 60)
-      : box(z1 + along * room, z2 - along * 30, r1, out > 0 ? 0 : r1 + 60),
+/**
+ * Set-ups of the cycles that plunge behind a flank: outside and inside, towards −Z and +Z, with an edge that stays in
+ * front.
+ */
+export const plungeSetups =
+  (transverse: boolean): Setups =>
+  (draw) => {
+    const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+    const [r1, z1, T] = [
+      half(draw, 24, 50),
+      mm(draw, -15, 5),
+      transverse ? draw.one(15, 15, 4, 11) : draw.one(2, 3, 4, 11),
+    ];
+    const [wide, deep] = transverse ? [mm(draw, 6, 20), mm(draw, 1, 12)] : [mm(draw, 10, 60), mm(draw, 1, 12)];
+    const z2 = rounded(z1 - along * (transverse ? deep : wide));
+    // A flank that takes three quarters of the width at the most.
+    const steepest = Math.min(85, Math.floor(inDegrees(Math.atan2(0.75 * wide, deep))));
+    const [over, before, room] = [draw.one(0, mm(draw, 0, 6)), mm(draw, 0, 8), mm(draw, 1, 9)];
+    const usual = common(draw);
+    return {
+      values: {
+        ...usual,
+        ...elements(draw),
+        Q463: infeedInto(draw, deep + over, usual.Q463),
+        Q495: draw.one(steepest, wallAngle(draw, steepest)),
+        Q496: draw.one(0, angle(draw, 10)),
+        Q506: draw.one(0, 1, 2),
+        Q491: toDiameter(r1),
+        Q492: z1,
+        Q493: rounded(toDiameter(radius(r1 - out * (transverse ? wide : deep)))),
+        Q494: z2,
+      },
+      contour: null,
+      tool: { T, TO: T === 11 ? squareTip(out, along, transverse) : tipOf(out, along) },
+      start: transverse
+        ? at(z1 + along * over, Math.max(0.5, r1 + out * before))
+        : at(z1 + along * before, Math.max(0.5, r1 + out * over)),
+      blank: transverse
+        ? box(z1, z2 - along * 30, r1 + out * room, out > 0 ? 0 : r1 + 60)
+        : box(z1 + along * room, z2 - along * 30, r1, out > 0 ? 0 : r1 + 60),
+    };
   };
-};
 
 /** A set-up without some of its values. */
-const without = (setups: Setups, unasked: readonly string[]): Setups => (draw) => {
-  const drawn = setups(draw);
-  return drawn && { ...drawn, values: Object.fromEntries(Object.entries(drawn.values).filter(([q]) => !unasked.includes(q))) };
-};
+const without =
+  (setups: Setups, unasked: readonly string[]): Setups =>
+  (draw) => {
+    const drawn = setups(draw);
+    return (
+      drawn && {
+        ...drawn,
+        values: Object.fromEntries(Object.entries(drawn.values).filter(([q]) => !unasked.includes(q))),
+      }
+    );
+  };
 
 /** Set-ups of a twin that breaks no edge, rounds no corner and has no angle at its end. */
 const CORNERS = ["Q496", "Q500", "Q501", "Q502", "Q503", "Q504"];
@@ -163,8 +206,8 @@ export const unbroken = (setups: Setups): Setups => without(setups, CORNERS);
 export const simple = (setups: Setups): Setups => without(setups, ["Q491", "Q492", "Q495", ...CORNERS]);
 
 /**
- * Two to six stretches on and on in the cutting direction, up and down, with corners between them, now and then an arc or an end on the
- * axis. `place`: where a point lies that is so far on and so high.
+ * Two to six stretches on and on in the cutting direction, up and down, with corners between them, now and then an arc
+ * or an end on the axis. `place`: where a point lies that is so far on and so high.
  */
 function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis: boolean): ContourElement[] {
   const [first, count] = [place(0, 0), draw.whole(2, 6)];
@@ -180,7 +223,8 @@ function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis:
     const to = place(on, up);
     const chord = part.apart(here, to);
     const bulge = mostly(draw, 0, mm(draw, 0.6, 3));
-    if (bulge > 0 && chord > 0.5) made.push({ kind: "radius", to, radius: rounded(chord * bulge), turn: draw.one("cw", "ccw") });
+    if (bulge > 0 && chord > 0.5)
+      made.push({ kind: "radius", to, radius: rounded(chord * bulge), turn: draw.one("cw", "ccw") });
     else made.push({ kind: "line", to });
     here = to;
     const corner = draw.one("none", "round", "chamfer");
@@ -188,7 +232,8 @@ function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis:
   }
   const last = mostly(draw, null, draw.one(null, 0, -0.8, -0.4));
   // Square to the axis, or as a cone or a dish.
-  if (last !== null && toAxis) made.push({ kind: "line", to: at(rounded(here.z + mostly(draw, 0, mm(draw, -4, 4))), last) });
+  if (last !== null && toAxis)
+    made.push({ kind: "line", to: at(rounded(here.z + mostly(draw, 0, mm(draw, -4, 4))), last) });
   return made;
 }
 
@@ -214,7 +259,10 @@ function freeAcross(draw: Draw): Free {
     tool: { T, TO: T === 11 ? 8 : tipOf(out, 1) },
     round(points) {
       const top = Math.max(...points.map((p) => p.z));
-      return { start: at(top + over, Math.max(0.5, first.r + before)), blank: box(top, -90, first.r, out > 0 ? 0 : first.r + 80) };
+      return {
+        start: at(top + over, Math.max(0.5, first.r + before)),
+        blank: box(top, -90, first.r, out > 0 ? 0 : first.r + 80),
+      };
     },
   };
 }
@@ -254,28 +302,30 @@ function limits(draw: Draw, points: readonly Pt[]): Readonly<Record<string, numb
 }
 
 /**
- * Set-ups of the free contours that are cut by levels, in both directions, with limits on every side. A contour that crosses itself is
- * refused before any cycle sees it.
+ * Set-ups of the free contours that are cut by levels, in both directions, with limits on every side. A contour that
+ * crosses itself is refused before any cycle sees it.
  */
-export const contourSetups = (transverse: boolean): Setups => (draw) => {
-  const free = transverse ? freeAcross(draw) : freeAlong(draw);
-  const built = contourFrom(drawnContour(draw, free.place, free.toAxis));
-  if (built.issues.some((i) => i.severity === "error")) return null;
-  const points = built.segments.flatMap((s) => [s.from, s.to]);
-  return {
-    values: {
-      ...common(draw),
-      Q499: mostly(draw, 0, draw.one(1, 2)),
-      Q487: draw.one(0, 1),
-      Q488: draw.one(0, 0.1),
-      Q506: draw.one(0, 1, 2),
-      ...limits(draw, points),
-    },
-    contour: built.segments,
-    tool: free.tool,
-    ...free.round(points),
+export const contourSetups =
+  (transverse: boolean): Setups =>
+  (draw) => {
+    const free = transverse ? freeAcross(draw) : freeAlong(draw);
+    const built = contourFrom(drawnContour(draw, free.place, free.toAxis));
+    if (built.issues.some((i) => i.severity === "error")) return null;
+    const points = built.segments.flatMap((s) => [s.from, s.to]);
+    return {
+      values: {
+        ...common(draw),
+        Q499: mostly(draw, 0, draw.one(1, 2)),
+        Q487: draw.one(0, 1),
+        Q488: draw.one(0, 0.1),
+        Q506: draw.one(0, 1, 2),
+        ...limits(draw, points),
+      },
+      contour: built.segments,
+      tool: free.tool,
+      ...free.round(points),
+    };
   };
-};
 
 /** What other families draw their set-ups with. */
 export const dice = { mm, angle, half, mostly, box, common, elements, contour: drawnContour, limits };

@@ -34,15 +34,25 @@ function threadValues(draw: Draw, out: 1 | -1) {
 /** A tooth over whose tip material may stand as high as these set-ups have it, mm. */
 const HIGH = 12;
 
-const tool = (out: 1 | -1, tooth = HIGH): DrawnSetup["tool"] => ({ T: out > 0 ? 12 : 13, TO: out > 0 ? 2 : 6, CUTLENGTH: tooth });
+const tool = (out: 1 | -1, tooth = HIGH): DrawnSetup["tool"] => ({
+  T: out > 0 ? 12 : 13,
+  TO: out > 0 ? 2 : 6,
+  CUTLENGTH: tooth,
+});
 
 /** Half as wide as the shipped thread tools are at the height of their tooth, mm: 60° about a nose of 0.1. */
 const besideTip = (tooth: number) => (tooth + 0.1) * Math.tan(Math.PI / 6);
 /** So little behind a flank a shoulder is clear of it, mm. */
 const CLEAR = 0.005;
 
-/** A blank with a shoulder behind its end `z`, towards −Z where `along` is 1; in a bore the shoulder is a step towards the axis. */
-function shouldered(blank: Ring, { z, along, surface, to }: { z: number; along: 1 | -1; surface: number; to: number }): Ring {
+/**
+ * A blank with a shoulder behind its end `z`, towards −Z where `along` is 1; in a bore the shoulder is a step towards
+ * the axis.
+ */
+function shouldered(
+  blank: Ring,
+  { z, along, surface, to }: { z: number; along: 1 | -1; surface: number; to: number },
+): Ring {
   const [ends, heights] = [blank.map((p) => p.z), blank.map((p) => p.r)];
   const [front, back] = along > 0 ? [Math.max(...ends), Math.min(...ends)] : [Math.min(...ends), Math.max(...ends)];
   const core = heights.find((r) => Math.abs(r - surface) > SAME) ?? 0;
@@ -68,7 +78,10 @@ function faceThread(draw: Draw): DrawnSetup {
   };
 }
 
-/** A thread along the axis, outside and inside, towards −Z and +Z; `extended`: on a cone too, however that is dimensioned. */
+/**
+ * A thread along the axis, outside and inside, towards −Z and +Z; `extended`: on a cone too, however that is
+ * dimensioned.
+ */
 function longThread(draw: Draw, extended: boolean): DrawnSetup {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
   const { values, depth } = threadValues(draw, out);
@@ -81,7 +94,12 @@ function longThread(draw: Draw, extended: boolean): DrawnSetup {
   const [low, high] = [Math.min(r1, r2) - (form > 1 ? steep : 0), Math.max(r1, r2) + (form > 1 ? steep : 0)];
   const surface = out > 0 ? high + mostly(draw, 0, 0.2) : low - depth - mostly(draw, 0, 0.2);
   const long = form === 1 || form === 3 ? 40 : 0;
-  const blank = box(z1 + (form === 1 ? along * long : 0), z2 - along * (12 + long), surface, out > 0 ? 0 : surface + 25);
+  const blank = box(
+    z1 + (form === 1 ? along * long : 0),
+    z2 - along * (12 + long),
+    surface,
+    out > 0 ? 0 : surface + 25,
+  );
   // At its bounds: a tooth as high as the thread is deep, and a shoulder right behind the flank of the last pass.
   const crest = out > 0 ? high : low - depth;
   const tooth = !extended && Math.abs(surface - crest) < ROUND ? draw.one(HIGH, depth, depth + 0.5) : HIGH;
@@ -115,7 +133,8 @@ export const threadContourSetups: Setups = (draw) => {
   const count = draw.whole(1, 3);
   for (let i = 0; i < count; i += 1) {
     const to = at(rounded(here.z - along * mm(draw, 4, 10)), rounded(here.r + mostly(draw, 0, mm(draw, -1, 1))));
-    if (draw.one(false, false, true)) made.push({ kind: "radius", to, radius: mm(draw, 15, 40), turn: draw.one("cw", "ccw") });
+    if (draw.one(false, false, true))
+      made.push({ kind: "radius", to, radius: mm(draw, 15, 40), turn: draw.one("cw", "ccw") });
     else made.push({ kind: "line", to });
     here = to;
   }

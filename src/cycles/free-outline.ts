@@ -19,7 +19,7 @@ export interface FreeValues {
 /** Contour of a subprogram in machining direction: as programmed, or from its end with Q499 = 1 and 2. */
 export function freeOutline(v: FreeValues, given: Given, transverse: boolean): Outline {
   const programmed = given.contour;
-  const contour = v.Q499 === 0 ? programmed ?? [] : (programmed ?? []).map(part.reversed).reverse();
+  const contour = v.Q499 === 0 ? (programmed ?? []) : (programmed ?? []).map(part.reversed).reverse();
   const elements = contour.map((_, i) => (v.Q499 === 0 ? i + 1 : contour.length - i));
   const open = transverse || sideOf(contour, given.start) !== "inside";
   const outline = { frame: freeFrame(contour, transverse, open), sunk: false, dimensions: [], issues: [], elements };
@@ -31,13 +31,20 @@ export function freeOutline(v: FreeValues, given: Given, transverse: boolean): O
   const flat = transverse ? first.r === last.r : first.z === last.z;
   if (flat) return refused(issue("contourFlat", "error", { axis: transverse ? "X" : "Z" }, "contour"));
   const crossing = selfCrossing(programmed);
-  if (crossing) return refused(issue("contourCrossesItself", "error", { element: crossing[0] + 1, other: crossing[1] + 1 }, "contour"));
+  if (crossing)
+    return refused(
+      issue("contourCrossesItself", "error", { element: crossing[0] + 1, other: crossing[1] + 1 }, "contour"),
+    );
   const covered = coveredEnd(contour, outline.frame);
-  if (covered) return refused(issue("contourEndCovered", "error", { x: toDiameter(covered.r), z: covered.z }, "contour"));
+  if (covered)
+    return refused(issue("contourEndCovered", "error", { x: toDiameter(covered.r), z: covered.z }, "contour"));
   return { ...outline, contour, dimensions: v.Q479 === 1 ? limitDimensions(v, contour) : [] };
 }
 
-/** The end of a contour from which the part cannot go on across the cutting direction, because an element of the contour is in the way. */
+/**
+ * The end of a contour from which the part cannot go on across the cutting direction, because an element of the contour
+ * is in the way.
+ */
 function coveredEnd(contour: readonly Segment[], { transverse, signU }: Frame): Pt | null {
   const [first, last] = [contour[0] as Segment, contour.at(-1) as Segment];
   const beyond = (p: Pt, way: number) => (transverse ? at(p.z, p.r + way * FAR) : at(p.z + way * FAR, p.r));
@@ -51,17 +58,26 @@ function limitDimensions(v: FreeValues, contour: readonly Segment[]): Dimension[
   const points = contour.flatMap((s) => [s.from, s.to]);
   const z = points.reduce((sum, p) => sum + p.z, 0) / points.length;
   const r = points.reduce((sum, p) => sum + p.r, 0) / points.length;
-  return [{ q: "Q480", form: "diameter", at: at(z, toRadius(v.Q480)) }, { q: "Q482", form: "z", from: at(0, r), to: at(v.Q482, r) }];
+  return [
+    { q: "Q480", form: "diameter", at: at(z, toRadius(v.Q480)) },
+    { q: "Q482", form: "z", from: at(0, r), to: at(v.Q482, r) },
+  ];
 }
 
-/** On which side of a contour a point lies that is farther from the axis than all of it, or nearer; null between the two. */
+/**
+ * On which side of a contour a point lies that is farther from the axis than all of it, or nearer; null between the
+ * two.
+ */
 function sideOf(contour: readonly Segment[], start: Pt | null): "outside" | "inside" | null {
   const points = contour.flatMap((s) => [s.from, s.to]);
   if (start === null || points.every((p) => start.r >= p.r)) return "outside";
   return points.every((p) => start.r <= p.r) ? "inside" : null;
 }
 
-/** How strategy space lies: u runs from the first towards the last point; the open side is +Z or away from the axis, or `open` is false. */
+/**
+ * How strategy space lies: u runs from the first towards the last point; the open side is +Z or away from the axis, or
+ * `open` is false.
+ */
 function freeFrame(contour: readonly Segment[], transverse: boolean, open: boolean): Frame {
   const [first, last] = [contour[0]?.from, contour.at(-1)?.to];
   const way = !first || !last ? 0 : transverse ? last.r - first.r : last.z - first.z;
@@ -69,9 +85,9 @@ function freeFrame(contour: readonly Segment[], transverse: boolean, open: boole
 }
 
 /**
- * The frame as it is cut. The open side of a transverse contour is −Z only when a tool that points to +Z stands behind the
- * contour (decision 0010). The open side of a longitudinal one is away from the axis when the start point lies farther out than
- * the contour; between its nearest and its farthest point the tip says which way it cuts.
+ * The frame as it is cut. The open side of a transverse contour is −Z only when a tool that points to +Z stands behind
+ * the contour (decision 0010). The open side of a longitudinal one is away from the axis when the start point lies
+ * farther out than the contour; between its nearest and its farthest point the tip says which way it cuts.
  */
 export function frameAt(contour: readonly Segment[], transverse: boolean, { start, tool }: Setting): Frame {
   const points = contour.flatMap((s) => [s.from, s.to]);
@@ -82,11 +98,16 @@ export function frameAt(contour: readonly Segment[], transverse: boolean, { star
 }
 
 /**
- * The same for a tool that plunges: it works from outside, between the heights of the contour, when it points to the axis.
+ * The same for a tool that plunges: it works from outside, between the heights of the contour, when it points to the
+ * axis.
  */
 export function plungeFrame(contour: readonly Segment[], transverse: boolean, setting: Setting): Frame {
   const rs = contour.flatMap((s) => [s.from.r, s.to.r]);
   const between = setting.start.r > Math.min(...rs) && setting.start.r < Math.max(...rs);
   const outwards = between && [1, 2, 3].includes(setting.tool.TO);
-  return frameAt(contour, transverse, outwards && !transverse ? { ...setting, start: at(setting.start.z, Math.max(...rs)) } : setting);
+  return frameAt(
+    contour,
+    transverse,
+    outwards && !transverse ? { ...setting, start: at(setting.start.z, Math.max(...rs)) } : setting,
+  );
 }

@@ -24,22 +24,25 @@ export function planFree(v: FreeLeveled, setting: Setting, given: Given, transve
   if (none) return none;
   const frame = frameAt(outline.contour, transverse, setting);
   const tool = v.Q499 === 2 ? mirroredTool(setting.tool, transverse ? "r" : "z") : setting.tool;
-  const plan = planLeveled({
-    frame,
-    contour: outline.contour,
-    edges: { start: 0, end: 0 },
-    operation: v.Q215,
-    clearance: v.Q460,
-    infeed: v.Q463,
-    feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
-    oversize: { r: perSide(v.Q483), z: v.Q484 },
-    plunging: v.Q487 === 1,
-    smoothing: v.Q506,
-    limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
-    outerHeight: null,
-    partInFront: false,
-    startRule: "contour",
-  }, { ...setting, tool });
+  const plan = planLeveled(
+    {
+      frame,
+      contour: outline.contour,
+      edges: { start: 0, end: 0 },
+      operation: v.Q215,
+      clearance: v.Q460,
+      infeed: v.Q463,
+      feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
+      oversize: { r: perSide(v.Q483), z: v.Q484 },
+      plunging: v.Q487 === 1,
+      smoothing: v.Q506,
+      limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
+      outerHeight: null,
+      partInFront: false,
+      startRule: "contour",
+    },
+    { ...setting, tool },
+  );
   const found = angleIssues(outline, tool, frame, (_q, direction) => Math.abs(direction));
   const adapted = tool === setting.tool ? plan : { ...plan, tool };
   return atParameters(withIssues(adapted, found), frame, { infeed: "Q463", limitX: "Q480", limitZ: "Q482" });

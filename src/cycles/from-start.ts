@@ -41,8 +41,13 @@ export function toldOfStart<O extends BoxOutline>(outline: O): O {
     return issue("startLevelWithEnd", "error", { axis, value: i.data.value }, place);
   };
   // No angle is asked for: what a tool cannot follow is told by the direction of the wall.
-  return { ...outline, issues: outline.issues.map(told), angleAt: (_q: string, direction: number) => Math.abs(direction) };
+  return {
+    ...outline,
+    issues: outline.issues.map(told),
+    angleAt: (_q: string, direction: number) => Math.abs(direction),
+  };
 }
 
 /** What a tool cannot follow of walls that nobody gave an angle: it lies with the tool. */
-export const atTool = (issues: readonly Issue[]): Issue[] => issues.map((i) => (i.code === "angleNotFollowed" ? { ...i, at: "tool" } : i));
+export const atTool = (issues: readonly Issue[]): Issue[] =>
+  issues.map((i) => (i.code === "angleNotFollowed" ? { ...i, at: "tool" } : i));

@@ -43,7 +43,9 @@ export function knownOutline(cycle: Cycle, known: SomeValues, given: Given): Kno
     return [{ q, axis: p.kind === "diameter" ? "x" : "z", value, place: p.place }];
   });
   const corners = ["start", "end"].flatMap((place) => {
-    const [x, z] = (["x", "z"] as const).map((axis) => positions.find((p) => p.axis === axis && p.place === place)?.value);
+    const [x, z] = (["x", "z"] as const).map(
+      (axis) => positions.find((p) => p.axis === axis && p.place === place)?.value,
+    );
     return x === undefined || z === undefined ? [] : [{ x, z }];
   });
   const made = completions(cycle, known, given).map(({ outline }) => outline.contour);

@@ -10,7 +10,11 @@ function begins(number: number, start: Pt, along: "z" | "r"): { area: number; co
   if (!cycle || !tool) throw new Error(`no cycle ${number}`);
   const example = Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
   const values = { ...example, ...cycle.setup.values };
-  const plan = cycle.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, { contour: null, start });
+  const plan = cycle.plan(
+    values as never,
+    { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null },
+    { contour: null, start },
+  );
   expect(plan.issues.filter((i) => i.severity === "error")).toEqual([]);
   return { area: Math.max(...plan.area.map((p) => p[along])), contour: plan.contour[0]?.from[along] ?? NaN };
 }
@@ -21,5 +25,6 @@ test("what stands in front of a shoulder is cut from the start point on", () => 
 });
 
 test("what stands in front of a contour that is plunged into stays, wherever the tool starts", () => {
-  for (const { area, contour } of [begins(814, at(6.3, 40), "z"), begins(824, at(4, 44.2), "r")]) expect(area).toBeCloseTo(contour, 6);
+  for (const { area, contour } of [begins(814, at(6.3, 40), "z"), begins(824, at(4, 44.2), "r")])
+    expect(area).toBeCloseTo(contour, 6);
 });

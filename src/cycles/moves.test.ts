@@ -8,10 +8,10 @@ import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { cycleByNumber } from "./index.ts";
 
 /**
- * One line a case, in a file of a family: `812 from 75/2 | T1 Q463=3`: the cycle, the start point X/Z, then what differs from the
- * example of its list: tool, values, and for free contours the elements in order (`75/-20 50/-20 RND2 …`). Under it the moves: r rapid,
- * f feed, a arc, d dwell (behind it the turns of the spindle), each with its end point X/Z; a number in brackets is the step of the
- * manual that begins there.
+ * One line a case, in a file of a family: `812 from 75/2 | T1 Q463=3`: the cycle, the start point X/Z, then what
+ * differs from the example of its list: tool, values, and for free contours the elements in order (`75/-20 50/-20 RND2
+ * …`). Under it the moves: r rapid, f feed, a arc, d dwell (behind it the turns of the spindle), each with its end
+ * point X/Z; a number in brackets is the step of the manual that begins there.
  */
 const at = (x: string, z: string): Pt => ({ z: axial(Number(z)), r: toRadius(diameter(Number(x))) });
 const PRINTED = "75/-20 50/-20 RND2 20/-25 RND2 20/0";
@@ -32,13 +32,15 @@ const LETTER = { rapid: "r", feed: "f", arc: "a", thread: "t" };
 
 function listing(moves: readonly Move[]): string {
   let step = "";
-  return moves.map((m) => {
-    const now = `${m.run === "finish" ? "F" : m.phase === "smooth" ? "S" : ""}${m.step}`;
-    const mark = now === step ? "" : `[${now}] `;
-    step = now;
-    if (m.kind === "feed" && m.dwell !== undefined) return `${mark}d${m.dwell}`;
-    return `${mark}${LETTER[m.kind]}${number(toDiameter(m.to.r))}/${number(m.to.z)}`;
-  }).join(" ");
+  return moves
+    .map((m) => {
+      const now = `${m.run === "finish" ? "F" : m.phase === "smooth" ? "S" : ""}${m.step}`;
+      const mark = now === step ? "" : `[${now}] `;
+      step = now;
+      if (m.kind === "feed" && m.dwell !== undefined) return `${mark}d${m.dwell}`;
+      return `${mark}${LETTER[m.kind]}${number(toDiameter(m.to.r))}/${number(m.to.z)}`;
+    })
+    .join(" ");
 }
 
 /** What a cycle makes of one line. */
@@ -60,12 +62,17 @@ function planned(line: string): string {
   if (!tool) throw new Error(`no tool in: ${line}`);
   const start = at(x, z);
   const given = {
-    contour: cycle.contour === "free" ? contourFrom(elements(contour.length > 0 ? contour : PRINTED.split(" "))).segments : null,
+    contour:
+      cycle.contour === "free"
+        ? contourFrom(elements(contour.length > 0 ? contour : PRINTED.split(" "))).segments
+        : null,
     start,
   };
   const plan = cycle.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, given);
   const issues = plan.issues.map((i) => `${i.severity} ${i.code}${i.at ? ` ${i.at}` : ""}`);
-  return [`${plan.passes} x ${number(plan.infeed)}`, listing(plan.moves), ...issues.map((i) => `! ${i}`)].filter(Boolean).join("\n");
+  return [`${plan.passes} x ${number(plan.infeed)}`, listing(plan.moves), ...issues.map((i) => `! ${i}`)]
+    .filter(Boolean)
+    .join("\n");
 }
 
 const files = import.meta.glob<string>("./*.cases.txt", { query: "?raw", import: "default", eager: true });

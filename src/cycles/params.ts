@@ -1,23 +1,67 @@
 import type { Axial, Degrees, Diameter, Feed, Length, Radius } from "../kernel/units.ts";
 
-/** How far a fact can be trusted. A printed for this control; B sibling; L lathe; I inferred; K recalled, unconfirmed. */
+/**
+ * How far a fact can be trusted. A printed for this control; B sibling; L lathe; I inferred; K recalled, unconfirmed.
+ */
 export type Evidence = "A" | "B" | "L" | "I" | "K1" | "K2" | "K3";
 
 /** What a value measures. It belongs to cycle and Q together: Q463 is radial in one cycle and axial in another. */
-export type Kind = "choice" | "diameter" | "oversizeDiameter" | "radial" | "axial" | "axialDepth" | "length" | "angle" | "feed" | "count"
-  | "factor" | "percent" | "revolutions";
+export type Kind =
+  | "choice"
+  | "diameter"
+  | "oversizeDiameter"
+  | "radial"
+  | "axial"
+  | "axialDepth"
+  | "length"
+  | "angle"
+  | "feed"
+  | "count"
+  | "factor"
+  | "percent"
+  | "revolutions";
 
 /** What the recessing cycles ask for beside the rest. */
 type PlungeTopic = "depthLimit" | "overlap" | "solidFeed" | "retraction" | "dwell" | "comb";
 
 /** What a thread has for itself. */
-type ThreadTopic = "threadPosition" | "threadOrientation" | "pitch" | "threadDepth" | "taperForm" | "runIn" | "infeedType" | "startingAngle"
-  | "threadStarts" | "airCuts";
+type ThreadTopic =
+  | "threadPosition"
+  | "threadOrientation"
+  | "pitch"
+  | "threadDepth"
+  | "taperForm"
+  | "runIn"
+  | "infeedType"
+  | "startingAngle"
+  | "threadStarts"
+  | "airCuts";
 
 /** How the help picture explains a value: by a dimension of the outline, or by what the cycle does with it. */
-export type Topic = ThreadTopic | PlungeTopic | "outline" | "element" | "clearance" | "infeed" | "oversizeDiameter" | "oversizeZ"
-  | "roughingFeed" | "finishingFeed" | "plungingFeed" | "operation" | "reverse" | "smoothing" | "plunging" | "limits" | "limitDiameter"
-  | "limitZ" | "direction" | "offsetWidth" | "depthCompensation" | "allowance" | "cuttingLines";
+export type Topic =
+  | ThreadTopic
+  | PlungeTopic
+  | "outline"
+  | "element"
+  | "clearance"
+  | "infeed"
+  | "oversizeDiameter"
+  | "oversizeZ"
+  | "roughingFeed"
+  | "finishingFeed"
+  | "plungingFeed"
+  | "operation"
+  | "reverse"
+  | "smoothing"
+  | "plunging"
+  | "limits"
+  | "limitDiameter"
+  | "limitZ"
+  | "direction"
+  | "offsetWidth"
+  | "depthCompensation"
+  | "allowance"
+  | "cuttingLines";
 
 /** The value a kind yields. A feed is a number or "auto" (FAUTO). */
 interface ValueOf {
@@ -71,7 +115,10 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly place: "start" | "end";
   /** The Q that says what this is the size of: a chamfer or a radius. */
   readonly sizes?: string;
-  /** It says something only where this holds; the size of an element only where there is one. Null: always, as far as is certain. */
+  /**
+   * It says something only where this holds; the size of an element only where there is one. Null: always, as far as is
+   * certain.
+   */
   readonly counts: Condition | null;
   /** It is the radius of a rounded corner; 0 leaves the corner sharp. */
   readonly rounds: boolean;
@@ -79,12 +126,16 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly perMinute: boolean;
   /** It is a dimension of the drawing: a finding may question its sign, and never offers another value. */
   readonly drawn: boolean;
-  /** What a control fills in where a list written by older software lacks this parameter (K2); null where no list may. */
+  /**
+   * What a control fills in where a list written by older software lacks this parameter (K2); null where no list may.
+   */
   readonly filledIn: number | null;
 }
 
 export type Params = Readonly<Record<string, Param>>;
-export type Values<P extends Params> = { readonly [Q in keyof P]: P[Q] extends Param<infer K, string> ? ValueOf[K] : never };
+export type Values<P extends Params> = {
+  readonly [Q in keyof P]: P[Q] extends Param<infer K, string> ? ValueOf[K] : never;
+};
 
 interface Options {
   evidence?: Evidence;
@@ -104,7 +155,14 @@ interface Options {
 }
 
 /** What is shown of a drawing, and what of the shape in a help picture is a measure of it. */
-const DRAWN: ReadonlySet<Topic> = new Set<Topic>(["element", "pitch", "taperForm", "threadPosition", "threadOrientation", "threadStarts"]);
+const DRAWN: ReadonlySet<Topic> = new Set<Topic>([
+  "element",
+  "pitch",
+  "taperForm",
+  "threadPosition",
+  "threadOrientation",
+  "threadStarts",
+]);
 const MEASURES: ReadonlySet<Kind> = new Set<Kind>(["diameter", "radial", "axial", "axialDepth", "length", "angle"]);
 
 function param<K extends Kind, T extends string>(
@@ -142,8 +200,10 @@ function param<K extends Kind, T extends string>(
 export const choice = <T extends string>(text: T, choices: readonly number[], example: number, o: Options = {}) =>
   param("choice", text, [Math.min(...choices), Math.max(...choices)], example, o, choices);
 type Range = readonly [number, number];
-const maker = <K extends Kind>(kind: K) => <T extends string>(text: T, range: Range, example: number, o: Options = {}) =>
-  param(kind, text, range, example, o);
+const maker =
+  <K extends Kind>(kind: K) =>
+  <T extends string>(text: T, range: Range, example: number, o: Options = {}) =>
+    param(kind, text, range, example, o);
 /** X position, ⌀ mm. */
 export const diameterParam = maker("diameter");
 /** Oversize on the diameter, ⌀ mm. */
@@ -170,8 +230,8 @@ export const percentParam = maker("percent");
 export const revolutionsParam = maker("revolutions");
 
 /**
- * Parameters of a list that no page we hold prints, each with the tag of that: `K1` clearly recalled, its range probably right. They may
- * be taken over from a cycle whose list is printed.
+ * Parameters of a list that no page we hold prints, each with the tag of that: `K1` clearly recalled, its range
+ * probably right. They may be taken over from a cycle whose list is printed.
  */
 export const recalled = <const P extends Params>(params: P): P =>
   Object.fromEntries(Object.entries(params).map(([q, p]) => [q, { ...p, evidence: "K1", rangeEvidence: "K2" }])) as P;

@@ -8,8 +8,8 @@ import type { Params, Values } from "./params.ts";
 const ROUGHING = 1;
 
 /**
- * What a cycle plans for a point: a picture of its values shows levels, area and reach before there is any tool. It stands where
- * the contour begins, as high as the contour goes, and roughs whatever the operation is.
+ * What a cycle plans for a point: a picture of its values shows levels, area and reach before there is any tool. It
+ * stands where the contour begins, as high as the contour goes, and roughs whatever the operation is.
  */
 export function pointPlan(cycle: Cycle, values: Values<Params>, { contour, frame }: Outline, given: Given): Plan {
   const elements = contour.map((s) => segmentToFlat(frame, s));

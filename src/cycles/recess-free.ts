@@ -15,13 +15,19 @@ import { angleIssues, withIssues } from "./tool-issues.ts";
 /** What turning the recesses of a programmed contour asks for. */
 type FreeRecess = FreeValues & TurnedRecess;
 
-/** The programmed contour in machining direction; the tool goes in from its open side, and the part goes on beyond both its ends. */
+/**
+ * The programmed contour in machining direction; the tool goes in from its open side, and the part goes on beyond both
+ * its ends.
+ */
 export function freeRecess(v: FreeRecess, given: Given, transverse: boolean): Outline {
   const outline = freeOutline(v, given, transverse);
   return { ...outline, sunk: true, contour: shifted(outline.contour, outline.frame, v.Q509) };
 }
 
-/** A programmed contour has no one floor: Q509 shifts all of it, positive out of the material (decision "Sections of a recess"). */
+/**
+ * A programmed contour has no one floor: Q509 shifts all of it, positive out of the material (decision "Sections of a
+ * recess").
+ */
 function shifted(contour: readonly Segment[], { transverse, signV }: Frame, by: number): readonly Segment[] {
   const offset = transverse ? at(signV * by, 0) : at(0, signV * by);
   return by === 0 ? contour : contour.map((s) => part.shifted(s, offset));
@@ -34,20 +40,28 @@ export function planFreeRecess(v: FreeRecess, setting: Setting, given: Given, tr
   if (none) return none;
   const frame = plungeFrame(outline.contour, transverse, setting);
   const tool = v.Q499 === 2 ? mirroredTool(setting.tool, transverse ? "r" : "z") : setting.tool;
-  const plan = planRecess({
-    frame,
-    contour: shifted(outline.contour, frame, v.Q509),
-    operation: v.Q215,
-    infeed: v.Q463,
-    feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
-    oversize: { r: perSide(v.Q483), z: v.Q484 },
-    oneWay: v.Q507 === 1,
-    offset: v.Q508,
-    downwards: "steep",
-    free: true,
-    limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
-  }, { ...setting, tool });
+  const plan = planRecess(
+    {
+      frame,
+      contour: shifted(outline.contour, frame, v.Q509),
+      operation: v.Q215,
+      infeed: v.Q463,
+      feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
+      oversize: { r: perSide(v.Q483), z: v.Q484 },
+      oneWay: v.Q507 === 1,
+      offset: v.Q508,
+      downwards: "steep",
+      free: true,
+      limit: v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null,
+    },
+    { ...setting, tool },
+  );
   const found = angleIssues(outline, tool, frame, (_q, direction) => Math.abs(direction));
   const adapted = tool === setting.tool ? plan : { ...plan, tool };
-  return atParameters(withIssues(adapted, found), frame, { infeed: "Q463", offset: "Q508", limitX: "Q480", limitZ: "Q482" });
+  return atParameters(withIssues(adapted, found), frame, {
+    infeed: "Q463",
+    offset: "Q508",
+    limitX: "Q480",
+    limitZ: "Q482",
+  });
 }

@@ -17,8 +17,8 @@ export interface RecessOutline extends BoxOutline {
 
 /**
  * Contour of an extended recess inside its box (decision "The box rule"): both walls hinge on the edges of the opening
- * and lean inwards. Cut across the axis, the opening lies in the plane Q492 and the floor at Q494 (85x); else the opening lies
- * on the diameter Q491 and the floor on Q493 (84x).
+ * and lean inwards. Cut across the axis, the opening lies in the plane Q492 and the floor at Q494 (85x); else the
+ * opening lies on the diameter Q491 and the floor on Q493 (84x).
  */
 export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
   const axialGroove = frame.transverse;
@@ -41,23 +41,25 @@ export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
   const legs = Math.tan(radians(45 - v.Q495 / 2)) + Math.tan(radians(45 - v.Q496 / 2));
   const widest = (w2 - w1) / legs;
   const tooWide = v.Q500 > widest + ROUND;
-  if (tooWide)
-    issues.push(issue("cornersTooWide", "error", { radius: v.Q500, max: widest }, "Q500"));
+  if (tooWide) issues.push(issue("cornersTooWide", "error", { radius: v.Q500, max: widest }, "Q500"));
   const round = roundOf(tooWide ? 0 : v.Q500);
   // Towards the axis a leg ends there: an outer element cannot be longer.
   const start = axialGroove && r1 < r2 ? Math.max(r1, JOINED) : LEG;
   const end = axialGroove && r2 < r1 ? Math.max(r2, JOINED) : LEG;
   const mouth = axialGroove ? "Q492" : "Q491";
-  const built = namedContour([at(-start, 0), at(0, 0), at(w1, D), at(w2, D), at(W, 0), at(W + end, 0)], [
-    mouth,
-    "Q495",
-    axialGroove ? "Q494" : "Q493",
-    "Q496",
-    mouth,
-  ], [{ element: cornerElementOf(v.Q501, v.Q502), q: "Q502" }, { element: round, q: "Q500" }, { element: round, q: "Q500" }, {
-    element: cornerElementOf(v.Q503, v.Q504),
-    q: "Q504",
-  }]);
+  const built = namedContour(
+    [at(-start, 0), at(0, 0), at(w1, D), at(w2, D), at(W, 0), at(W + end, 0)],
+    [mouth, "Q495", axialGroove ? "Q494" : "Q493", "Q496", mouth],
+    [
+      { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
+      { element: round, q: "Q500" },
+      { element: round, q: "Q500" },
+      {
+        element: cornerElementOf(v.Q503, v.Q504),
+        q: "Q504",
+      },
+    ],
+  );
   const shape = {
     a: at(0, 0),
     b: at(w1, D),

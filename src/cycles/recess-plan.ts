@@ -7,7 +7,18 @@ import { feedsOf } from "../kernel/strategy/feeds.ts";
 import { planRecess } from "../kernel/strategy/recess.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
-import { axial, degrees, type Diameter, type Feed, length, perSide, radius, roundedDown, toDiameter, toRadius } from "../kernel/units.ts";
+import {
+  axial,
+  degrees,
+  type Diameter,
+  type Feed,
+  length,
+  perSide,
+  radius,
+  roundedDown,
+  toDiameter,
+  toRadius,
+} from "../kernel/units.ts";
 import type { Given } from "./define.ts";
 import { recessOutline, type RecessOutline } from "./recess-outline.ts";
 import { refused } from "./refused.ts";
@@ -20,8 +31,8 @@ type Ends = Pick<ShoulderValues, "Q491" | "Q492" | "Q493" | "Q494">;
 type Shifted = { readonly Q509: number };
 
 /**
- * The finished recess: with the floor where Q509 shifts it, positive out of the material (decision "Recess turning"). Along Z in a
- * face, on the radius in a cylinder.
+ * The finished recess: with the floor where Q509 shifts it, positive out of the material (decision "Recess turning").
+ * Along Z in a face, on the radius in a cylinder.
  */
 export function finishedRecess(v: ShoulderValues & Shifted, transverse: boolean): RecessOutline {
   const frame = boxFrame(v, transverse);
@@ -55,28 +66,40 @@ export function planRecessTurning(v: RecessTurning, outline: RecessOutline, sett
   const { frame } = outline;
   const { tool } = setting;
   const oversize = { r: perSide(v.Q483), z: v.Q484 };
-  const plan = planRecess({
-    frame,
-    contour: outline.contour,
-    operation: v.Q215,
-    infeed: v.Q463,
-    feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
-    oversize,
-    oneWay: v.Q507 === 1,
-    offset: v.Q508,
-    downwards: v.Q500 > 0 ? "none" : "every",
-    free: false,
-    limit: null,
-  }, setting);
-  const found = [...narrowIssue(outline, v, tool), ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, outline.angleAt)];
+  const plan = planRecess(
+    {
+      frame,
+      contour: outline.contour,
+      operation: v.Q215,
+      infeed: v.Q463,
+      feeds: feedsOf({ rough: v.Q478, finish: v.Q505, plunge: v.Q488 }, setting.autoFeed),
+      oversize,
+      oneWay: v.Q507 === 1,
+      offset: v.Q508,
+      downwards: v.Q500 > 0 ? "none" : "every",
+      free: false,
+      limit: null,
+    },
+    setting,
+  );
+  const found = [
+    ...narrowIssue(outline, v, tool),
+    ...cornerIssue(v.Q500, tool),
+    ...angleIssues(outline, tool, frame, outline.angleAt),
+  ];
   return atParameters(withIssues(plan, found), frame, rolesIn(frame));
 }
 
-const rolesIn = (frame: Frame): Roles => ({ infeed: "Q463", depth: frame.transverse ? "Q494" : "Q493", offset: "Q508" });
+const rolesIn = (frame: Frame): Roles => ({
+  infeed: "Q463",
+  depth: frame.transverse ? "Q494" : "Q493",
+  offset: "Q508",
+});
 
 /**
- * A bar that is wider than the floor, with the oversize on both walls, cannot reach it; wider than the opening, not at all. Where the bar
- * alone fits, less oversize mends it; else a narrower tool does: the width of a recess is that of the drawing.
+ * A bar that is wider than the floor, with the oversize on both walls, cannot reach it; wider than the opening, not at
+ * all. Where the bar alone fits, less oversize mends it; else a narrower tool does: the width of a recess is that of
+ * the drawing.
  */
 export function narrowIssue({ frame, floor, opening }: RecessOutline, v: Worked, tool: Tool): Issue[] {
   if (!isBar(tool)) return [];
@@ -93,14 +116,24 @@ export function narrowIssue({ frame, floor, opening }: RecessOutline, v: Worked,
 /** Opening of a simple recess in pictures that know no start point yet: so wide and so deep, mm. */
 const ASSUMED = { wide: 30, deep: 12.5 };
 
-/** The first corner of a simple recess: the tip at the call; where that is not known yet, one that makes a groove from outside. */
+/**
+ * The first corner of a simple recess: the tip at the call; where that is not known yet, one that makes a groove from
+ * outside.
+ */
 function firstCorner(v: Pick<Ends, "Q493" | "Q494">, transverse: boolean, { start }: Given): Pt {
   const [z, r] = transverse ? [ASSUMED.deep, ASSUMED.deep] : [ASSUMED.wide, ASSUMED.deep];
   return start ?? part.point(v.Q494 + z, toRadius(v.Q493) + r);
 }
 
-/** A simple recess as the extended one that it is: from the tip at the call, with upright walls, and nothing at its corners. */
-export function simpleRecess<V extends Pick<Ends, "Q493" | "Q494">>(v: V, transverse: boolean, given: Given): V & ShoulderValues {
+/**
+ * A simple recess as the extended one that it is: from the tip at the call, with upright walls, and nothing at its
+ * corners.
+ */
+export function simpleRecess<V extends Pick<Ends, "Q493" | "Q494">>(
+  v: V,
+  transverse: boolean,
+  given: Given,
+): V & ShoulderValues {
   const first = firstCorner(v, transverse, given);
   const none = length(0);
   return {
@@ -117,7 +150,10 @@ export function simpleRecess<V extends Pick<Ends, "Q493" | "Q494">>(v: V, transv
   };
 }
 
-/** The outline of a simple recess speaks of its own two parameters; what the others would say is a matter of the start point. */
+/**
+ * The outline of a simple recess speaks of its own two parameters; what the others would say is a matter of the start
+ * point.
+ */
 export function simpleOutline(outline: RecessOutline): RecessOutline {
   const { transverse } = outline.frame;
   const own: Readonly<Record<string, string>> = {
@@ -134,7 +170,7 @@ export function simpleOutline(outline: RecessOutline): RecessOutline {
     issues: outline.issues.map((i): Issue =>
       i.code === "startEqualsEnd"
         ? { ...i, data: { ...i.data, other: i.data.other === "Q491" ? "X" : "Z" } }
-        : { ...i, ...(i.at !== undefined && { at: named(i.at) }) }
+        : { ...i, ...(i.at !== undefined && { at: named(i.at) }) },
     ),
   };
 }

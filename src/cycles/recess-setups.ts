@@ -7,7 +7,10 @@ const { angle, box, common, elements, half, mm, mostly } = dice;
 
 /** What a control keeps no more of, mm: by so little less a recess is as wide as its tool all the same. */
 const HAIR = 1e-4;
-/** Mostly the usual width; now and then that of the blade between the oversizes, or hardly more or less. `kept`: on both walls. */
+/**
+ * Mostly the usual width; now and then that of the blade between the oversizes, or hardly more or less. `kept`: on both
+ * walls.
+ */
 const widthOf = (draw: Draw, usual: number, blade: number, kept: number) =>
   mostly(draw, usual, blade + kept + draw.one(0, HAIR, -HAIR, 0.05, -0.05, 0.3));
 /** Now and then an infeed that goes into a depth as often as it can, to a hair. */
@@ -28,18 +31,25 @@ const turnedValues = (draw: Draw) => ({
   Q488: draw.one(0, 0.05),
 });
 /** Walls and corners of the recesses that have them. */
-const walls = (draw: Draw) => ({ ...elements(draw), Q495: draw.one(0, angle(draw, 10)), Q496: draw.one(0, angle(draw, 10)) });
+const walls = (draw: Draw) => ({
+  ...elements(draw),
+  Q495: draw.one(0, angle(draw, 10)),
+  Q496: draw.one(0, angle(draw, 10)),
+});
 
 const axialTool = (draw: Draw, along: 1 | -1) => ({
   T: 8,
-  TO: along > 0 ? 8 as const : 4 as const,
+  TO: along > 0 ? (8 as const) : (4 as const),
   CUTWIDTH: draw.one(2, 3, 4),
   RS: draw.one(0, 0.2, 0.4),
 });
 /** A bar that points at the axis or away from it, its tip in the middle of the edge or at either corner. */
 const radialTool = (draw: Draw, out: 1 | -1) => ({
   T: out > 0 ? 9 : 14,
-  TO: out > 0 ? mostly(draw, 2 as const, draw.one(1 as const, 3 as const)) : mostly(draw, 6 as const, draw.one(5 as const, 7 as const)),
+  TO:
+    out > 0
+      ? mostly(draw, 2 as const, draw.one(1 as const, 3 as const))
+      : mostly(draw, 6 as const, draw.one(5 as const, 7 as const)),
   CUTWIDTH: draw.one(2, 3, 4),
   RS: draw.one(0, 0.2, 0.4),
 });
@@ -91,24 +101,32 @@ export const radialRecesses = (draw: Draw): RecessSetup => {
 };
 
 /** The same for the simple cycles, whose first corner is the tip at the call. */
-export const simpleRecesses = (extended: (draw: Draw) => RecessSetup, transverse: boolean): Setups => (draw) => {
-  const { corner, ...drawn } = extended(draw);
-  const { start, values } = drawn;
-  const above = draw.one(0, mm(draw, 0, 3));
-  return {
-    ...drawn,
-    values: Object.fromEntries(Object.entries(values).filter(([q]) => !OWN_CORNERS.includes(q))),
-    start: transverse
-      ? at(corner.z + Math.sign(start.z - corner.z) * above, corner.r)
-      : at(corner.z, corner.r + Math.sign(start.r - corner.r) * above),
+export const simpleRecesses =
+  (extended: (draw: Draw) => RecessSetup, transverse: boolean): Setups =>
+  (draw) => {
+    const { corner, ...drawn } = extended(draw);
+    const { start, values } = drawn;
+    const above = draw.one(0, mm(draw, 0, 3));
+    return {
+      ...drawn,
+      values: Object.fromEntries(Object.entries(values).filter(([q]) => !OWN_CORNERS.includes(q))),
+      start: transverse
+        ? at(corner.z + Math.sign(start.z - corner.z) * above, corner.r)
+        : at(corner.z, corner.r + Math.sign(start.r - corner.r) * above),
+    };
   };
-};
 
 /** What the simple cycles do not ask for. */
 const OWN_CORNERS = ["Q491", "Q492", "Q495", "Q501", "Q502", "Q500", "Q496", "Q503", "Q504"];
 
-/** Stretches over and in a part: walls, floors, tapers, arcs, with corners between them; `depth` mm at the most, from `wide` mm on. */
-function valleys(draw: Draw, depth: number): { along: number; deep: number; bulge: number; corner: "none" | "round" | "chamfer" }[] {
+/**
+ * Stretches over and in a part: walls, floors, tapers, arcs, with corners between them; `depth` mm at the most, from
+ * `wide` mm on.
+ */
+function valleys(
+  draw: Draw,
+  depth: number,
+): { along: number; deep: number; bulge: number; corner: "none" | "round" | "chamfer" }[] {
   const count = draw.whole(3, 9);
   let here = { along: 0, deep: mostly(draw, 0, mm(draw, 0, depth)) };
   const made = [{ ...here, bulge: 0, corner: "none" as "none" | "round" | "chamfer" }];
@@ -116,43 +134,53 @@ function valleys(draw: Draw, depth: number): { along: number; deep: number; bulg
     const kind = draw.one("wall", "floor", "slope", "slope");
     const deep = kind === "floor" ? here.deep : mm(draw, 0, depth);
     here = { along: rounded(here.along + (kind === "wall" ? 0 : mm(draw, 0.6, 12))), deep };
-    made.push({ ...here, bulge: kind === "wall" ? 0 : mostly(draw, 0, mm(draw, 0.6, 3)), corner: draw.one("none", "round", "chamfer") });
+    made.push({
+      ...here,
+      bulge: kind === "wall" ? 0 : mostly(draw, 0, mm(draw, 0.6, 3)),
+      corner: draw.one("none", "round", "chamfer"),
+    });
   }
   return made;
 }
 
-/** Set-ups of the free recess-turning contours, in a cylinder, a bore or a face, in both directions, with limits on every side. */
-export const freeRecesses = (transverse: boolean): Setups => (draw) => {
-  const [out, way] = [transverse ? 1 : draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
-  const [r0, z0] = transverse ? [mm(draw, 24, 30), mm(draw, -10, 5)] : [mm(draw, 26, 45), mm(draw, -10, 5)];
-  const shape = valleys(draw, out > 0 ? 14 : 9);
-  const whole = Math.max(...shape.map((p) => p.along));
-  const place = (along: number, deep: number): Pt => {
-    const run = way > 0 ? along : whole - along;
-    return transverse ? at(rounded(z0 - deep), rounded(r0 + run)) : at(rounded(z0 - run), rounded(r0 - out * deep));
+/**
+ * Set-ups of the free recess-turning contours, in a cylinder, a bore or a face, in both directions, with limits on
+ * every side.
+ */
+export const freeRecesses =
+  (transverse: boolean): Setups =>
+  (draw) => {
+    const [out, way] = [transverse ? 1 : draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
+    const [r0, z0] = transverse ? [mm(draw, 24, 30), mm(draw, -10, 5)] : [mm(draw, 26, 45), mm(draw, -10, 5)];
+    const shape = valleys(draw, out > 0 ? 14 : 9);
+    const whole = Math.max(...shape.map((p) => p.along));
+    const place = (along: number, deep: number): Pt => {
+      const run = way > 0 ? along : whole - along;
+      return transverse ? at(rounded(z0 - deep), rounded(r0 + run)) : at(rounded(z0 - run), rounded(r0 - out * deep));
+    };
+    const made: ContourElement[] = [];
+    shape.forEach((p, i) => {
+      const [to, before] = [place(p.along, p.deep), shape[i - 1]];
+      const chord = before ? Math.hypot(p.along - before.along, p.deep - before.deep) : 0;
+      if (p.bulge > 0 && chord > 0.5)
+        made.push({ kind: "radius", to, radius: rounded(chord * p.bulge), turn: draw.one("cw", "ccw") });
+      else made.push({ kind: "line", to });
+      if (p.corner !== "none" && i > 0 && i < shape.length - 1) made.push({ kind: p.corner, size: mm(draw, 0.2, 1.5) });
+    });
+    const built = contourFrom(made);
+    if (whole < 4 || built.issues.some((i) => i.severity === "error")) return null;
+    const points = built.segments.flatMap((s) => [s.from, s.to]);
+    const above = draw.one(0, mm(draw, 0, 4));
+    const first = points[0] as Pt;
+    return {
+      values: {
+        ...turnedValues(draw),
+        Q499: mostly(draw, 0, draw.one(1, 2)),
+        ...dice.limits(draw, points),
+      },
+      contour: built.segments,
+      tool: transverse ? axialTool(draw, 1) : radialTool(draw, out),
+      start: transverse ? at(z0 + above, first.r) : at(first.z, Math.max(0.5, r0 + out * above)),
+      blank: transverse ? box(z0, z0 - 60, 0, 120) : box(z0 + 40, z0 - whole - 40, r0, out > 0 ? 0 : r0 + 40),
+    };
   };
-  const made: ContourElement[] = [];
-  shape.forEach((p, i) => {
-    const [to, before] = [place(p.along, p.deep), shape[i - 1]];
-    const chord = before ? Math.hypot(p.along - before.along, p.deep - before.deep) : 0;
-    if (p.bulge > 0 && chord > 0.5) made.push({ kind: "radius", to, radius: rounded(chord * p.bulge), turn: draw.one("cw", "ccw") });
-    else made.push({ kind: "line", to });
-    if (p.corner !== "none" && i > 0 && i < shape.length - 1) made.push({ kind: p.corner, size: mm(draw, 0.2, 1.5) });
-  });
-  const built = contourFrom(made);
-  if (whole < 4 || built.issues.some((i) => i.severity === "error")) return null;
-  const points = built.segments.flatMap((s) => [s.from, s.to]);
-  const above = draw.one(0, mm(draw, 0, 4));
-  const first = points[0] as Pt;
-  return {
-    values: {
-      ...turnedValues(draw),
-      Q499: mostly(draw, 0, draw.one(1, 2)),
-      ...dice.limits(draw, points),
-    },
-    contour: built.segments,
-    tool: transverse ? axialTool(draw, 1) : radialTool(draw, out),
-    start: transverse ? at(z0 + above, first.r) : at(first.z, Math.max(0.5, r0 + out * above)),
-    blank: transverse ? box(z0, z0 - 60, 0, 120) : box(z0 + 40, z0 - whole - 40, r0, out > 0 ? 0 : r0 + 40),
-  };
-};

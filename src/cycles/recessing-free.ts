@@ -8,7 +8,10 @@ import { refused } from "./refused.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
-/** The values of a recessing cycle that shape its outline: it knows limits, and no other direction than the programmed one. */
+/**
+ * The values of a recessing cycle that shape its outline: it knows limits, and no other direction than the programmed
+ * one.
+ */
 interface Limited {
   readonly Q479: number;
   readonly Q480: Diameter;
@@ -22,7 +25,12 @@ export const freeRecessing = (v: Limited, given: Given, transverse: boolean): Ou
 });
 
 /** Cuts a programmed contour by plunges, in a cylinder or in a face. */
-export function planFreeRecessing(v: Limited & PlungeValues, setting: Setting, given: Given, transverse: boolean): Plan {
+export function planFreeRecessing(
+  v: Limited & PlungeValues,
+  setting: Setting,
+  given: Given,
+  transverse: boolean,
+): Plan {
   const outline = freeRecessing(v, given, transverse);
   const none = refused(outline);
   if (none) return none;
@@ -30,5 +38,10 @@ export function planFreeRecessing(v: Limited & PlungeValues, setting: Setting, g
   const limit = v.Q479 === 1 ? toFlat(frame, { r: toRadius(v.Q480), z: v.Q482 }) : null;
   const plan = planPlunges(v, { contour: outline.contour, frame }, limit, setting);
   const found = angleIssues(outline, setting.tool, frame, (_q, direction) => Math.abs(direction));
-  return atParameters(withIssues(plan, found), frame, { infeed: "Q463", overlap: "Q510", limitX: "Q480", limitZ: "Q482" });
+  return atParameters(withIssues(plan, found), frame, {
+    infeed: "Q463",
+    overlap: "Q510",
+    limitX: "Q480",
+    limitZ: "Q482",
+  });
 }

@@ -10,5 +10,11 @@ const side = {
 };
 
 /** The end of the list of every recessing cycle: the limit of a plunge runs on the radius, or along Z. */
-export const radialPlunges = { Q463: radial("plungeLimit", [0, 99.999], 0, { shown: "depthLimit", filledIn: 0 }), ...side };
-export const axialPlunges = { Q463: axialDepth("plungeLimit", [0, 99.999], 0, { shown: "depthLimit", filledIn: 0 }), ...side };
+export const radialPlunges = {
+  Q463: radial("plungeLimit", [0, 99.999], 0, { shown: "depthLimit", filledIn: 0 }),
+  ...side,
+};
+export const axialPlunges = {
+  Q463: axialDepth("plungeLimit", [0, 99.999], 0, { shown: "depthLimit", filledIn: 0 }),
+  ...side,
+};

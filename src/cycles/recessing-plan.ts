@@ -35,26 +35,30 @@ export function planPlunges(
   setting: Setting,
 ): Plan {
   const feeds = feedsOf({ rough: v.Q478, finish: v.Q505 }, setting.autoFeed);
-  return planPlunging({
-    frame: on.frame,
-    contour: on.contour,
-    operation: v.Q215,
-    clearance: v.Q460,
-    finishingFeed: feeds.finish,
-    oversize: { r: perSide(v.Q483), z: v.Q484 },
-    overlap: v.Q510,
-    comb: v.Q562 === 1,
-    limit,
-    feed: feeds.rough,
-    solidFeed: (feeds.rough * v.Q511) / 100,
-    bite: v.Q463,
-    dwell: v.Q211,
-    aslant: v.Q462 === 1,
-  }, setting);
+  return planPlunging(
+    {
+      frame: on.frame,
+      contour: on.contour,
+      operation: v.Q215,
+      clearance: v.Q460,
+      finishingFeed: feeds.finish,
+      oversize: { r: perSide(v.Q483), z: v.Q484 },
+      overlap: v.Q510,
+      comb: v.Q562 === 1,
+      limit,
+      feed: feeds.rough,
+      solidFeed: (feeds.rough * v.Q511) / 100,
+      bite: v.Q463,
+      dwell: v.Q211,
+      aslant: v.Q462 === 1,
+    },
+    setting,
+  );
 }
 
 /** The finished recess of a cycle with its own contour: nothing shifts its floor. */
-export const recessingOutline = (v: ShoulderValues, transverse: boolean): RecessOutline => finishedRecess({ ...v, Q509: 0 }, transverse);
+export const recessingOutline = (v: ShoulderValues, transverse: boolean): RecessOutline =>
+  finishedRecess({ ...v, Q509: 0 }, transverse);
 
 /** The path of a recessing cycle with its own contour. */
 export function planRecessing(v: ShoulderValues & PlungeValues, outline: RecessOutline, setting: Setting): Plan {
@@ -63,7 +67,11 @@ export function planRecessing(v: ShoulderValues & PlungeValues, outline: RecessO
   const { tool } = setting;
   const plan = planPlunges(v, outline, null, setting);
   const angle = (_q: string, direction: number) => 90 - Math.abs(direction);
-  const found = [...narrowIssue(outline, v, tool), ...cornerIssue(v.Q500, tool), ...angleIssues(outline, tool, frame, angle)];
+  const found = [
+    ...narrowIssue(outline, v, tool),
+    ...cornerIssue(v.Q500, tool),
+    ...angleIssues(outline, tool, frame, angle),
+  ];
   return atParameters(withIssues(plan, found), frame, {
     infeed: "Q463",
     depth: frame.transverse ? "Q494" : "Q493",

@@ -16,9 +16,11 @@ const plunged = (draw: Draw) => ({
 const TURNED = ["Q507", "Q508", "Q509", "Q488", "Q499"];
 
 /** Set-ups of recess turning as recessing has them. */
-export const plungedSetups = (turned: Setups): Setups => (draw) => {
-  const drawn = turned(draw);
-  if (!drawn) return null;
-  const own = Object.fromEntries(Object.entries(drawn.values).filter(([q]) => !TURNED.includes(q)));
-  return { ...drawn, values: { ...own, ...plunged(draw) }, tool: { ...drawn.tool, RS: draw.one(0, 0.2, 0.4, 0.9) } };
-};
+export const plungedSetups =
+  (turned: Setups): Setups =>
+  (draw) => {
+    const drawn = turned(draw);
+    if (!drawn) return null;
+    const own = Object.fromEntries(Object.entries(drawn.values).filter(([q]) => !TURNED.includes(q)));
+    return { ...drawn, values: { ...own, ...plunged(draw) }, tool: { ...drawn.tool, RS: draw.one(0, 0.2, 0.4, 0.9) } };
+  };

@@ -59,5 +59,7 @@ function inCycle(found: Issue, frame: Frame, q: Roles): Issue {
 export const atParameters = (plan: Plan, frame: Frame, q: Roles): Plan => ({
   ...plan,
   issues: plan.issues.map((i) => inCycle(i, frame, q)),
-  ...(plan.limits && { limits: plan.limits.map((l) => ({ ...l, at: (l.axis === "r" ? q.limitX : q.limitZ) ?? l.at })) }),
+  ...(plan.limits && {
+    limits: plan.limits.map((l) => ({ ...l, at: (l.axis === "r" ? q.limitX : q.limitZ) ?? l.at })),
+  }),
 });

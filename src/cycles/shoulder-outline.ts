@@ -1,7 +1,17 @@
 import { type Flat, type Frame, toFlat, toPart } from "../kernel/geometry/flat.ts";
 import { issue, type Issue } from "../kernel/plan/issue.ts";
 import { part, type Pt } from "../kernel/geometry/point.ts";
-import { type Axial, type Degrees, degrees, type Diameter, inDegrees, type Length, length, radians, toRadius } from "../kernel/units.ts";
+import {
+  type Axial,
+  type Degrees,
+  degrees,
+  type Diameter,
+  inDegrees,
+  type Length,
+  length,
+  radians,
+  toRadius,
+} from "../kernel/units.ts";
 import { cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "./corner-element.ts";
 import type { Dimension, Outline } from "./define.ts";
 import { JOINED } from "../kernel/tolerance.ts";
@@ -30,7 +40,9 @@ const pt = part.point;
 
 /** An outline inside a box, with what a plan needs of it. */
 export interface BoxOutline extends Outline, NamedContour {
-  /** The value that an angle has whose wall runs in a direction: degrees against the cutting direction, positive rising. */
+  /**
+   * The value that an angle has whose wall runs in a direction: degrees against the cutting direction, positive rising.
+   */
   readonly angleAt: (q: string, direction: number) => number;
 }
 
@@ -41,16 +53,19 @@ export const boxFrame = (v: Pick<ShoulderValues, "Q491" | "Q492" | "Q493" | "Q49
     : { transverse, signU: v.Q494 < v.Q492 ? -1 : 1, signV: v.Q491 > v.Q493 ? 1 : -1 };
 
 /**
- * Contour of a shoulder inside its box (decision "The box rule"), in cutting direction: start element, surface at the depth of the second
- * corner, inner corner, wall up at its place, end element. Along the axis the surface is a circumferential one and the wall a face;
- * across it the surface is the face.
+ * Contour of a shoulder inside its box (decision "The box rule"), in cutting direction: start element, surface at the
+ * depth of the second corner, inner corner, wall up at its place, end element. Along the axis the surface is a
+ * circumferential one and the wall a face; across it the surface is the face.
  */
 export function shoulderOutline(v: ShoulderValues, transverse: boolean): BoxOutline {
   const issues: Issue[] = equalEnds(v);
   const frame = boxFrame(v, transverse);
   const none = { contour: [], frame, sunk: false, names: [], dimensions: [], angleAt };
   if (issues.length > 0) return { ...none, issues };
-  const [p1, p2] = [pt(v.Q492, toRadius(v.Q491)), pt(v.Q494, toRadius(v.Q493))].map((p) => toFlat(frame, p)) as [Flat, Flat];
+  const [p1, p2] = [pt(v.Q492, toRadius(v.Q491)), pt(v.Q494, toRadius(v.Q493))].map((p) => toFlat(frame, p)) as [
+    Flat,
+    Flat,
+  ];
   const [A, H] = [p2.u - p1.u, p1.v - p2.v];
   const [t1, t2] = [Math.tan(radians(v.Q495)), Math.tan(radians(v.Q496))];
   const at = (a: number, h: number): Pt => toPart(frame, { u: p1.u + a, v: p2.v + h });
@@ -68,11 +83,15 @@ export function shoulderOutline(v: ShoulderValues, transverse: boolean): BoxOutl
   const inwards = Math.max(toRadius(v.Q493), JOINED);
   const lead = !transverse && frame.signV > 0 ? inwards : LEG;
   const out = transverse && frame.signU < 0 ? inwards : LEG;
-  const built = namedContour([at(0, -lead), at(0, 0), corner, at(A, H), at(A + out, H)], ["", "Q495", "Q496", ""], [
-    { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
-    { element: roundOf(v.Q500), q: "Q500" },
-    { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
-  ]);
+  const built = namedContour(
+    [at(0, -lead), at(0, 0), corner, at(A, H), at(A + out, H)],
+    ["", "Q495", "Q496", ""],
+    [
+      { element: cornerElementOf(v.Q501, v.Q502), q: "Q502" },
+      { element: roundOf(v.Q500), q: "Q500" },
+      { element: cornerElementOf(v.Q503, v.Q504), q: "Q504" },
+    ],
+  );
   const shape = { start: at(0, 0), corner, end: at(A, H), axisFoot: at(a, 0), wallFoot: at(A, a * t1) };
   return { ...none, ...built, dimensions: dimensionsOf(v, shape, frame) };
 }
@@ -89,11 +108,20 @@ export function equalEnds(v: { Q491: Diameter; Q492: Axial; Q493: Diameter; Q494
   return issues;
 }
 
-function dimensionsOf(v: ShoulderValues, g: { start: Pt; corner: Pt; end: Pt; axisFoot: Pt; wallFoot: Pt }, frame: Frame): Dimension[] {
+function dimensionsOf(
+  v: ShoulderValues,
+  g: { start: Pt; corner: Pt; end: Pt; axisFoot: Pt; wallFoot: Pt },
+  frame: Frame,
+): Dimension[] {
   // Along the axis the contour begins in the plane of the first corner, across it on the diameter.
   const [atR1, atR2] = frame.transverse ? [g.start, g.end] : [g.end, g.start];
   const away = toPart(frame, { u: -1, v: 1 });
-  const leader = (q: string, at: Pt): Dimension => ({ q, form: "leader", at, towards: pt(at.z + away.z, at.r + away.r) });
+  const leader = (q: string, at: Pt): Dimension => ({
+    q,
+    form: "leader",
+    at,
+    towards: pt(at.z + away.z, at.r + away.r),
+  });
   return [
     { q: "Q491", form: "diameter", at: atR1 },
     { q: "Q492", form: "z", from: pt(0, atR2.r), to: atR2 },

@@ -17,13 +17,21 @@ interface Other {
 /** A tooth of 10 mm: what stands beside the thread is then in its way, not over its crest. */
 const HIGH: Other = { columns: { CUTLENGTH: length(10) } };
 
-function planOf(own: Readonly<Record<string, number>>, stock: readonly Ring[] = [shaft], { inside = false, columns = {} }: Other = {}) {
+function planOf(
+  own: Readonly<Record<string, number>>,
+  stock: readonly Ring[] = [shaft],
+  { inside = false, columns = {} }: Other = {},
+) {
   const example = Object.fromEntries(Object.entries(c831.params).map(([q, p]) => [q, p.example]));
   const values = { ...example, Q475: 1, Q476: 0, Q460: 8, Q491: 40, Q494: -30, ...own };
   const shipped = shippedTools.find((t) => t.T === 12) as (typeof shippedTools)[number];
   const tool: Tool = { ...shipped, ...(inside && { TO: 6 as const }), ...columns };
   const start = inside ? at(20, 11) : at(20, 30);
-  return c831.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock }, { contour: null, start });
+  return c831.plan(
+    values as never,
+    { tool, start, feedUnit: "mm/rev", autoFeed: null, stock },
+    { contour: null, start },
+  );
 }
 
 function planned(...asked: Parameters<typeof planOf>) {
@@ -38,7 +46,9 @@ describe("an insert that is too low is refused", () => {
   // T12: a tooth of 2.5 mm.
   test("for the depth of the thread", () => {
     expect(planned({ Q473: 2.5 })).toEqual([]);
-    expect(planned({ Q473: 2.501 })).toMatchObject([{ code: "threadOverInsert", at: "Q473", data: { depth: 2.501, most: 2.5 } }]);
+    expect(planned({ Q473: 2.501 })).toMatchObject([
+      { code: "threadOverInsert", at: "Q473", data: { depth: 2.501, most: 2.5 } },
+    ]);
     expect(planned({ Q473: 2.501 }, [shaft], { columns: { CUTLENGTH: length(2.501) } })).toEqual([]);
   });
 
@@ -65,11 +75,13 @@ describe("an insert that is too low is refused", () => {
 
   test("for a collar in the run-in, with the place", () => {
     const collar = box(4.7, 2.2, 33.1);
-    expect(planned({ Q460: 16 }, [shaft, collar], HIGH)).toMatchObject([{
-      code: "threadMeets",
-      at: "Q460",
-      data: { place: "before", x: 66.2 },
-    }]);
+    expect(planned({ Q460: 16 }, [shaft, collar], HIGH)).toMatchObject([
+      {
+        code: "threadMeets",
+        at: "Q460",
+        data: { place: "before", x: 66.2 },
+      },
+    ]);
   });
 
   test("but what the overrun runs into is told, and cut to be seen in the stock", () => {
@@ -78,20 +90,24 @@ describe("an insert that is too low is refused", () => {
       return plan.issues.filter((i) => i.code === "threadMeets");
     };
     const shoulder = box(-31.3, -100, 35.2);
-    expect(behind(planOf({}, [box(0, -31.3, 20), shoulder]))).toMatchObject([{
-      severity: "warning",
-      at: "Q494",
-      data: { place: "behind", x: 70.4, z: -31.3 },
-    }]);
+    expect(behind(planOf({}, [box(0, -31.3, 20), shoulder]))).toMatchObject([
+      {
+        severity: "warning",
+        at: "Q494",
+        data: { place: "behind", x: 70.4, z: -31.3 },
+      },
+    ]);
   });
 
   test("and the bottom of a bore is refused, over which there is no way back", () => {
     const bored: Ring[] = [[at(0, 12), at(0, 40), at(-70, 40), at(-70, 0), at(-31.1, 0), at(-31.1, 12)]];
-    expect(planned({ Q471: 1, Q491: 26 }, bored, { inside: true })).toMatchObject([{
-      code: "threadMeets",
-      at: "Q494",
-      data: { place: "behind", z: -31.1 },
-    }]);
+    expect(planned({ Q471: 1, Q491: 26 }, bored, { inside: true })).toMatchObject([
+      {
+        code: "threadMeets",
+        at: "Q494",
+        data: { place: "behind", z: -31.1 },
+      },
+    ]);
   });
 });
 
@@ -110,7 +126,11 @@ test("a run-in that begins in material is refused with the shortest that does no
 
 test("a run-in that is blocked all the way has no offer", () => {
   // Ten turns of 2 mm are a run-in that somebody programs; thirty are none.
-  for (const [end, offers] of [[18, true], [21, false], [200, false]] as const) {
+  for (const [end, offers] of [
+    [18, true],
+    [21, false],
+    [200, false],
+  ] as const) {
     const [found] = planned({}, [box(end, -100, 20)]);
     expect(found?.code).toBe("runInBlocked");
     expect([end, "nearest" in (found?.data ?? {})]).toEqual([end, offers]);
@@ -123,7 +143,11 @@ test("on a cone a tooth has to be higher than the thread is deep: its crest rise
     const values = { ...example, Q475: 1, Q476: 0, Q472: 2, Q473: 2, Q464: 4, Q491: 40, Q492: 0, Q494: -20, Q469 };
     const tool: Tool = { ...(shippedTools.find((t) => t.T === 12) as Tool), CUTLENGTH: length(CUTLENGTH) };
     const start = at(20, 40);
-    const plan = c832.plan(values as never, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, { contour: null, start });
+    const plan = c832.plan(
+      values as never,
+      { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null },
+      { contour: null, start },
+    );
     return plan.issues.filter((i) => i.severity === "error").map((i) => `${i.code} ${i.at}`);
   };
   expect(codes(2, 0)).toEqual([]);
@@ -134,13 +158,17 @@ test("on a cone a tooth has to be higher than the thread is deep: its crest rise
 
 test("the depth of the metric profile is told as such to an insert with another angle", () => {
   const told = (angle: number, Q473 = 0) =>
-    planOf({ Q472: 1.814, Q473 }, [shaft], { columns: { "P-ANGLE": degrees(angle) } }).issues.filter((i) => i.at === "Q473");
+    planOf({ Q472: 1.814, Q473 }, [shaft], { columns: { "P-ANGLE": degrees(angle) } }).issues.filter(
+      (i) => i.at === "Q473",
+    );
   expect(told(60)).toMatchObject([{ code: "depthFromPitch", severity: "info" }]);
-  expect(told(55)).toMatchObject([{
-    code: "depthOfOtherProfile",
-    severity: "warning",
-    data: { angle: 55, factor: 0.6134, right: 0.6403, nearest: 1.162 },
-  }]);
+  expect(told(55)).toMatchObject([
+    {
+      code: "depthOfOtherProfile",
+      severity: "warning",
+      data: { angle: 55, factor: 0.6134, right: 0.6403, nearest: 1.162 },
+    },
+  ]);
   const [found] = told(30);
   expect(found).toMatchObject({ code: "depthOfOtherProfile", data: { angle: 30 } });
   expect(found?.data).not.toHaveProperty("nearest");
@@ -160,7 +188,9 @@ test("more turns than anybody means are refused at the pitch", () => {
   expect(planned({ Q472: 0.2, Q473: 0.1 })).toEqual([]);
   expect(planned({ Q472: 0.0003, Q473: 0.1 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
   // A tooth of a few thousandths: the section alone would take a minute.
-  expect(planned({ Q472: 0.0013, Q473: 0.1 })).toMatchObject([{ code: "threadTooMany", at: "Q472", data: { most: 10_000 } }]);
+  expect(planned({ Q472: 0.0013, Q473: 0.1 })).toMatchObject([
+    { code: "threadTooMany", at: "Q472", data: { most: 10_000 } },
+  ]);
   // Passes and starts count as well: each goes along all of the thread.
   expect(planned({ Q472: 0.2, Q473: 0.1, Q475: 500, Q476: 9 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
 });

@@ -3,7 +3,16 @@ import { issue, type Issue } from "../kernel/plan/issue.ts";
 import { part, type Pt } from "../kernel/geometry/point.ts";
 import { METRIC } from "../kernel/contour/metric-thread.ts";
 import { ROUND } from "../kernel/tolerance.ts";
-import { axial, radians, radius, toRadius, type Axial, type Degrees, type Diameter, type Length } from "../kernel/units.ts";
+import {
+  axial,
+  radians,
+  radius,
+  toRadius,
+  type Axial,
+  type Degrees,
+  type Diameter,
+  type Length,
+} from "../kernel/units.ts";
 import type { Dimension, Outline } from "./define.ts";
 
 /** The values of every thread cycle that shape what is drawn of it. */
@@ -34,11 +43,17 @@ export interface TaperValues {
 const pt = part.point;
 
 /** What is wrong with the ends of a straight thread. */
-function endIssues(from: Pt, to: Pt, transverse: boolean, given: { Q491: Diameter; Q493?: Diameter; Q492: Axial; Q494: Axial }): Issue[] {
+function endIssues(
+  from: Pt,
+  to: Pt,
+  transverse: boolean,
+  given: { Q491: Diameter; Q493?: Diameter; Q492: Axial; Q494: Axial },
+): Issue[] {
   const issues: Issue[] = [];
   for (const q of ["Q491", "Q493"] as const) {
     const value = given[q];
-    if (value !== undefined && value < 0) issues.push(issue("diameterNegative", "error", { value, nearest: -value }, q));
+    if (value !== undefined && value < 0)
+      issues.push(issue("diameterNegative", "error", { value, nearest: -value }, q));
   }
   if (transverse && Math.abs(from.r - to.r) < ROUND && given.Q493 !== undefined)
     issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: given.Q493 }, "Q493"));
@@ -76,7 +91,10 @@ export function straightThread(
   };
 }
 
-/** What has a place on the line of a thread whatever its cycle: run-in, run-out, pitch, depth and the direction of infeed. */
+/**
+ * What has a place on the line of a thread whatever its cycle: run-in, run-out, pitch, depth and the direction of
+ * infeed.
+ */
 export function threadDimensions(
   v: ThreadValues & { readonly Q465?: Length; readonly Q466?: Length },
   from: Pt,
@@ -96,7 +114,9 @@ export function threadDimensions(
   const lean: Pt = frame.transverse
     ? pt(root.z + frame.signV * arm * Math.cos(tilt), root.r - frame.signU * arm * Math.sin(tilt))
     : pt(root.z - frame.signU * arm * Math.sin(tilt), root.r + frame.signV * arm * Math.cos(tilt));
-  const upright: Pt = frame.transverse ? pt(root.z + frame.signV * arm, root.r) : pt(root.z, root.r + frame.signV * arm);
+  const upright: Pt = frame.transverse
+    ? pt(root.z + frame.signV * arm, root.r)
+    : pt(root.z, root.r + frame.signV * arm);
   return [
     { q: "Q472", form, from: on(size * 0.3), to: on(size * 0.3 + Math.min(v.Q472, size * 0.6)) },
     { q: "Q473", form: frame.transverse ? "z" : "r", from: middle, to: off(middle, depthOf(v)) },
@@ -108,10 +128,14 @@ export function threadDimensions(
 }
 
 /**
- * Start and end of a taper, whichever of their coordinates are given. The angle opens from a line along the axis in the direction
- * of cutting, positive where the diameter grows. A Z that is not given lies on the side of the start point of the cycle.
+ * Start and end of a taper, whichever of their coordinates are given. The angle opens from a line along the axis in the
+ * direction of cutting, positive where the diameter grows. A Z that is not given lies on the side of the start point of
+ * the cycle.
  */
-export function taperEnds(v: TaperValues, start: Pt | null): { readonly from: Pt; readonly to: Pt; readonly issues: readonly Issue[] } {
+export function taperEnds(
+  v: TaperValues,
+  start: Pt | null,
+): { readonly from: Pt; readonly to: Pt; readonly issues: readonly Issue[] } {
   const [r1, r2] = [toRadius(v.Q491), toRadius(v.Q493)];
   const [from, to] = [pt(v.Q492, r1), pt(v.Q494, r2)];
   // Square to the axis or beyond, a line never comes forward.
@@ -121,7 +145,10 @@ export function taperEnds(v: TaperValues, start: Pt | null): { readonly from: Pt
   const found = (a: Pt, b: Pt) => ({
     from: a,
     to: b,
-    issues: v.Q464 !== TAPER.points && Math.min(a.r, b.r) < 0 ? [issue("taperImpossible", "error", { angle: v.Q469 }, "Q469")] : [],
+    issues:
+      v.Q464 !== TAPER.points && Math.min(a.r, b.r) < 0
+        ? [issue("taperImpossible", "error", { angle: v.Q469 }, "Q469")]
+        : [],
   });
   const long = Math.abs(slope) < ROUND ? NaN : (r2 - r1) / slope;
   switch (v.Q464) {
@@ -135,7 +162,9 @@ export function taperEnds(v: TaperValues, start: Pt | null): { readonly from: Pt
       const known = v.Q464 === TAPER.endStartX ? v.Q494 : v.Q492;
       const isFromLeft = start !== null && start.z < known - ROUND;
       const way = isFromLeft ? 1 : -1;
-      return v.Q464 === TAPER.endStartX ? found(pt(axial(v.Q494 - way * long), r1), to) : found(from, pt(axial(v.Q492 + way * long), r2));
+      return v.Q464 === TAPER.endStartX
+        ? found(pt(axial(v.Q494 - way * long), r1), to)
+        : found(from, pt(axial(v.Q492 + way * long), r2));
     }
     default:
       return found(from, to);

@@ -3,7 +3,9 @@ import { angle, axialParam, choice, countParam, diameterParam, lengthParam, radi
 
 const ON_DIAMETER = [-99999.999, 99999.999] as const;
 
-/** What the thread cycles ask for, each with the value of the recalled examples; a cycle takes them in its own order. */
+/**
+ * What the thread cycles ask for, each with the value of the recalled examples; a cycle takes them in its own order.
+ */
 export const threadParams = {
   Q471: choice("threadPosition", [0, 1], 0, { shown: "threadPosition" }),
   Q461: choice("threadOrientation", [0, 1], 0, { shown: "threadOrientation" }),
@@ -37,5 +39,8 @@ export const threadRoles = (...diameters: readonly string[]): ThreadRoles => ({
   diameters,
 });
 
-/** The recalled example has 30 grooves and 30 air cuts: a pitch of 0.067 mm, and half an hour in which nothing is to be seen. */
+/**
+ * The recalled example has 30 grooves and 30 air cuts: a pitch of 0.067 mm, and half an hour in which nothing is to be
+ * seen.
+ */
 export const oneGroove = { Q475: 1, Q476: 1 } as const;

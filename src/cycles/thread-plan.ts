@@ -28,7 +28,10 @@ const ROLES: Roles = {
   },
 };
 
-/** Cuts a thread along a line; what it is, how long its ways in and out are, and which prompts name what others do, the cycle says. */
+/**
+ * Cuts a thread along a line; what it is, how long its ways in and out are, and which prompts name what others do, the
+ * cycle says.
+ */
 export function planThreadOn(
   v: Threading,
   line: { readonly contour: readonly Segment[]; readonly frame: Frame },
@@ -38,22 +41,25 @@ export function planThreadOn(
   // The open side of a face is that from which the tip points into it.
   const behind = line.frame.transverse && [3, 4, 5].includes(setting.tool.TO);
   const frame: Frame = behind ? { ...line.frame, signV: -1 } : line.frame;
-  const plan = planThread({
-    frame,
-    contour: line.contour,
-    inside: v.Q471 === 1,
-    lead: v.Q472,
-    starts: v.Q475,
-    depth: v.Q473,
-    runIn: ways.runIn,
-    overrun: ways.overrun,
-    runOut: v.Q474,
-    infeed: v.Q463,
-    flankAngle: v.Q467,
-    constantDepth: v.Q468 === 1,
-    startAngle: v.Q470,
-    airCuts: v.Q476,
-    clearance: v.Q460,
-  }, setting);
+  const plan = planThread(
+    {
+      frame,
+      contour: line.contour,
+      inside: v.Q471 === 1,
+      lead: v.Q472,
+      starts: v.Q475,
+      depth: v.Q473,
+      runIn: ways.runIn,
+      overrun: ways.overrun,
+      runOut: v.Q474,
+      infeed: v.Q463,
+      flankAngle: v.Q467,
+      constantDepth: v.Q468 === 1,
+      startAngle: v.Q470,
+      airCuts: v.Q476,
+      clearance: v.Q460,
+    },
+    setting,
+  );
   return atParameters(plan, frame, { ...ROLES, others: { ...ROLES.others, ...ways.named } });
 }

@@ -2,7 +2,10 @@ import { METRIC, METRIC_SIZES } from "../kernel/contour/metric-thread.ts";
 import { rounded } from "../kernel/units.ts";
 import type { ThreadRoles } from "./define.ts";
 
-/** A thread by its name in the trade: facts of ISO 261 and 262 (metric), ISO 228 (pipe) and ISO 2904 (trapezoidal). mm and degrees. */
+/**
+ * A thread by its name in the trade: facts of ISO 261 and 262 (metric), ISO 228 (pipe) and ISO 2904 (trapezoidal). mm
+ * and degrees.
+ */
 export interface ThreadSize {
   readonly name: string;
   /** Other ways to write it. */
@@ -105,25 +108,43 @@ function trapezoidal(diameter: number, pitch: number): ThreadSize {
   const gap = clearance(pitch);
   const depth = rounded(pitch / 2 + gap);
   const root = rounded(diameter + gap + gap);
-  return { name: `Tr${diameter}×${pitch}`, also: [], pitch, angle: 30, outside: { diameter, depth }, inside: { diameter: root, depth } };
+  return {
+    name: `Tr${diameter}×${pitch}`,
+    also: [],
+    pitch,
+    angle: 30,
+    outside: { diameter, depth },
+    inside: { diameter: root, depth },
+  };
 }
 
 /** Every size that can be chosen by name. */
 export const threadSizes: readonly ThreadSize[] = [
-  ...METRIC_SIZES.flatMap(
-    ([nominal, coarse, ...fine]) => [
-      ...(coarse === null ? [] : [metric(nominal, coarse, true)]),
-      ...fine.map((pitch) => metric(nominal, pitch, false)),
-    ]
-  ),
+  ...METRIC_SIZES.flatMap(([nominal, coarse, ...fine]) => [
+    ...(coarse === null ? [] : [metric(nominal, coarse, true)]),
+    ...fine.map((pitch) => metric(nominal, pitch, false)),
+  ]),
   ...PIPE_SIZES.map((size) => pipe(...size)),
   ...TRAPEZOIDAL_SIZES.map((size) => trapezoidal(...size)),
 ];
 
-const HALVES: Readonly<Record<string, string>> = { "½": "1/2", "¼": "1/4", "¾": "3/4", "⅛": "1/8", "⅜": "3/8", "⅝": "5/8", "⅞": "7/8" };
+const HALVES: Readonly<Record<string, string>> = {
+  "½": "1/2",
+  "¼": "1/4",
+  "¾": "3/4",
+  "⅛": "1/8",
+  "⅜": "3/8",
+  "⅝": "5/8",
+  "⅞": "7/8",
+};
 /** A name however it is typed: M20x1,5, G 1 1/2", tr 20*4. */
 const plain = (name: string) =>
-  name.replace(/[½¼¾⅛⅜⅝⅞]/g, (c) => HALVES[c] ?? c).toLowerCase().replace(/[\s"″]/g, "").replace(/[×*]/g, "x").replaceAll(",", ".");
+  name
+    .replace(/[½¼¾⅛⅜⅝⅞]/g, (c) => HALVES[c] ?? c)
+    .toLowerCase()
+    .replace(/[\s"″]/g, "")
+    .replace(/[×*]/g, "x")
+    .replaceAll(",", ".");
 
 /** Sizes whose name begins with what was typed, those of just that name first. */
 export function sizesNamed(typed: string): ThreadSize[] {
@@ -135,8 +156,16 @@ export function sizesNamed(typed: string): ThreadSize[] {
   return [...found.filter(isExact), ...found.filter((size) => !isExact(size))];
 }
 
-/** The values that a size gives a cycle, by Q. `flank`: the infeed angle that stands there; it may be at most half the point angle. */
-export function valuesOf(size: ThreadSize, roles: ThreadRoles, inside: boolean, flank: number): Readonly<Record<string, number>> {
+/**
+ * The values that a size gives a cycle, by Q. `flank`: the infeed angle that stands there; it may be at most half the
+ * point angle.
+ */
+export function valuesOf(
+  size: ThreadSize,
+  roles: ThreadRoles,
+  inside: boolean,
+  flank: number,
+): Readonly<Record<string, number>> {
   const { diameter, depth } = inside ? size.inside : size.outside;
   const half = size.angle * 0.5;
   return {

@@ -18,14 +18,21 @@ const tool = {
   CUTLENGTH: length(9),
 } as unknown as Tool;
 const along = (...points: (readonly [z: number, r: number])[]): Segment[] =>
-  points.slice(1).map((p, i) => ({ kind: "line", from: at(...(points[i] as readonly [number, number])), to: at(...p) }));
-const told = (contour: Segment[], elements: number[]) => angleIssues({ contour, elements }, tool, frame, (_q, direction) => direction);
+  points
+    .slice(1)
+    .map((p, i) => ({ kind: "line", from: at(...(points[i] as readonly [number, number])), to: at(...p) }));
+const told = (contour: Segment[], elements: number[]) =>
+  angleIssues({ contour, elements }, tool, frame, (_q, direction) => direction);
 
 test("of a contour, the element that leans farthest beyond is told, in its programmed place", () => {
   const contour = along([-20, 37.5], [-20, 25], [-31, 15], [-43, 7]);
   const [found, ...more] = told(contour, [3, 2, 1]);
   expect(more).toEqual([]);
-  expect(found).toMatchObject({ code: "angleNotFollowed", at: "contour", data: { element: 1, angle: expect.closeTo(-56.31, 2) } });
+  expect(found).toMatchObject({
+    code: "angleNotFollowed",
+    at: "contour",
+    data: { element: 1, angle: expect.closeTo(-56.31, 2) },
+  });
   expect(found?.data).not.toHaveProperty("nearest");
 });
 

@@ -30,4 +30,5 @@ export function useOf(cycle: Cycle): Use {
 const examples = (cycle: Cycle) => firstValues(cycle) as Values<Cycle["params"]>;
 
 /** Whether a cycle takes its depth along the axis (a face, a groove in one) or towards it. */
-export const worksAcross = (cycle: Cycle): boolean => cycle.outline(examples(cycle), { contour: null, start: null }).frame.transverse;
+export const worksAcross = (cycle: Cycle): boolean =>
+  cycle.outline(examples(cycle), { contour: null, start: null }).frame.transverse;

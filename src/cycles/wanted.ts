@@ -28,7 +28,10 @@ export interface Wanted {
   readonly allowance: Length | 0;
 }
 
-/** An angle of a cycle. That of a face stays square; a taper is one of the surface, of a plunge and a groove it is one of the flanks. */
+/**
+ * An angle of a cycle. That of a face stays square; a taper is one of the surface, of a plunge and a groove it is one
+ * of the flanks.
+ */
 function angleFor(text: string, q: string, { shape, angle }: Wanted): number {
   if (text === "faceAngle") return 0;
   if (text === "surfaceAngle") return shape === "step" ? angle : 0;
@@ -62,7 +65,9 @@ const GEOMETRY: Readonly<Record<string, (wanted: Wanted, text: string) => number
 
 /** The values of a cycle for what is wanted, by Q; all that is no geometry as in its printed example. */
 export const valuesFor = ({ params }: Cycle, wanted: Wanted): Readonly<Record<string, number>> =>
-  Object.fromEntries(Object.entries(params).map(([q, { text, example }]) => [q, GEOMETRY[q]?.(wanted, text) ?? example]));
+  Object.fromEntries(
+    Object.entries(params).map(([q, { text, example }]) => [q, GEOMETRY[q]?.(wanted, text) ?? example]),
+  );
 
 /** Whether a cycle can lean what is wanted, when that leans. */
 export const canLean = (cycle: Cycle, wanted: Wanted): boolean => {

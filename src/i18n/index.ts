@@ -22,7 +22,9 @@ export interface FirstTexts {
   readonly chooser: ChooserTexts;
 }
 
-/** The texts of one screen language that the workplaces show, by area. A text missing in a language is a compile error. */
+/**
+ * The texts of one screen language that the workplaces show, by area. A text missing in a language is a compile error.
+ */
 export interface Texts extends FirstTexts {
   readonly dialog: DialogTexts;
   readonly setup: SetupTexts;
@@ -48,7 +50,10 @@ const workplaces = import.meta.glob<Texts>("./*/workplace.ts", { eager: true, im
 const tables = import.meta.glob<TableTexts>("./*/tables.ts", { eager: true, import: "tables" });
 
 const all = Object.fromEntries(
-  LANGUAGES.map((language) => [language, { ...workplaces[`./${language}/workplace.ts`], ...tables[`./${language}/tables.ts`] }]),
+  LANGUAGES.map((language) => [
+    language,
+    { ...workplaces[`./${language}/workplace.ts`], ...tables[`./${language}/tables.ts`] },
+  ]),
 ) as Readonly<Record<Language, Texts & TableTexts>>;
 
 /** Both in a screen language, without waiting: for reports, scripts and tests. */

@@ -1,6 +1,6 @@
 /**
- * The languages of the screen, a line for each: its own name, its decimal sign, and what stands between the items of a list. The name of
- * the line is the language tag, and the folder beside this file that holds its texts.
+ * The languages of the screen, a line for each: its own name, its decimal sign, and what stands between the items of a
+ * list. The name of the line is the language tag, and the folder beside this file that holds its texts.
  */
 export const SCREEN_LANGUAGES = {
   en: { name: "English", decimal: ".", comma: ", " },
@@ -14,7 +14,9 @@ export const LANGUAGES = Object.keys(SCREEN_LANGUAGES) as readonly Language[];
 /** True for a language setting that may come from outside (saved work, browser). */
 export const isLanguage = (name: string): name is Language => Object.hasOwn(SCREEN_LANGUAGES, name);
 
-/** The languages that a control is set to for its NC text; a job keeps one of them. Their words are in `nc-labels.ts`. */
+/**
+ * The languages that a control is set to for its NC text; a job keeps one of them. Their words are in `nc-labels.ts`.
+ */
 export const NC_LANGUAGES = ["en", "de", "fr", "zh"] as const;
 export type NcLanguage = (typeof NC_LANGUAGES)[number];
 
@@ -25,5 +27,8 @@ export const ncLanguageOf = (screen: Language): NcLanguage => NC_LANGUAGES.find(
 export const LESSON_LANGUAGES = ["en", "de", "fr", "zh"] as const;
 export type LessonLanguage = (typeof LESSON_LANGUAGES)[number];
 
-/** The language in which somebody who reads the screen in a language writes a task: English where tasks do not have it. */
-export const lessonLanguageOf = (screen: Language): LessonLanguage => LESSON_LANGUAGES.find((each) => each === screen) ?? "en";
+/**
+ * The language in which somebody who reads the screen in a language writes a task: English where tasks do not have it.
+ */
+export const lessonLanguageOf = (screen: Language): LessonLanguage =>
+  LESSON_LANGUAGES.find((each) => each === screen) ?? "en";

@@ -11,13 +11,9 @@ test("an inch program hears of lengths, areas and units in inches, with one deci
     "+2,0472",
   ]);
   expect([area(0.45, 2), fixedArea(0.45, 3)]).toEqual(["0,0007", "0,000698"]);
-  expect([words("mm/U"), words("0,1 mm²"), words("f 1 mm, r 2 mm"), words("4 µm"), words("Kommt bis 3 m/min")]).toEqual([
-    "inch/U",
-    "0,1 inch²",
-    "f 1 inch, r 2 inch",
-    "4 µin",
-    "Kommt bis 3 m/min",
-  ]);
+  expect([words("mm/U"), words("0,1 mm²"), words("f 1 mm, r 2 mm"), words("4 µm"), words("Kommt bis 3 m/min")]).toEqual(
+    ["inch/U", "0,1 inch²", "f 1 inch, r 2 inch", "4 µin", "Kommt bis 3 m/min"],
+  );
 });
 
 test("a program in mm hears of what it is", () => {

@@ -6,14 +6,15 @@ import { formatFixed, formatNumber, formatPosition, formatSigned } from "./numbe
 export type Spoken = Language | Lengths;
 
 /** Decimals that a length in inches has more than in millimetres, and an area. */
-const MORE = 1, MORE_OF_AREA = 3;
+const MORE = 1,
+  MORE_OF_AREA = 3;
 
 /** mm³ in a cm³. */
 const CUBIC_CM = 1000;
 
 /**
- * How lengths are told to somebody whose program counts in a unit. They come in mm, areas in mm², feeds in mm; `decimals` are those of
- * millimetres.
+ * How lengths are told to somebody whose program counts in a unit. They come in mm, areas in mm², feeds in mm;
+ * `decimals` are those of millimetres.
  */
 export interface Lengths {
   readonly language: Language;
@@ -34,7 +35,9 @@ export interface Lengths {
 
 /** `per`: mm in one of the unit. */
 export function lengthsIn(language: Language, unit: LengthUnit, per: number): Lengths {
-  const isInch = unit === "inch", more = isInch ? MORE : 0, ofArea = isInch ? MORE_OF_AREA : 0;
+  const isInch = unit === "inch",
+    more = isInch ? MORE : 0,
+    ofArea = isInch ? MORE_OF_AREA : 0;
   return {
     language,
     unit,
@@ -45,7 +48,10 @@ export function lengthsIn(language: Language, unit: LengthUnit, per: number): Le
     position: (mm) => formatPosition(language, mm / per, 3 + more),
     area: (mm2, decimals) => formatNumber(language, mm2 / per ** 2, decimals + ofArea),
     fixedArea: (mm2, decimals) => formatFixed(language, mm2 / per ** 2, decimals + ofArea),
-    volume: (cm3) => (isInch ? `${formatNumber(language, (cm3 * CUBIC_CM) / per ** 3, 3)} inch³` : `${formatNumber(language, cm3, 2)} cm³`),
+    volume: (cm3) =>
+      isInch
+        ? `${formatNumber(language, (cm3 * CUBIC_CM) / per ** 3, 3)} inch³`
+        : `${formatNumber(language, cm3, 2)} cm³`,
     words: (text) => (isInch ? text.replace(/\bmm\b/g, unit).replace(/µm\b/g, "µin") : text),
   };
 }

@@ -23,12 +23,15 @@ export interface MenuWords {
   readonly shop: ShopWords;
 }
 
-/** Takes the words of the menu out of all texts. The build does that, so that the first screen loads nothing else of them. */
+/**
+ * Takes the words of the menu out of all texts. The build does that, so that the first screen loads nothing else of
+ * them.
+ */
 export function menuWords(language: Language): MenuWords {
   const { groups, of, kept } = texts(language).cycles;
   const { cycleName } = ncLabels(ncLanguageOf(language));
-  const words = Object.entries(of).map(([number, { name, summary }]) =>
-    [Number(number), { name, summary, nc: cycleName(Number(number)) }] as const
+  const words = Object.entries(of).map(
+    ([number, { name, summary }]) => [Number(number), { name, summary, nc: cycleName(Number(number)) }] as const,
   );
   return { groups, of: Object.fromEntries(words), kept, shop: shop[`./${language}/first/shop-words.ts`] as ShopWords };
 }

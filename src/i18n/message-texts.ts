@@ -8,7 +8,9 @@ export type AnyIssue = Issue | (NcIssue & { readonly at?: undefined }) | Program
 export type AnyCode = AnyIssue["code"];
 
 /** One sentence for each code, made from its data; a forgotten code is a compile error in each language. */
-export type Sentences = { readonly [C in AnyCode]: (data: Extract<AnyIssue, { code: C }>["data"], write: Write) => string };
+export type Sentences = {
+  readonly [C in AnyCode]: (data: Extract<AnyIssue, { code: C }>["data"], write: Write) => string;
+};
 
 export interface MessagesTexts {
   /** Why material stays, as it follows "left by". */

@@ -11,4 +11,5 @@ export const message = (spoken: Spoken, found: AnyIssue, kind?: Kind): string =>
   messageIn(texts(typeof spoken === "string" ? spoken : spoken.language), spoken, found, kind);
 
 /** The sentence of a finding with numbers as a writer makes them. */
-export const messageWith = (language: Language, found: AnyIssue, write: Write): string => sentenceOf(texts(language), found, write);
+export const messageWith = (language: Language, found: AnyIssue, write: Write): string =>
+  sentenceOf(texts(language), found, write);

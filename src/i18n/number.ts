@@ -19,7 +19,8 @@ export function formatNumber(language: Language, value: number, decimals = 3): s
 }
 
 /** A number with a fixed count of decimals, for columns that must not jump: 25.400. */
-export const formatFixed = (language: Language, value: number, decimals: number): string => sign(language, fixed(value, decimals));
+export const formatFixed = (language: Language, value: number, decimals: number): string =>
+  sign(language, fixed(value, decimals));
 
 /** As the control shows positions: sign and three decimals: +25.400. */
 export function formatPosition(language: Language, value: number, decimals = 3): string {

@@ -2,7 +2,9 @@
 import type { Language } from "./languages.ts";
 import type { Shape } from "./shape.ts";
 
-/** The files of a language's folder. Each exports its texts and nothing else, and is fetched where it is first needed. */
+/**
+ * The files of a language's folder. Each exports its texts and nothing else, and is fetched where it is first needed.
+ */
 interface English {
   readonly advice: typeof import("./en/advice.ts");
   readonly clamping: typeof import("./en/clamping.ts");
@@ -47,7 +49,8 @@ const others = import.meta.glob<Readonly<Record<string, () => Promise<File>>>>("
 
 /** Fetches a part of the texts of a language. */
 export async function loadTexts<N extends PartName>(language: Language, name: N): Promise<PartTexts<N>> {
-  const load = name === "first" ? first[`./${language}/first.ts`] : (await others[`./${language}/parts.ts`]?.())?.[`./${name}.ts`];
+  const load =
+    name === "first" ? first[`./${language}/first.ts`] : (await others[`./${language}/parts.ts`]?.())?.[`./${name}.ts`];
   if (!load) throw new Error(`No texts: ${language} ${name}`);
   return Object.values(await load())[0] as PartTexts<N>;
 }

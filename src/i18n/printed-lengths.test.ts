@@ -8,19 +8,31 @@ import { printedLengths } from "./printed-lengths.ts";
 const inch = lengthsIn("en", "inch", 25.4);
 
 test.each([
-  [issue("deeperThanInfeed", "warning", { depth: 5.08, allowed: 2.54, pass: 2 }), { depth: "length", allowed: "length" }],
-  [issue("materialLeft", "warning", { reason: "mainEdge", area: 6, x: 50, z: -4 }), { area: "area", x: "length", z: "length" }],
+  [
+    issue("deeperThanInfeed", "warning", { depth: 5.08, allowed: 2.54, pass: 2 }),
+    { depth: "length", allowed: "length" },
+  ],
+  [
+    issue("materialLeft", "warning", { reason: "mainEdge", area: 6, x: 50, z: -4 }),
+    { area: "area", x: "length", z: "length" },
+  ],
   [issue("tooManyPasses", "error", { passes: 4000, most: 2000, nearest: 0.5 }), { nearest: "length" }],
   [issue("elementContradicts", "error", { element: 1, quantity: "angle", given: 30, nearest: 45 }, "contour"), {}],
-  [issue("elementContradicts", "error", { element: 1, quantity: "radius", given: 30, nearest: 45 }, "contour"), {
-    given: "length",
-    nearest: "length",
-  }],
-  [issue("runInShort", "warning", { runIn: 4, needed: 5, speed: 800, nearest: 5 }), {
-    runIn: "length",
-    needed: "length",
-    nearest: "length",
-  }],
+  [
+    issue("elementContradicts", "error", { element: 1, quantity: "radius", given: 30, nearest: 45 }, "contour"),
+    {
+      given: "length",
+      nearest: "length",
+    },
+  ],
+  [
+    issue("runInShort", "warning", { runIn: 4, needed: 5, speed: 800, nearest: 5 }),
+    {
+      runIn: "length",
+      needed: "length",
+      nearest: "length",
+    },
+  ],
   [programIssue("pitchOfTap", "warning", { pitch: 2, tap: 1.5 }), { pitch: "length", tap: "length" }],
 ])("the sentence of %o says which of its numbers are lengths", (found, expected) => {
   expect(Object.fromEntries(printedLengths(found))).toEqual(expected);

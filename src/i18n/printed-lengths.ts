@@ -10,17 +10,20 @@ export type Printed = "length" | "area";
 const MARK = 1e-9;
 
 /**
- * Which numbers of a finding its sentence prints as lengths or areas, by their names in its data. The sentence itself says so:
- * it is made with a writer that notes what it is given. What it prints otherwise, as speeds, counts and angles, is the same in any unit.
+ * Which numbers of a finding its sentence prints as lengths or areas, by their names in its data. The sentence itself
+ * says so: it is made with a writer that notes what it is given. What it prints otherwise, as speeds, counts and
+ * angles, is the same in any unit.
  */
 export function printedLengths(found: AnyIssue, kind?: Kind): ReadonlyMap<string, Printed> {
   const names = new Map<number, string>();
-  const marked = Object.fromEntries(Object.entries(found.data).map(([name, value]: [string, unknown], i) => {
-    if (typeof value !== "number" || !Number.isFinite(value)) return [name, value];
-    const other = value + (i + 1) * MARK;
-    names.set(other, name);
-    return [name, other];
-  }));
+  const marked = Object.fromEntries(
+    Object.entries(found.data).map(([name, value]: [string, unknown], i) => {
+      if (typeof value !== "number" || !Number.isFinite(value)) return [name, value];
+      const other = value + (i + 1) * MARK;
+      names.set(other, name);
+      return [name, other];
+    }),
+  );
   const printed = new Map<string, Printed>();
   const note = (as: Printed, ...values: readonly (number | undefined)[]) => {
     for (const value of values) {

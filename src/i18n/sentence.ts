@@ -12,7 +12,10 @@ export function measureOf({ code, at }: AnyIssue, kind?: Kind): Kind | undefined
   return kind ?? (code === "outOfRange" && at !== undefined ? OF_APPROACH[at] : undefined);
 }
 
-/** The sentence of a finding in texts at hand. One that was met in several places names the first of them and counts the others. */
+/**
+ * The sentence of a finding in texts at hand. One that was met in several places names the first of them and counts the
+ * others.
+ */
 export function messageIn(inTexts: Pick<Texts, "messages">, spoken: Spoken, found: AnyIssue, kind?: Kind): string {
   const write = writer(spoken, measureOf(found, kind));
   const more = "places" in found.data && typeof found.data.places === "number" ? found.data.places - 1 : 0;

@@ -1,4 +1,11 @@
-/** The shape of a set of texts: the same keys and arguments, any words. English is written first, the others fit its shape. */
-export type Shape<T> = T extends string ? string
-  : T extends (...values: infer V) => string ? (...values: V) => string : T extends readonly (infer E)[] ? readonly Shape<E>[]
-  : { readonly [K in keyof T]: Shape<T[K]> };
+/**
+ * The shape of a set of texts: the same keys and arguments, any words. English is written first, the others fit its
+ * shape.
+ */
+export type Shape<T> = T extends string
+  ? string
+  : T extends (...values: infer V) => string
+    ? (...values: V) => string
+    : T extends readonly (infer E)[]
+      ? readonly Shape<E>[]
+      : { readonly [K in keyof T]: Shape<T[K]> };

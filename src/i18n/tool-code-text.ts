@@ -6,7 +6,9 @@ import type { NotCovered } from "../program/iso-codes/tool-code.ts";
 type Named<K extends string> = Readonly<Record<K, string>>;
 type NotesOf<N, V> = { readonly [K in Extract<CodeNote, N>["is"]]: V };
 
-/** Texts of the reading of tool codes. They come with the tool table. Numbers come as they are written on the screen. */
+/**
+ * Texts of the reading of tool codes. They come with the tool table. Numbers come as they are written on the screen.
+ */
 export interface ToolCodeTexts {
   readonly label: string;
   readonly hint: string;
@@ -38,8 +40,20 @@ export interface ToolCodeTexts {
   readonly mm: (n: string) => string;
   readonly tolerance: (circle: string, thickness: string) => string;
   readonly wiper: (angle: string | null) => string;
-  readonly notes: NotesOf<{ readonly insert: string }, (insert: string, holder: string) => string> & NotesOf<{ readonly row: number },
-    (row: string, code: string) => string> & Named<
-    "inch" | "inchHolder" | "cornerMissing" | "sizeUnsure" | "onlyCorner" | "endCutting" | "leftBar" | "headDrawn" | "special"
-  > & { readonly unsure: (letter: string, angle: string) => string; readonly noShank: Named<"seat" | "reach" | "round"> };
+  readonly notes: NotesOf<{ readonly insert: string }, (insert: string, holder: string) => string> &
+    NotesOf<{ readonly row: number }, (row: string, code: string) => string> &
+    Named<
+      | "inch"
+      | "inchHolder"
+      | "cornerMissing"
+      | "sizeUnsure"
+      | "onlyCorner"
+      | "endCutting"
+      | "leftBar"
+      | "headDrawn"
+      | "special"
+    > & {
+      readonly unsure: (letter: string, angle: string) => string;
+      readonly noShank: Named<"seat" | "reach" | "round">;
+    };
 }

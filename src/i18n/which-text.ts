@@ -16,8 +16,13 @@ export interface WhichTexts {
   readonly degrees: string;
   /** What is wrong between two numbers. */
   readonly faults: Readonly<Record<"notSmaller" | "notLarger" | "same" | "contour", string>>;
-  readonly stretch: { readonly title: string; readonly about: string; readonly first: string; readonly last: string;
-    readonly picture: (first: number, last: number, of: number) => string };
+  readonly stretch: {
+    readonly title: string;
+    readonly about: string;
+    readonly first: string;
+    readonly last: string;
+    readonly picture: (first: number, last: number, of: number) => string;
+  };
   readonly ways: string;
   readonly trying: (done: number, of: number) => string;
   readonly none: string;
@@ -35,7 +40,10 @@ export interface WhichTexts {
   readonly tool: (number: number, name: string) => string;
   readonly proved: string;
   readonly problems: Readonly<
-    Record<"gouge" | "rapidInStock" | "holderContact" | "clampContact" | "nothingCut" | "unproved" | "leavesMost", string>
+    Record<
+      "gouge" | "rapidInStock" | "holderContact" | "clampContact" | "nothingCut" | "unproved" | "leavesMost",
+      string
+    >
   >;
   readonly reasons: Readonly<Record<Reason, string>>;
   readonly take: string;

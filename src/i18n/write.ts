@@ -2,7 +2,10 @@ import type { Kind } from "../cycles/params.ts";
 import { lengthsIn, type Spoken } from "./lengths.ts";
 import { formatNumber } from "./number.ts";
 
-/** Numbers inside sentences, in the way of one language and in the unit of the program that is spoken of. X data are diameters, mm. */
+/**
+ * Numbers inside sentences, in the way of one language and in the unit of the program that is spoken of. X data are
+ * diameters, mm.
+ */
 export interface Write {
   /** A plain number. */
   readonly number: (value: number) => string;
@@ -47,13 +50,15 @@ const isDiameter = (kind: Kind | undefined) => kind === "diameter" || kind === "
 
 /** Formats numbers for a language and the unit of a program; `kind` is what the field in question measures. */
 export function writer(spoken: Spoken, kind?: Kind): Write {
-  const lengths = typeof spoken === "string" ? lengthsIn(spoken, "mm", 1) : spoken, { language, number: size, signed } = lengths;
+  const lengths = typeof spoken === "string" ? lengthsIn(spoken, "mm", 1) : spoken,
+    { language, number: size, signed } = lengths;
   const number = (value: number) => formatNumber(language, value);
   const diameter = (value: number) => `⌀${size(value)}`;
   /** Four decimals: some limits have them, and they must not be rounded past themselves. */
   const full = (value: number) => formatNumber(language, value, 4);
   const angle = (value: number) => `${full(value)}°`;
-  const exact = !isLength(kind) ? full : (value: number) => size(value, 4), plain = kind === "angle" ? angle : exact;
+  const exact = !isLength(kind) ? full : (value: number) => size(value, 4),
+    plain = kind === "angle" ? angle : exact;
   const place = (x: number, z: number) => `X⌀${size(x)} Z${signed(z)}`;
   return {
     number,

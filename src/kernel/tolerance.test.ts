@@ -10,17 +10,11 @@ test("tolerances keep their order, from rounding to what an older control prints
 
 test("every length has its place in that order; the others are no lengths", () => {
   const others = ["SAME_STEP"];
-  expect(Object.keys(tolerance).filter((name) => !others.includes(name)).sort()).toEqual([
-    "ARC_END",
-    "CHORD",
-    "GRID",
-    "INCH_ROUNDED",
-    "JOINED",
-    "NOTHING",
-    "ROUND",
-    "SAME",
-    "SLIVER",
-  ]);
+  expect(
+    Object.keys(tolerance)
+      .filter((name) => !others.includes(name))
+      .sort(),
+  ).toEqual(["ARC_END", "CHORD", "GRID", "INCH_ROUNDED", "JOINED", "NOTHING", "ROUND", "SAME", "SLIVER"]);
 });
 
 test("two chords and one unit of the polygon engine fit into a sliver", () => {

@@ -43,7 +43,10 @@ export const inDegrees = (a: number) => degrees((a * 180) / Math.PI);
 const STEPS = 1000;
 /** The finest step of a size, mm. */
 export const STEP = 1 / STEPS;
-/** A size on that grid: the nearest, the next below and the next above. Rounding of doubles moves no size to its neighbour. */
+/**
+ * A size on that grid: the nearest, the next below and the next above. Rounding of doubles moves no size to its
+ * neighbour.
+ */
 export const rounded = (size: number) => Math.round(size * STEPS) / STEPS;
 export const roundedDown = (size: number) => Math.floor(size * STEPS + SAME_STEP) / STEPS;
 export const roundedUp = (size: number) => Math.ceil(size * STEPS - SAME_STEP) / STEPS;

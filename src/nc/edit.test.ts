@@ -5,7 +5,9 @@ import { parse } from "./parse.ts";
 import { print } from "./program.ts";
 import type { AxisWord, CycleParameter, Statement, Value } from "./statement.ts";
 
-const samples = Object.values(import.meta.glob<string>("../../tests/programs/*.h", { query: "?raw", import: "default", eager: true }));
+const samples = Object.values(
+  import.meta.glob<string>("../../tests/programs/*.h", { query: "?raw", import: "default", eager: true }),
+);
 
 const line = (...axes: AxisWord[]): Statement => ({
   kind: "path",
@@ -19,12 +21,15 @@ function set(text: string, index: number, q: string, value: CycleParameter["valu
   const program = parse(text);
   const s = program.blocks[index]?.statement;
   if (s?.kind !== "cycle") throw new Error("no cycle");
-  return print(withBlock(program, index, { ...s, parameters: s.parameters.map((p) => (p.q === q ? { ...p, value } : p)) }));
+  return print(
+    withBlock(program, index, { ...s, parameters: s.parameters.map((p) => (p.q === q ? { ...p, value } : p)) }),
+  );
 }
 
 describe("one block changes", () => {
   test("a value of a cycle: only its characters", () => {
-    const text = "0 BEGIN PGM A MM\r\n  5 CYCL DEF 200 BOHREN ~\r\n    Q200=5   ;ABSTAND ~\r\n    Q201=-21,732 ;TIEFE\r\n6 L X10 Y10\r\n";
+    const text =
+      "0 BEGIN PGM A MM\r\n  5 CYCL DEF 200 BOHREN ~\r\n    Q200=5   ;ABSTAND ~\r\n    Q201=-21,732 ;TIEFE\r\n6 L X10 Y10\r\n";
     expect(set(text, 1, "Q201", -3.5)).toBe(text.replace("-21,732", "-3,5"));
     expect(set(text, 1, "Q200", 7)).toBe(text.replace("Q200=5 ", "Q200=7 "));
   });
@@ -51,24 +56,36 @@ describe("one block changes", () => {
 describe("blocks come and go", () => {
   const text = "8 L X+1\n9 ; note\n10 L X+2\n; unnumbered\n11 L X+3";
   test("insert counts on", () =>
-    expect(print(withInserted(parse(text), 1, line(x(9))))).toBe("8 L X+1\n9 L X+9 FMAX\n10 ; note\n11 L X+2\n; unnumbered\n12 L X+3"));
+    expect(print(withInserted(parse(text), 1, line(x(9))))).toBe(
+      "8 L X+1\n9 L X+9 FMAX\n10 ; note\n11 L X+2\n; unnumbered\n12 L X+3",
+    ));
   test("append after a last line without line end", () =>
     expect(print(withInserted(parse(text), 5, line(x(9))))).toBe(`${text}\n12 L X+9 FMAX\n`));
-  test("delete counts on", () => expect(print(withoutBlocks(parse(text), 1))).toBe("8 L X+1\n9 L X+2\n; unnumbered\n10 L X+3"));
+  test("delete counts on", () =>
+    expect(print(withoutBlocks(parse(text), 1))).toBe("8 L X+1\n9 L X+2\n; unnumbered\n10 L X+3"));
   test("numbers that are right already are left alone", () => {
     const program = parse(text);
     expect(print(renumbered(program, 1))).toBe(text);
   });
 });
 
-const statements = fc.constantFrom<Statement[]>(line(x(1.25)), { kind: "label", label: 7 }, { kind: "comment", text: " new" }, {
-  kind: "functions",
-  words: { axes: [], linear: [], functions: [3], extra: [] },
-});
+const statements = fc.constantFrom<Statement[]>(
+  line(x(1.25)),
+  { kind: "label", label: 7 },
+  { kind: "comment", text: " new" },
+  {
+    kind: "functions",
+    words: { axes: [], linear: [], functions: [3], extra: [] },
+  },
+);
 
 test("an edit touches no other block, and the text reads as the edit says", () => {
   fc.assert(
-    fc.property(fc.constantFrom(...samples), fc.double({ min: 0, max: 0.999, noNaN: true }), statements, fc.constantFrom("\n", "\r\n"),
+    fc.property(
+      fc.constantFrom(...samples),
+      fc.double({ min: 0, max: 0.999, noNaN: true }),
+      statements,
+      fc.constantFrom("\n", "\r\n"),
       (sample, where, statement, end) => {
         const program = parse(sample.replaceAll("\n", end));
         const index = Math.floor(where * program.blocks.length);
@@ -80,7 +97,8 @@ test("an edit touches no other block, and the text reads as the edit says", () =
         expect(edited.blocks[index]?.statement).toEqual(statement);
         expect(parse(print(edited)).blocks.map((b) => b.statement)).toEqual(edited.blocks.map((b) => b.statement));
         expect(withBlock(edited, index, statement)).toBe(edited);
-      }),
+      },
+    ),
     { numRuns: 2000 },
   );
 });

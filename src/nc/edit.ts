@@ -8,7 +8,8 @@ import type { Style } from "./style.ts";
 const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
 
 /** Number and skip mark exactly as they stand in front of a block. */
-const headOf = (raw: string) => /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:[Nn]?\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/.exec(raw)?.[0] ?? "";
+const headOf = (raw: string) =>
+  /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:[Nn]?\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/.exec(raw)?.[0] ?? "";
 const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;
@@ -20,7 +21,10 @@ function withValues(raw: string, before: CycleStatement, after: CycleStatement, 
   let text = raw;
   for (const [i, p] of after.parameters.entries()) {
     if (same(p.value, before.parameters[i]?.value)) continue;
-    const at = new RegExp(String.raw`((?:^|[\s])${p.q}[ \t]*=?[ \t]*)([^\s;~]*(?:(?<=[+-]|[=\s]F)[ \t]+[^\s;~]+)?)`, "i").exec(text);
+    const at = new RegExp(
+      String.raw`((?:^|[\s])${p.q}[ \t]*=?[ \t]*)([^\s;~]*(?:(?<=[+-]|[=\s]F)[ \t]+[^\s;~]+)?)`,
+      "i",
+    ).exec(text);
     if (!at) return null;
     const written = parameterValueText(p.value, style);
     const front = (at[1] ?? "").includes("=") ? (at[1] ?? "") : `${(at[1] ?? "").trimEnd()}=`;
@@ -41,7 +45,17 @@ function rewritten(block: Block, statement: Statement, style: Style): string {
   const comment = block.comment !== null && statement.kind !== "comment" ? commentOf(body) : "";
   const head = headOf(body);
   const gap = head !== "" && /\d$/.test(head) && lines[0] ? " " : "";
-  return head + gap + (lines[0] ?? "") + comment + lines.slice(1).map((line) => style.newLine + line).join("") + end;
+  return (
+    head +
+    gap +
+    (lines[0] ?? "") +
+    comment +
+    lines
+      .slice(1)
+      .map((line) => style.newLine + line)
+      .join("") +
+    end
+  );
 }
 
 /** The comment of a block's first line with the blanks before it. */
@@ -58,7 +72,10 @@ function commentOf(body: string): string {
   return "";
 }
 
-/** Replaces what one block says. Only its text changes, in the style of its surroundings; the same statement changes nothing. */
+/**
+ * Replaces what one block says. Only its text changes, in the style of its surroundings; the same statement changes
+ * nothing.
+ */
 export function withBlock(program: Program, index: number, statement: Statement): Program {
   const block = program.blocks[index];
   if (!block || same(block.statement, statement)) return program;
@@ -75,8 +92,10 @@ export function withInserted(program: Program, index: number, statement: Stateme
   const open = before !== undefined && lineEndOf(before.raw) === "";
   // Where the blocks beside it are numbered N10, so is this one.
   const letter = [program.blocks[index], before].some((b) => b && /^[ \t]*\/?[ \t]*N\d/i.test(b.raw)) ? "N" : "";
-  const text = (numbered && statement.kind !== "empty" ? `${letter}${number} ` : "") + statementLines(statement, style).join(style.newLine)
-    + style.newLine;
+  const text =
+    (numbered && statement.kind !== "empty" ? `${letter}${number} ` : "") +
+    statementLines(statement, style).join(style.newLine) +
+    style.newLine;
   const blocks = open ? program.blocks.with(index - 1, { ...before, raw: before.raw + style.newLine }) : program.blocks;
   return renumbered({ blocks: blocks.toSpliced(index, 0, ...parse(text).blocks) }, index + 1);
 }

@@ -1,6 +1,6 @@
 /**
- * What the reader finds in the text: a code with its data and its place, never a sentence. Languages make the sentences,
- * so a new code is a compile error in every language until it has its text.
+ * What the reader finds in the text: a code with its data and its place, never a sentence. Languages make the
+ * sentences, so a new code is a compile error in every language until it has its text.
  */
 export type NcSeverity = "error" | "warning" | "info";
 
@@ -44,6 +44,14 @@ export interface NcFix {
 
 /** One finding. Lines and columns count from 1; offsets from 0 over the whole text. */
 export type NcIssue = {
-  [C in NcCode]: { readonly code: C; readonly severity: NcSeverity; readonly line: number; readonly column: number; readonly offset: number;
-    readonly length: number; readonly data: Readonly<Data[C]>; readonly fix?: NcFix };
+  [C in NcCode]: {
+    readonly code: C;
+    readonly severity: NcSeverity;
+    readonly line: number;
+    readonly column: number;
+    readonly offset: number;
+    readonly length: number;
+    readonly data: Readonly<Data[C]>;
+    readonly fix?: NcFix;
+  };
 }[NcCode];

@@ -4,7 +4,8 @@ import { issuesOf, print, startLines } from "./program.ts";
 
 const one = (text: string) => parse(text).blocks[0];
 const said = (text: string) =>
-  issuesOf(parse(`0 BEGIN PGM A MM\n${text}\n9 END PGM A MM\n`)).filter((i) => i.code !== "blockNumber" && i.code !== "blockNumberMissing")
+  issuesOf(parse(`0 BEGIN PGM A MM\n${text}\n9 END PGM A MM\n`))
+    .filter((i) => i.code !== "blockNumber" && i.code !== "blockNumberMissing")
     .map((i) => `${i.code} ${i.line}:${i.column}`);
 
 describe("blocks", () => {
@@ -55,19 +56,28 @@ describe("spellings of posts and of older controls", () => {
     });
     expect(one("FC DR- R15.5 CCX+2 CCY-Q4")?.statement).toMatchObject({
       form: "FC",
-      given: [{ name: "CCX", value: 2 }, { name: "CCY", value: { parameter: "Q4", negative: true } }],
+      given: [
+        { name: "CCX", value: 2 },
+        { name: "CCY", value: { parameter: "Q4", negative: true } },
+      ],
       words: { radius: 15.5, turn: "cw" },
     });
     expect(one("FSELECT2")?.statement).toMatchObject({ form: "FSELECT", given: [{ value: 2 }] });
     expect(one("FSELECT")?.statement.kind).toBe("unknown");
     const far = "7 FC IX+4 DR- R10 CLSD- P1X+4 P1Y-Q3 PDX+1 PDY+2 D3.5 ICCX+2 ICCY-1 RCCX5 RX12 IAN+20 RAN13 F200";
-    expect(one(far)?.statement).toMatchObject({ words: { axes: [{ axis: "X", incremental: true }], radius: 10 }, given: { length: 12 } });
+    expect(one(far)?.statement).toMatchObject({
+      words: { axes: [{ axis: "X", incremental: true }], radius: 10 },
+      given: { length: 12 },
+    });
     expect(said(far)).toEqual([]);
     expect(said("1 FL X+1 P4X+4")).toEqual(["wordNotUnderstood 2:10"]);
   });
   test("an N number is a block number, and begins a block", () => {
     expect(one("/N12 L X+1")).toMatchObject({ number: 12, skip: true });
-    expect(parse("N10 CYCLE DEF 200 D ~\nQ200=2 ~\nQ201=-5\nN20 M3\n").blocks.map((b) => [b.number, b.lines])).toEqual([[10, 3], [20, 1]]);
+    expect(parse("N10 CYCLE DEF 200 D ~\nQ200=2 ~\nQ201=-5\nN20 M3\n").blocks.map((b) => [b.number, b.lines])).toEqual([
+      [10, 3],
+      [20, 1],
+    ]);
     expect(one("NOTE 1")).toMatchObject({ number: null, statement: { kind: "unknown" } });
     expect(one("N10.5 L X+1")).toMatchObject({ number: null, statement: { kind: "unknown" } });
   });
@@ -89,16 +99,26 @@ describe("findings have a place, and a fix where it is plain", () => {
     for (const text of ["1 CYCL DEF 7 N ~\nQ491+5 ;A\n", "1 CYCL DEF 7 N ~\nQ491 =+5 ;A\n"]) {
       const fix = issuesOf(parse(text)).find((i) => i.fix)?.fix;
       if (!fix) throw new Error("no fix");
-      expect(text.slice(0, fix.offset) + fix.text + text.slice(fix.offset + fix.length)).toBe("1 CYCL DEF 7 N ~\nQ491=+5 ;A\n");
+      expect(text.slice(0, fix.offset) + fix.text + text.slice(fix.offset + fix.length)).toBe(
+        "1 CYCL DEF 7 N ~\nQ491=+5 ;A\n",
+      );
     }
   });
   test("numbers out of order, missing ones", () => {
-    expect(issuesOf(parse("0 BEGIN PGM A MM\n3 M3\nM4\n4 END PGM A MM")).map((i) => i.code)).toEqual(["blockNumber", "blockNumberMissing"]);
+    expect(issuesOf(parse("0 BEGIN PGM A MM\n3 M3\nM4\n4 END PGM A MM")).map((i) => i.code)).toEqual([
+      "blockNumber",
+      "blockNumberMissing",
+    ]);
     expect(issuesOf(parse("M3\n")).map((i) => i.code)).toEqual(["frameMissing", "frameMissing"]);
   });
   test("a program in DIN/ISO is refused by its name, once; one such block in Klartext is that block's matter", () => {
-    const errors = (text: string) => issuesOf(parse(text)).filter((i) => i.severity === "error").map((i) => `${i.code}@${i.line}`);
-    expect(errors("%SHAFT G71 *\nN10 G30 G17 X+0 Y+0 Z-40 *\nN20 G812 Q215=+0 *\nN99999 %SHAFT G71 *\n")).toEqual(["isoProgram@1"]);
+    const errors = (text: string) =>
+      issuesOf(parse(text))
+        .filter((i) => i.severity === "error")
+        .map((i) => `${i.code}@${i.line}`);
+    expect(errors("%SHAFT G71 *\nN10 G30 G17 X+0 Y+0 Z-40 *\nN20 G812 Q215=+0 *\nN99999 %SHAFT G71 *\n")).toEqual([
+      "isoProgram@1",
+    ]);
     expect(errors("N10 G01 X+20 Z-5 F0.2\nN20 G79\n")).toEqual(["isoProgram@1"]);
     expect(errors("0 BEGIN PGM A MM\n1 G812 Q215=+0\n2 END PGM A MM\n")).toEqual([]);
     expect(errors("L X+5 Z-3 FMAX\nGRV RADIAL POS-20 BREADTH5 DEPTH3\n")).toEqual([]);
@@ -179,12 +199,15 @@ test("an area of several lines is read with everything in its place", () => {
   const block = one("7 CONTOUR DEF ~\n  P1 = LBL 1 ~ \n  I12 = QS4 DEPTH0.5");
   expect(block?.statement).toEqual({
     kind: "contourDefinition",
-    areas: [{ role: "P", number: 1, from: { label: 1 }, depth: null }, {
-      role: "I",
-      number: 12,
-      from: { file: { parameter: "QS4", negative: false } },
-      depth: 0.5,
-    }],
+    areas: [
+      { role: "P", number: 1, from: { label: 1 }, depth: null },
+      {
+        role: "I",
+        number: 12,
+        from: { file: { parameter: "QS4", negative: false } },
+        depth: 0.5,
+      },
+    ],
   });
   expect(block?.lines).toBe(3);
 });
@@ -193,15 +216,25 @@ test("10,000 blocks are read, each as it would be alone", () => {
   const text = Array.from({ length: 10_000 }, (_, i) => `${i} L  X+${i % 90}.5 Z-${i % 70} R0 FMAX  M3\n`).join("");
   const { blocks } = parse(text);
   expect(blocks).toHaveLength(10_000);
-  for (const i of [0, 4999, 9999]) expect(blocks[i]?.statement).toEqual(one(`${i} L  X+${i % 90}.5 Z-${i % 70} R0 FMAX  M3`)?.statement);
+  for (const i of [0, 4999, 9999])
+    expect(blocks[i]?.statement).toEqual(one(`${i} L  X+${i % 90}.5 Z-${i % 70} R0 FMAX  M3`)?.statement);
 });
 
 test("a program that counts in tens is told so once, a jump in it again", () => {
   const counted = (...numbers: number[]) =>
-    issuesOf(parse(numbers.map((n) => `${n} M8\n`).join(""))).filter((i) => i.code === "blockNumber").map((i) => i.data);
+    issuesOf(parse(numbers.map((n) => `${n} M8\n`).join("")))
+      .filter((i) => i.code === "blockNumber")
+      .map((i) => i.data);
   expect(counted(10, 20, 30, 40)).toEqual([{ found: 20, expected: 11 }]);
-  expect(counted(10, 20, 30, 35, 45)).toEqual([{ found: 20, expected: 11 }, { found: 35, expected: 31 }, { found: 45, expected: 36 }]);
-  expect(counted(1, 2, 2, 2, 3)).toEqual([{ found: 2, expected: 3 }, { found: 2, expected: 3 }]);
+  expect(counted(10, 20, 30, 35, 45)).toEqual([
+    { found: 20, expected: 11 },
+    { found: 35, expected: 31 },
+    { found: 45, expected: 36 },
+  ]);
+  expect(counted(1, 2, 2, 2, 3)).toEqual([
+    { found: 2, expected: 3 },
+    { found: 2, expected: 3 },
+  ]);
 });
 
 test("a line longer than any block is kept and said, not read word by word", () => {

@@ -35,8 +35,9 @@ function blockLine(text: string, from: number, to: number, offset: number): Bloc
 const NONE: readonly BlockIssue[] = [];
 
 /**
- * Blocks that were read before, by their text and by whether a line that they announce is missing: with each key a program is read again of
- * which one line is another. They are read from a text of their own, so that they keep no other alive.
+ * Blocks that were read before, by their text and by whether a line that they announce is missing: with each key a
+ * program is read again of which one line is another. They are read from a text of their own, so that they keep no
+ * other alive.
  */
 const known = [new Map<string, Block>(), new Map<string, Block>()] as const;
 const MOST_KNOWN = 500;
@@ -49,14 +50,24 @@ function readBlock(text: string, s: Slice): Block {
   let read = before.get(raw);
   if (!read) {
     const own = ownText(raw);
-    read = readWords(own, splitLines(own), { ...s, from: 0, to: own.length, first: 0, last: s.last - s.first, body: s.body - s.from });
+    read = readWords(own, splitLines(own), {
+      ...s,
+      from: 0,
+      to: own.length,
+      first: 0,
+      last: s.last - s.first,
+      body: s.body - s.from,
+    });
     if (before.size >= MOST_KNOWN) before.clear();
     before.set(own, read);
   }
   return read;
 }
 
-/** Where the first line of a list ends that should go on with ` ~` and does not, over the text of the block; null where all do. */
+/**
+ * Where the first line of a list ends that should go on with ` ~` and does not, over the text of the block; null where
+ * all do.
+ */
 function tildeMissing(text: string, { starts, ends }: Lines, { first, last }: Slice): number | null {
   let open: number | null = null;
   for (let i = first; i <= last; i += 1) {
@@ -83,10 +94,19 @@ function readWords(text: string, all: Lines, s: Slice): Block {
       ? []
       : [{ code: "listWithoutTilde", severity: "warning", offset: untied, length: 0, data: { places: 1 } } as const]),
     ...(s.open
-      ? [{ code: "continuationOpen", severity: "warning", offset: (ends[s.last] ?? s.from) - s.from, length: 0, data: {} } as const]
+      ? [
+          {
+            code: "continuationOpen",
+            severity: "warning",
+            offset: (ends[s.last] ?? s.from) - s.from,
+            length: 0,
+            data: {},
+          } as const,
+        ]
       : []),
   ];
-  const comment = read.statement.kind === "comment" || read.statement.kind === "cycle" ? null : (lines[0]?.comment ?? null);
+  const comment =
+    read.statement.kind === "comment" || read.statement.kind === "cycle" ? null : (lines[0]?.comment ?? null);
   return {
     raw: text,
     lines: s.last - s.first + 1,
@@ -98,7 +118,9 @@ function readWords(text: string, all: Lines, s: Slice): Block {
   };
 }
 
-/** Reads any text. Never throws; what is not understood stays in the text and is said. `print` gives the same text back. */
+/**
+ * Reads any text. Never throws; what is not understood stays in the text and is said. `print` gives the same text back.
+ */
 export function parse(text: string): Program {
   return { blocks: splitBlocks(text, splitLines(text)).map((s) => readBlock(text, s)) };
 }

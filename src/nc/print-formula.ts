@@ -2,7 +2,16 @@ import { valueText } from "./number-text.ts";
 import type { Formula, Statement, TextFormula, Value } from "./statement.ts";
 import type { Style } from "./style.ts";
 
-const SIGNS = { sum: "+", difference: "-", product: "*", quotient: "/", remainder: "%", power: "^", length: "LEN", angle: "ANG" } as const;
+const SIGNS = {
+  sum: "+",
+  difference: "-",
+  product: "*",
+  quotient: "/",
+  remainder: "%",
+  power: "^",
+  length: "LEN",
+  angle: "ANG",
+} as const;
 const RANK = {
   length: 0,
   angle: 0,
@@ -72,11 +81,18 @@ export const textAssignmentText = (s: Extract<Statement, { kind: "assignText" }>
 /** `Q1 = Q2 * 3`, or with its FN number `FN 1: Q1 =+Q2 + +5`. */
 export function assignmentText(s: Extract<Statement, { kind: "assign" }>, style: Style): string {
   if (s.fn === null) return `${s.target} = ${formulaText(s.formula, style)}`;
-  const signed = (f: Formula) => (f.kind === "value" ? valueText(f.value, { ...style, plus: true }) : formulaText(f, style, 4));
+  const signed = (f: Formula) =>
+    f.kind === "value" ? valueText(f.value, { ...style, plus: true }) : formulaText(f, style, 4);
   const right = (f: Formula): string => {
     if (f.kind === "value") return signed(f);
     if (f.kind === "call" && (s.fn === 5 || s.fn === 6 || s.fn === 7)) return `${f.name} ${signed(f.of)}`;
-    if (f.kind === "sum" || f.kind === "difference" || f.kind === "product" || f.kind === "length" || f.kind === "angle")
+    if (
+      f.kind === "sum" ||
+      f.kind === "difference" ||
+      f.kind === "product" ||
+      f.kind === "length" ||
+      f.kind === "angle"
+    )
       return `${signed(f.left)} ${SIGNS[f.kind]} ${signed(f.right)}`;
     return f.kind === "quotient" ? `${signed(f.left)} DIV ${signed(f.right)}` : formulaText(f, style);
   };

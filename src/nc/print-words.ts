@@ -26,15 +26,17 @@ export interface Signs {
 export function wordsText(words: Words, style: Style, signs: Signs = { length: true, radius: true }): string {
   const parts: string[] = [];
   const add = (text: string, blanks = 1) => parts.push(" ".repeat(style.wide ? blanks : 1) + text);
-  words.axes.forEach((w, i) => add(axisText(w, style), i === 2 || (i === 0) ? 2 : 1));
+  words.axes.forEach((w, i) => add(axisText(w, style), i === 2 || i === 0 ? 2 : 1));
   for (const text of [...polarText("PR", words.polarRadius, style), ...polarText("PA", words.polarAngle, style)])
     add(text, parts.length === 0 ? 2 : 1);
   const gap = style.spacedWords ? " " : "";
   const spaced = (name: string, value: string) => add(`${name}${/^[+-]/.test(value) ? "" : gap}${value}`);
   if (words.centreAngle !== undefined) spaced("CCA", unsigned(words.centreAngle, style));
-  if (words.length !== undefined) spaced("LEN", signs.length ? valueText(words.length, style) : unsigned(words.length, style));
+  if (words.length !== undefined)
+    spaced("LEN", signs.length ? valueText(words.length, style) : unsigned(words.length, style));
   // A bare R0 would be read as the end of the compensation.
-  const radius = (r: Value) => (r === 0 ? valueText(r, { ...style, plus: true }) : signs.radius ? valueText(r, style) : unsigned(r, style));
+  const radius = (r: Value) =>
+    r === 0 ? valueText(r, { ...style, plus: true }) : signs.radius ? valueText(r, style) : unsigned(r, style);
   if (words.radius !== undefined) add(`R${radius(words.radius)}`, parts.length === 0 ? 2 : 1);
   if (words.turn !== undefined) add(words.turn === "ccw" ? "DR+" : "DR-");
   for (const w of words.linear) add(`LIN_${axisText(w, style)}`);

@@ -1,12 +1,25 @@
 import { valueText } from "./number-text.ts";
 import { assignmentText, textAssignmentText } from "./print-formula.ts";
 import { feedText, unsigned, wordsText } from "./print-words.ts";
-import type { ContourArea, CycleParameter, FileName, Label, NamedWord, OutlineSource, Statement, StatementOf, Value } from "./statement.ts";
+import type {
+  ContourArea,
+  CycleParameter,
+  FileName,
+  Label,
+  NamedWord,
+  OutlineSource,
+  Statement,
+  StatementOf,
+  Value,
+} from "./statement.ts";
 import type { Style } from "./style.ts";
 
-const labelText = (label: Label) => (typeof label === "number" ? String(label) : /^QS\d/i.test(label) ? label : `"${label}"`);
-const optional = (word: string, value: Value | null, style: Style) => (value === null ? "" : ` ${word}${valueText(value, style)}`);
-const bare = (word: string, value: Value | null, style: Style) => (value === null ? "" : ` ${word}${unsigned(value, style)}`);
+const labelText = (label: Label) =>
+  typeof label === "number" ? String(label) : /^QS\d/i.test(label) ? label : `"${label}"`;
+const optional = (word: string, value: Value | null, style: Style) =>
+  value === null ? "" : ` ${word}${valueText(value, style)}`;
+const bare = (word: string, value: Value | null, style: Style) =>
+  value === null ? "" : ` ${word}${unsigned(value, style)}`;
 
 /** R of APPR CT and DEP CT and LEN of the LN forms carry a sign; the others are bare. */
 const signsOf = (form: string) => ({ length: form.endsWith("LN"), radius: form === "CT" || form === "PCT" });
@@ -24,13 +37,16 @@ const parameterText = (p: CycleParameter, style: Style) =>
 const namedText = (words: readonly NamedWord[], style: Style, colon = "") =>
   words.map((w) => ` ${w.name}${colon}${unsigned(w.value, style)}`).join("");
 
-const outlineText = (from: OutlineSource) => ("file" in from ? fileText(from.file, false) : `LBL ${labelText(from.label)}`);
-const fileText = (file: FileName, isBare: boolean) => (typeof file === "object" ? file.parameter : isBare ? file : `"${file}"`);
+const outlineText = (from: OutlineSource) =>
+  "file" in from ? fileText(from.file, false) : `LBL ${labelText(from.label)}`;
+const fileText = (file: FileName, isBare: boolean) =>
+  typeof file === "object" ? file.parameter : isBare ? file : `"${file}"`;
 
 function areaText({ from, depth }: Pick<ContourArea, "from" | "depth">, style: Style): string {
-  const of = "file" in from
-    ? fileText(from.file, false)
-    : `LBL ${typeof from.label === "object" ? from.label.parameter : labelText(from.label)}`;
+  const of =
+    "file" in from
+      ? fileText(from.file, false)
+      : `LBL ${typeof from.label === "object" ? from.label.parameter : labelText(from.label)}`;
   return `${of}${depth === null ? "" : ` DEPTH${unsigned(depth, style)}`}`;
 }
 
@@ -71,27 +87,36 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
       return `BLK FORM 0.${s.corner}${s.axis ? ` ${s.axis}` : ""}${axes}`;
     }
     case "blankCylinder":
-      return `BLK FORM CYLINDER ${s.axis}${s.outside ? bare(s.outside.measure, s.outside.value, style) : ""}${bare("L", s.length, style)}`
-        + `${optional("DIST", s.distance, style)}${s.inside ? bare(s.inside.measure, s.inside.value, style) : ""}`;
+      return (
+        `BLK FORM CYLINDER ${s.axis}${s.outside ? bare(s.outside.measure, s.outside.value, style) : ""}${bare("L", s.length, style)}` +
+        `${optional("DIST", s.distance, style)}${s.inside ? bare(s.inside.measure, s.inside.value, style) : ""}`
+      );
     case "blankRotation":
-      return `BLK FORM ROTATION ${s.axis} DIM_${s.measure} ${outlineText(s.outline)}`
-        + (s.inner === null ? "" : ` LBLIN ${labelText(s.inner)}`);
+      return (
+        `BLK FORM ROTATION ${s.axis} DIM_${s.measure} ${outlineText(s.outline)}` +
+        (s.inner === null ? "" : ` LBLIN ${labelText(s.inner)}`)
+      );
     case "blankFile":
       return `BLK FORM FILE "${s.file}"${s.target === null ? "" : ` TARGET "${s.target}"`}`;
     case "toolDefinition":
       return `TOOL DEF ${labelText(s.tool)}${optional("L", s.length, style)}${optional("R", s.radius, style)}`;
     case "toolCall": {
-      const tool = s.tool === null ? "" : ` ${typeof s.tool === "object" ? unsigned(s.tool, style) : labelText(s.tool)}`;
+      const tool =
+        s.tool === null ? "" : ` ${typeof s.tool === "object" ? unsigned(s.tool, style) : labelText(s.tool)}`;
       const feed = s.feed === null ? "" : ` ${feedText(s.feed, style)}`;
       const extra = s.extra.map((word) => ` ${word}`).join("");
-      return `TOOL CALL${tool}${s.axis ? ` ${s.axis}` : ""}${bare("S", s.speed, style)}${feed}`
-        + `${optional("DL", s.deltaLength, style)}${optional("DR", s.deltaRadius, style)}${extra}`;
+      return (
+        `TOOL CALL${tool}${s.axis ? ` ${s.axis}` : ""}${bare("S", s.speed, style)}${feed}` +
+        `${optional("DL", s.deltaLength, style)}${optional("DR", s.deltaRadius, style)}${extra}`
+      );
     }
     case "mode":
       return `FUNCTION MODE ${s.mode}${s.kinematics === null ? "" : ` "${s.kinematics}"`}`;
     case "spin":
-      return `FUNCTION TURNDATA SPIN VCONST:${s.constantSurface ? "ON" : "OFF"}${bare("VC:", s.cuttingSpeed, style)}`
-        + `${bare("S", s.speed, style)}${bare("SMAX", s.limit, style)}${bare("GEARRANGE:", s.gear ?? null, style)}`;
+      return (
+        `FUNCTION TURNDATA SPIN VCONST:${s.constantSurface ? "ON" : "OFF"}${bare("VC:", s.cuttingSpeed, style)}` +
+        `${bare("S", s.speed, style)}${bare("SMAX", s.limit, style)}${bare("GEARRANGE:", s.gear ?? null, style)}`
+      );
     case "turnCorrection":
       return `FUNCTION TURNDATA CORR-${s.system}:${s.plane}${namedText(s.words, style, ":")}`;
     case "turnBlank":
@@ -140,20 +165,27 @@ function statementText(s: Exclude<Statement, { kind: "cycle" }>, style: Style): 
     case "jump": {
       const signed = (value: Value) => valueText(value, { ...style, plus: true });
       const target = typeof s.label === "object" ? unsigned(s.label, style) : labelText(s.label);
-      return `${s.fn === null ? "" : `FN ${s.fn}: `}IF ${signed(s.left)} ${s.compare}`
-        + `${s.right === null ? "" : ` ${signed(s.right)}`} GOTO LBL ${target}`;
+      return (
+        `${s.fn === null ? "" : `FN ${s.fn}: `}IF ${signed(s.left)} ${s.compare}` +
+        `${s.right === null ? "" : ` ${signed(s.right)}`} GOTO LBL ${target}`
+      );
     }
     case "datum":
-      return "TRANS DATUM "
-        + (s.shift === "reset"
+      return (
+        "TRANS DATUM " +
+        (s.shift === "reset"
           ? "RESET"
-          : `AXIS${s.shift.map((w) => ` ${w.incremental ? "I" : ""}${w.axis}${valueText(w.value, style)}`).join("")}`);
+          : `AXIS${s.shift.map((w) => ` ${w.incremental ? "I" : ""}${w.axis}${valueText(w.value, style)}`).join("")}`)
+      );
     case "datumTable":
       return `TRANS DATUM TABLE${s.row === "" ? "" : ` ${s.row}`}`;
     case "mirror":
       return `TRANS MIRROR ${s.axes === "reset" ? "RESET" : `AXIS ${s.axes.join(" ")}`}`;
     case "rotation":
-      return "TRANS ROTATION " + (s.angle === "reset" ? "RESET" : `${s.angle.incremental ? "I" : ""}ROT${valueText(s.angle.value, style)}`);
+      return (
+        "TRANS ROTATION " +
+        (s.angle === "reset" ? "RESET" : `${s.angle.incremental ? "I" : ""}ROT${valueText(s.angle.value, style)}`)
+      );
     case "scale":
       return `TRANS SCALE ${s.factor === "reset" ? "RESET" : `SCL${unsigned(s.factor, style)}`}`;
     case "functions":
@@ -181,7 +213,10 @@ export function blockText(
 ): string {
   const lines = statementLines(s, style);
   const comment = more.comment === undefined || more.comment === null ? "" : ` ;${more.comment}`;
-  return headText(number, more.skip ?? false, s, style) + lines.map((line, i) => line + (i === 0 ? comment : "") + style.newLine).join("");
+  return (
+    headText(number, more.skip ?? false, s, style) +
+    lines.map((line, i) => line + (i === 0 ? comment : "") + style.newLine).join("")
+  );
 }
 
 /** A program of statements, numbered from 0, or without numbers. Blank lines carry no number. */

@@ -4,7 +4,9 @@ import type { Statement } from "./statement.ts";
 /** An issue before its block has a place: offsets count from the start of the block. */
 export type BlockIssue = { [C in NcCode]: Omit<Extract<NcIssue, { code: C }>, "line" | "column"> }[NcCode];
 
-/** One block with its exact text. Blocks hold no places of their own, so replacing one leaves all others as they are. */
+/**
+ * One block with its exact text. Blocks hold no places of their own, so replacing one leaves all others as they are.
+ */
 export interface Block {
   /** Exactly as read: all lines with their line ends. */
   readonly raw: string;
@@ -38,7 +40,10 @@ export function startLines(program: Program): number[] {
   });
 }
 
-/** Number of each block: as printed, or counted on from the one before. Comments and blank lines count only when numbered. */
+/**
+ * Number of each block: as printed, or counted on from the one before. Comments and blank lines count only when
+ * numbered.
+ */
 export function blockNumbers(program: Program): number[] {
   let next = 0;
   return program.blocks.map((b) => {
@@ -108,7 +113,13 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
       yield { code: "blockNumberMissing", ...at, data: { expected: expected ?? 0 } };
     }
     const rising = b.issues.length > 1 ? b.issues.toSorted((a, c) => a.offset - c.offset) : b.issues;
-    const at0 = rising.length > 0 ? places(b.raw, rising.map((i) => i.offset)) : [];
+    const at0 =
+      rising.length > 0
+        ? places(
+            b.raw,
+            rising.map((i) => i.offset),
+          )
+        : [];
     for (const [k, i] of rising.entries()) {
       if (i.code === "listWithoutTilde" && untied === 0) continue;
       const fix = i.fix && { ...i.fix, offset: i.fix.offset + offset };
@@ -122,5 +133,6 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
     offset += b.raw.length;
     line += b.lines;
   }
-  if (!isIso && blocks.findLast(said)?.statement.kind !== "end") yield missing("END PGM", { line: Math.max(1, line - 1), offset });
+  if (!isIso && blocks.findLast(said)?.statement.kind !== "end")
+    yield missing("END PGM", { line: Math.max(1, line - 1), offset });
 }

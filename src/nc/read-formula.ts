@@ -16,7 +16,10 @@ const FN_CALL: Readonly<Record<number, { readonly word: RegExp; readonly name: s
 };
 /** Signs between the two values of the others. */
 const FN_SIGN: Readonly<
-  Record<string, { readonly sign: RegExp; readonly kind: "sum" | "difference" | "product" | "quotient" | "length" | "angle" }>
+  Record<
+    string,
+    { readonly sign: RegExp; readonly kind: "sum" | "difference" | "product" | "quotient" | "length" | "angle" }
+  >
 > = {
   1: { sign: /\+/y, kind: "sum" },
   2: { sign: /-/y, kind: "difference" },
@@ -112,7 +115,8 @@ export function readAssignment(scan: Scan): Statement | null {
   const name = (target[1] ?? "").toUpperCase();
   if (name.startsWith("QS")) return null;
   const reader = new FormulaReader(scan);
-  if (scan.take(UNDEFINED)) return scan.done ? { kind: "assign", fn: number, target: name, formula: { kind: "undefined" } } : null;
+  if (scan.take(UNDEFINED))
+    return scan.done ? { kind: "assign", fn: number, target: name, formula: { kind: "undefined" } } : null;
   const formula = number === null ? reader.sum() : twoValues(scan, reader, number);
   return formula && scan.done ? { kind: "assign", fn: number, target: name, formula } : null;
 }

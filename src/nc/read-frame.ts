@@ -25,7 +25,14 @@ const LABEL = /(?:(\d{1,9})|"([^"]*)")/y;
 const CORNER = /0[.,]([12])(?![\d])/y;
 const CYLINDER = /CYLINDER(?![A-Z])/iy;
 const ROTATION = /ROTATION(?![A-Z])/iy;
-const [D, R, L, DIST, DI, RI] = ["D", "R", "L", "DIST", "DI", "RI"].map(named) as [RegExp, RegExp, RegExp, RegExp, RegExp, RegExp];
+const [D, R, L, DIST, DI, RI] = ["D", "R", "L", "DIST", "DI", "RI"].map(named) as [
+  RegExp,
+  RegExp,
+  RegExp,
+  RegExp,
+  RegExp,
+  RegExp,
+];
 const DIMENSION = /DIM_([DR])(?![A-Z])/iy;
 const FILE = /FILE(?![A-Z])/iy;
 const TARGET = /TARGET(?![A-Z])/iy;
@@ -38,7 +45,12 @@ export function readBlank(scan: Scan): Statement | null {
   if (corner) {
     const axis = corner[1] === "1" ? scan.take(AXIS_ALONE) : null;
     const words = readWords(scan);
-    return { kind: "blankBox", corner: corner[1] === "1" ? 1 : 2, axis: axis ? axisName(axis[1] ?? "") : null, axes: words.axes };
+    return {
+      kind: "blankBox",
+      corner: corner[1] === "1" ? 1 : 2,
+      axis: axis ? axisName(axis[1] ?? "") : null,
+      axes: words.axes,
+    };
   }
   if (scan.take(CYLINDER)) return readCylinder(scan);
   if (scan.take(FILE)) return readBlankFile(scan);
@@ -49,7 +61,13 @@ export function readBlank(scan: Scan): Statement | null {
   if (!outline || !axis) return null;
   const inner = labelBehind(scan, INNER);
   scan.leftOver();
-  return { kind: "blankRotation", axis: axisName(axis[1] ?? ""), measure: measure?.[1]?.toUpperCase() === "R" ? "R" : "D", outline, inner };
+  return {
+    kind: "blankRotation",
+    axis: axisName(axis[1] ?? ""),
+    measure: measure?.[1]?.toUpperCase() === "R" ? "R" : "D",
+    outline,
+    inner,
+  };
 }
 function labelBehind(scan: Scan, word: RegExp): Label | null {
   const m = scan.take(word) && scan.take(LABEL);
@@ -102,7 +120,12 @@ function readCylinder(scan: Scan): Statement | null {
 }
 
 const TOOL_PARAMETER = new RegExp(String.raw`[+-]?[ \t]*${PARAMETER}`, "iy");
-const [S, DL, DR, FEED_VALUE] = [named("S"), named("DL"), named("DR"), new RegExp(String.raw`(F[UZ]?)[ \t]*(${VALUE})`, "iy")] as const;
+const [S, DL, DR, FEED_VALUE] = [
+  named("S"),
+  named("DL"),
+  named("DR"),
+  new RegExp(String.raw`(F[UZ]?)[ \t]*(${VALUE})`, "iy"),
+] as const;
 const FEED_WORD = /F[ \t]*(MAX|AUTO)(?![A-Z])/iy;
 
 /** `TOOL CALL 5 Z S3000 F200 DL+0.1 DR+0.05`; without a tool only the speed, feed or deltas change. */
@@ -122,7 +145,7 @@ export function readToolCall(scan: Scan): Statement {
     else if ((got = value(scan.take(DL))) !== null) deltaLength = got;
     else if ((got = value(scan.take(DR))) !== null) deltaRadius = got;
     else if ((m = scan.take(FEED_WORD))) feed = m[1]?.toUpperCase() === "MAX" ? "max" : "auto";
-    else if ((got = value(m = scan.take(FEED_VALUE), 2)) !== null)
+    else if ((got = value((m = scan.take(FEED_VALUE)), 2)) !== null)
       feed = { value: got, unit: (m?.[1] ?? "F").toUpperCase() as "F" | "FU" | "FZ" };
     else {
       const word = scan.word();

@@ -4,8 +4,8 @@ import type { FreeForm, NamedWord, Statement } from "./statement.ts";
 import { VALUE } from "./value.ts";
 
 /**
- * Words that only free contours have: angles, centres, points that an element runs through or past, parallels, and the block
- * from which a value counts.
+ * Words that only free contours have: angles, centres, points that an element runs through or past, parallels, and the
+ * block from which a value counts.
  */
 const NAMES = "I?AN|I?CC[XYZ]|CCPR|CCPA|P[123][XYZ]|PD[XYZ]|PAR|DP|D|RCC[XYZ]|RPR|RPA|RAN|R[XYZ]";
 const GIVEN = new RegExp(String.raw`(?<![A-Z_])(?:(CLSD)[ \t]*([+-])|(${NAMES})[ \t]*(${VALUE}))`, "gi");
@@ -22,13 +22,15 @@ export function readFree(scan: Scan, form: FreeForm): Statement | null {
     return { kind: "free", form, given, words: { axes: [], linear: [], functions: [], extra: [] } };
   }
   const begun = scan.at;
-  const rest = scan.text.slice(begun).replace(GIVEN, (text, closes?: string, sign?: string, name = "", digits = "", at = 0) => {
-    // What is wrong with a value is said where it stands.
-    scan.at = begun + Number(at) + text.length;
-    const value = closes ? (sign === "-" ? -1 : 1) : scan.value(digits);
-    if (value !== null) given.push({ name: (closes ?? name).toUpperCase(), value });
-    return " ".repeat(text.length);
-  });
+  const rest = scan.text
+    .slice(begun)
+    .replace(GIVEN, (text, closes?: string, sign?: string, name = "", digits = "", at = 0) => {
+      // What is wrong with a value is said where it stands.
+      scan.at = begun + Number(at) + text.length;
+      const value = closes ? (sign === "-" ? -1 : 1) : scan.value(digits);
+      if (value !== null) given.push({ name: (closes ?? name).toUpperCase(), value });
+      return " ".repeat(text.length);
+    });
   // The other words stand where they stood, so that what is wrong with them has its place.
   const inner = new Scan(rest, scan.offset + begun);
   const words = readWords(inner);

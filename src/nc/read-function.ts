@@ -24,7 +24,12 @@ export function readFunction(scan: Scan): Statement | null {
   const correction = scan.take(CORRECTION);
   if (correction) {
     const plane = (correction[2] ?? "").replace(/[ \t]/g, "").toUpperCase();
-    return { kind: "turnCorrection", system: correction[1]?.toUpperCase() === "WPL" ? "WPL" : "TCS", plane, words: readNamedWords(scan) };
+    return {
+      kind: "turnCorrection",
+      system: correction[1]?.toUpperCase() === "WPL" ? "WPL" : "TCS",
+      plane,
+      words: readNamedWords(scan),
+    };
   }
   if (!scan.take(BLANK)) return null;
   const blank = readOutline(scan);
@@ -50,5 +55,10 @@ function readSpin(scan: Scan): Statement {
     else break;
   }
   scan.leftOver();
-  return { kind: "spin", constantSurface: constant?.[1]?.toUpperCase() === "ON", ...spin, ...(gear !== null && { gear }) };
+  return {
+    kind: "spin",
+    constantSurface: constant?.[1]?.toUpperCase() === "ON",
+    ...spin,
+    ...(gear !== null && { gear }),
+  };
 }

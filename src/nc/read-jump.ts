@@ -32,6 +32,7 @@ export function readJump(scan: Scan): Statement | null {
   if (!compare || !target || left === null || (right === null && !alone)) return null;
   scan.leftOver();
   const fn = head[1] === undefined ? null : (Number(head[1]) as 9 | 10 | 11 | 12);
-  const label = target[3] === undefined ? readLabel(target[1], target[2]) : { parameter: target[3].toUpperCase(), negative: false };
+  const label =
+    target[3] === undefined ? readLabel(target[1], target[2]) : { parameter: target[3].toUpperCase(), negative: false };
   return { kind: "jump", fn, left, compare, right, label };
 }

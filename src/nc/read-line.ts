@@ -4,8 +4,8 @@ const NUMBER = String.raw`([+-]?\d+(?:[.,]\d+)?)`;
 const axis = (name: string) => String.raw`(?:(I?)${name}${NUMBER}[ \t]*)?`;
 /** A straight line as nearly every program writes it, up to the end of its text line. */
 const LINE = new RegExp(
-  String.raw`L[ \t]+${axis("X")}${axis("Y")}${axis("Z")}(?:(R0|(?:RL|RR)(?![A-Z]))[ \t]*)?`
-    + String.raw`(?:F(?:(MAX|AUTO)(?![A-Z])|(\d+(?:[.,]\d+)?))[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?![^\r\n])`,
+  String.raw`L[ \t]+${axis("X")}${axis("Y")}${axis("Z")}(?:(R0|(?:RL|RR)(?![A-Z]))[ \t]*)?` +
+    String.raw`(?:F(?:(MAX|AUTO)(?![A-Z])|(\d+(?:[.,]\d+)?))[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?![^\r\n])`,
   "y",
 );
 const AXES: readonly AxisName[] = ["X", "Y", "Z"];
@@ -20,8 +20,8 @@ function number(text: string): number | null {
 const NONE: readonly never[] = [];
 
 /**
- * Reads a straight line in its usual form in one step, exactly as the word by word reader would; null for any other, which
- * that reader then takes. Long programs are mostly such lines, and a program that was just opened is read before
+ * Reads a straight line in its usual form in one step, exactly as the word by word reader would; null for any other,
+ * which that reader then takes. Long programs are mostly such lines, and a program that was just opened is read before
  * anything has warmed up.
  */
 export function readLine(text: string, at: number): Statement | null {

@@ -81,7 +81,12 @@ export function readContourFormula(scan: Scan): Statement | null {
     const depth = scan.take(DEPTH);
     const [, contour = "", ...place] = declared;
     return scan.done
-      ? { kind: "declareContour", contour: contour.toUpperCase(), from: placeFrom(place), depth: depth && readValue(depth[1] ?? "") }
+      ? {
+          kind: "declareContour",
+          contour: contour.toUpperCase(),
+          from: placeFrom(place),
+          depth: depth && readValue(depth[1] ?? ""),
+        }
       : null;
   }
   const target = scan.take(FORMULA)?.[1]?.toUpperCase();

@@ -10,14 +10,21 @@ import { readTextAssignment, TEXT_ASSIGNMENT } from "./read-text.ts";
 import { readTrans, type TransWord } from "./read-trans.ts";
 import { readWords } from "./read-words.ts";
 import { Scan } from "./scan.ts";
-import { APPROACH_FORMS, FREE_FORMS, type ApproachForm, type PathKind, type Statement, type Words } from "./statement.ts";
+import {
+  APPROACH_FORMS,
+  FREE_FORMS,
+  type ApproachForm,
+  type PathKind,
+  type Statement,
+  type Words,
+} from "./statement.ts";
 import { NUMBER_PARAMETER, PARAMETER, readLabel, TEXT_PARAMETER, VALUE } from "./value.ts";
 
 const KEYWORD = new RegExp(
-  String.raw`(?:(CYCLE?[ \t]*(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|`
-    + String.raw`TRANS[ \t]+(?:DATUM|MIRROR|ROTATION|SCALE)|PLANE|`
-    + String.raw`FUNCTION|FSELECT|FPOL|FLT|FCT|FL|FC|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|`
-    + String.raw`C(?![ \t]*[+\-.\d]))(?![A-Z_]))`,
+  String.raw`(?:(CYCLE?[ \t]*(?:DEF|CALL)|BEGIN[ \t]+PGM|END[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|` +
+    String.raw`TRANS[ \t]+(?:DATUM|MIRROR|ROTATION|SCALE)|PLANE|` +
+    String.raw`FUNCTION|FSELECT|FPOL|FLT|FCT|FL|FC|LBL|STOP|APPR|DEP|UDC|GRV|RND|CHF|CTP|CR|CT|CC|CP|LP|L|` +
+    String.raw`C(?![ \t]*[+\-.\d]))(?![A-Z_]))`,
   "iy",
 );
 const ASSIGNMENT = new RegExp(String.raw`(?:FN[ \t]*(?:[0-8]|13)[ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`, "iy");
@@ -53,7 +60,10 @@ export function readStatement(lines: readonly BlockLine[]): Read {
   const isWrapped = WRAPPED.test(head.text);
   const scan = new Scan(isWrapped ? joined(lines) : head.text, head.offset);
   if (scan.done && lines.length === 1)
-    return { statement: head.comment === null ? { kind: "empty" } : { kind: "comment", text: head.comment }, issues: [] };
+    return {
+      statement: head.comment === null ? { kind: "empty" } : { kind: "comment", text: head.comment },
+      issues: [],
+    };
   const issues: BlockIssue[] = [];
   const statement = head.text.length > LONGEST ? null : dispatch(scan, lines, issues);
   if (!statement || (lines.length > 1 && statement.kind !== "cycle" && !isWrapped)) {
@@ -111,11 +121,23 @@ function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[])
       return approach(scan, true);
     case "UDC": {
       const form = scan.take(UNDERCUT);
-      return form && { kind: "undercut", form: (form[1] ?? "").replace(/[ \t]/g, "").toUpperCase(), words: readNamedWords(scan) };
+      return (
+        form && {
+          kind: "undercut",
+          form: (form[1] ?? "").replace(/[ \t]/g, "").toUpperCase(),
+          words: readNamedWords(scan),
+        }
+      );
     }
     case "GRV": {
       const form = scan.take(GROOVE);
-      return form && { kind: "groove", form: form[1]?.toUpperCase() === "AXIAL" ? "AXIAL" : "RADIAL", words: readNamedWords(scan) };
+      return (
+        form && {
+          kind: "groove",
+          form: form[1]?.toUpperCase() === "AXIAL" ? "AXIAL" : "RADIAL",
+          words: readNamedWords(scan),
+        }
+      );
     }
     case "LBL":
       return label(scan);
@@ -175,7 +197,9 @@ function withoutKeyword(scan: Scan): Statement | null {
 
 /** A line that starts with the letter of a path function and has none of its words is something else. */
 const saysNothing = (words: Words) =>
-  words.extra.length > 0 && words.axes.length + words.functions.length + words.linear.length === 0 && Object.keys(words).length === 4;
+  words.extra.length > 0 &&
+  words.axes.length + words.functions.length + words.linear.length === 0 &&
+  Object.keys(words).length === 4;
 
 function path(scan: Scan, kind: PathKind): Statement | null {
   const words = readWords(scan, kind === "CR");
@@ -221,6 +245,8 @@ function call(scan: Scan): Statement | null {
   const times = scan.take(REPEAT);
   const repeat = times && scan.value(times[1] ?? "");
   scan.leftOver();
-  const target = parameter ? { parameter: (parameter[1] ?? "").toUpperCase(), negative: false } : readLabel(m?.[1], m?.[2]);
+  const target = parameter
+    ? { parameter: (parameter[1] ?? "").toUpperCase(), negative: false }
+    : readLabel(m?.[1], m?.[2]);
   return { kind: "call", label: target, repeat };
 }

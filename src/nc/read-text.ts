@@ -27,7 +27,9 @@ const valueIn = (scan: Scan, pattern: RegExp): Value | null => {
 const textIn = (scan: Scan, pattern: RegExp): TextFormula | null => {
   const m = scan.take(pattern);
   if (!m) return null;
-  return m[2] === undefined ? { kind: "quoted", text: m[1] ?? "" } : { kind: "parameter", parameter: m[2].toUpperCase() };
+  return m[2] === undefined
+    ? { kind: "quoted", text: m[1] ?? "" }
+    : { kind: "parameter", parameter: m[2].toUpperCase() };
 };
 
 function onePart(scan: Scan): TextFormula | null {
@@ -67,9 +69,13 @@ export function readTextAssignment(scan: Scan): Statement | null {
   return { kind: "assignText", declared: target[1] !== undefined, target: (target[2] ?? "").toUpperCase(), text };
 }
 
-/** A number that a text gives: its length, where another stands in it, what it says, how it compares. Null when none stands here. */
+/**
+ * A number that a text gives: its length, where another stands in it, what it says, how it compares. Null when none
+ * stands here.
+ */
 export function readNumberOfText(scan: Scan): Formula | null {
-  const name = scan.take(NUMBER_OF_TEXT)?.[1]?.toUpperCase() as Extract<Formula, { kind: "ofText" }>["name"] | undefined;
+  const name = scan.take(NUMBER_OF_TEXT)?.[1]?.toUpperCase() as
+    Extract<Formula, { kind: "ofText" }>["name"] | undefined;
   if (name === undefined || !scan.take(OPEN)) return null;
   const of = textIn(scan, SOURCE);
   const search = textIn(scan, SEARCHED);

@@ -13,7 +13,9 @@ const SCALED = new RegExp(String.raw`SCL[ \t]*(${VALUE})`, "iy");
 /** What TRANS changes: the word behind it. */
 export type TransWord = "DATUM" | "MIRROR" | "ROTATION" | "SCALE";
 
-/** What follows `TRANS DATUM`, `TRANS MIRROR`, `TRANS ROTATION` and `TRANS SCALE`; null when it is none of their forms. */
+/**
+ * What follows `TRANS DATUM`, `TRANS MIRROR`, `TRANS ROTATION` and `TRANS SCALE`; null when it is none of their forms.
+ */
 export function readTrans(scan: Scan, word: TransWord): Statement | null {
   if (scan.take(RESET)) {
     scan.leftOver();
@@ -27,7 +29,9 @@ export function readTrans(scan: Scan, word: TransWord): Statement | null {
   const value = m && scan.value(m[word === "ROTATION" ? 2 : 1] ?? "");
   if (value === null) return null;
   scan.leftOver();
-  return word === "ROTATION" ? { kind: "rotation", angle: { value, incremental: m?.[1] !== "" } } : { kind: "scale", factor: value };
+  return word === "ROTATION"
+    ? { kind: "rotation", angle: { value, incremental: m?.[1] !== "" } }
+    : { kind: "scale", factor: value };
 }
 
 function datum(scan: Scan): Statement | null {

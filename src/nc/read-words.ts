@@ -3,8 +3,10 @@ import type { AxisName, AxisWord, Compensation, FeedWord, Words } from "./statem
 import { VALUE } from "./value.ts";
 
 const FEED = /(?:(F[ \t]*MAX)|(F[ \t]*AUTO))(?![A-Z])/iy;
-const WORD = new RegExp(String.raw`(LIN_[XYZABCUVW]|CCA|LEN|IP[RA]|P[RA]|I?[XYZABCUVW]|F[UZ]?|MB|M|R)[ \t]*(?:(MAX)(?![A-Z])|(${VALUE}))`,
-  "iy");
+const WORD = new RegExp(
+  String.raw`(LIN_[XYZABCUVW]|CCA|LEN|IP[RA]|P[RA]|I?[XYZABCUVW]|F[UZ]?|MB|M|R)[ \t]*(?:(MAX)(?![A-Z])|(${VALUE}))`,
+  "iy",
+);
 const COMPENSATION = /R[ \t]?0(?![\d.,])|(?:RL|RR)(?![A-Z])/iy;
 const SIDE = /(RL|RR)(?![A-Z])/iy;
 /** Older controls print R, F and M also where nothing was typed for them: what was in force stays so. */
@@ -42,7 +44,10 @@ export function readWords(scan: Scan, radiusFirst = false): Words {
     let m: RegExpExecArray | null = null;
     if (isLetter(scan, 102) && (m = scan.take(FEED))) {
       put(feedKey(functions), "F", m[1] ? "max" : "auto", m[0].length);
-    } else if (isLetter(scan, 114) && (m = scan.take(radiusFirst && words.radius === undefined ? SIDE : COMPENSATION))) {
+    } else if (
+      isLetter(scan, 114) &&
+      (m = scan.take(radiusFirst && words.radius === undefined ? SIDE : COMPENSATION))
+    ) {
       put("compensation", "R", m[0].replace(/[ \t]/, "").toUpperCase() as Compensation, m[0].length);
     } else if (isLetter(scan, 100) && (m = scan.take(TURN))) {
       put("turn", "DR", m[1] === "+" ? "ccw" : "cw", m[0].length);
@@ -71,7 +76,9 @@ function readWord(scan: Scan, m: RegExpExecArray, lists: Lists, put: Put): void 
   if (m[2] !== undefined && name !== "MB") return unread(scan, m[0], lists.extra);
   const value = m[3] === undefined ? null : scan.value(m[3]);
   if (name === "MB")
-    return void (m[2] !== undefined ? put("retract", name, "max", length) : value !== null && put("retract", name, value, length));
+    return void (m[2] !== undefined
+      ? put("retract", name, "max", length)
+      : value !== null && put("retract", name, value, length));
   if (value === null) return unread(scan, m[0], lists.extra, false);
   switch (name) {
     case "F":
@@ -96,7 +103,8 @@ function readWord(scan: Scan, m: RegExpExecArray, lists: Lists, put: Put): void 
       return put("polarAngle", name, { value, incremental: name === "IPA" }, length);
     default: {
       const incremental = name.startsWith("I");
-      if (name.startsWith("LIN_")) return void lists.linear.push({ axis: axisName(name.slice(4)), value, incremental: false });
+      if (name.startsWith("LIN_"))
+        return void lists.linear.push({ axis: axisName(name.slice(4)), value, incremental: false });
       const axis = axisName(incremental ? name.slice(1) : name);
       const before = lists.axes.findIndex((w) => w.axis === axis);
       if (before >= 0) scan.issue({ code: "wordTwice", severity: "warning", data: { word: axis } }, length);
@@ -107,5 +115,6 @@ function readWord(scan: Scan, m: RegExpExecArray, lists: Lists, put: Put): void 
 
 function unread(scan: Scan, word: string, extra: string[], say = true): void {
   extra.push(word);
-  if (say) scan.issue({ code: "wordNotUnderstood", severity: "warning", data: { text: word.slice(0, 40) } }, word.length);
+  if (say)
+    scan.issue({ code: "wordNotUnderstood", severity: "warning", data: { text: word.slice(0, 40) } }, word.length);
 }

@@ -26,8 +26,8 @@ export function withSkip(block: Block, skip: boolean): Block {
   const raw = skip
     ? block.raw.replace(/^[ \t\u00a0\ufeff]*/, "$&/")
     : SKIP.test(block.raw)
-    ? block.raw.replace(SKIP, "$1")
-    : block.raw.replace("/", "");
+      ? block.raw.replace(SKIP, "$1")
+      : block.raw.replace("/", "");
   return { ...block, skip, raw, issues: shiftedBy(block, raw.length - block.raw.length) };
 }
 
@@ -43,7 +43,8 @@ function stepOf(blocks: readonly Block[]): number {
   return [...counts].toSorted(([, a], [, b]) => b - a)[0]?.[0] ?? 1;
 }
 
-const numbersOf = (blocks: readonly Block[]): readonly number[] => blocks.flatMap(({ number }) => (number === null ? [] : [number]));
+const numbersOf = (blocks: readonly Block[]): readonly number[] =>
+  blocks.flatMap(({ number }) => (number === null ? [] : [number]));
 
 /** Gives the numbered ones among blocks these numbers in their order. */
 function renumberedBy(blocks: readonly Block[], numbers: readonly number[]): readonly Block[] {
@@ -57,18 +58,25 @@ function renumberedBy(blocks: readonly Block[], numbers: readonly number[]): rea
 }
 
 /**
- * The program with other blocks, of which some may be its own: those at either end that are its own stay as they are. The rest take the
- * numbers that stood there, in their order; where there are more or fewer than before, they count on as the file does, and so
- * do those behind. A last line without a line end stays the only one.
+ * The program with other blocks, of which some may be its own: those at either end that are its own stay as they are.
+ * The rest take the numbers that stood there, in their order; where there are more or fewer than before, they count on
+ * as the file does, and so do those behind. A last line without a line end stays the only one.
  */
 export function withBlocks(program: Program, wanted: readonly Block[]): Program {
   const old = program.blocks;
   let front = 0;
   while (front < old.length && front < wanted.length && old[front] === wanted[front]) front += 1;
   let behind = 0;
-  while (behind < Math.min(old.length, wanted.length) - front && old[old.length - 1 - behind] === wanted[wanted.length - 1 - behind])
+  while (
+    behind < Math.min(old.length, wanted.length) - front &&
+    old[old.length - 1 - behind] === wanted[wanted.length - 1 - behind]
+  )
     behind += 1;
-  const ends = [old.slice(0, front), wanted.slice(front, wanted.length - behind), old.slice(old.length - behind)] as const;
+  const ends = [
+    old.slice(0, front),
+    wanted.slice(front, wanted.length - behind),
+    old.slice(old.length - behind),
+  ] as const;
   const was = numbersOf(old.slice(front, old.length - behind));
   const many = numbersOf(ends[1]).length;
   const middle = (numbers: readonly number[]) => renumberedBy(ends[1], numbers);
@@ -77,7 +85,9 @@ export function withBlocks(program: Program, wanted: readonly Block[]): Program 
   const next = was.at(-1) ?? numbersOf(ends[0]).at(-1) ?? (numbersOf(ends[2])[0] ?? 0) - step;
   const numbers = Array.from({ length: many }, (_, i) => was[i] ?? next + (i + 1 - was.length) * step);
   const shift = (many - was.length) * step;
-  const back = ends[2].map((block) => (block.number === null ? block : withNumber(block, Math.max(0, block.number + shift))));
+  const back = ends[2].map((block) =>
+    block.number === null ? block : withNumber(block, Math.max(0, block.number + shift)),
+  );
   return { blocks: withLineEnds([...ends[0], ...middle(numbers), ...back], old) };
 }
 

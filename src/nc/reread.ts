@@ -72,7 +72,7 @@ export function reread(old: Reading, change: Change, slice: (from: number, to: n
   const first = beginning(blocks, blockAt(old, change.from));
   const from = blocks.length === 0 ? 0 : (old.starts[first] ?? 0);
   const touched = blockAt(old, change.to);
-  for (let behind = BEHIND;; behind *= 2) {
+  for (let behind = BEHIND; ; behind *= 2) {
     const last = touched < 0 ? blocks.length : Math.min(blocks.length, touched + behind);
     const to = last >= blocks.length ? whole : (old.starts[last] ?? 0) + by;
     const fresh = parse(slice(from, to)).blocks;
@@ -104,19 +104,29 @@ function meeting(
   return null;
 }
 
-/** What one text has become another by: everything between what both begin with and what both end with, in whole blocks. */
+/**
+ * What one text has become another by: everything between what both begin with and what both end with, in whole blocks.
+ */
 function changeTo({ program: { blocks }, starts }: Reading, text: string): Change {
-  const whole = starts.at(-1) ?? 0, by = text.length - whole, most = Math.min(whole, text.length);
+  const whole = starts.at(-1) ?? 0,
+    by = text.length - whole,
+    most = Math.min(whole, text.length);
   let [first, last] = [0, blocks.length];
   while (first < blocks.length && text.startsWith(blocks[first]?.raw ?? "", starts[first])) first += 1;
   const from = Math.min(starts[first] ?? 0, most);
-  while (last > first && (starts[last - 1] ?? 0) + by >= from && text.startsWith(blocks[last - 1]?.raw ?? "", (starts[last - 1] ?? 0) + by))
+  while (
+    last > first &&
+    (starts[last - 1] ?? 0) + by >= from &&
+    text.startsWith(blocks[last - 1]?.raw ?? "", (starts[last - 1] ?? 0) + by)
+  )
     last -= 1;
   const to = starts[last] ?? 0;
   return { from, to, length: to + by - from };
 }
 
-/** Reads one state of a text after the other: of each only the blocks that are others than before, and those near them. */
+/**
+ * Reads one state of a text after the other: of each only the blocks that are others than before, and those near them.
+ */
 export function readingAgain(): (text: string) => Program {
   let last: Reading | null = null;
   return (text) => {

@@ -7,7 +7,10 @@ export class Scan {
   at = 0;
   readonly issues: BlockIssue[] = [];
 
-  constructor(readonly text: string, readonly offset: number) {}
+  constructor(
+    readonly text: string,
+    readonly offset: number,
+  ) {}
 
   /** Takes what a sticky pattern matches here, behind blanks. */
   take(pattern: RegExp): RegExpExecArray | null {
@@ -19,7 +22,8 @@ export class Scan {
   }
 
   blanks(): void {
-    for (let c = this.text.charCodeAt(this.at); c === 32 || c === 9 || c === 0xa0; c = this.text.charCodeAt(this.at)) this.at += 1;
+    for (let c = this.text.charCodeAt(this.at); c === 32 || c === 9 || c === 0xa0; c = this.text.charCodeAt(this.at))
+      this.at += 1;
   }
 
   get done(): boolean {
@@ -43,7 +47,8 @@ export class Scan {
   /** Reads a matched value; a number beyond counting becomes an issue. */
   value(text: string): Value | null {
     const value = readValue(text);
-    if (value === null) this.issue({ code: "badNumber", severity: "error", data: { text: text.slice(0, 40) } }, text.length);
+    if (value === null)
+      this.issue({ code: "badNumber", severity: "error", data: { text: text.slice(0, 40) } }, text.length);
     return value;
   }
 
@@ -59,7 +64,10 @@ export class Scan {
     this.issues.push({ ...i, offset, length, ...put } as BlockIssue);
   }
 
-  /** Draws the last issue out to `end` where it is about the words just before: what is not understood in one piece is one issue. */
+  /**
+   * Draws the last issue out to `end` where it is about the words just before: what is not understood in one piece is
+   * one issue.
+   */
   private extended(end: number): boolean {
     const last = this.issues.at(-1);
     if (last?.code !== "wordNotUnderstood") return false;
@@ -75,7 +83,13 @@ export class Scan {
   }
 
   missing(word: string): void {
-    this.issues.push({ code: "wordMissing", severity: "error", offset: this.offset, length: this.text.length, data: { word } });
+    this.issues.push({
+      code: "wordMissing",
+      severity: "error",
+      offset: this.offset,
+      length: this.text.length,
+      data: { word },
+    });
   }
 
   /** Everything that is left is kept and not understood. */

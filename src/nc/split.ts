@@ -1,4 +1,6 @@
-/** The lines of one block: where each starts and where its text ends, before its line end. Offsets over the whole text. */
+/**
+ * The lines of one block: where each starts and where its text ends, before its line end. Offsets over the whole text.
+ */
 export interface Lines {
   readonly starts: readonly number[];
   readonly ends: readonly number[];
@@ -44,9 +46,9 @@ const HEAD = /[ \t\u00a0\ufeff]*(\/?)[ \t]*(?:[Nn]?(\d+)(?![\d.,])[ \t\u00a0]*(\
 const CYCLE_HEAD = /(?:CYCLE?[ \t]*DEF|TCH[ \t]+PROBE)[ \t]*(?!\d{1,2}[ \t]+\.\d{1,3}(?!\S))\d+(?![\d.])/iy;
 const Q_LINE = /[ \t\u00a0]*Q(\d+)[ \t\u00a0]*(?:=|[+-][ \t]*[\d.,])/iy;
 const NEW_BLOCK = new RegExp(
-  String.raw`[ \t\u00a0\ufeff]*(?:\/?[ \t]*N?\d+[ \t/]|`
-    + String.raw`(?:CYCLE?(?:DEF|CALL)?|BEGIN|END|LBL|CALL|TOOL|BLK|FUNCTION|L|C|CR|CT|CC|RND|CHF|APPR|DEP|STOP|`
-    + String.raw`M\d+|SEL|FN|IF|TRANS)(?![A-Z])|\*|;)`,
+  String.raw`[ \t\u00a0\ufeff]*(?:\/?[ \t]*N?\d+[ \t/]|` +
+    String.raw`(?:CYCLE?(?:DEF|CALL)?|BEGIN|END|LBL|CALL|TOOL|BLK|FUNCTION|L|C|CR|CT|CC|RND|CHF|APPR|DEP|STOP|` +
+    String.raw`M\d+|SEL|FN|IF|TRANS)(?![A-Z])|\*|;)`,
   "iy",
 );
 
@@ -58,7 +60,10 @@ const matchAt = (pattern: RegExp, text: string, at: number): RegExpExecArray | n
 /** A number with more digits than a block number can have is none. */
 const printed = (digits: string | undefined) => (digits !== undefined && digits.length <= 9 ? Number(digits) : null);
 
-/** The block structure of a text: lines that belong together, by `~` or, in the older layout, Q lines behind their cycle. */
+/**
+ * The block structure of a text: lines that belong together, by `~` or, in the older layout, Q lines behind their
+ * cycle.
+ */
 export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
   const count = starts.length;
   const blank = (i: number) => {
@@ -90,10 +95,12 @@ export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
     let last = first;
     let open = tilde(first);
     let tildes = open;
-    // Behind a list with ` ~` a line with a blank before the equals sign is a formula: `Q215=+0` is a value, `Q1999 = 25` a block.
+    // Behind a list with ` ~` a line with a blank before the equals sign is a formula: `Q215=+0` is a value, `Q1999 =
+    // 25` a block.
     const isValue = (m: RegExpExecArray) => !tildes || !/\d[ \t\u00a0]+=/.test(m[0]);
     const belongs = (m: RegExpExecArray | null, k: number) =>
-      m !== null && (numbered || (Number(m[1]) >= 200 && isValue(m)) || (!tildes && text.slice(m.index, ends[k]).includes(";")));
+      m !== null &&
+      (numbered || (Number(m[1]) >= 200 && isValue(m)) || (!tildes && text.slice(m.index, ends[k]).includes(";")));
     while (open || cycle) {
       const next = written(last + 1);
       if (next >= count) break;
@@ -102,7 +109,12 @@ export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
         last = next;
       } else if (cycle && belongs(at(Q_LINE, next), next)) {
         last = next;
-      } else if (cycle && !tildes && !at(NEW_BLOCK, next) && belongs(at(Q_LINE, written(next + 1)), written(next + 1))) {
+      } else if (
+        cycle &&
+        !tildes &&
+        !at(NEW_BLOCK, next) &&
+        belongs(at(Q_LINE, written(next + 1)), written(next + 1))
+      ) {
         last = next; // A name or label that was wrapped when it was copied from a printed page.
       } else break;
       open = tilde(last);

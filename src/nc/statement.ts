@@ -69,26 +69,38 @@ export interface CycleParameter {
 }
 
 /** Right side of an assignment. */
-export type Formula = { readonly kind: "value"; readonly value: Value } | { readonly kind: "call"; readonly name: string;
-  readonly of: Formula } | { readonly kind: "negative"; readonly of: Formula } | {
-  /** "length" is LEN of FN 8, "angle" ANG of FN 13. */
-  readonly kind: "sum" | "difference" | "product" | "quotient" | "power" | "remainder" | "length" | "angle";
-  readonly left: Formula;
-  readonly right: Formula;
-} | {
-  readonly kind: "ofText";
-  readonly name: "TONUMB" | "INSTR" | "STRLEN" | "STRCOMP";
-  readonly source: TextFormula;
-  /** What INSTR looks for and STRCOMP compares with. */
-  readonly search: TextFormula | null;
-  readonly begin: Value | null;
-} | { readonly kind: "undefined" };
+export type Formula =
+  | { readonly kind: "value"; readonly value: Value }
+  | { readonly kind: "call"; readonly name: string; readonly of: Formula }
+  | { readonly kind: "negative"; readonly of: Formula }
+  | {
+      /** "length" is LEN of FN 8, "angle" ANG of FN 13. */
+      readonly kind: "sum" | "difference" | "product" | "quotient" | "power" | "remainder" | "length" | "angle";
+      readonly left: Formula;
+      readonly right: Formula;
+    }
+  | {
+      readonly kind: "ofText";
+      readonly name: "TONUMB" | "INSTR" | "STRLEN" | "STRCOMP";
+      readonly source: TextFormula;
+      /** What INSTR looks for and STRCOMP compares with. */
+      readonly search: TextFormula | null;
+      readonly begin: Value | null;
+    }
+  | { readonly kind: "undefined" };
 
 /** Right side of an assignment to a QS parameter. */
-export type TextFormula = { readonly kind: "quoted"; readonly text: string } | { readonly kind: "parameter"; readonly parameter: string }
-  | { readonly kind: "joined"; readonly parts: readonly TextFormula[] } | { readonly kind: "toChar"; readonly value: Value;
-  readonly decimals: Value | null } | { readonly kind: "part"; readonly source: TextFormula; readonly begin: Value | null;
-  readonly length: Value | null };
+export type TextFormula =
+  | { readonly kind: "quoted"; readonly text: string }
+  | { readonly kind: "parameter"; readonly parameter: string }
+  | { readonly kind: "joined"; readonly parts: readonly TextFormula[] }
+  | { readonly kind: "toChar"; readonly value: Value; readonly decimals: Value | null }
+  | {
+      readonly kind: "part";
+      readonly source: TextFormula;
+      readonly begin: Value | null;
+      readonly length: Value | null;
+    };
 
 /** The file that a block names, or the parameter that holds its name. */
 export type FileName = string | Parameter;
@@ -128,39 +140,64 @@ export type Statement =
   | { readonly kind: "structure"; readonly text: string }
   | { readonly kind: "begin" | "end"; readonly name: string; readonly unit: "MM" | "INCH" }
   /** Corner 1 names the tool axis. */
-  | { readonly kind: "blankBox"; readonly corner: 1 | 2; readonly axis: AxisName | null; readonly axes: readonly AxisWord[] }
-  | { readonly kind: "blankCylinder"; readonly axis: AxisName;
-    readonly outside: { readonly measure: "D" | "R"; readonly value: Value } | null; readonly length: Value | null;
-    readonly distance: Value | null; readonly inside: { readonly measure: "DI" | "RI"; readonly value: Value } | null }
+  | {
+      readonly kind: "blankBox";
+      readonly corner: 1 | 2;
+      readonly axis: AxisName | null;
+      readonly axes: readonly AxisWord[];
+    }
+  | {
+      readonly kind: "blankCylinder";
+      readonly axis: AxisName;
+      readonly outside: { readonly measure: "D" | "R"; readonly value: Value } | null;
+      readonly length: Value | null;
+      readonly distance: Value | null;
+      readonly inside: { readonly measure: "DI" | "RI"; readonly value: Value } | null;
+    }
   /** `inner`: label of what it is hollow by. */
-  | { readonly kind: "blankRotation"; readonly axis: AxisName; readonly measure: "D" | "R"; readonly outline: OutlineSource;
-    readonly inner: Label | null }
+  | {
+      readonly kind: "blankRotation";
+      readonly axis: AxisName;
+      readonly measure: "D" | "R";
+      readonly outline: OutlineSource;
+      readonly inner: Label | null;
+    }
   /** A body in a file of its own; `target` is that of the finished part. */
   | { readonly kind: "blankFile"; readonly file: string; readonly target: string | null }
-  | { readonly kind: "toolDefinition"; readonly tool: Label; readonly length: Value | null; readonly radius: Value | null }
   | {
-    readonly kind: "toolCall";
-    /** null: only speed, feed or deltas change. */
-    readonly tool: Label | Parameter | null;
-    readonly axis: AxisName | null;
-    readonly speed: Value | null;
-    readonly feed: FeedWord | null;
-    readonly deltaLength: Value | null;
-    readonly deltaRadius: Value | null;
-    readonly extra: readonly string[];
-  }
+      readonly kind: "toolDefinition";
+      readonly tool: Label;
+      readonly length: Value | null;
+      readonly radius: Value | null;
+    }
+  | {
+      readonly kind: "toolCall";
+      /** null: only speed, feed or deltas change. */
+      readonly tool: Label | Parameter | null;
+      readonly axis: AxisName | null;
+      readonly speed: Value | null;
+      readonly feed: FeedWord | null;
+      readonly deltaLength: Value | null;
+      readonly deltaRadius: Value | null;
+      readonly extra: readonly string[];
+    }
   | { readonly kind: "mode"; readonly mode: "TURN" | "MILL"; readonly kinematics: string | null }
   | {
-    readonly kind: "spin";
-    /** True: constant cutting speed. */
-    readonly constantSurface: boolean;
-    readonly cuttingSpeed: Value | null;
-    readonly speed: Value | null;
-    readonly limit: Value | null;
-    /** GEARRANGE: which gear of the spindle. */
-    readonly gear?: Value | null;
-  }
-  | { readonly kind: "turnCorrection"; readonly system: "TCS" | "WPL"; readonly plane: string; readonly words: readonly NamedWord[] }
+      readonly kind: "spin";
+      /** True: constant cutting speed. */
+      readonly constantSurface: boolean;
+      readonly cuttingSpeed: Value | null;
+      readonly speed: Value | null;
+      readonly limit: Value | null;
+      /** GEARRANGE: which gear of the spindle. */
+      readonly gear?: Value | null;
+    }
+  | {
+      readonly kind: "turnCorrection";
+      readonly system: "TCS" | "WPL";
+      readonly plane: string;
+      readonly words: readonly NamedWord[];
+    }
   | { readonly kind: "turnBlank"; readonly blank: OutlineSource | "off" }
   | { readonly kind: "path"; readonly path: PathKind; readonly words: Words }
   /** An element of a free contour, its pole, or which solution is meant; `given`: what only such elements have. */
@@ -174,12 +211,22 @@ export type Statement =
   | { readonly kind: "call"; readonly label: Label | Parameter; readonly repeat: Value | null }
   /** One of the numbered lines of an older cycle: 14.0, 14.1 … */
   | { readonly kind: "cycleLine"; readonly cycle: number; readonly line: number; readonly text: string }
-  | { readonly kind: "cycle"; readonly cycle: number; readonly name: string; readonly parameters: readonly CycleParameter[] }
+  | {
+      readonly kind: "cycle";
+      readonly cycle: number;
+      readonly name: string;
+      readonly parameters: readonly CycleParameter[];
+    }
   | { readonly kind: "cycleCall"; readonly how: "" | "POS" | "PAT"; readonly words: Words }
   | { readonly kind: "selectContour"; readonly file: FileName }
   | { readonly kind: "contourDefinition"; readonly areas: readonly ContourArea[] }
   /** A contour QC1 of a contour formula. */
-  | { readonly kind: "declareContour"; readonly contour: string; readonly from: OutlinePlace; readonly depth: Value | null }
+  | {
+      readonly kind: "declareContour";
+      readonly contour: string;
+      readonly from: OutlinePlace;
+      readonly depth: Value | null;
+    }
   /** How declared contours make one: their names, the signs between them, brackets. */
   | { readonly kind: "contourFormula"; readonly target: string; readonly terms: readonly string[] }
   /** FN 14: the control stops with an error of this number. */
@@ -190,14 +237,14 @@ export type Statement =
   | { readonly kind: "callSelected" }
   /** A jump when a comparison holds; `fn` is the number of the FN function, null where only IF stands. */
   | {
-    readonly kind: "jump";
-    readonly fn: 9 | 10 | 11 | 12 | null;
-    readonly left: Value;
-    readonly compare: Comparison;
-    /** null with IS DEFINED and IS UNDEFINED. */
-    readonly right: Value | null;
-    readonly label: Label | Parameter;
-  }
+      readonly kind: "jump";
+      readonly fn: 9 | 10 | 11 | 12 | null;
+      readonly left: Value;
+      readonly compare: Comparison;
+      /** null with IS DEFINED and IS UNDEFINED. */
+      readonly right: Value | null;
+      readonly label: Label | Parameter;
+    }
   /** TRANS DATUM: the words of AXIS, or RESET. */
   | { readonly kind: "datum"; readonly shift: readonly AxisWord[] | "reset" }
   /** TRANS DATUM TABLE with the row as it is written. */

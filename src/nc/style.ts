@@ -18,7 +18,10 @@ export type LayoutName = "tnc640" | "tnc7" | "manual";
 
 const common = { plus: true, decimal: ".", indent: "", rapid: "FMAX", spacedWords: false, newLine: "\n" } as const;
 
-/** Program files of the two controls, and the look of the TNC 640 manual of 2019, which no control loads: its lists have no ` ~`. */
+/**
+ * Program files of the two controls, and the look of the TNC 640 manual of 2019, which no control loads: its lists have
+ * no ` ~`.
+ */
 export const LAYOUTS: Readonly<Record<LayoutName, Style>> = {
   tnc640: { ...common, wide: true, continued: true },
   tnc7: { ...common, wide: false, continued: true },

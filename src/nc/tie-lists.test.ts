@@ -4,14 +4,18 @@ import { issuesOf, print } from "./program.ts";
 import { withTiedLists } from "./tie-lists.ts";
 
 const said = (text: string) =>
-  issuesOf(parse(`BEGIN PGM A MM\n${text}END PGM A MM\n`)).filter((i) => i.code === "listWithoutTilde").map(
-    (i) => [i.line - 1, i.column, i.data]
-  );
+  issuesOf(parse(`BEGIN PGM A MM\n${text}END PGM A MM\n`))
+    .filter((i) => i.code === "listWithoutTilde")
+    .map((i) => [i.line - 1, i.column, i.data]);
 const cured = (text: string) => print(withTiedLists(parse(text)));
 
 describe("a list of a cycle without ~", () => {
   test.each([
-    ["11 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2.3 ;B\n", [[1, 19, { places: 1 }]], "11 CYCL DEF 811  X ~\nQ215=+0 ;A ~\nQ460=+2.3 ;B\n"],
+    [
+      "11 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2.3 ;B\n",
+      [[1, 19, { places: 1 }]],
+      "11 CYCL DEF 811  X ~\nQ215=+0 ;A ~\nQ460=+2.3 ;B\n",
+    ],
     // One line alone lacks it, with blanks behind, and CR LF.
     [
       "CYCL DEF 200 B ~\r\n  Q200=-2.75 ;C  \r\n  Q201=-18\r\n",
@@ -19,7 +23,11 @@ describe("a list of a cycle without ~", () => {
       "CYCL DEF 200 B ~\r\n  Q200=-2.75 ;C ~\r\n  Q201=-18\r\n",
     ],
     // The misprint of a page stays as it is: it has a finding of its own.
-    ["7 CYCL DEF 852  E\nQ491=+75\nQ493+50 ;F\n", [[1, 18, { places: 1 }]], "7 CYCL DEF 852  E ~\nQ491=+75 ~\nQ493+50 ;F\n"],
+    [
+      "7 CYCL DEF 852  E\nQ491=+75\nQ493+50 ;F\n",
+      [[1, 18, { places: 1 }]],
+      "7 CYCL DEF 852  E ~\nQ491=+75 ~\nQ493+50 ;F\n",
+    ],
     // A label that was wrapped where a page was copied stands on one line again.
     [
       "7 CYCL DEF 200 DRILL\nQ200=+2 ;SET-UP\nCLEARANCE\nQ201=-5.5\n",
@@ -34,7 +42,8 @@ describe("a list of a cycle without ~", () => {
   });
 
   test("all lists of a program are one finding, at the first, and one cure", () => {
-    const text = "1 CYCL DEF 811 A\nQ215=+0\n2 CYCL CALL\n3 CYCL DEF 812 B ~\nQ215=+1\n4 CYCL DEF 821 C\nQ215=+2\nQ460=+1.5\n";
+    const text =
+      "1 CYCL DEF 811 A\nQ215=+0\n2 CYCL CALL\n3 CYCL DEF 812 B ~\nQ215=+1\n4 CYCL DEF 821 C\nQ215=+2\nQ460=+1.5\n";
     expect(said(text)).toEqual([[1, 17, { places: 2 }]]);
     expect(said(cured(text))).toEqual([]);
   });

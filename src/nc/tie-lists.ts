@@ -7,7 +7,9 @@ const LINE = /[^\r\n]*(?:\r\n|\n|\r|$)/g;
 const VALUE_LINE = /^[ \t\u00a0]*Q[LR]?\d+[ \t]*(?:=|[+-])/i;
 const HEAD = /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:[Nn]?\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/;
 
-/** A list with ` ~` at the end of each line but the last; a name or label that was wrapped is written on one line again. */
+/**
+ * A list with ` ~` at the end of each line but the last; a name or label that was wrapped is written on one line again.
+ */
 function tied(program: Program, index: number, block: Block): readonly Block[] {
   const lines = (block.raw.match(LINE) ?? []).filter((line) => line !== "");
   const written = lines.flatMap((line, i) => (line.trim() === "" ? [] : [i]));
@@ -15,7 +17,8 @@ function tied(program: Program, index: number, block: Block): readonly Block[] {
   if (isWrapped && block.statement.kind === "cycle") {
     const style = styleAt(program, index);
     const end = /(?:\r\n|\n|\r)$/.exec(block.raw)?.[0] ?? "";
-    return parse((HEAD.exec(block.raw)?.[0] ?? "") + statementLines(block.statement, style).join(style.newLine) + end).blocks;
+    return parse((HEAD.exec(block.raw)?.[0] ?? "") + statementLines(block.statement, style).join(style.newLine) + end)
+      .blocks;
   }
   const last = written.at(-1) ?? 0;
   const made = lines.map((line, i) => {

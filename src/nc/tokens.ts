@@ -2,7 +2,8 @@ import { Scan } from "./scan.ts";
 import { PARAMETER } from "./value.ts";
 
 /** What a stretch of a line is, for colouring. */
-export type TokenKind = "number" | "keyword" | "parameter" | "value" | "word" | "comment" | "structure" | "string" | "name" | "mark";
+export type TokenKind =
+  "number" | "keyword" | "parameter" | "value" | "word" | "comment" | "structure" | "string" | "name" | "mark";
 
 /** A stretch of one line, from and to in characters. */
 export interface Token {
@@ -13,13 +14,13 @@ export interface Token {
 
 const HEAD = /(\/)?[ \t]*([Nn]?\d{1,9}(?![\d.,]))?[ \t]*(\/)?/y;
 const KEYWORD = new RegExp(
-  String.raw`(?:CYCLE?[ \t]*(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|`
-    + String.raw`BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION|FILE))?|`
-    + String.raw`TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+[A-Z]+(?:[ \t]+(?:AXIS|RESET))?|GOTO[ \t]+LBL|IF|`
-    + String.raw`FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|`
-    + String.raw`FN[ \t]*\d+[ \t]*:|F(?:SELECT|POL|LT|CT|L|C)|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|`
-    + String.raw`UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|`
-    + String.raw`RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_])`,
+  String.raw`(?:CYCLE?[ \t]*(?:DEF|CALL)(?:[ \t]+(?:POS|PAT)(?![A-Z]))?|(?:BEGIN|END)[ \t]+PGM|` +
+    String.raw`BLK[ \t]+FORM(?:[ \t]+(?:CYLINDER|ROTATION|FILE))?|` +
+    String.raw`TOOL[ \t]+(?:CALL|DEF)|CALL[ \t]+LBL|SEL[ \t]+CONTOUR|TRANS[ \t]+[A-Z]+(?:[ \t]+(?:AXIS|RESET))?|GOTO[ \t]+LBL|IF|` +
+    String.raw`FUNCTION(?:[ \t]+(?:MODE[ \t]+(?:TURN|MILL)|TURNDATA[ \t]+(?:SPIN|BLANK|CORR-(?:TCS|WPL)(?::[A-Z](?:\/[A-Z])?)?)))?|` +
+    String.raw`FN[ \t]*\d+[ \t]*:|F(?:SELECT|POL|LT|CT|L|C)|LBL|STOP|APPR(?:[ \t]+[A-Z]+)?|DEP(?:[ \t]+[A-Z]+)?|` +
+    String.raw`UDC(?:[ \t]+[A-Z_]+)?|GRV(?:[ \t]+[A-Z]+)?|` +
+    String.raw`RND|CHF|CTP|CR|CT|CC|CP|LP|L|C)(?![A-Z_])`,
   "iy",
 );
 const STRUCTURE = /\*[ \t]*-?.*/y;
@@ -28,8 +29,8 @@ const STRING = /"[^"]*"?/y;
 const CYCLE_NUMBER = /\d+(?:[ \t]*\.\d+)?/y;
 const NAMED = new RegExp(PARAMETER, "iy");
 const ADDRESS = new RegExp(
-  String.raw`(?:DR(?=[+-](?![\d.,Q]))|F[ \t]*(?:MAX|AUTO)|VCONST|SMAX|DIST|LEN|CCA|REP|VC|I?P[RA]|R[0LR](?![\d.,])|DI|DL|DR|`
-    + String.raw`F[UZ]?|M|I?[A-Z](?=[ \t]*:?[+\-\d.,Q])|[A-Z_]{2,})`,
+  String.raw`(?:DR(?=[+-](?![\d.,Q]))|F[ \t]*(?:MAX|AUTO)|VCONST|SMAX|DIST|LEN|CCA|REP|VC|I?P[RA]|R[0LR](?![\d.,])|DI|DL|DR|` +
+    String.raw`F[UZ]?|M|I?[A-Z](?=[ \t]*:?[+\-\d.,Q])|[A-Z_]{2,})`,
   "iy",
 );
 const VALUE = /[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)/y;

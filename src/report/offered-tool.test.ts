@@ -15,7 +15,13 @@ const issuesWith = (change: Readonly<Record<string, string>>, tools = shippedToo
     tools: shippedTools,
     rapid: 10_000,
   });
-  const checked = { file: "t.h", run: ran, simulation: simulate(ran), milliseconds: { parse: 0, plan: 0, simulate: 0 }, tools };
+  const checked = {
+    file: "t.h",
+    run: ran,
+    simulation: simulate(ran),
+    milliseconds: { parse: 0, plan: 0, simulate: 0 },
+    tools,
+  };
   return report(checked, "en").issues;
 };
 

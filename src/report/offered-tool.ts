@@ -15,11 +15,15 @@ export const BY_TOOL: ReadonlySet<string> = new Set([
 /** Operations that tools are looked for in one report: each costs a plan for each tool. */
 const MOST = 40;
 
-/** The tool of a table that makes the contour of an operation, tried; null where none does. A loop over a call is tried once. */
+/**
+ * The tool of a table that makes the contour of an operation, tried; null where none does. A loop over a call is tried
+ * once.
+ */
 export function toolsOffered(tools: readonly Tool[]): (operation: Operation) => Tool | null {
   const known = new Map<string, Tool | null>();
   return ({ cycle: number, tool, call, feedUnit, definedFile, definedLine }) => {
-    const cycle = cycleByNumber(number), key = `${definedFile ?? ""} ${definedLine} ${tool.T}`;
+    const cycle = cycleByNumber(number),
+      key = `${definedFile ?? ""} ${definedLine} ${tool.T}`;
     const before = known.get(key);
     if (before !== undefined) return before;
     if (!cycle || !call || known.size >= MOST) return null;

@@ -19,12 +19,16 @@ const stays = (x: number, area: number, work = "7", reason: "mainEdge" | "cutLen
 
 test("places of one kind at one piece of work are one finding with a count, at the first of them", () => {
   const found = placesJoined([stays(40, 1), stays(30, 2), stays(20, 4, "9"), stays(10, 8, "7", "cutLength")]);
-  expect(found.map((each) => each.issue.data)).toEqual([{ reason: "mainEdge", area: 3, x: 40, z: -5, places: 2 }, {
-    reason: "mainEdge",
-    area: 4,
-    x: 20,
-    z: -5,
-  }, { reason: "cutLength", area: 8, x: 10, z: -5 }]);
+  expect(found.map((each) => each.issue.data)).toEqual([
+    { reason: "mainEdge", area: 3, x: 40, z: -5, places: 2 },
+    {
+      reason: "mainEdge",
+      area: 4,
+      x: 20,
+      z: -5,
+    },
+    { reason: "cutLength", area: 8, x: 10, z: -5 },
+  ]);
   expect(found.map((each) => placesOf(each.issue))).toEqual([2, 1, 1]);
 });
 
@@ -34,11 +38,17 @@ test("a few places are listed one by one where the list has a mark for each", ()
 });
 
 test("what says something else of the same code stays: a value of a parameter is no place", () => {
-  const deep = (infeed: number) => ({ issue: issue("infeedOverCutLength", "warning", { infeed, cutLength: 4 }, "Q463"), work: "7" });
-  expect(placesJoined([deep(5), deep(6), deep(5)]).map((each) => each.issue.data)).toEqual([{ infeed: 5, cutLength: 4, places: 2 }, {
-    infeed: 6,
-    cutLength: 4,
-  }]);
+  const deep = (infeed: number) => ({
+    issue: issue("infeedOverCutLength", "warning", { infeed, cutLength: 4 }, "Q463"),
+    work: "7",
+  });
+  expect(placesJoined([deep(5), deep(6), deep(5)]).map((each) => each.issue.data)).toEqual([
+    { infeed: 5, cutLength: 4, places: 2 },
+    {
+      infeed: 6,
+      cutLength: 4,
+    },
+  ]);
 });
 
 test("a loop over a call is one piece of work, two definitions at one call are two", () => {
@@ -47,18 +57,23 @@ test("a loop over a call is one piece of work, two definitions at one call are t
   expect(workOf(call, call)).not.toBe(workOf(call, { ...call, definedLine: 14 }));
 });
 
-test.each([["en", "X⌀40 Z-5 and 1 more place"], ["de", "X⌀40 Z-5 und einer weiteren Stelle"]] as const)(
-  "%s: the text names the first place and counts the others",
-  (language, words) => {
-    const [joined] = placesJoined([stays(40, 1), stays(30, 2)]);
-    expect(joined && message(language, joined.issue)).toContain(words);
-  },
-);
+test.each([
+  ["en", "X⌀40 Z-5 and 1 more place"],
+  ["de", "X⌀40 Z-5 und einer weiteren Stelle"],
+] as const)("%s: the text names the first place and counts the others", (language, words) => {
+  const [joined] = placesJoined([stays(40, 1), stays(30, 2)]);
+  expect(joined && message(language, joined.issue)).toContain(words);
+});
 
 test("the report of a thread lists the residue between its grooves once", () => {
   const text = printJob(exampleJob(cycleByNumber(832) as never), ncLabels("en"));
   const ran = run(parse(text), { tools: shippedTools, rapid: 10_000 });
-  const checked = { file: "t.h", run: ran, simulation: simulate(ran), milliseconds: { parse: 0, plan: 0, simulate: 0 } };
+  const checked = {
+    file: "t.h",
+    run: ran,
+    simulation: simulate(ran),
+    milliseconds: { parse: 0, plan: 0, simulate: 0 },
+  };
   const { issues, operations, proof } = report(checked, "en");
   const left = issues.filter(({ code }) => code === "materialLeft");
   expect(left).toHaveLength(1);

@@ -28,8 +28,19 @@ const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
 
 /** Which finding is of the same kind: the same words about the same work, its place and its area aside. */
 function kindOf({ issue, work }: FindingOfWork): string {
-  const { x: _x, z: _z, area: _area, ...rest } = issue.data as { readonly x?: number; readonly z?: number; readonly area?: number };
-  return JSON.stringify([issue.code, issue.severity, issue.at ?? "", work, IN_STOCK.has(issue.code) ? rest : issue.data]);
+  const {
+    x: _x,
+    z: _z,
+    area: _area,
+    ...rest
+  } = issue.data as { readonly x?: number; readonly z?: number; readonly area?: number };
+  return JSON.stringify([
+    issue.code,
+    issue.severity,
+    issue.at ?? "",
+    work,
+    IN_STOCK.has(issue.code) ? rest : issue.data,
+  ]);
 }
 
 /** The piece of work that a finding belongs to: its block, in its file, and there the definition of its operation. */
@@ -38,13 +49,17 @@ export function workOf(
   operation: Pick<Operation, "cycle" | "definedLine" | "definedFile"> | undefined,
 ): string {
   const place = inFile ? `${inFile.file} ${inFile.line}` : `${block ?? ""}`;
-  return operation ? `${place} cycle ${operation.cycle} ${operation.definedFile ?? ""} ${operation.definedLine}` : place;
+  return operation
+    ? `${place} cycle ${operation.cycle} ${operation.definedFile ?? ""} ${operation.definedLine}`
+    : place;
 }
 
-const areaOf = ({ issue }: FindingOfWork): number => ("area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0);
+const areaOf = ({ issue }: FindingOfWork): number =>
+  "area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0;
 
 /** In how many places a finding was met. */
-export const placesOf = ({ data }: AnyIssue): number => ("places" in data && typeof data.places === "number" ? data.places : 1);
+export const placesOf = ({ data }: AnyIssue): number =>
+  "places" in data && typeof data.places === "number" ? data.places : 1;
 
 function joinedOf<T extends FindingOfWork>(first: T, together: readonly T[]): Joined<T> {
   const area = together.reduce((sum, each) => sum + areaOf(each), 0);
@@ -57,18 +72,23 @@ function joinedOf<T extends FindingOfWork>(first: T, together: readonly T[]): Jo
 }
 
 /**
- * Places of one kind at one piece of work as one finding, where there are more than `few` of them: it stands where the first stood,
- * `data.places` counts them, and `data.area` is that of all of them. A loop over a cycle is one piece of work.
+ * Places of one kind at one piece of work as one finding, where there are more than `few` of them: it stands where the
+ * first stood, `data.places` counts them, and `data.area` is that of all of them. A loop over a cycle is one piece of
+ * work.
  */
 export function placesJoined<T extends FindingOfWork>(found: readonly T[], few = 1): Joined<T>[] {
   const kinds = new Map<string, T[]>();
   for (const each of found) {
-    const kind = kindOf(each), known = kinds.get(kind);
+    const kind = kindOf(each),
+      known = kinds.get(kind);
     if (known) known.push(each);
     else kinds.set(kind, [each]);
   }
   const many = new Map<T, readonly T[]>();
-  for (const together of kinds.values()) if (together.length > few) { for (const each of together) many.set(each, together); }
+  for (const together of kinds.values())
+    if (together.length > few) {
+      for (const each of together) many.set(each, together);
+    }
   return found.flatMap((each): Joined<T>[] => {
     const together = many.get(each);
     return together === undefined ? [each] : together[0] === each ? [joinedOf(each, together)] : [];

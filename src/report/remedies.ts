@@ -15,7 +15,13 @@ export interface Remedy {
 }
 
 /** What another tool could take. A limit, a forbidden plunge, an oversize or a correction stays with every tool. */
-const OF_TOOL: ReadonlySet<Reason> = new Set<Reason>(["insertRadius", "mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
+const OF_TOOL: ReadonlySet<Reason> = new Set<Reason>([
+  "insertRadius",
+  "mainEdge",
+  "secondaryEdge",
+  "toolWidth",
+  "cutLength",
+]);
 /** A tool that leaves more than this part of a region does not take it. */
 const MOST_LEFT = 0.5;
 /** What a plan may not say about a tool that is to help. */
@@ -24,12 +30,17 @@ const AGAINST: ReadonlySet<string> = new Set(["toolCannotCutSideways", "flanksNo
 /** What is asked of the operation that left it. */
 type Operation = Pick<Ran, "cycle" | "tool" | "feedUnit" | "call">;
 
-/** The path that a tool would take in place of the one called: same cycle, same values, same start; null when it can not. */
+/**
+ * The path that a tool would take in place of the one called: same cycle, same values, same start; null when it can
+ * not.
+ */
 function planWith(tool: Tool, { cycle: number, call, feedUnit }: Operation): Plan | null {
   const cycle = cycleByNumber(number);
   if (!cycle || !call || checkTool(tool).length > 0) return null;
-  const plan = shiftedPlan(cycle.plan(call.values, { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, call.given),
-    call.datum);
+  const plan = shiftedPlan(
+    cycle.plan(call.values, { tool, start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, call.given),
+    call.datum,
+  );
   const refused = plan.issues.some((i) => i.severity === "error" || AGAINST.has(i.code));
   return refused || !plan.moves.some((m) => m.phase !== "position") ? null : plan;
 }
@@ -43,17 +54,20 @@ export function remedies(tools: readonly Tool[]): (operation: Operation, left: R
   const plansOf = (operation: Operation) => {
     const known = plans.get(operation);
     if (known) return known;
-    const made = tools.filter((tool) => tool.T !== operation.tool.T).flatMap((tool) => {
-      const plan = planWith(tool, operation);
-      return plan ? [[tool, plan] as const] : [];
-    });
+    const made = tools
+      .filter((tool) => tool.T !== operation.tool.T)
+      .flatMap((tool) => {
+        const plan = planWith(tool, operation);
+        return plan ? [[tool, plan] as const] : [];
+      });
     plans.set(operation, made);
     return made;
   };
   return (operation, left) => {
     if (!OF_TOOL.has(left.reason)) return [];
-    return plansOf(operation).map(([tool, plan]): Remedy => ({ tool, stays: staysAfter(left.ring, plan, tool) })).filter(({ stays }) =>
-      stays < left.area * MOST_LEFT
-    ).sort((a, b) => a.stays - b.stays || a.tool.T - b.tool.T);
+    return plansOf(operation)
+      .map(([tool, plan]): Remedy => ({ tool, stays: staysAfter(left.ring, plan, tool) }))
+      .filter(({ stays }) => stays < left.area * MOST_LEFT)
+      .sort((a, b) => a.stays - b.stays || a.tool.T - b.tool.T);
   };
 }

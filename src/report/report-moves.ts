@@ -4,8 +4,8 @@ import type { PlaneStep } from "../program/tools/plane-types.ts";
 import type { Run } from "../program/state/run-types.ts";
 
 /**
- * End points of the theoretical tip; X and the X of a centre are diameters. Of milling: end points of the tool centre, X and
- * Y as they are, no Z as long as the program has named none.
+ * End points of the theoretical tip; X and the X of a centre are diameters. Of milling: end points of the tool centre,
+ * X and Y as they are, no Z as long as the program has named none.
  */
 export interface ReportMove {
   readonly kind: Move["kind"];
@@ -58,8 +58,15 @@ export function reportedMove(move: Move, block: number): ReportMove {
 }
 
 function planeMoveOf(s: PlaneStep): ReportMove {
-  const { kind, to: { x, y, z }, block, feed, feedUnit } = s;
-  if (kind === "feed" && z !== null && feed !== undefined && feedUnit) return { kind, x, y, z, phase: "position", block, feed, feedUnit };
+  const {
+    kind,
+    to: { x, y, z },
+    block,
+    feed,
+    feedUnit,
+  } = s;
+  if (kind === "feed" && z !== null && feed !== undefined && feedUnit)
+    return { kind, x, y, z, phase: "position", block, feed, feedUnit };
   return {
     kind: s.kind,
     x: s.to.x,
@@ -92,7 +99,8 @@ export function outsideCycles(run: Run): ReportMove[] {
   };
   run.steps.forEach((s, i) => {
     mill(i);
-    if (s.operation === null) out.push({ ...reportedMove(s.move, s.block), ...(s.file !== undefined && { file: s.file }) });
+    if (s.operation === null)
+      out.push({ ...reportedMove(s.move, s.block), ...(s.file !== undefined && { file: s.file }) });
   });
   mill(run.steps.length);
   return out;

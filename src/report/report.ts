@@ -67,7 +67,9 @@ export interface Milliseconds {
   readonly simulate: number;
 }
 
-/** What one program does, as data for other programs. Lengths mm, also of inch programs, but for the data of its issues. */
+/**
+ * What one program does, as data for other programs. Lengths mm, also of inch programs, but for the data of its issues.
+ */
 export interface Report {
   readonly format: "turnwise-report/1";
   readonly file: string;
@@ -114,7 +116,9 @@ const columnsOf = (tool: Tool): Record<string, string | number> =>
 
 function contourOf(contour: readonly Segment[]): ReportPoint[] {
   const first = contour[0];
-  return first ? [pointOf(first.from), ...contour.flatMap((s) => part.flattened(s, CONTOUR_CHORD).slice(1).map(pointOf))] : [];
+  return first
+    ? [pointOf(first.from), ...contour.flatMap((s) => part.flattened(s, CONTOUR_CHORD).slice(1).map(pointOf))]
+    : [];
 }
 
 /** A finding of the run or of the stock; `cycle` tells what the value at its place measures. */
@@ -142,17 +146,23 @@ function offersLength({ code, data }: AnyIssue, kind: Kind | undefined): boolean
   return !OTHER_OFFERS.has(code) && !("quantity" in data && (data.quantity === "angle" || data.quantity === "tangent"));
 }
 
-/** The data of a finding: what its sentence prints and what it offers in the unit of the program, as they are read together. */
+/**
+ * The data of a finding: what its sentence prints and what it offers in the unit of the program, as they are read
+ * together.
+ */
 function dataOf(found: AnyIssue, field: Kind | undefined, { unit, per }: Lengths): object {
   const { data } = found;
   if (unit === "mm") return data;
-  const kind = measureOf(found, field), printed = printedLengths(found, kind);
-  return Object.fromEntries(Object.entries(data).map(([name, value]: [string, unknown]) => {
-    if (typeof value !== "number") return [name, value];
-    if (name === "nearest") return [name, offersLength(found, kind) ? Number((value / per).toFixed(OFFERED)) : value];
-    const as = printed.get(name);
-    return [name, as === "length" ? value / per : as === "area" ? value / per ** 2 : value];
-  }));
+  const kind = measureOf(found, field),
+    printed = printedLengths(found, kind);
+  return Object.fromEntries(
+    Object.entries(data).map(([name, value]: [string, unknown]) => {
+      if (typeof value !== "number") return [name, value];
+      if (name === "nearest") return [name, offersLength(found, kind) ? Number((value / per).toFixed(OFFERED)) : value];
+      const as = printed.get(name);
+      return [name, as === "length" ? value / per : as === "area" ? value / per ** 2 : value];
+    }),
+  );
 }
 
 function issueOf({ issue: found, block, cycle, inFile }: Said, spoken: Lengths): ReportIssue {
@@ -194,7 +204,11 @@ const MILLING = "FUNCTION MODE MILL";
 /** What is not proved, milling included. */
 function unprovedOf(judged: Judged): { block: number; what: string }[] {
   return judged.reasons.flatMap((r) =>
-    r.kind === "unproved" ? [{ block: r.block ?? 0, what: r.what }] : r.kind === "milling" ? [{ block: r.block, what: MILLING }] : []
+    r.kind === "unproved"
+      ? [{ block: r.block ?? 0, what: r.what }]
+      : r.kind === "milling"
+        ? [{ block: r.block, what: MILLING }]
+        : [],
   );
 }
 
@@ -205,7 +219,13 @@ function residualsOf({ run, simulation, tools = [] }: Checked): ReportResidual[]
   return told.map((r) => {
     const operation = run.operations[r.operation];
     const better = operation && tried.has(r) ? find(operation, r) : [];
-    return { area: r.area, reason: r.reason, ring: ringOf(r.ring), thickness: r.thickness, tools: better.map((b) => b.tool.T) };
+    return {
+      area: r.area,
+      reason: r.reason,
+      ring: ringOf(r.ring),
+      thickness: r.thickness,
+      tools: better.map((b) => b.tool.T),
+    };
   });
 }
 
@@ -217,7 +237,10 @@ export function report(checked: Checked, language: Language): Report {
   const judged = verdictOf(run, simulation);
   const { gouge, rapidInStock, cut, airPasses, deepest, holder } = simulation.proof;
   const proved = stockIssues(simulation);
-  const ran = run.issues.map((f): Said => ({ ...f, cycle: f.operation === null ? null : (run.operations[f.operation]?.cycle ?? null) }));
+  const ran = run.issues.map((f): Said => ({
+    ...f,
+    cycle: f.operation === null ? null : (run.operations[f.operation]?.cycle ?? null),
+  }));
   const stands = proved.map((p): Said => {
     const block = p.block ?? (p.operation === null ? null : (run.operations[p.operation]?.block ?? null));
     return { ...p, block, cycle: null };
@@ -230,7 +253,10 @@ export function report(checked: Checked, language: Language): Report {
   });
   const toolFor = toolsOffered(checked.tools ?? []);
   const listed = (all: readonly Said[]): ReportIssue[] => {
-    const placed = all.map((f) => ({ ...f, work: workOf(f, f.operation === null ? undefined : run.operations[f.operation]) }));
+    const placed = all.map((f) => ({
+      ...f,
+      work: workOf(f, f.operation === null ? undefined : run.operations[f.operation]),
+    }));
     return placesJoined(placed).map((f) => {
       const operation = f.operation === null ? undefined : run.operations[f.operation];
       const tool = operation && BY_TOOL.has(f.issue.code) && f.issue.severity !== "info" ? toolFor(operation) : null;

@@ -13,16 +13,31 @@ function minutes(seconds: number): string {
 const duration = (seconds: number): string => `${minutes(seconds)} min`;
 
 const operationLine = (o: ReportOperation) =>
-  `  block ${o.block}: cycle ${o.cycle}, tool ${o.tool["T"]} ${o.tool["NAME"]}, from X${fixed(o.start.x, 3)} Z${fixed(o.start.z, 3)}: `
-  + `${o.passes} passes of ${fixed(o.infeed, 3)} mm, ${o.moves.length} moves, ${duration(o.seconds)}`;
+  `  block ${o.block}: cycle ${o.cycle}, tool ${o.tool["T"]} ${o.tool["NAME"]}, from X${fixed(o.start.x, 3)} Z${fixed(o.start.z, 3)}: ` +
+  `${o.passes} passes of ${fixed(o.infeed, 3)} mm, ${o.moves.length} moves, ${duration(o.seconds)}`;
 
 /** What a time can lack, as it is told. */
-const LACKED = [["acceleration", "acceleration"], ["toolChange", "tool changes"], ["spindle", "run-up of the spindle"]] as const;
+const LACKED = [
+  ["acceleration", "acceleration"],
+  ["toolChange", "tool changes"],
+  ["spindle", "run-up of the spindle"],
+] as const;
 
 /** The running time by its causes, and what it was worked out with. */
-function timeLine({ total, cutting, dwell, rapid, rates, toolChange, spindle, contains, machine }: Report["time"]): string {
+function timeLine({
+  total,
+  cutting,
+  dwell,
+  rapid,
+  rates,
+  toolChange,
+  spindle,
+  contains,
+  machine,
+}: Report["time"]): string {
   const meters = (rate: number) => fixed(rate / 1000, 3);
-  const rate = typeof rates === "number" ? `${meters(rates)} m/min` : `X ${meters(rates.x)}, Z ${meters(rates.z)} m/min`;
+  const rate =
+    typeof rates === "number" ? `${meters(rates)} m/min` : `X ${meters(rates.x)}, Z ${meters(rates.z)} m/min`;
   const parts = [
     `cutting ${minutes(cutting)}`,
     ...(dwell > 0 ? [`dwell ${minutes(dwell)}`] : []),
@@ -65,9 +80,9 @@ function because(r: VerdictReason): string {
     case "holeMissing":
       return `a hole is missing, first${inBlock(r.block)}`;
     case "unproved":
-      return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`}${
-        inFile(r.file)
-      } on`;
+      return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`}${inFile(
+        r.file,
+      )} on`;
     case "milling":
       return `milling was not simulated: nothing is proved from block ${r.block} on`;
     case "nothingCut":
@@ -96,11 +111,10 @@ const SEE_NOTES = "Path checked, see notes";
 const VERDICTS = { proved: "Proved", faults: "Faults found", incomplete: "Not everything was simulated" } as const;
 
 /** The verdict in words, each reason on a line of its own. */
-const verdictLines =
-  ({ verdict, reasons }: Report["proof"]) => [
-    `  ${verdict === "proved" && reasons.some((r) => r.kind === "notes") ? SEE_NOTES : VERDICTS[verdict]}${reasons.length > 0 ? ":" : ""}`,
-    ...reasons.map((r) => `    ${because(r)}`),
-  ];
+const verdictLines = ({ verdict, reasons }: Report["proof"]) => [
+  `  ${verdict === "proved" && reasons.some((r) => r.kind === "notes") ? SEE_NOTES : VERDICTS[verdict]}${reasons.length > 0 ? ":" : ""}`,
+  ...reasons.map((r) => `    ${because(r)}`),
+];
 
 /** What was measured of the cuts. */
 function cutLine({ cut, airPasses, deepest, holder }: Report["proof"]): string {
@@ -113,13 +127,13 @@ function cutLine({ cut, airPasses, deepest, holder }: Report["proof"]): string {
 const clampingLine = ({ clamping: c }: Report): string =>
   c
     ? `  clamping as stated: ${KIND_WORDS[c.kind].toLowerCase()}, D${fixed(c.diameter, 3)}, front at Z${fixed(c.face, 3)}${
-      c.tailstock ? `, tailstock at Z${fixed(c.tailstock.tip, 3)}` : ""
-    }`
+        c.tailstock ? `, tailstock at Z${fixed(c.tailstock.tip, 3)}` : ""
+      }`
     : "  clamping not stated: held at the rear end of the blank, contact with jaws, chuck or tailstock was not looked for";
 
 const leftLine = (r: Report["proof"]["residual"][number]) =>
-  `    ${fixed(r.area, 3)} mm², up to ${fixed(r.thickness, 3)} mm thick: ${r.reason}`
-  + (r.tools.length > 0 ? `; tools that take it: ${r.tools.join(", ")}` : "");
+  `    ${fixed(r.area, 3)} mm², up to ${fixed(r.thickness, 3)} mm thick: ${r.reason}` +
+  (r.tools.length > 0 ? `; tools that take it: ${r.tools.join(", ")}` : "");
 
 /** A report for reading: the verdict first, then what runs, what the proof says, and every finding with its block. */
 export function summary(r: Report): string {
@@ -131,15 +145,16 @@ export function summary(r: Report): string {
     ...verdictLines(r.proof),
     clampingLine(r),
     ...r.operations.map(operationLine),
-    `  proof: gouge ${fixed(gouge, 3)} mm², rapid in stock ${fixed(rapidInStock, 3)} mm², left ${fixed(left, 3)}`
-    + ` mm² in ${many(residual.length, "place", "places")}`,
+    `  proof: gouge ${fixed(gouge, 3)} mm², rapid in stock ${fixed(rapidInStock, 3)} mm², left ${fixed(left, 3)}` +
+      ` mm² in ${many(residual.length, "place", "places")}`,
     ...residual.map(leftLine),
     cutLine(r.proof),
     timeLine(r.time),
-    ...r.issues.map((i) =>
-      `  ${i.severity}${i.block === undefined ? "" : ` in block ${i.block}`}${placeInFile(i.inFile)}${
-        i.at === undefined ? "" : ` (${i.at})`
-      }: ${i.text}`
+    ...r.issues.map(
+      (i) =>
+        `  ${i.severity}${i.block === undefined ? "" : ` in block ${i.block}`}${placeInFile(i.inFile)}${
+          i.at === undefined ? "" : ` (${i.at})`
+        }: ${i.text}`,
     ),
     `  ${count("error")} errors, ${count("warning")} warnings`,
     "",

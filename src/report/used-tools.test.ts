@@ -13,10 +13,15 @@ const NO_TIME = { parse: 0, plan: 0, simulate: 0 };
 function reportWith(text: string, list: ToolList): Report {
   const { table } = readList(list);
   const made = run(parse(text), { ...table, rapid: 10_000, control: "TNC 640", tracing });
-  return report({ file: "A.h", run: made, simulation: simulate(made), milliseconds: NO_TIME, tools: table.tools }, "en");
+  return report(
+    { file: "A.h", run: made, simulation: simulate(made), milliseconds: NO_TIME, tools: table.tools },
+    "en",
+  );
 }
 const changed = (number: number, cells: object): ToolList =>
-  shippedList.map((entry) => (entry.cells.T === String(number) ? { ...entry, cells: { ...entry.cells, ...cells } } : entry));
+  shippedList.map((entry) =>
+    entry.cells.T === String(number) ? { ...entry, cells: { ...entry.cells, ...cells } } : entry,
+  );
 
 /** The same report, to the byte, with the used tools alone. */
 function expectSame(text: string, list: ToolList): ToolList {
@@ -36,11 +41,11 @@ test.each(examples)("%s comes to the same report with the tools it uses alone", 
 });
 
 const part = (call: string) =>
-  `BEGIN PGM S MM\nBLK FORM CYLINDER Z D63.4 L90 DIST+0\nFUNCTION MODE TURN\n${call}\n`
-  + "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500\nM136\n"
-  + "L X+95 Z+52 R0 FMAX\nL X+63.4 Z+1.8 FMAX M303\n"
-  + "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ~\nQ460=+2 ~\nQ493=+41.27 ~\nQ494=-33.85 ~\nQ463=+2.35 ~\nQ478=+0.3 ~\nQ483=+0.5 ~\n"
-  + "Q484=+0.15 ~\nQ505=+0.2 ~\nQ506=+0\nCYCL CALL\nM30\nEND PGM S MM\n";
+  `BEGIN PGM S MM\nBLK FORM CYLINDER Z D63.4 L90 DIST+0\nFUNCTION MODE TURN\n${call}\n` +
+  "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500\nM136\n" +
+  "L X+95 Z+52 R0 FMAX\nL X+63.4 Z+1.8 FMAX M303\n" +
+  "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ~\nQ460=+2 ~\nQ493=+41.27 ~\nQ494=-33.85 ~\nQ463=+2.35 ~\nQ478=+0.3 ~\nQ483=+0.5 ~\n" +
+  "Q484=+0.15 ~\nQ505=+0.2 ~\nQ506=+0\nCYCL CALL\nM30\nEND PGM S MM\n";
 
 test("a tool that is called by its name, with an index, or not at all comes along; one that nobody has stays missing", () => {
   const numbersOf = (list: ToolList) => list.map(({ cells }) => cells.T);

@@ -11,12 +11,12 @@ const namedIn = (data: object = {}): CalledAs[] => {
 };
 
 /**
- * The tools that programs need to come to the same report: all that they call, wherever it is, and all that the report names. Null where
- * that cannot be told, because a call is worked out while the program runs.
+ * The tools that programs need to come to the same report: all that they call, wherever it is, and all that the report
+ * names. Null where that cannot be told, because a call is worked out while the program runs.
  */
 export function usedTools(programs: readonly Program[], report: Report): readonly CalledAs[] | null {
   const called = programs.flatMap(({ blocks }) =>
-    blocks.flatMap(({ statement }) => (statement.kind === "toolCall" ? [statement.tool] : []))
+    blocks.flatMap(({ statement }) => (statement.kind === "toolCall" ? [statement.tool] : [])),
   );
   if (called.some((tool) => typeof tool === "object" && tool !== null)) return null;
   return [
@@ -24,10 +24,7 @@ export function usedTools(programs: readonly Program[], report: Report): readonl
       ...called.filter((tool) => typeof tool === "number" || typeof tool === "string"),
       ...report.operations.flatMap(({ tool }) => (tool["T"] === undefined ? [] : [tool["T"]])),
       ...report.proof.residual.flatMap(({ tools }) => tools),
-      ...[
-        ...report.issues,
-        ...report.operations.flatMap(({ issues }) => issues),
-      ].flatMap(({ data }) => namedIn(data)),
+      ...[...report.issues, ...report.operations.flatMap(({ issues }) => issues)].flatMap(({ data }) => namedIn(data)),
     ]),
   ];
 }

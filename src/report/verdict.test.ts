@@ -68,7 +68,11 @@ test("flanks that nobody described are not clear either", () => {
 
 test("an operation that cut nothing makes it incomplete: the second call of the same cycle", () => {
   const judged = judge(`${head}${cycle}10 L X+75 Z+2 R0 FMAX\n11 CYCL CALL\n12 M30\n13 END PGM V MM\n`);
-  expect(judged).toMatchObject({ verdict: "incomplete", reasons: [{ kind: "nothingCut", block: 11, operation: 1 }], clear: false });
+  expect(judged).toMatchObject({
+    verdict: "incomplete",
+    reasons: [{ kind: "nothingCut", block: 11, operation: 1 }],
+    clear: false,
+  });
 });
 
 test("no operation at all is incomplete", () => {
@@ -95,5 +99,9 @@ test("a fault outweighs a gap: both are told, the fault first", () => {
 });
 
 test("an error of the program is a fault", () => {
-  expect(judge(head + cycle.replace("Q493=+50.5", "Q493=+75") + end).reasons[0]).toMatchObject({ kind: "error", block: 7, count: 1 });
+  expect(judge(head + cycle.replace("Q493=+50.5", "Q493=+75") + end).reasons[0]).toMatchObject({
+    kind: "error",
+    block: 7,
+    count: 1,
+  });
 });

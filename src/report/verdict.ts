@@ -5,8 +5,8 @@ import { REAL_AREA } from "../kernel/area/real-area.ts";
 import { STOCK_FAULTS, type StockFinding, type Simulation, type Verdict } from "../sim/simulation.ts";
 
 /**
- * Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about. `file` is that of
- * a called program in which it stands; the block is that of the call then.
+ * Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about.
+ * `file` is that of a called program in which it stands; the block is that of the call then.
  */
 export type VerdictReason =
   /** Errors that the run found in the program: how many, and the block of the first. */
@@ -21,11 +21,21 @@ export type VerdictReason =
   | { readonly kind: "noOperation"; readonly block: null }
   /** Path and stock are proved, and yet it is hardly what is wanted. */
   | { readonly kind: "notes"; readonly block: number | null; readonly notes: readonly VerdictNote[] }
-  /** The verdict stands, but nobody has looked at the holder of this tool, the flanks of its insert, or the curvature of its blade. */
-  | { readonly kind: "holderUnknown" | "flanksUnknown" | "curvatureUnknown"; readonly block: number; readonly tool: number;
-    readonly name: string };
+  /**
+   * The verdict stands, but nobody has looked at the holder of this tool, the flanks of its insert, or the curvature of
+   * its blade.
+   */
+  | {
+      readonly kind: "holderUnknown" | "flanksUnknown" | "curvatureUnknown";
+      readonly block: number;
+      readonly tool: number;
+      readonly name: string;
+    };
 
-/** A feed that nobody means, most passes of an operation in the air, much that stays, an operation that the edge is too short for. */
+/**
+ * A feed that nobody means, most passes of an operation in the air, much that stays, an operation that the edge is too
+ * short for.
+ */
 export type VerdictNote = "feed" | "air" | "residue" | "cutLength";
 
 /** The verdict over a whole run with all that speaks for it, the gravest first. */
@@ -48,7 +58,13 @@ function faultsOf(run: Run, { findings }: Pick<Simulation, "findings">): Verdict
   const out: VerdictReason[] = [];
   const errors = run.issues.filter((f) => f.issue.severity === "error");
   const [first] = errors;
-  if (first) out.push({ kind: "error", block: first.block, count: errors.length, ...(first.inFile && { file: first.inFile.file }) });
+  if (first)
+    out.push({
+      kind: "error",
+      block: first.block,
+      count: errors.length,
+      ...(first.inFile && { file: first.inFile.file }),
+    });
   for (const kind of STOCK_FAULTS) {
     const of = findings.filter((f) => f.kind === kind);
     if (of[0]) out.push({ kind, block: of[0].block, count: of.length, area: of.reduce((sum, f) => sum + f.area, 0) });
@@ -67,9 +83,11 @@ function gapsOf(run: Run, { findings, proof }: Pick<Simulation, "findings" | "pr
   const milled = run.plane.find((s) => s.kind !== "rapid");
   if (milled) out.push({ kind: "milling", block: milled.block });
   run.operations.forEach((o, operation) => {
-    const failed = o.issues.some((i) => i.severity === "error")
-      || findings.some((f) => f.kind === "cutOnLoosePiece" && f.operation === operation);
-    if (!failed && (proof.operations[operation]?.cut ?? 0) < REAL_AREA) out.push({ kind: "nothingCut", block: o.block, operation });
+    const failed =
+      o.issues.some((i) => i.severity === "error") ||
+      findings.some((f) => f.kind === "cutOnLoosePiece" && f.operation === operation);
+    if (!failed && (proof.operations[operation]?.cut ?? 0) < REAL_AREA)
+      out.push({ kind: "nothingCut", block: o.block, operation });
   });
   if (run.operations.length === 0) out.push({ kind: "noOperation", block: null });
   return out;
@@ -95,7 +113,12 @@ function notesOf(run: Run, { operations, residual }: Simulation["proof"]): Verdi
     ...(left.reduce((sum, r) => sum + r.area, 0) > MUCH ? ["residue" as const] : []),
     ...(short || cutShort ? ["cutLength" as const] : []),
   ];
-  const block = feed?.block ?? run.operations[inAir]?.block ?? short?.block ?? run.operations[left[0]?.operation ?? -1]?.block ?? null;
+  const block =
+    feed?.block ??
+    run.operations[inAir]?.block ??
+    short?.block ??
+    run.operations[left[0]?.operation ?? -1]?.block ??
+    null;
   return notes.length > 0 ? [{ kind: "notes", block, notes }] : [];
 }
 

@@ -16,8 +16,8 @@ const RUN_THROUGH = 5;
 const LEAST_HELD = 1;
 
 /**
- * What a sweep covers behind the blank and below its diameter. What holds the work stands there, and nobody knows where; inside the blank's
- * outline a tool may run through.
+ * What a sweep covers behind the blank and below its diameter. What holds the work stands there, and nobody knows
+ * where; inside the blank's outline a tool may run through.
  */
 export function behind(sweep: Sweep, rear: RearEnd): Ring[] {
   const meets = sweep.pieces.some(({ box }) => box.left < rear.z - MEETS && box.low < rear.outside - MEETS);
@@ -33,7 +33,10 @@ const lastOf = ({ z }: RearEnd): Box => ({ left: z, right: z + LEAST_HELD, low: 
 /** The largest radius of an area there, mm. */
 const outsideAt = (area: readonly Ring[], rear: RearEnd): number => boxAround(inBox(area, lastOf(rear))).high;
 
-/** Where the outside of a blank is turned away to the very end at which it is held, a point there; null: something is left to hold. */
+/**
+ * Where the outside of a blank is turned away to the very end at which it is held, a point there; null: something is
+ * left to hold.
+ */
 export function unheldAt(blank: readonly Ring[], stock: readonly Ring[], rear: RearEnd | null): Pt | null {
   if (!rear || areaOf(stock) === 0 || outsideAt(stock, rear) >= outsideAt(blank, rear) - MEETS) return null;
   return placeIn(inBox(stock, lastOf(rear))[0] ?? []);

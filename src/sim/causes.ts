@@ -11,7 +11,10 @@ export interface ProofIssue {
 /** Questions about a dimension of the drawing whose sign or order is impossible. */
 export const QUESTIONS: ReadonlySet<string> = new Set<Code>(["endInFront", "endsExchanged"]);
 
-/** What follows where an error of values, tool or plan kept an operation from its path: that error has been reported by the run. */
+/**
+ * What follows where an error of values, tool or plan kept an operation from its path: that error has been reported by
+ * the run.
+ */
 const FOLLOWS_FAILURE: readonly Code[] = ["nothingCut", "airPasses", "materialLeft"];
 /** What follows where a dimension is questioned: all that tool and stock say to it, damage aside. */
 const FOLLOWS_QUESTION: ReadonlySet<string> = new Set<Code>([
@@ -43,7 +46,9 @@ export interface Explained {
 }
 const NONE: Explained = { failed: new Set(), questioned: new Set() };
 
-/** What follows from a finding at the same operation, or at the same block outside operations: the cause alone is told. */
+/**
+ * What follows from a finding at the same operation, or at the same block outside operations: the cause alone is told.
+ */
 const FOLLOWS: Readonly<Partial<Record<Code, readonly Code[]>>> = {
   cutOnLoosePiece: ["nothingCut", "airPasses", "deeperThanInfeed", "materialLeft"],
   threadOverruns: ["gouge", "rapidInStock", "holderContact", "deeperThanInfeed"],
@@ -58,14 +63,19 @@ const isRapidAlike = ({ issue, step }: ProofIssue, other: ProofIssue): boolean =
   issue.code === "gouge" && other.issue.code === "rapidInStock" && other.step === step;
 
 const isExplained = ({ issue, operation }: ProofIssue, { failed, questioned }: Explained): boolean =>
-  operation !== null
-  && ((failed.has(operation) && FOLLOWS_FAILURE.includes(issue.code)) || (questioned.has(operation) && followsQuestion(issue.code)));
+  operation !== null &&
+  ((failed.has(operation) && FOLLOWS_FAILURE.includes(issue.code)) ||
+    (questioned.has(operation) && followsQuestion(issue.code)));
 
 /** Findings without those that follow from another one, or from what the run has said of their operation. */
 export const causesAlone = (found: readonly ProofIssue[], explained: Explained = NONE): ProofIssue[] =>
-  found.filter((f) =>
-    !isExplained(f, explained)
-    && !found.some((cause) =>
-      cause !== f && (isRapidAlike(f, cause) || (sameWork(f, cause) && FOLLOWS[cause.issue.code]?.includes(f.issue.code) === true))
-    )
+  found.filter(
+    (f) =>
+      !isExplained(f, explained) &&
+      !found.some(
+        (cause) =>
+          cause !== f &&
+          (isRapidAlike(f, cause) ||
+            (sameWork(f, cause) && FOLLOWS[cause.issue.code]?.includes(f.issue.code) === true)),
+      ),
   );

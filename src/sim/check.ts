@@ -43,12 +43,16 @@ export interface Against {
 }
 
 /** The tool stands where a rapid has brought it: what it meets there the rapid has run into. */
-const broughtTo = (step: Step): Step => ({ ...step, move: { kind: "rapid", phase: "position", run: "rough", step: 0, to: step.from } });
+const broughtTo = (step: Step): Step => ({
+  ...step,
+  move: { kind: "rapid", phase: "position", run: "rough", step: 0, to: step.from },
+});
 
 /** What goes wrong in a step, before its sweep is taken from the stock. */
 export function check(index: number, sweep: Sweep, cut: Cutting, against: Against): AnyFinding[] {
   const { steps, finished, hold, loose } = against;
-  const step = steps[index] as Step, outlines = against.outlines(step.tool);
+  const step = steps[index] as Step,
+    outlines = against.outlines(step.tool);
   const found: AnyFinding[] = [];
   const report = (
     kind: AnyFinding["kind"],
@@ -80,7 +84,8 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
   // The quick look joins many pieces at once; what it finds is looked at again in the stock itself.
   const sure = (area: Ring[]) => (area.length === 0 ? area : real(intersection(cut.stock(), area)));
   const touches = near(sweep, now.meets).length > 0;
-  const met = step.broughtBy === undefined ? [] : sure(real(inStock([sweptBy(outlines.checked, broughtTo(step))], now)));
+  const met =
+    step.broughtBy === undefined ? [] : sure(real(inStock([sweptBy(outlines.checked, broughtTo(step))], now)));
   if (step.broughtBy !== undefined) report("rapidInStock", met, { block: step.broughtBy, operation: null });
   if (touches && step.move.kind === "rapid") {
     const taken = sure(real(inStock([sweep], now)));
@@ -99,8 +104,16 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
   }
   report("holderContact", sure(holderHits(step, outlines, now)));
   if (hold && !against.isClamped)
-    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, hold.rear), { ...step, rear: hold.rear.z });
-  if (loose && step.move.kind !== "rapid" && sweep.pieces.some((p) => loose.edges.meets(p)) && worksOn(loose, index, cut, against))
+    report(step.move.kind === "rapid" ? "rapidBehindBlank" : "feedBehindBlank", behind(sweep, hold.rear), {
+      ...step,
+      rear: hold.rear.z,
+    });
+  if (
+    loose &&
+    step.move.kind !== "rapid" &&
+    sweep.pieces.some((p) => loose.edges.meets(p)) &&
+    worksOn(loose, index, cut, against)
+  )
     report("cutOnLoosePiece", real(intersection(loose.rings, sweep.rings)));
   if (step.move.kind === "rapid") return found;
   if (touches && step.idle) report("spindleStopped", sure(real(inStock([sweep], now))));

@@ -22,8 +22,8 @@ const met = ({ rings }: ClampBody, sweeps: readonly Sweep[]): Ring[] =>
   real(intersection(rings, merged(sweeps.flatMap((sweep) => sweep.rings))));
 
 /**
- * Where tools and holders meet what the work is held by, in any move: the bodies stand as they are whatever has been cut, so nothing of
- * the stock is asked. After as many contacts as are looked for in the stock nobody looks any more.
+ * Where tools and holders meet what the work is held by, in any move: the bodies stand as they are whatever has been
+ * cut, so nothing of the stock is asked. After as many contacts as are looked for in the stock nobody looks any more.
  */
 export function clampContacts(
   steps: readonly Step[],
@@ -37,7 +37,10 @@ export function clampContacts(
   for (const [index, step] of steps.entries()) {
     if (found.length >= MOST_CONTACTS) break;
     const { checked, holder } = outlines(step.tool);
-    for (const [by, parts] of [["tool", [checked]], ["holder", holder]] as const) {
+    for (const [by, parts] of [
+      ["tool", [checked]],
+      ["holder", holder],
+    ] as const) {
       const boxes = parts.map((part) => sweptBox(part, step));
       const near = asked.filter(({ box }) => boxes.some((swept) => swept && !apart(swept, box)));
       if (near.length === 0) continue;
@@ -47,7 +50,14 @@ export function clampContacts(
         const rings = met(body, sweeps);
         if (rings.length === 0) continue;
         const at = { step: index, block: step.block, operation: step.operation, place: placeIn(largest(rings)) };
-        found.push({ kind: "clampContact", clamp: { part: body.part, by }, ...at, area: areaOf(rings), rings, moves: 1 });
+        found.push({
+          kind: "clampContact",
+          clamp: { part: body.part, by },
+          ...at,
+          area: areaOf(rings),
+          rings,
+          moves: 1,
+        });
       }
     }
   }

@@ -17,11 +17,15 @@ const loose = (area: number, ...rings: Ring[]): LoosePiece => ({
 const proofWith = (...pieces: LoosePiece[]) => ({ loose: pieces }) as unknown as Proof;
 
 describe("pieces that a run leaves", () => {
-  const bar = box(-80, 0, -33.5, 15.2), part = box(-31.4, 4.1, 0, 14.9), chip = box(0, 10, 0.5, 11.1);
+  const bar = box(-80, 0, -33.5, 15.2),
+    part = box(-31.4, 4.1, 0, 14.9),
+    chip = box(0, 10, 0.5, 11.1);
 
   test("the chuck holds what stands; what came off is the largest first, and a chip is no piece", () => {
     const small = box(-10, 0, 0, 3);
-    expect(leftPieces({ final: [bar], proof: proofWith(loose(30, small), loose(339, part), loose(0.55, chip)) })).toEqual({
+    expect(
+      leftPieces({ final: [bar], proof: proofWith(loose(30, small), loose(339, part), loose(0.55, chip)) }),
+    ).toEqual({
       held: [bar],
       off: [[part], [small]],
     });

@@ -34,7 +34,10 @@ const around = (a: Box, b: Box): Box => ({
   high: Math.max(a.high, b.high),
 });
 
-/** A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, as a clamping stays, and finds it again. */
+/**
+ * A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, as a clamping stays, and
+ * finds it again.
+ */
 const staysThere = (f: AnyFinding) => f.kind === "holderContact" || f.kind === "clampContact";
 
 /** What goes on over several blocks: a groove is cut in more than one. */
@@ -51,8 +54,8 @@ function groupOf(f: AnyFinding): string {
 }
 
 /**
- * Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches, however
- * it goes on.
+ * Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches,
+ * however it goes on.
  */
 export function collector(): Collector {
   const kept: Kept[] = [];
@@ -81,8 +84,9 @@ export function collector(): Collector {
         const key = groupOf(f);
         const group = groups.get(key) ?? [];
         const box = boxAround(f.rings);
-        const same = group.find((k) => f.idle !== undefined || gapBetween(k.box, box) <= SAME_PLACE)
-          ?? (kept.length >= MOST ? last.get(f.kind) : undefined);
+        const same =
+          group.find((k) => f.idle !== undefined || gapBetween(k.box, box) <= SAME_PLACE) ??
+          (kept.length >= MOST ? last.get(f.kind) : undefined);
         if (same) join(same, f, box);
         else {
           const fresh = { finding: f, box, largest: f.area, many: RINGS };

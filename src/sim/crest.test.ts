@@ -33,7 +33,11 @@ describe("a crest is missing", () => {
   test("where the shaft is thinner than the thread by more than a tenth of its depth", () => {
     expect(crestMissing(outside, [shaft(20)])).toBeNull();
     expect(crestMissing(outside, [shaft(19.89)])).toBeNull();
-    expect(crestMissing(outside, [shaft(19.87)])).toMatchObject({ missing: expect.closeTo(0.13, 9), r: 20, inFace: false });
+    expect(crestMissing(outside, [shaft(19.87)])).toMatchObject({
+      missing: expect.closeTo(0.13, 9),
+      r: 20,
+      inFace: false,
+    });
     // Thinner than the root: nothing will be cut, and the same is right.
     expect(crestMissing(outside, [shaft(15)])).toMatchObject({ missing: expect.closeTo(5, 9), r: 20 });
     expect(crestMissing(outside, [])).toBeNull();
@@ -47,7 +51,17 @@ describe("a crest is missing", () => {
   });
 
   test("not at a chamfer and a relief, but over more than half of the thread", () => {
-    const chamfered: Ring = [at(-60, 0), at(0, 0), at(0, 18), at(-2, 20), at(-18, 20), at(-18, 18), at(-25, 18), at(-25, 20), at(-60, 20)];
+    const chamfered: Ring = [
+      at(-60, 0),
+      at(0, 0),
+      at(0, 18),
+      at(-2, 20),
+      at(-18, 20),
+      at(-18, 18),
+      at(-25, 18),
+      at(-25, 20),
+      at(-60, 20),
+    ];
     expect(crestMissing(outside, [chamfered])).toBeNull();
     const stepped = (z: number): Ring => [at(-60, 0), at(0, 0), at(0, 19), at(z, 19), at(z, 20), at(-60, 20)];
     expect(crestMissing(outside, [stepped(-10)])).toBeNull();
@@ -56,14 +70,24 @@ describe("a crest is missing", () => {
 
   test("not where its grooves are there already, and what stands between them counts", () => {
     const grooves = (r: number): Pt[] =>
-      Array.from({ length: 12 }, (_, k) => [at(-2 * k - 0.1, r), at(-2 * k - 1, r - DEPTH), at(-2 * k - 1.9, r)]).flat();
+      Array.from({ length: 12 }, (_, k) => [
+        at(-2 * k - 0.1, r),
+        at(-2 * k - 1, r - DEPTH),
+        at(-2 * k - 1.9, r),
+      ]).flat();
     expect(crestMissing(outside, [shaft(20, ...grooves(20))])).toBeNull();
     expect(crestMissing(outside, [shaft(19.5, ...grooves(19.5))])).toMatchObject({ missing: expect.closeTo(0.5, 9) });
   });
 
   test("of a cone and of a face as well, whichever way they run", () => {
     const cone = planOf([at(-24, 21.2), at(0, 20)], at(0, 1));
-    const turnedTo = (less: number): Ring => [at(-60, 0), at(0, 0), at(0, 20 - less), at(-24, 21.2 - less), at(-60, 21.2 - less)];
+    const turnedTo = (less: number): Ring => [
+      at(-60, 0),
+      at(0, 0),
+      at(0, 20 - less),
+      at(-24, 21.2 - less),
+      at(-60, 21.2 - less),
+    ];
     expect(crestMissing(cone, [turnedTo(0)])).toBeNull();
     const { missing, r } = crestMissing(cone, [turnedTo(0.6)]) ?? {};
     // The window of a pitch sees the higher side of it.
@@ -91,8 +115,25 @@ describe("damage behind the end of a thread", () => {
     isQuestioned: false,
   };
   function told(place: Pt, thread: ThreadWay | null) {
-    const finding: StockFinding = { kind: "gouge", step: 3, block: 18, operation: 0, place, area: 1.5, rings: [], moves: 2 };
-    const proof = { operations: [{ ...none, thread }], residual: [], stated: [], unlooked: null, remarks: [], loose: [], unheld: null };
+    const finding: StockFinding = {
+      kind: "gouge",
+      step: 3,
+      block: 18,
+      operation: 0,
+      place,
+      area: 1.5,
+      rings: [],
+      moves: 2,
+    };
+    const proof = {
+      operations: [{ ...none, thread }],
+      residual: [],
+      stated: [],
+      unlooked: null,
+      remarks: [],
+      loose: [],
+      unheld: null,
+    };
     return stockIssues({ findings: [finding], proof } as unknown as Parameters<typeof stockIssues>[0])[0]?.issue;
   }
   const way: ThreadWay = { crest: outside.thread?.crest ?? [], stop: at(-26, 18.8), openSide: at(0, 1) };

@@ -34,7 +34,10 @@ function heightsOver(
     ring.forEach((p, i) => {
       const q = ring[(i + 1) % ring.length] as Place;
       const [a, b] = p[0] <= q[0] ? [p, q] : [q, p];
-      const [first, last] = [Math.max(0, Math.floor((a[0] - from) / each)), Math.min(count - 1, Math.floor((b[0] - from) / each))];
+      const [first, last] = [
+        Math.max(0, Math.floor((a[0] - from) / each)),
+        Math.min(count - 1, Math.floor((b[0] - from) / each)),
+      ];
       for (let k = first; k <= last; k += 1)
         for (const u of [Math.max(a[0], from + k * each), Math.min(b[0], from + (k + 1) * each)])
           look(u, b[0] - a[0] < SAME ? Math.max(a[1], b[1]) : a[1] + ((b[1] - a[1]) * (u - a[0])) / (b[0] - a[0]), k);
@@ -43,8 +46,8 @@ function heightsOver(
 }
 
 /**
- * How much of the crest a thread has not got, before its first pass: a shaft that is too thin for it, a bore that is too wide. Of grooves
- * that are there already the material beside them counts.
+ * How much of the crest a thread has not got, before its first pass: a shaft that is too thin for it, a bore that is
+ * too wide. Of grooves that are there already the material beside them counts.
  */
 export function crestMissing({ thread, openSide }: Plan, stock: readonly Ring[]): MissingCrest | null {
   const depth = thread?.depths.at(-1);
@@ -55,7 +58,11 @@ export function crestMissing({ thread, openSide }: Plan, stock: readonly Ring[])
   const [from, to] = [place(points[0] as Pt)[0], place(points.at(-1) as Pt)[0]];
   const each = Math.max(thread.pitch / PLACES.perPitch, (to - from) / PLACES.most);
   const count = Math.max(1, Math.floor((to - from) / each));
-  const over = heightsOver(points.map(place), stock.map((ring) => ring.map(place)), [from, (to - from) / count, count]);
+  const over = heightsOver(
+    points.map(place),
+    stock.map((ring) => ring.map(place)),
+    [from, (to - from) / count, count],
+  );
   const beside = Math.ceil(thread.pitch / 2 / each);
   const highest = Array.from(over, (_, i) => Math.max(...over.subarray(Math.max(0, i - beside), i + beside + 1)));
   const missing = highest.map((h, i) => ({ i, by: -h })).filter(({ by }) => by > TOLD * depth + SAME);

@@ -18,35 +18,52 @@ const blank: Ring = [at(-50, 0), at(0, 0), at(0, 30), at(-50, 30)];
 const { insert } = outlinesOf()(tool);
 const stepsThrough = (points: readonly (readonly [number, number])[]): Step[] =>
   points.slice(1).map(([z, r], i): Step => {
-    const move: Move = { kind: "feed", to: at(z, r), feed: feed(0.2), feedUnit: "mm/rev", phase: "rough", run: "rough", step: 1 };
+    const move: Move = {
+      kind: "feed",
+      to: at(z, r),
+      feed: feed(0.2),
+      feedUnit: "mm/rev",
+      phase: "rough",
+      run: "rough",
+      step: 1,
+    };
     return { from: at(...(points[i] as [number, number])), move, tool, block: i, operation: null, seconds: 1 };
   });
 const ways = fc.array(fc.tuple(mm(-55, 5), mm(-4, 36)), { minLength: 2, maxLength: 40 });
 
 test("a stock made up anew again and again is the blank less all that was swept, to rounding", () => {
-  fc.assert(fc.property(ways, (points) => {
-    const steps = stepsThrough(points);
-    const cut = cutting([blank]);
-    steps.forEach((s) => cut.add(sweptBy(insert, s)));
-    const once = difference([blank], steps.flatMap((s) => sweepOf(insert, s)));
-    const { base, gone } = cut.present();
-    for (const stock of [cut.stock(), difference(base, gone)])
-      expect(areaOf(difference(once, stock)) + areaOf(difference(stock, once))).toBeLessThan(0.02);
-  }), { numRuns: 60 });
+  fc.assert(
+    fc.property(ways, (points) => {
+      const steps = stepsThrough(points);
+      const cut = cutting([blank]);
+      steps.forEach((s) => cut.add(sweptBy(insert, s)));
+      const once = difference(
+        [blank],
+        steps.flatMap((s) => sweepOf(insert, s)),
+      );
+      const { base, gone } = cut.present();
+      for (const stock of [cut.stock(), difference(base, gone)])
+        expect(areaOf(difference(once, stock)) + areaOf(difference(stock, once))).toBeLessThan(0.02);
+    }),
+    { numRuns: 60 },
+  );
 });
 
 test("whoever asks in between, the stock is the same to the last bit, and what was given before does not change", () => {
-  fc.assert(fc.property(ways, (points) => {
-    const [quiet, asked] = [cutting([blank]), cutting([blank])];
-    const given: [() => readonly Ring[], string][] = [];
-    for (const s of stepsThrough(points)) {
-      quiet.add(sweptBy(insert, s));
-      const now = asked.present();
-      given.push([() => difference(now.base, now.gone), JSON.stringify(difference(now.base, now.gone))]);
-      asked.stock(sweptBy(insert, s, 0.5));
-      asked.add(sweptBy(insert, s));
-    }
-    expect(asked.stock()).toEqual(quiet.stock());
-    for (const [again, before] of given) expect(JSON.stringify(again())).toBe(before);
-  }), { numRuns: 30 });
+  fc.assert(
+    fc.property(ways, (points) => {
+      const [quiet, asked] = [cutting([blank]), cutting([blank])];
+      const given: [() => readonly Ring[], string][] = [];
+      for (const s of stepsThrough(points)) {
+        quiet.add(sweptBy(insert, s));
+        const now = asked.present();
+        given.push([() => difference(now.base, now.gone), JSON.stringify(difference(now.base, now.gone))]);
+        asked.stock(sweptBy(insert, s, 0.5));
+        asked.add(sweptBy(insert, s));
+      }
+      expect(asked.stock()).toEqual(quiet.stock());
+      for (const [again, before] of given) expect(JSON.stringify(again())).toBe(before);
+    }),
+    { numRuns: 30 },
+  );
 });

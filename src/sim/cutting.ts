@@ -9,7 +9,9 @@ const GROUP = 4;
 /** Points swept that may wait before they are taken from the stock, beside as many as that stock has. */
 const RECENT = 40;
 
-/** Rings that are merged in groups of groups as they come. The same rings in the same order always give the same areas. */
+/**
+ * Rings that are merged in groups of groups as they come. The same rings in the same order always give the same areas.
+ */
 function heap(levels: Ring[][][] = [[]]) {
   /** levels[0] are single rings; each entry of levels[n] is GROUP entries of levels[n - 1] merged. */
   function keep(entry: Ring[], level: number): void {
@@ -19,7 +21,11 @@ function heap(levels: Ring[][][] = [[]]) {
     levels[level] = [];
     keep(union(entries.flat()), level + 1);
   }
-  return { add: (ring: Ring) => keep([ring], 0), all: () => levels.flat(2), copy: () => heap(levels.map((entries) => [...entries])) };
+  return {
+    add: (ring: Ring) => keep([ring], 0),
+    all: () => levels.flat(2),
+    copy: () => heap(levels.map((entries) => [...entries])),
+  };
 }
 
 /** Rings as one area, merged group by group. */
@@ -54,9 +60,9 @@ export function near(sweep: Sweep, meets: Present["meets"]): readonly Ring[] {
 const pointsOf = (rings: readonly Ring[]) => rings.reduce((sum, ring) => sum + ring.length, 0);
 
 /**
- * Stock that is being cut: an area, and what has been swept since that was made up. It is made up anew after so many points,
- * so that little is left to take away for those who ask. The same sweeps added in the same order always give the same stock,
- * to the last bit.
+ * Stock that is being cut: an area, and what has been swept since that was made up. It is made up anew after so many
+ * points, so that little is left to take away for those who ask. The same sweeps added in the same order always give
+ * the same stock, to the last bit.
  */
 export interface Cutting {
   /** The stock it began with. */

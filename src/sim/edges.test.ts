@@ -17,22 +17,28 @@ const mm = fc.integer({ min: -20_000, max: 20_000 }).map((n) => n / 1000);
 const spot = fc.tuple(mm, mm).map(([z, r]) => at(z, r));
 const areas = fc.array(spot, { minLength: 3, maxLength: 40 }).map((ring) => union([ring]));
 /** A regular convex polygon, counter-clockwise. */
-const convex = fc.tuple(mm, mm, fc.integer({ min: 3, max: 12 }), fc.integer({ min: 100, max: 8000 })).map(([z, r, count, size]): Ring =>
-  Array.from({ length: count }, (_, i) => {
-    const a = (2 * Math.PI * (i + 0.3)) / count;
-    return at(z + (size / 1000) * Math.cos(a), r + (size / 1000) * Math.sin(a));
-  })
-);
+const convex = fc
+  .tuple(mm, mm, fc.integer({ min: 3, max: 12 }), fc.integer({ min: 100, max: 8000 }))
+  .map(([z, r, count, size]): Ring =>
+    Array.from({ length: count }, (_, i) => {
+      const a = (2 * Math.PI * (i + 0.3)) / count;
+      return at(z + (size / 1000) * Math.cos(a), r + (size / 1000) * Math.sin(a));
+    }),
+  );
 
 test("a piece that has area in common with an area meets it, and one that is clear of it does not", () => {
-  fc.assert(fc.property(areas, convex, (area, piece) => {
-    const common = areaOf(intersection(area, [piece]));
-    const meets = sidesOf(area).meets(convexPieceOf(piece));
-    if (common > 0.01) expect(meets).toBe(true);
-    if (!meets) expect(common).toBeLessThan(0.01);
-    // A needle that ends in the piece has less in common with it than the polygon engine's grid shows: clear is what keeps its distance.
-    if (areaOf(intersection(offset(area, 0.01), [piece])) === 0) expect(meets).toBe(false);
-  }), { numRuns: 1500 });
+  fc.assert(
+    fc.property(areas, convex, (area, piece) => {
+      const common = areaOf(intersection(area, [piece]));
+      const meets = sidesOf(area).meets(convexPieceOf(piece));
+      if (common > 0.01) expect(meets).toBe(true);
+      if (!meets) expect(common).toBeLessThan(0.01);
+      // A needle that ends in the piece has less in common with it than the polygon engine's grid shows: clear is what
+      // keeps its distance.
+      if (areaOf(intersection(offset(area, 0.01), [piece])) === 0) expect(meets).toBe(false);
+    }),
+    { numRuns: 1500 },
+  );
 });
 
 test("lying against an edge is not meeting", () => {
@@ -46,32 +52,46 @@ test("lying against an edge is not meeting", () => {
 });
 
 test("what lies in a box keeps its area under the non-zero rule", () => {
-  fc.assert(fc.property(areas, spot, spot, (area, a, b) => {
-    const [left, right, low, high] = [Math.min(a.z, b.z), Math.max(a.z, b.z) + 0.1, Math.min(a.r, b.r), Math.max(a.r, b.r) + 0.1];
-    const ring = box(left, low, right, high);
-    const [fast, exact] = [union(inBox(area, { left, right, low, high })), intersection(area, [ring])];
-    expect(Math.abs(areaOf(fast) - areaOf(exact))).toBeLessThan(0.01);
-  }), { numRuns: 500 });
+  fc.assert(
+    fc.property(areas, spot, spot, (area, a, b) => {
+      const [left, right, low, high] = [
+        Math.min(a.z, b.z),
+        Math.max(a.z, b.z) + 0.1,
+        Math.min(a.r, b.r),
+        Math.max(a.r, b.r) + 0.1,
+      ];
+      const ring = box(left, low, right, high);
+      const [fast, exact] = [union(inBox(area, { left, right, low, high })), intersection(area, [ring])];
+      expect(Math.abs(areaOf(fast) - areaOf(exact))).toBeLessThan(0.01);
+    }),
+    { numRuns: 500 },
+  );
 });
 
 test("the hull along a way is the convex hull of both ends", () => {
-  fc.assert(fc.property(convex, spot, spot, (outline, from, to) => {
-    const hull = hullAlong(outline, from, to);
-    const moved = (p: Pt): Ring => outline.map((q) => at(q.z + p.z, q.r + p.r));
-    const middle = moved(at((from.z + to.z) / 2, (from.r + to.r) / 2));
-    for (const part of [moved(from), moved(to), middle])
-      expect(Math.abs(areaOf(intersection([hull], [part])) - areaOf([part]))).toBeLessThan(0.01);
-    hull.forEach((p, i) => {
-      const [q, s] = [hull[(i + 1) % hull.length]!, hull[(i + 2) % hull.length]!];
-      expect((q.z - p.z) * (s.r - q.r) - (q.r - p.r) * (s.z - q.z)).toBeGreaterThan(-1e-9);
-    });
-  }), { numRuns: 500 });
+  fc.assert(
+    fc.property(convex, spot, spot, (outline, from, to) => {
+      const hull = hullAlong(outline, from, to);
+      const moved = (p: Pt): Ring => outline.map((q) => at(q.z + p.z, q.r + p.r));
+      const middle = moved(at((from.z + to.z) / 2, (from.r + to.r) / 2));
+      for (const part of [moved(from), moved(to), middle])
+        expect(Math.abs(areaOf(intersection([hull], [part])) - areaOf([part]))).toBeLessThan(0.01);
+      hull.forEach((p, i) => {
+        const [q, s] = [hull[(i + 1) % hull.length]!, hull[(i + 2) % hull.length]!];
+        expect((q.z - p.z) * (s.r - q.r) - (q.r - p.r) * (s.z - q.z)).toBeGreaterThan(-1e-9);
+      });
+    }),
+    { numRuns: 500 },
+  );
 });
 
 test("the place of a region lies inside it", () => {
-  fc.assert(fc.property(areas, (area) => {
-    for (const region of regionsOf(area, 0.05)) expect(isInside(region.outline, placeIn(region.outline))).toBe(true);
-  }), { numRuns: 500 });
+  fc.assert(
+    fc.property(areas, (area) => {
+      for (const region of regionsOf(area, 0.05)) expect(isInside(region.outline, placeIn(region.outline))).toBe(true);
+    }),
+    { numRuns: 500 },
+  );
 });
 
 test("regions know their holes", () => {

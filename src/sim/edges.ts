@@ -14,8 +14,12 @@ const MOST_COLUMNS = 1024;
 /** Builds the edge columns of an area. Cost grows with the number of its points only. */
 export function sidesOf(area: readonly Ring[]): Edges {
   const total = area.reduce((sum, ring) => sum + ring.length, 0);
-  const [z0, r0, z1, r1] = Array.from({ length: 4 }, () => new Float64Array(total)) as [Float64Array, Float64Array, Float64Array,
-    Float64Array];
+  const [z0, r0, z1, r1] = Array.from({ length: 4 }, () => new Float64Array(total)) as [
+    Float64Array,
+    Float64Array,
+    Float64Array,
+    Float64Array,
+  ];
   let count = 0;
   let [left, right] = [Infinity, -Infinity];
   for (const ring of area) {
@@ -117,7 +121,11 @@ export function sidesOf(area: readonly Ring[]): Edges {
       }
       // Above all edges and below all of them there is nothing.
       if (beside) return false;
-      const [p, q, s] = [ring[0] as Pt, ring[Math.floor(ring.length / 3)] as Pt, ring[Math.floor((2 * ring.length) / 3)] as Pt];
+      const [p, q, s] = [
+        ring[0] as Pt,
+        ring[Math.floor(ring.length / 3)] as Pt,
+        ring[Math.floor((2 * ring.length) / 3)] as Pt,
+      ];
       return holds((p.z + q.z + s.z) / 3, (p.r + q.r + s.r) / 3);
     },
   };

@@ -17,7 +17,8 @@ function besides(corners: readonly number[]): (readonly [number, number])[] {
   const out: (readonly [number, number])[] = [];
   let [first, last] = [sorted[0] ?? 0, sorted[0] ?? 0];
   const close = () => {
-    for (const a of first === last ? [first] : [first, last]) out.push([a - BESIDE, a - SLIVER], [a + BESIDE, a + SLIVER]);
+    for (const a of first === last ? [first] : [first, last])
+      out.push([a - BESIDE, a - SLIVER], [a + BESIDE, a + SLIVER]);
   };
   for (const a of sorted) {
     if (a - first > NEAR_CORNERS) {
@@ -31,8 +32,9 @@ function besides(corners: readonly number[]): (readonly [number, number])[] {
 }
 
 /**
- * The longest way that lies in an area along a direction, mm; gaps thinner than SLIVER do not end it, and what is thinner
- * than that across is passed over. Between two corners of the outlines it changes evenly, so it is longest beside one.
+ * The longest way that lies in an area along a direction, mm; gaps thinner than SLIVER do not end it, and what is
+ * thinner than that across is passed over. Between two corners of the outlines it changes evenly, so it is longest
+ * beside one.
  */
 export function deepestAlong(area: readonly Ring[], direction: { readonly z: number; readonly r: number }): number {
   const up = Math.abs(direction.r) >= Math.abs(direction.z);
@@ -48,7 +50,11 @@ export function deepestAlong(area: readonly Ring[], direction: { readonly z: num
     return most;
   };
   const pairs = besides(area.flatMap((ring) => ring.map((p) => p[across]))).sort(([a], [b]) => a - b);
-  const depths = scanCrossings(area, along, pairs.map(([near]) => near)).map(longest);
+  const depths = scanCrossings(
+    area,
+    along,
+    pairs.map(([near]) => near),
+  ).map(longest);
   const order = depths.map((_, i) => i).sort((i, k) => (depths[k] ?? 0) - (depths[i] ?? 0));
   let deepest = 0;
   for (const i of order) {
@@ -65,8 +71,8 @@ const GRATING = 0.25;
 const MOST_LINES = 4000;
 
 /**
- * False when surely no circle of a diameter (mm) fits into an area. One that fits meets three lines in a row, the middle one
- * within half a space of its centre, and each of them in the whole of the shortest chord that this leaves.
+ * False when surely no circle of a diameter (mm) fits into an area. One that fits meets three lines in a row, the
+ * middle one within half a space of its centre, and each of them in the whole of the shortest chord that this leaves.
  */
 export function hasRoomFor(area: readonly Ring[], diameter: number): boolean {
   const box = boxAround(area);
@@ -75,7 +81,11 @@ export function hasRoomFor(area: readonly Ring[], diameter: number): boolean {
   const chord = diameter * Math.sqrt(1 - (3 * GRATING) ** 2) - 2 * BESIDE;
   const count = Math.ceil((box.right - box.left) / space) + 1;
   if (!(count < MOST_LINES)) return true;
-  const lines = scanCrossings(area, "r", Array.from({ length: count }, (_, i) => box.left + i * space));
+  const lines = scanCrossings(
+    area,
+    "r",
+    Array.from({ length: count }, (_, i) => box.left + i * space),
+  );
   const common = (a: readonly number[], b: readonly number[]): number[] => {
     const out: number[] = [];
     for (let i = 0; i + 1 < a.length; i += 2)

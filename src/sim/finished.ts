@@ -5,7 +5,8 @@ import { madeOf } from "./made.ts";
 import type { SimulatedOperation, Simulation } from "./simulation.ts";
 
 /** Everything that the operations together take away when they are perfect. */
-export const machiningArea = (operations: readonly SimulatedOperation[]): Ring[] => union(operations.map((o) => o.plan.area));
+export const machiningArea = (operations: readonly SimulatedOperation[]): Ring[] =>
+  union(operations.map((o) => o.plan.area));
 
 /**
  * The finished part as far as the operations know it, shrunk by SLIVER because tools and contours both carry a chord

@@ -4,30 +4,42 @@ import { boxAround } from "../kernel/area/box.ts";
 import { at, type Ring } from "../kernel/geometry/point.ts";
 import { brokenApart, holdOf, sameHold } from "./held.ts";
 
-const box = (
-  left: number,
-  low: number,
-  right: number,
-  high: number,
-): Ring => [at(left, low), at(right, low), at(right, high), at(left, high)];
+const box = (left: number, low: number, right: number, high: number): Ring => [
+  at(left, low),
+  at(right, low),
+  at(right, high),
+  at(left, high),
+];
 const OUTSIDE: Clamping = { kind: "chuckOutside", diameter: 60, length: 20, face: -60, size: 200 };
-const CENTRES: Clamping = { kind: "centres", diameter: 20, length: 0, face: -80, tailstock: { quill: 40, tip: -2, angle: 60 } };
+const CENTRES: Clamping = {
+  kind: "centres",
+  diameter: 20,
+  length: 0,
+  face: -80,
+  tailstock: { quill: 40, tip: -2, angle: 60 },
+};
 
 /** How far from the axis pieces of a stock begin that are held, and others. */
 function parted(blank: readonly Ring[], clamping: Clamping | null, stock: readonly Ring[]) {
   const hold = holdOf(blank, clamping) ?? expect.fail("a blank");
   const apart = brokenApart(stock, hold);
-  return apart && {
-    held: apart.held.map((ring) => boxAround([ring]).low),
-    loose: apart.loose.map(({ outline }) => boxAround([outline]).low),
-  };
+  return (
+    apart && {
+      held: apart.held.map((ring) => boxAround([ring]).low),
+      loose: apart.loose.map(({ outline }) => boxAround([outline]).low),
+    }
+  );
 }
 
 describe("a core cut out of a bar through its whole length", () => {
-  const bar = [box(-80, 0, 0, 30)], core = box(-80, 0, 0, 10), tube = box(-80, 13, 0, 30), stock = [tube, core];
+  const bar = [box(-80, 0, 0, 30)],
+    core = box(-80, 0, 0, 10),
+    tube = box(-80, 13, 0, 30),
+    stock = [tube, core];
   test("nothing is stated: both reach the rear end and are held", () => expect(parted(bar, null, stock)).toBeNull());
-  test.each(["chuckOutside", "softJaws", "collet"] as const)("%s holds what is in its grip",
-    (kind) => expect(parted(bar, { ...OUTSIDE, kind }, stock)).toEqual({ held: [13], loose: [0] }));
+  test.each(["chuckOutside", "softJaws", "collet"] as const)("%s holds what is in its grip", (kind) =>
+    expect(parted(bar, { ...OUTSIDE, kind }, stock)).toEqual({ held: [13], loose: [0] }),
+  );
   test("jaws that do not reach the blank say nothing of what is held", () =>
     expect(parted(bar, { ...OUTSIDE, diameter: 80 }, stock)).toBeNull());
   test("where all in the grip is gone the rear end counts", () => {
@@ -37,12 +49,15 @@ describe("a core cut out of a bar through its whole length", () => {
 });
 
 test("jaws in a bore hold the wall, not the ring cut off round it", () => {
-  const tube = [box(-80, 20, 0, 40)], stock = [box(-80, 20, 0, 28), box(-80, 31, 0, 40)];
+  const tube = [box(-80, 20, 0, 40)],
+    stock = [box(-80, 20, 0, 28), box(-80, 31, 0, 40)];
   expect(parted(tube, { ...OUTSIDE, kind: "chuckInside", diameter: 40 }, stock)).toEqual({ held: [20], loose: [31] });
 });
 
 describe("a bar cut through", () => {
-  const bar = [box(-80, 0, 0, 30)], rear = box(-80, 0, -43, 30), front = box(-40, 0, 0, 30);
+  const bar = [box(-80, 0, 0, 30)],
+    rear = box(-80, 0, -43, 30),
+    front = box(-40, 0, 0, 30);
   const ends = (clamping: Clamping | null, stock: readonly Ring[] = [rear, front]) => {
     const apart = brokenApart(stock, holdOf(bar, clamping) ?? expect.fail("a blank"));
     return apart && { held: boxAround(apart.held), loose: boxAround(apart.loose.map(({ outline }) => outline)) };

@@ -38,7 +38,8 @@ export function holdOf(blank: readonly Ring[], clamping: Clamping | null): WorkH
 }
 
 /** What of a clamping says where it grips. */
-const gripOf = (c: Clamping | null) => c && [c.kind, c.diameter, c.length, c.face, c.kind === "centres" ? c.tailstock : null];
+const gripOf = (c: Clamping | null) =>
+  c && [c.kind, c.diameter, c.length, c.face, c.kind === "centres" ? c.tailstock : null];
 
 /** Whether two clampings hold a blank in the same places. */
 export const sameHold = (a: Clamping | null, b: Clamping | null): boolean =>
@@ -69,12 +70,13 @@ function atRear(regions: readonly Region[], rear: RearEnd): readonly Region[] {
 }
 
 /**
- * Parts a stock into what is held and what is loose; null where all of it hangs together. A clamping with nothing left in its grip has met
- * the tool, which is an error of its own: then the rear end counts.
+ * Parts a stock into what is held and what is loose; null where all of it hangs together. A clamping with nothing left
+ * in its grip has met the tool, which is an error of its own: then the rear end counts.
  */
 export function brokenApart(stock: readonly Ring[], { rear, zones }: WorkHold): Apart | null {
   if (stock.filter((ring) => areaOfRing(ring) > 0).length < 2) return null;
-  const regions = regionsOf(stock, 0), inGrip = zones ? gripped(regions, zones) : [];
+  const regions = regionsOf(stock, 0),
+    inGrip = zones ? gripped(regions, zones) : [];
   const held = new Set(inGrip.length > 0 ? inGrip : atRear(regions, rear));
   const isHeld = (region: Region) => held.has(region);
   const loose = regions.filter((region) => !isHeld(region));
@@ -99,16 +101,18 @@ export function loosePieces({ step, held, loose }: Parted, steps: readonly Step[
     const rings = ringsOf([region]);
     if (!by || region.area < REAL_AREA) return [];
     const shape = shapeOf(region, held);
-    return [{
-      step,
-      block: by.block,
-      operation: by.operation,
-      shape,
-      isPartedOff: shape === "piece" && (isBar(by.tool) || by.operation === null),
-      rings,
-      area: region.area,
-      place: placeIn(region.outline),
-    }];
+    return [
+      {
+        step,
+        block: by.block,
+        operation: by.operation,
+        shape,
+        isPartedOff: shape === "piece" && (isBar(by.tool) || by.operation === null),
+        rings,
+        area: region.area,
+        place: placeIn(region.outline),
+      },
+    ];
   });
 }
 
@@ -157,7 +161,8 @@ export function holding(blank: readonly Ring[], clamping: Clamping | null, befor
       return known.loose;
     },
     look(step, stock) {
-      const apart = hold && brokenApart(stock, hold), found = apart && { step, ...apart };
+      const apart = hold && brokenApart(stock, hold),
+        found = apart && { step, ...apart };
       if (found) parted.push(found);
       return found;
     },
@@ -169,21 +174,24 @@ export function holding(blank: readonly Ring[], clamping: Clamping | null, befor
 }
 
 /** The pieces in front of what is held, as areas: a part that is cut off the bar. */
-export const partsOff = ({ held, loose }: Parted): Ring[] => ringsOf(loose.filter((region) => shapeOf(region, held) === "piece"));
+export const partsOff = ({ held, loose }: Parted): Ring[] =>
+  ringsOf(loose.filter((region) => shapeOf(region, held) === "piece"));
 
 /** Less of a ring or slug than this part of it is left where a cut takes it away whole: nobody wants to turn it. */
 const TAKEN_WHOLE = 0.1;
 
 /**
- * A cut on loose pieces as far as it is one: the area that it would have taken of them. A ring or a slug that it would have taken whole is
- * what earlier cuts left standing.
+ * A cut on loose pieces as far as it is one: the area that it would have taken of them. A ring or a slug that it would
+ * have taken whole is what earlier cuts left standing.
  */
 export function onLoosePieces(finding: AnyFinding, pieces: readonly LoosePiece[]): AnyFinding[] {
-  const met = pieces.filter(({ step }) => step <= finding.step).flatMap((piece) => {
-    const taken = real(intersection(finding.rings, piece.rings));
-    const isWhole = piece.shape !== "piece" && areaOf(taken) > (1 - TAKEN_WHOLE) * piece.area;
-    return isWhole || taken.length === 0 ? [] : [{ taken, by: piece.block }];
-  });
+  const met = pieces
+    .filter(({ step }) => step <= finding.step)
+    .flatMap((piece) => {
+      const taken = real(intersection(finding.rings, piece.rings));
+      const isWhole = piece.shape !== "piece" && areaOf(taken) > (1 - TAKEN_WHOLE) * piece.area;
+      return isWhole || taken.length === 0 ? [] : [{ taken, by: piece.block }];
+    });
   const [first] = met;
   if (!first) return [];
   const rings = met.flatMap(({ taken }) => taken);
@@ -193,11 +201,13 @@ export function onLoosePieces(finding: AnyFinding, pieces: readonly LoosePiece[]
 /** A tip this near to the axis may part the work, mm. */
 const NEAR_AXIS = 2;
 /** Whether a motion outside cycles may part the work off by itself. */
-const mayPart = ({ tool, from, move }: Step): boolean => isBar(tool) || Math.min(Math.abs(from.r), Math.abs(move.to.r)) < NEAR_AXIS;
+const mayPart = ({ tool, from, move }: Step): boolean =>
+  isBar(tool) || Math.min(Math.abs(from.r), Math.abs(move.to.r)) < NEAR_AXIS;
 
 /**
- * Whether a cut ends before a step, so that it is looked at what still hangs together: behind an operation, and behind a run of feed
- * moves or of rapids that may part the work. Other cuts by hand are looked at together, behind the last one of their tool.
+ * Whether a cut ends before a step, so that it is looked at what still hangs together: behind an operation, and behind
+ * a run of feed moves or of rapids that may part the work. Other cuts by hand are looked at together, behind the last
+ * one of their tool.
  */
 export function cutEnds(steps: readonly Step[], index: number): boolean {
   const [before, next] = [steps[index - 1], steps[index]];

@@ -20,16 +20,22 @@ function rectangle(outline: Ring, points: readonly Pt[]): Ring {
   const [own, way] = [boxOf(outline), boxOf(points)];
   const [left, right] = [own.left + way.left, own.right + way.right];
   const [bottom, top] = [own.low + way.low, own.high + way.high];
-  return [[left, bottom], [right, bottom], [right, top], [left, top]].map(([z, r]) => ({ z, r }) as Pt);
+  return [
+    [left, bottom],
+    [right, bottom],
+    [right, top],
+    [left, top],
+  ].map(([z, r]) => ({ z, r }) as Pt);
 }
 
 /**
- * False when a holder surely touches nothing in a step: along each chord of the way what it covers meets no stock, but for what
- * the insert covers along the same chord, and nothing of it that does not follow behind the insert meets any. Asks the edges of
- * the stock only.
+ * False when a holder surely touches nothing in a step: along each chord of the way what it covers meets no stock, but
+ * for what the insert covers along the same chord, and nothing of it that does not follow behind the insert meets any.
+ * Asks the edges of the stock only.
  */
 export function mayTouch(step: Step, { holder, insert }: Outlines, now: Present): boolean {
-  const meets = (rings: readonly Ring[]) => rings.flatMap(turned).some((ring) => ring.length > 2 && now.meets(convexPieceOf(ring)));
+  const meets = (rings: readonly Ring[]) =>
+    rings.flatMap(turned).some((ring) => ring.length > 2 && now.meets(convexPieceOf(ring)));
   const points = waypoints(step, 1, HOLDER_CHORD);
   if (!points.every((p) => Number.isFinite(p.z) && Number.isFinite(p.r))) return false;
   return holder.some((part) => {
@@ -47,12 +53,14 @@ export function mayTouch(step: Step, { holder, insert }: Outlines, now: Present)
 }
 
 /**
- * The holder touches what neither the moves before nor this one, up to the same moment, have cut away. On a straight way the
- * insert is there first where a point of the holder lies behind it; on an arc it is looked at part by part.
+ * The holder touches what neither the moves before nor this one, up to the same moment, have cut away. On a straight
+ * way the insert is there first where a point of the holder lies behind it; on an arc it is looked at part by part.
  */
 export function holderContact(step: Step, outlines: Outlines, now: Present): Ring[] {
-  const sweeps = (parts: readonly Ring[], fraction = 1) => parts.map((part) => sweptBy(part, step, fraction, HOLDER_CHORD));
-  const swept = (parts: readonly Ring[], fraction?: number) => merged(sweeps(parts, fraction).flatMap(({ rings }) => rings));
+  const sweeps = (parts: readonly Ring[], fraction = 1) =>
+    parts.map((part) => sweptBy(part, step, fraction, HOLDER_CHORD));
+  const swept = (parts: readonly Ring[], fraction?: number) =>
+    merged(sweeps(parts, fraction).flatMap(({ rings }) => rings));
   const touched = inStock(sweeps(outlines.holder), now);
   if (areaOf(touched) < REAL_AREA) return [];
   const left = real(difference(touched, swept([outlines.insert])));

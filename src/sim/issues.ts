@@ -19,7 +19,9 @@ function overrun({ crest, stop, openSide }: ThreadWay, { place, area }: AnyFindi
   const beyond = (p: Pt) => (p.z - last.z) * z + (p.r - last.r) * r;
   if (beyond(place) <= 0) return null;
   const k = beyond(place) / -beyond(before);
-  const over = (place.z - last.z - k * (last.z - before.z)) * openSide.z + (place.r - last.r - k * (last.r - before.r)) * openSide.r;
+  const over =
+    (place.z - last.z - k * (last.z - before.z)) * openSide.z +
+    (place.r - last.r - k * (last.r - before.r)) * openSide.r;
   const along = (p: Pt) => (inFace ? toDiameter(p.r) : p.z);
   return issue("threadOverruns", "error", {
     meets: over > OVER_CREST ? "shoulder" : "shaft",
@@ -72,17 +74,30 @@ function fromLoose({ shape, isPartedOff, area, place, step, block, operation }: 
 const fromUnheld = ({ unheld }: Simulation["proof"]): ProofIssue[] => {
   if (!unheld) return [];
   const { place, rear, step, block, operation } = unheld;
-  return [{
-    issue: issue("behindBlank", "warning", { motion: "unheld", x: toDiameter(place.r), z: place.z, rear }),
-    step,
-    block,
-    operation,
-  }];
+  return [
+    {
+      issue: issue("behindBlank", "warning", { motion: "unheld", x: toDiameter(place.r), z: place.z, rear }),
+      step,
+      block,
+      operation,
+    },
+  ];
 };
 
 function fromResidual(r: Residual): ProofIssue {
-  const data = { reason: r.reason, area: r.area, x: toDiameter(r.place.r), z: r.place.z, ...(r.isAsked && { asked: true as const }) };
-  return { issue: issue("materialLeft", r.isAsked ? "info" : "warning", data), step: null, block: null, operation: r.operation };
+  const data = {
+    reason: r.reason,
+    area: r.area,
+    x: toDiameter(r.place.r),
+    z: r.place.z,
+    ...(r.isAsked && { asked: true as const }),
+  };
+  return {
+    issue: issue("materialLeft", r.isAsked ? "info" : "warning", data),
+    step: null,
+    block: null,
+    operation: r.operation,
+  };
 }
 
 /** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
@@ -105,11 +120,21 @@ function fromOperation(
     }
   for (const b of behindLimits) {
     const { area, place, finishing, limit } = b;
-    out.push(at(issue("cutBehindLimit", "warning", { area, x: toDiameter(place.r), z: place.z, finishing }, limit.at), b));
+    out.push(
+      at(issue("cutBehindLimit", "warning", { area, x: toDiameter(place.r), z: place.z, finishing }, limit.at), b),
+    );
   }
   if (crest) {
     const { missing, inFace, r } = crest;
-    out.push(at(issue("crestMissing", "warning", inFace ? { missing, z: crest.z } : { missing, diameter: toDiameter(radius(r)) })));
+    out.push(
+      at(
+        issue(
+          "crestMissing",
+          "warning",
+          inFace ? { missing, z: crest.z } : { missing, diameter: toDiameter(radius(r)) },
+        ),
+      ),
+    );
   }
   if (cut < REAL_AREA) out.push(at(issue("nothingCut", "warning", {})));
   else if (airPasses > 0) out.push(at(issue("airPasses", "info", { count: airPasses })));
@@ -119,35 +144,42 @@ function fromOperation(
 /** A blank that was stated after cuts: what it leaves out, or what it has though that has been cut. */
 const fromStated = ({ stated }: Simulation["proof"]): ProofIssue[] =>
   stated.flatMap(({ step, block, what, lacks, adds }) => {
-    const found = lacks > 0
-      ? issue("blankLacks", "warning", { what, area: lacks })
-      : adds > 0
-      ? issue("blankGone", "info", { what, area: adds })
-      : null;
+    const found =
+      lacks > 0
+        ? issue("blankLacks", "warning", { what, area: lacks })
+        : adds > 0
+          ? issue("blankGone", "info", { what, area: adds })
+          : null;
     return found ? [{ issue: found, step, block, operation: null }] : [];
   });
 
 const explainedIn = ({ operations }: Simulation["proof"]): Explained => {
-  const those = (of: (operation: OperationProof) => boolean) => new Set(operations.flatMap((each, i) => (of(each) ? [i] : [])));
+  const those = (of: (operation: OperationProof) => boolean) =>
+    new Set(operations.flatMap((each, i) => (of(each) ? [i] : [])));
   return { failed: those(({ hasFailed }) => hasFailed), questioned: those(({ isQuestioned }) => isQuestioned) };
 };
 
 /** Where the simulation no longer looked for contacts of moves. */
 const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
-  unlooked ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...unlooked, operation: null }] : [];
+  unlooked
+    ? [{ issue: issue("contactsUnlooked", "error", { limit: MOST_CONTACTS }), ...unlooked, operation: null }]
+    : [];
 
 /**
- * What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays; what follows from
- * another finding is left out. X is a diameter.
+ * What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays;
+ * what follows from another finding is left out. X is a diameter.
  */
 export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] =>
-  causesAlone([
-    ...simulation.findings.map((f) => fromFinding(f, simulation.proof.operations)),
-    ...simulation.proof.remarks.map((f) => fromFinding(f, simulation.proof.operations)),
-    ...simulation.proof.loose.map(fromLoose),
-    ...fromUnheld(simulation.proof),
-    ...fromUnlooked(simulation.proof),
-    ...fromStated(simulation.proof),
-    ...simulation.proof.operations.flatMap(fromOperation),
-    ...simulation.proof.residual.map(fromResidual),
-  ], explainedIn(simulation.proof));
+  causesAlone(
+    [
+      ...simulation.findings.map((f) => fromFinding(f, simulation.proof.operations)),
+      ...simulation.proof.remarks.map((f) => fromFinding(f, simulation.proof.operations)),
+      ...simulation.proof.loose.map(fromLoose),
+      ...fromUnheld(simulation.proof),
+      ...fromUnlooked(simulation.proof),
+      ...fromStated(simulation.proof),
+      ...simulation.proof.operations.flatMap(fromOperation),
+      ...simulation.proof.residual.map(fromResidual),
+    ],
+    explainedIn(simulation.proof),
+  );

@@ -22,7 +22,8 @@ function steps(count: number, kind: "rapid" | "feed"): Step[] {
   let from = at(2, 33);
   return Array.from({ length: count }, (_, i) => {
     const to = i % 2 === 0 ? at(-0.41 * ((i * 7) % 211), 29.3 - (i % 5) * 0.37) : at(-0.41 * ((i * 7) % 211), 33);
-    const move: Move = kind === "rapid" ? { kind, to, ...purpose } : { kind, to, feed: feed(0.2), feedUnit: "mm/rev", ...purpose };
+    const move: Move =
+      kind === "rapid" ? { kind, to, ...purpose } : { kind, to, feed: feed(0.2), feedUnit: "mm/rev", ...purpose };
     const step: Step = { from, move, tool, block: 10 + i, operation: null, seconds: 1 };
     from = to;
     return step;
@@ -63,8 +64,10 @@ test("beyond a thousand moves that do damage no more are looked at, and that is 
   expect(unlooked?.step).toBeGreaterThanOrEqual(MOST_CONTACTS);
   expect(unlooked?.block).toBe(10 + (unlooked?.step ?? 0));
   expect(s.findings.reduce((sum, f) => sum + f.moves, 0)).toBe(MOST_CONTACTS);
-  expect(stockIssues(s).filter((i) => i.issue.code === "contactsUnlooked")).toMatchObject([{
-    issue: { severity: "error" },
-    block: unlooked?.block,
-  }]);
+  expect(stockIssues(s).filter((i) => i.issue.code === "contactsUnlooked")).toMatchObject([
+    {
+      issue: { severity: "error" },
+      block: unlooked?.block,
+    },
+  ]);
 });

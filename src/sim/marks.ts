@@ -16,9 +16,9 @@ export interface StockMarks {
 }
 
 /**
- * Begins to mark, behind marks of which all stocks are kept. When the stocks have more points than are kept, every second one is let go,
- * and then only every second of those that follow is kept: seeking cuts a longer way again, and a run of any length fits into the same
- * memory.
+ * Begins to mark, behind marks of which all stocks are kept. When the stocks have more points than are kept, every
+ * second one is let go, and then only every second of those that follow is kept: seeking cuts a longer way again, and a
+ * run of any length fits into the same memory.
  */
 export function marksOf(before: readonly Checkpoint[] = [], most = MOST_POINTS): StockMarks {
   const marks = [...before];

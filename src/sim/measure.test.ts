@@ -13,7 +13,13 @@ import { playerOf } from "./stock.ts";
 
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
-const rapid = (z: number, r: number): Move => ({ kind: "rapid", to: at(z, r), phase: "position", run: "rough", step: 1 });
+const rapid = (z: number, r: number): Move => ({
+  kind: "rapid",
+  to: at(z, r),
+  phase: "position",
+  run: "rough",
+  step: 1,
+});
 const cut = (z: number, r: number, phase: Phase = "rough", pass?: number): Move => ({
   kind: "feed",
   to: at(z, r),
@@ -34,7 +40,15 @@ const rougher: Tool = {
   "P-ANGLE": degrees(80),
   CUTLENGTH: length(12),
 };
-const bar: Tool = { T: 9, NAME: "BAR-3", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(30) };
+const bar: Tool = {
+  T: 9,
+  NAME: "BAR-3",
+  TYPE: "RECTURN",
+  TO: 2,
+  RS: length(0.2),
+  CUTWIDTH: length(3),
+  CUTLENGTH: length(30),
+};
 const blank = [box(-50, 0, 0, 30)];
 
 const empty: Plan = {
@@ -75,12 +89,18 @@ describe("the real depth of a roughing pass", () => {
     expect(s.proof.deepest).toMatchObject({ allowed: 2, pass: 1, step: 0, block: 10 });
     expect(s.proof.deepest?.depth).toBeCloseTo(4.7, 2);
     const told = stockIssues(s).find((i) => i.issue.code === "deeperThanInfeed");
-    expect(told).toMatchObject({ operation: 0, block: 10, issue: { severity: "warning", data: { allowed: 2, pass: 1 } } });
+    expect(told).toMatchObject({
+      operation: 0,
+      block: 10,
+      issue: { severity: "warning", data: { allowed: 2, pass: 1 } },
+    });
   });
   test("a hair more than allowed is not told, nor anything without a limit", () => {
     expect(codes(run(rougher, at(2, 27.96), [cut(-30, 27.96, "rough", 1)]))).not.toContain("deeperThanInfeed");
     expect(codes(run(rougher, at(2, 27.9), [cut(-30, 27.9, "rough", 1)]))).toContain("deeperThanInfeed");
-    expect(codes(run(rougher, at(2, 20), [cut(-30, 20, "rough", 1)], { most: length(0) }))).not.toContain("deeperThanInfeed");
+    expect(codes(run(rougher, at(2, 20), [cut(-30, 20, "rough", 1)], { most: length(0) }))).not.toContain(
+      "deeperThanInfeed",
+    );
   });
   test("is measured along the axis in a transverse cycle", () => {
     const s = run(bar, at(-1.5, 32), [cut(-1.5, 10, "rough", 1)], { openSide: at(1, 0), most: length(2.5) });
@@ -94,7 +114,8 @@ describe("the real depth of a roughing pass", () => {
     expect(along(2.4).proof.deepest).toMatchObject({ allowed: 2.4, pass: 1 });
     expect(codes(along(2.4))).toContain("deeperThanInfeed");
     // Up a face, what lies in the direction of infeed is the whole face.
-    const face = (isParallel: boolean) => run(bar, at(-2, 10), [cut(-2, 31, "rough", 1)], { isParallel, most: length(3) });
+    const face = (isParallel: boolean) =>
+      run(bar, at(-2, 10), [cut(-2, 31, "rough", 1)], { isParallel, most: length(3) });
     expect(codes(face(true))).not.toContain("deeperThanInfeed");
     expect(codes(face(false))).toContain("deeperThanInfeed");
   });
@@ -133,7 +154,9 @@ test("passes in the air are counted once, however many moves they have; a pass o
     cut(-30, 32, "rough", 3),
   ]);
   expect(s.proof.airPasses).toBe(2);
-  expect(stockIssues(s)).toContainEqual(expect.objectContaining({ issue: { code: "airPasses", severity: "info", data: { count: 2 } } }));
+  expect(stockIssues(s)).toContainEqual(
+    expect.objectContaining({ issue: { code: "airPasses", severity: "info", data: { count: 2 } } }),
+  );
 });
 
 test("what is cut is what feed moves removed: neither rapids nor the same way again", () => {
@@ -169,14 +192,15 @@ describe("material behind a machining limit", () => {
   const plane = { at: "Q482", axis: "z", value: -21.3, behind: -1 } as const;
   const cylinder = { at: "Q480", axis: "r", value: 26.4, behind: 1 } as const;
   const behind = (s: ReturnType<typeof run>) => s.proof.operations[0]?.behindLimits ?? [];
-  const along = (
-    to: number,
-    phase: Phase,
-    then: "rough" | "finish" = "rough",
-  ): Move[] => [{ ...rapid(2, 27.7), run: then }, { ...cut(to, 27.7, phase, 1), run: then }, { ...rapid(to, 33), run: then }, {
-    ...rapid(2, 33),
-    run: then,
-  }];
+  const along = (to: number, phase: Phase, then: "rough" | "finish" = "rough"): Move[] => [
+    { ...rapid(2, 27.7), run: then },
+    { ...cut(to, 27.7, phase, 1), run: then },
+    { ...rapid(to, 33), run: then },
+    {
+      ...rapid(2, 33),
+      run: then,
+    },
+  ];
   test("is told at its limit, with the place and the move that took it", () => {
     const s = run(rougher, at(2, 33), [...along(-11.2, "rough"), ...along(-24.8, "rough")], { limits: [plane] });
     const [b] = behind(s);
@@ -185,29 +209,40 @@ describe("material behind a machining limit", () => {
     expect(b?.area).toBeLessThan(3.5 * 2.3 - 0.2);
     expect(b).toMatchObject({ step: 5, block: 15, finishing: false, limit: { at: "Q482" } });
     expect(b?.place.z).toBeLessThan(-21.3);
-    expect(stockIssues(s)).toContainEqual(expect.objectContaining({
-      block: 15,
-      issue: expect.objectContaining({ code: "cutBehindLimit", severity: "warning", at: "Q482" }) as unknown,
-    }));
+    expect(stockIssues(s)).toContainEqual(
+      expect.objectContaining({
+        block: 15,
+        issue: expect.objectContaining({ code: "cutBehindLimit", severity: "warning", at: "Q482" }) as unknown,
+      }),
+    );
   });
   test("is no news where the cut ends at the limit, beside it, or where nothing stood", () => {
     expect(behind(run(rougher, at(2, 33), along(-21.3, "rough"), { limits: [plane] }))).toEqual([]);
     expect(behind(run(rougher, at(2, 33), along(-24.8, "rough")))).toEqual([]);
-    expect(behind(run(rougher, at(2, 33), [rapid(2, 30.1), cut(-24.8, 30.1, "rough", 1)], { limits: [plane, cylinder] }))).toEqual([]);
+    expect(
+      behind(run(rougher, at(2, 33), [rapid(2, 30.1), cut(-24.8, 30.1, "rough", 1)], { limits: [plane, cylinder] })),
+    ).toEqual([]);
   });
   test("is no news as long as nobody would measure it: a tenth of a millimetre behind, however long", () => {
     const to = (z: number) => behind(run(rougher, at(2, 33), along(z, "rough"), { limits: [plane] }));
     expect(to(-21.393)).toEqual([]);
     expect(to(-21.407)).toMatchObject([{ limit: { at: "Q482" } }]);
     const cylinderAt = (value: number) =>
-      behind(run(rougher, at(2, 33), along(-24.8, "rough"), { limits: [{ at: "Q480", axis: "r", value, behind: -1 }] }));
+      behind(
+        run(rougher, at(2, 33), along(-24.8, "rough"), { limits: [{ at: "Q480", axis: "r", value, behind: -1 }] }),
+      );
     expect(cylinderAt(27.78)).toEqual([]);
     expect(cylinderAt(27.82)[0]?.area).toBeGreaterThan(24 * 0.1);
   });
   test("is told of every limit that was crossed, and whether roughing alone would leave it", () => {
     const both = run(rougher, at(2, 33), along(-24.8, "rough"), { limits: [plane, cylinder] });
-    expect(behind(both).map((b) => [b.limit.at, b.finishing])).toEqual([["Q482", false], ["Q480", false]]);
-    const finished = run(rougher, at(2, 33), [...along(-11.2, "rough"), ...along(-24.8, "finish", "finish")], { limits: [plane] });
+    expect(behind(both).map((b) => [b.limit.at, b.finishing])).toEqual([
+      ["Q482", false],
+      ["Q480", false],
+    ]);
+    const finished = run(rougher, at(2, 33), [...along(-11.2, "rough"), ...along(-24.8, "finish", "finish")], {
+      limits: [plane],
+    });
     expect(behind(finished).map((b) => b.finishing)).toEqual([true]);
     const alone = run(rougher, at(2, 33), along(-24.8, "finish", "finish"), { limits: [plane] });
     expect(behind(alone).map((b) => b.finishing)).toEqual([false]);
@@ -217,19 +252,36 @@ describe("material behind a machining limit", () => {
 describe("the other side of the axis", () => {
   const flipped = (m: Move): Move =>
     ({ ...m, to: at(m.to.z, -m.to.r), ...(m.kind === "arc" && { centre: at(m.centre.z, -m.centre.r) }) }) as Move;
-  const other = (TO: TipOrientation): TipOrientation => ({ 1: 7, 2: 6, 3: 5, 4: 4, 5: 3, 6: 2, 7: 1, 8: 8, 9: 9 } as const)[TO];
-  const moves = [rapid(-20, 27), rapid(-20, 33), rapid(-31, 33), cut(-31, 26, "rough", 1), cut(-12, 26, "rough", 1), rapid(-12, 40)];
+  const other = (TO: TipOrientation): TipOrientation =>
+    (({ 1: 7, 2: 6, 3: 5, 4: 4, 5: 3, 6: 2, 7: 1, 8: 8, 9: 9 }) as const)[TO];
+  const moves = [
+    rapid(-20, 27),
+    rapid(-20, 33),
+    rapid(-31, 33),
+    cut(-31, 26, "rough", 1),
+    cut(-12, 26, "rough", 1),
+    rapid(-12, 40),
+  ];
   const plan = { part: box(-50, 0, 0, 26.5), area: box(-50, 26.5, 0, 40) };
   test.each([rougher, bar])("sweeps what its mirror image sweeps: $NAME", (tool) => {
     const here = run(tool, at(-20, 35), moves, plan);
-    const there = run({ ...tool, TO: other(tool.TO) }, at(-20, -35), moves.map(flipped), { ...plan, openSide: at(0, -1) });
+    const there = run({ ...tool, TO: other(tool.TO) }, at(-20, -35), moves.map(flipped), {
+      ...plan,
+      openSide: at(0, -1),
+    });
     expect(areaOf(there.final)).toBeCloseTo(areaOf(here.final), 4);
     expect(here.findings.map((f) => f.kind)).toEqual(expect.arrayContaining(["rapidInStock", "gouge"]));
-    expect(there.findings.map((f) => [f.kind, f.step, f.moves])).toEqual(here.findings.map((f) => [f.kind, f.step, f.moves]));
-    for (const what of ["gouge", "rapidInStock", "cut"] as const) expect(there.proof[what]).toBeCloseTo(here.proof[what], 3);
+    expect(there.findings.map((f) => [f.kind, f.step, f.moves])).toEqual(
+      here.findings.map((f) => [f.kind, f.step, f.moves]),
+    );
+    for (const what of ["gouge", "rapidInStock", "cut"] as const)
+      expect(there.proof[what]).toBeCloseTo(here.proof[what], 3);
     expect(there.proof.deepest?.depth).toBeCloseTo(here.proof.deepest?.depth ?? 0, 3);
     for (const step of [0, 3, 4])
-      expect(areaOf(playerOf(there).at({ step, fraction: 0.6 }))).toBeCloseTo(areaOf(playerOf(here).at({ step, fraction: 0.6 })), 4);
+      expect(areaOf(playerOf(there).at({ step, fraction: 0.6 }))).toBeCloseTo(
+        areaOf(playerOf(here).at({ step, fraction: 0.6 })),
+        4,
+      );
   });
   test("a tool that crosses the axis clears both sides of its width, and no stock is below the axis", () => {
     const s = run(bar, at(-20, 32), [cut(-20, -12)]);
@@ -238,7 +290,16 @@ describe("the other side of the axis", () => {
       blank: [box(-50, 5, 0, 30)],
       operations: [],
       unproved: [],
-      steps: [{ from: at(-20, 0), move: cut(-20, -8), tool: { ...bar, CUTLENGTH: length(6) }, block: 1, operation: null, seconds: 1 }],
+      steps: [
+        {
+          from: at(-20, 0),
+          move: cut(-20, -8),
+          tool: { ...bar, CUTLENGTH: length(6) },
+          block: 1,
+          operation: null,
+          seconds: 1,
+        },
+      ],
     });
     expect(areaOf(madeOf(stub))).toBeCloseTo(50 * 25 - 3 * 3 + 2 * (1 - Math.PI / 4) * 0.04, 2);
     expect(stub.final.flat().every((p) => p.r >= 5)).toBe(true);
@@ -260,14 +321,24 @@ describe("one cause is one finding", () => {
     expect(s.findings.map((f) => f.step)).toEqual([0, 3]);
   });
   test("a holder that leans on the same stock in many moves is counted once", () => {
-    const wide: Tool = { ...bar, holder: { width: length(14), length: length(80), offsetZ: length(2), offsetX: length(4) } };
-    const s = run(wide, at(-20, 34), Array.from({ length: 12 }, (_, i) => cut(-20, 24 - i * 0.01, "rough", 1)));
+    const wide: Tool = {
+      ...bar,
+      holder: { width: length(14), length: length(80), offsetZ: length(2), offsetX: length(4) },
+    };
+    const s = run(
+      wide,
+      at(-20, 34),
+      Array.from({ length: 12 }, (_, i) => cut(-20, 24 - i * 0.01, "rough", 1)),
+    );
     expect(s.findings.map((f) => f.kind)).toEqual(["holderContact"]);
     expect(s.findings[0]?.moves).toBe(12);
     expect(s.findings[0]?.area).toBeLessThan(14 * 3);
   });
   test("hundreds of places stay few findings, and the sums whole", () => {
-    const many = Array.from({ length: 1200 }, (_, i) => [rapid(-0.04 * i - 1, 33), rapid(-0.04 * i - 1, 30 - 0.01 * (i % 7))]).flat();
+    const many = Array.from({ length: 1200 }, (_, i) => [
+      rapid(-0.04 * i - 1, 33),
+      rapid(-0.04 * i - 1, 30 - 0.01 * (i % 7)),
+    ]).flat();
     const s = run({ ...bar, CUTWIDTH: length(0.5) }, at(5, 33), many);
     expect(s.findings.length).toBeLessThan(501);
     expect(s.findings.reduce((sum, f) => sum + f.area, 0)).toBeCloseTo(s.proof.rapidInStock, 6);

@@ -24,8 +24,10 @@ const TOLD = 0.05;
 /** What lies behind a machining limit by less than this is no news, however long it is, mm (decision 0034). */
 const BEHIND = 0.1;
 /** What is as thick everywhere has room for a circle this many times as wide where it bends at a right angle. */
-const BEND = 2 * Math.SQRT2 / (1 + Math.SQRT2);
-/** A run of moves is measured in stretches of at most this many convex pieces: the cost of joining them is their square. */
+const BEND = (2 * Math.SQRT2) / (1 + Math.SQRT2);
+/**
+ * A run of moves is measured in stretches of at most this many convex pieces: the cost of joining them is their square.
+ */
 const LONG = 100;
 
 type Phase = Move["phase"];
@@ -90,7 +92,10 @@ export interface StockMeasure {
 /** The greatest infeed that a plan allows, mm; 0 when its values set none. */
 const mostOf = ({ plan }: SimulatedOperation) => plan.most;
 
-/** What a smoothing or finishing cut may take, square to its path, mm: the oversize and one infeed; 0 when that is not known. */
+/**
+ * What a smoothing or finishing cut may take, square to its path, mm: the oversize and one infeed; 0 when that is not
+ * known.
+ */
 function mostBeside({ plan }: SimulatedOperation): number {
   const infeed = plan.most > 0 ? plan.most : plan.infeed;
   return plan.oversize && infeed > 0 ? Math.max(plan.oversize.z, plan.oversize.r) + infeed : 0;
@@ -111,7 +116,9 @@ export function measuring(
   };
   const sums = operations.map((operation, o): Sums => {
     const known = begun(operation, o);
-    return known ? copyOf(known) : { cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null, crossed: [] };
+    return known
+      ? copyOf(known)
+      : { cut: 0, passes: new Map(), deepest: null, thickest: null, startInMaterial: null, crossed: [] };
   });
   let run: Stretch | null = before?.state.run ? { ...before.state.run, sweeps: [...before.state.run.sweeps] } : null;
 
@@ -126,18 +133,24 @@ export function measuring(
     const passes = done.phase === "rough" && done.pass !== undefined;
     // The air cuts of a thread, which come after its passes, are asked for.
     const threads = done.phase === "thread" && done.pass !== undefined && done.pass <= operation.plan.passes;
-    if ((passes || threads) && done.pass !== undefined) sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
+    if ((passes || threads) && done.pass !== undefined)
+      sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
     if (area < REAL_AREA) return;
     for (const limit of operation.plan.limits ?? []) sum.crossed = crossing(sum.crossed, limit, taken, done);
     const place = { step: done.step, ...(done.pass !== undefined && { pass: done.pass }) };
-    if (passes && operation.plan.isParallel)
-      sum.deepest = thicker(sum.deepest, taken, mostOf(operation), place, BEND);
+    if (passes && operation.plan.isParallel) sum.deepest = thicker(sum.deepest, taken, mostOf(operation), place, BEND);
     else if (passes || done.phase === "thread") sum.deepest = deeper(sum.deepest, taken, operation, place);
     else sum.thickest = thicker(sum.thickest, taken, mostBeside(operation), { step: done.step });
   }
 
   function belongs(step: Step, operation: number): boolean {
-    return run !== null && run.operation === operation && run.phase === step.move.phase && run.pass === step.move.pass && run.pieces < LONG;
+    return (
+      run !== null &&
+      run.operation === operation &&
+      run.phase === step.move.phase &&
+      run.pass === step.move.pass &&
+      run.pieces < LONG
+    );
   }
 
   return {
@@ -146,7 +159,8 @@ export function measuring(
       if (operation === null || step.move.kind === "rapid" || !belongs(step, operation)) close();
       if (operation === null) return;
       const sum = sums[operation];
-      if (sum && operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut)) sum.startInMaterial = step.from;
+      if (sum && operations[operation]?.firstStep === index && standsIn(outlines.checked, step.from, cut))
+        sum.startInMaterial = step.from;
       if (step.move.kind === "rapid") return;
       if (sum && sum.crest === undefined && step.move.phase === "thread")
         sum.crest = crestMissing((operations[operation] as SimulatedOperation).plan, cut.stock());
@@ -172,7 +186,8 @@ export function measuring(
     sums: () => sums,
     results(steps) {
       close();
-      const atBlock = (depth: Measured | null): Depth | null => depth && { ...depth, block: steps[depth.step]?.block ?? 0 };
+      const atBlock = (depth: Measured | null): Depth | null =>
+        depth && { ...depth, block: steps[depth.step]?.block ?? 0 };
       const behind = (crossed: readonly Crossed[], roughed: boolean): BehindLimit[] =>
         crossed.map(({ roughing, ...c }) => ({
           ...c,
@@ -210,18 +225,27 @@ function standsIn(insert: Ring, { z, r }: Pt, cut: Cutting): boolean {
 
 type Where = Pick<Depth, "step" | "pass">;
 
-/** An area put upright, so that what lies along the infeed of a thread lies along the open side: a pass steps along its flank. */
+/**
+ * An area put upright, so that what lies along the infeed of a thread lies along the open side: a pass steps along its
+ * flank.
+ */
 function upright(area: readonly Ring[], { openSide, thread }: SimulatedOperation["plan"]): readonly Ring[] {
   if (!thread || thread.slope === 0) return area;
   const { z, r } = thread.out;
-  const across = Math.abs(openSide.r) >= Math.abs(openSide.z)
-    ? (p: Pt): Pt => at(p.z - (z / r) * p.r, p.r)
-    : (p: Pt): Pt => at(p.z, p.r - (r / z) * p.z);
+  const across =
+    Math.abs(openSide.r) >= Math.abs(openSide.z)
+      ? (p: Pt): Pt => at(p.z - (z / r) * p.r, p.r)
+      : (p: Pt): Pt => at(p.z, p.r - (r / z) * p.z);
   return area.map((ring) => ring.map(across));
 }
 
 /** The deeper of a depth and that of an area just taken, measured in the direction of infeed. */
-function deeper(known: Measured | null, taken: readonly Ring[], operation: SimulatedOperation, where: Where): Measured | null {
+function deeper(
+  known: Measured | null,
+  taken: readonly Ring[],
+  operation: SimulatedOperation,
+  where: Where,
+): Measured | null {
   const { openSide } = operation.plan;
   const box = boxAround(taken);
   const most = Math.abs(openSide.r) >= Math.abs(openSide.z) ? box.high - box.low : box.right - box.left;
@@ -230,8 +254,17 @@ function deeper(known: Measured | null, taken: readonly Ring[], operation: Simul
   return depth > (known?.depth ?? 0) ? { depth, allowed: mostOf(operation), ...where } : known;
 }
 
-/** The thicker of a cut beside the contour and one just taken, when that is more than allowed, and in a bend so many times. */
-function thicker(known: Measured | null, taken: readonly Ring[], allowed: number, where: Where, bend = 1): Measured | null {
+/**
+ * The thicker of a cut beside the contour and one just taken, when that is more than allowed, and in a bend so many
+ * times.
+ */
+function thicker(
+  known: Measured | null,
+  taken: readonly Ring[],
+  allowed: number,
+  where: Where,
+  bend = 1,
+): Measured | null {
   if (allowed === 0) return known;
   const told = Math.max(allowed * bend + TOLD, known?.depth ?? 0);
   // The steps of a thousand passes in a wall take long to shrink, and are thinner than anything that is told.
@@ -255,14 +288,23 @@ function behindBy(ring: Ring, { axis, value, behind }: MachiningLimit): number {
 }
 
 /** What is known of the limits that were crossed, and what a run of moves took behind one of them. */
-function crossing(known: readonly Crossed[], limit: MachiningLimit, taken: readonly Ring[], done: Stretch): readonly Crossed[] {
+function crossing(
+  known: readonly Crossed[],
+  limit: MachiningLimit,
+  taken: readonly Ring[],
+  done: Stretch,
+): readonly Crossed[] {
   const box = behindOf(limit);
   const rings = real(inBox(taken, box).filter((ring) => behindBy(ring, limit) >= BEHIND));
   if (rings.length === 0) return known;
   const before = known.find((c) => c.limit.at === limit.at);
   const ring = largest(rings);
   const first = () =>
-    done.step + Math.max(0, done.sweeps.findIndex((s) => real(intersection(inStock([s], done.before), [ring])).length > 0));
+    done.step +
+    Math.max(
+      0,
+      done.sweeps.findIndex((s) => real(intersection(inStock([s], done.before), [ring])).length > 0),
+    );
   const isLarger = !before || areaOf([ring]) > areaOf([before.ring]);
   const crossed: Crossed = {
     limit,

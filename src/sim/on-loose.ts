@@ -17,15 +17,22 @@ const SPOT: Ring = [at(-0.02, -0.02), at(0.02, -0.02), at(0.02, 0.02), at(-0.02,
 const AGAINST = 0.02;
 
 /**
- * Whether a feed move works on what has come off: its tip runs there, and so does the area of its operation. A run of plain cuts does when
- * none of it cuts what is still held: a tool may come and go where a piece was.
+ * Whether a feed move works on what has come off: its tip runs there, and so does the area of its operation. A run of
+ * plain cuts does when none of it cuts what is still held: a tool may come and go where a piece was.
  */
 export function worksOn(
   loose: Loose,
   index: number,
   cut: Cutting,
-  { steps, operations, outlines }: { readonly steps: readonly Step[]; readonly operations: readonly SimulatedOperation[];
-    readonly outlines: (tool: Tool) => Outlines },
+  {
+    steps,
+    operations,
+    outlines,
+  }: {
+    readonly steps: readonly Step[];
+    readonly operations: readonly SimulatedOperation[];
+    readonly outlines: (tool: Tool) => Outlines;
+  },
 ): boolean {
   const step = steps[index] as Step;
   if (real(intersection(loose.inside, sweptBy(SPOT, step).rings)).length === 0) return false;

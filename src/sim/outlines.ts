@@ -20,7 +20,11 @@ export function outlinesOf(): (tool: Tool) => Outlines {
     const have = known.get(tool);
     if (have) return have;
     const insert = insertOutline(tool, CHORD);
-    const made = { insert, checked: flanksUnknown(tool) ? insertOutline(tool, CHORD, false) : insert, holder: holderOutlines(tool) };
+    const made = {
+      insert,
+      checked: flanksUnknown(tool) ? insertOutline(tool, CHORD, false) : insert,
+      holder: holderOutlines(tool),
+    };
     known.set(tool, made);
     return made;
   };

@@ -38,7 +38,8 @@ function samplesOf(ring: Ring): Sample[] {
 
 /** Whether a point lies on the outline of a convex piece. */
 function against(piece: Ring, box: Box, s: Sample): boolean {
-  if (s.z < box.left - AGAINST || s.z > box.right + AGAINST || s.r < box.low - AGAINST || s.r > box.high + AGAINST) return false;
+  if (s.z < box.left - AGAINST || s.z > box.right + AGAINST || s.r < box.low - AGAINST || s.r > box.high + AGAINST)
+    return false;
   let worst = -Infinity;
   let p = piece[piece.length - 1] as Pt;
   for (const q of piece) {
@@ -60,8 +61,8 @@ function withoutReach(operation: SimulatedOperation): Reason {
 const NOSE_CORNER = 3;
 
 /**
- * A nose leaves a corner of its own size, in a square one a square of its radius. What is larger a wide bar leaves by its
- * width; another insert by the edge that acts nearest to it, or that keeps it from the angle of an element.
+ * A nose leaves a corner of its own size, in a square one a square of its radius. What is larger a wide bar leaves by
+ * its width; another insert by the edge that acts nearest to it, or that keeps it from the angle of an element.
  */
 function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason | null): Reason {
   const bar = isBar(operation.tool);
@@ -74,8 +75,8 @@ function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason
 
 /**
  * Why a region stays that the deepest path of an operation can not take. The stretches of that path against which the
- * region lies decide, the longest first; where all of them lie on the contour, it is what the insert leaves between two,
- * and where it lies against none of them, the nearest.
+ * region lies decide, the longest first; where all of them lie on the contour, it is what the insert leaves between
+ * two, and where it lies against none of them, the nearest.
  */
 export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: Outlines): Reason {
   const reach = operation.plan.reach;
@@ -94,7 +95,8 @@ export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: O
       if (reason && gap < actingAt) [acting, actingAt] = [reason, gap];
       if (gap > AGAINST) continue;
       if (!reason) besideContour ||= samples.some((s) => against(swept, box, s));
-      else for (const s of samples) if (against(swept, box, s)) length.set(reason, (length.get(reason) ?? 0) + s.weight);
+      else
+        for (const s of samples) if (against(swept, box, s)) length.set(reason, (length.get(reason) ?? 0) + s.weight);
     }
   }
   const longest = [...length].sort((a, b) => b[1] - a[1])[0];

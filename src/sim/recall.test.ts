@@ -18,9 +18,13 @@ test("the same rings are asked about once, also in the simulation that follows",
 
 test("another point, another order and another ring are another area", () => {
   const known = recalling((area) => area);
-  const areas = [[triangle], [triangle, triangle], [[...triangle.slice(1), ...triangle.slice(0, 1)]], [
-    ring([0.1, 2.3], [4.7, 2.3], [0.1, 6.1100001]),
-  ], []];
+  const areas = [
+    [triangle],
+    [triangle, triangle],
+    [[...triangle.slice(1), ...triangle.slice(0, 1)]],
+    [ring([0.1, 2.3], [4.7, 2.3], [0.1, 6.1100001])],
+    [],
+  ];
   for (const area of areas) expect(known.of(area)).toBe(area);
   for (const area of areas) expect(known.of(area.map((each) => [...each]))).toBe(area);
 });

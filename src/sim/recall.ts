@@ -19,7 +19,8 @@ const SPREAD = 0x01000193;
 
 /** Gives a number for each area; equal areas have the same. */
 function hashing(): (area: readonly Ring[]) => number {
-  const number = new Float64Array(1), words = new Int32Array(number.buffer);
+  const number = new Float64Array(1),
+    words = new Int32Array(number.buffer);
   const mixed = (hash: number, value: number): number => {
     number[0] = value;
     return Math.imul(Math.imul(hash ^ (words[0] ?? 0), SPREAD) ^ (words[1] ?? 0), SPREAD);

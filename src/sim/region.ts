@@ -12,10 +12,13 @@ export interface Region {
 /** The connected pieces of an area that are larger than `least` mm². */
 export function regionsOf(area: readonly Ring[], least: number): Region[] {
   const holes = area.filter((ring) => areaOfRing(ring) < 0);
-  return area.filter((ring) => areaOfRing(ring) > 0).map((outline) => {
-    const own = holes.filter((h) => h[0] && isInside(outline, h[0]));
-    return { outline, holes: own, area: [outline, ...own].reduce((sum, ring) => sum + areaOfRing(ring), 0) };
-  }).filter((region) => region.area > least);
+  return area
+    .filter((ring) => areaOfRing(ring) > 0)
+    .map((outline) => {
+      const own = holes.filter((h) => h[0] && isInside(outline, h[0]));
+      return { outline, holes: own, area: [outline, ...own].reduce((sum, ring) => sum + areaOfRing(ring), 0) };
+    })
+    .filter((region) => region.area > least);
 }
 
 /** A point inside a ring: the middle of its widest crossing at half its height. */

@@ -55,7 +55,10 @@ function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring
   for (const stretch of path) yield coveredOn(cover, stretch.path);
 }
 
-/** What stays of a region when a tool goes along the deepest path of a plan made for it, mm²: how one tool compares to another. */
+/**
+ * What stays of a region when a tool goes along the deepest path of a plan made for it, mm²: how one tool compares to
+ * another.
+ */
 export function staysAfter(region: Ring, plan: Plan, tool: Tool): number {
   const { insert } = outlinesOf()(plan.tool ?? tool);
   const cut = cutting([region]);
@@ -85,9 +88,10 @@ function ownerOf(region: Region, operations: readonly SimulatedOperation[]): num
 }
 
 /**
- * Material inside the areas of the operations that is still there at the end, thin slivers apart. What the deepest path of a
- * tool would take is oversize, or steps between passes where it stands out over the oversize. The rest the correction of a
- * tool leaves, or a machining limit, or it is explained by the stretch of the path that keeps the insert away.
+ * Material inside the areas of the operations that is still there at the end, thin slivers apart. What the deepest path
+ * of a tool would take is oversize, or steps between passes where it stands out over the oversize. The rest the
+ * correction of a tool leaves, or a machining limit, or it is explained by the stretch of the path that keeps the
+ * insert away.
  */
 export function residualOf(final: readonly Ring[], all: readonly SimulatedOperation[], known: KnownShapes): Residual[] {
   // An operation without a path has said why; that its whole area stays is no second finding.
@@ -99,20 +103,31 @@ export function residualOf(final: readonly Ring[], all: readonly SimulatedOperat
 /** How many answers are known. */
 const MOST_KNOWN = 4;
 
-/** The same, known for the same stock after the same plans: the very objects, as a run gives them that keeps what it has planned. */
+/**
+ * The same, known for the same stock after the same plans: the very objects, as a run gives them that keeps what it has
+ * planned.
+ */
 export function residualAgain(): typeof residualOf {
-  let known: { readonly final: readonly Ring[]; readonly all: readonly SimulatedOperation[]; readonly left: Residual[] }[] = [];
+  let known: {
+    readonly final: readonly Ring[];
+    readonly all: readonly SimulatedOperation[];
+    readonly left: Residual[];
+  }[] = [];
   return (final, all, shapes) => {
     const isSame = ({ plan, tool }: SimulatedOperation, i: number, of: readonly SimulatedOperation[]) =>
       of[i]?.plan === plan && of[i].tool === tool;
-    const same = known.find((k) => k.all.length === all.length && all.every((o, i) => isSame(o, i, k.all)) && sameRings(k.final, final));
+    const same = known.find(
+      (k) => k.all.length === all.length && all.every((o, i) => isSame(o, i, k.all)) && sameRings(k.final, final),
+    );
     const left = same?.left ?? residualOf(final, all, shapes);
     known = [{ final, all, left }, ...known.filter((k) => k !== same)].slice(0, MOST_KNOWN);
     return left;
   };
 }
 
-/** What stands over the crest of a thread and is in the area of no operation: each thread leaves it between its grooves. */
+/**
+ * What stands over the crest of a thread and is in the area of no operation: each thread leaves it between its grooves.
+ */
 const overThreads = (
   final: readonly Ring[],
   area: readonly Ring[],
@@ -147,8 +162,10 @@ function withinAreas(
   const { outlines } = known;
   const left = opened(intersection(final, whole), SLIVER);
   if (areaOf(left) <= LEAST_RESIDUAL) return [];
-  const after = (area: readonly Ring[], pathOf: PathOf, bare = false) => opened(leftBy(area, operations, outlines, pathOf, bare), SLIVER);
-  const without = (area: readonly Ring[], rest: readonly Ring[]) => (rest.length === 0 ? area : opened(difference(area, rest), SLIVER));
+  const after = (area: readonly Ring[], pathOf: PathOf, bare = false) =>
+    opened(leftBy(area, operations, outlines, pathOf, bare), SLIVER);
+  const without = (area: readonly Ring[], rest: readonly Ring[]) =>
+    rest.length === 0 ? area : opened(difference(area, rest), SLIVER);
   const reach: PathOf = (plan) => plan.reach;
 
   const blocked = after(left, reach);
@@ -157,11 +174,13 @@ function withinAreas(
   const corrected = operations.some((o) => toolOf(o).correction !== undefined);
   const behind = corrected && areaOf(blocked) > LEAST_RESIDUAL ? after(blocked, reach, true) : blocked;
   const limited = operations.some((o) => o.plan.unlimited);
-  const kept = limited && areaOf(behind) > LEAST_RESIDUAL ? after(behind, (plan) => plan.unlimited ?? [], true) : behind;
+  const kept =
+    limited && areaOf(behind) > LEAST_RESIDUAL ? after(behind, (plan) => plan.unlimited ?? [], true) : behind;
 
   const described = (area: readonly Ring[], because: (ring: Ring, owner: SimulatedOperation) => Reason): Residual[] =>
     regionsOf(area, LEAST_RESIDUAL).map((region) => {
-      const operation = ownerOf(region, operations), owner = operations[operation] as SimulatedOperation;
+      const operation = ownerOf(region, operations),
+        owner = operations[operation] as SimulatedOperation;
       const left = residualAt(region, operation, because(region.outline, owner), known);
       return isAsked(owner, left.reason) ? { ...left, isAsked: true } : left;
     });

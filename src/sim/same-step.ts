@@ -7,10 +7,12 @@ const samePoint = (a: Pt, b: Pt): boolean => a.z === b.z && a.r === b.r;
 
 /** True for the same rings by value. */
 export const sameRings = (a: readonly Ring[], b: readonly Ring[]): boolean =>
-  a === b || (a.length === b.length && a.every((ring, i) => {
-    const other = b[i] as Ring;
-    return ring.length === other.length && ring.every((p, k) => samePoint(p, other[k] as Pt));
-  }));
+  a === b ||
+  (a.length === b.length &&
+    a.every((ring, i) => {
+      const other = b[i] as Ring;
+      return ring.length === other.length && ring.every((p, k) => samePoint(p, other[k] as Pt));
+    }));
 
 /** Whether two moves do the same to a stock: with which feed is of no account. */
 function sameMove(a: Move, b: Move): boolean {
@@ -34,8 +36,12 @@ export function sameSteps(): (a: Step, b: Step) => boolean {
   const sameDemand = (a: Step, b: Step): boolean =>
     a.idle?.how === b.idle?.how && a.idle?.by === b.idle?.by && a.hole?.radius === b.hole?.radius;
   return (a, b) =>
-    a === b
-    || (a.operation === b.operation && a.intent === b.intent && sameDemand(a, b) && sameBringing(a, b) && samePoint(a.from, b.from)
-      && sameMove(a.move, b.move)
-      && sameTool(a.tool, b.tool));
+    a === b ||
+    (a.operation === b.operation &&
+      a.intent === b.intent &&
+      sameDemand(a, b) &&
+      sameBringing(a, b) &&
+      samePoint(a.from, b.from) &&
+      sameMove(a.move, b.move) &&
+      sameTool(a.tool, b.tool));
 }

@@ -6,8 +6,8 @@ import { contourSurfaces } from "./plain-cut.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
 
 /**
- * Each set-up of the work. Where another blank is stated, the stock so far is judged by the operations so far, and the contours of the
- * previous set-up no longer count.
+ * Each set-up of the work. Where another blank is stated, the stock so far is judged by the operations so far, and the
+ * contours of the previous set-up no longer count.
  */
 export function setupsOf(
   operations: readonly SimulatedOperation[],

@@ -14,9 +14,23 @@ const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
 const purpose = (phase: Phase) => ({ phase, run: "rough", step: 1 }) as const;
 const rapid = (z: number, r: number): Move => ({ kind: "rapid", to: at(z, r), ...purpose("position") });
-const cut = (z: number, r: number): Move => ({ kind: "feed", to: at(z, r), feed: feed(0.3), feedUnit: "mm/rev", ...purpose("rough") });
+const cut = (z: number, r: number): Move => ({
+  kind: "feed",
+  to: at(z, r),
+  feed: feed(0.3),
+  feedUnit: "mm/rev",
+  ...purpose("rough"),
+});
 
-const bar: Tool = { T: 9, NAME: "BAR-3", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(30) };
+const bar: Tool = {
+  T: 9,
+  NAME: "BAR-3",
+  TYPE: "RECTURN",
+  TO: 2,
+  RS: length(0.2),
+  CUTWIDTH: length(3),
+  CUTLENGTH: length(30),
+};
 const button: Tool = { T: 11, NAME: "BUTTON-3", TYPE: "BUTTON", TO: 2, RS: length(3) };
 const rougher: Tool = {
   T: 1,
@@ -124,7 +138,11 @@ describe("rapid moves", () => {
 });
 
 describe("gouge", () => {
-  const plan = { part: box(-50, 0, 0, 25), area: box(-50, 25, 2, 32), reach: [{ path: line(at(2, 25), at(-50, 25)), reason: null }] };
+  const plan = {
+    part: box(-50, 0, 0, 25),
+    area: box(-50, 25, 2, 32),
+    reach: [{ path: line(at(2, 25), at(-50, 25)), reason: null }],
+  };
   test("cutting along the contour is none", () => {
     expect(run(rougher, at(2, 25), [cut(-50, 25)], plan).proof.gouge).toBe(0);
   });
@@ -135,7 +153,12 @@ describe("gouge", () => {
   });
   test("a groove in a part turned before is the second operation's own area", () => {
     const first = run(rougher, at(2, 25), [cut(-50, 25)], plan);
-    const groove = { plan: { ...EMPTY, part: box(-50, 0, 0, 20), area: box(-21.5, 20, -18.5, 25) }, tool: bar, firstStep: 1, lastStep: 2 };
+    const groove = {
+      plan: { ...EMPTY, part: box(-50, 0, 0, 20), area: box(-21.5, 20, -18.5, 25) },
+      tool: bar,
+      firstStep: 1,
+      lastStep: 2,
+    };
     const turned = { plan: { ...EMPTY, ...plan }, tool: rougher, firstStep: 0, lastStep: 0 };
     const list = [...first.steps, ...steps(bar, at(-20, 32), [cut(-20, 20), cut(-20, 32)])];
     expect(simulate({ blank, steps: list, operations: [turned, groove], unproved: [] }).proof.gouge).toBe(0);
@@ -157,7 +180,10 @@ const EMPTY: Plan = {
 };
 
 describe("holder", () => {
-  const withHolder: Tool = { ...bar, holder: { width: length(20), length: length(80), offsetZ: length(-1), offsetX: length(10) } };
+  const withHolder: Tool = {
+    ...bar,
+    holder: { width: length(20), length: length(80), offsetZ: length(-1), offsetX: length(10) },
+  };
   test("a plunge less deep than the overhang is free", () => {
     expect(run(withHolder, at(-20, 32), [cut(-20, 21)]).findings).toEqual([]);
   });
@@ -166,7 +192,10 @@ describe("holder", () => {
     expect(s.findings.map((f) => f.kind)).toEqual(["holderContact"]);
   });
   test("what the insert has cut in the same move is not touched", () => {
-    const slim: Tool = { ...bar, holder: { width: length(2), length: length(80), offsetZ: length(-1), offsetX: length(1) } };
+    const slim: Tool = {
+      ...bar,
+      holder: { width: length(2), length: length(80), offsetZ: length(-1), offsetX: length(1) },
+    };
     expect(run(slim, at(-20, 32), [cut(-20, 10)]).findings).toEqual([]);
   });
   test("is clear, in contact, or unknown as soon as one tool of the run has none", () => {
@@ -186,7 +215,10 @@ describe("what stays", () => {
   const shoulder = (reason: null | "secondaryEdge") => ({
     part: [at(-50, 0), at(0, 0), at(0, 20), at(-30, 20), at(-30, 30), at(-50, 30)],
     area: box(-30, 20, 2, 32),
-    reach: [{ path: line(at(2, 20), at(-30, 20)), reason }, { path: line(at(-30, 20), at(-30, 32)), reason: null }],
+    reach: [
+      { path: line(at(2, 20), at(-30, 20)), reason },
+      { path: line(at(-30, 20), at(-30, 32)), reason: null },
+    ],
   });
   const finish = [cut(2, 20), cut(-30, 20), cut(-30, 32)];
   const rough = [cut(2, 26), cut(-30, 26), cut(-30, 33), rapid(2, 33), rapid(2, 20), cut(-30, 20), cut(-30, 33)];
@@ -197,7 +229,9 @@ describe("what stays", () => {
     expect(s.proof.residual[0]!.area).toBeCloseTo((1 - Math.PI / 4) * 0.64, 1);
   });
   test("a stretch with a reason gives it", () => {
-    expect(run(rougher, at(2, 35), rough, shoulder("secondaryEdge")).proof.residual.map((r) => r.reason)).toEqual(["secondaryEdge"]);
+    expect(run(rougher, at(2, 35), rough, shoulder("secondaryEdge")).proof.residual.map((r) => r.reason)).toEqual([
+      "secondaryEdge",
+    ]);
   });
   test("what no move has taken is oversize, beside what can not be taken", () => {
     const s = run(rougher, at(2, 35), [cut(2, 26), cut(-30, 26), cut(-30, 33)], shoulder(null));
@@ -205,7 +239,11 @@ describe("what stays", () => {
     expect(s.proof.residual[1]!.area).toBeCloseTo(30 * 6, 0);
   });
   test("nothing stays of a plain cylinder", () => {
-    const plan = { part: box(-50, 0, 0, 25), area: box(-50, 25, 2, 32), reach: [{ path: line(at(2, 25), at(-50, 25)), reason: null }] };
+    const plan = {
+      part: box(-50, 0, 0, 25),
+      area: box(-50, 25, 2, 32),
+      reach: [{ path: line(at(2, 25), at(-50, 25)), reason: null }],
+    };
     expect(run(rougher, at(2, 25), [cut(-55, 25), cut(-55, 33)], plan).proof.residual).toEqual([]);
   });
   test("in a bore, what the path cannot take has its own reason however far the bore is open across the axis", () => {

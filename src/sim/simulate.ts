@@ -18,7 +18,17 @@ import { recalling } from "./recall.ts";
 import { setupsOf } from "./setups.ts";
 import { residualAgain, residualOf, type KnownShapes } from "./residual.ts";
 import { hasClamping, nearestRun, resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
-import type { AnyFinding, Depth, LoosePiece, StockFinding, StockRemark, Proof, Simulation, SimulationInput, Unheld } from "./simulation.ts";
+import type {
+  AnyFinding,
+  Depth,
+  LoosePiece,
+  StockFinding,
+  StockRemark,
+  Proof,
+  Simulation,
+  SimulationInput,
+  Unheld,
+} from "./simulation.ts";
 import { statedBlanks } from "./stated.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
@@ -81,7 +91,9 @@ function damageBefore(
     }
   }
   const damage = new Map<number, readonly AnyFinding[]>();
-  const ordered = [...new Set([...former.damage.keys(), ...again.keys()])].filter((i) => i < from.step).sort((a, b) => a - b);
+  const ordered = [...new Set([...former.damage.keys(), ...again.keys()])]
+    .filter((i) => i < from.step)
+    .sort((a, b) => a - b);
   const byBringing = (f: AnyFinding) => f.block === former.input.steps[f.step]?.broughtBy;
   for (const i of ordered) {
     const blockOf = (f: AnyFinding) => (byBringing(f) ? steps[i]?.broughtBy : steps[i]?.block) ?? f.block;
@@ -118,8 +130,8 @@ function withNewest(newest: Former | null, known: readonly Former[]): readonly F
 }
 
 /**
- * Simulates runs one after the other. What comes is the same as of `simulate`; what the beginning of a run has in common with one of
- * the last runs is not cut and not looked at again.
+ * Simulates runs one after the other. What comes is the same as of `simulate`; what the beginning of a run has in
+ * common with one of the last runs is not cut and not looked at again.
  */
 export function simulating(): (input: SimulationInput) => Simulation {
   let known: readonly Former[] = [];
@@ -138,13 +150,18 @@ const fallen = (parted: readonly Parted[]): number =>
   parted.reduce((sum, { loose }) => sum + loose.reduce((all, { area }) => all + area, 0), 0);
 
 /** A finding with what only the whole run tells of it; none where that shows it to be no fault. */
-function settled(f: AnyFinding, loose: readonly LoosePiece[], blockOf: (operation?: number) => number | undefined): AnyFinding[] {
+function settled(
+  f: AnyFinding,
+  loose: readonly LoosePiece[],
+  blockOf: (operation?: number) => number | undefined,
+): AnyFinding[] {
   if (f.isMeant) return [];
   if (f.kind === "cutOnLoosePiece") return onLoosePieces(f, loose);
   return [f.kind === "cutBelowContour" ? { ...f, other: blockOf(f.below) ?? f.block } : f];
 }
 
-const isRemark = (f: AnyFinding): f is StockFinding<StockRemark> => f.kind === "cutBelowContour" || f.kind === "feedBehindBlank";
+const isRemark = (f: AnyFinding): f is StockFinding<StockRemark> =>
+  f.kind === "cutBelowContour" || f.kind === "feedBehindBlank";
 const isFault = (f: AnyFinding): f is StockFinding => !isRemark(f);
 
 function simulated(
@@ -162,19 +179,34 @@ function simulated(
     const touching = shapes.checked === shapes.insert ? sweep : sweptBy(shapes.checked, step);
     return {
       sweep,
-      check: (cut) => check(index, touching, cut, { ...always, finished: setups.finished(), hold: held.hold(), loose: held.loose(index) }),
+      check: (cut) =>
+        check(index, touching, cut, {
+          ...always,
+          finished: setups.finished(),
+          hold: held.hold(),
+          loose: held.loose(index),
+        }),
     };
   };
   const resume = former && resumed(former, input, setups.atFirst, outlines);
   const from = resume?.from;
-  const held = holding(blank, input.clamping?.clamping ?? null, former && from ? former.parted.filter(({ step }) => step < from.step) : []);
-  const damage = former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly AnyFinding[]>();
+  const held = holding(
+    blank,
+    input.clamping?.clamping ?? null,
+    former && from ? former.parted.filter(({ step }) => step < from.step) : [],
+  );
+  const damage =
+    former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly AnyFinding[]>();
   const isContact = (found: readonly AnyFinding[]) => found.some((f) => CONTACTS.has(f.kind));
   let contacts = [...damage.values()].filter(isContact).length;
   // Where nobody looks any more depends on all that was found before.
   if (contacts >= MOST_CONTACTS && resume) return simulated(input, null, { thickness, residual });
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
-  const measure = measuring(operations, blank, former && from ? { state: from.measure, step: from.step, sums: former.sums } : null);
+  const measure = measuring(
+    operations,
+    blank,
+    former && from ? { state: from.measure, step: from.step, sums: former.sums } : null,
+  );
   const snapshots = former && from ? former.snapshots.filter(({ step }) => step <= from.step) : [];
   const isKept = snapshotSteps(input);
   let byRapids = from?.byRapids ?? 0;
@@ -199,17 +231,30 @@ function simulated(
   }
   /** Whether something is left to hold, before another blank takes its place or at the end. */
   function lookHeld(stock: readonly Ring[], end: number): void {
-    const rear = held.hold()?.rear ?? null, place = unheldAt(held.blank(), stock, rear);
+    const rear = held.hold()?.rear ?? null,
+      place = unheldAt(held.blank(), stock, rear);
     const lastCut = place ? steps.findLastIndex(({ move }, k) => k < end && move.kind !== "rapid") : -1;
     if (!rear || !place || lastCut < 0 || hasClamping(input)) return;
     const operation = cutsAtRear(operations.slice(0, setups.begunBefore(end)), rear);
-    unheld.push({ step: operation === null ? lastCut : (operations[operation]?.firstStep ?? 0), operation, place, rear: rear.z });
+    unheld.push({
+      step: operation === null ? lastCut : (operations[operation]?.firstStep ?? 0),
+      operation,
+      place,
+      rear: rear.z,
+    });
   }
   for (let i = from?.step ?? 0; i < steps.length; i += 1) {
     const step = steps[i] as Step;
     if (isKept(i) && i > (from?.step ?? 0)) {
       const { cut, marked } = at.present();
-      snapshots.push({ step: i, cut: cut.copy(), marked, marks: marks.all().length, byRapids, measure: measure.state(step.operation) });
+      snapshots.push({
+        step: i,
+        cut: cut.copy(),
+        marked,
+        marks: marks.all().length,
+        byRapids,
+        measure: measure.state(step.operation),
+      });
     }
     const now = statements.at(i, at.present().cut);
     lookWhole(i, now !== null);
@@ -235,7 +280,14 @@ function simulated(
   lookWhole(steps.length, false);
   const { cut, marked } = at.present();
   if (steps.length > (from?.step ?? 0))
-    snapshots.push({ step: steps.length, cut: cut.copy(), marked, marks: marks.all().length, byRapids, measure: measure.state(null) });
+    snapshots.push({
+      step: steps.length,
+      cut: cut.copy(),
+      marked,
+      marks: marks.all().length,
+      byRapids,
+      measure: measure.state(null),
+    });
   lookHeld(cut.stock(), steps.length);
   const last = statements.at(steps.length, cut);
   if (last) {
@@ -268,12 +320,15 @@ function simulated(
       residual: setups.residual(final),
       cut: Math.max(0, areaOf(blank) + statements.added() - areaOf(final) - byRapids - fallen(held.parted())),
       airPasses: measured.reduce((sum, o) => sum + o.airPasses, 0),
-      deepest: measured.reduce<Depth | null>((best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best), null),
+      deepest: measured.reduce<Depth | null>(
+        (best, { deepest }) => (deepest && deepest.depth > (best?.depth ?? 0) ? deepest : best),
+        null,
+      ),
       holder: findings.some((f) => f.kind === "holderContact" || f.clamp?.by === "holder")
         ? "contact"
         : steps.some((s) => !s.tool.holder || curvatureUnknown(s.tool))
-        ? "unknown"
-        : "clear",
+          ? "unknown"
+          : "clear",
       unproved: [...unproved, ...statements.unproved()],
       stated: statements.all(),
       loose,
@@ -283,6 +338,14 @@ function simulated(
       operations: measured,
     },
   };
-  const kept = { input, snapshots, marks: checkpoints, damage, sums: measure.sums(), finished: setups.atFirst, parted: held.parted() };
+  const kept = {
+    input,
+    snapshots,
+    marks: checkpoints,
+    damage,
+    sums: measure.sums(),
+    finished: setups.atFirst,
+    parted: held.parted(),
+  };
   return { simulation, kept: isKnown ? kept : null };
 }

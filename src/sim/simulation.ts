@@ -36,8 +36,8 @@ export interface PlayPosition {
 }
 
 /**
- * A mark before step `step`, where cutting begins anew with the stock as it is. Steps between are cut again from the nearest
- * mark before that has its stock; long runs keep those of some marks only.
+ * A mark before step `step`, where cutting begins anew with the stock as it is. Steps between are cut again from the
+ * nearest mark before that has its stock; long runs keep those of some marks only.
  */
 export interface Checkpoint {
   readonly step: number;
@@ -83,7 +83,10 @@ export interface StockFinding<Kind = StockFault> {
   readonly hole?: NeededHole & { readonly tool: number };
   /** Moves that did it in this place; `step` is the first of them. */
   readonly moves: number;
-  /** The block that it is about beside its own: the cycle whose contour a plain cut goes below, or what cut a piece loose. */
+  /**
+   * The block that it is about beside its own: the cycle whose contour a plain cut goes below, or what cut a piece
+   * loose.
+   */
   readonly other?: number;
   /** The operation whose contour a plain cut goes below. */
   readonly below?: number;
@@ -154,8 +157,8 @@ export interface Proof {
   /** Whether a holder touched the stock or the clamping; unknown when a tool that moved has none. */
   readonly holder: "clear" | "contact" | "unknown";
   /**
-   * From this step on nobody looked for gouges, rapids in stock and contacts of the holder, because there are too many; null:
-   * all were looked for.
+   * From this step on nobody looked for gouges, rapids in stock and contacts of the holder, because there are too many;
+   * null: all were looked for.
    */
   readonly unlooked: { readonly step: number; readonly block: number } | null;
   readonly unproved: readonly Unproved[];
@@ -231,9 +234,15 @@ export interface OperationProof {
   readonly crest: MissingCrest | null;
   /** Null of other operations. */
   readonly thread: ThreadWay | null;
-  /** The roughing pass that goes deepest, along the direction of infeed, against the greatest infeed; null without roughing. */
+  /**
+   * The roughing pass that goes deepest, along the direction of infeed, against the greatest infeed; null without
+   * roughing.
+   */
   readonly deepest: Depth | null;
-  /** The smoothing or finishing cut that takes more than the oversize and one infeed, square to its path; null when none does. */
+  /**
+   * The smoothing or finishing cut that takes more than the oversize and one infeed, square to its path; null when none
+   * does.
+   */
   readonly thickest: Depth | null;
   /** What was taken behind each machining limit that was crossed in material. */
   readonly behindLimits: readonly BehindLimit[];
@@ -246,8 +255,8 @@ export interface OperationProof {
 }
 
 /**
- * Over a whole program: "faults": errors or findings; "incomplete": something was not simulated, an operation cut nothing,
- * or there was no operation at all.
+ * Over a whole program: "faults": errors or findings; "incomplete": something was not simulated, an operation cut
+ * nothing, or there was no operation at all.
  */
 export type Verdict = "proved" | "faults" | "incomplete";
 

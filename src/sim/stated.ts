@@ -16,8 +16,8 @@ export interface StatedBlanks {
 }
 
 /**
- * Material that was cut does not come back: an outline that has more than what stands changes nothing. One that lacks material is
- * believed, since the work may have been turned round or milled, and nothing is proved behind it.
+ * Material that was cut does not come back: an outline that has more than what stands changes nothing. One that lacks
+ * material is believed, since the work may have been turned round or milled, and nothing is proved behind it.
  */
 export function statedBlanks(stated: readonly Stated[]): StatedBlanks {
   const held: StatedProof[] = [];

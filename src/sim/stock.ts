@@ -6,10 +6,15 @@ import { outlinesOf } from "./outlines.ts";
 import type { Checkpoint, PlayPosition, Simulation } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
 
-/** Gives the stock at any moment of a run. Going on from the last moment asked for is cheapest; the result is the same. */
+/**
+ * Gives the stock at any moment of a run. Going on from the last moment asked for is cheapest; the result is the same.
+ */
 export interface Player {
   at(position: PlayPosition): readonly Ring[];
-  /** The stock at the beginning of a step. Those of the last few steps are kept, so that looking back over one turn costs nothing. */
+  /**
+   * The stock at the beginning of a step. Those of the last few steps are kept, so that looking back over one turn
+   * costs nothing.
+   */
   before(step: number): Present;
 }
 
@@ -38,8 +43,8 @@ function markFor(checkpoints: readonly Checkpoint[], step: number): number {
 }
 
 /**
- * A player of one simulation. However a moment is reached, its stock is that of a mark before it less the same pieces in the
- * same order, begun anew at the same marks, so playing, stepping and seeking give the same stock.
+ * A player of one simulation. However a moment is reached, its stock is that of a mark before it less the same pieces
+ * in the same order, begun anew at the same marks, so playing, stepping and seeking give the same stock.
  */
 export function playerOf(simulation: Simulation): Player {
   const outlines = outlinesOf();
@@ -70,7 +75,11 @@ export function playerOf(simulation: Simulation): Player {
     for (;;) {
       const begun: Checkpoint | undefined = checkpoints[now.mark + 1];
       if (begun?.step === now.next)
-        now = { mark: now.mark + 1, next: now.next, cut: cutting(isGiven(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()) };
+        now = {
+          mark: now.mark + 1,
+          next: now.next,
+          cut: cutting(isGiven(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()),
+        };
       if (step - now.next < RECENT_STEPS && !recent.has(now.next)) keep(now.next, now.cut.present());
       if (now.next >= step) return now.cut;
       const s = simulation.steps[now.next];
@@ -93,17 +102,19 @@ export function playerOf(simulation: Simulation): Player {
 }
 
 /** The stock at one moment. */
-export const stockAt = (simulation: Simulation, position: PlayPosition): readonly Ring[] => playerOf(simulation).at(position);
+export const stockAt = (simulation: Simulation, position: PlayPosition): readonly Ring[] =>
+  playerOf(simulation).at(position);
 
 /** Tells whether two moments of a run stand in the same blank: the program states no other one between them. */
-export function sameBlank({ checkpoints }: Pick<Simulation, "checkpoints">): (one: PlayPosition, other: PlayPosition) => boolean {
+export function sameBlank({
+  checkpoints,
+}: Pick<Simulation, "checkpoints">): (one: PlayPosition, other: PlayPosition) => boolean {
   const stated = checkpoints.filter((mark) => mark.isStated).map((mark) => mark.step);
   return (one, other) => stated.every((step) => step <= one.step === step <= other.step);
 }
 
 /** Everything that a run begins with or that is stated in its place later. */
-export const blanksOf =
-  ({ blank, checkpoints }: Pick<Simulation, "blank" | "checkpoints">): readonly Ring[] => [
-    ...blank,
-    ...checkpoints.flatMap(({ isStated, stock }) => (isStated && stock ? unpacked(stock) : [])),
-  ];
+export const blanksOf = ({ blank, checkpoints }: Pick<Simulation, "blank" | "checkpoints">): readonly Ring[] => [
+  ...blank,
+  ...checkpoints.flatMap(({ isStated, stock }) => (isStated && stock ? unpacked(stock) : [])),
+];

@@ -13,8 +13,8 @@ const { flattened, pointOn } = part;
 const finite = (p: Pt) => Number.isFinite(p.z) && Number.isFinite(p.r);
 
 /**
- * What a convex outline (counter-clockwise, relative to the tip) covers while the tip goes straight from `from` to `to`:
- * the convex hull of both positions. Edges that look forward stand at the end, the others at the beginning.
+ * What a convex outline (counter-clockwise, relative to the tip) covers while the tip goes straight from `from` to
+ * `to`: the convex hull of both positions. Edges that look forward stand at the end, the others at the beginning.
  */
 export function hullAlong(outline: Ring, from: Pt, to: Pt): Ring {
   const dz = to.z - from.z;
@@ -48,8 +48,8 @@ export function hullAlong(outline: Ring, from: Pt, to: Pt): Ring {
 const FAR = 10_000;
 
 /**
- * The convex pieces of a convex outline that do not lie behind another one, seen along a way: what of it does not follow in
- * the other's track.
+ * The convex pieces of a convex outline that do not lie behind another one, seen along a way: what of it does not
+ * follow in the other's track.
  */
 export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] {
   const [dz, dr] = [to.z - from.z, to.r - from.r];
@@ -63,7 +63,10 @@ export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] 
   });
 }
 
-/** What of a convex ring lies to the right of a straight line, outside a counter-clockwise outline that has it as an edge. */
+/**
+ * What of a convex ring lies to the right of a straight line, outside a counter-clockwise outline that has it as an
+ * edge.
+ */
 export function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
   const out: Pt[] = [];
   const beside = (a: Pt) => (q.r - p.r) * (a.z - p.z) - (q.z - p.z) * (a.r - p.r);
@@ -82,8 +85,8 @@ export function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
 }
 
 /**
- * The tip's way through a step up to `fraction`, as chords. The chords of a part are those of the whole, so a longer part
- * covers a shorter one.
+ * The tip's way through a step up to `fraction`, as chords. The chords of a part are those of the whole, so a longer
+ * part covers a shorter one.
  */
 export function waypoints(step: Step, fraction: number, chord = CHORD): Pt[] {
   const path = pathOf(step.from, step.move);
@@ -95,7 +98,10 @@ export function waypoints(step: Step, fraction: number, chord = CHORD): Pt[] {
   return [...points.slice(0, whole + 1), pointOn({ kind: "line", from: last, to: next }, at - whole)];
 }
 
-/** The work turns: what is swept on the other side of the axis (r < 0) is swept on this side. There is no stock at r < 0. */
+/**
+ * The work turns: what is swept on the other side of the axis (r < 0) is swept on this side. There is no stock at r <
+ * 0.
+ */
 export function turned(ring: Ring): Ring[] {
   let [lowest, highest] = [Infinity, -Infinity];
   for (const { r } of ring) {
@@ -116,8 +122,8 @@ function alongPoints(outline: Ring, points: readonly Pt[], across: (ring: Ring) 
 }
 
 /**
- * What is swept: convex pieces, to ask what it meets, and rings (by the non-zero rule) that cover the same area with fewer
- * points, to cut with.
+ * What is swept: convex pieces, to ask what it meets, and rings (by the non-zero rule) that cover the same area with
+ * fewer points, to cut with.
  */
 export interface Sweep {
   readonly pieces: readonly ConvexPiece[];
@@ -131,7 +137,9 @@ function sweptAlong(outline: Ring, points: readonly Pt[], across: (ring: Ring) =
 
 /** What an outline covers in the half plane of the stock while it cuts a thread: its own shape, once a turn. */
 function stamped(outline: Ring, from: Pt, move: ThreadMove, fraction: number): Sweep {
-  const places = stampsOf(from, move).filter((s) => s.fraction <= fraction).map((s) => s.at);
+  const places = stampsOf(from, move)
+    .filter((s) => s.fraction <= fraction)
+    .map((s) => s.at);
   if (outline.length < 3 || !places.every(finite)) return { pieces: [], rings: [] };
   const rings = places.flatMap((place) => turned(outline.map((p) => at(place.z + p.z, place.r + p.r))));
   return { pieces: piecesOf(rings), rings };
@@ -144,11 +152,16 @@ export function sweptBy(outline: Ring, step: Step, fraction = 1, chord = CHORD):
   return sweptAlong(outline, waypoints(step, fraction, chord));
 }
 
-/** Everything that an outline covers along a path and no tool sweeps: what of it lies across the axis does not turn round to this side. */
-export const coveredOn = (outline: Ring, path: Segment, chord = CHORD): Sweep => sweptAlong(outline, flattened(path, chord), asItIs);
+/**
+ * Everything that an outline covers along a path and no tool sweeps: what of it lies across the axis does not turn
+ * round to this side.
+ */
+export const coveredOn = (outline: Ring, path: Segment, chord = CHORD): Sweep =>
+  sweptAlong(outline, flattened(path, chord), asItIs);
 
 /** Everything that an outline covers in a step up to `fraction`, as convex pieces. */
-export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] => alongPoints(outline, waypoints(step, fraction));
+export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] =>
+  alongPoints(outline, waypoints(step, fraction));
 
 /** Everything that an outline covers along a path, as convex pieces. */
 export const sweepAlong = (outline: Ring, path: Segment): Ring[] => alongPoints(outline, flattened(path, CHORD));

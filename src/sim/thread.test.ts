@@ -11,7 +11,7 @@ import { playerOf } from "./stock.ts";
 
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
 const blank: Ring[] = [[at(-37, 0), at(0, 0), at(0, 14.3), at(-37, 14.3)]];
-const tool = { ...shippedTools.find((t) => t.TYPE === "THREAD") as Tool, RS: length(0) };
+const tool = { ...(shippedTools.find((t) => t.TYPE === "THREAD") as Tool), RS: length(0) };
 const thread = (to: Pt, angle: number, stops = false): ThreadMove => ({
   kind: "thread",
   to,
@@ -28,7 +28,8 @@ const step = (from: Pt, move: Step["move"]): Step => ({ from, move, tool, block:
 
 test("a thread meets the plane of the stock once a turn, from its angle on, and where the tool stops", () => {
   const from = at(4.1, 12.9);
-  const places = (angle: number, stops = false) => stampsOf(from, thread(at(-4, 12.9), angle, stops)).map((s) => Number(s.at.z.toFixed(6)));
+  const places = (angle: number, stops = false) =>
+    stampsOf(from, thread(at(-4, 12.9), angle, stops)).map((s) => Number(s.at.z.toFixed(6)));
   expect(turnsIn(from, thread(at(-4, 12.9), 0))).toBeCloseTo(3, 9);
   expect(places(0)).toEqual([4.1, 1.4, -1.3]);
   expect(places(90)).toEqual([2.075, -0.625, -3.325]);

@@ -20,7 +20,8 @@ export interface TouchIndex {
 /** Sweeps that are remembered. */
 const MOST = 2000;
 /** So many steps are one block, and so many blocks one group, as powers of two. */
-const BLOCK = 5, GROUP = 10;
+const BLOCK = 5,
+  GROUP = 10;
 
 const cuts = ({ move, from }: Step) => move.kind !== "rapid" && (move.to.z !== from.z || move.to.r !== from.r);
 
@@ -29,7 +30,8 @@ function wayBox({ from, move }: Step): Box {
   const path = pathOf(from, move);
   if (path.kind === "arc") {
     // An arc whose ends lie on two circles reaches farther than one round its beginning.
-    const { startRadius, endRadius } = part.polarOf(path), { left, right, low, high } = part.boxOf(path);
+    const { startRadius, endRadius } = part.polarOf(path),
+      { left, right, low, high } = part.boxOf(path);
     const by = SAME + Math.abs(startRadius - endRadius);
     return { left: left - by, right: right + by, low: low - by, high: high + by };
   }
@@ -51,14 +53,20 @@ function touches({ box, sides }: ConvexPiece, z: number, r: number): boolean {
 }
 
 /**
- * Whether a convex outline may touch a place while its tip stands somewhere in a box: none of its sides has all of them beyond it. The
- * sides of a piece lie a little further in than those of its ring, so SAME beyond a side of the ring is more than enough.
+ * Whether a convex outline may touch a place while its tip stands somewhere in a box: none of its sides has all of them
+ * beyond it. The sides of a piece lie a little further in than those of its ring, so SAME beyond a side of the ring is
+ * more than enough.
  */
 function mayTouch({ sides, box }: ConvexPiece, way: Box, z: number, r: number): boolean {
-  const left = z - way.right, right = z - way.left, low = r - way.high, high = r - way.low;
-  if (!(left <= box.right + SAME && right >= box.left - SAME && low <= box.high + SAME && high >= box.low - SAME)) return false;
+  const left = z - way.right,
+    right = z - way.left,
+    low = r - way.high,
+    high = r - way.low;
+  if (!(left <= box.right + SAME && right >= box.left - SAME && low <= box.high + SAME && high >= box.low - SAME))
+    return false;
   for (let i = 0; i < sides.length; i += 3) {
-    const nz = sides[i] as number, nr = sides[i + 1] as number;
+    const nz = sides[i] as number,
+      nr = sides[i + 1] as number;
     if (nz * (nz > 0 ? left : right) + nr * (nr > 0 ? low : high) - (sides[i + 2] as number) > 2 * SAME) return false;
   }
   return true;
@@ -70,7 +78,8 @@ function mayTouchAlong({ sides, box }: ConvexPiece, from: Pt, to: Pt, z: number,
   if (r < Math.min(from.r, to.r) + box.low - SAME || r > Math.max(from.r, to.r) + box.high + SAME) return false;
   let [begin, end] = [0, 1];
   for (let i = 0; i < sides.length; i += 3) {
-    const nz = sides[i] as number, nr = sides[i + 1] as number;
+    const nz = sides[i] as number,
+      nr = sides[i + 1] as number;
     const first = nz * (z - from.z) + nr * (r - from.r) - (sides[i + 2] as number) - 2 * SAME;
     const last = nz * (z - to.z) + nr * (r - to.r) - (sides[i + 2] as number) - 2 * SAME;
     if (first > 0 && last > 0) return false;
@@ -88,7 +97,8 @@ interface Ways extends Box {
 
 /** All of some ways, or null where there are none. */
 function around(all: Iterable<Ways | null>): Ways | null {
-  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity], tool: Tool | null | undefined;
+  let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity],
+    tool: Tool | null | undefined;
   for (const way of all) {
     if (!way) continue;
     left = Math.min(left, way.left);
@@ -141,16 +151,22 @@ function blocksOf(steps: readonly Step[], shapes: Shapes, before: Blocks | null)
     return true;
   };
   const blocks = Array.from({ length: counted(steps.length, BLOCK) }, (_, i) => {
-    const from = i << BLOCK, to = Math.min(steps.length, from + (1 << BLOCK));
-    return isSame(from, to) ? before?.blocks[i] ?? null : around(steps.slice(from, to).map((step) => knownWay(step, shapes)));
+    const from = i << BLOCK,
+      to = Math.min(steps.length, from + (1 << BLOCK));
+    return isSame(from, to)
+      ? (before?.blocks[i] ?? null)
+      : around(steps.slice(from, to).map((step) => knownWay(step, shapes)));
   });
   const each = GROUP - BLOCK;
-  const groups = Array.from({ length: counted(blocks.length, each) }, (_, i) => around(blocks.slice(i << each, (i + 1) << each)));
+  const groups = Array.from({ length: counted(blocks.length, each) }, (_, i) =>
+    around(blocks.slice(i << each, (i + 1) << each)),
+  );
   return { steps, blocks, groups };
 }
 
 /** Prepares the moves of a run to be asked which of them touches a place. */
-export const touchIndex = (steps: readonly Step[]): TouchIndex => indexOf(steps, null, { outlines: new WeakMap(), ways: new WeakMap() });
+export const touchIndex = (steps: readonly Step[]): TouchIndex =>
+  indexOf(steps, null, { outlines: new WeakMap(), ways: new WeakMap() });
 
 function indexOf(steps: readonly Step[], before: Blocks | null, shapes: Shapes): TouchIndex {
   const { outlines } = shapes;
@@ -161,10 +177,12 @@ function indexOf(steps: readonly Step[], before: Blocks | null, shapes: Shapes):
   };
   let made: Blocks | null = null;
   const whole = new Map<number, readonly ConvexPiece[]>();
-  let running: { readonly step: number; readonly fraction: number; readonly pieces: readonly ConvexPiece[] } | null = null;
+  let running: { readonly step: number; readonly fraction: number; readonly pieces: readonly ConvexPiece[] } | null =
+    null;
 
   function piecesOf(i: number, now: PlayPosition): readonly ConvexPiece[] {
-    const step = steps[i] as Step, { ring } = outlineOf(step.tool);
+    const step = steps[i] as Step,
+      { ring } = outlineOf(step.tool);
     if (i === now.step) {
       if (running?.step !== i || running.fraction !== now.fraction)
         running = { step: i, fraction: now.fraction, pieces: sweptBy(ring, step, now.fraction).pieces };
@@ -187,14 +205,17 @@ function indexOf(steps: readonly Step[], before: Blocks | null, shapes: Shapes):
     if (!cuts(step)) return false;
     const { from, move, tool } = step;
     if (move.kind !== "feed") return mayBeAt(knownWay(step, shapes), z, r);
-    const outline = outlineOf(tool), low = Math.min(from.r, move.to.r) + outline.box.low;
+    const outline = outlineOf(tool),
+      low = Math.min(from.r, move.to.r) + outline.box.low;
     return mayTouchAlong(outline, from, move.to, z, r) || (low < SAME && mayTouchAlong(outline, from, move.to, z, -r));
   }
 
   return {
     latest(z, r, now, after) {
-      const { blocks, groups } = made ??= blocksOf(steps, shapes, before);
-      let i = Math.min(steps.length - 1, now.fraction > 0 ? now.step : now.step - 1), block = -1, group = -1;
+      const { blocks, groups } = (made ??= blocksOf(steps, shapes, before));
+      let i = Math.min(steps.length - 1, now.fraction > 0 ? now.step : now.step - 1),
+        block = -1,
+        group = -1;
       for (; i > after; i -= 1) {
         if (group !== i >> GROUP) {
           group = i >> GROUP;

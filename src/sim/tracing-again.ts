@@ -19,8 +19,8 @@ interface Traced {
 }
 
 /**
- * Traces blanks of one run after the other: what stood after the same steps is not cut again. `next` begins another run; the blanks of
- * a run are traced in the order in which it states them.
+ * Traces blanks of one run after the other: what stood after the same steps is not cut again. `next` begins another
+ * run; the blanks of a run are traced in the order in which it states them.
  */
 export function tracingAgain(): { readonly tracing: typeof tracing; next(): void } {
   let [now, before]: [Traced[], readonly Traced[]] = [[], []];
@@ -40,7 +40,10 @@ export function tracingAgain(): { readonly tracing: typeof tracing; next(): void
         add: (step) => void steps.push(step),
         stock() {
           const stage = known ? former?.stages[stages.length] : undefined;
-          known = stage !== undefined && stage.steps.length === steps.length && stage.steps.every((s, i) => same(s, steps[i] as Step));
+          known =
+            stage !== undefined &&
+            stage.steps.length === steps.length &&
+            stage.steps.every((s, i) => same(s, steps[i] as Step));
           if (stage && known) ({ stock } = stage);
           else {
             const cut = tracing(stock, clamping);

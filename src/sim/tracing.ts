@@ -6,8 +6,14 @@ import { brokenApart, holdOf } from "./held.ts";
 import { outlinesOf } from "./outlines.ts";
 import { sweptBy } from "./sweep.ts";
 
-/** Cuts a blank step by step, without looking at what the steps do wrong. What comes off is gone when it is asked for next. */
-export function tracing(blank: readonly Ring[], clamping: Clamping | null): { add(step: Step): void; stock(): readonly Ring[] } {
+/**
+ * Cuts a blank step by step, without looking at what the steps do wrong. What comes off is gone when it is asked for
+ * next.
+ */
+export function tracing(
+  blank: readonly Ring[],
+  clamping: Clamping | null,
+): { add(step: Step): void; stock(): readonly Ring[] } {
   const outlines = outlinesOf();
   const hold = holdOf(blank, clamping);
   let cut = cutting(blank);

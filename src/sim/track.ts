@@ -10,9 +10,10 @@ function withEdges(ring: Ring): Ring {
 }
 
 /**
- * What a convex outline (counter-clockwise, relative to the tip) covers along chords, as one closed curve: out along the side
- * on the right of the way, and back along the other. It may cross itself; by the non-zero rule it is the union of the hulls
- * along all chords (the convolution of path and outline), with two points for each chord instead of a whole outline.
+ * What a convex outline (counter-clockwise, relative to the tip) covers along chords, as one closed curve: out along
+ * the side on the right of the way, and back along the other. It may cross itself; by the non-zero rule it is the union
+ * of the hulls along all chords (the convolution of path and outline), with two points for each chord instead of a
+ * whole outline.
  */
 export function trackAlong(outline: Ring, way: readonly Pt[]): Ring {
   const around = withEdges(outline);
@@ -39,7 +40,10 @@ export function trackAlong(outline: Ring, way: readonly Pt[]): Ring {
   };
   let [dz, dr] = chord(0);
   /** The corner of the outline farthest to the right of the way. */
-  let corner = Math.max(0, around.findIndex((_, i) => leftOf(dz, dr, i) && !leftOf(dz, dr, i - 1)));
+  let corner = Math.max(
+    0,
+    around.findIndex((_, i) => leftOf(dz, dr, i) && !leftOf(dz, dr, i - 1)),
+  );
   put(first, corner);
   for (let i = 0; i < 2 * last; i += 1) {
     const at = visit(i + 1);

@@ -3,7 +3,8 @@ import { at } from "../kernel/geometry/point.ts";
 import { leastCovering, placesBeside } from "./away-label.ts";
 import type { Camera } from "./camera.ts";
 
-const room = { left: 60, right: 415, top: 14, bottom: 280 }, size = { width: 86, height: 33 };
+const room = { left: 60, right: 415, top: 14, bottom: 280 },
+  size = { width: 86, height: 33 };
 const camera: Camera = { scale: 2.5, zero: { x: 301, y: 153 }, xUp: true };
 const none = { boxes: [], areas: [], lines: [] };
 
@@ -60,15 +61,22 @@ test("in the taken corner stands nothing", () => {
   expect(places[0]).toEqual({ x: 289, y: 81, ...size });
   for (const { x, y } of places) expect(x + size.width <= taken.x || y >= taken.height).toBe(true);
 });
-test.each([["on free ground beside the work, over the mark rather than beside it", { x: 100, y: 20, width: 236, height: 250 }, 339], [
-  "all of it on the work: it stays beside the mark",
-  { x: 0, y: 0, width: 480, height: 300 },
-  317,
-], ["half of it on the work rather than all of it", { x: 100, y: 20, width: 275, height: 250 }, 339]])("%s", (_, work, x) => {
+test.each([
+  [
+    "on free ground beside the work, over the mark rather than beside it",
+    { x: 100, y: 20, width: 236, height: 250 },
+    339,
+  ],
+  ["all of it on the work: it stays beside the mark", { x: 0, y: 0, width: 480, height: 300 }, 317],
+  ["half of it on the work rather than all of it", { x: 100, y: 20, width: 275, height: 250 }, 339],
+])("%s", (_, work, x) => {
   const places = placesBeside(mark, size, room);
   expect(places[leastCovering(places, { ...none, areas: [work] }, camera, 0)]?.x).toBe(x);
 });
 test("a mark is kept free even where the work is covered for it", () => {
-  const places = placesBeside(mark, size, room), boxes = [{ x: 405, y: 0, width: 40, height: 300 }];
-  expect(places[leastCovering(places, { ...none, boxes, areas: [{ x: 0, y: 0, width: 480, height: 300 }] }, camera, 1)]?.x).toBe(317);
+  const places = placesBeside(mark, size, room),
+    boxes = [{ x: 405, y: 0, width: 40, height: 300 }];
+  expect(
+    places[leastCovering(places, { ...none, boxes, areas: [{ x: 0, y: 0, width: 480, height: 300 }] }, camera, 1)]?.x,
+  ).toBe(317);
 });

@@ -13,13 +13,17 @@ test("one badge stands to the right above its place", () => {
 });
 test("badges that would hide one another stand in one row over their places, in the order in which those lie", () => {
   const places = [203.3, 188, 195.7, 218, 210.1].map((x, i) => ({ x, y: 120.4 - i }));
-  const put = badgePlaces(places, seen), byPlace = put.toSorted((a, b) => places[put.indexOf(a)]!.x - places[put.indexOf(b)]!.x);
+  const put = badgePlaces(places, seen),
+    byPlace = put.toSorted((a, b) => places[put.indexOf(a)]!.x - places[put.indexOf(b)]!.x);
   expect(byPlace.map(({ x }) => Math.round(x))).toEqual([155, 179, 203, 227, 251]);
   expect(new Set(put.map(({ y }) => y)).size).toBe(1);
   expect(put[0]?.y).toBeLessThan(100);
 });
 test("where a row cannot hold them neighbours share a badge, and none lies on another or out of the picture", () => {
-  const put = badgePlaces(Array.from({ length: 21 }, (_, i) => ({ x: 320 + 3.1 * i, y: 120.4 + i })), seen);
+  const put = badgePlaces(
+    Array.from({ length: 21 }, (_, i) => ({ x: 320 + 3.1 * i, y: 120.4 + i })),
+    seen,
+  );
   expect(new Set(put.map(({ y }) => y)).size).toBe(1);
   const shared = [...new Set(put)];
   expect(shared.map((at) => put.filter((each) => each === at).length)).toEqual([5, 5, 5, 5, 1]);
@@ -28,17 +32,34 @@ test("where a row cannot hold them neighbours share a badge, and none lies on an
   for (const { x } of put) expect([x >= 67, x <= 410]).toEqual([true, true]);
 });
 test("a row stands clear of the badge of another place", () => {
-  const put = badgePlaces([{ x: 190.5, y: 97 }, { x: 180, y: 131 }, { x: 183, y: 133 }, { x: 187.2, y: 132 }], seen);
+  const put = badgePlaces(
+    [
+      { x: 190.5, y: 97 },
+      { x: 180, y: 131 },
+      { x: 183, y: 133 },
+      { x: 187.2, y: 132 },
+    ],
+    seen,
+  );
   expect(put[0]).toEqual({ x: 208.5, y: 79 });
   expect(apart(put)).toBeGreaterThanOrEqual(24);
 });
 test("under the upper edge a row goes beside another badge rather than down on the work", () => {
-  const put = badgePlaces([{ x: 260.4, y: 54 }, ...Array.from({ length: 6 }, (_, i) => ({ x: 200 + 6.1 * i, y: 57 }))], seen);
+  const put = badgePlaces(
+    [{ x: 260.4, y: 54 }, ...Array.from({ length: 6 }, (_, i) => ({ x: 200 + 6.1 * i, y: 57 }))],
+    seen,
+  );
   for (const { y } of put) expect(y).toBeLessThan(40);
   expect(apart(put)).toBeGreaterThanOrEqual(24);
 });
 test("beside the edge of the picture a badge stands where it is whole", () => {
-  const [first, second] = badgePlaces([{ x: 425, y: 150 }, { x: 301.5, y: 9 }], seen);
+  const [first, second] = badgePlaces(
+    [
+      { x: 425, y: 150 },
+      { x: 301.5, y: 9 },
+    ],
+    seen,
+  );
   expect(first?.x).toBeLessThanOrEqual(420);
   expect(second?.y).toBeGreaterThanOrEqual(14);
 });

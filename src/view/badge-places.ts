@@ -4,13 +4,18 @@ import type { Seen } from "./edge-mark.ts";
 /** Where a badge stands from its place, pixels: beside it, so that the place stays to be seen. */
 const ASIDE = { x: 18, y: -18 };
 /** Badges nearer than this would hide one another; half of the badge itself, pixels. */
-const APART = 24, HALF = 11;
+const APART = 24,
+  HALF = 11;
 /** Width that one takes which stands for several places, pixels. */
 const SHARED = 44;
-/** The share of the width of the picture that a row of them may take: more of them would hide what they speak of behind their leaders. */
+/**
+ * The share of the width of the picture that a row of them may take: more of them would hide what they speak of behind
+ * their leaders.
+ */
 const WIDEST = 0.6;
 /** A row of badges stands higher over its places by this much for each of them, up to the second, pixels. */
-const RISE = 5, HIGHEST = 40;
+const RISE = 5,
+  HIGHEST = 40;
 
 interface Asked {
   readonly index: number;
@@ -32,7 +37,10 @@ function crowdsOf(places: readonly Place[]): Asked[][] {
   return crowds.toSorted((a, b) => a.length - b.length);
 }
 
-/** The badges of a crowd, from left to right as its places lie: one for each place, or, where no row holds so many, one for neighbours. */
+/**
+ * The badges of a crowd, from left to right as its places lie: one for each place, or, where no row holds so many, one
+ * for neighbours.
+ */
 interface Row {
   readonly shares: readonly (readonly Asked[])[];
   /** From badge to badge, pixels. */
@@ -54,37 +62,51 @@ function rowOf(crowd: readonly Asked[], { left, right }: Seen): Row {
 function rowOver({ shares, pitch }: Row, crowd: readonly Asked[], seen: Seen): readonly Place[] {
   const middle = crowd.reduce((sum, { place }) => sum + place.x, 0) / crowd.length + (crowd.length > 1 ? 0 : ASIDE.x);
   const over = Math.min(...crowd.map(({ place }) => place.y)) + ASIDE.y - Math.min(HIGHEST, RISE * (crowd.length - 1));
-  const wide = (shares.length - 1) * pitch, half = pitch / 2 - 1;
+  const wide = (shares.length - 1) * pitch,
+    half = pitch / 2 - 1;
   const left = Math.max(seen.left + half, Math.min(seen.right - half - wide, middle - wide / 2));
   return shares.map((_, i) => ({ x: left + i * pitch, y: crowd.length > 1 ? Math.max(over, seen.top + HALF) : over }));
 }
 
-/** Columns and rows by which a whole crowd may be shifted, the nearest first: rather to a side than down on the work. */
-const SIDE = 4, FAR = 12, DOWN = 3;
-const SHIFTS: readonly Place[] = Array.from({ length: 2 * FAR + 1 }, (_, i) => i - FAR).flatMap((y) =>
-  Array.from({ length: 2 * SIDE + 1 }, (_, i): Place => ({ x: i - SIDE, y }))
-).sort((a, b) => seemsFar(a) - seemsFar(b) || a.x - b.x);
+/**
+ * Columns and rows by which a whole crowd may be shifted, the nearest first: rather to a side than down on the work.
+ */
+const SIDE = 4,
+  FAR = 12,
+  DOWN = 3;
+const SHIFTS: readonly Place[] = Array.from({ length: 2 * FAR + 1 }, (_, i) => i - FAR)
+  .flatMap((y) => Array.from({ length: 2 * SIDE + 1 }, (_, i): Place => ({ x: i - SIDE, y })))
+  .sort((a, b) => seemsFar(a) - seemsFar(b) || a.x - b.x);
 
 function seemsFar({ x, y }: Place): number {
   return Math.abs(x) + Math.abs(y) + (y > 0 ? DOWN : 0);
 }
 
 /**
- * The middle of the badge of each place: beside it, or, where badges would hide one another, in a row over their places, in which
- * neighbours share one where it would be too long. Nothing stands on what stands there already, nor out of what is seen, as long as there
- * is room above or below.
+ * The middle of the badge of each place: beside it, or, where badges would hide one another, in a row over their
+ * places, in which neighbours share one where it would be too long. Nothing stands on what stands there already, nor
+ * out of what is seen, as long as there is room above or below.
  */
 export function badgePlaces(places: readonly Place[], seen: Seen): readonly Place[] {
-  const put: (Place & { readonly pitch: number })[] = [], found: Place[] = places.map(({ x, y }) => ({ x: x + ASIDE.x, y: y + ASIDE.y }));
+  const put: (Place & { readonly pitch: number })[] = [],
+    found: Place[] = places.map(({ x, y }) => ({ x: x + ASIDE.x, y: y + ASIDE.y }));
   for (const crowd of crowdsOf(places)) {
-    const { shares, pitch } = rowOf(crowd, seen), first = rowOver({ shares, pitch }, crowd, seen);
+    const { shares, pitch } = rowOf(crowd, seen),
+      first = rowOver({ shares, pitch }, crowd, seen);
     const shifted = (by: Place) => first.map(({ x, y }) => ({ x: x + by.x * APART, y: y + by.y * APART }));
     const isFree = (row: readonly Place[]) =>
-      row.every((at) =>
-        at.x - HALF >= seen.left && at.x + HALF <= seen.right && at.y - HALF >= seen.top && at.y + HALF <= seen.bottom
-        && !put.some((other) => Math.abs(other.x - at.x) < (other.pitch + pitch) / 2 && Math.abs(other.y - at.y) < APART)
+      row.every(
+        (at) =>
+          at.x - HALF >= seen.left &&
+          at.x + HALF <= seen.right &&
+          at.y - HALF >= seen.top &&
+          at.y + HALF <= seen.bottom &&
+          !put.some(
+            (other) => Math.abs(other.x - at.x) < (other.pitch + pitch) / 2 && Math.abs(other.y - at.y) < APART,
+          ),
       );
-    const by = SHIFTS.find((each) => isFree(shifted(each))) ?? { x: 0, y: 0 }, row = shifted(by);
+    const by = SHIFTS.find((each) => isFree(shifted(each))) ?? { x: 0, y: 0 },
+      row = shifted(by);
     shares.forEach((each, i) => {
       const at = row[i];
       if (!at) return;

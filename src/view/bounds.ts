@@ -3,7 +3,10 @@ import type { Bounds } from "./camera.ts";
 
 /** The smallest box round all points, or null when there are none. */
 export function boundsOf(points: Iterable<Pt>): Bounds | null {
-  let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
+  let left = Infinity,
+    right = -Infinity,
+    low = Infinity,
+    high = -Infinity;
   for (const p of points) {
     left = Math.min(left, p.z);
     right = Math.max(right, p.z);

@@ -14,67 +14,100 @@ const point = fc.record({ z: number(-500, 500).map(axial), r: number(-300, 300).
 const near = (a: number, b: number) => expect(Math.abs(a - b)).toBeLessThan(1e-6);
 
 test("part → screen → part is the same place, with X up and with X down", () => {
-  fc.assert(fc.property(camera, point, (c, p) => {
-    const back = toPlace(c, toScreen(c, p));
-    near(back.z, p.z);
-    near(back.r, p.r);
-  }));
+  fc.assert(
+    fc.property(camera, point, (c, p) => {
+      const back = toPlace(c, toScreen(c, p));
+      near(back.z, p.z);
+      near(back.r, p.r);
+    }),
+  );
 });
 
 test("Z runs to the right, X the way the switch says", () => {
-  fc.assert(fc.property(camera, point, (c, p) => {
-    const here = toScreen(c, p), there = toScreen(c, { z: axial(p.z + 1), r: radius(p.r + 1) });
-    expect(there.x).toBeGreaterThan(here.x);
-    expect(there.y < here.y).toBe(c.xUp);
-  }));
+  fc.assert(
+    fc.property(camera, point, (c, p) => {
+      const here = toScreen(c, p),
+        there = toScreen(c, { z: axial(p.z + 1), r: radius(p.r + 1) });
+      expect(there.x).toBeGreaterThan(here.x);
+      expect(there.y < here.y).toBe(c.xUp);
+    }),
+  );
 });
 
 test("zooming keeps what lies under the pointer", () => {
-  fc.assert(fc.property(camera, place, number(0.2, 5), (c, at, factor) => {
-    const before = toPlace(c, at), after = toPlace(zoomed(c, factor, at), at);
-    near(after.z, before.z);
-    near(after.r, before.r);
-  }));
+  fc.assert(
+    fc.property(camera, place, number(0.2, 5), (c, at, factor) => {
+      const before = toPlace(c, at),
+        after = toPlace(zoomed(c, factor, at), at);
+      near(after.z, before.z);
+      near(after.r, before.r);
+    }),
+  );
 });
 
 test("panning there and back is no change", () => {
-  fc.assert(fc.property(camera, number(-500, 500), number(-500, 500), (c, dx, dy) => {
-    const back = panned(panned(c, dx, dy), -dx, -dy);
-    near(back.zero.x, c.zero.x);
-    near(back.zero.y, c.zero.y);
-  }));
+  fc.assert(
+    fc.property(camera, number(-500, 500), number(-500, 500), (c, dx, dy) => {
+      const back = panned(panned(c, dx, dy), -dx, -dy);
+      near(back.zero.x, c.zero.x);
+      near(back.zero.y, c.zero.y);
+    }),
+  );
 });
 
 test("pinching takes what lies between the fingers along", () => {
-  fc.assert(fc.property(camera, place, place, number(-100, 100), (c, a, b, shift) => {
-    fc.pre(Math.hypot(a.x - b.x, a.y - b.y) > 20);
-    const moved = pinched(c, [a, b], [{ x: a.x + shift, y: a.y }, { x: b.x + shift, y: b.y }]);
-    const before = toPlace(c, a), after = toPlace(moved, { x: a.x + shift, y: a.y });
-    near(after.z, before.z);
-    near(after.r, before.r);
-  }));
+  fc.assert(
+    fc.property(camera, place, place, number(-100, 100), (c, a, b, shift) => {
+      fc.pre(Math.hypot(a.x - b.x, a.y - b.y) > 20);
+      const moved = pinched(
+        c,
+        [a, b],
+        [
+          { x: a.x + shift, y: a.y },
+          { x: b.x + shift, y: b.y },
+        ],
+      );
+      const before = toPlace(c, a),
+        after = toPlace(moved, { x: a.x + shift, y: a.y });
+      near(after.z, before.z);
+      near(after.r, before.r);
+    }),
+  );
 });
 
 test("a fitted picture shows all corners of its box", () => {
-  fc.assert(fc.property(number(-200, 0), number(1, 300), number(-50, 50), number(1, 200), fc.boolean(), (left, wide, low, tall, xUp) => {
-    const size = { width: 640, height: 420 }, margin = { left: 50, right: 10, top: 20, bottom: 30 };
-    const c = fitted({ left, right: left + wide, low, high: low + tall }, size, margin, xUp);
-    for (const z of [left, left + wide]) {
-      for (const r of [low, low + tall]) {
-        const at = toScreen(c, { z: axial(z), r: radius(r) });
-        expect(at.x).toBeGreaterThan(49.9);
-        expect(at.x).toBeLessThan(630.1);
-        expect(at.y).toBeGreaterThan(19.9);
-        expect(at.y).toBeLessThan(390.1);
-      }
-    }
-  }));
+  fc.assert(
+    fc.property(
+      number(-200, 0),
+      number(1, 300),
+      number(-50, 50),
+      number(1, 200),
+      fc.boolean(),
+      (left, wide, low, tall, xUp) => {
+        const size = { width: 640, height: 420 },
+          margin = { left: 50, right: 10, top: 20, bottom: 30 };
+        const c = fitted({ left, right: left + wide, low, high: low + tall }, size, margin, xUp);
+        for (const z of [left, left + wide]) {
+          for (const r of [low, low + tall]) {
+            const at = toScreen(c, { z: axial(z), r: radius(r) });
+            expect(at.x).toBeGreaterThan(49.9);
+            expect(at.x).toBeLessThan(630.1);
+            expect(at.y).toBeGreaterThan(19.9);
+            expect(at.y).toBeLessThan(390.1);
+          }
+        }
+      },
+    ),
+  );
 });
 
 test("turning the picture over twice is no change", () => {
-  fc.assert(fc.property(camera, (c) => {
-    const size = { width: 640, height: 420 }, back = turnedOver(turnedOver(c, size), size);
-    expect(back.xUp).toBe(c.xUp);
-    near(back.zero.y, c.zero.y);
-  }));
+  fc.assert(
+    fc.property(camera, (c) => {
+      const size = { width: 640, height: 420 },
+        back = turnedOver(turnedOver(c, size), size);
+      expect(back.xUp).toBe(c.xUp);
+      near(back.zero.y, c.zero.y);
+    }),
+  );
 });

@@ -49,15 +49,14 @@ export const toPlace = (camera: Camera, place: Place): Pt => ({
 });
 
 /** The same map as the six numbers of an SVG matrix, from (z, r) to (x, y). */
-export const matrix =
-  (camera: Camera): readonly [number, number, number, number, number, number] => [
-    camera.scale,
-    0,
-    0,
-    sign(camera) * camera.scale,
-    camera.zero.x,
-    camera.zero.y,
-  ];
+export const matrix = (camera: Camera): readonly [number, number, number, number, number, number] => [
+  camera.scale,
+  0,
+  0,
+  sign(camera) * camera.scale,
+  camera.zero.x,
+  camera.zero.y,
+];
 
 /** Moves the picture by so many pixels. */
 export const panned = (camera: Camera, dx: number, dy: number): Camera => ({
@@ -76,13 +75,21 @@ export function zoomed(camera: Camera, factor: number, at: Place): Camera {
   };
 }
 
-/** How a drawing for one camera lies where another one looks: first grown by a factor from the picture's corner, then moved, pixels. */
-export function sheetShift(drawn: Camera, now: Camera): { readonly x: number; readonly y: number; readonly grown: number } {
+/**
+ * How a drawing for one camera lies where another one looks: first grown by a factor from the picture's corner, then
+ * moved, pixels.
+ */
+export function sheetShift(
+  drawn: Camera,
+  now: Camera,
+): { readonly x: number; readonly y: number; readonly grown: number } {
   const grown = now.scale / drawn.scale;
   return { x: now.zero.x - drawn.zero.x * grown, y: now.zero.y - drawn.zero.y * grown, grown };
 }
 
-/** The corners of what a camera sees, as places in a drawing for another one, and how much that drawing is grown there. */
+/**
+ * The corners of what a camera sees, as places in a drawing for another one, and how much that drawing is grown there.
+ */
 export function seenFrom(
   drawn: Camera,
   now: Camera,
@@ -96,7 +103,8 @@ export function seenFrom(
 export function pinched(camera: Camera, before: readonly [Place, Place], after: readonly [Place, Place]): Camera {
   const mean = ([a, b]: readonly [Place, Place]): Place => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
   const apart = ([a, b]: readonly [Place, Place]) => Math.hypot(a.x - b.x, a.y - b.y);
-  const from = mean(before), to = mean(after);
+  const from = mean(before),
+    to = mean(after);
   return zoomed(panned(camera, to.x - from.x, to.y - from.y), apart(before) > 0 ? apart(after) / apart(before) : 1, to);
 }
 
@@ -119,7 +127,8 @@ export interface Margin {
 export function fitted(bounds: Bounds, size: Size, margin: Margin, xUp: boolean): Camera {
   const width = Math.max(1, size.width - margin.left - margin.right);
   const height = Math.max(1, size.height - margin.top - margin.bottom);
-  const wide = Math.max(JOINED, bounds.right - bounds.left), tall = Math.max(JOINED, bounds.high - bounds.low);
+  const wide = Math.max(JOINED, bounds.right - bounds.left),
+    tall = Math.max(JOINED, bounds.high - bounds.low);
   const scale = Math.min(SCALE.max, Math.max(SCALE.min, Math.min(width / wide, height / tall)));
   const middle = { z: (bounds.left + bounds.right) / 2, r: (bounds.low + bounds.high) / 2 };
   return {

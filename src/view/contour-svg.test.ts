@@ -2,13 +2,17 @@ import { expect, test } from "vitest";
 import { at, type Segment } from "../kernel/geometry/point.ts";
 import { contourSvg } from "./contour-svg.ts";
 
-const contour: readonly Segment[] = [{ kind: "line", from: at(1.25, 9.875), to: at(-17.3, 9.875) }, {
-  kind: "arc",
-  from: at(-17.3, 9.875),
-  to: at(-20.8, 13.375),
-  centre: at(-17.3, 13.375),
-  turn: "cw",
-}, { kind: "line", from: at(-20.8, 13.375), to: at(-31.25, 13.375) }];
+const contour: readonly Segment[] = [
+  { kind: "line", from: at(1.25, 9.875), to: at(-17.3, 9.875) },
+  {
+    kind: "arc",
+    from: at(-17.3, 9.875),
+    to: at(-20.8, 13.375),
+    centre: at(-17.3, 13.375),
+    turn: "cw",
+  },
+  { kind: "line", from: at(-20.8, 13.375), to: at(-31.25, 13.375) },
+];
 
 test("a contour is drawn in its true size, arcs as arcs, with room round it", () => {
   expect(contourSvg([{ name: "CONTOUR", segments: contour }])).toBe(

@@ -5,10 +5,15 @@ import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { datumAt, datumIndex } from "./datum.ts";
 
 const turned = (lines: string) =>
-  run(parse(`BEGIN PGM T MM\nFUNCTION MODE TURN\nTOOL CALL 1\nL X+100 Z+50 FMAX\nL Z+40 FMAX\n${lines}\nM30\nEND PGM T MM\n`), {
-    tools: shippedTools,
-    rapid: 10_000,
-  });
+  run(
+    parse(
+      `BEGIN PGM T MM\nFUNCTION MODE TURN\nTOOL CALL 1\nL X+100 Z+50 FMAX\nL Z+40 FMAX\n${lines}\nM30\nEND PGM T MM\n`,
+    ),
+    {
+      tools: shippedTools,
+      rapid: 10_000,
+    },
+  );
 const shown = (lines: string) => {
   const { datums, steps } = turned(lines);
   return Array.from({ length: steps.length + 1 }, (_, step) => {
@@ -18,7 +23,9 @@ const shown = (lines: string) => {
 };
 
 test("the datum stands where the program counts from at each step, and at the end where it was left", () => {
-  expect(shown("TRANS DATUM AXIS X+4 Z-12.5\nL Z+30 FMAX\nTRANS DATUM RESET\nL Z+5 FMAX\nTRANS DATUM AXIS Z+3")).toEqual([
+  expect(
+    shown("TRANS DATUM AXIS X+4 Z-12.5\nL Z+30 FMAX\nTRANS DATUM RESET\nL Z+5 FMAX\nTRANS DATUM AXIS Z+3"),
+  ).toEqual([
     [0, 0],
     [2, -12.5],
     [0, 0],

@@ -8,7 +8,10 @@ export interface Seen {
   readonly bottom: number;
 }
 
-/** Where a place beyond the edge is pointed to: the nearest place on the edge, and which way it lies, degrees clockwise from right. */
+/**
+ * Where a place beyond the edge is pointed to: the nearest place on the edge, and which way it lies, degrees clockwise
+ * from right.
+ */
 export interface EdgeMark {
   readonly at: Place;
   readonly turn: number;

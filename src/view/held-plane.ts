@@ -1,7 +1,10 @@
 import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
 import type { Bounds } from "./camera.ts";
 
-/** The rear end of a blank as drawings mark what is held: a plane with short lines behind it. Nothing is said of what holds it. */
+/**
+ * The rear end of a blank as drawings mark what is held: a plane with short lines behind it. Nothing is said of what
+ * holds it.
+ */
 export interface HeldPlane {
   /** The plane, from the axis or the bore to the outside. */
   readonly plane: readonly [Pt, Pt];
@@ -13,8 +16,15 @@ const LINES = { share: 0.18, least: 1, most: 12 } as const;
 
 /** The plane at the rear end of a blank that is held nobody knows how. */
 export function heldPlane(blank: readonly Ring[], { left, high }: Bounds): HeldPlane {
-  const low = Math.min(high, ...blank.flat().filter(({ z }) => z === left).map(({ r }) => r));
-  const long = Math.min(LINES.most, Math.max(LINES.least, high * LINES.share)), count = Math.max(2, Math.round((high - low) / long));
+  const low = Math.min(
+    high,
+    ...blank
+      .flat()
+      .filter(({ z }) => z === left)
+      .map(({ r }) => r),
+  );
+  const long = Math.min(LINES.most, Math.max(LINES.least, high * LINES.share)),
+    count = Math.max(2, Math.round((high - low) / long));
   const apart = (high - low) / count;
   return {
     plane: [at(left, low), at(left, high)],

@@ -29,8 +29,11 @@ function passes(count: number, operation: number | null = 0): Step[] {
 }
 
 test("each pass is a stretch of its own, and all of them together are the path", () => {
-  const steps = passes(7), stretches = pathStretches(steps);
-  expect(stretches.map(({ first, last }) => [first, last])).toEqual([0, 1, 2, 3, 4, 5, 6].map((i) => [4 * i, 4 * i + 3]));
+  const steps = passes(7),
+    stretches = pathStretches(steps);
+  expect(stretches.map(({ first, last }) => [first, last])).toEqual(
+    [0, 1, 2, 3, 4, 5, 6].map((i) => [4 * i, 4 * i + 3]),
+  );
   expect(stretches[2]?.shapes).toEqual(toolpath(steps.slice(8, 12)));
   const whole = wholePath(stretches);
   expect(whole.map(({ role }) => role)).toEqual(["rapid", "feed"]);
@@ -41,11 +44,17 @@ test("each pass is a stretch of its own, and all of them together are the path",
 });
 
 test("between the cycles a rapid after a cut begins the next stretch", () => {
-  expect(pathStretches(passes(3, null)).map(({ first, last }) => [first, last])).toEqual([[0, 2], [3, 6], [7, 10], [11, 11]]);
+  expect(pathStretches(passes(3, null)).map(({ first, last }) => [first, last])).toEqual([
+    [0, 2],
+    [3, 6],
+    [7, 10],
+    [11, 11],
+  ]);
 });
 
 test.each([97, 500, 12_500])("%i passes are no more stretches than may be, without a gap", (count) => {
-  const steps = passes(count), stretches = pathStretches(steps);
+  const steps = passes(count),
+    stretches = pathStretches(steps);
   expect(stretches.length).toBeGreaterThan(MOST_STRETCHES / 3);
   expect(stretches.length).toBeLessThanOrEqual(MOST_STRETCHES);
   stretches.forEach(({ first, last }, i) => {
@@ -56,7 +65,11 @@ test.each([97, 500, 12_500])("%i passes are no more stretches than may be, witho
 });
 
 test("a part of a run keeps the numbers of its steps", () => {
-  expect(pathStretches(passes(9), 8, 18).map(({ first, last }) => [first, last])).toEqual([[8, 11], [12, 15], [16, 18]]);
+  expect(pathStretches(passes(9), 8, 18).map(({ first, last }) => [first, last])).toEqual([
+    [8, 11],
+    [12, 15],
+    [16, 18],
+  ]);
   expect(pathStretches([])).toEqual([]);
 });
 
@@ -68,9 +81,11 @@ test("what is behind the running step is done, forwards and back", () => {
 
 test("where a call of many changes, the lines of all others are those of before", () => {
   const call = (operation: number, count: number) => passes(count, operation);
-  const calls = Array.from({ length: 31 }, (_, i) => call(i, 33 + (i % 3))), known: KnownLines = new WeakMap();
+  const calls = Array.from({ length: 31 }, (_, i) => call(i, 33 + (i % 3))),
+    known: KnownLines = new WeakMap();
   const stretchesOf = (steps: readonly Step[]) => pathStretches(steps, 0, steps.length - 1, 24, known);
-  const before = stretchesOf(calls.flat()), changed = stretchesOf(calls.with(20, call(20, 41)).flat());
+  const before = stretchesOf(calls.flat()),
+    changed = stretchesOf(calls.with(20, call(20, 41)).flat());
   expect(before).toHaveLength(31);
   const isNew = changed.map(({ shapes }, i) => shapes !== before[i]?.shapes);
   expect(isNew.flatMap((is, i) => (is ? [i] : []))).toEqual([20]);

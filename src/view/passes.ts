@@ -14,7 +14,10 @@ export interface PathStretch extends Drawn {
   readonly last: number;
 }
 
-/** Stretches of a path that may change their look one by one: more would cost every picture, and could not be told apart. */
+/**
+ * Stretches of a path that may change their look one by one: more would cost every picture, and could not be told
+ * apart.
+ */
 export const MOST_STRETCHES = 96;
 
 /** Whether a pass ends before a step: another call, phase or pass begins; between the cycles a rapid after a cut. */
@@ -24,14 +27,16 @@ function begins(before: Step, step: Step): boolean {
   return is.pass === undefined && is.kind === "rapid" && was.kind !== "rapid";
 }
 
-const beginsCall = (before: Step, step: Step): boolean => step.operation !== null && step.operation !== before.operation;
+const beginsCall = (before: Step, step: Step): boolean =>
+  step.operation !== null && step.operation !== before.operation;
 
 /**
- * Steps of a stretch at least, of so many in all: one of 1, 2, 3, 4, 6, 8, 12 …, which stays the same while a path grows a little, so that
- * what nobody has changed is the same stretches again.
+ * Steps of a stretch at least, of so many in all: one of 1, 2, 3, 4, 6, 8, 12 …, which stays the same while a path
+ * grows a little, so that what nobody has changed is the same stretches again.
  */
 function leastOf(count: number, most: number): number {
-  const share = Math.max(1, count / most), power = 2 ** Math.ceil(Math.log2(share));
+  const share = Math.max(1, count / most),
+    power = 2 ** Math.ceil(Math.log2(share));
   return power > 2 && 0.75 * power >= share ? 0.75 * power : power;
 }
 
@@ -40,28 +45,36 @@ export type KnownLines = WeakMap<Step, { readonly steps: readonly Step[]; readon
 
 /** Steps of calls that stay the same are the very same; what moves between them is made anew with each run. */
 const drawsAlike = (a: Step | undefined, b: Step | undefined): boolean =>
-  a?.operation === null && b?.operation === null && a.move.kind !== "arc" && pathRole(a.move) === pathRole(b.move)
-  && moveData(a.from, a.move) === moveData(b.from, b.move) && startData(a.from) === startData(b.from);
+  a?.operation === null &&
+  b?.operation === null &&
+  a.move.kind !== "arc" &&
+  pathRole(a.move) === pathRole(b.move) &&
+  moveData(a.from, a.move) === moveData(b.from, b.move) &&
+  startData(a.from) === startData(b.from);
 
 /** Whether some steps draw what others draw from an index on. */
 function isAlike(some: readonly Step[], others: readonly Step[], from: number): boolean {
-  for (let i = 0; i < some.length; i += 1) if (some[i] !== others[from + i] && !drawsAlike(some[i], others[from + i])) return false;
+  for (let i = 0; i < some.length; i += 1)
+    if (some[i] !== others[from + i] && !drawsAlike(some[i], others[from + i])) return false;
   return true;
 }
 
 function linesOf(steps: readonly Step[], from: number, to: number, known: KnownLines): Drawn {
   let called = from;
   while (called < to - 1 && steps[called]?.operation === null) called += 1;
-  const key = steps[called], have = key && known.get(key);
+  const key = steps[called],
+    have = key && known.get(key);
   if (have?.steps.length === to - from && isAlike(have.steps, steps, from)) return have.drawn;
-  const own = steps.slice(from, to), drawn = { shapes: toolpath(own), ways: tipWays(own) };
+  const own = steps.slice(from, to),
+    drawn = { shapes: toolpath(own), ways: tipWays(own) };
   if (key) known.set(key, { steps: own, drawn });
   return drawn;
 }
 
 /**
- * A part of a run as stretches of whole passes, in their order, each with a path for every form of line. Where there are too many
- * passes, several that follow one another are one stretch; but a call begins a stretch unless the one before would be very short.
+ * A part of a run as stretches of whole passes, in their order, each with a path for every form of line. Where there
+ * are too many passes, several that follow one another are one stretch; but a call begins a stretch unless the one
+ * before would be very short.
  */
 export function pathStretches(
   steps: readonly Step[],
@@ -70,12 +83,16 @@ export function pathStretches(
   most = MOST_STRETCHES,
   known: KnownLines = new WeakMap(),
 ): readonly PathStretch[] {
-  const least = leastOf(last - first + 1, most), shortest = Math.ceil(least / 2);
+  const least = leastOf(last - first + 1, most),
+    shortest = Math.ceil(least / 2);
   const out: PathStretch[] = [];
   let from = first;
   for (let i = Math.max(first, Math.min(last, first + shortest - 1)); i <= last; i += 1) {
-    const here = steps[i] as Step, next = steps[i + 1], size = i - from + 1;
-    const ends = i === last || !next || (size >= least ? begins(here, next) : 2 * size >= least && beginsCall(here, next));
+    const here = steps[i] as Step,
+      next = steps[i + 1],
+      size = i - from + 1;
+    const ends =
+      i === last || !next || (size >= least ? begins(here, next) : 2 * size >= least && beginsCall(here, next));
     if (!ends) continue;
     out.push({ first: from, last: i, ...linesOf(steps, from, i + 1, known) });
     from = i + 1;

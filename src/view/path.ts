@@ -16,9 +16,14 @@ const n = (v: number) => String(Math.round(v * 1e4) / 1e4 + 0);
 const WHOLE = 6.2;
 const at = (p: Pt) => `${n(p.z)} ${n(p.r)}`;
 
-/** Part space counts turns with X up; in the unflipped path a counter-clockwise turn grows the angle, which is SVG's flag 1. */
+/**
+ * Part space counts turns with X up; in the unflipped path a counter-clockwise turn grows the angle, which is SVG's
+ * flag 1.
+ */
 function arc(path: Extract<Segment, { kind: "arc" }>): string {
-  const { startRadius, endRadius, sweep } = polarOf(path), size = n((startRadius + endRadius) / 2), flag = sweep > 0 ? 1 : 0;
+  const { startRadius, endRadius, sweep } = polarOf(path),
+    size = n((startRadius + endRadius) / 2),
+    flag = sweep > 0 ? 1 : 0;
   if (Math.abs(sweep) > WHOLE) {
     return `A${size} ${size} 0 0 ${flag} ${at(pointOn(path, 0.5))}A${size} ${size} 0 0 ${flag} ${at(path.to)}`;
   }
@@ -29,14 +34,17 @@ const line = (path: Segment) => (path.kind === "arc" ? arc(path) : `L${at(path.t
 
 /** One motion from where the tip stands; without the leading "M". */
 export const moveData = (from: Pt, move: Move): string =>
-  move.kind === "arc" ? arc({ kind: "arc", from, to: move.to, centre: move.centre, turn: move.turn }) : `L${at(move.to)}`;
+  move.kind === "arc"
+    ? arc({ kind: "arc", from, to: move.to, centre: move.centre, turn: move.turn })
+    : `L${at(move.to)}`;
 
 /** Where a path begins. */
 export const startData = (p: Pt): string => `M${at(p)}`;
 
 /** Segments as one path; a gap between two of them begins a new stretch. */
 export function segmentData(segments: Iterable<Segment>): string {
-  let d = "", last: Pt | null = null;
+  let d = "",
+    last: Pt | null = null;
   for (const s of segments) {
     if (!last || hypotenuse(last.z - s.from.z, last.r - s.from.r) > JOINED) d += startData(s.from);
     d += line(s);
@@ -47,7 +55,10 @@ export function segmentData(segments: Iterable<Segment>): string {
 
 /** Polygons, holes included, as one path for the even-odd rule. */
 export const ringData = (rings: Iterable<Ring>): string =>
-  [...rings].filter((ring) => ring.length > 2).map((ring) => `M${ring.map(at).join("L")}Z`).join("");
+  [...rings]
+    .filter((ring) => ring.length > 2)
+    .map((ring) => `M${ring.map(at).join("L")}Z`)
+    .join("");
 
 /** Single motions, each from where it starts, as one path. */
 export const stretchData = (steps: readonly { readonly from: Pt; readonly move: Move }[]): string =>

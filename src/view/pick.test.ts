@@ -7,7 +7,14 @@ import { moveAt, positionNear } from "./pick.ts";
 
 const [tool] = shippedTools;
 const step = (from: Pt, move: Pick<Move, "kind"> & { readonly to: Pt }): Step =>
-  ({ from, move: { phase: "rough", run: "rough", step: 2, ...move }, tool, block: 7, operation: 0, seconds: 1 }) as unknown as Step;
+  ({
+    from,
+    move: { phase: "rough", run: "rough", step: 2, ...move },
+    tool,
+    block: 7,
+    operation: 0,
+    seconds: 1,
+  }) as unknown as Step;
 
 const steps: readonly Step[] = [
   step(at(2.3, 31.7), { kind: "rapid", to: at(2.3, 28.4) }),

@@ -27,8 +27,8 @@ function boxesOf<S>(steps: readonly S[], { wayOf }: Looked<S>): Float64Array {
 }
 
 /**
- * The step nearest to a place, within `reach` mm; of steps on the same way the one that cuts, then the last. Null where none is near.
- * `shown` says which steps are there to be pointed at.
+ * The step nearest to a place, within `reach` mm; of steps on the same way the one that cuts, then the last. Null where
+ * none is near. `shown` says which steps are there to be pointed at.
  */
 export function nearestStep<S>(
   steps: readonly S[],
@@ -45,7 +45,8 @@ export function nearestStep<S>(
   steps.forEach((step, i) => {
     if (place.z < side(i, 0) - reach || place.z > side(i, 1) + reach) return;
     if (place.r < side(i, 2) - reach || place.r > side(i, 3) + reach || !shown(i)) return;
-    const d = part.distanceTo(looked.wayOf(step), place), cutting = looked.cuts(step);
+    const d = part.distanceTo(looked.wayOf(step), place),
+      cutting = looked.cuts(step);
     if (d > reach) return;
     if (best === null || (cutting && !cuts) || (cutting === cuts && d <= nearest)) {
       best = i;
@@ -66,11 +67,18 @@ export function fractionNear(way: Segment, place: Pt): number {
   return Math.min(ALMOST_DONE, Math.max(0, done));
 }
 
-const TURNED: Looked<Step> = { wayOf: ({ from, move }) => pathOf(from, move), cuts: ({ move }) => move.kind !== "rapid" };
+const TURNED: Looked<Step> = {
+  wayOf: ({ from, move }) => pathOf(from, move),
+  cuts: ({ move }) => move.kind !== "rapid",
+};
 
 /** The turned move nearest to a place. */
-export const moveAt = (steps: readonly Step[], place: Pt, reach: number, shown?: (step: number) => boolean): number | null =>
-  nearestStep(steps, TURNED, place, reach, shown);
+export const moveAt = (
+  steps: readonly Step[],
+  place: Pt,
+  reach: number,
+  shown?: (step: number) => boolean,
+): number | null => nearestStep(steps, TURNED, place, reach, shown);
 
 /** The moment at which the tip is nearest to a place while it makes a move. */
 export function positionNear(steps: readonly Step[], step: number, place: Pt): PlayPosition {

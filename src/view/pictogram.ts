@@ -44,7 +44,9 @@ const spread = (values: readonly number[]) => {
   return { low, long: high - low };
 };
 
-/** Lays points into a room, larger in one direction than in the other where that shows more, but not beyond recognition. */
+/**
+ * Lays points into a room, larger in one direction than in the other where that shows more, but not beyond recognition.
+ */
 function fitted(points: readonly Place[], room: Room): Place[] {
   const [x, y] = [spread(points.map((p) => p.x)), spread(points.map((p) => p.y))];
   const [wide, high] = [room.right - room.left, room.bottom - room.top];
@@ -56,7 +58,8 @@ function fitted(points: readonly Place[], room: Room): Place[] {
 
 /** The box as the contour sees it: u along it, v out of the material. */
 const across = (open: Open) => {
-  const [u, v]: ((p: Place) => number)[] = open === "face" ? [(p) => p.y, (p) => p.x] : [(p) => p.x, (p) => (open === "out" ? -p.y : p.y)];
+  const [u, v]: ((p: Place) => number)[] =
+    open === "face" ? [(p) => p.y, (p) => p.x] : [(p) => p.x, (p) => (open === "out" ? -p.y : p.y)];
   const place = (along: number, out: number): Place =>
     open === "face" ? { x: out, y: along } : { x: along, y: open === "out" ? -out : out };
   return { u: u ?? Number, v: v ?? Number, place };
@@ -69,8 +72,9 @@ function toothed(line: readonly Place[], open: Open): Place[] {
   const { u, v, place } = across(open);
   const [long, rise] = [u(last) - u(first), v(last) - v(first)];
   const count = 2 * Math.max(2, Math.round(Math.hypot(long, rise) / TOOTH.pitch));
-  return Array.from({ length: count + 1 },
-    (_, i) => place(u(first) + (long * i) / count, v(first) + (rise * i) / count - (i % 2 ? TOOTH.rise : 0)));
+  return Array.from({ length: count + 1 }, (_, i) =>
+    place(u(first) + (long * i) / count, v(first) + (rise * i) / count - (i % 2 ? TOOTH.rise : 0)),
+  );
 }
 
 /** Where the part ends against the direction in which the contour is open. */
@@ -113,14 +117,20 @@ const PASSES: Readonly<Record<Group, Pictogram["passes"]>> = {
 };
 
 /** The drawing of a contour, and whether it is cut inside; null where there is none. */
-export function pictogram(group: Group, { contour, frame, sunk }: Outline): Pictogram & { readonly inside: boolean } | null {
+export function pictogram(
+  group: Group,
+  { contour, frame, sunk }: Outline,
+): (Pictogram & { readonly inside: boolean }) | null {
   const points = part.flattenedChain(contour, FINE);
   if (points.length === 0) return null;
   const out = toPart(frame, { u: 0, v: 1 });
   const along = toPart(frame, { u: 1, v: 0 });
   const open: Open = frame.transverse ? "face" : out.r > 0 ? "out" : "in";
   const shape: Shape = { open, sunk, bored: frame.transverse && along.r > 0 };
-  const smooth = fitted(points.map((p) => ({ x: p.z, y: -p.r })), roomOf(shape));
+  const smooth = fitted(
+    points.map((p) => ({ x: p.z, y: -p.r })),
+    roomOf(shape),
+  );
   const line = group === "thread" ? toothed(smooth, open) : smooth;
   return {
     body: polygon(bodyOf(line, shape)),

@@ -54,13 +54,15 @@ export function trackOf(steps: Timed): PlayedTrack {
 export const atStart = (track: PlayedTrack, rate = 1): Playback => ({ track, position: START, playing: false, rate });
 
 const count = (track: PlayedTrack) => track.ends.length;
-const begin = (track: PlayedTrack, step: number) => (step > 0 ? track.ends[Math.min(step, count(track)) - 1] ?? 0 : 0);
+const begin = (track: PlayedTrack, step: number) =>
+  step > 0 ? (track.ends[Math.min(step, count(track)) - 1] ?? 0) : 0;
 const endOf = (track: PlayedTrack): PlayPosition => ({ step: count(track), fraction: 0 });
 const isEnd = (p: Playback) => p.position.step >= count(p.track);
 
 /** Machine seconds from the start of the run to a position. */
 export function secondsAt(track: PlayedTrack, position: PlayPosition): number {
-  const from = begin(track, position.step), to = track.ends[position.step];
+  const from = begin(track, position.step),
+    to = track.ends[position.step];
   return to === undefined ? track.total : from + (to - from) * position.fraction;
 }
 
@@ -68,13 +70,15 @@ export function secondsAt(track: PlayedTrack, position: PlayPosition): number {
 export function positionAt(track: PlayedTrack, seconds: number): PlayPosition {
   if (!(seconds > 0)) return START;
   if (seconds >= track.total) return endOf(track);
-  let low = 0, high = count(track) - 1;
+  let low = 0,
+    high = count(track) - 1;
   while (low < high) {
     const middle = (low + high) >> 1;
     if ((track.ends[middle] ?? 0) > seconds) high = middle;
     else low = middle + 1;
   }
-  const from = begin(track, low), lasts = (track.ends[low] ?? from) - from;
+  const from = begin(track, low),
+    lasts = (track.ends[low] ?? from) - from;
   return inRange(track, { step: low, fraction: lasts > 0 ? (seconds - from) / lasts : 0 });
 }
 
@@ -91,7 +95,10 @@ const moved = (p: Playback, position: PlayPosition): Playback => ({ ...p, positi
 
 /** The same place in another run: its start stays the start, its end the end, else the same second. */
 function loaded(p: Playback, track: PlayedTrack): Playback {
-  const same = p.track.ends.length === track.ends.length ? inRange(track, p.position) : positionAt(track, secondsAt(p.track, p.position));
+  const same =
+    p.track.ends.length === track.ends.length
+      ? inRange(track, p.position)
+      : positionAt(track, secondsAt(p.track, p.position));
   const position = isEnd(p) && count(p.track) > 0 ? endOf(track) : same;
   return { ...p, track, position, playing: p.playing && position.step < count(track) };
 }
@@ -109,7 +116,10 @@ export function reduce(p: Playback, action: Action): Playback {
     case "forward":
       return { ...moved(p, { step: p.position.step + 1, fraction: 0 }), playing: false };
     case "back":
-      return { ...moved(p, { step: p.position.fraction > 0 ? p.position.step : p.position.step - 1, fraction: 0 }), playing: false };
+      return {
+        ...moved(p, { step: p.position.fraction > 0 ? p.position.step : p.position.step - 1, fraction: 0 }),
+        playing: false,
+      };
     case "first":
       return { ...moved(p, START), playing: false };
     case "last":

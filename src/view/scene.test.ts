@@ -24,7 +24,8 @@ const tool: Tool = {
   CUTLENGTH: length(12),
 };
 const cut = { feed: feed(0.3), feedUnit: "mm/rev" } as const;
-const rough = { phase: "rough", run: "rough", pass: 1 } as const, finish = { phase: "finish", run: "finish" } as const;
+const rough = { phase: "rough", run: "rough", pass: 1 } as const,
+  finish = { phase: "finish", run: "finish" } as const;
 
 /** One pass and a finishing cut round a rounded corner, with a falling element in it. */
 const moves: readonly Move[] = [
@@ -64,19 +65,30 @@ const moves: readonly Move[] = [
   },
 ];
 const steps: Step[] = [];
-moves.forEach((move, i) => steps.push({ from: moves[i - 1]?.to ?? at(26, 2), move, tool, block: 9, operation: 0, seconds: i + 1 }));
+moves.forEach((move, i) =>
+  steps.push({ from: moves[i - 1]?.to ?? at(26, 2), move, tool, block: 9, operation: 0, seconds: i + 1 }),
+);
 const blank: Ring[] = [[at(0, -60), at(0, 1), at(25.5, 1), at(25.5, -60)]];
-const contour: Segment[] = [{ kind: "line", from: at(20.13, 0), to: at(20.13, -27.5) }, {
-  kind: "arc",
-  from: at(20.13, -27.5),
-  to: at(22.63, -30),
-  centre: at(22.63, -27.5),
-  turn: "cw",
-}, { kind: "line", from: at(22.63, -30), to: at(25.5, -30) }];
+const contour: Segment[] = [
+  { kind: "line", from: at(20.13, 0), to: at(20.13, -27.5) },
+  {
+    kind: "arc",
+    from: at(20.13, -27.5),
+    to: at(22.63, -30),
+    centre: at(22.63, -27.5),
+    turn: "cw",
+  },
+  { kind: "line", from: at(22.63, -30), to: at(25.5, -30) },
+];
 
 test("the display list of a small program, X up", async () => {
-  const scene = sceneOf({ blank, contours: [contour], steps }), size = { width: 800, height: 500 };
-  const picture = svgText(scene.shapes, fitted(scene.bounds, size, { left: 40, right: 20, top: 20, bottom: 40 }, true), size);
+  const scene = sceneOf({ blank, contours: [contour], steps }),
+    size = { width: 800, height: 500 };
+  const picture = svgText(
+    scene.shapes,
+    fitted(scene.bounds, size, { left: 40, right: 20, top: 20, bottom: 40 }, true),
+    size,
+  );
   await expect(picture).toMatchFileSnapshot("./goldens/small-program.svg");
 });
 
@@ -91,7 +103,17 @@ test("every move is drawn once: as many strokes as moves", () => {
 });
 
 test("plunging is told before the phase, a rapid before all", () => {
-  expect(steps.map((s) => pathRole(s.move))).toEqual(["rapid", "feed", "feed", "rapid", "rapid", "finish", "finish", "plunge", "finish"]);
+  expect(steps.map((s) => pathRole(s.move))).toEqual([
+    "rapid",
+    "feed",
+    "feed",
+    "rapid",
+    "rapid",
+    "finish",
+    "finish",
+    "plunge",
+    "finish",
+  ]);
 });
 
 test("arcs stay arcs, with their turn; a full circle is two halves", () => {
@@ -112,10 +134,9 @@ test("the tip runs on its line and on its arc", () => {
 test("the bar of a run covers its whole time once", () => {
   const bar = timeBar(steps, trackOf(steps));
   expect(bar.operations).toEqual([{ operation: 0, from: 0, to: 1 }]);
-  const covered = [bar.cutting, bar.rapid].flatMap((d) => [...d.matchAll(/M([\d.]+) 0H([\d.]+)/g)]).reduce(
-    (sum, [, from, to]) => sum + Number(to) - Number(from),
-    0,
-  );
+  const covered = [bar.cutting, bar.rapid]
+    .flatMap((d) => [...d.matchAll(/M([\d.]+) 0H([\d.]+)/g)])
+    .reduce((sum, [, from, to]) => sum + Number(to) - Number(from), 0);
   expect(covered).toBeCloseTo(1, 3);
 });
 

@@ -60,7 +60,8 @@ export function pathRole(move: Move): PathRole {
 /** The whole toolpath as one path per form, so that thousands of moves are six elements. */
 export function toolpath(steps: readonly Step[]): readonly Shape[] {
   const data = new Map<PathRole, string[]>();
-  let before: PathRole | null = null, last: Pt | null = null;
+  let before: PathRole | null = null,
+    last: Pt | null = null;
   for (const { from, move } of steps) {
     const role = pathRole(move);
     const list = data.get(role) ?? [];
@@ -81,14 +82,15 @@ const COARSE = 0.2;
 
 /** The box round an insert whose tip goes through a box; no more of it than `most` mm from the tip to each side. */
 function insertBox(way: Bounds, tool: Tool, most = Infinity): Bounds {
-  const insert = boundsOf(insertOutline(tool, COARSE)), within = (by: number) => Math.max(-most, Math.min(most, by));
+  const insert = boundsOf(insertOutline(tool, COARSE)),
+    within = (by: number) => Math.max(-most, Math.min(most, by));
   return insert
     ? {
-      left: way.left + within(insert.left),
-      right: way.right + within(insert.right),
-      low: way.low + within(insert.low),
-      high: way.high + within(insert.high),
-    }
+        left: way.left + within(insert.left),
+        right: way.right + within(insert.right),
+        low: way.low + within(insert.low),
+        high: way.high + within(insert.high),
+      }
     : way;
 }
 
@@ -109,7 +111,8 @@ const grown = (box: TipWays | undefined, tool: Tool, inCycle: boolean, from: Pt,
 
 /** The boxes of all tips of some steps. */
 export function tipWays(steps: readonly Step[]): readonly TipWays[] {
-  const own = new Map<Tool, TipWays>(), between = new Map<Tool, TipWays>();
+  const own = new Map<Tool, TipWays>(),
+    between = new Map<Tool, TipWays>();
   for (const { from, move, tool, operation } of steps) {
     const boxes = operation === null ? between : own;
     boxes.set(tool, grown(boxes.get(tool), tool, operation !== null, from, move.to));
@@ -141,11 +144,20 @@ export const contourShapes = (contours: SceneParts["contours"]): readonly Shape[
   contours.map((contour) => ({ role: "contour", d: segmentData(contour) }));
 
 /** Builds the still part of the picture. */
-export function sceneOf({ blank, clamping = null, contours, steps, path: drawn, ways, sketch = [], near = [], waits = null }:
-  SceneParts): Scene
-{
+export function sceneOf({
+  blank,
+  clamping = null,
+  contours,
+  steps,
+  path: drawn,
+  ways,
+  sketch = [],
+  near = [],
+  waits = null,
+}: SceneParts): Scene {
   const material = boundsOf(blank.flat());
-  const all = ways ?? tipWays(steps), low = all.reduce((least, way) => Math.min(least, way.low), 0);
+  const all = ways ?? tipWays(steps),
+    low = all.reduce((least, way) => Math.min(least, way.low), 0);
   const outline = boundsOf([...contours, sketch].flatMap((c) => [...pointsOf(c)]).concat(near));
   const chuck = material ? chuckDrawing(blank, material, clamping) : null;
   const shapes: Shape[] = [];
@@ -154,8 +166,11 @@ export function sceneOf({ blank, clamping = null, contours, steps, path: drawn, 
   shapes.push(...contourShapes(contours), ...(drawn ?? toolpath(steps)));
   // Beside a tiny part an insert would be most of the picture.
   const most = material ? material.high : Infinity;
-  const tip = boundsOf(waits ? [waits.at] : []), standing = tip && waits?.tool ? insertBox(tip, waits.tool, most) : tip;
-  const seen = joined(joined(material, joined(joined(workingBox(framed(all), most), standing), outline)), chuck?.seen ?? null) ?? EMPTY;
+  const tip = boundsOf(waits ? [waits.at] : []),
+    standing = tip && waits?.tool ? insertBox(tip, waits.tool, most) : tip;
+  const seen =
+    joined(joined(material, joined(joined(workingBox(framed(all), most), standing), outline)), chuck?.seen ?? null) ??
+    EMPTY;
   // Below the axis there is the other half of the work.
   const axis = { ...seen, low: Math.min(low, -(material?.high ?? 0)) };
   return { shapes, chuck, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };

@@ -16,13 +16,19 @@ const thread: ThreadPlan = {
   crest: [],
   end: at(0, 0),
   runIn: length(5),
-  side: [{ u: -5 * tan, v: 5 }, { u: 0, v: 0 }, { u: 5 * tan, v: 5 }],
+  side: [
+    { u: -5 * tan, v: 5 },
+    { u: 0, v: 0 },
+    { u: 5 * tan, v: 5 },
+  ],
 };
 const areaOf = (points: readonly { x: number; y: number }[]) =>
-  Math.abs(points.reduce((sum, p, i) => {
-    const q = points[(i + 1) % points.length] ?? p;
-    return sum + p.x * q.y - q.x * p.y;
-  }, 0)) / 2;
+  Math.abs(
+    points.reduce((sum, p, i) => {
+      const q = points[(i + 1) % points.length] ?? p;
+      return sum + p.x * q.y - q.x * p.y;
+    }, 0),
+  ) / 2;
 
 test("the chips of all passes together are the groove, and with a constant cross-section one is as large as the other", () => {
   const drawing = threadProfile(thread, 300, 200);

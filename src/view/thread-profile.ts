@@ -40,11 +40,17 @@ function depthAt(side: ThreadPlan["side"], u: number, tip: number, deep: number)
 }
 
 /** Draws the groove of a thread and the chip of each pass in it; null when there is none. */
-export function threadProfile({ depths, slope, side, pitch }: ThreadPlan, width: number, height: number): ThreadProfile | null {
+export function threadProfile(
+  { depths, slope, side, pitch }: ThreadPlan,
+  width: number,
+  height: number,
+): ThreadProfile | null {
   const depth = depths.at(-1);
   if (depth === undefined || side.length < 2 || !(depth > 0)) return null;
   const every = Math.ceil(depths.length / MOST);
-  const drawn = depths.map((deep, i) => ({ deep, pass: i + 1 })).filter(({ pass }) => pass % every === 0 || pass === depths.length);
+  const drawn = depths
+    .map((deep, i) => ({ deep, pass: i + 1 }))
+    .filter(({ pass }) => pass % every === 0 || pass === depths.length);
   const flank = Math.max(...[side[0], side.at(-1)].map((p) => (p && p.v > 0 ? Math.abs(p.u) / p.v : 1)));
   const half = Math.max(pitch / 2, depth * flank) * 1.1;
   const scale = Math.min((width - 2 * EDGE) / (2 * half), (height - 4 * EDGE) / depth);
@@ -55,7 +61,9 @@ export function threadProfile({ depths, slope, side, pitch }: ThreadPlan, width:
   const chips = drawn.map(({ deep, pass }): ThreadChip => {
     const tip = -(depth - deep) * slope;
     const now = places.map((u, i) => Math.max(before[i] ?? 0, depthAt(side, u, tip, deep)));
-    const taken = places.map((u, i) => ({ u, i })).filter(({ i }) => [i - 1, i, i + 1].some((k) => (now[k] ?? 0) > (before[k] ?? 0)));
+    const taken = places
+      .map((u, i) => ({ u, i }))
+      .filter(({ i }) => [i - 1, i, i + 1].some((k) => (now[k] ?? 0) > (before[k] ?? 0)));
     const under = taken.map(({ u, i }) => place(u, now[i] ?? 0));
     const over = taken.map(({ u, i }) => place(u, before[i] ?? 0)).reverse();
     before = now;

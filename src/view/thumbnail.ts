@@ -34,7 +34,11 @@ function coarse(ring: Ring, fine: number): Ring {
 
 /** Rings as one path, no finer than `fine` mm. */
 export const thumbRings = (rings: readonly Ring[], fine: number): string =>
-  rings.map((ring) => coarse(ring, fine)).filter((ring) => ring.length > 2).map((ring) => `M${ring.map(thumbPlace).join("L")}Z`).join("");
+  rings
+    .map((ring) => coarse(ring, fine))
+    .filter((ring) => ring.length > 2)
+    .map((ring) => `M${ring.map(thumbPlace).join("L")}Z`)
+    .join("");
 
 /** The box of a part drawn on both sides of its axis. */
 export function thumbBox(points: readonly Pt[]): ViewBox {

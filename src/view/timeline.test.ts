@@ -2,7 +2,11 @@ import { expect, test } from "vitest";
 import { trackOf } from "./playback.ts";
 import { timeBar, type TimedStep } from "./timeline.ts";
 
-const step = (kind: string, seconds: number, operation: number | null = 0): TimedStep & { readonly seconds: number } => ({
+const step = (
+  kind: string,
+  seconds: number,
+  operation: number | null = 0,
+): TimedStep & { readonly seconds: number } => ({
   move: { kind },
   operation,
   seconds,
@@ -18,7 +22,9 @@ test("the bar has a stretch for each run of cuts and of rapids, as parts of the 
 });
 
 test("what no screen could show apart is one stretch, and nothing of it is lost", () => {
-  const steps = Array.from({ length: 50_000 }, (_, i) => step(i % 2 === 0 ? "feed" : "rapid", i % 2 === 0 ? 0.31 : 0.02));
+  const steps = Array.from({ length: 50_000 }, (_, i) =>
+    step(i % 2 === 0 ? "feed" : "rapid", i % 2 === 0 ? 0.31 : 0.02),
+  );
   const { cutting, rapid } = timeBar(steps, trackOf(steps));
   expect(cutting).toMatch(/^M0 0H(?:0\.9999\d*|1)V1H0Z$/);
   expect(rapid).toMatch(/^M0\.0000\d+ 0H1V1H0\.0000\d+Z$/);
@@ -28,5 +34,9 @@ test("what takes no time has no stretch, and a call that is left and taken up ag
   const steps = [step("rapid", 0), step("feed", 4, 0), step("feed", 1, null), step("feed", 5, 0), step("rapid", 0, 1)];
   const { rapid, operations } = timeBar(steps, trackOf(steps));
   expect(rapid).toBe("");
-  expect(operations.map(({ operation, from, to }) => [operation, from, to])).toEqual([[0, 0, 0.4], [0, 0.5, 1], [1, 1, 1]]);
+  expect(operations.map(({ operation, from, to }) => [operation, from, to])).toEqual([
+    [0, 0, 0.4],
+    [0, 0.5, 1],
+    [1, 1, 1],
+  ]);
 });

@@ -34,15 +34,20 @@ const barsOf = (stretches: readonly Stretched[]): string =>
 /** Merges the steps of a run into stretches: rapids low, cutting high. */
 export function timeBar(steps: readonly TimedStep[], track: PlayedTrack): TimeBar {
   const whole = track.total > 0 ? track.total : 1;
-  const cutting: Stretched[] = [], rapid: Stretched[] = [], boundaries: number[] = [];
+  const cutting: Stretched[] = [],
+    rapid: Stretched[] = [],
+    boundaries: number[] = [];
   const operations: { operation: number; from: number; to: number }[] = [];
   let from = 0;
   steps.forEach((step, i) => {
-    const to = (track.ends[i] ?? 0) / whole, kind = step.move.kind === "rapid" ? rapid : cutting, last = kind.at(-1);
+    const to = (track.ends[i] ?? 0) / whole,
+      kind = step.move.kind === "rapid" ? rapid : cutting,
+      last = kind.at(-1);
     if (last && from - last.to < ONE) last.to = to;
     else if (to > from) kind.push({ from, to });
     if (to - (boundaries.at(-1) ?? 0) > NEAR && to < 1) boundaries.push(to);
-    const open = operations.at(-1), joins = open && step.operation === open.operation && steps[i - 1]?.operation === step.operation;
+    const open = operations.at(-1),
+      joins = open && step.operation === open.operation && steps[i - 1]?.operation === step.operation;
     if (joins) open.to = to;
     else if (step.operation !== null) operations.push({ operation: step.operation, from, to });
     from = to;

@@ -24,7 +24,10 @@ export interface Expected {
   readonly reason?: string;
   readonly noReason?: Readonly<Record<string, number>>;
   readonly unproved?: boolean;
-  /** Ends of the motion outside cycles, in order: [X, Z]. What the first position is reached from is not known, so it is no move. */
+  /**
+   * Ends of the motion outside cycles, in order: [X, Z]. What the first position is reached from is not known, so it is
+   * no move.
+   */
   readonly path?: readonly (readonly [x: number, z: number])[];
   /** Feeds of the motion outside cycles by block. */
   readonly feeds?: Readonly<Record<number, number>>;

@@ -8,7 +8,10 @@ import { fieldsOf, neededFields, type Schema } from "./fields.ts";
 
 /** The names in the first column of the tables of a section. */
 function named(section: string): string[] {
-  const text = projectFile("docs/tasks.md").split(/^## /m).find((part) => part.startsWith(section)) ?? "";
+  const text =
+    projectFile("docs/tasks.md")
+      .split(/^## /m)
+      .find((part) => part.startsWith(section)) ?? "";
   return [...text.matchAll(/^\| `([^`]+)` \|/gm)].map(([, name = ""]) => name);
 }
 
@@ -27,12 +30,14 @@ describe("docs/tasks.md", () => {
 
   test("names every rule", () => expect(named("How an answer is judged")).toEqual([...RULES]));
 
-  const examples = [...projectFile("docs/tasks.md").matchAll(/```json\n([\s\S]*?)```/g)].map(([, text = ""]) =>
-    JSON.parse(text) as unknown
+  const examples = [...projectFile("docs/tasks.md").matchAll(/```json\n([\s\S]*?)```/g)].map(
+    ([, text = ""]) => JSON.parse(text) as unknown,
   );
 
   test("has an example of each kind", () =>
-    expect(new Set(examples.map((raw) => taskSchema.parse(raw).kind))).toEqual(new Set(["make", "fault", "predict", "drawing"])));
+    expect(new Set(examples.map((raw) => taskSchema.parse(raw).kind))).toEqual(
+      new Set(["make", "fault", "predict", "drawing"]),
+    ));
 
   test.each(examples)("shows a task that opens whole and is right: %#", (raw) => {
     const task = taskSchema.parse(raw);

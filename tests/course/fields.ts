@@ -18,7 +18,9 @@ const languages: readonly string[] = LESSON_LANGUAGES;
 /** Whether something that has a schema can be left out. */
 const canBeLeft = ({ def }: Schema): boolean => def.type === "optional" || def.type === "default";
 
-/** The fields that cannot be left out where the group is there that they stand in; of a choice, wherever it has them. */
+/**
+ * The fields that cannot be left out where the group is there that they stand in; of a choice, wherever it has them.
+ */
 export function neededFields({ def }: Schema, path = ""): string[] {
   if (def.shape) {
     return Object.entries(def.shape).flatMap(([name, inner]) => {
@@ -31,13 +33,13 @@ export function neededFields({ def }: Schema, path = ""): string[] {
   if (def.element) return neededFields(def.element, `${path}[]`);
   const all = (def.options ?? []).map((option) => ({ has: fieldsOf(option, path), needs: neededFields(option, path) }));
   return [...new Set(all.flatMap(({ needs }) => needs))].filter((name) =>
-    all.every(({ has, needs }) => !has.includes(name) || needs.includes(name))
+    all.every(({ has, needs }) => !has.includes(name) || needs.includes(name)),
   );
 }
 
 /**
- * Every field of a schema by its path: "part.threads[].pitch". Of a choice the fields of all that may stand there; the languages are one,
- * "words.en".
+ * Every field of a schema by its path: "part.threads[].pitch". Of a choice the fields of all that may stand there; the
+ * languages are one, "words.en".
  */
 export function fieldsOf({ def }: Schema, path = ""): string[] {
   if (def.shape) {

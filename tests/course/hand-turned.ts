@@ -8,7 +8,10 @@ import { TASK_FORMAT, taskSchema, type Task } from "../../src/course/task.ts";
 export const mm = (min: number, max: number) =>
   fc.integer({ min: Math.round(min * 1000), max: Math.round(max * 1000) }).map((n) => n / 1000);
 
-/** A shoulder turned by hand in one pass: blank ⌀, finished ⌀, and its length; the nose of the tool leaves its radius in the corner. */
+/**
+ * A shoulder turned by hand in one pass: blank ⌀, finished ⌀, and its length; the nose of the tool leaves its radius in
+ * the corner.
+ */
 export interface Shoulder {
   readonly outer: number;
   readonly diameter: number;
@@ -19,11 +22,13 @@ export const NOSE = 0.8;
 /** How far the blank goes on behind the shoulder, mm. */
 const BEHIND = 31.7;
 
-export const shoulders: fc.Arbitrary<Shoulder> = fc.tuple(mm(41, 90), mm(1.3, 8), mm(9, 60)).map(([outer, depth, length]) => ({
-  outer,
-  diameter: Math.round((outer - 2 * depth) * 1000) / 1000,
-  length,
-}));
+export const shoulders: fc.Arbitrary<Shoulder> = fc
+  .tuple(mm(41, 90), mm(1.3, 8), mm(9, 60))
+  .map(([outer, depth, length]) => ({
+    outer,
+    diameter: Math.round((outer - 2 * depth) * 1000) / 1000,
+    length,
+  }));
 
 interface Written {
   readonly unit?: "MM" | "INCH";
@@ -36,12 +41,16 @@ interface Written {
   readonly before?: readonly string[];
 }
 
-export const blankLine = ({ outer, length }: Shoulder) => `BLK FORM CYLINDER Z D${outer} L${(length + BEHIND).toFixed(3)} DIST+0`;
+export const blankLine = ({ outer, length }: Shoulder) =>
+  `BLK FORM CYLINDER Z D${outer} L${(length + BEHIND).toFixed(3)} DIST+0`;
 const INCH = 25.4;
 
 /** A whole program. Block 6 stands in front of the face, 7 turns along it, 8 goes out along the shoulder. */
-export function programOf(s: Shoulder, { unit = "MM", tool = 1, spin, feed = 0.2, cuts, blank, before = [] }: Written = {}): string {
-  const n = (size: number) => unit === "MM" ? `${size}` : (size / INCH).toFixed(7).replace(/\.?0+$/, "");
+export function programOf(
+  s: Shoulder,
+  { unit = "MM", tool = 1, spin, feed = 0.2, cuts, blank, before = [] }: Written = {},
+): string {
+  const n = (size: number) => (unit === "MM" ? `${size}` : (size / INCH).toFixed(7).replace(/\.?0+$/, ""));
   const cylinder = unit === "MM" ? blankLine(s) : `BLK FORM CYLINDER Z D${n(s.outer)} L${n(s.length + BEHIND)} DIST+0`;
   return [
     `0 BEGIN PGM HAND ${unit}`,
@@ -75,7 +84,8 @@ export const taskOf = (s: Shoulder, more: Partial<Task> = {}): Task =>
   });
 
 export const judged = (task: Task, text: string): TaskJudgement => judge(task, answerOf(text));
-export const refusedBy =
-  (judgement: TaskJudgement): RuleName[] => [...new Set(judgement.marks.filter((m) => !m.passed).map((m) => m.rule))];
+export const refusedBy = (judgement: TaskJudgement): RuleName[] => [
+  ...new Set(judgement.marks.filter((m) => !m.passed).map((m) => m.rule)),
+];
 export const sumOf = ({ marks }: TaskJudgement, rule: RuleName): number =>
   marks.filter((m) => m.rule === rule).reduce((sum, m) => sum + (m.value ?? 0), 0);

@@ -8,14 +8,15 @@ import "../seed.ts";
 import { blankLine, judged, mm, NOSE, programOf, refusedBy, shoulders, sumOf, taskOf } from "./hand-turned.ts";
 
 /*
- * What a judge of parts must see, worked out on paper: a shoulder too thin is missing a band of its length, a step that was left is a
- * band of its depth. Where a nose rounds the corner both parts carry the same rounding.
+ * What a judge of parts must see, worked out on paper: a shoulder too thin is missing a band of its length, a step that
+ * was left is a band of its depth. Where a nose rounds the corner both parts carry the same rounding.
  */
 const RUNS = Number(process.env["LAW_CASES"] ?? 12);
 /** Chords, and slivers that the judge passes over, for a band of some length, mm². */
 const near = (area: number, length: number) => [area - 0.006 * length - 0.01, area + 0.006 * length + 0.01] as const;
 
-const law = <T>(arbitrary: fc.Arbitrary<T>, holds: (value: T) => void) => fc.assert(fc.property(arbitrary, holds), { numRuns: RUNS });
+const law = <T>(arbitrary: fc.Arbitrary<T>, holds: (value: T) => void) =>
+  fc.assert(fc.property(arbitrary, holds), { numRuns: RUNS });
 
 describe("a shoulder", () => {
   test("passes as it is drawn, in millimetres and in inches", () =>
@@ -92,7 +93,11 @@ describe("a shoulder", () => {
   test("drawn sharp keeps what the nose leaves in the corner", () =>
     law(shoulders, (s) => {
       const sharp = taskOf(s);
-      const part = { ...sharp.part, blank: [blankLine(s)], outside: ["L X+0 Z+0", `L X${s.diameter}`, `L Z-${s.length}`, `L X${s.outer}`] };
+      const part = {
+        ...sharp.part,
+        blank: [blankLine(s)],
+        outside: ["L X+0 Z+0", `L X${s.diameter}`, `L Z-${s.length}`, `L X${s.outer}`],
+      };
       const found = judged({ ...sharp, part }, programOf(s));
       expect(refusedBy(found)).toEqual(["residue"]);
       expect(Math.abs(sumOf(found, "residue") - NOSE * NOSE * (1 - Math.PI / 4))).toBeLessThan(0.01);
@@ -106,7 +111,9 @@ describe("a shoulder", () => {
       expect(refusedBy(found)).toEqual(["rapid"]);
       const [first] = found.marks.filter((m) => m.rule === "rapid");
       expect(first?.block).toBe(7);
-      expect(Math.abs((first?.value ?? 0) - ((s.outer - s.diameter) / 2) * (s.length / 2))).toBeLessThan(2 * NOSE + 0.1 * s.length);
+      expect(Math.abs((first?.value ?? 0) - ((s.outer - s.diameter) / 2) * (s.length / 2))).toBeLessThan(
+        2 * NOSE + 0.1 * s.length,
+      );
     }));
 
   test("stated as the blank is no answer, nor is another bar, nor nothing", () =>
@@ -138,9 +145,10 @@ type Stairs = readonly (readonly [diameter: number, length: number])[];
 const ends = (steps: Stairs) => steps.map((_, i) => steps.slice(0, i + 1).reduce((sum, [, length]) => sum - length, 0));
 const radiusAt = (steps: Stairs, z: number, blank: number) => {
   const i = ends(steps).findIndex((end) => z > end);
-  return (i < 0 ? blank : steps[i]?.[0] ?? blank) / 2;
+  return (i < 0 ? blank : (steps[i]?.[0] ?? blank)) / 2;
 };
-const D = 61.7, BACK = -88;
+const D = 61.7,
+  BACK = -88;
 const lines = (steps: Stairs) => {
   const end = ends(steps);
   return ["L X+0 Z+0", ...steps.flatMap(([d], i) => [`L X${d}`, `L Z${end[i]?.toFixed(3)}`]), `L X${D}`];
@@ -148,38 +156,48 @@ const lines = (steps: Stairs) => {
 
 describe("areas", () => {
   test("of two stairs are those of their strips, whichever stands out", () =>
-    fc.assert(fc.property(stairs, stairs, (one, other) => {
-      const blank = [`BLK FORM CYLINDER Z D${D} L${-BACK + 1} DIST+1`];
-      const [a, b] = [one, other].map((steps) => wantedPart({ blank, outside: lines(steps) }).rings);
-      const cuts = [...new Set([0, ...ends(one), ...ends(other)])].sort((p, q) => q - p);
-      let [out, back] = [0, 0];
-      cuts.slice(1).forEach((z, i) => {
-        const wide = (cuts[i] ?? 0) - z, middle = (z + (cuts[i] ?? 0)) / 2;
-        const gap = radiusAt(one, middle, D) - radiusAt(other, middle, D);
-        if (gap > 0) out += gap * wide;
-        else back -= gap * wide;
-      });
-      // Strips thinner than a sliver are none.
-      expect(Math.abs(areaOf(beyond(a ?? [], b ?? [])) - out)).toBeLessThan(0.01 * 40 + 0.02);
-      expect(Math.abs(areaOf(beyond(b ?? [], a ?? [])) - back)).toBeLessThan(0.01 * 40 + 0.02);
-    }), { numRuns: 60 }));
+    fc.assert(
+      fc.property(stairs, stairs, (one, other) => {
+        const blank = [`BLK FORM CYLINDER Z D${D} L${-BACK + 1} DIST+1`];
+        const [a, b] = [one, other].map((steps) => wantedPart({ blank, outside: lines(steps) }).rings);
+        const cuts = [...new Set([0, ...ends(one), ...ends(other)])].sort((p, q) => q - p);
+        let [out, back] = [0, 0];
+        cuts.slice(1).forEach((z, i) => {
+          const wide = (cuts[i] ?? 0) - z,
+            middle = (z + (cuts[i] ?? 0)) / 2;
+          const gap = radiusAt(one, middle, D) - radiusAt(other, middle, D);
+          if (gap > 0) out += gap * wide;
+          else back -= gap * wide;
+        });
+        // Strips thinner than a sliver are none.
+        expect(Math.abs(areaOf(beyond(a ?? [], b ?? [])) - out)).toBeLessThan(0.01 * 40 + 0.02);
+        expect(Math.abs(areaOf(beyond(b ?? [], a ?? [])) - back)).toBeLessThan(0.01 * 40 + 0.02);
+      }),
+      { numRuns: 60 },
+    ));
 
   test("of a bore: what is behind it stays, full or hollow", () =>
-    fc.assert(fc.property(mm(12, 30), mm(2, 9), mm(5, 40), fc.boolean(), (d, hollow, deep, isTube) => {
-      const blank = [`BLK FORM CYLINDER Z D${D} L90 DIST+1.5${isTube ? ` DI${hollow}` : ""}`];
-      const bore = [`L X${d} Z+0`, `L Z-${deep}`, `L X${isTube ? hollow : 0}`];
-      const hole = isTube ? hollow / 2 : 0;
-      const whole = (D / 2 - hole) * 90;
-      const faced = wantedPart({ blank, outside: ["L X+0 Z+0", `L X${D}`], bore }).rings;
-      expect(areaOf(faced)).toBeCloseTo(whole - (D / 2 - hole) * 1.5 - (d / 2 - hole) * deep, 2);
-      const bored = wantedPart({ blank, bore }).rings;
-      expect(areaOf(bored)).toBeCloseTo(whole - (d / 2 - hole) * (deep + 1.5), 2);
-    }), { numRuns: 30 }));
+    fc.assert(
+      fc.property(mm(12, 30), mm(2, 9), mm(5, 40), fc.boolean(), (d, hollow, deep, isTube) => {
+        const blank = [`BLK FORM CYLINDER Z D${D} L90 DIST+1.5${isTube ? ` DI${hollow}` : ""}`];
+        const bore = [`L X${d} Z+0`, `L Z-${deep}`, `L X${isTube ? hollow : 0}`];
+        const hole = isTube ? hollow / 2 : 0;
+        const whole = (D / 2 - hole) * 90;
+        const faced = wantedPart({ blank, outside: ["L X+0 Z+0", `L X${D}`], bore }).rings;
+        expect(areaOf(faced)).toBeCloseTo(whole - (D / 2 - hole) * 1.5 - (d / 2 - hole) * deep, 2);
+        const bored = wantedPart({ blank, bore }).rings;
+        expect(areaOf(bored)).toBeCloseTo(whole - (d / 2 - hole) * (deep + 1.5), 2);
+      }),
+      { numRuns: 30 },
+    ));
 
   test("of an outline that runs back on itself leave the neck behind the last point alone", () => {
     const blank = [`BLK FORM CYLINDER Z D60 L90 DIST+0`];
     // A collar of 7.3 mm, and a neck of ⌀31.4 from Z-20 on that hangs 4 mm behind the place where the blank goes on.
-    const rings = wantedPart({ blank, outside: ["L X+0 Z+0", "L X+48.6", "L Z-7.3", "L X+31.4", "L Z-24", "L X+60 Z-20"] }).rings;
+    const rings = wantedPart({
+      blank,
+      outside: ["L X+0 Z+0", "L X+48.6", "L Z-7.3", "L X+31.4", "L Z-24", "L X+60 Z-20"],
+    }).rings;
     const gone = (30 - 24.3) * 7.3 + (30 - 15.7) * (20 - 7.3) + ((30 - 15.7) * 4) / 2;
     expect(areaOf(rings)).toBeCloseTo(30 * 90 - gone, 2);
     expect(rings.flat().some((p) => p.z > -24.001 && p.z < -23.999 && Math.abs(p.r - at(0, 15.7).r) < 0.01)).toBe(true);

@@ -12,7 +12,9 @@ import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 
 const files = import.meta.glob<unknown>("../../src/course/lessons/*.json", { eager: true, import: "default" });
 const tasks = import.meta.glob<unknown>("../../src/course/tasks/*.json", { eager: true, import: "default" });
-const named = Object.entries(files).map(([path, raw]) => [path.slice(path.lastIndexOf("/") + 1, -".json".length), raw] as const);
+const named = Object.entries(files).map(
+  ([path, raw]) => [path.slice(path.lastIndexOf("/") + 1, -".json".length), raw] as const,
+);
 const ran = (lines: readonly string[]) => run(parse(programOfLines(lines)), { tools: shippedTools, rapid: 10_000 });
 
 /** The programs of the pages, each with that of a page before where it has none of its own. */
@@ -41,12 +43,14 @@ describe.each(named)("%s", (name, raw) => {
 
   test("is named as its file, and says every page in every language", () => {
     expect(name).toBe(`${String(lesson.number).padStart(2, "0")}-${lesson.id}`);
-    for (const language of LESSON_LANGUAGES) expect([language, words[language]?.pages.length]).toEqual([language, pages.length]);
+    for (const language of LESSON_LANGUAGES)
+      expect([language, words[language]?.pages.length]).toEqual([language, pages.length]);
   });
 
   test("its pictures move, from block to block as they say", () => {
     programs(lesson).forEach((program, i) => {
-      const { steps } = ran(program), { blocks } = pages[i] ?? {};
+      const { steps } = ran(program),
+        { blocks } = pages[i] ?? {};
       expect(steps.length, `page ${i + 1}`).toBeGreaterThan(0);
       if (!blocks) return;
       const { first, last } = stepsPlayed(steps, blocks);
@@ -60,12 +64,21 @@ describe.each(named)("%s", (name, raw) => {
     programs(lesson).forEach((program, i) => {
       const { blocks, frame } = pages[i] ?? {};
       if (!frame) return;
-      const { x: [low, high], z: [left, right] } = frame;
+      const {
+        x: [low, high],
+        z: [left, right],
+      } = frame;
       expect(low, `page ${i + 1}`).toBeLessThan(high);
       expect(left, `page ${i + 1}`).toBeLessThan(right);
-      const { steps } = ran(program), { first, last } = stepsPlayed(steps, blocks);
-      const fed = steps.slice(first, last + 1).filter(({ move }) => move.kind !== "rapid").map(({ move }) => move.to);
-      const seen = fed.filter(({ z, r }) => z > left && z < right && toDiameter(radius(r)) > low && toDiameter(radius(r)) < high);
+      const { steps } = ran(program),
+        { first, last } = stepsPlayed(steps, blocks);
+      const fed = steps
+        .slice(first, last + 1)
+        .filter(({ move }) => move.kind !== "rapid")
+        .map(({ move }) => move.to);
+      const seen = fed.filter(
+        ({ z, r }) => z > left && z < right && toDiameter(radius(r)) > low && toDiameter(radius(r)) < high,
+      );
       expect(seen.length, `page ${i + 1}`).toBeGreaterThan(0);
     });
   });
@@ -74,7 +87,8 @@ describe.each(named)("%s", (name, raw) => {
     programs(lesson).forEach((program, i) => {
       const { slide } = pages[i] ?? {};
       if (!slide) return;
-      const { q, from, to, step } = slide, now = valueIn(program, q);
+      const { q, from, to, step } = slide,
+        now = valueIn(program, q);
       expect(now, `page ${i + 1}: ${q}`).not.toBeNull();
       expect(now, `page ${i + 1}: ${q}`).toBeGreaterThanOrEqual(from);
       expect(now, `page ${i + 1}: ${q}`).toBeLessThanOrEqual(to);
@@ -94,22 +108,39 @@ describe.each(named)("%s", (name, raw) => {
 const inOrder = named.map(([, raw]) => lessonSchema.parse(raw)).toSorted((a, b) => a.number - b.number);
 
 describe("the printed examples", () => {
-  const pages = import.meta.glob<string>("../programs/cycle-*-tnc640-fr.h", { query: "?raw", import: "default", eager: true });
+  const pages = import.meta.glob<string>("../programs/cycle-*-tnc640-fr.h", {
+    query: "?raw",
+    import: "default",
+    eager: true,
+  });
   const programOf = (cycle: number) => pages[`../programs/cycle-${cycle}-tnc640-fr.h`] ?? "";
   /** Values and contour of a program: what a page prints, without its block numbers and its words. */
   const said = (text: string) => ({
-    values: Object.fromEntries([...text.matchAll(/\b(Q\d+) ?=?([+-][\d.]+)/g)].map(([, q, value]) => [q, Number(value)])),
-    contour: text.split("\n").map((line) => line.replace(/^\d+ +/, "").replaceAll(/ +/g, " ").trim()).filter((line) =>
-      /^(L (X\S+( Z\S+)?|Z\S+)|RND R\S+|CHF \S+)$/.test(line)
+    values: Object.fromEntries(
+      [...text.matchAll(/\b(Q\d+) ?=?([+-][\d.]+)/g)].map(([, q, value]) => [q, Number(value)]),
     ),
+    contour: text
+      .split("\n")
+      .map((line) =>
+        line
+          .replace(/^\d+ +/, "")
+          .replaceAll(/ +/g, " ")
+          .trim(),
+      )
+      .filter((line) => /^(L (X\S+( Z\S+)?|Z\S+)|RND R\S+|CHF \S+)$/.test(line)),
   });
 
   test.each([812, 820, 852])("%i is built from an empty page by the middle of the course", (cycle) => {
     const printed = said(programOf(cycle));
     expect(Object.keys(printed.values).length).toBeGreaterThanOrEqual(14);
-    const order = inOrder.flatMap((lesson) => lesson.tasks.map((id) => taskSchema.parse(tasks[`../../src/course/tasks/${id}.json`])));
-    const built = order.findIndex(({ start, rules, solution }) =>
-      "empty" in start && rules.cycles?.includes(cycle) === true && isDeepStrictEqual(said(programOfLines(solution ?? [])), printed)
+    const order = inOrder.flatMap((lesson) =>
+      lesson.tasks.map((id) => taskSchema.parse(tasks[`../../src/course/tasks/${id}.json`])),
+    );
+    const built = order.findIndex(
+      ({ start, rules, solution }) =>
+        "empty" in start &&
+        rules.cycles?.includes(cycle) === true &&
+        isDeepStrictEqual(said(programOfLines(solution ?? [])), printed),
     );
     expect(built).toBeGreaterThanOrEqual(0);
     expect(built + 1).toBeLessThanOrEqual(order.length / 2);
@@ -123,18 +154,23 @@ test("where a text names a lesson by its number, it is the one that is meant", (
     const told = Object.entries(all).flatMap(([path, raw]) => {
       const { words } = raw as { words: Partial<Record<string, unknown>> };
       const where = path.slice(path.lastIndexOf("/") + 1, -".json".length).replace(/^\d\d-/, "");
-      return [...JSON.stringify(words[language]).matchAll(names)].map(([, n, m]) => `${where}: ${inOrder[Number(n ?? m) - 1]?.id}`);
+      return [...JSON.stringify(words[language]).matchAll(names)].map(
+        ([, n, m]) => `${where}: ${inOrder[Number(n ?? m) - 1]?.id}`,
+      );
     });
-    expect([language, told.toSorted()]).toEqual([language, [
-      "build-820: contour",
-      "build-820: direction",
-      "build-820: valleys",
-      "build-852: recess-turning",
-      "direction: contour",
-      "l02-sharper-corner: valleys",
-      "l14-852-empty: build-820",
-      "recess-turning: valleys",
-      "recessing: build-852",
-    ]]);
+    expect([language, told.toSorted()]).toEqual([
+      language,
+      [
+        "build-820: contour",
+        "build-820: direction",
+        "build-820: valleys",
+        "build-852: recess-turning",
+        "direction: contour",
+        "l02-sharper-corner: valleys",
+        "l14-852-empty: build-820",
+        "recess-turning: valleys",
+        "recessing: build-852",
+      ],
+    ]);
   }
 });

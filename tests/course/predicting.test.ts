@@ -8,17 +8,19 @@ import { at } from "../../src/kernel/geometry/point.ts";
 import { judged, programOf, taskOf, type Shoulder } from "./hand-turned.ts";
 
 const s: Shoulder = { outer: 71.3, diameter: 64.18, length: 27.45 };
-const cycle =
-  (q215: number) => [
-    "6 CYCL DEF 811 SHOULDER, LONGIT. ~",
-    `Q215=+${q215} ;X ~\nQ460=+2 ;X ~\nQ493=+64.18 ;X ~\nQ494=-27.45 ;X ~\nQ463=+1.3 ;X ~\nQ478=+0.3 ;X ~`,
-    "Q483=+0.4 ;X ~\nQ484=+0.2 ;X ~\nQ505=+0.15 ;X ~\nQ506=+0 ;X",
-  ];
-const text = programOf({ ...s, diameter: s.outer + 3 }, {
-  blank: "BLK FORM CYLINDER Z D71.3 L59.15 DIST+0",
-  before: cycle(0),
-  cuts: ["7 L X71.3 FMAX", "8 CYCL CALL"],
-});
+const cycle = (q215: number) => [
+  "6 CYCL DEF 811 SHOULDER, LONGIT. ~",
+  `Q215=+${q215} ;X ~\nQ460=+2 ;X ~\nQ493=+64.18 ;X ~\nQ494=-27.45 ;X ~\nQ463=+1.3 ;X ~\nQ478=+0.3 ;X ~`,
+  "Q483=+0.4 ;X ~\nQ484=+0.2 ;X ~\nQ505=+0.15 ;X ~\nQ506=+0 ;X",
+];
+const text = programOf(
+  { ...s, diameter: s.outer + 3 },
+  {
+    blank: "BLK FORM CYLINDER Z D71.3 L59.15 DIST+0",
+    before: cycle(0),
+    cuts: ["7 L X71.3 FMAX", "8 CYCL CALL"],
+  },
+);
 const truth = (asked: Prediction, program = text) => truthOf(asked, taskOf(s), answerOf(program));
 
 describe("what is foretold", () => {
@@ -76,14 +78,23 @@ describe("the score of a free program", () => {
 
   test("is 100 where it is as good as par, and no more than 100", () => {
     expect(judged(drawing, programOf(s)).score?.total).toBe(100);
-    expect(judge({ ...drawing, par: { seconds: 3 * seconds, tools: 3 } }, answerOf(programOf(s))).score?.total).toBe(100);
+    expect(judge({ ...drawing, par: { seconds: 3 * seconds, tools: 3 } }, answerOf(programOf(s))).score?.total).toBe(
+      100,
+    );
   });
 
   test("loses what it is slower by, and what it has more of tools", () => {
     const parts = judged({ ...drawing, par: { seconds: seconds / 2, tools: 1 } }, programOf(s)).score?.parts;
-    expect(parts?.find((p) => p.what === "time")).toMatchObject({ points: Math.round(25 / 2), of: 25, par: seconds / 2 });
+    expect(parts?.find((p) => p.what === "time")).toMatchObject({
+      points: Math.round(25 / 2),
+      of: 25,
+      par: seconds / 2,
+    });
     const two = programOf(s, { before: ["5 TOOL CALL 3", "5 L X200 Z100 R0 FMAX", "5 TOOL CALL 1"] });
-    expect(judged(drawing, two).score?.parts.find((p) => p.what === "tools")).toMatchObject({ points: Math.round(15 / 2), value: 2 });
+    expect(judged(drawing, two).score?.parts.find((p) => p.what === "tools")).toMatchObject({
+      points: Math.round(15 / 2),
+      value: 2,
+    });
   });
 
   test("counts a rule that does not hold, and what stays", () => {
@@ -91,14 +102,21 @@ describe("the score of a free program", () => {
     expect(fast?.parts.find((p) => p.what === "proof")?.points).toBeLessThan(40);
     expect(fast?.parts.find((p) => p.what === "residue")?.points).toBe(20);
     // A band of 0.5 mm of 27.45 mm is 1.8 % of what there is to cut; 5 % are worth nothing.
-    const short = judged(drawing, programOf({ ...s, length: 26.95 }, { blank: "BLK FORM CYLINDER Z D71.3 L59.15 DIST+0" })).score;
+    const short = judged(
+      drawing,
+      programOf({ ...s, length: 26.95 }, { blank: "BLK FORM CYLINDER Z D71.3 L59.15 DIST+0" }),
+    ).score;
     const share = (0.5 * 3.56) / (0.05 * 3.56 * 27.45);
-    expect(Math.abs((short?.parts.find((p) => p.what === "residue")?.points ?? 0) - 20 * (1 - share))).toBeLessThan(1.2);
+    expect(Math.abs((short?.parts.find((p) => p.what === "residue")?.points ?? 0) - 20 * (1 - share))).toBeLessThan(
+      1.2,
+    );
   });
 
   test("is nothing where the part is hurt, or the tool runs into steel", () => {
     expect(judged(drawing, programOf({ ...s, diameter: 64 })).score?.total).toBe(0);
-    expect(judged(drawing, programOf(s, { cuts: ["7 L Z-9 FMAX", "7 L Z-27.45 F0.2", "8 L X75"] })).score?.total).toBe(0);
+    expect(judged(drawing, programOf(s, { cuts: ["7 L Z-9 FMAX", "7 L Z-27.45 F0.2", "8 L X75"] })).score?.total).toBe(
+      0,
+    );
   });
 
   test("is of drawings alone", () => expect(judged(taskOf(s), programOf(s)).score).toBeUndefined());
@@ -113,4 +131,6 @@ describe("the score of a free program", () => {
 });
 
 const glandTask = () =>
-  taskSchema.parse(JSON.parse(readFileSync(new URL("../../src/course/tasks/l16-into-the-collar.json", import.meta.url), "utf8")));
+  taskSchema.parse(
+    JSON.parse(readFileSync(new URL("../../src/course/tasks/l16-into-the-collar.json", import.meta.url), "utf8")),
+  );

@@ -37,7 +37,13 @@ const called = (values: Readonly<Record<string, string>> = {}, before: readonly 
     ...values,
   };
   return programOf(s, {
-    before: [...before, "6 CYCL DEF 811 SHOULDER, LONGIT. ~", Object.entries(all).map(([q, v]) => `${q}=${v} ;X`).join(" ~\n")],
+    before: [
+      ...before,
+      "6 CYCL DEF 811 SHOULDER, LONGIT. ~",
+      Object.entries(all)
+        .map(([q, v]) => `${q}=${v} ;X`)
+        .join(" ~\n"),
+    ],
     cuts: [`7 L X${s.outer} FMAX`, "8 CYCL CALL"],
   }).replace(`6 L X${s.diameter}`, `7 L X${s.outer + 3}`);
 };
@@ -68,8 +74,10 @@ describe("rules of the shop", () => {
     expect(refuses({ speed: 1136 }, constant)).toEqual(["speed"]);
     // What is put right before anything moves was never in force.
     expect(
-      refuses({ speed: 1200 },
-        programOf(s, { spin: "FUNCTION TURNDATA SPIN VCONST:OFF S4000\n4 FUNCTION TURNDATA SPIN VCONST:OFF S1137" })),
+      refuses(
+        { speed: 1200 },
+        programOf(s, { spin: "FUNCTION TURNDATA SPIN VCONST:OFF S4000\n4 FUNCTION TURNDATA SPIN VCONST:OFF S1137" }),
+      ),
     ).toEqual([]);
   });
 
@@ -78,7 +86,10 @@ describe("rules of the shop", () => {
     expect(refuses({ tools: [2] })).toEqual(["tools"]);
     const two = programOf(s, { before: ["5 TOOL CALL 3", "5 L X200 Z100 R0 FMAX", "5 TOOL CALL 1"] });
     expect(refuses({ mostTools: 1 }, two)).toEqual(["mostTools"]);
-    expect(marks({ tools: [1] }, two).find((m) => m.rule === "tools" && !m.passed)).toMatchObject({ about: 3, block: 5 });
+    expect(marks({ tools: [1] }, two).find((m) => m.rule === "tools" && !m.passed)).toMatchObject({
+      about: 3,
+      block: 5,
+    });
     expect(refuses({ mostTools: 2, tools: [1, 3] }, two)).toEqual([]);
   });
 
@@ -99,7 +110,11 @@ describe("rules of the shop", () => {
   test("a recessing blade that a cycle pushes sideways is an error, a recess turning tool is none", () => {
     const by = (tool: number) => called().replace("TOOL CALL 1", `TOOL CALL ${tool}`);
     expect(marks({ residue: 9, missing: 9 }, by(10)).filter((m) => !m.passed)).toEqual([
-      expect.objectContaining({ rule: "errors", block: 8, issue: expect.objectContaining({ code: "toolCannotCutSideways" }) as unknown }),
+      expect.objectContaining({
+        rule: "errors",
+        block: 8,
+        issue: expect.objectContaining({ code: "toolCannotCutSideways" }) as unknown,
+      }),
     ]);
     expect(refuses({ residue: 9, missing: 9 }, by(9))).toEqual([]);
   });
@@ -118,17 +133,20 @@ describe("rules of the shop", () => {
       const made = run(parse(text), { tools, rapid });
       return { text, run: made, simulation: simulate(made) };
     };
-    const { value } = judge(withRules({ seconds: 1 }), ran(shippedTools, 99_999)).marks.find((m) => m.rule === "seconds") ?? {};
+    const { value } =
+      judge(withRules({ seconds: 1 }), ran(shippedTools, 99_999)).marks.find((m) => m.rule === "seconds") ?? {};
     expect(value).toBeCloseTo(answerOf(text).simulation.totalSeconds, 9);
     const { table } = readList(toolsOfTask(withRules({})));
     expect(judge(withRules({}), ran(table.tools, 10_000)).passed).toBe(true);
     const sharp = shippedTools.map((tool) => (tool.T === 1 ? { ...tool, CUTLENGTH: length(40) } : tool));
-    expect(judge(withRules({}), ran(sharp, 10_000)).marks.filter((m) => !m.passed)).toEqual([{
-      rule: "tools",
-      passed: false,
-      about: 1,
-      block: 7,
-    }]);
+    expect(judge(withRules({}), ran(sharp, 10_000)).marks.filter((m) => !m.passed)).toEqual([
+      {
+        rule: "tools",
+        passed: false,
+        about: 1,
+        block: 7,
+      },
+    ]);
   });
 
   test("cycles: called ones that cut, and ones that are not allowed", () => {
@@ -148,9 +166,19 @@ describe("rules of the shop", () => {
     expect(refuses({ values: [{ q: "Q463", from: 1.71 }] }, called())).toEqual(["values"]);
     expect(refuses({ values: [{ q: "Q463", cycle: 812, from: 1, to: 3 }] }, called())).toEqual(["values"]);
     expect(refuses({ values: [{ q: "Q463", from: 0, to: 9 }] })).toEqual(["values"]);
-    const mark = marks({ values: [{ q: "Q505", from: 0, to: 0.15 }, { q: "Q478", to: 0.25 }] }, called()).find((m) => !m.passed);
+    const mark = marks(
+      {
+        values: [
+          { q: "Q505", from: 0, to: 0.15 },
+          { q: "Q478", to: 0.25 },
+        ],
+      },
+      called(),
+    ).find((m) => !m.passed);
     expect(mark).toMatchObject({ rule: "values", q: "Q478", entry: 1, value: 0.3, operation: 0 });
-    expect(refuses({ values: [{ q: "Q463", from: 1.7, to: 1.7 }] }, called({ Q463: "+Q9" }, ["6 Q9 = 1.7"]))).toEqual([]);
+    expect(refuses({ values: [{ q: "Q463", from: 1.7, to: 1.7 }] }, called({ Q463: "+Q9" }, ["6 Q9 = 1.7"]))).toEqual(
+      [],
+    );
   });
 
   test("passes: exactly so many", () => {
@@ -162,22 +190,31 @@ describe("rules of the shop", () => {
   });
 
   test("rz: as f²/8r of the nose, on the stretch that is asked", () =>
-    fc.assert(fc.property(shoulders, mm(0.08, 0.4), (other, feed) => {
-      // Tool 3: its nose of 0.4 mm forms the surface alone up to 0.42 mm a turn.
-      const rz = (1000 * feed * feed) / (8 * 0.4);
-      const text = programOf(other, { feed, tool: 3 });
-      const asked = (most: number) => taskOf(other, { rules: { missing: 1, rz: [{ from: -2, to: -other.length + 2, most }] } });
-      expect(refusedBy(judged(asked(rz * 1.001), text))).toEqual([]);
-      const found = judged(asked(rz * 0.999), text);
-      expect(refusedBy(found)).toEqual(["rz"]);
-      expect(found.marks.find((m) => m.rule === "rz")?.value).toBeCloseTo(rz, 6);
-      // Behind the shoulder nothing was turned, so nothing is smooth there.
-      expect(
-        refusedBy(
-          judged(taskOf(other, { rules: { missing: 1, rz: [{ from: -other.length - 2, to: -other.length - 20, most: 99 }] } }), text),
-        ),
-      ).toEqual(["rz"]);
-    }), { numRuns: 8 }));
+    fc.assert(
+      fc.property(shoulders, mm(0.08, 0.4), (other, feed) => {
+        // Tool 3: its nose of 0.4 mm forms the surface alone up to 0.42 mm a turn.
+        const rz = (1000 * feed * feed) / (8 * 0.4);
+        const text = programOf(other, { feed, tool: 3 });
+        const asked = (most: number) =>
+          taskOf(other, { rules: { missing: 1, rz: [{ from: -2, to: -other.length + 2, most }] } });
+        expect(refusedBy(judged(asked(rz * 1.001), text))).toEqual([]);
+        const found = judged(asked(rz * 0.999), text);
+        expect(refusedBy(found)).toEqual(["rz"]);
+        expect(found.marks.find((m) => m.rule === "rz")?.value).toBeCloseTo(rz, 6);
+        // Behind the shoulder nothing was turned, so nothing is smooth there.
+        expect(
+          refusedBy(
+            judged(
+              taskOf(other, {
+                rules: { missing: 1, rz: [{ from: -other.length - 2, to: -other.length - 20, most: 99 }] },
+              }),
+              text,
+            ),
+          ),
+        ).toEqual(["rz"]);
+      }),
+      { numRuns: 8 },
+    ));
 
   test("words: in a block, as words of their own, whatever their spacing and signs; never in a remark", () => {
     const marked = programOf(s).replace("5 M136", "5 M136 ; M13 APPR LCT");
@@ -228,15 +265,18 @@ describe("sizes", () => {
     expect(tells([{ ...right[0], upper: 0.019 }])).toEqual(["size"]);
     expect(tells([{ ...right[0], lower: 0.021, upper: 0.1 }])).toEqual(["size"]);
     expect(tells([{ ...right[2], lower: -0.049 }])).toEqual(["size"]);
-    const found = judged(sized([right[1], { ...right[0], upper: 0.019 }]), programOf(s)).marks.filter((m) => m.rule === "size");
+    const found = judged(sized([right[1], { ...right[0], upper: 0.019 }]), programOf(s)).marks.filter(
+      (m) => m.rule === "size",
+    );
     expect(found.find((m) => !m.passed)).toMatchObject({ size: 1 });
     expect(found.find((m) => !m.passed)?.value).toBeCloseTo(57.82, 4);
   });
   test("too small names the block that cut it, and there is none where there is no material", () => {
     const thin = programOf({ ...s, diameter: 57.7 });
-    const mark = judged(sized([{ kind: "diameter", at: -17, nominal: 57.82, upper: 0.01, lower: -0.01 }]), thin).marks.find((m) =>
-      m.rule === "size"
-    );
+    const mark = judged(
+      sized([{ kind: "diameter", at: -17, nominal: 57.82, upper: 0.01, lower: -0.01 }]),
+      thin,
+    ).marks.find((m) => m.rule === "size");
     expect(mark).toMatchObject({ passed: false, block: 7 });
     expect(tells([{ kind: "diameter", at: 5, nominal: 57, upper: 9, lower: -99 }])).toEqual(["size"]);
     expect(tells([{ kind: "bore", at: -5, nominal: 0, upper: 0, lower: 0 }])).toEqual([]);

@@ -3,8 +3,8 @@ import type { GlossaryTexts, TermId } from "../../src/i18n/glossary-text.ts";
 import { LESSON_LANGUAGES, type LessonLanguage } from "../../src/i18n/languages.ts";
 
 /*
- * One word for one thing, in each language, wherever a trainee reads it: lessons, tasks, glossary and the app itself. The words are those
- * of the control where it has one.
+ * One word for one thing, in each language, wherever a trainee reads it: lessons, tasks, glossary and the app itself.
+ * The words are those of the control where it has one.
  */
 
 /** The name in the glossary, and what must not stand for it anywhere in that language. */
@@ -42,12 +42,27 @@ const TERMS: Partial<Record<TermId, Readonly<Record<LessonLanguage, OneTerm>>>> 
     zh: ["起点", /起始点|出发点/],
   },
   infeed: { en: ["Infeed"], de: ["Zustellung"], fr: ["Valeur de passe"], zh: ["进刀量", /进给深度/] },
-  oversize: { en: ["Oversize"], de: ["Aufmaß", /Aufmass\b|Übermaß/], fr: ["Surépaisseur", /surcote/i], zh: ["余量", /加工裕量|预留量/] },
+  oversize: {
+    en: ["Oversize"],
+    de: ["Aufmaß", /Aufmass\b|Übermaß/],
+    fr: ["Surépaisseur", /surcote/i],
+    zh: ["余量", /加工裕量|预留量/],
+  },
   shoulder: { en: ["Shoulder"], de: ["Absatz", /\bSchulter/], fr: ["Épaulement"], zh: ["台阶", /台肩/] },
   face: { en: ["Face"], de: ["Planfläche", /(?<!mit der |Seite und )\bStirn\b/], fr: ["Face"], zh: ["端面", /平面端/] },
-  undercut: { en: ["Undercut"], de: ["Freistich", /Hinterstich|Unterstich/], fr: ["Dégagement"], zh: ["退刀槽", /越程槽/] },
+  undercut: {
+    en: ["Undercut"],
+    de: ["Freistich", /Hinterstich|Unterstich/],
+    fr: ["Dégagement"],
+    zh: ["退刀槽", /越程槽/],
+  },
   runIn: { en: ["Run-in"], de: ["Anlauf"], fr: ["Course d’approche du filet"], zh: ["导入段", /引入段/] },
-  limit: { en: ["Machining limit"], de: ["Bearbeitungsgrenze"], fr: ["Limite d’usinage"], zh: ["加工限位", /加工界限/] },
+  limit: {
+    en: ["Machining limit"],
+    de: ["Bearbeitungsgrenze"],
+    fr: ["Limite d’usinage"],
+    zh: ["加工限位", /加工界限/],
+  },
   speedLimit: {
     en: ["Speed limit (SMAX)"],
     de: ["Drehzahlbegrenzung (SMAX)", /Drehzahlgrenze/],
@@ -55,7 +70,12 @@ const TERMS: Partial<Record<TermId, Readonly<Record<LessonLanguage, OneTerm>>>> 
     zh: ["转速限制（SMAX）"],
   },
   holder: { en: ["Holder"], de: ["Halter"], fr: ["Porte-outil"], zh: ["刀杆", /刀柄/] },
-  residue: { en: ["Residue"], de: ["Restmaterial"], fr: ["Matière résiduelle", /matière restante/i], zh: ["残留材料", /残料/] },
+  residue: {
+    en: ["Residue"],
+    de: ["Restmaterial"],
+    fr: ["Matière résiduelle", /matière restante/i],
+    zh: ["残留材料", /残料/],
+  },
   airPass: { en: ["Air pass"], de: ["Luftschnitt"], fr: ["Passe à vide"], zh: ["空走刀"] },
 };
 
@@ -74,19 +94,21 @@ const SEARCHED = "/shop-words.ts";
 
 const sources = import.meta.glob<string>("../../src/i18n/*/**/*.ts", { eager: true, query: "?raw", import: "default" });
 const glossaries = import.meta.glob<GlossaryTexts>("../../src/i18n/*/glossary.ts", { eager: true, import: "glossary" });
-const courses = import.meta.glob<{ words: Record<LessonLanguage, unknown> }>("../../src/course/{lessons,tasks}/*.json", {
-  eager: true,
-  import: "default",
-});
+const courses = import.meta.glob<{ words: Record<LessonLanguage, unknown> }>(
+  "../../src/course/{lessons,tasks}/*.json",
+  {
+    eager: true,
+    import: "default",
+  },
+);
 
 /** Every text of a language: what the course says, and the files of the app without their remarks. */
-const texts =
-  (language: LessonLanguage): readonly (readonly [where: string, text: string])[] => [
-    ...Object.entries(courses).map(([path, { words }]) => [path, JSON.stringify(words[language])] as const),
-    ...Object.entries(sources).filter(([path]) => path.includes(`/i18n/${language}/`) && !path.endsWith(SEARCHED)).map(([path, text]) =>
-      [path, text.replaceAll(/\/\*[^]*?\*\/|\/\/.*$/gm, "")] as const
-    ),
-  ];
+const texts = (language: LessonLanguage): readonly (readonly [where: string, text: string])[] => [
+  ...Object.entries(courses).map(([path, { words }]) => [path, JSON.stringify(words[language])] as const),
+  ...Object.entries(sources)
+    .filter(([path]) => path.includes(`/i18n/${language}/`) && !path.endsWith(SEARCHED))
+    .map(([path, text]) => [path, text.replaceAll(/\/\*[^]*?\*\/|\/\/.*$/gm, "")] as const),
+];
 
 const found = (language: LessonLanguage, never: RegExp) =>
   texts(language).flatMap(([where, text]) => {
@@ -95,7 +117,8 @@ const found = (language: LessonLanguage, never: RegExp) =>
   });
 
 describe.each(LESSON_LANGUAGES)("the words of the trade in %s", (language) => {
-  const all = texts(language), glossary = glossaries[`../../src/i18n/${language}/glossary.ts`];
+  const all = texts(language),
+    glossary = glossaries[`../../src/i18n/${language}/glossary.ts`];
 
   test("are looked for in lessons, tasks and the app", () => {
     expect(all.filter(([where]) => where.includes("/lessons/")).length).toBeGreaterThan(20);
@@ -104,7 +127,8 @@ describe.each(LESSON_LANGUAGES)("the words of the trade in %s", (language) => {
   });
 
   test("stand in the glossary as they are used", () => {
-    for (const [term, of] of Object.entries(TERMS)) expect([term, glossary?.[term as TermId].name]).toEqual([term, of[language][0]]);
+    for (const [term, of] of Object.entries(TERMS))
+      expect([term, glossary?.[term as TermId].name]).toEqual([term, of[language][0]]);
   });
 
   test("are said in one way", () => {

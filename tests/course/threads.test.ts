@@ -31,11 +31,13 @@ function program(pitch: number | undefined, { depth = 0, to = -31.4, inside = fa
     ...(pitch === undefined
       ? []
       : [
-        "7 CYCL DEF 831 THREAD LONGITUDINAL ~",
-        Object.entries(prompts).map(([q, v]) => `${q}=${v} ;X`).join(" ~\n"),
-        `8 L X+${inside ? 27 : 40} Z+7 FMAX`,
-        "9 CYCL CALL",
-      ]),
+          "7 CYCL DEF 831 THREAD LONGITUDINAL ~",
+          Object.entries(prompts)
+            .map(([q, v]) => `${q}=${v} ;X`)
+            .join(" ~\n"),
+          `8 L X+${inside ? 27 : 40} Z+7 FMAX`,
+          "9 CYCL CALL",
+        ]),
     "10 L Z+60 FMAX",
     "11 M30",
     "12 END PGM THREAD MM",

@@ -21,25 +21,23 @@ function told(task: Task, from: string, to: string): string[] {
 }
 const { turnedRound } = courseTask.wrong;
 
-test.each([["a forgotten minus", "Q494=-27.4", "Q494=+27.4", "Z+27.4 is in front of the workpiece. -27.4?: block 7"], [
-  "a diameter doubled",
-  "Q493=+48.2",
-  "Q493=+96.4",
-  `${turnedRound.inside}: block 9`,
-], ["a start within the steel", "8 L X+63.5 Z+2", "8 L X+40 Z+2", `${turnedRound.inside}: block 9`]])(
-  "%s is told as what it does to the cycle, not as a tool to be changed",
-  (_, from, to, said) => {
-    expect(told(shoulder, from, to)[0]).toBe(said);
-  },
-);
+test.each([
+  ["a forgotten minus", "Q494=-27.4", "Q494=+27.4", "Z+27.4 is in front of the workpiece. -27.4?: block 7"],
+  ["a diameter doubled", "Q493=+48.2", "Q493=+96.4", `${turnedRound.inside}: block 9`],
+  ["a start within the steel", "8 L X+63.5 Z+2", "8 L X+40 Z+2", `${turnedRound.inside}: block 9`],
+])("%s is told as what it does to the cycle, not as a tool to be changed", (_, from, to, said) => {
+  expect(told(shoulder, from, to)[0]).toBe(said);
+});
 
 test("every place where steel stays names the call that should have taken it, and none that may be there by itself", () => {
   const places = told(shoulder, "8 L X+63.5 Z+2", "8 L X+63.5 Z-5").filter((line) => line.startsWith("Steel stays"));
   expect(places).toHaveLength(1);
   expect(places[0]).toMatch(/^Steel stays, up to 0\.2\d mm thick at ⌀48\.\d+, Z-0\.\d+: block 9$/);
-  expect(told(shoulder, "Q494=-27.4", "Q494=+27.4").filter((line) => line.startsWith("Steel stays") && !line.endsWith("block 9"))).toEqual(
-    [],
-  );
+  expect(
+    told(shoulder, "Q494=-27.4", "Q494=+27.4").filter(
+      (line) => line.startsWith("Steel stays") && !line.endsWith("block 9"),
+    ),
+  ).toEqual([]);
 });
 
 test("a thread of another pitch is told once, by its pitch; one that is not there as that", () => {
@@ -50,9 +48,11 @@ test("a thread of another pitch is told once, by its pitch; one that is not ther
   );
 });
 
-test.each([["Q215=+0", "Q215=+2"], ["Q483=+0.5", "Q483=+16"]])("a finishing cut that takes what was never roughed is too deep: %s → %s",
-  (from, to) => {
-    expect(told(shoulder, from, to)).toContainEqual(
-      expect.stringMatching(/^A pass takes 7\.\d+ mm; 2\.5 mm are allowed: block 9, finishing cut$/),
-    );
-  });
+test.each([
+  ["Q215=+0", "Q215=+2"],
+  ["Q483=+0.5", "Q483=+16"],
+])("a finishing cut that takes what was never roughed is too deep: %s → %s", (from, to) => {
+  expect(told(shoulder, from, to)).toContainEqual(
+    expect.stringMatching(/^A pass takes 7\.\d+ mm; 2\.5 mm are allowed: block 9, finishing cut$/),
+  );
+});

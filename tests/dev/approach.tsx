@@ -27,17 +27,23 @@ const playback = createPlaybackStore(clock);
 const shop = { tools: [], mills: [{ T: 1, NAME: "MILL", R: 10 }], rapid: 10000 };
 
 function Page() {
-  const [program, change] = useState(() => parse((asked.get("text") ?? (asked.has("circular") ? circular : linear)).replaceAll("|", "\n")));
+  const [program, change] = useState(() =>
+    parse((asked.get("text") ?? (asked.has("circular") ? circular : linear)).replaceAll("|", "\n")),
+  );
   const made = run(program, shop);
   const index = Number(asked.get("block") ?? program.blocks.findIndex((b) => b.statement.kind === "approach"));
   const statement = program.blocks[index]?.statement;
   return (
     <main style={{ display: "grid", gridTemplateColumns: asked.has("view") ? "1fr" : "400px 1fr", height: "100vh" }}>
       {!asked.has("view") && statement?.kind === "approach" && (
-        <ApproachDialog statement={statement} context={approachContext(program, index, made, {})} onChange={(next) =>
-          change(withBlock(program, index, next))} found={made.issues.filter((f) =>
-            f.line !== null && f.block === (made.approaches.find((a) => a.index === index)?.block ?? -1)
-          ).map((f) => entryAt(f.issue, ("at" in f.issue ? f.issue.at : undefined) ?? null, f.block))} />
+        <ApproachDialog
+          statement={statement}
+          context={approachContext(program, index, made, {})}
+          onChange={(next) => change(withBlock(program, index, next))}
+          found={made.issues
+            .filter((f) => f.line !== null && f.block === (made.approaches.find((a) => a.index === index)?.block ?? -1))
+            .map((f) => entryAt(f.issue, ("at" in f.issue ? f.issue.at : undefined) ?? null, f.block))}
+        />
       )}
       <PlaneView result={{ run: made, simulation: simulate(made) }} dimmed={false} playback={playback} clock={clock} />
     </main>

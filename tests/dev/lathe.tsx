@@ -15,7 +15,9 @@ const playback = createPlaybackStore(clock);
 const root = document.getElementById("root");
 const result = exampleResult({ fault: asked.has("fault"), many: asked.has("many") });
 void fetchTexts(useSettings.getState().language).then(() => {
-  if (root) createRoot(root).render(<LatheView result={result} dimmed={asked.has("dim")} playback={playback} clock={clock} />);
+  if (root)
+    createRoot(root).render(<LatheView result={result} dimmed={asked.has("dim")} playback={playback} clock={clock} />);
 });
 if (asked.has("end")) setTimeout(() => playback.dispatch({ do: "last" }), 100);
-if (asked.has("at")) setTimeout(() => playback.dispatch({ do: "seek", position: { step: Number(asked.get("at")), fraction: 0.5 } }), 100);
+if (asked.has("at"))
+  setTimeout(() => playback.dispatch({ do: "seek", position: { step: Number(asked.get("at")), fraction: 0.5 } }), 100);

@@ -32,7 +32,13 @@ export const cycles: readonly Cycle[] = cuttingCycles;
 export const exampleOf = (cycle: Cycle): Numbers => firstValues(cycle);
 
 /** Draws a cycle with values; null when they make no contour. */
-export function drawn(cycle: Cycle, values: Numbers, active: string | null, size: Size, given: Given = printedContour): HelpDrawing | null {
+export function drawn(
+  cycle: Cycle,
+  values: Numbers,
+  active: string | null,
+  size: Size,
+  given: Given = printedContour,
+): HelpDrawing | null {
   const read = values as Parameters<Cycle["outline"]>[0];
   const outline = cycle.outline(read, given);
   if (outline.contour.length === 0 || outline.issues.some((found) => found.severity === "error")) return null;
@@ -47,8 +53,19 @@ export function partlyDrawn(cycle: Cycle, typed: Numbers, active: string | null,
   const plan = pointPlan(cycle, made.values, made.outline, printedContour);
   const { values, outline } = made;
   const isBorrowed = cycle.contour === "free";
-  return helpDrawing({ params: cycle.params, values: values as Numbers, typed, isBorrowed, outline, plan, active, size, speech });
+  return helpDrawing({
+    params: cycle.params,
+    values: values as Numbers,
+    typed,
+    isBorrowed,
+    outline,
+    plan,
+    active,
+    size,
+    speech,
+  });
 }
 
 /** All marks, those inside a lens too. */
-export const flat = (marks: readonly Mark[]): Mark[] => marks.flatMap((m) => (m.kind === "detail" ? [m, ...flat(m.marks)] : [m]));
+export const flat = (marks: readonly Mark[]): Mark[] =>
+  marks.flatMap((m) => (m.kind === "detail" ? [m, ...flat(m.marks)] : [m]));

@@ -10,13 +10,22 @@ import { axial, diameter, toRadius } from "../../src/kernel/units.ts";
 
 const ask = new URLSearchParams(location.search);
 const number = Number(ask.get("cycle") ?? 812);
-const width = Number(ask.get("width") ?? 380), height = Number(ask.get("height") ?? 270);
+const width = Number(ask.get("width") ?? 380),
+  height = Number(ask.get("height") ?? 270);
 if (ask.get("theme")) document.documentElement.dataset["theme"] = ask.get("theme")!;
 const cycle = catalogue.find((c) => c.number === number)!;
 const at = (z: number, d: number) => ({ kind: "line", to: { z: axial(z), r: toRadius(diameter(d)) } }) as const;
-const contour = cycle.contour === "free"
-  ? contourFrom([at(-20, 75), at(-20, 50), { kind: "round", size: 2 }, at(-25, 20), { kind: "round", size: 2 }, at(0, 20)]).segments
-  : null;
+const contour =
+  cycle.contour === "free"
+    ? contourFrom([
+        at(-20, 75),
+        at(-20, 50),
+        { kind: "round", size: 2 },
+        at(-25, 20),
+        { kind: "round", size: 2 },
+        at(0, 20),
+      ]).segments
+    : null;
 const values = {
   ...Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example])),
   ...JSON.parse(ask.get("values") ?? "{}"),
@@ -31,7 +40,13 @@ createRoot(document.getElementById("root")!).render(
       <figure key={q} style={{ border: "1px solid var(--line)" }}>
         <figcaption className="small">{q || "none"}</figcaption>
         <div className="help-slot" style={{ width, height }}>
-          <HelpPicture cycle={cycle} values={values} given={{ contour, start: null }} activeQ={q || null} language={language} />
+          <HelpPicture
+            cycle={cycle}
+            values={values}
+            given={{ contour, start: null }}
+            activeQ={q || null}
+            language={language}
+          />
         </div>
       </figure>
     ))}

@@ -27,12 +27,17 @@ describe.each(cycles.map((c) => [c.number, c] as const))("help picture of cycle 
 
   test.each(Object.keys(cycle.params).filter((q) => cycle.params[q]?.kind !== "choice"))("%s shows its value", (q) => {
     const drawing = drawn(cycle, exampleOf(cycle), q, size);
-    const texts = (drawing?.marks ?? []).flatMap((m) => (m.kind === "text" && m.active && m.role === "value" ? [m.text] : []));
+    const texts = (drawing?.marks ?? []).flatMap((m) =>
+      m.kind === "text" && m.active && m.role === "value" ? [m.text] : [],
+    );
     expect(texts.join()).toContain(String(Math.abs(Number(exampleOf(cycle)[q]))));
   });
 });
 
-/** A groove along the axis that no file of the catalogue has, with texts that nobody knows and a plan that is not written yet. */
+/**
+ * A groove along the axis that no file of the catalogue has, with texts that nobody knows and a plan that is not
+ * written yet.
+ */
 const madeUp = defineCycle({
   number: 1,
   group: "recessTurning",
@@ -50,7 +55,14 @@ const madeUp = defineCycle({
   setup: c852.setup,
   steps: { rough: 0, finish: 0 },
   outline: (v) => {
-    const box = { Q491: v.Q2, Q492: axial(-10), Q493: diameter(60), Q494: axial(-30), Q495: degrees(5), Q496: degrees(0) };
+    const box = {
+      Q491: v.Q2,
+      Q492: axial(-10),
+      Q493: diameter(60),
+      Q494: axial(-30),
+      Q495: degrees(5),
+      Q496: degrees(0),
+    };
     const corners = { Q501: 0, Q502: length(0), Q500: length(1), Q503: v.Q3, Q504: v.Q4 };
     return recessOutline({ ...box, ...corners }, { transverse: false, signU: -1, signV: 1 });
   },
@@ -64,7 +76,9 @@ test.each(Object.keys(madeUp.params))("a cycle that the picture has never seen s
 });
 
 test("a drawing holds no colours, only roles", () => {
-  const text = cycles.map((c) => helpSvg(drawn(c, exampleOf(c), null, size) ?? { size, marks: [], labels: [] })).join("");
+  const text = cycles
+    .map((c) => helpSvg(drawn(c, exampleOf(c), null, size) ?? { size, marks: [], labels: [] }))
+    .join("");
   expect(text).not.toMatch(/fill="|stroke="/);
 });
 
@@ -87,7 +101,10 @@ describe("as long as values are missing", () => {
       const marks = flat(partlyDrawn(cycle, {}, q, size)?.marks ?? []);
       const texts = marks.flatMap((m) => (m.kind === "text" && m.role === "value" ? [m.text] : []));
       expect(texts).toContain(q);
-      expect(texts.filter((text) => !/^Q\d+$/.test(text)), q).toEqual([]);
+      expect(
+        texts.filter((text) => !/^Q\d+$/.test(text)),
+        q,
+      ).toEqual([]);
     }
   });
 });
@@ -99,9 +116,10 @@ describe("laws of the help picture", () => {
     const all = flat(drawing.marks);
     expect(helpSvg(drawing)).not.toMatch(/NaN|Infinity|undefined/);
     expect(all.some((m) => m.active && m.q === q)).toBe(true);
-    if (cycle.params[q]?.kind !== "choice") expect(all.some((m) => m.kind === "text" && m.active && m.role === "value")).toBe(true);
+    if (cycle.params[q]?.kind !== "choice")
+      expect(all.some((m) => m.kind === "text" && m.active && m.role === "value")).toBe(true);
     drawing.labels.forEach((a, i) =>
-      drawing.labels.slice(i + 1).forEach((b) => expect(labelsOverlap(a, b), JSON.stringify([a, b])).toBe(false))
+      drawing.labels.slice(i + 1).forEach((b) => expect(labelsOverlap(a, b), JSON.stringify([a, b])).toBe(false)),
     );
   });
   test("the random values make contours often enough to mean something", () => {

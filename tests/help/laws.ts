@@ -14,7 +14,8 @@ export interface Case {
   readonly size: Size;
 }
 
-const grid = (min: number, max: number) => fc.integer({ min: Math.round(min * 1000), max: Math.round(max * 1000) }).map((n) => n / 1000);
+const grid = (min: number, max: number) =>
+  fc.integer({ min: Math.round(min * 1000), max: Math.round(max * 1000) }).map((n) => n / 1000);
 
 /** Values as a workshop has them, and now and then the ends of the printed range. */
 function valueOf(p: Param): fc.Arbitrary<number | "auto"> {
@@ -35,17 +36,22 @@ function valueOf(p: Param): fc.Arbitrary<number | "auto"> {
     percent: grid(20, 120),
     revolutions: grid(0, 5),
   }[p.kind];
-  return fc.oneof({ weight: 30, arbitrary: usual }, { weight: 1, arbitrary: fc.constantFrom(min, max, 0, p.example) },
-    ...(p.kind === "feed" ? [{ weight: 1, arbitrary: fc.constant("auto" as const) }] : []));
+  return fc.oneof(
+    { weight: 30, arbitrary: usual },
+    { weight: 1, arbitrary: fc.constantFrom(min, max, 0, p.example) },
+    ...(p.kind === "feed" ? [{ weight: 1, arbitrary: fc.constant("auto" as const) }] : []),
+  );
 }
 
 const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) =>
   fc.record({
     cycle: fc.constant(cycle),
-    values: fc.record(Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, valueOf(p)]))) as fc.Arbitrary<Numbers>,
+    values: fc.record(
+      Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, valueOf(p)])),
+    ) as fc.Arbitrary<Numbers>,
     q: fc.constantFrom(...Object.keys(cycle.params)),
     size: fc.record({ width: fc.integer({ min: 240, max: 900 }), height: fc.integer({ min: 160, max: 700 }) }),
-  })
+  }),
 );
 
 /** Random pictures with a fixed seed. */

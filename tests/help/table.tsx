@@ -21,7 +21,14 @@ function Page() {
 const language = (ask.get("language") ?? "en") as Language;
 await fetchTexts(language);
 createRoot(document.getElementById("root")!).render(
-  <div style={{ padding: 12, width: Number(ask.get("width") ?? 400), boxSizing: "border-box", background: "var(--surface)" }}>
+  <div
+    style={{
+      padding: 12,
+      width: Number(ask.get("width") ?? 400),
+      boxSizing: "border-box",
+      background: "var(--surface)",
+    }}
+  >
     <Page />
   </div>,
 );

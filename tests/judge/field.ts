@@ -1,9 +1,9 @@
 import type { P } from "./insert.ts";
 
 /*
- * Areas as fine columns: in the middle of each column the stretches that are filled. No polygon is ever cut with another, so
- * nothing is shared with the simulation but the blank and the moves. Columns may stand along z, or along r, whose walls
- * the other way sees only to a column's width.
+ * Areas as fine columns: in the middle of each column the stretches that are filled. No polygon is ever cut with
+ * another, so nothing is shared with the simulation but the blank and the moves. Columns may stand along z, or along r,
+ * whose walls the other way sees only to a column's width.
  */
 
 /** Filled stretches of one column, from below: start, end, start, end … */
@@ -32,9 +32,8 @@ const turnOf = (ring: readonly P[]) =>
   }, 0);
 
 /**
- * What closed polygons fill together: where they wind round in the direction that most of their area has. Holes run against it.
- * `either`: loops
- * of either direction count, as where a ring crosses itself.
+ * What closed polygons fill together: where they wind round in the direction that most of their area has. Holes run
+ * against it. `either`: loops of either direction count, as where a ring crosses itself.
  */
 export function filled(g: Grid, rings: readonly (readonly P[])[], either = false): Field {
   const way = rings.reduce((sum, ring) => sum + turnOf(ring), 0) * (g.along === "z" ? 1 : -1);
@@ -49,7 +48,8 @@ export function filled(g: Grid, rings: readonly (readonly P[])[], either = false
       for (let i = first; i <= last; i += 1) {
         const x = middle(g, i);
         const by = x1 > x0 === way > 0 ? 1 : -1;
-        if (x0 <= x !== x1 <= x) crossings[i]?.push({ at: height(g, a) + ((height(g, b) - height(g, a)) * (x - x0)) / (x1 - x0), by });
+        if (x0 <= x !== x1 <= x)
+          crossings[i]?.push({ at: height(g, a) + ((height(g, b) - height(g, a)) * (x - x0)) / (x1 - x0), by });
       }
       a = b;
     }
@@ -68,7 +68,11 @@ export function filled(g: Grid, rings: readonly (readonly P[])[], either = false
 }
 
 /** Calls `each` with every column that a convex polygon crosses, and from where to where. */
-export function crossed(g: Grid, convex: readonly P[], each: (column: number, low: number, high: number) => void): void {
+export function crossed(
+  g: Grid,
+  convex: readonly P[],
+  each: (column: number, low: number, high: number) => void,
+): void {
   const size = convex.length;
   let [start, end] = [0, 0];
   for (let i = 1; i < size; i += 1) {
@@ -144,9 +148,10 @@ export const lengthOf = (a: Spans): number => {
 export const areaOf = (g: Grid, f: Field): number => f.reduce((sum, column) => sum + lengthOf(column), 0) * g.width;
 
 const merged = (all: readonly number[]): number[] => {
-  const pairs = Array.from({ length: all.length / 2 }, (_, i) => [all[2 * i] as number, all[2 * i + 1] as number] as const).sort((a, b) =>
-    a[0] - b[0]
-  );
+  const pairs = Array.from(
+    { length: all.length / 2 },
+    (_, i) => [all[2 * i] as number, all[2 * i + 1] as number] as const,
+  ).sort((a, b) => a[0] - b[0]);
   const out: number[] = [];
   for (const [low, high] of pairs) {
     const last = out.length - 1;
@@ -161,21 +166,27 @@ const moved = (a: Spans, by: number) => a.map((n, i) => (i % 2 === 0 ? n - by : 
 export const grown = (f: Field, by: number): Field =>
   f.map((column, i) => merged(moved([...(f[i - 1] ?? []), ...column, ...(f[i + 1] ?? [])], by)));
 
-/** The same inwards: what stays lies surely inside. The first and the last column have no neighbour and stay as they are. */
+/**
+ * The same inwards: what stays lies surely inside. The first and the last column have no neighbour and stay as they
+ * are.
+ */
 export const shrunk = (f: Field, by: number): Field =>
   f.map((column, i) =>
     moved(common(common(f[i - 1] ?? column, column), f[i + 1] ?? column), -by).flatMap((n, k, all) =>
-      k % 2 === 0 && (all[k + 1] as number) > n ? [n, all[k + 1] as number] : []
-    )
+      k % 2 === 0 && (all[k + 1] as number) > n ? [n, all[k + 1] as number] : [],
+    ),
   );
 
 /** Column by column. */
-export const each = (a: Field, b: Field, make: (a: Spans, b: Spans) => number[]): Field => a.map((column, i) => make(column, b[i] ?? []));
+export const each = (a: Field, b: Field, make: (a: Spans, b: Spans) => number[]): Field =>
+  a.map((column, i) => make(column, b[i] ?? []));
 
-/** Without the pieces that are smaller than `least` mm². Stretches of neighbouring columns that overlap are one piece. */
+/**
+ * Without the pieces that are smaller than `least` mm². Stretches of neighbouring columns that overlap are one piece.
+ */
 export function withoutCrumbs(g: Grid, f: Field, least: number): Field {
   const columns = f.map((column, i) =>
-    column.flatMap((low, k) => (k % 2 === 0 ? [{ i, low, high: column[k + 1] as number, piece: -1 }] : []))
+    column.flatMap((low, k) => (k % 2 === 0 ? [{ i, low, high: column[k + 1] as number, piece: -1 }] : [])),
   );
   const areas: number[] = [];
   for (const seed of columns.flat()) {
@@ -192,5 +203,7 @@ export function withoutCrumbs(g: Grid, f: Field, least: number): Field {
       }
     }
   }
-  return columns.map((column) => column.filter((s) => (areas[s.piece] as number) >= least).flatMap((s) => [s.low, s.high]));
+  return columns.map((column) =>
+    column.filter((s) => (areas[s.piece] as number) >= least).flatMap((s) => [s.low, s.high]),
+  );
 }

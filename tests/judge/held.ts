@@ -1,7 +1,8 @@
 import type { Field, Grid } from "./field.ts";
 
 /*
- * What hangs together with the rear end, by flooding the columns from there: nothing is shared with the simulation but the blank.
+ * What hangs together with the rear end, by flooding the columns from there: nothing is shared with the simulation but
+ * the blank.
  */
 
 interface Stretch {
@@ -12,14 +13,17 @@ interface Stretch {
 }
 
 /**
- * The stretches of a field that hang together with what stands within a column of the plane z = `rear`, mm. Stretches of neighbouring
- * columns do when they overlap by more than `least` mm; a negative one joins what nearly touches.
+ * The stretches of a field that hang together with what stands within a column of the plane z = `rear`, mm. Stretches
+ * of neighbouring columns do when they overlap by more than `least` mm; a negative one joins what nearly touches.
  */
 export function heldIn(grid: Grid, field: Field, rear: number, least: number): Field {
   const columns = field.map((column, i) =>
-    column.flatMap((low, k): Stretch[] => (k % 2 === 0 ? [{ i, low, high: column[k + 1] as number, held: false }] : []))
+    column.flatMap((low, k): Stretch[] =>
+      k % 2 === 0 ? [{ i, low, high: column[k + 1] as number, held: false }] : [],
+    ),
   );
-  const isRear = ({ i, low }: Stretch) => (grid.along === "z" ? grid.from + i * grid.width : low) <= rear + 2 * grid.width;
+  const isRear = ({ i, low }: Stretch) =>
+    (grid.along === "z" ? grid.from + i * grid.width : low) <= rear + 2 * grid.width;
   const open = columns.flat().filter(isRear);
   for (const s of open) s.held = true;
   for (let s = open.pop(); s; s = open.pop())

@@ -1,8 +1,8 @@
 import type { Tool } from "../../src/kernel/plan/tool.ts";
 
 /*
- * The insert once more, from the columns of the tool table alone: a convex polygon about the theoretical tip. Nothing here
- * comes from the kernel, so that a wrong insert there is not a wrong insert here.
+ * The insert once more, from the columns of the tool table alone: a convex polygon about the theoretical tip. Nothing
+ * here comes from the kernel, so that a wrong insert there is not a wrong insert here.
  */
 
 /** A point of the half plane, mm: along the axis and away from it. */
@@ -37,10 +37,12 @@ const TIP: readonly P[] = [
 ];
 
 const circle = (centre: P, radius: number): P[] =>
-  radius === 0 ? [centre] : Array.from({ length: 4 * QUARTER }, (_, i) => {
-    const a = (i * Math.PI) / (2 * QUARTER);
-    return { z: centre.z + radius * Math.cos(a), r: centre.r + radius * Math.sin(a) };
-  });
+  radius === 0
+    ? [centre]
+    : Array.from({ length: 4 * QUARTER }, (_, i) => {
+        const a = (i * Math.PI) / (2 * QUARTER);
+        return { z: centre.z + radius * Math.cos(a), r: centre.r + radius * Math.sin(a) };
+      });
 
 /** Smallest convex polygon round points, counter-clockwise: sorted along z, once below and once above. */
 export function hull(points: readonly P[]): P[] {
@@ -48,8 +50,12 @@ export function hull(points: readonly P[]): P[] {
   const half = (list: readonly P[]) => {
     const out: P[] = [];
     for (const p of list) {
-      for (let a = out.at(-2), b = out.at(-1); a && b && (b.z - a.z) * (p.r - a.r) - (b.r - a.r) * (p.z - a.z) <= 0;
-        a = out.at(-2), b = out.at(-1)) out.pop();
+      for (
+        let a = out.at(-2), b = out.at(-1);
+        a && b && (b.z - a.z) * (p.r - a.r) - (b.r - a.r) * (p.z - a.z) <= 0;
+        a = out.at(-2), b = out.at(-1)
+      )
+        out.pop();
       out.push(p);
     }
     return out.slice(0, -1);
@@ -57,10 +63,16 @@ export function hull(points: readonly P[]): P[] {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-const direction = (degrees: number): P => ({ z: Math.cos((degrees * Math.PI) / 180), r: Math.sin((degrees * Math.PI) / 180) });
+const direction = (degrees: number): P => ({
+  z: Math.cos((degrees * Math.PI) / 180),
+  r: Math.sin((degrees * Math.PI) / 180),
+});
 const along = (p: P, d: P, k: number): P => ({ z: p.z + d.z * k, r: p.r + d.r * k });
 
-/** Two edges of length `l` in directions given in degrees, about a nose with its centre in the origin; a parallelogram, or a wedge. */
+/**
+ * Two edges of length `l` in directions given in degrees, about a nose with its centre in the origin; a parallelogram,
+ * or a wedge.
+ */
 function twoEdges(nose: number, one: number, other: number, l: number, whole: boolean): P[] {
   const half = (((other - one) / 2) * Math.PI) / 180;
   const sharp = along({ z: 0, r: 0 }, direction((one + other) / 2), -nose / Math.sin(half));
@@ -89,16 +101,23 @@ function turningInsert(tool: Tool, nose: number): P[] {
   }
 }
 
-/** A recessing bar about its tip, drawn pointing to −X with the tip on its −Z corner, in the middle or on its +Z corner. */
+/**
+ * A recessing bar about its tip, drawn pointing to −X with the tip on its −Z corner, in the middle or on its +Z corner.
+ */
 function bar(tool: Tool, nose: number): P[] {
   const width = (tool.CUTWIDTH ?? 0) + (tool.DCW ?? 0);
   const long = tool.CUTLENGTH || BAR;
   const left = tool.TO === 1 || tool.TO === 7 ? 0 : tool.TO === 3 || tool.TO === 5 ? -width : -width / 2;
   const right = left + width;
-  const shape = [...circle({ z: left + nose, r: nose }, nose), ...circle({ z: right - nose, r: nose }, nose), { z: right, r: long }, {
-    z: left,
-    r: long,
-  }];
+  const shape = [
+    ...circle({ z: left + nose, r: nose }, nose),
+    ...circle({ z: right - nose, r: nose }, nose),
+    { z: right, r: long },
+    {
+      z: left,
+      r: long,
+    },
+  ];
   switch (tool.TO) {
     case 5:
     case 6:
@@ -119,11 +138,15 @@ function flankOf(height: number, nose: number, half: number): number {
   return (height - nose + nose / Math.sin(lean)) / Math.cos(lean);
 }
 
-/** What the insert covers, as a convex polygon about the theoretical tip (with the correction of FUNCTION TURNDATA CORR). */
+/**
+ * What the insert covers, as a convex polygon about the theoretical tip (with the correction of FUNCTION TURNDATA
+ * CORR).
+ */
 export function insertOf(tool: Tool): P[] {
   const nose = tool.RS + (tool.DRS ?? 0);
   const shift: P = { z: tool.correction?.z ?? 0, r: tool.correction?.r ?? 0 };
-  const placed = (points: readonly P[], from: P) => hull(points.map((p) => ({ z: p.z - from.z + shift.z, r: p.r - from.r + shift.r })));
+  const placed = (points: readonly P[], from: P) =>
+    hull(points.map((p) => ({ z: p.z - from.z + shift.z, r: p.r - from.r + shift.r })));
   if (tool.TYPE === "RECESS" || tool.TYPE === "RECTURN") return placed(bar(tool, nose), { z: 0, r: 0 });
   const tip = TIP[tool.TO] ?? { z: 0, r: 0 };
   const offset = { z: tip.z * nose, r: tip.r * nose };
@@ -131,7 +154,10 @@ export function insertOf(tool: Tool): P[] {
   if (tool.TYPE === "THREAD") {
     const inwards = (Math.atan2(-tip.r, -tip.z) * 180) / Math.PI;
     const half = (tool["P-ANGLE"] ?? 60) / 2;
-    return placed(twoEdges(nose, inwards - half, inwards + half, flankOf(tool.CUTLENGTH || TOOTH, nose, half), false), offset);
+    return placed(
+      twoEdges(nose, inwards - half, inwards + half, flankOf(tool.CUTLENGTH || TOOTH, nose, half), false),
+      offset,
+    );
   }
   return placed(turningInsert(tool, nose), offset);
 }

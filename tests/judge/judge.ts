@@ -5,8 +5,8 @@ import { heldIn } from "./held.ts";
 import { hull, insertOf, type P } from "./insert.ts";
 
 /*
- * A second stock simulation that shares no line with the first: it reads moves and tool columns, and cuts a blank of fine
- * columns. What it says and what `src/sim` says are compared by the laws.
+ * A second stock simulation that shares no line with the first: it reads moves and tool columns, and cuts a blank of
+ * fine columns. What it says and what `src/sim` says are compared by the laws.
  */
 
 /** One motion of the tip, as the simulation gets it too. */
@@ -48,7 +48,10 @@ function stations(from: P, move: Move): P[] {
   const round = 2 * Math.PI;
   const turn = move.turn === "ccw" ? (((a1 - a0) % round) + round) % round : -((((a0 - a1) % round) + round) % round);
   const sweep = Math.hypot(to.z - from.z, to.r - from.r) < 1e-9 ? (move.turn === "ccw" ? round : -round) : turn;
-  const count = Math.max(1, Math.ceil(Math.abs(sweep) / (2 * Math.acos(Math.max(0, 1 - CHORD / Math.max(r0, r1, CHORD))))));
+  const count = Math.max(
+    1,
+    Math.ceil(Math.abs(sweep) / (2 * Math.acos(Math.max(0, 1 - CHORD / Math.max(r0, r1, CHORD))))),
+  );
   return Array.from({ length: count + 1 }, (_, i) => {
     if (i === 0) return from;
     if (i === count) return to;
@@ -59,13 +62,17 @@ function stations(from: P, move: Move): P[] {
 
 const at = (shape: readonly P[], p: P): P[] => shape.map((q) => ({ z: q.z + p.z, r: q.r + p.r }));
 /** The work turns: what is swept on the other side of the axis is swept on this one. */
-const both = (shape: P[]): P[][] => (shape.some((p) => p.r < 0) ? [shape, shape.map((p) => ({ z: p.z, r: -p.r })).reverse()] : [shape]);
+const both = (shape: P[]): P[][] =>
+  shape.some((p) => p.r < 0) ? [shape, shape.map((p) => ({ z: p.z, r: -p.r })).reverse()] : [shape];
 
-/** Where the tip of a thread meets the plane that is looked at: whenever the spindle has made a whole turn, and where it rests. */
+/**
+ * Where the tip of a thread meets the plane that is looked at: whenever the spindle has made a whole turn, and where it
+ * rests.
+ */
 function meetings(from: P, move: Extract<Move, { kind: "thread" }>): P[] {
   const way = Math.abs(move.to[move.axis] - from[move.axis]);
   const out: P[] = [];
-  for (let gone = ((360 - (move.angle % 360)) % 360) / 360 * move.pitch; gone < way - 1e-7; gone += move.pitch)
+  for (let gone = (((360 - (move.angle % 360)) % 360) / 360) * move.pitch; gone < way - 1e-7; gone += move.pitch)
     out.push({ z: from.z + ((move.to.z - from.z) * gone) / way, r: from.r + ((move.to.r - from.r) * gone) / way });
   return move.stops ? [...out, move.to] : out;
 }
@@ -87,8 +94,8 @@ export function gridOver(rings: readonly (readonly P[])[], along: Grid["along"],
 }
 
 /**
- * Cuts a blank by motions. `part`: the finished part, as closed polygons; nothing may cut there. `whole` tells behind which motions a
- * cut has ended: then only what hangs together with the rear end stays.
+ * Cuts a blank by motions. `part`: the finished part, as closed polygons; nothing may cut there. `whole` tells behind
+ * which motions a cut has ended: then only what hangs together with the rear end stays.
  */
 export function judge(
   blank: readonly (readonly P[])[],
@@ -138,8 +145,12 @@ export function judge(
         const core = common(common(stock[i - 1] ?? [], here), stock[i + 1] ?? []);
         for (let k = 0; k < core.length; k += 2)
           rapid +=
-            lengthOf(common(away, [(core[k] as number) + THIN, Math.max((core[k] as number) + THIN, (core[k + 1] as number) - THIN)]))
-            * grid.width;
+            lengthOf(
+              common(away, [
+                (core[k] as number) + THIN,
+                Math.max((core[k] as number) + THIN, (core[k + 1] as number) - THIN),
+              ]),
+            ) * grid.width;
       } else cut += taken * grid.width;
     }
     for (const [i, left] of next) stock[i] = left;
@@ -151,4 +162,5 @@ export function judge(
 }
 
 /** Sum of the faults of one kind, mm². */
-export const sumOf = (v: Verdict, kind: Fault["kind"]): number => v.faults.reduce((sum, f) => (f.kind === kind ? sum + f.area : sum), 0);
+export const sumOf = (v: Verdict, kind: Fault["kind"]): number =>
+  v.faults.reduce((sum, f) => (f.kind === kind ? sum + f.area : sum), 0);

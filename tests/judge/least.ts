@@ -3,8 +3,8 @@ import type { P } from "./insert.ts";
 import { THIN } from "./judge.ts";
 
 /*
- * The least that an insert can leave of a part, found without any strategy: it stands at every place along the columns as deep as the
- * part lets it when it comes from the open side, and what no such insert covers stays.
+ * The least that an insert can leave of a part, found without any strategy: it stands at every place along the columns
+ * as deep as the part lets it when it comes from the open side, and what no such insert covers stays.
  */
 
 /** Columns beside those that are judged, as wide as an insert. */
@@ -56,14 +56,17 @@ function leastOver(surface: readonly number[], { first, low }: LowerSide): numbe
 }
 
 /**
- * What an insert leaves of everything over a part in the columns of a grid, down to the height `deep`. Walls count a column thicker than
- * they are, since that is how well columns know them: between two steep ones the insert would else stand too deep by far.
+ * What an insert leaves of everything over a part in the columns of a grid, down to the height `deep`. Walls count a
+ * column thicker than they are, since that is how well columns know them: between two steep ones the insert would else
+ * stand too deep by far.
  */
 export function least(part: readonly P[], insert: readonly P[], open: Open, grid: Grid, deep: number): Field {
   const wide: Grid = { ...grid, from: grid.from - BESIDE * grid.width, count: grid.count + 2 * BESIDE };
-  const surface = filled(wide, [part]).map((spans) => (open.out > 0 ? spans.at(-1) ?? -Infinity : -(spans[0] ?? Infinity)));
-  const thick = surface.map((v, i) => Math.max(v, surface[i - 1] ?? -Infinity, surface[i + 1] ?? -Infinity));
-  return leastOver(thick, lowerSide(insert, open, grid.width)).slice(BESIDE, BESIDE + grid.count).map((v): number[] =>
-    open.out > 0 ? [deep, Math.max(deep, v + THIN)] : [Math.min(-v - THIN, deep), deep]
+  const surface = filled(wide, [part]).map((spans) =>
+    open.out > 0 ? (spans.at(-1) ?? -Infinity) : -(spans[0] ?? Infinity),
   );
+  const thick = surface.map((v, i) => Math.max(v, surface[i - 1] ?? -Infinity, surface[i + 1] ?? -Infinity));
+  return leastOver(thick, lowerSide(insert, open, grid.width))
+    .slice(BESIDE, BESIDE + grid.count)
+    .map((v): number[] => (open.out > 0 ? [deep, Math.max(deep, v + THIN)] : [Math.min(-v - THIN, deep), deep]));
 }

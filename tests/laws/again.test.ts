@@ -22,7 +22,9 @@ interface State {
 }
 
 const shop = (nose: number) => ({
-  tools: shippedTools.map((tool, i) => (i === 0 && "RS" in tool ? { ...tool, RS: (tool.RS + nose) as typeof tool.RS } : { ...tool })),
+  tools: shippedTools.map((tool, i) =>
+    i === 0 && "RS" in tool ? { ...tool, RS: (tool.RS + nose) as typeof tool.RS } : { ...tool },
+  ),
   rapid: 10_000,
 });
 
@@ -35,11 +37,13 @@ function otherNumber({ text, ...rest }: State, which: number, by: number): State
   return { text: text.slice(0, place.index) + value + text.slice(place.index + place[0].length), ...rest };
 }
 
-const lines = (change: (all: string[], at: number) => void) => (state: State, which: number): State => {
-  const all = state.text.split("\n");
-  change(all, 2 + (which % Math.max(1, all.length - 4)));
-  return { ...state, text: all.join("\n") };
-};
+const lines =
+  (change: (all: string[], at: number) => void) =>
+  (state: State, which: number): State => {
+    const all = state.text.split("\n");
+    change(all, 2 + (which % Math.max(1, all.length - 4)));
+    return { ...state, text: all.join("\n") };
+  };
 const noted = lines((all, at) => void all.splice(at, 0, "; a note"));
 const moved = lines((all, at) => void all.splice(at, 0, "L Z+3.217 F0.21"));
 const dropped = lines((all, at) => void all.splice(at, 1));
@@ -50,8 +54,25 @@ const ended = ({ text, ...rest }: State, by: number): State => ({
   text: text.replace(/(?=\d* ?END PGM)/, `L X+${(Math.abs(by) * 20).toFixed(3)} Z-1.3 F0.2\n`),
 });
 
-const kinds = ["number", "number", "number", "number", "undo", "undo", "note", "move", "drop", "end", "tool", "blank"] as const;
-const edits = fc.tuple(fc.constantFrom(...kinds), fc.nat(9973), fc.integer({ min: -4000, max: 4000 }).map((n) => n / 913));
+const kinds = [
+  "number",
+  "number",
+  "number",
+  "number",
+  "undo",
+  "undo",
+  "note",
+  "move",
+  "drop",
+  "end",
+  "tool",
+  "blank",
+] as const;
+const edits = fc.tuple(
+  fc.constantFrom(...kinds),
+  fc.nat(9973),
+  fc.integer({ min: -4000, max: 4000 }).map((n) => n / 913),
+);
 
 /** The state after one more change; the last of `before` is the one now. */
 function edited(before: readonly State[], [kind, which, by]: readonly [string, number, number]): State {
@@ -77,27 +98,36 @@ function running(): typeof ran {
   };
 }
 
-test.each([["flange.h", 6], ["shaft.h", 3], ["shoulder-812.h", 12], ["turn-blank.h", 8]] as const)(
+test.each([
+  ["flange.h", 6],
+  ["shaft.h", 3],
+  ["shoulder-812.h", 12],
+  ["turn-blank.h", 8],
+] as const)(
   "what is proved again of a changed %s is what is proved of it alone",
   (name, numRuns) => {
     const text = textOf(name);
     expect(text).not.toBe("");
-    fc.assert(fc.property(fc.array(edits, { minLength: 2, maxLength: 5 }), (changes) => {
-      const [proved, runs] = [simulating(), running()];
-      const states: State[] = [{ text, nose: 0 }];
-      proved(runs({ text, nose: 0 }));
-      for (const change of changes) {
-        const state = edited(states, change);
-        states.push(state);
-        expect(proved(runs(state))).toEqual(simulate(ran(state)));
-      }
-    }), { numRuns });
+    fc.assert(
+      fc.property(fc.array(edits, { minLength: 2, maxLength: 5 }), (changes) => {
+        const [proved, runs] = [simulating(), running()];
+        const states: State[] = [{ text, nose: 0 }];
+        proved(runs({ text, nose: 0 }));
+        for (const change of changes) {
+          const state = edited(states, change);
+          states.push(state);
+          expect(proved(runs(state))).toEqual(simulate(ran(state)));
+        }
+      }),
+      { numRuns },
+    );
   },
   120_000,
 );
 
 /** The marks that two simulations have in common: the very same arrays, which nobody has made anew. */
-const kept = (a: Simulation, b: Simulation): number => b.checkpoints.filter((mark, i) => mark.stock === a.checkpoints[i]?.stock).length;
+const kept = (a: Simulation, b: Simulation): number =>
+  b.checkpoints.filter((mark, i) => mark.stock === a.checkpoints[i]?.stock).length;
 
 test("a changed end keeps the stock of what comes before it", () => {
   const text = textOf("shaft.h");
@@ -111,7 +141,9 @@ test("a changed end keeps the stock of what comes before it", () => {
   const after = proved(ran(state));
   expect(after).toEqual(simulate(ran(state)));
   const lastOperation = ran(state).operations.at(-1)?.firstStep ?? 0;
-  expect(kept(before, after)).toBeGreaterThanOrEqual(before.checkpoints.filter(({ step }) => step <= lastOperation).length);
+  expect(kept(before, after)).toBeGreaterThanOrEqual(
+    before.checkpoints.filter(({ step }) => step <= lastOperation).length,
+  );
 });
 
 test("what was proved before is known when it comes again, and when nothing moves otherwise", () => {

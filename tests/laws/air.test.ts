@@ -7,27 +7,35 @@ import { casesOf, situations, type Situation } from "./situation.ts";
 import { simulated, startsBadly } from "./worked-plans.ts";
 
 /*
- * A blank that is traced: roughing that leaves out what touches nothing cuts the same stock as roughing in full, in the blank and in
- * what an earlier call has left of it, and its rapids stay free.
+ * A blank that is traced: roughing that leaves out what touches nothing cuts the same stock as roughing in full, in the
+ * blank and in what an earlier call has left of it, and its rapids stay free.
  */
 const CASES = Number(process.env["LAW_CASES"] ?? 8);
 
 function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], leavesOutAir: boolean) {
-  const setting = { tool: s.tool, start: s.start, feedUnit: "mm/rev" as const, autoFeed: null, stock: blank, leavesOutAir };
+  const setting = {
+    tool: s.tool,
+    start: s.start,
+    feedUnit: "mm/rev" as const,
+    autoFeed: null,
+    stock: blank,
+    leavesOutAir,
+  };
   const plan = cycle.plan(s.values as never, setting, s.given);
   return { plan, simulation: simulated([plan], { ...s, blank }) };
 }
 const same = (a: readonly Ring[], b: readonly Ring[]) => areaOutside(a, b) + areaOutside(b, a);
 
 /**
- * Roughs a blank in full and without air cuts, and gives back what stands then; null where there is nothing to compare. So it is where an
- * insert reaches across the axis in passes through the air alone: roughing in full is refused.
+ * Roughs a blank in full and without air cuts, and gives back what stands then; null where there is nothing to compare.
+ * So it is where an insert reaches across the axis in passes through the air alone: roughing in full is refused.
  */
 function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]): readonly Ring[] | null {
   const [full, short] = [roughed(cycle, s, blank, false), roughed(cycle, s, blank, true)];
   if (full.plan.issues.some((i) => i.code === "insertAcrossAxis")) return null;
   expect(short.simulation.proof.gouge).toBe(0);
-  // Called from a height within the material, roughing in full comes back through it at rapid; what that tears away is no cut.
+  // Called from a height within the material, roughing in full comes back through it at rapid; what that tears away is
+  // no cut.
   if (full.simulation.proof.rapidInStock > 0) return null;
   expect(same(full.simulation.final, short.simulation.final)).toBeLessThan(0.05);
   if (!startsBadly(full.plan)) expect(short.simulation.proof.rapidInStock).toBe(0);
@@ -40,11 +48,17 @@ function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]): readonly 
 /** Groups that rough by levels. */
 const LEVELLED: readonly string[] = ["longitudinal", "transverse"];
 
-describe.each(situations(1).filter(({ cycle }) => LEVELLED.includes(cycle.group)))("cycle $cycle.number", ({ cycle, arbitrary }) => {
-  test("cuts the same without its cuts in the air, and again in what it has left", () => {
-    fc.assert(fc.property(arbitrary, (s) => {
-      const left = bothWays(cycle, s, s.blank);
-      if (left) bothWays(cycle, s, left);
-    }), { numRuns: casesOf(cycle, CASES) });
-  });
-});
+describe.each(situations(1).filter(({ cycle }) => LEVELLED.includes(cycle.group)))(
+  "cycle $cycle.number",
+  ({ cycle, arbitrary }) => {
+    test("cuts the same without its cuts in the air, and again in what it has left", () => {
+      fc.assert(
+        fc.property(arbitrary, (s) => {
+          const left = bothWays(cycle, s, s.blank);
+          if (left) bothWays(cycle, s, left);
+        }),
+        { numRuns: casesOf(cycle, CASES) },
+      );
+    });
+  },
+);

@@ -5,8 +5,8 @@ import { UNDERCUT_FORMS, type RecessWords, type UndercutForm } from "../../src/k
 import type { Open } from "../judge/least.ts";
 
 /*
- * Contours with everything that a contour can have: on a shaft, in a bore and in a face; open at their beginning as a shaft is at its
- * end, or closed by walls at both ends as a recess is.
+ * Contours with everything that a contour can have: on a shaft, in a bore and in a face; open at their beginning as a
+ * shaft is at its end, or closed by walls at both ends as a recess is.
  */
 
 export interface Shape {
@@ -21,14 +21,19 @@ export interface Site extends Open {
 
 /** The walls of a recess: how far they lean, and how wide their edges are, mm. */
 const CLOSED = { lean: 1.2, edge: 1.5 };
-/** Height of these walls over the first floor, and of steps. Undercuts lie in cylinders: in a face those are the steps. */
-const heights =
-  ({ along, closed }:
-    Site) => (along === "r" ? { wall: 36, least: 5.5, most: 7, step: 5.6 } : { wall: 14, least: 2.5, most: 4, step: closed ? 2.1 : 3.4 });
+/**
+ * Height of these walls over the first floor, and of steps. Undercuts lie in cylinders: in a face those are the steps.
+ */
+const heights = ({ along, closed }: Site) =>
+  along === "r"
+    ? { wall: 36, least: 5.5, most: 7, step: 5.6 }
+    : { wall: 14, least: 2.5, most: 4, step: closed ? 2.1 : 3.4 };
 
 /** Where the contour goes: mm on along it and up out of the part, from its first point. */
-const placeOn = ({ along, out }: Open) => (on: number, up: number): Pt =>
-  along === "z" ? at(-on, (out > 0 ? 12 : 64) + out * up) : at(up, 130 - on);
+const placeOn =
+  ({ along, out }: Open) =>
+  (on: number, up: number): Pt =>
+    along === "z" ? at(-on, (out > 0 ? 12 : 64) + out * up) : at(up, 130 - on);
 
 /** Collects elements by how far on and up they go. */
 function drawing(site: Site) {

@@ -15,7 +15,8 @@ import type { Situation } from "./situation.ts";
 import { planOf, stepsOf } from "./worked-plans.ts";
 
 /*
- * What a tool leaves of a programmed contour against what is the least that it can leave, which is found without any strategy.
+ * What a tool leaves of a programmed contour against what is the least that it can leave, which is found without any
+ * strategy.
  */
 
 /** Width of the columns, mm. What is thinner than one of them or THIN is not seen. */
@@ -27,17 +28,23 @@ const ON = { part: 40, blank: 20 };
 
 const cycleOf = (number: number) => catalogue.find((c) => c.number === number) as Cycle;
 
-/** What is cut of a contour in one setting, roughed and finished: what stays over the least, and what is gouged, mm². */
+/**
+ * What is cut of a contour in one setting, roughed and finished: what stays over the least, and what is gouged, mm².
+ */
 function worked(shape: Shape, { number, T, ...site }: Row, values: Readonly<Record<string, number>> = {}) {
   const built = contourFrom(shape.elements);
-  expect(built.issues.filter((i) => i.severity === "error"), shape.name).toEqual([]);
+  expect(
+    built.issues.filter((i) => i.severity === "error"),
+    shape.name,
+  ).toEqual([]);
   const points = part.flattenedChain(built.segments, 0.0005);
   const [first, last] = [points[0] as Pt, points.at(-1) as Pt];
   const { along, out } = site;
-  const [across, height] = along === "z" ? ["z", "r"] as const : ["r", "z"] as const;
+  const [across, height] = along === "z" ? (["z", "r"] as const) : (["r", "z"] as const);
   const place = (on: number, up: number): Pt => (along === "z" ? at(on, up) : at(up, on));
   const heights = points.map((p) => p[height]);
-  const [top, low] = out > 0 ? [Math.max(...heights), Math.min(...heights)] : [Math.min(...heights), Math.max(...heights)];
+  const [top, low] =
+    out > 0 ? [Math.max(...heights), Math.min(...heights)] : [Math.min(...heights), Math.max(...heights)];
   const deep = along === "z" && out > 0 ? 0 : low - out * 20;
   /** In front a shaft ends, and a recess has more of the part. */
   const front = (by: number) => first[across] + (site.closed ? by : 0);
@@ -63,7 +70,10 @@ function worked(shape: Shape, { number, T, ...site }: Row, values: Readonly<Reco
   const s: Situation = {
     values: Object.fromEntries(Object.keys(cycle.params).map((q) => [q, asked[q] as number])),
     given: { contour: built.segments, start },
-    tool: { ...shippedTools.find((tool) => tool.T === T) as Tool, ...(site.closed && { CUTLENGTH: 90 as Tool["CUTLENGTH"] }) } as Tool,
+    tool: {
+      ...(shippedTools.find((tool) => tool.T === T) as Tool),
+      ...(site.closed && { CUTLENGTH: 90 as Tool["CUTLENGTH"] }),
+    } as Tool,
     start,
     blank: [[place(begin, top), place(end, top), place(end, deep), place(begin, deep)]],
   };
@@ -107,12 +117,18 @@ const CASES = Math.ceil(Number(process.env["LAW_CASES"] ?? 6) / 3);
 
 /** fast-check as dice of one seed: what was cut once is cut on every run. */
 const shapes = (site: Row, seed: number): Shape[] =>
-  fc.sample(fc.gen().map((g) =>
-    drawnShape({
-      one: <T>(...of: readonly T[]) => of[g(fc.nat, { max: of.length - 1 })] as T,
-      whole: (min, max) => g(fc.integer, { min, max }),
-    }, site)
-  ), { numRuns: CASES, seed });
+  fc.sample(
+    fc.gen().map((g) =>
+      drawnShape(
+        {
+          one: <T>(...of: readonly T[]) => of[g(fc.nat, { max: of.length - 1 })] as T,
+          whole: (min, max) => g(fc.integer, { min, max }),
+        },
+        site,
+      ),
+    ),
+    { numRuns: CASES, seed },
+  );
 
 test.each(ROWS)("$number with T$T leaves what cannot be taken ($out along $along)", (row) => {
   for (const [i, shape] of [everyForm(row), valleys(row), ...shapes(row, row.number + row.T)].entries()) {

@@ -39,16 +39,17 @@ const partStaysWhole: CutLaw = (w) => {
 /** Groups whose paths do not hang on the blank. */
 const NO_BLANK: readonly string[] = ["longitudinal", "transverse", "recessTurning", "recessing"];
 /**
- * A path does not hang on BLK FORM: a blank that stands higher than the start point, or beside the area, is not looked at. Where the start
- * point lies below the contour, part of the area is higher than it.
+ * A path does not hang on BLK FORM: a blank that stands higher than the start point, or beside the area, is not looked
+ * at. Where the start point lies below the contour, part of the area is higher than it.
  */
 const standsBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
-  NO_BLANK.includes(cycle.group) && plan !== undefined
-  && (plan.issues.some((i) => i.code === "startBelowContour") || areaOutside(blank, [plan.area, plan.part]) > REAL);
+  NO_BLANK.includes(cycle.group) &&
+  plan !== undefined &&
+  (plan.issues.some((i) => i.code === "startBelowContour") || areaOutside(blank, [plan.area, plan.part]) > REAL);
 
 /**
- * Rapids touch nothing, unless the tool stood in the material when it was called. Finishing alone does not know what steps roughing has
- * left, so it is not held to this.
+ * Rapids touch nothing, unless the tool stood in the material when it was called. Finishing alone does not know what
+ * steps roughing has left, so it is not held to this.
  */
 const rapidsAreFree: CutLaw = (w) => {
   if (w.plans.length > 1 || w.verdicts.some((v) => v.inside) || standsBeside(w)) return null;
@@ -57,8 +58,8 @@ const rapidsAreFree: CutLaw = (w) => {
 };
 
 /**
- * Both simulations leave the same stock, but for one column's width and what is thinner than THIN along z or along r: where a nose
- * only touches a surface, chords that are half a micrometre off in depth are hundredths off in width.
+ * Both simulations leave the same stock, but for one column's width and what is thinner than THIN along z or along r:
+ * where a nose only touches a surface, chords that are half a micrometre off in depth are hundredths off in width.
  */
 const judgesAgreeOnStock: CutLaw = (w) => {
   const least = (of: (v: Verdict) => number) => Math.min(...w.verdicts.map(of));
@@ -80,14 +81,28 @@ const judgesAgreeOnLoose: CutLaw = (w) => {
   if (w.plans.length > 1) return null;
   const rear = Math.min(...w.situation.blank.flat().map(({ z }) => z));
   const least = (of: (v: Verdict) => number) => Math.min(...w.verdicts.map(of));
-  const held = least(({ grid, final }) => areaOf(grid, each(heldIn(grid, final, rear - WIDTH, HANGS), filled(grid, looseOf(w)), common)));
+  const held = least(({ grid, final }) =>
+    areaOf(grid, each(heldIn(grid, final, rear - WIDTH, HANGS), filled(grid, looseOf(w)), common)),
+  );
   // Where a cut has taken all that was clamped, or left a point of it, nothing tells what holds the rest.
   if (w.verdicts.every(({ grid, final }) => areaOf(grid, heldIn(grid, final, rear, -HANGS)) === 0)) return null;
   const clamped = [at(rear, 0), at(rear + CLAMPED, 0), at(rear + CLAMPED, 1e4), at(rear, 1e4)];
-  if (Math.max(0, ...intersection(w.simulation.final, [clamped]).flat().map(({ r }) => r)) < CLAMPED) return null;
+  if (
+    Math.max(
+      0,
+      ...intersection(w.simulation.final, [clamped])
+        .flat()
+        .map(({ r }) => r),
+    ) < CLAMPED
+  )
+    return null;
   if (held > PIECE) return `${mm2(held)} that hang together with the rear end have left the stock`;
   const loose = least(({ grid, final }) =>
-    beyond(grid, withoutCrumbs(grid, each(final, heldIn(grid, final, rear, -HANGS), without), PIECE), filled(grid, looseOf(w)))
+    beyond(
+      grid,
+      withoutCrumbs(grid, each(final, heldIn(grid, final, rear, -HANGS), without), PIECE),
+      filled(grid, looseOf(w)),
+    ),
   );
   return loose > PIECE ? `${mm2(loose)} that hang on nothing are still there` : null;
 };
@@ -100,19 +115,28 @@ function verdictsWithout({ situation, plans, simulation, verdicts }: Worked): re
   return verdicts.map(({ grid }) => judge(situation.blank, steps, partOf(plans), grid, ends));
 }
 
-/** A fault that one of them sees well above its resolution, the other sees too; unless it has said that it looks no further. */
+/**
+ * A fault that one of them sees well above its resolution, the other sees too; unless it has said that it looks no
+ * further.
+ */
 const judgesAgreeOnFaults: CutLaw = (w) => {
   const clear = 0.2;
   const { gouge, rapidInStock, unlooked } = w.simulation.proof;
   if (unlooked) return null;
   const seen = verdictsWithout(w);
-  const [g, r] = (["gouge", "rapid"] as const).map((kind) => Math.max(...seen.map((v) => sumOf(v, kind)))) as [number, number];
+  const [g, r] = (["gouge", "rapid"] as const).map((kind) => Math.max(...seen.map((v) => sumOf(v, kind)))) as [
+    number,
+    number,
+  ];
   if (g > clear && !(gouge > 0)) return `only the columns see a gouge of ${mm2(g)}`;
   if (r > clear && !(rapidInStock > 0)) return `only the columns see a rapid in stock of ${mm2(r)}`;
   return null;
 };
 
-/** What stays above the contour, and of a thread above its crest, is what the simulation reports as residue, and nothing else. */
+/**
+ * What stays above the contour, and of a thread above its crest, is what the simulation reports as residue, and nothing
+ * else.
+ */
 const judgesAgreeOnResidue: CutLaw = (w) => {
   const area = w.plans.at(-1)?.area ?? [];
   const above = w.plans.at(-1)?.thread?.above;
@@ -137,10 +161,14 @@ const thickOf = (f: Field): Field =>
   f.map((column, i) => {
     const near = [f[i - 1] ?? [], f[i + 1] ?? []];
     const core = near.reduce((a, b) => without(a, without(a, b)), [...column]);
-    return core.flatMap((n, k) => (k % 2 === 0 && (core[k + 1] as number) - n > 0.02 ? [n, core[k + 1] as number] : []));
+    return core.flatMap((n, k) =>
+      k % 2 === 0 && (core[k + 1] as number) - n > 0.02 ? [n, core[k + 1] as number] : [],
+    );
   });
 
-/** Roughing and finishing leave nothing that the tool could reach; how far one goes that does not fit in is no promise. */
+/**
+ * Roughing and finishing leave nothing that the tool could reach; how far one goes that does not fit in is no promise.
+ */
 const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, simulation }) => {
   if (!plan || values["Q215"] !== 0 || values["Q479"] === 1 || plan.passes === 0 || startsBadly(plan)) return null;
   if (plan.issues.some((i) => i.code === "recessNarrowerThanTool")) return null;
@@ -149,11 +177,15 @@ const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, s
 };
 
 /**
- * Roughing alone keeps the oversize: nothing of the part grown by it is cut. A rectangle holds the part moved to each of its corners. An
- * insert whose start point stands in the stock cuts there whatever the cycle does, which is told.
+ * Roughing alone keeps the oversize: nothing of the part grown by it is cut. A rectangle holds the part moved to each
+ * of its corners. An insert whose start point stands in the stock cuts there whatever the cycle does, which is told.
  */
 const oversizeStays: CutLaw = (w) => {
-  const { plans: [plan], situation: { values, blank }, simulation } = w;
+  const {
+    plans: [plan],
+    situation: { values, blank },
+    simulation,
+  } = w;
   if (!plan || values["Q215"] !== 1 || plan.part.length === 0 || startsBadly(plan)) return null;
   if (simulation.proof.operations[0]?.startInMaterial) return null;
   const cut = difference(blank, [...simulation.final, ...looseOf(w)]);
@@ -161,8 +193,16 @@ const oversizeStays: CutLaw = (w) => {
   // Beyond the axis there is no part that could keep any.
   const far = 1e4;
   const solid = intersection([plan.part], [[at(-far, 0), at(far, 0), at(far, far), at(-far, far)]]);
-  for (const [z, r] of [[dz, 0], [-dz, 0], [0, dr], [0, -dr]] as const) {
-    const moved = offset(solid.map((ring) => ring.map((p) => at(p.z + z, p.r + r))), -0.004);
+  for (const [z, r] of [
+    [dz, 0],
+    [-dz, 0],
+    [0, dr],
+    [0, -dr],
+  ] as const) {
+    const moved = offset(
+      solid.map((ring) => ring.map((p) => at(p.z + z, p.r + r))),
+      -0.004,
+    );
     const taken = polygonArea(intersection(intersection(cut, moved), offset([plan.area], -0.004)));
     if (taken > REAL) return `${mm2(taken)} of the oversize are cut`;
   }
@@ -170,8 +210,8 @@ const oversizeStays: CutLaw = (w) => {
 };
 
 /**
- * What is taken behind a machining limit, deeper than is no news, is told at it, and what is told there was taken. What rapids took is
- * told by itself.
+ * What is taken behind a machining limit, deeper than is no news, is told at it, and what is told there was taken. What
+ * rapids took is told by itself.
  */
 const limitsHoldOrAreTold: CutLaw = (w) => {
   const { values, start } = w.situation;
@@ -180,20 +220,29 @@ const limitsHoldOrAreTold: CutLaw = (w) => {
   // A start point on a limit stands on neither side of it.
   if (values["Q479"] !== 1 || start.r === x || start.z === z) return null;
   const [xWay, zWay] = [start.r >= x ? -1 : 1, start.z >= z ? -1 : 1];
-  const zones: readonly (readonly [string, (from: number) => P[]])[] = [[
-    "Q480",
-    (from) => across("z", -far, far, x + xWay * from, xWay * far),
-  ], ["Q482", (from) => across("r", -far, far, z + zWay * from, zWay * far)]];
+  const zones: readonly (readonly [string, (from: number) => P[]])[] = [
+    ["Q480", (from) => across("z", -far, far, x + xWay * from, xWay * far)],
+    ["Q482", (from) => across("r", -far, far, z + zWay * from, zWay * far)],
+  ];
   const told = (at: string) =>
-    w.simulation.proof.operations.flatMap((o) => o.behindLimits).reduce((sum, b) => (b.limit.at === at ? sum + b.area : sum), 0);
+    w.simulation.proof.operations
+      .flatMap((o) => o.behindLimits)
+      .reduce((sum, b) => (b.limit.at === at ? sum + b.area : sum), 0);
   for (const [at, zone] of zones) {
     const taken = w.verdicts.map(({ grid, initial, final }) => {
       const [news, behindIt] = [filled(grid, [zone(NEWS)], true), filled(grid, [zone(0)], true)];
-      return [beyond(grid, each(initial, news, common), final), areaOf(grid, each(each(initial, final, without), behindIt, common))];
+      return [
+        beyond(grid, each(initial, news, common), final),
+        areaOf(grid, each(each(initial, final, without), behindIt, common)),
+      ];
     });
-    const [surely, perhaps] = [Math.min(...taken.map(([thick]) => thick ?? 0)), Math.max(...taken.map(([, all]) => all ?? 0))];
+    const [surely, perhaps] = [
+      Math.min(...taken.map(([thick]) => thick ?? 0)),
+      Math.max(...taken.map(([, all]) => all ?? 0)),
+    ];
     const byRapids = most(w, (v) => sumOf(v, "rapid"));
-    if (surely > LIMIT + byRapids && told(at) === 0) return `${mm2(surely)} are taken behind ${at}, and nothing says so`;
+    if (surely > LIMIT + byRapids && told(at) === 0)
+      return `${mm2(surely)} are taken behind ${at}, and nothing says so`;
     if (told(at) > perhaps + LIMIT) return `${mm2(told(at))} are told behind ${at}, ${mm2(perhaps)} were taken`;
   }
   return null;
@@ -204,23 +253,38 @@ const NEWS = 0.1;
 const LIMIT = 0.2;
 /** A strip: from a to b along one axis, from c to d along the other. */
 const across = (along: "z" | "r", a: number, b: number, c: number, d: number): P[] =>
-  [[a, c], [b, c], [b, d], [a, d]].map(([p = 0, q = 0]) => (along === "z" ? { z: p, r: q } : { z: q, r: p }));
+  [
+    [a, c],
+    [b, c],
+    [b, d],
+    [a, d],
+  ].map(([p = 0, q = 0]) => (along === "z" ? { z: p, r: q } : { z: q, r: p }));
 
-/** A pip on the axis of a face: mm² that are no matter, and the radius and the height within which it is looked for, mm. */
+/**
+ * A pip on the axis of a face: mm² that are no matter, and the radius and the height within which it is looked for, mm.
+ */
 const [PIP, NEAR] = [0.01, 0.3];
 
-/** A face that ends on the axis or beyond it is clean: no pip stays on it. What an edge that leans leaves higher up hangs on nothing. */
+/**
+ * A face that ends on the axis or beyond it is clean: no pip stays on it. What an edge that leans leaves higher up
+ * hangs on nothing.
+ */
 const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => {
   const plan = plans.at(-1) as Plan;
   const isFinished = (values["Q215"] ?? 0) === 0 || values["Q215"] === 2;
-  const face = plan.contour.find(({ kind, from, to }) => kind === "line" && Math.abs(from.z - to.z) < PIP && Math.min(from.r, to.r) <= 0);
+  const face = plan.contour.find(
+    ({ kind, from, to }) => kind === "line" && Math.abs(from.z - to.z) < PIP && Math.min(from.r, to.r) <= 0,
+  );
   if (!face || !isFinished || plan.moves.length === 0 || values["Q479"] === 1 || values["Q487"] === 0) return null;
   if (plan.openSide.r < 0 || plan.issues.some((i) => i.code === "angleNotFollowed")) return null;
   // What is drawn beyond the axis alone keeps the nose from facing it.
   if (plan.contour.some(({ from, to }) => Math.max(from.r, to.r) < 0)) return null;
-  const out = plan.openSide.z || (plan.contour[0] === face ? Math.sign(face.from.z - (plan.contour.at(-1) as Segment).to.z) : 1);
+  const out =
+    plan.openSide.z || (plan.contour[0] === face ? Math.sign(face.from.z - (plan.contour.at(-1) as Segment).to.z) : 1);
   const [z0, z1] = [face.from.z, face.from.z + out * NEAR].sort((a, b) => a - b) as [number, number];
-  const pip = intersection(intersection(simulation.final, [plan.area]), [[at(z0, 0), at(z1, 0), at(z1, NEAR), at(z0, NEAR)]]);
+  const pip = intersection(intersection(simulation.final, [plan.area]), [
+    [at(z0, 0), at(z1, 0), at(z1, NEAR), at(z0, NEAR)],
+  ]);
   return polygonArea(pip) > PIP ? `a pip of ${mm2(polygonArea(pip))} stays on the axis` : null;
 };
 
@@ -229,8 +293,14 @@ const infeedIsKept: CutLaw = (w) => {
   const [plan] = w.plans;
   if (w.cycle.group !== "recessTurning" || w.cycle.contour !== "own" || !plan || w.plans.length > 1) return null;
   const operation = w.simulation.proof.operations[0];
-  if (plan.issues.some((i) => i.severity === "error") || startsBadly(plan) || standsBeside(w) || operation?.startInMaterial
-    || !operation?.deepest) return null;
+  if (
+    plan.issues.some((i) => i.severity === "error") ||
+    startsBadly(plan) ||
+    standsBeside(w) ||
+    operation?.startInMaterial ||
+    !operation?.deepest
+  )
+    return null;
   const { depth, allowed } = operation.deepest;
   return depth > allowed + TOLD ? `a cut of ${depth.toFixed(3)} mm where ${allowed} are allowed` : null;
 };

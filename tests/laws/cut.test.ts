@@ -7,17 +7,20 @@ import { brokenByPlan } from "./plan-laws.ts";
 import { casesOf, situations, type Situation } from "./situation.ts";
 
 /*
- * Every set-up that can be drawn is cut twice and held to the laws of cut-laws.ts, whatever its start point. `npm run laws` draws
- * many more; what it finds lies in found/ and is tried here for ever.
+ * Every set-up that can be drawn is cut twice and held to the laws of cut-laws.ts, whatever its start point. `npm run
+ * laws` draws many more; what it finds lies in found/ and is tried here for ever.
  */
 const CASES = Number(process.env["LAW_CASES"] ?? 25);
 
 for (const operation of [0, 1, 2, 3])
   describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {
     test("keeps the part whole and its rapids free, and both simulations agree", () => {
-      fc.assert(fc.property(arbitrary, (s) => {
-        expect(brokenBy(cycle, s)).toEqual([]);
-      }), { numRuns: casesOf(cycle, CASES) });
+      fc.assert(
+        fc.property(arbitrary, (s) => {
+          expect(brokenBy(cycle, s)).toEqual([]);
+        }),
+        { numRuns: casesOf(cycle, CASES) },
+      );
     });
   });
 
@@ -27,7 +30,8 @@ const [DRAWN, ON_AXIS] = [60 + CASES, Math.ceil(CASES / 4)];
 describe("on the axis and beyond it", () => {
   const turning = situations(0).filter(({ cycle: { group } }) => group === "longitudinal" || group === "transverse");
   test.each(turning)("cycle $cycle.number leaves no pip and cuts into nothing", ({ cycle, arbitrary }) => {
-    const isThere = (s: Situation) => cycle.outline(s.values as never, s.given).contour.some(({ from, to }) => Math.min(from.r, to.r) <= 0);
+    const isThere = (s: Situation) =>
+      cycle.outline(s.values as never, s.given).contour.some(({ from, to }) => Math.min(from.r, to.r) <= 0);
     for (const s of fc.sample(arbitrary, DRAWN).filter(isThere).slice(0, ON_AXIS))
       expect(brokenBy(cycle, s), JSON.stringify(s)).toEqual([]);
   });

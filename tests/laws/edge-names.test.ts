@@ -12,16 +12,20 @@ import type { Situation } from "./situation.ts";
 import { planOf, simulated } from "./worked-plans.ts";
 
 /*
- * Whatever way an insert is held and a neck is cut, the warning that an element of its contour cannot be followed and the material
- * that stays there name the same edge: also where it is the end of an edge that is too short for the neck which meets the part.
+ * Whatever way an insert is held and a neck is cut, the warning that an element of its contour cannot be followed and
+ * the material that stays there name the same edge: also where it is the end of an edge that is too short for the neck
+ * which meets the part.
  */
 const CASES = Number(process.env["LAW_CASES"] ?? 8);
 const EVERY: readonly TipOrientation[] = [1, 2, 3, 4, 5, 6, 7, 8, 9];
 const FRAMES = ([false, true] as const).flatMap((transverse) =>
-  ([-1, 1] as const).flatMap((signU) => ([1, -1] as const).map((signV): Frame => ({ transverse, signU, signV })))
+  ([-1, 1] as const).flatMap((signU) => ([1, -1] as const).map((signV): Frame => ({ transverse, signU, signV }))),
 );
 
-/** Orientations that stand over the material and cut this way, and with which a contour behind the tool is taken for one. */
+/**
+ * Orientations that stand over the material and cut this way, and with which a contour behind the tool is taken for
+ * one.
+ */
 const fitting = (f: Frame) =>
   EVERY.filter((TO) => {
     const [tip, d] = [tipDirection(TO), toFlat(f, at(tipDirection(TO).u, tipDirection(TO).v))];
@@ -45,19 +49,26 @@ const necks = fc.record({
 });
 type Neck = typeof necks extends fc.Arbitrary<infer N> ? N : never;
 
-/** A neck that a blunt insert stands over: no nose comes near it, and it is narrower than a corner that a nose may leave. */
-const FOUND: [Neck][] = [[{
-  rim: 6.3,
-  depth: 1.5,
-  floor: 1.3,
-  falling: 60.1,
-  rising: 82.6,
-  tAngle: 89.3,
-  pAngle: 82,
-  edge: 10.2,
-  nose: 0.8,
-  oversize: 0,
-}]];
+/**
+ * A neck that a blunt insert stands over: no nose comes near it, and it is narrower than a corner that a nose may
+ * leave.
+ */
+const FOUND: [Neck][] = [
+  [
+    {
+      rim: 6.3,
+      depth: 1.5,
+      floor: 1.3,
+      falling: 60.1,
+      rising: 82.6,
+      tAngle: 89.3,
+      pAngle: 82,
+      edge: 10.2,
+      nose: 0.8,
+      oversize: 0,
+    },
+  ],
+];
 
 /** The lowest height of the rim in strategy space, and where it begins: clear of the axis everywhere. */
 const RIM = { cylinder: 30, bore: -24, front: 0 } as const;
@@ -69,7 +80,10 @@ function neckIn(frame: Frame, TO: TipOrientation, n: Neck): Situation & { readon
   const leaning = (angle: number) => Math.min(7, n.depth / Math.tan((angle * Math.PI) / 180));
   const us = [0, n.rim, leaning(n.falling), n.floor * (frame.transverse ? 0.6 : 1), leaning(n.rising), 4];
   const vs = [top, top, top - n.depth, top - n.depth, top, top];
-  const points = us.map((_, i) => ({ u: from + us.slice(0, i + 1).reduce((sum, u) => sum + u, 0), v: vs[i] as number }));
+  const points = us.map((_, i) => ({
+    u: from + us.slice(0, i + 1).reduce((sum, u) => sum + u, 0),
+    v: vs[i] as number,
+  }));
   const end = (points.at(-1)?.u ?? 0) + 0.001;
   const contour = points.slice(1).map((to, i): Segment => ({
     kind: "line",
@@ -78,7 +92,12 @@ function neckIn(frame: Frame, TO: TipOrientation, n: Neck): Situation & { readon
   }));
   const start = toPart(frame, { u: from - 2, v: top + 3 });
   const deep = top - n.depth - 5;
-  const blank = [[from, deep], [end, deep], [end, top], [from, top]].map(([u, v]) => toPart(frame, { u: u as number, v: v as number }));
+  const blank = [
+    [from, deep],
+    [end, deep],
+    [end, top],
+    [from, top],
+  ].map(([u, v]) => toPart(frame, { u: u as number, v: v as number }));
   const tool: Tool = {
     T: 1,
     NAME: "DRAWN",
@@ -123,26 +142,27 @@ describe.each(FRAMES.flatMap((frame) => fitting(frame).map((TO) => ({ frame, TO,
   ({ frame, TO }) => {
     test("what stays in a neck is laid to the edges that cannot follow its flanks", () => {
       const cycle = cycleByNumber(frame.transverse ? 820 : 810) ?? never("no such cycle", frame);
-      fc.assert(fc.property(necks, (n) => {
-        const s = neckIn(frame, TO, n);
-        const plan = planOf(cycle, s);
-        if (plan.issues.some((i) => i.severity === "error")) return;
-        const { proof } = simulated([plan], s);
-        const stays = proof.residual.filter((r) => r.area > CLEAR).map((r) => r.reason);
-        const named = new Set<string>(s.contour.flatMap((element) =>
-          angleIssues({ contour: [element] }, s.tool, frame, (_q, direction) => direction).map((i) =>
-            i.code === "angleNotFollowed" ? i.data.edge : ""
-          )
-        ));
-        for (const reason of stays)
-          if (EDGES.includes(reason))
-            expect([...named]).toContain(reason);
-        const warning = plan.issues.find((i) =>
-          i.code === "angleNotFollowed"
-        );
-        expect(warning === undefined).toBe(named.size === 0);
-        if (warning && named.size === 1 && stays.length > 0) expect(stays).toContain(warning.data.edge);
-      }), { numRuns: CASES, examples: FOUND });
+      fc.assert(
+        fc.property(necks, (n) => {
+          const s = neckIn(frame, TO, n);
+          const plan = planOf(cycle, s);
+          if (plan.issues.some((i) => i.severity === "error")) return;
+          const { proof } = simulated([plan], s);
+          const stays = proof.residual.filter((r) => r.area > CLEAR).map((r) => r.reason);
+          const named = new Set<string>(
+            s.contour.flatMap((element) =>
+              angleIssues({ contour: [element] }, s.tool, frame, (_q, direction) => direction).map((i) =>
+                i.code === "angleNotFollowed" ? i.data.edge : "",
+              ),
+            ),
+          );
+          for (const reason of stays) if (EDGES.includes(reason)) expect([...named]).toContain(reason);
+          const warning = plan.issues.find((i) => i.code === "angleNotFollowed");
+          expect(warning === undefined).toBe(named.size === 0);
+          if (warning && named.size === 1 && stays.length > 0) expect(stays).toContain(warning.data.edge);
+        }),
+        { numRuns: CASES, examples: FOUND },
+      );
     });
   },
 );
@@ -151,7 +171,15 @@ test("a bar before a wall that hangs over: both lay it to its width", () => {
   const points = [at(-14.2, 37.5), at(-15.1, 29.3), at(-31.4, 29.3), at(-27.3, 37.5)];
   const contour = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] as never, to }));
   const start = at(-14.2, 40);
-  const tool: Tool = { T: 1, NAME: "BAR", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(20) };
+  const tool: Tool = {
+    T: 1,
+    NAME: "BAR",
+    TYPE: "RECTURN",
+    TO: 2,
+    RS: length(0.2),
+    CUTWIDTH: length(3),
+    CUTLENGTH: length(20),
+  };
   const values = {
     Q215: 0,
     Q460: 2,

@@ -30,29 +30,35 @@ for (const operation of [0, 1, 2, 3])
     const set = [...new Set(conditions)].filter((q) => q !== "Q215" && cycle.params[q]?.choices);
 
     test("what is without effect changes nothing", () => {
-      fc.assert(fc.property(arbitrary, fc.array(share, { minLength: 40, maxLength: 40 }), (drawn, shares) => {
-        const chosen = Object.fromEntries(set.map((q, i) => [q, valueAt(cycle.params[q] as Param, shares[i] as number)]));
-        const s = { ...drawn, values: { ...drawn.values, ...chosen } as Situation["values"] };
-        const quiet = Object.entries<Param>(cycle.params).filter(([, p]) => saysNothing(p, s.values));
-        if (quiet.length === 0) return;
-        const other = Object.fromEntries(quiet.map(([q, p], i) => [q, valueAt(p, shares[10 + i] as number)]));
-        const neutral = Object.fromEntries(quiet.map(([q, p]) => [q, neutralOf(p)]));
-        const before = told(cycle, s);
-        expect(told(cycle, { ...s, values: { ...s.values, ...other } as never })).toBe(before);
-        expect(told(cycle, { ...s, values: { ...s.values, ...neutral } })).toBe(before);
-      }), { numRuns: casesOf(cycle, CASES) });
+      fc.assert(
+        fc.property(arbitrary, fc.array(share, { minLength: 40, maxLength: 40 }), (drawn, shares) => {
+          const chosen = Object.fromEntries(
+            set.map((q, i) => [q, valueAt(cycle.params[q] as Param, shares[i] as number)]),
+          );
+          const s = { ...drawn, values: { ...drawn.values, ...chosen } as Situation["values"] };
+          const quiet = Object.entries<Param>(cycle.params).filter(([, p]) => saysNothing(p, s.values));
+          if (quiet.length === 0) return;
+          const other = Object.fromEntries(quiet.map(([q, p], i) => [q, valueAt(p, shares[10 + i] as number)]));
+          const neutral = Object.fromEntries(quiet.map(([q, p]) => [q, neutralOf(p)]));
+          const before = told(cycle, s);
+          expect(told(cycle, { ...s, values: { ...s.values, ...other } as never })).toBe(before);
+          expect(told(cycle, { ...s, values: { ...s.values, ...neutral } })).toBe(before);
+        }),
+        { numRuns: casesOf(cycle, CASES) },
+      );
     });
   });
 
 /** Set-ups of each operation that may be looked at until every prompt of a cycle has acted. */
 const LOOKED_AT = 40;
 
-test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("cycle %s: every prompt that counts changes something",
+test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))(
+  "cycle %s: every prompt that counts changes something",
   (number, cycle) => {
     const drawn = [0, 1, 2, 3].map((operation) =>
-      situations(operation).filter((s) => s.cycle.number === number).flatMap(({ arbitrary }) =>
-        fc.sample(fc.tuple(arbitrary, share), LOOKED_AT)
-      )
+      situations(operation)
+        .filter((s) => s.cycle.number === number)
+        .flatMap(({ arbitrary }) => fc.sample(fc.tuple(arbitrary, share), LOOKED_AT)),
     );
     const waiting = new Set(Object.entries<Param>(cycle.params).flatMap(([q, p]) => (p.reserved ? [] : [q])));
     for (let k = 0; k < LOOKED_AT && waiting.size > 0; k += 1)
@@ -60,19 +66,27 @@ test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("cycle %
         for (const q of [...waiting]) {
           const p = cycle.params[q] as Param;
           const others = p.choices ?? [valueAt(p, at), p.example, p.range[0], p.range[1]];
-          const counting = p.counts === null || p.counts.q === "Q215" ? {} : { [p.counts.q]: p.counts.among[k % p.counts.among.length] };
-          const plans = others.map((value) => told(cycle, { ...s, values: { ...s.values, ...counting, [q]: value } as never }));
+          const counting =
+            p.counts === null || p.counts.q === "Q215"
+              ? {}
+              : { [p.counts.q]: p.counts.among[k % p.counts.among.length] };
+          const plans = others.map((value) =>
+            told(cycle, { ...s, values: { ...s.values, ...counting, [q]: value } as never }),
+          );
           if (new Set(plans).size > 1) waiting.delete(q);
         }
     expect([...waiting]).toEqual([]);
-  });
+  },
+);
 
 test("a condition names a choice of the same list, and only values that it has", () => {
   const wrong = cuttingCycles.flatMap((cycle) =>
-    Object.entries<Param>(cycle.params).filter(([, p]) => {
-      const on = p.counts === null ? undefined : cycle.params[p.counts.q];
-      return p.counts !== null && on !== undefined && !p.counts.among.every((n) => on.choices?.includes(n));
-    }).map(([q]) => `${cycle.number} ${q}`)
+    Object.entries<Param>(cycle.params)
+      .filter(([, p]) => {
+        const on = p.counts === null ? undefined : cycle.params[p.counts.q];
+        return p.counts !== null && on !== undefined && !p.counts.among.every((n) => on.choices?.includes(n));
+      })
+      .map(([q]) => `${cycle.number} ${q}`),
   );
   expect(wrong).toEqual([]);
 });

@@ -17,31 +17,46 @@ describe.each(situations(0))("what is known of the contour of cycle $cycle.numbe
     return issues.some((i) => i.severity === "error") ? [] : contour;
   };
   test("is all of it when all is typed", () => {
-    fc.assert(fc.property(arbitrary, ({ values, given }) => {
-      const whole = contourOf(values, given);
-      // What no cycle can cut is drawn as it was programmed.
-      const drawn = whole.length === 0 && cycle.contour === "free" ? given.contour : whole;
-      expect(knownOutline(cycle, values, given).contour).toEqual(drawn);
-    }), { numRuns: RUNS });
+    fc.assert(
+      fc.property(arbitrary, ({ values, given }) => {
+        const whole = contourOf(values, given);
+        // What no cycle can cut is drawn as it was programmed.
+        const drawn = whole.length === 0 && cycle.contour === "free" ? given.contour : whole;
+        expect(knownOutline(cycle, values, given).contour).toEqual(drawn);
+      }),
+      { numRuns: RUNS },
+    );
   });
   test("is a part of it while values are missing, and no less with one value more", () => {
-    fc.assert(fc.property(arbitrary, fc.array(fc.boolean(), { minLength: 40, maxLength: 40 }), fc.nat(39), (s, typed, one) => {
-      const few = Object.fromEntries(Object.entries(s.values).filter((_, i) => typed[i]));
-      // Nothing is corrected that is not typed.
-      const corrections = Object.keys(cycle.params).filter((c) => cycle.params[c]?.shown === "depthCompensation" && !(c in few));
-      const values = { ...s.values, ...Object.fromEntries(corrections.map((c) => [c, 0])) };
-      const whole = contourOf(values, s.given);
-      if (whole.length === 0) return;
-      const all = Object.entries(values);
-      const [q, value] = all[one % all.length] as [string, number];
-      const known = knownOutline(cycle, few, s.given).contour;
-      const more = knownOutline(cycle, { ...few, [q]: value }, s.given).contour;
-      for (const segment of known) {
-        expect(whole.some((w) => sameSegment(w, segment)), JSON.stringify([segment, few])).toBe(true);
-        // Where hardly anything fits any more, nothing is said.
-        if (more.length > 0) expect(more.some((w) => sameSegment(w, segment)), JSON.stringify([segment, few, q])).toBe(true);
-      }
-    }), { numRuns: RUNS });
+    fc.assert(
+      fc.property(arbitrary, fc.array(fc.boolean(), { minLength: 40, maxLength: 40 }), fc.nat(39), (s, typed, one) => {
+        const few = Object.fromEntries(Object.entries(s.values).filter((_, i) => typed[i]));
+        // Nothing is corrected that is not typed.
+        const corrections = Object.keys(cycle.params).filter(
+          (c) => cycle.params[c]?.shown === "depthCompensation" && !(c in few),
+        );
+        const values = { ...s.values, ...Object.fromEntries(corrections.map((c) => [c, 0])) };
+        const whole = contourOf(values, s.given);
+        if (whole.length === 0) return;
+        const all = Object.entries(values);
+        const [q, value] = all[one % all.length] as [string, number];
+        const known = knownOutline(cycle, few, s.given).contour;
+        const more = knownOutline(cycle, { ...few, [q]: value }, s.given).contour;
+        for (const segment of known) {
+          expect(
+            whole.some((w) => sameSegment(w, segment)),
+            JSON.stringify([segment, few]),
+          ).toBe(true);
+          // Where hardly anything fits any more, nothing is said.
+          if (more.length > 0)
+            expect(
+              more.some((w) => sameSegment(w, segment)),
+              JSON.stringify([segment, few, q]),
+            ).toBe(true);
+        }
+      }),
+      { numRuns: RUNS },
+    );
   });
   test("can be drawn with every value more", () => {
     const example = firstValues(cycle);
@@ -62,9 +77,12 @@ describe("a shoulder, value by value", () => {
 
   test("an arc that falls or rises with the diameter at the end is not known before that is", () => {
     const start = { Q491: 67.41, Q492: -4.156, Q495: 75, Q496: 0, Q500: 0, Q501: 2, Q502: 0.428 };
-    const plunging = cycleByNumber(814) as Cycle, given = { contour: null, start: at(-4.148, 33.703) };
+    const plunging = cycleByNumber(814) as Cycle,
+      given = { contour: null, start: at(-4.148, 33.703) };
     expect(knownOutline(plunging, start, given).contour).toEqual([]);
-    expect(knownOutline(plunging, { ...start, Q493: 91.406, Q494: -64.152 }, given).contour[0]).toMatchObject({ kind: "arc" });
+    expect(knownOutline(plunging, { ...start, Q493: 91.406, Q494: -64.152 }, given).contour[0]).toMatchObject({
+      kind: "arc",
+    });
   });
   test("a diameter is a position, with its Z it is a point", () => {
     expect(of({ Q491: 61.37 })).toMatchObject({
@@ -78,12 +96,10 @@ describe("a shoulder, value by value", () => {
   test("both corners make a sketch with square walls", () => {
     const { sketch, contour, corners, whole } = of(box);
     expect(corners).toHaveLength(2);
-    expect(sketch.map(({ from, to }) => [from.z, from.r * 2, to.z, to.r * 2])).toEqual([[0.8, 42.11, -23.9, 42.11], [
-      -23.9,
-      42.11,
-      -23.9,
-      61.37,
-    ]]);
+    expect(sketch.map(({ from, to }) => [from.z, from.r * 2, to.z, to.r * 2])).toEqual([
+      [0.8, 42.11, -23.9, 42.11],
+      [-23.9, 42.11, -23.9, 61.37],
+    ]);
     expect(contour).toEqual([]);
     expect(whole).toBe(false);
   });

@@ -7,8 +7,8 @@ import { run } from "../../src/program/run/run.ts";
 import type { PlaneStep } from "../../src/program/tools/plane-types.ts";
 
 /*
- * Laws over the stock of whole milling programs with RL and RR: what the app takes away is held against points of a second
- * reckoning that knows neither offsets nor polygons, only distances.
+ * Laws over the stock of whole milling programs with RL and RR: what the app takes away is held against points of a
+ * second reckoning that knows neither offsets nor polygons, only distances.
  */
 interface Spot {
   readonly x: number;
@@ -47,21 +47,31 @@ interface Element {
   readonly centre: Spot | null;
   readonly ccw: boolean;
 }
-const unit = (degrees: number): Spot => ({ x: Math.cos((degrees * Math.PI) / 180), y: Math.sin((degrees * Math.PI) / 180) });
+const unit = (degrees: number): Spot => ({
+  x: Math.cos((degrees * Math.PI) / 180),
+  y: Math.sin((degrees * Math.PI) / 180),
+});
 
 function elementsOf(s: Situation): Element[] {
-  let heading = s.heading, from: Spot = { x: 0, y: 0 };
+  let heading = s.heading,
+    from: Spot = { x: 0, y: 0 };
   return s.corners.map(({ turn, long, bend }) => {
-    const way = unit(heading), to = { x: round3(from.x + way.x * long), y: round3(from.y + way.y * long) };
-    const half = far(from, to) / 2, r = bend === 0 ? 0 : round3(half * (1 + Math.abs(bend)));
-    const deep = Math.sqrt(Math.max(0, r * r - half * half)), sign = bend > 0 ? 1 : -1;
+    const way = unit(heading),
+      to = { x: round3(from.x + way.x * long), y: round3(from.y + way.y * long) };
+    const half = far(from, to) / 2,
+      r = bend === 0 ? 0 : round3(half * (1 + Math.abs(bend)));
+    const deep = Math.sqrt(Math.max(0, r * r - half * half)),
+      sign = bend > 0 ? 1 : -1;
     const made: Element = {
       from,
       to,
-      centre: bend === 0 ? null : {
-        x: (from.x + to.x) / 2 - (sign * deep * (to.y - from.y)) / (2 * half),
-        y: (from.y + to.y) / 2 + (sign * deep * (to.x - from.x)) / (2 * half),
-      },
+      centre:
+        bend === 0
+          ? null
+          : {
+              x: (from.x + to.x) / 2 - (sign * deep * (to.y - from.y)) / (2 * half),
+              y: (from.y + to.y) / 2 + (sign * deep * (to.x - from.x)) / (2 * half),
+            },
       ccw: bend > 0,
     };
     heading += turn;
@@ -70,15 +80,24 @@ function elementsOf(s: Situation): Element[] {
   });
 }
 
-const sizes = (form: string, { size }: Situation) => form === "LCT" ? `R${size}` : form === "CT" ? `CCA90 R+${size}` : `LEN${size}`;
+const sizes = (form: string, { size }: Situation) =>
+  form === "LCT" ? `R${size}` : form === "CT" ? `CCA90 R+${size}` : `LEN${size}`;
 
 function text(s: Situation, elements: readonly Element[]): string {
-  const first = elements[0]?.from ?? { x: 0, y: 0 }, left = s.side === "RL" ? 1 : -1;
+  const first = elements[0]?.from ?? { x: 0, y: 0 },
+    left = s.side === "RL" ? 1 : -1;
   const out = (p: Spot, e: Element | undefined, back: number): Spot => {
-    const long = e ? far(e.from, e.to) : 1, wx = e ? (e.to.x - e.from.x) / long : 1, wy = e ? (e.to.y - e.from.y) / long : 0;
-    return { x: round3(p.x - left * wy * s.away + back * wx * s.away), y: round3(p.y + left * wx * s.away + back * wy * s.away) };
+    const long = e ? far(e.from, e.to) : 1,
+      wx = e ? (e.to.x - e.from.x) / long : 1,
+      wy = e ? (e.to.y - e.from.y) / long : 0;
+    return {
+      x: round3(p.x - left * wy * s.away + back * wx * s.away),
+      y: round3(p.y + left * wx * s.away + back * wy * s.away),
+    };
   };
-  const start = out(first, elements[0], -1), last = elements.at(-1), finish = out(last?.to ?? first, last, 1);
+  const start = out(first, elements[0], -1),
+    last = elements.at(-1),
+    finish = out(last?.to ?? first, last, 1);
   return [
     "BEGIN PGM LAW MM",
     "BLK FORM 0.1 Z X-400 Y-400 Z-20",
@@ -89,7 +108,9 @@ function text(s: Situation, elements: readonly Element[]): string {
     `L ${at(start)} R0 FMAX`,
     "L Z-5 R0 F300",
     `APPR ${s.form} ${at(first)} ${sizes(s.form, s)} ${s.side} F200`,
-    ...elements.map((e) => e.centre ? `CR ${at(e.to)} R+${round3(far(e.from, e.centre))} DR${e.ccw ? "+" : "-"}` : `L ${at(e.to)}`),
+    ...elements.map((e) =>
+      e.centre ? `CR ${at(e.to)} R+${round3(far(e.from, e.centre))} DR${e.ccw ? "+" : "-"}` : `L ${at(e.to)}`,
+    ),
     `DEP ${s.end}${s.end === "LCT" ? ` ${at(finish)}` : ""} ${sizes(s.end, s)} F300`,
     "L Z+60 R0 FMAX M2",
     "END PGM LAW MM",
@@ -111,28 +132,38 @@ function samplesOf(elements: readonly Element[], side: string): Sample[] {
     return Array.from({ length: count + 1 }, (_, i): Sample => {
       const k = i / count;
       if (e.centre) {
-        const angle = a + sweep * k, n = (e.ccw ? -1 : 1) * left;
+        const angle = a + sweep * k,
+          n = (e.ccw ? -1 : 1) * left;
         return {
           x: e.centre.x + r * Math.cos(angle),
           y: e.centre.y + r * Math.sin(angle),
           off: [{ x: n * Math.cos(angle), y: n * Math.sin(angle) }],
         };
       }
-      const long = far(e.from, e.to), wx = (e.to.x - e.from.x) / long, wy = (e.to.y - e.from.y) / long;
+      const long = far(e.from, e.to),
+        wx = (e.to.x - e.from.x) / long,
+        wy = (e.to.y - e.from.y) / long;
       return { x: e.from.x + wx * long * k, y: e.from.y + wy * long * k, off: [{ x: -left * wy, y: left * wx }] };
     });
   });
   const corners = pieces.slice(1).map((piece, i): Sample[] => {
-    const [one, two] = [pieces[i]?.at(-1), piece[0]], [n, m] = [one?.off[0], two?.off[0]];
+    const [one, two] = [pieces[i]?.at(-1), piece[0]],
+      [n, m] = [one?.off[0], two?.off[0]];
     if (!one || !n || !m) return [];
-    const a = Math.atan2(n.y, n.x), turn = Math.atan2(n.x * m.y - n.y * m.x, n.x * m.x + n.y * m.y);
+    const a = Math.atan2(n.y, n.x),
+      turn = Math.atan2(n.x * m.y - n.y * m.x, n.x * m.x + n.y * m.y);
     if (turn * left > 0) return [];
     const count = Math.ceil(Math.abs(turn) / 0.01) + 1;
-    return [{
-      x: one.x,
-      y: one.y,
-      off: Array.from({ length: count }, (_, k) => ({ x: Math.cos(a + (turn * k) / count), y: Math.sin(a + (turn * k) / count) })),
-    }];
+    return [
+      {
+        x: one.x,
+        y: one.y,
+        off: Array.from({ length: count }, (_, k) => ({
+          x: Math.cos(a + (turn * k) / count),
+          y: Math.sin(a + (turn * k) / count),
+        })),
+      },
+    ];
   });
   return [...pieces.flat(), ...corners.flat()];
 }
@@ -140,13 +171,19 @@ function samplesOf(elements: readonly Element[], side: string): Sample[] {
 /** How far a point is from a motion in the plane, by its own reckoning. */
 function fromMotion(p: Spot, s: PlaneStep): number {
   if (s.centre && s.turn) {
-    const c = s.centre, r = far(s.from, c), angle = (q: Spot) => Math.atan2(q.y - c.y, q.x - c.x);
-    const from = angle(s.from), whole = 2 * Math.PI, sign = s.turn === "ccw" ? 1 : -1;
-    const turnTo = (q: Spot) => ((sign * (angle(q) - from)) % whole + whole) % whole;
+    const c = s.centre,
+      r = far(s.from, c),
+      angle = (q: Spot) => Math.atan2(q.y - c.y, q.x - c.x);
+    const from = angle(s.from),
+      whole = 2 * Math.PI,
+      sign = s.turn === "ccw" ? 1 : -1;
+    const turnTo = (q: Spot) => (((sign * (angle(q) - from)) % whole) + whole) % whole;
     const sweep = far(s.from, s.to) < 1e-9 ? whole : turnTo(s.to);
     return turnTo(p) <= sweep ? Math.abs(far(p, c) - r) : Math.min(far(p, s.from), far(p, s.to));
   }
-  const dx = s.to.x - s.from.x, dy = s.to.y - s.from.y, long = dx * dx + dy * dy;
+  const dx = s.to.x - s.from.x,
+    dy = s.to.y - s.from.y,
+    long = dx * dx + dy * dy;
   const k = long === 0 ? 0 : Math.max(0, Math.min(1, ((p.x - s.from.x) * dx + (p.y - s.from.y) * dy) / long));
   return far(p, { x: s.from.x + dx * k, y: s.from.y + dy * k });
 }
@@ -162,7 +199,8 @@ const isIn = (rings: readonly Ring[], p: Spot): boolean => {
 };
 
 function worked(s: Situation) {
-  const elements = elementsOf(s), done = run(parse(text(s, elements)), { tools: [], rapid: 10_000, control: "TNC 640" });
+  const elements = elementsOf(s),
+    done = run(parse(text(s, elements)), { tools: [], rapid: 10_000, control: "TNC 640" });
   const stock = milledStock({ motions: done.plane, bodies: [{ step: 0, body: { block: done.cuboid, turned: null } }] });
   stock?.advance(Infinity);
   const standing = stock?.at({ step: done.plane.length, fraction: 0 }).standing[0] ?? [];
@@ -170,19 +208,30 @@ function worked(s: Situation) {
 }
 /** Points round a contour, the same for the same contour. */
 function* points(elements: readonly Element[], reach: number, count: number): Generator<Spot> {
-  const xs = elements.flatMap((e) => [e.from.x, e.to.x]), ys = elements.flatMap((e) => [e.from.y, e.to.y]);
-  const [left, right, low, high] = [Math.min(...xs) - reach, Math.max(...xs) + reach, Math.min(...ys) - reach, Math.max(...ys) + reach];
+  const xs = elements.flatMap((e) => [e.from.x, e.to.x]),
+    ys = elements.flatMap((e) => [e.from.y, e.to.y]);
+  const [left, right, low, high] = [
+    Math.min(...xs) - reach,
+    Math.max(...xs) + reach,
+    Math.min(...ys) - reach,
+    Math.max(...ys) + reach,
+  ];
   for (let i = 1; i <= count; i += 1)
-    yield { x: left + (right - left) * ((i * 0.7548776662) % 1), y: low + (high - low) * ((i * 0.5698402910) % 1) };
+    yield { x: left + (right - left) * ((i * 0.7548776662) % 1), y: low + (high - low) * ((i * 0.569840291) % 1) };
 }
 
 /** A second reckoning by points is this near, mm. */
 const LEAST = 0.5;
 const isLow = (m: PlaneStep) => (m.to.z ?? 1) < 0 && (m.from.z ?? 1) < 0;
-const codes = (done: ReturnType<typeof worked>["done"]) => done.issues.filter((i) => i.issue.severity !== "info").map((i) => i.issue.code);
+const codes = (done: ReturnType<typeof worked>["done"]) =>
+  done.issues.filter((i) => i.issue.severity !== "info").map((i) => i.issue.code);
 /** The low motions along the contour, and those of approach and departure. */
-function waysOf({ plane, approaches }: ReturnType<typeof worked>["done"]): readonly [readonly PlaneStep[], readonly PlaneStep[]] {
-  const leads = new Set(approaches.map((a) => a.index)), low = plane.filter(isLow);
+function waysOf({
+  plane,
+  approaches,
+}: ReturnType<typeof worked>["done"]): readonly [readonly PlaneStep[], readonly PlaneStep[]] {
+  const leads = new Set(approaches.map((a) => a.index)),
+    low = plane.filter(isLow);
   return [low.filter((m) => !leads.has(m.index)), low.filter((m) => leads.has(m.index))];
 }
 /** Centres of tools that touch the contour on the side of RL or RR and cut it nowhere. */
@@ -202,10 +251,15 @@ const SOME_CUT: [Situation][] = fc.sample(inward, { numRuns: RUNS, seed: 47 }).m
 /** Whether a contour comes back to itself: which side of it is material, nobody says then. */
 const crosses = (elements: readonly Element[], side: string) =>
   elements.some((e, i) =>
-    elements.slice(i + 2).some((o) => samplesOf([e], side).some((p) => samplesOf([o], side).some((q) => far(p, q) < STEP)))
+    elements
+      .slice(i + 2)
+      .some((o) => samplesOf([e], side).some((p) => samplesOf([o], side).some((q) => far(p, q) < STEP))),
   );
 
-/** Whether a contour turns right back, as where two circles touch: on which side of it that corner lies, rounding decides. */
+/**
+ * Whether a contour turns right back, as where two circles touch: on which side of it that corner lies, rounding
+ * decides.
+ */
 const turnsBack = (elements: readonly Element[], side: string) =>
   elements.slice(1).some((e, i) => {
     const [n, m] = [samplesOf(elements.slice(i, i + 1), side).at(-1)?.off[0], samplesOf([e], side)[0]?.off[0]];
@@ -215,53 +269,71 @@ const turnsBack = (elements: readonly Element[], side: string) =>
 describe("the stock of programs with RL and RR", () => {
   test("loses what stands within the radius of the tool of a motion, and nothing else", () => {
     let seen = 0;
-    fc.assert(fc.property(situation, (s) => {
-      const { elements, done, standing } = worked(s), low = done.plane.filter(isLow);
-      for (const p of points(elements, 2 * s.tool + s.away, 300)) {
-        const gap = Math.min(...low.map((m) => fromMotion(p, m))) - s.tool;
-        if (Math.abs(gap) < 0.02) continue;
-        seen += 1;
-        expect(isIn(standing, p), text(s, elements)).toBe(gap > 0);
-      }
-    }), { numRuns: RUNS });
+    fc.assert(
+      fc.property(situation, (s) => {
+        const { elements, done, standing } = worked(s),
+          low = done.plane.filter(isLow);
+        for (const p of points(elements, 2 * s.tool + s.away, 300)) {
+          const gap = Math.min(...low.map((m) => fromMotion(p, m))) - s.tool;
+          if (Math.abs(gap) < 0.02) continue;
+          seen += 1;
+          expect(isIn(standing, p), text(s, elements)).toBe(gap > 0);
+        }
+      }),
+      { numRuns: RUNS },
+    );
     expect(seen).toBeGreaterThan(250 * RUNS);
   });
 
   test("is what a tool takes that touches the contour everywhere it can", () => {
     let free = 0;
-    fc.assert(fc.property(situation, (s) => {
-      const { elements, done } = worked(s);
-      if (codes(done).length > 0 || crosses(elements, s.side) || turnsBack(elements, s.side)) return;
-      free += 1;
-      const centres = freeCentres(elements, s), [own, leads] = waysOf(done);
-      for (const p of points(elements, 2 * s.tool, 300)) {
-        const should = Math.min(...centres.map((c) => far(c, p))) - s.tool, does = Math.min(...own.map((m) => fromMotion(p, m))) - s.tool;
-        if (should < -LEAST) expect(does, text(s, elements)).toBeLessThan(LEAST);
-        if (should > LEAST && leads.every((m) => fromMotion(p, m) > s.tool)) expect(does, text(s, elements)).toBeGreaterThan(-LEAST);
-      }
-    }), { numRuns: RUNS });
+    fc.assert(
+      fc.property(situation, (s) => {
+        const { elements, done } = worked(s);
+        if (codes(done).length > 0 || crosses(elements, s.side) || turnsBack(elements, s.side)) return;
+        free += 1;
+        const centres = freeCentres(elements, s),
+          [own, leads] = waysOf(done);
+        for (const p of points(elements, 2 * s.tool, 300)) {
+          const should = Math.min(...centres.map((c) => far(c, p))) - s.tool,
+            does = Math.min(...own.map((m) => fromMotion(p, m))) - s.tool;
+          if (should < -LEAST) expect(does, text(s, elements)).toBeLessThan(LEAST);
+          if (should > LEAST && leads.every((m) => fromMotion(p, m) > s.tool))
+            expect(does, text(s, elements)).toBeGreaterThan(-LEAST);
+        }
+      }),
+      { numRuns: RUNS },
+    );
     expect(free).toBeGreaterThan(RUNS / 6);
   });
 
   test("is not cut beyond the contour without a finding; that says how deep, and the radius it offers passes", () => {
     let [clear, said, offered] = [0, 0, 0];
-    fc.assert(fc.property(inward, (s) => {
-      const { elements, done } = worked(s), found = done.issues.find(({ issue }) => issue.code === "pathCutsContour")?.issue;
-      if (crosses(elements, s.side) || codes(done).includes("toolRadiusTooLarge")) return;
-      const samples = samplesOf(elements, s.side), [own] = waysOf(done);
-      const deep = s.tool - Math.min(...samples.flatMap((q) => own.map((m) => fromMotion(q, m))));
-      if (found?.code !== "pathCutsContour") {
-        clear += 1;
-        expect(deep, text(s, elements)).toBeLessThan(0.05);
-        return;
-      }
-      said += 1;
-      expect(Math.abs(deep - found.data.depth), text(s, elements)).toBeLessThan(0.1);
-      if (found.data.nearest === undefined) return;
-      offered += 1;
-      const then = codes(worked({ ...s, tool: found.data.nearest }).done);
-      expect(then.filter((code) => code === "pathCutsContour" || code === "toolRadiusTooLarge"), text(s, elements)).toEqual([]);
-    }), { numRuns: 4 * RUNS, examples: SOME_CUT });
+    fc.assert(
+      fc.property(inward, (s) => {
+        const { elements, done } = worked(s),
+          found = done.issues.find(({ issue }) => issue.code === "pathCutsContour")?.issue;
+        if (crosses(elements, s.side) || codes(done).includes("toolRadiusTooLarge")) return;
+        const samples = samplesOf(elements, s.side),
+          [own] = waysOf(done);
+        const deep = s.tool - Math.min(...samples.flatMap((q) => own.map((m) => fromMotion(q, m))));
+        if (found?.code !== "pathCutsContour") {
+          clear += 1;
+          expect(deep, text(s, elements)).toBeLessThan(0.05);
+          return;
+        }
+        said += 1;
+        expect(Math.abs(deep - found.data.depth), text(s, elements)).toBeLessThan(0.1);
+        if (found.data.nearest === undefined) return;
+        offered += 1;
+        const then = codes(worked({ ...s, tool: found.data.nearest }).done);
+        expect(
+          then.filter((code) => code === "pathCutsContour" || code === "toolRadiusTooLarge"),
+          text(s, elements),
+        ).toEqual([]);
+      }),
+      { numRuns: 4 * RUNS, examples: SOME_CUT },
+    );
     expect(clear).toBeGreaterThan(RUNS);
     expect(said).toBeGreaterThan(0);
     expect(offered).toBeGreaterThan(0);

@@ -1,4 +1,7 @@
-/** Laws of offers: what a finding proposes, for drawn set-ups of every cycle and for the examples with one value disturbed. */
+/**
+ * Laws of offers: what a finding proposes, for drawn set-ups of every cycle and for the examples with one value
+ * disturbed.
+ */
 import fc from "fast-check";
 import { expect, test } from "vitest";
 import type { Cycle, Given } from "../../src/cycles/define.ts";
@@ -25,11 +28,14 @@ type Numbers = Readonly<Record<string, number>>;
 function saidOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given) {
   const judge = judgeOf(cycle, setting, given);
   if (!judge) return { judge, raw: [], said: [] };
-  const ranges = Object.entries(cycle.params).flatMap(([q, param]) => checkNumber({ ...param, id: q }, values[q] ?? 0) ?? []);
+  const ranges = Object.entries(cycle.params).flatMap(
+    ([q, param]) => checkNumber({ ...param, id: q }, values[q] ?? 0) ?? [],
+  );
   const raw: readonly Issue[] = ranges.length > 0 ? ranges : judge(values as unknown as Values<Params>).issues;
-  const slip = ranges.length > 0
-    ? null
-    : slipAtCall({ cycle, values: values as unknown as Values<Params>, setting, judge, outlined: raw, planned: [] });
+  const slip =
+    ranges.length > 0
+      ? null
+      : slipAtCall({ cycle, values: values as unknown as Values<Params>, setting, judge, outlined: raw, planned: [] });
   const usable = Object.fromEntries(Object.entries(values).filter(([q]) => !ranges.some((each) => each.at === q)));
   return { judge, raw, said: slip ?? triedOffers(cycle.params, usable, raw, judge, given.start) };
 }
@@ -55,7 +61,9 @@ function faultsOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given)
     return [
       ...out,
       ...many,
-      ...(String(offer).replace(/^-?\d*\.?/, "").length > 3 && param.kind !== "angle" ? [`${name}: nobody types it`] : []),
+      ...(String(offer).replace(/^-?\d*\.?/, "").length > 3 && param.kind !== "angle"
+        ? [`${name}: nobody types it`]
+        : []),
     ];
   });
 }
@@ -69,34 +77,45 @@ const settingOf = (tool: Setting["tool"], start: Setting["start"], blank: NonNul
   blank,
 });
 
-test.each(situations(0))("$cycle.number: an offer changes no dimension, and mends what it is offered for", ({ cycle, arbitrary }) => {
-  fc.assert(fc.property(arbitrary, ({ values, given, tool, start, blank }) => {
-    expect(faultsOf(cycle, values, settingOf(tool, start, blank), given)).toEqual([]);
-  }), { numRuns: 3 });
-});
+test.each(situations(0))(
+  "$cycle.number: an offer changes no dimension, and mends what it is offered for",
+  ({ cycle, arbitrary }) => {
+    fc.assert(
+      fc.property(arbitrary, ({ values, given, tool, start, blank }) => {
+        expect(faultsOf(cycle, values, settingOf(tool, start, blank), given)).toEqual([]);
+      }),
+      { numRuns: 3 },
+    );
+  },
+);
 
 const contour = contourFrom(printed).segments;
 /** Slips of a finger: a sign, and by turns too many digits or nothing at all. */
 const slipsOf = (value: number, turn: number): readonly number[] => [-value, turn % 2 === 0 ? value * 30 : 0];
 
 test("so do examples with a disturbed value", () => {
-  const faults = catalogue.filter(({ group }) => group !== "special").flatMap((cycle) => {
-    const { setup } = cycle, tool = shippedTools.find(({ T }) => T === setup.tool);
-    if (!tool) throw new Error(`no tool ${setup.tool}`);
-    const measure = (text: string) => Number(text === "" ? 0 : text);
-    const { outside, bore, length, allowance } = setup.blank;
-    const half = (text: string) => toRadius(diameter(measure(text)));
-    const blank = cylinder({ outside: half(outside), inside: half(bore), length: measure(length), front: measure(allowance) }) ?? [];
-    const start = at(axial(measure(setup.start.z)), half(setup.start.x));
-    const given: Given = { contour: cycle.contour === "free" ? contour : null, start };
-    const values = firstValues(cycle);
-    const setting = settingOf(tool, start, blank);
-    return Object.keys(cycle.params).flatMap((q, i) =>
-      slipsOf(values[q] ?? 0, cycle.number + i).flatMap((value) => faultsOf(cycle, { ...values, [q]: value }, setting, given)).map(
-        (fault) => `${cycle.number}: ${fault}`
-      )
-    );
-  });
+  const faults = catalogue
+    .filter(({ group }) => group !== "special")
+    .flatMap((cycle) => {
+      const { setup } = cycle,
+        tool = shippedTools.find(({ T }) => T === setup.tool);
+      if (!tool) throw new Error(`no tool ${setup.tool}`);
+      const measure = (text: string) => Number(text === "" ? 0 : text);
+      const { outside, bore, length, allowance } = setup.blank;
+      const half = (text: string) => toRadius(diameter(measure(text)));
+      const blank =
+        cylinder({ outside: half(outside), inside: half(bore), length: measure(length), front: measure(allowance) }) ??
+        [];
+      const start = at(axial(measure(setup.start.z)), half(setup.start.x));
+      const given: Given = { contour: cycle.contour === "free" ? contour : null, start };
+      const values = firstValues(cycle);
+      const setting = settingOf(tool, start, blank);
+      return Object.keys(cycle.params).flatMap((q, i) =>
+        slipsOf(values[q] ?? 0, cycle.number + i)
+          .flatMap((value) => faultsOf(cycle, { ...values, [q]: value }, setting, given))
+          .map((fault) => `${cycle.number}: ${fault}`),
+      );
+    });
   expect(faults).toEqual([]);
   expect(looked.parameters).toBeGreaterThan(100);
   expect(looked.signs).toBeGreaterThan(20);

@@ -28,7 +28,9 @@ const infeedsAreEven: PlanLaw = (cycle, s, plan) => {
 };
 
 const passesAreNumbered: PlanLaw = (_, s, plan) => {
-  const strange = plan.moves.find((m) => m.phase === "rough" && m.pass !== undefined && (m.pass < 1 || m.pass > plan.passes));
+  const strange = plan.moves.find(
+    (m) => m.phase === "rough" && m.pass !== undefined && (m.pass < 1 || m.pass > plan.passes),
+  );
   return roughs(s) && strange ? `a cut of pass ${strange.pass} where there are ${plan.passes}` : null;
 };
 
@@ -39,12 +41,16 @@ const plungesAreLimited: PlanLaw = (cycle, s, plan) => {
   return most > 0 && plan.infeed > most + SAME + ROUND ? `a bite of ${plan.infeed} where ${most} is the most` : null;
 };
 
-/** What is wrong with one move by itself. Over the axis it goes only as far as the contour does, and by the nose that faces it clean. */
+/**
+ * What is wrong with one move by itself. Over the axis it goes only as far as the contour does, and by the nose that
+ * faces it clean.
+ */
 function wrongWith(m: Move, from: Pt, lowest: number): Finding {
   const where = `${m.kind} to Z ${m.to.z} R ${m.to.r}`;
   if (!Number.isFinite(m.to.z) || !Number.isFinite(m.to.r)) return `${where}: nowhere`;
   if (m.to.r < lowest) return `${where}: below R ${lowest}`;
-  if (m.kind === "rapid" && Math.abs(m.to.z - from.z) >= SAME && Math.abs(m.to.r - from.r) >= SAME) return `${where}: not along an axis`;
+  if (m.kind === "rapid" && Math.abs(m.to.z - from.z) >= SAME && Math.abs(m.to.r - from.r) >= SAME)
+    return `${where}: not along an axis`;
   if (m.kind !== "arc") return null;
   const [a, b] = [from, m.to].map((p) => Math.hypot(p.z - m.centre.z, p.r - m.centre.r)) as [number, number];
   return Math.abs(a - b) >= SAME ? `${where}: begins at radius ${a} and ends at ${b}` : null;
@@ -74,7 +80,8 @@ const divisionsAreExact: PlanLaw = (cycle, s, plan) => {
     if (depth / k < 0.3 || depth / k > (s.tool.CUTLENGTH ?? Infinity)) continue;
     const again = planOf(cycle, { ...s, values: { ...s.values, [q]: depth / k } });
     // A start point that had to be moved makes another depth.
-    if (Math.abs(again.passes * again.infeed - depth) < SAME && again.passes !== k) return `${again.passes} passes for ${k} infeeds`;
+    if (Math.abs(again.passes * again.infeed - depth) < SAME && again.passes !== k)
+      return `${again.passes} passes for ${k} infeeds`;
   }
   return null;
 };
@@ -99,31 +106,40 @@ const told = (m: Move, to: (p: Pt) => Pt) => {
 
 /** Is `b` on the straight way from `a` to `c`? */
 const isOnTheWay = (a: Pt, b: Pt, c: Pt) =>
-  Math.abs(Math.hypot(b.z - a.z, b.r - a.r) + Math.hypot(c.z - b.z, c.r - b.r) - Math.hypot(c.z - a.z, c.r - a.r)) < SAME;
+  Math.abs(Math.hypot(b.z - a.z, b.r - a.r) + Math.hypot(c.z - b.z, c.r - b.r) - Math.hypot(c.z - a.z, c.r - a.r)) <
+  SAME;
 
 /**
- * Every move as told, two lines of one piece as one: where a level meets its own continuation, the last digit says if they are two. So it
- * does on the way up beside a steep wall, where feed changes to rapid.
+ * Every move as told, two lines of one piece as one: where a level meets its own continuation, the last digit says if
+ * they are two. So it does on the way up beside a steep wall, where feed changes to rapid.
  */
 const allTold = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
-  moves.filter((m, i) => {
-    const [before, next] = [moves[i - 1]?.to ?? start, moves[i + 1]];
-    const same = next && m.kind !== "arc" && next.kind !== "arc" && next.phase === m.phase && next.step === m.step
-      && (next.kind === m.kind || next.kind === "rapid");
-    return !(same && isOnTheWay(before, m.to, next.to));
-  }).map((m) => told(m, to));
+  moves
+    .filter((m, i) => {
+      const [before, next] = [moves[i - 1]?.to ?? start, moves[i + 1]];
+      const same =
+        next &&
+        m.kind !== "arc" &&
+        next.kind !== "arc" &&
+        next.phase === m.phase &&
+        next.step === m.step &&
+        (next.kind === m.kind || next.kind === "rapid");
+      return !(same && isOnTheWay(before, m.to, next.to));
+    })
+    .map((m) => told(m, to));
 
 /**
- * A set-up turned round in Z, tool and all, is the same work seen from the other side. A free contour across the axis is open
- * towards +Z whatever the tool (decision 0010), so only the cycles with their own contour turn round. An insert that points straight
- * at the axis leans to one side all the same: no other tool is its mirror image.
+ * A set-up turned round in Z, tool and all, is the same work seen from the other side. A free contour across the axis
+ * is open towards +Z whatever the tool (decision 0010), so only the cycles with their own contour turn round. An insert
+ * that points straight at the axis leans to one side all the same: no other tool is its mirror image.
  */
 const turnsRound: PlanLaw = (cycle, s, plan) => {
   if (cycle.contour !== "own" || (s.tool["T-ANGLE"] !== undefined && [2, 6].includes(s.tool.TO))) return null;
   const other = planOf(cycle, mirrored(s));
   const [ours, theirs] = [allTold(plan, s.start, (p) => p), allTold(other, point(s.start), point)];
   const apart = ours.findIndex((line, i) => line !== theirs[i]);
-  if (apart >= 0 || ours.length !== theirs.length) return `turned round, "${theirs[apart]}" stands where "${ours[apart]}" should`;
+  if (apart >= 0 || ours.length !== theirs.length)
+    return `turned round, "${theirs[apart]}" stands where "${ours[apart]}" should`;
   const [codes, others] = [plan, other].map((p) => p.issues.map((i) => i.code).join(", ")) as [string, string];
   return codes === others ? null : `turned round, it says ${others || "nothing"} instead of ${codes || "nothing"}`;
 };
@@ -143,10 +159,16 @@ const blankIsNoMatter: PlanLaw = (cycle, s, plan) => {
 /** In a bore no way leads nearer to the axis than start point and contour, but for the passes over an allowance. */
 const boreStaysClear: PlanLaw = (cycle, s, plan) => {
   // The tip of a button that lies beside the cut is its middle, and comes nearer by the radius.
-  if (cycle.group !== "longitudinal" || plan.openSide.r >= 0 || plan.moves.length === 0 || ![5, 6, 7].includes(s.tool.TO)) return null;
+  if (
+    cycle.group !== "longitudinal" ||
+    plan.openSide.r >= 0 ||
+    plan.moves.length === 0 ||
+    ![5, 6, 7].includes(s.tool.TO)
+  )
+    return null;
   const started = plan.moves.flatMap((m) => (m.step === 0 ? [m.to.r] : []));
   const contour = plan.contour.flatMap((e) =>
-    part.flattened(e, SAME / 10).map((p) => p.r - (plan.oversize?.r ?? 0) - (s.values["Q485"] ?? 0))
+    part.flattened(e, SAME / 10).map((p) => p.r - (plan.oversize?.r ?? 0) - (s.values["Q485"] ?? 0)),
   );
   const least = Math.min(s.start.r, ...started, ...contour) - SAME;
   const nearest = Math.min(...plan.moves.map((m) => m.to.r));
@@ -157,20 +179,27 @@ const isRecess = (cycle: Cycle) => cycle.group === "recessTurning" || cycle.grou
 const says = (plan: Plan, ...codes: readonly string[]) => plan.issues.some((i) => codes.includes(i.code));
 const failed = (plan: Plan) => plan.moves.length === 0 || plan.issues.some((i) => i.severity === "error");
 /** How far a point lies out of the material. */
-const heightIn = ({ openSide }: Plan) => (p: Pt): number => p.z * openSide.z + p.r * openSide.r;
+const heightIn =
+  ({ openSide }: Plan) =>
+  (p: Pt): number =>
+    p.z * openSide.z + p.r * openSide.r;
 
 /** The oversize on a floor. */
-const keptOn = (s: Situation, plan: Plan): number => (plan.openSide.z === 0 ? (s.values["Q483"] ?? 0) / 2 : (s.values["Q484"] ?? 0));
+const keptOn = (s: Situation, plan: Plan): number =>
+  plan.openSide.z === 0 ? (s.values["Q483"] ?? 0) / 2 : (s.values["Q484"] ?? 0);
 
 /** A recess that the tool fits into, exactly or with room to spare, is roughed down to its floor. */
 const floorsAreReached: PlanLaw = (cycle, s, plan) => {
   if (!isRecess(cycle) || cycle.contour !== "own" || !roughs(s) || (s.values["Q500"] ?? 0) > 0) return null;
-  if (plan.issues.some((i) => i.severity === "error") || says(plan, "recessNarrowerThanTool", "depthOverCutLength")) return null;
+  if (plan.issues.some((i) => i.severity === "error") || says(plan, "recessNarrowerThanTool", "depthOverCutLength"))
+    return null;
   const height = heightIn(plan);
   const floor = Math.min(...plan.contour.map((e) => height(e.to))) + keptOn(s, plan);
   if (floor > Math.max(...plan.contour.map((e) => height(e.to))) - SAME) return null;
   const deepest = Math.min(...plan.moves.flatMap((m) => (m.phase === "rough" ? [height(m.to)] : [])));
-  return Math.abs(deepest - floor) > 3 * SAME ? `roughed down to ${deepest} where the floor with its oversize is ${floor}` : null;
+  return Math.abs(deepest - floor) > 3 * SAME
+    ? `roughed down to ${deepest} where the floor with its oversize is ${floor}`
+    : null;
 };
 
 /** CUTLENGTH counts from the material, not from the start point above it. */
@@ -178,7 +207,8 @@ const cutLengthCountsInMaterial: PlanLaw = (cycle, s, plan) => {
   const edge = s.tool.CUTLENGTH ?? 0;
   if (!isRecess(cycle) || !says(plan, "depthOverCutLength")) return null;
   const height = heightIn(plan);
-  const depth = Math.max(...s.blank.flat().map(height)) - Math.min(...part.flattenedChain(plan.contour, SAME / 10).map(height));
+  const depth =
+    Math.max(...s.blank.flat().map(height)) - Math.min(...part.flattenedChain(plan.contour, SAME / 10).map(height));
   return depth < edge - SAME ? `a depth of ${depth} is too much for an edge of ${edge}` : null;
 };
 
@@ -193,7 +223,9 @@ const recessesAreLeftAsPrinted: PlanLaw = (cycle, s, plan) => {
   if (higher) return `up to ${height(higher.to)} where the start point stands at ${top}`;
   const last = plan.moves.at(-1);
   const printed = cycle.contour === "own" && !says(plan, "startBelowContour");
-  return printed && last?.phase === "position" && last.kind !== "rapid" ? `back to the start point by ${last.kind}` : null;
+  return printed && last?.phase === "position" && last.kind !== "rapid"
+    ? `back to the start point by ${last.kind}`
+    : null;
 };
 
 /** A recess runs the same path in whatever blank; only an edge that is too short for its depth looks at it. */
@@ -201,7 +233,9 @@ const recessesIgnoreTheBlank: PlanLaw = (cycle, s, plan) => {
   if (!isRecess(cycle)) return null;
   const other = planOf(cycle, s, false);
   if ([plan, other].some((p) => says(p, "depthOverCutLength", "insertAcrossAxis"))) return null;
-  return JSON.stringify(plan.moves) === JSON.stringify(other.moves) ? null : "another path where the blank is not known";
+  return JSON.stringify(plan.moves) === JSON.stringify(other.moves)
+    ? null
+    : "another path where the blank is not known";
 };
 
 /** By name, so that a case on file says which of them it broke. */

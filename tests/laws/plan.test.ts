@@ -9,8 +9,11 @@ const CASES = 4 * Number(process.env["LAW_CASES"] ?? 25);
 for (const operation of [0, 1, 2, 3])
   describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {
     test("runs a path that is bounded, even and the same from the other side", () => {
-      fc.assert(fc.property(arbitrary, (s) => {
-        expect(brokenByPlan(cycle, s)).toEqual([]);
-      }), { numRuns: casesOf(cycle, CASES) });
+      fc.assert(
+        fc.property(arbitrary, (s) => {
+          expect(brokenByPlan(cycle, s)).toEqual([]);
+        }),
+        { numRuns: casesOf(cycle, CASES) },
+      );
     });
   });

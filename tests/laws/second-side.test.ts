@@ -24,18 +24,23 @@ const places = fc.tuple(grid(-65, 5), grid(-5, 45)).map(([z, r]) => at(z, r));
 const below: Ring = [at(-100, -100), at(100, -100), at(100, 0), at(-100, 0)];
 
 /** A bar or a tube less a few shapes with sharp or round corners: pieces, bores, undercuts and cavities. */
-const stocks = fc.tuple(fc.constantFrom(0, 5, 12.3456),
-  fc.array(fc.tuple(fc.array(places, { minLength: 3, maxLength: 4 }), fc.constantFrom(0, 0.2, 0.4, 0.8, 3, 12.5)), {
-    minLength: 1,
-    maxLength: 6,
-  })).map(([bore, cuts]) => {
+const stocks = fc
+  .tuple(
+    fc.constantFrom(0, 5, 12.3456),
+    fc.array(fc.tuple(fc.array(places, { minLength: 3, maxLength: 4 }), fc.constantFrom(0, 0.2, 0.4, 0.8, 3, 12.5)), {
+      minLength: 1,
+      maxLength: 6,
+    }),
+  )
+  .map(([bore, cuts]) => {
     const blank: Ring = [at(-60, bore), at(0, bore), at(0, 40), at(-60, 40)];
     const taken = cuts.flatMap(([shape, round]) => (round > 0 ? offset(union(convex(shape)), round) : convex(shape)));
     return difference(difference([blank], taken), [below]);
   });
 const convex = (shape: readonly Pt[]): Ring[] => (areaOf([shape]) < 0 ? [[...shape].reverse()] : [shape]);
 
-const FIRST = (unit: "MM" | "INCH") => parse(`0 BEGIN PGM PART ${unit}\n1 TOOL CALL 1\n2 M30\n3 END PGM PART ${unit}\n`);
+const FIRST = (unit: "MM" | "INCH") =>
+  parse(`0 BEGIN PGM PART ${unit}\n1 TOOL CALL 1\n2 M30\n3 END PGM PART ${unit}\n`);
 const OUTPUT = NC_OUTPUTS.manual;
 const blankOf = (text: string): readonly Ring[] => run(parse(text), { tools: shippedTools, rapid: 10_000 }).blank;
 /** What is more than a skin of one stock beyond the other. */
@@ -43,7 +48,8 @@ const beyond = (a: readonly Ring[], b: readonly Ring[]) => areaOf(difference(a, 
 
 /** What differs between what should stand there and what a program says, in words. */
 function differences(should: readonly Ring[], is: readonly Ring[], unit: "MM" | "INCH"): string[] {
-  const change = areaOf(is) - areaOf(should), [more, less] = [beyond(is, should), beyond(should, is)];
+  const change = areaOf(is) - areaOf(should),
+    [more, less] = [beyond(is, should), beyond(should, is)];
   return [
     ...(Math.abs(change) > SAME_STOCK[unit] ? [`${change} mm² more`] : []),
     ...(more > 0 || less > 0 ? [`${more} mm² stand out, ${less} mm² are missing`] : []),
@@ -53,16 +59,19 @@ function differences(should: readonly Ring[], is: readonly Ring[], unit: "MM" | 
 const pieces = (stock: readonly Ring[]) => regionsOf(stock, PIECE).map(({ outline, holes }) => [outline, ...holes]);
 
 test("what is turned round is read back as what it was, and turned twice it is itself", () => {
-  fc.assert(fc.property(stocks, fc.constantFrom("MM", "INCH"), grid(0, 3), (stock, unit, allowance) => {
-    for (const piece of pieces(stock)) {
-      const text = secondSide(FIRST(unit), piece, { allowance, output: OUTPUT });
-      expect([...refusals(text, "tnc640"), ...refusals(text, "tnc7")]).toEqual([]);
-      const second = blankOf(text);
-      expect(differences(turnedRound(piece, allowance), second, unit)).toEqual([]);
-      const again = blankOf(secondSide(parse(text), second, { allowance: 0, output: OUTPUT }));
-      expect(differences(turnedRound(turnedRound(piece, 0), 0), again, unit)).toEqual([]);
-    }
-  }), { numRuns: 60 });
+  fc.assert(
+    fc.property(stocks, fc.constantFrom("MM", "INCH"), grid(0, 3), (stock, unit, allowance) => {
+      for (const piece of pieces(stock)) {
+        const text = secondSide(FIRST(unit), piece, { allowance, output: OUTPUT });
+        expect([...refusals(text, "tnc640"), ...refusals(text, "tnc7")]).toEqual([]);
+        const second = blankOf(text);
+        expect(differences(turnedRound(piece, allowance), second, unit)).toEqual([]);
+        const again = blankOf(secondSide(parse(text), second, { allowance: 0, output: OUTPUT }));
+        expect(differences(turnedRound(turnedRound(piece, 0), 0), again, unit)).toEqual([]);
+      }
+    }),
+    { numRuns: 60 },
+  );
 });
 
 const programs = Object.entries(
@@ -70,7 +79,8 @@ const programs = Object.entries(
 );
 
 test.each(programs)("the stock of %s goes into the next clamping as it is", (_, text) => {
-  const program = parse(text), done = run(program, { tools: shippedTools, rapid: 10_000 });
+  const program = parse(text),
+    done = run(program, { tools: shippedTools, rapid: 10_000 });
   const stock = done.blank.length > 0 ? simulate(done).final : [];
   for (const piece of pieces(stock)) {
     const second = secondSide(program, piece, { allowance: 0, output: OUTPUT });

@@ -8,8 +8,8 @@ import { length, rounded } from "../../src/kernel/units.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 
 /**
- * One random set-up of a cycle: values, contour, tool, start point and the blank that fits them. Plain data: it can be written
- * to a file.
+ * One random set-up of a cycle: values, contour, tool, start point and the blank that fits them. Plain data: it can be
+ * written to a file.
  */
 export interface Situation {
   readonly values: Readonly<Record<string, number>>;
@@ -31,11 +31,18 @@ const drawing = (g: fc.GeneratorValue): Draw => ({
 /** Room round the blank that a start point is looked for in, mm. */
 const ROOM = 15;
 
-/** Mostly what was drawn; now and then a short cutting edge, a tool that points elsewhere, a start point anywhere round the blank. */
+/**
+ * Mostly what was drawn; now and then a short cutting edge, a tool that points elsewhere, a start point anywhere round
+ * the blank.
+ */
 function situationOf({ values, contour, tool: { T, ...changed }, start, blank }: DrawnSetup, draw: Draw): Situation {
   const tool = shippedTools.find((x) => x.T === T) as Tool;
   const share = () => draw.whole(0, 1000) / 1000;
-  const [z0, z1, r1] = [Math.min(...blank.map((q) => q.z)), Math.max(...blank.map((q) => q.z)), Math.max(...blank.map((q) => q.r))];
+  const [z0, z1, r1] = [
+    Math.min(...blank.map((q) => q.z)),
+    Math.max(...blank.map((q) => q.z)),
+    Math.max(...blank.map((q) => q.r)),
+  ];
   const anywhere = () => at(rounded(z0 - ROOM + share() * (z1 - z0 + 2 * ROOM)), rounded(share() * (r1 + ROOM)));
   const [isUsual, pointsThere, wholeEdge] = [draw.whole(1, 7) <= 5, draw.whole(1, 14) <= 12, draw.whole(1, 7) <= 5];
   const called = isUsual ? start : anywhere();
@@ -44,7 +51,7 @@ function situationOf({ values, contour, tool: { T, ...changed }, start, blank }:
     given: { contour, start: called },
     tool: {
       ...tool,
-      ...changed as Partial<Tool>,
+      ...(changed as Partial<Tool>),
       ...(!pointsThere && { TO: draw.whole(1, 8) as TipOrientation }),
       // Where a set-up says how long the edge is, the rest of it may hang on that.
       ...(!wholeEdge && changed.CUTLENGTH === undefined && { CUTLENGTH: length(draw.whole(2000, 5000) / 1000) }),
@@ -55,9 +62,15 @@ function situationOf({ values, contour, tool: { T, ...changed }, start, blank }:
 }
 
 /** A situation with another machining operation. */
-export const doing = (s: Situation, operation: number): Situation => ({ ...s, values: { ...s.values, Q215: operation } });
+export const doing = (s: Situation, operation: number): Situation => ({
+  ...s,
+  values: { ...s.values, Q215: operation },
+});
 
-/** Random situations for one machining operation (Q215). What makes no contour is drawn again at once: a filter would draw the same. */
+/**
+ * Random situations for one machining operation (Q215). What makes no contour is drawn again at once: a filter would
+ * draw the same.
+ */
 export const drawnFrom = (setups: Setups, operation: number): fc.Arbitrary<Situation> =>
   fc.gen().map((g) => {
     const draw = drawing(g);
@@ -69,9 +82,9 @@ export const drawnFrom = (setups: Setups, operation: number): fc.Arbitrary<Situa
 /** What each cycle's file says of its set-ups, by number. */
 const setups = new Map(
   Object.values(import.meta.glob<Record<string, unknown>>("../../src/cycles/c*.ts", { eager: true })).flatMap((file) =>
-    Object.entries(file).flatMap(
-      ([name, value]): [number, Setups][] => (name.startsWith("setups") ? [[Number(name.slice(6)), value as Setups]] : [])
-    )
+    Object.entries(file).flatMap(([name, value]): [number, Setups][] =>
+      name.startsWith("setups") ? [[Number(name.slice(6)), value as Setups]] : [],
+    ),
   ),
 );
 
@@ -80,11 +93,16 @@ const choosesOperation = (cycle: Cycle) => Object.values(cycle.params).some((p) 
 
 /** The cycles of the catalogue that cut, each with its random situations for one machining operation. */
 export const situations = (operation: number): { cycle: Cycle; arbitrary: fc.Arbitrary<Situation> }[] =>
-  catalogue.filter((cycle) => cycle.group !== "special" && (operation === 0 || choosesOperation(cycle))).map((cycle) => {
-    const own = setups.get(cycle.number);
-    if (!own) throw new Error(`src/cycles/c${cycle.number}.ts exports no setups${cycle.number}`);
-    return { cycle, arbitrary: drawnFrom(own, operation) };
-  });
+  catalogue
+    .filter((cycle) => cycle.group !== "special" && (operation === 0 || choosesOperation(cycle)))
+    .map((cycle) => {
+      const own = setups.get(cycle.number);
+      if (!own) throw new Error(`src/cycles/c${cycle.number}.ts exports no setups${cycle.number}`);
+      return { cycle, arbitrary: drawnFrom(own, operation) };
+    });
 
-/** How many set-ups of a cycle `npm test` draws where one that a page prints draws `most`: the families share their strategies. */
+/**
+ * How many set-ups of a cycle `npm test` draws where one that a page prints draws `most`: the families share their
+ * strategies.
+ */
 export const casesOf = (cycle: Cycle, most: number): number => (cycle.evidence === "A" ? most : Math.ceil(most / 6));

@@ -8,32 +8,38 @@ import { LAYOUTS, type Style } from "../../src/nc/style.ts";
 import { statements } from "./statements.ts";
 
 describe("parse after print gives the same statement", () => {
-  const styles: Style[] = [...Object.values(LAYOUTS), {
-    ...LAYOUTS.tnc7,
-    plus: false,
-    decimal: ",",
-    indent: "    ",
-    rapid: "F MAX",
-    spacedWords: true,
-    newLine: "\r\n",
-  }];
-  test.each(styles.map((s, i) => [i, s] as const))("style %i",
-    (_, style) =>
-      fc.assert(fc.property(statements, fc.nat(9999), (statement, n) => {
+  const styles: Style[] = [
+    ...Object.values(LAYOUTS),
+    {
+      ...LAYOUTS.tnc7,
+      plus: false,
+      decimal: ",",
+      indent: "    ",
+      rapid: "F MAX",
+      spacedWords: true,
+      newLine: "\r\n",
+    },
+  ];
+  test.each(styles.map((s, i) => [i, s] as const))("style %i", (_, style) =>
+    fc.assert(
+      fc.property(statements, fc.nat(9999), (statement, n) => {
         const text = blockText(n, statement, style);
         const { blocks } = parse(text);
         expect(blocks).toHaveLength(1);
         expect(blocks[0]?.number).toBe(n);
         expect(blocks[0]?.statement).toEqual(statement);
         expect(statementLines(statement, style).length).toBe(blocks[0]?.lines);
-      }), { numRuns: 3000 }));
+      }),
+      { numRuns: 3000 },
+    ),
+  );
 });
 
 /** Ways to write one block that posts and older controls have, each with what it is made of. */
 const number4 = fc.nat(9999);
-const numbered = fc.tuple(fc.constantFrom("N", "n", ""), number4, fc.constantFrom(" ", "  ", "\t")).map(([n, at, gap]) =>
-  `${n}${at}${gap}`
-);
+const numbered = fc
+  .tuple(fc.constantFrom("N", "n", ""), number4, fc.constantFrom(" ", "  ", "\t"))
+  .map(([n, at, gap]) => `${n}${at}${gap}`);
 const isPlain = (s: Statement) => s.kind !== "cycle" && s.kind !== "comment";
 
 describe("other spellings mean the same, and come back to the byte", () => {
@@ -46,33 +52,52 @@ describe("other spellings mean the same, and come back to the byte", () => {
     expect(program.blocks[0]?.statement).toEqual(statement);
   };
   test("N in front of the number, and the skip mark on either side of it", () =>
-    fc.assert(fc.property(statements.filter(isPlain), numbered, fc.constantFrom("", "/", "behind"), (statement, head, mark) => {
-      const bare = statementLines(statement, style).join("\n");
-      const text = `${mark === "/" ? "/" : ""}${head}${mark === "behind" ? "/ " : ""}${bare}`;
-      same(text, statement, Number(head.trim().replace(/^n/i, "")), mark !== "");
-    }), { numRuns: 2000 }));
+    fc.assert(
+      fc.property(statements.filter(isPlain), numbered, fc.constantFrom("", "/", "behind"), (statement, head, mark) => {
+        const bare = statementLines(statement, style).join("\n");
+        const text = `${mark === "/" ? "/" : ""}${head}${mark === "behind" ? "/ " : ""}${bare}`;
+        same(text, statement, Number(head.trim().replace(/^n/i, "")), mark !== "");
+      }),
+      { numRuns: 2000 },
+    ));
   test("CYCLE DEF, CYCLDEF, and the point of an older cycle with blanks", () =>
     fc.assert(
-      fc.property(statements.filter((s) => s.kind === "cycle" || s.kind === "cycleLine"),
-        fc.constantFrom("CYCLE DEF ", "CYCL  DEF ", "cycl def ", "CYCLDEF "), fc.boolean(), (statement, word, wide) => {
-        const text = blockText(7, statement, style).replace("CYCL DEF ", word);
-        const spaced = statement.kind === "cycleLine" && wide ? text.replace(/(\d+)\.(\d)/, "$1 .$2") : text;
-        same(spaced, statement, 7, false);
-      }),
+      fc.property(
+        statements.filter((s) => s.kind === "cycle" || s.kind === "cycleLine"),
+        fc.constantFrom("CYCLE DEF ", "CYCL  DEF ", "cycl def ", "CYCLDEF "),
+        fc.boolean(),
+        (statement, word, wide) => {
+          const text = blockText(7, statement, style).replace("CYCL DEF ", word);
+          const spaced = statement.kind === "cycleLine" && wide ? text.replace(/(\d+)\.(\d)/, "$1 .$2") : text;
+          same(spaced, statement, 7, false);
+        },
+      ),
       { numRuns: 1000 },
     ));
   test("a coordinate without L", () =>
     fc.assert(
-      fc.property(statements.filter((s) => s.kind === "path" && s.path === "L" && s.words.axes.length > 0), number4, (statement, n) =>
-        same(`${n} ${statementLines(statement, style).join("").replace(/^L +/, "")}`, statement, n, false)),
+      fc.property(
+        statements.filter((s) => s.kind === "path" && s.path === "L" && s.words.axes.length > 0),
+        number4,
+        (statement, n) =>
+          same(`${n} ${statementLines(statement, style).join("").replace(/^L +/, "")}`, statement, n, false),
+      ),
       { numRuns: 500 },
     ));
   test("the areas of a contour on lines of their own", () =>
-    fc.assert(fc.property(statements.filter((s) => s.kind === "contourDefinition"), (statement) => {
-      if (statement.kind !== "contourDefinition") return;
-      const areas = statement.areas.map((area) =>
-        statementLines({ kind: "contourDefinition", areas: [area] }, style).join("").replace("CONTOUR DEF", "")
-      );
-      same(`5 CONTOUR DEF ~\n${areas.join(" ~\n")}\n`, statement, 5, false);
-    }), { numRuns: 300 }));
+    fc.assert(
+      fc.property(
+        statements.filter((s) => s.kind === "contourDefinition"),
+        (statement) => {
+          if (statement.kind !== "contourDefinition") return;
+          const areas = statement.areas.map((area) =>
+            statementLines({ kind: "contourDefinition", areas: [area] }, style)
+              .join("")
+              .replace("CONTOUR DEF", ""),
+          );
+          same(`5 CONTOUR DEF ~\n${areas.join(" ~\n")}\n`, statement, 5, false);
+        },
+      ),
+      { numRuns: 300 },
+    ));
 });

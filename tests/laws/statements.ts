@@ -3,24 +3,37 @@ import type { AxisName, Formula, Statement, TextFormula, Value, Words } from "..
 
 /* Statements of every kind, with values that a control can hold. */
 
-const number = fc.tuple(fc.integer({ min: -99999999, max: 99999999 }), fc.constantFrom(1, 10, 100, 1000, 10000)).map(
-  ([n, s]) => (n === 0 ? 0 : n / s)
+const number = fc
+  .tuple(fc.integer({ min: -99999999, max: 99999999 }), fc.constantFrom(1, 10, 100, 1000, 10000))
+  .map(([n, s]) => (n === 0 ? 0 : n / s));
+const value: fc.Arbitrary<Value> = fc.oneof(
+  number,
+  fc.record({
+    parameter: fc.tuple(fc.constantFrom("Q", "QL", "QR"), fc.nat(1999)).map(([q, n]) => q + String(n)),
+    negative: fc.boolean(),
+  }),
 );
-const value: fc.Arbitrary<Value> = fc.oneof(number, fc.record({
-  parameter: fc.tuple(fc.constantFrom("Q", "QL", "QR"), fc.nat(1999)).map(([q, n]) => q + String(n)),
-  negative: fc.boolean(),
-}));
 const axisName = fc.constantFrom<AxisName[]>("X", "Y", "Z", "A", "B", "C", "U", "V", "W");
-const axes = fc.uniqueArray(fc.record({ axis: axisName, value, incremental: fc.boolean() }), { selector: (w) => w.axis, maxLength: 4 });
+const axes = fc.uniqueArray(fc.record({ axis: axisName, value, incremental: fc.boolean() }), {
+  selector: (w) => w.axis,
+  maxLength: 4,
+});
 const optional = <T, K extends string>(key: K, of: fc.Arbitrary<T>) =>
   fc.option(of).map((v) => (v === null ? {} : { [key]: v }) as { [P in K]?: T });
-const feed = fc.oneof(fc.constantFrom("max" as const, "auto" as const),
-  fc.record({ value, unit: fc.constantFrom("F" as const, "FU" as const, "FZ" as const) }));
+const feed = fc.oneof(
+  fc.constantFrom("max" as const, "auto" as const),
+  fc.record({ value, unit: fc.constantFrom("F" as const, "FU" as const, "FZ" as const) }),
+);
 const functions = fc.array(fc.integer({ min: 0, max: 999 }), { maxLength: 4 });
-const tail = fc.tuple(optional("compensation", fc.constantFrom("R0", "RL", "RR")), optional("feed", feed),
-  functions.map((f) => ({ functions: f })));
+const tail = fc.tuple(
+  optional("compensation", fc.constantFrom("R0", "RL", "RR")),
+  optional("feed", feed),
+  functions.map((f) => ({ functions: f })),
+);
 const words = (...parts: fc.Arbitrary<object>[]): fc.Arbitrary<Words> =>
-  fc.tuple(tail, ...parts).map(([common, ...own]) => Object.assign({ axes: [], linear: [], extra: [] }, ...common, ...own) as Words);
+  fc
+    .tuple(tail, ...parts)
+    .map(([common, ...own]) => Object.assign({ axes: [], linear: [], extra: [] }, ...common, ...own) as Words);
 const withAxes = axes.map((a) => ({ axes: a }));
 const polar = fc.record({ value, incremental: fc.boolean() });
 const turn = fc.constantFrom("cw" as const, "ccw" as const);
@@ -29,34 +42,72 @@ const name = fc.stringMatching(/^[A-Z][A-Z0-9_]{0,15}$/);
 const maybe = <T>(of: fc.Arbitrary<T>) => fc.option(of);
 const textParameter = fc.nat(1999).map((n) => `QS${n}`);
 const quoted = fc.stringMatching(/^[A-Za-z0-9 .\\:;_-]{0,12}$/);
-const textSource: fc.Arbitrary<TextFormula> = fc.oneof(quoted.map((text) => ({ kind: "quoted" as const, text })),
-  textParameter.map((parameter) => ({ kind: "parameter" as const, parameter })));
-const textPart: fc.Arbitrary<TextFormula> = fc.oneof(textSource,
+const textSource: fc.Arbitrary<TextFormula> = fc.oneof(
+  quoted.map((text) => ({ kind: "quoted" as const, text })),
+  textParameter.map((parameter) => ({ kind: "parameter" as const, parameter })),
+);
+const textPart: fc.Arbitrary<TextFormula> = fc.oneof(
+  textSource,
   fc.record({ kind: fc.constant("toChar" as const), value, decimals: maybe(value) }),
-  fc.record({ kind: fc.constant("part" as const), source: textSource, begin: maybe(value), length: maybe(value) }));
-const text: fc.Arbitrary<TextFormula> = fc.oneof(textPart,
-  fc.array(textPart, { minLength: 2, maxLength: 4 }).map((parts) => ({ kind: "joined" as const, parts })));
-const ofText: fc.Arbitrary<Formula> = fc.oneof(fc.record({
-  kind: fc.constant("ofText" as const),
-  name: fc.constantFrom("TONUMB" as const, "STRLEN" as const),
-  source: textSource,
-  search: fc.constant(null),
-  begin: fc.constant(null),
-}), fc.record({
-  kind: fc.constant("ofText" as const),
-  name: fc.constantFrom("INSTR" as const, "STRCOMP" as const),
-  source: textSource,
-  search: textSource,
-  begin: maybe(value),
-}));
-const NAMES = ["SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "SQRT", "SQ", "LN", "LOG", "EXP", "NEG", "INT", "ABS", "FRAC", "SGN"];
+  fc.record({ kind: fc.constant("part" as const), source: textSource, begin: maybe(value), length: maybe(value) }),
+);
+const text: fc.Arbitrary<TextFormula> = fc.oneof(
+  textPart,
+  fc.array(textPart, { minLength: 2, maxLength: 4 }).map((parts) => ({ kind: "joined" as const, parts })),
+);
+const ofText: fc.Arbitrary<Formula> = fc.oneof(
+  fc.record({
+    kind: fc.constant("ofText" as const),
+    name: fc.constantFrom("TONUMB" as const, "STRLEN" as const),
+    source: textSource,
+    search: fc.constant(null),
+    begin: fc.constant(null),
+  }),
+  fc.record({
+    kind: fc.constant("ofText" as const),
+    name: fc.constantFrom("INSTR" as const, "STRCOMP" as const),
+    source: textSource,
+    search: textSource,
+    begin: maybe(value),
+  }),
+);
+const NAMES = [
+  "SIN",
+  "COS",
+  "TAN",
+  "ASIN",
+  "ACOS",
+  "ATAN",
+  "SQRT",
+  "SQ",
+  "LN",
+  "LOG",
+  "EXP",
+  "NEG",
+  "INT",
+  "ABS",
+  "FRAC",
+  "SGN",
+];
 const formula: fc.Arbitrary<Formula> = fc.letrec<{ f: Formula }>((tie) => ({
-  f: fc.oneof({ maxDepth: 4 }, value.map((v): Formula => ({ kind: "value", value: v })), ofText, fc.record({
-    kind: fc.constantFrom("sum" as const, "difference" as const, "product" as const, "quotient" as const, "remainder" as const,
-      "power" as const),
-    left: tie("f"),
-    right: tie("f"),
-  }), fc.record({ kind: fc.constant("call" as const), name: fc.constantFrom(...NAMES), of: tie("f") })),
+  f: fc.oneof(
+    { maxDepth: 4 },
+    value.map((v): Formula => ({ kind: "value", value: v })),
+    ofText,
+    fc.record({
+      kind: fc.constantFrom(
+        "sum" as const,
+        "difference" as const,
+        "product" as const,
+        "quotient" as const,
+        "remainder" as const,
+        "power" as const,
+      ),
+      left: tie("f"),
+      right: tie("f"),
+    }),
+    fc.record({ kind: fc.constant("call" as const), name: fc.constantFrom(...NAMES), of: tie("f") }),
+  ),
 })).f;
 /** What each FN function works out of its values. */
 const one = value.map((v): Formula => ({ kind: "value", value: v }));
@@ -76,22 +127,37 @@ const FN_FORMULAS = [
   [13, two("angle")],
 ] as const;
 const target = fc.constantFrom("Q1", "QL2", "QR33", "Q1999");
-const fileName = fc.oneof(fc.constantFrom("A.H", "TNC:\\work\\part 1.h", "../SUB/B"),
-  textParameter.map((parameter) => ({ parameter, negative: false })));
-const place = fc.oneof(fileName.map((file) => ({ file })),
-  fc.record({ label: fc.oneof(label, value.filter((v) => typeof v === "object").map((v) => ({ ...(v as object), negative: false }))) }));
+const fileName = fc.oneof(
+  fc.constantFrom("A.H", "TNC:\\work\\part 1.h", "../SUB/B"),
+  textParameter.map((parameter) => ({ parameter, negative: false })),
+);
+const place = fc.oneof(
+  fileName.map((file) => ({ file })),
+  fc.record({
+    label: fc.oneof(
+      label,
+      value.filter((v) => typeof v === "object").map((v) => ({ ...(v as object), negative: false })),
+    ),
+  }),
+);
 const depth = maybe(value);
 const contourName = fc.nat(99).map((n) => `QC${n}`);
 /** Contours joined by signs, with brackets round some of them. */
 const terms: fc.Arbitrary<readonly string[]> = fc.letrec<{ t: readonly string[] }>((tie) => ({
-  t: fc.oneof({ maxDepth: 3 }, contourName.map((n) => [n]),
+  t: fc.oneof(
+    { maxDepth: 3 },
+    contourName.map((n) => [n]),
     fc.tuple(tie("t"), fc.constantFrom("|", "&", "^", "\\"), tie("t")).map(([a, sign, b]) => [...a, sign, ...b]),
-    tie("t").map((inner) => ["(", ...inner, ")"])),
+    tie("t").map((inner) => ["(", ...inner, ")"]),
+  ),
 })).t;
 /** Words that only elements of free contours have. */
 const freeWords = fc.uniqueArray(
   fc.oneof(
-    fc.record({ name: fc.constantFrom("AN", "IAN", "CCX", "CCY", "CCZ", "ICCX", "CCPR", "CCPA", "P1X", "P3Y", "PDX", "D", "DP"), value }),
+    fc.record({
+      name: fc.constantFrom("AN", "IAN", "CCX", "CCY", "CCZ", "ICCX", "CCPR", "CCPA", "P1X", "P3Y", "PDX", "D", "DP"),
+      value,
+    }),
     fc.record({ name: fc.constant("CLSD"), value: fc.constantFrom(1, -1) }),
   ),
   { selector: (w) => w.name, maxLength: 4 },
@@ -99,24 +165,45 @@ const freeWords = fc.uniqueArray(
 
 /** Any statement as a reader may give it. */
 export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Statement>[]>(
-  fc.stringMatching(/^[ -~äß中]{0,20}$/).filter((t) => !/[~;]\s*$|\s$/.test(t)).map((text) => ({ kind: "comment", text })),
+  fc
+    .stringMatching(/^[ -~äß中]{0,20}$/)
+    .filter((t) => !/[~;]\s*$|\s$/.test(t))
+    .map((text) => ({ kind: "comment", text })),
   fc.record({ kind: fc.constantFrom("begin", "end"), name, unit: fc.constantFrom("MM", "INCH") }),
   fc.record({ kind: fc.constant("path"), path: fc.constantFrom("L", "CT", "CC"), words: words(withAxes) }),
-  fc.record({ kind: fc.constant("path"), path: fc.constant("C"), words: words(withAxes, turn.map((t) => ({ turn: t }))) }),
+  fc.record({
+    kind: fc.constant("path"),
+    path: fc.constant("C"),
+    words: words(
+      withAxes,
+      turn.map((t) => ({ turn: t })),
+    ),
+  }),
   fc.record({
     kind: fc.constant("path"),
     path: fc.constant("CR"),
-    words: words(withAxes, value.map((r) => ({ radius: r })), turn.map((t) => ({ turn: t }))),
+    words: words(
+      withAxes,
+      value.map((r) => ({ radius: r })),
+      turn.map((t) => ({ turn: t })),
+    ),
   }),
   fc.record({
     kind: fc.constant("path"),
     path: fc.constantFrom("LP", "CTP"),
-    words: words(withAxes, polar.map((p) => ({ polarRadius: p })), optional("polarAngle", polar)),
+    words: words(
+      withAxes,
+      polar.map((p) => ({ polarRadius: p })),
+      optional("polarAngle", polar),
+    ),
   }),
-  fc.record({ kind: fc.constant("path"), path: fc.constant("RND"), words: words(value.map((r) => ({ radius: r }))) }).map((s) => ({
-    ...s,
-    words: { ...s.words, compensation: undefined },
-  })).map((s) => JSON.parse(JSON.stringify(s)) as Statement),
+  fc
+    .record({ kind: fc.constant("path"), path: fc.constant("RND"), words: words(value.map((r) => ({ radius: r }))) })
+    .map((s) => ({
+      ...s,
+      words: { ...s.words, compensation: undefined },
+    }))
+    .map((s) => JSON.parse(JSON.stringify(s)) as Statement),
   fc.record({ kind: fc.constant("chamfer"), length: value, words: words() }),
   fc.record({
     kind: fc.constant("approach"),
@@ -127,8 +214,12 @@ export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Stateme
   fc.record({
     kind: fc.constant("path"),
     path: fc.constant("L"),
-    words: words(withAxes, fc.constantFrom(128, 140).map((m) => ({ functions: [m] })),
-      optional("retract", fc.oneof(value, fc.constant("max" as const))), optional("functionFeed", feed)),
+    words: words(
+      withAxes,
+      fc.constantFrom(128, 140).map((m) => ({ functions: [m] })),
+      optional("retract", fc.oneof(value, fc.constant("max" as const))),
+      optional("functionFeed", feed),
+    ),
   }),
   fc.record({ kind: fc.constant("label"), label }),
   fc.record({
@@ -157,20 +248,33 @@ export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Stateme
   fc.record({ kind: fc.constant("scale"), factor: fc.oneof(value, fc.constant("reset" as const)) }),
   fc.record({
     kind: fc.constant("plane"),
-    text: fc.constantFrom("PLANE RESET STAY", "PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN FMAX", "FUNCTION RESET TCPM",
-      "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS"),
+    text: fc.constantFrom(
+      "PLANE RESET STAY",
+      "PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN FMAX",
+      "FUNCTION RESET TCPM",
+      "FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS",
+    ),
   }),
   fc.record({
     kind: fc.constant("call"),
     label,
-    repeat: maybe(fc.oneof(fc.integer({ min: 1, max: 65534 }), value.filter((v) => typeof v === "object"))),
+    repeat: maybe(
+      fc.oneof(
+        fc.integer({ min: 1, max: 65534 }),
+        value.filter((v) => typeof v === "object"),
+      ),
+    ),
   }),
   fc.record({
     kind: fc.constant("call"),
     label: textParameter.map((parameter) => ({ parameter, negative: false })),
     repeat: fc.constant(null),
   }),
-  fc.record({ kind: fc.constant("cycleCall"), how: fc.constantFrom("" as const, "POS" as const), words: words(withAxes) }),
+  fc.record({
+    kind: fc.constant("cycleCall"),
+    how: fc.constantFrom("" as const, "POS" as const),
+    words: words(withAxes),
+  }),
   fc.record({ kind: fc.constant("stop"), words: words() }).map((s) => s as Statement),
   fc.record({
     kind: fc.constant("toolCall"),
@@ -199,7 +303,11 @@ export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Stateme
   }),
   fc.record({
     kind: fc.constant("turnBlank"),
-    blank: fc.oneof(name.map((file) => ({ file })), label.map((l) => ({ label: l })), fc.constant("off" as const)),
+    blank: fc.oneof(
+      name.map((file) => ({ file })),
+      label.map((l) => ({ label: l })),
+      fc.constant("off" as const),
+    ),
   }),
   fc.record({
     kind: fc.constant("blankCylinder"),
@@ -213,7 +321,10 @@ export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Stateme
     kind: fc.constant("blankRotation"),
     axis: fc.constant("Z"),
     measure: fc.constantFrom("D", "R"),
-    outline: fc.oneof(name.map((file) => ({ file })), label.map((l) => ({ label: l }))),
+    outline: fc.oneof(
+      name.map((file) => ({ file })),
+      label.map((l) => ({ label: l })),
+    ),
     inner: maybe(label),
   }),
   fc.record({ kind: fc.constant("blankFile"), file: name, target: maybe(name) }),
@@ -238,24 +349,45 @@ export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Stateme
     kind: fc.constant("cycle"),
     cycle: fc.integer({ min: 1, max: 999 }),
     name: fc.stringMatching(/^([A-Z.]{1,8} ?[A-Z.]{1,8})?$/),
-    parameters: fc.array(fc.record({
-      q: fc.integer({ min: 200, max: 599 }).map((n) => `Q${n}`),
-      value: fc.oneof(value, fc.constantFrom("auto", "max")),
-      label: maybe(fc.stringMatching(/^[A-Z.' ]{0,10}[A-Z.]$/)),
-    }), { maxLength: 20 }),
+    parameters: fc.array(
+      fc.record({
+        q: fc.integer({ min: 200, max: 599 }).map((n) => `Q${n}`),
+        value: fc.oneof(value, fc.constantFrom("auto", "max")),
+        label: maybe(fc.stringMatching(/^[A-Z.' ]{0,10}[A-Z.]$/)),
+      }),
+      { maxLength: 20 },
+    ),
   }),
   fc.record({ kind: fc.constant("selectContour"), file: fileName }),
   fc.record({
     kind: fc.constant("contourDefinition"),
-    areas: fc.array(fc.record({ role: fc.constantFrom("P", "I", "V"), number: fc.integer({ min: 1, max: 12 }), from: place, depth }), {
-      minLength: 1,
-      maxLength: 4,
-    }),
+    areas: fc.array(
+      fc.record({ role: fc.constantFrom("P", "I", "V"), number: fc.integer({ min: 1, max: 12 }), from: place, depth }),
+      {
+        minLength: 1,
+        maxLength: 4,
+      },
+    ),
   }) as fc.Arbitrary<Statement>,
-  fc.record({ kind: fc.constant("declareContour"), contour: contourName, from: place, depth }) as fc.Arbitrary<Statement>,
+  fc.record({
+    kind: fc.constant("declareContour"),
+    contour: contourName,
+    from: place,
+    depth,
+  }) as fc.Arbitrary<Statement>,
   fc.record({ kind: fc.constant("contourFormula"), target: contourName, terms }),
-  fc.record({ kind: fc.constant("raise"), error: fc.oneof(fc.nat(1199), value.filter((v) => typeof v === "object")) }),
-  fc.record({ kind: fc.constantFrom("callProgram", "selectProgram"), file: fileName, bare: fc.constant(false) }) as fc.Arbitrary<Statement>,
+  fc.record({
+    kind: fc.constant("raise"),
+    error: fc.oneof(
+      fc.nat(1199),
+      value.filter((v) => typeof v === "object"),
+    ),
+  }),
+  fc.record({
+    kind: fc.constantFrom("callProgram", "selectProgram"),
+    file: fileName,
+    bare: fc.constant(false),
+  }) as fc.Arbitrary<Statement>,
   fc.record({
     kind: fc.constantFrom("callProgram", "selectProgram"),
     file: fc.constantFrom("A.H", "TNC:\\W\\B.H"),
@@ -281,5 +413,7 @@ export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Stateme
     target,
     formula: fc.oneof(formula, fc.constant<Formula>({ kind: "undefined" })),
   }),
-  ...FN_FORMULAS.map(([fn, of]) => fc.record({ kind: fc.constant("assign" as const), fn: fc.constant(fn), target, formula: of })),
+  ...FN_FORMULAS.map(([fn, of]) =>
+    fc.record({ kind: fc.constant("assign" as const), fn: fc.constant(fn), target, formula: of }),
+  ),
 ) as fc.Arbitrary<Statement>;

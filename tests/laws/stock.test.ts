@@ -22,25 +22,27 @@ const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0
 const blank = [box(-60, 5, 0, 40)];
 const grid = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
 
-const tools = fc.record({
-  type: fc.constantFrom(...TOOL_TYPES),
-  orientation: fc.constantFrom(1, 2, 3, 4, 5, 6, 7, 8, 9),
-  nose: grid(0.1, 1.2),
-  angle: grid(91, 110),
-  point: grid(35, 69),
-  width: grid(2.5, 6),
-  edge: grid(4, 20),
-}).map((t): Tool => ({
-  T: 1,
-  NAME: "ANY",
-  TYPE: t.type,
-  TO: t.orientation as TipOrientation,
-  RS: length(t.nose),
-  "T-ANGLE": degrees(t.angle),
-  "P-ANGLE": degrees(t.point),
-  CUTWIDTH: length(t.width),
-  CUTLENGTH: length(t.edge),
-}));
+const tools = fc
+  .record({
+    type: fc.constantFrom(...TOOL_TYPES),
+    orientation: fc.constantFrom(1, 2, 3, 4, 5, 6, 7, 8, 9),
+    nose: grid(0.1, 1.2),
+    angle: grid(91, 110),
+    point: grid(35, 69),
+    width: grid(2.5, 6),
+    edge: grid(4, 20),
+  })
+  .map((t): Tool => ({
+    T: 1,
+    NAME: "ANY",
+    TYPE: t.type,
+    TO: t.orientation as TipOrientation,
+    RS: length(t.nose),
+    "T-ANGLE": degrees(t.angle),
+    "P-ANGLE": degrees(t.point),
+    CUTWIDTH: length(t.width),
+    CUTLENGTH: length(t.edge),
+  }));
 const places = fc.tuple(grid(-65, 5), grid(0, 45)).map(([z, r]) => at(z, r));
 const purpose = { phase: "rough", run: "rough", step: 1 } as const;
 type Way = { to: Pt; kind: "rapid" | "feed" | "arc"; bulge: number; turn: "cw" | "ccw" };
@@ -74,56 +76,79 @@ const moments = (simulation: Simulation, fractions: readonly number[]): PlayPosi
     return { step: Math.floor(all), fraction: all - Math.floor(all) };
   });
 /** What stands and what has come off. */
-const wholeOf = ({ final, proof }: Simulation): readonly Ring[] => [...final, ...proof.loose.flatMap(({ rings }) => rings)];
+const wholeOf = ({ final, proof }: Simulation): readonly Ring[] => [
+  ...final,
+  ...proof.loose.flatMap(({ rings }) => rings),
+];
 const unit = fc.double({ min: 0, max: 1, noNaN: true });
 
 test("playing on, stepping back and seeking give the same stock, to the last bit", () => {
-  fc.assert(fc.property(programs, fc.array(unit, { minLength: 2, maxLength: 6 }), (steps, fractions) => {
-    const simulation = run(steps);
-    const player = playerOf(simulation);
-    for (const position of moments(simulation, fractions)) expect(player.at(position)).toEqual(stockAt(simulation, position));
-    const stepped = playerOf(simulation);
-    for (let step = 0; step < steps.length; step += 1) stepped.at({ step, fraction: 0.5 });
-    expect(stepped.at({ step: steps.length, fraction: 0 })).toEqual(simulation.final);
-    expect(stockAt(simulation, { step: steps.length, fraction: 0 })).toEqual(simulation.final);
-  }), RUNS);
+  fc.assert(
+    fc.property(programs, fc.array(unit, { minLength: 2, maxLength: 6 }), (steps, fractions) => {
+      const simulation = run(steps);
+      const player = playerOf(simulation);
+      for (const position of moments(simulation, fractions))
+        expect(player.at(position)).toEqual(stockAt(simulation, position));
+      const stepped = playerOf(simulation);
+      for (let step = 0; step < steps.length; step += 1) stepped.at({ step, fraction: 0.5 });
+      expect(stepped.at({ step: steps.length, fraction: 0 })).toEqual(simulation.final);
+      expect(stockAt(simulation, { step: steps.length, fraction: 0 })).toEqual(simulation.final);
+    }),
+    RUNS,
+  );
 });
 
 test("the stock only shrinks, stays inside the blank and is always finite", () => {
-  fc.assert(fc.property(programs, fc.array(unit, { minLength: 3, maxLength: 6 }), (steps, fractions) => {
-    const simulation = run(steps);
-    const order = moments(simulation, [...fractions, 0, 1].sort((a, b) => a - b));
-    let before: readonly Ring[] = blank;
-    for (const position of order) {
-      const now = stockAt(simulation, position);
-      expect(now.flat().every((p) => Number.isFinite(p.z) && Number.isFinite(p.r))).toBe(true);
-      expect(Math.abs(areaOf(difference(now, before)))).toBeLessThan(1e-3);
-      before = now;
-    }
-  }), RUNS);
+  fc.assert(
+    fc.property(programs, fc.array(unit, { minLength: 3, maxLength: 6 }), (steps, fractions) => {
+      const simulation = run(steps);
+      const order = moments(
+        simulation,
+        [...fractions, 0, 1].sort((a, b) => a - b),
+      );
+      let before: readonly Ring[] = blank;
+      for (const position of order) {
+        const now = stockAt(simulation, position);
+        expect(now.flat().every((p) => Number.isFinite(p.z) && Number.isFinite(p.r))).toBe(true);
+        expect(Math.abs(areaOf(difference(now, before)))).toBeLessThan(1e-3);
+        before = now;
+      }
+    }),
+    RUNS,
+  );
 });
 
 test("going the same way a second time takes nothing more", () => {
-  fc.assert(fc.property(programs, (steps) => {
-    const back: Step = {
-      ...(steps[0] as Step),
-      from: (steps.at(-1) as Step).move.to,
-      move: { kind: "rapid", to: (steps[0] as Step).from, ...purpose },
-    };
-    const [once, twice] = [run([...steps, back]), run([...steps, back, ...steps])];
-    expect(Math.abs(areaOf(once.final) - areaOf(twice.final))).toBeLessThan(2e-3);
-  }), RUNS);
+  fc.assert(
+    fc.property(programs, (steps) => {
+      const back: Step = {
+        ...(steps[0] as Step),
+        from: (steps.at(-1) as Step).move.to,
+        move: { kind: "rapid", to: (steps[0] as Step).from, ...purpose },
+      };
+      const [once, twice] = [run([...steps, back]), run([...steps, back, ...steps])];
+      expect(Math.abs(areaOf(once.final) - areaOf(twice.final))).toBeLessThan(2e-3);
+    }),
+    RUNS,
+  );
 });
 
 test("a slot straight through takes exactly what is as wide as the insert", () => {
-  fc.assert(fc.property(tools, grid(-55, -5), (tool, z) => {
-    const step = { tool, block: 1, operation: null, seconds: 1 };
-    const down: Step = { ...step, from: at(z, 80), move: { kind: "feed", to: at(z, -60), feed: feed(1), feedUnit: "mm/rev", ...purpose } };
-    const widths = insertOutline(tool, CHORD).map((p) => Math.min(0, Math.max(-60, p.z + z)));
-    const gone = (Math.max(...widths) - Math.min(...widths)) * 35;
-    expect(Math.abs(areaOf(blank) - areaOf(wholeOf(run([down]))) - gone)).toBeLessThan(0.01);
-    expect(gone).toBeGreaterThan(1);
-  }), RUNS);
+  fc.assert(
+    fc.property(tools, grid(-55, -5), (tool, z) => {
+      const step = { tool, block: 1, operation: null, seconds: 1 };
+      const down: Step = {
+        ...step,
+        from: at(z, 80),
+        move: { kind: "feed", to: at(z, -60), feed: feed(1), feedUnit: "mm/rev", ...purpose },
+      };
+      const widths = insertOutline(tool, CHORD).map((p) => Math.min(0, Math.max(-60, p.z + z)));
+      const gone = (Math.max(...widths) - Math.min(...widths)) * 35;
+      expect(Math.abs(areaOf(blank) - areaOf(wholeOf(run([down]))) - gone)).toBeLessThan(0.01);
+      expect(gone).toBeGreaterThan(1);
+    }),
+    RUNS,
+  );
 });
 
 /** Signed distance of a point from a convex outline at a tip position: negative inside. */
@@ -154,20 +179,26 @@ function holds(rings: readonly Ring[], p: { z: number; r: number }): boolean {
 test("point by point: gone where the insert has been, there where it has not", () => {
   const samples = fc.array(fc.tuple(grid(-59.9, -0.1), grid(5.1, 39.9)), { minLength: 40, maxLength: 40 });
   const short = programs.map((steps) => steps.slice(0, 6));
-  fc.assert(fc.property(short, samples, (steps, points) => {
-    const simulation = run(steps), whole = wholeOf(simulation);
-    const outline = insertOutline((steps[0] as Step).tool, CHORD);
-    const tips = steps.flatMap((s) => {
-      const path = pathOf(s.from, s.move);
-      const count = Math.max(1, Math.ceil(travelOf(path) / 0.1));
-      return Array.from({ length: count + 1 }, (_, i) => part.pointOn(path, i / count));
-    });
-    for (const [z, r] of points) {
-      // The work turns: what is cut at -r is cut at r.
-      const nearest = tips.reduce((least, tip) => Math.min(least, outside(outline, tip, { z, r }), outside(outline, tip, { z, r: -r })),
-        Infinity);
-      if (nearest < -0.01) expect(holds(simulation.final, { z, r })).toBe(false);
-      else if (nearest > 0.06) expect(holds(whole, { z, r })).toBe(true);
-    }
-  }), { numRuns: 25 });
+  fc.assert(
+    fc.property(short, samples, (steps, points) => {
+      const simulation = run(steps),
+        whole = wholeOf(simulation);
+      const outline = insertOutline((steps[0] as Step).tool, CHORD);
+      const tips = steps.flatMap((s) => {
+        const path = pathOf(s.from, s.move);
+        const count = Math.max(1, Math.ceil(travelOf(path) / 0.1));
+        return Array.from({ length: count + 1 }, (_, i) => part.pointOn(path, i / count));
+      });
+      for (const [z, r] of points) {
+        // The work turns: what is cut at -r is cut at r.
+        const nearest = tips.reduce(
+          (least, tip) => Math.min(least, outside(outline, tip, { z, r }), outside(outline, tip, { z, r: -r })),
+          Infinity,
+        );
+        if (nearest < -0.01) expect(holds(simulation.final, { z, r })).toBe(false);
+        else if (nearest > 0.06) expect(holds(whole, { z, r })).toBe(true);
+      }
+    }),
+    { numRuns: 25 },
+  );
 });

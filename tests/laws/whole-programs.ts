@@ -1,13 +1,19 @@
 import fc from "fast-check";
 
 /*
- * Whole programs of a shop at random: parts off the bar, each with a face, a shoulder, grooves and chamfers by cycle or by feed, behind one
- * another by a datum shift. What they are meant to make is known from how they are made.
+ * Whole programs of a shop at random: parts off the bar, each with a face, a shoulder, grooves and chamfers by cycle or
+ * by feed, behind one another by a datum shift. What they are meant to make is known from how they are made.
  */
 
 /** What is wrong on purpose; null: nothing. */
-export type Planted = null | "turned after it was parted off" | "groove that nobody meant" | "feed through a shoulder"
-  | "rapid behind the blank" | "turned behind the blank" | "turned over the whole length";
+export type Planted =
+  | null
+  | "turned after it was parted off"
+  | "groove that nobody meant"
+  | "feed through a shoulder"
+  | "rapid behind the blank"
+  | "turned behind the blank"
+  | "turned over the whole length";
 
 /** What a planted fault must be told as. */
 export const TOLD: Readonly<Record<Exclude<Planted, null>, string>> = {
@@ -45,26 +51,33 @@ const list = (number: number, name: string, values: Readonly<Record<string, numb
   return `CYCL DEF ${number} ${name} ~\n${lines.join(" ~\n")}`;
 };
 const away = ["L X+200 FMAX", "L Z+100 FMAX"];
-const toolOf =
-  (T: number): string[] => [`TOOL CALL ${T}`, "FUNCTION TURNDATA SPIN VCONST:ON VC:120 SMAX2000", "M136", "L X+200 Z+100 R0 FMAX M303"];
+const toolOf = (T: number): string[] => [
+  `TOOL CALL ${T}`,
+  "FUNCTION TURNDATA SPIN VCONST:ON VC:120 SMAX2000",
+  "M136",
+  "L X+200 Z+100 R0 FMAX M303",
+];
 const turned = ({ inner, shoulder, cycle }: PartOfBar, end = -shoulder): string[] => {
   const common = { Q463: 2.5, Q478: 0.3, Q483: 0.4, Q484: 0.1, Q505: 0.2, Q506: 0 };
-  const values = cycle === 811 ? { Q215: 0, Q460: 2, Q493: inner, Q494: end, ...common } : {
-    Q215: 0,
-    Q460: 2,
-    Q491: OUTSIDE,
-    Q492: 0,
-    Q493: inner,
-    Q494: end,
-    Q495: 0,
-    Q501: 0,
-    Q502: 0,
-    Q500: 0.8,
-    Q496: 0,
-    Q503: 0,
-    Q504: 0,
-    ...common,
-  };
+  const values =
+    cycle === 811
+      ? { Q215: 0, Q460: 2, Q493: inner, Q494: end, ...common }
+      : {
+          Q215: 0,
+          Q460: 2,
+          Q491: OUTSIDE,
+          Q492: 0,
+          Q493: inner,
+          Q494: end,
+          Q495: 0,
+          Q501: 0,
+          Q502: 0,
+          Q500: 0.8,
+          Q496: 0,
+          Q503: 0,
+          Q504: 0,
+          ...common,
+        };
   return [...toolOf(1), list(cycle, "SHOULDER", values), `L X+${OUTSIDE} Z+2 FMAX`, "CYCL CALL", ...away];
 };
 const recess = (bottom: number, from: number, width: number): string[] => [
@@ -90,11 +103,7 @@ const recess = (bottom: number, from: number, width: number): string[] => [
   ...away,
 ];
 /** The blade is counted by the middle of its edge. */
-const plunged = (
-  bottom: number,
-  from: number,
-  meant: boolean,
-): string[] => [
+const plunged = (bottom: number, from: number, meant: boolean): string[] => [
   ...toolOf(9),
   `L X+${OUTSIDE + 4} Z${from - BLADE / 2} FMAX`,
   ...(meant ? ["; INTENDED CUT"] : []),
@@ -102,13 +111,23 @@ const plunged = (
   `L X+${OUTSIDE + 4} F0.5`,
   ...away,
 ];
-const chamfered = (
-  inner: number,
-  meant: boolean,
-): string[] => [...toolOf(3), `L X+${inner - 8} Z+3 FMAX`, ...(meant ? ["; INTENDED CUT"] : []), `L X+${inner + 4} Z-3 F0.1`, ...away];
+const chamfered = (inner: number, meant: boolean): string[] => [
+  ...toolOf(3),
+  `L X+${inner - 8} Z+3 FMAX`,
+  ...(meant ? ["; INTENDED CUT"] : []),
+  `L X+${inner + 4} Z-3 F0.1`,
+  ...away,
+];
 
 function partLines(part: PartOfBar): string[] {
-  const { inner, shoulder, length, grooves: [onCylinder, onBar], chamfer, partedBy } = part;
+  const {
+    inner,
+    shoulder,
+    length,
+    grooves: [onCylinder, onBar],
+    chamfer,
+    partedBy,
+  } = part;
   const groove = (by: "cycle" | "feed" | null, bottom: number, at: number, meant: boolean) =>
     by === "cycle" ? recess(bottom, at, BLADE + 1) : by === "feed" ? plunged(bottom, at, meant) : [];
   return [
@@ -120,15 +139,17 @@ function partLines(part: PartOfBar): string[] {
   ];
 }
 
-const parts = fc.record({
-  inner: fc.integer({ min: 22, max: 34 }),
-  shoulder: fc.integer({ min: 14, max: 24 }),
-  behind: fc.integer({ min: 12, max: 20 }),
-  cycle: fc.constantFrom<811 | 812>(811, 812),
-  grooves: fc.tuple(fc.constantFrom("cycle", "feed", null), fc.constantFrom("cycle", "feed", null)),
-  chamfer: fc.boolean(),
-  partedBy: fc.constantFrom<"cycle" | "feed">("cycle", "feed"),
-}).map(({ behind, ...part }): PartOfBar => ({ ...part, length: part.shoulder + behind }));
+const parts = fc
+  .record({
+    inner: fc.integer({ min: 22, max: 34 }),
+    shoulder: fc.integer({ min: 14, max: 24 }),
+    behind: fc.integer({ min: 12, max: 20 }),
+    cycle: fc.constantFrom<811 | 812>(811, 812),
+    grooves: fc.tuple(fc.constantFrom("cycle", "feed", null), fc.constantFrom("cycle", "feed", null)),
+    chamfer: fc.boolean(),
+    partedBy: fc.constantFrom<"cycle" | "feed">("cycle", "feed"),
+  })
+  .map(({ behind, ...part }): PartOfBar => ({ ...part, length: part.shoulder + behind }));
 
 const PLANTED: readonly Planted[] = [
   null,
@@ -142,7 +163,10 @@ const PLANTED: readonly Planted[] = [
   "turned over the whole length",
 ];
 
-/** The lines of a fault, with the datum at the face of the last part; `rear` is where the blank ends, counted from there. */
+/**
+ * The lines of a fault, with the datum at the face of the last part; `rear` is where the blank ends, counted from
+ * there.
+ */
 function faultLines(planted: Planted, part: PartOfBar, rear: number): readonly string[] {
   switch (planted) {
     case "turned after it was parted off":
@@ -177,15 +201,19 @@ function faultLines(planted: Planted, part: PartOfBar, rear: number): readonly s
 }
 
 /** Programs that make what they mean to make, and such as have one fault. */
-export const wholePrograms: fc.Arbitrary<WholeProgram> = fc.tuple(fc.array(parts, { minLength: 1, maxLength: 3 }),
-  fc.constantFrom(...PLANTED), fc.boolean()).map(([made, planted, faced]) => {
+export const wholePrograms: fc.Arbitrary<WholeProgram> = fc
+  .tuple(fc.array(parts, { minLength: 1, maxLength: 3 }), fc.constantFrom(...PLANTED), fc.boolean())
+  .map(([made, planted, faced]) => {
     const last = made.at(-1) as PartOfBar;
     const total = made.reduce((sum, { length }) => sum + length + BLADE, 0);
     const blank = total + 60;
     const allowance = faced ? 1 : 0;
     // What was parted off is turned where it was; the others come on the bar that is left.
     const stays = planted === "turned after it was parted off";
-    const shift = (by: number) => ["CYCL DEF 7.0 DATUM SHIFT", `CYCL DEF 7.1 Z${by <= 0 ? "" : "+"}${by === 0 ? "+0" : by}`];
+    const shift = (by: number) => [
+      "CYCL DEF 7.0 DATUM SHIFT",
+      `CYCL DEF 7.1 Z${by <= 0 ? "" : "+"}${by === 0 ? "+0" : by}`,
+    ];
     let gone = 0;
     const lines = made.flatMap((part, i) => {
       const own = [...shift(-gone), ...partLines(part)];

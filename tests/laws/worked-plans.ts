@@ -6,7 +6,13 @@ import type { Situation } from "./situation.ts";
 
 /** Plans a situation. `first`: nothing has cut the blank yet, so what stands there is known. */
 export function planOf(cycle: Cycle, s: Situation, first = true): Plan {
-  const setting: Setting = { tool: s.tool, start: s.start, feedUnit: "mm/rev", autoFeed: null, stock: first ? s.blank : null };
+  const setting: Setting = {
+    tool: s.tool,
+    start: s.start,
+    feedUnit: "mm/rev",
+    autoFeed: null,
+    stock: first ? s.blank : null,
+  };
   return cycle.plan(s.values as never, setting, s.given);
 }
 
@@ -36,4 +42,6 @@ export function simulated(plans: readonly Plan[], s: Situation) {
 
 /** The plan says that it moves through the material because the start point stands there, or that it may. */
 export const startsBadly = (plan: Plan) =>
-  plan.issues.some((i) => ["startInArea", "startInMaterial", "startInsideEnvelope", "startBelowContour"].includes(i.code));
+  plan.issues.some((i) =>
+    ["startInArea", "startInMaterial", "startInsideEnvelope", "startBelowContour"].includes(i.code),
+  );

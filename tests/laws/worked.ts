@@ -41,13 +41,16 @@ export function partOf(plans: readonly Plan[]): P[][] {
 /** Plans, cuts and judges a situation. */
 export function worked(cycle: Cycle, situation: Situation, width = WIDTH): Worked {
   const operation = situation.values["Q215"] ?? 0;
-  const plans = (operation >= 2 ? [1, operation] : [operation]).map((o, i) => planOf(cycle, doing(situation, o), i === 0));
+  const plans = (operation >= 2 ? [1, operation] : [operation]).map((o, i) =>
+    planOf(cycle, doing(situation, o), i === 0),
+  );
   const steps = stepsOf(plans, situation);
   const verdicts = (["z", "r"] as const).map((along) =>
-    judge(situation.blank, steps, partOf(plans), gridOver(situation.blank, along, width))
+    judge(situation.blank, steps, partOf(plans), gridOver(situation.blank, along, width)),
   );
   return { cycle, situation, plans, simulation: simulated(plans, situation), verdicts };
 }
 
 /** What came loose, wherever it was. */
-export const looseOf = ({ simulation }: Worked): readonly Ring[] => simulation.proof.loose.flatMap(({ rings }) => rings);
+export const looseOf = ({ simulation }: Worked): readonly Ring[] =>
+  simulation.proof.loose.flatMap(({ rings }) => rings);

@@ -40,7 +40,7 @@ describe("a made-up cycle", () => {
     expect(text.match(/^ *Q\d+/gm)?.map((q) => q.trim())).toEqual(Object.keys(c899.params));
     const [operation] = run(parse(text), { tools: shippedTools, rapid: 10_000 }).operations;
     expect(operation?.cycle).toBe(899);
-    expect(Math.min(...operation?.plan.moves.map((m) => toDiameter(m.to.r)) ?? [])).toBeCloseTo(50, 9);
+    expect(Math.min(...(operation?.plan.moves.map((m) => toDiameter(m.to.r)) ?? []))).toBeCloseTo(50, 9);
     const { proof } = verified("made-up.h", text, { tools: shippedTools, refused: new Map() });
     expect(proof).toMatchObject({ verdict: "proved", gouge: 0 });
   });
@@ -55,8 +55,11 @@ describe("a made-up cycle", () => {
 
   test("is held to the laws by the set-ups of its file", () => {
     for (const operation of [0, 3])
-      fc.assert(fc.property(drawnFrom(setups899, operation), (s) => {
-        expect(brokenBy(cycle, s)).toEqual([]);
-      }), { numRuns: 4 });
+      fc.assert(
+        fc.property(drawnFrom(setups899, operation), (s) => {
+          expect(brokenBy(cycle, s)).toEqual([]);
+        }),
+        { numRuns: 4 },
+      );
   });
 });

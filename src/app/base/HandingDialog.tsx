@@ -5,14 +5,24 @@ import { useModal } from "./use-modal.ts";
 import "./handing.css";
 
 /** A dialog over the page, open as long as it is there. */
-export function HandingDialog({ title, done, children }: { readonly title: string; readonly done: () => void;
-  readonly children: ReactNode })
-{
+export function HandingDialog({
+  title,
+  done,
+  children,
+}: {
+  readonly title: string;
+  readonly done: () => void;
+  readonly children: ReactNode;
+}) {
   const { close } = useTexts("first").page;
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog, ".handing-first");
   return (
-    <dialog ref={dialog} className="handing" aria-label={title} onClose={() => !dialog.current?.open && done()}
+    <dialog
+      ref={dialog}
+      className="handing"
+      aria-label={title}
+      onClose={() => !dialog.current?.open && done()}
       onKeyDown={(event) => event.stopPropagation()}
     >
       <div className="handing-head">

@@ -10,8 +10,14 @@ export function MissingPart() {
   return (
     <p className="notice">
       <Icon name="info" /> <span>{t.missing[missing]}</span>
-      {missing === "gone" && <button type="button" className="button" onClick={() => location.reload()}>{t.reload}</button>}
-      <button type="button" className="button" onClick={fetchMissing}>{t.tryAgain}</button>
+      {missing === "gone" && (
+        <button type="button" className="button" onClick={() => location.reload()}>
+          {t.reload}
+        </button>
+      )}
+      <button type="button" className="button" onClick={fetchMissing}>
+        {t.tryAgain}
+      </button>
       <button type="button" className="button icon plain" aria-label={t.dismiss} onClick={dismissMissing}>
         <Icon name="close" />
       </button>

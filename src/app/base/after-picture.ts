@@ -11,7 +11,10 @@ painted.port1.onmessage = () => {
   startTransition(() => due.forEach((each) => each()));
 };
 
-/** Runs when the next picture is painted, soon where none is: nobody looks at a hidden page. Gives the way to call it off. */
+/**
+ * Runs when the next picture is painted, soon where none is: nobody looks at a hidden page. Gives the way to call it
+ * off.
+ */
 export function afterPicture(run: () => void): () => void {
   const tell = () => painted.port2.postMessage(null);
   if (waiting.length === 0) {

@@ -55,5 +55,11 @@ test("without a seed every name is new, also in a worker or on Node", () => {
   for (const id of names) expect(id).toMatch(UUID);
 });
 
-test.each([["", null], ["?seed=7", 7], ["?seed=", null], ["?seed=x", null], ["?seed=-1", null], ["?seed=4294967299", 3]])("seed of %j",
-  (search, seed) => expect(seedOf(search)).toBe(seed));
+test.each([
+  ["", null],
+  ["?seed=7", 7],
+  ["?seed=", null],
+  ["?seed=x", null],
+  ["?seed=-1", null],
+  ["?seed=4294967299", 3],
+])("seed of %j", (search, seed) => expect(seedOf(search)).toBe(seed));

@@ -1,8 +1,9 @@
 import { keptText } from "./kept.ts";
 
 /**
- * The one place that draws by lot. With `?seed=7` in the address a fresh browser draws the same in every run, so that names,
- * addresses and files repeat. How often was drawn is kept on the device: a reload or a second tab goes on and meets no name again.
+ * The one place that draws by lot. With `?seed=7` in the address a fresh browser draws the same in every run, so that
+ * names, addresses and files repeat. How often was drawn is kept on the device: a reload or a second tab goes on and
+ * meets no name again.
  */
 const DRAWN = keptText("drawn");
 
@@ -43,9 +44,12 @@ function bytes(): Uint8Array {
 
 /** A name that no other has: a random UUID (RFC 9562, version 4), also where the page is not served safely. */
 export function drawnId(): string {
-  const hex = [...bytes()].map((byte, i) => {
-    if (i === 6) return (byte & 0x0f) | 0x40;
-    return i === 8 ? (byte & 0x3f) | 0x80 : byte;
-  }).map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  const hex = [...bytes()]
+    .map((byte, i) => {
+      if (i === 6) return (byte & 0x0f) | 0x40;
+      return i === 8 ? (byte & 0x3f) | 0x80 : byte;
+    })
+    .map((byte) => byte.toString(16).padStart(2, "0"))
+    .join("");
   return [hex.slice(0, 8), hex.slice(8, 12), hex.slice(12, 16), hex.slice(16, 20), hex.slice(20)].join("-");
 }

@@ -15,7 +15,7 @@ export function changes(watch: (changed: () => void) => void): Changes {
     watch(() => {
       count += 1;
       for (const listener of [...listeners]) listener();
-    })
+    }),
   );
   return {
     subscribe(listener) {

@@ -25,11 +25,16 @@ test("a cancelled picture does not come, and time never runs back", () => {
   expect(clock.now()).toBe(100);
 });
 
-test.each([["", null], ["?seed=3", null], ["?clock=later", null], ["?clock=manual", new Date(2026, 0, 1, 8, 0).getTime()], [
-  "?seed=3&clock=2026-11-21T08:05",
-  new Date(2026, 10, 21, 8, 5).getTime(),
-], ["?clock=2026-03-07", new Date(2026, 2, 7).getTime()]])("time is held from the moment that %j names, in local time",
-  (search, moment) => expect(heldTime(search)).toBe(moment));
+test.each([
+  ["", null],
+  ["?seed=3", null],
+  ["?clock=later", null],
+  ["?clock=manual", new Date(2026, 0, 1, 8, 0).getTime()],
+  ["?seed=3&clock=2026-11-21T08:05", new Date(2026, 10, 21, 8, 5).getTime()],
+  ["?clock=2026-03-07", new Date(2026, 2, 7).getTime()],
+])("time is held from the moment that %j names, in local time", (search, moment) =>
+  expect(heldTime(search)).toBe(moment),
+);
 
 test("with a held clock the time of day goes on with the pictures, and real time is still there for pauses", async () => {
   vi.stubGlobal("location", { search: "?clock=2026-11-21T08:05" });

@@ -1,7 +1,7 @@
 /**
- * The one place that knows what time it is. Normally the browser's time; with `?clock=manual` in the address it stands still
- * until a test calls `window.__turnwiseClock.advance(milliseconds)`, so that every picture can be held and repeated.
- * With `?clock=2026-11-21T08:00` it stands at that moment of the local day, so that every date does so too.
+ * The one place that knows what time it is. Normally the browser's time; with `?clock=manual` in the address it stands
+ * still until a test calls `window.__turnwiseClock.advance(milliseconds)`, so that every picture can be held and
+ * repeated. With `?clock=2026-11-21T08:00` it stands at that moment of the local day, so that every date does so too.
  */
 export interface Clock {
   /** Whether time passes by itself, as it does for what the browser moves. */
@@ -94,7 +94,10 @@ export const clock: Clock = chosen;
 /** The time of day, in milliseconds since 1970: of whatever carries a date. */
 export const time = (): number => chosen.time();
 
-/** The moment, ms since 1970, that lies so many ms behind the beginning of this page or worker: they tell moments to each other by it. */
+/**
+ * The moment, ms since 1970, that lies so many ms behind the beginning of this page or worker: they tell moments to
+ * each other by it.
+ */
 export const dayMoment = (sinceBegin: number): number => performance.timeOrigin + sinceBegin;
 
 /** Milliseconds that really pass, held or not: for pauses, and for nothing that is shown or kept. */

@@ -1,6 +1,9 @@
 import { createStore, del, entries, get, keys, set, setMany } from "idb-keyval";
 
-/** A table of the browser's databases, in a database of its own. It is opened when it is first asked; a browser may refuse each answer. */
+/**
+ * A table of the browser's databases, in a database of its own. It is opened when it is first asked; a browser may
+ * refuse each answer.
+ */
 export function database(name: string) {
   const store = createStore(`turnwise-${name}`, name);
   return {

@@ -1,10 +1,14 @@
 import type { z } from "zod/mini";
 
 /*
- * The one way to the browser's storage. What stands in it may be damaged, and a browser may refuse it altogether: nothing here throws.
+ * The one way to the browser's storage. What stands in it may be damaged, and a browser may refuse it altogether:
+ * nothing here throws.
  */
 
-/** The storage of the device, which all tabs share and which stays; or that of one tab, which outlasts a reload of the page. */
+/**
+ * The storage of the device, which all tabs share and which stays; or that of one tab, which outlasts a reload of the
+ * page.
+ */
 type Area = "device" | "tab";
 const storageOf = (area: Area): Storage => (area === "tab" ? sessionStorage : localStorage);
 

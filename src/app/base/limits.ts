@@ -1,4 +1,7 @@
-/** Largest program that is opened from a file or unpacked from a link, bytes: twice the longest that is measured (docs/performance.md). */
+/**
+ * Largest program that is opened from a file or unpacked from a link, bytes: twice the longest that is measured
+ * (docs/performance.md).
+ */
 export const LARGEST_PROGRAM = 20_000_000;
 /** What is taken from one folder at most: files, and folders in folders. */
 export const MOST_FILES = 500;

@@ -2,8 +2,8 @@ const LYING = "(599px < width <= 1279px) and (orientation: landscape)";
 const VAST = "(min-width: 2200px)";
 
 /**
- * Where the layout changes, once: style sheets write `@media (--phone)` and so on, which the build replaces (vite.config.ts), and
- * components ask for the same by name.
+ * Where the layout changes, once: style sheets write `@media (--phone)` and so on, which the build replaces
+ * (vite.config.ts), and components ask for the same by name.
  */
 export const MEDIA = {
   /** One thing at a time. */

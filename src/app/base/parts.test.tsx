@@ -7,7 +7,9 @@ const GONE = new TypeError("Failed to fetch dynamically imported module: http://
 const server = { answers: false };
 beforeEach(() => {
   server.answers = false;
-  vi.stubGlobal("fetch", () => server.answers ? Promise.resolve({ ok: true }) : Promise.reject(new TypeError("no network")));
+  vi.stubGlobal("fetch", () =>
+    server.answers ? Promise.resolve({ ok: true }) : Promise.reject(new TypeError("no network")),
+  );
 });
 afterEach(() => {
   dismissMissing();
@@ -34,9 +36,11 @@ test("a component that does not come is said, does not fail, and comes with the 
     asked += 1;
     return server.answers ? Promise.resolve({ default: () => <b>here</b> }) : Promise.reject(GONE);
   });
-  render(<Suspense fallback={<i>coming</i>}>
-    <Part />
-  </Suspense>);
+  render(
+    <Suspense fallback={<i>coming</i>}>
+      <Part />
+    </Suspense>,
+  );
   await vi.waitFor(() => expect(missing()).toBe("offline"));
   expect(screen.getByText("coming")).toBeTruthy();
   await act(async () => fetchMissing());
@@ -52,7 +56,7 @@ test("a component that does not come is said, does not fail, and comes with the 
 test("where the server answers and has no such part, that is said", async () => {
   server.answers = true;
   const store = { has: false };
-  const part = untilHere(() => store.has ? Promise.resolve("here") : Promise.reject(GONE));
+  const part = untilHere(() => (store.has ? Promise.resolve("here") : Promise.reject(GONE)));
   await vi.waitFor(() => expect(missing()).toBe("gone"));
   store.has = true;
   fetchMissing();
@@ -83,7 +87,7 @@ test("a part waits for its style sheet, which is asked for again", async () => {
   document.head.append(link);
   link.dispatchEvent(new Event("error"));
   const got = { part: "" };
-  void untilHere(() => Promise.resolve("here")).then((part) => got.part = part);
+  void untilHere(() => Promise.resolve("here")).then((part) => (got.part = part));
   const second = document.querySelector("link");
   expect(second).not.toBe(link);
   expect(second?.href).toBe(link.href);

@@ -2,8 +2,9 @@ import { lazy } from "react";
 import { create } from "zustand";
 
 /*
- * Parts of the page are fetched when they are first needed. One may not come: there is no network and the page is not yet kept on the
- * device, or the server has a newer version and the old part is gone. That is said above what is open, and never ends anything.
+ * Parts of the page are fetched when they are first needed. One may not come: there is no network and the page is not
+ * yet kept on the device, or the server has a newer version and the old part is gone. That is said above what is open,
+ * and never ends anything.
  */
 
 /** Whether a part is missed, and why: no network, or a server that does not have it. */
@@ -19,13 +20,18 @@ const waiting = new Set<() => void>();
 
 /** The service worker's own script is the one file that is always asked of the server. */
 const answers = (): Promise<boolean> =>
-  fetch(new URL("sw.js", document.baseURI), { method: "HEAD", cache: "no-store" }).then(({ ok }) => ok, () => false);
+  fetch(new URL("sw.js", document.baseURI), { method: "HEAD", cache: "no-store" }).then(
+    ({ ok }) => ok,
+    () => false,
+  );
 
 /** Says that something did not come. */
 function miss(): void {
   const { missing } = useMissing.getState();
   if (missing === "no") useMissing.setState({ missing: "offline" });
-  void answers().then((online) => useMissing.setState((now) => (now.missing === "no" ? now : { missing: online ? "gone" : "offline" })));
+  void answers().then((online) =>
+    useMissing.setState((now) => (now.missing === "no" ? now : { missing: online ? "gone" : "offline" })),
+  );
 }
 
 /** Puts the notice away. Who waits goes on waiting. */
@@ -59,7 +65,10 @@ export function fetchMissing(): void {
   for (const goOn of all) goOn();
 }
 
-/** The part, however long it takes: what does not come is said, and fetched again when there is a network or somebody asks. */
+/**
+ * The part, however long it takes: what does not come is said, and fetched again when there is a network or somebody
+ * asks.
+ */
 export async function untilHere<T>(fetchPart: () => Promise<T>): Promise<T> {
   for (;;) {
     try {
@@ -74,7 +83,9 @@ export async function untilHere<T>(fetchPart: () => Promise<T>): Promise<T> {
   }
 }
 
-/** A component that is fetched when it is first shown. All of them are made here, so that none can fail by not coming. */
+/**
+ * A component that is fetched when it is first shown. All of them are made here, so that none can fail by not coming.
+ */
 export const lazyPart: typeof lazy = (fetchPart) => lazy(() => untilHere(fetchPart));
 
 /** From now on what a press needs and does not get is said. The press itself is over: it may be made again. */
@@ -85,7 +96,11 @@ export function followMissing(): void {
     miss();
   });
   addEventListener("online", fetchMissing);
-  addEventListener("error", ({ target }) => {
-    if (target instanceof HTMLLinkElement && target.rel === "stylesheet") broken.add(target);
-  }, true);
+  addEventListener(
+    "error",
+    ({ target }) => {
+      if (target instanceof HTMLLinkElement && target.rel === "stylesheet") broken.add(target);
+    },
+    true,
+  );
 }

@@ -1,6 +1,9 @@
 import { keptText } from "./kept.ts";
 
-/** Notes on this device that the browser was asked to keep the works for good: it is asked once, and not again by itself. */
+/**
+ * Notes on this device that the browser was asked to keep the works for good: it is asked once, and not again by
+ * itself.
+ */
 const ASKED = keptText("persist");
 
 const storage = (): StorageManager | undefined => (typeof navigator === "undefined" ? undefined : navigator.storage);

@@ -42,7 +42,11 @@ test("data of older versions come one version after the other, those of a newer 
     expect(here.read(raw)).toBeNull();
   localStorage.setItem("turnwise/lengths", '{"version":4,"mm":[1]}');
   expect(lengths().now()).toEqual([7.3]);
-  expect([said, kept(), localStorage.getItem("turnwise/lengths/damaged")]).toEqual([["damaged"], null, '{"version":4,"mm":[1]}']);
+  expect([said, kept(), localStorage.getItem("turnwise/lengths/damaged")]).toEqual([
+    ["damaged"],
+    null,
+    '{"version":4,"mm":[1]}',
+  ]);
 });
 
 test("another tab is followed, also when everything is cleared there", () => {
@@ -67,7 +71,8 @@ test("a device that takes nothing says so; one that refuses storage altogether i
   vi.spyOn(Storage.prototype, "getItem").mockImplementation(() => {
     throw new DOMException("refused", "SecurityError");
   });
-  const calls = set.mock.calls.length, other = lengths();
+  const calls = set.mock.calls.length,
+    other = lengths();
   other.put([6.6]);
   dispatchEvent(new Event("pagehide"));
   expect([other.now(), set.mock.calls.length, said]).toEqual([[6.6], calls, ["notKept"]]);

@@ -3,7 +3,10 @@ import { z } from "zod/mini";
 import { jsonOf, keptText } from "./kept.ts";
 import { isSameData } from "./same.ts";
 
-/** A value that is kept. `trouble`: what was kept could not be read and was set aside, or the device does not take what is changed. */
+/**
+ * A value that is kept. `trouble`: what was kept could not be read and was set aside, or the device does not take what
+ * is changed.
+ */
 export interface Recorded<T> {
   readonly list: T;
   readonly trouble: "none" | "damaged" | "notKept";
@@ -11,7 +14,9 @@ export interface Recorded<T> {
 
 /** What is said once of something that the device keeps. `K`: its data as they are kept, beside their version. */
 export interface Declaration<T, K> {
-  /** Where the storage of the browser has it, behind `turnwise/`. What cannot be read is set aside under `key/damaged`. */
+  /**
+   * Where the storage of the browser has it, behind `turnwise/`. What cannot be read is set aside under `key/damaged`.
+   */
   readonly key: string;
   readonly version: number;
   /** Data of this version and of all before that can be read. */
@@ -20,10 +25,15 @@ export interface Declaration<T, K> {
   readonly upgrades?: Readonly<Record<number, (value: T) => T>>;
   readonly from: (kept: K) => T;
   readonly to: (value: T) => object;
-  /** What there is where nothing is kept. It is not kept itself, so that another edition can begin with a better one. */
+  /**
+   * What there is where nothing is kept. It is not kept itself, so that another edition can begin with a better one.
+   */
   readonly first: T;
   readonly isSame?: (one: T, other: T) => boolean;
-  /** Changes are steps of undo that outlast a reload. It is called with what they are steps of when another tab replaces the value. */
+  /**
+   * Changes are steps of undo that outlast a reload. It is called with what they are steps of when another tab replaces
+   * the value.
+   */
   readonly undo?: (of: object) => void;
   /** Says that what was kept is damaged, or that the device does not take what is changed. */
   readonly say?: (trouble: "damaged" | "notKept") => void;
@@ -63,8 +73,8 @@ const REST = 80;
 const versioned = z.object({ version: z.int() });
 
 /**
- * Declares something that the device keeps. From then on it is what the device has, each change is kept a moment after it was made, and
- * what another tab changes is taken over.
+ * Declares something that the device keeps. From then on it is what the device has, each change is kept a moment after
+ * it was made, and what another tab changes is taken over.
  */
 export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
   const { key, version, schema, upgrades = {}, from, to, first, isSame = isSameData, undo, say } = declared;
@@ -79,7 +89,8 @@ export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
   };
   const write = (value: T) => ({ version, ...to(value) });
   const read = (raw: unknown): T | null => {
-    const head = versioned.safeParse(raw), kept = schema.safeParse(raw);
+    const head = versioned.safeParse(raw),
+      kept = schema.safeParse(raw);
     if (!head.success || !kept.success) return null;
     let value = from(kept.data);
     for (let { version: of } = head.data; of !== version; of++) {
@@ -103,7 +114,8 @@ function keep<T>(
   { key, first, use, now, replace, isSame, write, read }: KeptRecord<T>,
   say: (trouble: "damaged" | "notKept") => void,
 ): void {
-  const text = keptText(key), aside = keptText(`${key}/damaged`);
+  const text = keptText(key),
+    aside = keptText(`${key}/damaged`);
   const takeOver = (kept: string | null) => {
     const value = kept === null ? first : read(jsonOf(kept));
     if (value !== null) {

@@ -1,10 +1,16 @@
 /** Where a browser cannot tell when it rests, this is waited after the page was shown, ms. */
 const WAIT = 1200;
 
-/** Where something is drawn again and again, so many pictures in a row that leave so much of their time are a rest as well, ms. */
+/**
+ * Where something is drawn again and again, so many pictures in a row that leave so much of their time are a rest as
+ * well, ms.
+ */
 const CALM = { pictures: 8, leave: 6 } as const;
 
-/** Runs once the browser has nothing else to do, and will have nothing for at least so many ms. Gives the way to call it off. */
+/**
+ * Runs once the browser has nothing else to do, and will have nothing for at least so many ms. Gives the way to call it
+ * off.
+ */
 export function atRest(run: () => void, least = 0): () => void {
   if (typeof requestIdleCallback === "function") {
     let calm = 0;
@@ -20,7 +26,10 @@ export function atRest(run: () => void, least = 0): () => void {
   return () => clearTimeout(timer);
 }
 
-/** Fetches what comes next as soon as a hand moves or the browser rests. What does not come is fetched again when it is needed. */
+/**
+ * Fetches what comes next as soon as a hand moves or the browser rests. What does not come is fetched again when it is
+ * needed.
+ */
 export function fetchAtRest(fetch: () => Promise<unknown>): () => void {
   const begins = ["pointermove", "pointerdown", "keydown"];
   const now = () => {

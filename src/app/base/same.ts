@@ -3,7 +3,10 @@ const isPlain = (a: unknown): a is Readonly<Record<string, unknown>> => {
   return kind === Object.prototype || kind === Array.prototype;
 };
 
-/** Whether two pieces of plain data say the same, whatever the order of their fields. What they share is not looked into. */
+/**
+ * Whether two pieces of plain data say the same, whatever the order of their fields. What they share is not looked
+ * into.
+ */
 export function isSameData(a: unknown, b: unknown): boolean {
   if (a === b) return true;
   if (!isPlain(a) || !isPlain(b) || Array.isArray(a) !== Array.isArray(b)) return false;

@@ -20,13 +20,15 @@ const type = (text: string) => act(() => whileTyping(() => useHeld.setState({ te
 beforeEach(() => {
   useHeld.setState({ text: "12.5", other: 3 });
   useResult.setState({ of: "12.5" });
-  render(<>
-    <Later />
-    <Result />
-    <AtOnce />
-    <input aria-label="field" />
-    <button type="button">elsewhere</button>
-  </>);
+  render(
+    <>
+      <Later />
+      <Result />
+      <AtOnce />
+      <input aria-label="field" />
+      <button type="button">elsewhere</button>
+    </>,
+  );
 });
 afterEach(cleanup);
 
@@ -53,8 +55,7 @@ test.each<[string, () => unknown]>([
   ["Enter", () => fireEvent.keyDown(screen.getByLabelText("field"), { key: "Enter" })],
   ["a shortcut", () => fireEvent.keyDown(screen.getByLabelText("field"), { key: "z", ctrlKey: true })],
   ["a digit elsewhere", () => fireEvent.keyDown(screen.getByRole("button"), { key: "7" })],
-  ["a finger", () =>
-    fireEvent.pointerDown(screen.getByRole("button"))],
+  ["a finger", () => fireEvent.pointerDown(screen.getByRole("button"))],
   ["the loss of the keyboard", () => fireEvent.focusOut(screen.getByLabelText("field"))],
 ])("%s finds everything told", (_, acts) => {
   let found: string | null = null;
@@ -74,7 +75,7 @@ test("work, text and result are told one after the other", async () => {
       useResult.setState({ of: "12.57" });
       behindTyping(() => note("text"));
       useHeld.setState({ text: "12.57" });
-    })
+    }),
   );
   note("drawn");
   await expect.poll(() => shown("result")).toBe("12.57");
@@ -116,7 +117,11 @@ test("a field whose text nobody holds back shows what its owner makes of it", ()
 
 test("a field knows what was typed until it is told, and then what the work says", async () => {
   const Held = () => {
-    const [text, typeOn] = useTyping("of it", useHeld((s) => s.text), (next) => useHeld.setState({ text: next.trim() }));
+    const [text, typeOn] = useTyping(
+      "of it",
+      useHeld((s) => s.text),
+      (next) => useHeld.setState({ text: next.trim() }),
+    );
     return <input aria-label="held" value={text} onChange={(event) => typeOn(event.currentTarget.value)} />;
   };
   render(<Held />);

@@ -6,13 +6,15 @@ import { catchUp, useFollowed } from "./followed.ts";
 import { once } from "./once.ts";
 
 /*
- * While somebody types, the field and the path are drawn first. Everything else that follows the work is told of the change when
- * that picture is painted, turn by turn, or at once before anything else happens on the page: nothing is ever pressed that knows
- * less than what was typed.
+ * While somebody types, the field and the path are drawn first. Everything else that follows the work is told of the
+ * change when that picture is painted, turn by turn, or at once before anything else happens on the page: nothing is
+ * ever pressed that knows less than what was typed.
  */
 
 let isTyping = false;
-/** Who is told of what was typed, each turn in a task of its own: all of them together are a long one on a slow device. */
+/**
+ * Who is told of what was typed, each turn in a task of its own: all of them together are a long one on a slow device.
+ */
 const TURNS = ["work", "text", "result"] as const;
 type Turn = (typeof TURNS)[number];
 const held = new Map<() => void, Turn>();
@@ -42,7 +44,10 @@ function releaseByTurns(): void {
 /** True while what was told last may not be rendered yet. */
 let isBehind = false;
 
-/** Changes a result that comes by itself: what follows it is rendered by and by, or before somebody does something with it. */
+/**
+ * Changes a result that comes by itself: what follows it is rendered by and by, or before somebody does something with
+ * it.
+ */
 export function byAndBy(change: () => void): void {
   tellBeforeActing();
   isBehind = true;
@@ -57,9 +62,15 @@ function tellAll(): void {
 
 /** Keys that go on with a number. */
 const typesOn = ({ key, ctrlKey, metaKey, altKey, target }: KeyboardEvent): boolean =>
-  target instanceof HTMLInputElement && !ctrlKey && !metaKey && !altKey && (key.length === 1 || key === "Backspace" || key === "Delete");
+  target instanceof HTMLInputElement &&
+  !ctrlKey &&
+  !metaKey &&
+  !altKey &&
+  (key.length === 1 || key === "Backspace" || key === "Delete");
 
-/** From now on everything is told what was typed before a key, a finger or the loss of the keyboard does something else. */
+/**
+ * From now on everything is told what was typed before a key, a finger or the loss of the keyboard does something else.
+ */
 const tellBeforeActing = once(() => {
   const tell = (event: Event) => {
     if ((held.size > 0 || isBehind) && !(event instanceof KeyboardEvent && typesOn(event))) flushSync(tellAll);
@@ -84,21 +95,26 @@ export function whileTyping(change: () => void): boolean {
   return true;
 }
 
-/** Leaves the showing of a text for when what is typed just now is told; false where nobody types, and it is to be done at once. */
+/**
+ * Leaves the showing of a text for when what is typed just now is told; false where nobody types, and it is to be done
+ * at once.
+ */
 export function behindTyping(run: () => void): boolean {
   if (isTyping) held.set(run, "text");
   return isTyping;
 }
 
 /**
- * A store whose followers among the components see what is typed a moment later; everything else reads and hears it at once. A result
- * that comes by itself while something is held waits its turn; any other change tells all that is held with it.
+ * A store whose followers among the components see what is typed a moment later; everything else reads and hears it at
+ * once. A result that comes by itself while something is held waits its turn; any other change tells all that is held
+ * with it.
  */
 export function heldWhileTyping<S>(
   begin: StateCreator<S>,
   of: "work" | "result" = "work",
 ): UseBoundStore<StoreApi<S>> & { readonly atOnce: UseBoundStore<StoreApi<S>> } {
-  const store = createStore(begin), shown = createStore(() => store.getState());
+  const store = createStore(begin),
+    shown = createStore(() => store.getState());
   const tell = () => shown.setState(store.getState(), true);
   store.subscribe(() => {
     const waits = isTyping || (of === "result" && held.size > 0);
@@ -107,11 +123,20 @@ export function heldWhileTyping<S>(
   });
   const follow = of === "result" ? useFollowed : useStore;
   const bound = (api: StoreApi<S>) => Object.assign(<T>(selector: (state: S) => T) => follow(api, selector), store);
-  return Object.assign(bound(shown) as UseBoundStore<StoreApi<S>>, { atOnce: bound(store) as UseBoundStore<StoreApi<S>> });
+  return Object.assign(bound(shown) as UseBoundStore<StoreApi<S>>, {
+    atOnce: bound(store) as UseBoundStore<StoreApi<S>>,
+  });
 }
 
-/** The text of a field, and its typing: until the work is told what was typed the field itself knows it. `of`: which place. */
-export function useTyping(of: string, text: string, set: (text: string) => void): readonly [text: string, type: (text: string) => void] {
+/**
+ * The text of a field, and its typing: until the work is told what was typed the field itself knows it. `of`: which
+ * place.
+ */
+export function useTyping(
+  of: string,
+  text: string,
+  set: (text: string) => void,
+): readonly [text: string, type: (text: string) => void] {
   const times = useStore(told, (s) => s.count);
   const [newest, follow] = useState({ of, times: -1, text });
   const type = (next: string) => {

@@ -17,8 +17,8 @@ const unitAfter = rememberingLast((_changes: number): number => {
 });
 
 /**
- * How much larger than written the page is shown: 1 on usual screens, more on large ones and in the presentation size. It is asked for once
- * between two changes: the browser works out the styles of the whole page to tell it.
+ * How much larger than written the page is shown: 1 on usual screens, more on large ones and in the presentation size.
+ * It is asked for once between two changes: the browser works out the styles of the whole page to tell it.
  */
 export const pageUnit = (): number => (typeof document === "undefined" ? 1 : unitAfter(letters.count()));
 

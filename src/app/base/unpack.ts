@@ -4,9 +4,9 @@ import { Inflate } from "fflate";
 const CHUNK = 1024;
 
 /**
- * Unpacks deflated bytes piece by piece and stops as soon as they are more than `most`. Gives the number of bytes that were
- * unpacked: more than `most` when it stopped. `take` is given each piece up to the limit;
- * `dictionary` is what the packing began with. Throws on damaged bytes.
+ * Unpacks deflated bytes piece by piece and stops as soon as they are more than `most`. Gives the number of bytes that
+ * were unpacked: more than `most` when it stopped. `take` is given each piece up to the limit; `dictionary` is what the
+ * packing began with. Throws on damaged bytes.
  */
 export function inflateUpTo(
   packed: Uint8Array,
@@ -31,8 +31,13 @@ export function inflateUpTo(
 export function unpackedText(packed: Uint8Array, most: number, dictionary: Uint8Array | null = null): string | null {
   const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
   let text = "";
-  const size = inflateUpTo(packed, most, (piece) => {
-    text += decoder.decode(piece, { stream: true });
-  }, dictionary);
+  const size = inflateUpTo(
+    packed,
+    most,
+    (piece) => {
+      text += decoder.decode(piece, { stream: true });
+    },
+    dictionary,
+  );
   return size > most ? null : text + decoder.decode();
 }

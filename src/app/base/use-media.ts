@@ -15,7 +15,8 @@ function watch(condition: string): Watched {
   if (typeof matchMedia !== "function") return never;
   const known = watched.get(condition);
   if (known) return known;
-  const media = matchMedia(condition), print = matchMedia("print");
+  const media = matchMedia(condition),
+    print = matchMedia("print");
   let last = media.matches;
   const made: Watched = {
     // A sheet of paper is no screen: what is printed stays as it was arranged.
@@ -48,7 +49,13 @@ export const holds = (name: keyof typeof MEDIA): boolean => watch(MEDIA[name]).m
 const hasColumns = (wide: boolean, broad: boolean, presentation: boolean): boolean => wide && (broad || !presentation);
 
 /** True where the program stands beside the view, and not among the panels that take turns. */
-export const useThirdColumn = (): boolean => hasColumns(useMedia("wide"), useMedia("broad"), useSettings((s) => s.presentation));
+export const useThirdColumn = (): boolean =>
+  hasColumns(
+    useMedia("wide"),
+    useMedia("broad"),
+    useSettings((s) => s.presentation),
+  );
 
 /** The same, as it is now. */
-export const thirdColumn = (): boolean => hasColumns(holds("wide"), holds("broad"), useSettings.getState().presentation);
+export const thirdColumn = (): boolean =>
+  hasColumns(holds("wide"), holds("broad"), useSettings.getState().presentation);

@@ -3,7 +3,8 @@ import { changes } from "./changes.ts";
 
 const CAN_WATCH = typeof MutationObserver !== "undefined";
 const themes = changes((changed) => {
-  if (CAN_WATCH) new MutationObserver(changed).observe(document.documentElement, { attributeFilter: ["data-theme", "data-size"] });
+  if (CAN_WATCH)
+    new MutationObserver(changed).observe(document.documentElement, { attributeFilter: ["data-theme", "data-size"] });
 });
 
 /** Changes when the page takes on another theme: what paints with colours of its own reads them anew then. */
@@ -12,14 +13,18 @@ export const useTheme = (): number => useSyncExternalStore(themes.subscribe, the
 const read = new WeakMap<object, { readonly theme: number; readonly colours: Record<string, string> }>();
 
 /**
- * The values that custom properties of the page have now, by the names they are wanted under. They are read once for a theme: the browser
- * works out the styles of the whole page to tell them.
+ * The values that custom properties of the page have now, by the names they are wanted under. They are read once for a
+ * theme: the browser works out the styles of the whole page to tell them.
  */
 export function pageColours<Name extends string>(names: Readonly<Record<Name, string>>): Record<Name, string> {
-  const theme = themes.count(), known = read.get(names);
+  const theme = themes.count(),
+    known = read.get(names);
   if (CAN_WATCH && known?.theme === theme) return known.colours;
   const style = getComputedStyle(document.documentElement);
-  const entries = Object.entries<string>(names).map(([name, property]) => [name, style.getPropertyValue(property).trim()]);
+  const entries = Object.entries<string>(names).map(([name, property]) => [
+    name,
+    style.getPropertyValue(property).trim(),
+  ]);
   const colours = Object.fromEntries(entries) as Record<Name, string>;
   read.set(names, { theme, colours });
   return colours;

@@ -15,4 +15,9 @@ export interface Version {
 /** A page of the build, in a browser that can keep it. */
 export const canKeep = import.meta.env.PROD && typeof navigator !== "undefined" && "serviceWorker" in navigator;
 
-export const useVersion = create<Version>(() => ({ kept: canKeep ? "coming" : "impossible", newer: "none", later: false, looked: "no" }));
+export const useVersion = create<Version>(() => ({
+  kept: canKeep ? "coming" : "impossible",
+  newer: "none",
+  later: false,
+  looked: "no",
+}));

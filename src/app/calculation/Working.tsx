@@ -21,14 +21,18 @@ export function Working() {
       <div className="working panel" role="status">
         <p>{t.stages[stage]}</p>
         <progress aria-label={t.stages[stage]} value={STAGES.indexOf(stage) + 0.5} max={STAGES.length} />
-        <button type="button" className="button" onClick={cancelCalculation}>{t.stopWorking}</button>
+        <button type="button" className="button" onClick={cancelCalculation}>
+          {t.stopWorking}
+        </button>
       </div>
     );
   if (!stopped) return null;
   return (
     <div className="working panel" role="status">
       <p>{t.stopped}</p>
-      <button type="button" className="button" onClick={calculateAgain}>{t.workAgain}</button>
+      <button type="button" className="button" onClick={calculateAgain}>
+        {t.workAgain}
+      </button>
     </div>
   );
 }

@@ -11,7 +11,10 @@ import type { Residual } from "../../sim/simulation.ts";
 import { engine, type Called } from "./engine.ts";
 import type { Request } from "./request.ts";
 
-/** What takes time and is worked out only when somebody asks, as plain functions of plain data. Runs in the worker, fetched by then. */
+/**
+ * What takes time and is worked out only when somebody asks, as plain functions of plain data. Runs in the worker,
+ * fetched by then.
+ */
 export const advice = {
   /** What each tool can do with the values of a work that is not run, from its own start point. */
   fitsOfWork(job: SetJob, tools: readonly Tool[]): readonly ToolFit[] | null {

@@ -13,7 +13,10 @@ import { askAgain } from "./worker-life.ts";
  * What else the worker is asked for, beside the open work as it is typed.
  */
 
-/** What comes of another program, beside the open one and with what it brings along itself; null when that cannot be said. */
+/**
+ * What comes of another program, beside the open one and with what it brings along itself; null when that cannot be
+ * said.
+ */
 export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.getState().job): Promise<Outcome | null> {
   const { name, text, skipMarked = false } = program;
   try {
@@ -25,12 +28,21 @@ export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.ge
   }
 }
 
-/** The report on the open work as it stands, and the tools that it takes to come to it; null when that cannot be said. */
+/**
+ * The report on the open work as it stands, and the tools that it takes to come to it; null when that cannot be said.
+ */
 export async function reportOf(work: Work, file: string): Promise<Reported | null> {
   const shop = { version: 0, table: toolTable(), control: controlInUse(), machine: await machineRead(machineInUse()) };
   try {
     const request = isProgram(work)
-      ? { ...shop, text: work.text, name: work.name, files: filesOf(work), skipMarked: work.skipMarked ?? false, rapid: USUAL_RAPID }
+      ? {
+          ...shop,
+          text: work.text,
+          name: work.name,
+          files: filesOf(work),
+          skipMarked: work.skipMarked ?? false,
+          rapid: USUAL_RAPID,
+        }
       : { ...shop, text: printedText(work), rapid: rapidOf(work) };
     return await askAgain((engine) => engine.reported(request, file));
   } catch {

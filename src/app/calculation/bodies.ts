@@ -1,7 +1,13 @@
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { playerOf } from "../../sim/stock.ts";
 import { statedSteps } from "../../view/solid/bodies.ts";
-import { buffersOf, shownBodies, type BodiesAsked, type ShownBodies, type TurnedRun } from "../../view/solid/shown-bodies.ts";
+import {
+  buffersOf,
+  shownBodies,
+  type BodiesAsked,
+  type ShownBodies,
+  type TurnedRun,
+} from "../../view/solid/shown-bodies.ts";
 import { runThreads } from "../../view/solid/thread-cuts.ts";
 import { surfacesOfRun } from "./moving.ts";
 import type { Outcome } from "./outcome.ts";
@@ -26,10 +32,18 @@ const known = new WeakMap<Outcome, Turned>();
 function turnedOf(outcome: Outcome): Turned {
   const have = known.get(outcome);
   if (have) return have;
-  const { run: { steps, spindles }, simulation } = outcome;
-  // Threads ask for what stood before them: another player, so that the one that goes on with the time need not go back.
+  const {
+    run: { steps, spindles },
+    simulation,
+  } = outcome;
+  // Threads ask for what stood before them: another player, so that the one that goes on with the time need not go
+  // back.
   const threads = runThreads(steps, playerOf(simulation).at, { stated: statedSteps(simulation), spindles });
-  const made: Turned = { last: null, stockAt: playerOf(simulation).at, run: { simulation, threads, surfaces: surfacesOfRun(outcome.run) } };
+  const made: Turned = {
+    last: null,
+    stockAt: playerOf(simulation).at,
+    run: { simulation, threads, surfaces: surfacesOfRun(outcome.run) },
+  };
   known.set(outcome, made);
   return made;
 }
@@ -38,7 +52,8 @@ export { buffersOf };
 
 /** The bodies of an outcome at a moment. */
 export function turnedBodies(outcome: Outcome, { look, hasLast, ...asked }: BodiesWanted): BodiesGiven {
-  const turned = turnedOf(outcome), rings = turned.stockAt(asked.position);
+  const turned = turnedOf(outcome),
+    rings = turned.stockAt(asked.position);
   if (hasLast && turned.last?.rings === rings && turned.last.look === look) return "same";
   turned.last = { rings, look };
   return shownBodies(rings, turned.run, asked);

@@ -43,18 +43,27 @@ vi.mock("comlink", () => ({
     [Symbol.for("release")]: () => undefined,
     update: (request: Request) => new Promise<Outcome>((answer) => asked.push({ request, answer, what: "update" })),
     planned: (request: Request) =>
-      new Promise((answer) => asked.push({ request, answer: (made) => answer({ ...made, simulation: null }), what: "planned" })),
+      new Promise((answer) =>
+        asked.push({ request, answer: (made) => answer({ ...made, simulation: null }), what: "planned" }),
+      ),
     proved: (request: Request) =>
       new Promise((answer) =>
-        asked.push({ request, answer: ({ simulation: { blank: _, steps: __, ...rest } }) => answer({ ...rest, kept: 0 }), what: "proved" })
+        asked.push({
+          request,
+          answer: ({ simulation: { blank: _, steps: __, ...rest } }) => answer({ ...rest, kept: 0 }),
+          what: "proved",
+        }),
       ),
   }),
 }));
-vi.stubGlobal("Worker", class extends EventTarget {
-  terminate() {
-    return undefined;
-  }
-});
+vi.stubGlobal(
+  "Worker",
+  class extends EventTarget {
+    terminate() {
+      return undefined;
+    }
+  },
+);
 
 const [first, second] = cuttingCycles;
 if (!first || !second) throw new Error("the catalogue has no two cycles");
@@ -135,9 +144,9 @@ test("the next work does not wait for a long calculation of the one that was lef
 });
 
 test("of a long program the beginning is shown until the whole is there", async () => {
-  const text = `BEGIN PGM LONG MM\nTOOL CALL 1 Z S900 F300\nL X+0 Y+0 Z+2 R0 FMAX\n${
-    "L X+1.25 Y+3.5\nL X-2.75 Y+0.5\n".repeat(36_000)
-  }END PGM LONG MM\n`;
+  const text = `BEGIN PGM LONG MM\nTOOL CALL 1 Z S900 F300\nL X+0 Y+0 Z+2 R0 FMAX\n${"L X+1.25 Y+3.5\nL X-2.75 Y+0.5\n".repeat(
+    36_000,
+  )}END PGM LONG MM\n`;
   begin({ name: "LONG.H", text, encoding: "utf-8" }, "long");
   while (asked.length === 0 || !asked[0]?.request.text.startsWith("BEGIN PGM LONG")) await answerNext();
   const first = await answerNext();
@@ -175,36 +184,47 @@ test("what the page plans is in the picture before anything is asked, and its pr
 });
 
 /** Both ways in which the page plans what takes it long. */
-const LATER = [{ way: "slowly", isSlow: true, isByBits: false }, { way: "bit by bit", isSlow: false, isByBits: true }];
+const LATER = [
+  { way: "slowly", isSlow: true, isByBits: false },
+  { way: "bit by bit", isSlow: false, isByBits: true },
+];
 
-test.each(LATER)("what the page plans $way is planned behind the picture of the digit, and of several digits the last", async (how) => {
-  await answerNext();
-  Object.assign(page, { plans: true }, how);
-  const before = useOutcome.getState().pictured;
-  for (const Q483 of ["0.3", "0.37", "0.371"]) typeInto({ Q483 });
-  expect(useOutcome.getState()).toMatchObject({ pictured: before, stage: "reading" });
-  const seen: (string | undefined)[] = [];
-  const stop = useOutcome.atOnce.subscribe(({ planned }) => void seen.push(/Q483=\S+/.exec(planned?.text ?? "")?.[0]));
-  await vi.waitFor(() => expect(asked).toHaveLength(1));
-  stop();
-  expect([...new Set(seen)].filter((each) => each !== undefined)).toEqual(["Q483=+0.371"]);
-  expect(useOutcome.getState().planned?.text).toContain("Q483=+0.371");
-});
+test.each(LATER)(
+  "what the page plans $way is planned behind the picture of the digit, and of several digits the last",
+  async (how) => {
+    await answerNext();
+    Object.assign(page, { plans: true }, how);
+    const before = useOutcome.getState().pictured;
+    for (const Q483 of ["0.3", "0.37", "0.371"]) typeInto({ Q483 });
+    expect(useOutcome.getState()).toMatchObject({ pictured: before, stage: "reading" });
+    const seen: (string | undefined)[] = [];
+    const stop = useOutcome.atOnce.subscribe(
+      ({ planned }) => void seen.push(/Q483=\S+/.exec(planned?.text ?? "")?.[0]),
+    );
+    await vi.waitFor(() => expect(asked).toHaveLength(1));
+    stop();
+    expect([...new Set(seen)].filter((each) => each !== undefined)).toEqual(["Q483=+0.371"]);
+    expect(useOutcome.getState().planned?.text).toContain("Q483=+0.371");
+  },
+);
 
-test.each(LATER)("what is planned $way and not yet is forgotten with its work, and planned when emptied values come again", async (how) => {
-  await answerNext();
-  Object.assign(page, { plans: true }, how);
-  typeInto({ Q483: "0.37" });
-  typeInto({ Q483: "" });
-  expect(useOutcome.getState().paused).toBe(true);
-  typeInto({ Q483: "0.37" });
-  await vi.waitFor(() => expect(useOutcome.getState().planned?.text).toContain("Q483=+0.37"));
-  await answerNext();
-  typeInto({ Q483: "0.38" });
-  begin(exampleJob(second), "other");
-  await new Promise((done) => setTimeout(done, 60));
-  expect(useOutcome.getState().planned?.text ?? "").not.toContain("Q483=+0.38");
-});
+test.each(LATER)(
+  "what is planned $way and not yet is forgotten with its work, and planned when emptied values come again",
+  async (how) => {
+    await answerNext();
+    Object.assign(page, { plans: true }, how);
+    typeInto({ Q483: "0.37" });
+    typeInto({ Q483: "" });
+    expect(useOutcome.getState().paused).toBe(true);
+    typeInto({ Q483: "0.37" });
+    await vi.waitFor(() => expect(useOutcome.getState().planned?.text).toContain("Q483=+0.37"));
+    await answerNext();
+    typeInto({ Q483: "0.38" });
+    begin(exampleJob(second), "other");
+    await new Promise((done) => setTimeout(done, 60));
+    expect(useOutcome.getState().planned?.text ?? "").not.toContain("Q483=+0.38");
+  },
+);
 
 test("a proof that comes when more was typed leaves the newer path in the picture", async () => {
   await answerNext();

@@ -20,13 +20,30 @@ import { simulationOf } from "./proved.ts";
 import { rapidOf, USUAL_RAPID, type Request } from "./request.ts";
 import { askAgain, stopWorker } from "./worker-life.ts";
 import type { Engine } from "./worker.ts";
-import { atStage, calculationStopped, forgetOutcome, pause, showBeginning, takeOutcome, takePlanned, useOutcome, type Outcome, type Planned,
-  type Stage } from "./outcome.ts";
+import {
+  atStage,
+  calculationStopped,
+  forgetOutcome,
+  pause,
+  showBeginning,
+  takeOutcome,
+  takePlanned,
+  useOutcome,
+  type Outcome,
+  type Planned,
+  type Stage,
+} from "./outcome.ts";
 
 let version = 0;
-/** Answers up to this version belong to a work that was left: one that comes late must not stand under the name of the next. */
+/**
+ * Answers up to this version belong to a work that was left: one that comes late must not stand under the name of the
+ * next.
+ */
 let left = 0;
-/** A request with the very files that it was made of, and its run, where the page has made it: neither comes back from the worker. */
+/**
+ * A request with the very files that it was made of, and its run, where the page has made it: neither comes back from
+ * the worker.
+ */
 interface Wanted {
   readonly request: Request & { readonly files?: readonly WorkFile[] };
   readonly planned: Planned | null;
@@ -36,7 +53,10 @@ let busy = false;
 
 const CANCELLED = new Error("the operator stopped the calculation");
 const LEFT = new Error("the work was left");
-/** What is left is given up after this time, so that the next work does not wait for it; most are done sooner than a worker starts, ms. */
+/**
+ * What is left is given up after this time, so that the next work does not wait for it; most are done sooner than a
+ * worker starts, ms.
+ */
 const GIVEN_UP_AFTER = 400;
 let running: Wanted | null = null;
 let cancel: (why: Error) => void = () => undefined;
@@ -63,7 +83,11 @@ const telling = ({ version }: Request, tells: (stage: Stage) => boolean = () => 
 async function outcomeOf({ request, planned }: Wanted): Promise<Outcome> {
   const made = await answerOf(async (engine): Promise<Outcome> => {
     if (!planned) return await engine.update(request, telling(request));
-    const proved = await engine.proved(request, answered?.version ?? null, telling(request, (stage) => stage === "proving"));
+    const proved = await engine.proved(
+      request,
+      answered?.version ?? null,
+      telling(request, (stage) => stage === "proving"),
+    );
     return { ...planned, simulation: simulationOf(proved, planned.run, answered) };
   });
   answered = made;
@@ -74,12 +98,15 @@ async function outcomeOf({ request, planned }: Wanted): Promise<Outcome> {
 async function plannedFirst(wanted: Wanted): Promise<Wanted> {
   const { request } = wanted;
   if (wanted.planned || !plansLong(request) || isVeiled()) return wanted;
-  const planned = { ...await answerOf((engine) => engine.planned(request, telling(request))), ...ofWork(request) };
+  const planned = { ...(await answerOf((engine) => engine.planned(request, telling(request)))), ...ofWork(request) };
   if (request.version > left) byAndBy(() => takePlanned(planned));
   return { request, planned };
 }
 
-const ofWork = ({ files, skipMarked }: Wanted["request"]) => ({ ...(files && { files }), ...(skipMarked !== undefined && { skipMarked }) });
+const ofWork = ({ files, skipMarked }: Wanted["request"]) => ({
+  ...(files && { files }),
+  ...(skipMarked !== undefined && { skipMarked }),
+});
 
 /** Of a text longer than this its beginning is shown first, which is this long, characters. */
 const [LONG_TEXT, BEGINNING] = [1_000_000, 300_000];
@@ -140,16 +167,18 @@ function forgetPlan(): void {
 }
 
 /**
- * A changed work is calculated: the page plans it at once where that is quickly done, and the worker proves it. What takes the page longer
- * is planned behind the picture of the digit, and what waits behind that; of several digits in a row only the last is. What would halt
- * the page is planned bit by bit.
+ * A changed work is calculated: the page plans it at once where that is quickly done, and the worker proves it. What
+ * takes the page longer is planned behind the picture of the digit, and what waits behind that; of several digits in a
+ * row only the last is. What would halt the page is planned bit by bit.
  */
 function want(request: Wanted["request"]): void {
   forgetPlan();
-  callOffPlan = isVeiled() ? null : planSoon(request, (made) => {
-    callOffPlan = null;
-    whileTyping(() => take(request, made));
-  });
+  callOffPlan = isVeiled()
+    ? null
+    : planSoon(request, (made) => {
+        callOffPlan = null;
+        whileTyping(() => take(request, made));
+      });
   if (!callOffPlan && !plansBehindDigit()) return plan(request);
   if (!busy) atStage("reading");
   if (callOffPlan) return;
@@ -187,8 +216,16 @@ export function calculateAgain(): void {
   follow(useEditor.getState());
 }
 
-let last: { readonly text: string; readonly table: ShopTools; readonly rapid: number; readonly control: Control; readonly machine: string;
-  readonly cycle: number | null; readonly work: string | null; readonly program?: ProgramWork } | null = null;
+let last: {
+  readonly text: string;
+  readonly table: ShopTools;
+  readonly rapid: number;
+  readonly control: Control;
+  readonly machine: string;
+  readonly cycle: number | null;
+  readonly work: string | null;
+  readonly program?: ProgramWork;
+} | null = null;
 
 /** Another work, or none: nothing is known of it, and what is still being calculated is not of it. */
 function leave(): void {
@@ -206,7 +243,10 @@ function leave(): void {
 }
 
 const isSameProgram = (a: ProgramWork, b: ProgramWork | undefined): boolean =>
-  a.text === b?.text && a.name === b.name && filesOf(a) === filesOf(b) && (a.skipMarked ?? false) === (b.skipMarked ?? false);
+  a.text === b?.text &&
+  a.name === b.name &&
+  filesOf(a) === filesOf(b) &&
+  (a.skipMarked ?? false) === (b.skipMarked ?? false);
 
 /** A whole program is calculated as it stands, right or wrong. */
 function followProgram(program: ProgramWork, name: string | null): void {
@@ -214,7 +254,14 @@ function followProgram(program: ProgramWork, name: string | null): void {
   if (last && (last.cycle !== null || last.work !== name || isOther)) leave();
   const table = toolTable();
   const [control, machine] = [controlInUse(), machineInUse()];
-  if (last && isSameProgram(program, last.program) && last.table === table && last.control === control && last.machine === machine) return;
+  if (
+    last &&
+    isSameProgram(program, last.program) &&
+    last.table === table &&
+    last.control === control &&
+    last.machine === machine
+  )
+    return;
   const data = machineAtHand(machine);
   if (data === undefined) return;
   pause(false);

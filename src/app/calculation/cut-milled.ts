@@ -33,6 +33,7 @@ export function uncutStock(run: Run, simulation: Simulation | null): MilledStock
 export function cutFor(stock: MilledStock, time: number): boolean {
   const until = stopwatch() + time;
   let all = false;
-  do all = stock.advance(MOTIONS); while (!all && stopwatch() < until);
+  do all = stock.advance(MOTIONS);
+  while (!all && stopwatch() < until);
   return all;
 }

@@ -10,12 +10,12 @@ import { engine } from "./engine.ts";
 import { isMadeFrom } from "./outcome.ts";
 
 const HEAD =
-  "BLK FORM CYLINDER Z D63.4 L90 DIST+0\nFUNCTION MODE TURN\nTOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500\nM136\n"
-  + "L X+95 Z+52 R0 FMAX\n";
+  "BLK FORM CYLINDER Z D63.4 L90 DIST+0\nFUNCTION MODE TURN\nTOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500\nM136\n" +
+  "L X+95 Z+52 R0 FMAX\n";
 const pgm = (lines: string) => `BEGIN PGM S MM\n${lines}\nEND PGM S MM\n`;
 const CYCLE =
-  "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ~\nQ460=+2 ~\nQ493=+41.27 ~\nQ494=-33.85 ~\nQ463=+2.35 ~\nQ478=+0.3 ~\nQ483=+0.5 ~\n"
-  + "Q484=+0.15 ~\nQ505=+0.2 ~\nQ506=+0";
+  "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ~\nQ460=+2 ~\nQ493=+41.27 ~\nQ494=-33.85 ~\nQ463=+2.35 ~\nQ478=+0.3 ~\nQ483=+0.5 ~\n" +
+  "Q484=+0.15 ~\nQ505=+0.2 ~\nQ506=+0";
 
 const work = (lines: string, files: Readonly<Record<string, string>> = {}, skipMarked = false): ProgramWork => ({
   name: "MAIN.H",
@@ -38,14 +38,17 @@ const update = ({ name, text, files = [], skipMarked = false }: ProgramWork) =>
 
 test("the files beside a program are run as it calls them, the program itself among them", () => {
   const made = update(work("CALL PGM DEF\nL X+63.4 Z+1.8 FMAX M303\nCYCL CALL", { "def.h": pgm(CYCLE) }));
-  expect(made.run.operations.map(({ cycle, definedFile, definedIn, definedLine }) => [cycle, definedFile, definedIn, definedLine])).toEqual(
-    [[811, "def.h", 1, 2]],
-  );
-  expect(made.run.operations.map((o) => [isDefinedIn(o, null), isDefinedIn(o, "DEF.H"), isDefinedIn(o, "OTHER.H")])).toEqual([[
-    false,
-    true,
-    false,
-  ]]);
+  expect(
+    made.run.operations.map(({ cycle, definedFile, definedIn, definedLine }) => [
+      cycle,
+      definedFile,
+      definedIn,
+      definedLine,
+    ]),
+  ).toEqual([[811, "def.h", 1, 2]]);
+  expect(
+    made.run.operations.map((o) => [isDefinedIn(o, null), isDefinedIn(o, "DEF.H"), isDefinedIn(o, "OTHER.H")]),
+  ).toEqual([[false, true, false]]);
   expect(update(work("CALL PGM MAIN")).run.issues.map((f) => f.issue.code)).toContain("programsTooDeep");
 });
 
@@ -90,7 +93,9 @@ test("what is not proved in a called program is said with its file", () => {
 });
 
 test("each text shows its own findings; the program those of what it calls as well, at the call", () => {
-  const { run } = update(work("CALL PGM CUT\nCALL LBL 7", { "cut.h": pgm("4 CALL LBL 9"), "b.h": pgm("4 CALL LBL 9") }));
+  const { run } = update(
+    work("CALL PGM CUT\nCALL LBL 7", { "cut.h": pgm("4 CALL LBL 9"), "b.h": pgm("4 CALL LBL 9") }),
+  );
   const errors = run.issues.filter((f) => f.issue.severity === "error");
   expect(findingsShown(errors, null).map(({ line }) => line)).toEqual([8, 9]);
   expect(findingsShown(errors, "CUT.H").map(({ block, line }) => [block, line])).toEqual([[4, 2]]);

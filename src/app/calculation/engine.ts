@@ -30,12 +30,17 @@ interface Makers {
 }
 const FRESH: Makers = { planned, simulate };
 
-/** What makes one outcome after the other of the same work: what stays the same is not planned, cut or looked at again. */
+/**
+ * What makes one outcome after the other of the same work: what stays the same is not planned, cut or looked at again.
+ */
 export const makersAgain = (): Makers => ({ planned: planner(), simulate: simulating() });
 
 /** What every work needs that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {
-  /** From the program text to moves, stock, proof and times. `atStage` is told what it begins; `by` may know the run before. */
+  /**
+   * From the program text to moves, stock, proof and times. `atStage` is told what it begins; `by` may know the run
+   * before.
+   */
   update(request: Request, atStage: (stage: Stage) => void = () => undefined, by = FRESH): Outcome {
     const made = by.planned(request, atStage);
     atStage("proving");
@@ -56,6 +61,12 @@ export const engine = {
   fitsOfCall({ cycle: number, call, feedUnit }: Called, tools: readonly Tool[]): readonly ToolFit[] | null {
     const cycle = cycleByNumber(number);
     if (!cycle || !call) return null;
-    return rankTools(cycle, call.values, call.given, { start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null }, tools);
+    return rankTools(
+      cycle,
+      call.values,
+      call.given,
+      { start: call.start, feedUnit, autoFeed: call.autoFeed, stock: null },
+      tools,
+    );
   },
 };

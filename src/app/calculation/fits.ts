@@ -31,7 +31,10 @@ export function useFits(): readonly ToolFit[] | null {
 
 /** What comes of a question for all tools, asked a moment after the last change; null until it is known. */
 function useAsked(ask: (() => Promise<readonly ToolFit[] | null>) | null, of: unknown): readonly ToolFit[] | null {
-  const [fits, setFits] = useState<{ readonly of: unknown; readonly fits: readonly ToolFit[] | null }>({ of: null, fits: null });
+  const [fits, setFits] = useState<{ readonly of: unknown; readonly fits: readonly ToolFit[] | null }>({
+    of: null,
+    fits: null,
+  });
   const asked = useRef(ask);
   useEffect(() => {
     asked.current = ask;
@@ -51,13 +54,17 @@ function useAsked(ask: (() => Promise<readonly ToolFit[] | null>) | null, of: un
   return fits.of === of ? fits.fits : null;
 }
 
-/** What each tool can do in place of the one that runs the cycle defined in a line of the program; null where it was not run. */
+/**
+ * What each tool can do in place of the one that runs the cycle defined in a line of the program; null where it was not
+ * run.
+ */
 export function useFitsOfLine(line: number | null): readonly ToolFit[] | null {
   const operation = useOutcome((s) =>
-    s.newest?.run.operations.find(({ definedLine, definedFile }) => definedLine === line && !definedFile)
+    s.newest?.run.operations.find(({ definedLine, definedFile }) => definedLine === line && !definedFile),
   );
   return useAsked(operation ? () => fitsOfCall(operation) : null, operation);
 }
 
 /** What each tool can do with the values of a work that is not open. */
-export const useFitsOfWork = (job: SetJob | null): readonly ToolFit[] | null => useAsked(job ? () => fitsOfWork(job) : null, job);
+export const useFitsOfWork = (job: SetJob | null): readonly ToolFit[] | null =>
+  useAsked(job ? () => fitsOfWork(job) : null, job);

@@ -7,9 +7,15 @@ import type { PlaybackStore } from "./playback-store.ts";
 export interface GlideWay {
   /** The CSS transform that lays it where it belongs at a position; null where it belongs nowhere, and stays. */
   readonly at: (position: PlayPosition) => string | null;
-  /** Where its way bends between two moments, machine seconds, told apart no finer than so many of them. Between bends it goes straight. */
+  /**
+   * Where its way bends between two moments, machine seconds, told apart no finer than so many of them. Between bends
+   * it goes straight.
+   */
   readonly bends: (track: PlayedTrack, between: readonly [number, number], fine: number) => readonly WayBend[];
-  /** Goes in jerks, so many a second: all that lies between two things that move is drawn anew with each, where no graphics card helps. */
+  /**
+   * Goes in jerks, so many a second: all that lies between two things that move is drawn anew with each, where no
+   * graphics card helps.
+   */
   readonly jerks?: number;
 }
 
@@ -20,8 +26,13 @@ export interface Gliding {
   readonly end: () => void;
 }
 
-/** How far ahead the way is told to the browser, and when the next part of it follows, ms; how close together its bends are told. */
-const AHEAD = 2000, NEXT = 1500, FINE = 8;
+/**
+ * How far ahead the way is told to the browser, and when the next part of it follows, ms; how close together its bends
+ * are told.
+ */
+const AHEAD = 2000,
+  NEXT = 1500,
+  FINE = 8;
 /** Further from where it should be than this it is taken there at once, ms. */
 const ASIDE = 4;
 
@@ -33,15 +44,20 @@ export interface PlayCourse extends Pick<Playback, "track" | "rate"> {
 
 /** Whether a playback at a moment of the clock is where its course took it. */
 export const isOnCourse = ({ track, rate, from, since }: PlayCourse, state: Playback, now: number): boolean =>
-  track === state.track && rate === state.rate
-  && Math.abs(from - secondsAt(track, state.position) + (rate * (now - since)) / 1000) < (ASIDE * rate) / 1000;
+  track === state.track &&
+  rate === state.rate &&
+  Math.abs(from - secondsAt(track, state.position) + (rate * (now - since)) / 1000) < (ASIDE * rate) / 1000;
 
 /** A part of the way that was told. */
 interface Told extends PlayCourse {
   readonly animation: Animation;
 }
 
-function keyframes({ at, bends }: GlideWay, { track, rate }: Playback, [from, to]: readonly [number, number]): Keyframe[] {
+function keyframes(
+  { at, bends }: GlideWay,
+  { track, rate }: Playback,
+  [from, to]: readonly [number, number],
+): Keyframe[] {
   let last = at(positionAt(track, from));
   const frame = (position: PlayPosition, seconds: number): Keyframe[] => {
     last = at(position) ?? last;
@@ -49,14 +65,18 @@ function keyframes({ at, bends }: GlideWay, { track, rate }: Playback, [from, to
   };
   return [
     ...frame(positionAt(track, from), from),
-    ...bends(track, [from, to], (FINE * rate) / 1000).flatMap((b) => [...frame(b.to, b.seconds), ...frame(b.from, b.seconds)]),
+    ...bends(track, [from, to], (FINE * rate) / 1000).flatMap((b) => [
+      ...frame(b.to, b.seconds),
+      ...frame(b.from, b.seconds),
+    ]),
     ...frame(to >= track.total ? { step: track.ends.length - 1, fraction: 1 } : positionAt(track, to), to),
   ];
 }
 
 /**
- * Takes an element along with a playback. While it plays the browser moves the element by itself on a way that it is told in parts, which
- * costs the page nothing in between; at rest, without motion, and where time is held, the element is laid where it belongs.
+ * Takes an element along with a playback. While it plays the browser moves the element by itself on a way that it is
+ * told in parts, which costs the page nothing in between; at rest, without motion, and where time is held, the element
+ * is laid where it belongs.
  */
 export function glide(element: HTMLElement, playback: PlaybackStore, way: GlideWay): Gliding {
   let told: Told | null = null;
@@ -67,17 +87,21 @@ export function glide(element: HTMLElement, playback: PlaybackStore, way: GlideW
     told = null;
   };
   const tell = (state: Playback, since: number) => {
-    const { track, rate } = state, from = secondsAt(track, state.position), to = Math.min(track.total, from + (AHEAD * rate) / 1000);
+    const { track, rate } = state,
+      from = secondsAt(track, state.position),
+      to = Math.min(track.total, from + (AHEAD * rate) / 1000);
     const frames = to > from ? keyframes(way, state, [from, to]) : [];
     if (frames.length === 0) return rest();
-    const duration = (1000 * (to - from)) / rate, jerks = way.jerks && Math.ceil((way.jerks * duration) / 1000);
+    const duration = (1000 * (to - from)) / rate,
+      jerks = way.jerks && Math.ceil((way.jerks * duration) / 1000);
     const animation = element.animate(frames, { duration, fill: "both", ...(jerks && { easing: `steps(${jerks})` }) });
     animation.startTime = since;
     told?.animation.cancel();
     told = { track, rate, from, since, animation };
   };
   const follow = () => {
-    const state = playback.get(), now = playback.since();
+    const state = playback.get(),
+      now = playback.since();
     if (now === null || !("animate" in element)) return rest();
     if (!told || now - told.since > NEXT || !isOnCourse(told, state, now)) tell(state, now);
   };

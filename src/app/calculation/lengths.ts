@@ -12,9 +12,14 @@ export const CountedIn = createContext<LengthUnit | null>(null);
 /** How lengths are written for a program that counts in a unit. */
 export const lengthsOf = (language: Language, unit: LengthUnit): Lengths => lengthsIn(language, unit, IN_MM[unit]);
 
-/** How lengths are written here: in the screen language, and in the unit of the program that they belong to; `run`: of that one. */
+/**
+ * How lengths are written here: in the screen language, and in the unit of the program that they belong to; `run`: of
+ * that one.
+ */
 export function useLengths(run?: Pick<Run, "program">): Lengths {
-  const language = useSettings((s) => s.language), around = useContext(CountedIn);
-  const open = useOutcome((s) => s.pictured?.run.program.unit ?? "mm"), unit = run?.program.unit ?? around ?? open;
+  const language = useSettings((s) => s.language),
+    around = useContext(CountedIn);
+  const open = useOutcome((s) => s.pictured?.run.program.unit ?? "mm"),
+    unit = run?.program.unit ?? around ?? open;
   return useMemo(() => lengthsOf(language, unit), [language, unit]);
 }

@@ -10,7 +10,10 @@ export interface LoadRequest extends LoadInput {
 }
 
 /** What of an outcome is looked at. */
-export function loadRequestOf({ run: { stated, steps, spindles }, simulation: { blank, checkpoints, final } }: Outcome): LoadRequest {
+export function loadRequestOf({
+  run: { stated, steps, spindles },
+  simulation: { blank, checkpoints, final },
+}: Outcome): LoadRequest {
   const first = checkpoints.reduce((last, { step, isStated }) => (isStated ? step : last), 0);
   return { blank, stated, steps, spindles, final, first };
 }

@@ -16,10 +16,14 @@ const others = (): Promise<void> =>
     port2.postMessage(null);
   });
 
-/** What the tool bears along the path, measured a few moves at a time; null when something else is asked before it is done. */
+/**
+ * What the tool bears along the path, measured a few moves at a time; null when something else is asked before it is
+ * done.
+ */
 export async function pathLoad(request: LoadRequest): Promise<PathLoad | null> {
   asked += 1;
-  const own = asked, going = loadAlong(request);
+  const own = asked,
+    going = loadAlong(request);
   for (;;) {
     const now = going.next();
     if (now.done) return now.value;

@@ -26,8 +26,16 @@ export interface Waiting {
 }
 
 /** The step that runs at a position; the last one at the end. */
-export const stepIndex = (steps: readonly Step[], position: PlayPosition): number => Math.min(position.step, steps.length - 1);
+export const stepIndex = (steps: readonly Step[], position: PlayPosition): number =>
+  Math.min(position.step, steps.length - 1);
 
-/** What made the surfaces of a run, with its spindle for feeds per minute; `before`: those of a run that may begin as it does. */
+/**
+ * What made the surfaces of a run, with its spindle for feeds per minute; `before`: those of a run that may begin as it
+ * does.
+ */
 export const surfacesOfRun = ({ steps, spindles }: Run, before: Surfaces = surfacesOf([])): Surfaces =>
-  before.again(steps, (step) => spindleAt(spindles, step), (step) => turnsBack(spindles, step));
+  before.again(
+    steps,
+    (step) => spindleAt(spindles, step),
+    (step) => turnsBack(spindles, step),
+  );

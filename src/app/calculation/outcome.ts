@@ -47,7 +47,10 @@ export interface OutcomeState {
   readonly shown: Outcome | null;
   /** What is planned, as long as it is not proved; steps and operations of the proof before are not those of it. */
   readonly planned: Planned | null;
-  /** What the picture shows, and whose steps are the ones that are played: what is planned where that has a path, else what is shown. */
+  /**
+   * What the picture shows, and whose steps are the ones that are played: what is planned where that has a path, else
+   * what is shown.
+   */
   readonly pictured: Outcome | Planned | null;
   /** The picture is older than the values, because they make no path. */
   readonly dimmed: boolean;
@@ -78,7 +81,9 @@ export const useOutcome = heldWhileTyping<OutcomeState>(() => none, "result");
 const makesPath = (made: Made | null) => {
   if (!made) return false;
   const { operations, steps, plane } = made.run;
-  return operations.length === 0 ? steps.length > 0 || plane.length > 0 : operations.some((o) => o.plan.moves.length > 0);
+  return operations.length === 0
+    ? steps.length > 0 || plane.length > 0
+    : operations.some((o) => o.plan.moves.length > 0);
 };
 
 /** Whether a result takes the place of the one that is shown. */
@@ -102,11 +107,15 @@ export function takeOutcome(outcome: Outcome): void {
 
 /** Takes in what is planned, unless something newer is already there. */
 export const takePlanned = (planned: Planned): void =>
-  useOutcome.setState((s) => Math.max(s.planned?.version ?? 0, s.newest?.version ?? 0) < planned.version ? settled({ ...s, planned }) : s);
+  useOutcome.setState((s) =>
+    Math.max(s.planned?.version ?? 0, s.newest?.version ?? 0) < planned.version ? settled({ ...s, planned }) : s,
+  );
 
 /** Shows the beginning of a program as long as there is nothing else to look at. */
 export function showBeginning(outcome: Outcome): void {
-  useOutcome.setState((s) => (s.shown || !makesPath(outcome) ? s : settled({ ...s, shown: { ...outcome, isBeginning: true } })));
+  useOutcome.setState((s) =>
+    s.shown || !makesPath(outcome) ? s : settled({ ...s, shown: { ...outcome, isBeginning: true } }),
+  );
 }
 
 /** The worker begins something, or rests. */
@@ -115,13 +124,15 @@ export const atStage = (stage: Stage | null): void => useOutcome.setState({ stag
 export const calculationStopped = (): void => useOutcome.setState({ stage: null, stopped: true });
 
 /** Values are incomplete: the last picture stays, dimmed; or they are complete again. */
-export const pause = (paused: boolean): void => useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));
+export const pause = (paused: boolean): void =>
+  useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));
 
 /** A block of the text is half typed, or no longer: then what was calculated meanwhile is shown. */
 export const holdPicture = (keeps: boolean): void =>
   useOutcome.setState((s) => {
     if (s.keeps === keeps) return s;
-    const { newest } = s, now = { ...s, keeps };
+    const { newest } = s,
+      now = { ...s, keeps };
     return settled({ ...now, shown: newest && replaces(newest, now) ? newest : s.shown });
   });
 

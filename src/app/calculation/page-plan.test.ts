@@ -1,6 +1,15 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import { fetchPlan, forgetPace, notePace, planNow, planSoon, plansBehindDigit, plansLong, plansOnPage,
-  whenRehearsed } from "./page-plan.ts";
+import {
+  fetchPlan,
+  forgetPace,
+  notePace,
+  planNow,
+  planSoon,
+  plansBehindDigit,
+  plansLong,
+  plansOnPage,
+  whenRehearsed,
+} from "./page-plan.ts";
 import type { Request } from "./request.ts";
 
 /** What the next run takes, ms, and whether it comes to nothing. */
@@ -18,17 +27,21 @@ vi.mock("./plan.ts", () => ({
     run.now += run.takes;
   },
   planner: () =>
-    Object.assign(({ version, text }: Request) => {
-      run.now += run.takes;
-      if (run.fails) throw new Error("a fault of our own");
-      return { version, text, run: {}, simulation: null };
-    }, {
-      part: ({ version, text }: Request, goesOn: () => boolean) => {
-        run.bits += 1;
-        do run.now += 2.3; while (goesOn());
-        return run.bits < 7 ? null : { version, text, run: {}, simulation: null };
+    Object.assign(
+      ({ version, text }: Request) => {
+        run.now += run.takes;
+        if (run.fails) throw new Error("a fault of our own");
+        return { version, text, run: {}, simulation: null };
       },
-    }),
+      {
+        part: ({ version, text }: Request, goesOn: () => boolean) => {
+          run.bits += 1;
+          do run.now += 2.3;
+          while (goesOn());
+          return run.bits < 7 ? null : { version, text, run: {}, simulation: null };
+        },
+      },
+    ),
 }));
 
 const requestOf = (text: string, beside = 0): Request => ({
@@ -108,15 +121,17 @@ test("nothing is tried at rest that took long, or is very long", () => {
 });
 
 test("a long text whose first run was slow is planned on the page when three runs in a row were quick", () => {
-  const text = "L".repeat(400_001), took = (pace: number) => {
-    notePace(requestOf(text), pace);
-    return plansOnPage(text.length);
-  };
+  const text = "L".repeat(400_001),
+    took = (pace: number) => {
+      notePace(requestOf(text), pace);
+      return plansOnPage(text.length);
+    };
   expect([311.7, 2.1, 1.9, 2.3].map(took)).toEqual([false, false, false, true]);
 });
 
 test("a long text is planned at rest bit by bit, and on the page from then on", () => {
-  const heard: unknown[] = [], request = requestOf("CYCL CALL\n".repeat(2400));
+  const heard: unknown[] = [],
+    request = requestOf("CYCL CALL\n".repeat(2400));
   whenRehearsed((made) => heard.push(made));
   expect([plansLong(request), plansOnPage(request.text.length)]).toEqual([true, false]);
   notePace(request, 1311.4);
@@ -127,7 +142,8 @@ test("a long text is planned at rest bit by bit, and on the page from then on", 
 });
 
 test("what is typed into a long text before there was a rest is planned bit by bit, with the page answering in between", async () => {
-  const request = requestOf("CYCL CALL\n".repeat(2400)), done = vi.fn();
+  const request = requestOf("CYCL CALL\n".repeat(2400)),
+    done = vi.fn();
   expect(planSoon(request, done)).toBeNull();
   run.rests = false;
   notePace(request, 1311.4);

@@ -24,9 +24,9 @@ const requestOf = (text: string) => ({
 });
 
 test.each(
-  Object.keys(programs).filter((path, i) => i % 5 === 2 || path.includes("examples")).map(
-    (path) => [path.replace(/.*(programs|examples)\//, "")]
-  ),
+  Object.keys(programs)
+    .filter((path, i) => i % 5 === 2 || path.includes("examples"))
+    .map((path) => [path.replace(/.*(programs|examples)\//, "")]),
 )("page and worker make the same run of %s", (name) => {
   const request = requestOf(program(name));
   const { simulation, ...made } = structuredClone(engine.update(request));
@@ -61,23 +61,29 @@ function edited(before: readonly string[], [kind, which, by]: readonly [string, 
   return changed(text, which, by / 917);
 }
 
-const edits = fc.tuple(fc.constantFrom("number", "number", "number", "undo", "drop", "note", "move", "shift"), fc.nat(997),
-  fc.integer({ min: -3000, max: 3000 }));
+const edits = fc.tuple(
+  fc.constantFrom("number", "number", "number", "undo", "drop", "note", "move", "shift"),
+  fc.nat(997),
+  fc.integer({ min: -3000, max: 3000 }),
+);
 
 test.each(["flange.h", "shaft.h", "turn-blank.h", "turn-traced.h", "turn-datum.h", "shoulder-inch.h"])(
   "planned bit by bit a changed %s is what it is when it is planned anew",
   (name) => {
-    fc.assert(fc.property(fc.array(edits, { minLength: 2, maxLength: 6 }), (changes) => {
-      const plan = planner();
-      const texts = [program(name)];
-      plan(requestOf(program(name)));
-      for (const change of changes) {
-        texts.push(edited(texts, change));
-        // Each request of the page comes to the worker as a copy.
-        const request = structuredClone(requestOf(texts.at(-1) ?? ""));
-        expect(plan(request)).toEqual(planned(request));
-      }
-    }), { numRuns: 8 });
+    fc.assert(
+      fc.property(fc.array(edits, { minLength: 2, maxLength: 6 }), (changes) => {
+        const plan = planner();
+        const texts = [program(name)];
+        plan(requestOf(program(name)));
+        for (const change of changes) {
+          texts.push(edited(texts, change));
+          // Each request of the page comes to the worker as a copy.
+          const request = structuredClone(requestOf(texts.at(-1) ?? ""));
+          expect(plan(request)).toEqual(planned(request));
+        }
+      }),
+      { numRuns: 8 },
+    );
   },
   60_000,
 );
@@ -96,24 +102,28 @@ function typed(text: string, which: number, digit: number): string {
 
 test("typed digit by digit any program is planned as it is when it is planned anew", () => {
   const digits = fc.array(fc.tuple(fc.nat(9973), fc.nat(9), fc.boolean(), fc.nat(3)), { minLength: 2, maxLength: 5 });
-  fc.assert(fc.property(fc.constantFrom(...all), digits, (text, changes) => {
-    const plan = planner();
-    const texts = [text];
-    plan(requestOf(text));
-    for (const [which, digit, isUndone, bits] of changes) {
-      texts.push(isUndone ? (texts.at(-2) ?? text) : typed(texts.at(-1) ?? text, which, digit));
-      const request = requestOf(texts.at(-1) ?? "");
-      // At rest a part of any state may have been planned before.
-      for (let bit = 0; bit < bits; bit += 1) plan.part(requestOf(texts.at(bit % texts.length) ?? ""), () => false);
-      expect(plan(request)).toEqual(planned(request));
-    }
-  }), { numRuns: 150 });
+  fc.assert(
+    fc.property(fc.constantFrom(...all), digits, (text, changes) => {
+      const plan = planner();
+      const texts = [text];
+      plan(requestOf(text));
+      for (const [which, digit, isUndone, bits] of changes) {
+        texts.push(isUndone ? (texts.at(-2) ?? text) : typed(texts.at(-1) ?? text, which, digit));
+        const request = requestOf(texts.at(-1) ?? "");
+        // At rest a part of any state may have been planned before.
+        for (let bit = 0; bit < bits; bit += 1) plan.part(requestOf(texts.at(bit % texts.length) ?? ""), () => false);
+        expect(plan(request)).toEqual(planned(request));
+      }
+    }),
+    { numRuns: 150 },
+  );
 }, 60_000);
 
 test("planned bit by bit any program is planned as it is in one piece, and a long one in many bits", () => {
   const bitsOf = (text: string) => {
-    const plan = planner(), request = requestOf(text);
-    for (let bits = 1;; bits += 1) {
+    const plan = planner(),
+      request = requestOf(text);
+    for (let bits = 1; ; bits += 1) {
       const made = plan.part(request, () => false);
       if (!made) continue;
       expect(made).toEqual(planned(request));
@@ -125,7 +135,8 @@ test("planned bit by bit any program is planned as it is in one piece, and a lon
   expect(bits.filter((count) => count > 3).length).toBeGreaterThan(10);
   expect(bitsOf(program("shaft.h"))).toBeGreaterThan(8);
   // A change in between is planned as well.
-  const plan = planner(), text = program("shaft.h");
+  const plan = planner(),
+    text = program("shaft.h");
   for (let bit = 0; bit < 5; bit += 1) expect(plan.part(requestOf(text), () => false)).toBeNull();
   const other = requestOf(changed(text, 97, 0.313));
   expect(plan(other)).toEqual(planned(other));
@@ -136,8 +147,11 @@ test("what a change leaves as it is is not planned again", () => {
   const text = program("turn-blank.h");
   const before = plan(requestOf(text)).run.operations;
   const last = text.lastIndexOf("Q483=");
-  const after = plan(requestOf(`${text.slice(0, last)}Q483=+0.31${text.slice(last).replace(/^Q483=\S+/, "")}`)).run.operations;
-  expect(after.map(({ plan: { moves } }, i) => moves === before[i]?.plan.moves)).toEqual(before.map((_, i) => i < before.length - 1));
+  const after = plan(requestOf(`${text.slice(0, last)}Q483=+0.31${text.slice(last).replace(/^Q483=\S+/, "")}`)).run
+    .operations;
+  expect(after.map(({ plan: { moves } }, i) => moves === before[i]?.plan.moves)).toEqual(
+    before.map((_, i) => i < before.length - 1),
+  );
 });
 
 test("an unchanged operation keeps its very steps, also when a change is taken back", () => {
@@ -147,7 +161,7 @@ test("an unchanged operation keeps its very steps, also when a change is taken b
   const [before, between, again] = [text, other, text].map((each) => plan(structuredClone(requestOf(each))).run);
   const keptBy = (run: typeof before) =>
     before?.operations.map(({ firstStep, lastStep }) =>
-      before.steps.slice(firstStep, lastStep + 1).every((s, i) => s === run?.steps[firstStep + i])
+      before.steps.slice(firstStep, lastStep + 1).every((s, i) => s === run?.steps[firstStep + i]),
     );
   expect(keptBy(between)).toEqual(before?.operations.map((_, i, all) => i < all.length - 1));
   expect(keptBy(again)).toEqual(before?.operations.map(() => true));
@@ -175,7 +189,8 @@ test("what was said of a contour at the end stands at its new line when a block 
   const shorter = text.replace(/\S*Q509=(?![\s\S]*Q509=).*\r?\n/, "");
   const after = plan(requestOf(shorter));
   expect(after).toEqual(planned(requestOf(shorter)));
-  const lineOf = ({ run }: typeof before) => run.issues.find(({ issue }) => issue.code === "cornerElementAlone")?.line ?? 0;
+  const lineOf = ({ run }: typeof before) =>
+    run.issues.find(({ issue }) => issue.code === "cornerElementAlone")?.line ?? 0;
   expect(lineOf(after)).toBe(lineOf(before) - 1);
 });
 
@@ -185,9 +200,11 @@ test("what was not run again for a long time is still known", () => {
   const { steps, operations } = plan(requestOf(text)).run;
   for (let i = 0; i < 40; i += 1) plan(requestOf(otherOversize(text, 5, `1${i}`)));
   const again = plan(requestOf(otherOversize(text, 0, "17"))).run;
-  const known = (at: number) => again.steps.slice(again.operations[at]?.firstStep, (again.operations[at]?.lastStep ?? 0) + 1);
+  const known = (at: number) =>
+    again.steps.slice(again.operations[at]?.firstStep, (again.operations[at]?.lastStep ?? 0) + 1);
   expect(again.operations[0]).not.toEqual(operations[0]);
-  for (const at of [1, 2]) expect(known(at).every((step, i) => step === steps[(operations[at]?.firstStep ?? 0) + i])).toBe(true);
+  for (const at of [1, 2])
+    expect(known(at).every((step, i) => step === steps[(operations[at]?.firstStep ?? 0) + i])).toBe(true);
 });
 
 test("a tool that changes is another tool, and one that comes as a copy is the same", () => {

@@ -37,7 +37,11 @@ function planBy(
     if (found) taken.add(found.program);
     return found;
   };
-  const made = runs(program, { ...table, rapid, control, files: { find }, skipMarked, ...(machine && { machine }), ...known }, files);
+  const made = runs(
+    program,
+    { ...table, rapid, control, files: { find }, skipMarked, ...(machine && { machine }), ...known },
+    files,
+  );
   const marked = [...taken].some(({ blocks }) => blocks.some(({ skip }) => skip));
   return made && { version, text, marked, run: made, simulation: null };
 }
@@ -51,7 +55,10 @@ export const planned = (request: Request, atStage: (stage: Stage) => void = sile
 /** Plans one state of a work after the other. */
 interface Planner {
   (request: Request, atStage?: (stage: Stage) => void): Planned;
-  /** Plans a bit of a request more, as long as `goesOn` says so where it can be left; null while it has not come to its end. */
+  /**
+   * Plans a bit of a request more, as long as `goesOn` says so where it can be left; null while it has not come to its
+   * end.
+   */
   readonly part: (request: Request, goesOn: () => boolean) => Planned | null;
 }
 

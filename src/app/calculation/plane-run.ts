@@ -15,7 +15,14 @@ export function planeOfRun(run: Run): PlaneOfRun {
   const have = known.get(run);
   if (have) return have;
   const approaches = run.approaches.filter((a) => a.plane === "XY");
-  const made = { approaches, scene: planeScene(run.plane, approaches.map((a) => a.contour), new Set(approaches.map((a) => a.index))) };
+  const made = {
+    approaches,
+    scene: planeScene(
+      run.plane,
+      approaches.map((a) => a.contour),
+      new Set(approaches.map((a) => a.index)),
+    ),
+  };
   known.set(run, made);
   return made;
 }

@@ -6,7 +6,8 @@ import { createPlaybackStore } from "./playback-store.ts";
 const track = trackOf([{ seconds: 2 }, { seconds: 1 }, { seconds: 3 }]);
 
 function playing(rate: number) {
-  const clock = manualClock(), store = createPlaybackStore(clock);
+  const clock = manualClock(),
+    store = createPlaybackStore(clock);
   store.dispatch({ do: "load", track });
   store.dispatch({ do: "rate", rate });
   store.dispatch({ do: "play" });
@@ -52,7 +53,8 @@ test("without motion only ends of moves are shown while it plays", () => {
 
 test("what is read changes no oftener than it can be read while it plays, and at once with a press and at the end", () => {
   const { clock, store } = playing(1);
-  let looked = 0, read = 0;
+  let looked = 0,
+    read = 0;
   store.subscribe(() => (looked += 1));
   store.subscribeReader(() => (read += 1));
   clock.advance(1001);
@@ -70,7 +72,8 @@ test("what is read changes no oftener than it can be read while it plays, and at
 });
 
 test("another work begins at its start and at rest, the same one goes on where it stands", () => {
-  const { clock, store } = playing(1), other = trackOf([{ seconds: 4 }, { seconds: 9 }]);
+  const { clock, store } = playing(1),
+    other = trackOf([{ seconds: 4 }, { seconds: 9 }]);
   store.playsOf("flange");
   clock.advance(2500);
   store.playsOf(null);

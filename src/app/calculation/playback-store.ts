@@ -7,7 +7,10 @@ export interface PlaybackStore {
   readonly get: () => Playback;
   /** The position to show: without motion, only ends of moves while it plays. */
   readonly shown: () => PlayPosition;
-  /** The moment of the clock that the position belongs to, ms; null at rest, without motion, and where time does not pass by itself. */
+  /**
+   * The moment of the clock that the position belongs to, ms; null at rest, without motion, and where time does not
+   * pass by itself.
+   */
   readonly since: () => number | null;
   /** Whether time passes by itself. */
   readonly flows: boolean;
@@ -33,7 +36,8 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
   let last = 0;
   let read = 0;
   let of: string | null = null;
-  const listeners = new Set<() => void>(), readers = new Set<() => void>();
+  const listeners = new Set<() => void>(),
+    readers = new Set<() => void>();
 
   const picture = (now: number) => {
     stop = null;

@@ -40,8 +40,14 @@ async function reaches(outcome: Outcome, { stock }: Milled, step: number): Promi
   return asked === outcome;
 }
 
-/** Paints the milled stock of an outcome as it stands at a position; null when something else was asked about meanwhile. */
-export async function milledPicture(outcome: Outcome, look: MilledLook, position: PlayPosition): Promise<ImageBitmap | null> {
+/**
+ * Paints the milled stock of an outcome as it stands at a position; null when something else was asked about meanwhile.
+ */
+export async function milledPicture(
+  outcome: Outcome,
+  look: MilledLook,
+  position: PlayPosition,
+): Promise<ImageBitmap | null> {
   const milled = milledOf(outcome);
   if (!milled || !(await reaches(outcome, milled, position.step))) return null;
   const painter = milledPainter(outcome.run.plane, milled.stock);
@@ -50,9 +56,21 @@ export async function milledPicture(outcome: Outcome, look: MilledLook, position
 }
 
 /** Paints it as it plays. Answers when the first picture is seen; false when it cannot be. */
-export async function playMilling(outcome: Outcome, on: PlayedOn, look: MilledLook, course: PlayedCourse): Promise<boolean> {
+export async function playMilling(
+  outcome: Outcome,
+  on: PlayedOn,
+  look: MilledLook,
+  course: PlayedCourse,
+): Promise<boolean> {
   const milled = milledOf(outcome);
-  return milled !== null
-    && await playPainted({ painter: milledPainter(outcome.run.plane, milled.stock), track: milled.track }, on, look, course, (step) =>
-      reaches(outcome, milled, step));
+  return (
+    milled !== null &&
+    (await playPainted(
+      { painter: milledPainter(outcome.run.plane, milled.stock), track: milled.track },
+      on,
+      look,
+      course,
+      (step) => reaches(outcome, milled, step),
+    ))
+  );
 }

@@ -1,13 +1,22 @@
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { playerOf, sameBlank } from "../../sim/stock.ts";
 import type { Patch } from "../../view/material/pen.ts";
-import { paintShop, stockPainter, type PaintedRun, type StockLook, type StockPainter } from "../../view/material/stock-painter.ts";
+import {
+  paintShop,
+  stockPainter,
+  type PaintedRun,
+  type StockLook,
+  type StockPainter,
+} from "../../view/material/stock-painter.ts";
 import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment, stopwatch } from "../base/clock.ts";
 import { surfacesOfRun } from "./moving.ts";
 import type { Outcome } from "./outcome.ts";
 
-/** How a run is played: so many machine seconds were over at a moment of the day, ms since 1970, and so many pass in a second. */
+/**
+ * How a run is played: so many machine seconds were over at a moment of the day, ms since 1970, and so many pass in a
+ * second.
+ */
 export interface PlayedCourse {
   readonly seconds: number;
   readonly since: number;
@@ -29,7 +38,10 @@ const playables = new WeakMap<Outcome, Playable>();
 function playableOf(outcome: Outcome): Playable {
   const known = playables.get(outcome);
   if (known) return known;
-  const { run: { steps }, simulation } = outcome;
+  const {
+    run: { steps },
+    simulation,
+  } = outcome;
   const run: PaintedRun = {
     steps,
     stockAt: playerOf(simulation).at,
@@ -47,11 +59,17 @@ export interface StockPictures {
   readonly shop: ImageBitmap;
 }
 
-const sized = ({ width, height }: Patch, ratio: number) => [Math.round(width * ratio), Math.round(height * ratio)] as const;
+const sized = ({ width, height }: Patch, ratio: number) =>
+  [Math.round(width * ratio), Math.round(height * ratio)] as const;
 
 /** A part of a picture, painted on a canvas of its own. */
-export function painted(part: Patch, ratio: number, paint: (pen: OffscreenCanvasRenderingContext2D) => void): ImageBitmap {
-  const canvas = new OffscreenCanvas(...sized(part, ratio)), pen = canvas.getContext("2d");
+export function painted(
+  part: Patch,
+  ratio: number,
+  paint: (pen: OffscreenCanvasRenderingContext2D) => void,
+): ImageBitmap {
+  const canvas = new OffscreenCanvas(...sized(part, ratio)),
+    pen = canvas.getContext("2d");
   if (pen) paint(pen);
   return canvas.transferToImageBitmap();
 }
@@ -66,7 +84,10 @@ export function stockPictures(outcome: Outcome, look: StockLook, position: PlayP
   };
 }
 
-/** A canvas of more pixels than this is painted for every second picture: the browser lays all of it anew under what else is there. */
+/**
+ * A canvas of more pixels than this is painted for every second picture: the browser lays all of it anew under what
+ * else is there.
+ */
 const MOST_EACH = 2_000_000;
 
 let here: { readonly name: string; readonly canvas: OffscreenCanvas } | null = null;
@@ -82,14 +103,16 @@ const picture = (): Promise<number> => new Promise((done) => requestAnimationFra
 
 /** What is painted as it plays. */
 interface Played<Look> {
-  readonly painter: Pick<StockPainter, "goTo"> & { readonly all: (pen: OffscreenCanvasRenderingContext2D, look: Look) => void;
-    readonly follow: (pen: OffscreenCanvasRenderingContext2D, look: Look, position: PlayPosition) => boolean };
+  readonly painter: Pick<StockPainter, "goTo"> & {
+    readonly all: (pen: OffscreenCanvasRenderingContext2D, look: Look) => void;
+    readonly follow: (pen: OffscreenCanvasRenderingContext2D, look: Look, position: PlayPosition) => boolean;
+  };
   readonly track: PlayedTrack;
 }
 
 /**
- * Paints what plays, picture after picture, until something else is to be painted or nothing. Answers when the first picture is seen; false
- * when the canvas is not known here. `until` waits until a step can be painted.
+ * Paints what plays, picture after picture, until something else is to be painted or nothing. Answers when the first
+ * picture is seen; false when the canvas is not known here. `until` waits until a step can be painted.
  */
 export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio">>(
   { painter, track }: Played<Look>,
@@ -106,7 +129,8 @@ export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio
   const { canvas } = pen;
   const [width, height] = sized(look.origin, look.ratio);
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-  const at = (now: number) => positionAt(track, course.seconds + (course.rate * (dayMoment(now) - course.since)) / 1000);
+  const at = (now: number) =>
+    positionAt(track, course.seconds + (course.rate * (dayMoment(now) - course.since)) / 1000);
   if (!(await until(at(stopwatch()).step)) || played !== own) return false;
   painter.goTo(at(stopwatch()));
   painter.all(pen, look);

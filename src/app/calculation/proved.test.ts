@@ -35,7 +35,9 @@ test("what is sent beside what the page has makes the whole simulation again", (
     last = made;
     return sent.kept;
   });
-  expect(shown.map(({ simulation }) => simulation)).toEqual(texts.map((text, i) => engine.update(requestOf(text, i)).simulation));
+  expect(shown.map(({ simulation }) => simulation)).toEqual(
+    texts.map((text, i) => engine.update(requestOf(text, i)).simulation),
+  );
   const marks = shown.map(({ simulation }) => simulation.checkpoints.length);
   expect(kept[0]).toBe(0);
   expect(kept[1]).toBeGreaterThan((marks[1] ?? 0) / 2);

@@ -7,8 +7,14 @@ export interface Proved extends Omit<Simulation, "blank" | "steps"> {
   readonly kept: number;
 }
 
-/** What is sent of a simulation to a page that has the marks of the one before: unchanged marks are the very same objects. */
-export function provedBeside({ blank: _, steps: __, checkpoints, ...rest }: Simulation, before: readonly Checkpoint[]): Proved {
+/**
+ * What is sent of a simulation to a page that has the marks of the one before: unchanged marks are the very same
+ * objects.
+ */
+export function provedBeside(
+  { blank: _, steps: __, checkpoints, ...rest }: Simulation,
+  before: readonly Checkpoint[],
+): Proved {
   const changed = checkpoints.findIndex((mark, i) => mark !== before[i]);
   const kept = changed < 0 ? checkpoints.length : changed;
   return { ...rest, kept, checkpoints: checkpoints.slice(kept) };
@@ -19,4 +25,9 @@ export const simulationOf = (
   { kept, checkpoints, ...rest }: Proved,
   { blank, steps }: Pick<Run, "blank" | "steps">,
   before: { readonly simulation: Pick<Simulation, "checkpoints"> } | null,
-): Simulation => ({ ...rest, checkpoints: [...(before?.simulation.checkpoints.slice(0, kept) ?? []), ...checkpoints], blank, steps });
+): Simulation => ({
+  ...rest,
+  checkpoints: [...(before?.simulation.checkpoints.slice(0, kept) ?? []), ...checkpoints],
+  blank,
+  steps,
+});

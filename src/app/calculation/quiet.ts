@@ -2,7 +2,10 @@ import { stopwatch } from "../base/clock.ts";
 
 let until = 0;
 
-/** The operator types in a program: what comes of it is taken in after a pause, ms, in which half of a word is no fault yet. */
+/**
+ * The operator types in a program: what comes of it is taken in after a pause, ms, in which half of a word is no fault
+ * yet.
+ */
 export function typingGoesOn(pause: number): void {
   until = stopwatch() + pause;
 }

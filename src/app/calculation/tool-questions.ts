@@ -10,12 +10,16 @@ import type { Outcome } from "./outcome.ts";
 import { askAgain } from "./worker-life.ts";
 
 /*
- * What the worker is asked about tools: which of the table can do what is open, and which would take what an operation left.
+ * What the worker is asked about tools: which of the table can do what is open, and which would take what an operation
+ * left.
  */
 
 const calledOf = ({ cycle, tool, feedUnit, call }: Operation): Called => ({ cycle, tool, feedUnit, call });
 
-/** What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be said. */
+/**
+ * What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be
+ * said.
+ */
 export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit[] | null> {
   try {
     return await askAgain((engine) => engine.fitsOfCall(calledOf(operation), toolTable().tools));
@@ -24,7 +28,10 @@ export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit
   }
 }
 
-/** The tools of the table that would take what an operation left, the one that leaves least first; null when that cannot be said. */
+/**
+ * The tools of the table that would take what an operation left, the one that leaves least first; null when that cannot
+ * be said.
+ */
 export async function remediesOf(operation: Operation, left: Residual): Promise<readonly Remedy[] | null> {
   try {
     return await askAgain((engine) => engine.remediesOf(calledOf(operation), left, toolTable().tools));
@@ -39,7 +46,9 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
   const call = operations[0];
   if (!call) return null;
   try {
-    return await askAgain((engine) => engine.fits(setJobOf(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }));
+    return await askAgain((engine) =>
+      engine.fits(setJobOf(job), { start: call.start, feedUnit: call.feedUnit, tools: toolTable().tools }),
+    );
   } catch {
     return null;
   }

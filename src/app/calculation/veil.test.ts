@@ -11,8 +11,16 @@ test("before anything was foretold nothing of the run is told, and the contours 
   const whole = { version: 7, ...answerOf(programOfLines(task.solution ?? [])) };
   const { run, simulation, version } = veil(whole);
   expect(version).toBe(7);
-  expect([run.steps.length, run.issues.length, run.seconds, simulation.findings.length, simulation.totalSeconds]).toEqual([0, 0, 0, 0, 0]);
-  expect(run.operations.map(({ plan }) => [plan.moves.length, plan.passes])).toEqual(whole.run.operations.map(() => [0, 0]));
+  expect([
+    run.steps.length,
+    run.issues.length,
+    run.seconds,
+    simulation.findings.length,
+    simulation.totalSeconds,
+  ]).toEqual([0, 0, 0, 0, 0]);
+  expect(run.operations.map(({ plan }) => [plan.moves.length, plan.passes])).toEqual(
+    whole.run.operations.map(() => [0, 0]),
+  );
   expect(run.operations.map(({ plan }) => plan.contour)).toEqual(whole.run.operations.map(({ plan }) => plan.contour));
   expect(run.blank).toEqual(whole.run.blank);
   expect(simulation.final).toEqual(whole.run.blank);

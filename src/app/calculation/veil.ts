@@ -1,6 +1,8 @@
 import type { Outcome } from "./outcome.ts";
 
-/** What may be seen of a program before anything was foretold: its blank and its contours, and nothing of what it does. */
+/**
+ * What may be seen of a program before anything was foretold: its blank and its contours, and nothing of what it does.
+ */
 export function veil({ run, simulation, ...made }: Outcome): Outcome {
   const operations = run.operations.map((operation) => ({
     ...operation,
@@ -10,7 +12,17 @@ export function veil({ run, simulation, ...made }: Outcome): Outcome {
     lastStep: -1,
     issues: [],
   }));
-  const nothing = { steps: [], stepBlocks: [], plane: [], approaches: [], unproved: [], issues: [], spindles: [], stated: [], seconds: 0 };
+  const nothing = {
+    steps: [],
+    stepBlocks: [],
+    plane: [],
+    approaches: [],
+    unproved: [],
+    issues: [],
+    spindles: [],
+    stated: [],
+    seconds: 0,
+  };
   return {
     ...made,
     run: { ...run, ...nothing, operations },

@@ -3,9 +3,15 @@ import type { PlaneStep, Spot } from "../../program/tools/plane-types.ts";
 import type { Outcome } from "./outcome.ts";
 
 /** What few steps have: it is sent as it is. */
-type Rare = Omit<PlaneStep, "kind" | "from" | "to" | "feed" | "feedUnit" | "radius" | "block" | "index" | "seconds" | "turned">;
+type Rare = Omit<
+  PlaneStep,
+  "kind" | "from" | "to" | "feed" | "feedUnit" | "radius" | "block" | "index" | "seconds" | "turned"
+>;
 
-/** Motions of a milling program as columns. Half a million small objects take the page seconds to receive; two arrays take nothing. */
+/**
+ * Motions of a milling program as columns. Half a million small objects take the page seconds to receive; two arrays
+ * take nothing.
+ */
 export interface PackedPlane {
   /** Twelve numbers a step; not a number where a step has none. */
   readonly numbers: Float64Array<ArrayBuffer>;
@@ -26,7 +32,10 @@ export function packPlane(plane: readonly PlaneStep[]): PackedPlane {
   const units = new Uint8Array(plane.length);
   const rare = new Map<number, Rare>();
   plane.forEach(({ kind, from, to, feed, feedUnit, radius, block, index, seconds, turned, ...others }, i) => {
-    numbers.set([from.x, from.y, from.z ?? NaN, to.x, to.y, to.z ?? NaN, feed ?? NaN, radius, block, index, seconds, turned], i * COLUMNS);
+    numbers.set(
+      [from.x, from.y, from.z ?? NaN, to.x, to.y, to.z ?? NaN, feed ?? NaN, radius, block, index, seconds, turned],
+      i * COLUMNS,
+    );
     kinds[i] = KINDS.indexOf(kind);
     units[i] = UNITS.indexOf(feedUnit);
     if (Object.keys(others).length > 0) rare.set(i, others);
@@ -43,9 +52,10 @@ export function unpackPlane({ numbers, kinds, units, rare }: PackedPlane): reado
     const [kind, from, to] = [KINDS[code] ?? "feed", spot(0), spot(3)];
     const [feed, feedUnit] = [column(6), UNITS[units[i] ?? 0]];
     const [radius, block, index, seconds, turned] = [column(7), column(8), column(9), column(10), column(11)];
-    const step: PlaneStep = feedUnit && !Number.isNaN(feed)
-      ? { kind, from, to, feed, feedUnit, radius, block, index, seconds, turned }
-      : { kind, from, to, radius, block, index, seconds, turned };
+    const step: PlaneStep =
+      feedUnit && !Number.isNaN(feed)
+        ? { kind, from, to, feed, feedUnit, radius, block, index, seconds, turned }
+        : { kind, from, to, radius, block, index, seconds, turned };
     const others = rare.get(i);
     return others ? { ...step, ...others } : step;
   });
@@ -60,7 +70,11 @@ interface Sent {
 const MANY = 2000;
 
 const isLong = (value: unknown): value is Outcome =>
-  typeof value === "object" && value !== null && "run" in value && "simulation" in value && (value as Outcome).run.plane.length > MANY;
+  typeof value === "object" &&
+  value !== null &&
+  "run" in value &&
+  "simulation" in value &&
+  (value as Outcome).run.plane.length > MANY;
 
 /** How outcomes pass between worker and page: both sides call this before the first one. */
 export function wireOutcomes(): void {
@@ -71,6 +85,9 @@ export function wireOutcomes(): void {
       const sent = { outcome: { ...outcome, run: { ...outcome.run, plane: [] } }, plane };
       return [sent, [plane.numbers.buffer, plane.kinds.buffer, plane.units.buffer]];
     },
-    deserialize: ({ outcome, plane }: Sent): Outcome => ({ ...outcome, run: { ...outcome.run, plane: unpackPlane(plane) } }),
+    deserialize: ({ outcome, plane }: Sent): Outcome => ({
+      ...outcome,
+      run: { ...outcome.run, plane: unpackPlane(plane) },
+    }),
   });
 }

@@ -46,7 +46,8 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const question = (ask: typeof askAgain) => ask((engine) => (engine as unknown as { update: () => Promise<string> }).update());
+const question = (ask: typeof askAgain) =>
+  ask((engine) => (engine as unknown as { update: () => Promise<string> }).update());
 /** The browser takes a worker away without a word. */
 async function kill(worker: FakeWorker | undefined): Promise<void> {
   await vi.waitFor(() => expect(locks.has(worker?.name ?? "")).toBe(true));

@@ -3,8 +3,9 @@ import type { Engine } from "./worker.ts";
 import { wireOutcomes } from "./wire.ts";
 
 /*
- * The worker that calculates: started when it is first asked, replaced when it has ended. A browser may end one without a word, when
- * the device has no memory left. It holds a lock while it lives; the browser gives that on when it has ended, to the page.
+ * The worker that calculates: started when it is first asked, replaced when it has ended. A browser may end one without
+ * a word, when the device has no memory left. It holds a lock while it lives; the browser gives that on when it has
+ * ended, to the page.
  */
 
 /**
@@ -61,7 +62,9 @@ function started(): Life {
   life = begun;
   const broken = () => end(begun, new WorkerEnded("the calculation broke off"));
   // One that could not be fetched never ran: the browser says no more than that.
-  worker.addEventListener("error", (event) => event instanceof ErrorEvent ? broken() : end(begun, new Error(NOT_FETCHED)));
+  worker.addEventListener("error", (event) =>
+    event instanceof ErrorEvent ? broken() : end(begun, new Error(NOT_FETCHED)),
+  );
   worker.addEventListener("messageerror", broken);
   void watch(begun, name).catch(() => undefined);
   return begun;
@@ -78,10 +81,12 @@ export function askWorker<T>(question: (engine: Remote<Engine>) => Promise<T>): 
   return new Promise((resolve, reject) => {
     const timer = setTimeout(() => reject(new Error("no answer from the calculation")), PATIENCE);
     endings.add(reject);
-    question(engine).then(resolve, reject).finally(() => {
-      clearTimeout(timer);
-      endings.delete(reject);
-    });
+    question(engine)
+      .then(resolve, reject)
+      .finally(() => {
+        clearTimeout(timer);
+        endings.delete(reject);
+      });
   });
 }
 

@@ -41,10 +41,14 @@ const makersOf = ({ version }: Request): typeof openWork => {
 function updated(request: Request, tell: (stage: Stage) => void = () => undefined): Outcome {
   const begun = stopwatch();
   let pace = 0;
-  const outcome = engine.update(request, (stage) => {
-    if (stage === "proving") pace = stopwatch() - begun;
-    tell(stage);
-  }, request.version > 0 ? makersOf(request) : undefined);
+  const outcome = engine.update(
+    request,
+    (stage) => {
+      if (stage === "proving") pace = stopwatch() - begun;
+      tell(stage);
+    },
+    request.version > 0 ? makersOf(request) : undefined,
+  );
   if (outcome.version > 0) newest = outcome;
   return { ...outcome, pace };
 }
@@ -56,7 +60,10 @@ function planned(request: Request, tell?: (stage: Stage) => void): Planned {
   return { ...ahead, pace: stopwatch() - begun };
 }
 
-/** The proof of a request whose run the page has, without the marks that it has as well when `has` is the version of the last answer. */
+/**
+ * The proof of a request whose run the page has, without the marks that it has as well when `has` is the version of the
+ * last answer.
+ */
 function proved(request: Request, has: number | null, tell?: (stage: Stage) => void): Proved {
   const before = newest?.version === has ? newest : null;
   return provedBeside(updated(request, tell).simulation, before?.simulation.checkpoints ?? []);
@@ -101,7 +108,8 @@ const served = {
   },
   /** The turned bodies of the newest outcome at a moment; null when it is not the one that is asked for. */
   async bodies(of: KnownOutcome, wanted: BodiesWanted): Promise<BodiesGiven | null> {
-    const { turnedBodies, buffersOf } = await import("./bodies.ts"), outcome = newest;
+    const { turnedBodies, buffersOf } = await import("./bodies.ts"),
+      outcome = newest;
     if (!outcome || !knownRequest(of)) return null;
     const made = turnedBodies(outcome, wanted);
     return made === "same" ? made : transfer(made, buffersOf(made));
@@ -109,11 +117,12 @@ const served = {
   /** Paints what is milled of the newest outcome while it plays; false when it cannot. */
   async playMilling(of: KnownMilling, on: PlayedOn, look: MilledLook, course: PlayedCourse): Promise<boolean> {
     const outcome = knownMilling(of);
-    return outcome !== null && await (await fetchMilling()).playMilling(outcome, on, look, course);
+    return outcome !== null && (await (await fetchMilling()).playMilling(outcome, on, look, course));
   },
   /** Paints what is milled of the newest outcome as it stands; null when it is not the one that is asked for. */
   async milledPicture(of: KnownMilling, look: MilledLook, position: PlayPosition): Promise<ImageBitmap | null> {
-    const outcome = knownMilling(of), made = outcome && await (await fetchMilling()).milledPicture(outcome, look, position);
+    const outcome = knownMilling(of),
+      made = outcome && (await (await fetchMilling()).milledPicture(outcome, look, position));
     return made && transfer(made, [made]);
   },
   stopPlaying: async () => (await fetchPlayed()).stopPlaying(),

@@ -1,8 +1,18 @@
 import { showWhich, type WhichRegion } from "../place/place.ts";
 
 /** Asks which cycle makes a shape; about a place of an opened work, when there is one. */
-export function WhichButton({ name, className, regionOf }: { readonly name: string; readonly className: string;
-  readonly regionOf?: () => WhichRegion | null })
-{
-  return <button type="button" className={className} onClick={() => showWhich(regionOf?.() ?? null)}>{name}</button>;
+export function WhichButton({
+  name,
+  className,
+  regionOf,
+}: {
+  readonly name: string;
+  readonly className: string;
+  readonly regionOf?: () => WhichRegion | null;
+}) {
+  return (
+    <button type="button" className={className} onClick={() => showWhich(regionOf?.() ?? null)}>
+      {name}
+    </button>
+  );
 }

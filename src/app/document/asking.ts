@@ -82,8 +82,9 @@ function faultOf({ site, shape }: Sought, n: Readonly<Record<Measure, number>>):
 export function readAsking(asking: Sought): AskingReading {
   const { site, shape, stock, typed, rows } = asking;
   const asked = measuresOf(asking);
-  const numbers = Object.fromEntries(Object.entries(ASKED).map(([m, f]) => [m, readText(f, typed[m as Measure]).value])) as Record<Measure,
-    number | null>;
+  const numbers = Object.fromEntries(
+    Object.entries(ASKED).map(([m, f]) => [m, readText(f, typed[m as Measure]).value]),
+  ) as Record<Measure, number | null>;
   const value = (m: Measure) => numbers[m] ?? 0;
   if (asked.some((m) => numbers[m] === null)) return { wanted: null, fault: null };
   const rest = {
@@ -131,7 +132,9 @@ export function usualNumbers(site: Site, shape: TurnedShape): Typed {
       return numbers("30", "30", "0", "-25");
     case "step":
     case "free":
-      return site === "face" ? numbers("75", "40", "0", "-6") : numbers(open, inside ? "50" : "50", "0", inside ? "-25" : "-40");
+      return site === "face"
+        ? numbers("75", "40", "0", "-6")
+        : numbers(open, inside ? "50" : "50", "0", inside ? "-25" : "-40");
   }
 }
 
@@ -144,7 +147,9 @@ const AT_THE_EDGE = 0.1;
 /** What a stretch of a contour most likely is: a groove where it begins and ends at its open side, else any contour. */
 function likelyShape(stretch: readonly Segment[], { d1, d2, z1, z2 }: Typed, site: Site): TurnedShape {
   const depth = ({ z, r }: Pt) =>
-    site === "face" ? (Number(z1) - z) / (Number(z1) - Number(z2)) : (Number(d1) - toDiameter(r)) / (Number(d1) - Number(d2));
+    site === "face"
+      ? (Number(z1) - z) / (Number(z1) - Number(z2))
+      : (Number(d1) - toDiameter(r)) / (Number(d1) - Number(d2));
   const [first, last] = [stretch[0]?.from, stretch.at(-1)?.to];
   const isValley = stretch.length > 2 && first && last && Math.max(depth(first), depth(last)) < AT_THE_EDGE;
   return isValley ? "groove" : "free";

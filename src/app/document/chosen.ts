@@ -1,8 +1,8 @@
 import { create } from "zustand";
 
 /**
- * Which finding is looked at, in the list and in the picture alike; `count` goes up each time it is asked for anew, and `shown` is the last
- * time that a picture went there.
+ * Which finding is looked at, in the list and in the picture alike; `count` goes up each time it is asked for anew, and
+ * `shown` is the last time that a picture went there.
  */
 export const useChosen = create<{ readonly id: string | null; readonly count: number; readonly shown: number }>(() => ({
   id: null,

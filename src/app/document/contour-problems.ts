@@ -22,11 +22,16 @@ export function contourProblems(rows: readonly ContourRow[]): readonly Issue[] {
   const reading = readRows(rows);
   const isMissing = ({ row, issue }: RowIssue) => {
     const typed = rows[row];
-    return issue.code === "contourPoint" && issue.severity === "error" && typed !== undefined && !hasBlock(typed, reading.rows[row]);
+    return (
+      issue.code === "contourPoint" &&
+      issue.severity === "error" &&
+      typed !== undefined &&
+      !hasBlock(typed, reading.rows[row])
+    );
   };
-  const found = reading.issues.filter((each) => ONLY_HERE.has(each.issue.code as Issue["code"]) || isMissing(each)).map(({ issue }) =>
-    issue as Issue
-  );
+  const found = reading.issues
+    .filter((each) => ONLY_HERE.has(each.issue.code as Issue["code"]) || isMissing(each))
+    .map(({ issue }) => issue as Issue);
   read.set(rows, found);
   return found;
 }

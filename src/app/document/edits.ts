@@ -39,7 +39,10 @@ export const setClamping = (clamping: ClampingDraft | null, place: string | null
   edit(({ clamping: _, ...job }) => ({ ...job, ...(clamping && { clamping }) }), place);
 
 export const setSpindle = <F extends keyof SpindleDraft>(field: F, value: SpindleDraft[F]): void =>
-  edit((job) => ({ ...job, spindle: { ...job.spindle, [field]: value } }), field === "mode" ? null : `spindle ${field}`);
+  edit(
+    (job) => ({ ...job, spindle: { ...job.spindle, [field]: value } }),
+    field === "mode" ? null : `spindle ${field}`,
+  );
 
 export const setPerRevolution = (perRevolution: boolean): void => edit((job) => ({ ...job, perRevolution }));
 
@@ -58,10 +61,17 @@ export const setContour = (contour: readonly ContourRow[], place: string | null 
 const NOTHING_MEASURED: readonly Measurement[] = [];
 
 /** What was measured in the picture of a work and stays there; the same list as long as nothing changes in it. */
-export const measuredIn = ({ job, program }: Editor): readonly Measurement[] => (job ?? program)?.measured ?? NOTHING_MEASURED;
+export const measuredIn = ({ job, program }: Editor): readonly Measurement[] =>
+  (job ?? program)?.measured ?? NOTHING_MEASURED;
 
-/** Changes what was measured, as one step of undo; changes at the same place, one after the other, are one step together. */
-export function setMeasured(change: (list: readonly Measurement[]) => readonly Measurement[], place: string | null = null): void {
+/**
+ * Changes what was measured, as one step of undo; changes at the same place, one after the other, are one step
+ * together.
+ */
+export function setMeasured(
+  change: (list: readonly Measurement[]) => readonly Measurement[],
+  place: string | null = null,
+): void {
   const list = change(measuredIn(useEditor.getState())).slice(-MOST_MEASURED);
   const put = <W extends Job | ProgramWork>({ measured: _, ...work }: W): W =>
     ({ ...work, ...(list.length > 0 && { measured: list }) }) as unknown as W;
@@ -72,14 +82,16 @@ export function setMeasured(change: (list: readonly Measurement[]) => readonly M
 /** What the setup sheet of the open work says to the setter. */
 export function setRemarks(text: string): void {
   const remarks = text.slice(0, LONGEST_REMARKS);
-  const put = <W extends { readonly remarks?: string }>(work: W): W => (work.remarks === remarks ? work : { ...work, remarks });
+  const put = <W extends { readonly remarks?: string }>(work: W): W =>
+    work.remarks === remarks ? work : { ...work, remarks };
   if (useEditor.getState().program) changeProgram(put, "remarks");
   else edit(put, "remarks");
 }
 
 /** What the open work is turned from. */
 export function setMaterial(material: string): void {
-  const put = <W extends { readonly material?: string }>(work: W): W => (work.material === material ? work : { ...work, material });
+  const put = <W extends { readonly material?: string }>(work: W): W =>
+    work.material === material ? work : { ...work, material };
   if (useEditor.getState().program) changeProgram(put);
   else edit(put);
 }

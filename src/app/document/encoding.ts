@@ -9,7 +9,8 @@ const byteOf = new Map(Array.from({ length: 256 }, (_, byte) => [characterOf(byt
 
 function fromLegacy(file: Uint8Array): string {
   const parts: string[] = [];
-  for (let i = 0; i < file.length; i += 0x8000) parts.push(Array.from(file.subarray(i, i + 0x8000), characterOf).join(""));
+  for (let i = 0; i < file.length; i += 0x8000)
+    parts.push(Array.from(file.subarray(i, i + 0x8000), characterOf).join(""));
   return parts.join("");
 }
 

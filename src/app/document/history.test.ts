@@ -12,7 +12,10 @@ const [q = "", other = ""] = Object.keys(cycle.params).filter((name) => !cycle.p
 
 beforeEach(() => begin(exampleJob(cycle), "work"));
 
-test.each([["undo", undoStep], ["redo", redoStep]] as const)("%s shows the work that it changes, whatever stood over it", (way, go) => {
+test.each([
+  ["undo", undoStep],
+  ["redo", redoStep],
+] as const)("%s shows the work that it changes, whatever stood over it", (way, go) => {
   setPrompt(q, "1");
   if (way === "redo") undoStep();
   showTools();

@@ -10,17 +10,23 @@ const changedIn = <E extends { readonly id: string }>(list: readonly E[], before
   list.find((entry) => !before.includes(entry))?.id;
 
 /**
- * Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with the prompt. Only
- * the page of a parameter and the setup sheet are not left for it, which show the change themselves.
+ * Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with
+ * the prompt. Only the page of a parameter and the setup sheet are not left for it, which show the change themselves.
  */
 function goAndShow(way: keyof Steps, run: () => void): void {
   if (useSteps.getState()[way].length === 0) return;
-  const [{ job: before }, { list: toolsBefore }, { list: ownBefore }] = [useEditor.getState(), useTools.getState(), useOwn.getState()];
+  const [{ job: before }, { list: toolsBefore }, { list: ownBefore }] = [
+    useEditor.getState(),
+    useTools.getState(),
+    useOwn.getState(),
+  ];
   run();
   const [{ job }, { list: tools }, { list: own }] = [useEditor.getState(), useTools.getState(), useOwn.getState()];
   const [now, then] = [job && draftOf(job), before && draftOf(before)];
   const isSameWork = now && then && job !== before && job?.cycle === before?.cycle;
-  const prompt = isSameWork ? Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? "")) : undefined;
+  const prompt = isSameWork
+    ? Object.keys({ ...now, ...then }).find((q) => (now[q] ?? "") !== (then[q] ?? ""))
+    : undefined;
   const page = seen(usePlace.getState());
   if (prompt !== undefined && page.page === "guide" && page.path.includes(prompt)) return;
   uncoverAll("sheet");

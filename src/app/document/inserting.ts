@@ -18,5 +18,6 @@ export function useInserting(): Inserting | null {
 }
 
 /** Asks for an operation of the open work behind another one; null puts it before all others. */
-export const askForOperation = (behind: number | null): void => useAsked.setState({ behind, work: useEditor.getState().work });
+export const askForOperation = (behind: number | null): void =>
+  useAsked.setState({ behind, work: useEditor.getState().work });
 export const stopInserting = (): void => useAsked.setState({ work: null });

@@ -34,5 +34,8 @@ export const ownRecord = record({
 });
 export const useOwn = ownRecord.use;
 
-/** Changes the list as one step of undo; changes that name the same place, one after the other, are one step together. */
-export const editOwn = (change: (list: OwnList) => OwnList, place: string | null = null): void => editRecord(ownRecord, change, place);
+/**
+ * Changes the list as one step of undo; changes that name the same place, one after the other, are one step together.
+ */
+export const editOwn = (change: (list: OwnList) => OwnList, place: string | null = null): void =>
+  editRecord(ownRecord, change, place);

@@ -1,8 +1,19 @@
 import { beforeEach, expect, test } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
-import { cover, seen, showElsewhere, showOwn, showSection, showSheet, showTools, showWhich, uncover, usePlace,
-  type Cover } from "../place/place.ts";
+import {
+  cover,
+  seen,
+  showElsewhere,
+  showOwn,
+  showSection,
+  showSheet,
+  showTools,
+  showWhich,
+  uncover,
+  usePlace,
+  type Cover,
+} from "../place/place.ts";
 import { goHome, goToEntrance } from "./go-home.ts";
 import { redoStep, undoStep } from "./history.ts";
 import { begin, open, useEditor } from "./store.ts";
@@ -11,7 +22,12 @@ const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 const job = exampleJob(cycle);
 const page = () => seen(usePlace.getState()).page;
-const covers: readonly Cover[] = [{ page: "sheet" }, { page: "tools" }, { page: "own" }, { page: "guide", path: ["glossary"] }];
+const covers: readonly Cover[] = [
+  { page: "sheet" },
+  { page: "tools" },
+  { page: "own" },
+  { page: "guide", path: ["glossary"] },
+];
 
 beforeEach(() => {
   begin(null, null);

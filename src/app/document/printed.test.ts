@@ -4,13 +4,42 @@ import { blockCount, printedBlocks } from "./printed.ts";
 const numbersOf = (text: string) => printedBlocks(text).map(({ number, lines }) => [number, lines.length]);
 
 test.each<[string, string, readonly (readonly [number, number])[]]>([
-  ["a file with numbers", "0 BEGIN PGM A MM\n1 CYCL DEF 811 X ~\nQ215=+0 ;A ~\nQ460=+2\n2 CYCL CALL\n", [[0, 1], [1, 3], [2, 1]]],
-  ["a file without numbers, CR LF", "BEGIN PGM A MM\r\nCYCL DEF 811 X ~\r\nQ215=+0 ~\r\nQ460=+2\r\nCYCL CALL\r\n", [[0, 1], [1, 3], [
-    2,
-    1,
-  ]]],
-  ["the look of the manual", "7 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2\n8 L  X+3\n", [[7, 3], [8, 1]]],
-  ["DIN/ISO", "%A G71 *\nN1 T5 *\n/N3 G811 Q215=+0 Q460=+2 *\nN99999999 %A G71 *\n", [[0, 1], [1, 1], [3, 1], [99999999, 1]]],
+  [
+    "a file with numbers",
+    "0 BEGIN PGM A MM\n1 CYCL DEF 811 X ~\nQ215=+0 ;A ~\nQ460=+2\n2 CYCL CALL\n",
+    [
+      [0, 1],
+      [1, 3],
+      [2, 1],
+    ],
+  ],
+  [
+    "a file without numbers, CR LF",
+    "BEGIN PGM A MM\r\nCYCL DEF 811 X ~\r\nQ215=+0 ~\r\nQ460=+2\r\nCYCL CALL\r\n",
+    [
+      [0, 1],
+      [1, 3],
+      [2, 1],
+    ],
+  ],
+  [
+    "the look of the manual",
+    "7 CYCL DEF 811  X\nQ215=+0 ;A\nQ460=+2\n8 L  X+3\n",
+    [
+      [7, 3],
+      [8, 1],
+    ],
+  ],
+  [
+    "DIN/ISO",
+    "%A G71 *\nN1 T5 *\n/N3 G811 Q215=+0 Q460=+2 *\nN99999999 %A G71 *\n",
+    [
+      [0, 1],
+      [1, 1],
+      [3, 1],
+      [99999999, 1],
+    ],
+  ],
 ])("%s is told block by block", (_, text, blocks) => {
   expect(numbersOf(text)).toEqual(blocks);
   expect(blockCount(text)).toBe(blocks.length);

@@ -8,8 +8,8 @@ import { setJobOf } from "./reading.ts";
 const printed = new WeakMap<SetJob, string>();
 
 /**
- * The program text of a job with its set-up, as a Klartext file of its control and in its own label language, made once per state of the
- * job: what is run and checked. Its tools are those of the open work where no others are given.
+ * The program text of a job with its set-up, as a Klartext file of its control and in its own label language, made once
+ * per state of the job: what is run and checked. Its tools are those of the open work where no others are given.
  */
 export function printedText(typed: Job, tools?: readonly Tool[]): string {
   const job = setJobOf(typed, tools);
@@ -35,7 +35,7 @@ export interface IsoFile {
 /** A Klartext program in DIN/ISO; its printer is fetched when it is first needed. */
 export async function isoFile(text: string): Promise<IsoFile> {
   const [{ isoProgramText }, { parse }] = await untilHere(() =>
-    Promise.all([import("../../nc/iso/print-iso.ts"), import("../../nc/parse.ts")])
+    Promise.all([import("../../nc/iso/print-iso.ts"), import("../../nc/parse.ts")]),
   );
   const made = isoProgramText(parse(text));
   return { text: made.text, kept: made.kept.map(({ number }) => number) };
@@ -62,12 +62,15 @@ export interface PrintedBlock {
 const NUMBER = /^\/?N?(\d+)\s/;
 const VALUE = /^\s*Q\d+ ?=/;
 
-/** The blocks of a program by its lines: a list of a cycle goes on with ` ~`, in the look of the manual with its values. */
+/**
+ * The blocks of a program by its lines: a list of a cycle goes on with ` ~`, in the look of the manual with its values.
+ */
 export function printedBlocks(text: string): readonly PrintedBlock[] {
   const blocks: { number: number; lines: string[] }[] = [];
   for (const line of text.split(/\r?\n/)) {
     if (line.trim() === "") continue;
-    const open = blocks.at(-1), number = NUMBER.exec(line)?.[1];
+    const open = blocks.at(-1),
+      number = NUMBER.exec(line)?.[1];
     if (open && (open.lines.at(-1)?.endsWith("~") || (number === undefined && VALUE.test(line)))) open.lines.push(line);
     else blocks.push({ number: number === undefined ? (open?.number ?? -1) + 1 : Number(number), lines: [line] });
   }

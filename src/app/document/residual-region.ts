@@ -16,7 +16,10 @@ function splitAt(s: Segment, p: Pt): readonly Segment[] {
 /** The point of a stretch that lies farthest back or farthest on along an element. */
 function farthest(s: Segment, ring: Ring, way: 1 | -1): Pt {
   const near = ring.filter((p) => part.distanceTo(s, p) < TOUCHES).map((p) => part.nearestOn(s, p));
-  return near.reduce((best, p) => ((part.apart(s.from, p) - part.apart(s.from, best)) * way > 0 ? p : best), near[0] ?? s.from);
+  return near.reduce(
+    (best, p) => ((part.apart(s.from, p) - part.apart(s.from, best)) * way > 0 ? p : best),
+    near[0] ?? s.from,
+  );
 }
 
 /** What stays, as a place to ask about: the stretch of the contour that it lies on. */
@@ -32,5 +35,10 @@ export function regionOfResidual({ ring }: Residual, operation: Operation, stock
   const split = [...contour.slice(0, last), ...ending, ...contour.slice(last + 1)];
   const starting = splitAt(first === last ? (ending[0] as Segment) : opening, farthest(opening, ring, -1));
   const shift = starting.length - 1;
-  return { ...rest, contour: [...split.slice(0, first), ...starting, ...split.slice(first + 1)], first: first + shift, last: last + shift };
+  return {
+    ...rest,
+    contour: [...split.slice(0, first), ...starting, ...split.slice(first + 1)],
+    first: first + shift,
+    last: last + shift,
+  };
 }

@@ -2,8 +2,8 @@ import { create } from "zustand";
 import type { PathChoice } from "../../program/run/path-index.ts";
 
 /**
- * What was pointed at last, wherever that was: in the text, in the picture, in the contour table. Where the tool stands is the playback's
- * position, and which prompt is open is the place; each choice leads both there.
+ * What was pointed at last, wherever that was: in the text, in the picture, in the contour table. Where the tool stands
+ * is the playback's position, and which prompt is open is the place; each choice leads both there.
  */
 export interface Selection {
   /** What is marked of the path. */

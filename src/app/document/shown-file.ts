@@ -3,13 +3,17 @@ import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "./store.ts";
 import { filesOf, fileOf, type ProgramWork, type WorkFile } from "./work.ts";
 
-/** Key of the file whose text the editor shows; null for the program that runs. It is a place, and no part of the work. */
+/**
+ * Key of the file whose text the editor shows; null for the program that runs. It is a place, and no part of the work.
+ */
 const useShownKey = create<{ readonly key: string | null }>(() => ({ key: null }));
 
 /** Shows the text of a file of the open work; one that it does not have shows the program. */
-export const showFile = (name: string | null): void => useShownKey.setState({ key: name === null ? null : fileKey(name) });
+export const showFile = (name: string | null): void =>
+  useShownKey.setState({ key: name === null ? null : fileKey(name) });
 
-const shownOf = (program: ProgramWork, key: string | null): WorkFile => (key === null ? undefined : fileOf(program, key)) ?? program;
+const shownOf = (program: ProgramWork, key: string | null): WorkFile =>
+  (key === null ? undefined : fileOf(program, key)) ?? program;
 
 /** The file of a work whose text is shown. */
 export const shownFile = (program: ProgramWork): WorkFile => shownOf(program, useShownKey.getState().key);
@@ -34,4 +38,4 @@ export function useShownName(): string {
 }
 
 /** Hears of every change of what is shown. */
-export const onShown = (listener: () => void): () => void => useShownKey.subscribe(listener);
+export const onShown = (listener: () => void): (() => void) => useShownKey.subscribe(listener);

@@ -9,15 +9,18 @@ export const isIn = ({ inFile }: Pick<Placed, "inFile">, file: string | null): b
   file === null ? !inFile : inFile !== undefined && fileKey(inFile.file) === fileKey(file);
 
 /** A place as the text of its own file counts it. */
-export const ownPlace = ({ block, line, inFile }: Placed): Pick<RunFinding, "block" | "line"> => inFile ?? { block, line };
+export const ownPlace = ({ block, line, inFile }: Placed): Pick<RunFinding, "block" | "line"> =>
+  inFile ?? { block, line };
 
 /**
- * The findings that belong to the text that is shown, at their places in it. In the program that runs those of a called one
- * stand at the call, and still say where they are.
+ * The findings that belong to the text that is shown, at their places in it. In the program that runs those of a called
+ * one stand at the call, and still say where they are.
  */
 export function findingsShown(findings: readonly RunFinding[], file: string | null): readonly RunFinding[] {
   if (file === null) return findings;
-  return findings.filter((found) => isIn(found, file)).map(({ issue, operation, ...at }) => ({ issue, operation, ...ownPlace(at) }));
+  return findings
+    .filter((found) => isIn(found, file))
+    .map(({ issue, operation, ...at }) => ({ issue, operation, ...ownPlace(at) }));
 }
 
 /** True when the cycle of an operation is defined in the text of a file, null being the program that runs. */
@@ -25,5 +28,7 @@ export const isDefinedIn = ({ definedFile }: Pick<Operation, "definedFile">, fil
   file === null ? definedFile === undefined : definedFile !== undefined && fileKey(definedFile) === fileKey(file);
 
 /** Findings of a list that stand in the text of a file, null being the program that runs. */
-export const findingsHere = <F extends Pick<Placed, "inFile">>(findings: readonly F[], file: string | null): readonly F[] =>
-  findings.filter((found) => isIn(found, file));
+export const findingsHere = <F extends Pick<Placed, "inFile">>(
+  findings: readonly F[],
+  file: string | null,
+): readonly F[] => findings.filter((found) => isIn(found, file));

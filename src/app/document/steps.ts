@@ -5,7 +5,10 @@ import { isSameData } from "../base/same.ts";
  * One step of undo. Both ways say whether they could be gone: a step whose text is no longer held is passed over.
  */
 export interface HistoryStep {
-  /** What the step changes, by identity: only steps of the same thing join, and what is replaced from outside takes its steps along. */
+  /**
+   * What the step changes, by identity: only steps of the same thing join, and what is replaced from outside takes its
+   * steps along.
+   */
   readonly of: object;
   readonly back: () => boolean;
   readonly forth: () => boolean;
@@ -15,7 +18,10 @@ export interface HistoryStep {
   readonly file?: string;
 }
 
-/** The one history of the page: prompts, contours, set-ups, program text, tools and which work is open, in the order they were changed. */
+/**
+ * The one history of the page: prompts, contours, set-ups, program text, tools and which work is open, in the order
+ * they were changed.
+ */
 export interface Steps {
   readonly past: readonly HistoryStep[];
   readonly future: readonly HistoryStep[];
@@ -34,7 +40,9 @@ export const closeStep = (): void => {
   lastPlace = null;
 };
 
-/** True when a change at this place goes on with the step of the change before; the next one is asked about this place. */
+/**
+ * True when a change at this place goes on with the step of the change before; the next one is asked about this place.
+ */
 export function goesOn(place: string | null): boolean {
   const on = place !== null && place === lastPlace;
   lastPlace = place;
@@ -56,7 +64,8 @@ export function note(step: HistoryStep, on = false): void {
   const { past } = useSteps.getState();
   const last = past.at(-1);
   const joined = on && last?.of === step.of;
-  const before = joined ? past.slice(0, -1) : past, next = joined ? joinedStep(last, step) : step;
+  const before = joined ? past.slice(0, -1) : past,
+    next = joined ? joinedStep(last, step) : step;
   if (!leadsNowhere(next)) return useSteps.setState({ past: [...before, next].slice(-LIMIT), future: [] });
   // What comes next at this place is no part of the step that is the last one now.
   closeStep();
@@ -78,7 +87,8 @@ export function resumeSteps(past: readonly HistoryStep[], future: readonly Histo
 }
 
 /** Notes that a state was replaced; `put` puts either of the two in place, and is what the step is of. */
-export const noteChange = <S>(put: (state: S) => void, before: S, after: S, on = false): void => note(stepBetween(put, before, after), on);
+export const noteChange = <S>(put: (state: S) => void, before: S, after: S, on = false): void =>
+  note(stepBetween(put, before, after), on);
 
 /** Lets go the steps of a thing that was replaced from outside, or all of them. */
 export function forget(of: object | null = null): void {
@@ -110,12 +120,18 @@ export function asOneStep<T>(change: () => T): T {
   const last = useSteps.getState().past.at(-1);
   const result = change();
   closeStep();
-  const { past } = useSteps.getState(), begin = last === undefined ? 0 : past.lastIndexOf(last) + 1;
-  const made = past.slice(begin), newest = made.at(-1);
+  const { past } = useSteps.getState(),
+    begin = last === undefined ? 0 : past.lastIndexOf(last) + 1;
+  const made = past.slice(begin),
+    newest = made.at(-1);
   if (!newest || made.length === 1) return result;
   const joined: HistoryStep = {
     of: newest.of,
-    back: () => made.toReversed().map((step) => step.back()).includes(true),
+    back: () =>
+      made
+        .toReversed()
+        .map((step) => step.back())
+        .includes(true),
     forth: () => made.map((step) => step.forth()).includes(true),
   };
   useSteps.setState({ past: [...past.slice(0, begin), joined] });

@@ -15,7 +15,10 @@ export interface Editor {
 
 export const useEditor = heldWhileTyping<Editor>(() => ({ job: null, program: null, work: null }));
 
-/** What hands over changes that it still holds back: asked before the work is changed for another one, or the page goes away. */
+/**
+ * What hands over changes that it still holds back: asked before the work is changed for another one, or the page goes
+ * away.
+ */
 export const beforeLeaving = new Set<() => void>();
 
 export function handOver(): void {
@@ -55,7 +58,9 @@ export function open(content: Work | null, work: string | null): void {
   closeStep();
   handOver();
   const before = useEditor.getState();
-  putWork(content && isProgram(content) ? { job: null, program: content, work } : { job: content, program: null, work });
+  putWork(
+    content && isProgram(content) ? { job: null, program: content, work } : { job: content, program: null, work },
+  );
   noteChange(putWork, before, useEditor.getState());
 }
 
@@ -72,14 +77,19 @@ export const setProgram = (program: ProgramWork): void => useEditor.setState({ p
 export const OF_FILES = {};
 
 /** Puts a state of a program in place, as long as it is open. */
-export const putProgram = (work: string | null) => (program: ProgramWork): boolean => {
-  if (useEditor.getState().work !== work) return false;
-  handOver();
-  setProgram(program);
-  return true;
-};
+export const putProgram =
+  (work: string | null) =>
+  (program: ProgramWork): boolean => {
+    if (useEditor.getState().work !== work) return false;
+    handOver();
+    setProgram(program);
+    return true;
+  };
 
-/** Changes what belongs to the open program, as one step of undo; changes at the same place, one after the other, are one step together. */
+/**
+ * Changes what belongs to the open program, as one step of undo; changes at the same place, one after the other, are
+ * one step together.
+ */
 export function changeProgram(change: (program: ProgramWork) => ProgramWork, place: string | null = null): void {
   handOver();
   const { program: before, work } = useEditor.getState();

@@ -30,7 +30,11 @@ function listOf(kept: z.output<typeof table>): ToolList {
   const origins = (kept.origins ?? []).map(({ name, text, encoding }) => tableOrigin(name, text, encoding));
   return kept.rows.map(({ id, cells, line }) => {
     const from = line && origins[line[0]];
-    return { id, cells: cells as ToolList[number]["cells"], ...(line && from && { line: { origin: from, at: line[1] } }) };
+    return {
+      id,
+      cells: cells as ToolList[number]["cells"],
+      ...(line && from && { line: { origin: from, at: line[1] } }),
+    };
   });
 }
 
@@ -43,7 +47,10 @@ function withShippedHolder(row: ToolList[number]): ToolList[number] {
   return sameList([bare], [row]) ? { ...row, cells: shipped.cells } : row;
 }
 
-/** The tool table of this device, as typed. It belongs to no program: all of them call its tools but those that bring their own. */
+/**
+ * The tool table of this device, as typed. It belongs to no program: all of them call its tools but those that bring
+ * their own.
+ */
 export const toolRecord = record({
   key: "tools",
   version: 2,
@@ -70,5 +77,8 @@ export function toolsOnDevice(list: ToolList): ToolListReading {
   return made;
 }
 
-/** Changes the table as one step of undo; changes that name the same place, one after the other, are one step together. */
-export const editTools = (change: (list: ToolList) => ToolList, place: string | null = null): void => editRecord(toolRecord, change, place);
+/**
+ * Changes the table as one step of undo; changes that name the same place, one after the other, are one step together.
+ */
+export const editTools = (change: (list: ToolList) => ToolList, place: string | null = null): void =>
+  editRecord(toolRecord, change, place);

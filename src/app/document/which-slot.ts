@@ -3,4 +3,5 @@ import { slot } from "../base/slot.ts";
 import type { WhichRegion } from "../place/place.ts";
 
 /** The question which cycle makes a shape, over the picture or a program. */
-export const whichSlot = slot<ComponentType<{ readonly done: () => void; readonly region: WhichRegion | null }>>("which cycle");
+export const whichSlot =
+  slot<ComponentType<{ readonly done: () => void; readonly region: WhichRegion | null }>>("which cycle");

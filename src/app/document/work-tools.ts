@@ -14,10 +14,17 @@ const controlOf = ({ control }: HandedOn): Control => control ?? useSettings.get
 /** A task is judged without a machine, so its work is timed without one. */
 type TimedWork = HandedOn & { readonly task?: TaskWork };
 
-/** The text of the machine file that times of a work are worked out with: as it was handed on, or as this device is set. Empty for none. */
-export const machineTextOf = ({ machine, task }: TimedWork): string => (task ? "" : machine ?? useSettings.getState().machine);
+/**
+ * The text of the machine file that times of a work are worked out with: as it was handed on, or as this device is set.
+ * Empty for none.
+ */
+export const machineTextOf = ({ machine, task }: TimedWork): string =>
+  task ? "" : (machine ?? useSettings.getState().machine);
 
-/** What a work runs with, whether it is open or not: the tools that can be called, those that are refused, and the control. */
+/**
+ * What a work runs with, whether it is open or not: the tools that can be called, those that are refused, and the
+ * control.
+ */
 export const shopOf = (work: HandedOn) => ({ table: toolsOnDevice(listOf(work)).table, control: controlOf(work) });
 
 /** The tools that the open work runs with. */

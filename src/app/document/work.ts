@@ -21,7 +21,10 @@ export interface ProgramWork extends WorkFile, HandedOn {
   readonly files?: readonly WorkFile[];
   /** Blocks behind a skip mark are left out. */
   readonly skipMarked?: boolean;
-  /** How blocks are written that the app adds; as the program writes them already, and as this device does where it is not set. */
+  /**
+   * How blocks are written that the app adds; as the program writes them already, and as this device does where it is
+   * not set.
+   */
   readonly output?: NcOutput;
   /** What its setup sheet says to the setter. */
   readonly remarks?: string;
@@ -65,7 +68,10 @@ export const textsOf = (program: ProgramWork): readonly WorkFile[] => [program, 
 export const fileOf = (program: ProgramWork, key: string): WorkFile | undefined =>
   textsOf(program).find(({ name }) => fileKey(name) === key);
 
-const isNamed = (key: string) => ({ name }: WorkFile) => fileKey(name) === key;
+const isNamed =
+  (key: string) =>
+  ({ name }: WorkFile) =>
+    fileKey(name) === key;
 const plain = ({ name, text, encoding }: WorkFile): WorkFile => ({ name, text, encoding });
 const withFiles = ({ files: _, ...program }: ProgramWork, files: readonly WorkFile[]): ProgramWork =>
   files.length > 0 ? { ...program, files } : program;
@@ -73,7 +79,10 @@ const withFiles = ({ files: _, ...program }: ProgramWork, files: readonly WorkFi
 /** The work with another text in one of its files. */
 export function withText(program: ProgramWork, key: string, text: string): ProgramWork {
   if (isNamed(key)(program)) return { ...program, text };
-  return withFiles(program, filesOf(program).map((file) => (isNamed(key)(file) ? { ...file, text } : file)));
+  return withFiles(
+    program,
+    filesOf(program).map((file) => (isNamed(key)(file) ? { ...file, text } : file)),
+  );
 }
 
 /** The work with one more file; one of the same key gives way to it. */
@@ -81,16 +90,30 @@ export function withFile(program: ProgramWork, file: WorkFile): ProgramWork {
   const key = fileKey(file.name);
   if (isNamed(key)(program)) return { ...program, ...plain(file) };
   const files = filesOf(program);
-  return withFiles(program, files.some(isNamed(key)) ? files.map((f) => (isNamed(key)(f) ? file : f)) : [...files, file]);
+  return withFiles(
+    program,
+    files.some(isNamed(key)) ? files.map((f) => (isNamed(key)(f) ? file : f)) : [...files, file],
+  );
 }
 
 /** The work without one of the files beside its program. */
 export const withoutFile = (program: ProgramWork, key: string): ProgramWork =>
-  withFiles(program, filesOf(program).filter((file) => !isNamed(key)(file)));
+  withFiles(
+    program,
+    filesOf(program).filter((file) => !isNamed(key)(file)),
+  );
 
-/** The work with another of its files as the program that runs; the one that ran so far stands beside it, in its place. */
+/**
+ * The work with another of its files as the program that runs; the one that ran so far stands beside it, in its place.
+ */
 export function withMain(program: ProgramWork, key: string): ProgramWork {
   const main = filesOf(program).find(isNamed(key));
   if (!main) return program;
-  return { ...withFiles(program, filesOf(program).map((file) => (file === main ? plain(program) : file))), ...plain(main) };
+  return {
+    ...withFiles(
+      program,
+      filesOf(program).map((file) => (file === main ? plain(program) : file)),
+    ),
+    ...plain(main),
+  };
 }

@@ -9,7 +9,8 @@ import type { ShownVerdict } from "../findings/verdict.ts";
 import type { GuidePath } from "../place/place.ts";
 
 /*
- * Parts that dialogs and pages show of features beside or above them. The shell says which feature gives each (shell/slots.ts).
+ * Parts that dialogs and pages show of features beside or above them. The shell says which feature gives each
+ * (shell/slots.ts).
  */
 
 type Part<P> = ComponentType<P>;
@@ -18,20 +19,25 @@ type Done = { readonly done: () => void };
 export const handOnSlot = slot<Part<Done & { readonly open: Work; readonly verdict: ShownVerdict }>>("handing on");
 export const exportSlot = slot<Part<Done & { readonly stem: string }>>("the export of a part");
 export const drawingSlot = slot<Part<Done & { readonly stem: string }>>("the drawing of a program");
-export const teachSlot = slot<Part<Done & ({ readonly text: string; readonly work: string } | { readonly task: Task })>>("making a task");
+export const teachSlot =
+  slot<Part<Done & ({ readonly text: string; readonly work: string } | { readonly task: Task })>>("making a task");
 export const promptMoreSlot = slot<Part<{ readonly page: GuidePath; readonly name: string }>>("more about a prompt");
-export const setupStartSlot = slot<Part<{ readonly cycle: Cycle; readonly surface: boolean; readonly perRevolution: boolean }>>(
-  "starting values of a set-up",
-);
+export const setupStartSlot =
+  slot<Part<{ readonly cycle: Cycle; readonly surface: boolean; readonly perRevolution: boolean }>>(
+    "starting values of a set-up",
+  );
 export const newProgramSlot = slot<Part<Done>>("a new program");
 export const contourTableSlot = slot<
-  Part<
-    { readonly rows: readonly ContourRow[]; readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
-      readonly language: Language; readonly apart?: boolean }
-  >
+  Part<{
+    readonly rows: readonly ContourRow[];
+    readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
+    readonly language: Language;
+    readonly apart?: boolean;
+  }>
 >("the table of a contour");
 
 /** What opens tasks and results that came as files. */
-export const taughtFilesSlot = slot<
-  { readonly areTaught: (files: readonly File[]) => Promise<boolean>; readonly openTaughtFiles: (files: readonly File[]) => Promise<void> }
->("files of tasks");
+export const taughtFilesSlot = slot<{
+  readonly areTaught: (files: readonly File[]) => Promise<boolean>;
+  readonly openTaughtFiles: (files: readonly File[]) => Promise<void>;
+}>("files of tasks");

@@ -15,7 +15,15 @@ import { VerdictText } from "./VerdictText.tsx";
 const MOST = 300;
 
 /** One finding: what, where, the way there, and what mends it. */
-function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly host: FindingsHost; readonly chosen: boolean }) {
+function Row({
+  entry,
+  host,
+  chosen,
+}: {
+  readonly entry: FindingEntry;
+  readonly host: FindingsHost;
+  readonly chosen: boolean;
+}) {
   const t = useTexts();
   const lengths = useLengths();
   const row = useRef<HTMLLIElement>(null);
@@ -28,18 +36,28 @@ function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly h
   }, [chosen]);
 
   return (
-    <li ref={row} className={`finding ${issue.severity}${spot ? ` on-${spot.kind}` : ""}`} aria-current={chosen ? "true" : undefined}>
-      {spot
-        ? (
-          <button type="button" className={`badge badge-${spot.kind}`} aria-label={t.findings.show(spot.mark)}
-            title={t.findings.show(spot.mark)} aria-pressed={chosen} onClick={() => {
+    <li
+      ref={row}
+      className={`finding ${issue.severity}${spot ? ` on-${spot.kind}` : ""}`}
+      aria-current={chosen ? "true" : undefined}
+    >
+      {spot ? (
+        <button
+          type="button"
+          className={`badge badge-${spot.kind}`}
+          aria-label={t.findings.show(spot.mark)}
+          title={t.findings.show(spot.mark)}
+          aria-pressed={chosen}
+          onClick={() => {
             chooseFinding(chosen ? null : entry.id);
             if (!chosen) host.point(entry);
-          }}>
-            {spot.mark}
-          </button>
-        )
-        : <Icon name={issue.severity} />}
+          }}
+        >
+          {spot.mark}
+        </button>
+      ) : (
+        <Icon name={issue.severity} />
+      )}
       <div>
         <p className="small finding-head">
           <b>{t.findings.severities[issue.severity]}</b>
@@ -52,15 +70,21 @@ function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly h
         </p>
         <div className="finding-ways">
           {host.remediesOf(entry).map(({ name, apply }) => (
-            <button key={name} type="button" className="button small mend" onClick={apply}>{name}</button>
+            <button key={name} type="button" className="button small mend" onClick={apply}>
+              {name}
+            </button>
           ))}
           <ToolOffer entry={entry} host={host} />
           <ResidueTools entry={entry} host={host} />
           {target && (
-            <button type="button" className="button small" onClick={() => {
-              if (spot) chooseFinding(entry.id);
-              target.go();
-            }}>
+            <button
+              type="button"
+              className="button small"
+              onClick={() => {
+                if (spot) chooseFinding(entry.id);
+                target.go();
+              }}
+            >
               {t.findings.goTo(target.name)}
             </button>
           )}
@@ -70,9 +94,15 @@ function Row({ entry, host, chosen }: { readonly entry: FindingEntry; readonly h
   );
 }
 
-/** The verdict and all findings of the open work, worst first: the only list there is, for prompts and whole programs alike. */
+/**
+ * The verdict and all findings of the open work, worst first: the only list there is, for prompts and whole programs
+ * alike.
+ */
 export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
-  const { findings: t, dialog: { done } } = useTexts();
+  const {
+    findings: t,
+    dialog: { done },
+  } = useTexts();
   const entries = useListed();
   const verdict = useVerdict();
   const chosen = useChosen((c) => c.id);
@@ -84,16 +114,20 @@ export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
       {verdict.open > 0 && (
         <p className="findings-open">
           <Icon name="info" /> <span>{done.open(verdict.open)}</span>
-          <button type="button" className="button small" onClick={host.toFirstOpen}>{done.firstOpen}</button>
+          <button type="button" className="button small" onClick={host.toFirstOpen}>
+            {done.firstOpen}
+          </button>
         </p>
       )}
-      {entries.length === 0
-        ? verdict.open === 0 && verdict.state !== "none" && <p className="no-findings soft">{t.none}</p>
-        : (
-          <ul aria-label={t.list}>
-            {entries.slice(0, MOST).map((entry) => <Row key={entry.id} entry={entry} host={host} chosen={entry.id === chosen} />)}
-          </ul>
-        )}
+      {entries.length === 0 ? (
+        verdict.open === 0 && verdict.state !== "none" && <p className="no-findings soft">{t.none}</p>
+      ) : (
+        <ul aria-label={t.list}>
+          {entries.slice(0, MOST).map((entry) => (
+            <Row key={entry.id} entry={entry} host={host} chosen={entry.id === chosen} />
+          ))}
+        </ul>
+      )}
       {entries.length > MOST && <p className="small soft">{t.more(entries.length - MOST)}</p>}
     </div>
   );

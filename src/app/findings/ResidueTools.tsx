@@ -31,8 +31,11 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
   const operation = left && newest?.run.operations[left.operation];
   if (!left || !operation) return null;
   const which = (
-    <WhichButton name={words.askCycle} className="button small mend"
-      regionOf={() => regionOfResidual(left, operation, newest.simulation.final)} />
+    <WhichButton
+      name={words.askCycle}
+      className="button small mend"
+      regionOf={() => regionOfResidual(left, operation, newest.simulation.final)}
+    />
   );
   if (!byTool.has(left.reason)) return which;
   const tools = asked.of === newest ? asked.tools : null;
@@ -44,7 +47,11 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
   return (
     <>
       {which}
-      {tools === null && <button type="button" className="button small mend" onClick={() => void tryAll()}>{words.ask}</button>}
+      {tools === null && (
+        <button type="button" className="button small mend" onClick={() => void tryAll()}>
+          {words.ask}
+        </button>
+      )}
       <div role="status" className={tools === null ? "unseen" : "finding-tools"}>
         {tools === "trying" && <p className="small soft">{words.trying}</p>}
         {Array.isArray(tools) && tools.length === 0 && <p className="small">{words.none}</p>}
@@ -54,7 +61,9 @@ export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; re
               const name = `${tool.T} ${tool.NAME}`;
               return (
                 <li key={tool.T}>
-                  <span className="small">{stays < NO_AREA ? words.all(name) : words.leaves(name, write.area(stays))}</span>
+                  <span className="small">
+                    {stays < NO_AREA ? words.all(name) : words.leaves(name, write.area(stays))}
+                  </span>
                   <button type="button" className="button small mend" onClick={() => host.takeTool(entry, tool.T)}>
                     {t.setup.tool.take(tool.T)}
                   </button>

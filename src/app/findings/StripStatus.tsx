@@ -5,7 +5,10 @@ import { useListed, useVerdict } from "./use-findings.ts";
 
 /** How much was found, with the way to the list; what is only not done yet is said calmly. */
 export function StripStatus({ otherwise = "" }: { readonly otherwise?: string }) {
-  const { findings: t, dialog: { done } } = useTexts();
+  const {
+    findings: t,
+    dialog: { done },
+  } = useTexts();
   const listed = useListed();
   const { open } = useVerdict();
   const worst = listed[0]?.issue.severity ?? "info";

@@ -32,7 +32,12 @@ export function ToolOffer({ entry, host }: { readonly entry: FindingEntry; reado
   }, [asked, newest, entry]);
   if (!asked || !best) return null;
   return (
-    <button type="button" className="button small mend" title={best.tool.NAME} onClick={() => host.takeTool(entry, best.tool.T)}>
+    <button
+      type="button"
+      className="button small mend"
+      title={best.tool.NAME}
+      onClick={() => host.takeTool(entry, best.tool.T)}
+    >
       {t.take(best.tool.T)}
     </button>
   );

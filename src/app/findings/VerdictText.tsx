@@ -16,7 +16,9 @@ const icons: Readonly<Record<ReturnType<typeof toneOf>, IconName | null>> = {
 /** Reasons beyond these stand in the list. */
 const MOST = 4;
 
-/** The verdict on a program in words, with its reasons where there is room for them. The same everywhere on the page. */
+/**
+ * The verdict on a program in words, with its reasons where there is room for them. The same everywhere on the page.
+ */
 export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: ShownVerdict; readonly reasons?: number }) {
   const t = useTexts().findings.verdict;
   const lengths = useLengths();
@@ -28,7 +30,11 @@ export function VerdictText({ verdict, reasons = 0 }: { readonly verdict: ShownV
       {icon && <Icon name={icon} />}
       <span>
         <span className="verdict-title">{verdictTitle(t, lengths, verdict)}</span>
-        {all.map((reason) => <span key={reason} className="verdict-reason">{reason}</span>)}
+        {all.map((reason) => (
+          <span key={reason} className="verdict-reason">
+            {reason}
+          </span>
+        ))}
       </span>
     </span>
   );

@@ -43,7 +43,10 @@ export interface FindingEntry {
 
 const toDo: ReadonlySet<string> = new Set(["missing", "unknownParameter"]);
 
-/** A prompt that is still empty, or a Q parameter that still waits for its value: something to do, not something done wrong. */
+/**
+ * A prompt that is still empty, or a Q parameter that still waits for its value: something to do, not something done
+ * wrong.
+ */
 export const isOpen = ({ issue }: Pick<FindingEntry, "issue">): boolean => toDo.has(issue.code);
 
 /** The same in the list: what a program lacks is a fault, what is not typed yet is none. */
@@ -76,7 +79,10 @@ export const isAboutTool = (at: string | null): boolean => at !== null && toolPl
 
 const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2 };
 
-/** What was found in the stock comes after what was found in the program, and what stays comes last: causes before effects. */
+/**
+ * What was found in the stock comes after what was found in the program, and what stays comes last: causes before
+ * effects.
+ */
 const found: ReadonlySet<string> = new Set([
   "gouge",
   "threadOverruns",
@@ -104,7 +110,12 @@ export const inOrder = (entries: readonly FindingEntry[]): readonly FindingEntry
   entries.toSorted((a, b) => weight[a.issue.severity] - weight[b.issue.severity] || stage(a) - stage(b));
 
 /** A finding that stands at one field or block and nowhere in the picture. */
-export const entryAt = (issue: AnyIssue, at: string | null, block: number | null, inFile?: FindingEntry["inFile"]): FindingEntry => ({
+export const entryAt = (
+  issue: AnyIssue,
+  at: string | null,
+  block: number | null,
+  inFile?: FindingEntry["inFile"],
+): FindingEntry => ({
   id: `${issue.code} ${at ?? ""}`,
   issue,
   at,

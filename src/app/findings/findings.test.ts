@@ -14,17 +14,25 @@ import { judged, toneOf } from "./verdict.ts";
 import { verdictReasons, verdictTitle } from "./verdict-words.ts";
 
 const outcomeOf = (text: string): Outcome =>
-  engine.update({ version: 1, text, table: { tools: shippedTools, mills: [], refused: new Map() }, rapid: 10_000, control: "TNC 640" });
+  engine.update({
+    version: 1,
+    text,
+    table: { tools: shippedTools, mills: [], refused: new Map() },
+    rapid: 10_000,
+    control: "TNC 640",
+  });
 
 function jobOf(number: number, change: (job: Job) => Job = (job) => job): Job {
   const cycle = cycleByNumber(number);
   if (!cycle) throw new Error(`no cycle ${number}`);
   return change(exampleJob(cycle));
 }
-const withPrompt = (q: string, text: string) => (job: Job): Job => ({
-  ...job,
-  drafts: { [job.cycle]: { ...job.drafts[job.cycle], [q]: text } },
-});
+const withPrompt =
+  (q: string, text: string) =>
+  (job: Job): Job => ({
+    ...job,
+    drafts: { [job.cycle]: { ...job.drafts[job.cycle], [q]: text } },
+  });
 
 function found(job: Job) {
   const read = readJob(job);
@@ -49,10 +57,15 @@ test("what is not typed yet is neither a fault nor proved", () => {
 test("a contour that is missing is a notice while prompts are open, and a fault when all are answered; it is said once", () => {
   const empty = jobOf(820, (job) => ({ ...job, contour: [] }));
   expect(found(empty).verdict).toMatchObject({ state: "faults", faults: 1 });
-  expect(codes(empty).filter((code) => code === "contourMissing" || code === "contourTooShort")).toEqual(["contourMissing"]);
+  expect(codes(empty).filter((code) => code === "contourMissing" || code === "contourTooShort")).toEqual([
+    "contourMissing",
+  ]);
   const open = found(withPrompt("Q463", "")(empty));
   expect(open.verdict).toMatchObject({ state: "none", faults: 0, open: 1 });
-  expect(open.entries.map(({ issue }) => [issue.code, issue.severity])).toEqual([["missing", "error"], ["contourMissing", "info"]]);
+  expect(open.entries.map(({ issue }) => [issue.code, issue.severity])).toEqual([
+    ["missing", "error"],
+    ["contourMissing", "info"],
+  ]);
 });
 
 test("a tool that cannot do it is the cause, and nothing that only follows from it is listed", () => {
@@ -76,7 +89,9 @@ test("many places with the same left over are one finding, with all of it; a few
 });
 
 test("worst first, each place of the picture with its own mark", () => {
-  const { entries } = found(jobOf(812, (job) => ({ ...withPrompt("Q500", "0")(job), start: { x: "71.3", z: "-9.7" } })));
+  const { entries } = found(
+    jobOf(812, (job) => ({ ...withPrompt("Q500", "0")(job), start: { x: "71.3", z: "-9.7" } })),
+  );
   const weight = { error: 0, warning: 1, info: 2 };
   const weights = entries.map(({ issue }) => weight[issue.severity]);
   expect(weights).toEqual(weights.toSorted((a, b) => a - b));
@@ -90,13 +105,28 @@ test("worst first, each place of the picture with its own mark", () => {
     }
 });
 
-test.each([["a waist that its tool does not pass, where the tool cuts it", "5", "APPR LT X-30 Y-10 LEN10", ["pathCutsContour"], {
-  x: 0,
-  y: 9,
-}], ["a wall too short for its tool, at the wall", "7", "APPR LT X-30 Y-10 LEN10", ["toolRadiusTooLarge", "toolRadiusTooLarge"], {
-  x: 10,
-  y: -3,
-}]])("%s is a place of the plane", (_, tool, approach, codes, place) => {
+test.each([
+  [
+    "a waist that its tool does not pass, where the tool cuts it",
+    "5",
+    "APPR LT X-30 Y-10 LEN10",
+    ["pathCutsContour"],
+    {
+      x: 0,
+      y: 9,
+    },
+  ],
+  [
+    "a wall too short for its tool, at the wall",
+    "7",
+    "APPR LT X-30 Y-10 LEN10",
+    ["toolRadiusTooLarge", "toolRadiusTooLarge"],
+    {
+      x: 10,
+      y: -3,
+    },
+  ],
+])("%s is a place of the plane", (_, tool, approach, codes, place) => {
   const outcome = outcomeOf(`BEGIN PGM P MM
 TOOL DEF 1 L+0 R+${tool}
 TOOL CALL 1 Z S4000
@@ -108,21 +138,21 @@ DEP LT LEN30
 END PGM P MM`);
   const found = findingsOf(null, outcome).filter(({ spot }) => spot);
   expect(found.map(({ issue }) => issue.code)).toEqual(codes);
-  const spot = found[0]?.spot, radius = Number(tool);
+  const spot = found[0]?.spot,
+    radius = Number(tool);
   expect(spot).toMatchObject({ plane: "XY", place: { z: place.x, r: place.y } });
   // The whole mill is in the picture then, and touches the place or is over it.
-  const step = outcome.run.plane[spot?.position.step ?? -1], at = step && spotOn(step, spot?.position.fraction ?? 0);
+  const step = outcome.run.plane[spot?.position.step ?? -1],
+    at = step && spotOn(step, spot?.position.fraction ?? 0);
   expect(Math.hypot((at?.x ?? NaN) - place.x, (at?.y ?? NaN) - place.y)).toBeLessThan(radius + 0.01);
   expect((spot?.bounds.right ?? 0) - place.x).toBeGreaterThan(2 * radius);
 });
 
-test.each([["a cycle that is kept", "CYCL DEF 892 CHECK UNBALANCE~\nQ450=+0\n5 CYCL CALL", "unproved"], [
-  "no cycle at all",
-  "L X+50 Z-3 F0.2",
-  "noOperation",
-]])("%s is never green", (_, blocks, kind) => {
-  const text =
-    `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D60 L80 DIST+0\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 ${blocks}\n8 M30\n9 END PGM A MM\n`;
+test.each([
+  ["a cycle that is kept", "CYCL DEF 892 CHECK UNBALANCE~\nQ450=+0\n5 CYCL CALL", "unproved"],
+  ["no cycle at all", "L X+50 Z-3 F0.2", "noOperation"],
+])("%s is never green", (_, blocks, kind) => {
+  const text = `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D60 L80 DIST+0\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 ${blocks}\n8 M30\n9 END PGM A MM\n`;
   const outcome = outcomeOf(text);
   const entries = findingsOf(null, outcome);
   const verdict = judged(entries, outcome);
@@ -133,26 +163,36 @@ test.each([["a cycle that is kept", "CYCL DEF 892 CHECK UNBALANCE~\nQ450=+0\n5 C
 const around = (blocks: string) =>
   `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D63.5 L80 DIST+0\n2 FUNCTION MODE TURN\n${blocks}3 M30\n4 END PGM A MM\n`;
 
-test.each([["nothing but its blank", "", "none"], [
-  "a cut by hand",
-  "TOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:OFF S520\nL X+91.3 Z+52 R0 FMAX M303\nL X+60.2 FMAX\nL Z-3.4 F0.2\n",
-  "doubt",
-]])("a program with %s: is there something that could be proved", (_, blocks, tone) => {
+test.each([
+  ["nothing but its blank", "", "none"],
+  [
+    "a cut by hand",
+    "TOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:OFF S520\nL X+91.3 Z+52 R0 FMAX M303\nL X+60.2 FMAX\nL Z-3.4 F0.2\n",
+    "doubt",
+  ],
+])("a program with %s: is there something that could be proved", (_, blocks, tone) => {
   const outcome = outcomeOf(around(blocks));
-  const entries = findingsOf(null, outcome), verdict = judged(entries, outcome);
+  const entries = findingsOf(null, outcome),
+    verdict = judged(entries, outcome);
   expect([verdict.state, toneOf(verdict)]).toEqual(["incomplete", tone]);
   // A part that was turned by hand may be right: what was looked at is said, and what could not be.
   const { verdict: words } = english;
   expect(verdictTitle(words, "en", verdict)).toBe(tone === "doubt" ? words.noCycle : words.noOperation);
-  expect(verdictReasons(words, verdict)).toEqual([tone === "doubt" ? words.because.noCycle : words.because.noOperation]);
+  expect(verdictReasons(words, verdict)).toEqual([
+    tone === "doubt" ? words.because.noCycle : words.because.noOperation,
+  ]);
 });
 
 test("a forgotten minus is asked for first, and nothing that tool and stock say to it is listed beside", () => {
   const { entries } = found(withPrompt("Q494", "55.4")(jobOf(812)));
   expect(entries[0]?.issue).toMatchObject({ code: "endInFront", severity: "error", data: { nearest: -55.4 } });
-  expect(entries.filter(({ issue }) => issue.severity !== "info").map(({ issue }) => issue.code)).toEqual(["endInFront"]);
+  expect(entries.filter(({ issue }) => issue.severity !== "info").map(({ issue }) => issue.code)).toEqual([
+    "endInFront",
+  ]);
   // Nobody has set tool and blank: both are proposed for the value as it is typed.
-  const proposed = found(withPrompt("Q494", "55.4")(jobOf(812, (job) => ({ ...job, tool: null, blank: UNSET.blank, start: UNSET.start }))));
+  const proposed = found(
+    withPrompt("Q494", "55.4")(jobOf(812, (job) => ({ ...job, tool: null, blank: UNSET.blank, start: UNSET.start }))),
+  );
   expect(proposed.entries.map(({ issue }) => issue.code)).toContain("endInFront");
   expect(proposed.entries.map(({ issue }) => issue.code)).not.toContain("holderContact");
 });

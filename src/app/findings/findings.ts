@@ -12,7 +12,15 @@ import { letterOf, spotOfProof, spotOfRun } from "./spots.ts";
 
 type Found = Omit<FindingEntry, "id">;
 
-const nowhere = { at: null, block: null, line: null, operation: null, spot: null, residual: null, thickness: null } as const;
+const nowhere = {
+  at: null,
+  block: null,
+  line: null,
+  operation: null,
+  spot: null,
+  residual: null,
+  thickness: null,
+} as const;
 const atOf = (issue: AnyIssue): string | null => ("at" in issue ? (issue.at ?? null) : null);
 
 /** What the prompts and the contour table say by themselves, before anything is calculated. */
@@ -23,7 +31,8 @@ function typed(read: JobReading): readonly Found[] {
   if (read.cycle.contour !== "free") return prompts;
   const { contour } = read.job;
   // As long as prompts are open, a contour that is not begun is not done wrong, only not done yet.
-  const missing = () => contourIssue("contourMissing", read.reading.values ? "error" : "info", { label: "" }, "contour");
+  const missing = () =>
+    contourIssue("contourMissing", read.reading.values ? "error" : "info", { label: "" }, "contour");
   const table = contour.length === 0 ? [missing()] : contourProblems(contour);
   return [...prompts, ...table.map((issue): Found => ({ ...nowhere, issue, at: "contour" }))];
 }
@@ -60,7 +69,9 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
   return [...ran, ...proved];
 }
 
-/** A tool that can not do the work at all, and what follows from it: another drawing or another value would not help. */
+/**
+ * A tool that can not do the work at all, and what follows from it: another drawing or another value would not help.
+ */
 const wrongTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways"]);
 const ofWrongTool: ReadonlySet<string> = new Set([
   "angleNotFollowed",
@@ -84,10 +95,16 @@ function withoutEchoes(all: readonly Found[]): readonly Found[] {
   const noContour = all.some(({ issue }) => issue.code === "contourMissing" && issue.data.label === "");
   return all.filter((found) => {
     const { issue, at, operation } = found;
-    return !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code))
-      && !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(placeOf(found)))
-      && !(noContour
-        && (issue.code === "contourTooShort" || issue.code === "nothingToCut" || (issue.code === "contourMissing" && at !== "contour")));
+    return (
+      !(unfit.has(operation) && issue.severity !== "error" && ofWrongTool.has(issue.code)) &&
+      !((issue.code === "cycleNotSimulated" || issue.code === "notSimulated") && unproved.has(placeOf(found))) &&
+      !(
+        noContour &&
+        (issue.code === "contourTooShort" ||
+          issue.code === "nothingToCut" ||
+          (issue.code === "contourMissing" && at !== "contour"))
+      )
+    );
   });
 }
 
@@ -100,23 +117,31 @@ function withoutRows(all: readonly Found[], operations: Outcome["run"]["operatio
     const operation = found.operation === null ? undefined : operations[found.operation];
     return { ...found, work: workOf(found, operation) };
   });
-  return placesJoined(placed, FEW).map(({ work: _, together, ...found }) => together ? { ...found, thickness: thickest(together) } : found);
+  return placesJoined(placed, FEW).map(({ work: _, together, ...found }) =>
+    together ? { ...found, thickness: thickest(together) } : found,
+  );
 }
 
 const thickest = (all: readonly Pick<Found, "thickness">[]): number | null =>
-  all.reduce<number | null>((most, { thickness }) => (thickness === null ? most : Math.max(most ?? 0, thickness)), null);
+  all.reduce<number | null>(
+    (most, { thickness }) => (thickness === null ? most : Math.max(most ?? 0, thickness)),
+    null,
+  );
 
 /** Numbers for what was found at a place, letters for what stays, in the order of the list. */
 function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
   let [numbers, letters] = [0, 0];
   return entries.map((entry) => {
     if (!entry.spot) return entry;
-    const mark = entry.spot.kind === "finding" ? String(numbers += 1) : letterOf((letters += 1) - 1);
+    const mark = entry.spot.kind === "finding" ? String((numbers += 1)) : letterOf((letters += 1) - 1);
     return { ...entry, spot: { ...entry.spot, mark } };
   });
 }
 
-/** Without what follows from a dimension that the prompts question: its run has another set-up than the one that is meant. */
+/**
+ * Without what follows from a dimension that the prompts question: its run has another set-up than the one that is
+ * meant.
+ */
 function withoutAnswers(early: readonly Found[], late: readonly Found[]): readonly Found[] {
   const isAsked = early.some(({ issue }) => QUESTIONS.has(issue.code));
   return isAsked ? late.filter(({ issue }) => !followsQuestion(issue.code)) : late;
@@ -124,17 +149,23 @@ function withoutAnswers(early: readonly Found[], late: readonly Found[]): readon
 
 /** What prompts and program both question, as grave as the program has it. */
 const once = (early: readonly Found[], late: readonly Found[]): readonly Found[] =>
-  early.filter(({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at));
+  early.filter(
+    ({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at),
+  );
 
 /**
- * Everything found in the open work, worst first: what the prompts say at once, and what the last calculated program says,
- * as long as it is calculated from these values. Nothing twice. A program has no prompts of its own: `read` is null.
+ * Everything found in the open work, worst first: what the prompts say at once, and what the last calculated program
+ * says, as long as it is calculated from these values. Nothing twice. A program has no prompts of its own: `read` is
+ * null.
  */
 export function findingsOf(read: JobReading | null, outcome: Outcome | null): readonly FindingEntry[] {
   const early = read ? typed(read) : [];
   const late = outcome && (!read || read.reading.values) ? calculated(outcome) : [];
   const all = new Map<string, FindingEntry>();
-  for (const found of withoutRows(withoutEchoes([...once(early, late), ...withoutAnswers(early, late)]), outcome?.run.operations ?? [])) {
+  for (const found of withoutRows(
+    withoutEchoes([...once(early, late), ...withoutAnswers(early, late)]),
+    outcome?.run.operations ?? [],
+  )) {
     const { issue, at, line, inFile } = found;
     // The text of a job is made from its prompts: what both say is said once.
     const key = JSON.stringify([issue.code, at, issue.data, read ? null : line, inFile]);

@@ -28,4 +28,6 @@ export interface FindingsHost {
 
 /** The value that a finding offers; null where it offers none. */
 export const nearestOf = ({ issue }: FindingEntry): number | null =>
-  "nearest" in issue.data && typeof issue.data.nearest === "number" && Number.isFinite(issue.data.nearest) ? issue.data.nearest : null;
+  "nearest" in issue.data && typeof issue.data.nearest === "number" && Number.isFinite(issue.data.nearest)
+    ? issue.data.nearest
+    : null;

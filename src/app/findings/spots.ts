@@ -30,7 +30,8 @@ const SEEN = {
 } as const;
 
 /** The code under which a finding of the stock is told. */
-const codeOf = (kind: AnyFinding["kind"]) => (kind === "rapidBehindBlank" || kind === "feedBehindBlank" ? "behindBlank" : kind);
+const codeOf = (kind: AnyFinding["kind"]) =>
+  kind === "rapidBehindBlank" || kind === "feedBehindBlank" ? "behindBlank" : kind;
 
 const roundPoint = ({ z, r }: Pt): Bounds => ({ left: z - ROUND, right: z + ROUND, low: r - ROUND, high: r + ROUND });
 
@@ -66,16 +67,27 @@ const spotIn = (rings: readonly Ring[], place: Pt, position: Unmarked["position"
 function spotOfMove({ steps }: Simulation, step: number): Unmarked | null {
   const s = steps[step];
   if (!s) return null;
-  const { from, move: { to } } = s;
+  const {
+    from,
+    move: { to },
+  } = s;
   const place: Pt = { z: axial((from.z + to.z) / 2), r: radius((from.r + to.r) / 2) };
-  return { plane: "ZX", kind: "finding", place, bounds: boundsRound([[from, to]], place), position: { step, fraction: 0.5 } };
+  return {
+    plane: "ZX",
+    kind: "finding",
+    place,
+    bounds: boundsRound([[from, to]], place),
+    position: { step, fraction: 0.5 },
+  };
 }
 
 /** Where the simulation saw what an issue of the proof names; null for what has no place. */
 export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue): Seen | null {
   const { findings, proof, steps } = simulation;
-  const isAt = ({ x, z }: { readonly x: number; readonly z: number }) => ({ place }: { readonly place: Pt }) =>
-    near(toDiameter(place.r), x) && near(place.z, z);
+  const isAt =
+    ({ x, z }: { readonly x: number; readonly z: number }) =>
+    ({ place }: { readonly place: Pt }) =>
+      near(toDiameter(place.r), x) && near(place.z, z);
   switch (issue.code) {
     case "materialLeft": {
       const residual = proof.residual.findIndex(isAt(issue.data));
@@ -123,7 +135,10 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
 /** Mills are seen whole beside what they cut: this many radii round the place. */
 const RADII = 3;
 
-/** A place of the working plane; the moment is when the block comes nearest to it, or behind the one before where that has no way. */
+/**
+ * A place of the working plane; the moment is when the block comes nearest to it, or behind the one before where that
+ * has no way.
+ */
 function spotInPlane({ plane: steps }: Run, x: number, y: number, block: number | null): Unmarked {
   const place = partPoint({ x, y });
   let [best, gap] = [-1, Infinity];
@@ -131,7 +146,8 @@ function spotInPlane({ plane: steps }: Run, x: number, y: number, block: number 
     const far = s.block === block ? plane.distanceTo(wayOf(s), { x, y }) : Infinity;
     if (far < gap) [best, gap] = [i, far];
   });
-  const own = steps[best], before = steps.findLastIndex((s) => s.block < (block ?? 0)),
+  const own = steps[best],
+    before = steps.findLastIndex((s) => s.block < (block ?? 0)),
     around = RADII * ((own ?? steps[before])?.radius ?? 0);
   const position = own ? { step: best, fraction: shareOf(wayOf(own), { x, y }) } : { step: before + 1, fraction: 0 };
   const { left, right, low, high } = roundPoint(place);
@@ -151,14 +167,25 @@ export function spotOfRun(run: Run, { issue, block }: RunFinding): Unmarked | nu
     const { x, y } = issue.data;
     return x === undefined || y === undefined ? null : spotInPlane(run, x, y, block);
   }
-  if (issue.code !== "approachCutsContour" && issue.code !== "approachValueCutsContour" && issue.code !== "approachBlocked") return null;
+  if (
+    issue.code !== "approachCutsContour" &&
+    issue.code !== "approachValueCutsContour" &&
+    issue.code !== "approachBlocked"
+  )
+    return null;
   const { x, y, z } = issue.data;
   if (y !== undefined) return spotInPlane(run, x, y, block);
   if (z === undefined) return null;
   const place: Pt = { z: axial(z), r: toRadius(diameter(x)) };
   const lead = run.approaches.find((a) => a.block === block && a.plane === "ZX");
   const step = lead ? run.stepBlocks.indexOf(lead.index) : -1;
-  return { plane: "ZX", kind: "finding", place, bounds: roundPoint(place), position: { step: Math.max(0, step), fraction: 0.5 } };
+  return {
+    plane: "ZX",
+    kind: "finding",
+    place,
+    bounds: roundPoint(place),
+    position: { step: Math.max(0, step), fraction: 0.5 },
+  };
 }
 
 /** A, B … Z, AA … for regions that stay, beside the numbers of findings. */

@@ -6,7 +6,11 @@ import type { Doubt, ShownVerdict } from "./verdict.ts";
 type Words = Texts["findings"]["verdict"];
 
 /** The verdict in a few words. */
-export function verdictTitle(t: Words, spoken: Spoken, { state, doubts, faults, file, stays, warnings }: ShownVerdict): string {
+export function verdictTitle(
+  t: Words,
+  spoken: Spoken,
+  { state, doubts, faults, file, stays, warnings }: ShownVerdict,
+): string {
   if (state === "none") return t.none;
   if (state === "faults") return file === null ? t.faults(faults) : t.faultsIn(faults, file);
   const first = doubts[0];
@@ -23,7 +27,9 @@ const whatOf = (t: Words["because"], { what, file }: Extract<Doubt, { kind: "unp
 function because(t: Words["because"], doubt: Doubt): readonly string[] {
   switch (doubt.kind) {
     case "unproved":
-      return [doubt.block === null ? t.unprovedAnywhere(whatOf(t, doubt)) : t.unproved(whatOf(t, doubt), String(doubt.block))];
+      return [
+        doubt.block === null ? t.unprovedAnywhere(whatOf(t, doubt)) : t.unproved(whatOf(t, doubt), String(doubt.block)),
+      ];
     case "milling":
       return [t.milling(String(doubt.block))];
     case "notes":

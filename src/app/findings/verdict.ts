@@ -6,8 +6,16 @@ import { isError, isToDo, type FindingEntry } from "./entry.ts";
 export type Doubt =
   | Extract<VerdictReason, { kind: "unproved" | "milling" | "notes" }>
   | { readonly kind: "nothingCut"; readonly block: number; readonly cycle: number }
-  /** `begun`: something in it is cut or drawn all the same, or a cycle is described that no call runs; `turned`: moves cut without one. */
-  | { readonly kind: "noOperation"; readonly approachesClear: boolean; readonly begun: boolean; readonly turned: boolean }
+  /**
+   * `begun`: something in it is cut or drawn all the same, or a cycle is described that no call runs; `turned`: moves
+   * cut without one.
+   */
+  | {
+      readonly kind: "noOperation";
+      readonly approachesClear: boolean;
+      readonly begun: boolean;
+      readonly turned: boolean;
+    }
   /** All tools that nobody described in full, in one sentence. */
   | { readonly kind: "holderUnknown" | "flanksUnknown" | "curvatureUnknown"; readonly tools: readonly number[] };
 
@@ -28,7 +36,11 @@ export interface ShownVerdict {
   readonly stays: number;
 }
 
-function doubtsOf(reasons: readonly VerdictReason[], entries: readonly FindingEntry[], { run }: Outcome): readonly Doubt[] {
+function doubtsOf(
+  reasons: readonly VerdictReason[],
+  entries: readonly FindingEntry[],
+  { run }: Outcome,
+): readonly Doubt[] {
   const doubts: Doubt[] = [];
   for (const reason of reasons) {
     switch (reason.kind) {
@@ -76,10 +88,18 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
   if (!outcome) return { state: faults > 0 ? "faults" : "none", doubts: [], ...counts };
   const { verdict, reasons } = verdictOf(outcome.run, outcome.simulation);
   const state = faults > 0 ? "faults" : verdict;
-  return { state, doubts: doubtsOf(reasons, entries, outcome), ...counts, faults: Math.max(faults, state === "faults" ? 1 : 0) };
+  return {
+    state,
+    doubts: doubtsOf(reasons, entries, outcome),
+    ...counts,
+    faults: Math.max(faults, state === "faults" ? 1 : 0),
+  };
 }
 
-/** Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. A page still empty is no doubt. */
+/**
+ * Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. A page still
+ * empty is no doubt.
+ */
 export function toneOf({ state, doubts, warnings, stays }: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" {
   if (state === "none") return "none";
   if (state === "faults") return "bad";

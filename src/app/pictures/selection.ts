@@ -50,12 +50,18 @@ export function chooseMilled(run: Run, position: PlayPosition): void {
 /** The segments of a job's contour that a row of its table makes. */
 function choiceOfElement(rows: readonly ContourRow[], id: string): PathChoice {
   const row = rows.findIndex((each) => each.id === id);
-  return { kind: "segments", segments: readRows(rows).rowOfSegment.flatMap((of, segment) => (of === row ? [segment] : [])) };
+  return {
+    kind: "segments",
+    segments: readRows(rows).rowOfSegment.flatMap((of, segment) => (of === row ? [segment] : [])),
+  };
 }
 
 /** The row of a job's contour table whose element is nearest to a place of the picture within `reach`, by its id. */
 export function elementNear(rows: readonly ContourRow[], place: Segment["from"], reach: number): string | null {
-  const { rowOfSegment, contour: { segments } } = readRows(rows);
+  const {
+    rowOfSegment,
+    contour: { segments },
+  } = readRows(rows);
   const far = segments.map((segment) => part.distanceTo(segment, place));
   const nearest = Math.min(Infinity, ...far);
   return nearest > reach ? null : (rows[rowOfSegment[far.indexOf(nearest)] ?? -1]?.id ?? null);

@@ -17,7 +17,15 @@ const Contents = createContext<ReadonlyMap<WorkSection, ReactNode>>(new Map());
 const Content = ({ of }: { readonly of: WorkSection }): ReactNode => useContext(Contents).get(of);
 
 /** The tabs with room for what they hold: they render when a tab changes, not with every key that is typed in one. */
-const Frame = memo(function Frame({ name, heads, open }: { readonly name: string; readonly heads: string; readonly open: WorkSection }) {
+const Frame = memo(function Frame({
+  name,
+  heads,
+  open,
+}: {
+  readonly name: string;
+  readonly heads: string;
+  readonly open: WorkSection;
+}) {
   const all = JSON.parse(heads) as readonly Head[];
   return (
     <Tabs className="sections" selectedKey={open} onSelectionChange={(key) => showSection(key as WorkSection)}>
@@ -39,9 +47,15 @@ const Frame = memo(function Frame({ name, heads, open }: { readonly name: string
 });
 
 /** Panels that take turns. */
-export function SectionTabs({ name, tabs, open }: { readonly name: string; readonly tabs: readonly Section[];
-  readonly open: WorkSection })
-{
+export function SectionTabs({
+  name,
+  tabs,
+  open,
+}: {
+  readonly name: string;
+  readonly tabs: readonly Section[];
+  readonly open: WorkSection;
+}) {
   const contents = useMemo(() => new Map(tabs.map(({ section, content }) => [section, content])), [tabs]);
   return (
     <Contents value={contents}>

@@ -3,26 +3,43 @@ import { expect, test } from "vitest";
 import { parseAddress, printAddress, type Address } from "./address.ts";
 
 const name = fc.string({ minLength: 1, unit: "grapheme" });
-const places: fc.Arbitrary<Address> = fc.oneof(fc.record({ page: fc.constant("start" as const), which: fc.boolean() }),
-  fc.constant({ page: "works" as const }), fc.record({ page: fc.constant("sheet" as const), work: name }), fc.record({
+const places: fc.Arbitrary<Address> = fc.oneof(
+  fc.record({ page: fc.constant("start" as const), which: fc.boolean() }),
+  fc.constant({ page: "works" as const }),
+  fc.record({ page: fc.constant("sheet" as const), work: name }),
+  fc.record({
     page: fc.constant("work" as const),
     work: fc.oneof(name, fc.constantFrom("which", "..", "a/b", "#p=x", "100%")),
-    section: fc.constantFrom("prompts" as const, "setup" as const, "contour" as const, "findings" as const, "program" as const,
-      "text" as const, "block" as const, "structure" as const),
+    section: fc.constantFrom(
+      "prompts" as const,
+      "setup" as const,
+      "contour" as const,
+      "findings" as const,
+      "program" as const,
+      "text" as const,
+      "block" as const,
+      "structure" as const,
+    ),
     which: fc.boolean(),
-  }), fc.integer({ min: 0, max: 32_767 }).map((n) => ({ page: "tools" as const, number: n / 10, milling: false })),
+  }),
+  fc.integer({ min: 0, max: 32_767 }).map((n) => ({ page: "tools" as const, number: n / 10, milling: false })),
   fc.boolean().map((milling) => ({ page: "tools" as const, number: null, milling })),
-  fc.constant({ page: "course" as const, lesson: null, at: 1 }), fc.record({
+  fc.constant({ page: "course" as const, lesson: null, at: 1 }),
+  fc.record({
     page: fc.constant("course" as const),
     lesson: name,
     at: fc.oneof(fc.integer({ min: 1, max: 99 }), fc.constant("tasks" as const)),
-  }), fc.record({ page: fc.constant("own" as const), row: fc.option(name) }),
-  fc.record({ page: fc.constant("guide" as const), path: fc.tuple(fc.constantFrom("guide", "glossary"), name, name) }));
+  }),
+  fc.record({ page: fc.constant("own" as const), row: fc.option(name) }),
+  fc.record({ page: fc.constant("guide" as const), path: fc.tuple(fc.constantFrom("guide", "glossary"), name, name) }),
+);
 
 test("every place is found again by its address", () => {
-  fc.assert(fc.property(places, (address) => {
-    expect(parseAddress(printAddress(address))).toEqual(address);
-  }));
+  fc.assert(
+    fc.property(places, (address) => {
+      expect(parseAddress(printAddress(address))).toEqual(address);
+    }),
+  );
 });
 
 test.each([

@@ -1,8 +1,11 @@
 import type { LessonPage } from "../../course/progress.ts";
 import type { WorkSection } from "./place.ts";
 
-/** A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server. */
-export type Address = StartAddress | WorksAddress | CourseAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress | GuideAddress;
+/**
+ * A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server.
+ */
+export type Address =
+  StartAddress | WorksAddress | CourseAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress | GuideAddress;
 
 /** The first screen, and whether it is asked there which cycle makes a shape. */
 export interface StartAddress {
@@ -77,7 +80,10 @@ function parts(address: Address): readonly string[] {
     case "works":
       return ["works"];
     case "course":
-      return ["course", ...(address.lesson === null ? [] : [address.lesson, ...(address.at === 1 ? [] : [String(address.at)])])];
+      return [
+        "course",
+        ...(address.lesson === null ? [] : [address.lesson, ...(address.at === 1 ? [] : [String(address.at)])]),
+      ];
     case "work": {
       const { work, section, which } = address;
       return ["work", work, ...(section === "prompts" ? [] : [section]), ...(which ? [WHICH] : [])];
@@ -129,7 +135,11 @@ export const isShareLink = (hash: string): boolean => /^#(?:[pw]|[htr]\d+)=/.tes
 /** The place that the part of an address from `#` on names; null where it names none. */
 export function parseAddress(hash: string): Address | null {
   if (!hash.startsWith("#/")) return null;
-  const found = hash.slice(2).split("/").filter((part) => part !== "").map(decoded);
+  const found = hash
+    .slice(2)
+    .split("/")
+    .filter((part) => part !== "")
+    .map(decoded);
   const [page, ...more] = found.filter((part) => part !== null);
   if (found.includes(null)) return null;
   switch (page) {

@@ -4,7 +4,9 @@ import type { ContourRow } from "../../program/job/job.ts";
 /** What the middle of the page shows while a contour is edited. */
 export type ContourView = "draw" | "lathe";
 
-/** What drawing and table of a contour have in common beside its rows: not part of the work, so undo does not touch it. */
+/**
+ * What drawing and table of a contour have in common beside its rows: not part of the work, so undo does not touch it.
+ */
 interface ContourPlace {
   readonly view: ContourView;
   /** Id of the chosen element. */
@@ -18,7 +20,8 @@ export const useContourPlace = create<ContourPlace>(() => ({ view: "draw", chose
 export const showContourView = (view: ContourView): void => useContourPlace.setState({ view });
 export const chooseElement = (chosen: string | null): void => useContourPlace.setState({ chosen });
 /** Chooses an element and puts the keyboard into its row. */
-export const goToElement = (chosen: string | null): void => useContourPlace.setState((p) => ({ chosen, keyboard: p.keyboard + 1 }));
+export const goToElement = (chosen: string | null): void =>
+  useContourPlace.setState((p) => ({ chosen, keyboard: p.keyboard + 1 }));
 
 /** Index of the chosen element; the first one where none of these is chosen, null where there is none. */
 export function useChosenRow(rows: readonly ContourRow[]): number | null {

@@ -9,7 +9,9 @@ export interface OpenCall {
 
 export const useOpenCall = create<{ readonly call: OpenCall | null }>(() => ({ call: null }));
 
-/** The block of a program, no cycle, whose words were open last, and the one that its page of the guide was asked for. */
+/**
+ * The block of a program, no cycle, whose words were open last, and the one that its page of the guide was asked for.
+ */
 export interface GuidedBlock {
   readonly work: string | null;
   /** Its line in the text, from 1. */

@@ -34,8 +34,11 @@ export type WorkPage = { readonly page: "work" } | { readonly page: "elsewhere";
 /** A page of the guide as its address has it, behind "#/": ["guide", "812", "Q463"], ["glossary", "infeed"]. */
 export type GuidePath = readonly string[];
 /** A page that covers others, with a way back to them. */
-export type Cover = { readonly page: "sheet" } | { readonly page: "tools" } | { readonly page: "own" } | { readonly page: "guide";
-  readonly path: GuidePath };
+export type Cover =
+  | { readonly page: "sheet" }
+  | { readonly page: "tools" }
+  | { readonly page: "own" }
+  | { readonly page: "guide"; readonly path: GuidePath };
 export type Page = Entrance | WorkPage | Cover;
 
 /** A place in an opened work: its finished contour, the stretch that is meant, and what stands there. */
@@ -49,16 +52,22 @@ export interface WhichRegion {
   /** Which material is meant at first. */
   readonly begins: "solid" | "now";
 }
-/** Shows a block of the open work: by its index in one of its files (null: the program that runs), and by its number. */
+/**
+ * Shows a block of the open work: by its index in one of its files (null: the program that runs), and by its number.
+ */
 export type ShowBlock = (file: string | null, index: number, number: number) => void;
 /** Another text of the file that is shown, with its name. */
 export interface OtherText {
   readonly name: string;
   readonly text: string;
 }
-/** A dialog over the page: which cycle makes a shape (`region` null: any), or the open program compared with another text. */
-export type Over = { readonly dialog: "which"; readonly region: WhichRegion | null } | { readonly dialog: "comparison";
-  readonly showBlock: ShowBlock; readonly against: OtherText | null };
+/**
+ * A dialog over the page: which cycle makes a shape (`region` null: any), or the open program compared with another
+ * text.
+ */
+export type Over =
+  | { readonly dialog: "which"; readonly region: WhichRegion | null }
+  | { readonly dialog: "comparison"; readonly showBlock: ShowBlock; readonly against: OtherText | null };
 
 /** Where the operator is. It is no part of the work, so undo does not touch it. */
 export interface Place {
@@ -74,9 +83,15 @@ export interface Place {
   readonly focus: number;
   /** Field of the set-up or contour that should take the keyboard, with its own count. */
   readonly field: string | null;
-  /** The open row of the tool table by its id (one that is gone counts as the first of its kind), and the kind shown while none is open. */
+  /**
+   * The open row of the tool table by its id (one that is gone counts as the first of its kind), and the kind shown
+   * while none is open.
+   */
   readonly tools: { readonly row: string | null; readonly kind: ToolKind };
-  /** The open description of an own cycle by its id; `focus` counts up each time its first field should take the keyboard. */
+  /**
+   * The open description of an own cycle by its id; `focus` counts up each time its first field should take the
+   * keyboard.
+   */
   readonly own: { readonly row: string | null; readonly focus: number };
 }
 
@@ -96,8 +111,9 @@ export const usePlace = create<Place>(() => ({
 export const seen = ({ pages }: Place): Page => pages.at(-1) ?? pages[0];
 const COVERS: Readonly<Record<Cover["page"], true>> = { sheet: true, tools: true, own: true, guide: true };
 /** Whether a page, or what an address calls one, covers others. */
-export const isCover = <P extends { readonly page: string }>(page: P): page is Extract<P, { readonly page: Cover["page"] }> =>
-  Object.hasOwn(COVERS, page.page);
+export const isCover = <P extends { readonly page: string }>(
+  page: P,
+): page is Extract<P, { readonly page: Cover["page"] }> => Object.hasOwn(COVERS, page.page);
 const workPageOf = ({ pages }: Place): WorkPage[] => pages.filter((p) => p.page === "work" || p.page === "elsewhere");
 const set = usePlace.setState;
 
@@ -105,9 +121,13 @@ const set = usePlace.setState;
 export const showEntrance = (entrance: Entrance): void => set({ pages: [entrance], over: null });
 
 /** Shows the work, or where it is, over the entrance that it was opened from. */
-const showWorkPage = (page: WorkPage): void => set(({ pages: [entrance] }) => ({ pages: [entrance, page], over: null }));
+const showWorkPage = (page: WorkPage): void =>
+  set(({ pages: [entrance] }) => ({ pages: [entrance, page], over: null }));
 
-/** A work was opened, or put in place of another one: it is seen, whatever covered the one before, in a section that its kind has. */
+/**
+ * A work was opened, or put in place of another one: it is seen, whatever covered the one before, in a section that its
+ * kind has.
+ */
 export function showWork(isProgram: boolean): void {
   showWorkPage({ page: "work" });
   set(({ section, field }) => {
@@ -135,7 +155,7 @@ const kindOf = ({ page }: Page) => (page === "own" ? "tools" : page);
 export const cover = (page: Cover): void =>
   set((p) => {
     const before = p.pages.findIndex((each) => kindOf(each) === kindOf(page));
-    const [entrance, ...rest] = before < 0 ? p.pages : p.pages.slice(0, before) as unknown as Place["pages"];
+    const [entrance, ...rest] = before < 0 ? p.pages : (p.pages.slice(0, before) as unknown as Place["pages"]);
     return { pages: [entrance, ...rest, page], over: null };
   });
 
@@ -148,7 +168,10 @@ export const uncover = (): void =>
 
 /** Closes every cover and dialog but those named, so that the work is seen, or the entrance where none is open. */
 export const uncoverAll = (...but: readonly Cover["page"][]): void =>
-  set((p) => ({ pages: [p.pages[0], ...workPageOf(p), ...p.pages.filter(isCover).filter(({ page }) => but.includes(page))], over: null }));
+  set((p) => ({
+    pages: [p.pages[0], ...workPageOf(p), ...p.pages.filter(isCover).filter(({ page }) => but.includes(page))],
+    over: null,
+  }));
 
 const showOver = (over: Over): void => set({ over });
 export const closeOver = (): void => set({ over: null });
@@ -175,7 +198,9 @@ export const showToolKind = (kind: ToolKind): void => set({ tools: { kind, row: 
 
 /** Shows the own cycles, with this row or the one that was open last; `fields`: its first field takes the keyboard. */
 export function showOwn(row?: string, fields = false): void {
-  set((p) => ({ own: { row: row ?? p.own.row, focus: fields ? p.own.focus + 1 : seen(p).page === "own" ? p.own.focus : 0 } }));
+  set((p) => ({
+    own: { row: row ?? p.own.row, focus: fields ? p.own.focus + 1 : seen(p).page === "own" ? p.own.focus : 0 },
+  }));
   cover({ page: "own" });
 }
 export const openOwn = (row: string | null, fields = false): void =>
@@ -192,12 +217,14 @@ export const openPrompt = (prompt: string | null, before: string): void =>
   set((p) => ({ section: "prompts", prompt, before, focus: p.focus + 1, field: null }));
 
 /** Opens a prompt beside what is worked with: a field takes the keyboard only where nothing else keeps it. */
-export const showPrompt = (prompt: string, before: string): void => set({ section: "prompts", prompt, before, field: null });
+export const showPrompt = (prompt: string, before: string): void =>
+  set({ section: "prompts", prompt, before, field: null });
 
 export const showSection = (section: WorkSection): void => set({ section, field: null });
 
 /** Shows a section and puts the keyboard into one of its fields. */
-export const goToField = (section: WorkSection, field: string): void => set((p) => ({ section, field, focus: p.focus + 1 }));
+export const goToField = (section: WorkSection, field: string): void =>
+  set((p) => ({ section, field, focus: p.focus + 1 }));
 
 /** The prompts from their beginning, none of them open. */
 export const toFirstPrompt = (): void => set({ section: "prompts", prompt: null, field: null });

@@ -15,30 +15,74 @@ import type { Work } from "../document/work.ts";
 import { ARCHIVE_LIMITS, readArchive, writeArchive, type ArchivedWork, type ReadArchive } from "./archive.ts";
 
 const jobs: readonly Work[] = catalogue.map(exampleJob);
-const name = fc.oneof(fc.string({ unit: "binary", maxLength: 30 }),
-  fc.constantFrom("A", "a", "a.h", "A.H", "..", "../../etc", "CON", "aux.h", "C:\\x", "__proto__", "", " . ", "x".repeat(300)));
-const text = fc.oneof(fc.string({ unit: "binary", maxLength: 200 }),
-  fc.constantFrom("0 BEGIN PGM A MM\r\n1 L X+41.3 ; Ø\r\n", "\ud800", "\u0000"));
+const name = fc.oneof(
+  fc.string({ unit: "binary", maxLength: 30 }),
+  fc.constantFrom(
+    "A",
+    "a",
+    "a.h",
+    "A.H",
+    "..",
+    "../../etc",
+    "CON",
+    "aux.h",
+    "C:\\x",
+    "__proto__",
+    "",
+    " . ",
+    "x".repeat(300),
+  ),
+);
+const text = fc.oneof(
+  fc.string({ unit: "binary", maxLength: 200 }),
+  fc.constantFrom("0 BEGIN PGM A MM\r\n1 L X+41.3 ; Ø\r\n", "\ud800", "\u0000"),
+);
 const encoding = fc.constantFrom("utf-8" as const, "windows-1252" as const);
 const file = fc.record({ name, text, encoding });
-const program: fc.Arbitrary<Work> = fc.record({ name, text, encoding, files: fc.array(file, { maxLength: 3 }), skipMarked: fc.boolean() });
-const job: fc.Arbitrary<Work> = fc.tuple(fc.constantFrom(...jobs), name, fc.string({ maxLength: 20 })).map(([made, called, typed]) =>
-  "drafts" in made ? { ...made, name: called, material: typed, drafts: { ...made.drafts, 9999: { Q1: typed } } } : made
+const program: fc.Arbitrary<Work> = fc.record({
+  name,
+  text,
+  encoding,
+  files: fc.array(file, { maxLength: 3 }),
+  skipMarked: fc.boolean(),
+});
+const job: fc.Arbitrary<Work> = fc
+  .tuple(fc.constantFrom(...jobs), name, fc.string({ maxLength: 20 }))
+  .map(([made, called, typed]) =>
+    "drafts" in made
+      ? { ...made, name: called, material: typed, drafts: { ...made.drafts, 9999: { Q1: typed } } }
+      : made,
+  );
+const works: fc.Arbitrary<readonly ArchivedWork[]> = fc.array(
+  fc.record({
+    work: fc.uuid(),
+    savedAt: fc.oneof(fc.integer({ min: -(2 ** 45), max: 2 ** 45 }), fc.constant(1_795_395_781_123)),
+    job: fc.oneof(job, program),
+  }),
+  { maxLength: 5 },
 );
-const works: fc.Arbitrary<readonly ArchivedWork[]> = fc.array(fc.record({
-  work: fc.uuid(),
-  savedAt: fc.oneof(fc.integer({ min: -(2 ** 45), max: 2 ** 45 }), fc.constant(1_795_395_781_123)),
-  job: fc.oneof(job, program),
-}), { maxLength: 5 });
-const own = [{
-  id: "c1",
-  number: "x",
-  name: "SAW",
-  parameters: [{ id: "p1", q: "", prompt: "DEPTH?", kind: "length" as const, min: "", max: "3.", first: "", choices: "" }],
-}];
+const own = [
+  {
+    id: "c1",
+    number: "x",
+    name: "SAW",
+    parameters: [
+      { id: "p1", q: "", prompt: "DEPTH?", kind: "length" as const, min: "", max: "3.", first: "", choices: "" },
+    ],
+  },
+];
 const tools = shippedList.map((row, i) => (i === 1 ? { ...row, cells: { ...row.cells, RS: "0,41x" } } : row));
-const ofShop = { power: 7.3, materials: usualTable.materials.map((each, i) => (i === 1 ? { ...each, roughSpeed: 143.7 } : each)) };
-const settings = { ...firstSettings(), language: "fr" as const, xDown: true, material: "c45", cutting: writeCuttingTable(ofShop) };
+const ofShop = {
+  power: 7.3,
+  materials: usualTable.materials.map((each, i) => (i === 1 ? { ...each, roughSpeed: 143.7 } : each)),
+};
+const settings = {
+  ...firstSettings(),
+  language: "fr" as const,
+  xDown: true,
+  material: "c45",
+  cutting: writeCuttingTable(ofShop),
+};
 const course = withPlace(
   withPass(withHint(NO_PROGRESS, "l03-thicker-bar", 2), "l03-thicker-bar", { when: 1_795_395_781_123, seconds: 41.7 }),
   {
@@ -63,12 +107,23 @@ const forms = {
   },
 };
 const worked = { "stepped-pin-1x": { ms: 487_321, steps: 13 } };
-const results = [{
-  file: "Ada-7.turnwise-result.json",
-  result: { format: RESULT_FORMAT as typeof RESULT_FORMAT, name: "Ada 7", made: 1_795_395_781_123, tasks: [] },
-}];
+const results = [
+  {
+    file: "Ada-7.turnwise-result.json",
+    result: { format: RESULT_FORMAT as typeof RESULT_FORMAT, name: "Ada 7", made: 1_795_395_781_123, tasks: [] },
+  },
+];
 const whole = { tools, own, settings, course, taught: [taught], forms, worked, results };
-const nothing = { tools: null, own: null, settings: null, course: null, taught: null, forms: null, worked: null, results: null };
+const nothing = {
+  tools: null,
+  own: null,
+  settings: null,
+  course: null,
+  taught: null,
+  forms: null,
+  worked: null,
+  results: null,
+};
 const read = (bytes: Uint8Array): ReadArchive => {
   const found = readArchive(bytes);
   if ("problem" in found) throw new Error(found.problem);
@@ -77,20 +132,32 @@ const read = (bytes: Uint8Array): ReadArchive => {
 
 const packed = (manifest: unknown) => zipSync({ "turnwise.json": strToU8(JSON.stringify(manifest)) });
 const manifestOf = (bytes: Uint8Array) =>
-  JSON.parse(new TextDecoder().decode(unzipSync(bytes)["turnwise.json"])) as { works: { content: { job: { name: string } } }[] };
+  JSON.parse(new TextDecoder().decode(unzipSync(bytes)["turnwise.json"])) as {
+    works: { content: { job: { name: string } } }[];
+  };
 
 test("whatever is packed is found again, what is typed wrong and drafts of other cycles included", () => {
-  fc.assert(fc.property(works, fc.boolean(), (all, isWhole) => {
-    const rest = isWhole ? whole : nothing;
-    const found = read(writeArchive({ works: all, ...rest }));
-    expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
-  }), { numRuns: 60 });
+  fc.assert(
+    fc.property(works, fc.boolean(), (all, isWhole) => {
+      const rest = isWhole ? whole : nothing;
+      const found = read(writeArchive({ works: all, ...rest }));
+      expect(found).toEqual({ works: all, ...rest, unread: [], unreadParts: [] });
+    }),
+    { numRuns: 60 },
+  );
 });
 
 test("a file of an earlier edition is read as before; a part that is damaged is named and stops no other", () => {
   const manifest = manifestOf(writeArchive({ works: [], ...whole })) as unknown as Record<string, unknown>;
   const { forms: _, worked: __, results: ___, ...before } = manifest;
-  expect(read(packed(before))).toMatchObject({ taught: [taught], course, forms: null, worked: null, results: null, unreadParts: [] });
+  expect(read(packed(before))).toMatchObject({
+    taught: [taught],
+    course,
+    forms: null,
+    worked: null,
+    results: null,
+    unreadParts: [],
+  });
   const form = { ...forms["work a"].form, material: undefined };
   const older = { ...before, forms: { content: { version: 1, forms: { "work a": { ...forms["work a"], form } } } } };
   expect(read(packed(older)).forms?.["work a"]?.form.material).toBeNull();
@@ -103,14 +170,17 @@ test("a file of an earlier edition is read as before; a part that is damaged is 
 });
 
 test("every path is a plain one inside its folder, and no two are the same on any system", () => {
-  fc.assert(fc.property(works, (all) => {
-    const paths = Object.keys(unzipSync(writeArchive({ works: all, tools, own, settings })));
-    expect(new Set(paths.map((path) => path.toUpperCase())).size).toBe(paths.length);
-    for (const path of paths) {
-      expect(path).toMatch(/^(?:turnwise\.json|settings\.json|tools\/[A-Z]+\.json|programs\/[^/\\:]+\/[^/\\:]+)$/);
-      expect(path).not.toMatch(/\/\.|(?:^|\/)(?:CON|AUX)(?:\.|\/|$)/i);
-    }
-  }), { numRuns: 50 });
+  fc.assert(
+    fc.property(works, (all) => {
+      const paths = Object.keys(unzipSync(writeArchive({ works: all, tools, own, settings })));
+      expect(new Set(paths.map((path) => path.toUpperCase())).size).toBe(paths.length);
+      for (const path of paths) {
+        expect(path).toMatch(/^(?:turnwise\.json|settings\.json|tools\/[A-Z]+\.json|programs\/[^/\\:]+\/[^/\\:]+)$/);
+        expect(path).not.toMatch(/\/\.|(?:^|\/)(?:CON|AUX)(?:\.|\/|$)/i);
+      }
+    }),
+    { numRuns: 50 },
+  );
 });
 
 test("the programs in it are the bytes that the control reads", () => {
@@ -120,14 +190,20 @@ test("the programs in it are the bytes that the control reads", () => {
     text: "0 BEGIN PGM WELLE MM\r\n1 ; ⌀ Maß 41,3\r\n".replace("⌀", "Ø"),
     encoding: "windows-1252" as const,
   };
-  const files = unzipSync(writeArchive({
-    works: [{ work: "a", savedAt: 3, job: { ...german, files: [{ ...german, name: "sub.h" }] } }, { work: "b", savedAt: 4, job: first! }, {
-      work: "c",
-      savedAt: 5,
-      job: german,
-    }],
-    tools,
-  }));
+  const files = unzipSync(
+    writeArchive({
+      works: [
+        { work: "a", savedAt: 3, job: { ...german, files: [{ ...german, name: "sub.h" }] } },
+        { work: "b", savedAt: 4, job: first! },
+        {
+          work: "c",
+          savedAt: 5,
+          job: german,
+        },
+      ],
+      tools,
+    }),
+  );
   expect(Object.keys(files).slice(1, 3)).toEqual(["programs/WELLE/WELLE.H", "programs/WELLE/sub.h"]);
   expect(files["programs/WELLE/WELLE.H"]?.includes(0xdf)).toBe(true);
   expect(files["programs/WELLE (2)/WELLE.H"]?.at(-2)).toBe(13);
@@ -140,7 +216,10 @@ test("the shop's cutting data are in it, among the settings and as the file that
   const file = unzipSync(bytes)["tools/CUTTING.json"];
   expect(readCuttingTable(new TextDecoder().decode(file))).toEqual(ofShop);
   expect(readCuttingTable(read(bytes).settings?.cutting ?? "")).toEqual(ofShop);
-  expect(Object.keys(unzipSync(writeArchive({ settings: { ...settings, cutting: "" } })))).toEqual(["turnwise.json", "settings.json"]);
+  expect(Object.keys(unzipSync(writeArchive({ settings: { ...settings, cutting: "" } })))).toEqual([
+    "turnwise.json",
+    "settings.json",
+  ]);
 });
 
 test("a work that was altered on its way, or that this edition can not read, is named, and the others come", () => {
@@ -149,7 +228,12 @@ test("a work that was altered on its way, or that this edition can not read, is 
   manifest.works[1]!.content.job.name = "OTHER";
   Object.assign(manifest.works[2]!, { print: undefined, content: { version: 4711 } });
   Object.assign(manifest, { tools: { print: "0", content: { version: 2, rows: [] } } });
-  expect(read(packed(manifest))).toMatchObject({ works: [{ work: "A" }], unread: ["B", "C"], tools: null, unreadParts: ["tools"] });
+  expect(read(packed(manifest))).toMatchObject({
+    works: [{ work: "A" }],
+    unread: ["B", "C"],
+    tools: null,
+    unreadParts: ["tools"],
+  });
 });
 
 test("what is no archive, is damaged, too large or newer is said", () => {
@@ -168,11 +252,14 @@ test("what is no archive, is damaged, too large or newer is said", () => {
 test("no bytes make reading fail, and none of a file that was altered comes as something else", () => {
   const all = [{ work: "a", savedAt: 3, job: jobs[0]! }];
   const good = writeArchive({ works: all });
-  fc.assert(fc.property(fc.nat(good.length - 1), fc.integer({ min: 1, max: 255 }), (at, by) => {
-    const bytes = Uint8Array.from(good, (byte, i) => (i === at ? byte ^ by : byte));
-    const found = readArchive(bytes);
-    if ("problem" in found) return;
-    for (const { job: kept } of found.works) expect(kept).toEqual(all[0]?.job);
-  }), { numRuns: 400 });
+  fc.assert(
+    fc.property(fc.nat(good.length - 1), fc.integer({ min: 1, max: 255 }), (at, by) => {
+      const bytes = Uint8Array.from(good, (byte, i) => (i === at ? byte ^ by : byte));
+      const found = readArchive(bytes);
+      if ("problem" in found) return;
+      for (const { job: kept } of found.works) expect(kept).toEqual(all[0]?.job);
+    }),
+    { numRuns: 400 },
+  );
   fc.assert(fc.property(fc.uint8Array(), (bytes) => "problem" in readArchive(Uint8Array.from([0x50, 0x4b, ...bytes]))));
 });

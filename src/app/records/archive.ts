@@ -9,15 +9,19 @@ import { eachPart, PART_NAMES, PARTS, type PartName, type PartValues } from "./p
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 
 /*
- * A file that holds works, and what else stands on a device. It is a zip: `turnwise.json` has everything as it is kept here, drafts of
- * other cycles included, and is all that is read again; the folders beside it are the same for people and for other programs.
+ * A file that holds works, and what else stands on a device. It is a zip: `turnwise.json` has everything as it is kept
+ * here, drafts of other cycles included, and is all that is read again; the folders beside it are the same for people
+ * and for other programs.
  */
 
 const FORMAT = "turnwise-archive/";
 const EDITION = 1;
 const MANIFEST = "turnwise.json";
 
-/** A work in an archive: the name it is kept under on the device it comes from, and when it was last changed, ms since 1970. */
+/**
+ * A work in an archive: the name it is kept under on the device it comes from, and when it was last changed, ms since
+ * 1970.
+ */
 export interface ArchivedWork {
   readonly work: string;
   readonly savedAt: number;
@@ -37,7 +41,10 @@ export interface ReadArchive extends ArchiveContent {
   readonly unreadParts: readonly PartName[];
 }
 
-/** Why a file brings nothing: it is of another kind, was altered on its way, holds more than is unpacked, or a newer edition wrote it. */
+/**
+ * Why a file brings nothing: it is of another kind, was altered on its way, holds more than is unpacked, or a newer
+ * edition wrote it.
+ */
 export type ArchiveProblem = "notAnArchive" | "damaged" | "tooLarge" | "newer";
 
 /** What is unpacked at most: bytes of the file and of what is in it, entries of the zip, works. */
@@ -47,15 +54,24 @@ export interface ArchiveLimits {
   readonly entries: number;
   readonly works: number;
 }
-export const ARCHIVE_LIMITS: ArchiveLimits = { packed: 100_000_000, unpacked: 200_000_000, entries: 60_000, works: 20_000 };
+export const ARCHIVE_LIMITS: ArchiveLimits = {
+  packed: 100_000_000,
+  unpacked: 200_000_000,
+  entries: 60_000,
+  works: 20_000,
+};
 
-/** Something that is kept, with a mark by which it is seen that it was altered. A part without one, written by hand, is taken as it is. */
+/**
+ * Something that is kept, with a mark by which it is seen that it was altered. A part without one, written by hand, is
+ * taken as it is.
+ */
 interface Sealed {
   readonly print?: unknown;
   readonly content?: unknown;
 }
 const sealed = (content: unknown): Sealed => ({ print: fingerprint(content), content });
-const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> => typeof raw === "object" && raw !== null && !Array.isArray(raw);
+const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> =>
+  typeof raw === "object" && raw !== null && !Array.isArray(raw);
 
 /** What is sealed; undefined where it is not what was sealed. */
 function unsealed(raw: unknown): unknown {
@@ -69,8 +85,11 @@ const RESERVED = /^(?:CON|PRN|AUX|NUL|COM\d|LPT\d)(?:\.|$)/i;
 
 /** A name as one part of a path, on every system. */
 function pathPart(name: string): string {
-  // eslint-disable-next-line no-control-regex -- these are just what must not stand there
-  const plain = name.replace(/[\u0000-\u001f\\/:*?"<>|]/g, "_").slice(0, 80).replace(/^[. ]+|[. ]+$/g, "");
+  const plain = name
+    // eslint-disable-next-line no-control-regex -- these are just what must not stand there
+    .replace(/[\u0000-\u001f\\/:*?"<>|]/g, "_")
+    .slice(0, 80)
+    .replace(/^[. ]+|[. ]+$/g, "");
   return plain === "" || RESERVED.test(plain) ? `_${plain}` : plain;
 }
 
@@ -91,7 +110,9 @@ function readable(job: Work): readonly WorkFile[] {
   if (isProgram(job)) return textsOf(job);
   try {
     const text = printedText(job);
-    return [{ name: fileOfJob(job), text: job.layout === "iso" ? isoProgramText(parse(text)).text : text, encoding: "utf-8" }];
+    return [
+      { name: fileOfJob(job), text: job.layout === "iso" ? isoProgramText(parse(text)).text : text, encoding: "utf-8" },
+    ];
   } catch {
     return [];
   }
@@ -105,12 +126,17 @@ const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time
 export function writeArchive({ works: all = [], ...given }: Partial<ArchiveContent>): Uint8Array<ArrayBuffer> {
   const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
   const beside = PART_NAMES.flatMap((name) => {
-    const part = PARTS[name], value: unknown = given[name] ?? null;
+    const part = PARTS[name],
+      value: unknown = given[name] ?? null;
     return value === null || part.isEmpty(value) ? [] : [{ name, part, value }];
   });
   const manifest = {
     format: `${FORMAT}${EDITION}`,
-    works: all.map(({ work, savedAt, job }) => ({ work, name: job.name, ...sealed({ version: SAVE_VERSION, savedAt, job }) })),
+    works: all.map(({ work, savedAt, job }) => ({
+      work,
+      name: job.name,
+      ...sealed({ version: SAVE_VERSION, savedAt, job }),
+    })),
     ...Object.fromEntries(beside.map(({ name, part, value }) => [name, sealed(part.write(value))])),
   };
   const files: Zippable = { [MANIFEST]: [strToU8(JSON.stringify(manifest)), { mtime }] };
@@ -142,7 +168,7 @@ function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): Uint8Array | Arch
       return wanted && !tooLarge;
     },
   });
-  return tooLarge ? "tooLarge" : found[MANIFEST] ?? "notAnArchive";
+  return tooLarge ? "tooLarge" : (found[MANIFEST] ?? "notAnArchive");
 }
 
 /** The works of a manifest, and the names of those that cannot be read. */
@@ -152,7 +178,8 @@ function worksOf(raw: readonly unknown[]): Pick<ReadArchive, "works" | "unread">
   for (const [i, each] of raw.entries()) {
     const { work, name } = isRecord(each) ? each : {};
     const file = readSave(unsealed(each));
-    if (file) works.push({ work: typeof work === "string" ? work.slice(0, 100) : "", savedAt: file.savedAt, job: file.job });
+    if (file)
+      works.push({ work: typeof work === "string" ? work.slice(0, 100) : "", savedAt: file.savedAt, job: file.job });
     else unread.push(typeof name === "string" && name !== "" ? name.slice(0, 100) : `${i + 1}`);
   }
   return { works, unread };
@@ -165,7 +192,10 @@ function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
 }
 
 /** What a file holds, or why it brings nothing. Never throws, and never unpacks more than the limits say. */
-export function readArchive(bytes: Uint8Array, limits: ArchiveLimits = ARCHIVE_LIMITS): ReadArchive | { readonly problem: ArchiveProblem } {
+export function readArchive(
+  bytes: Uint8Array,
+  limits: ArchiveLimits = ARCHIVE_LIMITS,
+): ReadArchive | { readonly problem: ArchiveProblem } {
   if (!looksPacked(bytes)) return { problem: "notAnArchive" };
   if (bytes.length > limits.packed) return { problem: "tooLarge" };
   try {

@@ -23,11 +23,13 @@ export async function bringIn(file: File): Promise<void> {
   const { name } = file;
   const { ARCHIVE_LIMITS, readArchive } = await untilHere(() => import("./archive.ts"));
   try {
-    if (file.size > ARCHIVE_LIMITS.packed) return useBringing.setState({ shown: { name, archive: null, problem: "tooLarge" } });
+    if (file.size > ARCHIVE_LIMITS.packed)
+      return useBringing.setState({ shown: { name, archive: null, problem: "tooLarge" } });
     const read = readArchive(new Uint8Array(await file.arrayBuffer()));
     const handed = handedWork(read);
     if (handed) return showIncoming({ work: handed, from: "file" });
-    const shown = "problem" in read ? { name, archive: null, problem: read.problem } : { name, archive: read, problem: null };
+    const shown =
+      "problem" in read ? { name, archive: null, problem: read.problem } : { name, archive: read, problem: null };
     useBringing.setState({ shown });
   } catch {
     useBringing.setState({ shown: { name, archive: null, problem: "unreadable" } });

@@ -5,11 +5,20 @@ import { findWorks, forgetWork, keepWork, readWork } from "./device.ts";
 import { SAVE_VERSION } from "./save-file.ts";
 
 /** A device in memory: stores by name, a fault that every access meets, and how many values are held at once. */
-const device = vi.hoisted(() => ({ stores: new Map<string, Map<string, unknown>>(), fault: null as Error | null, silent: false }));
+const device = vi.hoisted(() => ({
+  stores: new Map<string, Map<string, unknown>>(),
+  fault: null as Error | null,
+  silent: false,
+}));
 vi.mock("idb-keyval", () => {
   const answer = <T>(work: () => T): Promise<T> =>
-    device.silent ? new Promise(() => undefined) : device.fault ? Promise.reject(device.fault) : Promise.resolve(structuredClone(work()));
-  const of = (name: string) => device.stores.get(name) ?? device.stores.set(name, new Map()).get(name) ?? new Map<string, unknown>();
+    device.silent
+      ? new Promise(() => undefined)
+      : device.fault
+        ? Promise.reject(device.fault)
+        : Promise.resolve(structuredClone(work()));
+  const of = (name: string) =>
+    device.stores.get(name) ?? device.stores.set(name, new Map()).get(name) ?? new Map<string, unknown>();
   return {
     createStore: (name: string) => name,
     entries: (name: string) => answer(() => [...of(name).entries()]),
@@ -93,8 +102,13 @@ test("what is damaged goes aside whole, what a newer edition saved stays where i
 test("what an edition before set aside and this one can read comes back under its own name, and takes no other's place", async () => {
   await keepWork("mine", { ...job, name: "PRESENT" });
   const old = (name: string) => ({ version: SAVE_VERSION, savedAt: 3, job: { ...job, name } });
-  device.stores.set("turnwise-damaged",
-    new Map<string, unknown>([["1700000000000 lost", old("LOST")], ["1700000000000 mine", old("EARLIER")]]));
+  device.stores.set(
+    "turnwise-damaged",
+    new Map<string, unknown>([
+      ["1700000000000 lost", old("LOST")],
+      ["1700000000000 mine", old("EARLIER")],
+    ]),
+  );
   const { works: found } = await findWorks();
   expect(found.map((w) => w.name).sort()).toEqual(["EARLIER", "LOST", "PRESENT"]);
   expect((await readWork("lost"))?.job.name).toBe("LOST");

@@ -33,7 +33,10 @@ export interface Found {
 /** What became of writing: kept, no room left, or refused. */
 export type KeepState = "kept" | "full" | "refused";
 
-/** Works, what was set aside, and beside each work what a list shows of it: a list of many must not read all their texts. */
+/**
+ * Works, what was set aside, and beside each work what a list shows of it: a list of many must not read all their
+ * texts.
+ */
 const [works, aside, heads] = [database("works"), database("damaged"), database("heads")];
 
 /** A device that does not answer must not keep the page from opening, ms. */
@@ -60,7 +63,9 @@ async function bringBack(): Promise<void> {
 }
 
 const sizeOf = (job: Work): number =>
-  isProgram(job) ? textsOf(job).reduce((sum, { name, text }) => sum + name.length + text.length, 0) : JSON.stringify(job).length;
+  isProgram(job)
+    ? textsOf(job).reduce((sum, { name, text }) => sum + name.length + text.length, 0)
+    : JSON.stringify(job).length;
 
 type Head = Omit<Kept, "work">;
 const headOf = ({ savedAt, job }: SaveFile): Head => ({
@@ -82,16 +87,21 @@ const headShape = z.object({
 async function knownHeads(): Promise<ReadonlyMap<string, Head>> {
   try {
     const all = await inTime(heads.entries());
-    return new Map(all.flatMap(([work, raw]) => {
-      const read = headShape.safeParse(raw);
-      return read.success ? [[String(work), read.data] as const] : [];
-    }));
+    return new Map(
+      all.flatMap(([work, raw]) => {
+        const read = headShape.safeParse(raw);
+        return read.success ? [[String(work), read.data] as const] : [];
+      }),
+    );
   } catch {
     return new Map();
   }
 }
 
-/** Notes what lists show of a work, null of one that is to be read itself. A head is a convenience: without it nothing is lost. */
+/**
+ * Notes what lists show of a work, null of one that is to be read itself. A head is a convenience: without it nothing
+ * is lost.
+ */
 async function noteHead(work: string, head: Head | null): Promise<void> {
   try {
     await (head ? heads.set(work, head) : heads.del(work));
@@ -101,8 +111,8 @@ async function noteHead(work: string, head: Head | null): Promise<void> {
 }
 
 /**
- * Finds what there is of saved works. Those without a head are read, one after the other, so that never more than one is in memory. What is
- * damaged is moved to a place of its own and stays there. Always answers.
+ * Finds what there is of saved works. Those without a head are read, one after the other, so that never more than one
+ * is in memory. What is damaged is moved to a place of its own and stays there. Always answers.
  */
 export async function findWorks(): Promise<Found> {
   const found: Kept[] = [];

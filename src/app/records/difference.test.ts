@@ -3,15 +3,24 @@ import { expect, test } from "vitest";
 import { withDifference, differenceOf, fingerprint, type Json } from "./difference.ts";
 
 const { value } = fc.letrec<{ value: Json }>((tie) => ({
-  value: fc.oneof({ maxDepth: 3 }, fc.constantFrom<Json>(null, true, "", "Q494=-3.25", "Q494=-3.2", 41.3, 0), fc.string(),
+  value: fc.oneof(
+    { maxDepth: 3 },
+    fc.constantFrom<Json>(null, true, "", "Q494=-3.25", "Q494=-3.2", 41.3, 0),
+    fc.string(),
     fc.array(tie("value"), { maxLength: 4 }),
-    fc.dictionary(fc.constantFrom("x", "z", "__proto__", "text", "r"), tie("value"), { noNullPrototype: true })),
+    fc.dictionary(fc.constantFrom("x", "z", "__proto__", "text", "r"), tie("value"), { noNullPrototype: true }),
+  ),
 }));
 
 test("a value with its difference is the other value", () => {
-  fc.assert(fc.property(value, value, (a, b) => {
-    expect(withDifference(a, JSON.parse(JSON.stringify(differenceOf(a, b))) as ReturnType<typeof differenceOf>)).toEqual(b);
-  }), { numRuns: 1500 });
+  fc.assert(
+    fc.property(value, value, (a, b) => {
+      expect(
+        withDifference(a, JSON.parse(JSON.stringify(differenceOf(a, b))) as ReturnType<typeof differenceOf>),
+      ).toEqual(b);
+    }),
+    { numRuns: 1500 },
+  );
 });
 
 test("what did not change is shared, and costs nothing", () => {
@@ -26,7 +35,9 @@ test("what did not change is shared, and costs nothing", () => {
 test("a mark does not ask for the order of fields, and tells values apart", () => {
   expect(fingerprint({ a: 1, b: { c: "x", d: [2, 3] } })).toBe(fingerprint({ b: { d: [2, 3], c: "x" }, a: 1 }));
   expect(fingerprint({ a: "12" })).not.toBe(fingerprint({ a: "21" }));
-  fc.assert(fc.property(value, value, (a, b) => {
-    expect(fingerprint(a) === fingerprint(b)).toBe(differenceOf(a, b) === 0);
-  }));
+  fc.assert(
+    fc.property(value, value, (a, b) => {
+      expect(fingerprint(a) === fingerprint(b)).toBe(differenceOf(a, b) === 0);
+    }),
+  );
 });

@@ -13,10 +13,15 @@ export type Difference =
   | { readonly each: { readonly [index: string]: Difference } };
 
 const isList = (value: Json): value is readonly Json[] => Array.isArray(value);
-const isObject = (value: Json): value is { readonly [key: string]: Json } => typeof value === "object" && value !== null && !isList(value);
+const isObject = (value: Json): value is { readonly [key: string]: Json } =>
+  typeof value === "object" && value !== null && !isList(value);
 
 /** How many of two rows of things are the same from the start, and then from the end, without overlap. */
-function common(a: ArrayLike<unknown>, b: ArrayLike<unknown>, same: (i: number, j: number) => boolean): readonly [number, number] {
+function common(
+  a: ArrayLike<unknown>,
+  b: ArrayLike<unknown>,
+  same: (i: number, j: number) => boolean,
+): readonly [number, number] {
   const most = Math.min(a.length, b.length);
   let start = 0;
   while (start < most && same(start, start)) start++;
@@ -33,7 +38,9 @@ function betweenObjects(a: { readonly [key: string]: Json }, b: { readonly [key:
     const found = before === undefined ? { to: value } : differenceOf(before, value);
     if (found !== 0) fields.push([key, found]);
   }
-  const without = Object.keys(a).filter((key) => a[key] !== undefined && (!Object.hasOwn(b, key) || b[key] === undefined));
+  const without = Object.keys(a).filter(
+    (key) => a[key] !== undefined && (!Object.hasOwn(b, key) || b[key] === undefined),
+  );
   if (fields.length === 0 && without.length === 0) return 0;
   return { fields: Object.fromEntries(fields), ...(without.length > 0 && { without }) };
 }
@@ -59,22 +66,24 @@ export function differenceOf(a: Json, b: Json): Difference {
   return isObject(a) && isObject(b) ? betweenObjects(a, b) : { to: b };
 }
 
-const ownOf = (fields: { readonly [key: string]: Difference }, key: string): Difference => (Object.hasOwn(fields, key) && fields[key]) || 0;
+const ownOf = (fields: { readonly [key: string]: Difference }, key: string): Difference =>
+  (Object.hasOwn(fields, key) && fields[key]) || 0;
 
 /** A value after a difference. What the difference does not name is the same as before, by identity. */
 export function withDifference(a: Json, by: Difference): Json {
   if (by === 0) return a;
   if ("to" in by) return by.to;
-  if ("text" in by && typeof a === "string") return a.slice(0, by.text[0]) + by.text[2] + a.slice(a.length - by.text[1]);
+  if ("text" in by && typeof a === "string")
+    return a.slice(0, by.text[0]) + by.text[2] + a.slice(a.length - by.text[1]);
   if ("list" in by && isList(a)) return [...a.slice(0, by.list[0]), ...by.list[2], ...a.slice(a.length - by.list[1])];
   if ("each" in by && isList(a)) return a.map((value, i) => withDifference(value, by.each[i] ?? 0));
   if (!("fields" in by) || !isObject(a)) throw new Error("the difference is one of another value");
-  const kept = Object.entries(a).filter(([key]) => !by.without?.includes(key)).map(
-    ([key, value]) => [key, withDifference(value, ownOf(by.fields, key))]
-  );
-  const fresh = Object.entries(by.fields).filter(([key]) => !Object.hasOwn(a, key) || a[key] === undefined).flatMap(
-    ([key, found]) => (found !== 0 && "to" in found ? [[key, found.to]] : [])
-  );
+  const kept = Object.entries(a)
+    .filter(([key]) => !by.without?.includes(key))
+    .map(([key, value]) => [key, withDifference(value, ownOf(by.fields, key))]);
+  const fresh = Object.entries(by.fields)
+    .filter(([key]) => !Object.hasOwn(a, key) || a[key] === undefined)
+    .flatMap(([key, found]) => (found !== 0 && "to" in found ? [[key, found.to]] : []));
   return Object.fromEntries([...kept, ...fresh]) as Json;
 }
 

@@ -5,10 +5,7 @@ import type { Found } from "./device.ts";
 /** What lies on the device of a test, in place of the browser's. */
 export const device = {
   works: new Map<string, { savedAt: number; job: unknown }>(),
-  refuses: null as
-    | "full"
-    | "refused"
-    | null,
+  refuses: null as "full" | "refused" | null,
   /** Holds every write until it is settled. */
   slow: null as Promise<void> | null,
   setAside: 0,
@@ -18,10 +15,12 @@ export const device = {
 
 export const findWorks = (): Promise<Found> =>
   Promise.resolve({
-    works: [...device.works].map(([work, { savedAt, job }]) => {
-      const { name, cycle } = job as Job;
-      return { work, savedAt, name, cycle, size: 7 };
-    }).sort((a, b) => b.savedAt - a.savedAt),
+    works: [...device.works]
+      .map(([work, { savedAt, job }]) => {
+        const { name, cycle } = job as Job;
+        return { work, savedAt, name, cycle, size: 7 };
+      })
+      .sort((a, b) => b.savedAt - a.savedAt),
     setAside: device.setAside,
     newer: device.newer,
     available: device.refuses !== "refused",
@@ -38,8 +37,11 @@ export const forgetWork = (work: string): Promise<boolean> => Promise.resolve(de
 
 /** The locks of the browser, with the works that other tabs hold. */
 export const locks = {
-  request: (name: string, { steal = false }: { readonly steal?: boolean }, callback: (lock: object | null) => unknown) =>
-    Promise.resolve(callback(device.taken.has(name) && !steal ? null : { name })),
+  request: (
+    name: string,
+    { steal = false }: { readonly steal?: boolean },
+    callback: (lock: object | null) => unknown,
+  ) => Promise.resolve(callback(device.taken.has(name) && !steal ? null : { name })),
 };
 
 const [cycle] = cuttingCycles;

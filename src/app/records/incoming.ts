@@ -15,7 +15,12 @@ export const useIncoming = create<{ readonly incoming: Incoming | null }>(() => 
 /** The one work of a file that it was handed on in; null for a file of anything else. */
 export function handedWork(read: ReadArchive | object): Work | null {
   if (!("works" in read)) return null;
-  const { works: [first, ...others], own, settings, unread } = read;
+  const {
+    works: [first, ...others],
+    own,
+    settings,
+    unread,
+  } = read;
   return first?.job.tools && others.length === 0 && !own && !settings && unread.length === 0 ? first.job : null;
 }
 

@@ -3,8 +3,16 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { shippedList } from "../../program/tools/tool-list.ts";
 import { draftOf, setContour, setPrompt, setRapid } from "../document/edits.ts";
-import { closeSession, dispatchEdit, handOverText, openBlock, openSession, sessionText, sessionView,
-  useSession } from "../fields/blocks/session.ts";
+import {
+  closeSession,
+  dispatchEdit,
+  handOverText,
+  openBlock,
+  openSession,
+  sessionText,
+  sessionView,
+  useSession,
+} from "../fields/blocks/session.ts";
 import { closeStep, forget, redo, undo, useSteps } from "../document/steps.ts";
 import { editOwn, ownRecord, useOwn } from "../document/own-store.ts";
 import { beforeLeaving, begin, changeProgram, open, useEditor } from "../document/store.ts";
@@ -157,12 +165,15 @@ test("a work that was changed meanwhile, or is another one, has no history", () 
   expect(lengths()).toEqual([0, 0]);
 });
 
-test.each(["", "{", "3", '{"work":"w"}', '{"work":"w","print":1,"past":3}'])("a damaged note %j is passed over", (note) => {
-  begin(job, "w");
-  sessionStorage.setItem("turnwise/steps", note);
-  takeKeptSteps();
-  expect(lengths()).toEqual([0, 0]);
-});
+test.each(["", "{", "3", '{"work":"w"}', '{"work":"w","print":1,"past":3}'])(
+  "a damaged note %j is passed over",
+  (note) => {
+    begin(job, "w");
+    sessionStorage.setItem("turnwise/steps", note);
+    takeKeptSteps();
+    expect(lengths()).toEqual([0, 0]);
+  },
+);
 
 test("a program's text, its files and the cursor come back with their history", () => {
   begin({ name: "A.h", text: TEXT, encoding: "utf-8" }, "w");

@@ -6,8 +6,8 @@ import type { Work } from "../document/work.ts";
 import { withDifference, differenceOf, fingerprint, type Difference, type Json } from "./difference.ts";
 
 /*
- * The history of the open work, of the tools and of the own cycles outlasts a reload of its tab. It is written when the page goes away, so
- * that typing never waits for it, and taken only for the very state it was written of.
+ * The history of the open work, of the tools and of the own cycles outlasts a reload of its tab. It is written when the
+ * page goes away, so that typing never waits for it, and taken only for the very state it was written of.
  */
 
 const KEPT = keptText("steps", "tab");
@@ -30,7 +30,8 @@ const knownNow = (present: Work | null) =>
   Object.fromEntries([[WORK, present], ...undoneRecords().map(({ key, now }) => [key, now()])]) as Known;
 
 /** A step: of a whole state, by what differs from the one that is known; or one step through the text of a file. */
-type KeptStep = { readonly near: Difference; readonly far: Difference; readonly table?: string } | { readonly file: string };
+type KeptStep =
+  { readonly near: Difference; readonly far: Difference; readonly table?: string } | { readonly file: string };
 
 interface KeptSteps {
   /** Empty where none was open. */
@@ -47,7 +48,10 @@ interface KeptSteps {
 /** Asked for the texts of a work when the page goes away. */
 export const textKeepers = new Set<(work: string) => readonly KeptText[]>();
 
-/** Steps of the open work and of the tables, as they go away from the present states; the first step of anything larger ends them. */
+/**
+ * Steps of the open work and of the tables, as they go away from the present states; the first step of anything larger
+ * ends them.
+ */
 function kept(steps: readonly HistoryStep[], present: Work | null, nearSide: 0 | 1): readonly KeptStep[] {
   const found: KeptStep[] = [];
   const known = knownNow(present);
@@ -62,7 +66,11 @@ function kept(steps: readonly HistoryStep[], present: Work | null, nearSide: 0 |
       const of = table ?? WORK;
       const near = step.states[nearSide] as Json;
       const far = step.states[nearSide === 0 ? 1 : 0] as Json;
-      const made = { near: differenceOf(known[of] ?? null, near), far: differenceOf(near, far), ...(table && { table }) };
+      const made = {
+        near: differenceOf(known[of] ?? null, near),
+        far: differenceOf(near, far),
+        ...(table && { table }),
+      };
       known[of] = far;
       size += JSON.stringify(made).length;
       if (size > MOST.size / 4) break;
@@ -122,7 +130,12 @@ function taken(): KeptSteps | null {
 }
 
 /** Steps again, in the order of the history: the one that is gone next stands last. */
-function stepsOf(list: readonly KeptStep[], same: readonly string[], nearSide: 0 | 1, textStep: (file: string) => HistoryStep | null) {
+function stepsOf(
+  list: readonly KeptStep[],
+  same: readonly string[],
+  nearSide: 0 | 1,
+  textStep: (file: string) => HistoryStep | null,
+) {
   const { job, program, work } = useEditor.getState();
   const known = knownNow(job ?? program);
   const steps: HistoryStep[] = [];
@@ -156,10 +169,12 @@ function stepsOf(list: readonly KeptStep[], same: readonly string[], nearSide: 0
 }
 
 /**
- * Takes the history of the open work up again. For a program its editor does that, which puts the texts back first and makes
- * their steps; a text that it cannot put back ends the history there.
+ * Takes the history of the open work up again. For a program its editor does that, which puts the texts back first and
+ * makes their steps; a text that it cannot put back ends the history there.
  */
-export function takeKeptSteps(putBack: ((texts: readonly KeptText[]) => (file: string) => HistoryStep | null) | null = null): void {
+export function takeKeptSteps(
+  putBack: ((texts: readonly KeptText[]) => (file: string) => HistoryStep | null) | null = null,
+): void {
   if (useEditor.getState().program && !putBack) return;
   const record = taken();
   if (!record) return;

@@ -53,7 +53,12 @@ test("the list shows works that are closed before they are written", async () =>
   begin(null, null);
   await refreshWorks();
   stop();
-  expect(useKeeping.getState().works.map(({ name }) => name).sort()).toEqual(["FIRST", "SECOND"]);
+  expect(
+    useKeeping
+      .getState()
+      .works.map(({ name }) => name)
+      .sort(),
+  ).toEqual(["FIRST", "SECOND"]);
 });
 
 test("a new tab continues the newest work", async () => {
@@ -122,7 +127,10 @@ test("of a work that the device has refused before, the newest state is left beh
   setTool(6);
   dispatchEvent(new Event("pagehide"));
   const { work } = useEditor.getState();
-  const left = JSON.parse(sessionStorage.getItem("turnwise/pending") ?? "[]") as { work: string; file: { job: unknown } }[];
+  const left = JSON.parse(sessionStorage.getItem("turnwise/pending") ?? "[]") as {
+    work: string;
+    file: { job: unknown };
+  }[];
   expect(left.filter((behind) => behind.work === work)).toMatchObject([{ file: { job: { tool: 6 } } }]);
   device.refuses = null;
   stop();

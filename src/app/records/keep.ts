@@ -9,8 +9,19 @@ import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
 import { persistOnce } from "../base/persist.ts";
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 import { showElsewhere } from "../place/place.ts";
-import { answerOthers, askFor, claimNew, claimWork, leaveBehind, onLost, ownedWorks, owns, releaseWork, rememberWork,
-  sayChanged } from "./tab.ts";
+import {
+  answerOthers,
+  askFor,
+  claimNew,
+  claimWork,
+  leaveBehind,
+  onLost,
+  ownedWorks,
+  owns,
+  releaseWork,
+  rememberWork,
+  sayChanged,
+} from "./tab.ts";
 
 /** What the page says about saving. */
 export interface Keeping {
@@ -74,9 +85,10 @@ async function writeAll(): Promise<void> {
 }
 
 /** Writes what waits, one work after the other. A state waits until it is written: the page may go away on the way. */
-const write = (): Promise<void> => (writing ??= writeAll().finally(() => {
-  writing = null;
-}));
+const write = (): Promise<void> =>
+  (writing ??= writeAll().finally(() => {
+    writing = null;
+  }));
 
 /** Rest before writing, so that writing never delays the picture of what is typed, ms. */
 const REST = 80;
@@ -122,7 +134,10 @@ async function reclaim(work: string, first: Work, wait: () => void): Promise<voi
   } else leaveToOther(work, job, "isOpen");
 }
 
-/** Hands a work over to another tab: nothing more is typed into it here, and its newest state is on the device or in the answer. */
+/**
+ * Hands a work over to another tab: nothing more is typed into it here, and its newest state is on the device or in the
+ * answer.
+ */
 async function giveAway(work: string): Promise<Work | null> {
   handOver();
   const job = openJob();
@@ -179,7 +194,12 @@ export function startKeeping(): () => void {
   const leave = () => {
     handOver();
     const savedAt = time();
-    leaveBehind([...new Map([...unkept, ...waiting])].map(([work, job]) => ({ work, file: { version: SAVE_VERSION, savedAt, job } })));
+    leaveBehind(
+      [...new Map([...unkept, ...waiting])].map(([work, job]) => ({
+        work,
+        file: { version: SAVE_VERSION, savedAt, job },
+      })),
+    );
     void write();
   };
   // The browser asks before it closes a page whose work is nowhere else.
@@ -201,7 +221,10 @@ export function startKeeping(): () => void {
   };
 }
 
-/** How often a work is asked for, and the rest between, ms: a tab that is closed, or loaded again, takes a moment to let go. */
+/**
+ * How often a work is asked for, and the rest between, ms: a tab that is closed, or loaded again, takes a moment to let
+ * go.
+ */
 const ASKING = { times: 5, rest: 60 };
 
 /** Claims a work for this tab. */
@@ -225,7 +248,9 @@ export function startWork(job: Work): void {
 export const newestState = async (work: string): Promise<Work | null> =>
   waiting.get(work) ?? unkept.get(work) ?? (await readWork(work))?.job ?? null;
 
-/** Opens a work of this device; false when there is none of this name. One that another tab has is said in its place. */
+/**
+ * Opens a work of this device; false when there is none of this name. One that another tab has is said in its place.
+ */
 export async function openWork(work: string): Promise<boolean> {
   const free = await claimPatiently(work);
   const job = await newestState(work);
@@ -243,7 +268,10 @@ export async function openWork(work: string): Promise<boolean> {
   return true;
 }
 
-/** Takes a work over from the tab that has it open, which hands over its newest state; from one that does not answer as it is kept. */
+/**
+ * Takes a work over from the tab that has it open, which hands over its newest state; from one that does not answer as
+ * it is kept.
+ */
 export async function takeOver(work: string): Promise<boolean> {
   let given: unknown;
   if (!(await claimWork(work))) {
@@ -264,7 +292,10 @@ export async function copyWork(work: string, nameOf: (name: string) => string): 
   if (job) startWork({ ...job, name: nameOf(job.name) });
 }
 
-/** Reads the list again, for the start page, where works may have been removed and room made: with what is only now being written. */
+/**
+ * Reads the list again, for the start page, where works may have been removed and room made: with what is only now
+ * being written.
+ */
 export async function refreshWorks(): Promise<void> {
   await write();
   await keepAgain();

@@ -8,7 +8,10 @@ const MOST = { works: 100, path: 6000 };
 const box = z.tuple([z.number(), z.number(), z.number(), z.number()]);
 const path = z.string().check(z.maxLength(MOST.path), z.regex(/^[MLZ\d .-]*$/));
 /** Pictures of works, by name; they are a convenience, and whatever happens to them no work is lost. */
-const KEPT = keptData<Readonly<Record<string, Thumbnail>>>("pictures", z.record(z.string(), z.object({ box, part: path, blank: path })));
+const KEPT = keptData<Readonly<Record<string, Thumbnail>>>(
+  "pictures",
+  z.record(z.string(), z.object({ box, part: path, blank: path })),
+);
 
 /** How the parts of works were last seen, by the names of the works. */
 export const keptPictures = (): Readonly<Record<string, Thumbnail>> => KEPT.get() ?? {};
@@ -16,6 +19,8 @@ export const keptPictures = (): Readonly<Record<string, Thumbnail>> => KEPT.get(
 /** Notes how the part of a work looks. The oldest gives way; a browser without room goes without. */
 export function keepPicture(work: string, picture: Thumbnail): void {
   if (picture.part.length > MOST.path || picture.blank.length > MOST.path) return;
-  const others = Object.entries(keptPictures()).filter(([name]) => name !== work).slice(1 - MOST.works);
+  const others = Object.entries(keptPictures())
+    .filter(([name]) => name !== work)
+    .slice(1 - MOST.works);
   KEPT.set(Object.fromEntries([...others, [work, picture]]));
 }

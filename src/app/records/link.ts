@@ -34,8 +34,8 @@ export const unpackedFromLink = (packed: string, most = LARGEST_PROGRAM): string
   unpackedText(fromBase64Url(packed), most, COMMON);
 
 /**
- * A link that carries a work with all that it brings along: nothing is stored anywhere. `page` is the address without anything
- * behind `#`.
+ * A link that carries a work with all that it brings along: nothing is stored anywhere. `page` is the address without
+ * anything behind `#`.
  */
 export function linkOf(page: string, work: Work): string {
   // As it is read, so that the link of what a link brought is the same link.
@@ -43,7 +43,8 @@ export function linkOf(page: string, work: Work): string {
 }
 
 /** What a link carries; or that it carries more than is opened, comes from a newer edition, or can not be read. */
-export type ReadLink = { readonly kind: "work"; readonly work: Work } | { readonly kind: "tooLarge" | "newer" | "damaged" };
+export type ReadLink =
+  { readonly kind: "work"; readonly work: Work } | { readonly kind: "tooLarge" | "newer" | "damaged" };
 
 function workIn(mark: string, text: string): Work | null {
   if (mark === TEXT_MARK) return { name: fileNameOf(text), text, encoding: "utf-8" };
@@ -60,7 +61,11 @@ export function readLink(hash: string, most = LARGEST_PROGRAM): ReadLink {
   const mark = [TEXT_MARK, PROGRAM_MARK, WORK_MARK, LINK_MARK].find((each) => hash.startsWith(each));
   if (mark === undefined) return { kind: "damaged" };
   try {
-    const text = unpackedText(fromBase64Url(hash.slice(mark.length)), most, mark === LINK_MARK || mark === WORK_MARK ? COMMON : null);
+    const text = unpackedText(
+      fromBase64Url(hash.slice(mark.length)),
+      most,
+      mark === LINK_MARK || mark === WORK_MARK ? COMMON : null,
+    );
     if (text === null) return { kind: "tooLarge" };
     const work = workIn(mark, text);
     return work ? { kind: "work", work } : { kind: "damaged" };

@@ -33,7 +33,9 @@ export interface Part<T> {
   /** Whether there is nothing in it: such a part is left out. */
   isEmpty(value: T): boolean;
   isSame(one: T, other: T): boolean;
-  /** What is here, with what is brought beside it. `nameHere`: what a work is called here that had another name there. */
+  /**
+   * What is here, with what is brought beside it. `nameHere`: what a work is called here that had another name there.
+   */
   merge(mine: T, brought: T, nameHere: ReadonlyMap<string, string>): T;
   /** Puts a value in place. */
   take(value: T): void | Promise<void>;
@@ -63,7 +65,11 @@ const settingsPart: Part<Settings> = {
   isEmpty: () => false,
   isSame: isSameData,
   // Somebody who goes by the shipped cutting data, or by no machine, has none to bring: the shop's own stay.
-  merge: (mine, brought) => ({ ...brought, cutting: brought.cutting || mine.cutting, machine: brought.machine || mine.machine }),
+  merge: (mine, brought) => ({
+    ...brought,
+    cutting: brought.cutting || mine.cutting,
+    machine: brought.machine || mine.machine,
+  }),
   async take({ language, ...others }) {
     changeSettings(others);
     await changeLanguage(language);
@@ -84,7 +90,10 @@ const parts = {
       const [theirs, ours] = [toolsOnDevice(brought).rows, toolsOnDevice(mine).rows];
       const taken = new Set(mine.map(({ id }) => ours.get(id)?.number ?? null));
       const missing = brought.filter(({ id }) => !taken.has(theirs.get(id)?.number ?? null));
-      return mergedTools(mine, missing.map(({ cells }) => cells)).list;
+      return mergedTools(
+        mine,
+        missing.map(({ cells }) => cells),
+      ).list;
     },
     files(list) {
       const { table, mills } = toolsOnDevice(list);
@@ -95,7 +104,10 @@ const parts = {
     group: "own",
     merge(mine, brought) {
       const taken = new Set(mine.map(ownNumber));
-      return mergedLibrary(mine, brought.filter((entry) => !taken.has(ownNumber(entry)))).list;
+      return mergedLibrary(
+        mine,
+        brought.filter((entry) => !taken.has(ownNumber(entry))),
+      ).list;
     },
     files: (list) => ({ "tools/CYCLES.json": writeLibrary(list) }),
   }),

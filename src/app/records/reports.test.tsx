@@ -9,7 +9,9 @@ beforeEach(forgetReports);
 test("a fault is noted with its place, the same one again counts up, and only the last few are kept", () => {
   noteFault(new TypeError("no such tool"));
   noteFault(new TypeError("no such tool"));
-  expect(list()).toMatchObject([{ count: 2, message: "TypeError: no such tool", stack: expect.stringContaining("reports.test") }]);
+  expect(list()).toMatchObject([
+    { count: 2, message: "TypeError: no such tool", stack: expect.stringContaining("reports.test") },
+  ]);
   for (let i = 0; i < 30; i++) noteFault(`fault ${i} ${"x".repeat(9000)}`);
   expect(list().length).toBe(8);
   expect(list()[0]?.message).toMatch(/^fault 29 x+$/);

@@ -5,7 +5,9 @@ import { time } from "../base/clock.ts";
 import { keptData } from "../base/kept.ts";
 import { isMissing } from "../base/parts.ts";
 
-/** A fault of the page, as it is kept on this device. Nothing of it goes anywhere by itself, and no program is in it. */
+/**
+ * A fault of the page, as it is kept on this device. Nothing of it goes anywhere by itself, and no program is in it.
+ */
 const shape = z.object({
   /** Milliseconds since 1970, of the last time. */
   at: z.number(),
@@ -25,7 +27,9 @@ const MOST = { reports: 8, text: 4000 };
 const KEPT = keptData<readonly FaultReport[]>("reports", z.array(shape));
 
 /** Newest first. */
-export const useReports = create<{ readonly list: readonly FaultReport[] }>(() => ({ list: KEPT.get()?.slice(0, MOST.reports) ?? [] }));
+export const useReports = create<{ readonly list: readonly FaultReport[] }>(() => ({
+  list: KEPT.get()?.slice(0, MOST.reports) ?? [],
+}));
 
 function keep(list: readonly FaultReport[]): void {
   useReports.setState({ list });

@@ -23,48 +23,73 @@ test("what was measured is saved with the work, with its places, its moment and 
     shape: "1/5/77",
     segment: { kind: "arc", from: at(-13.27, 8.5), to: at(-14.87, 10.1), centre: at(-13.27, 10.1), turn: "cw" },
   } as const;
-  const measured: Measurement[] = [{
-    id: "1",
-    kind: "radius",
-    plane: "ZX",
-    places: [{ at: at(-14.4, 8.97), spot: "edge", edge }],
-    text: at(-9.1, 14),
-  }, {
-    id: "2",
-    kind: "length",
-    plane: "XY",
-    places: [{ at: at(1.5, -3), spot: "free" }, { at: at(9, -3), spot: "path" }],
-    moment: { step: 12, fraction: 0.25, block: 31, pass: 2, print: "1x7" },
-  }];
-  const works = [{ ...saved()[0]?.job, measured }, { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8", measured }];
-  for (const job of works) expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+  const measured: Measurement[] = [
+    {
+      id: "1",
+      kind: "radius",
+      plane: "ZX",
+      places: [{ at: at(-14.4, 8.97), spot: "edge", edge }],
+      text: at(-9.1, 14),
+    },
+    {
+      id: "2",
+      kind: "length",
+      plane: "XY",
+      places: [
+        { at: at(1.5, -3), spot: "free" },
+        { at: at(9, -3), spot: "path" },
+      ],
+      moment: { step: 12, fraction: 0.25, block: 31, pass: 2, print: "1x7" },
+    },
+  ];
+  const works = [
+    { ...saved()[0]?.job, measured },
+    { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8", measured },
+  ];
+  for (const job of works)
+    expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
   const broken = { ...works[1], measured: [{ ...measured[0], places: [] }] };
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: broken })).toBeNull();
 });
 
 test("a work of a task is saved with its task, what was foretold and the file it came from", () => {
-  const task = { id: "predict-7", veiled: true, told: ["4", "⌀41.7 Z-13"], file: { format: "turnwise-task/1", words: { en: {} } } };
-  const works = [{ ...saved()[0]?.job, task }, { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8", task: { id: "x" } }];
-  for (const job of works) expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
+  const task = {
+    id: "predict-7",
+    veiled: true,
+    told: ["4", "⌀41.7 Z-13"],
+    file: { format: "turnwise-task/1", words: { en: {} } },
+  };
+  const works = [
+    { ...saved()[0]?.job, task },
+    { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8", task: { id: "x" } },
+  ];
+  for (const job of works)
+    expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...works[1], task: { id: 7 } } })).toBeNull();
 });
 
 test("the machine that a work was handed on with is saved with it, and so is that it was none", () => {
   const program = { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8" };
   for (const machine of ["", "{}", "x".repeat(10_000)]) {
-    for (const job of [{ ...saved()[0]?.job, machine }, { ...program, machine }])
+    for (const job of [
+      { ...saved()[0]?.job, machine },
+      { ...program, machine },
+    ])
       expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
   }
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...program, machine: "x".repeat(10_001) } })).toBeNull();
 });
 
 test("what a work is turned from is saved with it, of materials this device does not know too", () => {
-  const works = [{ ...saved()[0]?.job, material: "42crmo4" }, {
-    name: "MAIN.H",
-    text: "END PGM A MM",
-    encoding: "utf-8",
-    material: "own17",
-  }];
+  const works = [
+    { ...saved()[0]?.job, material: "42crmo4" },
+    {
+      name: "MAIN.H",
+      text: "END PGM A MM",
+      encoding: "utf-8",
+      material: "own17",
+    },
+  ];
   for (const job of works) {
     expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
     expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...job, material: 17 } })).toBeNull();
@@ -73,12 +98,17 @@ test("what a work is turned from is saved with it, of materials this device does
 
 test("what a work is held by is saved with it, half typed as well; a save without it is as before", () => {
   const words = { D: "60", LENGTH: "", FACE: "-7", TIP: "abc" };
-  for (const clamping of [{ kind: "softJaws", words }, { kind: "centres", words: {} }]) {
+  for (const clamping of [
+    { kind: "softJaws", words },
+    { kind: "centres", words: {} },
+  ]) {
     const job = { ...saved()[0]?.job, clamping };
     expect(readSave(JSON.parse(JSON.stringify({ version: SAVE_VERSION, savedAt: 1, job })))?.job).toEqual(job);
   }
   expect(readSave(saved()[0])?.job).not.toHaveProperty("clamping");
-  expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...saved()[0]?.job, clamping: { kind: "vice", words } } })).toBeNull();
+  expect(
+    readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...saved()[0]?.job, clamping: { kind: "vice", words } } }),
+  ).toBeNull();
 });
 
 test("the files beside a program and the switch of its skip mark are saved with it; a save without them is as before", () => {
@@ -96,14 +126,19 @@ test.each<[string, unknown]>([
   ["another thing", { broken: true }],
   ["a newer edition", { ...saved()[0], version: SAVE_VERSION + 1 }],
   ["a job without a blank", { ...saved()[0], job: { ...saved()[0]?.job, blank: undefined } }],
-  ["a number where text was", {
-    ...saved()[0],
-    job: { ...saved()[0]?.job, rapid: 10000 },
-  }],
+  [
+    "a number where text was",
+    {
+      ...saved()[0],
+      job: { ...saved()[0]?.job, rapid: 10000 },
+    },
+  ],
 ])("%s is damaged, not a reason to fail", (_, raw) => expect(readSave(raw)).toBeNull());
 
 test("no input makes reading fail", () =>
-  fc.assert(fc.property(fc.anything({ withBigInt: true, withDate: true, withMap: true }), (raw) => readSave(raw) === null)));
+  fc.assert(
+    fc.property(fc.anything({ withBigInt: true, withDate: true, withMap: true }), (raw) => readSave(raw) === null),
+  ));
 
 test("an old save passes every step up to the present version", () => {
   const steps = {
@@ -117,7 +152,11 @@ test("an old save passes every step up to the present version", () => {
 
 test("a work that was kept before machines had settings shows the program that it showed", () => {
   const files = import.meta.glob<unknown>("../../../tests/saved/v2/*.json", { eager: true, import: "default" });
-  const programs = import.meta.glob<string>("../../../tests/saved/v2/*.h", { eager: true, query: "?raw", import: "default" });
+  const programs = import.meta.glob<string>("../../../tests/saved/v2/*.h", {
+    eager: true,
+    query: "?raw",
+    import: "default",
+  });
   expect(Object.keys(files)).toHaveLength(3);
   for (const [path, raw] of Object.entries(files)) {
     const job = readSave(raw)?.job as SetJob;

@@ -7,7 +7,14 @@ import { CLAMPING_KINDS } from "../../program/clamping/words.ts";
 import type { ContourRow, Job, TaskWork } from "../../program/job/job.ts";
 import { EARLIER_OUTPUT, isNcOutput, JOB_LAYOUTS, type NcOutput } from "../../program/machine/nc-output.ts";
 import { toolRows } from "../document/tool-rows.ts";
-import { LONGEST_MACHINE, LONGEST_REMARKS, MOST_MEASURED, type ProgramWork, type Work, type WorkFile } from "../document/work.ts";
+import {
+  LONGEST_MACHINE,
+  LONGEST_REMARKS,
+  MOST_MEASURED,
+  type ProgramWork,
+  type Work,
+  type WorkFile,
+} from "../document/work.ts";
 
 /** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
 export const SAVE_VERSION = 3;
@@ -26,7 +33,10 @@ const text = z.string().check(z.maxLength(500));
 /** What came later has a default here: the saves before it have no such field. */
 const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
 const remarks = z.optional(z.string().check(z.maxLength(LONGEST_REMARKS)));
-const point = z.pipe(z.object({ z: z.number(), r: z.number() }), z.transform(({ z: along, r }) => at(along, r)));
+const point = z.pipe(
+  z.object({ z: z.number(), r: z.number() }),
+  z.transform(({ z: along, r }) => at(along, r)),
+);
 const segment = z.union([
   z.object({ kind: z.literal("line"), from: point, to: point }),
   z.object({ kind: z.literal("arc"), from: point, to: point, centre: point, turn: z.enum(["cw", "ccw"]) }),
@@ -34,7 +44,9 @@ const segment = z.union([
 const measuredPlace = z.object({
   at: point,
   spot: z.enum(["corner", "centre", "edge", "path", "free"]),
-  edge: z.optional(z.object({ of: z.enum(["contour", "blank", "stock"]), chain: z.int(), element: z.int(), shape: text, segment })),
+  edge: z.optional(
+    z.object({ of: z.enum(["contour", "blank", "stock"]), chain: z.int(), element: z.int(), shape: text, segment }),
+  ),
 });
 const measurement = z.object({
   id: text,
@@ -43,7 +55,13 @@ const measurement = z.object({
   places: z.array(measuredPlace).check(z.minLength(1), z.maxLength(2)),
   text: z.optional(point),
   moment: z.optional(
-    z.object({ step: z.int(), fraction: z.number(), block: z.optional(z.number()), pass: z.optional(z.number()), print: text }),
+    z.object({
+      step: z.int(),
+      fraction: z.number(),
+      block: z.optional(z.number()),
+      pass: z.optional(z.number()),
+      print: text,
+    }),
   ),
 });
 const measured = z.optional(z.array(measurement).check(z.maxLength(MOST_MEASURED)));
@@ -114,34 +132,53 @@ const program = z.object({
   material: z.optional(text),
   measured,
 });
-/** Every field of a work has to stand in the layout above, or it would be lost in saving: a missing one does not compile. */
-type Complete = [keyof Job extends keyof z.output<typeof job> ? true : never,
+/**
+ * Every field of a work has to stand in the layout above, or it would be lost in saving: a missing one does not
+ * compile.
+ */
+type Complete = [
+  keyof Job extends keyof z.output<typeof job> ? true : never,
   keyof ContourRow extends keyof z.output<typeof row> ? true : never,
   keyof ProgramWork extends keyof z.output<typeof program> ? true : never,
   keyof WorkFile extends keyof z.output<typeof workFile> ? true : never,
   keyof Measurement extends keyof z.output<typeof measurement> ? true : never,
   keyof MeasuredPlace extends keyof z.output<typeof measuredPlace> ? true : never,
-  keyof TaskWork extends keyof z.output<typeof task> ? true : never];
+  keyof TaskWork extends keyof z.output<typeof task> ? true : never,
+];
 export const complete: Complete = [true, true, true, true, true, true, true];
 
 const work = z.union([job, program]);
 const file = z.object({ version: z.literal(SAVE_VERSION), savedAt: z.number(), job: work });
 
 /** From version n to n + 1. A saved work passes all steps from its own version to the present one. */
-export type Upgrades = Readonly<Record<number, (old: Readonly<Record<string, unknown>>) => Readonly<Record<string, unknown>>>>;
+export type Upgrades = Readonly<
+  Record<number, (old: Readonly<Record<string, unknown>>) => Readonly<Record<string, unknown>>>
+>;
 const upgrades: Upgrades = {
-  // An empty field of the set-up became one that is proposed: a blank without a bore, or without anything in front of Z0, has 0 there.
+  // An empty field of the set-up became one that is proposed: a blank without a bore, or without anything in front of
+  // Z0, has 0 there.
   1: (old) => ({ ...old, version: 2, job: withBlankSet(old["job"]) }),
-  // The layout of the TNC 640 was that of the printed manual, and how a program ends could not be set: kept works go on reading the same.
+  // The layout of the TNC 640 was that of the printed manual, and how a program ends could not be set: kept works go on
+  // reading the same.
   2: (old) => ({ ...old, version: 3, job: withLayoutKept(old["job"]) }),
 };
 
 const asText = (value: unknown, otherwise: string) => (value === "" ? otherwise : value);
 
 function withBlankSet(job: unknown): unknown {
-  if (typeof job !== "object" || job === null || !("blank" in job) || typeof job.blank !== "object" || job.blank === null) return job;
+  if (
+    typeof job !== "object" ||
+    job === null ||
+    !("blank" in job) ||
+    typeof job.blank !== "object" ||
+    job.blank === null
+  )
+    return job;
   const { blank } = job;
-  const [bore, allowance] = ["bore" in blank ? blank.bore : undefined, "allowance" in blank ? blank.allowance : undefined];
+  const [bore, allowance] = [
+    "bore" in blank ? blank.bore : undefined,
+    "allowance" in blank ? blank.allowance : undefined,
+  ];
   return { ...job, blank: { ...blank, bore: asText(bore, "0"), allowance: asText(allowance, "0") } };
 }
 
@@ -175,8 +212,13 @@ export function readSave(raw: unknown): SaveFile | null {
 }
 
 /** A work, from plain data that anybody may have written, in the layout of a version; null when it is none. */
-export const plainWork = (raw: unknown, version = SAVE_VERSION): Work | null => readSave({ version, savedAt: 0, job: raw })?.job ?? null;
+export const plainWork = (raw: unknown, version = SAVE_VERSION): Work | null =>
+  readSave({ version, savedAt: 0, job: raw })?.job ?? null;
 
 /** Whether something was saved by a newer edition than this one, which can not read it and must not touch it. */
 export const isNewer = (raw: unknown): boolean =>
-  typeof raw === "object" && raw !== null && "version" in raw && typeof raw.version === "number" && raw.version > SAVE_VERSION;
+  typeof raw === "object" &&
+  raw !== null &&
+  "version" in raw &&
+  typeof raw.version === "number" &&
+  raw.version > SAVE_VERSION;

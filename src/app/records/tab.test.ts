@@ -6,7 +6,7 @@ function browserLocks(elsewhere: readonly string[]) {
   const held = new Set(elsewhere);
   return {
     async request(name: string, _options: unknown, hold: (lock: unknown) => unknown) {
-      if (held.has(name)) return void await hold(null);
+      if (held.has(name)) return void (await hold(null));
       held.add(name);
       await hold({ name });
       await new Promise((done) => setTimeout(done, 5));
@@ -27,8 +27,8 @@ test("what this tab is letting go is not open in another tab, what another one h
   expect([await claimWork("A"), await claimWork("B")]).toEqual([true, false]);
   const asked = worksElsewhere();
   releaseWork("A");
-  expect([...await asked]).toEqual(["B"]);
-  expect([...await worksElsewhere()]).toEqual(["B"]);
+  expect([...(await asked)]).toEqual(["B"]);
+  expect([...(await worksElsewhere())]).toEqual(["B"]);
 });
 
 test("a work that was let go and taken by another tab is open there", async () => {
@@ -38,5 +38,5 @@ test("a work that was let go and taken by another tab is open there", async () =
   releaseWork("C");
   await vi.waitFor(async () => expect((await locks.query()).held).toEqual([]));
   void locks.request("turnwise C", {}, () => new Promise(() => undefined));
-  expect([...await worksElsewhere()]).toEqual(["C"]);
+  expect([...(await worksElsewhere())]).toEqual(["C"]);
 });

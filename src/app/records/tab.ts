@@ -3,8 +3,9 @@ import { jsonOf, keptText } from "../base/kept.ts";
 import { once } from "../base/once.ts";
 
 /**
- * A work is written by one tab at a time: the one that holds its lock, which dies with the tab. Which work a tab has open survives a
- * reload in the session storage. Tabs speak over a channel: one asks for a work, the one that has it hands over its newest state.
+ * A work is written by one tab at a time: the one that holds its lock, which dies with the tab. Which work a tab has
+ * open survives a reload in the session storage. Tabs speak over a channel: one asks for a work, the one that has it
+ * hands over its newest state.
  */
 const OPEN = keptText("work", "tab");
 
@@ -40,8 +41,8 @@ export interface Behind {
 }
 
 /**
- * Leaves states of works for the next page of this tab, in place of those left before: writing takes longer than leaving. Where there is
- * not room for all of them the largest stay out.
+ * Leaves states of works for the next page of this tab, in place of those left before: writing takes longer than
+ * leaving. Where there is not room for all of them the largest stay out.
  */
 export function leaveBehind(states: readonly Behind[]): void {
   const parts = states.map((state) => JSON.stringify(state)).sort((a, b) => a.length - b.length);
@@ -58,10 +59,13 @@ const isBehind = (raw: unknown): raw is Behind =>
   typeof raw === "object" && raw !== null && "work" in raw && "file" in raw && typeof raw.work === "string";
 
 /** What tabs say to each other. `to` is the one that asked. */
-type Message = { readonly kind: "who" | "have"; readonly work: string } | { readonly kind: "give"; readonly work: string;
-  readonly to: string } | { readonly kind: "given"; readonly work: string; readonly to: string; readonly state: unknown } | {
-  readonly kind: "changed";
-};
+type Message =
+  | { readonly kind: "who" | "have"; readonly work: string }
+  | { readonly kind: "give"; readonly work: string; readonly to: string }
+  | { readonly kind: "given"; readonly work: string; readonly to: string; readonly state: unknown }
+  | {
+      readonly kind: "changed";
+    };
 
 const isMessage = (raw: unknown): raw is Message => typeof raw === "object" && raw !== null && "kind" in raw;
 const listeners = new Set<(message: Message) => void>();
@@ -71,7 +75,9 @@ const open = once((): BroadcastChannel | null => {
   if (typeof BroadcastChannel !== "function") return null;
   const channel = new BroadcastChannel("turnwise");
   channel.addEventListener("message", ({ data }: MessageEvent<unknown>) => {
-    if (isMessage(data)) { for (const listener of listeners) listener(data); }
+    if (isMessage(data)) {
+      for (const listener of listeners) listener(data);
+    }
   });
   return channel;
 });
@@ -86,7 +92,11 @@ function hear(listener: (message: Message) => void): () => void {
 }
 
 /** Waits for an answer of another tab; undefined when none comes in time, ms. */
-function answer<T>(question: Message, patience: number, read: (message: Message) => T | undefined): Promise<T | undefined> {
+function answer<T>(
+  question: Message,
+  patience: number,
+  read: (message: Message) => T | undefined,
+): Promise<T | undefined> {
   return new Promise((resolve) => {
     const end = (found?: T) => {
       clearTimeout(timer);
@@ -107,18 +117,19 @@ const PATIENCE = { who: 200, give: 3000 };
 
 /** Tells the other tabs that the list of works, or who has which open, is not as before. */
 export const sayChanged = (): void => say({ kind: "changed" });
-export const onChanged = (listener: () => void): () => void => hear(({ kind }) => kind === "changed" && listener());
+export const onChanged = (listener: () => void): (() => void) => hear(({ kind }) => kind === "changed" && listener());
 
 /**
- * Claims a work for this tab until it lets it go or is closed; false when another tab has it. `steal` takes it from one that does not
- * answer. Without locks (old browsers, plain http) the tabs ask each other.
+ * Claims a work for this tab until it lets it go or is closed; false when another tab has it. `steal` takes it from one
+ * that does not answer. Without locks (old browsers, plain http) the tabs ask each other.
  */
 export async function claimWork(work: string, steal = false): Promise<boolean> {
   if (mine.has(work)) return true;
   const locks = typeof navigator === "undefined" ? undefined : navigator.locks;
   if (!locks) {
     const asked = { kind: "who", work } as const;
-    const taken = !steal && await answer(asked, PATIENCE.who, (m) => (m.kind === "have" && m.work === work) || undefined);
+    const taken =
+      !steal && (await answer(asked, PATIENCE.who, (m) => (m.kind === "have" && m.work === work) || undefined));
     if (!taken) mine.set(work, () => undefined);
     return !taken;
   }
@@ -134,10 +145,14 @@ export async function claimWork(work: string, steal = false): Promise<boolean> {
       });
     };
     const held = Promise.resolve(locks.request(LOCK + work, steal ? { steal } : { ifAvailable: true }, hold));
-    void held.finally(() => going.delete(work) && sayChanged()).catch(() => {
-      resolve(false);
-      if (mine.delete(work)) { for (const lost of onLost) lost(work); }
-    });
+    void held
+      .finally(() => going.delete(work) && sayChanged())
+      .catch(() => {
+        resolve(false);
+        if (mine.delete(work)) {
+          for (const lost of onLost) lost(work);
+        }
+      });
   });
 }
 
@@ -154,7 +169,10 @@ export function releaseWork(work: string): void {
   release?.();
 }
 
-/** Works that other tabs have open; none where the browser does not say. What this tab lets go while it asks is still told of as held. */
+/**
+ * Works that other tabs have open; none where the browser does not say. What this tab lets go while it asks is still
+ * told of as held.
+ */
 export async function worksElsewhere(): Promise<ReadonlySet<string>> {
   try {
     const own = new Set([...mine.keys(), ...going]);
@@ -166,13 +184,21 @@ export async function worksElsewhere(): Promise<ReadonlySet<string>> {
   }
 }
 
-/** Asks the tab that has a work for it. Gives its newest state, null where that is on the device; undefined when nobody answers. */
+/**
+ * Asks the tab that has a work for it. Gives its newest state, null where that is on the device; undefined when nobody
+ * answers.
+ */
 export function askFor(work: string): Promise<unknown> {
   const to = drawnId();
-  return answer({ kind: "give", work, to }, PATIENCE.give, (m) => (m.kind === "given" && m.to === to ? m.state : undefined));
+  return answer({ kind: "give", work, to }, PATIENCE.give, (m) =>
+    m.kind === "given" && m.to === to ? m.state : undefined,
+  );
 }
 
-/** From now on this tab answers others that ask for its works. `give` stops working on one and says what its newest state is. */
+/**
+ * From now on this tab answers others that ask for its works. `give` stops working on one and says what its newest
+ * state is.
+ */
 export function answerOthers(give: (work: string) => Promise<unknown>): () => void {
   return hear((message) => {
     if (message.kind === "who" && owns(message.work)) say({ kind: "have", work: message.work });

@@ -4,7 +4,10 @@ import { onChanged, worksElsewhere } from "./tab.ts";
 
 const NONE: ReadonlySet<string> = new Set();
 
-/** The works that other tabs have open, followed while a list of works is shown: the list is read again when it changes there. */
+/**
+ * The works that other tabs have open, followed while a list of works is shown: the list is read again when it changes
+ * there.
+ */
 export function useWorksElsewhere(): ReadonlySet<string> {
   const [works, set] = useState(NONE);
   useEffect(() => {

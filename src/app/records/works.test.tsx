@@ -5,7 +5,16 @@ import { redo, undo, useSteps } from "../document/steps.ts";
 import { begin, open, useEditor } from "../document/store.ts";
 import { elsewhere, usePlace } from "../place/place.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
-import { copyWork, openWork, refreshWorks, startKeeping, startWork, takeOver, unkeptWorks, useKeeping } from "./keep.ts";
+import {
+  copyWork,
+  openWork,
+  refreshWorks,
+  startKeeping,
+  startWork,
+  takeOver,
+  unkeptWorks,
+  useKeeping,
+} from "./keep.ts";
 import { resume } from "../shell/resume.ts";
 import { duplicateWork, freeName, removeWorks, renameWork } from "./works.ts";
 
@@ -130,7 +139,10 @@ test("works leave the list only when it is asked to, and come back by undo as th
   device.taken.add("turnwise w9");
   await refreshWorks();
   expect(useKeeping.getState().works.length).toBe(150);
-  expect(await removeWorks(["w3", "w9", "w41", "none"])).toMatchObject({ gone: [{ work: "w3" }, { work: "w41" }], leftOut: 1 });
+  expect(await removeWorks(["w3", "w9", "w41", "none"])).toMatchObject({
+    gone: [{ work: "w3" }, { work: "w41" }],
+    leftOut: 1,
+  });
   expect(useKeeping.getState().works.map(({ work }) => work)).not.toContain("w41");
   expect(useKeeping.getState().works.length).toBe(148);
   undo();
@@ -166,8 +178,9 @@ test("a work is called otherwise where it lies, and doubled under a free name", 
   expect(await duplicateWork("a", [])).toBeNull();
 });
 
-test.each([["SHAFT", [], "SHAFT_2"], ["SHAFT_2", ["SHAFT", "shaft_2"], "SHAFT_3"], ["A.H", ["a_2"], "A_3.H"], [
-  "X".repeat(40),
-  [],
-  `${"X".repeat(30)}_2`,
-]])("beside %s among %j comes %s", (name, taken, made) => expect(freeName(name, taken)).toBe(made));
+test.each([
+  ["SHAFT", [], "SHAFT_2"],
+  ["SHAFT_2", ["SHAFT", "shaft_2"], "SHAFT_3"],
+  ["A.H", ["a_2"], "A_3.H"],
+  ["X".repeat(40), [], `${"X".repeat(30)}_2`],
+])("beside %s among %j comes %s", (name, taken, made) => expect(freeName(name, taken)).toBe(made));

@@ -42,32 +42,44 @@ function noteStep(back: () => Promise<unknown>, forth: () => Promise<unknown>): 
 }
 
 const forgetAll = (gone: readonly Lying[]): Promise<unknown> =>
-  Promise.all(gone.map(({ work }) => {
-    forgetUnkept(work);
-    return forgetWork(work);
-  }));
+  Promise.all(
+    gone.map(({ work }) => {
+      forgetUnkept(work);
+      return forgetWork(work);
+    }),
+  );
 
 /** Puts works where they lay; what the device does not take stays in hand and is said. */
 const putBackAll = (gone: readonly Lying[]): Promise<unknown> =>
-  Promise.all(gone.map(async ({ work, job, savedAt }) => {
-    if (await keepWork(work, job, savedAt) !== "kept") await keepState(work, job);
-  }));
+  Promise.all(
+    gone.map(async ({ work, job, savedAt }) => {
+      if ((await keepWork(work, job, savedAt)) !== "kept") await keepState(work, job);
+    }),
+  );
 
 /** Takes works out of the list, as one step of undo. Those that other tabs have open stay. */
-export async function removeWorks(works: readonly string[]): Promise<{ readonly gone: readonly Lying[]; readonly leftOut: number }> {
+export async function removeWorks(
+  works: readonly string[],
+): Promise<{ readonly gone: readonly Lying[]; readonly leftOut: number }> {
   const gone: Lying[] = [];
-  const done = await Promise.all(works.map((work) =>
-    withWork(work, async () => {
-      const job = await newestState(work);
-      if (!job) return;
-      const one = { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
-      gone.push(one);
-      await forgetAll([one]);
-    })
-  ));
+  const done = await Promise.all(
+    works.map((work) =>
+      withWork(work, async () => {
+        const job = await newestState(work);
+        if (!job) return;
+        const one = { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
+        gone.push(one);
+        await forgetAll([one]);
+      }),
+    ),
+  );
   const leftOut = done.filter((free) => !free).length;
   await shown(Promise.resolve());
-  if (gone.length > 0) noteStep(() => putBackAll(gone), () => forgetAll(gone));
+  if (gone.length > 0)
+    noteStep(
+      () => putBackAll(gone),
+      () => forgetAll(gone),
+    );
   return { gone, leftOut };
 }
 
@@ -77,7 +89,7 @@ export type WorkChange = "done" | "elsewhere" | "nameTaken" | "failed";
 async function put(work: string, job: Work, savedAt: number): Promise<WorkChange> {
   let done: WorkChange = "elsewhere";
   await withWork(work, async () => {
-    done = await keepWork(work, job, savedAt) === "kept" ? "done" : "failed";
+    done = (await keepWork(work, job, savedAt)) === "kept" ? "done" : "failed";
   });
   return done;
 }
@@ -88,12 +100,21 @@ export async function renameWork(work: string, name: string): Promise<WorkChange
   if (!kept) return "failed";
   const { job, savedAt } = kept;
   if (job.name === name) return "done";
-  if (isProgram(job) && textsOf(job).slice(1).some((file) => fileKey(file.name) === fileKey(name))) return "nameTaken";
+  if (
+    isProgram(job) &&
+    textsOf(job)
+      .slice(1)
+      .some((file) => fileKey(file.name) === fileKey(name))
+  )
+    return "nameTaken";
   const renamed = { ...job, name };
   const done = await put(work, renamed, savedAt);
   await shown(Promise.resolve());
   if (done !== "done") return done;
-  noteStep(() => put(work, job, savedAt), () => put(work, renamed, savedAt));
+  noteStep(
+    () => put(work, job, savedAt),
+    () => put(work, renamed, savedAt),
+  );
   return done;
 }
 
@@ -105,7 +126,7 @@ export function freeName(name: string, taken: readonly string[]): string {
   const known = new Set(taken.map(fileKey));
   const [, whole = "", ending = ""] = /^(.*?)(\.[^.]{0,8})?$/s.exec(name) ?? [];
   const stem = whole.replace(/_\d{1,4}$/, "");
-  for (let n = 2;; n++) {
+  for (let n = 2; ; n++) {
     const made = `${stem.slice(0, LONGEST - `_${n}${ending}`.length)}_${n}${ending}`;
     if (!known.has(fileKey(made))) return made;
   }
@@ -119,15 +140,22 @@ export async function duplicateWork(work: string, names: readonly string[]): Pro
   const done = await put(copy.work, copy.job, copy.savedAt);
   await shown(Promise.resolve());
   if (done !== "done") return null;
-  noteStep(() => forgetAll([copy]), () => putBackAll([copy]));
+  noteStep(
+    () => forgetAll([copy]),
+    () => putBackAll([copy]),
+  );
   return copy;
 }
 
 /** Puts works of a file beside those of the device, as one step of undo; how many of them found room. */
 export async function addWorks(works: readonly Lying[]): Promise<number> {
   const kept: Lying[] = [];
-  for (const each of works) if (await put(each.work, each.job, each.savedAt) === "done") kept.push(each);
+  for (const each of works) if ((await put(each.work, each.job, each.savedAt)) === "done") kept.push(each);
   await shown(Promise.resolve());
-  if (kept.length > 0) noteStep(() => forgetAll(kept), () => putBackAll(kept));
+  if (kept.length > 0)
+    noteStep(
+      () => forgetAll(kept),
+      () => putBackAll(kept),
+    );
   return kept.length;
 }

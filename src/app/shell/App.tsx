@@ -31,7 +31,10 @@ import { fetchWhichCycle } from "../../features/which/index.ts";
 import { fetchBringInDialog, fetchElsewherePage, fetchWorksPage } from "../../features/works/index.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
-const later = <M,>(fetch: () => Promise<M>) => async (): Promise<M> => (await Promise.all([fetch(), fetchShownTexts()]))[0];
+const later =
+  <M,>(fetch: () => Promise<M>) =>
+  async (): Promise<M> =>
+    (await Promise.all([fetch(), fetchShownTexts()]))[0];
 const fetchWorkplace = later(() => import("./Workplace.tsx"));
 const Workplace = lazyPart(async () => ({ default: (await fetchWorkplace()).Workplace }));
 const CopyByHand = lazyPart(async () => ({ default: (await import("../fields/program/CopyByHand.tsx")).CopyByHand }));
@@ -68,7 +71,13 @@ function OpenWork() {
   const program = useEditor((s) => (s.program ? s.work : null));
   if (program === null) return hasJob ? <Workplace /> : <Start />;
   return (
-    <Suspense fallback={<p className="editor-loading soft" role="status">{t.loading}</p>}>
+    <Suspense
+      fallback={
+        <p className="editor-loading soft" role="status">
+          {t.loading}
+        </p>
+      }
+    >
       <ProgramWorkplace key={program} />
     </Suspense>
   );
@@ -129,9 +138,11 @@ export function App() {
       )}
       {ready && over && (
         <Suspense>
-          {over.dialog === "which"
-            ? <WhichCycle done={closeOver} region={over.region} />
-            : <CompareDialog done={closeOver} showBlock={over.showBlock} against={over.against} />}
+          {over.dialog === "which" ? (
+            <WhichCycle done={closeOver} region={over.region} />
+          ) : (
+            <CompareDialog done={closeOver} showBlock={over.showBlock} against={over.against} />
+          )}
         </Suspense>
       )}
       <IncomingWork />

@@ -8,7 +8,13 @@ export function ContourViews() {
   return (
     <div className="view-switch" role="group" aria-label={t.label}>
       {(["draw", "lathe"] as const).map((each) => (
-        <button key={each} type="button" className="button" aria-pressed={view === each} onClick={() => showContourView(each)}>
+        <button
+          key={each}
+          type="button"
+          className="button"
+          aria-pressed={view === each}
+          onClick={() => showContourView(each)}
+        >
           {t[each]}
         </button>
       ))}

@@ -13,11 +13,19 @@ function Broken(): never {
 test("a page that fails says that the work is kept, and offers ways back", () => {
   changeSettings({ language: "en" });
   const quiet = vi.spyOn(console, "error").mockImplementation(() => undefined);
-  render(<CrashGuard>
-    <Broken />
-  </CrashGuard>);
+  render(
+    <CrashGuard>
+      <Broken />
+    </CrashGuard>,
+  );
   expect(screen.getByRole("alert").textContent).toContain("Your work is saved on this device.");
-  expect(screen.getAllByRole("button").map((b) => b.textContent)).toEqual(["Load the page again", "Go to the start page"]);
-  expect(useReports.getState().list[0]).toMatchObject({ message: "Error: planted", stack: expect.stringContaining("Broken") });
+  expect(screen.getAllByRole("button").map((b) => b.textContent)).toEqual([
+    "Load the page again",
+    "Go to the start page",
+  ]);
+  expect(useReports.getState().list[0]).toMatchObject({
+    message: "Error: planted",
+    stack: expect.stringContaining("Broken"),
+  });
   quiet.mockRestore();
 });

@@ -55,8 +55,12 @@ export class CrashGuard extends Component<{ readonly children: ReactNode }, Stat
           <h1>{t.crashTitle}</h1>
           <p>{unkeptWorks().length > 0 ? t.notKept : t.crash}</p>
         </div>
-        <button type="button" className="button primary" onClick={() => location.reload()}>{t.reload}</button>
-        <button type="button" className="button" onClick={startOver}>{t.startOver}</button>
+        <button type="button" className="button primary" onClick={() => location.reload()}>
+          {t.reload}
+        </button>
+        <button type="button" className="button" onClick={startOver}>
+          {t.startOver}
+        </button>
         <Unless>
           <Suspense>
             <CrashHelp />

@@ -12,7 +12,10 @@ import { CreateProgram } from "../../features/start/first.ts";
 /** Fetched when it is first opened. */
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./SettingsDialog.tsx")).SettingsDialog }));
 
-/** The way to a new program from the home screen (scripts/offline.ts). The address is another one as soon as the page follows it. */
+/**
+ * The way to a new program from the home screen (scripts/offline.ts). The address is another one as soon as the page
+ * follows it.
+ */
 const ASKED_NEW = location.hash === "#/new";
 
 /** The address says where the page is, so a link into it cannot stand there. */
@@ -46,13 +49,21 @@ export function Header() {
   return (
     <header className="top" aria-label={t.page.header}>
       {words && section === "prompts" && page === "work" && (
-        <a className="skip" href="#prompts" onClick={toPrompts}>{t.page.skipToPrompts}</a>
+        <a className="skip" href="#prompts" onClick={toPrompts}>
+          {t.page.skipToPrompts}
+        </a>
       )}
-      <a className="brand" href="#/" aria-label={t.page.home} title={t.page.home} onClick={(event) => {
-        if (event.ctrlKey || event.metaKey || event.shiftKey) return;
-        event.preventDefault();
-        goHome();
-      }}>
+      <a
+        className="brand"
+        href="#/"
+        aria-label={t.page.home}
+        title={t.page.home}
+        onClick={(event) => {
+          if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+          event.preventDefault();
+          goHome();
+        }}
+      >
         <Icon name="home" /> <b>{t.page.product}</b>
       </a>
       {tools && <h1 className="open-cycle">{own ? t.page.own.title : t.page.tools.title}</h1>}
@@ -64,31 +75,54 @@ export function Header() {
       {!tools && !words && !program && page === "works" && <h1 className="open-cycle">{t.page.works.title}</h1>}
       {!tools && program && <h1 className="open-cycle">{program.name}</h1>}
       <div className="top-buttons">
-        <button type="button" className="button icon plain" aria-label={t.page.undo} title={`${t.page.undo} (Ctrl+Z)`} disabled={!past}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.page.undo}
+          title={`${t.page.undo} (Ctrl+Z)`}
+          disabled={!past}
           onClick={undoStep}
         >
           <Icon name="undo" />
         </button>
-        <button type="button" className="button icon plain" aria-label={t.page.redo} title={`${t.page.redo} (Ctrl+Y)`} disabled={!future}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.page.redo}
+          title={`${t.page.redo} (Ctrl+Y)`}
+          disabled={!future}
           onClick={redoStep}
         >
           <Icon name="redo" />
         </button>
         {!tools && (
-          <button ref={toTools} type="button" className="button plain new-program" aria-label={t.page.tools.openLong}
-            title={t.page.tools.openLong} onClick={() => showTools()}
+          <button
+            ref={toTools}
+            type="button"
+            className="button plain new-program"
+            aria-label={t.page.tools.openLong}
+            title={t.page.tools.openLong}
+            onClick={() => showTools()}
           >
             <Icon name="insert" /> <span>{t.page.tools.open}</span>
           </button>
         )}
         {!tools && (words ?? program) && (
-          <button type="button" className="button plain new-program" aria-label={t.page.newProgram} title={t.page.newProgram} onClick={() =>
-            create(true)}
+          <button
+            type="button"
+            className="button plain new-program"
+            aria-label={t.page.newProgram}
+            title={t.page.newProgram}
+            onClick={() => create(true)}
           >
             <Icon name="add" /> <span>{t.page.newProgram}</span>
           </button>
         )}
-        <button type="button" className="button icon plain" aria-label={t.page.settings} title={t.page.settings}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.page.settings}
+          title={t.page.settings}
           onClick={() => showSettings(true)}
         >
           <Icon name="settings" />

@@ -11,12 +11,18 @@ function DownloadUnkept() {
   if (works.length === 0) return null;
   return (
     <>
-      <button type="button" className="button"
+      <button
+        type="button"
+        className="button"
         onClick={() => void import("../records/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
       >
         <Icon name="download" /> {t.downloadUnkept}
       </button>
-      <button type="button" className="button" onClick={() => void fetchExportWorks().then(({ saveWorks }) => saveWorks(unkeptNames()))}>
+      <button
+        type="button"
+        className="button"
+        onClick={() => void fetchExportWorks().then(({ saveWorks }) => saveWorks(unkeptNames()))}
+      >
         <Icon name="download" /> {t.archiveUnkept}
       </button>
     </>
@@ -32,7 +38,10 @@ export function Notices() {
     <p key={key} className="notice">
       <Icon name="info" /> <span>{text}</span>
       {(key === "notKept" || key === "storageFull") && <DownloadUnkept />}
-      <button type="button" className="button icon plain" aria-label={t.dismiss}
+      <button
+        type="button"
+        className="button icon plain"
+        aria-label={t.dismiss}
         onClick={() => (key === "damaged" ? dismissDamaged() : withdraw(key))}
       >
         <Icon name="close" />

@@ -7,7 +7,9 @@ import { fetchOfflineState } from "../../features/offline/index.ts";
 import { fetchThisDevice } from "../../features/works/index.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
-const MachineSection = lazyPart(async () => ({ default: (await import("../fields/machine/MachineSection.tsx")).MachineSection }));
+const MachineSection = lazyPart(async () => ({
+  default: (await import("../fields/machine/MachineSection.tsx")).MachineSection,
+}));
 const OfflineState = lazyPart(async () => ({ default: (await fetchOfflineState()).OfflineState }));
 const ThisDevice = lazyPart(async () => ({ default: (await fetchThisDevice()).ThisDevice }));
 
@@ -22,27 +24,45 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
     first.current?.focus();
   }, []);
   return (
-    <dialog ref={dialog} className="settings" aria-label={t.settings} onClose={onClose}
+    <dialog
+      ref={dialog}
+      className="settings"
+      aria-label={t.settings}
+      onClose={onClose}
       onClick={(e) => e.target === e.currentTarget && dialog.current?.close()}
     >
       <form method="dialog">
         <div className="settings-head">
           <h2>{t.settings}</h2>
-          <button type="submit" className="button primary">{t.close}</button>
+          <button type="submit" className="button primary">
+            {t.close}
+          </button>
         </div>
         <label>
           <span>{t.screenLanguage}</span>
-          <select ref={first} className="select" value={settings.language}
+          <select
+            ref={first}
+            className="select"
+            value={settings.language}
             onChange={(e) => isLanguage(e.target.value) && void changeLanguage(e.target.value)}
           >
-            {LANGUAGES.map((language) => <option key={language} value={language} lang={language}>{SCREEN_LANGUAGES[language].name}
-            </option>)}
+            {LANGUAGES.map((language) => (
+              <option key={language} value={language} lang={language}>
+                {SCREEN_LANGUAGES[language].name}
+              </option>
+            ))}
           </select>
         </label>
         <label>
           <span>{t.theme}</span>
-          <select className="select" value={settings.theme}
-            onChange={(e) => changeSettings({ theme: e.target.value === "light" || e.target.value === "dark" ? e.target.value : "system" })}
+          <select
+            className="select"
+            value={settings.theme}
+            onChange={(e) =>
+              changeSettings({
+                theme: e.target.value === "light" || e.target.value === "dark" ? e.target.value : "system",
+              })
+            }
           >
             <option value="system">{t.themes.system}</option>
             <option value="light">{t.themes.light}</option>
@@ -51,7 +71,9 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
         </label>
         <label>
           <span>{t.size}</span>
-          <select className="select" value={settings.presentation ? "presentation" : "usual"}
+          <select
+            className="select"
+            value={settings.presentation ? "presentation" : "usual"}
             onChange={(e) => changeSettings({ presentation: e.target.value === "presentation" })}
           >
             <option value="usual">{t.sizes.usual}</option>
@@ -60,7 +82,9 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
         </label>
         <label>
           <span>{t.motion}</span>
-          <select className="select" value={settings.motion}
+          <select
+            className="select"
+            value={settings.motion}
             onChange={(e) => changeSettings({ motion: e.target.value === "reduced" ? "reduced" : "system" })}
           >
             <option value="system">{t.motions.system}</option>
@@ -69,17 +93,23 @@ export function SettingsDialog({ onClose }: { readonly onClose: () => void }) {
         </label>
         <label>
           <span>{t.control}</span>
-          <select className="select" value={settings.control}
+          <select
+            className="select"
+            value={settings.control}
             onChange={(e) => changeSettings({ control: e.target.value === "TNC7" ? "TNC7" : "TNC 640" })}
           >
             <option value="TNC 640">{t.controls["TNC 640"]}</option>
             <option value="TNC7">{t.controls.TNC7}</option>
           </select>
         </label>
-        <button type="button" className="button" onClick={() => {
-          dialog.current?.close();
-          showOwn();
-        }}>
+        <button
+          type="button"
+          className="button"
+          onClick={() => {
+            dialog.current?.close();
+            showOwn();
+          }}
+        >
           {t.own.title}
         </button>
         <p className="small soft">{t.disclaimer}</p>

@@ -54,7 +54,10 @@ export function Workplace() {
 }
 
 function JobWorkplace({ read }: { readonly read: JobReading }) {
-  const { page: t, findings: { title: findingsTitle } } = useTexts();
+  const {
+    page: t,
+    findings: { title: findingsTitle },
+  } = useTexts();
   const language = useSettings((s) => s.language);
   const wide = useThirdColumn();
   const folded = useSettings((s) => s.programFolded);
@@ -109,54 +112,74 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   return (
     <main className={`workplace${wide ? (folded ? " program-folded" : "") : " two-columns"}`}>
       <div className="left">
-        <SectionTabs name={t.sections} open={open} tabs={possible.map((section) => ({
-          section,
-          name: section === "findings" ? findingsTitle : t[section],
-          content: content[section],
-          stays: section === "prompts",
-          ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
-        }))} />
+        <SectionTabs
+          name={t.sections}
+          open={open}
+          tabs={possible.map((section) => ({
+            section,
+            name: section === "findings" ? findingsTitle : t[section],
+            content: content[section],
+            stays: section === "prompts",
+            ...(section === "findings" && findings[0]
+              ? { badge: { count: findings.length, severity: findings[0].issue.severity } }
+              : {}),
+          }))}
+        />
       </div>
       <Late>
         <EffectStrip read={read} />
       </Late>
       <Centre>
-        {drawing
-          ? (
-            <Suspense>
-              <ContourStage rows={read.job.contour} blank={blank} language={language} onChange={setContour} lead={VIEWS} />
-            </Suspense>
-          )
-          : (
-            <div className="lathe-column">
-              {open === "contour" && (
-                <div className="contour-bar">
-                  <ContourViews />
-                </div>
-              )}
-              <CycleInWork value={read.cycle.number}>
-                <MeasuredInto value={measured}>
-                  <LatheView result={shown} known={known} dimmed={dimmed} playback={playback} clock={clock}
-                    onMove={(step, byKey) => openAsked(read, step, byKey)} />
-                </MeasuredInto>
-              </CycleInWork>
-            </div>
-          )}
+        {drawing ? (
+          <Suspense>
+            <ContourStage
+              rows={read.job.contour}
+              blank={blank}
+              language={language}
+              onChange={setContour}
+              lead={VIEWS}
+            />
+          </Suspense>
+        ) : (
+          <div className="lathe-column">
+            {open === "contour" && (
+              <div className="contour-bar">
+                <ContourViews />
+              </div>
+            )}
+            <CycleInWork value={read.cycle.number}>
+              <MeasuredInto value={measured}>
+                <LatheView
+                  result={shown}
+                  known={known}
+                  dimmed={dimmed}
+                  playback={playback}
+                  clock={clock}
+                  onMove={(step, byKey) => openAsked(read, step, byKey)}
+                />
+              </MeasuredInto>
+            </CycleInWork>
+          </div>
+        )}
         {!drawing && <HelpDock />}
         {!drawing && <PinnedCard />}
         <Working />
       </Centre>
       {wide && (
         <div className="right">
-          {folded
-            ? (
-              <button type="button" className="button plain unfold" aria-label={t.text.unfold} title={t.text.unfold} onClick={() =>
-                changeSettings({ programFolded: false })}
-              >
-                <Icon name="unfold" /> <span>{t.program}</span>
-              </button>
-            )
-            : <ProgramPanel read={read} foldable />}
+          {folded ? (
+            <button
+              type="button"
+              className="button plain unfold"
+              aria-label={t.text.unfold}
+              title={t.text.unfold}
+              onClick={() => changeSettings({ programFolded: false })}
+            >
+              <Icon name="unfold" /> <span>{t.program}</span>
+            </button>
+          ) : (
+            <ProgramPanel read={read} foldable />
+          )}
         </div>
       )}
       <PrintedProgram />

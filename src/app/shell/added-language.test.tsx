@@ -19,14 +19,17 @@ const added = "xx" as Language;
 
 function marked(value: unknown): unknown {
   if (typeof value === "string") return `⟦${value}⟧`;
-  if (typeof value === "function") return (...values: readonly unknown[]) => marked(Reflect.apply(value, undefined, values));
+  if (typeof value === "function")
+    return (...values: readonly unknown[]) => marked(Reflect.apply(value, undefined, values));
   if (Array.isArray(value)) return value.map(marked);
   if (typeof value !== "object" || value === null) return value;
   return Object.fromEntries(Object.entries(value).map(([key, inner]: [string, unknown]) => [key, marked(inner)]));
 }
 
 const files = import.meta.glob("../../i18n/en/*.ts");
-const names = Object.keys(files).map((path) => path.replace(/^.*\/|\.ts$/g, "")).filter((name) => name !== "parts") as readonly PartName[];
+const names = Object.keys(files)
+  .map((path) => path.replace(/^.*\/|\.ts$/g, ""))
+  .filter((name) => name !== "parts") as readonly PartName[];
 const [cycle] = cuttingCycles;
 let stops: readonly (() => void)[] = [];
 
@@ -36,7 +39,8 @@ beforeAll(async () => {
   Element.prototype.scrollTo = () => undefined;
   Object.assign(SCREEN_LANGUAGES, { [added]: { ...SCREEN_LANGUAGES.en, name: "⟦English⟧" } });
   (LANGUAGES as Language[]).push(added);
-  for (const name of names) partOf(name).provide(added, marked(partOf(name).here("en") ?? await fetchTexts("en", name)) as never);
+  for (const name of names)
+    partOf(name).provide(added, marked(partOf(name).here("en") ?? (await fetchTexts("en", name))) as never);
   courseIndex.provide(added, await courseIndex.fetch("en"));
   changeSettings({ language: added });
   useKeeping.setState({ ready: true });
@@ -57,10 +61,14 @@ async function shows(hash: string, text: string): Promise<void> {
 
 test("every screen opens in a language that has been added", async () => {
   const faults = vi.spyOn(console, "error");
-  render(<CrashGuard>
-    <App />
-  </CrashGuard>);
-  const { page, setup, params, findings } = texts(added), { tools, own } = texts(added, "tables"), guide = texts(added, "guide");
+  render(
+    <CrashGuard>
+      <App />
+    </CrashGuard>,
+  );
+  const { page, setup, params, findings } = texts(added),
+    { tools, own } = texts(added, "tables"),
+    guide = texts(added, "guide");
   await shows("#/", page.start.lead);
   if (cycle) startWork(exampleJob(cycle));
   await waitFor(() => expect(useEditor.getState().work).not.toBeNull());

@@ -1,7 +1,17 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob } from "../../program/job/job.ts";
-import { openPrompt, openToolRow, seen, showOwn, showSection, showTools, showWhich, uncover, usePlace } from "../place/place.ts";
+import {
+  openPrompt,
+  openToolRow,
+  seen,
+  showOwn,
+  showSection,
+  showTools,
+  showWhich,
+  uncover,
+  usePlace,
+} from "../place/place.ts";
 import { useNotices, withdraw } from "../base/notices.ts";
 import { startKeeping, startWork } from "../records/keep.ts";
 import { begin, useEditor } from "../document/store.ts";
@@ -145,7 +155,8 @@ test("Back to a work finds the prompt that was open there", async () => {
 });
 
 test("a prompt that is left at once for a page over the work is open again, however far one goes back and forward", async () => {
-  const work = await started(), third = Object.keys(cycle.params)[2] ?? "";
+  const work = await started(),
+    third = Object.keys(cycle.params)[2] ?? "";
   openPrompt(third, "7.9");
   showTools();
   await is("#/tools");

@@ -51,7 +51,9 @@ const isOver = (hash: string): boolean => {
 /** Rows of one table are one place: going through them is no journey. */
 const isSamePage = (a: string, b: string): boolean => {
   const [one, other] = [parseAddress(a), parseAddress(b)];
-  return one !== null && one.page === other?.page && (one.page === "tools" || one.page === "own" || one.page === "guide");
+  return (
+    one !== null && one.page === other?.page && (one.page === "tools" || one.page === "own" || one.page === "guide")
+  );
 };
 
 const noteOf = (from: string | null): Entry => {
@@ -59,7 +61,10 @@ const noteOf = (from: string | null): Entry => {
   return { from, prompt, before: before.slice(0, 500) };
 };
 
-/** Closes what stands before the page; true when something did. The question which cycle makes a shape has an address of its own. */
+/**
+ * Closes what stands before the page; true when something did. The question which cycle makes a shape has an address of
+ * its own.
+ */
 function closeDialogs(): boolean {
   const open = [...document.querySelectorAll<HTMLDialogElement>("dialog[open]:not(.which)")];
   for (const dialog of open) dialog.close();
@@ -67,9 +72,9 @@ function closeDialogs(): boolean {
 }
 
 /**
- * From now on the browser's history and address go along with what the page shows, and what the page shows with Back and Forward.
- * The place says what is seen; the address only follows it. `begun` is the address that the page has opened: it
- * may have been changed while that went on.
+ * From now on the browser's history and address go along with what the page shows, and what the page shows with Back
+ * and Forward. The place says what is seen; the address only follows it. `begun` is the address that the page has
+ * opened: it may have been changed while that went on.
  */
 export function followAddress(begun = location.hash): () => void {
   /** Address of the present entry, as this page wrote it. */
@@ -124,7 +129,8 @@ export function followAddress(begun = location.hash): () => void {
       return isShareLink(location.hash) ? undefined : replace();
     }
     // Back closes a dialog first: the page behind it stays where it is.
-    if (closeDialogs() && entry() !== null && shown !== null) return history.pushState(noteOf(location.hash), "", shown);
+    if (closeDialogs() && entry() !== null && shown !== null)
+      return history.pushState(noteOf(location.hash), "", shown);
     const mine = ++asked;
     going = true;
     void goTo(place ?? { page: "start", which: false }).finally(() => {

@@ -4,19 +4,36 @@ import { useEditor } from "../document/store.ts";
 import { showToolNumber } from "../document/tool-row.ts";
 import { toolsOnDevice, useTools } from "../document/tool-store.ts";
 import type { Address, ToolsAddress, WorkAddress } from "../place/address.ts";
-import { closeOver, cover, elsewhere, openToolRow, seen, sectionsOf, showGuide, showOwn, showSection, showToolKind, showTools, showWhich,
-  toFirstPrompt, uncover, uncoverAll, usePlace } from "../place/place.ts";
+import {
+  closeOver,
+  cover,
+  elsewhere,
+  openToolRow,
+  seen,
+  sectionsOf,
+  showGuide,
+  showOwn,
+  showSection,
+  showToolKind,
+  showTools,
+  showWhich,
+  toFirstPrompt,
+  uncover,
+  uncoverAll,
+  usePlace,
+} from "../place/place.ts";
 import { openWork } from "../records/keep.ts";
 
 function toolsHere(): ToolsAddress {
   const { row, kind } = usePlace.getState().tools;
-  const number = row === null ? null : toolsOnDevice(useTools.getState().list).rows.get(row)?.number ?? null;
+  const number = row === null ? null : (toolsOnDevice(useTools.getState().list).rows.get(row)?.number ?? null);
   return { page: "tools", number, milling: number === null && kind === "milling" };
 }
 
 /** Address of the page that is seen. */
 export function here(): Address {
-  const place = usePlace.getState(), page = seen(place);
+  const place = usePlace.getState(),
+    page = seen(place);
   const { work, program } = useEditor.getState();
   const which = place.over?.dialog === "which";
   switch (page.page) {
@@ -44,12 +61,14 @@ export function here(): Address {
   }
 }
 
-/** Shows a work, in its place where another tab has it; a work that is not on this device is said so, on the start page. */
+/**
+ * Shows a work, in its place where another tab has it; a work that is not on this device is said so, on the start page.
+ */
 async function showNamed({ work, section }: Pick<WorkAddress, "work" | "section">): Promise<void> {
   if (useEditor.getState().work !== work) {
     if (elsewhere(usePlace.getState())?.work === work) return uncoverAll();
     toFirstPrompt();
-    if (!await openWork(work)) {
+    if (!(await openWork(work))) {
       notice("workNotHere");
       return goHome();
     }

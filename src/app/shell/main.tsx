@@ -36,7 +36,7 @@ document.addEventListener("keydown", onHistoryKey);
 /** What is kept beside the work: its history in this tab, and its picture. The first screen waits for neither. */
 async function keepBeside(): Promise<void> {
   const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await untilHere(() =>
-    Promise.all([import("../records/keep-steps.ts"), import("../records/keep-pictures.ts")])
+    Promise.all([import("../records/keep-steps.ts"), import("../records/keep-pictures.ts")]),
   );
   takeKeptSteps();
   startKeepingSteps();
@@ -50,7 +50,8 @@ async function keepBeside(): Promise<void> {
 
 const begun = location.hash;
 const asked = parseAddress(begun);
-const askedWork = asked?.page === "work" ? asked.work : asked?.page === "start" || asked?.page === "course" ? null : undefined;
+const askedWork =
+  asked?.page === "work" ? asked.work : asked?.page === "start" || asked?.page === "course" ? null : undefined;
 void resume(askedWork).then(async () => {
   resumePrompt();
   // A work that is not here was said to be missing.
@@ -67,9 +68,11 @@ void resume(askedWork).then(async () => {
 const root = document.getElementById("root");
 void untilHere(() => fetchTexts(useSettings.getState().language, "first")).then(() => {
   if (!root) return;
-  createRoot(root).render(<StrictMode>
-    <CrashGuard>
-      <App />
-    </CrashGuard>
-  </StrictMode>);
+  createRoot(root).render(
+    <StrictMode>
+      <CrashGuard>
+        <App />
+      </CrashGuard>
+    </StrictMode>,
+  );
 });

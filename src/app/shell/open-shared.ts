@@ -6,8 +6,8 @@ import { fetchOpenTaught } from "../../features/course/index.ts";
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
 
 /**
- * Shows what the page's address carries, once: the address is plain again afterwards. Nothing is opened before the operator says so, and
- * what is open stays.
+ * Shows what the page's address carries, once: the address is plain again afterwards. Nothing is opened before the
+ * operator says so, and what is open stays.
  */
 export async function openShared(): Promise<void> {
   const { hash } = location;
@@ -15,7 +15,7 @@ export async function openShared(): Promise<void> {
   history.replaceState(null, "", location.pathname + location.search);
   if (/^#[tr]/.test(hash)) return (await untilHere(fetchOpenTaught)).openTaughtLink(hash);
   const [{ readLink }, { showIncoming }] = await untilHere(() =>
-    Promise.all([import("../records/link.ts"), import("../records/incoming.ts")])
+    Promise.all([import("../records/link.ts"), import("../records/incoming.ts")]),
   );
   const read = readLink(hash);
   if (read.kind === "work") showIncoming({ work: read.work, from: "link" });

@@ -6,7 +6,9 @@ import { claimPatiently, keepState, noteWritten, unkeptWorks, useKeeping } from 
 import { readSave } from "../records/save-file.ts";
 import { leaveBehind, leftBehind, rememberedWork, rememberWork } from "../records/tab.ts";
 
-/** Writes what the page before could not write in time; what the device does not take stays behind for the next page. */
+/**
+ * Writes what the page before could not write in time; what the device does not take stays behind for the next page.
+ */
 async function catchUp(): Promise<void> {
   for (const { work, file: raw } of leftBehind()) {
     const file = readSave(raw);
@@ -16,7 +18,10 @@ async function catchUp(): Promise<void> {
   if (unkeptWorks().length === 0) leaveBehind([]);
 }
 
-/** What the page's address asks to be opened: a work by its name, null for the start page; undefined where it says nothing of it. */
+/**
+ * What the page's address asks to be opened: a work by its name, null for the start page; undefined where it says
+ * nothing of it.
+ */
 export type AskedWork = string | null | undefined;
 
 /** The work to begin with: the one that is asked for, what this tab had open, or the newest one in a new tab. */
@@ -29,7 +34,9 @@ function firstWork(asked: AskedWork, works: readonly Kept[]): Kept | undefined {
   return found;
 }
 
-/** Opens what was asked for, what this tab had open, or the newest work in a new tab, or the start page. Never fails. */
+/**
+ * Opens what was asked for, what this tab had open, or the newest work in a new tab, or the start page. Never fails.
+ */
 export async function resume(asked: AskedWork = undefined): Promise<void> {
   await catchUp();
   const found = await findWorks();
@@ -37,7 +44,7 @@ export async function resume(asked: AskedWork = undefined): Promise<void> {
   if (!found.available) notice("notKept");
   if (found.newer > 0) notice("newerWorks");
   const last = firstWork(asked, found.works);
-  const free = last !== undefined && await claimPatiently(last.work);
+  const free = last !== undefined && (await claimPatiently(last.work));
   const file = free && (await readWork(last.work));
   if (last && file) {
     noteWritten(last.work, file.job);

@@ -1,6 +1,15 @@
 import { whichSlot } from "../document/which-slot.ts";
-import { contourTableSlot, drawingSlot, exportSlot, handOnSlot, newProgramSlot, promptMoreSlot, setupStartSlot, taughtFilesSlot,
-  teachSlot } from "../fields/slots.ts";
+import {
+  contourTableSlot,
+  drawingSlot,
+  exportSlot,
+  handOnSlot,
+  newProgramSlot,
+  promptMoreSlot,
+  setupStartSlot,
+  taughtFilesSlot,
+  teachSlot,
+} from "../fields/slots.ts";
 import { fetchContourTable } from "../../features/contour/index.ts";
 import { fetchOpenTaught, fetchProgramDrawing, fetchTeachDialog } from "../../features/course/index.ts";
 import { fetchNewProgram } from "../../features/editor/index.ts";

@@ -33,8 +33,10 @@ export function useJobHost(read: JobReading): FindingsHost {
     const goTo = (q: string | null) => openPrompt(q, q === null ? "" : (draft[q] ?? ""));
     const targetOf = ({ issue, at, block }: FindingEntry): Target | null => {
       const param = at === null ? undefined : cycle.params[at];
-      if (at !== null && param) return { name: t.dialog.value(at, t.params[param.text as ParamTextId].label), go: () => goTo(at) };
-      if (issue.code === "blankAgainstContour" && at !== null) return { name: places.blank, go: () => openPrompt(at, "") };
+      if (at !== null && param)
+        return { name: t.dialog.value(at, t.params[param.text as ParamTextId].label), go: () => goTo(at) };
+      if (issue.code === "blankAgainstContour" && at !== null)
+        return { name: places.blank, go: () => openPrompt(at, "") };
       if (at === "start.x") return { name: places.startX, go: () => goToField("setup", "start.x") };
       if (at === "start.z") return { name: places.startZ, go: () => goToField("setup", "start.z") };
       if (at === "contour") return { name: places.contour, go: () => showSection("contour") };
@@ -48,22 +50,27 @@ export function useJobHost(read: JobReading): FindingsHost {
           name: places.spindle,
           go: () => goToField("setup", job.spindle.mode === "constant" ? "spindle.speed" : "spindle.cuttingSpeed"),
         };
-      if (isAboutTool(at) || issue.code === "toolUnknown") return { name: places.tool, go: () => goToField("setup", "tool") };
+      if (isAboutTool(at) || issue.code === "toolUnknown")
+        return { name: places.tool, go: () => goToField("setup", "tool") };
       return block === null ? null : { name: t.findings.inBlock(String(block)), go: () => showSection("program") };
     };
     const remediesOf = (entry: FindingEntry): readonly Mend[] => {
       const { issue, at } = entry;
       if (issue.code === "betterTool")
-        return [{
-          name: t.setup.tool.take(issue.data.tool),
-          apply: oneStep(() => setTool(issue.data.tool)),
-        }];
+        return [
+          {
+            name: t.setup.tool.take(issue.data.tool),
+            apply: oneStep(() => setTool(issue.data.tool)),
+          },
+        ];
       if (issue.code === "startOnWrongSide") {
         const start = () => {
           setStart("x", positionAsTyped(issue.data.x));
           setStart("z", positionAsTyped(issue.data.z));
         };
-        return [{ name: t.dialog.takeNearest(writer(language).place(issue.data.x, issue.data.z)), apply: oneStep(start) }];
+        return [
+          { name: t.dialog.takeNearest(writer(language).place(issue.data.x, issue.data.z)), apply: oneStep(start) },
+        ];
       }
       if (issue.code === "endsExchanged" && at !== null) {
         const { start, end, other } = issue.data;
@@ -71,24 +78,32 @@ export function useJobHost(read: JobReading): FindingsHost {
           setPrompt(at, String(end));
           setPrompt(other, String(start));
         };
-        const both = [[at, end], [other, start]] as const;
+        const both = [
+          [at, end],
+          [other, start],
+        ] as const;
         const name = both.map(([q, value]) => `${q} ${writeTyped(language, value, START_DECIMALS)}`).join(", ");
         return [{ name: t.dialog.takeNearest(name), apply: oneStep(exchange) }];
       }
       const nearest = nearestOf(entry);
       const param = at === null ? undefined : cycle.params[at];
       if (nearest !== null && at !== null && issue.code === "blankAgainstContour" && isSetupPlace(at))
-        return [{
-          name: t.dialog.takeNearest(writeTyped(language, nearest, START_DECIMALS)),
-          apply: oneStep(() => setPlace(at, String(nearest))),
-        }];
+        return [
+          {
+            name: t.dialog.takeNearest(writeTyped(language, nearest, START_DECIMALS)),
+            apply: oneStep(() => setPlace(at, String(nearest))),
+          },
+        ];
       if (nearest === null || at === null) return [];
-      const take = (decimals: number, apply: () => void): readonly Mend[] => [{
-        name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)),
-        apply: oneStep(apply),
-      }];
+      const take = (decimals: number, apply: () => void): readonly Mend[] => [
+        {
+          name: t.dialog.takeNearest(writeTyped(language, nearest, decimals)),
+          apply: oneStep(apply),
+        },
+      ];
       if (param) return take(param.decimals, () => setPrompt(at, String(nearest)));
-      if (at === "start.x" || at === "start.z") return take(START_DECIMALS, () => setStart(at === "start.x" ? "x" : "z", String(nearest)));
+      if (at === "start.x" || at === "start.z")
+        return take(START_DECIMALS, () => setStart(at === "start.x" ? "x" : "z", String(nearest)));
       return [];
     };
     const toFirstOpen = () => goTo(read.reading.issues[0]?.at ?? null);

@@ -6,14 +6,16 @@ import type { RunFinding } from "../../program/state/run-types.ts";
 export type AskedWay = "inside" | "outside" | "away" | "towards";
 
 /**
- * Where values want a cycle to cut when that is just the other side of what its tool is for: a forgotten minus, a radius for a diameter
- * and a start point within the steel turn a cycle round, and the tool is refused for it. Null where the tool itself is the wrong one.
+ * Where values want a cycle to cut when that is just the other side of what its tool is for: a forgotten minus, a
+ * radius for a diameter and a start point within the steel turn a cycle round, and the tool is refused for it. Null
+ * where the tool itself is the wrong one.
  */
 export function askedWay(issue: RunFinding["issue"]): AskedWay | null {
   if (issue.code !== "toolUnfit") return null;
   const { type, types, orientation, orientations } = issue.data;
   if (!types.includes(type)) return null;
-  const own = tipDirection(orientation as TipOrientation), asked = orientations.map((each) => tipDirection(each as TipOrientation));
+  const own = tipDirection(orientation as TipOrientation),
+    asked = orientations.map((each) => tipDirection(each as TipOrientation));
   const way = (axis: "u" | "v") => Math.sign(asked.reduce((sum, tip) => sum + tip[axis], 0));
   const isTurned = (axis: "u" | "v") => way(axis) !== 0 && way(axis) === -Math.sign(own[axis]);
   if (isTurned("v")) return way("v") > 0 ? "inside" : "outside";

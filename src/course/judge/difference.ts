@@ -29,7 +29,10 @@ export function distanceTo(rings: readonly Ring[], p: Pt): number {
 const shared = (one: readonly Ring[], other: readonly Ring[]): number => areaOf(intersection(one, other));
 
 /** The first step that took something of an area, and its block; none where no tool came there. */
-export function firstInto(area: readonly Ring[], { run, simulation }: Answer): Pick<TaskMark, "step" | "block" | "operation"> {
+export function firstInto(
+  area: readonly Ring[],
+  { run, simulation }: Answer,
+): Pick<TaskMark, "step" | "block" | "operation"> {
   const outlines = outlinesOf();
   const box = boxAround(area);
   const enough = Math.min(REAL_AREA, areaOf(area) / 4);
@@ -39,7 +42,12 @@ export function firstInto(area: readonly Ring[], { run, simulation }: Answer): P
     const [path, own] = [part.boxOf(pathOf(step.from, step.move)), boxAround([insert])];
     // What is swept across the axis comes round to this side.
     const low = path.low + own.low;
-    const reached = { left: path.left + own.left, right: path.right + own.right, low: Math.min(low, 0), high: path.high + own.high };
+    const reached = {
+      left: path.left + own.left,
+      right: path.right + own.right,
+      low: Math.min(low, 0),
+      high: path.high + own.high,
+    };
     if (gapBetween({ ...reached, low: low < 0 ? 0 : low, high: Math.max(reached.high, -low) }, box) > 0) return false;
     const { pieces, rings } = sweptBy(insert, step);
     return pieces.some((piece) => gapBetween(piece.box, box) === 0) && shared(area, rings) >= enough;
@@ -53,7 +61,7 @@ export function firstInto(area: readonly Ring[], { run, simulation }: Answer): P
 /** The cycle call whose contour passes nearest to a place; where none makes a contour the last one. */
 function nearestCall({ run }: Answer, place: Pt): number {
   const apart = run.operations.map(({ plan }) =>
-    plan.contour.reduce((least, segment) => Math.min(least, part.distanceTo(segment, place)), Infinity)
+    plan.contour.reduce((least, segment) => Math.min(least, part.distanceTo(segment, place)), Infinity),
   );
   const least = Math.min(...apart);
   return Number.isFinite(least) ? apart.lastIndexOf(least) : run.operations.length - 1;
@@ -62,7 +70,9 @@ function nearestCall({ run }: Answer, place: Pt): number {
 /** The operation that should have taken an area, with the reason why it did not; without a cycle call none. */
 function ownerOf(outline: Ring, answer: Answer): Pick<TaskMark, "operation" | "block" | "reason"> {
   const { run, simulation } = answer;
-  const told = simulation.proof.residual.map((r) => ({ r, area: shared([outline], [r.ring]) })).filter(({ area }) => area > LEAST);
+  const told = simulation.proof.residual
+    .map((r) => ({ r, area: shared([outline], [r.ring]) }))
+    .filter(({ area }) => area > LEAST);
   const most = told.toSorted((a, b) => b.area - a.area)[0]?.r;
   const place = middleOf([outline]);
   const own = most?.operation ?? run.operations.findLastIndex((o) => isInside(o.plan.area, place));
@@ -80,7 +90,8 @@ function marksOf(
 ): TaskMark[] {
   const value = areaOf(area);
   if (value <= limit) return [{ rule, passed: true, value, limit }];
-  const found = regionsOf(area, LEAST), regions = (found.length > 0 ? found : regionsOf(area, 0)).toSorted((a, b) => b.area - a.area);
+  const found = regionsOf(area, LEAST),
+    regions = (found.length > 0 ? found : regionsOf(area, 0)).toSorted((a, b) => b.area - a.area);
   // What may be there by itself is not what is wrong: the fillet in a corner beside a shoulder that was forgotten.
   const counts = regions.filter((_, i) => regions.slice(i).reduce((sum, region) => sum + region.area, 0) > limit);
   return counts.slice(0, MOST).map((region) => ({
@@ -95,9 +106,17 @@ function marksOf(
 }
 
 /** What is missing from the wanted part, each place with the first move that went there. */
-export const missingMarks = (wanted: readonly Ring[], made: readonly Ring[], limit: number, answer: Answer): TaskMark[] =>
-  marksOf("missing", beyond(wanted, made), limit, (outline) => firstInto([outline], answer));
+export const missingMarks = (
+  wanted: readonly Ring[],
+  made: readonly Ring[],
+  limit: number,
+  answer: Answer,
+): TaskMark[] => marksOf("missing", beyond(wanted, made), limit, (outline) => firstInto([outline], answer));
 
 /** What stands beside the wanted part, each place with the operation that should have taken it. */
-export const residueMarks = (wanted: readonly Ring[], made: readonly Ring[], limit: number, answer: Answer): TaskMark[] =>
-  marksOf("residue", beyond(made, wanted), limit, (outline) => ownerOf(outline, answer));
+export const residueMarks = (
+  wanted: readonly Ring[],
+  made: readonly Ring[],
+  limit: number,
+  answer: Answer,
+): TaskMark[] => marksOf("residue", beyond(made, wanted), limit, (outline) => ownerOf(outline, answer));

@@ -17,9 +17,16 @@ const LEVEL = 0.001;
 
 /** Finishing cuts along a cylinder: what was never roughed they take at once. */
 const isFinishAlong = ({ operation, move, from, tool }: Step): boolean =>
-  operation !== null && move.phase === "finish" && move.kind === "feed" && Math.abs(move.to.r - from.r) < LEVEL && ALONG.has(tool.TYPE);
+  operation !== null &&
+  move.phase === "finish" &&
+  move.kind === "feed" &&
+  Math.abs(move.to.r - from.r) < LEVEL &&
+  ALONG.has(tool.TYPE);
 
-/** Moves outside of cycles and finishing cuts that take more than `limit` mm square to their path, each once with the most it takes. */
+/**
+ * Moves outside of cycles and finishing cuts that take more than `limit` mm square to their path, each once with the
+ * most it takes.
+ */
 export function unknownDepths(answer: Answer, limit: number): Partial<TaskMark>[] {
   const { steps } = answer.run;
   const isLooked = (step: Step) => (step.operation === null ? step.move.kind !== "rapid" : isFinishAlong(step));

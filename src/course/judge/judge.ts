@@ -38,7 +38,10 @@ const ofFinding = (rule: RuleName, f: StockFinding): TaskMark => ({
   rings: f.rings,
 });
 
-/** What the stock shows that must never be. Where a part is wanted, a cut into the contour of its own cycle counts as what is missing. */
+/**
+ * What the stock shows that must never be. Where a part is wanted, a cut into the contour of its own cycle counts as
+ * what is missing.
+ */
 function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark[] {
   return (["rapid", "holder", "gouge"] as const).flatMap((rule): TaskMark[] => {
     if (rule === "gouge" && wanted) return [];
@@ -48,39 +51,53 @@ function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark
 }
 
 /** Findings of the run and of the stock that count for a rule, those apart that have marks of their own. */
-function issueMarks(rule: "errors" | "clean", { run, simulation }: Answer, counts: (issue: RunFinding["issue"]) => boolean): TaskMark[] {
+function issueMarks(
+  rule: "errors" | "clean",
+  { run, simulation }: Answer,
+  counts: (issue: RunFinding["issue"]) => boolean,
+): TaskMark[] {
   const own: readonly string[] = [...Object.keys(FOUND), "threadOverruns"];
-  const read = run.issues.filter(({ issue }) => counts(issue)).map(({ issue, block, operation }): TaskMark => ({
-    rule,
-    passed: false,
-    ...(block !== null && { block }),
-    ...(operation !== null && { operation }),
-    ...("at" in issue && issue.at?.startsWith("Q") && { q: issue.at }),
-    issue,
-  }));
-  const stock = stockIssues(simulation).filter(({ issue }) => counts(issue) && !own.includes(issue.code)).map((found): TaskMark => {
-    const { issue, block, operation, step } = found;
-    const place = block ?? run.operations[operation ?? -1]?.block;
-    return {
+  const read = run.issues
+    .filter(({ issue }) => counts(issue))
+    .map(({ issue, block, operation }): TaskMark => ({
       rule,
       passed: false,
-      ...(place !== undefined && { block: place }),
-      ...(step !== null && { step }),
+      ...(block !== null && { block }),
       ...(operation !== null && { operation }),
+      ...("at" in issue && issue.at?.startsWith("Q") && { q: issue.at }),
       issue,
-    };
-  });
+    }));
+  const stock = stockIssues(simulation)
+    .filter(({ issue }) => counts(issue) && !own.includes(issue.code))
+    .map((found): TaskMark => {
+      const { issue, block, operation, step } = found;
+      const place = block ?? run.operations[operation ?? -1]?.block;
+      return {
+        rule,
+        passed: false,
+        ...(place !== undefined && { block: place }),
+        ...(step !== null && { step }),
+        ...(operation !== null && { operation }),
+        issue,
+      };
+    });
   const all = [...read, ...stock];
   return all.length > 0 ? all : [{ rule, passed: true }];
 }
 
 /**
- * What makes the part in a picture alone counts as an error, though a program runs with it: a feed of a hundredth of a millimetre a turn,
- * and a recessing blade that is pushed sideways. A task that counts all warnings, or the time, tells it by that.
+ * What makes the part in a picture alone counts as an error, though a program runs with it: a feed of a hundredth of a
+ * millimetre a turn, and a recessing blade that is pushed sideways. A task that counts all warnings, or the time, tells
+ * it by that.
  */
 const errorMarks = (answer: Answer, { clean = false, seconds }: Task["rules"]): TaskMark[] =>
-  issueMarks("errors", answer, ({ code, severity }) =>
-    severity === "error" || (!clean && ((code === "feedUnlikely" && seconds === undefined) || code === "toolCannotCutSideways")));
+  issueMarks(
+    "errors",
+    answer,
+    ({ code, severity }) =>
+      severity === "error" ||
+      (!clean && ((code === "feedUnlikely" && seconds === undefined) || code === "toolCannotCutSideways")),
+  );
 
 /** Where a part is wanted, what stays is held to that alone. */
 const cleanMarks = (answer: Answer, wanted: WantedPart | null): TaskMark[] =>
@@ -104,7 +121,8 @@ function unprovedMarks({ run, simulation }: Answer): TaskMark[] {
 
 /** The made part beside the wanted one. */
 function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
-  const { run, simulation } = answer, final = madeOf(simulation);
+  const { run, simulation } = answer,
+    final = madeOf(simulation);
   const [lacks, adds] = [beyond(wanted.blank, run.blank), beyond(run.blank, wanted.blank)];
   const other = [...lacks, ...adds];
   const isOther = run.blank.length === 0 || areaOf(lacks) + areaOf(adds) > REAL_AREA;
@@ -114,8 +132,9 @@ function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
   const missing = missingMarks(wanted.solid, final, task.rules.missing ?? MISSING, answer);
   // Grooves at another pitch, or on another diameter, are told once, by the thread, and not one by one.
   const isOfThread = ({ operation, place }: TaskMark) =>
-    run.operations[operation ?? -1]?.plan.thread !== undefined && place !== undefined
-    && threads.some(({ passed, rings }) => !passed && rings && distanceTo(rings, place) < ASIDE);
+    run.operations[operation ?? -1]?.plan.thread !== undefined &&
+    place !== undefined &&
+    threads.some(({ passed, rings }) => !passed && rings && distanceTo(rings, place) < ASIDE);
   const besides = missing.filter((mark) => mark.passed || !isOfThread(mark));
   return [blank, ...besides, ...threads, ...residueMarks(wanted.rings, final, task.rules.residue ?? RESIDUE, answer)];
 }
@@ -127,8 +146,8 @@ const ordered = (marks: readonly TaskMark[]): TaskMark[] => {
 };
 
 /**
- * Judges the answer to a task: the part that it makes against the wanted one, and the rules of the task. Whatever makes the part within the
- * rules is right, however it is written.
+ * Judges the answer to a task: the part that it makes against the wanted one, and the rules of the task. Whatever makes
+ * the part within the rules is right, however it is written.
  */
 export function judge(task: Task, answer: Answer): TaskJudgement {
   const wanted = task.part ? wantedPart(task.part) : null;
@@ -142,6 +161,9 @@ export function judge(task: Task, answer: Answer): TaskJudgement {
     ...ruleMarks(task.rules, answer),
   ]);
   const { par } = task;
-  const score = task.kind === "drawing" && par && wanted ? scoreOf(par, wanted, task.rules.residue ?? RESIDUE, answer, marks) : undefined;
+  const score =
+    task.kind === "drawing" && par && wanted
+      ? scoreOf(par, wanted, task.rules.residue ?? RESIDUE, answer, marks)
+      : undefined;
   return { passed: marks.every((m) => m.passed), marks, ...(score && { score }) };
 }

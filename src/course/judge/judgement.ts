@@ -4,8 +4,8 @@ import type { Run, RunFinding } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
 /**
- * What an answer is judged by. The first ones are never allowed; "missing" and "residue" compare the made part with the wanted one; the
- * rest are the rules of a task under their own names.
+ * What an answer is judged by. The first ones are never allowed; "missing" and "residue" compare the made part with the
+ * wanted one; the rest are the rules of a task under their own names.
  */
 export const RULES = [
   "errors",
@@ -39,14 +39,20 @@ export interface Answer {
   readonly simulation: Simulation;
 }
 
-/** One thing that was looked at, and whether it is as it must be. Lengths mm, areas mm² of the half section, Rz µm, times s. */
+/**
+ * One thing that was looked at, and whether it is as it must be. Lengths mm, areas mm² of the half section, Rz µm,
+ * times s.
+ */
 export interface TaskMark {
   readonly rule: RuleName;
   readonly passed: boolean;
   /** What is there, and what may be there. */
   readonly value?: number;
   readonly limit?: number;
-  /** Number of the block that did it, or that should be another one; the step of the run, from 0; the cycle call, from 0. */
+  /**
+   * Number of the block that did it, or that should be another one; the step of the run, from 0; the cycle call, from
+   * 0.
+   */
   readonly block?: number;
   readonly step?: number;
   readonly operation?: number;
@@ -66,7 +72,9 @@ export interface TaskMark {
   readonly issue?: RunFinding["issue"];
 }
 
-/** What a free program is worth, out of 100; nothing as long as it hurts the part, runs into material or is not proved. */
+/**
+ * What a free program is worth, out of 100; nothing as long as it hurts the part, runs into material or is not proved.
+ */
 export interface Score {
   readonly total: number;
   readonly parts: readonly ScorePart[];

@@ -29,7 +29,10 @@ function longestAlong(area: readonly Ring[], along: Along): Way | null {
   return best;
 }
 
-/** A point inside an area, where its extent is seen: the middle of the longest straight way through it along Z or across. */
+/**
+ * A point inside an area, where its extent is seen: the middle of the longest straight way through it along Z or
+ * across.
+ */
 export function middleOf(area: readonly Ring[]): Pt {
   const [along, across] = [longestAlong(area, "z"), longestAlong(area, "r")];
   const best = along && (!across || along.long >= across.long) ? along : across;

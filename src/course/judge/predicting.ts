@@ -49,7 +49,9 @@ const placeOf = (rings: readonly Ring[]): Truth => {
 /** What stays beside the wanted part, or without one what the operations should have taken. */
 function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, operation?: number): readonly Ring[] {
   if (wanted && operation === undefined) return beyond(madeOf(simulation), wantedPart(wanted).rings);
-  return simulation.proof.residual.filter((r) => operation === undefined || r.operation === operation).map((r) => r.ring);
+  return simulation.proof.residual
+    .filter((r) => operation === undefined || r.operation === operation)
+    .map((r) => r.ring);
 }
 
 /** What is missing from the wanted part, or without one what was cut from the contours of the cycles. */

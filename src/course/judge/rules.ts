@@ -11,7 +11,9 @@ import { unknownDepths } from "./hand-depth.ts";
 import { foreignToolMarks, secondsOfAnswer } from "./shop.ts";
 import { wordMarks } from "./words-in.ts";
 
-/** A measured depth may be so much more than the greatest one, mm: passes are levelled, and the stock is made of chords. */
+/**
+ * A measured depth may be so much more than the greatest one, mm: passes are levelled, and the stock is made of chords.
+ */
 const DEPTH_SLACK = 0.02;
 /** Stretches of a surface that reach no farther between two Z are its ends, mm. */
 const SURFACE_END = 0.05;
@@ -39,15 +41,19 @@ function depth(limit: number, answer: Answer): TaskMark[] {
   });
   const all = [...found, ...unknownDepths(answer, limit + DEPTH_SLACK).map((mark) => ({ ...mark, limit }))];
   const most = all.reduce((sum, { value = 0 }) => Math.max(sum, value), 0);
-  return marks("depth", all.filter(({ value = 0 }) => value > limit + DEPTH_SLACK), { value: most, limit });
+  return marks(
+    "depth",
+    all.filter(({ value = 0 }) => value > limit + DEPTH_SLACK),
+    { value: most, limit },
+  );
 }
 
 /** The last block before a step that says how the spindle turns. */
 function spindleBlock({ text, run }: Answer, step: number): Partial<TaskMark> {
   const program = parse(text);
   const until = run.stepBlocks[step] ?? 0;
-  const index = program.blocks.findLastIndex(({ statement: s }, i) =>
-    i <= until && (s.kind === "spin" || (s.kind === "toolCall" && s.speed !== null))
+  const index = program.blocks.findLastIndex(
+    ({ statement: s }, i) => i <= until && (s.kind === "spin" || (s.kind === "toolCall" && s.speed !== null)),
   );
   return index < 0 ? {} : { block: blockNumbers(program)[index] ?? 0 };
 }
@@ -59,10 +65,14 @@ function speed(limit: number, answer: Answer): TaskMark[] {
     spindle?.kind === "constant" ? spindle.speed : spindle && spindle.limit > 0 ? spindle.limit : Infinity;
   const wrong = inForce.filter((s) => s.spindle && fastest(s) > limit);
   const most = inForce.reduce((sum, s) => (s.spindle ? Math.max(sum, fastest(s)) : sum), 0);
-  return marks("speed", wrong.map((s) => {
-    const value = fastest(s);
-    return { ...(Number.isFinite(value) && { value }), limit, step: s.step, ...spindleBlock(answer, s.step) };
-  }), { value: most, limit });
+  return marks(
+    "speed",
+    wrong.map((s) => {
+      const value = fastest(s);
+      return { ...(Number.isFinite(value) && { value }), limit, step: s.step, ...spindleBlock(answer, s.step) };
+    }),
+    { value: most, limit },
+  );
 }
 
 /** The tools that a program calls, each with the block that calls it first. */
@@ -71,7 +81,9 @@ export function calledTools({ text, run }: Answer): Map<number, number> {
   const numbers = blockNumbers(program);
   const called = new Map<number, number>();
   const note = (tool: number, block: number) => void (called.has(tool) || called.set(tool, block));
-  program.blocks.forEach(({ statement: s }, i) => s.kind === "toolCall" && typeof s.tool === "number" && note(s.tool, numbers[i] ?? 0));
+  program.blocks.forEach(
+    ({ statement: s }, i) => s.kind === "toolCall" && typeof s.tool === "number" && note(s.tool, numbers[i] ?? 0),
+  );
   for (const { tool, block } of [...run.steps, ...run.operations]) note(tool.T, block);
   return called;
 }
@@ -143,7 +155,12 @@ export function ruleMarks(rules: TaskRules, answer: Answer): TaskMark[] {
   const { tools, mostTools: most, seconds } = rules;
   if (tools) {
     const others = [...called].filter(([tool]) => !tools.includes(tool));
-    out.push(...marks("tools", others.map(([about, block]) => ({ about, block }))));
+    out.push(
+      ...marks(
+        "tools",
+        others.map(([about, block]) => ({ about, block })),
+      ),
+    );
   }
   if (most !== undefined) {
     const [, block] = [...called][most] ?? [];
@@ -156,7 +173,12 @@ export function ruleMarks(rules: TaskRules, answer: Answer): TaskMark[] {
     });
   }
   if (seconds !== undefined)
-    out.push({ rule: "seconds", passed: secondsOfAnswer(answer) <= seconds, value: secondsOfAnswer(answer), limit: seconds });
+    out.push({
+      rule: "seconds",
+      passed: secondsOfAnswer(answer) <= seconds,
+      value: secondsOfAnswer(answer),
+      limit: seconds,
+    });
   const cuts = (index: number) => (simulation.proof.operations[index]?.cut ?? 0) >= REAL_AREA;
   for (const about of rules.cycles ?? []) {
     const index = run.operations.findIndex((o, i) => o.cycle === about && (cuts(i) || o.plan.thread !== undefined));
@@ -164,7 +186,9 @@ export function ruleMarks(rules: TaskRules, answer: Answer): TaskMark[] {
     out.push({ rule: "cycles", passed: operation !== undefined, about, ...(operation && ofCall(operation, index)) });
   }
   if (rules.without) {
-    const called = run.operations.flatMap((o, i) => (rules.without?.includes(o.cycle) ? [{ about: o.cycle, ...ofCall(o, i) }] : []));
+    const called = run.operations.flatMap((o, i) =>
+      rules.without?.includes(o.cycle) ? [{ about: o.cycle, ...ofCall(o, i) }] : [],
+    );
     out.push(...marks("without", called));
   }
   if (rules.values) out.push(...values(rules.values, answer));

@@ -32,18 +32,19 @@ export function scoreOf(
   const threads = marks.every((m) => m.passed || m.rule !== "residue" || m.about === undefined);
   const tools = calledTools(answer).size;
   const held = rules.size - broken.size;
-  const parts =
-    ([["proof", held / rules.size, held, rules.size], ["residue", threads ? 1 - Math.max(0, left - residue) / most : 0, left, residue], [
-      "time",
-      seconds > 0 ? par.seconds / seconds : 0,
-      seconds,
-      par.seconds,
-    ], ["tools", tools > 0 ? par.tools / tools : 0, tools, par.tools]] as const).map(([what, part, value, of]): ScorePart => ({
-      what,
-      points: isSafe ? Math.round(POINTS[what] * share(part)) : 0,
-      of: POINTS[what],
-      value,
-      par: of,
-    }));
+  const parts = (
+    [
+      ["proof", held / rules.size, held, rules.size],
+      ["residue", threads ? 1 - Math.max(0, left - residue) / most : 0, left, residue],
+      ["time", seconds > 0 ? par.seconds / seconds : 0, seconds, par.seconds],
+      ["tools", tools > 0 ? par.tools / tools : 0, tools, par.tools],
+    ] as const
+  ).map(([what, part, value, of]): ScorePart => ({
+    what,
+    points: isSafe ? Math.round(POINTS[what] * share(part)) : 0,
+    of: POINTS[what],
+    value,
+    par: of,
+  }));
   return { total: parts.reduce((sum, p) => sum + p.points, 0), parts };
 }

@@ -9,7 +9,8 @@ export const TASK_RAPID = 10_000;
 /** Running time of an answer, s: with the rapid rate of tasks, whatever the work that it comes from estimates with. */
 export const secondsOfAnswer = ({ simulation }: Answer): number =>
   simulation.steps.reduce(
-    (sum, { from, move, seconds }) => sum + (move.kind === "rapid" ? (60 * travelOf(pathOf(from, move))) / TASK_RAPID : seconds),
+    (sum, { from, move, seconds }) =>
+      sum + (move.kind === "rapid" ? (60 * travelOf(pathOf(from, move))) / TASK_RAPID : seconds),
     0,
   );
 

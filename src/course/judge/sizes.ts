@@ -11,7 +11,11 @@ import type { Answer, TaskMark } from "./judgement.ts";
 const STRIP = 0.05;
 
 /** Where a size is measured on a half section, and what it is there, mm; null where there is no material. */
-export function sizeOn(stock: readonly Ring[], kind: SizeKind, where: number): { readonly value: number; readonly place: Pt } | null {
+export function sizeOn(
+  stock: readonly Ring[],
+  kind: SizeKind,
+  where: number,
+): { readonly value: number; readonly place: Pt } | null {
   if (kind === "face") {
     const r = toRadius(diameter(where));
     const z = scanCrossings(stock, "z", [r])[0]?.at(-1);
@@ -24,9 +28,15 @@ export function sizeOn(stock: readonly Ring[], kind: SizeKind, where: number): {
 
 /** The strip between a measured and a nominal size: who came there made the size. */
 function between({ kind, nominal, at: where }: TaskSize, { z, r }: Pt): Ring {
-  const [low, high, left, right] = kind === "face"
-    ? [r - STRIP, r + STRIP, Math.min(z, nominal), Math.max(z, nominal)]
-    : [Math.min(r, toRadius(diameter(nominal))), Math.max(r, toRadius(diameter(nominal))), where - STRIP, where + STRIP];
+  const [low, high, left, right] =
+    kind === "face"
+      ? [r - STRIP, r + STRIP, Math.min(z, nominal), Math.max(z, nominal)]
+      : [
+          Math.min(r, toRadius(diameter(nominal))),
+          Math.max(r, toRadius(diameter(nominal))),
+          where - STRIP,
+          where + STRIP,
+        ];
   return [at(left, low), at(right, low), at(right, high), at(left, high)];
 }
 

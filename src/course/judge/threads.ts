@@ -7,7 +7,10 @@ import type { Answer, TaskMark } from "./judgement.ts";
 
 /** How far apart the profile of a thread is looked at, mm. */
 const STEP = 0.02;
-/** All threads together are looked at that often at most: many of them, as long as no lathe is, cost no more than others. */
+/**
+ * All threads together are looked at that often at most: many of them, as long as no lathe is, cost no more than
+ * others.
+ */
 const MOST_LINES = 60_000;
 /** The share of the depth that a groove has at least, and that at which it is told from its neighbours. */
 const DEEP = 0.85;
@@ -25,7 +28,8 @@ interface Grooves {
 /** The grooves between crest and root, from the profile of a stock. */
 function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThread, most: number): Grooves {
   const [left, right] = [Math.min(from, to), Math.max(from, to)];
-  const count = Math.min(most, Math.max(2, Math.floor((right - left) / STEP))), step = Math.max(STEP, (right - left) / most);
+  const count = Math.min(most, Math.max(2, Math.floor((right - left) / STEP))),
+    step = Math.max(STEP, (right - left) / most);
   const lines = Array.from({ length: count }, (_, i) => left + (i + 0.5) * step);
   const [top, full] = [toRadius(diameter(crest)), toRadius(diameter(Math.abs(crest - root)))];
   const profile = scanCrossings(stock, "r", lines).map((found) => {
@@ -35,7 +39,8 @@ function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThre
   const grooves: { first: number; last: number; depth: number }[] = [];
   let begun = false;
   profile.forEach((depth, i) => {
-    const line = lines[i] ?? 0, open = grooves.at(-1);
+    const line = lines[i] ?? 0,
+      open = grooves.at(-1);
     if (depth < APART) begun = false;
     else if (begun && open) Object.assign(open, { last: line, depth: Math.max(open.depth, depth) });
     else {
@@ -49,8 +54,9 @@ function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThre
 }
 
 /**
- * Whether grooves of a thread are there all along, as deep as they must be, and at its pitch where the task states one. What is not cut of
- * it is residue, `about` the name of the thread; `value` is the pitch that is there, mm, 0 where there is none.
+ * Whether grooves of a thread are there all along, as deep as they must be, and at its pitch where the task states one.
+ * What is not cut of it is residue, `about` the name of the thread; `value` is the pitch that is there, mm, 0 where
+ * there is none.
  */
 export function threadMarks(threads: readonly WantedThread[], { run, simulation }: Answer): TaskMark[] {
   return threads.map((thread, entry): TaskMark => {
@@ -64,9 +70,12 @@ export function threadMarks(threads: readonly WantedThread[], { run, simulation 
     const [begins, ends] = [Math.min(from, to), Math.max(from, to)];
     const isWhole = first - begins < 1.5 * wanted && ends - last < 1.5 * wanted;
     const isEven = ways.slice(1, -1).every((way) => Math.abs(way - value) < value / 4);
-    const passed = middles.length > 1 && isWhole && isEven && depth >= DEEP && Math.abs(value - wanted) <= SAME_PITCH * wanted;
-    const operation = run.operations.findLastIndex((o) =>
-      o.plan.thread && o.plan.moves.some((m) => m.kind === "thread" && m.to.z < ends + wanted && m.to.z > begins - 2 * wanted)
+    const passed =
+      middles.length > 1 && isWhole && isEven && depth >= DEEP && Math.abs(value - wanted) <= SAME_PITCH * wanted;
+    const operation = run.operations.findLastIndex(
+      (o) =>
+        o.plan.thread &&
+        o.plan.moves.some((m) => m.kind === "thread" && m.to.z < ends + wanted && m.to.z > begins - 2 * wanted),
     );
     return {
       rule: "residue",

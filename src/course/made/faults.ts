@@ -5,15 +5,19 @@ export type FaultKind = (typeof FAULT_KINDS)[number];
 type Put = (lines: readonly string[]) => readonly string[] | null;
 
 /** Replaces the first line that a pattern is found in. */
-const inFirst = (pattern: RegExp, by: (...found: string[]) => string): Put => (lines) => {
-  const at = lines.findIndex((line) => pattern.test(line)), line = lines[at];
-  return line === undefined ? null : lines.with(at, line.replace(pattern, by));
-};
+const inFirst =
+  (pattern: RegExp, by: (...found: string[]) => string): Put =>
+  (lines) => {
+    const at = lines.findIndex((line) => pattern.test(line)),
+      line = lines[at];
+    return line === undefined ? null : lines.with(at, line.replace(pattern, by));
+  };
 
 /** The tip stands in the material when a cycle is called. */
 const startInside: Put = (lines) => {
   const call = lines.findIndex((line) => /\bCYCL CALL\b/.test(line));
-  const at = lines.slice(0, Math.max(0, call)).findLastIndex((line) => /^\s*\d*\s*L\s.*\bZ[+-]?[\d.]+/.test(line)), line = lines[at];
+  const at = lines.slice(0, Math.max(0, call)).findLastIndex((line) => /^\s*\d*\s*L\s.*\bZ[+-]?[\d.]+/.test(line)),
+    line = lines[at];
   return line === undefined ? null : lines.with(at, line.replace(/\bZ[+-]?[\d.]+/, "Z-5"));
 };
 
@@ -33,7 +37,8 @@ const PUT: Readonly<Record<FaultKind, Put>> = {
 };
 
 /** The faults that a program can be given. */
-export const possibleFaults = (lines: readonly string[]): readonly FaultKind[] => FAULT_KINDS.filter((kind) => PUT[kind](lines) !== null);
+export const possibleFaults = (lines: readonly string[]): readonly FaultKind[] =>
+  FAULT_KINDS.filter((kind) => PUT[kind](lines) !== null);
 
 /** A program with faults in it; one that it can not be given is left out. */
 export const withFaults = (lines: readonly string[], kinds: readonly FaultKind[]): readonly string[] =>

@@ -18,19 +18,30 @@ export function textOfTask(task: Task): string | null {
 }
 
 /** What lies open in the beginning, as the form has it. */
-function startDraft({ start }: Task, text: string, answer: Answer): Pick<MadeTask, "start" | "prompts" | "program" | "faults"> {
+function startDraft(
+  { start }: Task,
+  text: string,
+  answer: Answer,
+): Pick<MadeTask, "start" | "prompts" | "program" | "faults"> {
   const none = { prompts: { operation: 0, emptied: [] }, program: null, faults: [] };
   if ("program" in start)
-    return { ...none, start: "program", program: programOfLines(start.program) === text ? null : start.program.join("\n") };
+    return {
+      ...none,
+      start: "program",
+      program: programOfLines(start.program) === text ? null : start.program.join("\n"),
+    };
   if (!("cycle" in start)) return { ...none, start: "empty" };
   const operation = answer.run.operations.findIndex(({ cycle }) => cycle === start.cycle);
   if (operation < 0) return { ...none, start: "empty" };
-  const emptied = promptsOf(answer, operation).map(([q]) => q).filter((q) => !(q in start.values));
+  const emptied = promptsOf(answer, operation)
+    .map(([q]) => q)
+    .filter((q) => !(q in start.values));
   return { ...none, start: "prompts", prompts: { operation, emptied } };
 }
 
 /** Whether two sizes are measured at the same place, whatever their deviations. */
-export const isSameSize = (a: SizeDraft, b: SizeDraft): boolean => a.kind === b.kind && a.at === b.at && a.nominal === b.nominal;
+export const isSameSize = (a: SizeDraft, b: SizeDraft): boolean =>
+  a.kind === b.kind && a.at === b.at && a.nominal === b.nominal;
 
 /** The sizes of a task, switched on, before those that its part offers beside them. */
 export const sizesOfBoth = (chosen: readonly SizeDraft[], offered: readonly SizeDraft[]): readonly SizeDraft[] => {
@@ -43,7 +54,9 @@ export const sizesOfBoth = (chosen: readonly SizeDraft[], offered: readonly Size
 
 /** The form of a task. `text` and `answer`: of the program that it is made of. */
 export function formOfTask(task: Task, text: string, answer: Answer, language: LessonLanguage): MadeTask {
-  const proposed = proposedTask(answer), { part, rules, predict = [], words: told } = task, words = told[language];
+  const proposed = proposedTask(answer),
+    { part, rules, predict = [], words: told } = task,
+    words = told[language];
   const lines = (found: readonly string[] | undefined) => found?.join("\n") ?? "";
   const rule = (name: (typeof NUMBER_RULES)[number]): RuleDraft => {
     const value = name === "rz" ? rules.rz?.[0]?.most : rules[name];
@@ -60,7 +73,12 @@ export function formOfTask(task: Task, text: string, answer: Answer, language: L
       threads: asked.map((thread) => ({ ...thread, pitch: thread.pitch ?? 0, on: true })),
     }),
     material: task.material ?? null,
-    sizes: (task.sizes ?? []).map((size) => ({ ...size, on: true, upper: String(size.upper), lower: String(size.lower) })),
+    sizes: (task.sizes ?? []).map((size) => ({
+      ...size,
+      on: true,
+      upper: String(size.upper),
+      lower: String(size.lower),
+    })),
     rules: {
       ...proposed.rules,
       ...Object.fromEntries(NUMBER_RULES.map((name) => [name, rule(name)])),
@@ -69,7 +87,9 @@ export function formOfTask(task: Task, text: string, answer: Answer, language: L
     offer: rules.tools ? "listed" : "all",
     tools: rules.tools ?? proposed.tools,
     clean: rules.clean ?? false,
-    questions: predict.map((prediction, i) => draftOfPrediction(prediction, words?.questions?.[i] ?? "", words?.choices?.[i] ?? [])),
+    questions: predict.map((prediction, i) =>
+      draftOfPrediction(prediction, words?.questions?.[i] ?? "", words?.choices?.[i] ?? []),
+    ),
     ...startDraft(task, text, answer),
     words: { title: words?.title ?? "", ask: words?.ask ?? "", hints: words?.hints ?? ["", "", ""] },
   };
@@ -77,7 +97,10 @@ export function formOfTask(task: Task, text: string, answer: Answer, language: L
 
 const isSame = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
 
-/** Fields of `made` where they were changed in the form, of `base` where they were not; what the form does not know stays. */
+/**
+ * Fields of `made` where they were changed in the form, of `base` where they were not; what the form does not know
+ * stays.
+ */
 function changedOf<T extends object>(base: T, first: T, made: T): T {
   const out = { ...base } as Record<string, unknown>;
   for (const key of new Set([...Object.keys(first), ...Object.keys(made)])) {
@@ -90,10 +113,15 @@ function changedOf<T extends object>(base: T, first: T, made: T): T {
 }
 
 /**
- * A task that was changed in the form, under its own id: an answer that comes back finds it. Where the form was left as it is the task
- * stays the same to the last field, in all of its languages.
+ * A task that was changed in the form, under its own id: an answer that comes back finds it. Where the form was left as
+ * it is the task stays the same to the last field, in all of its languages.
  */
-export function editedTask(base: Task, made: MadeTask, answer: Answer, language: LessonLanguage): Task | readonly MadeFault[] {
+export function editedTask(
+  base: Task,
+  made: MadeTask,
+  answer: Answer,
+  language: LessonLanguage,
+): Task | readonly MadeFault[] {
   const text = textOfTask(base);
   const now = taskOfMade(made, answer, language, "edited");
   if ("length" in now || text === null) return now;

@@ -69,7 +69,8 @@ export interface MadeTask {
 }
 
 /** Longest text of a form, characters, and most of anything that is listed. */
-const LONGEST = 100_000, MOST = 200;
+const LONGEST = 100_000,
+  MOST = 200;
 const text = z.string().check(z.maxLength(LONGEST));
 const many = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.maxLength(MOST));
 const rule = z.object({ on: z.boolean(), text });
@@ -81,11 +82,20 @@ export const formShape = z.object({
   blank: text,
   outside: text,
   bore: text,
-  threads: many(z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: finite, name: text, on: z.boolean() })),
+  threads: many(
+    z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: finite, name: text, on: z.boolean() }),
+  ),
   // A form that was kept before materials were asked for names none.
   material: z._default(z.nullable(materialId), null),
   sizes: many(
-    z.object({ kind: z.enum(["diameter", "bore", "face"]), at: finite, nominal: finite, on: z.boolean(), upper: text, lower: text }),
+    z.object({
+      kind: z.enum(["diameter", "bore", "face"]),
+      at: finite,
+      nominal: finite,
+      on: z.boolean(),
+      upper: text,
+      lower: text,
+    }),
   ),
   rules: z.object({
     depth: rule,
@@ -102,7 +112,15 @@ export const formShape = z.object({
   tools: many(finite),
   clean: z.boolean(),
   questions: many(
-    z.object({ ask: z.enum(ASKED_KINDS), text, operation: z.nullable(z.int()), at: text, within: text, choices: text, right: text }),
+    z.object({
+      ask: z.enum(ASKED_KINDS),
+      text,
+      operation: z.nullable(z.int()),
+      at: text,
+      within: text,
+      choices: text,
+      right: text,
+    }),
   ),
   start: z.enum(["empty", "prompts", "program"]),
   prompts: z.object({ operation: z.int(), emptied: many(text) }),
@@ -121,7 +139,11 @@ export const formWithSign = (form: MadeTask, sign: string): MadeTask => ({
     Object.entries(form.rules).map(([name, { on, text: number }]) => [name, { on, text: withSign(number, sign) }]),
   ) as MadeTask["rules"],
   sizes: form.sizes.map((size) => ({ ...size, upper: withSign(size.upper, sign), lower: withSign(size.lower, sign) })),
-  questions: form.questions.map((each) => ({ ...each, at: withSign(each.at, sign), within: withSign(each.within, sign) })),
+  questions: form.questions.map((each) => ({
+    ...each,
+    at: withSign(each.at, sign),
+    within: withSign(each.within, sign),
+  })),
 });
 
 /** A form out of what was kept; null where it is none. Never throws. */

@@ -7,8 +7,8 @@ import { typedNumber } from "../told.ts";
 import type { AskedKind, QuestionDraft } from "./question-draft.ts";
 
 /*
- * What a learner is asked before the run, as an instructor types it. What is right comes from the run of the program that lies open,
- * but for a choice and a block: those are proposed from the run.
+ * What a learner is asked before the run, as an instructor types it. What is right comes from the run of the program
+ * that lies open, but for a choice and a block: those are proposed from the run.
  */
 
 const SIZES: readonly AskedKind[] = ["diameter", "bore", "face"];
@@ -23,7 +23,10 @@ export const needsWithin = (ask: AskedKind): boolean => ask === "seconds" || ask
 
 /** What a choice offers, without empty lines. */
 export const choicesOf = ({ choices }: QuestionDraft): readonly string[] =>
-  choices.split(/\r?\n/).map((line) => line.trim()).filter((line) => line !== "");
+  choices
+    .split(/\r?\n/)
+    .map((line) => line.trim())
+    .filter((line) => line !== "");
 
 const blocksIn = (text: string): readonly number[] => [...text.matchAll(/\d+/g)].map(([number]) => Number(number));
 
@@ -51,7 +54,9 @@ export function predictionOf(draft: QuestionDraft): Prediction | null {
       return within === null ? null : { ask, within };
     case "choice": {
       const index = Number(right);
-      return choicesOf(draft).length > 1 && right !== "" && index < choicesOf(draft).length ? { ask, right: index } : null;
+      return choicesOf(draft).length > 1 && right !== "" && index < choicesOf(draft).length
+        ? { ask, right: index }
+        : null;
     }
     case "block": {
       const blocks = blocksIn(right);
@@ -70,7 +75,7 @@ export function draftOfPrediction(prediction: Prediction, text: string, choices:
   return {
     ask,
     text,
-    operation: "operation" in prediction ? prediction.operation ?? null : null,
+    operation: "operation" in prediction ? (prediction.operation ?? null) : null,
     at: "at" in prediction ? String(prediction.at) : "",
     within: "within" in prediction && prediction.within !== undefined ? String(prediction.within) : "",
     choices: choices.join("\n"),
@@ -94,8 +99,12 @@ const bare = (raw: string): string => raw.trim().replace(/^\/?\d+[ \t]+/, "");
 
 /** Numbers of the blocks in which a program differs from another; beside a block that is missing, its neighbours. */
 export function changedBlocks(text: string, from: string): readonly number[] {
-  const program = parse(text), numbers = blockNumbers(program);
-  const [now, was] = [program.blocks, parse(from).blocks].map((blocks) => blocks.map(({ raw }) => bare(raw))) as [string[], string[]];
+  const program = parse(text),
+    numbers = blockNumbers(program);
+  const [now, was] = [program.blocks, parse(from).blocks].map((blocks) => blocks.map(({ raw }) => bare(raw))) as [
+    string[],
+    string[],
+  ];
   const numbered = (places: readonly number[]) => places.flatMap((place) => numbers[place] ?? []);
   if (now.length === was.length) return numbered(now.flatMap((raw, i) => (raw === was[i] ? [] : [i])));
   const first = now.findIndex((raw, i) => raw !== was[i]);
@@ -106,28 +115,40 @@ export function changedBlocks(text: string, from: string): readonly number[] {
 function faultyBlocks(begun: Answer, solution: string): readonly number[] {
   const changed = changedBlocks(begun.text, solution);
   if (changed.length > 0) return changed;
-  const errors = begun.run.issues.flatMap(({ issue, block }) => (issue.severity === "error" && block !== null ? [block] : []));
+  const errors = begun.run.issues.flatMap(({ issue, block }) =>
+    issue.severity === "error" && block !== null ? [block] : [],
+  );
   const found = [...begun.simulation.findings.map(({ block }) => block), ...errors];
   return [...new Set(found)].slice(0, 3);
 }
 
 /** How far an answer may be off if nothing else is said: shares of what is asked, and mm for a place. */
-const SHARE = { seconds: 0.1, residue: 0.2 } as const, PLACE = "3", INFEED = "0.02", SIZE = "0.05";
+const SHARE = { seconds: 0.1, residue: 0.2 } as const,
+  PLACE = "3",
+  INFEED = "0.02",
+  SIZE = "0.05";
 
 function proposedWithin(ask: AskedKind, truth: Truth | null): string {
   if (PLACES.includes(ask)) return PLACE;
   if (SIZES.includes(ask)) return SIZE;
   if (ask === "infeed") return INFEED;
   if (ask !== "seconds" && ask !== "residue") return "";
-  const value = truth?.kind === "number" ? truth.value ?? 0 : 0;
+  const value = truth?.kind === "number" ? (truth.value ?? 0) : 0;
   return String(Math.max(1, Math.ceil(value * SHARE[ask])));
 }
 
-/** A question with what the run proposes for it. `begun`: what lies open, `solution`: the text of the answer, `at`: where a size is. */
+/**
+ * A question with what the run proposes for it. `begun`: what lies open, `solution`: the text of the answer, `at`:
+ * where a size is.
+ */
 export function proposedQuestion(
   ask: AskedKind,
   begun: Answer,
-  { solution, at, fates }: { readonly solution: string; readonly at: string; readonly fates: Readonly<Record<Fate, string>> },
+  {
+    solution,
+    at,
+    fates,
+  }: { readonly solution: string; readonly at: string; readonly fates: Readonly<Record<Fate, string>> },
 ): QuestionDraft {
   const counted = hasOperation(ask) ? truthOf({ ask } as Prediction, {}, begun) : null;
   return {
@@ -137,7 +158,12 @@ export function proposedQuestion(
     at: hasAt(ask) ? at : "",
     within: proposedWithin(ask, counted),
     choices: ask === "choice" ? FATES.map((fate) => fates[fate]).join("\n") : "",
-    right: ask === "choice" ? String(FATES.indexOf(fateOf(begun))) : ask === "block" ? faultyBlocks(begun, solution).join(", ") : "",
+    right:
+      ask === "choice"
+        ? String(FATES.indexOf(fateOf(begun)))
+        : ask === "block"
+          ? faultyBlocks(begun, solution).join(", ")
+          : "",
   };
 }
 
@@ -158,7 +184,11 @@ export function isThere(truth: Truth, { text }: Answer): boolean {
 }
 
 /** What is true of each question; null where a question is not whole yet. */
-export const truthsOf = (questions: readonly QuestionDraft[], part: Pick<Task, "part">, begun: Answer): readonly (Truth | null)[] =>
+export const truthsOf = (
+  questions: readonly QuestionDraft[],
+  part: Pick<Task, "part">,
+  begun: Answer,
+): readonly (Truth | null)[] =>
   questions.map((draft) => {
     const prediction = predictionOf(draft);
     return prediction && truthOf(prediction, part, begun);

@@ -12,7 +12,8 @@ import { changedBlocks, fateOf, isThere, predictionOf, proposedQuestion, truthsO
 import type { QuestionDraft } from "./question-draft.ts";
 
 const answer = (name: string) => answerOf(readFileSync(`src/examples/${name}.h`, "utf8"));
-const flange = answer("flange"), shoulder = answer("shoulder");
+const flange = answer("flange"),
+  shoulder = answer("shoulder");
 const words: MadeTask["words"] = { title: "Flange, ⌀100!", ask: "Turn it.", hints: ["a", "b", "c"] };
 
 const made = (of: typeof flange, change: Partial<MadeTask> = {}) => {
@@ -21,7 +22,10 @@ const made = (of: typeof flange, change: Partial<MadeTask> = {}) => {
   return task;
 };
 
-test.each([["flange", flange], ["shoulder", shoulder]])("a task made of the %s is passed by its own program", (_, of) => {
+test.each([
+  ["flange", flange],
+  ["shoulder", shoulder],
+])("a task made of the %s is passed by its own program", (_, of) => {
   const task = made(of);
   expect(judge(task, of).marks.filter(({ passed }) => !passed)).toEqual([]);
   expect(task.id).toBe("flange-100-7k");
@@ -35,19 +39,20 @@ test("proposed rules hold the numbers of the program", () => {
 });
 
 test("what is missing is named", () => {
-  expect(taskOfMade({ ...proposedTask(shoulder), outside: "L X+20 Z+0\nCR X+30 Z-40 R2 DR+" }, shoulder, "en", "1")).toEqual([
-    "title",
-    "ask",
-    "hints",
-    "part",
-  ]);
+  expect(
+    taskOfMade({ ...proposedTask(shoulder), outside: "L X+20 Z+0\nCR X+30 Z-40 R2 DR+" }, shoulder, "en", "1"),
+  ).toEqual(["title", "ask", "hints", "part"]);
 });
 
 test("prompts begin with the values of the call, without those that are left empty", () => {
   const { start } = made(shoulder, { start: "prompts", prompts: { operation: 0, emptied: ["Q463"] } });
   expect(start).toMatchObject({ cycle: shoulder.run.operations[0]?.cycle });
   const values = "values" in start ? start.values : {};
-  expect(Object.keys(values)).toEqual(promptsOf(shoulder, 0).map(([q]) => q).filter((q) => q !== "Q463"));
+  expect(Object.keys(values)).toEqual(
+    promptsOf(shoulder, 0)
+      .map(([q]) => q)
+      .filter((q) => q !== "Q463"),
+  );
 });
 
 test("each fault changes one line, and the program with it is refused", () => {
@@ -67,22 +72,29 @@ const shaft = answer("shaft");
 
 test("threads are taken from the program, drawn by their crest", () => {
   const { threads, outside } = proposedTask(shaft);
-  expect(threads).toEqual([{ from: 0, to: -21, crest: 60, root: 58.16, pitch: 1.5, name: "M60×1.5", on: true }, {
-    from: 0,
-    to: -29.5,
-    crest: 42.376,
-    root: 44,
-    pitch: 1.5,
-    name: "M44×1.5",
-    on: true,
-  }]);
+  expect(threads).toEqual([
+    { from: 0, to: -21, crest: 60, root: 58.16, pitch: 1.5, name: "M60×1.5", on: true },
+    {
+      from: 0,
+      to: -29.5,
+      crest: 42.376,
+      root: 44,
+      pitch: 1.5,
+      name: "M44×1.5",
+      on: true,
+    },
+  ]);
   const task = made(shaft);
   expect(task.part?.threads).toHaveLength(threads.length);
   // The grooves are no corners of the outline.
   expect(outside.split("\n").length).toBeLessThan(60);
   expect(judge(task, shaft).marks.filter(({ passed }) => !passed)).toEqual([]);
   const shallow = answerOf(shaft.text.replaceAll(/Q473=\+?[\d.]+/g, "Q473=+0.3"));
-  expect(judge(task, shallow).marks.filter(({ passed }) => !passed).map(({ about }) => about)).toContain("M60×1.5");
+  expect(
+    judge(task, shallow)
+      .marks.filter(({ passed }) => !passed)
+      .map(({ about }) => about),
+  ).toContain("M60×1.5");
 });
 
 test("the table offers what the instructor chooses", () => {
@@ -100,12 +112,20 @@ const asked = (ask: QuestionDraft["ask"], of: typeof flange, more: Partial<Quest
 
 test("what is right of a question comes from the run", () => {
   const { questions } = {
-    questions: [asked("passes", shoulder), asked("diameter", shoulder, { at: "-7,3" }), asked("residuePlace", shoulder)],
+    questions: [
+      asked("passes", shoulder),
+      asked("diameter", shoulder, { at: "-7,3" }),
+      asked("residuePlace", shoulder),
+    ],
   };
   const task = made(shoulder, { kind: "predict", start: "program", questions });
   expect(task).not.toHaveProperty("solution");
   expect(task).not.toHaveProperty("part");
-  expect(task.predict).toEqual([{ ask: "passes" }, { ask: "diameter", at: -7.3, within: 0.05 }, { ask: "residuePlace", within: 3 }]);
+  expect(task.predict).toEqual([
+    { ask: "passes" },
+    { ask: "diameter", at: -7.3, within: 0.05 },
+    { ask: "residuePlace", within: 3 },
+  ]);
   const truths = truthsOf(questions, {}, shoulder);
   expect(truths[0]).toEqual({ kind: "number", value: shoulder.run.operations[0]?.plan.passes });
   expect(truths.map((truth) => truth && isThere(truth, shoulder))).toEqual([true, true, false]);
@@ -134,8 +154,12 @@ test("the block of a fault and what a run comes to are proposed", () => {
   const begins = (faults: MadeTask["faults"]) =>
     answerOf(begunOfMade({ ...proposedTask(shoulder), start: "program", faults }, shoulder) ?? "");
   const text = (begun: typeof flange, blocks: readonly number[]) =>
-    linesOfText(begun.text).filter((line) => blocks.some((block) => line.startsWith(`${block} `))).join();
-  const minus = begins(["minus"]), start = begins(["start"]), turn = begins(["perRevolution"]);
+    linesOfText(begun.text)
+      .filter((line) => blocks.some((block) => line.startsWith(`${block} `)))
+      .join();
+  const minus = begins(["minus"]),
+    start = begins(["start"]),
+    turn = begins(["perRevolution"]);
   expect(text(minus, changedBlocks(minus.text, shoulder.text))).toContain("CYCL DEF");
   expect(asked("block", start).right).toBe(changedBlocks(start.text, shoulder.text).join(", "));
   expect(changedBlocks(turn.text, shoulder.text)).toHaveLength(2);
@@ -155,7 +179,9 @@ const shipped = (id: string): Task => JSON.parse(readFileSync(`src/course/tasks/
 test.each(["l16-drawn-rod", "l03-how-many-passes", "l01-sawn-long", "l22-clamp-shaft", "l04-foretell-speed"])(
   "%s comes out of the form as it went in, and with what was changed",
   (id) => {
-    const task = shipped(id), text = textOfTask(task) ?? "", of = answerOf(text);
+    const task = shipped(id),
+      text = textOfTask(task) ?? "",
+      of = answerOf(text);
     expect(shownLanguageOf(task.words, "fr")).toBe("fr");
     const form = formOfTask(task, text, of, "fr");
     expect(editedTask(task, form, of, "fr")).toEqual(task);

@@ -18,8 +18,8 @@ import { grooveFilling, threadsOf, wantedThread, type ThreadDraft } from "./made
 import { outlineText } from "./outline-text.ts";
 
 /*
- * A task that is made of a program: the program is its answer, the part that comes of it the wanted one. Everything is proposed, and can be
- * typed over.
+ * A task that is made of a program: the program is its answer, the part that comes of it the wanted one. Everything is
+ * proposed, and can be typed over.
  */
 
 /** Limits that every answer breaks: the judge then tells what is there. */
@@ -28,13 +28,18 @@ const ASK_ALL: TaskRules = { depth: 0, speed: 0, mostTools: 0, seconds: 0, passe
 /** Lines of a program without their numbers. */
 const bare = (raw: string): string => raw.trim().replace(/^\/?\d+[ \t]+/, "");
 export const linesOfText = (text: string): string[] =>
-  text.split(/\r?\n/).map((line) => line.trimEnd()).filter((line) => line.trim() !== "");
+  text
+    .split(/\r?\n/)
+    .map((line) => line.trimEnd())
+    .filter((line) => line.trim() !== "");
 
 /** The lines that state the blank of a program, with the contours that they name behind them. */
 function blankLines(text: string): readonly string[] {
   const { blocks } = parse(text);
   const found = blocks.filter(({ statement: { kind } }) => /^blank/.test(kind)).map(({ raw }) => bare(raw));
-  const labels = new Set(found.flatMap((line) => [.../\bLBL(?:IN)?\s+(\d+)/g[Symbol.matchAll](line)].map(([, label]) => Number(label))));
+  const labels = new Set(
+    found.flatMap((line) => [.../\bLBL(?:IN)?\s+(\d+)/g[Symbol.matchAll](line)].map(([, label]) => Number(label))),
+  );
   const behind = [...labels].flatMap((label) => {
     const from = blocks.findIndex(({ statement: s }) => s.kind === "label" && s.label === label);
     const rest = from < 0 ? [] : blocks.slice(from);
@@ -57,31 +62,45 @@ const above = (value: number | undefined, step: number, share = 1): string =>
   value === undefined ? "" : String(Math.round(Math.ceil((value * share) / step - ROUNDED) * step * 1000) / 1000);
 const ROUNDED = 0.001;
 /** What proposed limits are rounded up to: mm, rpm, s, mm², µm; and how much longer an answer may take. */
-const STEPS = { depth: 0.1, speed: 100, seconds: 10, residue: 0.1, rz: 1 } as const, LONGER = 1.3;
+const STEPS = { depth: 0.1, speed: 100, seconds: 10, residue: 0.1, rz: 1 } as const,
+  LONGER = 1.3;
 
 /** What a part of rings is called: its outlines, from the made stock or from the finished contours of the program. */
 export const PART_SOURCES = ["made", "contours"] as const;
 export type PartSource = (typeof PART_SOURCES)[number];
 
 /** The outlines of what an answer makes; threads that are asked for are drawn by their crest. */
-export function outlinesFrom(answer: Answer, from: PartSource, threads: readonly ThreadDraft[]): Pick<MadeTask, "outside" | "bore"> {
+export function outlinesFrom(
+  answer: Answer,
+  from: PartSource,
+  threads: readonly ThreadDraft[],
+): Pick<MadeTask, "outside" | "bore"> {
   const { run, simulation } = answer;
   const made = madeOf(simulation);
   const parts = from === "contours" ? union(run.operations.map(({ plan }) => plan.part)) : [];
-  const contours = parts.length > 0
-    ? lessPlainCuts(intersection(run.blank, difference(parts, machiningArea(run.operations))), simulation)
-    : [];
-  const grooves = threads.filter(({ on }) => on).map((thread) => grooveFilling(thread, made)).filter((ring) => ring.length > 2);
-  const shape = contours.length > 0 ? contours : made, rings = grooves.length > 0 ? union([...shape, ...grooves]) : shape;
+  const contours =
+    parts.length > 0
+      ? lessPlainCuts(intersection(run.blank, difference(parts, machiningArea(run.operations))), simulation)
+      : [];
+  const grooves = threads
+    .filter(({ on }) => on)
+    .map((thread) => grooveFilling(thread, made))
+    .filter((ring) => ring.length > 2);
+  const shape = contours.length > 0 ? contours : made,
+    rings = grooves.length > 0 ? union([...shape, ...grooves]) : shape;
   const { outside = [], bore = [] } = outlineText(rings, run.blank);
   return { outside: outside.join("\n"), bore: bore.join("\n") };
 }
 
 /** The wanted part of a form. */
-export function partOfMade({ blank, outside, bore, threads }: Pick<MadeTask, "blank" | "outside" | "bore" | "threads">): NonNullable<
-  Task["part"]
-> {
-  const [outer, inner] = [linesOfText(outside), linesOfText(bore)], asked = threads.filter(({ on }) => on).map(wantedThread);
+export function partOfMade({
+  blank,
+  outside,
+  bore,
+  threads,
+}: Pick<MadeTask, "blank" | "outside" | "bore" | "threads">): NonNullable<Task["part"]> {
+  const [outer, inner] = [linesOfText(outside), linesOfText(bore)],
+    asked = threads.filter(({ on }) => on).map(wantedThread);
   return {
     blank: linesOfText(blank),
     ...(outer.length > 0 && { outside: outer }),
@@ -105,7 +124,8 @@ export function proposedTask(answer: Answer): MadeTask {
   const blank = blankLines(answer.text).join("\n");
   const threads = threadsOf(answer);
   const made = { blank, ...outlinesFrom(answer, "made", threads), threads };
-  const wanted = wantedPart(partOfMade(made)), { left, right } = boxAround([...wanted.rings]);
+  const wanted = wantedPart(partOfMade(made)),
+    { left, right } = boxAround([...wanted.rings]);
   const probe: Task = {
     format: TASK_FORMAT,
     id: "probe",
@@ -116,8 +136,10 @@ export function proposedTask(answer: Answer): MadeTask {
     words: {},
   };
   const is = found(probe, answer);
-  const tools = [...calledTools(answer).keys()], cycles = [...new Set(run.operations.map(({ cycle }) => cycle))];
-  const off = (text: string): RuleDraft => ({ on: false, text }), on = (text: string): RuleDraft => ({ on: text !== "", text });
+  const tools = [...calledTools(answer).keys()],
+    cycles = [...new Set(run.operations.map(({ cycle }) => cycle))];
+  const off = (text: string): RuleDraft => ({ on: false, text }),
+    on = (text: string): RuleDraft => ({ on: text !== "", text });
   const residue = Math.max(0.5, Number(above(is.get("residue"), STEPS.residue, LONGER)));
   const missing = Math.max(0.1, Number(above(is.get("missing"), STEPS.residue, LONGER)));
   return {
@@ -158,7 +180,8 @@ function rulesOf(form: MadeTask, answer: Answer): TaskRules {
   const { rules, clean, offer } = form;
   const made: Record<string, unknown> = {};
   for (const rule of NUMBER_RULES) {
-    const { on, text } = rules[rule], value = numberOf(text);
+    const { on, text } = rules[rule],
+      value = numberOf(text);
     if (!on || value === null) continue;
     if (rule !== "rz") made[rule] = value;
     else {
@@ -174,7 +197,10 @@ function rulesOf(form: MadeTask, answer: Answer): TaskRules {
 }
 
 /** The lines of the contour that a cycle call follows. */
-function contourLines(text: string, lines: readonly { readonly line: number; readonly file?: string }[]): readonly string[] {
+function contourLines(
+  text: string,
+  lines: readonly { readonly line: number; readonly file?: string }[],
+): readonly string[] {
   const own = lines.filter(({ file }) => file === undefined).map(({ line }) => line);
   const all = text.split(/\r?\n/);
   if (own.length === 0) return [];
@@ -186,13 +212,16 @@ function contourLines(text: string, lines: readonly { readonly line: number; rea
 /** The values of a cycle call as they stand in its prompts. */
 export function promptsOf({ run }: Answer, operation: number): readonly (readonly [string, string])[] {
   const values = run.operations[operation]?.call?.values ?? {};
-  return Object.entries(values).filter((entry): entry is [string, number] => typeof entry[1] === "number").map(([q, value]) =>
-    [q, String(value)] as const
-  );
+  return Object.entries(values)
+    .filter((entry): entry is [string, number] => typeof entry[1] === "number")
+    .map(([q, value]) => [q, String(value)] as const);
 }
 
 function startOf(made: MadeTask, answer: Answer): Task["start"] {
-  const { start, prompts: { operation: index, emptied } } = made;
+  const {
+    start,
+    prompts: { operation: index, emptied },
+  } = made;
   const operation = answer.run.operations[index];
   if (start === "program") return { program: [...programOfMade(made, answer)] };
   if (start === "empty" || !operation) return { empty: true };
@@ -206,7 +235,12 @@ function startOf(made: MadeTask, answer: Answer): Task["start"] {
     tool: operation.tool.T,
     at: { x: across(operation.start.r), z: String(operation.start.z) },
     ...(isPlain && {
-      blank: { outside: across(high), bore: low > 0 ? across(low) : "", length: String(right - left), allowance: String(right) },
+      blank: {
+        outside: across(high),
+        bore: low > 0 ? across(low) : "",
+        length: String(right - left),
+        allowance: String(right),
+      },
     }),
     ...(contour.length > 0 && { contour: [...contour] }),
   };
@@ -220,7 +254,14 @@ export const programOfMade = ({ program, faults }: MadeTask, { text }: Answer): 
 export function begunOfMade(made: MadeTask, answer: Answer): string | null {
   if (made.start === "empty") return null;
   if (made.start === "program") return programOfMade(made, answer).join("\n");
-  return promptsText({ format: TASK_FORMAT, id: "probe", kind: "make", start: startOf(made, answer), rules: {}, words: {} });
+  return promptsText({
+    format: TASK_FORMAT,
+    id: "probe",
+    kind: "make",
+    start: startOf(made, answer),
+    rules: {},
+    words: {},
+  });
 }
 
 /** What keeps a form from being a task. */
@@ -229,40 +270,68 @@ export type MadeFault = "title" | "ask" | "hints" | "part" | "shape" | "question
 function questionFaults({ kind, questions, start }: MadeTask): readonly MadeFault[] {
   if (!asksBefore(kind)) return [];
   if (questions.length === 0) return kind === "predict" ? ["noQuestion"] : [];
-  return [...(questions.some((each) => !isWhole(each)) ? ["questions" as const] : []), ...(start === "empty" ? ["begins" as const] : [])];
+  return [
+    ...(questions.some((each) => !isWhole(each)) ? ["questions" as const] : []),
+    ...(start === "empty" ? ["begins" as const] : []),
+  ];
 }
 
 /** A name as ids have it; the mark keeps two of one name apart. */
 const idOf = (title: string, mark: string): string =>
-  `${title.normalize("NFKD").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "").slice(0, 36) || "task"}-${mark}`;
+  `${
+    title
+      .normalize("NFKD")
+      .toLowerCase()
+      .replace(/[^a-z0-9]+/g, "-")
+      .replace(/^-+|-+$/g, "")
+      .slice(0, 36) || "task"
+  }-${mark}`;
 
-/** The task of a form, or what is missing. `mark`: a short text of letters and figures that tells this task from others. */
-export function taskOfMade(made: MadeTask, answer: Answer, language: keyof Task["words"], mark: string): Task | readonly MadeFault[] {
-  const { words: { title, ask, hints }, kind } = made;
-  const foretells = kind === "predict", hasPart = wantsPart(made);
-  const part = partOfMade(made), wanted = hasPart ? wantedPart(part) : null;
+/**
+ * The task of a form, or what is missing. `mark`: a short text of letters and figures that tells this task from others.
+ */
+export function taskOfMade(
+  made: MadeTask,
+  answer: Answer,
+  language: keyof Task["words"],
+  mark: string,
+): Task | readonly MadeFault[] {
+  const {
+    words: { title, ask, hints },
+    kind,
+  } = made;
+  const foretells = kind === "predict",
+    hasPart = wantsPart(made);
+  const part = partOfMade(made),
+    wanted = hasPart ? wantedPart(part) : null;
   const faults: MadeFault[] = [
     ...(title.trim() === "" ? ["title" as const] : []),
     ...(ask.trim() === "" ? ["ask" as const] : []),
     ...(hints.some((hint) => hint.trim() === "") ? ["hints" as const] : []),
-    ...(wanted && (wanted.issues.length > 0 || wanted.rings.length === 0 || areaOf(wanted.rings) === 0) ? ["part" as const] : []),
+    ...(wanted && (wanted.issues.length > 0 || wanted.rings.length === 0 || areaOf(wanted.rings) === 0)
+      ? ["part" as const]
+      : []),
     ...questionFaults(made),
   ];
   if (faults.length > 0) return faults;
-  const sizes = made.sizes.filter(({ on }) => on).map(({ kind: of, at, nominal, upper, lower }) => ({
-    kind: of,
-    at,
-    nominal,
-    upper: numberOf(upper) ?? 0,
-    lower: numberOf(lower) ?? 0,
-  }));
+  const sizes = made.sizes
+    .filter(({ on }) => on)
+    .map(({ kind: of, at, nominal, upper, lower }) => ({
+      kind: of,
+      at,
+      nominal,
+      upper: numberOf(upper) ?? 0,
+      lower: numberOf(lower) ?? 0,
+    }));
   const asked = asksBefore(kind) ? made.questions : [];
   const judged = {
     ...(hasPart && { part }),
     ...(sizes.length > 0 && { sizes }),
     ...(made.material !== null && { material: made.material }),
     rules: rulesOf(made, answer),
-    ...(kind === "drawing" && { par: { seconds: Math.ceil(answer.simulation.totalSeconds), tools: calledTools(answer).size } }),
+    ...(kind === "drawing" && {
+      par: { seconds: Math.ceil(answer.simulation.totalSeconds), tools: calledTools(answer).size },
+    }),
     solution: linesOfText(answer.text),
   };
   const read = taskSchema.safeParse({

@@ -9,7 +9,9 @@ import { threadMarks } from "../judge/threads.ts";
 import type { Answer } from "../judge/judgement.ts";
 import type { WantedThread } from "../wanted-part.ts";
 
-/** A thread that can be asked for: its numbers are those of the program, its name is typed over. A pitch of 0 is any. */
+/**
+ * A thread that can be asked for: its numbers are those of the program, its name is typed over. A pitch of 0 is any.
+ */
 export interface ThreadDraft extends WantedThread {
   readonly pitch: number;
   readonly on: boolean;
@@ -21,8 +23,15 @@ const STEP = 0.02;
 const linesAlong = (left: number, right: number): readonly number[] =>
   Array.from({ length: Math.max(1, Math.floor((right - left) / STEP)) }, (_, i) => left + (i + 0.5) * STEP);
 
-/** The surface of a part at each line, mm on the radius: outside the farthest, inside the nearest; undefined beside the part. */
-const surfaceAt = (part: readonly Ring[], lines: readonly number[], isInside: boolean): readonly (number | undefined)[] =>
+/**
+ * The surface of a part at each line, mm on the radius: outside the farthest, inside the nearest; undefined beside the
+ * part.
+ */
+const surfaceAt = (
+  part: readonly Ring[],
+  lines: readonly number[],
+  isInside: boolean,
+): readonly (number | undefined)[] =>
   scanCrossings(part, "r", lines).map((found) => (isInside ? found[0] : found.at(-1)));
 
 /** The crest that really stands between two Z, mm on the radius; null where nothing does. */
@@ -37,18 +46,27 @@ const greatestNear = (values: readonly number[], reach: number): readonly number
   values.map((_, i) => Math.max(...values.slice(Math.max(0, i - reach), i + reach + 1)));
 
 /**
- * What the grooves of a thread took of a part, as an area: up to the crest, and no higher than what stands on both sides within a pitch, so
- * that a chamfer at its end stays one.
+ * What the grooves of a thread took of a part, as an area: up to the crest, and no higher than what stands on both
+ * sides within a pitch, so that a chamfer at its end stays one.
  */
 export function grooveFilling({ from, to, crest, root, pitch }: ThreadDraft, part: readonly Ring[]): Ring {
-  const isInside = root > crest, sign = isInside ? -1 : 1;
-  const lines = linesAlong(Math.min(from, to) - 2 * pitch, Math.max(from, to) + 2 * pitch), reach = Math.ceil(pitch / STEP);
+  const isInside = root > crest,
+    sign = isInside ? -1 : 1;
+  const lines = linesAlong(Math.min(from, to) - 2 * pitch, Math.max(from, to) + 2 * pitch),
+    reach = Math.ceil(pitch / STEP);
   const surface = surfaceAt(part, lines, isInside).map((r) => (r === undefined ? -Infinity : sign * r));
-  const over = greatestNear(surface, reach), closed = greatestNear(over.map((r) => -r), reach).map((r) => sign * -r);
+  const over = greatestNear(surface, reach),
+    closed = greatestNear(
+      over.map((r) => -r),
+      reach,
+    ).map((r) => sign * -r);
   const [top, bottom] = [toRadius(diameter(crest)), toRadius(diameter(root))];
   const shown = lines.flatMap((z, i) => {
-    const r = closed[i] ?? NaN, so = isInside ? Math.max(r, top) : Math.min(r, top);
-    return z > Math.min(from, to) && z < Math.max(from, to) && Number.isFinite(r) && sign * so > sign * bottom ? [{ z, r: so }] : [];
+    const r = closed[i] ?? NaN,
+      so = isInside ? Math.max(r, top) : Math.min(r, top);
+    return z > Math.min(from, to) && z < Math.max(from, to) && Number.isFinite(r) && sign * so > sign * bottom
+      ? [{ z, r: so }]
+      : [];
   });
   const [first, last] = [shown[0], shown.at(-1)];
   if (!first || !last) return [];
@@ -69,17 +87,21 @@ function reachOf(profile: readonly Segment[]): readonly [number, number] {
 const rough = (value: number): number => Math.round(value * 100) / 100;
 
 /**
- * The threads that a program cuts along the axis, as a wanted part has them: from where the material begins to where the cycle ends, from
- * the crest that is there to the root that the cycle goes down to. Those of a cone or of a face are not among them: they stay a shape.
+ * The threads that a program cuts along the axis, as a wanted part has them: from where the material begins to where
+ * the cycle ends, from the crest that is there to the root that the cycle goes down to. Those of a cone or of a face
+ * are not among them: they stay a shape.
  */
 export function threadsOf(answer: Answer): readonly ThreadDraft[] {
   const { run, simulation } = answer;
   const body = boxAround([...madeOf(simulation)]);
   const found = new Map<string, ThreadDraft>();
   for (const { plan } of run.operations) {
-    const { thread, contour, openSide } = plan, first = contour[0], last = contour.at(-1);
+    const { thread, contour, openSide } = plan,
+      first = contour[0],
+      last = contour.at(-1);
     if (!thread || !first || !last || Math.abs(openSide.r) < SAME) continue;
-    const isInside = openSide.r < 0, [low, high] = reachOf(contour);
+    const isInside = openSide.r < 0,
+      [low, high] = reachOf(contour);
     // The contour of a thread is its profile: on a cylinder both halves of it are as high and as deep.
     const halves = [contour.slice(0, contour.length / 2), contour.slice(contour.length / 2)].map(reachOf);
     if (halves.some(([under, over]) => Math.abs(under - low) > EVEN || Math.abs(over - high) > EVEN)) continue;
@@ -99,11 +121,18 @@ export function threadsOf(answer: Answer): readonly ThreadDraft[] {
       on: true,
     };
     // A thread that is cut in several calls is one, as deep as the deepest of them.
-    const place = `${made.from} ${made.to} ${made.pitch}`, other = found.get(place);
+    const place = `${made.from} ${made.to} ${made.pitch}`,
+      other = found.get(place);
     if (!other || Math.abs(made.root - made.crest) > Math.abs(other.root - other.crest)) found.set(place, made);
   }
-  return [...found.values()].map((thread) => ({ ...thread, on: threadMarks([thread], answer).every(({ passed }) => passed) }));
+  return [...found.values()].map((thread) => ({
+    ...thread,
+    on: threadMarks([thread], answer).every(({ passed }) => passed),
+  }));
 }
 
 /** A thread as a task states it. */
-export const wantedThread = ({ on: _, pitch, ...thread }: ThreadDraft): WantedThread => ({ ...thread, ...(pitch > 0 && { pitch }) });
+export const wantedThread = ({ on: _, pitch, ...thread }: ThreadDraft): WantedThread => ({
+  ...thread,
+  ...(pitch > 0 && { pitch }),
+});

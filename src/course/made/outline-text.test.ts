@@ -4,17 +4,20 @@ import { difference } from "../../kernel/area/clip.ts";
 import { wantedPart } from "../wanted-part.ts";
 import { outlineText } from "./outline-text.ts";
 
-const solid = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5"], hollow = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5 DI17"];
+const solid = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5"],
+  hollow = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5 DI17"];
 
 /** Takes the outline of a part and makes a part of it again: the same, within the area that lies between. */
 function taken(part: Parameters<typeof wantedPart>[0]) {
-  const wanted = wantedPart(part), lines = outlineText(wanted.rings, wanted.blank);
+  const wanted = wantedPart(part),
+    lines = outlineText(wanted.rings, wanted.blank);
   const again = wantedPart({
     blank: part.blank,
     ...(lines.outside && { outside: [...lines.outside] }),
     ...(lines.bore && { bore: [...lines.bore] }),
   });
-  const apart = Math.abs(areaOf(difference(wanted.rings, again.rings))) + Math.abs(areaOf(difference(again.rings, wanted.rings)));
+  const apart =
+    Math.abs(areaOf(difference(wanted.rings, again.rings))) + Math.abs(areaOf(difference(again.rings, wanted.rings)));
   return { lines, apart, issues: again.issues };
 }
 
@@ -29,9 +32,9 @@ test("radii come back as arcs, chamfers as lines", () => {
     blank: solid,
     outside: ["L X+0 Z+0", "L X+41.3", "CHF 1.3", "L Z-22.7", "RND R2.4", "L X+60 Z-31.9", "L X+63.4"],
   });
-  expect(lines.outside?.filter((line) => line.startsWith("CR")).map((line) => /R\+[\d.]+ DR.$/.exec(line)?.[0])).toEqual([
-    expect.stringMatching(/^R\+2\.(39|4)\d* DR-$/),
-  ]);
+  expect(
+    lines.outside?.filter((line) => line.startsWith("CR")).map((line) => /R\+[\d.]+ DR.$/.exec(line)?.[0]),
+  ).toEqual([expect.stringMatching(/^R\+2\.(39|4)\d* DR-$/)]);
   expect(lines.outside).toHaveLength(7);
   // A thousandth of a millimetre along all of it.
   expect(apart).toBeLessThan(0.08);

@@ -22,7 +22,8 @@ const number = (value: number): string => {
   return text.startsWith("-") ? text : `+${text}`;
 };
 /** Sizes and radii are round numbers more often than not: a hundredth that is as near is taken, mm. */
-const HUNDREDTHS = 100, AS_NEAR = 0.003;
+const HUNDREDTHS = 100,
+  AS_NEAR = 0.003;
 const size = (value: number): string => {
   const round = Math.round(value * HUNDREDTHS) / HUNDREDTHS;
   return number(Math.abs(round - value) < AS_NEAR ? round : value);
@@ -35,7 +36,9 @@ function linesOf(segments: readonly Segment[]): readonly string[] | undefined {
   return [
     `L ${at(first.from)}`,
     ...segments.map((s) =>
-      s.kind === "line" ? `L ${at(s.to)}` : `CR ${at(s.to)} R${size(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`
+      s.kind === "line"
+        ? `L ${at(s.to)}`
+        : `CR ${at(s.to)} R${size(part.radiusOf(s))} ${s.turn === "ccw" ? "DR+" : "DR-"}`,
     ),
   ];
 }
@@ -48,7 +51,7 @@ function isLeft(a: Pt, b: Pt, blank: readonly Ring[]): boolean {
     ring.some((p, i) => {
       const side = part.line(p, ring[(i + 1) % ring.length] ?? p);
       return [a, middle, b].every((q) => part.distanceTo(side, q) < ON);
-    })
+    }),
   );
 }
 
@@ -63,7 +66,10 @@ function turnedPart(chain: readonly Pt[], blank: readonly Ring[]): readonly Pt[]
   return last > 0 ? chain.slice(0, last + 1) : [];
 }
 
-/** Outlines of a part as chains of points, from the free end to where the blank is left as it is; empty where nothing was turned there. */
+/**
+ * Outlines of a part as chains of points, from the free end to where the blank is left as it is; empty where nothing
+ * was turned there.
+ */
 export interface OutlineChains {
   readonly outside: readonly Pt[];
   readonly bore: readonly Pt[];
@@ -71,17 +77,25 @@ export interface OutlineChains {
 
 /** The outlines of a part that was turned out of a blank; of several pieces the largest counts. */
 export function outlineChains(finished: readonly Ring[], blank: readonly Ring[]): OutlineChains {
-  const [body] = simplified(finished, NEAR / 4).map((ring) => ({ ring, area: areaOf([ring]) })).sort((a, b) => b.area - a.area);
+  const [body] = simplified(finished, NEAR / 4)
+    .map((ring) => ({ ring, area: areaOf([ring]) }))
+    .sort((a, b) => b.area - a.area);
   if (!body || body.ring.length < 3) return { outside: [], bore: [] };
-  const { ring } = body, { left, right } = boxAround([ring]);
+  const { ring } = body,
+    { left, right } = boxAround([ring]);
   // Counter-clockwise: from the back along bore or axis to the free end, and back along the outside.
-  const back = ring.findIndex((p, i) => Math.abs(p.z - left) < ON && !(Math.abs((ring[(i + 1) % ring.length]?.z ?? left) - left) < ON));
+  const back = ring.findIndex(
+    (p, i) => Math.abs(p.z - left) < ON && !(Math.abs((ring[(i + 1) % ring.length]?.z ?? left) - left) < ON),
+  );
   const chain = [...ring.slice(back), ...ring.slice(0, back)];
   const front = chain.reduce((best, p, i) => {
     const now = chain[best];
     return !now || (p.z > right - ON && (now.z <= right - ON || p.r < now.r)) ? i : best;
   }, 0);
-  return { outside: turnedPart(chain.slice(front), blank), bore: turnedPart(chain.slice(0, front + 1).toReversed(), blank) };
+  return {
+    outside: turnedPart(chain.slice(front), blank),
+    bore: turnedPart(chain.slice(0, front + 1).toReversed(), blank),
+  };
 }
 
 /** The outlines of a part that was turned out of a blank, simplified to lines and arcs, as the control reads them. */

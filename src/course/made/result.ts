@@ -3,7 +3,8 @@ import { WAYS_PASSED } from "../progress.ts";
 import { RULES } from "../judge/judgement.ts";
 
 /*
- * What a learner hands in: how each task went, as the device noted it, with the last program. It is no proof: a file can be changed.
+ * What a learner hands in: how each task went, as the device noted it, with the last program. It is no proof: a file
+ * can be changed.
  */
 
 export const RESULT_FORMAT = "turnwise-result/1";
@@ -30,7 +31,9 @@ const taskResult = z.object({
   /** The last program; null where none is kept. */
   program: z.nullable(text(LONGEST)),
   /** Whether that program passes, and what refuses it; null where it was not judged. */
-  verdict: z.nullable(z.object({ passed: z.boolean(), refused: z.array(z.enum(RULES)).check(z.maxLength(RULES.length)) })),
+  verdict: z.nullable(
+    z.object({ passed: z.boolean(), refused: z.array(z.enum(RULES)).check(z.maxLength(RULES.length)) }),
+  ),
 });
 export type TaskResult = z.output<typeof taskResult>;
 

@@ -1,7 +1,10 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { fewElements } from "./outline-text.ts";
 
-/** A chord lies on an element within this, mm: the first one of a rounding that runs out of it does not; ends that are nearer are one. */
+/**
+ * A chord lies on an element within this, mm: the first one of a rounding that runs out of it does not; ends that are
+ * nearer are one.
+ */
 const NEAR = { chord: 0.003, end: 0.012 } as const;
 /** Two elements meet this near to where the polygon has its corner, mm. */
 const MEET = 0.08;
@@ -23,10 +26,12 @@ function apartFrom(source: Segment, a: Pt, b: Pt): number {
 function piecesOf(chain: readonly Pt[], sources: readonly Segment[]): readonly Piece[] {
   const pieces: { source: Segment | null; points: Pt[] }[] = [];
   for (const [i, a] of chain.entries()) {
-    const b = chain[i + 1], last = pieces.at(-1);
+    const b = chain[i + 1],
+      last = pieces.at(-1);
     if (!b) break;
     const goesOn = last?.source && apartFrom(last.source, a, b) < NEAR.chord;
-    let best: Segment | null = goesOn ? last.source : null, near: number = NEAR.chord;
+    let best: Segment | null = goesOn ? last.source : null,
+      near: number = NEAR.chord;
     if (!goesOn) {
       for (const source of sources) {
         const apart = apartFrom(source, a, b);
@@ -39,13 +44,16 @@ function piecesOf(chain: readonly Pt[], sources: readonly Segment[]): readonly P
   return pieces;
 }
 
-const lengthOf = ({ points }: Piece): number => points.slice(1).reduce((sum, p, i) => sum + part.apart(points[i] ?? p, p), 0);
+const lengthOf = ({ points }: Piece): number =>
+  points.slice(1).reduce((sum, p, i) => sum + part.apart(points[i] ?? p, p), 0);
 
 /** Where two elements meet beside a corner of the polygon; the corner itself where they do not. */
 function joint(before: Segment | null, corner: Pt, after: Segment | null): Pt {
   if (!before || !after) return corner;
   const ends = [before.from, before.to].filter((p) => [after.from, after.to].some((q) => part.apart(p, q) < NEAR.end));
-  const found = [...ends, ...part.meetings(before, after)].map((p) => ({ p, by: part.apart(p, corner) })).sort((a, b) => a.by - b.by)[0];
+  const found = [...ends, ...part.meetings(before, after)]
+    .map((p) => ({ p, by: part.apart(p, corner) }))
+    .sort((a, b) => a.by - b.by)[0];
   return found && found.by < MEET ? found.p : corner;
 }
 
@@ -58,15 +66,17 @@ function along(source: Segment, from: Pt, to: Pt, middle: Pt): Segment {
 }
 
 /**
- * A chain of points as the elements of the contours that it was made of, with their own ends; what lies on none of them as few lines and
- * arcs. Part space, mm.
+ * A chain of points as the elements of the contours that it was made of, with their own ends; what lies on none of them
+ * as few lines and arcs. Part space, mm.
  */
 export function traced(chain: readonly Pt[], sources: readonly Segment[]): readonly Segment[] {
   const all = piecesOf(chain, sources);
   const isDust = (piece: Piece, i: number) => lengthOf(piece) < DUST && i > 0 && i < all.length - 1;
   const pieces = all.filter((piece, i) => !isDust(piece, i));
   const joints = pieces.slice(1).map((next, i) => {
-    const last = pieces[i], a = last?.points.at(-1), b = next.points[0];
+    const last = pieces[i],
+      a = last?.points.at(-1),
+      b = next.points[0];
     if (!last || !a || !b) return b ?? a;
     return joint(last.source, part.pointOn(part.line(a, b), 1 / 2), next.source);
   });

@@ -26,28 +26,50 @@ function blockNow({ after, partners }: ComparedFile, { a, b }: BlockDifference):
   return 0;
 }
 
-function Whole({ wording, compared: { files, consequences, state } }: { readonly wording: Wording; readonly compared: ComparedPrograms }) {
+function Whole({
+  wording,
+  compared: { files, consequences, state },
+}: {
+  readonly wording: Wording;
+  readonly compared: ComparedPrograms;
+}) {
   const { words } = wording;
   const changed = consequences && verdictChange(wording, consequences);
   const effects = consequences ? wholeTexts(wording, consequences) : [];
   return (
     <section className="compare-whole" aria-label={words.whole}>
-      <p role="status" className="compare-summary">{summaryText(wording, files, consequences)}</p>
+      <p role="status" className="compare-summary">
+        {summaryText(wording, files, consequences)}
+      </p>
       {state !== "done" && <p className="soft">{state === "failed" ? words.notCalculated : words.calculating}</p>}
-      {changed && <p>{words.verdict}: {changed}</p>}
+      {changed && (
+        <p>
+          {words.verdict}: {changed}
+        </p>
+      )}
       {effects.length > 0 && (
         <ul className="compared-effects" aria-label={words.whole}>
-          {effects.map(({ name, text }) => <li key={name} className="number">{text}</li>)}
+          {effects.map(({ name, text }) => (
+            <li key={name} className="number">
+              {text}
+            </li>
+          ))}
         </ul>
       )}
-      {consequences && (["went", "came"] as const).map((which) =>
-        consequences[which].length > 0 && (
-          <div key={which} className="compare-findings">
-            <b>{words[which]}</b>
-            <ul>{findingTexts(wording, consequences[which]).map((text, i) => <li key={i}>{text}</li>)}</ul>
-          </div>
-        )
-      )}
+      {consequences &&
+        (["went", "came"] as const).map(
+          (which) =>
+            consequences[which].length > 0 && (
+              <div key={which} className="compare-findings">
+                <b>{words[which]}</b>
+                <ul>
+                  {findingTexts(wording, consequences[which]).map((text, i) => (
+                    <li key={i}>{text}</li>
+                  ))}
+                </ul>
+              </div>
+            ),
+        )}
     </section>
   );
 }
@@ -61,16 +83,24 @@ function step(list: ParentNode | null, by: 1 | -1): void {
   next?.scrollIntoView({ block: "nearest" });
 }
 
-function Result({ wording, compared, names, onChoose }: { readonly wording: Wording; readonly compared: ComparedPrograms;
-  readonly names: readonly [string, string]; readonly onChoose: (file: ComparedFile, difference: BlockDifference) => void })
-{
+function Result({
+  wording,
+  compared,
+  names,
+  onChoose,
+}: {
+  readonly wording: Wording;
+  readonly compared: ComparedPrograms;
+  readonly names: readonly [string, string];
+  readonly onChoose: (file: ComparedFile, difference: BlockDifference) => void;
+}) {
   const { words } = wording;
   const list = useRef<HTMLDivElement>(null);
   const [withWriting, showWriting] = useState(false);
   const copied = useCopying((c) => c.state === "copied" && c.text.startsWith(words.title));
   const { written } = tallyOf(compared.files);
   const any = compared.files.some(({ operations }) =>
-    operations.some(({ differences }) => differences.some((each) => withWriting || !isWriting(each)))
+    operations.some(({ differences }) => differences.some((each) => withWriting || !isWriting(each))),
   );
   return (
     <>
@@ -78,24 +108,44 @@ function Result({ wording, compared, names, onChoose }: { readonly wording: Word
       <div className="compare-tools">
         {any && (
           <>
-            <button type="button" className="button icon" aria-label={words.previous} title={words.previous} onClick={() =>
-              step(list.current, -1)}
+            <button
+              type="button"
+              className="button icon"
+              aria-label={words.previous}
+              title={words.previous}
+              onClick={() => step(list.current, -1)}
             >
               <Icon name="up" />
             </button>
-            <button type="button" className="button icon" aria-label={words.next} title={words.next} onClick={() => step(list.current, 1)}>
+            <button
+              type="button"
+              className="button icon"
+              aria-label={words.next}
+              title={words.next}
+              onClick={() => step(list.current, 1)}
+            >
               <Icon name="down" />
             </button>
           </>
         )}
         {written > 0 && (
           <label className="check">
-            <input type="checkbox" checked={withWriting} onChange={(event) => showWriting(event.currentTarget.checked)} />
-            <span>{words.showWritten} ({written})</span>
+            <input
+              type="checkbox"
+              checked={withWriting}
+              onChange={(event) => showWriting(event.currentTarget.checked)}
+            />
+            <span>
+              {words.showWritten} ({written})
+            </span>
           </label>
         )}
-        <button type="button" className="button"
-          onClick={() => void copyText(comparisonText(wording, names, compared.files, compared.consequences, withWriting))}
+        <button
+          type="button"
+          className="button"
+          onClick={() =>
+            void copyText(comparisonText(wording, names, compared.files, compared.consequences, withWriting))
+          }
         >
           <Icon name={copied ? "check" : "copy"} /> {copied ? words.copied : words.copy}
         </button>
@@ -111,11 +161,20 @@ function Result({ wording, compared, names, onChoose }: { readonly wording: Word
           {words.to}: <b>{names[1]}</b>
         </span>
       </div>
-      <div ref={list} onFocus={(event) => {
-        for (const row of rowsIn(event.currentTarget)) row.toggleAttribute("data-last", row === document.activeElement);
-      }}>
-        <Differences wording={wording} files={compared.files} consequences={compared.consequences} withWriting={withWriting}
-          onChoose={onChoose} />
+      <div
+        ref={list}
+        onFocus={(event) => {
+          for (const row of rowsIn(event.currentTarget))
+            row.toggleAttribute("data-last", row === document.activeElement);
+        }}
+      >
+        <Differences
+          wording={wording}
+          files={compared.files}
+          consequences={compared.consequences}
+          withWriting={withWriting}
+          onChoose={onChoose}
+        />
       </div>
     </>
   );
@@ -136,8 +195,10 @@ export function CompareDialog({ done, showBlock, against }: Props) {
   useModal(dialog);
   const words = useTextsSoon("compare");
   const [present] = useState(presentProgram);
-  const [other, take] = useState(() =>
-    present && (against ? { name: against.name, program: withOtherText(present, against.text) } : changedSinceOpened(present))
+  const [other, take] = useState(
+    () =>
+      present &&
+      (against ? { name: against.name, program: withOtherText(present, against.text) } : changedSinceOpened(present)),
   );
   const name = useEditor((s) => s.program?.name ?? s.job?.name ?? "");
   const sides = useMemo(() => (present && other ? { before: other.program, after: present } : null), [present, other]);
@@ -149,21 +210,35 @@ export function CompareDialog({ done, showBlock, against }: Props) {
     showBlock(file.isMain ? null : file.name, index, file.numbers.after[index] ?? 0);
   };
   return createPortal(
-    <dialog ref={dialog} className="compare" aria-label={words?.title} onClose={() => !dialog.current?.open && done()} onKeyDown={(event) =>
-      event.stopPropagation()}
+    <dialog
+      ref={dialog}
+      className="compare"
+      aria-label={words?.title}
+      onClose={() => !dialog.current?.open && done()}
+      onKeyDown={(event) => event.stopPropagation()}
     >
       {words && present && (
         <>
           <header className="compare-head">
             <h2>{words.title}</h2>
-            <button type="button" className="button icon plain" aria-label={texts.page.close} onClick={() => dialog.current?.close()}>
+            <button
+              type="button"
+              className="button icon plain"
+              aria-label={texts.page.close}
+              onClick={() => dialog.current?.close()}
+            >
               <Icon name="close" />
             </button>
           </header>
           <OtherProgram words={words} present={present} other={other} onTake={take} />
           {other && !compared && <p className="soft">{words.working}</p>}
           {other && compared && (
-            <Result wording={{ texts, words, lengths }} compared={compared} names={[other.name ?? words.opened, name]} onChoose={choose} />
+            <Result
+              wording={{ texts, words, lengths }}
+              compared={compared}
+              names={[other.name ?? words.opened, name]}
+              onChoose={choose}
+            />
           )}
         </>
       )}

@@ -16,8 +16,9 @@ interface Props {
 }
 
 /** What stands in the list of differences under the keyboard. */
-export const rowsIn =
-  (list: ParentNode | null): readonly HTMLButtonElement[] => [...(list?.querySelectorAll<HTMLButtonElement>(".difference") ?? [])];
+export const rowsIn = (list: ParentNode | null): readonly HTMLButtonElement[] => [
+  ...(list?.querySelectorAll<HTMLButtonElement>(".difference") ?? []),
+];
 
 /** Up and down go from difference to difference. */
 function onKeys(event: KeyboardEvent<HTMLElement>): void {
@@ -32,25 +33,48 @@ function onKeys(event: KeyboardEvent<HTMLElement>): void {
 }
 
 function Lines({ of, side }: { readonly of: readonly string[]; readonly side: "was" | "is" }) {
-  return <span className={`difference-text number ${side}`}>{of.map((line, i) => <span key={i}>{line}</span>)}</span>;
+  return (
+    <span className={`difference-text number ${side}`}>
+      {of.map((line, i) => (
+        <span key={i}>{line}</span>
+      ))}
+    </span>
+  );
 }
 
-function Row({ wording, file, difference, choose }: Pick<Props, "wording"> & { readonly file: ComparedFile;
-  readonly difference: BlockDifference; readonly choose: () => void })
-{
+function Row({
+  wording,
+  file,
+  difference,
+  choose,
+}: Pick<Props, "wording"> & {
+  readonly file: ComparedFile;
+  readonly difference: BlockDifference;
+  readonly choose: () => void;
+}) {
   const { words } = wording;
   const label = blockLabel(wording, file, difference);
   const said = wordTexts(wording, file, difference);
   const kind = words.kinds[difference.kind];
-  const [was, is] = [shownLines(file.before, difference.a, difference), shownLines(file.after, difference.b, difference)];
+  const [was, is] = [
+    shownLines(file.before, difference.a, difference),
+    shownLines(file.after, difference.b, difference),
+  ];
   return (
     <li>
-      <button type="button" className={`difference difference-${difference.kind}`} onClick={choose}
+      <button
+        type="button"
+        className={`difference difference-${difference.kind}`}
+        onClick={choose}
         aria-label={[`${label}, ${kind}`, ...(said.length > 0 ? said : [...is, ...was].slice(0, 1))].join(": ")}
       >
         <span className="difference-head">
           <b className="number">{label}</b> <span className="difference-kind">{kind}</span>
-          {said.map((text) => <span key={text} className="difference-word number">{text}</span>)}
+          {said.map((text) => (
+            <span key={text} className="difference-word number">
+              {text}
+            </span>
+          ))}
         </span>
         <span className="difference-sides">
           <Lines of={was} side="was" />
@@ -79,16 +103,19 @@ const toldIn = ({ wording, files, consequences, withWriting }: Omit<Props, "onCh
       const differences = operation.differences.filter((each) => withWriting || !isWriting(each));
       const key = `${f} ${operation.a?.place ?? -1} ${operation.b?.place ?? -1}`;
       return [{ key, file, operation, effects: consequence ? effectTexts(wording, consequence) : [], differences }];
-    })
+    }),
   );
 
 /** The first of them, with so many differences at most. */
 const firstOf = (told: readonly Listed[], most: number): readonly Listed[] =>
-  told.reduce<{ readonly list: readonly Listed[]; readonly left: number }>(({ list, left }, each) => {
-    const { length } = each.differences;
-    if (left <= 0 && length > 0) return { list, left };
-    return { list: [...list, { ...each, differences: each.differences.slice(0, left) }], left: left - length };
-  }, { list: [], left: most }).list;
+  told.reduce<{ readonly list: readonly Listed[]; readonly left: number }>(
+    ({ list, left }, each) => {
+      const { length } = each.differences;
+      if (left <= 0 && length > 0) return { list, left };
+      return { list: [...list, { ...each, differences: each.differences.slice(0, left) }], left: left - length };
+    },
+    { list: [], left: most },
+  ).list;
 
 /** Everything that differs, by operations, with what comes of it. */
 export function Differences({ onChoose, ...told }: Props) {
@@ -107,20 +134,35 @@ export function Differences({ onChoose, ...told }: Props) {
               {operationTitle(told.wording, operation)} {fate !== "" && <span className="difference-kind">{fate}</span>}
             </h3>
             {effects.length > 0 && (
-              <ul className="compared-effects">{effects.map(({ name, text }) => <li key={name} className="number">{text}</li>)}</ul>
+              <ul className="compared-effects">
+                {effects.map(({ name, text }) => (
+                  <li key={name} className="number">
+                    {text}
+                  </li>
+                ))}
+              </ul>
             )}
             {differences.length > 0 && (
               <ol className="difference-list">
                 {differences.map((each) => (
-                  <Row key={`${each.kind} ${each.a} ${each.b}`} wording={told.wording} file={file} difference={each} choose={() =>
-                    onChoose(file, each)} />
+                  <Row
+                    key={`${each.kind} ${each.a} ${each.b}`}
+                    wording={told.wording}
+                    file={file}
+                    difference={each}
+                    choose={() => onChoose(file, each)}
+                  />
                 ))}
               </ol>
             )}
           </section>
         );
       })}
-      {left > 0 && <button type="button" className="button" onClick={() => show(most + FIRST)}>{words.more(Math.min(FIRST, left))}</button>}
+      {left > 0 && (
+        <button type="button" className="button" onClick={() => show(most + FIRST)}>
+          {words.more(Math.min(FIRST, left))}
+        </button>
+      )}
     </div>
   );
 }

@@ -17,9 +17,17 @@ const ELSEWHERE = "elsewhere";
 const isProgramText = (text: string): boolean => /[A-Z]/i.test(text);
 
 /** Asks which program the open one is compared with. */
-export function OtherProgram({ words, present, other, onTake }: { readonly words: CompareTexts; readonly present: ProgramWork;
-  readonly other: Other | null; readonly onTake: (other: Other | null) => void })
-{
+export function OtherProgram({
+  words,
+  present,
+  other,
+  onTake,
+}: {
+  readonly words: CompareTexts;
+  readonly present: ProgramWork;
+  readonly other: Other | null;
+  readonly onTake: (other: Other | null) => void;
+}) {
   const id = useId();
   const work = useEditor((s) => s.work);
   const works = useKeeping((k) => k.works).filter((each) => each.work !== work);
@@ -37,7 +45,7 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
     paste(false);
     if (chosen === DEVICE) return fromDevice();
     if (chosen === "") return onTake(null);
-    const kept = chosen === OPENED ? null : (await readWork(chosen))?.job ?? null;
+    const kept = chosen === OPENED ? null : ((await readWork(chosen))?.job ?? null);
     const program = chosen === OPENED ? openedProgram() : kept && asProgram(kept);
     const name = works.find((each) => each.work === chosen)?.name ?? null;
     take(program && { name, program });
@@ -47,7 +55,9 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
   useEffect(() => {
     void refreshWorks();
     if (work !== null)
-      void import("../../app/records/files/kept-handles.ts").then(async ({ keptHandle }) => find((await keptHandle(work, shown)) !== null));
+      void import("../../app/records/files/kept-handles.ts").then(async ({ keptHandle }) =>
+        find((await keptHandle(work, shown)) !== null),
+      );
   }, [work, shown]);
   const pickFile = async () => {
     const [found] = await askForFiles();
@@ -87,21 +97,41 @@ export function OtherProgram({ words, present, other, onTake }: { readonly words
         <option value={OPENED}>{words.opened}</option>
         {onDevice && <option value={DEVICE}>{words.disk(shown)}</option>}
         {works.length > 0 && (
-          <optgroup label={words.kept}>{works.map((each) => <option key={each.work} value={each.work}>{each.name}</option>)}</optgroup>
+          <optgroup label={words.kept}>
+            {works.map((each) => (
+              <option key={each.work} value={each.work}>
+                {each.name}
+              </option>
+            ))}
+          </optgroup>
         )}
       </select>
-      <button type="button" className="button" onClick={() => void pickFile()}>{words.file}</button>
-      <button type="button" className="button" onClick={() => void fromClipboard()}>{words.clipboard}</button>
+      <button type="button" className="button" onClick={() => void pickFile()}>
+        {words.file}
+      </button>
+      <button type="button" className="button" onClick={() => void fromClipboard()}>
+        {words.clipboard}
+      </button>
       {pasting && (
         <label className="compare-paste">
           <span>{words.noClipboard}</span>
-          <textarea className="number" rows={5} spellCheck={false} aria-label={words.paste} onChange={(event) => {
-            const text = event.currentTarget.value;
-            if (isProgramText(text)) takeText(words.clipboard, text);
-          }} />
+          <textarea
+            className="number"
+            rows={5}
+            spellCheck={false}
+            aria-label={words.paste}
+            onChange={(event) => {
+              const text = event.currentTarget.value;
+              if (isProgramText(text)) takeText(words.clipboard, text);
+            }}
+          />
         </label>
       )}
-      {problem && <p role="status" className="compare-problem">{words[problem]}</p>}
+      {problem && (
+        <p role="status" className="compare-problem">
+          {words[problem]}
+        </p>
+      )}
     </div>
   );
 }

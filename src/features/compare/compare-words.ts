@@ -23,9 +23,18 @@ export interface Wording {
 const SIGN = { more: "+", less: "−" } as const;
 
 /** Seconds as minutes and seconds; small changes keep their tenths. */
-export function timeText({ texts: { page: { effect } }, lengths: { language } }: Wording, seconds: number): string {
+export function timeText(
+  {
+    texts: {
+      page: { effect },
+    },
+    lengths: { language },
+  }: Wording,
+  seconds: number,
+): string {
   const minutes = Math.floor(Math.round(seconds) / 60);
-  const rest = minutes > 0 ? formatFixed(language, Math.max(0, seconds - minutes * 60), 0) : formatFixed(language, seconds, 1);
+  const rest =
+    minutes > 0 ? formatFixed(language, Math.max(0, seconds - minutes * 60), 0) : formatFixed(language, seconds, 1);
   return effect.duration(minutes, rest);
 }
 
@@ -40,7 +49,9 @@ function effectText(wording: Wording, name: keyof Effects, { [name]: value }: Ef
   if (name === "seconds") return timeText(wording, value);
   if (name === "passes") return String(value);
   const { lengths } = wording;
-  return name === "residue" ? lengths.words(`${lengths.area(value, 2)} mm²`) : `${lengths.number(value)} ${lengths.unit}`;
+  return name === "residue"
+    ? lengths.words(`${lengths.area(value, 2)} mm²`)
+    : `${lengths.number(value)} ${lengths.unit}`;
 }
 
 /** What comes of an operation that differs: "Infeed 2.56 → 2.05", "Time 1 min 20 s → 1 min 28 s (+8 s)". */
@@ -52,7 +63,10 @@ export function effectTexts(
   const { before, after } = consequence;
   const longer = longerBy(wording, consequence);
   return changedEffects(consequence).map((name) => {
-    const [was, is] = [before ? effectText(wording, name, before) : words.notRun, after ? effectText(wording, name, after) : words.notRun];
+    const [was, is] = [
+      before ? effectText(wording, name, before) : words.notRun,
+      after ? effectText(wording, name, after) : words.notRun,
+    ];
     const by = name === "seconds" && longer !== null ? ` (${longer})` : "";
     return { name, text: `${words.effects[name]} ${was} → ${is}${by}` };
   });
@@ -86,16 +100,26 @@ export const wordTexts = (wording: Wording, file: ComparedFile, { a, b, words }:
 
 /** Which block it is: "Block 12", or where it was and is when it moved. */
 export function blockLabel({ words }: Wording, { numbers }: ComparedFile, { kind, a, b }: BlockDifference): string {
-  const [from, to] = [a === null ? null : String(numbers.before[a] ?? ""), b === null ? null : String(numbers.after[b] ?? "")];
+  const [from, to] = [
+    a === null ? null : String(numbers.before[a] ?? ""),
+    b === null ? null : String(numbers.after[b] ?? ""),
+  ];
   return kind === "moved" && from !== null && to !== null ? words.blockMoved(from, to) : words.block(to ?? from ?? "");
 }
 
 /** Lines of a block that are shown of one side: of a cycle its first and those of the values that differ. */
-export function shownLines({ blocks }: Program, index: number | null, { kind, words }: BlockDifference): readonly string[] {
+export function shownLines(
+  { blocks }: Program,
+  index: number | null,
+  { kind, words }: BlockDifference,
+): readonly string[] {
   const block = index === null ? undefined : blocks[index];
   if (!block) return [];
   const text = kind === "note" || kind === "form" ? block.raw : bareText(block);
-  const lines = text.split(/\r\n?|\n/).map((line) => line.trim().replace(/\s*~$/, "")).filter((line) => line !== "");
+  const lines = text
+    .split(/\r\n?|\n/)
+    .map((line) => line.trim().replace(/\s*~$/, ""))
+    .filter((line) => line !== "");
   if (block.statement.kind !== "cycle" || words.length === 0) return lines;
   const names = words.map(({ name }) => new RegExp(String.raw`^${name}(?!\d)`, "i"));
   return lines.filter((line, i) => i === 0 || names.some((name) => name.test(line)));
@@ -109,16 +133,32 @@ export function operationTitle({ texts, words }: Wording, { a, b }: ComparedOper
     const known = (texts.cycles.of as Readonly<Record<number, { readonly name: string }>>)[n];
     return known ? `${n} ${known.name}` : String(n);
   });
-  const title = unit.title === null ? cycles.join(", ") : cycles.length > 0 ? `${unit.title} (${unit.cycles.join(", ")})` : unit.title;
+  const title =
+    unit.title === null
+      ? cycles.join(", ")
+      : cycles.length > 0
+        ? `${unit.title} (${unit.cycles.join(", ")})`
+        : unit.title;
   return [words.operation(unit.place + 1), title].filter((part) => part !== "").join(" · ");
 }
 
 /** The whole in one line: "3 values, 1 operation more; time +8 s". */
-export function summaryText(wording: Wording, files: readonly ComparedFile[], consequences: Consequences | null): string {
+export function summaryText(
+  wording: Wording,
+  files: readonly ComparedFile[],
+  consequences: Consequences | null,
+): string {
   const { words } = wording;
   const { written, ...meant } = tallyOf(files);
-  const counted = (Object.keys(meant) as (keyof typeof meant)[]).flatMap((key) => (meant[key] > 0 ? [words[key](meant[key])] : []));
-  const said = counted.length > 0 ? counted.join(", ") : written > 0 ? `${words.sameMeaning} ${words.written(written)}` : words.same;
+  const counted = (Object.keys(meant) as (keyof typeof meant)[]).flatMap((key) =>
+    meant[key] > 0 ? [words[key](meant[key])] : [],
+  );
+  const said =
+    counted.length > 0
+      ? counted.join(", ")
+      : written > 0
+        ? `${words.sameMeaning} ${words.written(written)}`
+        : words.same;
   const longer = consequences && longerBy(wording, consequences.whole);
   return longer === null ? said : `${said}; ${words.time(longer)}`;
 }

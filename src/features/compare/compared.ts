@@ -4,7 +4,13 @@ import { parse } from "../../nc/parse.ts";
 import { byOperation, type ComparedOperation } from "../../program/compare/by-operation.ts";
 import { comparePrograms, type BlockDifference } from "../../program/compare/compare.ts";
 import { fileKey } from "../../program/state/program-files.ts";
-import { changedEffects, consequenceOf, effectsByUnit, effectsOf, type Consequence } from "../../report/compare/consequences.ts";
+import {
+  changedEffects,
+  consequenceOf,
+  effectsByUnit,
+  effectsOf,
+  type Consequence,
+} from "../../report/compare/consequences.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import type { FindingEntry } from "../../app/findings/entry.ts";
 import { findingsOf } from "../../app/findings/findings.ts";
@@ -33,14 +39,22 @@ function comparedFile(name: string, isMain: boolean, one: string, other: string)
   return { name, isMain, before, after, numbers, partners: comparison.partners, operations };
 }
 
-/** Two works, text by text: the programs that run, then those beside them, by their names. Texts that are the same are left out. */
+/**
+ * Two works, text by text: the programs that run, then those beside them, by their names. Texts that are the same are
+ * left out.
+ */
 export function comparedFiles(before: ProgramWork, after: ProgramWork): readonly ComparedFile[] {
-  const beside = new Map([...filesOf(after), ...filesOf(before)].map(({ name }) => [fileKey(name), name] as const).reverse());
-  const textIn = (work: ProgramWork, key: string) => filesOf(work).find(({ name }) => fileKey(name) === key)?.text ?? "";
+  const beside = new Map(
+    [...filesOf(after), ...filesOf(before)].map(({ name }) => [fileKey(name), name] as const).reverse(),
+  );
+  const textIn = (work: ProgramWork, key: string) =>
+    filesOf(work).find(({ name }) => fileKey(name) === key)?.text ?? "";
   const pairs = [...beside].reverse().map(([key, name]) => [name, textIn(before, key), textIn(after, key)] as const);
   return [
     comparedFile(after.name, true, before.text, after.text),
-    ...pairs.filter(([, one, other]) => one !== other).map(([name, one, other]) => comparedFile(name, false, one, other)),
+    ...pairs
+      .filter(([, one, other]) => one !== other)
+      .map(([name, one, other]) => comparedFile(name, false, one, other)),
   ];
 }
 
@@ -77,11 +91,16 @@ function only(own: readonly FindingEntry[], others: readonly FindingEntry[], { r
   const nameOf = ({ issue, at }: FindingEntry) => `${issue.severity} ${issue.code} ${at ?? ""}`;
   const count = new Map<string, number>();
   for (const entry of others) count.set(nameOf(entry), (count.get(nameOf(entry)) ?? 0) + 1);
-  return own.filter((entry) => {
-    const left = count.get(nameOf(entry)) ?? 0;
-    count.set(nameOf(entry), left - 1);
-    return left <= 0;
-  }).map(({ issue, operation }) => ({ issue, cycle: operation === null ? null : (run.operations[operation]?.cycle ?? null) }));
+  return own
+    .filter((entry) => {
+      const left = count.get(nameOf(entry)) ?? 0;
+      count.set(nameOf(entry), left - 1);
+      return left <= 0;
+    })
+    .map(({ issue, operation }) => ({
+      issue,
+      cycle: operation === null ? null : (run.operations[operation]?.cycle ?? null),
+    }));
 }
 
 /** The consequences of what differs, from what was calculated of both. */
@@ -122,11 +141,15 @@ export function tallyOf(files: readonly ComparedFile[]): Tally {
   const fates = (fate: ComparedOperation["fate"]) => operations.filter((each) => each.fate === fate).length;
   const blocks = (kind: BlockDifference["kind"], ...besides: readonly ComparedOperation["fate"][]) =>
     operations.reduce(
-      (sum, { fate, differences }) => besides.includes(fate) ? sum : sum + differences.filter((each) => each.kind === kind).length,
+      (sum, { fate, differences }) =>
+        besides.includes(fate) ? sum : sum + differences.filter((each) => each.kind === kind).length,
       0,
     );
   return {
-    values: operations.reduce((sum, { differences }) => sum + differences.reduce((n, { words }) => n + words.length, 0), 0),
+    values: operations.reduce(
+      (sum, { differences }) => sum + differences.reduce((n, { words }) => n + words.length, 0),
+      0,
+    ),
     added: blocks("added", "added"),
     removed: blocks("removed", "removed"),
     moved: blocks("moved", "moved"),
@@ -138,6 +161,11 @@ export function tallyOf(files: readonly ComparedFile[]): Tally {
 }
 
 /** True for an operation of which there is something to say. */
-export const isTold = ({ differences, fate }: ComparedOperation, consequence: Consequence | undefined, withWriting: boolean): boolean =>
-  fate !== "kept" || differences.some((each) => withWriting || !isWriting(each))
-  || (consequence !== undefined && changedEffects(consequence).length > 0);
+export const isTold = (
+  { differences, fate }: ComparedOperation,
+  consequence: Consequence | undefined,
+  withWriting: boolean,
+): boolean =>
+  fate !== "kept" ||
+  differences.some((each) => withWriting || !isWriting(each)) ||
+  (consequence !== undefined && changedEffects(consequence).length > 0);

@@ -24,7 +24,9 @@ function outcomeAtHand(program: ProgramWork): Outcome | null {
   const { newest } = useOutcome.getState();
   if (!newest) return null;
   const { program: open } = useEditor.getState();
-  return (open === program ? isMadeFrom(newest, program) : newest.text === program.text && !newest.files) ? newest : null;
+  return (open === program ? isMadeFrom(newest, program) : newest.text === program.text && !newest.files)
+    ? newest
+    : null;
 }
 
 /** Sets two programs against each other: first their blocks, then what comes of them. Null before that. */
@@ -38,7 +40,7 @@ export function useProgramComparison(sides: Sides | null): ComparedPrograms | nu
       set({ of: sides, made: { files, consequences: null, state: "calculating" } });
       const before = await outcomeBeside(sides.before);
       if (gone) return;
-      const after = outcomeAtHand(sides.after) ?? await outcomeBeside(sides.after);
+      const after = outcomeAtHand(sides.after) ?? (await outcomeBeside(sides.after));
       if (gone) return;
       const consequences = before && after && consequencesOf(files, before, after);
       set({ of: sides, made: { files, consequences, state: consequences ? "done" : "failed" } });

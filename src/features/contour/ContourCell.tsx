@@ -29,7 +29,19 @@ interface Props {
 }
 
 /** One number of the contour table, with its I key where it is a coordinate. */
-export function ContourCell({ row, field, name, text: told, shown, wrong, describedBy, isLong, onText, onTangent, incremental }: Props) {
+export function ContourCell({
+  row,
+  field,
+  name,
+  text: told,
+  shown,
+  wrong,
+  describedBy,
+  isLong,
+  onText,
+  onTangent,
+  incremental,
+}: Props) {
   const id = useId();
   /** What was typed over the text that the table knows, until it is told. */
   const [held, hold] = useState<{ readonly over: string; readonly text: string } | null>(null);
@@ -49,16 +61,39 @@ export function ContourCell({ row, field, name, text: told, shown, wrong, descri
   return (
     <span className={`contour-cell field-${field}${shown?.solved ? " solved" : ""}`}>
       {incremental && (
-        <button type="button" className="button plain contour-incremental number" aria-pressed={incremental.on}
-          aria-label={incremental.name} title={incremental.name} tabIndex={-1} onClick={incremental.toggle}
+        <button
+          type="button"
+          className="button plain contour-incremental number"
+          aria-pressed={incremental.on}
+          aria-label={incremental.name}
+          title={incremental.name}
+          tabIndex={-1}
+          onClick={incremental.toggle}
         >
           I
         </button>
       )}
-      <NumberInput keypad="open" inputMode="text" data-row={row} data-field={field} aria-label={name} aria-invalid={wrong}
-        aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`} text={text} onText={type} onLeave={closeStep} selects
-        placeholder={shown?.text ?? ""} onKeyDown={onKey} {...(incremental && { "aria-keyshortcuts": "I" })} />
-      {shown !== null && <span id={`${id}-stays`} className="unseen">{shown.name}</span>}
+      <NumberInput
+        keypad="open"
+        inputMode="text"
+        data-row={row}
+        data-field={field}
+        aria-label={name}
+        aria-invalid={wrong}
+        aria-describedby={shown === null ? describedBy : `${describedBy} ${id}-stays`}
+        text={text}
+        onText={type}
+        onLeave={closeStep}
+        selects
+        placeholder={shown?.text ?? ""}
+        onKeyDown={onKey}
+        {...(incremental && { "aria-keyshortcuts": "I" })}
+      />
+      {shown !== null && (
+        <span id={`${id}-stays`} className="unseen">
+          {shown.name}
+        </span>
+      )}
     </span>
   );
 }

@@ -17,19 +17,27 @@ afterEach(() => {
   chooseElement(null);
 });
 
-const shoulder =
-  () => [newRow("e1", { x: "20", z: "0" }), newRow("e2", { z: "-20" }), newRow("e3", { x: "60" }), newRow("e4", { z: "-50" })];
+const shoulder = () => [
+  newRow("e1", { x: "20", z: "0" }),
+  newRow("e2", { z: "-20" }),
+  newRow("e3", { x: "60" }),
+  newRow("e4", { z: "-50" }),
+];
 
 function shown(start: readonly ContourRow[] = shoulder()) {
   const last = { rows: start, places: [] as (string | null)[] };
   function Page() {
     const [rows, setRows] = useState(start);
     return (
-      <ContourTable rows={rows} language="en" onChange={(next, place) => {
-        last.rows = next;
-        last.places.push(place);
-        setRows(next);
-      }} />
+      <ContourTable
+        rows={rows}
+        language="en"
+        onChange={(next, place) => {
+          last.rows = next;
+          last.places.push(place);
+          setRows(next);
+        }}
+      />
     );
   }
   render(<Page />);
@@ -40,7 +48,9 @@ const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { 
 const picture = () => screen.getByRole("img", { name: /^Drawing of the contour/ });
 /** Where the mark of a row lies; jsdom has no layout, so the picture begins at 0, 0 of the page. */
 function mark(row: number) {
-  const g = [...picture().querySelectorAll("g.point")].find((p) => p.querySelector("text")?.textContent === String(row + 1));
+  const g = [...picture().querySelectorAll("g.point")].find(
+    (p) => p.querySelector("text")?.textContent === String(row + 1),
+  );
   const dot = g?.querySelector("circle");
   return { clientX: Number(dot?.getAttribute("cx")), clientY: Number(dot?.getAttribute("cy")) };
 }
@@ -54,7 +64,8 @@ function drag(from: { clientX: number; clientY: number }, dx: number, dy: number
 
 test("a dragged point lands on the grid as one step of undo, and Escape takes the drag back", () => {
   const last = shown();
-  const [a, b] = [mark(0), mark(3)], scale = (a.clientX - b.clientX) / 50;
+  const [a, b] = [mark(0), mark(3)],
+    scale = (a.clientX - b.clientX) / 50;
   drag(mark(3), -10.2 * scale, 0);
   expect(short(last.rows)[3]).toBe("L /-60");
   expect(new Set(last.places).size).toBe(1);
@@ -124,9 +135,9 @@ test("angle and length: what is solved stands grey in its field and is read out 
   expect(last.rows[1]).toMatchObject({ angle: "135", x: "60", z: "" });
   expect(field("Element 2, Z").placeholder).toBe("-10");
   expect(field("Element 2, Z").closest(".solved")).not.toBeNull();
-  const about = (field("Element 2, Z").getAttribute("aria-describedby") ?? "").split(" ").map((id) =>
-    document.getElementById(id)?.textContent
-  );
+  const about = (field("Element 2, Z").getAttribute("aria-describedby") ?? "")
+    .split(" ")
+    .map((id) => document.getElementById(id)?.textContent);
   expect(about).toContain("solved: -10");
 });
 
@@ -151,7 +162,12 @@ test("faults stand under the drawing, marked at their elements, and lead to them
 
 test("an undercut has its form and its words", async () => {
   const user = userEvent.setup();
-  const last = shown([newRow("e1", { x: "40", z: "0" }), newRow("e2", { z: "-30" }), newRow("e3"), newRow("e4", { x: "60" })]);
+  const last = shown([
+    newRow("e1", { x: "40", z: "0" }),
+    newRow("e2", { z: "-30" }),
+    newRow("e3"),
+    newRow("e4", { x: "60" }),
+  ]);
   await user.selectOptions(screen.getByRole("combobox", { name: "Element 3, kind" }), "UDC");
   await user.type(field("Element 3, DEPTH"), "2");
   expect(last.rows[2]).toMatchObject({ kind: "UDC", form: "E", words: { DEPTH: "2" } });

@@ -56,19 +56,31 @@ const NO_RINGS: readonly Ring[] = [];
 
 const faultyRows = (reading: RowsReading) =>
   new Set(
-    reading.issues.flatMap(
-      ({ row, issue }) => (issue.severity === "info" ? [] : issue.code === "contourCrossesItself" ? [row, issue.data.other - 1] : [row])
+    reading.issues.flatMap(({ row, issue }) =>
+      issue.severity === "info" ? [] : issue.code === "contourCrossesItself" ? [row, issue.data.other - 1] : [row],
     ),
   );
 
-/** An element, and the wider line that a pointer finds it by. Of a thousand only those that moved are rendered again. */
+/**
+ * An element, and the wider line that a pointer finds it by. Of a thousand only those that moved are rendered again.
+ */
 const ElementLine = memo(
-  ({ row, d, active, faulty }: { readonly row: number; readonly d: string; readonly active: boolean; readonly faulty: boolean }) => (
+  ({
+    row,
+    d,
+    active,
+    faulty,
+  }: {
+    readonly row: number;
+    readonly d: string;
+    readonly active: boolean;
+    readonly faulty: boolean;
+  }) => (
     <g data-row={row} className={[active ? "active" : "", faulty ? "faulty" : ""].join(" ").trim()}>
       <path className="reach" d={d} />
       <path className="element" d={d} />
     </g>
-  )
+  ),
 );
 ElementLine.displayName = "ElementLine";
 
@@ -89,34 +101,61 @@ const PointMark = memo(({ row, x, y, active, faulty, corner, labelX, labelY }: P
   <g className={`point${active ? " active" : ""}${faulty ? " faulty" : ""}`}>
     <circle className="dot" cx={x} cy={y} r={corner ? 2.5 : 4.5} />
     {faulty && <circle className="ring" cx={x} cy={y} r={9} />}
-    {labelX !== null && labelY !== null && <text x={labelX} y={labelY}>{faulty ? `${row + 1}!` : row + 1}</text>}
+    {labelX !== null && labelY !== null && (
+      <text x={labelX} y={labelY}>
+        {faulty ? `${row + 1}!` : row + 1}
+      </text>
+    )}
   </g>
 ));
 PointMark.displayName = "PointMark";
 
-/** The contour of the table, to look at and to edit: arcs as arcs, points numbered and to be dragged, faults at their element. */
+/**
+ * The contour of the table, to look at and to edit: arcs as arcs, points numbered and to be dragged, faults at their
+ * element.
+ */
 export function ContourDrawing({ rows, reading, active, language, canvas, onPick, onRows, onEdited }: Props) {
-  const t = texts(language).contour, keysId = useId();
+  const t = texts(language).contour,
+    keysId = useId();
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box, { width: 380, height: 240 });
-  const fingers = useFingers(), xUp = !useSettings((s) => s.xDown);
+  const fingers = useFingers(),
+    xUp = !useSettings((s) => s.xDown);
   const [mode, setMode] = useState<DrawingMode>(rows.length === 0 ? "draw" : "move");
   const [step, setStep] = useState<GridStep>(1);
   const [camera, setCamera] = useState<Camera | null>(null);
-  const large = canvas !== undefined, blank = canvas?.blank ?? NO_RINGS;
-  const picture = useMemo(() =>
-    contourDrawing({
-      contour: reading.contour.segments,
-      rowOfSegment: reading.rowOfSegment,
-      ends: reading.rows.map((r) => r.end),
-      faulty: faultyRows(reading),
-      active,
-      size,
-      camera,
-      ...(large && { margin: MARGINS[fingers ? "fingers" : "mouse"], xUp, beside: blank.flat() }),
-      grid: (scale) => ({ z: gridSpacing(step, scale), r: toRadius(diameter(gridSpacing(step, toRadius(diameter(scale))))) }),
-    }), [reading, active, size, camera, step, large, fingers, xUp, blank]);
-  const drawing = useDrawing({ rows, reading, picture, mode, step, onRows, onEdited, onPick, camera, onCamera: setCamera });
+  const large = canvas !== undefined,
+    blank = canvas?.blank ?? NO_RINGS;
+  const picture = useMemo(
+    () =>
+      contourDrawing({
+        contour: reading.contour.segments,
+        rowOfSegment: reading.rowOfSegment,
+        ends: reading.rows.map((r) => r.end),
+        faulty: faultyRows(reading),
+        active,
+        size,
+        camera,
+        ...(large && { margin: MARGINS[fingers ? "fingers" : "mouse"], xUp, beside: blank.flat() }),
+        grid: (scale) => ({
+          z: gridSpacing(step, scale),
+          r: toRadius(diameter(gridSpacing(step, toRadius(diameter(scale))))),
+        }),
+      }),
+    [reading, active, size, camera, step, large, fingers, xUp, blank],
+  );
+  const drawing = useDrawing({
+    rows,
+    reading,
+    picture,
+    mode,
+    step,
+    onRows,
+    onEdited,
+    onPick,
+    camera,
+    onCamera: setCamera,
+  });
   const { takeBack, pointing } = drawing;
   useEffect(() => {
     const onKey = (e: globalThis.KeyboardEvent) => {
@@ -125,51 +164,106 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
     document.addEventListener("keydown", onKey, true);
     return () => document.removeEventListener("keydown", onKey, true);
   }, [takeBack]);
-  const zoom = (factor: number, at: Place = { x: size.width / 2, y: size.height / 2 }) => setCamera(zoomed(picture.camera, factor, at));
+  const zoom = (factor: number, at: Place = { x: size.width / 2, y: size.height / 2 }) =>
+    setCamera(zoomed(picture.camera, factor, at));
   useWheel(box, zoom);
   const name = t.drawing(reading.rows.length) + (active === null ? "" : `, ${t.drawingElement(active + 1)}`);
   const show = (n: number) => formatNumber(language, n, 3);
   const last = mode === "draw" && pointing?.row === null ? reading.rows.findLast((r) => r.end)?.end : null;
   const tools = (
-    <DrawingTools mode={mode} step={step} language={language} onMode={setMode} onStep={setStep} onZoom={zoom}
-      onFit={() => setCamera(null)} />
+    <DrawingTools
+      mode={mode}
+      step={step}
+      language={language}
+      onMode={setMode}
+      onStep={setStep}
+      onZoom={zoom}
+      onFit={() => setCamera(null)}
+    />
   );
   const onKeyDown = (e: KeyboardEvent<HTMLDivElement>) => {
     if (e.target !== box.current || e.ctrlKey || e.metaKey || e.altKey) return;
-    const done = pressDrawingKey(e, { rows, active, camera: picture.camera, onPick, onEdited, onZoom: zoom, onCamera: setCamera });
+    const done = pressDrawingKey(e, {
+      rows,
+      active,
+      camera: picture.camera,
+      onPick,
+      onEdited,
+      onZoom: zoom,
+      onCamera: setCamera,
+    });
     if (done) e.preventDefault();
   };
 
   return (
     <div className={`contour-picture${large ? " large" : ""}`}>
-      {canvas ? <div className="contour-bar">{canvas.lead}{tools}</div> : tools}
-      <div className={`contour-drawing mode-${mode}`} ref={box}
+      {canvas ? (
+        <div className="contour-bar">
+          {canvas.lead}
+          {tools}
+        </div>
+      ) : (
+        tools
+      )}
+      <div
+        className={`contour-drawing mode-${mode}`}
+        ref={box}
         {...(large && { tabIndex: 0, role: "group", "aria-label": t.canvas, "aria-describedby": keysId, onKeyDown })}
       >
-        <svg className="contour-sheet" role="img" aria-label={name} viewBox={`0 0 ${size.width} ${size.height}`}
-          onPointerDown={drawing.onPointerDown} onPointerMove={drawing.onPointerMove} onPointerUp={drawing.onPointerUp}
-          onPointerCancel={drawing.onPointerCancel} onPointerLeave={drawing.onPointerLeave} onDoubleClick={drawing.onDoubleClick}
+        <svg
+          className="contour-sheet"
+          role="img"
+          aria-label={name}
+          viewBox={`0 0 ${size.width} ${size.height}`}
+          onPointerDown={drawing.onPointerDown}
+          onPointerMove={drawing.onPointerMove}
+          onPointerUp={drawing.onPointerUp}
+          onPointerCancel={drawing.onPointerCancel}
+          onPointerLeave={drawing.onPointerLeave}
+          onDoubleClick={drawing.onDoubleClick}
         >
           <path className="grid" d={picture.grid} />
           {large && <BlankOutline blank={blank} camera={picture.camera} />}
           <path className="axis" d={picture.axis} />
           {large && <ZeroMark at={toScreen(picture.camera, WORKPIECE_ZERO)} />}
-          {picture.elements.map((e, i) => <ElementLine key={i} row={e.row} d={e.d} active={e.row === active} faulty={e.faulty} />)}
+          {picture.elements.map((e, i) => (
+            <ElementLine key={i} row={e.row} d={e.d} active={e.row === active} faulty={e.faulty} />
+          ))}
           {large && <HoldSigns rows={rows} reading={reading} picture={picture} active={active} />}
           {picture.points.map((p) => (
-            <PointMark key={p.row} row={p.row} x={px(p.place.x)} y={px(p.place.y)} active={p.row === active} faulty={p.faulty}
-              corner={rows[p.row]?.kind === "RND" || rows[p.row]?.kind === "CHF"} labelX={p.label && px(p.label.x)}
-              labelY={p.label && px(p.label.y)} />
+            <PointMark
+              key={p.row}
+              row={p.row}
+              x={px(p.place.x)}
+              y={px(p.place.y)}
+              active={p.row === active}
+              faulty={p.faulty}
+              corner={rows[p.row]?.kind === "RND" || rows[p.row]?.kind === "CHF"}
+              labelX={p.label && px(p.label.x)}
+              labelY={p.label && px(p.label.y)}
+            />
           ))}
           {pointing && pointing.size === null && (
-            <SnapLines pointing={pointing} camera={picture.camera} size={size}
-              from={last ? toScreen(picture.camera, { z: axial(last.z), r: toRadius(diameter(last.x)) }) : null} />
+            <SnapLines
+              pointing={pointing}
+              camera={picture.camera}
+              size={size}
+              from={last ? toScreen(picture.camera, { z: axial(last.z), r: toRadius(diameter(last.x)) }) : null}
+            />
           )}
           {large && <CameraAxes camera={picture.camera} size={size} part="scales" />}
         </svg>
         {large && (
-          <DrawingDimensions rows={rows} reading={reading} picture={picture} size={size} chosen={active} language={language} onPick={onPick}
-            onTyped={(next) => onRows(next, null)} />
+          <DrawingDimensions
+            rows={rows}
+            reading={reading}
+            picture={picture}
+            size={size}
+            chosen={active}
+            language={language}
+            onPick={onPick}
+            onTyped={(next) => onRows(next, null)}
+          />
         )}
         {rows.length === 0 && canvas?.empty}
         {pointing && (
@@ -179,7 +273,11 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
               : `${mode === "round" ? "R" : "CHF"} ${show(pointing.size)}`}
           </p>
         )}
-        {large && <p id={keysId} className="unseen">{t.canvasKeys}</p>}
+        {large && (
+          <p id={keysId} className="unseen">
+            {t.canvasKeys}
+          </p>
+        )}
       </div>
     </div>
   );

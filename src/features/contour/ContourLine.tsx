@@ -29,27 +29,48 @@ interface Props {
 
 const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"] as const;
 /** The form a new undercut or recess begins with. */
-const firstForm =
-  (kind: ContourRow["kind"]): Partial<ContourRow> => (kind === "UDC" ? { form: "E" } : kind === "GRV" ? { form: "RADIAL" } : {});
+const firstForm = (kind: ContourRow["kind"]): Partial<ContourRow> =>
+  kind === "UDC" ? { form: "E" } : kind === "GRV" ? { form: "RADIAL" } : {};
 /** The elements that have an end point or a centre, a size, a turning direction, and those that can be tangential. */
-const POINT = ["L", "CR", "CC", "C", "CT"], SIZE = ["RND", "CHF", "CR"], TURN = ["CR", "C", "CP"], TANGENTIAL = ["L", "CR", "C"];
+const POINT = ["L", "CR", "CC", "C", "CT"],
+  SIZE = ["RND", "CHF", "CR"],
+  TURN = ["CR", "C", "CP"],
+  TANGENTIAL = ["L", "CR", "C"];
 
 /** The same in every value: what is read anew of a row is another object with each key anywhere in the table. */
 const isAlike = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);
 
-/** One element of the contour: its fields, and below them what is wrong with it. Rendered again only when something of it is another. */
-export const ContourLine = memo(Line,
+/**
+ * One element of the contour: its fields, and below them what is wrong with it. Rendered again only when something of
+ * it is another.
+ */
+export const ContourLine = memo(
+  Line,
   (a, b) =>
-    a.row === b.row && a.number === b.number && a.active === b.active && a.details === b.details && a.language === b.language
-    && a.isLong === b.isLong && a.onChange === b.onChange && isAlike(a.reading, b.reading) && isAlike(a.issues, b.issues));
+    a.row === b.row &&
+    a.number === b.number &&
+    a.active === b.active &&
+    a.details === b.details &&
+    a.language === b.language &&
+    a.isLong === b.isLong &&
+    a.onChange === b.onChange &&
+    isAlike(a.reading, b.reading) &&
+    isAlike(a.issues, b.issues),
+);
 
 function Line({ row, number, reading, issues, active, details, language, isLong, onChange: changeRow }: Props) {
   const onChange = (change: Partial<ContourRow>, place: string | null) => changeRow(row.id, change, place);
-  const all = texts(language), t = all.contour;
+  const all = texts(language),
+    t = all.contour;
   const id = useId();
   const write = (value: number) => formatNumber(language, value, 3);
   /** What an empty field stands for: where the coordinate stays, what was solved, or that it is open. */
-  const shown = (typed: string, solved: boolean, value: number | null | undefined, stays: number | null | undefined): Shown | null => {
+  const shown = (
+    typed: string,
+    solved: boolean,
+    value: number | null | undefined,
+    stays: number | null | undefined,
+  ): Shown | null => {
     if (typed.trim() !== "" && typed.trim() !== "?") return null;
     if (solved)
       return value === null || value === undefined
@@ -63,50 +84,90 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
     grey: Shown | null,
     incremental?: { on: boolean; name: string; toggle: () => void },
   ): ReactNode => (
-    <ContourCell row={row.id} field={field} name={name} text={row[field]} shown={grey} describedBy={`${id}-wrong`} isLong={isLong}
+    <ContourCell
+      row={row.id}
+      field={field}
+      name={name}
+      text={row[field]}
+      shown={grey}
+      describedBy={`${id}-wrong`}
+      isLong={isLong}
       wrong={issues.some((found) => found.field === field && found.issue.severity !== "info")}
-      onText={(text) => onChange({ [field]: text }, `${row.id} ${field}`)} {...(incremental ? { incremental } : {})}
-      {...(TANGENTIAL.includes(row.kind) && number > 1 ? { onTangent: () => onChange({ tangent: !row.tangent }, null) } : {})} />
+      onText={(text) => onChange({ [field]: text }, `${row.id} ${field}`)}
+      {...(incremental ? { incremental } : {})}
+      {...(TANGENTIAL.includes(row.kind) && number > 1
+        ? { onTangent: () => onChange({ tangent: !row.tangent }, null) }
+        : {})}
+    />
   );
   const polar = (name: PolarName): ReactNode => {
     if (!polarNames(row).includes(name)) return null;
-    const typed = polarTyped(row, name), { x, z } = reading?.inherited ?? { x: null, z: null };
-    const stays = reading?.pole && x !== null && z !== null ? polarOf(reading.pole, { z: axial(z), r: toRadius(diameter(x)) })[name] : null;
+    const typed = polarTyped(row, name),
+      { x, z } = reading?.inherited ?? { x: null, z: null };
+    const stays =
+      reading?.pole && x !== null && z !== null
+        ? polarOf(reading.pole, { z: axial(z), r: toRadius(diameter(x)) })[name]
+        : null;
     const change = (next: Partial<typeof typed>, place: string | null) =>
       onChange({ words: withPolar(row.words, name, { ...typed, ...next }) }, place);
     return (
-      <ContourCell row={row.id} field={name} name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)} text={typed.text}
-        shown={shown(typed.text, false, null, stays)} describedBy={`${id}-wrong`} isLong={isLong}
+      <ContourCell
+        row={row.id}
+        field={name}
+        name={(name === "PR" ? t.polarRadiusOf : t.polarAngleOf)(number)}
+        text={typed.text}
+        shown={shown(typed.text, false, null, stays)}
+        describedBy={`${id}-wrong`}
+        isLong={isLong}
         wrong={issues.some((found) => found.field === name && found.issue.severity !== "info")}
-        onText={(text) => change({ text }, `${row.id} ${name}`)} incremental={{
-        on: typed.incremental,
-        name: (name === "PR" ? t.incrementalRadius : t.incrementalAngle)(number),
-        toggle: () => change({ incremental: !typed.incremental }, null),
-      }} />
+        onText={(text) => change({ text }, `${row.id} ${name}`)}
+        incremental={{
+          on: typed.incremental,
+          name: (name === "PR" ? t.incrementalRadius : t.incrementalAngle)(number),
+          toggle: () => change({ incremental: !typed.incremental }, null),
+        }}
+      />
     );
   };
   const size = row.kind === "CHF" ? t.chamferOf(number) : t.radiusOf(number);
-  const measured = details && number > 1 && row.kind === "L", tangential = details && number > 1 && TANGENTIAL.includes(row.kind);
+  const measured = details && number > 1 && row.kind === "L",
+    tangential = details && number > 1 && TANGENTIAL.includes(row.kind);
   const open = reading?.freedom ?? 0;
   return (
-    <tr role="row" className={`contour-line kind-${row.kind}${active ? " active" : ""}`} onFocus={() => chooseElement(row.id)}
+    <tr
+      role="row"
+      className={`contour-line kind-${row.kind}${active ? " active" : ""}`}
+      onFocus={() => chooseElement(row.id)}
       {...(active ? { "aria-current": true } : {})}
     >
-      <th role="rowheader" scope="row" className="contour-number number">{number}</th>
+      <th role="rowheader" scope="row" className="contour-number number">
+        {number}
+      </th>
       <td role="cell" className="contour-kind">
-        <b className="number contour-code" aria-hidden="true">{row.kind}</b>
-        <select className="select" aria-label={t.kindOf(number)} title={t.kinds[row.kind]} value={row.kind} data-row={row.id}
-          data-field="kind" onChange={(e) => {
-          const kind = e.currentTarget.value as ContourRow["kind"];
-          onChange({ kind, ...firstForm(kind) }, null);
-        }}>
-          {KINDS.map((kind) => <option key={kind} value={kind}>{`${kind} ${t.kinds[kind]}`}</option>)}
+        <b className="number contour-code" aria-hidden="true">
+          {row.kind}
+        </b>
+        <select
+          className="select"
+          aria-label={t.kindOf(number)}
+          title={t.kinds[row.kind]}
+          value={row.kind}
+          data-row={row.id}
+          data-field="kind"
+          onChange={(e) => {
+            const kind = e.currentTarget.value as ContourRow["kind"];
+            onChange({ kind, ...firstForm(kind) }, null);
+          }}
+        >
+          {KINDS.map((kind) => (
+            <option key={kind} value={kind}>{`${kind} ${t.kinds[kind]}`}</option>
+          ))}
         </select>
       </td>
       <td role="cell" className="contour-x">
         {polar("PR")}
-        {POINT.includes(row.kind)
-          && cell("x", t.xOf(number), shown(row.x, reading?.sought.x === true, reading?.end?.x, reading?.inherited.x), {
+        {POINT.includes(row.kind) &&
+          cell("x", t.xOf(number), shown(row.x, reading?.sought.x === true, reading?.end?.x, reading?.inherited.x), {
             on: row.incrementalX,
             name: t.incrementalX(number),
             toggle: () => onChange({ incrementalX: !row.incrementalX }, null),
@@ -114,22 +175,31 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
       </td>
       <td role="cell" className="contour-z">
         {polar("PA")}
-        {POINT.includes(row.kind)
-          && cell("z", t.zOf(number), shown(row.z, reading?.sought.z === true, reading?.end?.z, reading?.inherited.z), {
+        {POINT.includes(row.kind) &&
+          cell("z", t.zOf(number), shown(row.z, reading?.sought.z === true, reading?.end?.z, reading?.inherited.z), {
             on: row.incrementalZ,
             name: t.incrementalZ(number),
             toggle: () => onChange({ incrementalZ: !row.incrementalZ }, null),
           })}
       </td>
       <td role="cell" className="contour-size">
-        {SIZE.includes(row.kind)
-          && cell("r", size, row.kind === "CR" ? shown(row.r, row.tangent || row.r.trim() === "?", reading?.radius, null) : null)}
+        {SIZE.includes(row.kind) &&
+          cell(
+            "r",
+            size,
+            row.kind === "CR" ? shown(row.r, row.tangent || row.r.trim() === "?", reading?.radius, null) : null,
+          )}
         {measured && cell("angle", t.angleOf(number), shown(row.angle, true, reading?.angle, null))}
       </td>
       <td role="cell" className="contour-turn">
         {TURN.includes(row.kind) && (
-          <select className="select" aria-label={t.turnOf(number)} value={row.turn} data-row={row.id} data-field="turn" onChange={(e) =>
-            onChange({ turn: e.currentTarget.value as ContourRow["turn"] }, null)}
+          <select
+            className="select"
+            aria-label={t.turnOf(number)}
+            value={row.turn}
+            data-row={row.id}
+            data-field="turn"
+            onChange={(e) => onChange({ turn: e.currentTarget.value as ContourRow["turn"] }, null)}
           >
             <option value="cw">{t.clockwise}</option>
             <option value="ccw">{t.counterClockwise}</option>
@@ -139,8 +209,13 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
       </td>
       <td role="cell" className="contour-tangent">
         {tangential && (
-          <button type="button" className="button contour-t number" aria-pressed={row.tangent} aria-label={t.tangentOf(number)}
-            title={t.tangentOf(number)} onClick={() => onChange({ tangent: !row.tangent }, null)}
+          <button
+            type="button"
+            className="button contour-t number"
+            aria-pressed={row.tangent}
+            aria-label={t.tangentOf(number)}
+            title={t.tangentOf(number)}
+            onClick={() => onChange({ tangent: !row.tangent }, null)}
           >
             T
           </button>
@@ -153,16 +228,24 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
       </td>
       <td role="cell" className="contour-wrong" id={`${id}-wrong`}>
         {(reading?.choices ?? 1) > 1 && (
-          <button type="button" className="button small contour-second" aria-pressed={row.second} aria-label={t.secondOf(number)}
+          <button
+            type="button"
+            className="button small contour-second"
+            aria-pressed={row.second}
+            aria-label={t.secondOf(number)}
             onClick={() => onChange({ second: !row.second }, null)}
           >
             {t.secondShort}
           </button>
         )}
         {open > 0 && <p className="small contour-open">{t.freedom(open)}</p>}
-        {issues.filter(({ issue }) => open === 0 || issue.code !== "elementFree").map((found, i) => (
-          <Message key={i} tone={found.issue.severity} className="small">{issueText(all, language, found.issue, null)}</Message>
-        ))}
+        {issues
+          .filter(({ issue }) => open === 0 || issue.code !== "elementFree")
+          .map((found, i) => (
+            <Message key={i} tone={found.issue.severity} className="small">
+              {issueText(all, language, found.issue, null)}
+            </Message>
+          ))}
       </td>
     </tr>
   );

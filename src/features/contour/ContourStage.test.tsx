@@ -24,24 +24,29 @@ afterEach(() => {
   chooseElement(null);
 });
 
-const shaft =
-  () => [
-    newRow("e1", { x: "17.43", z: "0" }),
-    newRow("e2", { z: "-23.6" }),
-    newRow("e3", { x: "41.9" }),
-    newRow("e4", { x: "58.07", z: "-51.3" }),
-  ];
+const shaft = () => [
+  newRow("e1", { x: "17.43", z: "0" }),
+  newRow("e2", { z: "-23.6" }),
+  newRow("e3", { x: "41.9" }),
+  newRow("e4", { x: "58.07", z: "-51.3" }),
+];
 
 function shown(start: readonly ContourRow[] = shaft()) {
   const last = { rows: start, places: [] as (string | null)[] };
   function Page() {
     const [rows, setRows] = useState(start);
     return (
-      <ContourStage rows={rows} blank={[]} language="en" lead={null} onChange={(next, place) => {
-        last.rows = next;
-        last.places.push(place);
-        setRows(next);
-      }} />
+      <ContourStage
+        rows={rows}
+        blank={[]}
+        language="en"
+        lead={null}
+        onChange={(next, place) => {
+          last.rows = next;
+          last.places.push(place);
+          setRows(next);
+        }}
+      />
     );
   }
   render(<Page />);
@@ -83,12 +88,22 @@ test("a drag that ends the typing of a dimension keeps what was typed, and is on
   begin(exampleJob(freeCycle), "work");
   setContour(shaft());
   const Work = () => (
-    <ContourStage rows={useEditor((s) => s.job?.contour) ?? []} blank={[]} language="en" lead={null} onChange={setContour} />
+    <ContourStage
+      rows={useEditor((s) => s.job?.contour) ?? []}
+      blank={[]}
+      language="en"
+      lead={null}
+      onChange={setContour}
+    />
   );
   render(<Work />);
-  const rows = () => useEditor.getState().job?.contour ?? [], picture = () => screen.getByRole("img", { name: /^Drawing of the contour/ });
-  const steps = () => useSteps.getState().past.length, begun = steps();
-  const dot = [...picture().querySelectorAll("g.point")].find((p) => p.querySelector("text")?.textContent === "4")?.querySelector("circle");
+  const rows = () => useEditor.getState().job?.contour ?? [],
+    picture = () => screen.getByRole("img", { name: /^Drawing of the contour/ });
+  const steps = () => useSteps.getState().past.length,
+    begun = steps();
+  const dot = [...picture().querySelectorAll("g.point")]
+    .find((p) => p.querySelector("text")?.textContent === "4")
+    ?.querySelector("circle");
   const from = { clientX: Number(dot?.getAttribute("cx")), clientY: Number(dot?.getAttribute("cy")) };
   const pointer = { button: 0, pointerId: 1, pointerType: "mouse" };
   await user.click(dimension(/^Element 3, X diameter/));
@@ -113,7 +128,10 @@ test("what nobody typed stands in brackets, what holds an element beside it", ()
   shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { x: "26.4", angle: "135" }), newRow("e3", { z: "-31.7" })]);
   act(() => chooseElement("e2"));
   expect(screen.getByRole("button", { name: /^Element 2, Z: \(Z -3\.2\)$/ })).toBeTruthy();
-  expect([...document.querySelectorAll(".hold")].map((e) => e.getAttribute("class")?.split(" ")[1])).toEqual(["sought", "horizontal"]);
+  expect([...document.querySelectorAll(".hold")].map((e) => e.getAttribute("class")?.split(" ")[1])).toEqual([
+    "sought",
+    "horizontal",
+  ]);
 });
 
 test("keys of the drawing: R breaks the corner of the chosen element", () => {
@@ -141,7 +159,9 @@ test("an empty drawing asks for the first point, which can be typed or drawn", a
 test("a second finger takes back what the first began and moves the picture", () => {
   const last = shown();
   const picture = screen.getByRole("img");
-  const dot = [...picture.querySelectorAll("g.point")].find((p) => p.querySelector("text")?.textContent === "4")?.querySelector("circle");
+  const dot = [...picture.querySelectorAll("g.point")]
+    .find((p) => p.querySelector("text")?.textContent === "4")
+    ?.querySelector("circle");
   const at = { clientX: Number(dot?.getAttribute("cx")), clientY: Number(dot?.getAttribute("cy")) };
   const finger = (pointerId: number) => ({ button: 0, pointerId, pointerType: "touch" });
   fireEvent.pointerDown(picture, { ...finger(1), ...at });

@@ -26,7 +26,8 @@ export const ContourStage = memo(Stage);
 
 function Stage({ rows, blank, language, onChange, lead }: Props) {
   const t = texts(language).contour;
-  const reading = readRows(rows), active = useChosenRow(rows);
+  const reading = readRows(rows),
+    active = useChosenRow(rows);
   const [said, setSaid] = useState({ text: "", times: 0 });
   const edited = (next: Edited) => {
     if (next.rows === rows) return;
@@ -44,15 +45,29 @@ function Stage({ rows, blank, language, onChange, lead }: Props) {
     <div className="contour-empty">
       <p>{t.emptyDrawing}</p>
       <div className="contour-empty-buttons">
-        <button type="button" className="button primary" onClick={type}>{t.typeFirst}</button>
-        <DxfImport count={0} language={language} onTake={(taken) => edited({ rows: taken, focus: taken[0]?.id ?? null })} />
+        <button type="button" className="button primary" onClick={type}>
+          {t.typeFirst}
+        </button>
+        <DxfImport
+          count={0}
+          language={language}
+          onTake={(taken) => edited({ rows: taken, focus: taken[0]?.id ?? null })}
+        />
       </div>
     </div>
   );
   return (
     <section className="contour-stage" aria-label={t.canvas}>
-      <ContourDrawing rows={rows} reading={reading} active={active} language={language} canvas={{ blank, lead, empty }}
-        onPick={(row) => chooseElement(idOf(row))} onRows={onChange} onEdited={edited} />
+      <ContourDrawing
+        rows={rows}
+        reading={reading}
+        active={active}
+        language={language}
+        canvas={{ blank, lead, empty }}
+        onPick={(row) => chooseElement(idOf(row))}
+        onRows={onChange}
+        onEdited={edited}
+      />
       <FaultList issues={reading.issues} language={language} onPick={(row) => goToElement(idOf(row))} />
       <p role="status" className="unseen">
         <span key={said.times}>{said.text}</span>

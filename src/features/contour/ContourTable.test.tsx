@@ -43,7 +43,9 @@ test("every element is a row whose fields have names, and omitted coordinates sa
   expect(field("Element 1, X diameter").value).toBe("75");
   const omitted = field("Element 2, Z");
   expect(omitted.placeholder).toBe("-20");
-  expect(document.getElementById(omitted.getAttribute("aria-describedby")?.split(" ")[1] ?? "")?.textContent).toBe("-20");
+  expect(document.getElementById(omitted.getAttribute("aria-describedby")?.split(" ")[1] ?? "")?.textContent).toBe(
+    "-20",
+  );
 });
 
 test("typing names its field for undo, and a sum is worked out when the field is left", async () => {
@@ -106,7 +108,9 @@ test("a fault stands at its field and in the drawing", async () => {
   const wrong = field("Element 3, radius").getAttribute("aria-describedby") ?? "";
   expect(document.getElementById(wrong)?.textContent).toContain("200");
   expect(document.querySelectorAll(".contour-drawing .faulty").length).toBeGreaterThan(0);
-  expect(screen.getByRole("img").getAttribute("aria-label")).toBe("Drawing of the contour with 6 elements, element 3 is highlighted");
+  expect(screen.getByRole("img").getAttribute("aria-label")).toBe(
+    "Drawing of the contour with 6 elements, element 3 is highlighted",
+  );
 });
 
 test("minus anywhere in a number changes its sign", async () => {
@@ -140,7 +144,11 @@ test("an empty table asks for the start point", async () => {
 
 test("polar elements have distance and angle with an I key each, and say what they stay at", async () => {
   const user = userEvent.setup();
-  const last = shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { kind: "CC", x: "20", z: "-30" }), newRow("e3")]);
+  const last = shown([
+    newRow("e1", { x: "20", z: "0" }),
+    newRow("e2", { kind: "CC", x: "20", z: "-30" }),
+    newRow("e3"),
+  ]);
   await user.selectOptions(screen.getByRole("combobox", { name: "Element 3, kind" }), "LP");
   expect(field("Element 3, polar radius PR").placeholder).toBe("30");
   await user.type(field("Element 3, polar angle PA"), "60");
@@ -161,13 +169,17 @@ test("a polar element without a pole says so, also under the drawing", () => {
 function shownLong() {
   const begun = Array.from({ length: 120 }, (_, i) => newRow(`e${i}`, { x: String(10 + i), z: String(-i) }));
   const useRows = heldWhileTyping<{ readonly rows: readonly ContourRow[] }>(() => ({ rows: begun }));
-  const Table = () => <ContourTable rows={useRows((s) => s.rows)} onChange={(rows) => useRows.setState({ rows })} language="en" apart />;
+  const Table = () => (
+    <ContourTable rows={useRows((s) => s.rows)} onChange={(rows) => useRows.setState({ rows })} language="en" apart />
+  );
   render(<Table />);
   return () => useRows.getState().rows;
 }
 
 test("in a long table a digit stands in its field at once, and the rows that it does not touch stay what they are", async () => {
-  const rows = shownLong(), before = rows(), x = field("Element 60, X diameter");
+  const rows = shownLong(),
+    before = rows(),
+    x = field("Element 60, X diameter");
   fireEvent.change(x, { target: { value: "705" } });
   fireEvent.change(x, { target: { value: "70" } });
   fireEvent.change(x, { target: { value: "704" } });
@@ -177,7 +189,8 @@ test("in a long table a digit stands in its field at once, and the rows that it 
 });
 
 test("in a long table a letter right behind a digit loses nothing of it: I, and C for a corner", () => {
-  const rows = shownLong(), x = field("Element 60, X diameter");
+  const rows = shownLong(),
+    x = field("Element 60, X diameter");
   fireEvent.focus(x);
   fireEvent.change(x, { target: { value: "7" } });
   fireEvent.keyDown(x, { key: "i" });

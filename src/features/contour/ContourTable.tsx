@@ -33,7 +33,8 @@ export const ContourTable = memo(Table);
 function Table({ rows, onChange, language, apart = false }: Props) {
   const t = texts(language).contour;
   const table = useRef<HTMLTableElement>(null);
-  const active = useChosenRow(rows), activeId = active === null ? null : (rows[active]?.id ?? null);
+  const active = useChosenRow(rows),
+    activeId = active === null ? null : (rows[active]?.id ?? null);
   const asked = useContourPlace((p) => p.keyboard);
   const [said, setSaid] = useState({ text: "", times: 0 });
   /** Says what was done, also when the same is done again. */
@@ -51,7 +52,7 @@ function Table({ rows, onChange, language, apart = false }: Props) {
     now.current.onChange(next, place);
   }, []);
   const issues = new Map<number, RowIssue[]>();
-  for (const found of reading.issues) issues.set(found.row, [...issues.get(found.row) ?? [], found]);
+  for (const found of reading.issues) issues.set(found.row, [...(issues.get(found.row) ?? []), found]);
   const uses = rows.some((r) => r.angle !== "" || r.length !== "" || r.tangent);
   const [wanted, setWanted] = useState(uses);
   const details = wanted || uses;
@@ -108,41 +109,80 @@ function Table({ rows, onChange, language, apart = false }: Props) {
       <div className="contour-layout">
         {!apart && (
           <div className="contour-side">
-            <ContourDrawing rows={rows} reading={reading} active={active} language={language} onPick={(row) =>
-              chooseElement(rows[row]?.id ?? null)} onRows={onChange} onEdited={drawn} />
+            <ContourDrawing
+              rows={rows}
+              reading={reading}
+              active={active}
+              language={language}
+              onPick={(row) => chooseElement(rows[row]?.id ?? null)}
+              onRows={onChange}
+              onEdited={drawn}
+            />
             <FaultList issues={reading.issues} language={language} onPick={pick} />
           </div>
         )}
         <div className="contour-fields">
-          <RowTools number={active === null ? null : active + 1} count={rows.length} actions={actions} language={language} details={details}
-            corner={cornerRow === null ? null : cornerRow + 1} onCorner={corner} onDetails={() => setWanted(!details)}
+          <RowTools
+            number={active === null ? null : active + 1}
+            count={rows.length}
+            actions={actions}
+            language={language}
+            details={details}
+            corner={cornerRow === null ? null : cornerRow + 1}
+            onCorner={corner}
+            onDetails={() => setWanted(!details)}
           >
-            <DxfImport count={rows.length} language={language}
-              onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)} />
+            <DxfImport
+              count={rows.length}
+              language={language}
+              onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)}
+            />
           </RowTools>
           {details && <p className="small soft">{t.detailsAbout}</p>}
-          {rows.length === 0
-            ? <p className="soft">{t.empty}</p>
-            : (
-              <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>
-                <thead role="rowgroup">
-                  <tr role="row">
-                    <th role="columnheader" scope="col">{t.head.number}</th>
-                    <th role="columnheader" scope="col">{t.head.element}</th>
-                    <th role="columnheader" scope="col">{t.head.x}</th>
-                    <th role="columnheader" scope="col">{t.head.z}</th>
-                    <th role="columnheader" scope="col" className="wide">{t.head.size}</th>
-                    <th role="columnheader" scope="col" className="wide">{t.head.turn}</th>
-                  </tr>
-                </thead>
-                <tbody role="rowgroup">
-                  {rows.map((row, i) => (
-                    <ContourLine key={row.id} row={row} number={i + 1} reading={reading.rows[i]} issues={issues.get(i) ?? FINE}
-                      active={row.id === activeId} details={details} language={language} isLong={rows.length > LONG} onChange={changeRow} />
-                  ))}
-                </tbody>
-              </table>
-            )}
+          {rows.length === 0 ? (
+            <p className="soft">{t.empty}</p>
+          ) : (
+            <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>
+              <thead role="rowgroup">
+                <tr role="row">
+                  <th role="columnheader" scope="col">
+                    {t.head.number}
+                  </th>
+                  <th role="columnheader" scope="col">
+                    {t.head.element}
+                  </th>
+                  <th role="columnheader" scope="col">
+                    {t.head.x}
+                  </th>
+                  <th role="columnheader" scope="col">
+                    {t.head.z}
+                  </th>
+                  <th role="columnheader" scope="col" className="wide">
+                    {t.head.size}
+                  </th>
+                  <th role="columnheader" scope="col" className="wide">
+                    {t.head.turn}
+                  </th>
+                </tr>
+              </thead>
+              <tbody role="rowgroup">
+                {rows.map((row, i) => (
+                  <ContourLine
+                    key={row.id}
+                    row={row}
+                    number={i + 1}
+                    reading={reading.rows[i]}
+                    issues={issues.get(i) ?? FINE}
+                    active={row.id === activeId}
+                    details={details}
+                    language={language}
+                    isLong={rows.length > LONG}
+                    onChange={changeRow}
+                  />
+                ))}
+              </tbody>
+            </table>
+          )}
           <p className="small soft contour-keys">{t.keys}</p>
           <p className="small soft">{t.intro}</p>
           <p role="status" className="unseen">

@@ -41,25 +41,37 @@ export function DrawingDimensions({ rows, reading, picture, size, chosen, langua
   const t = texts(language).contour;
   const fingers = useFingers();
   const [open, setOpen] = useState<string | null>(null);
-  const back = useRef<string | null>(null), box = useRef<HTMLDivElement>(null);
-  const drawn = useMemo(() => drawnDimensions({ rows, reading, chosen, language, texts: t }), [rows, reading, chosen, language, t]);
-  const placed = useMemo(() =>
-    placedDimensions({
-      camera: picture.camera,
-      size,
-      scales: SCALES,
-      target: fingers ? TARGET.fingers : TARGET.mouse,
-      kept: picture.kept,
-      free: freeOf(picture),
-      avoid: picture.avoid,
-    }, drawn), [drawn, picture, size, fingers]);
+  const back = useRef<string | null>(null),
+    box = useRef<HTMLDivElement>(null);
+  const drawn = useMemo(
+    () => drawnDimensions({ rows, reading, chosen, language, texts: t }),
+    [rows, reading, chosen, language, t],
+  );
+  const placed = useMemo(
+    () =>
+      placedDimensions(
+        {
+          camera: picture.camera,
+          size,
+          scales: SCALES,
+          target: fingers ? TARGET.fingers : TARGET.mouse,
+          kept: picture.kept,
+          free: freeOf(picture),
+          avoid: picture.avoid,
+        },
+        drawn,
+      ),
+    [drawn, picture, size, fingers],
+  );
   const places = new Map(placed.map((p) => [p.key, p]));
 
   useLayoutEffect(() => {
     const key = back.current;
     back.current = null;
     if (key === null) return;
-    [...box.current?.querySelectorAll<HTMLElement>("[data-dimension]") ?? []].find((each) => each.dataset["dimension"] === key)?.focus();
+    [...(box.current?.querySelectorAll<HTMLElement>("[data-dimension]") ?? [])]
+      .find((each) => each.dataset["dimension"] === key)
+      ?.focus();
   });
 
   const close = (key: string, keyboard: boolean) => {
@@ -71,11 +83,13 @@ export function DrawingDimensions({ rows, reading, picture, size, chosen, langua
       <svg className="contour-dimensions" aria-hidden="true" viewBox={`0 0 ${size.width} ${size.height}`}>
         {drawn.map(({ key, own }) => {
           const at = places.get(key);
-          return at && (
-            <g key={key} className={own ? "own" : ""}>
-              <path className="line" d={at.lines} />
-              <path className="arrow" d={at.arrows} />
-            </g>
+          return (
+            at && (
+              <g key={key} className={own ? "own" : ""}>
+                <path className="line" d={at.lines} />
+                <path className="arrow" d={at.arrows} />
+              </g>
+            )
           );
         })}
       </svg>
@@ -85,18 +99,33 @@ export function DrawingDimensions({ rows, reading, picture, size, chosen, langua
           if (!at) return null;
           if (open === each.key)
             return (
-              <DimensionField key={each.key} each={each} at={at} size={size} name={t.inDrawing(each.name)} onClose={(text, keyboard) => {
-                close(each.key, keyboard);
-                if (text !== null) onTyped(dimensionTyped(rows, reading, each.dimension.row, each.dimension.field, text));
-              }} />
+              <DimensionField
+                key={each.key}
+                each={each}
+                at={at}
+                size={size}
+                name={t.inDrawing(each.name)}
+                onClose={(text, keyboard) => {
+                  close(each.key, keyboard);
+                  if (text !== null)
+                    onTyped(dimensionTyped(rows, reading, each.dimension.row, each.dimension.field, text));
+                }}
+              />
             );
           return (
-            <button key={each.key} type="button" data-dimension={each.key} aria-label={t.dimension(each.name, each.text)}
+            <button
+              key={each.key}
+              type="button"
+              data-dimension={each.key}
+              aria-label={t.dimension(each.name, each.text)}
               className={`contour-dimension number${each.own ? " own" : ""}${each.dimension.follows ? " follows" : ""}`}
-              tabIndex={each.own ? 0 : -1} style={styleOf(at)} onClick={() => {
-              onPick(each.dimension.row);
-              setOpen(each.key);
-            }}>
+              tabIndex={each.own ? 0 : -1}
+              style={styleOf(at)}
+              onClick={() => {
+                onPick(each.dimension.row);
+                setOpen(each.key);
+              }}
+            >
               <span>{each.text}</span>
             </button>
           );
@@ -108,7 +137,8 @@ export function DrawingDimensions({ rows, reading, picture, size, chosen, langua
 
 /** Where texts stand beside the contour: right of it and of Z0, below it and the axis, pixels. */
 function freeOf({ avoid, points, camera }: ContourPicture): Place {
-  const zero = toScreen(camera, WORKPIECE_ZERO), all = [...avoid, ...points.map((p) => p.place), zero];
+  const zero = toScreen(camera, WORKPIECE_ZERO),
+    all = [...avoid, ...points.map((p) => p.place), zero];
   return { x: Math.max(...all.map((p) => p.x)) + BESIDE.right, y: Math.max(...all.map((p) => p.y)) + BESIDE.below };
 }
 
@@ -122,7 +152,13 @@ const styleOf = ({ box }: PlacedDimension) => ({
 });
 
 /** A dimension that is being typed: Enter takes it, so does leaving it; Escape lets it be. */
-function DimensionField({ each, at, size, name, onClose }: {
+function DimensionField({
+  each,
+  at,
+  size,
+  name,
+  onClose,
+}: {
   readonly each: DrawnDimension;
   readonly at: PlacedDimension;
   readonly size: Size;
@@ -132,7 +168,8 @@ function DimensionField({ each, at, size, name, onClose }: {
 }) {
   const begun = each.dimension.text;
   const [text, setText] = useState(begun);
-  const input = useRef<HTMLInputElement>(null), closed = useRef(false);
+  const input = useRef<HTMLInputElement>(null),
+    closed = useRef(false);
   useEffect(() => {
     input.current?.focus({ preventScroll: true });
     input.current?.select();
@@ -148,10 +185,19 @@ function DimensionField({ each, at, size, name, onClose }: {
     e.stopPropagation();
     take(e.key === "Enter" ? text : null, true);
   };
-  const width = Math.max(FIELD, at.box.width), left = Math.max(2, Math.min(at.box.x + (at.box.width - width) / 2, size.width - width - 2));
+  const width = Math.max(FIELD, at.box.width),
+    left = Math.max(2, Math.min(at.box.x + (at.box.width - width) / 2, size.width - width - 2));
   return (
-    <NumberInput ref={input} className="input number contour-dimension-field" text={text} onText={setText} sums={false} aria-label={name}
-      style={{ left: grown(left), top: grown(at.box.y + at.box.height / 2), width: grown(width) }} onKeyDown={onKey}
-      onLeave={() => take(text, false)} />
+    <NumberInput
+      ref={input}
+      className="input number contour-dimension-field"
+      text={text}
+      onText={setText}
+      sums={false}
+      aria-label={name}
+      style={{ left: grown(left), top: grown(at.box.y + at.box.height / 2), width: grown(width) }}
+      onKeyDown={onKey}
+      onLeave={() => take(text, false)}
+    />
   );
 }

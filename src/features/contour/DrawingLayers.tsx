@@ -18,21 +18,32 @@ const HOLD_SIGNS: Readonly<Record<Hold, string>> = { tangent: "T", horizontal: "
 const STROKES: Partial<Record<Hold, string>> = { horizontal: "M-5 0H5", vertical: "M0 -5V5" };
 /** An element shorter than this on the screen has no room for its signs, pixels. */
 const ROOM = 46;
-const BESIDE = 15, STEP = 17;
+const BESIDE = 15,
+  STEP = 17;
 
 /** Small signs beside the middle of each element: what holds it beside typed coordinates. */
-export function HoldSigns({ rows, reading, picture, active }: { readonly rows: readonly ContourRow[]; readonly reading: RowsReading;
-  readonly picture: ContourPicture; readonly active: number | null })
-{
+export function HoldSigns({
+  rows,
+  reading,
+  picture,
+  active,
+}: {
+  readonly rows: readonly ContourRow[];
+  readonly reading: RowsReading;
+  readonly picture: ContourPicture;
+  readonly active: number | null;
+}) {
   const firstOf = new Map<number, number>();
   for (const [segment, row] of reading.rowOfSegment.entries()) if (!firstOf.has(row)) firstOf.set(row, segment);
   return (
     <g className="holds" aria-hidden="true">
       {rows.map((row, i) => {
-        const read = reading.rows[i], own = reading.contour.segments[firstOf.get(i) ?? -1];
+        const read = reading.rows[i],
+          own = reading.contour.segments[firstOf.get(i) ?? -1];
         const holds = read ? holdsOf(row, read) : [];
         if (!own || holds.length === 0) return null;
-        const [a, b] = [toScreen(picture.camera, own.from), toScreen(picture.camera, own.to)], long = Math.hypot(b.x - a.x, b.y - a.y);
+        const [a, b] = [toScreen(picture.camera, own.from), toScreen(picture.camera, own.to)],
+          long = Math.hypot(b.x - a.x, b.y - a.y);
         if (long < ROOM && i !== active) return null;
         const middle = toScreen(picture.camera, part.pointOn(own, 0.5)),
           along = { x: (b.x - a.x) / (long || 1), y: (b.y - a.y) / (long || 1) };
@@ -41,7 +52,9 @@ export function HoldSigns({ rows, reading, picture, active }: { readonly rows: r
         return holds.map((hold, k) => {
           const far = (k - (holds.length - 1) / 2) * STEP;
           return (
-            <g key={`${row.id} ${hold}`} className={`hold ${hold}${i === active ? " active" : ""}`}
+            <g
+              key={`${row.id} ${hold}`}
+              className={`hold ${hold}${i === active ? " active" : ""}`}
               transform={`translate(${px(middle.x + down.x * BESIDE + along.x * far)} ${px(middle.y + down.y * BESIDE + along.y * far)})`}
             >
               <rect x="-7" y="-7" width="14" height="14" rx="3" />
@@ -54,8 +67,15 @@ export function HoldSigns({ rows, reading, picture, active }: { readonly rows: r
   );
 }
 
-/** What the pointer is caught by: lines through other points, the tangent of the element before, and the place itself. */
-export function SnapLines({ pointing, from, camera, size }: {
+/**
+ * What the pointer is caught by: lines through other points, the tangent of the element before, and the place itself.
+ */
+export function SnapLines({
+  pointing,
+  from,
+  camera,
+  size,
+}: {
   readonly pointing: Pointing;
   /** Where a new element begins; null while none is drawn. */
   readonly from: Place | null;
@@ -69,7 +89,11 @@ export function SnapLines({ pointing, from, camera, size }: {
       {onX && <path className="guide" d={`M0 ${px(at.y)}H${px(size.width)}`} />}
       {onZ && <path className="guide" d={`M${px(at.x)} 0V${px(size.height)}`} />}
       {ray && <path className="guide" d={polyline([toScreen(camera, ray.from), at])} />}
-      {ray && <text x={px(at.x + 14)} y={px(at.y - 12)}>T</text>}
+      {ray && (
+        <text x={px(at.x + 14)} y={px(at.y - 12)}>
+          T
+        </text>
+      )}
       {from && <path className="rubber" d={polyline([from, at])} />}
       <path className="aim" d={`M${px(at.x - 9)} ${px(at.y)}h18M${px(at.x)} ${px(at.y - 9)}v18`} />
     </g>

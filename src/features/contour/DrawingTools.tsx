@@ -42,22 +42,46 @@ export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onF
   return (
     <Toolbar aria-label={t.drawTools} className="contour-tools contour-draw-tools">
       {(["move", "draw", "round", "chamfer"] as const).map((m) => (
-        <button key={m} type="button" className="button icon" aria-label={t.modes[m]} title={t.modes[m]} aria-pressed={mode === m}
+        <button
+          key={m}
+          type="button"
+          className="button icon"
+          aria-label={t.modes[m]}
+          title={t.modes[m]}
+          aria-pressed={mode === m}
           onClick={() => onMode(m)}
         >
-          <Shape d={modes[m]} /> <span className="contour-mode" aria-hidden="true">{t.modeShort[m]}</span>
+          <Shape d={modes[m]} />{" "}
+          <span className="contour-mode" aria-hidden="true">
+            {t.modeShort[m]}
+          </span>
         </button>
       ))}
-      <label htmlFor={id} className="small soft contour-grid-label">{t.grid}</label>
-      <select id={id} className="select number contour-grid" value={step}
+      <label htmlFor={id} className="small soft contour-grid-label">
+        {t.grid}
+      </label>
+      <select
+        id={id}
+        className="select number contour-grid"
+        value={step}
         onChange={(e) => onStep(GRID_STEPS.find((s) => s === Number(e.currentTarget.value)) ?? 1)}
       >
-        {GRID_STEPS.map((s) => <option key={s} value={s}>{formatNumber(language, s)}</option>)}
+        {GRID_STEPS.map((s) => (
+          <option key={s} value={s}>
+            {formatNumber(language, s)}
+          </option>
+        ))}
       </select>
       <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={() => onZoom(1.5)}>
         <Shape d={zooms.in} />
       </button>
-      <button type="button" className="button icon" aria-label={t.zoomOut} title={t.zoomOut} onClick={() => onZoom(1 / 1.5)}>
+      <button
+        type="button"
+        className="button icon"
+        aria-label={t.zoomOut}
+        title={t.zoomOut}
+        onClick={() => onZoom(1 / 1.5)}
+      >
         <Shape d={zooms.out} />
       </button>
       <button type="button" className="button icon" aria-label={t.fit} title={t.fit} onClick={onFit}>

@@ -24,18 +24,36 @@ export function RecessFields({ row, number, language, describedBy, onChange }: P
     <div className="contour-recess">
       <label>
         <span>{row.kind}</span>
-        <select className="select" aria-label={t.formOf(number)} value={row.form} data-row={row.id} data-field="form"
+        <select
+          className="select"
+          aria-label={t.formOf(number)}
+          value={row.form}
+          data-row={row.id}
+          data-field="form"
           onChange={(e) => onChange({ form: e.currentTarget.value }, null)}
         >
-          {forms.map((form) => <option key={form} value={form}>{row.kind === "UDC" ? formWord(form) : form}</option>)}
+          {forms.map((form) => (
+            <option key={form} value={form}>
+              {row.kind === "UDC" ? formWord(form) : form}
+            </option>
+          ))}
         </select>
       </label>
       {recessWords(row).map((word) => (
         <label key={word}>
           <span className="number">{isDiameterWord(row, word) ? `${word} ⌀` : word}</span>
-          <NumberInput text={row.words[word] ?? ""} signed={false} inputMode="text" aria-label={t.wordOf(number, word)}
-            aria-describedby={describedBy} data-row={row.id} data-field={word} selects onLeave={closeStep}
-            onText={(text) => onChange({ words: { ...row.words, [word]: text } }, `${row.id} ${word}`)} />
+          <NumberInput
+            text={row.words[word] ?? ""}
+            signed={false}
+            inputMode="text"
+            aria-label={t.wordOf(number, word)}
+            aria-describedby={describedBy}
+            data-row={row.id}
+            data-field={word}
+            selects
+            onLeave={closeStep}
+            onText={(text) => onChange({ words: { ...row.words, [word]: text } }, `${row.id} ${word}`)}
+          />
         </label>
       ))}
     </div>

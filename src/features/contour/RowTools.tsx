@@ -71,13 +71,23 @@ export function RowTools({ number, count, actions, language, corner, onCorner, d
   return (
     <Toolbar aria-label={t.head.actions} className="contour-tools">
       {tools.map(({ icon, name, off, act }) => (
-        <button key={icon} type="button" className="button icon" aria-label={name} title={name} disabled={off} onClick={act}>
+        <button
+          key={icon}
+          type="button"
+          className="button icon"
+          aria-label={name}
+          title={name}
+          disabled={off}
+          onClick={act}
+        >
           <svg className="icon" viewBox="0 0 24 24" aria-hidden="true" focusable="false">
             <path d={paths[icon]} />
           </svg>
         </button>
       ))}
-      <button type="button" className="button contour-details" aria-pressed={details} onClick={onDetails}>{t.details}</button>
+      <button type="button" className="button contour-details" aria-pressed={details} onClick={onDetails}>
+        {t.details}
+      </button>
       {children}
       {number !== null && (
         <span className="small soft contour-tools-row">

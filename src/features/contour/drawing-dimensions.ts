@@ -21,8 +21,10 @@ const pointAt = ({ x, z }: { readonly x: number; readonly z: number }) => part.p
 
 /** What a dimension measures, on the part; null while that is not known. */
 function measuredOf({ row, field, value }: ContourDimension, reading: RowsReading): Measured | null {
-  const read = reading.rows[row], { x, z } = read?.inherited ?? { x: null, z: null };
-  const end = read?.end ? pointAt(read.end) : null, from = x === null || z === null ? null : pointAt({ x, z });
+  const read = reading.rows[row],
+    { x, z } = read?.inherited ?? { x: null, z: null };
+  const end = read?.end ? pointAt(read.end) : null,
+    from = x === null || z === null ? null : pointAt({ x, z });
   switch (field) {
     case "x":
     case "z": {
@@ -48,11 +50,20 @@ function measuredOf({ row, field, value }: ContourDimension, reading: RowsReadin
 const goesWithoutSaying = ({ field, value, follows }: ContourDimension) =>
   field === "angle" && follows && value !== null && value % 90 === 0;
 
-const SIGNS: Readonly<Record<RowField, string>> = { x: "⌀ ", z: "Z ", r: "R ", length: "", angle: "", PR: "PR ", PA: "PA " };
+const SIGNS: Readonly<Record<RowField, string>> = {
+  x: "⌀ ",
+  z: "Z ",
+  r: "R ",
+  length: "",
+  angle: "",
+  PR: "PR ",
+  PA: "PA ",
+};
 
 function textOf(dimension: ContourDimension, row: ContourRow, language: Language): string {
   const { field, value, text, follows } = dimension;
-  const shown = value === null ? (follows ? "?" : text) : formatNumber(language, field === "r" ? Math.abs(value) : value, 3);
+  const shown =
+    value === null ? (follows ? "?" : text) : formatNumber(language, field === "r" ? Math.abs(value) : value, 3);
   const unit = field === "angle" || field === "PA" ? "°" : "";
   const whole = `${row.kind === "CHF" ? "CHF " : SIGNS[field]}${shown}${value === null ? "" : unit}`;
   return follows ? `(${whole})` : whole;
@@ -80,22 +91,34 @@ export function fieldName(t: ContourTexts, row: ContourRow, index: number, field
 }
 
 /** All dimensions of the chosen element, and of the others each diameter and position once, then radii and chamfers. */
-export function drawnDimensions({ rows, reading, chosen, language, texts }: { readonly rows: readonly ContourRow[];
-  readonly reading: RowsReading; readonly chosen: number | null; readonly language: Language;
-  readonly texts: ContourTexts }): readonly DrawnDimension[]
-{
+export function drawnDimensions({
+  rows,
+  reading,
+  chosen,
+  language,
+  texts,
+}: {
+  readonly rows: readonly ContourRow[];
+  readonly reading: RowsReading;
+  readonly chosen: number | null;
+  readonly language: Language;
+  readonly texts: ContourTexts;
+}): readonly DrawnDimension[] {
   const one = (dimension: ContourDimension): readonly DrawnDimension[] => {
-    const row = rows[dimension.row], measured = measuredOf(dimension, reading);
+    const row = rows[dimension.row],
+      measured = measuredOf(dimension, reading);
     if (!row || !measured) return [];
-    return [{
-      dimension,
-      measured,
-      key: `${row.id} ${dimension.field}`,
-      text: textOf(dimension, row, language),
-      name: fieldName(texts, row, dimension.row, dimension.field),
-      own: dimension.row === chosen,
-      needed: dimension.row === chosen && !goesWithoutSaying(dimension),
-    }];
+    return [
+      {
+        dimension,
+        measured,
+        key: `${row.id} ${dimension.field}`,
+        text: textOf(dimension, row, language),
+        name: fieldName(texts, row, dimension.row, dimension.field),
+        own: dimension.row === chosen,
+        needed: dimension.row === chosen && !goesWithoutSaying(dimension),
+      },
+    ];
   };
   const own = chosen === null ? [] : dimensionsOf(rows, reading, chosen);
   const others = rows.flatMap((_, i) => (i === chosen ? [] : dimensionsOf(rows, reading, i)));
@@ -105,7 +128,9 @@ export function drawnDimensions({ rows, reading, chosen, language, texts }: { re
     return value !== null && !said.has(words) && said.add(words).size > 0;
   };
   own.forEach(isNew);
-  const ordinates = [...others].filter((d) => d.field === "x" || d.field === "z").sort((a, b) => Number(a.follows) - Number(b.follows));
+  const ordinates = [...others]
+    .filter((d) => d.field === "x" || d.field === "z")
+    .sort((a, b) => Number(a.follows) - Number(b.follows));
   const sizes = others.filter((d) => d.field === "r" && d.value !== null);
   return [...own, ...ordinates.filter(isNew), ...sizes].flatMap(one);
 }

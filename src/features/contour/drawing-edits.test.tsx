@@ -6,8 +6,14 @@ import { cornerSized, isCorner, pointAppended, pointInserted, pointMoved } from 
 import { gridSpacing, onGrid, snapped } from "./snap.ts";
 
 const row = (id: string, given: Partial<ContourRow> = {}) => newRow(id, given);
-const rows = [row("e1", { x: "75", z: "0" }), row("e2", { x: "50" }), row("e3", { kind: "RND", r: "2" }), row("e4", { z: "-20" })];
-const moved = (all: readonly ContourRow[], i: number, x: number, z: number) => pointMoved(all, readRows(all), i, { x, z });
+const rows = [
+  row("e1", { x: "75", z: "0" }),
+  row("e2", { x: "50" }),
+  row("e3", { kind: "RND", r: "2" }),
+  row("e4", { z: "-20" }),
+];
+const moved = (all: readonly ContourRow[], i: number, x: number, z: number) =>
+  pointMoved(all, readRows(all), i, { x, z });
 
 test("a dragged point writes what is typed; an omitted coordinate stays out until the point leaves it", () => {
   expect(moved(rows, 1, 40, 0)[1]).toMatchObject({ x: "40", z: "" });
@@ -26,18 +32,39 @@ test("a solved coordinate stays solved when its point is dragged", () => {
 
 test("dividing an element leaves the contour as it was", () => {
   const point = fc.record({ x: fc.integer({ min: 0, max: 200 }), z: fc.integer({ min: -100, max: 0 }) });
-  fc.assert(fc.property(fc.array(point, { minLength: 3, maxLength: 6 }), fc.nat(), fc.boolean(), (points, pick, incremental) => {
-    const all = points.map((p, i) =>
-      row(`e${i + 1}`, incremental && i > 0
-        ? { x: String(p.x - (points[i - 1]?.x ?? 0)), z: String(p.z - (points[i - 1]?.z ?? 0)), incrementalX: true, incrementalZ: true }
-        : { x: String(p.x), z: String(p.z) })
-    );
-    const i = 1 + (pick % (all.length - 1)), [a, b] = [points[i - 1], points[i]];
-    if (!a || !b) return;
-    const divided = pointInserted(all, readRows(all), i, { x: (a.x + b.x) / 2, z: (a.z + b.z) / 2 }).rows;
-    expect(divided).toHaveLength(all.length + 1);
-    expect(readRows(divided).rows.map((r) => r.end).toSpliced(i, 1)).toEqual(readRows(all).rows.map((r) => r.end));
-  }), { numRuns: 100 });
+  fc.assert(
+    fc.property(
+      fc.array(point, { minLength: 3, maxLength: 6 }),
+      fc.nat(),
+      fc.boolean(),
+      (points, pick, incremental) => {
+        const all = points.map((p, i) =>
+          row(
+            `e${i + 1}`,
+            incremental && i > 0
+              ? {
+                  x: String(p.x - (points[i - 1]?.x ?? 0)),
+                  z: String(p.z - (points[i - 1]?.z ?? 0)),
+                  incrementalX: true,
+                  incrementalZ: true,
+                }
+              : { x: String(p.x), z: String(p.z) },
+          ),
+        );
+        const i = 1 + (pick % (all.length - 1)),
+          [a, b] = [points[i - 1], points[i]];
+        if (!a || !b) return;
+        const divided = pointInserted(all, readRows(all), i, { x: (a.x + b.x) / 2, z: (a.z + b.z) / 2 }).rows;
+        expect(divided).toHaveLength(all.length + 1);
+        expect(
+          readRows(divided)
+            .rows.map((r) => r.end)
+            .toSpliced(i, 1),
+        ).toEqual(readRows(all).rows.map((r) => r.end));
+      },
+    ),
+    { numRuns: 100 },
+  );
 });
 
 test("an arc is divided into two arcs of the same circle", () => {

@@ -22,20 +22,27 @@ const pointAt = ({ x, z }: SnapSpot): Pt => ({ z: axial(z), r: toRadius(diameter
 
 /** Moves the end point of a row: only what is typed or has to be; coordinates that are solved stay solved. */
 export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: SnapSpot): Rows {
-  const at = rows[row], read = reading.rows[row];
+  const at = rows[row],
+    read = reading.rows[row];
   if (!at || !read || !hasPoint(at)) return rows;
   if (isPolarRow(at)) {
     const { x, z } = read.inherited;
     return read.pole === null
       ? rows
-      : changed(rows, at.id, { words: polarWordsTo(at, read.pole, x === null || z === null ? null : pointAt({ x, z }), pointAt(to)) });
+      : changed(rows, at.id, {
+          words: polarWordsTo(at, read.pole, x === null || z === null ? null : pointAt({ x, z }), pointAt(to)),
+        });
   }
   const write = (axis: "x" | "z", incremental: boolean): string => {
-    const before = read.inherited[axis], empty = at[axis].trim() === "";
+    const before = read.inherited[axis],
+      empty = at[axis].trim() === "";
     if (read.sought[axis] || (empty && before !== null && Math.abs(to[axis] - before) < SAME)) return at[axis];
     return typed(incremental && before !== null ? to[axis] - before : to[axis]);
   };
-  const next = { x: write("x", at.incrementalX && at.x.trim() !== ""), z: write("z", at.incrementalZ && at.z.trim() !== "") };
+  const next = {
+    x: write("x", at.incrementalX && at.x.trim() !== ""),
+    z: write("z", at.incrementalZ && at.z.trim() !== ""),
+  };
   return next.x === at.x && next.z === at.z ? rows : changed(rows, at.id, next);
 }
 
@@ -47,20 +54,24 @@ export function pointAppended(rows: Rows, to: SnapSpot): Edited {
 
 /** Divides the element of a row in a point; the first part gets a row of its own before it. */
 export function pointInserted(rows: Rows, reading: RowsReading, row: number, to: SnapSpot): Edited {
-  const at = rows[row], read = reading.rows[row];
+  const at = rows[row],
+    read = reading.rows[row];
   if (!at || !read?.end || row === 0 || !hasPoint(at)) return { rows, focus: at?.id ?? null };
   if (isPolarRow(at)) return polarInserted(rows, read, row, at, to);
   const end = { x: typed(read.end.x), z: typed(read.end.z) };
-  const first = at.kind === "L" ? newRow(freshId(rows), { x: typed(to.x), z: typed(to.z) }) : {
-    ...at,
-    kind: at.kind === "CT" ? "CR" as const : at.kind,
-    id: freshId(rows),
-    x: typed(to.x),
-    z: typed(to.z),
-    incrementalX: false,
-    incrementalZ: false,
-    ...(at.kind === "CT" && { r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true }),
-  };
+  const first =
+    at.kind === "L"
+      ? newRow(freshId(rows), { x: typed(to.x), z: typed(to.z) })
+      : {
+          ...at,
+          kind: at.kind === "CT" ? ("CR" as const) : at.kind,
+          id: freshId(rows),
+          x: typed(to.x),
+          z: typed(to.z),
+          incrementalX: false,
+          incrementalZ: false,
+          ...(at.kind === "CT" && { r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true }),
+        };
   // What was measured from the point before is written out, since that point is another one now.
   const second: ContourRow = {
     ...at,
@@ -72,15 +83,25 @@ export function pointInserted(rows: Rows, reading: RowsReading, row: number, to:
   return { rows: rows.toSpliced(row, 1, first, second), focus: first.id };
 }
 
-/** Divides a polar element: the first part is written in X and Z, the second keeps the pole and is no longer incremental. */
+/**
+ * Divides a polar element: the first part is written in X and Z, the second keeps the pole and is no longer
+ * incremental.
+ */
 function polarInserted(rows: Rows, read: RowReading, row: number, at: ContourRow, to: SnapSpot): Edited {
   if (!read.pole || !read.end) return { rows, focus: at.id };
   const place = { x: typed(to.x), z: typed(to.z) };
-  const first = at.kind === "LP"
-    ? newRow(freshId(rows), place)
-    : at.kind === "CP"
-    ? newRow(freshId(rows), { kind: "C", ...place, turn: at.turn })
-    : newRow(freshId(rows), { kind: "CR", ...place, r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true });
+  const first =
+    at.kind === "LP"
+      ? newRow(freshId(rows), place)
+      : at.kind === "CP"
+        ? newRow(freshId(rows), { kind: "C", ...place, turn: at.turn })
+        : newRow(freshId(rows), {
+            kind: "CR",
+            ...place,
+            r: typed(Math.abs(read.radius ?? 0)),
+            turn: read.turn ?? at.turn,
+            tangent: true,
+          });
   const second = { ...at, words: polarWordsTo({ ...at, words: {} }, read.pole, null, pointAt(read.end)) };
   return { rows: rows.toSpliced(row, 1, first, second), focus: first.id };
 }
@@ -101,25 +122,32 @@ export function isCorner(rows: Rows, row: number): boolean {
 }
 
 /**
- * Puts a rounding or chamfer on the corner at the end of a row, changes the one that stands there, or takes it away with
- * size 0. A size that does not fit becomes the largest that does.
+ * Puts a rounding or chamfer on the corner at the end of a row, changes the one that stands there, or takes it away
+ * with size 0. A size that does not fit becomes the largest that does.
  */
 export function cornerSized(rows: Rows, row: number, kind: CornerKind, size: number): Edited {
-  const there = cornerBehind(rows, row), at = rows[row];
+  const there = cornerBehind(rows, row),
+    at = rows[row];
   if (!at) return { rows, focus: null };
   if (!(size > 0)) return there ? { rows: rows.filter((r) => r !== there), focus: at.id } : { rows, focus: at.id };
   const corner = there ? { ...there, kind, r: typed(size) } : newRow(freshId(rows), { kind, r: typed(size) });
   const made = rows.toSpliced(row + 1, there ? 1 : 0, corner);
-  const wrong = readRows(made).issues.find((found) => found.row === row + 1 && found.issue.code === "cornerElementTooLong")?.issue;
+  const wrong = readRows(made).issues.find(
+    (found) => found.row === row + 1 && found.issue.code === "cornerElementTooLong",
+  )?.issue;
   if (wrong?.code !== "cornerElementTooLong") return { rows: made, focus: corner.id };
   const sized = (r: number) => made.with(row + 1, { ...corner, r: typed(r) });
   const issuesOf = (of: Rows) => readRows(of).issues.map(({ issue }) => issue);
-  const before = issuesOf(made), { max } = wrong.data;
+  const before = issuesOf(made),
+    { max } = wrong.data;
   const fits = largestThatWorks(max, (r) => mends(wrong, before, issuesOf(sized(r))));
   return { rows: sized(fits ?? max), focus: corner.id };
 }
 
-/** The row whose corner is meant while a row is chosen: itself, or the one before a corner element; null where there is no corner. */
+/**
+ * The row whose corner is meant while a row is chosen: itself, or the one before a corner element; null where there is
+ * no corner.
+ */
 export function cornerRowOf(rows: Rows, row: number | null): number | null {
   if (row === null) return null;
   const at = rows[row]?.kind === "RND" || rows[row]?.kind === "CHF" ? row - 1 : row;

@@ -25,9 +25,16 @@ interface Pressed {
   readonly onCamera: (camera: Camera | null) => void;
 }
 
-/** A key in the drawing: arrows choose an element, with Shift they move the picture; R and C break a corner. True when it did something. */
-export function pressDrawingKey({ key, shiftKey }: { readonly key: string; readonly shiftKey: boolean }, on: Pressed): boolean {
-  const pan = PANS[key], kind = CORNERS[key.toLowerCase()];
+/**
+ * A key in the drawing: arrows choose an element, with Shift they move the picture; R and C break a corner. True when
+ * it did something.
+ */
+export function pressDrawingKey(
+  { key, shiftKey }: { readonly key: string; readonly shiftKey: boolean },
+  on: Pressed,
+): boolean {
+  const pan = PANS[key],
+    kind = CORNERS[key.toLowerCase()];
   if (pan && shiftKey) {
     on.onCamera(panned(on.camera, pan[0], pan[1]));
     return true;

@@ -5,10 +5,12 @@ import { untilHere } from "../../app/base/parts.ts";
 const LARGEST = 20_000_000;
 
 /** A drawing that was opened, or why it was not. */
-export type OpenedDxf = { readonly kind: "drawing"; readonly name: string; readonly dxf: ParsedDxf } | {
-  readonly kind: "unreadable" | "tooLarge";
-  readonly name: string;
-};
+export type OpenedDxf =
+  | { readonly kind: "drawing"; readonly name: string; readonly dxf: ParsedDxf }
+  | {
+      readonly kind: "unreadable" | "tooLarge";
+      readonly name: string;
+    };
 
 /** Opens a DXF file; the parser is loaded when it is first needed. Never throws. */
 export async function openDxf(file: File): Promise<OpenedDxf> {

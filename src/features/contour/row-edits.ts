@@ -3,7 +3,8 @@ import { newRow, type ContourRow } from "../../program/job/job.ts";
 type Rows = readonly ContourRow[];
 
 /** An id that no row has. */
-export const freshId = (rows: Rows): string => `e${1 + Math.max(0, ...rows.map((r) => Number(/^e(\d+)$/.exec(r.id)?.[1] ?? 0)))}`;
+export const freshId = (rows: Rows): string =>
+  `e${1 + Math.max(0, ...rows.map((r) => Number(/^e(\d+)$/.exec(r.id)?.[1] ?? 0)))}`;
 
 /** A table after an edit, and the row that should have the keyboard. */
 export interface Edited {
@@ -33,7 +34,8 @@ export function withoutRow(rows: Rows, at: number): Edited {
 
 /** A row one place up or down; at either end nothing changes. */
 export function withRowMoved(rows: Rows, at: number, by: 1 | -1): Edited {
-  const row = rows[at], to = at + by;
+  const row = rows[at],
+    to = at + by;
   if (!row || to < 0 || to >= rows.length) return { rows, focus: row?.id ?? null };
   return { rows: rows.toSpliced(at, 1).toSpliced(to, 0, row), focus: row.id };
 }

@@ -32,7 +32,9 @@ interface Caught {
 
 function caught(value: number, step: number, magnets: readonly number[], reach: number): Caught {
   const grid = onGrid(value, step);
-  const near = magnets.filter((m) => Math.abs(m - value) <= reach).sort((a, b) => Math.abs(a - value) - Math.abs(b - value))[0];
+  const near = magnets
+    .filter((m) => Math.abs(m - value) <= reach)
+    .sort((a, b) => Math.abs(a - value) - Math.abs(b - value))[0];
   return near !== undefined && Math.abs(near - value) <= Math.max(Math.abs(grid - value), reach / 2)
     ? { value: near, held: true }
     : { value: grid, held: magnets.includes(grid) };
@@ -54,12 +56,17 @@ export interface Aim {
   readonly ray: Ray | null;
 }
 
-/** The nearest place on the grid, on the line of another point, or on the tangent of the element before. X is never below the axis. */
+/**
+ * The nearest place on the grid, on the line of another point, or on the tangent of the element before. X is never
+ * below the axis.
+ */
 export function aimed(at: SnapSpot, step: number, magnets: Magnets, ray: Ray | null = null): Aim {
-  const x = caught(at.x, step, magnets.x, magnets.reach.x), z = caught(at.z, step, magnets.z, magnets.reach.z);
+  const x = caught(at.x, step, magnets.x, magnets.reach.x),
+    z = caught(at.z, step, magnets.z, magnets.reach.z);
   const free: Aim = { spot: { x: Math.max(0, x.value), z: z.value }, onX: x.held, onZ: z.held, ray: null };
   if (!ray || (x.held && z.held)) return free;
-  const { from, along } = ray, to = { z: at.z, r: toRadius(diameter(at.x)) };
+  const { from, along } = ray,
+    to = { z: at.z, r: toRadius(diameter(at.x)) };
   const far = (to.z - from.z) * along.z + (to.r - from.r) * along.r;
   const beside = Math.abs((to.z - from.z) * along.r - (to.r - from.r) * along.z);
   if (!(far > magnets.reach.z) || beside > magnets.reach.z) return free;

@@ -73,7 +73,9 @@ const spotAt = (camera: Camera, place: Place): SnapSpot => {
   return { x: toDiameter(radius(Math.max(0, p.r))), z: p.z };
 };
 
-/** Gestures of the contour drawing: drag points and corners, add and divide, move the picture. Escape takes a drag back. */
+/**
+ * Gestures of the contour drawing: drag points and corners, add and divide, move the picture. Escape takes a drag back.
+ */
 export function useDrawing(now: Surroundings) {
   const gesture = useRef<Gesture | null>(null);
   const count = useRef(0);
@@ -99,18 +101,30 @@ export function useDrawing(now: Surroundings) {
   const aim = (place: Place, camera: Camera, row: number | null): Aim => {
     const others = now.reading.rows.flatMap((r, i) => (r.end && i !== row ? [r.end] : []));
     const reach = 7 / camera.scale;
-    return aimed(spotAt(camera, place), now.step, {
-      x: others.map((o) => o.x),
-      z: others.map((o) => o.z),
-      reach: { x: toDiameter(radius(reach)), z: axial(reach) },
-    }, rayOf(now.reading, row ?? now.rows.length));
+    return aimed(
+      spotAt(camera, place),
+      now.step,
+      {
+        x: others.map((o) => o.x),
+        z: others.map((o) => o.z),
+        reach: { x: toDiameter(radius(reach)), z: axial(reach) },
+      },
+      rayOf(now.reading, row ?? now.rows.length),
+    );
   };
   const divide = (row: number, place: Place, camera: Camera) => {
-    const edited = pointInserted(now.rows, now.reading, row, nearestOn(now.reading, row, spotAt(camera, place), now.step));
+    const edited = pointInserted(
+      now.rows,
+      now.reading,
+      row,
+      nearestOn(now.reading, row, spotAt(camera, place), now.step),
+    );
     if (edited.rows !== now.rows) now.onEdited(edited);
   };
   const pointNear = (place: Place, fine: boolean): number | null => {
-    const near = now.picture.points.map((p) => ({ row: p.row, far: apart(p.place, place) })).sort((a, b) => a.far - b.far)[0];
+    const near = now.picture.points
+      .map((p) => ({ row: p.row, far: apart(p.place, place) }))
+      .sort((a, b) => a.far - b.far)[0];
     return near && near.far <= (fine ? NEAR.mouse : NEAR.touch) ? near.row : null;
   };
 
@@ -124,7 +138,8 @@ export function useDrawing(now: Surroundings) {
     point(null);
   };
   const goOnPinching = (id: number, here: Place) => {
-    const before = fingers.current.get(id), [other] = [...fingers.current].filter(([each]) => each !== id).map(([, place]) => place);
+    const before = fingers.current.get(id),
+      [other] = [...fingers.current].filter(([each]) => each !== id).map(([, place]) => place);
     fingers.current.set(id, here);
     if (!before || !other || !pinch.current) return;
     pinch.current = pinched(pinch.current, [before, other], [here, other]);
@@ -137,7 +152,9 @@ export function useDrawing(now: Surroundings) {
       if (e.button !== 0) return;
       fingers.current.set(e.pointerId, placeOf(e));
       if (gesture.current) return fingers.current.size === 2 ? beginPinch() : undefined;
-      const place = placeOf(e), found = pointNear(place, e.pointerType === "mouse"), element = rowUnder(e);
+      const place = placeOf(e),
+        found = pointNear(place, e.pointerType === "mouse"),
+        element = rowUnder(e);
       const row = found !== null && now.mode !== "move" && !hasPoint(now.rows[found]) ? found - 1 : found;
       const atCorners = now.mode === "round" || now.mode === "chamfer";
       const taken = row !== null && (atCorners ? isCorner(now.rows, row) : hasPoint(now.rows[row]));
@@ -165,7 +182,8 @@ export function useDrawing(now: Surroundings) {
         }, LONG);
     },
     onPointerMove: (e: PointerEvent<SVGSVGElement>) => {
-      const g = gesture.current, place = placeOf(e);
+      const g = gesture.current,
+        place = placeOf(e);
       if (!g) {
         const hovers = e.pointerType === "mouse" && now.mode === "draw";
         return hovers ? point({ row: null, aim: aim(place, now.picture.camera, null), size: null }) : undefined;
@@ -222,8 +240,10 @@ export function useDrawing(now: Surroundings) {
     },
     onPointerLeave: () => gesture.current === null && point(null),
     onDoubleClick: (e: MouseEvent<SVGSVGElement>) => {
-      const place = placeOf(e), element = pressed.current;
-      if (now.mode !== "draw" && element !== null && pointNear(place, true) === null) divide(element, place, now.picture.camera);
+      const place = placeOf(e),
+        element = pressed.current;
+      if (now.mode !== "draw" && element !== null && pointNear(place, true) === null)
+        divide(element, place, now.picture.camera);
     },
     /** Escape: the drag that is going on is taken back. */
     takeBack: (): boolean => {
@@ -240,9 +260,13 @@ export function useDrawing(now: Surroundings) {
 /** A spot, whose X is a diameter, in the half plane. */
 const pointOf = ({ x, z }: SnapSpot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
 
-/** The way on which the element of a row goes on tangentially; null where that is along an axis, or nothing stands before it. */
+/**
+ * The way on which the element of a row goes on tangentially; null where that is along an axis, or nothing stands
+ * before it.
+ */
 function rayOf(reading: RowsReading, row: number): Ray | null {
-  const i = reading.rowOfSegment.findLastIndex((each) => each < row), before = reading.contour.segments[i];
+  const i = reading.rowOfSegment.findLastIndex((each) => each < row),
+    before = reading.contour.segments[i];
   if (!before) return null;
   const along = part.direction(before, before.to);
   return Math.abs(along.z) < SAME || Math.abs(along.r) < SAME ? null : { from: before.to, along };
@@ -250,11 +274,17 @@ function rayOf(reading: RowsReading, row: number): Ray | null {
 
 /** The point of a row's element nearest to a spot; along paraxial lines on the grid. */
 function nearestOn(reading: RowsReading, row: number, spot: SnapSpot, step: number): SnapSpot {
-  const to = reading.rows[row]?.end, from = reading.rows.slice(0, row).map((r) => r.end).filter((p) => p !== null).at(-1);
+  const to = reading.rows[row]?.end,
+    from = reading.rows
+      .slice(0, row)
+      .map((r) => r.end)
+      .filter((p) => p !== null)
+      .at(-1);
   if (!to || !from) return spot;
   const s = reading.contour.segments.find((_, i) => reading.rowOfSegment[i] === row);
   if (s?.kind === "arc") {
-    const own = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), { r } = pointOf(spot);
+    const own = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r),
+      { r } = pointOf(spot);
     const angle = Math.atan2(r - s.centre.r, spot.z - s.centre.z);
     return { x: toDiameter(radius(s.centre.r + own * Math.sin(angle))), z: s.centre.z + own * Math.cos(angle) };
   }

@@ -22,12 +22,15 @@ function sameField(table: HTMLElement, from: Field, by: 1 | -1): void {
   const lines = [...table.querySelectorAll("tr.contour-line")];
   const line = lines[lines.findIndex((l) => l.contains(from)) + by];
   const fields = [...(line?.querySelectorAll<Field>(FIELDS) ?? [])];
-  focusField(fields.find((f) => f.dataset["field"] === from.dataset["field"]) ?? fields.find((f) => f instanceof HTMLInputElement));
+  focusField(
+    fields.find((f) => f.dataset["field"] === from.dataset["field"]) ??
+      fields.find((f) => f instanceof HTMLInputElement),
+  );
 }
 
 /**
- * Keys of the table: Enter to the next field, arrows between rows, Alt and arrows to move, R and C for corners, and the rows'
- * own commands.
+ * Keys of the table: Enter to the next field, arrows between rows, Alt and arrows to move, R and C for corners, and the
+ * rows' own commands.
  */
 export function useTableKeys(
   table: RefObject<HTMLElement | null>,
@@ -67,8 +70,14 @@ export function useRowFocus(table: RefObject<HTMLElement | null>): (row: string 
     const wanted = asked.current;
     asked.current = null;
     if (!wanted) return;
-    const fields = [...(table.current?.querySelectorAll<Field>(FIELDS) ?? [])].filter((f) => f.dataset["row"] === wanted.row);
-    focusField(fields.find((f) => f.dataset["field"] === wanted.field) ?? fields.find((f) => f instanceof HTMLInputElement) ?? fields[0]);
+    const fields = [...(table.current?.querySelectorAll<Field>(FIELDS) ?? [])].filter(
+      (f) => f.dataset["row"] === wanted.row,
+    );
+    focusField(
+      fields.find((f) => f.dataset["field"] === wanted.field) ??
+        fields.find((f) => f instanceof HTMLInputElement) ??
+        fields[0],
+    );
   });
   return (row, field) => {
     asked.current = row === null ? null : { row, field };

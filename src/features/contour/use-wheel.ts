@@ -3,12 +3,14 @@ import type { Place } from "../../view/camera.ts";
 import { pageUnit } from "../../app/base/unit.ts";
 
 /** Zoom per wheel pixel, and pixels of one line. */
-const WHEEL = 0.0015, LINE = 33;
+const WHEEL = 0.0015,
+  LINE = 33;
 
 /** The wheel zooms about the pointer. Listened to by hand: the page must not scroll along. */
 export function useWheel(element: RefObject<HTMLElement | null>, zoom: (factor: number, at: Place) => void): void {
   const turned = useEffectEvent((e: WheelEvent, node: HTMLElement) => {
-    const box = node.getBoundingClientRect(), unit = pageUnit();
+    const box = node.getBoundingClientRect(),
+      unit = pageUnit();
     zoom(Math.exp(-e.deltaY * (e.deltaMode === 1 ? LINE : 1) * WHEEL), {
       x: (e.clientX - box.left) / unit,
       y: (e.clientY - box.top) / unit,

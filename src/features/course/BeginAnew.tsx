@@ -13,10 +13,14 @@ export function BeginAnew() {
   return (
     <div className="course-foot">
       {!isEmpty && (
-        <button type="button" className="button plain" onClick={() => {
-          beginCourseAnew();
-          setBegun(true);
-        }}>
+        <button
+          type="button"
+          className="button plain"
+          onClick={() => {
+            beginCourseAnew();
+            setBegun(true);
+          }}
+        >
           {t.anew}
         </button>
       )}

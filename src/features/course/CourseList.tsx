@@ -8,14 +8,23 @@ import { TaughtTasks } from "./teach/TaughtTasks.tsx";
 import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** The lesson to go on with: the one that was open last, or the first of those that come after it where that is done. */
-export function lessonToGoOn(lessons: readonly LessonEntry[], { list }: ReturnType<typeof useLearning.getState>): LessonEntry | null {
+/**
+ * The lesson to go on with: the one that was open last, or the first of those that come after it where that is done.
+ */
+export function lessonToGoOn(
+  lessons: readonly LessonEntry[],
+  { list }: ReturnType<typeof useLearning.getState>,
+): LessonEntry | null {
   const { last } = list;
   if (!last) return null;
   const at = lessons.findIndex(({ id }) => id === last.lesson);
   const isDone = (lesson: LessonEntry) =>
     list.read.includes(lesson.id) && lesson.tasks.every(({ id }) => progressOfTask(list, id).passed !== null);
-  return lessons.slice(Math.max(0, at)).find((lesson) => !isDone(lesson)) ?? lessons.find((lesson) => !isDone(lesson)) ?? null;
+  return (
+    lessons.slice(Math.max(0, at)).find((lesson) => !isDone(lesson)) ??
+    lessons.find((lesson) => !isDone(lesson)) ??
+    null
+  );
 }
 
 function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly isNext: boolean }) {
@@ -23,16 +32,21 @@ function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly 
   const { list } = useLearning();
   const states = lesson.tasks.map((task) => ({ ...task, state: stateOfTask(progressOfTask(list, task.id)) }));
   const passed = states.filter(({ state }) => state !== "new" && state !== "tried").length;
-  const progress = passed === states.length && passed > 0 ? t.allPassed : t.passed(String(passed), String(states.length));
+  const progress =
+    passed === states.length && passed > 0 ? t.allPassed : t.passed(String(passed), String(states.length));
   return (
     <li className="lesson-row" data-next={isNext}>
       <a className="lesson-link" href={courseHref(lesson.id)} aria-describedby={`aim-${lesson.id}`}>
-        <span className="lesson-number number" aria-hidden="true">{lesson.number}</span>
+        <span className="lesson-number number" aria-hidden="true">
+          {lesson.number}
+        </span>
         <h2>
           <span className="unseen">{t.lesson(String(lesson.number))}:</span> {lesson.title}
         </h2>
       </a>
-      <p id={`aim-${lesson.id}`} className="lesson-aim soft">{lesson.aim}</p>
+      <p id={`aim-${lesson.id}`} className="lesson-aim soft">
+        {lesson.aim}
+      </p>
       <p className="lesson-progress small">
         {states.length === 0 && t.noTasks}
         {states.length > 0 && (
@@ -78,10 +92,16 @@ export function CourseList() {
             {t.goOn(String(next.number), next.title)}
           </a>
         )}
-        {!last && first && <a className="button primary" href={courseHref(first.id)}>{t.begin}</a>}
+        {!last && first && (
+          <a className="button primary" href={courseHref(first.id)}>
+            {t.begin}
+          </a>
+        )}
       </div>
       <ol className="lesson-list" aria-label={t.lessons}>
-        {lessons.map((lesson) => <LessonRow key={lesson.id} lesson={lesson} isNext={lesson === next} />)}
+        {lessons.map((lesson) => (
+          <LessonRow key={lesson.id} lesson={lesson} isNext={lesson === next} />
+        ))}
       </ol>
       <GuideLinks />
       <TaughtTasks />

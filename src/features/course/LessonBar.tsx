@@ -14,7 +14,12 @@ import type { PlayedStretch } from "./use-stretch.ts";
 const PARTS = 1000;
 
 /** Play and hold, move by move, to any moment; the block that runs, and the step of the manual. */
-export function LessonBar({ playback, stretch, run, lines }: {
+export function LessonBar({
+  playback,
+  stretch,
+  run,
+  lines,
+}: {
   readonly playback: PlaybackStore;
   readonly stretch: PlayedStretch;
   readonly run: Run;
@@ -23,36 +28,49 @@ export function LessonBar({ playback, stretch, run, lines }: {
 }) {
   const t = useTexts("course").picture;
   const texts = useTexts();
-  const lengths = useLengths(run), { language } = lengths;
+  const lengths = useLengths(run),
+    { language } = lengths;
   const playing = usePlayback(playback, (s) => s.get().playing);
-  const spoken = usePlayback(playback,
-    (s) => s.get().playing ? "" : texts.lathe.timeOf(clockText(language, stretch.now()), clockText(language, stretch.length)));
+  const spoken = usePlayback(playback, (s) =>
+    s.get().playing ? "" : texts.lathe.timeOf(clockText(language, stretch.now()), clockText(language, stretch.length)),
+  );
   const input = useRef<HTMLInputElement>(null);
   const said = useRef<HTMLSpanElement>(null);
   const block = useRef<HTMLSpanElement>(null);
   const blocks = useMemo(() => blocksOfLines(lines), [lines]);
   const { now, length } = stretch;
-  useEachReading(playback, useCallback(() => {
-    if (input.current) input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
-    const position = playback.shown();
-    const isCalled = (run.steps[position.step]?.operation ?? null) !== null;
-    const running = isCalled ? runningText(texts, lengths, run, position) : null;
-    const text = running ? [running.pass, running.step].filter((each) => each !== "").join(" · ") : "";
-    if (said.current && said.current.textContent !== text) said.current.textContent = text;
-    const step = run.steps[Math.min(position.step, run.steps.length - 1)];
-    const line = (step && blocks[step.block]?.split("\n")[0]) ?? "";
-    if (block.current && block.current.textContent !== line) block.current.textContent = line;
-    // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is made anew with each render and reads the same playback
-  }, [playback, length, texts, lengths, run, blocks]));
+  useEachReading(
+    playback,
+    useCallback(() => {
+      if (input.current) input.current.value = String(length > 0 ? (PARTS * now()) / length : 0);
+      const position = playback.shown();
+      const isCalled = (run.steps[position.step]?.operation ?? null) !== null;
+      const running = isCalled ? runningText(texts, lengths, run, position) : null;
+      const text = running ? [running.pass, running.step].filter((each) => each !== "").join(" · ") : "";
+      if (said.current && said.current.textContent !== text) said.current.textContent = text;
+      const step = run.steps[Math.min(position.step, run.steps.length - 1)];
+      const line = (step && blocks[step.block]?.split("\n")[0]) ?? "";
+      if (block.current && block.current.textContent !== line) block.current.textContent = line;
+      // eslint-disable-next-line react-hooks/exhaustive-deps -- `now` is made anew with each render and reads the same playback
+    }, [playback, length, texts, lengths, run, blocks]),
+  );
   return (
     <div className="lesson-bar">
       <div className="lesson-play">
         <GlyphButton glyph="first" name={t.first} onPress={stretch.restart} />
         <GlyphButton glyph={playing ? "pause" : "play"} name={playing ? t.pause : t.play} onPress={stretch.toggle} />
         <GlyphButton glyph="forward" name={t.forward} onPress={() => playback.dispatch({ do: "forward" })} />
-        <input ref={input} type="range" min={0} max={PARTS} step="any" defaultValue={0} aria-label={t.scrub}
+        <input
+          ref={input}
+          type="range"
+          min={0}
+          max={PARTS}
+          step="any"
+          defaultValue={0}
+          aria-label={t.scrub}
           {...(spoken && { "aria-valuetext": spoken })}
-          onInput={(event) => stretch.seek((Number(event.currentTarget.value) / PARTS) * length)} />
+          onInput={(event) => stretch.seek((Number(event.currentTarget.value) / PARTS) * length)}
+        />
       </div>
       <p className="lesson-step small">
         <span ref={block} className="number" /> <span ref={said} />

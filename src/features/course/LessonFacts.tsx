@@ -24,32 +24,42 @@ function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["r
       </p>
       {drawing && worst && <LoadScale of={of} drawing={drawing} />}
       <p className="small" role="status">
-        {worst
-          ? (
-            <>
-              <span className="soft">{worst.limited && of === "speed" ? t.least : t.greatest}</span>{" "}
-              <span className="number">
-                <b>{loadValue(t, lengths, of, worst.value)}</b> {loadPlaceText(t, lengths, worst)}
-              </span>
-            </>
-          )
-          : drawing
-          ? t.nothing
-          : t.working}
+        {worst ? (
+          <>
+            <span className="soft">{worst.limited && of === "speed" ? t.least : t.greatest}</span>{" "}
+            <span className="number">
+              <b>{loadValue(t, lengths, of, worst.value)}</b> {loadPlaceText(t, lengths, worst)}
+            </span>
+          </>
+        ) : drawing ? (
+          t.nothing
+        ) : (
+          t.working
+        )}
       </p>
     </section>
   );
 }
 
-/** What comes of the values of a page: passes, real infeed, time, what stays; and the colours' scale where they tell something. */
-export function LessonFacts({ outcome, played, told, old }: {
+/**
+ * What comes of the values of a page: passes, real infeed, time, what stays; and the colours' scale where they tell
+ * something.
+ */
+export function LessonFacts({
+  outcome,
+  played,
+  told,
+  old,
+}: {
   readonly outcome: Outcome;
   readonly played: Played;
   readonly told: Told | null;
   /** They are those of the value before. */
   readonly old: boolean;
 }) {
-  const { page: { effect: t } } = useTexts();
+  const {
+    page: { effect: t },
+  } = useTexts();
   const language = useSettings((s) => s.language);
   const { run } = outcome;
   const calls = operationsPlayed(run.operations, played);
@@ -60,7 +70,8 @@ export function LessonFacts({ outcome, played, told, old }: {
   const infeedText = (infeed: number) => formatFixed(language, infeed, 3);
   const facts: readonly (readonly [name: string, value: string])[] = [
     ...(passes > 0 ? [[t.passes, formatNumber(language, passes, 0)] as const] : []),
-    // The passes of a thread grow ever shallower: what is told is the deepest. Calls that differ have no infeed in common.
+    // The passes of a thread grow ever shallower: what is told is the deepest. Calls that differ have no infeed in
+    // common.
     ...(cutting && others.every(({ infeed }) => infeedText(infeed) === infeedText(cutting.infeed))
       ? [[t.infeed, `${infeedText(cutting.infeed)} ${cutting.thread ? "mm" : t.infeedUnit}`] as const]
       : []),

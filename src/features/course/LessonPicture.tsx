@@ -36,7 +36,9 @@ import { useStretch } from "./use-stretch.ts";
 import "../../app/pictures/lathe/lathe.css";
 
 /** Fetched for a program that has approaches. */
-const TurnPoints = lazyPart(async () => ({ default: (await import("../../app/pictures/plane/TurnPoints.tsx")).TurnPoints }));
+const TurnPoints = lazyPart(async () => ({
+  default: (await import("../../app/pictures/plane/TurnPoints.tsx")).TurnPoints,
+}));
 
 /** What is done sooner than this is not worth a word, ms. */
 const SOON = 300;
@@ -83,7 +85,10 @@ const framed = ({ x, z }: NonNullable<LessonPageOf["frame"]>): Bounds => ({
   high: toRadius(diameter(x[1])),
 });
 
-/** What the picture of a page shows where it asks for nothing else: the blank with all that is fed there, and not the whole chuck. */
+/**
+ * What the picture of a page shows where it asks for nothing else: the blank with all that is fed there, and not the
+ * whole chuck.
+ */
 function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds): Bounds {
   const fed = steps.slice(first, last + 1).filter(({ move }) => move.kind !== "rapid");
   const seen = joined(boundsOf(blank.flat()), boundsOf(fed.flatMap(({ from, move }) => [from, move.to])));
@@ -93,7 +98,14 @@ function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds):
 }
 
 /** The lathe of a page: the run of its program, playing, with what the page shows beside it. */
-export function LessonPicture({ outcome, page, playback, waits, failed, slid }: {
+export function LessonPicture({
+  outcome,
+  page,
+  playback,
+  waits,
+  failed,
+  slid,
+}: {
   readonly outcome: Outcome;
   readonly page: LessonPageOf;
   readonly playback: PlaybackStore;
@@ -117,21 +129,34 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
   const passes = stretchesOf(run);
   const scene = useMemo(() => sceneOfRun(run, passes.whole), [run, passes]);
   const still = reducedMotion({ motion });
-  // As long as the run is that of the page before, this page has not been opened yet: it begins when its own run is here.
+  // As long as the run is that of the page before, this page has not been opened yet: it begins when its own run is
+  // here.
   const opened = dimmed ? `${page.key} waits` : page.key;
-  const stretch = useStretch(playback, run, played, { page: opened, at: still && page.begins === "play" ? "start" : page.begins });
+  const stretch = useStretch(playback, run, played, {
+    page: opened,
+    at: still && page.begins === "play" ? "start" : page.begins,
+  });
   const stage = useSized(viewport);
   const told: Told | null = page.shows === undefined || page.shows === "residue" ? null : page.shows;
   useLessonLoad(outcome, told);
   useEffect(() => playback.setStill(still), [playback, still]);
-  const frame = useMemo(() => (page.frame ? framed(page.frame) : frameOf(run, played, scene.bounds)), [page.frame, run, played, scene]);
+  const frame = useMemo(
+    () => (page.frame ? framed(page.frame) : frameOf(run, played, scene.bounds)),
+    [page.frame, run, played, scene],
+  );
   useEffect(() => viewport.setBounds(frame), [frame, viewport]);
   useEffect(() => viewport.fit(), [page.key, viewport]);
 
   const ended = usePlayback(playback, (s) => s.get().position.step > played.last);
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  const state = useMemo(() => (resting >= 0 ? statusText(texts, lengths, run, playback) : ""), [resting, texts, lengths, run, playback]);
-  const datum = datumAt(run.datums, usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)));
+  const state = useMemo(
+    () => (resting >= 0 ? statusText(texts, lengths, run, playback) : ""),
+    [resting, texts, lengths, run, playback],
+  );
+  const datum = datumAt(
+    run.datums,
+    usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)),
+  );
   const places = useLessonPlaces(outcome);
   const [look, setLook] = useState({ page: "", id: "" });
   const chosen = places.find(({ id }) => id === look.id && look.page === page.key) ?? null;
@@ -153,14 +178,26 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
       <section className="lesson-picture" aria-label={t.picture.name}>
         <div className="lesson-lathe">
           <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${ended ? " ended" : ""}`}>
-            <Picture viewport={viewport} scene={scene} moving={moving} waiting={null}
+            <Picture
+              viewport={viewport}
+              scene={scene}
+              moving={moving}
+              waiting={null}
               gouges={simulation.findings.flatMap(({ rings }) => rings)}
-              residual={ended ? simulation.proof.residual.map(({ ring }) => ring) : NOTHING} section={drawn}
-              name={texts.lathe.pictures[drawn](state)} path={passes.stretches} ghosts={null} chosen={told && (
-              <Suspense>
-                <LoadLines of={told} run={run} shown={EVERY} />
-              </Suspense>
-            )} hovered={null}>
+              residual={ended ? simulation.proof.residual.map(({ ring }) => ring) : NOTHING}
+              section={drawn}
+              name={texts.lathe.pictures[drawn](state)}
+              path={passes.stretches}
+              ghosts={null}
+              chosen={
+                told && (
+                  <Suspense>
+                    <LoadLines of={told} run={run} shown={EVERY} />
+                  </Suspense>
+                )
+              }
+              hovered={null}
+            >
               <Marks viewport={viewport} starts={starts} datum={datum} />
               {told && (
                 <Suspense>
@@ -175,7 +212,9 @@ export function LessonPicture({ outcome, page, playback, waits, failed, slid }: 
               <PlaceLines seeing={seenFlat(viewport)} places={seen} />
             </Picture>
             <PlaceButtons seeing={seenFlat(viewport)} places={seen} chosen={chosen} choose={choose} />
-            <p className="lesson-checking small" role="status">{failed ? t.picture.failed : isLong && texts.lathe.checking}</p>
+            <p className="lesson-checking small" role="status">
+              {failed ? t.picture.failed : isLong && texts.lathe.checking}
+            </p>
           </div>
           <LessonBar playback={playback} stretch={stretch} run={run} lines={page.program} />
         </div>

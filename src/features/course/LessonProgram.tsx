@@ -8,7 +8,13 @@ import { openToTry } from "./open-example.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** The program that the picture is made from, with the block that runs, to be read and to be taken into the editor. */
-export function LessonProgram({ lines, run, playback, open, onOpen }: {
+export function LessonProgram({
+  lines,
+  run,
+  playback,
+  open,
+  onOpen,
+}: {
   readonly lines: readonly string[];
   /** Its run; null as long as there is none. */
   readonly run: Run | null;
@@ -24,18 +30,26 @@ export function LessonProgram({ lines, run, playback, open, onOpen }: {
   useEffect(() => {
     const line = list.current?.querySelector<HTMLElement>("[data-running]");
     if (!list.current || !line) return;
-    const over = line.offsetTop - list.current.offsetTop, { scrollTop, clientHeight } = list.current;
-    if (over < scrollTop || over + line.offsetHeight > scrollTop + clientHeight) list.current.scrollTop = over - clientHeight / 2;
+    const over = line.offsetTop - list.current.offsetTop,
+      { scrollTop, clientHeight } = list.current;
+    if (over < scrollTop || over + line.offsetHeight > scrollTop + clientHeight)
+      list.current.scrollTop = over - clientHeight / 2;
   }, [running]);
   return (
-    <details className="lesson-program" open={open} onToggle={({ currentTarget: box }) => {
-      if (box.open && !open) box.scrollIntoView({ block: "nearest" });
-      onOpen(box.open);
-    }}>
+    <details
+      className="lesson-program"
+      open={open}
+      onToggle={({ currentTarget: box }) => {
+        if (box.open && !open) box.scrollIntoView({ block: "nearest" });
+        onOpen(box.open);
+      }}
+    >
       <summary>{t.program}</summary>
       <pre ref={list} className="number" role="group" tabIndex={0} aria-label={t.program}>
         {blocks.map((block, i) => (
-          <span key={i} className="lesson-block" data-running={i === running ? true : undefined}>{block}</span>
+          <span key={i} className="lesson-block" data-running={i === running ? true : undefined}>
+            {block}
+          </span>
         ))}
       </pre>
       <button type="button" className="button" onClick={() => openToTry(lines)}>

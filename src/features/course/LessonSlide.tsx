@@ -11,7 +11,12 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 type Slide = NonNullable<Lesson["pages"][number]["slide"]>;
 
 /** A value that is slid: what it is called on the control, the number, and the slider. The picture follows. */
-export function LessonSlide({ slide, value, lines, onSlide }: {
+export function LessonSlide({
+  slide,
+  value,
+  lines,
+  onSlide,
+}: {
   readonly slide: Slide;
   readonly value: number;
   /** The program of the page, whose first cycle with this parameter says what it is. */
@@ -33,10 +38,20 @@ export function LessonSlide({ slide, value, lines, onSlide }: {
       <label htmlFor={id}>
         <span className="number">{q}</span> {words?.label}
       </label>
-      <output className="number" htmlFor={id}>{number}</output>
+      <output className="number" htmlFor={id}>
+        {number}
+      </output>
       {choice && <p className="lesson-choice small">{choice}</p>}
-      <input id={id} type="range" min={from} max={to} step={step} value={value} aria-valuetext={said}
-        onChange={(event) => onSlide(Number(event.currentTarget.value))} />
+      <input
+        id={id}
+        type="range"
+        min={from}
+        max={to}
+        step={step}
+        value={value}
+        aria-valuetext={said}
+        onChange={(event) => onSlide(Number(event.currentTarget.value))}
+      />
     </div>
   );
 }

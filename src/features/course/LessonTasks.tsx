@@ -10,7 +10,15 @@ import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** What follows the pages of a lesson: what one can do now, the example to play with, and the tasks. */
-export function LessonTasks({ lesson, entry, aim }: { readonly lesson: Lesson; readonly entry: LessonEntry; readonly aim: string }) {
+export function LessonTasks({
+  lesson,
+  entry,
+  aim,
+}: {
+  readonly lesson: Lesson;
+  readonly entry: LessonEntry;
+  readonly aim: string;
+}) {
   const t = useTexts("course");
   const { list } = useLearning();
   const going = useRef(false);

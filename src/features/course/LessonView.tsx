@@ -35,7 +35,12 @@ function useLesson(id: string): Lesson | null {
 }
 
 /** A page: its text beside the lathe, and what may be slid. */
-function PageOfLesson({ page, text, before, name }: {
+function PageOfLesson({
+  page,
+  text,
+  before,
+  name,
+}: {
   readonly page: LessonPageOf;
   readonly text: string;
   /** Texts of the pages before it. */
@@ -47,7 +52,7 @@ function PageOfLesson({ page, text, before, name }: {
   const [playback] = useState(() => createPlaybackStore(clock));
   const [read, setRead] = useState(false);
   const [slid, setSlid] = useState<{ readonly key: string; readonly value: number } | null>(null);
-  const first = slide ? valueIn(program, slide.q) ?? slide.from : 0;
+  const first = slide ? (valueIn(program, slide.q) ?? slide.from) : 0;
   const value = slid?.key === page.key ? slid.value : first;
   const lines = slide ? withSlid(program, slide.q, value) : program;
   const { outcome, waits, failed } = useLessonRun(programOfLines(lines));
@@ -55,16 +60,40 @@ function PageOfLesson({ page, text, before, name }: {
     <>
       <div className="lesson-side">
         {outcome && (
-          <LessonPicture outcome={outcome} page={page} playback={playback} waits={waits} failed={failed} slid={slid?.key === page.key} />
+          <LessonPicture
+            outcome={outcome}
+            page={page}
+            playback={playback}
+            waits={waits}
+            failed={failed}
+            slid={slid?.key === page.key}
+          />
         )}
-        {!outcome && <p className="lesson-waits soft" role="status">{failed ? t.failed : t.working}</p>}
+        {!outcome && (
+          <p className="lesson-waits soft" role="status">
+            {failed ? t.failed : t.working}
+          </p>
+        )}
       </div>
       <div className="lesson-text">
         <section className="lesson-words" aria-label={name} aria-live="polite" aria-atomic="true">
           <Paragraphs text={text} before={before} />
         </section>
-        {slide && <LessonSlide slide={slide} value={value} lines={lines} onSlide={(next) => setSlid({ key: page.key, value: next })} />}
-        <LessonProgram lines={lines} playback={playback} open={read} onOpen={setRead} run={waits || !outcome ? null : outcome.run} />
+        {slide && (
+          <LessonSlide
+            slide={slide}
+            value={value}
+            lines={lines}
+            onSlide={(next) => setSlid({ key: page.key, value: next })}
+          />
+        )}
+        <LessonProgram
+          lines={lines}
+          playback={playback}
+          open={read}
+          onOpen={setRead}
+          run={waits || !outcome ? null : outcome.run}
+        />
       </div>
     </>
   );
@@ -79,7 +108,10 @@ function PageLinks({ entry, at }: { readonly entry: LessonEntry; readonly at: Le
       <ol>
         {all.map((page) => (
           <li key={page}>
-            <a className="button plain" href={courseHref(entry.id, page)} aria-current={page === at ? "page" : undefined}
+            <a
+              className="button plain"
+              href={courseHref(entry.id, page)}
+              aria-current={page === at ? "page" : undefined}
               aria-label={page === "tasks" ? t.tasks : t.page(String(page))}
             >
               {page === "tasks" ? t.tasks : <span className="number">{page}</span>}
@@ -100,9 +132,12 @@ function useWays(entry: LessonEntry, at: LessonPage) {
   const back = at === "tasks" ? entry.pages : at - 1;
   return {
     back: back >= 1 ? { lesson: entry.id, page: back, name: t.previous } : null,
-    on: at === "tasks"
-      ? next ? { lesson: next.id, page: 1, name: t.nextLesson(String(next.number), next.title) } : null
-      : { lesson: entry.id, page: after as LessonPage, name: after === "tasks" ? t.toTasks : t.next },
+    on:
+      at === "tasks"
+        ? next
+          ? { lesson: next.id, page: 1, name: t.nextLesson(String(next.number), next.title) }
+          : null
+        : { lesson: entry.id, page: after as LessonPage, name: after === "tasks" ? t.toTasks : t.next },
   };
 }
 
@@ -138,17 +173,35 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
         <PageLinks entry={entry} at={at} />
       </header>
       <div className="lesson-body" data-tasks={!page}>
-        {page && typeof at === "number"
-          ? (
-            <PageOfLesson page={page} text={words.pages[at - 1] ?? ""} before={words.pages.slice(0, at - 1)}
-              name={t.pageOf(String(at), String(entry.pages))} />
-          )
-          : <LessonTasks lesson={lesson} entry={entry} aim={words.aim} />}
+        {page && typeof at === "number" ? (
+          <PageOfLesson
+            page={page}
+            text={words.pages[at - 1] ?? ""}
+            before={words.pages.slice(0, at - 1)}
+            name={t.pageOf(String(at), String(entry.pages))}
+          />
+        ) : (
+          <LessonTasks lesson={lesson} entry={entry} aim={words.aim} />
+        )}
       </div>
       <footer className="lesson-foot">
-        <span className="lesson-foot-side">{back && <a className="button" href={courseHref(back.lesson, back.page)}>{back.name}</a>}</span>
-        <span className="soft small" aria-hidden="true">{typeof at === "number" && t.pageOf(String(at), String(entry.pages))}</span>
-        <span className="lesson-foot-side">{on && <a className="button primary" href={courseHref(on.lesson, on.page)}>{on.name}</a>}</span>
+        <span className="lesson-foot-side">
+          {back && (
+            <a className="button" href={courseHref(back.lesson, back.page)}>
+              {back.name}
+            </a>
+          )}
+        </span>
+        <span className="soft small" aria-hidden="true">
+          {typeof at === "number" && t.pageOf(String(at), String(entry.pages))}
+        </span>
+        <span className="lesson-foot-side">
+          {on && (
+            <a className="button primary" href={courseHref(on.lesson, on.page)}>
+              {on.name}
+            </a>
+          )}
+        </span>
       </footer>
     </main>
   );
@@ -160,7 +213,9 @@ function MissingLesson() {
     <main className="course-page">
       <p>{t.missing}</p>
       <p>
-        <a className="button" href={courseHref()}>{t.toList}</a>
+        <a className="button" href={courseHref()}>
+          {t.toList}
+        </a>
       </p>
     </main>
   );
@@ -168,11 +223,11 @@ function MissingLesson() {
 
 /** A lesson: its pages one after the other, then its tasks. */
 export function LessonView({ entry }: { readonly entry: LessonEntry | null }) {
-  return entry
-    ? (
-      <Suspense>
-        <OpenLesson entry={entry} />
-      </Suspense>
-    )
-    : <MissingLesson />;
+  return entry ? (
+    <Suspense>
+      <OpenLesson entry={entry} />
+    </Suspense>
+  ) : (
+    <MissingLesson />
+  );
 }

@@ -9,7 +9,13 @@ const together = (text: string): string => text.replaceAll(/ (?=[?!:;Â»%])|(?<=Â
 /** A text in which no number breaks. */
 const unbroken = (text: string) =>
   numbersApart(text).map((piece, k) =>
-    k % 2 === 1 ? <span key={k} className="unbroken">{piece}</span> : <Fragment key={k}>{piece}</Fragment>
+    k % 2 === 1 ? (
+      <span key={k} className="unbroken">
+        {piece}
+      </span>
+    ) : (
+      <Fragment key={k}>{piece}</Fragment>
+    ),
   );
 
 interface Props {
@@ -23,5 +29,11 @@ export function Paragraphs({ text, before }: Props) {
   const paragraphs = text.split(/\n\s*\n/).map(together);
   const said = (plain: boolean) =>
     paragraphs.map((each, i) => <p key={i}>{plain ? unbroken(each) : <Said text={each} plain={unbroken} />}</p>);
-  return before ? <SaidOnPage texts={paragraphs} before={before}>{said(false)}</SaidOnPage> : said(true);
+  return before ? (
+    <SaidOnPage texts={paragraphs} before={before}>
+      {said(false)}
+    </SaidOnPage>
+  ) : (
+    said(true)
+  );
 }

@@ -1,7 +1,10 @@
 import type { TaskState } from "../../course/progress.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** Each state has a form of its own: an empty ring, a half one, a tick; with a dash below it after hints, with two after the solution. */
+/**
+ * Each state has a form of its own: an empty ring, a half one, a tick; with a dash below it after hints, with two after
+ * the solution.
+ */
 const FORMS: Readonly<Record<TaskState, string>> = {
   new: "M8 2.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 0 0 0-11",
   tried: "M8 2.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 0 0 0-11M8 5v6M6.5 5.4v5.2",

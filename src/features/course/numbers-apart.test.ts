@@ -7,7 +7,11 @@ test("a number with a minus stays with its axis and its point, whatever stands r
 });
 
 test("Chinese goes on beside it: a line may end there", () => {
-  expect(numbersApart("图中标的是刀尖，Z-0.4。手册印的是铣削")).toEqual(["图中标的是刀尖，", "Z-0.4", "。手册印的是铣削"]);
+  expect(numbersApart("图中标的是刀尖，Z-0.4。手册印的是铣削")).toEqual([
+    "图中标的是刀尖，",
+    "Z-0.4",
+    "。手册印的是铣削",
+  ]);
 });
 
 test("a hyphen in a word is no minus", () => {

@@ -3,7 +3,10 @@ import { programOfLines } from "../../course/start-of.ts";
 import { openProgram } from "../../app/fields/open/open-program.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 
-/** Opens a program of a lesson as a work, to play with; where the tools of this device are others it brings the shipped ones. */
+/**
+ * Opens a program of a lesson as a work, to play with; where the tools of this device are others it brings the shipped
+ * ones.
+ */
 export function openToTry(lines: readonly string[]): void {
   const text = programOfLines(lines);
   const name = /BEGIN PGM (\S+)/.exec(text)?.[1] ?? "EXAMPLE";

@@ -10,9 +10,12 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 export function useLessonPlaces(outcome: Outcome): readonly LookAt[] {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
-  return useMemo(() =>
-    findingsOf(null, outcome).flatMap((entry) => {
-      const cycle = entry.operation === null ? null : outcome.run.operations[entry.operation]?.cycle ?? null;
-      return lookAtOf(entry, "ZX", texts.findings, () => issueText(texts, language, entry.issue, cycle)) ?? [];
-    }), [outcome, texts, language]);
+  return useMemo(
+    () =>
+      findingsOf(null, outcome).flatMap((entry) => {
+        const cycle = entry.operation === null ? null : (outcome.run.operations[entry.operation]?.cycle ?? null);
+        return lookAtOf(entry, "ZX", texts.findings, () => issueText(texts, language, entry.issue, cycle)) ?? [];
+      }),
+    [outcome, texts, language],
+  );
 }

@@ -18,7 +18,10 @@ function note(text: string, outcome: Outcome): void {
   if (known.size > MOST_KEPT && oldest !== undefined) known.delete(oldest);
 }
 
-/** A program is run with the shipped tools and as a TNC 640 moves: what a lesson shows does not depend on the device it is read on. */
+/**
+ * A program is run with the shipped tools and as a TNC 640 moves: what a lesson shows does not depend on the device it
+ * is read on.
+ */
 function ran(text: string): Promise<Outcome> {
   const { table } = toolsOnDevice(shippedList);
   return askAgain((engine) => engine.update({ version: 0, text, table, rapid: RAPID, control: "TNC 640" }));
@@ -61,7 +64,9 @@ function runner(take: (text: string, outcome: Outcome | null) => void): (text: s
 /** The run of a program as it is now; the last one stays until it is there. */
 export function useLessonRun(text: string): LessonRun {
   const [made, take] = useState<{ readonly text: string; readonly outcome: Outcome | null } | null>(null);
-  const [want] = useState(() => runner((of, outcome) => take((before) => ({ text: of, outcome: outcome ?? before?.outcome ?? null }))));
+  const [want] = useState(() =>
+    runner((of, outcome) => take((before) => ({ text: of, outcome: outcome ?? before?.outcome ?? null }))),
+  );
   const here = known.get(text);
   // What was known before it was wanted is the one before as well.
   const [before, keep] = useState<Outcome | null>(null);

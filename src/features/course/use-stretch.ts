@@ -4,7 +4,9 @@ import type { Run } from "../../program/state/run-types.ts";
 import { secondsAt, trackOf } from "../../view/playback.ts";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
 
-/** How long a stretch takes to be looked at, s of the clock: some for itself and a little for each move, within bounds. */
+/**
+ * How long a stretch takes to be looked at, s of the clock: some for itself and a little for each move, within bounds.
+ */
 const LASTS = { base: 6, move: 0.12, most: 28 } as const;
 
 /** What moves the playback within the stretch that a page of a lesson plays. */
@@ -19,8 +21,8 @@ export interface PlayedStretch {
 }
 
 /**
- * The playback of a run, held to one stretch of it. The picture of another page stands at its start or its end, or plays; where a value is
- * slid it stays at the same moment, and at the end where it stood there.
+ * The playback of a run, held to one stretch of it. The picture of another page stands at its start or its end, or
+ * plays; where a value is slid it stays at the same moment, and at the end where it stood there.
  */
 export function useStretch(
   store: PlaybackStore,
@@ -41,7 +43,8 @@ export function useStretch(
     const seek = (step: number) => store.dispatch({ do: "seek", position: { step, fraction: 0 } });
     const stoodAtEnd = before !== null && store.get().position.step > before.last;
     store.dispatch({ do: "load", track });
-    if (length > 0) store.dispatch({ do: "rate", rate: length / Math.min(LASTS.most, LASTS.base + LASTS.move * (last - first)) });
+    if (length > 0)
+      store.dispatch({ do: "rate", rate: length / Math.min(LASTS.most, LASTS.base + LASTS.move * (last - first)) });
     if (before?.page === page) {
       if (stoodAtEnd) seek(last + 1);
       return;

@@ -9,7 +9,10 @@ function Turned({ name, onTurn }: { readonly name: string; readonly onTurn: (by:
   return <main ref={page}>{name}</main>;
 }
 
-const touch = (clientX: number) => ({ touches: [{ clientX, clientY: 300 }], changedTouches: [{ clientX, clientY: 303 }] });
+const touch = (clientX: number) => ({
+  touches: [{ clientX, clientY: 300 }],
+  changedTouches: [{ clientX, clientY: 303 }],
+});
 
 test("a page that is drawn anew under the finger is turned all the same, and by what it shows now", () => {
   const turns: [number, string][] = [];
@@ -20,5 +23,8 @@ test("a page that is drawn anew under the finger is turned all the same, and by 
   act(() => rerender(<Turned name="after" onTurn={onTurn} />));
   fireEvent.touchEnd(main, touch(120));
   fireEvent.keyDown(main, { key: "ArrowLeft" });
-  expect(turns).toEqual([[1, "after"], [-1, "after"]]);
+  expect(turns).toEqual([
+    [1, "after"],
+    [-1, "after"],
+  ]);
 });

@@ -8,12 +8,15 @@ const TAKES_KEYS = "input, select, textarea, [role=slider], dialog, pre";
 
 /** Whether the page can be scrolled further up or down: then the page keys do that. */
 const scrolls = (page: HTMLElement | null): boolean =>
-  page !== null
-  && [page, ...page.querySelectorAll("*")].some((each) =>
-    each.scrollHeight > each.clientHeight + 1 && getComputedStyle(each).overflowY === "auto"
+  page !== null &&
+  [page, ...page.querySelectorAll("*")].some(
+    (each) => each.scrollHeight > each.clientHeight + 1 && getComputedStyle(each).overflowY === "auto",
   );
 
-/** Pages are turned by the arrow and page keys, and by a finger across the text, also where the page is drawn anew on its way. */
+/**
+ * Pages are turned by the arrow and page keys, and by a finger across the text, also where the page is drawn anew on
+ * its way.
+ */
 export function useTurning(page: RefObject<HTMLElement | null>, onTurn: (by: -1 | 1) => void): void {
   const turn = useEffectEvent(onTurn);
   useEffect(() => {

@@ -20,7 +20,10 @@ interface Typed {
   readonly said: string;
 }
 
-/** One word of a block. Each keystroke that can be read changes the text of the block; leaving the field ends the step of undo. */
+/**
+ * One word of a block. Each keystroke that can be read changes the text of the block; leaving the field ends the step
+ * of undo.
+ */
 export function BlockField({ field, statement, change, more }: Props) {
   const t = useTexts().editor;
   const id = useId();
@@ -43,13 +46,21 @@ export function BlockField({ field, statement, change, more }: Props) {
           <label htmlFor={id}>{name}</label>
           {more}
         </span>
-        <select id={id} className="select" data-word={field.id} value={said} onChange={(event) => {
-          closeStep();
-          write(event.target.value);
-          closeStep();
-        }}>
+        <select
+          id={id}
+          className="select"
+          data-word={field.id}
+          value={said}
+          onChange={(event) => {
+            closeStep();
+            write(event.target.value);
+            closeStep();
+          }}
+        >
           {field.choices.map((choice) => (
-            <option key={choice} value={choice}>{choice === "" ? t.none : (choices[choice] ?? choice)}</option>
+            <option key={choice} value={choice}>
+              {choice === "" ? t.none : (choices[choice] ?? choice)}
+            </option>
           ))}
         </select>
       </div>
@@ -57,20 +68,40 @@ export function BlockField({ field, statement, change, more }: Props) {
   }
   const { incremental, numeric, wide } = field;
   return (
-    <LabelledInput className={`block-field${wide ? " wide" : ""}`} label={name} more={more} unit={field.unit ?? ""}
-      kind={numeric ? "number" : wide ? "text" : "typed"} data-word={field.id} text={shown} onText={write} onLeave={() => {
-      closeStep();
-      if (!wrong) setTyped(null);
-    }} aria-invalid={wrong} messages={wrong && <Message tone="error">{t.notReadable}</Message>}
-      button={incremental && (
-        <button type="button" className="button incremental" aria-pressed={incremental.read(statement)} aria-label={t.incrementalOf(name)}
-          title={t.incremental} disabled={said === ""} onClick={() => {
-          closeStep();
-          change(incremental.write(statement, !incremental.read(statement)), `${field.id} incremental`);
-          closeStep();
-        }}>
-          I
-        </button>
-      )} />
+    <LabelledInput
+      className={`block-field${wide ? " wide" : ""}`}
+      label={name}
+      more={more}
+      unit={field.unit ?? ""}
+      kind={numeric ? "number" : wide ? "text" : "typed"}
+      data-word={field.id}
+      text={shown}
+      onText={write}
+      onLeave={() => {
+        closeStep();
+        if (!wrong) setTyped(null);
+      }}
+      aria-invalid={wrong}
+      messages={wrong && <Message tone="error">{t.notReadable}</Message>}
+      button={
+        incremental && (
+          <button
+            type="button"
+            className="button incremental"
+            aria-pressed={incremental.read(statement)}
+            aria-label={t.incrementalOf(name)}
+            title={t.incremental}
+            disabled={said === ""}
+            onClick={() => {
+              closeStep();
+              change(incremental.write(statement, !incremental.read(statement)), `${field.id} incremental`);
+              closeStep();
+            }}
+          >
+            I
+          </button>
+        )
+      }
+    />
   );
 }

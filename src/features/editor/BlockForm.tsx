@@ -28,7 +28,10 @@ const nothing = () => undefined;
 /** Findings that say of a block that it is kept and not run. */
 const SAYS_SO: ReadonlySet<string> = new Set(["cycleNotSimulated", "notSimulated", "notUnderstood"]);
 
-/** Where the cycle that a block calls is defined, when that is in a called program; null when it is not, or nobody knows. */
+/**
+ * Where the cycle that a block calls is defined, when that is in a called program; null when it is not, or nobody
+ * knows.
+ */
 function definedElsewhere(outcome: Outcome | null, call: number | undefined) {
   const found = outcome?.run.operations.find(({ block, definedFile }) => block === call && definedFile !== undefined);
   const { program } = useEditor.getState();
@@ -50,25 +53,30 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
   const { editor: t } = all;
   const file = useShownBeside();
   const newest = useOutcome((s) => s.newest);
-  const { reading: { program }, index } = useSession();
+  const {
+    reading: { program },
+    index,
+  } = useSession();
   const form = useRef<HTMLDivElement>(null);
   const block = program.blocks[index];
   useEffect(() => backToWord(form.current), []);
   if (!block) return null;
   const s = block.statement;
-  const line = startLines(program)[index] ?? 1, kind = kindOf(s);
-  const change = (next: Statement, field: string) => editProgram(withBlock(program, index, next), `block ${index} ${field}`);
+  const line = startLines(program)[index] ?? 1,
+    kind = kindOf(s);
+  const change = (next: Statement, field: string) =>
+    editProgram(withBlock(program, index, next), `block ${index} ${field}`);
   const away = s.kind === "cycleCall" && file === null ? definedElsewhere(newest, blockNumbers(program)[index]) : null;
-  const definition = s.kind === "cycleCall" && !away
-    ? program.blocks.slice(0, index).findLastIndex((b) => b.statement.kind === "cycle")
-    : -1;
+  const definition =
+    s.kind === "cycleCall" && !away
+      ? program.blocks.slice(0, index).findLastIndex((b) => b.statement.kind === "cycle")
+      : -1;
   const numbers = definition >= 0 ? blockNumbers(program) : [];
   return (
     <div className="block-form" ref={form} role="form" aria-label={t.form}>
       <code className="number block-text">{block.raw.trimEnd()}</code>
-      {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) && !problems.some(({ issue }) => SAYS_SO.has(issue.code)) && (
-        <Message tone="info">{t.kept}</Message>
-      )}
+      {(s.kind === "unknown" || (s.kind === "cycle" && isKept(s.cycle))) &&
+        !problems.some(({ issue }) => SAYS_SO.has(issue.code)) && <Message tone="info">{t.kept}</Message>}
       {s.kind === "cycle" && (
         <Suspense>
           <DescribeCycle statement={s} />
@@ -76,8 +84,13 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
       )}
       {s.kind === "toolCall" && <CalledTool key={index} statement={s} change={(next) => change(next, "tool chosen")} />}
       {fieldsOf(s).map((field) => (
-        <BlockField key={`${index} ${field.id}`} field={field} statement={s} change={change}
-          more={kind !== "unknown" && kind !== "empty" && <BlockMore kind={kind} field={field} line={line} />} />
+        <BlockField
+          key={`${index} ${field.id}`}
+          field={field}
+          statement={s}
+          change={change}
+          more={kind !== "unknown" && kind !== "empty" && <BlockMore kind={kind} field={field} line={line} />}
+        />
       ))}
       {definition >= 0 && (
         <button type="button" className="button" onClick={() => openBlock(definition)}>
@@ -85,18 +98,27 @@ export function BlockForm({ problems }: { readonly problems: readonly FindingEnt
         </button>
       )}
       {away && (
-        <button type="button" className="button" onClick={() => {
-          showFile(away.file);
-          readWhole();
-          openBlock(startLines(useSession.getState().reading.program).indexOf(away.line));
-        }}>
+        <button
+          type="button"
+          className="button"
+          onClick={() => {
+            showFile(away.file);
+            readWhole();
+            openBlock(startLines(useSession.getState().reading.program).indexOf(away.line));
+          }}
+        >
           {t.goToDefinitionIn(String(away.block), away.file)}
         </button>
       )}
       <div role="status">
         {problems.map((problem, i) => (
-          <FieldMessage key={i} problem={problem} decimals={3} onTake={nothing}
-            {...(problem.inFile && { place: placeInFile(all, problem.inFile) })} />
+          <FieldMessage
+            key={i}
+            problem={problem}
+            decimals={3}
+            onTake={nothing}
+            {...(problem.inFile && { place: placeInFile(all, problem.inFile) })}
+          />
         ))}
       </div>
     </div>

@@ -21,10 +21,12 @@ afterEach(() => {
 });
 
 test("who types while a program opens goes on typing: nothing takes the keyboard away", () => {
-  render(<>
-    <input aria-label="Answer" />
-    <BlockPanel />
-  </>);
+  render(
+    <>
+      <input aria-label="Answer" />
+      <BlockPanel />
+    </>,
+  );
   const field = screen.getByRole("textbox");
   field.focus();
   expect(screen.queryByRole("group")).toBeNull();

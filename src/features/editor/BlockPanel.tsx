@@ -26,7 +26,10 @@ function nameOf(t: Texts, cycle: number, own: OwnBlock | null): string | null {
 /** The dialog of the open block, and what can be done with the block itself. */
 export function BlockPanel() {
   const t = useTexts();
-  const { reading: { program }, index } = useSession();
+  const {
+    reading: { program },
+    index,
+  } = useSession();
   const isOpen = useSession(ofText);
   const { read, own, problems } = useOpenBlock();
   const [choosing, choose] = useState(false);
@@ -63,7 +66,14 @@ export function BlockPanel() {
     return <BlockForm key={index} problems={problems} />;
   };
   const tool = (icon: IconName, name: string, act: () => void, disabled = false) => (
-    <button type="button" className="button icon plain" aria-label={name} title={name} disabled={disabled} onClick={act}>
+    <button
+      type="button"
+      className="button icon plain"
+      aria-label={name}
+      title={name}
+      disabled={disabled}
+      onClick={act}
+    >
       <Icon name={icon} />
     </button>
   );

@@ -44,11 +44,17 @@ export function Palette({ index, done }: Props) {
   const choose = (offered: Offered) => (offered.make ? put(offered.make(language)) : showCycles(true));
   const own = useOwnOffer(t.chooser.insert, (cycle) => put(ownStatement(cycle)));
   return (
-    <div className="palette" ref={box} role="group" aria-label={t.editor.palette} onKeyDown={(event) => {
-      if (event.key !== "Escape") return;
-      if (cycles) showCycles(false);
-      else done();
-    }}>
+    <div
+      className="palette"
+      ref={box}
+      role="group"
+      aria-label={t.editor.palette}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape") return;
+        if (cycles) showCycles(false);
+        else done();
+      }}
+    >
       <header className="block-head">
         {cycles && (
           <button type="button" className="button" onClick={() => showCycles(false)}>
@@ -61,20 +67,30 @@ export function Palette({ index, done }: Props) {
         </button>
       </header>
       {cycles && (
-        <CycleChooser narrow inProgram focus more={own} ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]} />
+        <CycleChooser
+          narrow
+          inProgram
+          focus
+          more={own}
+          ways={[{ name: t.chooser.insert, short: t.chooser.insert, go: putCycle }]}
+        />
       )}
-      {!cycles && groups.map((group) => (
-        <section key={group} aria-label={t.editor.groups[group]}>
-          <h3 className="panel-title">{t.editor.groups[group]}</h3>
-          <div className="palette-kinds">
-            {palette.filter((offered) => offered.group === group).map((offered) => (
-              <button key={offered.kind} type="button" className="button" onClick={() => choose(offered)}>
-                {/^[A-Z]/.test(offered.kind) && <b className="number">{offered.kind}</b>} {t.editor.kinds[offered.kind]}
-              </button>
-            ))}
-          </div>
-        </section>
-      ))}
+      {!cycles &&
+        groups.map((group) => (
+          <section key={group} aria-label={t.editor.groups[group]}>
+            <h3 className="panel-title">{t.editor.groups[group]}</h3>
+            <div className="palette-kinds">
+              {palette
+                .filter((offered) => offered.group === group)
+                .map((offered) => (
+                  <button key={offered.kind} type="button" className="button" onClick={() => choose(offered)}>
+                    {/^[A-Z]/.test(offered.kind) && <b className="number">{offered.kind}</b>}{" "}
+                    {t.editor.kinds[offered.kind]}
+                  </button>
+                ))}
+            </div>
+          </section>
+        ))}
     </div>
   );
 }

@@ -81,7 +81,9 @@ export function ProgramWorkplace() {
   const findings = useListed();
   const host = useProgramHost();
   const inserting = useInserting();
-  const { read } = useOpenBlock(), late = useLater(read), tools = useToolList();
+  const { read } = useOpenBlock(),
+    late = useLater(read),
+    tools = useToolList();
   const measured = useMeasuredTarget(read, setBlockPrompt, useBlockCounting(shown?.run ?? null));
   // Blank, tool and start are those of the program: of what is typed only the contour of the block is drawn.
   const known = useMemo(
@@ -103,18 +105,30 @@ export function ProgramWorkplace() {
   return (
     <main className={`workplace program-work${wide ? "" : " two-columns"}`}>
       <div className="left">
-        <SectionTabs name={t.sectionsName} open={open} tabs={possible.map((section) => ({
-          section,
-          name: section === "findings" ? words.title : t.sections[section],
-          content: content[section],
-          ...(section === "findings" && findings[0] ? { badge: { count: findings.length, severity: findings[0].issue.severity } } : {}),
-        }))} />
+        <SectionTabs
+          name={t.sectionsName}
+          open={open}
+          tabs={possible.map((section) => ({
+            section,
+            name: section === "findings" ? words.title : t.sections[section],
+            content: content[section],
+            ...(section === "findings" && findings[0]
+              ? { badge: { count: findings.length, severity: findings[0].issue.severity } }
+              : {}),
+          }))}
+        />
       </div>
       <TotalsStrip />
       <Centre>
         <MeasuredInto value={measured}>
-          <MachineView result={shown} known={open === "block" ? known : null} dimmed={dimmed} playback={playback} clock={clock}
-            onMove={openMove} />
+          <MachineView
+            result={shown}
+            known={open === "block" ? known : null}
+            dimmed={dimmed}
+            playback={playback}
+            clock={clock}
+            onMove={openMove}
+          />
         </MeasuredInto>
         <HelpDock />
         <PinnedCard />

@@ -10,7 +10,9 @@ import { useEditor } from "../../app/document/store.ts";
 import { handOverText } from "../../app/fields/blocks/session.ts";
 
 /** Fetched when a file is not written at once. */
-const SaveProblem = lazyPart(async () => ({ default: (await import("../../app/records/files/SaveProblem.tsx")).SaveProblem }));
+const SaveProblem = lazyPart(async () => ({
+  default: (await import("../../app/records/files/SaveProblem.tsx")).SaveProblem,
+}));
 
 interface Props {
   /** Name of the file that is shown. */
@@ -47,11 +49,20 @@ export function SaveButton({ name, mayLeave, onSaved, onDownload, showBlock }: P
   if (!canSaveFiles() && !obstacle) return null;
   return (
     <>
-      <button type="button" className="button" aria-label={t.saveLong(name)} onClick={() => void save()}>{t.save}</button>
+      <button type="button" className="button" aria-label={t.saveLong(name)} onClick={() => void save()}>
+        {t.save}
+      </button>
       {obstacle && (
         <Suspense>
-          <SaveProblem file={name} obstacle={obstacle} canSave={canSaveFiles()} onSave={(how) => void write(how)} onDownload={onDownload}
-            onCompare={(bytes) => void compare(bytes)} done={() => meet(null)} />
+          <SaveProblem
+            file={name}
+            obstacle={obstacle}
+            canSave={canSaveFiles()}
+            onSave={(how) => void write(how)}
+            onDownload={onDownload}
+            onCompare={(bytes) => void compare(bytes)}
+            done={() => meet(null)}
+          />
         </Suspense>
       )}
     </>

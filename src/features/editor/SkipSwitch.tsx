@@ -11,8 +11,13 @@ export function SkipSwitch() {
   if (!marked && !on) return null;
   return (
     <label className="skip-switch">
-      <input type="checkbox" checked={on} onChange={({ currentTarget: { checked } }) =>
-        changeProgram(({ skipMarked: _, ...program }) => (checked ? { ...program, skipMarked: true } : program))} />
+      <input
+        type="checkbox"
+        checked={on}
+        onChange={({ currentTarget: { checked } }) =>
+          changeProgram(({ skipMarked: _, ...program }) => (checked ? { ...program, skipMarked: true } : program))
+        }
+      />
       <span>{t.leaveOut}</span>
     </label>
   );

@@ -28,7 +28,10 @@ export function StructurePanel() {
   const narrowing = useRef(false);
   const file = useShownBeside();
   const parts = useMemo(() => partsOf(reading.program, newest, file), [reading, newest, file]);
-  const shown = useMemo(() => (filter === "all" ? parts : parts.filter((part) => part.filter === filter)), [parts, filter]);
+  const shown = useMemo(
+    () => (filter === "all" ? parts : parts.filter((part) => part.filter === filter)),
+    [parts, filter],
+  );
   const current = shown.findLastIndex((part) => part.index <= index);
   const { box, from, to, above, below, measure } = useWindow(shown.length, current);
 
@@ -36,15 +39,21 @@ export function StructurePanel() {
     const unmade = part.acts ? t.acts : t.notRun;
     const run = part.done ? doneWords(all, lengths, part.done) : newest ? unmade : "";
     const done = part.kind === "cycle" ? run : "";
-    const tool = part.tool === null ? undefined : tools.find(({ T, NAME }) => String(T) === part.tool || NAME === part.tool);
+    const tool =
+      part.tool === null ? undefined : tools.find(({ T, NAME }) => String(T) === part.tool || NAME === part.tool);
     const more = done || (tool ? tool.NAME : part.kind === "structure" ? "" : t.kinds[part.kind]);
     return (
       <li key={part.index} aria-setsize={shown.length} aria-posinset={place + 1}>
-        <button type="button" className={`part part-${part.filter}`} aria-current={place === current ? "step" : undefined}
-          aria-label={`${t.line(String(part.number), `${t.kinds[part.kind]}, ${part.text}`)}${done && `, ${done}`}`} onClick={() => {
-          openBlock(part.index);
-          chooseOpenBlock();
-        }}>
+        <button
+          type="button"
+          className={`part part-${part.filter}`}
+          aria-current={place === current ? "step" : undefined}
+          aria-label={`${t.line(String(part.number), `${t.kinds[part.kind]}, ${part.text}`)}${done && `, ${done}`}`}
+          onClick={() => {
+            openBlock(part.index);
+            chooseOpenBlock();
+          }}
+        >
           <span className="number part-number">{part.number}</span>
           <span className="part-words">
             <span className="number part-text">{part.text}</span>
@@ -63,17 +72,29 @@ export function StructurePanel() {
   const narrowed = (
     <label className="structure-filter">
       <span className="small soft">{t.filter}</span>
-      <select ref={select} className="select" aria-label={t.filter} value={filter} onChange={(event) => {
-        narrowing.current = true;
-        show(FILTERS.find((each) => each === event.target.value) ?? "all");
-      }}>
-        {FILTERS.map((each) => <option key={each} value={each}>{t.filters[each]}</option>)}
+      <select
+        ref={select}
+        className="select"
+        aria-label={t.filter}
+        value={filter}
+        onChange={(event) => {
+          narrowing.current = true;
+          show(FILTERS.find((each) => each === event.target.value) ?? "all");
+        }}
+      >
+        {FILTERS.map((each) => (
+          <option key={each} value={each}>
+            {t.filters[each]}
+          </option>
+        ))}
       </select>
     </label>
   );
   return (
     <div className="structure" {...{ [KEEPS_KEYBOARD]: "" }}>
-      {filter === "operations" ? <OperationList filter={narrowed} /> : (
+      {filter === "operations" ? (
+        <OperationList filter={narrowed} />
+      ) : (
         <>
           {narrowed}
           {shown.length === 0 && <p className="soft structure-empty">{t.nothing}</p>}

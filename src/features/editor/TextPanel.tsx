@@ -17,8 +17,16 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { encode, notIn } from "../../app/document/encoding.ts";
 import { downloadBytes } from "../../app/base/download.ts";
-import { editProgram, handOverText, openBlock, readWhole, sessionDom, sessionText, sessionView,
-  useSession } from "../../app/fields/blocks/session.ts";
+import {
+  editProgram,
+  handOverText,
+  openBlock,
+  readWhole,
+  sessionDom,
+  sessionText,
+  sessionView,
+  useSession,
+} from "../../app/fields/blocks/session.ts";
 import { shownFile, showFile, useShownName } from "../../app/document/shown-file.ts";
 import { SaveButton } from "./SaveButton.tsx";
 import { SkipSwitch } from "./SkipSwitch.tsx";
@@ -73,29 +81,53 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
       <WorkFiles />
       <SkipSwitch />
       <div ref={box} className="text-editor number" />
-      {foreign !== null && <Message role="status" tone="warning">{t.editor.otherEncoding(foreign, name)}</Message>}
-      <FileNote {...(isUntiedText
-        ? {
-          text: t.page.text.untied,
-          warns: true,
-          cure: { name: t.page.text.tie, go: () => editProgram(withTiedLists(ready.program), null) },
-        }
-        : { text: t.page.text.files[kind] })} />
+      {foreign !== null && (
+        <Message role="status" tone="warning">
+          {t.editor.otherEncoding(foreign, name)}
+        </Message>
+      )}
+      <FileNote
+        {...(isUntiedText
+          ? {
+              text: t.page.text.untied,
+              warns: true,
+              cure: { name: t.page.text.tie, go: () => editProgram(withTiedLists(ready.program), null) },
+            }
+          : { text: t.page.text.files[kind] })}
+      />
       <div className="program-foot">
-        {toBlock && <button type="button" className="button to-block" onClick={toBlock}>{t.editor.form}</button>}
-        <div className="program-buttons">
-          <button type="button" className="button" aria-label={`${t.page.text.copyLong}: ${t.page.text.files[kind]}`} onClick={() => {
-            void copyProgram(running(), sessionText() ?? "");
-          }}>
-            <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} /> {copied ? t.page.text.copied : t.page.text.copy}{" "}
-            <span className="small">{t.page.text.layouts[kind]}</span>
+        {toBlock && (
+          <button type="button" className="button to-block" onClick={toBlock}>
+            {t.editor.form}
           </button>
-          <SaveButton name={name} mayLeave={async () => (await allowed("save")) !== null} onSaved={setSaved} onDownload={download}
-            showBlock={showTextBlock} />
-          <button type="button" className="button" aria-label={`${t.page.text.download(name)}: ${t.page.text.files[kind]}`}
+        )}
+        <div className="program-buttons">
+          <button
+            type="button"
+            className="button"
+            aria-label={`${t.page.text.copyLong}: ${t.page.text.files[kind]}`}
+            onClick={() => {
+              void copyProgram(running(), sessionText() ?? "");
+            }}
+          >
+            <Icon name={faults > 0 ? "warning" : copied ? "check" : "copy"} />{" "}
+            {copied ? t.page.text.copied : t.page.text.copy} <span className="small">{t.page.text.layouts[kind]}</span>
+          </button>
+          <SaveButton
+            name={name}
+            mayLeave={async () => (await allowed("save")) !== null}
+            onSaved={setSaved}
+            onDownload={download}
+            showBlock={showTextBlock}
+          />
+          <button
+            type="button"
+            className="button"
+            aria-label={`${t.page.text.download(name)}: ${t.page.text.files[kind]}`}
             onClick={() => void allowed("download").then((verdict) => verdict && download())}
           >
-            <Icon name="download" /> <span className="file-name">{name}</span> <span className="small">{t.page.text.layouts[kind]}</span>
+            <Icon name="download" /> <span className="file-name">{name}</span>{" "}
+            <span className="small">{t.page.text.layouts[kind]}</span>
           </button>
         </div>
         <ProgramMore showBlock={showTextBlock}>

@@ -21,13 +21,16 @@ import { useSession } from "../../app/fields/blocks/session.ts";
 
 /** How many tool calls of a text change the tool. */
 function toolCalls({ blocks }: Program): number {
-  const called = blocks.flatMap(({ statement: s }) => (s.kind === "toolCall" && s.tool !== null ? [JSON.stringify(s.tool)] : []));
+  const called = blocks.flatMap(({ statement: s }) =>
+    s.kind === "toolCall" && s.tool !== null ? [JSON.stringify(s.tool)] : [],
+  );
   return called.filter((tool, i) => tool !== called[i - 1]).length;
 }
 
 /** How often a run changes the tool; a call of a cycle keeps the one that it has. */
 function changesOf({ steps, operations }: Run): number {
-  let changes = 0, last: number | null = null;
+  let changes = 0,
+    last: number | null = null;
   for (let i = 0; i < steps.length; i += 1) {
     const { tool, operation } = steps[i] as Step;
     if (tool.T !== last) changes += 1;
@@ -44,7 +47,8 @@ export const operationCount = (program: Program, { plane, operations }: Pick<Run
 /** What the whole program does: operations, passes, tool changes, time, what stays, and the proof. */
 export function TotalsStrip() {
   const t = useTexts();
-  const lengths = useLengths(), { language } = lengths;
+  const lengths = useLengths(),
+    { language } = lengths;
   const shown = useOutcome((s) => s.pictured);
   const proved = useOutcome((s) => s.shown);
   const dimmed = useOutcome((s) => s.dimmed);
@@ -52,11 +56,10 @@ export function TotalsStrip() {
   const verdict = useVerdict();
   const effect = shown && effectNow(shown, proved);
   const words = t.page.effect;
-  const number = (
-    value: number | null | undefined,
-    decimals: number,
-  ) => (value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals));
-  const program = useSession((s) => s.reading.program), run = shown?.run;
+  const number = (value: number | null | undefined, decimals: number) =>
+    value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals);
+  const program = useSession((s) => s.reading.program),
+    run = shown?.run;
   // Milled motions know neither tool nor operation: those of the text are counted then.
   const tools = run && (run.plane.length > 0 ? toolCalls(program) : changesOf(run));
   const operations = run && operationCount(program, run);
@@ -88,13 +91,22 @@ export function TotalsStrip() {
         {cell(t.editor.operations, number(operations, 0))}
         {cell(t.editor.toolChanges, number(tools, 0))}
         {cell(words.passes, number(effect?.passes, 0), "", "passes")}
-        {cell(<TimeName name={words.time} />,
-          effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown, "", "time")}
-        {cell(words.residual, effect?.residual
-          ? lengths.fixedArea(effect.residual, areaDecimals(effect.residual))
-          : effect?.residual === 0
-          ? words.none
-          : words.unknown, effect?.residual ? lengths.words("mm²") : "", "residual")}
+        {cell(
+          <TimeName name={words.time} />,
+          effect ? words.duration(Math.floor(seconds / 60), formatFixed(language, seconds % 60, 0)) : words.unknown,
+          "",
+          "time",
+        )}
+        {cell(
+          words.residual,
+          effect?.residual
+            ? lengths.fixedArea(effect.residual, areaDecimals(effect.residual))
+            : effect?.residual === 0
+              ? words.none
+              : words.unknown,
+          effect?.residual ? lengths.words("mm²") : "",
+          "residual",
+        )}
         {cell(t.editor.blocks, number(shown?.run.program.blocks, 0))}
         <div className="effect-cell proof">
           <dt>

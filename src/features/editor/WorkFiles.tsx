@@ -25,17 +25,25 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
   useEffect(() => {
     list.current?.querySelector("[aria-current]")?.scrollIntoView?.({ block: "nearest" });
   }, [shown]);
-  useEffect(() => () => {
-    if (document.activeElement === document.body) sessionView()?.focus();
-  }, []);
+  useEffect(
+    () => () => {
+      if (document.activeElement === document.body) sessionView()?.focus();
+    },
+    [],
+  );
   /** What was pressed goes away with its row: the keyboard stays in the list. */
   const change = (next: (now: ProgramWork) => ProgramWork) => {
     list.current?.querySelector("button")?.focus();
     changeProgram(next);
   };
   const open = (name: string, runs: boolean) => (
-    <button type="button" className="button plain work-file" aria-current={name === shown ? "true" : undefined} title={name}
-      aria-label={t.show(name)} onClick={() => showFile(runs ? null : name)}
+    <button
+      type="button"
+      className="button plain work-file"
+      aria-current={name === shown ? "true" : undefined}
+      title={name}
+      aria-label={t.show(name)}
+      onClick={() => showFile(runs ? null : name)}
     >
       <span className="file-name number">{name}</span>
     </button>
@@ -52,14 +60,20 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
             <Icon name="warning" /> <span className="file-name number">{name}</span>
           </span>
           <span className="small soft work-file-note">{t.missing}</span>
-          <button type="button" className="button small" aria-label={t.addOne(name)} onClick={() => void add(name)}>{t.addShort}</button>
+          <button type="button" className="button small" aria-label={t.addOne(name)} onClick={() => void add(name)}>
+            {t.addShort}
+          </button>
         </li>
       ))}
       {files.map((file) => (
         <li key={fileKey(file.name)}>
           {open(file.name, false)}
           {programs.has(file) && (
-            <button type="button" className="button small plain" aria-label={t.runLong(file.name)} title={t.runLong(file.name)}
+            <button
+              type="button"
+              className="button small plain"
+              aria-label={t.runLong(file.name)}
+              title={t.runLong(file.name)}
               onClick={() => {
                 change((now) => withMain(now, fileKey(file.name)));
                 showFile(null);
@@ -68,7 +82,11 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
               {t.run}
             </button>
           )}
-          <button type="button" className="button icon plain" aria-label={t.remove(file.name)} title={t.remove(file.name)}
+          <button
+            type="button"
+            className="button icon plain"
+            aria-label={t.remove(file.name)}
+            title={t.remove(file.name)}
             onClick={() => change((now) => withoutFile(now, fileKey(file.name)))}
           >
             <Icon name="close" />
@@ -79,7 +97,10 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
   );
 }
 
-/** The files of the open work, as soon as there is more than its program: which one runs, which one is shown, and which one is missing. */
+/**
+ * The files of the open work, as soon as there is more than its program: which one runs, which one is shown, and which
+ * one is missing.
+ */
 export function WorkFiles() {
   const t = useTexts().editor.files;
   const program = useEditor((s) => s.program);
@@ -88,7 +109,8 @@ export function WorkFiles() {
   const missing = useMemo(() => (program ? missingFiles(program, newest) : []), [program, newest]);
   const [last, keep] = useState({ work, isShown: false });
   const isAlone = !program || filesOf(program).length + missing.length === 0;
-  // Whether a file that was taken out is missed is only known when the program has run without it: until then the list stays as it is.
+  // Whether a file that was taken out is missed is only known when the program has run without it: until then the list
+  // stays as it is.
   const stays = newest ? (newest.files ?? []).length > 0 : last.isShown && last.work === work;
   const isShown = program !== null && (!isAlone || stays);
   if (last.work !== work || last.isShown !== isShown) keep({ work, isShown });

@@ -14,7 +14,10 @@ const MOST = 1500;
 type Found = Pick<RunFinding, "issue" | "line"> & { readonly inFile?: RunFinding["inFile"] | undefined };
 
 /** Where a finding stands in the editor's text. */
-export function placeOf(state: EditorState, { issue, line, inFile }: Found): { readonly from: number; readonly to: number } | null {
+export function placeOf(
+  state: EditorState,
+  { issue, line, inFile }: Found,
+): { readonly from: number; readonly to: number } | null {
   if (line === null || line < 1 || line > state.doc.lines) return null;
   const at = state.doc.line(line);
   if ("column" in issue && !inFile) {
@@ -31,7 +34,9 @@ export function fixOf(state: EditorState, finding: Found): TransactionSpec | nul
   if (!place || finding.inFile || !("fix" in issue) || !issue.fix) return null;
   const from = place.from + issue.fix.offset - issue.offset;
   const to = from + issue.fix.length;
-  return from < 0 || to > state.doc.length ? null : { changes: { from, to, insert: issue.fix.text }, userEvent: "input.fix" };
+  return from < 0 || to > state.doc.length
+    ? null
+    : { changes: { from, to, insert: issue.fix.text }, userEvent: "input.fix" };
 }
 
 /** Cycle in whose definition a finding stands: it tells what the value at its place measures. */
@@ -61,15 +66,20 @@ export function diagnosticsOf(
       severity: finding.issue.severity,
       message: finding.inFile ? `${placeInFile(t, finding.inFile)}: ${said}` : said,
       ...(fix && {
-        actions: [{
-          name: t.findings.fix,
-          apply: () => {
-            const now = fixOf(view.state, finding);
-            if (now) dispatch(now);
+        actions: [
+          {
+            name: t.findings.fix,
+            apply: () => {
+              const now = fixOf(view.state, finding);
+              if (now) dispatch(now);
+            },
           },
-        }],
+        ],
       }),
     });
   }
-  return setDiagnostics(state, all.sort((a, b) => a.from - b.from)) as Pick<Transaction, "effects"> & TransactionSpec;
+  return setDiagnostics(
+    state,
+    all.sort((a, b) => a.from - b.from),
+  ) as Pick<Transaction, "effects"> & TransactionSpec;
 }

@@ -9,15 +9,19 @@ import { readingOfBlock, withPrompt } from "../../app/fields/blocks/block-prompt
 import { cycleStatement, palette } from "./palette.ts";
 import { partsOf } from "../../app/fields/blocks/program-parts.ts";
 
-const samples = import.meta.glob<string>("../../../tests/programs/**/*.h", { query: "?raw", import: "default", eager: true });
+const samples = import.meta.glob<string>("../../../tests/programs/**/*.h", {
+  query: "?raw",
+  import: "default",
+  eager: true,
+});
 const programs = Object.values(samples).map(parse);
 const statements: readonly Statement[] = [
   ...programs.flatMap((p) => p.blocks.map((b) => b.statement)),
   ...palette.flatMap((offered) => offered.make?.("en") ?? []),
   ...catalogue.map((cycle) => cycleStatement(cycle, "en")),
   ...parse(
-    "TRANS DATUM AXIS X+3 IZ-2.5\nTRANS DATUM RESET\nTRANS ROTATION IROT-12.5\nTRANS SCALE SCL0.75\nFPOL X+2 Y-7\nFSELECT 2\n"
-      + "FLT PR+8 IPA+30 AN+20 P1X+2 P1Y+Q4 PAR12 CLSD+ F300\nFC IX+4 DR- R10.5 CCX+2 ICCY-1 RCCY5 CCA90 LEN7 RL",
+    "TRANS DATUM AXIS X+3 IZ-2.5\nTRANS DATUM RESET\nTRANS ROTATION IROT-12.5\nTRANS SCALE SCL0.75\nFPOL X+2 Y-7\nFSELECT 2\n" +
+      "FLT PR+8 IPA+30 AN+20 P1X+2 P1Y+Q4 PAR12 CLSD+ F300\nFC IX+4 DR- R10.5 CCX+2 ICCY-1 RCCY5 CCA90 LEN7 RL",
   ).blocks.map((b) => b.statement),
 ];
 const edited = (text: string, id: string, typed: string): string => {
@@ -80,7 +84,9 @@ test("a prompt of a cycle changes only its own characters", () => {
 });
 
 test("a cycle that acts where it stands is no cycle that nobody calls", () => {
-  const program = parse("0 BEGIN PGM A MM\n1 CYCL DEF 801\n2 CYCL DEF 247 Q339=+1\n3 CYCL DEF 880 Q215=+0\n4 END PGM A MM\n");
+  const program = parse(
+    "0 BEGIN PGM A MM\n1 CYCL DEF 801\n2 CYCL DEF 247 Q339=+1\n3 CYCL DEF 880 Q215=+0\n4 END PGM A MM\n",
+  );
   expect(partsOf(program, null).map((p) => p.acts)).toEqual([true, true, false]);
 });
 

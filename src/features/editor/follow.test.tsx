@@ -14,8 +14,10 @@ import { filesOf } from "../../app/document/work.ts";
 import { followProgram } from "./follow.ts";
 import { closeSession, openBlock, openSession, sessionText, sessionView } from "../../app/fields/blocks/session.ts";
 
-const BEFORE = "0 BEGIN PGM A MM\n1 TOOL CALL 1\n", AFTER = "\n2 M30\n3 END PGM A MM\n";
-const WRITTEN = "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ;MACHINING OPERATION ~\nQ460=+2.3 ;SAFETY CLEARANCE ~\nQ493=+41.7";
+const BEFORE = "0 BEGIN PGM A MM\n1 TOOL CALL 1\n",
+  AFTER = "\n2 M30\n3 END PGM A MM\n";
+const WRITTEN =
+  "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ;MACHINING OPERATION ~\nQ460=+2.3 ;SAFETY CLEARANCE ~\nQ493=+41.7";
 let stop = () => undefined as void;
 
 beforeEach(() => {
@@ -42,7 +44,11 @@ afterEach(() => {
 function key(letter: string): void {
   const view = sessionView();
   const { head = 0 } = view?.state.selection.main ?? {};
-  view?.dispatch({ changes: { from: head, insert: letter }, selection: { anchor: head + letter.length }, userEvent: "input.type" });
+  view?.dispatch({
+    changes: { from: head, insert: letter },
+    selection: { anchor: head + letter.length },
+    userEvent: "input.type",
+  });
   vi.advanceTimersByTime(200);
 }
 
@@ -82,7 +88,8 @@ const TURNED = [
 
 /** Puts the program of blocks in place of the empty one. */
 function turned() {
-  const view = sessionView(), text = TURNED.join("\n");
+  const view = sessionView(),
+    text = TURNED.join("\n");
   view?.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
   vi.advanceTimersByTime(2000);
   const { program } = useEditor.getState();
@@ -104,7 +111,9 @@ function played() {
     /** The marked block, and the one that the text was turned to since it was asked last. */
     now: () => {
       const line = view.dom.querySelector(".nc-running")?.textContent ?? null;
-      const places = scrolled.mock.calls.map(([at]) => view.state.doc.lineAt(typeof at === "number" ? at : at.from).text);
+      const places = scrolled.mock.calls.map(
+        ([at]) => view.state.doc.lineAt(typeof at === "number" ? at : at.from).text,
+      );
       scrolled.mockClear();
       return [line, ...places];
     },

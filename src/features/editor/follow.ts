@@ -43,7 +43,8 @@ function followSession(): () => void {
   return useSession.subscribe((now, before) => {
     if (now.pointed !== before.pointed && thirdColumn()) showSection("block");
     if (now.opened !== before.opened) showAskedPrompt();
-    // What is pointed at once more is chosen once more. The tool goes to the block, and the text stays where it is worked on.
+    // What is pointed at once more is chosen once more. The tool goes to the block, and the text stays where it is
+    // worked on.
     textLeads = true;
     if (now.opened !== before.opened || now.pointed !== before.pointed) chooseOpenBlock();
     textLeads = false;
@@ -66,8 +67,13 @@ function mark(): void {
   if (!view || !isPresent(newest)) return;
   const { language } = useSettings.getState();
   view.dispatch(
-    diagnosticsOf(view, findingsShown(newest.run.issues, shownBeside()?.name ?? null), texts(language),
-      lengthsOf(language, newest.run.program.unit), (spec) => dispatchEdit(spec, null)),
+    diagnosticsOf(
+      view,
+      findingsShown(newest.run.issues, shownBeside()?.name ?? null),
+      texts(language),
+      lengthsOf(language, newest.run.program.unit),
+      (spec) => dispatchEdit(spec, null),
+    ),
   );
 }
 
@@ -100,8 +106,8 @@ function followLanguage(): () => void {
 }
 
 /**
- * Index of the block whose move stands at the playback's position, at the start that of the first move; null where the text has changed
- * since, and in the text of a called program: a move knows the block of the program that called.
+ * Index of the block whose move stands at the playback's position, at the start that of the first move; null where the
+ * text has changed since, and in the text of a called program: a move knows the block of the program that called.
  */
 function blockNow(): number | null {
   const { pictured: shown } = useOutcome.getState();
@@ -113,26 +119,39 @@ const isAtStart = ({ position }: Playback): boolean => position.step === 0 && po
 /** Pixels over a block that the text was turned to. */
 const OVER = 60;
 
-/** Turns the text to a block that is out of sight, as one turns a page: scrolling with each block would lay it out with each. */
+/**
+ * Turns the text to a block that is out of sight, as one turns a page: scrolling with each block would lay it out with
+ * each.
+ */
 function turnedTo(view: EditorView, from: number): readonly StateEffect<unknown>[] {
-  const { top, bottom } = view.lineBlockAt(from), { scrollTop, clientHeight } = view.scrollDOM;
-  return top >= scrollTop && bottom <= scrollTop + clientHeight ? [] : [EditorView.scrollIntoView(from, { y: "start", yMargin: OVER })];
+  const { top, bottom } = view.lineBlockAt(from),
+    { scrollTop, clientHeight } = view.scrollDOM;
+  return top >= scrollTop && bottom <= scrollTop + clientHeight
+    ? []
+    : [EditorView.scrollIntoView(from, { y: "start", yMargin: OVER })];
 }
 
-/** What of a playback says whether somebody moved it: another run in its place moves it too, and nobody asked for that. */
+/**
+ * What of a playback says whether somebody moved it: another run in its place moves it too, and nobody asked for that.
+ */
 const isMoved = (now: Playback, before: Playback): boolean =>
   now.track === before.track && (now.playing !== before.playing || (!now.playing && now.position !== before.position));
 
 /**
- * Marks the running block, and turns the text to it: while it plays as blocks begin, and at once where somebody seeks, steps, or
- * presses Play. Neither the cursor nor the keyboard goes along.
+ * Marks the running block, and turns the text to it: while it plays as blocks begin, and at once where somebody seeks,
+ * steps, or presses Play. Neither the cursor nor the keyboard goes along.
  */
 function followPlayback(): () => void {
-  let marked: number | null = null, last = playback.get();
+  let marked: number | null = null,
+    last = playback.get();
   return playback.subscribeReader(() => {
-    const view = sessionView(), before = last, now = playback.get();
+    const view = sessionView(),
+      before = last,
+      now = playback.get();
     last = now;
-    const block = blockNow(), next = isAtStart(now) ? null : block, moved = isMoved(now, before) && !textLeads;
+    const block = blockNow(),
+      next = isAtStart(now) ? null : block,
+      moved = isMoved(now, before) && !textLeads;
     // A text that was typed in has lost its mark: it gets it back with the next run.
     const isMarked = next === marked && (next === null || now.track === before.track);
     if (!view || (isMarked && !moved)) return;

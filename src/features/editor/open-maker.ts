@@ -11,12 +11,16 @@ import { openBlock, readWhole, useSession } from "../../app/fields/blocks/sessio
 function openOwn(run: Run, step: number): void {
   showFile(null);
   readWhole();
-  const { program } = useSession.getState().reading, index = shownBlock(run, step);
+  const { program } = useSession.getState().reading,
+    index = shownBlock(run, step);
   if (index === null) return;
   openBlock(index < program.blocks.length ? index : blockNumbers(program).indexOf(run.plane[step]?.block ?? -1));
 }
 
-/** Opens the block whose dialog makes a move: the definition of its cycle, at the value that decides most about it; else its own block. */
+/**
+ * Opens the block whose dialog makes a move: the definition of its cycle, at the value that decides most about it; else
+ * its own block.
+ */
 export function openMaker(run: Run, step: number): void {
   if (showsPlane(run, useAskedView.getState().asked)) return openOwn(run, step);
   const { operation = null, move } = run.steps[step] ?? {};

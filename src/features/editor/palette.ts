@@ -17,11 +17,15 @@ export interface Offered {
   readonly make: ((language: Language) => Statement) | null;
 }
 
-const at = (
-  x: number,
-  z: number,
-): Words["axes"] => [{ axis: "X", value: x, incremental: false }, { axis: "Z", value: z, incremental: false }];
-const offer = (group: Group, kind: BlockKind, statement: Statement): Offered => ({ group, kind, make: () => statement });
+const at = (x: number, z: number): Words["axes"] => [
+  { axis: "X", value: x, incremental: false },
+  { axis: "Z", value: z, incremental: false },
+];
+const offer = (group: Group, kind: BlockKind, statement: Statement): Offered => ({
+  group,
+  kind,
+  make: () => statement,
+});
 const polar = { polarRadius: { value: 10, incremental: false }, polarAngle: { value: 0, incremental: false } };
 
 /** A cycle of the catalogue with the values of its printed example and labels in a language. */
@@ -32,7 +36,11 @@ export function cycleStatement(cycle: Cycle, language: Language): Statement {
     kind: "cycle",
     cycle: cycle.number,
     name: labels.cycleName(cycle.number),
-    parameters: Object.entries(cycle.params).map(([q, p]) => ({ q, value: values[q] ?? p.example, label: labels.label(p.text) })),
+    parameters: Object.entries(cycle.params).map(([q, p]) => ({
+      q,
+      value: values[q] ?? p.example,
+      label: labels.label(p.text),
+    })),
   };
 }
 
@@ -54,7 +62,10 @@ export const palette: readonly Offered[] = [
     form: "LT",
     words: {
       ...noWords,
-      axes: [{ axis: "X", value: 0, incremental: false }, { axis: "Y", value: 0, incremental: false }],
+      axes: [
+        { axis: "X", value: 0, incremental: false },
+        { axis: "Y", value: 0, incremental: false },
+      ],
       length: 15,
       compensation: "RR",
       feed: { value: 100, unit: "F" },
@@ -66,15 +77,31 @@ export const palette: readonly Offered[] = [
   {
     group: "contour",
     kind: "contour",
-    make: (language) => ({ kind: "cycleLine", cycle: 14, line: 1, text: `${ncLabels(ncLanguageOf(language)).contour.label}2` }),
+    make: (language) => ({
+      kind: "cycleLine",
+      cycle: 14,
+      line: 1,
+      text: `${ncLabels(ncLanguageOf(language)).contour.label}2`,
+    }),
   },
   offer("contour", "selectContour", { kind: "selectContour", file: "CONTOUR.H" }),
   offer("contour", "undercut", {
     kind: "undercut",
     form: "TYPE_E",
-    words: [{ name: "R", value: 1 }, { name: "DEPTH", value: 2 }, { name: "BREADTH", value: 15 }],
+    words: [
+      { name: "R", value: 1 },
+      { name: "DEPTH", value: 2 },
+      { name: "BREADTH", value: 15 },
+    ],
   }),
-  offer("contour", "groove", { kind: "groove", form: "RADIAL", words: [{ name: "DEPTH", value: 2 }, { name: "BREADTH", value: 5 }] }),
+  offer("contour", "groove", {
+    kind: "groove",
+    form: "RADIAL",
+    words: [
+      { name: "DEPTH", value: 2 },
+      { name: "BREADTH", value: 5 },
+    ],
+  }),
   offer("technology", "toolCall", {
     kind: "toolCall",
     tool: 1,
@@ -91,7 +118,10 @@ export const palette: readonly Offered[] = [
     kind: "turnCorrection",
     system: "TCS",
     plane: "Z/X",
-    words: [{ name: "DZL", value: 0 }, { name: "DXL", value: 0 }],
+    words: [
+      { name: "DZL", value: 0 },
+      { name: "DXL", value: 0 },
+    ],
   }),
   offer("technology", "turnBlank", { kind: "turnBlank", blank: { label: 1 } }),
   offer("technology", "functions", { kind: "functions", words: { ...noWords, functions: [136] } }),
@@ -111,16 +141,26 @@ export const palette: readonly Offered[] = [
     distance: 1,
     inside: null,
   }),
-  offer("frame", "blankRotation", { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: 1 }, inner: null }),
+  offer("frame", "blankRotation", {
+    kind: "blankRotation",
+    axis: "Z",
+    measure: "D",
+    outline: { label: 1 },
+    inner: null,
+  }),
   offer("frame", "blankBox", {
     kind: "blankBox",
     corner: 1,
     axis: "Z",
-    axes: [{ axis: "X", value: 0, incremental: false }, { axis: "Y", value: 0, incremental: false }, {
-      axis: "Z",
-      value: -20,
-      incremental: false,
-    }],
+    axes: [
+      { axis: "X", value: 0, incremental: false },
+      { axis: "Y", value: 0, incremental: false },
+      {
+        axis: "Z",
+        value: -20,
+        incremental: false,
+      },
+    ],
   }),
   offer("frame", "end", { kind: "end", name: "PROGRAM", unit: "MM" }),
 ];

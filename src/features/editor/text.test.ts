@@ -2,7 +2,14 @@ import * as fc from "fast-check";
 import { expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
-import { changesBetween, duplicated, exchanged, inserted, removed, type TextChange } from "../../app/fields/blocks/block-edits.ts";
+import {
+  changesBetween,
+  duplicated,
+  exchanged,
+  inserted,
+  removed,
+  type TextChange,
+} from "../../app/fields/blocks/block-edits.ts";
 import { decode, encode } from "../../app/document/encoding.ts";
 import { fromEditor, lineEndsOf, toEditor } from "../../app/fields/blocks/line-ends.ts";
 
@@ -12,18 +19,22 @@ const applied = (from: string, changes: readonly TextChange[]) =>
 
 test("lines end as they did", () => {
   const lines = fc.array(fc.tuple(fc.string({ maxLength: 5 }), fc.constantFrom("\n", "\r\n", "\r")), { maxLength: 8 });
-  fc.assert(fc.property(lines, fc.boolean(), (all, alike) => {
-    const whole = all.map(([line, end]) => line + (alike ? (all[0]?.[1] ?? "") : end)).join("");
-    const ends = lineEndsOf(whole);
-    expect(fromEditor(toEditor(whole, ends), ends)).toBe(whole);
-  }));
+  fc.assert(
+    fc.property(lines, fc.boolean(), (all, alike) => {
+      const whole = all.map(([line, end]) => line + (alike ? (all[0]?.[1] ?? "") : end)).join("");
+      const ends = lineEndsOf(whole);
+      expect(fromEditor(toEditor(whole, ends), ends)).toBe(whole);
+    }),
+  );
 });
 
 test("bytes come back as they were, whatever they stand for", () => {
-  fc.assert(fc.property(fc.uint8Array({ maxLength: 60 }), (bytes) => {
-    const read = decode(bytes);
-    expect([...encode(read.text, read.encoding)]).toEqual([...bytes]);
-  }));
+  fc.assert(
+    fc.property(fc.uint8Array({ maxLength: 60 }), (bytes) => {
+      const read = decode(bytes);
+      expect([...encode(read.text, read.encoding)]).toEqual([...bytes]);
+    }),
+  );
   expect(decode(Uint8Array.of(0xd8)).text).toBe("Ø");
   expect(encode("中", "windows-1252")).toEqual(new TextEncoder().encode("中"));
 });
@@ -37,14 +48,17 @@ test("changes between programs lead from one text to the other", () => {
     exchanged(before, 2),
     exchanged(before, 0),
     before,
-  ]) expect(applied(text, changesBetween(before, after))).toBe(print(after));
+  ])
+    expect(applied(text, changesBetween(before, after))).toBe(print(after));
 });
 
 test("blocks are copied and moved letter by letter, numbers stay in order", () => {
   expect(print(duplicated(parse(text), 2))).toBe(
     "0 BEGIN PGM A MM\n1 L X+10 Z+2 R0 FMAX\n2 L Z-5 ;cut\n3 L Z-5 ;cut\n4 M30\n5 END PGM A MM\n",
   );
-  expect(print(exchanged(parse(text), 1))).toBe("0 BEGIN PGM A MM\n1 L Z-5 ;cut\n2 L X+10 Z+2 R0 FMAX\n3 M30\n4 END PGM A MM\n");
+  expect(print(exchanged(parse(text), 1))).toBe(
+    "0 BEGIN PGM A MM\n1 L Z-5 ;cut\n2 L X+10 Z+2 R0 FMAX\n3 M30\n4 END PGM A MM\n",
+  );
   expect(print(exchanged(parse("1 L X+1\n2 L X+2"), 0))).toBe("1 L X+2\n2 L X+1");
   expect(print(removed(parse(text), 1))).toBe("0 BEGIN PGM A MM\n1 L Z-5 ;cut\n2 M30\n3 END PGM A MM\n");
 });

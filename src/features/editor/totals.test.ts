@@ -21,11 +21,14 @@ const milled = [
 
 /** How many operations are counted of a turned shoulder with blocks in front of its end. */
 function counted(more: readonly string[]): number {
-  const lines = turned.replaceAll(/^\d+ /gm, "").split(/\r?\n/), end = lines.findIndex((line) => /^M30\b|\bM30$/.test(line));
+  const lines = turned.replaceAll(/^\d+ /gm, "").split(/\r?\n/),
+    end = lines.findIndex((line) => /^M30\b|\bM30$/.test(line));
   const program = parse([...lines.slice(0, end), ...more, ...lines.slice(end)].join("\n"));
   return operationCount(program, run(program, { tools: shippedTools, rapid: 10_000 }));
 }
 
 test("what is milled beside what is turned is counted as the list of operations shows it", () => {
-  expect([counted([]), counted(milled), counted([...milled, ...milled.with(1, "TOOL CALL 21 Z S2500")])]).toEqual([1, 2, 3]);
+  expect([counted([]), counted(milled), counted([...milled, ...milled.with(1, "TOOL CALL 21 Z S2500")])]).toEqual([
+    1, 2, 3,
+  ]);
 });

@@ -21,7 +21,14 @@ import { fileOf } from "../../app/document/work.ts";
 import { isPresent } from "../../app/fields/blocks/present.ts";
 import type { Repair } from "../../app/fields/blocks/repair.ts";
 import { indexOf, repairsOf, toolCallBefore, withTool } from "../../app/fields/blocks/repairs.ts";
-import { dispatchEdit, editProgram, openBlock, readWhole, sessionView, useSession } from "../../app/fields/blocks/session.ts";
+import {
+  dispatchEdit,
+  editProgram,
+  openBlock,
+  readWhole,
+  sessionView,
+  useSession,
+} from "../../app/fields/blocks/session.ts";
 
 /** Decimals of offered values. */
 const DECIMALS = 4;
@@ -29,15 +36,18 @@ const DECIMALS = 4;
 /** The blocks of the text that is shown now. */
 const shownProgram = (): Program => useSession.getState().reading.program;
 
-/** The file beside the program in which a finding stands; null for the program that runs, or a file that is no longer there. */
+/**
+ * The file beside the program in which a finding stands; null for the program that runs, or a file that is no longer
+ * there.
+ */
 function fileOfEntry({ inFile }: FindingEntry): string | null {
   const { program } = useEditor.getState();
   return inFile && program && fileOf(program, fileKey(inFile.file)) ? inFile.file : null;
 }
 
 /** A finding at its place in the text of its own file. */
-const inOwnText =
-  (entry: FindingEntry): FindingEntry => (fileOfEntry(entry) === null ? entry : { ...entry, ...ownPlace(entry), inFile: undefined });
+const inOwnText = (entry: FindingEntry): FindingEntry =>
+  fileOfEntry(entry) === null ? entry : { ...entry, ...ownPlace(entry), inFile: undefined };
 
 /** Shows the text in which a finding stands, and gives the index of its block there. */
 function showPlace(entry: FindingEntry): number {
@@ -47,8 +57,8 @@ function showPlace(entry: FindingEntry): number {
 }
 
 /**
- * The workplace of a whole program: its blocks and their dialogs. What is found in an older text offers no changes, and what is
- * found in a text that is not shown offers the way there first.
+ * The workplace of a whole program: its blocks and their dialogs. What is found in an older text offers no changes, and
+ * what is found in a text that is not shown offers the way there first.
  */
 export function useProgramHost(): FindingsHost {
   const t = useTexts();
@@ -58,9 +68,11 @@ export function useProgramHost(): FindingsHost {
   const beside = useShownBeside();
   return useMemo(() => {
     const { program } = reading;
-    const isShown = (entry: FindingEntry) => isIn({ inFile: fileOfEntry(entry) === null ? undefined : entry.inFile }, beside);
+    const isShown = (entry: FindingEntry) =>
+      isIn({ inFile: fileOfEntry(entry) === null ? undefined : entry.inFile }, beside);
     const nameOf = ({ kind, text, block }: Repair): string => {
-      if (kind === "take") return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
+      if (kind === "take")
+        return t.dialog.takeNearest(typeof text === "number" ? writeTyped(language, text, DECIMALS) : text);
       if (kind === "tie") return t.page.text.tie;
       if (kind === "meant") return t.findings.meant;
       if (kind === "write") return t.findings.write(String(text), block);
@@ -74,12 +86,20 @@ export function useProgramHost(): FindingsHost {
         open(entry);
         showSection("block");
       };
-      return { name: entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block ?? index)), go };
+      return {
+        name: entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block ?? index)),
+        go,
+      };
     };
     const remediesOf: FindingsHost["remediesOf"] = (entry) => {
       const missing = missingFile(entry);
       if (missing !== null)
-        return [{ name: t.editor.files.addOne(missing), apply: () => void askForFiles().then((chosen) => addFiles(chosen, missing)) }];
+        return [
+          {
+            name: t.editor.files.addOne(missing),
+            apply: () => void askForFiles().then((chosen) => addFiles(chosen, missing)),
+          },
+        ];
       const view = sessionView();
       if (!view || !isPresent(newest) || !isShown(entry)) return [];
       const own = inOwnText(entry);
@@ -106,7 +126,8 @@ export function useProgramHost(): FindingsHost {
       if (index >= 0) editProgram(withTool(shownProgram(), index, tool), null);
     };
     const cycleOf: FindingsHost["cycleOf"] = (entry) => {
-      if (!isShown(entry)) return entry.operation === null ? null : (newest?.run.operations[entry.operation]?.cycle ?? null);
+      if (!isShown(entry))
+        return entry.operation === null ? null : (newest?.run.operations[entry.operation]?.cycle ?? null);
       const s = program.blocks[indexOf(program, inOwnText(entry))]?.statement;
       return s?.kind === "cycle" ? s.cycle : null;
     };

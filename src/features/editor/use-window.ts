@@ -26,7 +26,10 @@ export function useWindow(count: number, current: number): Window {
   const measure = useCallback(() => {
     const element = box.current;
     if (!element) return;
-    const next = { top: Math.floor(element.scrollTop / row), rows: Math.max(FIRST, Math.ceil(element.clientHeight / row)) };
+    const next = {
+      top: Math.floor(element.scrollTop / row),
+      rows: Math.max(FIRST, Math.ceil(element.clientHeight / row)),
+    };
     see((now) => (now.top === next.top && now.rows === next.rows ? now : next));
   }, [row]);
   useLayoutEffect(measure, [count, measure]);

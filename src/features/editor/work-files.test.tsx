@@ -14,8 +14,16 @@ import { useEditor } from "../../app/document/store.ts";
 import { filesOf } from "../../app/document/work.ts";
 import { WorkFiles } from "./WorkFiles.tsx";
 
-const BESIDE = { name: "DEFINES.H", text: "0 BEGIN PGM DEFINES MM\n1 END PGM DEFINES MM\n", encoding: "utf-8" } as const;
-const MAIN = { name: "MAIN.H", text: "0 BEGIN PGM MAIN MM\n1 CALL PGM DEFINES\n2 M30\n3 END PGM MAIN MM\n", encoding: "utf-8" } as const;
+const BESIDE = {
+  name: "DEFINES.H",
+  text: "0 BEGIN PGM DEFINES MM\n1 END PGM DEFINES MM\n",
+  encoding: "utf-8",
+} as const;
+const MAIN = {
+  name: "MAIN.H",
+  text: "0 BEGIN PGM MAIN MM\n1 CALL PGM DEFINES\n2 M30\n3 END PGM MAIN MM\n",
+  encoding: "utf-8",
+} as const;
 let version = 0;
 
 /** The worker answers for what is open now. */

@@ -13,24 +13,50 @@ import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
 import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { useModal } from "../../app/base/use-modal.ts";
-import { BODIES, bodiesOf, contoursOf, drawnTogether, layersOf, turnedMoment, type BodyName, type OfferedBody,
-  type OfferedContour } from "./exports.ts";
+import {
+  BODIES,
+  bodiesOf,
+  contoursOf,
+  drawnTogether,
+  layersOf,
+  turnedMoment,
+  type BodyName,
+  type OfferedBody,
+  type OfferedContour,
+} from "./exports.ts";
 import "./export.css";
 
-/** Writes bodies and contour of the open work, as they are when the dialog opens. `stem`: begin of the names of the files. */
+/**
+ * Writes bodies and contour of the open work, as they are when the dialog opens. `stem`: begin of the names of the
+ * files.
+ */
 export function PartExport({ stem, done }: { readonly stem: string; readonly done: () => void }) {
   const words = useTextsSoon("export");
   return words && <Opened words={words} stem={stem} done={done} />;
 }
 
-function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonly stem: string; readonly done: () => void }) {
-  const { close } = useTexts("first").page, lengths = useLengths();
-  const shown = useOutcome((s) => s.shown), dimmed = useOutcome((s) => s.dimmed);
+function Opened({
+  words: t,
+  stem,
+  done,
+}: {
+  readonly words: ExportTexts;
+  readonly stem: string;
+  readonly done: () => void;
+}) {
+  const { close } = useTexts("first").page,
+    lengths = useLengths();
+  const shown = useOutcome((s) => s.shown),
+    dimmed = useOutcome((s) => s.dimmed);
   const dialog = useRef<HTMLDialogElement>(null);
   const [said, say] = useState("");
   useModal(dialog, ".export-part button:not(:disabled)");
   return (
-    <dialog ref={dialog} className="export-part" aria-label={t.title} onClose={() => !dialog.current?.open && done()}
+    <dialog
+      ref={dialog}
+      className="export-part"
+      aria-label={t.title}
+      onClose={() => !dialog.current?.open && done()}
       onKeyDown={(event) => event.stopPropagation()}
     >
       <div className="export-part-head">
@@ -41,13 +67,17 @@ function Opened({ words: t, stem, done }: { readonly words: ExportTexts; readonl
       </div>
       <p>{lengths.unit === "mm" ? t.lead : t.leadInches}</p>
       {dimmed && <Message tone="warning">{t.older}</Message>}
-      {!shown || shown.isBeginning ? <p role="status">{t.beginning}</p> : (
+      {!shown || shown.isBeginning ? (
+        <p role="status">{t.beginning}</p>
+      ) : (
         <>
           <Bodies words={t} outcome={shown} stem={stem} say={say} />
           <Contours words={t} outcome={shown} stem={stem} say={say} />
         </>
       )}
-      <p role="status" className="export-said">{said}</p>
+      <p role="status" className="export-said">
+        {said}
+      </p>
     </dialog>
   );
 }
@@ -60,8 +90,10 @@ interface Part {
 }
 
 function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
-  const lengths = useLengths(run), { language } = lengths;
-  const asked = useAskedView((v) => v.asked), { position: shown } = playback.get();
+  const lengths = useLengths(run),
+    { language } = lengths;
+  const asked = useAskedView((v) => v.asked),
+    { position: shown } = playback.get();
   const position = useMemo(() => turnedMoment(run, shown, showsPlane(run, asked)), [run, shown, asked]);
   const bodies = useMemo(() => bodiesOf(run, simulation, position), [run, simulation, position]);
   const count = (n: number) => formatNumber(language, n, 0);
@@ -71,7 +103,8 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
   };
   const save = (name: BodyName, body: OfferedBody) => {
     if ("lack" in body) return;
-    const file = `${stem}_${t.file[name]}.stl`, { bytes, volume, hasRings } = bodyStl(body, `${stem} ${name}`);
+    const file = `${stem}_${t.file[name]}.stl`,
+      { bytes, volume, hasRings } = bodyStl(body, `${stem} ${name}`);
     downloadBytes(bytes, file);
     const saved = t.saved(file, lengths.volume(volume));
     say(hasRings ? `${saved} ${t.rings}` : saved);
@@ -81,14 +114,19 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
       <h3>{t.bodies}</h3>
       <ul className="export-bodies">
         {BODIES.map((name) => {
-          const body = bodies[name], lacks = "lack" in body;
+          const body = bodies[name],
+            lacks = "lack" in body;
           return (
             <li key={name}>
               <div>
                 <b>{t.body[name]}</b>
                 <p className="small soft">{lacks ? t.lack[body.lack] : hint(name, body)}</p>
               </div>
-              <button type="button" className="button" disabled={lacks} aria-label={t.save(t.body[name], "STL")}
+              <button
+                type="button"
+                className="button"
+                disabled={lacks}
+                aria-label={t.save(t.body[name], "STL")}
                 onClick={() => save(name, body)}
               >
                 <Icon name="download" /> STL
@@ -107,9 +145,12 @@ function Bodies({ words: t, outcome: { run, simulation }, stem, say }: Part) {
 const ALL = "all";
 
 function Contours({ words: t, outcome: { run }, stem, say }: Part) {
-  const group = useId(), lengths = useLengths(), contours = useMemo(() => contoursOf(run), [run]);
+  const group = useId(),
+    lengths = useLengths(),
+    contours = useMemo(() => contoursOf(run), [run]);
   const together = drawnTogether(contours);
-  const [chosen, choose] = useState<string>(together ? ALL : "0"), [diameters, setDiameters] = useState(false);
+  const [chosen, choose] = useState<string>(together ? ALL : "0"),
+    [diameters, setDiameters] = useState(false);
   if (contours.length === 0) {
     return (
       <section aria-label={t.contour}>
@@ -119,14 +160,16 @@ function Contours({ words: t, outcome: { run }, stem, say }: Part) {
     );
   }
   const isChosen = (_: unknown, i: number) => chosen === ALL || chosen === String(i);
-  const layers = layersOf(contours).filter(isChosen), isTurned = contours.find(isChosen)?.plane === "ZX";
+  const layers = layersOf(contours).filter(isChosen),
+    isTurned = contours.find(isChosen)?.plane === "ZX";
   const own = contours.length > 1 && chosen !== ALL ? `${stem}_${Number(chosen) + 1}` : stem;
   const save = (text: string, ending: string) => {
     const file = `${own}.${ending}`;
     downloadText(text, file);
     say(t.savedFile(file));
   };
-  const name = ({ block, cycle }: OfferedContour) => (cycle === null ? t.milled(String(block)) : t.one(String(block), String(cycle)));
+  const name = ({ block, cycle }: OfferedContour) =>
+    cycle === null ? t.milled(String(block)) : t.one(String(block), String(cycle));
   return (
     <section aria-label={t.contour}>
       <h3>{t.contour}</h3>
@@ -135,7 +178,11 @@ function Contours({ words: t, outcome: { run }, stem, say }: Part) {
           <span>{t.which}</span>
           <select className="select" value={chosen} onChange={(event) => choose(event.target.value)}>
             {together && <option value={ALL}>{t.all}</option>}
-            {contours.map((each, i) => <option key={i} value={i}>{name(each)}</option>)}
+            {contours.map((each, i) => (
+              <option key={i} value={i}>
+                {name(each)}
+              </option>
+            ))}
           </select>
         </label>
       )}
@@ -152,12 +199,18 @@ function Contours({ words: t, outcome: { run }, stem, say }: Part) {
       )}
       <p className="small soft">{isTurned ? `${t.acrossHint} ${t.svgHint}` : t.planeHint}</p>
       <div className="export-ways">
-        <button type="button" className="button" aria-label={t.save(t.contour, "DXF")}
+        <button
+          type="button"
+          className="button"
+          aria-label={t.save(t.contour, "DXF")}
           onClick={() => save(writeDxf(layers, isTurned && diameters, run.program.unit), "dxf")}
         >
           <Icon name="download" /> DXF
         </button>
-        <button type="button" className="button" aria-label={t.save(t.contour, "SVG")}
+        <button
+          type="button"
+          className="button"
+          aria-label={t.save(t.contour, "SVG")}
           onClick={() => save(contourSvg(layers) ?? "", "svg")}
         >
           <Icon name="download" /> SVG

@@ -97,10 +97,12 @@ test("what is not there says why", () => {
 });
 
 test("the contour of a cycle goes out as DXF and comes in again", () => {
-  const contours = contoursOf(made(cycle + cycle).ran), text = writeDxf(layersOf(contours), false, "mm");
+  const contours = contoursOf(made(cycle + cycle).ran),
+    text = writeDxf(layersOf(contours), false, "mm");
   expect(contours.length).toBe(1);
   const { rows } = readDxf(new DxfParser().parseSync(text) as ParsedDxf, dxfDefaults);
-  const { segments } = readRows(rows).contour, was = contours[0]?.segments ?? [];
+  const { segments } = readRows(rows).contour,
+    was = contours[0]?.segments ?? [];
   expect(segments.map((s) => s.kind)).toEqual(was.map((s) => s.kind));
   expect(segments.some((s) => s.kind === "arc")).toBe(true);
   segments.forEach((s, i) => expect(part.apart(s.to, was[i]?.to ?? s.from)).toBeLessThan(0.001));
@@ -109,11 +111,13 @@ test("the contour of a cycle goes out as DXF and comes in again", () => {
 test("a part as thin as a pin has its volume too, as the file says it", () => {
   const pin = [at(-13.7, 0), at(0.3, 0), at(0.3, 1.45), at(-13.7, 1.45)],
     { bytes, volume: said } = bodyStl({ rings: [pin], threads: null }, "pin");
-  const view = new DataView(bytes.buffer), count = view.getUint32(80, true);
+  const view = new DataView(bytes.buffer),
+    count = view.getUint32(80, true);
   let sum = 0;
   for (let t = 0; t < count; t += 1) {
-    const [ax, ay, az, bx, by, bz, cx, cy, cz] = Array.from({ length: 9 }, (_, k) => view.getFloat32(96 + 50 * t + 4 * k, true)) as [number,
-      number, number, number, number, number, number, number, number];
+    const [ax, ay, az, bx, by, bz, cx, cy, cz] = Array.from({ length: 9 }, (_, k) =>
+      view.getFloat32(96 + 50 * t + 4 * k, true),
+    ) as [number, number, number, number, number, number, number, number, number];
     sum += (ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)) / 6;
   }
   expect(sum / 1000 / said).toBeCloseTo(1, 5);
@@ -121,11 +125,16 @@ test("a part as thin as a pin has its volume too, as the file says it", () => {
 });
 
 test("threads leave as helices: half a lead on, a cut through the finished part shows grooves where crests were", () => {
-  const text = readFileSync("tests/programs/cycle-831.h", "utf8"), ran = run(parse(text), { tools: shippedTools, rapid: 8_000 });
-  const { blank, stated, steps, operations, unproved } = ran, simulation = simulate({ blank, stated, steps, operations, unproved });
+  const text = readFileSync("tests/programs/cycle-831.h", "utf8"),
+    ran = run(parse(text), { tools: shippedTools, rapid: 8_000 });
+  const { blank, stated, steps, operations, unproved } = ran,
+    simulation = simulate({ blank, stated, steps, operations, unproved });
   const { part: whole, stock } = bodiesOf(ran, simulation, { step: steps.length, fraction: 0 });
   if (!("rings" in whole) || !("rings" in stock)) throw new Error("there are bodies");
-  const { mesh: { positions }, hasRings } = bodyMesh(whole);
+  const {
+    mesh: { positions },
+    hasRings,
+  } = bodyMesh(whole);
   expect(hasRings).toBe(false);
   expect(bodyMesh({ ...whole, rings: [...whole.rings, [at(-5, 1), at(-4, 1), at(-4, 30)]] }).hasRings).toBe(true);
   /** Places of roots along one line of the surface, which a half plane cuts. */
@@ -148,20 +157,26 @@ test("threads leave as helices: half a lead on, a cut through the finished part 
 
 /** Edges of triangles that lie on one another, or have no other one that runs back. */
 function doubtfulEdges(bytes: Uint8Array<ArrayBuffer>): number {
-  const view = new DataView(bytes.buffer), count = view.getUint32(80, true), known = new Map<string, number>();
-  const corner = (t: number, k: number) => [0, 4, 8].map((n) => view.getFloat32(96 + 50 * t + 12 * k + n, true)).join(" ");
+  const view = new DataView(bytes.buffer),
+    count = view.getUint32(80, true),
+    known = new Map<string, number>();
+  const corner = (t: number, k: number) =>
+    [0, 4, 8].map((n) => view.getFloat32(96 + 50 * t + 12 * k + n, true)).join(" ");
   for (let t = 0; t < count; t += 1)
     for (const k of [0, 1, 2]) {
       const edge = `${corner(t, k)}|${corner(t, (k + 1) % 3)}`;
       known.set(edge, (known.get(edge) ?? 0) + 1);
     }
-  return [...known].filter(([edge, times]) => times !== 1 || known.get(edge.split("|").reverse().join("|")) !== 1).length;
+  return [...known].filter(([edge, times]) => times !== 1 || known.get(edge.split("|").reverse().join("|")) !== 1)
+    .length;
 }
 
-test.each(["cycle-830", "cycle-831", "cycle-832", "groove-852", "shoulder-inch"])("every edge of the bodies of %s has two triangles",
+test.each(["cycle-830", "cycle-831", "cycle-832", "groove-852", "shoulder-inch"])(
+  "every edge of the bodies of %s has two triangles",
   (name) => {
     const ran = run(parse(readFileSync(`tests/programs/${name}.h`, "utf8")), { tools: shippedTools, rapid: 8_000 });
-    const { blank, stated, steps, operations, unproved } = ran, simulation = simulate({ blank, stated, steps, operations, unproved });
+    const { blank, stated, steps, operations, unproved } = ran,
+      simulation = simulate({ blank, stated, steps, operations, unproved });
     const bodies = bodiesOf(ran, simulation, { step: steps.length, fraction: 0 });
     for (const body of [bodies.part, bodies.blank, bodies.stock]) {
       if (!("rings" in body)) throw new Error("there are bodies");
@@ -169,7 +184,8 @@ test.each(["cycle-830", "cycle-831", "cycle-832", "groove-852", "shoulder-inch"]
       expect(doubtfulEdges(bytes)).toBe(0);
       expect(said).toBeGreaterThan(0);
     }
-  });
+  },
+);
 
 /** Two passes round one contour with a rounding, and a cycle in the same program. */
 const milling = `30 FUNCTION MODE MILL
@@ -189,15 +205,25 @@ const milling = `30 FUNCTION MODE MILL
 `;
 
 test("what an approach leads to goes out once, X and Y as they are, apart from what is turned", () => {
-  const both = contoursOf(made(cycle + milling).ran), milled = both.filter(({ plane }) => plane === "XY");
-  expect(both.map(({ plane, cycle: of }) => [plane, of])).toEqual([["ZX", 812], ["XY", null]]);
+  const both = contoursOf(made(cycle + milling).ran),
+    milled = both.filter(({ plane }) => plane === "XY");
+  expect(both.map(({ plane, cycle: of }) => [plane, of])).toEqual([
+    ["ZX", 812],
+    ["XY", null],
+  ]);
   expect([drawnTogether(both), drawnTogether(milled)]).toEqual([false, true]);
   const { entities } = new DxfParser().parseSync(writeDxf(layersOf(milled), false, "mm")) as {
-    readonly entities: readonly { readonly type: string; readonly radius?: number;
-      readonly vertices?: readonly { x: number; y: number }[] }[];
+    readonly entities: readonly {
+      readonly type: string;
+      readonly radius?: number;
+      readonly vertices?: readonly { x: number; y: number }[];
+    }[];
   };
   expect(entities.map(({ type }) => type)).toEqual(["LINE", "ARC", "LINE", "ARC"]);
-  expect(entities[0]?.vertices?.map(({ x, y }) => [x, y])).toEqual([[-12.7, -11.4], [-12.7, 9.3]]);
+  expect(entities[0]?.vertices?.map(({ x, y }) => [x, y])).toEqual([
+    [-12.7, -11.4],
+    [-12.7, 9.3],
+  ]);
   expect(entities[1]?.radius).toBeCloseTo(4.6, 9);
   expect(entities[3]?.radius).toBeCloseTo(41.3, 9);
 });
@@ -209,21 +235,29 @@ test("a milled program has its block, X, Y and Z as they are; what is milled of 
   });
   const none = simulate({ blank: [], steps: [], operations: [], unproved: [] });
   const { part: finished, blank } = bodiesOf(plate, none, { step: 0, fraction: 0 });
-  expect([finished, blank]).toEqual([{ lack: "noTurning" }, {
-    block: { left: -3.7, right: 81.9, low: 1.3, high: 47.2, bottom: -19.4, top: 0.6 },
-  }]);
+  expect([finished, blank]).toEqual([
+    { lack: "noTurning" },
+    {
+      block: { left: -3.7, right: 81.9, low: 1.3, high: 47.2, bottom: -19.4, top: 0.6 },
+    },
+  ]);
   if (!("block" in blank)) throw new Error("no block");
-  const { bytes, volume: said } = bodyStl(blank, "block"), view = new DataView(bytes.buffer);
+  const { bytes, volume: said } = bodyStl(blank, "block"),
+    view = new DataView(bytes.buffer);
   expect(said).toBeCloseTo((85.6 * 45.9 * 20) / 1000, 4);
   // Each edge is there once in each direction, so that the surface is closed.
-  const corner = (t: number, k: number) => [0, 1, 2].map((n) => view.getFloat32(96 + 50 * t + 12 * k + 4 * n, true).toFixed(3)).join(" ");
-  const edges = Array.from({ length: view.getUint32(80, true) },
-    (_, t) => [0, 1, 2].map((k) => [corner(t, k), corner(t, (k + 1) % 3)] as const)).flat();
+  const corner = (t: number, k: number) =>
+    [0, 1, 2].map((n) => view.getFloat32(96 + 50 * t + 12 * k + 4 * n, true).toFixed(3)).join(" ");
+  const edges = Array.from({ length: view.getUint32(80, true) }, (_, t) =>
+    [0, 1, 2].map((k) => [corner(t, k), corner(t, (k + 1) % 3)] as const),
+  ).flat();
   const known = new Set(edges.map((edge) => edge.join("|")));
   expect(known.size).toBe(36);
   for (const [a, b] of edges) expect(known.has(`${b}|${a}`)).toBe(true);
 
-  const mixed = made(`${cycle}${milling}50 FUNCTION MODE TURN\n51 TOOL CALL 1\n52 L X+80 Z+3 R0 FMAX\n53 L X+70 FMAX\n`).ran;
+  const mixed = made(
+    `${cycle}${milling}50 FUNCTION MODE TURN\n51 TOOL CALL 1\n52 L X+80 Z+3 R0 FMAX\n53 L X+70 FMAX\n`,
+  ).ran;
   const before = mixed.plane[0]?.turned ?? NaN;
   expect(before).toBeGreaterThan(10);
   expect(before).toBeLessThan(mixed.steps.length);

@@ -18,14 +18,21 @@ export type BodyName = (typeof BODIES)[number];
 export type ExportLack = "noBlank" | "noTurning" | "nothingLeft" | "noCycle" | "noContour";
 
 /** A body to be written; `isLeft`: no cycle says what it should be, it is what the moves leave. */
-export type OfferedBody = WrittenBody & { readonly isLeft?: true } | { readonly block: Cuboid } | { readonly lack: ExportLack };
+export type OfferedBody =
+  (WrittenBody & { readonly isLeft?: true }) | { readonly block: Cuboid } | { readonly lack: ExportLack };
 
 const offered = (rings: readonly Ring[], lack: ExportLack, threads: ThreadedStock | null = null): OfferedBody =>
   isBody(rings) ? { rings, threads } : { lack };
 
 /** The moment of the lathe that is shown: a milled one has the stock that was turned before it. */
-export function turnedMoment({ plane, steps }: Pick<Run, "plane" | "steps">, position: PlayPosition, showsPlane: boolean): PlayPosition {
-  return showsPlane ? { step: plane[Math.min(position.step, plane.length - 1)]?.turned ?? steps.length, fraction: 0 } : position;
+export function turnedMoment(
+  { plane, steps }: Pick<Run, "plane" | "steps">,
+  position: PlayPosition,
+  showsPlane: boolean,
+): PlayPosition {
+  return showsPlane
+    ? { step: plane[Math.min(position.step, plane.length - 1)]?.turned ?? steps.length, fraction: 0 }
+    : position;
 }
 
 function leftPart(rings: readonly Ring[], threads: (rings: readonly Ring[]) => ThreadedStock | null): OfferedBody {
@@ -33,7 +40,11 @@ function leftPart(rings: readonly Ring[], threads: (rings: readonly Ring[]) => T
 }
 
 /** The bodies of a run at a position of its playback, or why there is none. */
-export function bodiesOf(run: Run, simulation: Simulation, position: PlayPosition): Readonly<Record<BodyName, OfferedBody>> {
+export function bodiesOf(
+  run: Run,
+  simulation: Simulation,
+  position: PlayPosition,
+): Readonly<Record<BodyName, OfferedBody>> {
   if (run.steps.length === 0 && run.plane.length > 0) {
     const none = { lack: "noTurning" } as const;
     return { part: none, blank: run.cuboid ? { block: run.cuboid } : offered(run.blank, "noBlank"), stock: none };
@@ -42,11 +53,13 @@ export function bodiesOf(run: Run, simulation: Simulation, position: PlayPositio
     const none = { lack: "noBlank" } as const;
     return { part: none, blank: none, stock: none };
   }
-  const player = playerOf(simulation), threads = runThreads(run.steps, player.at, {
-    stated: statedSteps(simulation),
-    spindles: run.spindles,
-  });
-  const part = finishedBody(simulation, run.operations), stock = player.at(position);
+  const player = playerOf(simulation),
+    threads = runThreads(run.steps, player.at, {
+      stated: statedSteps(simulation),
+      spindles: run.spindles,
+    });
+  const part = finishedBody(simulation, run.operations),
+    stock = player.at(position);
   const end = { step: run.steps.length, fraction: 0 };
   return {
     part: isBody(part)
@@ -67,7 +80,10 @@ export interface OfferedContour {
   readonly segments: readonly Segment[];
 }
 
-/** The contours of a run, each once: roughing and finishing calls often share one, and so do an approach and its departure. */
+/**
+ * The contours of a run, each once: roughing and finishing calls often share one, and so do an approach and its
+ * departure.
+ */
 export function contoursOf(run: Run): readonly OfferedContour[] {
   const known = new Set<string>();
   const turned = run.operations.map(({ plan: { contour }, block, cycle }): OfferedContour => ({
@@ -76,12 +92,14 @@ export function contoursOf(run: Run): readonly OfferedContour[] {
     plane: "ZX",
     segments: contour,
   }));
-  const milled = run.approaches.filter(({ plane }) => plane === "XY").map(({ contour, block }): OfferedContour => ({
-    block,
-    cycle: null,
-    plane: "XY",
-    segments: contour.map(partSegment),
-  }));
+  const milled = run.approaches
+    .filter(({ plane }) => plane === "XY")
+    .map(({ contour, block }): OfferedContour => ({
+      block,
+      cycle: null,
+      plane: "XY",
+      segments: contour.map(partSegment),
+    }));
   return [...turned, ...milled].filter(({ plane, segments }) => {
     const key = plane + JSON.stringify(segments);
     const isNew = segments.length > 0 && !known.has(key);
@@ -91,7 +109,8 @@ export function contoursOf(run: Run): readonly OfferedContour[] {
 }
 
 /** Whether one drawing can hold them all: half sections and the working plane have no axis in common. */
-export const drawnTogether = (contours: readonly OfferedContour[]): boolean => contours.every(({ plane }) => plane === contours[0]?.plane);
+export const drawnTogether = (contours: readonly OfferedContour[]): boolean =>
+  contours.every(({ plane }) => plane === contours[0]?.plane);
 
 /** Contours as layers of a drawing: one is CONTOUR, several are CONTOUR_1 and so on. */
 export const layersOf = (contours: readonly OfferedContour[]): readonly DxfLayer[] =>

@@ -15,7 +15,12 @@ export function ChooseProgram({ works, skipped, isCut, open, together }: Program
   };
   const words = t?.choose;
   return (
-    <dialog ref={dialog} className="choose-program" aria-label={words?.title} onClose={() => !dialog.current?.open && endChoice()}>
+    <dialog
+      ref={dialog}
+      className="choose-program"
+      aria-label={words?.title}
+      onClose={() => !dialog.current?.open && endChoice()}
+    >
       {t && words && (
         <>
           <h2>{words.title}</h2>
@@ -25,7 +30,9 @@ export function ChooseProgram({ works, skipped, isCut, open, together }: Program
               <li key={work.name}>
                 <button type="button" className="button" aria-label={words.open(work.name)} onClick={take([work])}>
                   <span className="file-name number">{work.name}</span>
-                  <span className="soft small">{filesOf(work).length > 0 ? words.with(filesOf(work).length) : words.alone}</span>
+                  <span className="soft small">
+                    {filesOf(work).length > 0 ? words.with(filesOf(work).length) : words.alone}
+                  </span>
                 </button>
               </li>
             ))}
@@ -33,14 +40,22 @@ export function ChooseProgram({ works, skipped, isCut, open, together }: Program
           {skipped > 0 && <p className="soft small">{words.skipped(skipped)}</p>}
           {isCut && <p className="soft small">{words.cut}</p>}
           <div className="program-ways">
-            <button type="button" className="button primary" onClick={take(works)}>{words.all(works.length)}</button>
-            <button type="button" className="button" onClick={() => {
-              dialog.current?.close();
-              together();
-            }}>
+            <button type="button" className="button primary" onClick={take(works)}>
+              {words.all(works.length)}
+            </button>
+            <button
+              type="button"
+              className="button"
+              onClick={() => {
+                dialog.current?.close();
+                together();
+              }}
+            >
               {words.together}
             </button>
-            <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.cancel}</button>
+            <button type="button" className="button" onClick={() => dialog.current?.close()}>
+              {t.cancel}
+            </button>
           </div>
         </>
       )}

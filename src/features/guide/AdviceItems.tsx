@@ -43,10 +43,14 @@ export function AdviceItems({ cycle, advice }: { readonly cycle: number; readonl
               <b className="number">{at === SPINDLE ? t.spindle : at}</b> {adviceText(t, language, each)}
             </p>
             {better !== null && canTake(at) && (
-              <button type="button" className="button" onClick={(event) => {
-                keepFocus(event.currentTarget, "main");
-                void takeValue(cycle, at, better);
-              }}>
+              <button
+                type="button"
+                className="button"
+                onClick={(event) => {
+                  keepFocus(event.currentTarget, "main");
+                  void takeValue(cycle, at, better);
+                }}
+              >
                 {t.take(`${at === SPINDLE ? "" : `${at} = `}${formatNumber(language, better)}`)}
               </button>
             )}

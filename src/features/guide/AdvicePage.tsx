@@ -23,17 +23,22 @@ export function AdvicePage() {
         <h1>{t.title}</h1>
         <p>{t.lead}</p>
         <label className="advice-switch">
-          <input type="checkbox" checked={on} onChange={(event) => changeSettings({ advice: event.currentTarget.checked })} />
+          <input
+            type="checkbox"
+            checked={on}
+            onChange={(event) => changeSettings({ advice: event.currentTarget.checked })}
+          />
           <span>{t.show}</span>
         </label>
       </header>
       <MaterialChoice />
-      {on && said.map(({ operation, cycle: number, advice }) => (
-        <section key={operation} aria-label={t.operation(operation + 1, number)}>
-          <h2>{t.operation(operation + 1, number)}</h2>
-          <AdviceItems cycle={number} advice={advice} />
-        </section>
-      ))}
+      {on &&
+        said.map(({ operation, cycle: number, advice }) => (
+          <section key={operation} aria-label={t.operation(operation + 1, number)}>
+            <h2>{t.operation(operation + 1, number)}</h2>
+            <AdviceItems cycle={number} advice={advice} />
+          </section>
+        ))}
       {on && said.length === 0 && <p className="soft">{isOpen ? t.none : t.nothingOpen}</p>}
       {cycle && !cycle.acts && <StartingValues cycle={cycle} />}
       <CuttingDataTable />

@@ -25,10 +25,11 @@ import { ValueCard } from "./ValueCard.tsx";
 type PagedKind = BlockKind & keyof GuideBlocksTexts["kinds"];
 
 /** Name of the page of a block, or of one of its words. */
-export const blockPage = (
-  kind: BlockKind,
-  word: string | null,
-): readonly string[] => ["guide", "block", word === null ? kind : `${kind}.${word}`];
+export const blockPage = (kind: BlockKind, word: string | null): readonly string[] => [
+  "guide",
+  "block",
+  word === null ? kind : `${kind}.${word}`,
+];
 
 /** Follows what blocks are shown at. */
 function useSources(): void {
@@ -37,7 +38,11 @@ function useSources(): void {
 }
 
 /** What a field is called, without the letter that stands in front of it on its page. */
-function wordName({ editor: t }: Pick<Texts, "editor">, kind: BlockKind, { name, id }: Pick<WordField, "name" | "id">): string {
+function wordName(
+  { editor: t }: Pick<Texts, "editor">,
+  kind: BlockKind,
+  { name, id }: Pick<WordField, "name" | "id">,
+): string {
   const letter = blockLetter(kind, wordOfField({ id }));
   const full = typeof name === "string" ? t.fields[name] : t.fields.wordOf(name.word);
   return full.endsWith(` ${letter}`) ? full.slice(0, -letter.length - 1) : full === letter ? "" : full;
@@ -64,20 +69,34 @@ function WordPictures({ kind, field }: Props) {
     <section className="guide-values" aria-label={t.values.title} aria-busy={working}>
       <h2>{t.values.title}</h2>
       {made && <p className="soft">{made.line === null ? blocks.sampleLead : blocks.ownLead}</p>}
-      {made === undefined && <p className="guide-working soft" role="status">{t.values.working}</p>}
+      {made === undefined && (
+        <p className="guide-working soft" role="status">
+          {t.values.working}
+        </p>
+      )}
       {made === null && <p className="soft">{blocks.why[whyUnseen(kind, word)]}</p>}
       {made?.line === null && hasOwn && <p className="soft">{blocks.why.yours}</p>}
       {made && (
         <ol className="value-cards">
           {made.tried.map((tried, i) => {
             const { line } = made;
-            const said = field.choices ? choices[tried.text] ?? tried.text : inScreenWriting(language, tried.text);
+            const said = field.choices ? (choices[tried.text] ?? tried.text) : inScreenWriting(language, tried.text);
             const text = said === "" ? editor.none : said;
             return (
-              <ValueCard key={tried.text} tried={tried} box={made.box} letter={letter === "" ? wordName({ editor }, kind, field) : letter}
-                text={text} unit={field.unit ?? ""} size={sizes[i] ?? null} whole
+              <ValueCard
+                key={tried.text}
+                tried={tried}
+                box={made.box}
+                letter={letter === "" ? wordName({ editor }, kind, field) : letter}
+                text={text}
+                unit={field.unit ?? ""}
+                size={sizes[i] ?? null}
+                whole
                 whose={tried.isUsual ? (line === null ? t.values.printed : t.values.yours) : null}
-                take={line === null || tried.isUsual ? null : () => void takeIntoBlock(line, kind, word, tried.text, letter)} />
+                take={
+                  line === null || tried.isUsual ? null : () => void takeIntoBlock(line, kind, word, tried.text, letter)
+                }
+              />
             );
           })}
         </ol>
@@ -92,11 +111,13 @@ function Rules({ sentences }: { readonly sentences: readonly string[] }) {
   return (
     <section aria-label={blocks.rule}>
       <h2>{blocks.rule}</h2>
-      {sentences.filter((sentence) => sentence !== "").map((sentence) => (
-        <p key={sentence}>
-          <Said text={sentence} />
-        </p>
-      ))}
+      {sentences
+        .filter((sentence) => sentence !== "")
+        .map((sentence) => (
+          <p key={sentence}>
+            <Said text={sentence} />
+          </p>
+        ))}
       <p className="soft small">{blocks.recalled}</p>
     </section>
   );
@@ -162,10 +183,20 @@ function OfBlock({ kind }: { readonly kind: PagedKind }) {
 }
 
 /** The ways to the words of a block. */
-function Words({ kind, source, but }: { readonly kind: BlockKind; readonly source: Statement; readonly but: string | null }) {
+function Words({
+  kind,
+  source,
+  but,
+}: {
+  readonly kind: BlockKind;
+  readonly source: Statement;
+  readonly but: string | null;
+}) {
   const texts = useTexts();
   const blocks = useTexts("guide-blocks");
-  const fields = fieldsOf(source).filter((field) => wordOfField(field) !== but && blockWordTexts(blocks, kind, wordOfField(field)));
+  const fields = fieldsOf(source).filter(
+    (field) => wordOfField(field) !== but && blockWordTexts(blocks, kind, wordOfField(field)),
+  );
   if (fields.length === 0) return null;
   return (
     <section aria-label={blocks.words}>
@@ -190,14 +221,18 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
   useSources();
   const [source] = blockSources(kind, word);
   const all = source ? fieldsOf(source.statement) : [];
-  const at = all.findIndex((each) => wordOfField(each) === word), field = all[at];
+  const at = all.findIndex((each) => wordOfField(each) === word),
+    field = all[at];
   const said = blockWordTexts(blocks, kind, word, places);
   if (!source || !field || !said) return <h1>{t.missing}</h1>;
   const rules = [blockRule(blocks, kind, word), blocks.kinds[kind].rule];
   const turn = (to: WordField | undefined, icon: "up" | "down", name: string, long: (name: string) => string) => (
-    <button type="button" className="button" disabled={!to}
-      aria-label={to && long([blockLetter(kind, wordOfField(to)), wordName(texts, kind, to)].join(" ").trim())} onClick={() =>
-      to && showGuide(...blockPage(kind, wordOfField(to)))}
+    <button
+      type="button"
+      className="button"
+      disabled={!to}
+      aria-label={to && long([blockLetter(kind, wordOfField(to)), wordName(texts, kind, to)].join(" ").trim())}
+      onClick={() => to && showGuide(...blockPage(kind, wordOfField(to)))}
     >
       <Icon name={icon} /> {name}
     </button>
@@ -234,7 +269,8 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
 export function BlockPage({ name }: { readonly name: string }) {
   const t = useTexts("guide");
   const { kinds } = useTexts("guide-blocks");
-  const [kind = "", ...rest] = name.split("."), word = rest.join(".");
+  const [kind = "", ...rest] = name.split("."),
+    word = rest.join(".");
   if (!Object.hasOwn(kinds, kind)) return <h1>{t.missing}</h1>;
   const known = kind as PagedKind;
   return word === "" ? <OfBlock key={name} kind={known} /> : <OfWord key={name} kind={known} word={word} />;
@@ -245,6 +281,8 @@ export function BlockLinks() {
   const { kinds } = useTexts("guide-blocks");
   const { kinds: names } = useTexts().editor;
   return (Object.keys(kinds) as readonly PagedKind[]).map((kind) => (
-    <GuideButton key={kind} to={blockPage(kind, null)}>{names[kind]}</GuideButton>
+    <GuideButton key={kind} to={blockPage(kind, null)}>
+      {names[kind]}
+    </GuideButton>
   ));
 }

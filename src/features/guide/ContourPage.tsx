@@ -9,7 +9,11 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
 
 /** Elements with a size of their own, each at a small, a usual and a large one, mm. */
-const SIZED = [["RND", [2, 5, 9]], ["CHF", [1, 3, 7]], ["CR", [14, 20, 60]]] as const;
+const SIZED = [
+  ["RND", [2, 5, 9]],
+  ["CHF", [1, 3, 7]],
+  ["CR", [14, 20, 60]],
+] as const;
 type Sized = (typeof SIZED)[number][0];
 
 /** A shoulder with an element of a size in it: in its corner, or in place of its face. */
@@ -28,7 +32,8 @@ const ROUND_IT = 3;
 /** The part under a contour down to the axis, with one element of it at one size, that element marked. */
 function ElementPicture({ kind, size, name }: { readonly kind: Sized; readonly size: number; readonly name: string }) {
   const id = useId();
-  const rows = shoulder(kind, size), { contour, rowOfSegment } = readRows(rows);
+  const rows = shoulder(kind, size),
+    { contour, rowOfSegment } = readRows(rows);
   const at = rows.findIndex((row) => row.kind === kind);
   const { left, right, high } = boxAround([contour.segments.flatMap(({ from, to }) => [from, to])]);
   const [x, wide, tall] = [left - ROUND_IT, right - left + 2 * ROUND_IT, high + 2 * ROUND_IT];
@@ -45,7 +50,10 @@ function ElementPicture({ kind, size, name }: { readonly kind: Sized; readonly s
         <path className="cut-stock" d={`${segmentData(contour.segments)}V0H${right}Z`} fill={`url(#${id})`} />
         <path className="cut-axis" d={`M${x} 0h${wide}`} />
         <path className="cut-contour" d={segmentData(contour.segments)} />
-        <path className="cut-finish element-marked" d={segmentData(contour.segments.filter((_, i) => rowOfSegment[i] === at))} />
+        <path
+          className="cut-finish element-marked"
+          d={segmentData(contour.segments.filter((_, i) => rowOfSegment[i] === at))}
+        />
       </g>
     </svg>
   );
@@ -55,7 +63,10 @@ function ElementPicture({ kind, size, name }: { readonly kind: Sized; readonly s
 export function ContourPage() {
   const t = useTexts("guide");
   const { elements: places } = useTexts("guide-places");
-  const { dialog: { contour: words }, contour: { kinds, intro } } = useTexts();
+  const {
+    dialog: { contour: words },
+    contour: { kinds, intro },
+  } = useTexts();
   const language = useSettings((s) => s.language);
   const sizes = [t.values.small, t.values.usual, t.values.large];
   return (

@@ -1,7 +1,13 @@
 import { useRef, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { ISO_GROUPS, readCuttingTable, usualTable, writeCuttingTable, type CutMaterial,
-  type CuttingTable } from "../../program/tools/cutting-table.ts";
+import {
+  ISO_GROUPS,
+  readCuttingTable,
+  usualTable,
+  writeCuttingTable,
+  type CutMaterial,
+  type CuttingTable,
+} from "../../program/tools/cutting-table.ts";
 import { downloadText } from "../../app/base/download.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
@@ -24,12 +30,19 @@ function Cell({ name, value, take, isText = false }: CellProps) {
   const [typed, type] = useState<string | null>(null);
   const [refused, refuse] = useState(false);
   return (
-    <NumberInput kind={isText ? "text" : "typed"} inputMode={isText ? "text" : "decimal"} aria-label={name} text={typed ?? value}
-      aria-invalid={refused} onText={type} onLeave={() => {
-      if (typed === null) return;
-      refuse(typed !== value && !take(typed));
-      type(null);
-    }} />
+    <NumberInput
+      kind={isText ? "text" : "typed"}
+      inputMode={isText ? "text" : "decimal"}
+      aria-label={name}
+      text={typed ?? value}
+      aria-invalid={refused}
+      onText={type}
+      onLeave={() => {
+        if (typed === null) return;
+        refuse(typed !== value && !take(typed));
+        type(null);
+      }}
+    />
   );
 }
 
@@ -55,7 +68,10 @@ export function CuttingDataTable() {
     const numbers = table.materials.map(({ id }) => Number(/^own(\d+)$/.exec(id)?.[1] ?? 0));
     const [first] = usualTable.materials;
     if (first)
-      change({ ...table, materials: [...table.materials, { ...first, id: `own${Math.max(0, ...numbers) + 1}`, name: t.newName }] });
+      change({
+        ...table,
+        materials: [...table.materials, { ...first, id: `own${Math.max(0, ...numbers) + 1}`, name: t.newName }],
+      });
   };
   const take = async (chosen: File) => {
     const read = readCuttingTable(await chosen.text());
@@ -67,7 +83,11 @@ export function CuttingDataTable() {
       <p className="soft">{t.lead}</p>
       <label className="advice-power">
         <span>{t.power}</span>
-        <Cell name={t.power} value={formatNumber(language, table.power)} take={(text) => change({ ...table, power: number(text) })} />
+        <Cell
+          name={t.power}
+          value={formatNumber(language, table.power)}
+          take={(text) => change({ ...table, power: number(text) })}
+        />
       </label>
       <div className="advice-scroll">
         <table>
@@ -75,7 +95,11 @@ export function CuttingDataTable() {
             <tr>
               <th scope="col">{t.name}</th>
               <th scope="col">{t.group}</th>
-              {NUMBERS.map((key) => <th key={key} scope="col">{values[key]}</th>)}
+              {NUMBERS.map((key) => (
+                <th key={key} scope="col">
+                  {values[key]}
+                </th>
+              ))}
               <td />
             </tr>
           </thead>
@@ -83,24 +107,42 @@ export function CuttingDataTable() {
             {table.materials.map((each) => (
               <tr key={each.id}>
                 <td className="advice-name">
-                  <Cell isText name={t.cell(t.name, each.name)} value={each.name} take={(text) => put(each.id, { name: text.trim() })} />
+                  <Cell
+                    isText
+                    name={t.cell(t.name, each.name)}
+                    value={each.name}
+                    take={(text) => put(each.id, { name: text.trim() })}
+                  />
                 </td>
                 <td>
-                  <select className="select" aria-label={t.cell(t.group, each.name)} value={each.group} onChange={(event) => {
-                    const group = ISO_GROUPS.find((one) => one === event.currentTarget.value);
-                    if (group) put(each.id, { group });
-                  }}>
-                    {ISO_GROUPS.map((group) => <option key={group} value={group}>{`${group} · ${groups[group]}`}</option>)}
+                  <select
+                    className="select"
+                    aria-label={t.cell(t.group, each.name)}
+                    value={each.group}
+                    onChange={(event) => {
+                      const group = ISO_GROUPS.find((one) => one === event.currentTarget.value);
+                      if (group) put(each.id, { group });
+                    }}
+                  >
+                    {ISO_GROUPS.map((group) => (
+                      <option key={group} value={group}>{`${group} · ${groups[group]}`}</option>
+                    ))}
                   </select>
                 </td>
                 {NUMBERS.map((key) => (
                   <td key={key}>
-                    <Cell name={t.cell(values[key], each.name)} value={formatNumber(language, each[key])}
-                      take={(text) => put(each.id, { [key]: number(text) })} />
+                    <Cell
+                      name={t.cell(values[key], each.name)}
+                      value={formatNumber(language, each[key])}
+                      take={(text) => put(each.id, { [key]: number(text) })}
+                    />
                   </td>
                 ))}
                 <td>
-                  <button type="button" className="button icon plain" aria-label={t.remove(each.name)}
+                  <button
+                    type="button"
+                    className="button icon plain"
+                    aria-label={t.remove(each.name)}
                     disabled={table.materials.length === 1}
                     onClick={() => change({ ...table, materials: table.materials.filter(({ id }) => id !== each.id) })}
                   >
@@ -119,13 +161,23 @@ export function CuttingDataTable() {
         <button type="button" className="button" onClick={() => downloadText(writeCuttingTable(table), "CUTTING.json")}>
           <Icon name="download" /> {t.save}
         </button>
-        <button type="button" className="button" onClick={() => file.current?.click()}>{t.open}</button>
-        <button type="button" className="button" disabled={!own} onClick={() => changeSettings({ cutting: "" })}>{t.reset}</button>
-        <input ref={file} type="file" hidden accept=".json,application/json" onChange={(event) => {
-          const [chosen] = event.currentTarget.files ?? [];
-          event.currentTarget.value = "";
-          if (chosen) void take(chosen);
-        }} />
+        <button type="button" className="button" onClick={() => file.current?.click()}>
+          {t.open}
+        </button>
+        <button type="button" className="button" disabled={!own} onClick={() => changeSettings({ cutting: "" })}>
+          {t.reset}
+        </button>
+        <input
+          ref={file}
+          type="file"
+          hidden
+          accept=".json,application/json"
+          onChange={(event) => {
+            const [chosen] = event.currentTarget.files ?? [];
+            event.currentTarget.value = "";
+            if (chosen) void take(chosen);
+          }}
+        />
       </div>
       <p role="status">{said}</p>
     </section>

@@ -15,7 +15,11 @@ function CycleSteps({ cycle }: { readonly cycle: Cycle }) {
     <section className="guide-steps">
       <h2>{t.steps.title}</h2>
       <p className="soft">{t.steps.lead}</p>
-      {run === undefined && <p className="guide-working soft" role="status">{t.values.working}</p>}
+      {run === undefined && (
+        <p className="guide-working soft" role="status">
+          {t.values.working}
+        </p>
+      )}
       {run === null && <p className="soft">{t.values.none}</p>}
       {run && <StepPlayer cycle={cycle} run={run} />}
     </section>
@@ -47,7 +51,11 @@ export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
           <ul className="guide-links">
             {Object.entries(cycle.params).map(([q, { text }]) => (
               <li key={q}>
-                <button type="button" className="guide-link" onClick={() => showGuide("guide", String(cycle.number), q)}>
+                <button
+                  type="button"
+                  className="guide-link"
+                  onClick={() => showGuide("guide", String(cycle.number), q)}
+                >
                   <b className="number">{q}</b> {params[text as ParamTextId].label}
                 </button>
               </li>

@@ -31,12 +31,16 @@ const MARGIN = { left: 24, right: 24, top: 24, bottom: 24 };
 /** Elements of the contour farther away than this are not in the picture, mm. */
 const FARTHEST = 200;
 /** The name of a form's page, and of the form. */
-const formPage = (form: ApproachForm, departing: boolean): string => `${departing ? "dep" : "appr"}-${form.toLowerCase()}`;
+const formPage = (form: ApproachForm, departing: boolean): string =>
+  `${departing ? "dep" : "appr"}-${form.toLowerCase()}`;
 const formName = (form: ApproachForm, departing: boolean): string => `${departing ? "DEP" : "APPR"} ${form}`;
 
 /** All forms in their order; a departure names a point, and so has a polar spelling, only as LCT. */
 const ALL_FORMS = [false, true].flatMap((departing) =>
-  APPROACH_FORMS.filter((form) => !departing || !isPolar(form) || shapeOf(form) === "LCT").map((form) => ({ form, departing }))
+  APPROACH_FORMS.filter((form) => !departing || !isPolar(form) || shapeOf(form) === "LCT").map((form) => ({
+    form,
+    departing,
+  })),
 );
 
 /** The form that a page is named after; null where there is none such. */
@@ -64,7 +68,9 @@ const PolarPlace = ({ from, to }: { readonly from: Place; readonly to: Place }) 
   <>
     <path className="form-polar" d={`M${px(from.x)} ${px(from.y)}L${px(to.x)} ${px(to.y)}`} />
     <circle className="form-pole" cx={px(from.x)} cy={px(from.y)} r={4} />
-    <text className="form-pole-name" x={px(from.x + 8)} y={px(from.y + 12)}>CC</text>
+    <text className="form-pole-name" x={px(from.x + 8)} y={px(from.y + 12)}>
+      CC
+    </text>
   </>
 );
 
@@ -74,11 +80,15 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
   const places = useTexts("guide-places");
   const advice = useTexts("advice");
   const { approach: words } = useTexts();
-  const language = useSettings((s) => s.language), lengths = useMemo(() => lengthsOf(language, "mm"), [language]);
+  const language = useSettings((s) => s.language),
+    lengths = useMemo(() => lengthsOf(language, "mm"), [language]);
   const issueText = useIssueText();
   const id = useId();
   const { request, result, value, isUsual } = form;
-  const { line, context: { plane: working, tip, pole } } = source;
+  const {
+    line,
+    context: { plane: working, tip, pole },
+  } = source;
   const speech = approachSpeech(lengths, working, tip);
   const drawing = useMemo(() => {
     const contour = nearby(form.contour, request.departing, FARTHEST);
@@ -98,22 +108,30 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
   const named = isPolar(source.form) ? namedAt(form, source.context) : null;
   const text = formatNumber(language, value);
   const way = result.legs.reduce((sum, { segment }) => sum + plane.lengthOf(segment), 0);
-  const points = Object.entries(result.points).map(([name, at]) => words.point(name, speech.point(at))).join(", ");
+  const points = Object.entries(result.points)
+    .map(([name, at]) => words.point(name, speech.point(at)))
+    .join(", ");
   const [issue] = result.issues;
   return (
     <li className="value-card" data-usual={isUsual || undefined}>
       <h3>
         <span className="value-size">{size}</span>
-        <span className="number value-shown">{word} {text}</span>
+        <span className="number value-shown">
+          {word} {text}
+        </span>
         {isUsual && line !== null && <span className="small soft">{t.values.yours}</span>}
       </h3>
-      <svg className="guide-form help-picture approach-picture" role="img"
+      <svg
+        className="guide-form help-picture approach-picture"
+        role="img"
         aria-label={words.picture(`${formName(source.form, request.departing)} ${word}${text}`, points)}
         viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
       >
         <HelpMarks marks={drawing.marks} id={id} />
         {pole && named && <PolarPlace from={onScreen(drawing.camera, pole)} to={onScreen(drawing.camera, named)} />}
-        {drawing.points.map((p) => <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3} />)}
+        {drawing.points.map((p) => (
+          <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3} />
+        ))}
       </svg>
       <dl className="value-facts">
         <div>
@@ -122,20 +140,26 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
         </div>
         {(["PH", "PN"] as const).map((name) => {
           const at = result.points[name];
-          return at && (
-            <div key={name}>
-              <dt>{name}</dt>
-              <dd className="number">{speech.point(at)}</dd>
-            </div>
+          return (
+            at && (
+              <div key={name}>
+                <dt>{name}</dt>
+                <dd className="number">{speech.point(at)}</dd>
+              </div>
+            )
           );
         })}
       </dl>
       {issue && <Message tone={issue.severity}>{issueText(issue)}</Message>}
       {line !== null && !isUsual && !issue && (
-        <button type="button" className="button value-take" onClick={(event) => {
-          keepFocus(event.currentTarget, "section");
-          void takeIntoForm(line, word, value);
-        }}>
+        <button
+          type="button"
+          className="button value-take"
+          onClick={(event) => {
+            keepFocus(event.currentTarget, "section");
+            void takeIntoForm(line, word, value);
+          }}
+        >
           {advice.take(`${word} = ${text}`)}
         </button>
       )}
@@ -150,7 +174,8 @@ function FormValues({ word, source }: { readonly word: SizedWord; readonly sourc
   const { prompt, about } = words.words[word];
   const shown = useMemo(() => {
     const forms = formAtValues(source, word);
-    const { toolRadius } = source.request, { pole } = source.context;
+    const { toolRadius } = source.request,
+      { pole } = source.context;
     const frames = forms.map(({ result, request: { element } }) => planeFrameOf(result, element, toolRadius));
     const at = pole && isPolar(source.form) ? [{ left: pole.x, right: pole.x, low: pole.y, high: pole.y }] : [];
     return { forms, frame: around([...frames, ...at]) };
@@ -164,7 +189,14 @@ function FormValues({ word, source }: { readonly word: SizedWord; readonly sourc
       <p className="soft">{about}</p>
       <ol className="value-cards">
         {shown.forms.map((form, i) => (
-          <FormValue key={form.value} word={word} form={form} source={source} frame={shown.frame} size={sizes[i] ?? ""} />
+          <FormValue
+            key={form.value}
+            word={word}
+            form={form}
+            source={source}
+            frame={shown.frame}
+            size={sizes[i] ?? ""}
+          />
         ))}
       </ol>
     </section>
@@ -172,18 +204,27 @@ function FormValues({ word, source }: { readonly word: SizedWord; readonly sourc
 }
 
 /** The page of a form of approach or departure: its points, its sizes, and where it is dangerous. */
-export function FormPage({ form, departing, word }: { readonly form: ApproachForm; readonly departing: boolean;
-  readonly word: string | null })
-{
+export function FormPage({
+  form,
+  departing,
+  word,
+}: {
+  readonly form: ApproachForm;
+  readonly departing: boolean;
+  readonly word: string | null;
+}) {
   const t = useTexts("guide");
   const { form: places, approach: title } = useTexts("guide-places");
   const { approach: words } = useTexts();
-  const source = useFormSource(form, departing), shape = shapeOf(form);
+  const source = useFormSource(form, departing),
+    shape = shapeOf(form);
   if (!source) return <h1>{t.missing}</h1>;
   const points: readonly Exclude<PointName, never>[] = departing ? ["PE", "PN"] : ["PS", "PH", "PA"];
   const all = sizedWords(source.request, isPolar(form));
   const sized = all.toSorted((a, b) => Number(b === word) - Number(a === word));
-  const asked = Object.entries(words.words).find(([id]) => id === (source.context.plane === "ZX" && word === "Z" ? "turningZ" : word));
+  const asked = Object.entries(words.words).find(
+    ([id]) => id === (source.context.plane === "ZX" && word === "Z" ? "turningZ" : word),
+  );
   const wrong = [places.mistakes[shape], places.mistakes.all];
   return (
     <SaidOnPage texts={[words.shapes[shape].about, ...(departing ? [places.leaving] : places.dangers), ...wrong]}>
@@ -203,7 +244,9 @@ export function FormPage({ form, departing, word }: { readonly form: ApproachFor
         )}
         <p className="soft">{source.line === null ? places.sampleLead : places.ownLead}</p>
       </header>
-      {sized.map((each) => <FormValues key={each} word={each} source={source} />)}
+      {sized.map((each) => (
+        <FormValues key={each} word={each} source={source} />
+      ))}
       <div className="guide-columns">
         <section aria-label={places.points}>
           <h2>{places.points}</h2>
@@ -218,18 +261,16 @@ export function FormPage({ form, departing, word }: { readonly form: ApproachFor
             ))}
           </dl>
         </section>
-        {departing
-          ? (
-            <p className="guide-danger">
-              <Said text={places.leaving} />
-            </p>
-          )
-          : (
-            <section className="guide-danger" aria-label={places.danger}>
-              <h2>{places.danger}</h2>
-              <SaidList texts={places.dangers} />
-            </section>
-          )}
+        {departing ? (
+          <p className="guide-danger">
+            <Said text={places.leaving} />
+          </p>
+        ) : (
+          <section className="guide-danger" aria-label={places.danger}>
+            <h2>{places.danger}</h2>
+            <SaidList texts={places.dangers} />
+          </section>
+        )}
       </div>
       <section className="guide-mistakes" aria-label={t.mistakes}>
         <h2>{t.mistakes}</h2>

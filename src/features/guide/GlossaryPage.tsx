@@ -9,7 +9,10 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 /** A text as it is sought: small letters, no accents. */
 const plain = (text: string) => text.normalize("NFD").replaceAll(/\p{M}/gu, "").toLowerCase();
 
-/** All words with what they mean, those that match what is typed; one of them may be asked for by the address: it says where it is used. */
+/**
+ * All words with what they mean, those that match what is typed; one of them may be asked for by the address: it says
+ * where it is used.
+ */
 export function GlossaryPage({ term }: { readonly term: string | null }) {
   const { glossary: t } = useTexts("guide");
   const words = useTexts("glossary");
@@ -21,7 +24,9 @@ export function GlossaryPage({ term }: { readonly term: string | null }) {
   }, [term]);
   const all = TERMS.map((id) => ({ id, ...words[id] })).sort((a, b) => a.name.localeCompare(b.name, language));
   const found = all.filter(({ name, text }) => plain(`${name} ${text}`).includes(plain(sought.trim())));
-  const byName = found.toSorted((a, b) => Number(plain(b.name).includes(plain(sought))) - Number(plain(a.name).includes(plain(sought))));
+  const byName = found.toSorted(
+    (a, b) => Number(plain(b.name).includes(plain(sought))) - Number(plain(a.name).includes(plain(sought))),
+  );
   const shown = byName.toSorted((a, b) => Number(b.id === term) - Number(a.id === term));
   const onKey = (event: KeyboardEvent) => {
     const [first] = byName;
@@ -37,26 +42,38 @@ export function GlossaryPage({ term }: { readonly term: string | null }) {
         <p>{t.lead}</p>
         <label className="glossary-search">
           <span>{t.search}</span>
-          <input type="search" className="input" value={sought} onChange={(event) => seek(event.currentTarget.value)} onKeyDown={onKey} />
+          <input
+            type="search"
+            className="input"
+            value={sought}
+            onChange={(event) => seek(event.currentTarget.value)}
+            onKeyDown={onKey}
+          />
         </label>
-        <p className="soft small" role="status">{found.length === 0 ? t.none : t.found(found.length)}</p>
+        <p className="soft small" role="status">
+          {found.length === 0 ? t.none : t.found(found.length)}
+        </p>
       </header>
       <dl className="glossary-list">
         {shown.map(({ id, name, text }) => (
           <div key={id} data-asked={id === term || undefined} {...(id === term && { ref: asked, tabIndex: -1 })}>
             <dt>
-              {id === term
-                ? name
-                : <button type="button" className="glossary-word" onClick={() => showGuide("glossary", id)}>{name}</button>}
+              {id === term ? (
+                name
+              ) : (
+                <button type="button" className="glossary-word" onClick={() => showGuide("glossary", id)}>
+                  {name}
+                </button>
+              )}
             </dt>
             <dd>
-              {id === term
-                ? (
-                  <SaidOnPage texts={[text]} but={id}>
-                    <Said text={text} />
-                  </SaidOnPage>
-                )
-                : text}
+              {id === term ? (
+                <SaidOnPage texts={[text]} but={id}>
+                  <Said text={text} />
+                </SaidOnPage>
+              ) : (
+                text
+              )}
             </dd>
             {id === term && (
               <dd>

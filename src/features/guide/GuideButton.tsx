@@ -5,7 +5,9 @@ import { type GuidePath, showGuide } from "../../app/place/place.ts";
 export function GuideButton({ to, children }: { readonly to: GuidePath; readonly children: ReactNode }) {
   return (
     <li>
-      <button type="button" className="guide-link" onClick={() => showGuide(...to)}>{children}</button>
+      <button type="button" className="guide-link" onClick={() => showGuide(...to)}>
+        {children}
+      </button>
     </li>
   );
 }

@@ -59,7 +59,9 @@ function CycleList() {
           </GuideButton>
         ))}
       </ul>
-      <h2>{places.contour} · {places.approach}</h2>
+      <h2>
+        {places.contour} · {places.approach}
+      </h2>
       <ul className="guide-links">
         <GuideButton to={["guide", "contour"]}>
           <b className="number">LBL</b> {texts.dialog.contour.question}
@@ -97,9 +99,11 @@ function OfCycle({ number, q }: { readonly number: number; readonly q: string | 
   const param = q === undefined ? undefined : cycle?.params[q];
   if (!cycle && own) return <OwnCyclePage own={own} q={q ?? null} />;
   if (!cycle || (q !== undefined && !param)) return <h1>{t.missing}</h1>;
-  return q !== undefined && param
-    ? <ParameterPage key={`${number}/${q}`} cycle={cycle} q={q} param={param} />
-    : <CyclePage key={number} cycle={cycle} />;
+  return q !== undefined && param ? (
+    <ParameterPage key={`${number}/${q}`} cycle={cycle} q={q} param={param} />
+  ) : (
+    <CyclePage key={number} cycle={cycle} />
+  );
 }
 
 function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
@@ -109,7 +113,11 @@ function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
   if (first === "advice") return <AdvicePage />;
   if (first === "contour") return <ContourPage />;
   if (first === "setup")
-    return isSetupPage(second ?? "") ? <SetupPlacePage key={second} id={second as SetupPageId} /> : <h1>{t.missing}</h1>;
+    return isSetupPage(second ?? "") ? (
+      <SetupPlacePage key={second} id={second as SetupPageId} />
+    ) : (
+      <h1>{t.missing}</h1>
+    );
   if (first === "block") return second === undefined ? <BlockList /> : <BlockPage key={second} name={second} />;
   const form = formOfPage(first);
   if (form) return <FormPage key={first} {...form} word={second ?? null} />;
@@ -130,28 +138,44 @@ export function GuidePage() {
     main.current?.scrollTo(0, 0);
   }, [name]);
   return (
-    <main className="guide-page" ref={main} onKeyDown={(event) => {
-      if (event.key !== "Escape" || event.defaultPrevented) return;
-      event.preventDefault();
-      uncover();
-    }}>
+    <main
+      className="guide-page"
+      ref={main}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape" || event.defaultPrevented) return;
+        event.preventDefault();
+        uncover();
+      }}
+    >
       <nav className="guide-bar" aria-label={t.cycles.title}>
         <button ref={back} type="button" className="button" aria-label={t.backLong} onClick={uncover}>
           <Icon name="back" /> {t.back}
         </button>
         {page === "guide" && second !== undefined && Number(first) > 0 && (
-          <button type="button" className="button" onClick={() => showGuide("guide", first ?? "")}>{t.toCycle(Number(first))}</button>
+          <button type="button" className="button" onClick={() => showGuide("guide", first ?? "")}>
+            {t.toCycle(Number(first))}
+          </button>
         )}
         {page === "guide" && first !== undefined && (
-          <button type="button" className="button plain" onClick={() => showGuide("guide")}>{t.cycles.title}</button>
+          <button type="button" className="button plain" onClick={() => showGuide("guide")}>
+            {t.cycles.title}
+          </button>
         )}
         {page === "guide" && (
-          <button type="button" className="button plain" onClick={() => showGuide("glossary")}>{t.glossary.title}</button>
+          <button type="button" className="button plain" onClick={() => showGuide("glossary")}>
+            {t.glossary.title}
+          </button>
         )}
         {first !== "advice" && (
-          <button type="button" className="button plain" onClick={() => showGuide("guide", "advice")}>{advice.title}</button>
+          <button type="button" className="button plain" onClick={() => showGuide("guide", "advice")}>
+            {advice.title}
+          </button>
         )}
-        {page === "glossary" && <button type="button" className="button plain" onClick={() => showGuide("guide")}>{t.cycles.title}</button>}
+        {page === "glossary" && (
+          <button type="button" className="button plain" onClick={() => showGuide("guide")}>
+            {t.cycles.title}
+          </button>
+        )}
       </nav>
       <article className="guide-body">
         <Shown path={shown} />

@@ -35,7 +35,9 @@ export function MaterialChoice() {
       {isOpen && <WorkMaterial />}
       <label>
         <span>{t.deviceMaterial}</span>
-        <select className="select" value={materials.some(({ id }) => id === device) ? device : materials[0]?.id}
+        <select
+          className="select"
+          value={materials.some(({ id }) => id === device) ? device : materials[0]?.id}
           onChange={(event) => changeSettings({ material: event.currentTarget.value })}
         >
           <Materials />

@@ -3,7 +3,10 @@ import { OWN_DECIMALS, type OwnCycle } from "../../program/edits/own-cycle.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** The page of a cycle that the operator has described, one of its parameters first: what is known of it, and that nobody here runs it. */
+/**
+ * The page of a cycle that the operator has described, one of its parameters first: what is known of it, and that
+ * nobody here runs it.
+ */
 export function OwnCyclePage({ own, q }: { readonly own: OwnCycle; readonly q: string | null }) {
   const t = useTexts("guide");
   const { dialog } = useTexts();
@@ -28,19 +31,19 @@ export function OwnCyclePage({ own, q }: { readonly own: OwnCycle; readonly q: s
                 <b className="number">{param.q}</b> {param.prompt}
               </dt>
               <dd>
-                {param.choices
-                  ? (
-                    <ul>
-                      {param.choices.map(({ value, meaning }) => (
-                        <li key={value}>
-                          <b className="number">{value}</b> {meaning}
-                        </li>
-                      ))}
-                    </ul>
-                  )
-                  : param.bounded
-                  ? `${t.range}: ${dialog.range(number(param.range[0]), number(param.range[1]))}`
-                  : words.anyNumber}
+                {param.choices ? (
+                  <ul>
+                    {param.choices.map(({ value, meaning }) => (
+                      <li key={value}>
+                        <b className="number">{value}</b> {meaning}
+                      </li>
+                    ))}
+                  </ul>
+                ) : param.bounded ? (
+                  `${t.range}: ${dialog.range(number(param.range[0]), number(param.range[1]))}`
+                ) : (
+                  words.anyNumber
+                )}
               </dd>
             </div>
           ))}

@@ -35,11 +35,12 @@ function Facts({ cycle, q, param }: Props) {
   const number = (value: number) => formatNumber(language, value, param.decimals);
   const unit = dialog.units[unitOf(param, true)];
   const perMinute = param.kind === "feed" && !param.perMinute ? `, ${dialog.units.perMinute}` : "";
-  const across = param.kind === "diameter" || param.kind === "oversizeDiameter"
-    ? t.onDiameter
-    : param.kind === "radial"
-    ? t.onRadius
-    : null;
+  const across =
+    param.kind === "diameter" || param.kind === "oversizeDiameter"
+      ? t.onDiameter
+      : param.kind === "radial"
+        ? t.onRadius
+        : null;
   const rows: readonly (readonly [string, string])[] = [
     [t.asks, cycles.kinds[param.kind]],
     ...(param.choices ? [] : [[t.unit, unit === "" ? t.noUnit : unit + perMinute] as const]),
@@ -76,19 +77,21 @@ function ActsIn({ cycle, param }: Omit<Props, "q">) {
     <section className="guide-acts" aria-label={t.acts.title}>
       <h2>{t.acts.title}</h2>
       <p className="soft">{isNowhere ? t.acts.none : t.acts.lead}</p>
-      {(["rough", "finish"] as const).filter((run) => words[run].length > 0).map((run) => (
-        <div key={run}>
-          <h3>{t.acts[run]}</h3>
-          <ol className="acts-list">
-            {words[run].map((text, i) => (
-              <li key={text} data-acts={acts[run].includes(i + 1) || undefined}>
-                <span className="number">{i + 1}</span> <span>{text}</span>
-                {acts[run].includes(i + 1) && <b className="acts-here">{t.acts.here}</b>}
-              </li>
-            ))}
-          </ol>
-        </div>
-      ))}
+      {(["rough", "finish"] as const)
+        .filter((run) => words[run].length > 0)
+        .map((run) => (
+          <div key={run}>
+            <h3>{t.acts[run]}</h3>
+            <ol className="acts-list">
+              {words[run].map((text, i) => (
+                <li key={text} data-acts={acts[run].includes(i + 1) || undefined}>
+                  <span className="number">{i + 1}</span> <span>{text}</span>
+                  {acts[run].includes(i + 1) && <b className="acts-here">{t.acts.here}</b>}
+                </li>
+              ))}
+            </ol>
+          </div>
+        ))}
       {words.rough.length > 0 && (
         <button type="button" className="button" onClick={() => showGuide("guide", String(cycle.number))}>
           <Icon name="play" /> {t.acts.watch}
@@ -122,7 +125,8 @@ export function ParameterPage({ cycle, q, param }: Props) {
   const language = useSettings((s) => s.language);
   const words = params[param.text as ParamTextId];
   const all = Object.keys(cycle.params);
-  const at = all.indexOf(q), [before, after] = [all[at - 1], all[at + 1]];
+  const at = all.indexOf(q),
+    [before, after] = [all[at - 1], all[at + 1]];
   const [source] = guideSources(cycle);
   const read = source && readJob(source.job);
   const said = [words.explanation, ...mistakes];
@@ -140,12 +144,20 @@ export function ParameterPage({ cycle, q, param }: Props) {
           <Said text={words.explanation} />
         </p>
         <div className="guide-turns">
-          <button type="button" className="button" disabled={!before} aria-label={before && t.previousLong(before)}
+          <button
+            type="button"
+            className="button"
+            disabled={!before}
+            aria-label={before && t.previousLong(before)}
             onClick={() => before && go(before)}
           >
             <Icon name="up" /> {t.previous}
           </button>
-          <button type="button" className="button" disabled={!after} aria-label={after && t.nextLong(after)}
+          <button
+            type="button"
+            className="button"
+            disabled={!after}
+            aria-label={after && t.nextLong(after)}
             onClick={() => after && go(after)}
           >
             <Icon name="down" /> {t.next}
@@ -156,8 +168,13 @@ export function ParameterPage({ cycle, q, param }: Props) {
         <Facts cycle={cycle} q={q} param={param} />
         {read && !cycle.acts && (
           <div className="guide-help">
-            <HelpPicture cycle={cycle} values={read.reading.values as Numbers | null} given={givenOf(read)} activeQ={q}
-              language={language} />
+            <HelpPicture
+              cycle={cycle}
+              values={read.reading.values as Numbers | null}
+              given={givenOf(read)}
+              activeQ={q}
+              language={language}
+            />
           </div>
         )}
       </div>
@@ -172,7 +189,12 @@ export function ParameterPage({ cycle, q, param }: Props) {
           <ul className="guide-terms">
             {termsOf(param).map((term) => (
               <li key={term}>
-                <button type="button" className="guide-term" title={glossary[term].text} onClick={() => showGuide("glossary", term)}>
+                <button
+                  type="button"
+                  className="guide-term"
+                  title={glossary[term].text}
+                  onClick={() => showGuide("glossary", term)}
+                >
                   {glossary[term].name}
                 </button>
               </li>

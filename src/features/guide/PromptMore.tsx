@@ -28,7 +28,11 @@ export function PromptMore({ page, name }: { readonly page: GuidePath; readonly 
   return (
     <span className="prompt-ways">
       {on && q !== undefined && cycleByNumber(cycle)?.params[q] && <AdviceMark cycle={cycle} q={q} />}
-      <button type="button" className="prompt-more" aria-label={t.moreAbout(name)} title={t.moreAbout(name)}
+      <button
+        type="button"
+        className="prompt-more"
+        aria-label={t.moreAbout(name)}
+        title={t.moreAbout(name)}
         onClick={() => showGuide(...page)}
       >
         <Icon name="question" /> {t.more}

@@ -22,7 +22,7 @@ function useShownCycle() {
   const job = useEditor((s) => s.job?.cycle);
   const first = useOutcome((s) => s.newest?.run.operations[0]?.cycle);
   const cycle = cycleByNumber(job ?? first ?? 0);
-  return cycle && !cycle.acts ? cycle : cuttingCycles[0] ?? never("no cycle");
+  return cycle && !cycle.acts ? cycle : (cuttingCycles[0] ?? never("no cycle"));
 }
 
 /** What the set-up does at other values, run by the kernel. */
@@ -36,24 +36,39 @@ function SetupPictures({ id }: { readonly id: SetupPageId }) {
   const canTake = useEditor((s) => s.job?.cycle === cycle.number);
   const { made, working } = useTriedSetup(cycle, id);
   const { letter, unit } = setupPageWords(texts, id);
-  const textOf = (value: number) => (id === "perRevolution" ? [places.off, places.on][value] ?? "" : formatNumber(language, value));
+  const textOf = (value: number) =>
+    id === "perRevolution" ? ([places.off, places.on][value] ?? "") : formatNumber(language, value);
   return (
     <section className="guide-values" aria-label={t.values.title} aria-busy={working}>
       <h2>{t.values.title}</h2>
       <p className="soft">{places.runWith}</p>
-      {made === undefined && <p className="guide-working soft" role="status">{t.values.working}</p>}
+      {made === undefined && (
+        <p className="guide-working soft" role="status">
+          {t.values.working}
+        </p>
+      )}
       {made === null && <p className="soft">{t.values.none}</p>}
       {made && (
         <CycleInWork value={cycle.number}>
           <ol className="value-cards">
             {made.tried.map((tried) => (
-              <ValueCard key={tried.value} tried={tried} box={made.box} letter={letter} text={textOf(tried.value)} unit={unit} size={null}
-                whose={tried.isUsual ? (made.isOwn ? t.values.yours : t.values.printed) : null} meaning={id === "tool"
-                ? tools.find(({ T }) => T === tried.value)?.NAME
-                : undefined} take={canTake && made.isOwn && !tried.isUsual
-                ? () =>
-                  takeSetup(id, tried.value, letter, id === "perRevolution" ? textOf(tried.value) : tried.value)
-                : null} />
+              <ValueCard
+                key={tried.value}
+                tried={tried}
+                box={made.box}
+                letter={letter}
+                text={textOf(tried.value)}
+                unit={unit}
+                size={null}
+                whose={tried.isUsual ? (made.isOwn ? t.values.yours : t.values.printed) : null}
+                meaning={id === "tool" ? tools.find(({ T }) => T === tried.value)?.NAME : undefined}
+                take={
+                  canTake && made.isOwn && !tried.isUsual
+                    ? () =>
+                        takeSetup(id, tried.value, letter, id === "perRevolution" ? textOf(tried.value) : tried.value)
+                    : null
+                }
+              />
             ))}
           </ol>
         </CycleInWork>
@@ -69,11 +84,16 @@ export function SetupPlacePage({ id }: { readonly id: SetupPageId }) {
   const texts = useTexts();
   const cycle = useShownCycle();
   const { letter, name, unit } = setupPageWords(texts, id);
-  const at = SETUP_PAGES.indexOf(id), [before, after] = [SETUP_PAGES[at - 1], SETUP_PAGES[at + 1]];
+  const at = SETUP_PAGES.indexOf(id),
+    [before, after] = [SETUP_PAGES[at - 1], SETUP_PAGES[at + 1]];
   const { about, mistakes } = places.places[id];
   const turn = (to: SetupPageId | undefined, icon: "up" | "down", said: string, long: (name: string) => string) => (
-    <button type="button" className="button" disabled={!to} aria-label={to && long(setupPageWords(texts, to).name)} onClick={() =>
-      to && showGuide("guide", "setup", to)}
+    <button
+      type="button"
+      className="button"
+      disabled={!to}
+      aria-label={to && long(setupPageWords(texts, to).name)}
+      onClick={() => to && showGuide("guide", "setup", to)}
     >
       <Icon name={icon} /> {said}
     </button>
@@ -93,7 +113,9 @@ export function SetupPlacePage({ id }: { readonly id: SetupPageId }) {
             {t.unit}: <span className="number">{unit}</span>
           </p>
         )}
-        <div className="guide-turns">{turn(before, "up", t.previous, t.previousLong)} {turn(after, "down", t.next, t.nextLong)}</div>
+        <div className="guide-turns">
+          {turn(before, "up", t.previous, t.previousLong)} {turn(after, "down", t.next, t.nextLong)}
+        </div>
       </header>
       {id === "spindle.cuttingSpeed" && <StartingValues cycle={cycle} only={null} />}
       <SetupPictures id={id} />

@@ -25,7 +25,7 @@ export function SetupStart({ cycle, surface, perRevolution }: Props) {
   const own = useSettings((s) => s.cutting !== "");
   const { material } = useMaterialOfWork();
   if (!on) return null;
-  const rows = startingValues(cycle, material).filter(({ at }) => at === SPINDLE ? surface : perRevolution);
+  const rows = startingValues(cycle, material).filter(({ at }) => (at === SPINDLE ? surface : perRevolution));
   const speeds = [material.roughSpeed, material.finishSpeed].map((speed) => formatNumber(language, speed)).join("–");
   return (
     <section className="setup-start" aria-label={t.starting}>

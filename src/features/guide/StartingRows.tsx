@@ -14,13 +14,23 @@ export function StartingRows({ cycle, rows }: { readonly cycle: number; readonly
   return (
     <ul className="starting-rows">
       {rows.map(({ at, of, value }) => {
-        const name = t.values[of], take = t.take(formatNumber(language, value));
+        const name = t.values[of],
+          take = t.take(formatNumber(language, value));
         return (
           <li key={of}>
-            <span>{at !== SPINDLE && <b className="number">{at}</b>} {name}</span>
-            <span className="number">{formatNumber(language, value)} {at === SPINDLE ? t.units.speed : t.units.feed}</span>
+            <span>
+              {at !== SPINDLE && <b className="number">{at}</b>} {name}
+            </span>
+            <span className="number">
+              {formatNumber(language, value)} {at === SPINDLE ? t.units.speed : t.units.feed}
+            </span>
             {canTake(at) && (
-              <button type="button" className="button" aria-label={`${name}: ${take}`} onClick={() => void takeValue(cycle, at, value)}>
+              <button
+                type="button"
+                className="button"
+                aria-label={`${name}: ${take}`}
+                onClick={() => void takeValue(cycle, at, value)}
+              >
                 {take}
               </button>
             )}

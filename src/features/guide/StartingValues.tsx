@@ -4,7 +4,10 @@ import { StartingRows } from "./StartingRows.tsx";
 import { useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** Starting values of the material for the feeds of a cycle and for the speed: of one prompt, or of all; nothing where none is for it. */
+/**
+ * Starting values of the material for the feeds of a cycle and for the speed: of one prompt, or of all; nothing where
+ * none is for it.
+ */
 export function StartingValues({ cycle, only = null }: { readonly cycle: Cycle; readonly only?: string | null }) {
   const t = useTexts("advice");
   const { material } = useMaterialOfWork();
@@ -13,7 +16,9 @@ export function StartingValues({ cycle, only = null }: { readonly cycle: Cycle; 
   return (
     <section className="advice-starting" aria-label={t.starting}>
       <h2>{t.starting}</h2>
-      <p className="soft">{material.name}, {t.groups[material.group]}. {t.startingLead}</p>
+      <p className="soft">
+        {material.name}, {t.groups[material.group]}. {t.startingLead}
+      </p>
       <StartingRows cycle={cycle.number} rows={rows} />
     </section>
   );

@@ -46,13 +46,21 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
   const times = useMemo(() => pieces.map(({ piece }) => piece && pieceTime(steps, piece)), [pieces, steps]);
   const player = useMemo(() => playerOf(outcome.simulation), [outcome]);
   const box = useMemo(() => shownBox([outcome]), [outcome]);
-  const [shown, show] = useState<Shown>(() => ({ index: Math.max(0, pieces.findIndex(({ piece }) => piece)), seconds: 0, plays: "no" }));
+  const [shown, show] = useState<Shown>(() => ({
+    index: Math.max(
+      0,
+      pieces.findIndex(({ piece }) => piece),
+    ),
+    seconds: 0,
+    plays: "no",
+  }));
   const { index, seconds, plays } = shown;
   const time = times[index];
 
   useEffect(() => {
     if (plays === "no" || !time) return undefined;
-    let before = clock.now(), cancel = () => undefined as void;
+    let before = clock.now(),
+      cancel = () => undefined as void;
     const next = (now: number) => {
       const by = Math.max(0, now - before) / SECOND;
       before = now;
@@ -60,7 +68,9 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
         const later = was.seconds + by;
         if (later < time.lasts) return { ...was, seconds: later };
         const following = was.plays === "all" ? other(pieces, was.index, 1) : null;
-        return following === null ? { ...was, seconds: time.lasts, plays: "no" } : { ...was, index: following, seconds: 0 };
+        return following === null
+          ? { ...was, seconds: time.lasts, plays: "no" }
+          : { ...was, index: following, seconds: 0 };
       });
       cancel = clock.frame(next);
     };
@@ -76,9 +86,10 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
     show((was) =>
       was.plays !== "no"
         ? { ...was, plays: "no" }
-        : { ...was, seconds: was.seconds >= (times[was.index]?.lasts ?? 0) ? 0 : was.seconds, plays: how }
+        : { ...was, seconds: was.seconds >= (times[was.index]?.lasts ?? 0) ? 0 : was.seconds, plays: how },
     );
-  const byKey = useRef(false), lists = useRef<HTMLDivElement>(null);
+  const byKey = useRef(false),
+    lists = useRef<HTMLDivElement>(null);
   useEffect(() => {
     if (byKey.current) lists.current?.querySelector("[aria-current]")?.scrollIntoView?.({ block: "nearest" });
     byKey.current = false;
@@ -95,8 +106,11 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
   const chosen = pieces[index];
   const position: PlayPosition = time?.at(seconds) ?? { step: 0, fraction: 0 };
   const running = steps[Math.min(position.step, steps.length - 1)];
-  const tip = running
-    && (position.step >= steps.length ? running.move.to : part.pointOn(pathOf(running.from, running.move), position.fraction));
+  const tip =
+    running &&
+    (position.step >= steps.length
+      ? running.move.to
+      : part.pointOn(pathOf(running.from, running.move), position.fraction));
   const done = chosen?.piece ? steps.slice(chosen.piece.from, Math.min(chosen.piece.to, position.step + 1)) : [];
   const textOf = ({ run, number }: StepPiece) => words[run][number - 1] ?? "";
   const name = chosen ? `${acts[chosen.run]} ${chosen.number}: ${textOf(chosen)}` : "";
@@ -105,7 +119,11 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
       <div className="step-stage">
         <CutPicture outcome={outcome} box={box} stock={player.at(position)} steps={done} name={t.picture(name)}>
           {running && tip && (
-            <path className="cut-insert" d={ringData([insertOutline(running.tool, CHORD)])} transform={`translate(${tip.z} ${tip.r})`} />
+            <path
+              className="cut-insert"
+              d={ringData([insertOutline(running.tool, CHORD)])}
+              transform={`translate(${tip.z} ${tip.r})`}
+            />
           )}
         </CutPicture>
         <p className="step-said" role="status">
@@ -115,7 +133,11 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
           {chosen && textOf(chosen)}
         </p>
         <div className="step-buttons">
-          <button type="button" className="button" aria-label={t.previous} disabled={other(pieces, index, -1) === null}
+          <button
+            type="button"
+            className="button"
+            aria-label={t.previous}
+            disabled={other(pieces, index, -1) === null}
             onClick={() => choose(other(pieces, index, -1))}
           >
             <Icon name="unfold" />
@@ -123,13 +145,28 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
           <button type="button" className="button primary" onClick={() => toggle("one")}>
             <Icon name={plays === "no" ? "play" : "pause"} /> {plays === "no" ? t.play : t.stop}
           </button>
-          <button type="button" className="button" aria-label={t.next} disabled={other(pieces, index, 1) === null}
+          <button
+            type="button"
+            className="button"
+            aria-label={t.next}
+            disabled={other(pieces, index, 1) === null}
             onClick={() => choose(other(pieces, index, 1))}
           >
             <Icon name="fold" />
           </button>
-          <button type="button" className="button"
-            onClick={() => show({ index: Math.max(0, pieces.findIndex(({ piece }) => piece)), seconds: 0, plays: "all" })}
+          <button
+            type="button"
+            className="button"
+            onClick={() =>
+              show({
+                index: Math.max(
+                  0,
+                  pieces.findIndex(({ piece }) => piece),
+                ),
+                seconds: 0,
+                plays: "all",
+              })
+            }
           >
             {t.playAll}
           </button>
@@ -138,25 +175,32 @@ export function StepPlayer({ cycle, run: { outcome, isOwn } }: { readonly cycle:
         <p className="small soft">{isOwn ? t.own : t.example}</p>
       </div>
       <div className="step-lists" ref={lists}>
-        {(["rough", "finish"] as const).filter((run) => words[run].length > 0).map((run) => (
-          <div key={run}>
-            <h3>{acts[run]}</h3>
-            <ol>
-              {pieces.map((each, i) =>
-                each.run === run && (
-                  <li key={each.number}>
-                    <button type="button" className="step-choice" aria-current={i === index ? "step" : undefined} disabled={!each.piece}
-                      onClick={() => choose(i)}
-                    >
-                      <span className="number">{each.number}</span> <span>{textOf(each)}</span>
-                      {!each.piece && <span className="small soft">{t.absent}</span>}
-                    </button>
-                  </li>
-                )
-              )}
-            </ol>
-          </div>
-        ))}
+        {(["rough", "finish"] as const)
+          .filter((run) => words[run].length > 0)
+          .map((run) => (
+            <div key={run}>
+              <h3>{acts[run]}</h3>
+              <ol>
+                {pieces.map(
+                  (each, i) =>
+                    each.run === run && (
+                      <li key={each.number}>
+                        <button
+                          type="button"
+                          className="step-choice"
+                          aria-current={i === index ? "step" : undefined}
+                          disabled={!each.piece}
+                          onClick={() => choose(i)}
+                        >
+                          <span className="number">{each.number}</span> <span>{textOf(each)}</span>
+                          {!each.piece && <span className="small soft">{t.absent}</span>}
+                        </button>
+                      </li>
+                    ),
+                )}
+              </ol>
+            </div>
+          ))}
       </div>
     </section>
   );

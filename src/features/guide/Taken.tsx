@@ -18,11 +18,17 @@ export function Taken({ page }: { readonly page: string }) {
       {taken && (
         <p>
           <Icon name="check" />
-          <span>{t.taken(taken.letter, typeof taken.value === "number" ? formatNumber(language, taken.value) : taken.value)}</span>
-          <button type="button" className="button" onClick={(event) => {
-            keepFocus(event.currentTarget, "main");
-            undo();
-          }}>
+          <span>
+            {t.taken(taken.letter, typeof taken.value === "number" ? formatNumber(language, taken.value) : taken.value)}
+          </span>
+          <button
+            type="button"
+            className="button"
+            onClick={(event) => {
+              keepFocus(event.currentTarget, "main");
+              undo();
+            }}
+          >
             <Icon name="undo" /> {t.takeBack}
           </button>
         </p>

@@ -26,7 +26,7 @@ function useLessons(term: TermId, glossary: GlossaryTexts, language: Language): 
       for (const entry of lessons) {
         const lesson = await fetchLesson(entry.id).catch(() => null);
         if (gone) return;
-        const pages = lesson ? inScreenLanguage(lesson.words, language)?.pages ?? [] : [];
+        const pages = lesson ? (inScreenLanguage(lesson.words, language)?.pages ?? []) : [];
         const at = pages.findIndex((text) => usesTerm([text], term, glossary));
         if (at >= 0) find((was) => [...was.filter((each) => each.entry.id !== entry.id), { entry, page: at + 1 }]);
       }
@@ -46,7 +46,8 @@ export function TermUses({ term }: { readonly term: TermId }) {
   const glossary = useTexts("glossary");
   const language = useSettings((s) => s.language);
   const lessons = useLessons(term, glossary, language);
-  const parameters = usingParameters(term), setup = usingSetupPages(term, places, glossary);
+  const parameters = usingParameters(term),
+    setup = usingSetupPages(term, places, glossary);
   if (parameters.length + setup.length + lessons.length === 0) return null;
   return (
     <section className="term-uses" aria-label={t.used}>

@@ -14,7 +14,11 @@ import { Message } from "../../app/base/Message.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /** What a value changes against the usual one, in words. */
-function changeText(t: GuideTexts, language: Language, { passes, seconds, residual, rz, part, way }: ShownChange): string {
+function changeText(
+  t: GuideTexts,
+  language: Language,
+  { passes, seconds, residual, rz, part, way }: ShownChange,
+): string {
   const number = (value: number, decimals: number) => formatNumber(language, Math.abs(value), decimals);
   const said = [
     ...(passes === 0 ? [] : [t.change.passes(passes)]),
@@ -51,7 +55,8 @@ export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning
   const advice = useTexts("advice");
   const language = useSettings((s) => s.language);
   const issueText = useIssueText();
-  const { effect, change, outcome } = tried, { run } = outcome;
+  const { effect, change, outcome } = tried,
+    { run } = outcome;
   const number = (n: number, decimals: number) => formatNumber(language, n, decimals);
   const facts: readonly (readonly [string, string])[] = [
     ...(run.operations.length === 0 ? [] : [[t.numbers.passes, number(effect.passes, 0)] as const]),
@@ -65,13 +70,20 @@ export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning
     <li className="value-card" data-usual={tried.isUsual || undefined}>
       <h3>
         {size && <span className="value-size">{size}</span>}
-        <span className="number value-shown">{text}{unit && ` ${unit}`}</span>
+        <span className="number value-shown">
+          {text}
+          {unit && ` ${unit}`}
+        </span>
         {whose && <span className="small soft">{whose}</span>}
       </h3>
       {meaning && <p>{meaning}</p>}
-      <CutPicture outcome={outcome} box={box} stock={outcome.simulation.final}
+      <CutPicture
+        outcome={outcome}
+        box={box}
+        stock={outcome.simulation.final}
         steps={whole ? run.steps : run.steps.filter((s) => s.operation !== null)}
-        name={`${t.values.picture(letter, text)}. ${facts.map((fact) => fact.join(" ")).join(", ")}`} />
+        name={`${t.values.picture(letter, text)}. ${facts.map((fact) => fact.join(" ")).join(", ")}`}
+      />
       <dl className="value-facts">
         {facts.map(([name, fact]) => (
           <div key={name}>
@@ -80,12 +92,18 @@ export function ValueCard({ tried, box, letter, text, unit, size, whose, meaning
           </div>
         ))}
       </dl>
-      {(change || tried.isUsual) && <p className="value-change">{change ? changeText(t, language, change) : t.change.usual}</p>}
+      {(change || tried.isUsual) && (
+        <p className="value-change">{change ? changeText(t, language, change) : t.change.usual}</p>
+      )}
       {take && (
-        <button type="button" className="button value-take" onClick={(event) => {
-          keepFocus(event.currentTarget, "section");
-          take();
-        }}>
+        <button
+          type="button"
+          className="button value-take"
+          onClick={(event) => {
+            keepFocus(event.currentTarget, "section");
+            take();
+          }}
+        >
           {advice.take(`${letter} = ${text}`)}
         </button>
       )}

@@ -11,7 +11,15 @@ import { useTriedValues } from "./use-tried-values.ts";
 import { ValueCard } from "./ValueCard.tsx";
 
 /** What a parameter does, at its values; one that is reserved does nothing. */
-export function ValuePictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q: string; readonly param: Param }) {
+export function ValuePictures({
+  cycle,
+  q,
+  param,
+}: {
+  readonly cycle: Cycle;
+  readonly q: string;
+  readonly param: Param;
+}) {
   const t = useTexts("guide");
   if (!param.reserved) return <TriedPictures cycle={cycle} q={q} param={param} />;
   return (
@@ -25,40 +33,59 @@ export function ValuePictures({ cycle, q, param }: { readonly cycle: Cycle; read
 /** A parameter at a small, a usual and a large value, or at each of its choices, run by the kernel. */
 function TriedPictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q: string; readonly param: Param }) {
   const t = useTexts("guide");
-  const { dialog: { units }, params } = useTexts();
+  const {
+    dialog: { units },
+    params,
+  } = useTexts();
   const language = useSettings((s) => s.language);
   const { made: values, working } = useTriedValues(cycle, q);
   const canTake = useTaking(cycle.number)(q) && values?.isOwn === true;
   const sizes = [t.values.small, t.values.usual, t.values.large];
-  const needed = Object.entries(values?.needed ?? {}).map(([other, value]) =>
-    `${other} = ${formatNumber(language, value, cycle.params[other]?.decimals ?? 0)}`
-  ).join(", ");
+  const needed = Object.entries(values?.needed ?? {})
+    .map(([other, value]) => `${other} = ${formatNumber(language, value, cycle.params[other]?.decimals ?? 0)}`)
+    .join(", ");
   const words = params[param.text as ParamTextId];
   const alike: Partial<Record<Topic, string>> = t.values.alike;
   const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
   return (
     <section className="guide-values" aria-label={t.values.title} aria-busy={working}>
       <h2>{t.values.title}</h2>
-      <p className="soft">{values?.isOwn ? t.values.ownLead : t.values.lead}{needed && ` ${t.values.needed(needed)}`}</p>
-      {values === undefined && <p className="guide-working soft" role="status">{t.values.working}</p>}
+      <p className="soft">
+        {values?.isOwn ? t.values.ownLead : t.values.lead}
+        {needed && ` ${t.values.needed(needed)}`}
+      </p>
+      {values === undefined && (
+        <p className="guide-working soft" role="status">
+          {t.values.working}
+        </p>
+      )}
       {values === null && <p className="soft">{t.values.none}</p>}
       {values && (
         <CycleInWork value={cycle.number}>
           <ol className="value-cards">
             {values.tried.map((tried, i) => {
-              const { value } = tried, isAuto = value === "auto";
+              const { value } = tried,
+                isAuto = value === "auto";
               return (
-                <ValueCard key={String(value)} tried={tried} box={values.box} letter={q}
-                  text={isAuto ? "FAUTO" : formatNumber(language, value, param.decimals)} unit={isAuto ? "" : units[unitOf(param, true)]}
+                <ValueCard
+                  key={String(value)}
+                  tried={tried}
+                  box={values.box}
+                  letter={q}
+                  text={isAuto ? "FAUTO" : formatNumber(language, value, param.decimals)}
+                  unit={isAuto ? "" : units[unitOf(param, true)]}
                   meaning={isAuto ? undefined : meanings[value]}
-                  size={param.choices || values.tried.length !== sizes.length ? null : sizes[i] ?? null}
+                  size={param.choices || values.tried.length !== sizes.length ? null : (sizes[i] ?? null)}
                   whose={value !== values.standing ? null : values.isOwn ? t.values.yours : t.values.printed}
-                  take={canTake && value !== values.standing ? () => void takeValue(cycle.number, q, value) : null} />
+                  take={canTake && value !== values.standing ? () => void takeValue(cycle.number, q, value) : null}
+                />
               );
             })}
           </ol>
           {values.tried.length === 1 && <p className="soft">{t.values.none}</p>}
-          {values.tried.length > 1 && values.isUnseen && <p className="soft">{alike[param.shown] ?? t.values.unseen}</p>}
+          {values.tried.length > 1 && values.isUnseen && (
+            <p className="soft">{alike[param.shown] ?? t.values.unseen}</p>
+          )}
         </CycleInWork>
       )}
     </section>

@@ -21,7 +21,9 @@ const own = (source: BlockSource) => source.program.blocks.map(({ raw }) => raw)
 const SAME: ReadonlySet<string> = new Set(["toolCall.feed", "cycleCall.feed", "free.X", "free.Z", "free.feed"]);
 
 test("every kind of block that can be put in has its page, and every word in it its text", () => {
-  const offered = palette.map(({ kind }) => kind).filter((kind) => kind !== "cycle" && kind !== "approach" && kind !== "departure");
+  const offered = palette
+    .map(({ kind }) => kind)
+    .filter((kind) => kind !== "cycle" && kind !== "approach" && kind !== "departure");
   expect(offered.filter((kind) => !kinds.some((page) => page === kind))).toEqual([]);
   for (const { kind, make } of palette) {
     const statement = make?.("en");
@@ -37,17 +39,25 @@ test("a small and a large value of a word make another run than the usual one, w
   for (const kind of kinds) {
     const [shown] = blockSources(kind, null);
     for (const field of shown ? fieldsOf(shown.statement) : []) {
-      const word = wordOfField(field), spread = spreadOf(kind, field);
+      const word = wordOfField(field),
+        spread = spreadOf(kind, field);
       const [source] = blockSources(kind, word);
       if (!spread || !source || "tools" in spread || SAME.has(`${kind}.${word}`)) continue;
-      const usual = field.read(source.statement), texts = textsBeside(spread, usual);
+      const usual = field.read(source.statement),
+        texts = textsBeside(spread, usual);
       expect(texts.length, `${kind}.${word}`).toBeGreaterThan(1);
       const before = ran(own(source));
-      expect(before.issues.filter(({ issue }) => issue.severity === "error"), `${kind}.${word}`).toEqual([]);
+      expect(
+        before.issues.filter(({ issue }) => issue.severity === "error"),
+        `${kind}.${word}`,
+      ).toEqual([]);
       const other = texts.find((text) => text !== usual) ?? never("no other");
       const after = ran(textWith(source, field, other) ?? never(`${kind}.${word} = ${other}`));
-      const path = ({ steps, blank, seconds }: typeof after) => JSON.stringify([blank, seconds, steps.map(({ move }) => move)]);
-      const isOther = path(after) !== path(before) || JSON.stringify(simulate(after).final) !== JSON.stringify(simulate(before).final);
+      const path = ({ steps, blank, seconds }: typeof after) =>
+        JSON.stringify([blank, seconds, steps.map(({ move }) => move)]);
+      const isOther =
+        path(after) !== path(before) ||
+        JSON.stringify(simulate(after).final) !== JSON.stringify(simulate(before).final);
       expect(isOther, `${kind}.${word} = ${other}`).toBe(true);
     }
   }
@@ -56,12 +66,16 @@ test("a small and a large value of a word make another run than the usual one, w
 test("every word that is shown at no values says why", () => {
   const unsaid = kinds.flatMap((kind) => {
     const [shown] = blockSources(kind, null);
-    return (shown ? fieldsOf(shown.statement) : []).filter((field) =>
-      !spreadOf(kind, field) && whyUnseen(kind, wordOfField(field)) === "same"
-    ).map((field) => `${kind}.${wordOfField(field)}`);
+    return (shown ? fieldsOf(shown.statement) : [])
+      .filter((field) => !spreadOf(kind, field) && whyUnseen(kind, wordOfField(field)) === "same")
+      .map((field) => `${kind}.${wordOfField(field)}`);
   });
   expect(unsaid).toEqual([]);
-  expect([whyUnseen("L", "Y"), whyUnseen("call", "label"), whyUnseen("toolCall", "deltaRadius")]).toEqual(["axis", "name", "milling"]);
+  expect([whyUnseen("L", "Y"), whyUnseen("call", "label"), whyUnseen("toolCall", "deltaRadius")]).toEqual([
+    "axis",
+    "name",
+    "milling",
+  ]);
 });
 
 test("another tool leaves another part", () => {

@@ -8,10 +8,7 @@ import { printedText } from "../../app/document/printed.ts";
 const MARK = "> ";
 
 const CYLINDER = "BLK FORM CYLINDER Z D50 L60 DIST+1 DI20";
-const program = (
-  blank: readonly string[],
-  lines: readonly string[],
-): readonly string[] => [
+const program = (blank: readonly string[], lines: readonly string[]): readonly string[] => [
   "BEGIN PGM SAMPLE MM",
   ...blank,
   "TOOL CALL 1",
@@ -72,7 +69,16 @@ const OTHERS: Partial<Record<BlockKind, readonly string[]>> = {
   turnBlank: cut("> FUNCTION TURNDATA BLANK OFF", ...CONE),
   functions: instead(cut(...CONE), "M136", "> M136"),
   label: cut("> LBL 1", ...CONE, "L X+58", "LBL 0"),
-  call: cut("L X+50 Z+2 FMAX", "LBL 1", "L IX-3 FMAX", "L Z-20 F0.25", "L IX+2", "L Z+2 FMAX", "L IX-2", "> CALL LBL 1 REP3"),
+  call: cut(
+    "L X+50 Z+2 FMAX",
+    "LBL 1",
+    "L IX-3 FMAX",
+    "L Z-20 F0.25",
+    "L IX+2",
+    "L Z+2 FMAX",
+    "L IX-2",
+    "> CALL LBL 1 REP3",
+  ),
   assign: cut("> FN 0: Q1 =+42", "L X+Q1 Z+2 FMAX", "L Z-25 F0.25"),
   stop: cut(...CONE, "> STOP"),
   datum: cut("> TRANS DATUM AXIS X+0 Z-10", ...CONE),
@@ -88,7 +94,12 @@ const OTHERS: Partial<Record<BlockKind, readonly string[]>> = {
 /** Words that are shown in another sample than their block. */
 const OF_WORD: Readonly<Record<string, readonly string[]>> = {
   "L.compensation": cut("L X+42 Z+2 R0 FMAX", "> L X+46 Z-25 R0 F0.25"),
-  "spin.constantSurface": cut("> FUNCTION TURNDATA SPIN VCONST:ON VC:180 S790 SMAX2500", "L X+40 Z+1 FMAX", "L X+2 F0.2", "L Z+3 FMAX"),
+  "spin.constantSurface": cut(
+    "> FUNCTION TURNDATA SPIN VCONST:ON VC:180 S790 SMAX2500",
+    "L X+40 Z+1 FMAX",
+    "L X+2 F0.2",
+    "L Z+3 FMAX",
+  ),
   "spin.speed": cut("> FUNCTION TURNDATA SPIN VCONST:OFF S790", ...CONE),
   "RND.feed": cut(...TO_CUT, "L Z-20", "> RND R6 F0.1", "L X+58"),
   "chamfer.feed": cut(...TO_CUT, "L Z-20", "> CHF 4 F0.1", "L X+58"),
@@ -106,11 +117,15 @@ const SLENDER = "TOOL CALL 4";
 /** An element of a contour that a cycle cuts: an undercut or a recess. */
 function inContour(element: string): readonly string[] {
   const cycle = cuttingCycles.find(({ contour }) => contour === "free") ?? never("no cycle of a free contour");
-  const lines = printedText(exampleJob(cycle)).split(/\r?\n/).map((line) => line.replace(/^\d+\s+/, "")).filter((line) => line !== "");
-  const from = lines.findLastIndex((line) => /^LBL [^0]/.test(line)), to = lines.findIndex((line, i) => i > from && /^LBL 0/.test(line));
-  return lines.toSpliced(from + 1, to - from - 1, "L X+20 Z+0", "L Z-30", element, "L X+44", "L Z-45").map((line) =>
-    line.replace(/^TOOL CALL \d+/, SLENDER)
-  );
+  const lines = printedText(exampleJob(cycle))
+    .split(/\r?\n/)
+    .map((line) => line.replace(/^\d+\s+/, ""))
+    .filter((line) => line !== "");
+  const from = lines.findLastIndex((line) => /^LBL [^0]/.test(line)),
+    to = lines.findIndex((line, i) => i > from && /^LBL 0/.test(line));
+  return lines
+    .toSpliced(from + 1, to - from - 1, "L X+20 Z+0", "L Z-30", element, "L X+44", "L Z-45")
+    .map((line) => line.replace(/^TOOL CALL \d+/, SLENDER));
 }
 
 const UNDERCUT = "> UDC TYPE_F R0.8 DEPTH0.5 BREADTH4 ANGLE15 FACEDEPTH0.4 FACEANGLE8";
@@ -136,7 +151,11 @@ export interface BlockSample {
 
 export function blockSample(kind: BlockKind, word: string | null): BlockSample | null {
   const element = (word === null ? undefined : ELEMENTS[`${kind}.${word}`]) ?? ELEMENTS[kind];
-  const lines = (word === null ? undefined : OF_WORD[`${kind}.${word}`]) ?? PATHS[kind] ?? OTHERS[kind] ?? (element && inContour(element));
+  const lines =
+    (word === null ? undefined : OF_WORD[`${kind}.${word}`]) ??
+    PATHS[kind] ??
+    OTHERS[kind] ??
+    (element && inContour(element));
   if (!lines) return null;
   return {
     text: `${lines.map((line) => line.replace(MARK, "")).join("\n")}\n`,

@@ -25,7 +25,8 @@ export interface BlockSource {
 }
 
 /** The field of a word in a block; undefined where it has none such. */
-export const fieldOfWord = (s: Statement, word: string): WordField | undefined => fieldsOf(s).find((field) => wordOfField(field) === word);
+export const fieldOfWord = (s: Statement, word: string): WordField | undefined =>
+  fieldsOf(s).find((field) => wordOfField(field) === word);
 
 /** The source with another text in a word; null where that cannot be read. */
 export function textWith({ program, index, statement }: BlockSource, field: WordField, text: string): string | null {
@@ -33,8 +34,14 @@ export function textWith({ program, index, statement }: BlockSource, field: Word
   return next && print(withBlock(program, index, next));
 }
 
-function sourceIn(text: string, line: number, kind: BlockKind): Pick<BlockSource, "program" | "index" | "statement"> | null {
-  const program = parse(text), index = startLines(program).indexOf(line), statement = program.blocks[index]?.statement;
+function sourceIn(
+  text: string,
+  line: number,
+  kind: BlockKind,
+): Pick<BlockSource, "program" | "index" | "statement"> | null {
+  const program = parse(text),
+    index = startLines(program).indexOf(line),
+    statement = program.blocks[index]?.statement;
   return statement && kindOf(statement) === kind ? { program, index, statement } : null;
 }
 
@@ -45,12 +52,15 @@ function ownSource(kind: BlockKind): BlockSource | null {
   if (!program || program.task?.veiled || block?.work !== work) return null;
   const file = shownFile(program);
   const found = block ? sourceIn(file.text, block.line, kind) : null;
-  return found && block ? { ...found, line: block.line, work: (text) => withText(program, fileKey(file.name), text) } : null;
+  return found && block
+    ? { ...found, line: block.line, work: (text) => withText(program, fileKey(file.name), text) }
+    : null;
 }
 
 /** The sample of a kind of block, or the one of its own that a word has. */
 function sampleSource(kind: BlockKind, word: string | null): BlockSource | null {
-  const sample = blockSample(kind, word), found = sample && sourceIn(sample.text, sample.line, kind);
+  const sample = blockSample(kind, word),
+    found = sample && sourceIn(sample.text, sample.line, kind);
   const work = (text: string): ProgramWork => ({ name: "SAMPLE.H", text, encoding: "utf-8" });
   return found && { ...found, line: null, work };
 }

@@ -22,17 +22,29 @@ const OF_SETUP: Readonly<Record<string, SetupPageId>> = {
 };
 
 /** Words of blocks that are given by name, and that one text speaks of. */
-const COMMON: readonly (readonly [BlockKind, RegExp, string])[] = [["cycle", /^Q\d/, "parameter"], ["free", /./, "free"]];
+const COMMON: readonly (readonly [BlockKind, RegExp, string])[] = [
+  ["cycle", /^Q\d/, "parameter"],
+  ["free", /./, "free"],
+];
 const AXIS = /^[ABCUVW]$/;
 
-const entry = <T>(of: Readonly<Record<string, T>>, key: string): T | null => (Object.hasOwn(of, key) ? of[key] ?? null : null);
+const entry = <T>(of: Readonly<Record<string, T>>, key: string): T | null =>
+  Object.hasOwn(of, key) ? (of[key] ?? null) : null;
 
-/** What is said about a word in a kind of block; null where there is nothing. `places`: the pages of the set-up, where they are at hand. */
-export function blockWordTexts(t: GuideBlocksTexts, kind: BlockKind, word: string, places?: GuidePlacesTexts): WordTexts | null {
+/**
+ * What is said about a word in a kind of block; null where there is nothing. `places`: the pages of the set-up, where
+ * they are at hand.
+ */
+export function blockWordTexts(
+  t: GuideBlocksTexts,
+  kind: BlockKind,
+  word: string,
+  places?: GuidePlacesTexts,
+): WordTexts | null {
   const setup = OF_SETUP[`${kind}.${word}`];
   if (setup) return places?.places[setup] ?? { about: "", mistakes: [] };
   const common = COMMON.find(([of, form]) => of === kind && form.test(word))?.[2];
-  return entry(t.of, `${kind}.${word}`) ?? entry(t.of, word) ?? entry(t.of, AXIS.test(word) ? "axis" : common ?? "");
+  return entry(t.of, `${kind}.${word}`) ?? entry(t.of, word) ?? entry(t.of, AXIS.test(word) ? "axis" : (common ?? ""));
 }
 
 /** The rule of the control for a word, where it has one of its own; empty where it has none. */

@@ -44,13 +44,16 @@ const shown = (value: number) => rounded(Number(value.toFixed(1)));
 
 /** A form with its point at other distances and angles from the pole. */
 function atPolarPlaces({ form, draft, context, request }: FormAt, word: PolarPlace): readonly FormAtValue[] {
-  const text = draft[word] ?? "", sign = /^I/i.exec(text)?.[0] ?? "", usual = Number(text.slice(sign.length));
+  const text = draft[word] ?? "",
+    sign = /^I/i.exec(text)?.[0] ?? "",
+    usual = Number(text.slice(sign.length));
   if (text === "" || !Number.isFinite(usual)) return [];
   const others = word === "PR" ? NEARER_FARTHER.map((by) => usual * by) : ROUND_POLE.map((by) => usual + by);
   const values = [...new Set([usual, ...others.map(shown)])].toSorted((a, b) => a - b);
   return values.flatMap((value) => {
     const typed = { ...draft, [word]: `${sign}${value}` };
-    const { departing } = request, reading = readApproach({ form, departing }, context.plane, typed, context.parameters);
+    const { departing } = request,
+      reading = readApproach({ form, departing }, context.plane, typed, context.parameters);
     const ready = readyApproach(form, departing, reading, context);
     if (!ready) return [];
     // Sizes that the words do not hold are those of the form that is shown.
@@ -71,7 +74,8 @@ export interface FormAt {
 /** A form at a small, the usual and a large value of a word. */
 export function formAtValues(at: FormAt, word: SizedWord): readonly FormAtValue[] {
   if (isPolarPlace(word)) return atPolarPlaces(at, word);
-  const { request, contour } = at, usual = request[FIELD[word]];
+  const { request, contour } = at,
+    usual = request[FIELD[word]];
   if (usual === undefined) return [];
   const most = word === "CCA" ? MOST_ANGLE : Infinity;
   const values = [usual * LESS, usual, Math.min(most, usual * MORE)].map(shown);
@@ -85,4 +89,4 @@ export function formAtValues(at: FormAt, word: SizedWord): readonly FormAtValue[
 export const namedAt = (
   { request: { departing, outside }, contour }: FormAtValue,
   { tip }: Pick<ApproachContext, "tip">,
-): PlanePoint | null => departing ? outside && plane.sum(outside, tip) : contour[0]?.from ?? null;
+): PlanePoint | null => (departing ? outside && plane.sum(outside, tip) : (contour[0]?.from ?? null));

@@ -31,15 +31,20 @@ function spindleAsTyped(spindle: Spindle | null, { spindle: example }: Job): Spi
   if (!spindle) return example;
   if (spindle.kind === "constant") return { ...example, mode: "constant", speed: String(spindle.speed) };
   const { cuttingSpeed, limit } = spindle;
-  return { ...example, mode: "surface", cuttingSpeed: String(cuttingSpeed), ...(limit > 0 && { limit: String(limit) }) };
+  return {
+    ...example,
+    mode: "surface",
+    cuttingSpeed: String(cuttingSpeed),
+    ...(limit > 0 && { limit: String(limit) }),
+  };
 }
 
 /** Jobs that were made of calls. */
 const ofCall = new WeakMap<Operation, Job>();
 
 /**
- * A call of the cycle in the open program, that of the open block, else the first: its values and its contour as they ran, its tool and
- * spindle; on a blank that is proposed for them, from its own start where the contour begins there.
+ * A call of the cycle in the open program, that of the open block, else the first: its values and its contour as they
+ * ran, its tool and spindle; on a blank that is proposed for them, from its own start where the contour begins there.
  */
 function ofProgram(cycle: Cycle): Job | null {
   if (!useEditor.getState().program) return null;
@@ -47,7 +52,11 @@ function ofProgram(cycle: Cycle): Job | null {
   if (!operation?.call) return null;
   const known = ofCall.get(operation);
   if (known) return known;
-  const { values, given: { contour }, start } = operation.call;
+  const {
+    values,
+    given: { contour },
+    start,
+  } = operation.call;
   if (cycle.contour === "free" && !contour) return null;
   const example = exampleJob(cycle);
   const job: Job = {
@@ -84,9 +93,12 @@ export function useGuideSource(cycle: Cycle): string {
 
 /** A job run beside the open work; null when that cannot be said. */
 export const ranBeside = (job: SetJob): Promise<Outcome | null> =>
-  outcomeBeside({
-    name: `${job.name}.h`,
-    text: printedText(job, toolTable().tools),
-    encoding: "utf-8",
-    ...broughtBy(handedOn(useEditor.getState())),
-  }, job);
+  outcomeBeside(
+    {
+      name: `${job.name}.h`,
+      text: printedText(job, toolTable().tools),
+      encoding: "utf-8",
+      ...broughtBy(handedOn(useEditor.getState())),
+    },
+    job,
+  );

@@ -1,4 +1,7 @@
-/** Before a press that may take its own button away: the focus stays in the part round it, so that keys go on working there. */
+/**
+ * Before a press that may take its own button away: the focus stays in the part round it, so that keys go on working
+ * there.
+ */
 export function keepFocus(button: HTMLElement, part: "section" | "main"): void {
   const round = button.closest<HTMLElement>(part);
   if (!round) return;

@@ -35,7 +35,9 @@ test("a speed comes with its own kind of speed", () => {
 });
 
 test("tools are compared with two others of the same orientation, the smaller nose first", () => {
-  const tools = setupVariants("tool", job, shippedTools).map(({ value }) => shippedTools.find(({ T }) => T === value) ?? never("no tool"));
+  const tools = setupVariants("tool", job, shippedTools).map(
+    ({ value }) => shippedTools.find(({ T }) => T === value) ?? never("no tool"),
+  );
   expect(tools).toHaveLength(3);
   expect(new Set(tools.map(({ TO }) => TO)).size).toBe(1);
   expect(tools.map(({ RS }) => RS)).toEqual(tools.map(({ RS }) => RS).toSorted((a, b) => a - b));

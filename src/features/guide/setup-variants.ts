@@ -44,7 +44,10 @@ const textAt = ({ blank, start, spindle, rapid }: SetJob, id: Numbered): string 
     rapid,
   })[id];
 
-/** The job with another value at a place; a speed that does not count with the present kind of speed brings its own kind. */
+/**
+ * The job with another value at a place; a speed that does not count with the present kind of speed brings its own
+ * kind.
+ */
 export function withSetupValue<J extends Job>(job: J, id: SetupPageId, value: number): J {
   const text = String(value);
   const [part, field = ""] = id.split(".");
@@ -77,20 +80,30 @@ function beside(id: Numbered, usual: number, job: SetJob): readonly [number, num
   }
 }
 
-/** Tools to compare with: of the same kind and orientation, with the nearest smaller and the nearest larger nose, or else the next ones. */
+/**
+ * Tools to compare with: of the same kind and orientation, with the nearest smaller and the nearest larger nose, or
+ * else the next ones.
+ */
 export function kindredTools(tools: readonly Tool[], own: Tool): readonly Tool[] {
   const kin = tools.filter(({ T, TYPE, TO }) => T !== own.T && TYPE === own.TYPE && TO === own.TO);
   const by = kin.toSorted((a, b) => noseRadius(a) - noseRadius(b));
-  const smaller = by.findLast((tool) => noseRadius(tool) < noseRadius(own)), larger = by.find((tool) => noseRadius(tool) > noseRadius(own));
+  const smaller = by.findLast((tool) => noseRadius(tool) < noseRadius(own)),
+    larger = by.find((tool) => noseRadius(tool) > noseRadius(own));
   const chosen = [smaller, larger].filter((tool) => tool !== undefined);
-  const others = [...kin, ...tools].filter(({ T, TO }) => T !== own.T && TO === own.TO && !chosen.some((tool) => tool.T === T));
+  const others = [...kin, ...tools].filter(
+    ({ T, TO }) => T !== own.T && TO === own.TO && !chosen.some((tool) => tool.T === T),
+  );
   return [...chosen, ...others.slice(0, 2 - chosen.length)];
 }
 
 /** A job at a small, the usual and a large value of a place; tools beside the one that is called; M136 on and off. */
 export function setupVariants(id: SetupPageId, job: SetJob, tools: readonly Tool[]): readonly SetupVariant[] {
   if (id === "perRevolution")
-    return [true, false].map((on) => ({ value: Number(on), isUsual: on === job.perRevolution, job: withSetupValue(job, id, Number(on)) }));
+    return [true, false].map((on) => ({
+      value: Number(on),
+      isUsual: on === job.perRevolution,
+      job: withSetupValue(job, id, Number(on)),
+    }));
   if (id === "tool") {
     const own = tools.find(({ T }) => T === job.tool);
     if (!own) return [];
@@ -100,9 +113,11 @@ export function setupVariants(id: SetupPageId, job: SetJob, tools: readonly Tool
   const usual = Number(textAt(job, id));
   if (!Number.isFinite(usual)) return [];
   const values = [usual, ...beside(id, usual, job).map((n) => rounded(Number(n.toFixed(1))))];
-  return [...new Set(values)].toSorted((a, b) => a - b).map((value) => ({
-    value,
-    isUsual: value === usual,
-    job: withSetupValue(job, id, value),
-  }));
+  return [...new Set(values)]
+    .toSorted((a, b) => a - b)
+    .map((value) => ({
+      value,
+      isUsual: value === usual,
+      job: withSetupValue(job, id, value),
+    }));
 }

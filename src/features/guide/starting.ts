@@ -13,7 +13,10 @@ export interface StartingValue {
 /** Starting values of a material for the speed and the feeds of a cycle. */
 export function startingValues({ params }: Pick<Cycle, "params">, material: CutMaterial): readonly StartingValue[] {
   const promptOf = (shown: string) => Object.entries(params).find(([, param]) => param.shown === shown)?.[0];
-  const feeds = [["roughingFeed", "roughFeed"], ["finishingFeed", "finishFeed"]] as const;
+  const feeds = [
+    ["roughingFeed", "roughFeed"],
+    ["finishingFeed", "finishFeed"],
+  ] as const;
   return [
     { at: SPINDLE, of: "roughSpeed", value: material.roughSpeed },
     ...feeds.flatMap(([shown, of]): StartingValue[] => {

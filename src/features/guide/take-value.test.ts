@@ -17,14 +17,24 @@ import { guideSources } from "./guide-source.ts";
 import { takeIntoBlock, takeValue } from "./take-value.ts";
 
 const cycle = cycleByNumber(820) ?? never("no such cycle");
-const CONTOUR = [["0", "0"], ["23.7", "0"], ["23.7", "-11.3"], ["47.9", "-19.1"], ["47.9", "-33.3"]] as const;
+const CONTOUR = [
+  ["0", "0"],
+  ["23.7", "0"],
+  ["23.7", "-11.3"],
+  ["47.9", "-19.1"],
+  ["47.9", "-33.3"],
+] as const;
 const job = { ...exampleJob(cycle), contour: CONTOUR.map(([x, z], i) => newRow(`r${i}`, { x, z })) };
 const own = { ...job, spindle: { ...job.spindle, cuttingSpeed: "173", limit: "2350" } };
 const text = printedText(own);
 const made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
 const line = made.operations[0]?.definedLine ?? never("no call");
 const textNow = () => useEditor.getState().program?.text ?? "";
-const lineOf = (q: string) => textNow().split("\n").find((each) => each.trim().startsWith(q))?.trim();
+const lineOf = (q: string) =>
+  textNow()
+    .split("\n")
+    .find((each) => each.trim().startsWith(q))
+    ?.trim();
 
 beforeEach(() => {
   forgetOutcome();
@@ -49,7 +59,11 @@ test("a value goes into the open block as one step of undo, and nowhere where no
   expect(lineOf("Q463")).toContain("+1.7");
   await takeValue(820, "Q478", "auto");
   expect(lineOf("Q478")).toContain("FAUTO");
-  expect(textNow().split("\n").filter((each, i) => each !== text.split("\n")[i])).toHaveLength(2);
+  expect(
+    textNow()
+      .split("\n")
+      .filter((each, i) => each !== text.split("\n")[i]),
+  ).toHaveLength(2);
   undo();
   expect(lineOf("Q478")).not.toContain("FAUTO");
   expect(lineOf("Q463")).toContain("+1.7");
@@ -67,7 +81,11 @@ test("a text goes into a word of the block whose form was open, as one step of u
   const at = text.split("\n").findIndex((each) => each.includes("TURNDATA SPIN")) + 1;
   await takeIntoBlock(at, "spin", "speedLimit", "1370", "SMAX");
   expect(lineOf(`${at - 1} FUNCTION TURNDATA SPIN`)).toContain("SMAX1370");
-  expect(textNow().split("\n").filter((each, i) => each !== text.split("\n")[i])).toHaveLength(1);
+  expect(
+    textNow()
+      .split("\n")
+      .filter((each, i) => each !== text.split("\n")[i]),
+  ).toHaveLength(1);
   undo();
   expect(textNow()).toBe(text);
   await takeIntoBlock(at, "toolCall", "speed", "1370", "S");

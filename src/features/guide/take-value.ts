@@ -21,7 +21,9 @@ export async function takeValue(cycle: number, at: string, value: number | "auto
   const shown = value === "auto" ? text : value;
   if (job) {
     closeStep();
-    takeOver(at === SPINDLE ? "VC" : at, shown, () => (at === SPINDLE ? setSpindle("cuttingSpeed", text) : setPrompt(at, text)));
+    takeOver(at === SPINDLE ? "VC" : at, shown, () =>
+      at === SPINDLE ? setSpindle("cuttingSpeed", text) : setPrompt(at, text),
+    );
     return closeStep();
   }
   const call = openCallOf(cycle, work, useOpenCall.getState().call);
@@ -30,7 +32,10 @@ export async function takeValue(cycle: number, at: string, value: number | "auto
   if (useEditor.getState().work === work) takeOver(at, shown, () => takeIntoCall(call, at, text));
 }
 
-/** Writes a value into a place of the open job's set-up, as a step of undo of its own. `letter` and `shown`: how that is told. */
+/**
+ * Writes a value into a place of the open job's set-up, as a step of undo of its own. `letter` and `shown`: how that is
+ * told.
+ */
 export function takeSetup(id: SetupPageId, value: number, letter: string, shown: number | string): void {
   closeStep();
   takeOver(letter, shown, () => edit((job) => withSetupValue(job, id, value)));
@@ -43,18 +48,33 @@ export function useTaking(cycle: number): (at: string) => boolean {
   const work = useEditor((s) => (s.program ? s.work : null));
   const call = useOpenCall((s) => s.call);
   const params = cycleByNumber(cycle)?.params ?? {};
-  return (at) => job === cycle ? at === SPINDLE || at in params : work !== null && at in params && openCallOf(cycle, work, call) !== null;
+  return (at) =>
+    job === cycle
+      ? at === SPINDLE || at in params
+      : work !== null && at in params && openCallOf(cycle, work, call) !== null;
 }
 
-/** Writes a size, mm or degrees, into the APPR or DEP block of a line, whose prompts were open, as a step of undo of its own. */
+/**
+ * Writes a size, mm or degrees, into the APPR or DEP block of a line, whose prompts were open, as a step of undo of its
+ * own.
+ */
 export async function takeIntoForm(line: number, word: SizedWord, size: number): Promise<void> {
   const { work } = useEditor.getState();
   const { writeIntoForm } = await untilHere(() => import("../../app/fields/blocks/take-into-form.ts"));
   if (useEditor.getState().work === work) takeOver(word, size, () => writeIntoForm(line, word, size));
 }
 
-/** Writes a text into a word of the block of a line, whose form was open, as a step of undo of its own. `letter`: how that is told. */
-export async function takeIntoBlock(line: number, kind: BlockKind, word: string, text: string, letter: string): Promise<void> {
+/**
+ * Writes a text into a word of the block of a line, whose form was open, as a step of undo of its own. `letter`: how
+ * that is told.
+ */
+export async function takeIntoBlock(
+  line: number,
+  kind: BlockKind,
+  word: string,
+  text: string,
+  letter: string,
+): Promise<void> {
   const { work } = useEditor.getState();
   const { writeIntoBlock } = await untilHere(() => import("../../app/fields/blocks/take-into-block.ts"));
   if (useEditor.getState().work === work) takeOver(letter, text, () => writeIntoBlock(line, kind, word, text));

@@ -15,7 +15,9 @@ export interface UsingParameter {
 /** The parameters whose pages lead to a word, each once: in the first cycle that has it. */
 export function usingParameters(term: TermId): readonly UsingParameter[] {
   const all = cuttingCycles.flatMap(({ number, params }) =>
-    Object.entries(params).filter(([, param]) => termsOf(param).includes(term)).map(([q, { text }]) => ({ cycle: number, q, text }))
+    Object.entries(params)
+      .filter(([, param]) => termsOf(param).includes(term))
+      .map(([q, { text }]) => ({ cycle: number, q, text })),
   );
   return all.filter(({ text }, i) => all.findIndex((other) => other.text === text) === i);
 }
@@ -29,4 +31,5 @@ export const usingSetupPages = (
   term: TermId,
   { places }: Pick<GuidePlacesTexts, "places">,
   glossary: GlossaryTexts,
-): readonly SetupPageId[] => SETUP_PAGES.filter((id) => usesTerm([places[id].about, ...places[id].mistakes], term, glossary));
+): readonly SetupPageId[] =>
+  SETUP_PAGES.filter((id) => usesTerm([places[id].about, ...places[id].mistakes], term, glossary));

@@ -55,7 +55,12 @@ const OF_TOPIC: Partial<Record<Topic, readonly TermId[]>> = {
 };
 
 /** The words of the glossary that the page of a parameter leads to. */
-export function termsOf({ kind, shown, rounds, sizes }: Pick<Param, "kind" | "shown" | "rounds" | "sizes">): readonly TermId[] {
+export function termsOf({
+  kind,
+  shown,
+  rounds,
+  sizes,
+}: Pick<Param, "kind" | "shown" | "rounds" | "sizes">): readonly TermId[] {
   const own: readonly TermId[] = rounds ? ["noseRadius", "theoreticalTip", "residue"] : sizes ? ["cornerElement"] : [];
   const all = [...new Set([...own, ...(OF_TOPIC[shown] ?? []), ...OF_KIND[kind]])];
   return all.length > 0 ? all : ["contour"];

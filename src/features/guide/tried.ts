@@ -1,5 +1,12 @@
 import type { Box } from "../../kernel/geometry/segments.ts";
-import { makesPath, shownBox, shownChange, shownEffect, type ShownChange, type ShownEffect } from "../../report/guide/shown-effect.ts";
+import {
+  makesPath,
+  shownBox,
+  shownChange,
+  shownEffect,
+  type ShownChange,
+  type ShownEffect,
+} from "../../report/guide/shown-effect.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 
 /** What was run with one value. */
@@ -16,7 +23,10 @@ export interface TriedOutcome extends RanValue {
   readonly change: ShownChange | null;
 }
 
-/** Runs beside each other, in one box of the part; null where the usual one does not go, which is to make the path of a cycle. */
+/**
+ * Runs beside each other, in one box of the part; null where the usual one does not go, which is to make the path of a
+ * cycle.
+ */
 export function compared<R extends RanValue>(
   ran: readonly R[],
   goes: (outcome: Outcome) => boolean = makesPath,

@@ -6,7 +6,12 @@ import type { ApproachForm } from "../../nc/statement.ts";
 import { approachContext } from "../../program/edits/approach-context.ts";
 import { approachDraft, readApproach, type ApproachDraft } from "../../program/edits/approach-draft.ts";
 import { shapeOf } from "../../program/motion/approach-fields.ts";
-import { readyApproach, wordsOfPoint, type ApproachContext, type ReadyApproach } from "../../program/edits/approach-request.ts";
+import {
+  readyApproach,
+  wordsOfPoint,
+  type ApproachContext,
+  type ReadyApproach,
+} from "../../program/edits/approach-request.ts";
 import { suggestedForms } from "../../view/approach/forms.ts";
 import { parametersBefore } from "../../app/fields/blocks/block-context.ts";
 import { useOutcome } from "../../app/calculation/outcome.ts";
@@ -15,11 +20,14 @@ import { useEditor } from "../../app/document/store.ts";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 
 /** A corner, and a tool, to show forms at. */
-const CORNER: readonly PlaneSegment[] = [{ kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } }, {
-  kind: "line",
-  from: { x: 0, y: 0 },
-  to: { x: 60, y: 0 },
-}];
+const CORNER: readonly PlaneSegment[] = [
+  { kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } },
+  {
+    kind: "line",
+    from: { x: 0, y: 0 },
+    to: { x: 60, y: 0 },
+  },
+];
 const SAMPLE_RADIUS = 8;
 
 /** Where the pole of the corner stands that the polar forms are shown at. */
@@ -51,9 +59,12 @@ export interface FormSource extends ReadyApproach {
 /** A form at the corner. */
 function sampleOf(form: ApproachForm, departing: boolean): FormSource | null {
   const { contour, side, toolRadius } = SAMPLE;
-  const found = suggestedForms({ contour, side, toolRadius, outside: null }, departing).find(({ shape }) => shape === shapeOf(form));
+  const found = suggestedForms({ contour, side, toolRadius, outside: null }, departing).find(
+    ({ shape }) => shape === shapeOf(form),
+  );
   if (!found) return null;
-  const { request } = found, context = { ...SAMPLE, before: departing ? null : request.outside };
+  const { request } = found,
+    context = { ...SAMPLE, before: departing ? null : request.outside };
   const named = departing ? request.outside : request.element.from;
   const draft = { ...(named && wordsOfPoint(form, named, context)), SIDE: "RL" };
   return { form, context, draft, request, contour, line: null, rapidBefore: !departing };
@@ -67,13 +78,16 @@ export function useFormSource(form: ApproachForm, departing: boolean): FormSourc
   const beside = useShownBeside();
   return useMemo(() => {
     if (program && block && block.work === work) {
-      const read = parse(shownFile(program).text), index = startLines(read).indexOf(block.line), s = read.blocks[index]?.statement;
+      const read = parse(shownFile(program).text),
+        index = startLines(read).indexOf(block.line),
+        s = read.blocks[index]?.statement;
       if (s?.kind === "approach" && s.form === form && s.departing === departing) {
         const known = parametersBefore(read, index);
         const context = approachContext(read, index, beside === null ? newest : null, known);
         const draft = approachDraft(s);
         const ready = readyApproach(form, departing, readApproach(s, context.plane, draft, known), context);
-        if (ready) return { ...ready, form, context, draft, line: block.line, rapidBefore: context.feedBefore === "rapid" };
+        if (ready)
+          return { ...ready, form, context, draft, line: block.line, rapidBefore: context.feedBefore === "rapid" };
       }
     }
     return sampleOf(form, departing);

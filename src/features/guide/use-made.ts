@@ -7,8 +7,14 @@ export interface MadeForPage<T> {
   readonly working: boolean;
 }
 
-/** Makes something for a page, `of` which it is, again whenever `source` changes; what was made before stays until then. */
-export function useMade<T>(of: string, source: string, make: (goesOn: () => boolean) => Promise<T | null>): MadeForPage<T> {
+/**
+ * Makes something for a page, `of` which it is, again whenever `source` changes; what was made before stays until then.
+ */
+export function useMade<T>(
+  of: string,
+  source: string,
+  make: (goesOn: () => boolean) => Promise<T | null>,
+): MadeForPage<T> {
   const [last, put] = useState<{ readonly of: string; readonly source: string; readonly made: T | null } | null>(null);
   useEffect(() => {
     let gone = false;

@@ -27,9 +27,13 @@ export interface TriedBlock {
 /** Tools that are shown beside the one that is called. */
 const MOST_OTHERS = 2;
 
-/** A tool by its number, with others of its orientation, of another nose where there are such; only what stands there if none has it. */
+/**
+ * A tool by its number, with others of its orientation, of another nose where there are such; only what stands there if
+ * none has it.
+ */
 function toolTexts(usual: string): readonly string[] {
-  const { tools } = toolTable(), own = tools.find(({ T }) => String(T) === usual);
+  const { tools } = toolTable(),
+    own = tools.find(({ T }) => String(T) === usual);
   if (!own) return [usual];
   const others = tools.filter(({ T, TO, RS }) => T !== own.T && TO === own.TO && RS !== own.RS).slice(0, MOST_OTHERS);
   return [own, ...(others.length > 0 ? others : kindredTools(tools, own))].map(({ T }) => String(T));
@@ -43,10 +47,17 @@ const isAlike = (a: Outcome, b: Outcome): boolean => {
 };
 
 /** A program that goes anywhere, and has nothing in it that the control would refuse. */
-const isRun = ({ run }: Outcome): boolean => run.steps.length > 0 && run.issues.every(({ issue }) => issue.severity !== "error");
+const isRun = ({ run }: Outcome): boolean =>
+  run.steps.length > 0 && run.issues.every(({ issue }) => issue.severity !== "error");
 
-async function tryAt(source: BlockSource, kind: BlockKind, word: string, goesOn: () => boolean): Promise<TriedBlock | null> {
-  const field = fieldOfWord(source.statement, word), spread = field && spreadOf(kind, field);
+async function tryAt(
+  source: BlockSource,
+  kind: BlockKind,
+  word: string,
+  goesOn: () => boolean,
+): Promise<TriedBlock | null> {
+  const field = fieldOfWord(source.statement, word),
+    spread = field && spreadOf(kind, field);
   if (!field || !spread) return null;
   const usual = field.read(source.statement);
   const ran: (RanValue & { readonly text: string })[] = [];
@@ -77,5 +88,9 @@ export function useTriedBlock(kind: BlockKind, word: string): MadeForPage<TriedB
   const program = useEditor((s) => s.program);
   const line = useGuidedBlock((s) => s.block?.line ?? 0);
   const make = useCallback((goesOn: () => boolean) => tryBlock(kind, word, goesOn), [kind, word]);
-  return useMade(`${kind}.${word}`, JSON.stringify([name, line, program?.text, program?.files?.map(({ text }) => text)]), make);
+  return useMade(
+    `${kind}.${word}`,
+    JSON.stringify([name, line, program?.text, program?.files?.map(({ text }) => text)]),
+    make,
+  );
 }

@@ -33,21 +33,27 @@ const jobWith = (job: SetJob, values: Readonly<Record<string, number | "auto">>)
   ...job,
   drafts: {
     ...job.drafts,
-    [job.cycle]: { ...job.drafts[job.cycle], ...Object.fromEntries(Object.entries(values).map(([q, value]) => [q, typed(value)])) },
+    [job.cycle]: {
+      ...job.drafts[job.cycle],
+      ...Object.fromEntries(Object.entries(values).map(([q, value]) => [q, typed(value)])),
+    },
   },
 });
 
 /**
- * Runs a cycle with the values that show a parameter: with those of the open work, or with the example where nothing is seen with them;
- * null where the cycle makes no path at all.
+ * Runs a cycle with the values that show a parameter: with those of the open work, or with the example where nothing is
+ * seen with them; null where the cycle makes no path at all.
  */
 async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promise<TriedValues | null> {
   let best: TriedValues | null = null;
   for (const { job, isOwn } of guideSources(cycle)) {
-    const read = readJob(job), values = read?.reading.values as Readonly<Record<string, number | "auto">> | null | undefined;
+    const read = readJob(job),
+      values = read?.reading.values as Readonly<Record<string, number | "auto">> | null | undefined;
     if (!read || !values) continue;
     const asked = { cycle, q, values, given: givenOf(read) };
-    const found = await demonstrate(asked, (changed) => goesOn() ? ranBeside(jobWith(job, changed)) : Promise.resolve(null));
+    const found = await demonstrate(asked, (changed) =>
+      goesOn() ? ranBeside(jobWith(job, changed)) : Promise.resolve(null),
+    );
     const shown = found && compared(found.ran);
     if (!found || !shown) continue;
     const { [q]: _, ...needed } = found.needed;

@@ -61,9 +61,21 @@ export function HandOnDialog({ open, verdict, done }: Props) {
     <HandingDialog title={words.title} done={done}>
       <p>{words.lead}</p>
       <section className="handing-along" aria-label={words.along}>
-        <WorkFacts words={words} work={open} control={controlInUse()} machine={machineInUse()} tools={tools
-          ? tools.map(({ cells }) => words.tool(cells.T ?? "", cells.NAME ?? "")).join(", ") || words.none
-          : <span role="status" className="soft">{words.working}</span>} />
+        <WorkFacts
+          words={words}
+          work={open}
+          control={controlInUse()}
+          machine={machineInUse()}
+          tools={
+            tools ? (
+              tools.map(({ cells }) => words.tool(cells.T ?? "", cells.NAME ?? "")).join(", ") || words.none
+            ) : (
+              <span role="status" className="soft">
+                {words.working}
+              </span>
+            )
+          }
+        />
         <VerdictText verdict={verdict} reasons={2} />
       </section>
       {ready && <Ways words={words} ready={ready} />}
@@ -96,20 +108,32 @@ function Ways({ words, ready }: { readonly words: HandedTexts; readonly ready: R
           <span>
             {words.link} · <b className="number">{words.kilobytes(formatNumber(language, link.length / 1000, 1))}</b>
           </span>
-          <textarea className="number" readOnly rows={3} value={link} onFocus={(event) => event.currentTarget.select()} />
+          <textarea
+            className="number"
+            readOnly
+            rows={3}
+            value={link}
+            onFocus={(event) => event.currentTarget.select()}
+          />
         </label>
         {warning !== null && <Message tone="warning">{warning}</Message>}
         <div className="handing-ways">
           <button type="button" className="button primary" disabled={link === ""} onClick={() => void copyText(link)}>
             <Icon name={copied ? "check" : "copy"} /> {copied ? t.text.copied : words.copyLink}
           </button>
-          {canShare(sheet) && <button type="button" className="button" onClick={() => void share(sheet)}>{words.share}</button>}
+          {canShare(sheet) && (
+            <button type="button" className="button" onClick={() => void share(sheet)}>
+              {words.share}
+            </button>
+          )}
         </div>
       </section>
       {link !== "" && (
         <section className="handing-code" aria-label={words.qr}>
           <h3>{words.qr}</h3>
-          {link.length > LONGEST_QR ? <p className="soft">{words.qrTooLong(number(link.length), number(LONGEST_QR))}</p> : (
+          {link.length > LONGEST_QR ? (
+            <p className="soft">{words.qrTooLong(number(link.length), number(LONGEST_QR))}</p>
+          ) : (
             <>
               <QrCode link={link} name={words.qrName(work.name)} />
               {!isOnlyHere && <p className="small soft">{words.qrHint}</p>}
@@ -120,7 +144,10 @@ function Ways({ words, ready }: { readonly words: HandedTexts; readonly ready: R
       <section aria-label={words.files}>
         <h3>{words.files}</h3>
         <div className="handing-ways">
-          <button type="button" className="button" aria-label={`${words.file}: ${archive}`}
+          <button
+            type="button"
+            className="button"
+            aria-label={`${words.file}: ${archive}`}
             onClick={() => downloadBytes(packedFile(ready), archive)}
           >
             <Icon name="download" /> {words.file}

@@ -11,10 +11,12 @@ const WorkBar = lazyPart(async () => ({ default: (await import("./WorkBar.tsx"))
 /** What a link or a file holds, as long as nobody has said what becomes of it. */
 export function IncomingWork() {
   const waits = useIncoming((s) => s.incoming !== null);
-  return waits && (
-    <Suspense>
-      <IncomingDialog />
-    </Suspense>
+  return (
+    waits && (
+      <Suspense>
+        <IncomingDialog />
+      </Suspense>
+    )
   );
 }
 
@@ -27,9 +29,12 @@ export function HandedLine() {
   const device = useSettings((s) => s.control);
   const mine = useSettings((s) => s.machine);
   const isOther = (control !== undefined && control !== device) || (machine !== undefined && machine !== mine);
-  return !isTask && (tools || isOther) && (
-    <Suspense>
-      <WorkBar />
-    </Suspense>
+  return (
+    !isTask &&
+    (tools || isOther) && (
+      <Suspense>
+        <WorkBar />
+      </Suspense>
+    )
   );
 }

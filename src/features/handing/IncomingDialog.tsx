@@ -26,31 +26,47 @@ function Inside({ incoming }: { readonly incoming: Incoming }) {
   return (
     <HandingDialog title={words.inside(work.name)} done={leaveIncoming}>
       <p>{words.from[from]}</p>
-      <WorkFacts words={words} work={work} machine={work.machine ?? machine} tools={tools
-        ? tools.length === 0 ? words.none : (
-          <ul className="handing-tools">
-            {tools.map((tool) => (
-              <li key={tool.entry.id}>
-                {words.tool(cellOf(tool.entry, "T"), cellOf(tool.entry, "NAME"))}{" "}
-                <span className={`small ${inMyTable(tool) === "differs" ? "handing-differs" : "soft"}`}>
-                  {words.state[inMyTable(tool)]}
-                </span>
-              </li>
-            ))}
-          </ul>
-        )
-        : words.bare} control={
-        <>
-          {control}{" "}
-          <span className={`small ${control === device ? "soft" : "handing-differs"}`}>
-            {control === device ? words.sameControl : words.otherControl(device)}
-          </span>
-        </>
-      } />
+      <WorkFacts
+        words={words}
+        work={work}
+        machine={work.machine ?? machine}
+        tools={
+          tools ? (
+            tools.length === 0 ? (
+              words.none
+            ) : (
+              <ul className="handing-tools">
+                {tools.map((tool) => (
+                  <li key={tool.entry.id}>
+                    {words.tool(cellOf(tool.entry, "T"), cellOf(tool.entry, "NAME"))}{" "}
+                    <span className={`small ${inMyTable(tool) === "differs" ? "handing-differs" : "soft"}`}>
+                      {words.state[inMyTable(tool)]}
+                    </span>
+                  </li>
+                ))}
+              </ul>
+            )
+          ) : (
+            words.bare
+          )
+        }
+        control={
+          <>
+            {control}{" "}
+            <span className={`small ${control === device ? "soft" : "handing-differs"}`}>
+              {control === device ? words.sameControl : words.otherControl(device)}
+            </span>
+          </>
+        }
+      />
       <p className="small soft">{words.ofItsOwn}</p>
       <div className="handing-ways">
-        <button type="button" className="button primary handing-first" onClick={() => takeIncoming(incoming)}>{words.open}</button>
-        <button type="button" className="button" onClick={leaveIncoming}>{words.notNow}</button>
+        <button type="button" className="button primary handing-first" onClick={() => takeIncoming(incoming)}>
+          {words.open}
+        </button>
+        <button type="button" className="button" onClick={leaveIncoming}>
+          {words.notNow}
+        </button>
       </div>
     </HandingDialog>
   );

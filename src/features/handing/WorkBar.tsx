@@ -26,8 +26,11 @@ export function WorkBar() {
   if (!words) return null;
   return (
     <div className="work-bar" role="region" aria-label={words.ofWork}>
-      <Icon name="insert" /> <span>{saidOf(words, tools?.length, control === device ? undefined : control, machine)}</span>
-      <button type="button" className="button" onClick={() => show(true)}>{words.ofWork}</button>
+      <Icon name="insert" />{" "}
+      <span>{saidOf(words, tools?.length, control === device ? undefined : control, machine)}</span>
+      <button type="button" className="button" onClick={() => show(true)}>
+        {words.ofWork}
+      </button>
       {shown && <WorkTools words={words} done={() => show(false)} />}
     </div>
   );

@@ -15,15 +15,27 @@ const sizeOf = (text: string): number => new TextEncoder().encode(text).length;
 function measured(work: Work) {
   const text = isProgram(work) ? work.text : printedText(work);
   const blocks = parse(text).blocks.filter(({ statement }) => statement.kind !== "empty").length;
-  const size = (isProgram(work) ? textsOf(work).map((file) => file.text) : [JSON.stringify(work)]).reduce((sum, each) => sum + sizeOf(each),
-    0);
+  const size = (isProgram(work) ? textsOf(work).map((file) => file.text) : [JSON.stringify(work)]).reduce(
+    (sum, each) => sum + sizeOf(each),
+    0,
+  );
   return { blocks, size };
 }
 
 /** What a work brings along, fact by fact; what is to be said of its tools and its control besides stands with them. */
-export function WorkFacts({ words, work, tools, control, machine }: { readonly words: HandedTexts; readonly work: Work;
-  readonly tools: ReactNode; readonly control: ReactNode; readonly machine: string })
-{
+export function WorkFacts({
+  words,
+  work,
+  tools,
+  control,
+  machine,
+}: {
+  readonly words: HandedTexts;
+  readonly work: Work;
+  readonly tools: ReactNode;
+  readonly control: ReactNode;
+  readonly machine: string;
+}) {
   const { menu } = useTexts("first");
   const language = useSettings((s) => s.language);
   const { blocks, size } = useMemo(() => measured(work), [work]);

@@ -11,7 +11,14 @@ import { useTools } from "../../app/document/tool-store.ts";
 import { HandingDialog } from "../../app/base/HandingDialog.tsx";
 import { inMyTable } from "./in-my-table.ts";
 import { nameOfMachine } from "./machine-name.ts";
-import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeMachineOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
+import {
+  callAs,
+  callsOf,
+  keepWorkTools,
+  takeControlOfDevice,
+  takeMachineOfDevice,
+  takeTableOfDevice,
+} from "./work-tools-edits.ts";
 
 /** Edge length of an insert drawing, px. */
 const DRAWING = 40;
@@ -43,8 +50,13 @@ export function WorkTools({ words, done }: Props) {
           <p>{words.ofWorkLead}</p>
           <ul className="work-tools" aria-label={words.ofWork}>
             {beside.map((tool) => (
-              <WorkTool key={tool.entry.id} words={words} beside={tool} way={wayOf(tool)} onWay={(way) =>
-                choose((now) => ({ ...now, [tool.entry.id]: way }))} />
+              <WorkTool
+                key={tool.entry.id}
+                words={words}
+                beside={tool}
+                way={wayOf(tool)}
+                onWay={(way) => choose((now) => ({ ...now, [tool.entry.id]: way }))}
+              />
             ))}
           </ul>
         </>
@@ -60,10 +72,14 @@ export function WorkTools({ words, done }: Props) {
               <Icon name="add" /> {words.keep}
             </button>
           )}
-          <button type="button" className="button" onClick={() => {
-            takeTableOfDevice();
-            done();
-          }}>
+          <button
+            type="button"
+            className="button"
+            onClick={() => {
+              takeTableOfDevice();
+              done();
+            }}
+          >
             {words.useMine}
           </button>
         </div>
@@ -71,13 +87,17 @@ export function WorkTools({ words, done }: Props) {
       {control !== undefined && control !== device && (
         <div className="work-control">
           <p>{words.control(control, device)}</p>
-          <button type="button" className="button" onClick={takeControlOfDevice}>{words.useControl(device)}</button>
+          <button type="button" className="button" onClick={takeControlOfDevice}>
+            {words.useControl(device)}
+          </button>
         </div>
       )}
       {machine !== undefined && machine !== own && (
         <div className="work-control">
           <p>{words.machine(nameOfMachine(words, machine), nameOfMachine(words, own))}</p>
-          <button type="button" className="button" onClick={takeMachineOfDevice}>{words.useMachine}</button>
+          <button type="button" className="button" onClick={takeMachineOfDevice}>
+            {words.useMachine}
+          </button>
         </div>
       )}
     </HandingDialog>
@@ -88,9 +108,17 @@ export function WorkTools({ words, done }: Props) {
 const nameOf = (words: HandedTexts, entry: ToolEntry): string => words.tool(cellOf(entry, "T"), cellOf(entry, "NAME"));
 
 /** One tool that came with the work; beside the one of its number here where that is another. */
-function WorkTool({ words, beside, way, onWay }: { readonly words: HandedTexts; readonly beside: ToolBeside; readonly way: KeepAs;
-  readonly onWay: (way: KeepAs) => void })
-{
+function WorkTool({
+  words,
+  beside,
+  way,
+  onWay,
+}: {
+  readonly words: HandedTexts;
+  readonly beside: ToolBeside;
+  readonly way: KeepAs;
+  readonly onWay: (way: KeepAs) => void;
+}) {
   const { entry, mine, differs } = beside;
   const drawn = readEntry(entry).tool;
   const other = mine && differs.length > 0 ? mine : null;
@@ -100,7 +128,8 @@ function WorkTool({ words, beside, way, onWay }: { readonly words: HandedTexts; 
     <li className="work-tool">
       <p className="work-tool-name">
         {drawn && <InsertDrawing tool={drawn} width={DRAWING} height={DRAWING} />}
-        <b>{name}</b> <span className={`small ${other ? "handing-differs" : "soft"}`}>{words.state[inMyTable(beside)]}</span>
+        <b>{name}</b>{" "}
+        <span className={`small ${other ? "handing-differs" : "soft"}`}>{words.state[inMyTable(beside)]}</span>
       </p>
       {other && (
         <>
@@ -109,7 +138,9 @@ function WorkTool({ words, beside, way, onWay }: { readonly words: HandedTexts; 
               <tr>
                 <th scope="col">{words.column}</th>
                 <th scope="col">{words.theirs}</th>
-                <th scope="col">{words.mine} {otherDrawn && <InsertDrawing tool={otherDrawn} width={DRAWING} height={DRAWING} />}</th>
+                <th scope="col">
+                  {words.mine} {otherDrawn && <InsertDrawing tool={otherDrawn} width={DRAWING} height={DRAWING} />}
+                </th>
               </tr>
             </thead>
             <tbody>
@@ -122,10 +153,17 @@ function WorkTool({ words, beside, way, onWay }: { readonly words: HandedTexts; 
               ))}
             </tbody>
           </table>
-          <select className="select" aria-label={words.becomes(name)} value={way} onChange={(event) =>
-            onWay(WAYS.find((each) => each === event.target.value) ?? "mine")}
+          <select
+            className="select"
+            aria-label={words.becomes(name)}
+            value={way}
+            onChange={(event) => onWay(WAYS.find((each) => each === event.target.value) ?? "mine")}
           >
-            {WAYS.map((each) => <option key={each} value={each}>{words.as[each]}</option>)}
+            {WAYS.map((each) => (
+              <option key={each} value={each}>
+                {words.as[each]}
+              </option>
+            ))}
           </select>
         </>
       )}
@@ -142,14 +180,20 @@ function Kept({ words, kept }: { readonly words: HandedTexts; readonly kept: Kep
     <Message as="div" tone="info">
       <div>
         <p>{added + replaced > 0 ? words.kept(added, replaced) : words.nothingToKeep}</p>
-        {moved.map(({ from, to }) => <p key={from}>{words.moved(from, to)}</p>)}
+        {moved.map(({ from, to }) => (
+          <p key={from}>{words.moved(from, to)}</p>
+        ))}
         {called && <p>{words.callsChanged}</p>}
         <div className="handing-ways">
           {moved.length > 0 && calls > 0 && !called && (
-            <button type="button" className="button" onClick={() => {
-              callAs(moved);
-              call(true);
-            }}>
+            <button
+              type="button"
+              className="button"
+              onClick={() => {
+                callAs(moved);
+                call(true);
+              }}
+            >
               {words.changeCalls(calls)}
             </button>
           )}

@@ -17,19 +17,31 @@ import { printedText } from "../../app/document/printed.ts";
 import { handedWork } from "../../app/records/incoming.ts";
 import { linkOf, readLink } from "../../app/records/link.ts";
 import { packed, packedFile } from "./pack.ts";
-import { callAs, callsOf, keepWorkTools, takeControlOfDevice, takeMachineOfDevice, takeTableOfDevice } from "./work-tools-edits.ts";
+import {
+  callAs,
+  callsOf,
+  keepWorkTools,
+  takeControlOfDevice,
+  takeMachineOfDevice,
+  takeTableOfDevice,
+} from "./work-tools-edits.ts";
 
 /** The worker's answer, made here. */
 vi.mock("../../app/calculation/beside.ts", () => ({
   reportOf: (work: Work, file: string) =>
-    Promise.resolve(reported({
-      version: 0,
-      text: isProgram(work) ? work.text : printedText(work),
-      table: toolTable(),
-      control: controlInUse(),
-      machine: machineOf(machineInUse()),
-      rapid: 10_000,
-    }, file)),
+    Promise.resolve(
+      reported(
+        {
+          version: 0,
+          text: isProgram(work) ? work.text : printedText(work),
+          table: toolTable(),
+          control: controlInUse(),
+          machine: machineOf(machineInUse()),
+          rapid: 10_000,
+        },
+        file,
+      ),
+    ),
 }));
 
 const open = (): Work => {
@@ -40,7 +52,9 @@ const open = (): Work => {
 };
 const rs = (number: number) => toolTable().tools.find(({ T }) => T === number)?.RS;
 const withRs = (number: number, RS: string) =>
-  editTools((list) => list.map((row) => (row.cells.T === String(number) ? { ...row, cells: { ...row.cells, RS } } : row)));
+  editTools((list) =>
+    list.map((row) => (row.cells.T === String(number) ? { ...row, cells: { ...row.cells, RS } } : row)),
+  );
 const arrive = (link: string) => {
   const read = readLink(link);
   if (read.kind !== "work") throw new Error("the link holds no work");
@@ -73,7 +87,10 @@ test("a cycle that nobody has chosen a tool for brings the one that was proposed
   expect(linkOf("", again.work)).toBe(linkOf("", sent.work));
 });
 
-test.each([["the data of a machine", writeMachine(EXAMPLE_MACHINES.large), ""], ["no machine", "", writeMachine(EXAMPLE_MACHINES.small)]])(
+test.each([
+  ["the data of a machine", writeMachine(EXAMPLE_MACHINES.large), ""],
+  ["no machine", "", writeMachine(EXAMPLE_MACHINES.small)],
+])(
   "a work that is timed with %s comes to the same times on a device that has other data",
   async (_, machine, other) => {
     const [cycle] = cuttingCycles;
@@ -118,10 +135,12 @@ const program: Work = {
   text: TEXT,
   encoding: "utf-8",
   files: [{ name: "B.h", text: "0 BEGIN PGM B MM\n1 TOOL CALL 3\n2 END PGM B MM\n", encoding: "windows-1252" }],
-  tools: shippedList.filter(({ cells }) => cells.T === "3" || cells.T === "4").map((row) => ({
-    ...row,
-    cells: { ...row.cells, RS: "1.3" },
-  })),
+  tools: shippedList
+    .filter(({ cells }) => cells.T === "3" || cells.T === "4")
+    .map((row) => ({
+      ...row,
+      cells: { ...row.cells, RS: "1.3" },
+    })),
   control: "TNC7",
 };
 
@@ -160,7 +179,14 @@ test("a cycle that is opened as a program keeps what it came with", () => {
   const tools = shippedList.slice(2, 4);
   openText("0 BEGIN PGM A MM\n", { ...exampleJob(cycle), tools, control: "TNC7" });
   const { output } = exampleJob(cycle);
-  expect(open()).toEqual({ name: "A.h", text: "0 BEGIN PGM A MM\n", encoding: "utf-8", tools, control: "TNC7", output });
+  expect(open()).toEqual({
+    name: "A.h",
+    text: "0 BEGIN PGM A MM\n",
+    encoding: "utf-8",
+    tools,
+    control: "TNC7",
+    output,
+  });
   openText("0 BEGIN PGM B MM\n");
   expect(open()).toEqual({ name: "B.h", text: "0 BEGIN PGM B MM\n", encoding: "utf-8" });
 });

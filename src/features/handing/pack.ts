@@ -28,7 +28,11 @@ export async function packed(open: Work): Promise<Packed> {
   const [list, control, machine] = [listInUse(), controlInUse(), machineInUse()];
   const made = await reportOf(open, file);
   const tools = rowsCalled(list, made?.used ?? null);
-  return { work: { ...(isProgram(open) ? open : alone(open)), tools, control, machine }, file, report: made?.text ?? null };
+  return {
+    work: { ...(isProgram(open) ? open : alone(open)), tools, control, machine },
+    file,
+    report: made?.text ?? null,
+  };
 }
 
 /** The same as a file, with the tools once more as `verify` reads them. */

@@ -12,11 +12,14 @@ function drawn(path: string, size: number): boolean[][] {
 }
 
 test("the path covers just the black modules of the code", () => {
-  fc.assert(fc.property(fc.string({ minLength: 1, maxLength: 400 }), (text) => {
-    const rows = qrOf(text);
-    expect(rows).toEqual(encode(text, { ecc: "L", border: 0 }).data);
-    if (rows) expect(drawn(qrPath(rows), rows.length)).toEqual(rows);
-  }), { numRuns: 30 });
+  fc.assert(
+    fc.property(fc.string({ minLength: 1, maxLength: 400 }), (text) => {
+      const rows = qrOf(text);
+      expect(rows).toEqual(encode(text, { ecc: "L", border: 0 }).data);
+      if (rows) expect(drawn(qrPath(rows), rows.length)).toEqual(rows);
+    }),
+    { numRuns: 30 },
+  );
 });
 
 test("the longest link that is said to fit does, and the next is said not to", () => {

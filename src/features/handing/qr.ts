@@ -1,8 +1,8 @@
 import { encode } from "uqr";
 
 /**
- * The largest code that is drawn: of this version a tablet still tells the modules apart on a screen. With the least correction it holds
- * `LONGEST_QR` characters; nothing covers a code on a screen, so that more is not needed.
+ * The largest code that is drawn: of this version a tablet still tells the modules apart on a screen. With the least
+ * correction it holds `LONGEST_QR` characters; nothing covers a code on a screen, so that more is not needed.
  */
 const LARGEST = 30;
 export const LONGEST_QR = 1732;
@@ -17,11 +17,13 @@ export function qrOf(text: string): readonly (readonly boolean[])[] | null {
 
 /** The black modules as one path of rectangles, one for each stretch of a row, in modules with the quiet zone. */
 export const qrPath = (rows: readonly (readonly boolean[])[]): string =>
-  rows.flatMap((row, y) =>
-    row.flatMap((black, x) => {
-      if (!black || row[x - 1]) return [];
-      const end = row.indexOf(false, x);
-      const wide = (end < 0 ? row.length : end) - x;
-      return [`M${x + QUIET} ${y + QUIET}h${wide}v1h-${wide}z`];
-    })
-  ).join("");
+  rows
+    .flatMap((row, y) =>
+      row.flatMap((black, x) => {
+        if (!black || row[x - 1]) return [];
+        const end = row.indexOf(false, x);
+        const wide = (end < 0 ? row.length : end) - x;
+        return [`M${x + QUIET} ${y + QUIET}h${wide}v1h-${wide}z`];
+      }),
+    )
+    .join("");

@@ -9,7 +9,9 @@ export interface Shareable {
 
 /** The link where it is short enough to arrive, otherwise the file. */
 const dataOf = ({ name, link, archive, bytes }: Shareable): ShareData =>
-  link === "" ? { title: name, files: [new File([bytes()], archive, { type: "application/zip" })] } : { title: name, url: link };
+  link === ""
+    ? { title: name, files: [new File([bytes()], archive, { type: "application/zip" })] }
+    : { title: name, url: link };
 
 /** Whether this system has a share sheet that takes it. */
 export const canShare = (what: Shareable): boolean =>

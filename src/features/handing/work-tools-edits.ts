@@ -2,7 +2,13 @@ import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 import { withCalls } from "../../program/tools/renumber-calls.ts";
-import { keptBeside, renumberedTools, type KeepAs, type KeptTools, type ToolBeside } from "../../program/tools/tool-difference.ts";
+import {
+  keptBeside,
+  renumberedTools,
+  type KeepAs,
+  type KeptTools,
+  type ToolBeside,
+} from "../../program/tools/tool-difference.ts";
 import { editProgram, sessionView, useSession } from "../../app/fields/blocks/session.ts";
 import { shownFile } from "../../app/document/shown-file.ts";
 import { setJobOf } from "../../app/document/reading.ts";
@@ -50,7 +56,10 @@ export function callsOf(moved: Moved): number {
   return program ? textsOf(program).reduce((sum, { text }) => sum + withCalls(parse(text), moved).changed, 0) : 0;
 }
 
-/** The open work with other numbers for some of its tools, where they are called and in the tools that came with it: one step of undo. */
+/**
+ * The open work with other numbers for some of its tools, where they are called and in the tools that came with it: one
+ * step of undo.
+ */
 export function callAs(moved: Moved): void {
   handOver();
   const { job, program } = useEditor.getState();
@@ -65,7 +74,10 @@ export function callAs(moved: Moved): void {
   const texts = textsOf(program).filter(({ name }) => fileKey(name) !== inEditor);
   asOneStep(() => {
     changeProgram((now) => ({
-      ...texts.reduce((work, { name, text }) => withText(work, fileKey(name), print(withCalls(parse(text), moved).program)), now),
+      ...texts.reduce(
+        (work, { name, text }) => withText(work, fileKey(name), print(withCalls(parse(text), moved).program)),
+        now,
+      ),
       ...(now.tools && toolsOf(now.tools)),
     }));
     const { program: shown, changed } = withCalls(useSession.getState().reading.program, moved);

@@ -8,15 +8,24 @@ export function OfflineState() {
   const { kept, newer, looked } = useVersion();
   return (
     <div className="offline-state">
-      <p role="status" className="small">{t.kept[kept]} {newer === "none" ? t.looked[looked] : t[newer]}</p>
+      <p role="status" className="small">
+        {t.kept[kept]} {newer === "none" ? t.looked[looked] : t[newer]}
+      </p>
       {/* Two buttons: under the finger none becomes another one. */}
       {kept !== "impossible" && (
-        <button type="button" className="button" disabled={looked === "looking" || looked === "coming"} onClick={() => void lookForNewer()}>
+        <button
+          type="button"
+          className="button"
+          disabled={looked === "looking" || looked === "coming"}
+          onClick={() => void lookForNewer()}
+        >
           {t.look}
         </button>
       )}
       {newer !== "none" && (
-        <button type="button" className="button" onClick={updateNow}>{newer === "elsewhere" ? t.reload : t.updateNow}</button>
+        <button type="button" className="button" onClick={updateNow}>
+          {newer === "elsewhere" ? t.reload : t.updateNow}
+        </button>
       )}
     </div>
   );

@@ -10,8 +10,12 @@ export function UpdateBar() {
   return (
     <p className="notice">
       <Icon name="info" /> <span>{newer === "elsewhere" ? t.elsewhere : t.ready}</span>
-      <button type="button" className="button" onClick={updateNow}>{newer === "elsewhere" ? t.reload : t.updateNow}</button>
-      <button type="button" className="button plain" onClick={() => useVersion.setState({ later: true })}>{t.later}</button>
+      <button type="button" className="button" onClick={updateNow}>
+        {newer === "elsewhere" ? t.reload : t.updateNow}
+      </button>
+      <button type="button" className="button plain" onClick={() => useVersion.setState({ later: true })}>
+        {t.later}
+      </button>
     </p>
   );
 }

@@ -27,7 +27,9 @@ function followInstall(worker: ServiceWorker): void {
 /** Keeps the page, or goes on with that where it was broken off. */
 async function register(): Promise<void> {
   try {
-    registration = await navigator.serviceWorker.register(new URL("sw.js", document.baseURI), { updateViaCache: "none" });
+    registration = await navigator.serviceWorker.register(new URL("sw.js", document.baseURI), {
+      updateViaCache: "none",
+    });
   } catch {
     registration = (await navigator.serviceWorker.getRegistration().catch(() => undefined)) ?? null;
   }
@@ -53,7 +55,10 @@ export async function lookForNewer(): Promise<void> {
   }
 }
 
-/** Puts the newer version in use and loads the page again; what is typed is handed over first, and kept as on every reload. */
+/**
+ * Puts the newer version in use and loads the page again; what is typed is handed over first, and kept as on every
+ * reload.
+ */
 export function updateNow(): void {
   handOver();
   const waiting = registration?.waiting;
@@ -62,7 +67,9 @@ export function updateNow(): void {
   waiting.postMessage("take over");
 }
 
-/** From now on the page is kept on the device, and newer versions are noticed. Nothing here loads the page by itself. */
+/**
+ * From now on the page is kept on the device, and newer versions are noticed. Nothing here loads the page by itself.
+ */
 export async function startOffline(): Promise<void> {
   const { serviceWorker: container } = navigator;
   let cared = container.controller !== null;
@@ -75,7 +82,10 @@ export async function startOffline(): Promise<void> {
   await register();
   lookedAt = time();
   container.controller?.postMessage("tidy");
-  addEventListener("online", () => void (registration?.active ? registration.update().catch(() => undefined) : register()));
+  addEventListener(
+    "online",
+    () => void (registration?.active ? registration.update().catch(() => undefined) : register()),
+  );
   document.addEventListener("visibilitychange", () => {
     if (document.visibilityState !== "visible" || time() - lookedAt < LOOK_AGAIN) return;
     lookedAt = time();

@@ -3,8 +3,9 @@ import { PrecacheController, PrecacheRoute, type PrecacheEntry } from "workbox-p
 import { registerRoute } from "workbox-routing";
 
 /*
- * Keeps the whole site on the device. A version is taken only as a whole: each file has to be the one that the build made, or the
- * version before stays in use. It takes over when no page of the older version is open, or when somebody asks for it.
+ * Keeps the whole site on the device. A version is taken only as a whole: each file has to be the one that the build
+ * made, or the version before stays in use. It takes over when no page of the older version is open, or when somebody
+ * asks for it.
  */
 
 declare const self: ServiceWorkerGlobalScope;
@@ -33,7 +34,11 @@ type Trust = (file: KeyedFile) => RequestCache;
 const trusting: Trust = ([url, cacheKey]) => (url === cacheKey ? "default" : "no-cache");
 
 /** Fetches what is missing. Gives what did not come or is not what the list says. */
-async function keepFiles(event: ExtendableEvent, wanted: readonly KeyedFile[], trust: Trust): Promise<readonly KeyedFile[]> {
+async function keepFiles(
+  event: ExtendableEvent,
+  wanted: readonly KeyedFile[],
+  trust: Trust,
+): Promise<readonly KeyedFile[]> {
   const waiting = [...wanted];
   const failed: KeyedFile[] = [];
   const work = async () => {
@@ -46,17 +51,26 @@ async function keepFiles(event: ExtendableEvent, wanted: readonly KeyedFile[], t
   return failed;
 }
 
-/** What lies in the browser's own store may be a page that a server gave in place of a missing file: the second time it is passed by. */
+/**
+ * What lies in the browser's own store may be a page that a server gave in place of a missing file: the second time it
+ * is passed by.
+ */
 async function keepAll(event: ExtendableEvent): Promise<void> {
   const failed = await keepFiles(event, [...controller.getURLsToCacheKeys()], trusting);
-  if (failed.length > 0 && (await keepFiles(event, failed, () => "reload")).length > 0) throw new Error("this version is not complete");
+  if (failed.length > 0 && (await keepFiles(event, failed, () => "reload")).length > 0)
+    throw new Error("this version is not complete");
 }
 
-/** Pages hold a lock with the address of their script: whether one of an older version is open, whose parts are still wanted. */
+/**
+ * Pages hold a lock with the address of their script: whether one of an older version is open, whose parts are still
+ * wanted.
+ */
 async function olderPages(): Promise<boolean> {
   if (!("locks" in self.navigator)) return false;
   const { held = [] } = await self.navigator.locks.query();
-  const pages = held.flatMap(({ name = "" }) => (name.startsWith(`turnwise page ${self.registration.scope}`) ? [name.slice(14)] : []));
+  const pages = held.flatMap(({ name = "" }) =>
+    name.startsWith(`turnwise page ${self.registration.scope}`) ? [name.slice(14)] : [],
+  );
   return pages.some((script) => !controller.getCacheKeyForURL(script));
 }
 
@@ -74,5 +88,8 @@ self.addEventListener("message", (event) => {
 
 registerRoute(new PrecacheRoute(controller, { ignoreURLParametersMatching: [/./], cleanURLs: false }));
 // A page of the version before, still open, fetches its own parts.
-registerRoute(({ url }) => url.href.startsWith(`${self.registration.scope}assets/`),
-  async ({ request }) => (await caches.match(request.url, { cacheName: cacheNames.precache, ignoreVary: true })) ?? fetch(request));
+registerRoute(
+  ({ url }) => url.href.startsWith(`${self.registration.scope}assets/`),
+  async ({ request }) =>
+    (await caches.match(request.url, { cacheName: cacheNames.precache, ignoreVary: true })) ?? fetch(request),
+);

@@ -35,9 +35,17 @@ interface Props {
 /** One field of a description. Each keystroke goes to the list; leaving it ends the step of undo. */
 export function OwnField({ className, label, name, text, problems, onText, kind = "text", hint }: Props) {
   return (
-    <LabelledInput className={`own-field ${className}`} label={label} text={text} onText={onText} onLeave={closeStep}
-      {...(kind === "whole" ? { kind: "typed", keypad: "words", inputMode: "numeric" } : { kind })} aria-label={name}
-      aria-invalid={text.trim() !== "" && problems.length > 0} placeholder={hint}
-      messages={<OwnProblems problems={problems} text={text} />} />
+    <LabelledInput
+      className={`own-field ${className}`}
+      label={label}
+      text={text}
+      onText={onText}
+      onLeave={closeStep}
+      {...(kind === "whole" ? { kind: "typed", keypad: "words", inputMode: "numeric" } : { kind })}
+      aria-label={name}
+      aria-invalid={text.trim() !== "" && problems.length > 0}
+      placeholder={hint}
+      messages={<OwnProblems problems={problems} text={text} />}
+    />
   );
 }

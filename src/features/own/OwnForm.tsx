@@ -42,7 +42,13 @@ export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) 
     <section className="own-form" ref={form} aria-label={t.form(name)} onKeyDown={onEnter}>
       <header>
         <h2>{name}</h2>
-        <button type="button" className="button" aria-label={t.duplicateLong(name)} disabled={!onDuplicate} onClick={() => onDuplicate?.()}>
+        <button
+          type="button"
+          className="button"
+          aria-label={t.duplicateLong(name)}
+          disabled={!onDuplicate}
+          onClick={() => onDuplicate?.()}
+        >
           <Icon name="copy" /> {t.duplicate}
         </button>
         <button type="button" className="button" aria-label={t.removeLong(name)} onClick={onRemove}>
@@ -50,17 +56,34 @@ export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) 
         </button>
       </header>
       <div className="own-names">
-        <OwnField className="own-number" label={t.number} text={entry.number} problems={at("number")} kind="whole"
-          onText={(text) => setHead(entry.id, "number", text)} />
-        <OwnField className="own-name" label={t.name} text={entry.name} problems={at("name")}
-          onText={(text) => setHead(entry.id, "name", text)} />
+        <OwnField
+          className="own-number"
+          label={t.number}
+          text={entry.number}
+          problems={at("number")}
+          kind="whole"
+          onText={(text) => setHead(entry.id, "number", text)}
+        />
+        <OwnField
+          className="own-name"
+          label={t.name}
+          text={entry.name}
+          problems={at("name")}
+          onText={(text) => setHead(entry.id, "name", text)}
+        />
       </div>
       <p className="small soft">{t.oneText}</p>
       <h3>{t.parameters}</h3>
       <ol className="own-parameters">
         {entry.parameters.map((p, i) => (
           <li key={p.id}>
-            <ParameterCard cycle={entry.id} parameter={p} at={i} count={entry.parameters.length} problems={reading.problems} />
+            <ParameterCard
+              cycle={entry.id}
+              parameter={p}
+              at={i}
+              count={entry.parameters.length}
+              problems={reading.problems}
+            />
           </li>
         ))}
       </ol>
@@ -75,7 +98,9 @@ export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) 
       {reading.cycle && (
         <figure className="own-text" aria-label={t.text}>
           <figcaption className="panel-title">{t.text}</figcaption>
-          <pre className="number" tabIndex={0}>{statementLines(ownStatement(reading.cycle), LAYOUTS.tnc7).join("\n")}</pre>
+          <pre className="number" tabIndex={0}>
+            {statementLines(ownStatement(reading.cycle), LAYOUTS.tnc7).join("\n")}
+          </pre>
         </figure>
       )}
     </section>

@@ -47,7 +47,9 @@ test("a cycle is described by keyboard: the number is asked first, Enter goes on
   expect(screen.queryByRole("figure", { name: t.text })).toBeNull();
   await user.type(field(`Q1711: ${t.cells.prompt}`), "PULL LENGTH");
   await user.type(field(`Q1711: ${t.cells.first}`), "15*2+1.7{Enter}");
-  expect(screen.getByRole("figure", { name: t.text }).textContent).toContain("CYCL DEF 317 BAR PULLER ~\nQ1711=+31.7 ;PULL LENGTH");
+  expect(screen.getByRole("figure", { name: t.text }).textContent).toContain(
+    "CYCL DEF 317 BAR PULLER ~\nQ1711=+31.7 ;PULL LENGTH",
+  );
   await user.keyboard("{Enter}");
   expect(document.activeElement).toBe(field(`Q1712: ${t.cells.q}`));
 });
@@ -58,7 +60,9 @@ test("what is wrong stands at its field, and the list names the cycle that canno
   render(<OwnPage />);
   const user = userEvent.setup();
   expect(screen.getByText(t.problems.known("812"))).toBeTruthy();
-  expect(screen.getByRole("button", { name: `${t.select(t.cycleName("812", "BAR PULLER"))}, ${t.hasError}` })).toBeTruthy();
+  expect(
+    screen.getByRole("button", { name: `${t.select(t.cycleName("812", "BAR PULLER"))}, ${t.hasError}` }),
+  ).toBeTruthy();
   await user.clear(field(t.number));
   await user.type(field(t.number), "317");
   expect(screen.getByText(t.problems.twice("317"))).toBeTruthy();
@@ -96,10 +100,12 @@ test("duplicate, delete, and undo beside what was said", async () => {
 });
 
 test("parameters are moved and deleted; a choice asks for its values instead of bounds", async () => {
-  ownRecord.replace([{
-    ...entry("c1", "317"),
-    parameters: [newParameter("p1", { q: "Q1", prompt: "A" }), newParameter("p2", { q: "Q2", prompt: "B" })],
-  }]);
+  ownRecord.replace([
+    {
+      ...entry("c1", "317"),
+      parameters: [newParameter("p1", { q: "Q1", prompt: "A" }), newParameter("p2", { q: "Q2", prompt: "B" })],
+    },
+  ]);
   render(<OwnPage />);
   const user = userEvent.setup();
   await user.click(screen.getByRole("button", { name: t.raise("Q2") }));
@@ -125,14 +131,23 @@ test("a block is described once", () => {
 test("a file comes in as one step, or not at all", async () => {
   ownRecord.replace([entry("c1", "317")]);
   const file = (text: string) => new File([text], "a.json");
-  const said = await importOwnFile(file('{"cycles":[{"number":317,"name":"NEW"},{"number":812,"name":"B","depth":1}]}'), t);
-  expect(said.sentences).toEqual([t.files.imported("a.json", 1, 1), t.files.importedWrong(1), t.files.leftOut("depth")]);
+  const said = await importOwnFile(
+    file('{"cycles":[{"number":317,"name":"NEW"},{"number":812,"name":"B","depth":1}]}'),
+    t,
+  );
+  expect(said.sentences).toEqual([
+    t.files.imported("a.json", 1, 1),
+    t.files.importedWrong(1),
+    t.files.leftOut("depth"),
+  ]);
   expect(list().map(({ id, name }) => `${id} ${name}`)).toEqual(["c1 NEW", "c2 B"]);
   undo();
   expect(list()).toEqual([entry("c1", "317")]);
   expect((await importOwnFile(file("Dear sirs"), t)).sentences).toEqual([t.files.notALibrary("a.json")]);
   const full = Array.from({ length: OWN_SIZES.cycles }, (_, i) => ({ number: 1000 + i, name: "A" }));
-  expect((await importOwnFile(file(JSON.stringify({ cycles: full })), t)).sentences).toEqual([t.files.tooMany("a.json", OWN_SIZES.cycles)]);
+  expect((await importOwnFile(file(JSON.stringify({ cycles: full })), t)).sentences).toEqual([
+    t.files.tooMany("a.json", OWN_SIZES.cycles),
+  ]);
   const big = file(" ");
   vi.spyOn(big, "size", "get").mockReturnValue(2_000_001);
   expect((await importOwnFile(big, t)).sentences).toEqual([t.files.tooLarge("a.json")]);
@@ -143,7 +158,13 @@ test("what is kept comes back; damaged data do not", () => {
   const own = [entry("c1", "31x"), entry("c2", "317", "")];
   expect(ownRecord.read(ownRecord.write(own))).toEqual(own);
   const wrongKind = JSON.parse(JSON.stringify({ version: 1, cycles: own }).replace('"length"', '"depth"')) as unknown;
-  for (const damaged of [undefined, [], { version: 2, cycles: [] }, { version: 1, cycles: [own[0], own[0]] }, wrongKind])
+  for (const damaged of [
+    undefined,
+    [],
+    { version: 2, cycles: [] },
+    { version: 1, cycles: [own[0], own[0]] },
+    wrongKind,
+  ])
     expect(ownRecord.read(damaged)).toBeNull();
 });
 
@@ -157,7 +178,10 @@ test("changes are kept on the device, damaged lists are set aside, other tabs ar
   expect(localStorage.getItem("turnwise/own-cycles")).toBeNull();
   ownRecord.put([entry("c1", "317")]);
   dispatchEvent(new Event("pagehide"));
-  expect(JSON.parse(localStorage.getItem("turnwise/own-cycles") ?? "")).toEqual({ version: 1, cycles: [entry("c1", "317")] });
+  expect(JSON.parse(localStorage.getItem("turnwise/own-cycles") ?? "")).toEqual({
+    version: 1,
+    cycles: [entry("c1", "317")],
+  });
   editOwn(() => [entry("c1", "318")]);
   const foreign = [entry("c7", "320")];
   fromOtherTab(JSON.stringify(ownRecord.write(foreign)));

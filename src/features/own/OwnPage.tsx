@@ -29,13 +29,20 @@ export function OwnPage() {
 
   const focusRow = () =>
     requestAnimationFrame(() =>
-      (page.current?.querySelector<HTMLElement>(".own-row[aria-current]") ?? page.current?.querySelector("button"))?.focus()
+      (
+        page.current?.querySelector<HTMLElement>(".own-row[aria-current]") ?? page.current?.querySelector("button")
+      )?.focus(),
     );
   useEffect(() => {
-    if (focus === 0) (page.current?.querySelector<HTMLElement>(".own-row[aria-current]") ?? page.current?.querySelector("button"))?.focus();
+    if (focus === 0)
+      (
+        page.current?.querySelector<HTMLElement>(".own-row[aria-current]") ?? page.current?.querySelector("button")
+      )?.focus();
     else {
-      // What a program proposes is there: the first text that is missing is asked for, or else the kind of the first parameter.
-      const [number, ...words] = page.current?.querySelectorAll<HTMLInputElement>(".own-names input, .own-prompt input") ?? [];
+      // What a program proposes is there: the first text that is missing is asked for, or else the kind of the first
+      // parameter.
+      const [number, ...words] =
+        page.current?.querySelectorAll<HTMLInputElement>(".own-names input, .own-prompt input") ?? [];
       const missing = words[0]?.value === "" ? number : words.find(({ value }) => value === "");
       (missing ?? page.current?.querySelector<HTMLElement>(".own-parameter select") ?? number)?.focus();
       missing?.select();
@@ -53,7 +60,12 @@ export function OwnPage() {
   };
   const onRowKey = (event: KeyboardEvent) => {
     const at = entry ? list.indexOf(entry) : -1;
-    const ways: Readonly<Record<string, number>> = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: list.length - 1 };
+    const ways: Readonly<Record<string, number>> = {
+      ArrowDown: at + 1,
+      ArrowUp: at - 1,
+      Home: 0,
+      End: list.length - 1,
+    };
     const next = list[ways[event.key] ?? -1];
     if (!next) return;
     event.preventDefault();
@@ -77,56 +89,89 @@ export function OwnPage() {
           </button>
         </div>
         <div className="tool-buttons" role="group" aria-label={t.files.name}>
-          <button type="button" className="button" aria-label={t.files.importLong} onClick={() => file.current?.click()}>
+          <button
+            type="button"
+            className="button"
+            aria-label={t.files.importLong}
+            onClick={() => file.current?.click()}
+          >
             <Icon name="add" /> {t.files.import}
           </button>
-          <button type="button" className="button" aria-label={t.files.exportLong} disabled={list.length === 0}
+          <button
+            type="button"
+            className="button"
+            aria-label={t.files.exportLong}
+            disabled={list.length === 0}
             onClick={() => setSaid(exportOwn(t))}
           >
             <Icon name="download" /> {t.files.export}
           </button>
-          <input ref={file} type="file" hidden accept=".json,application/json" onChange={(e) => {
-            const [chosen] = e.currentTarget.files ?? [];
-            e.currentTarget.value = "";
-            if (chosen) void importOwnFile(chosen, t).then(setSaid);
-          }} />
+          <input
+            ref={file}
+            type="file"
+            hidden
+            accept=".json,application/json"
+            onChange={(e) => {
+              const [chosen] = e.currentTarget.files ?? [];
+              e.currentTarget.value = "";
+              if (chosen) void importOwnFile(chosen, t).then(setSaid);
+            }}
+          />
         </div>
       </div>
-      <TableStatus said={said} undo={t.undo} done={() => {
-        setSaid(null);
-        focusRow();
-      }} />
-      <TableTabs open="own" onOwn={() => undefined} onTools={(kind) => {
-        showToolKind(kind);
-        showTools();
-      }} />
+      <TableStatus
+        said={said}
+        undo={t.undo}
+        done={() => {
+          setSaid(null);
+          focusRow();
+        }}
+      />
+      <TableTabs
+        open="own"
+        onOwn={() => undefined}
+        onTools={(kind) => {
+          showToolKind(kind);
+          showTools();
+        }}
+      />
       <div className="tool-list">
-        {list.length === 0
-          ? <p className="tool-none">{t.none}</p>
-          : (
-            <ul className="own-list" aria-label={t.list} onKeyDown={onRowKey}>
-              {list.map((each) => {
-                const wrong = (rows.get(each.id)?.problems.length ?? 0) > 0;
-                return (
-                  <li key={each.id}>
-                    <button type="button" className="own-row" tabIndex={each === entry ? 0 : -1}
-                      aria-current={each === entry ? "true" : undefined}
-                      aria-label={`${t.select(nameOf(each))}${wrong ? `, ${t.hasError}` : ""}`} onClick={() => openOwn(each.id)}
-                    >
-                      <b className="number">{each.number.trim() || "–"}</b>
-                      <span className="own-row-name">{each.name}</span>
-                      <span className="small soft">{t.parameterCount(each.parameters.length)}</span>
-                      {wrong && <Icon name="error" />}
-                    </button>
-                  </li>
-                );
-              })}
-            </ul>
-          )}
+        {list.length === 0 ? (
+          <p className="tool-none">{t.none}</p>
+        ) : (
+          <ul className="own-list" aria-label={t.list} onKeyDown={onRowKey}>
+            {list.map((each) => {
+              const wrong = (rows.get(each.id)?.problems.length ?? 0) > 0;
+              return (
+                <li key={each.id}>
+                  <button
+                    type="button"
+                    className="own-row"
+                    tabIndex={each === entry ? 0 : -1}
+                    aria-current={each === entry ? "true" : undefined}
+                    aria-label={`${t.select(nameOf(each))}${wrong ? `, ${t.hasError}` : ""}`}
+                    onClick={() => openOwn(each.id)}
+                  >
+                    <b className="number">{each.number.trim() || "–"}</b>
+                    <span className="own-row-name">{each.name}</span>
+                    <span className="small soft">{t.parameterCount(each.parameters.length)}</span>
+                    {wrong && <Icon name="error" />}
+                  </button>
+                </li>
+              );
+            })}
+          </ul>
+        )}
       </div>
       {entry && reading && (
-        <OwnForm key={entry.id} entry={entry} reading={reading} name={nameOf(entry)} onDuplicate={full ? null : () =>
-          edited(duplicateOwn(entry.id))} onRemove={() => remove(entry)} />
+        <OwnForm
+          key={entry.id}
+          entry={entry}
+          reading={reading}
+          name={nameOf(entry)}
+          onDuplicate={full ? null : () => edited(duplicateOwn(entry.id))}
+          onRemove={() => remove(entry)}
+        />
       )}
     </main>
   );

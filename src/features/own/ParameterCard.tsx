@@ -1,5 +1,12 @@
 import { useId } from "react";
-import { fieldId, OWN_KINDS, type OwnCell, type OwnKind, type OwnParameterEntry, type OwnProblem } from "../../program/edits/own-cycle.ts";
+import {
+  fieldId,
+  OWN_KINDS,
+  type OwnCell,
+  type OwnKind,
+  type OwnParameterEntry,
+  type OwnProblem,
+} from "../../program/edits/own-cycle.ts";
 import { Icon, type IconName } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeStep } from "../../app/document/steps.ts";
@@ -23,12 +30,27 @@ export function ParameterCard({ cycle, parameter, at, count, problems }: Props) 
   const id = useId();
   const q = parameter.q.trim() || String(at + 1);
   const cell = (name: OwnCell, kind: "number" | "text" = "text", hint?: string) => (
-    <OwnField key={name} className={`own-${name}`} label={t.cells[name]} name={`${q}: ${t.cells[name]}`} text={parameter[name]}
-      problems={problems.filter((problem) => problem.at === fieldId(parameter.id, name))} kind={kind} {...(hint !== undefined && { hint })}
-      onText={(text) => setOwnParameter(cycle, parameter.id, { [name]: text })} />
+    <OwnField
+      key={name}
+      className={`own-${name}`}
+      label={t.cells[name]}
+      name={`${q}: ${t.cells[name]}`}
+      text={parameter[name]}
+      problems={problems.filter((problem) => problem.at === fieldId(parameter.id, name))}
+      kind={kind}
+      {...(hint !== undefined && { hint })}
+      onText={(text) => setOwnParameter(cycle, parameter.id, { [name]: text })}
+    />
   );
   const tool = (icon: IconName, name: string, act: () => void, disabled = false) => (
-    <button type="button" className="button icon plain" aria-label={name} title={name} disabled={disabled} onClick={act}>
+    <button
+      type="button"
+      className="button icon plain"
+      aria-label={name}
+      title={name}
+      disabled={disabled}
+      onClick={act}
+    >
       <Icon name={icon} />
     </button>
   );
@@ -37,12 +59,22 @@ export function ParameterCard({ cycle, parameter, at, count, problems }: Props) 
       {cell("q")}
       <div className="own-field own-kind">
         <label htmlFor={id}>{t.kind}</label>
-        <select id={id} className="select" aria-label={`${q}: ${t.kind}`} value={parameter.kind} onChange={({ target }) => {
-          closeStep();
-          if (isKind(target.value)) setOwnParameter(cycle, parameter.id, { kind: target.value });
-          closeStep();
-        }}>
-          {OWN_KINDS.map((kind) => <option key={kind} value={kind}>{t.kinds[kind]}</option>)}
+        <select
+          id={id}
+          className="select"
+          aria-label={`${q}: ${t.kind}`}
+          value={parameter.kind}
+          onChange={({ target }) => {
+            closeStep();
+            if (isKind(target.value)) setOwnParameter(cycle, parameter.id, { kind: target.value });
+            closeStep();
+          }}
+        >
+          {OWN_KINDS.map((kind) => (
+            <option key={kind} value={kind}>
+              {t.kinds[kind]}
+            </option>
+          ))}
         </select>
       </div>
       <div className="own-tools">
@@ -51,7 +83,9 @@ export function ParameterCard({ cycle, parameter, at, count, problems }: Props) 
         {tool("remove", t.removeParameter(q), () => removeParameter(cycle, parameter.id))}
       </div>
       {cell("prompt")}
-      {parameter.kind === "choice" ? cell("choices", "text", t.choicesHint) : [cell("min", "number"), cell("max", "number")]}
+      {parameter.kind === "choice"
+        ? cell("choices", "text", t.choicesHint)
+        : [cell("min", "number"), cell("max", "number")]}
       {cell("first", "number")}
     </div>
   );

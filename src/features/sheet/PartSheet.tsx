@@ -12,24 +12,38 @@ import type { SheetWords } from "./sheet-words.ts";
 const ROOM = { width: 124, height: 96 } as const;
 
 /** The set-up to scale, as a drawing for black and white. */
-export function PartSheet({ outcome, measured, name, t, words }: { readonly outcome: Outcome | null;
-  readonly measured: readonly MeasurementNow[]; readonly name: string; readonly t: SheetTexts; readonly words: SheetWords })
-{
+export function PartSheet({
+  outcome,
+  measured,
+  name,
+  t,
+  words,
+}: {
+  readonly outcome: Outcome | null;
+  readonly measured: readonly MeasurementNow[];
+  readonly name: string;
+  readonly t: SheetTexts;
+  readonly words: SheetWords;
+}) {
   const drawn = useDrawnMeasured(measured, outcome?.run);
   const hatch = useId();
   const drawing = useMemo(() => {
     if (!outcome) return null;
     const { run, simulation } = outcome;
-    return partDrawing({
-      blank: run.blank,
-      finished: madeOf(simulation),
-      contours: run.operations.map(({ plan: { contour, thread } }) => ({
-        segments: contour,
-        ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
-      })),
-      clamping: run.clamping,
-      measured: drawn,
-    }, words, ROOM);
+    return partDrawing(
+      {
+        blank: run.blank,
+        finished: madeOf(simulation),
+        contours: run.operations.map(({ plan: { contour, thread } }) => ({
+          segments: contour,
+          ...(thread && { thread: { lead: thread.lead, starts: thread.starts } }),
+        })),
+        clamping: run.clamping,
+        measured: drawn,
+      },
+      words,
+      ROOM,
+    );
   }, [outcome, words, drawn]);
   if (!drawing) return <p className="sheet-soft">{t.noDrawing}</p>;
   const { scale, width, height, shapes, texts, left } = drawing;
@@ -43,14 +57,25 @@ export function PartSheet({ outcome, measured, name, t, words }: { readonly outc
           <path key={i} className={`sheet-${role}`} d={d} {...(role === "section" && { fill: `url(#${hatch})` })} />
         ))}
         {texts.map(({ text, at: { x, y }, turned }, i) => (
-          <text key={i} x={x} y={y} fontSize={FIGURES} className="sheet-figure" {...(turned && { transform: `rotate(-90 ${x} ${y})` })}>
+          <text
+            key={i}
+            x={x}
+            y={y}
+            fontSize={FIGURES}
+            className="sheet-figure"
+            {...(turned && { transform: `rotate(-90 ${x} ${y})` })}
+          >
             {text}
           </text>
         ))}
       </svg>
       <figcaption>
         <b>{t.scale(scale.paper, scale.part)}</b>
-        <span>{[t.brackets, ...(outcome?.run.clamping ? [] : [t.chuckNote]), ...(left > 0 ? [t.leftOut(left)] : [])].join(" · ")}</span>
+        <span>
+          {[t.brackets, ...(outcome?.run.clamping ? [] : [t.chuckNote]), ...(left > 0 ? [t.leftOut(left)] : [])].join(
+            " · ",
+          )}
+        </span>
       </figcaption>
     </figure>
   );

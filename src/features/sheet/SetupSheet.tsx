@@ -34,9 +34,17 @@ function stampOf(verdict: ShownVerdict, hasOutcome: boolean): Stamp {
   return tone === "good" || tone === "plain" ? tone : "doubt";
 }
 
-function Verdict({ t, hasOutcome, isCalculated, date }: { readonly t: SheetTexts; readonly hasOutcome: boolean;
-  readonly isCalculated: boolean; readonly date: string })
-{
+function Verdict({
+  t,
+  hasOutcome,
+  isCalculated,
+  date,
+}: {
+  readonly t: SheetTexts;
+  readonly hasOutcome: boolean;
+  readonly isCalculated: boolean;
+  readonly date: string;
+}) {
   const texts = useTexts().findings.verdict;
   const lengths = useLengths();
   const verdict = useVerdict();
@@ -47,10 +55,16 @@ function Verdict({ t, hasOutcome, isCalculated, date }: { readonly t: SheetTexts
   const grave = stamp === "faults" || stamp === "incomplete" || stamp === "none";
   return (
     <section className={`sheet-verdict${grave ? " sheet-grave" : ""}`}>
-      <h2>{stamp !== "good" && <Icon name={stamp === "faults" ? "error" : "warning"} />} {t.stamp[stamp]}</h2>
+      <h2>
+        {stamp !== "good" && <Icon name={stamp === "faults" ? "error" : "warning"} />} {t.stamp[stamp]}
+      </h2>
       {hasOutcome && stamp !== "good" && <p>{verdictTitle(texts, lengths, verdict)}</p>}
-      {reasons.map((reason) => <p key={reason}>{reason}</p>)}
-      <p className="sheet-small">{t.stamp.dryRun} {date}, Turnwise {import.meta.env["VITE_VERSION"]}</p>
+      {reasons.map((reason) => (
+        <p key={reason}>{reason}</p>
+      ))}
+      <p className="sheet-small">
+        {t.stamp.dryRun} {date}, Turnwise {import.meta.env["VITE_VERSION"]}
+      </p>
     </section>
   );
 }
@@ -67,15 +81,17 @@ function FindingLines({ t, source }: { readonly t: SheetTexts; readonly source: 
       <h2>{t.findings}</h2>
       <ul>
         {listed.slice(0, MOST.findings).map((entry) => {
-          const cycle = (entry.operation === null ? undefined : run?.operations[entry.operation]?.cycle) ?? job?.cycle ?? null;
+          const cycle =
+            (entry.operation === null ? undefined : run?.operations[entry.operation]?.cycle) ?? job?.cycle ?? null;
           const where = entry.inFile
             ? placeInFile(texts, entry.inFile)
             : entry.block === null
-            ? ""
-            : texts.findings.inBlock(String(entry.block));
+              ? ""
+              : texts.findings.inBlock(String(entry.block));
           return (
             <li key={entry.id}>
-              <Icon name={entry.issue.severity} /> {issueText(texts, lengths, entry.issue, cycle)} {where && `(${where})`}
+              <Icon name={entry.issue.severity} /> {issueText(texts, lengths, entry.issue, cycle)}{" "}
+              {where && `(${where})`}
             </li>
           );
         })}
@@ -86,15 +102,25 @@ function FindingLines({ t, source }: { readonly t: SheetTexts; readonly source: 
 }
 
 /** The sheet as it is printed: the set-up for the setter, then the program. */
-export function SetupSheet({ source, t, date }: { readonly source: SheetSource; readonly t: SheetTexts; readonly date: string }) {
+export function SetupSheet({
+  source,
+  t,
+  date,
+}: {
+  readonly source: SheetSource;
+  readonly t: SheetTexts;
+  readonly date: string;
+}) {
   const texts = useTexts();
   const { language, paper, sheetProgram } = useSettings();
   const work = useEditor((s) => s.program);
   const isCalculated = useIsCalculated(source);
-  const { unit } = source.data, lengths = useMemo(() => lengthsOf(language, unit), [language, unit]);
+  const { unit } = source.data,
+    lengths = useMemo(() => lengthsOf(language, unit), [language, unit]);
   const words = useMemo(() => sheetWords(texts, t, lengths), [texts, t, lengths]);
   const { data, outcome, program, control, file, remarks } = source;
-  const name = data.name || file, measured = useSheetMeasured(outcome);
+  const name = data.name || file,
+    measured = useSheetMeasured(outcome);
   const { comma } = SCREEN_LANGUAGES[language];
   const head: readonly (readonly [string, ReactNode])[] = [
     [t.head.file, file],

@@ -22,7 +22,9 @@ function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number): str
 /** A stated clamping in the words of its fields, each on a line. */
 function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords): readonly string[] {
   // The names of diameters have their sign already.
-  const across = words.length, along = words.signed, said = (name: string, value: string) => [`${name} ${value}`];
+  const across = words.length,
+    along = words.signed,
+    said = (name: string, value: string) => [`${name} ${value}`];
   const { tailstock, limit, size } = c;
   return [
     t.kinds[c.kind],
@@ -37,17 +39,30 @@ function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords): readonl
 }
 
 /** What the setter needs beside the drawing. */
-export function SheetFacts({ source: { data, outcome }, work, t, words, comma }: { readonly source: SheetSource;
-  readonly work: ProgramWork | null; readonly t: SheetTexts["facts"]; readonly words: SheetWords; readonly comma: string })
-{
-  const run = outcome?.run ?? null, clamping = useTextsSoon("clamping"), held = run?.clamping?.clamping;
+export function SheetFacts({
+  source: { data, outcome },
+  work,
+  t,
+  words,
+  comma,
+}: {
+  readonly source: SheetSource;
+  readonly work: ProgramWork | null;
+  readonly t: SheetTexts["facts"];
+  readonly words: SheetWords;
+  readonly comma: string;
+}) {
+  const run = outcome?.run ?? null,
+    clamping = useTextsSoon("clamping"),
+    held = run?.clamping?.clamping;
   const box = run ? boundsOf(run.blank.flat()) : null;
   const cuts = run ? boundsOf(run.steps.filter(({ move }) => move.kind !== "rapid").map(({ move }) => move.to)) : null;
-  const limits = data.operations.flatMap(({ spindle }) => spindle ? [spindle.kind === "surface" ? spindle.limit : spindle.speed] : [])
+  const limits = data.operations
+    .flatMap(({ spindle }) => (spindle ? [spindle.kind === "surface" ? spindle.limit : spindle.speed] : []))
     .filter((speed) => speed > 0);
   const missing = work ? missingFiles(work, outcome) : [];
-  const files = [...new Set([...(work ? filesOf(work).map(({ name }) => name) : []), ...data.files])].filter((name) =>
-    !missing.includes(name)
+  const files = [...new Set([...(work ? filesOf(work).map(({ name }) => name) : []), ...data.files])].filter(
+    (name) => !missing.includes(name),
   );
   const bore = box && box.low > SAME ? `, ${t.bore} ${words.diameter(toDiameter(radius(box.low)))}` : "";
   const facts: readonly (readonly [string, ReactNode])[] = [
@@ -56,8 +71,8 @@ export function SheetFacts({ source: { data, outcome }, work, t, words, comma }:
       box
         ? `${words.diameter(toDiameter(radius(box.high)))} × ${words.length(box.right - box.left)}${bore}`
         : data.box
-        ? data.box.map((size) => words.length(size)).join(" × ")
-        : t.noBlank,
+          ? data.box.map((size) => words.length(size)).join(" × ")
+          : t.noBlank,
     ],
     ...(box && box.right > SAME ? [[t.front, words.units(`${words.length(box.right)} mm`)] as const] : []),
     [t.zero, box ? zeroText(t, words, box.right) : t.asMachine],
@@ -73,7 +88,9 @@ export function SheetFacts({ source: { data, outcome }, work, t, words, comma }:
     ...(files.length + missing.length > 0
       ? [[t.files, [...files, ...missing.map((name) => `${name} (${t.missing})`)].join(comma)] as const]
       : []),
-    ...(data.unknownCycles.length > 0 ? [[t.cycles, data.unknownCycles.map((n) => t.cycle(String(n))).join(comma)] as const] : []),
+    ...(data.unknownCycles.length > 0
+      ? [[t.cycles, data.unknownCycles.map((n) => t.cycle(String(n))).join(comma)] as const]
+      : []),
     ...(outcome?.marked ? [[t.skipped, work?.skipMarked ? t.leftOutBlocks : t.runBlocks] as const] : []),
   ];
   return (

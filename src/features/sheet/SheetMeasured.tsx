@@ -18,36 +18,60 @@ const NOTHING: readonly MeasurementNow[] = [];
 
 /** What was measured in the open work, as far as the sheet is to show it. */
 export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementNow[] {
-  const list = useEditor(measuredIn), isShown = useSettings((s) => s.sheetMeasured);
-  return useMemo(() => (outcome && isShown ? [measurableRun, measurablePlane].flatMap((of) => readIn(list, of(outcome.run))) : NOTHING), [
-    outcome,
-    list,
-    isShown,
-  ]);
+  const list = useEditor(measuredIn),
+    isShown = useSettings((s) => s.sheetMeasured);
+  return useMemo(
+    () =>
+      outcome && isShown ? [measurableRun, measurablePlane].flatMap((of) => readIn(list, of(outcome.run))) : NOTHING,
+    [outcome, list, isShown],
+  );
 }
 
 /** Those that are drawn: of the finished part. Half-made parts and milled planes are not on the drawing. */
-export function useDrawnMeasured(measured: readonly MeasurementNow[], run: Run | undefined): readonly SheetMeasurement[] {
-  const t = useTexts("measure"), lengths = useLengths(run);
-  return useMemo(() =>
-    measured.flatMap((each) => {
-      const { measurement: { id, plane, moment }, figure, isOld } = each;
-      const isDrawn = !isOld && plane === "ZX" && moment?.block === undefined;
-      return isDrawn ? [{ id, figure, text: measurementWords(t, lengths, each).text }] : [];
-    }), [measured, t, lengths]);
+export function useDrawnMeasured(
+  measured: readonly MeasurementNow[],
+  run: Run | undefined,
+): readonly SheetMeasurement[] {
+  const t = useTexts("measure"),
+    lengths = useLengths(run);
+  return useMemo(
+    () =>
+      measured.flatMap((each) => {
+        const {
+          measurement: { id, plane, moment },
+          figure,
+          isOld,
+        } = each;
+        const isDrawn = !isOld && plane === "ZX" && moment?.block === undefined;
+        return isDrawn ? [{ id, figure, text: measurementWords(t, lengths, each).text }] : [];
+      }),
+    [measured, t, lengths],
+  );
 }
 
 /** What was measured, in words; what is of before a change is only counted. */
-export function SheetMeasured({ measured, run, t }: { readonly measured: readonly MeasurementNow[]; readonly run: Run | undefined;
-  readonly t: SheetTexts })
-{
-  const own = useTexts("measure"), lengths = useLengths(run);
+export function SheetMeasured({
+  measured,
+  run,
+  t,
+}: {
+  readonly measured: readonly MeasurementNow[];
+  readonly run: Run | undefined;
+  readonly t: SheetTexts;
+}) {
+  const own = useTexts("measure"),
+    lengths = useLengths(run);
   if (measured.length === 0) return null;
-  const said = measured.filter(({ isOld }) => !isOld), old = measured.length - said.length;
+  const said = measured.filter(({ isOld }) => !isOld),
+    old = measured.length - said.length;
   return (
     <section className="sheet-measured">
       <h2>{t.measured}</h2>
-      <ul>{said.map((each) => <li key={each.measurement.id}>{measurementWords(own, lengths, each).name}</li>)}</ul>
+      <ul>
+        {said.map((each) => (
+          <li key={each.measurement.id}>{measurementWords(own, lengths, each).name}</li>
+        ))}
+      </ul>
       {old > 0 && <p className="sheet-small">{t.measuredOld(old)}</p>}
     </section>
   );

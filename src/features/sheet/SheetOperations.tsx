@@ -7,13 +7,27 @@ import type { SheetWords } from "./sheet-words.ts";
 const NAMES = ["number", "name", "block", "tool", "start", "speed", "feed", "passes", "time"] as const;
 
 /** What is done, in order, and how long it takes. */
-export function SheetOperations({ data, t, words }: { readonly data: SetupData; readonly t: SheetTexts; readonly words: SheetWords }) {
+export function SheetOperations({
+  data,
+  t,
+  words,
+}: {
+  readonly data: SetupData;
+  readonly t: SheetTexts;
+  readonly words: SheetWords;
+}) {
   const texts = useTexts();
   if (data.operations.length === 0) return <p className="sheet-soft">{t.noOperations}</p>;
   return (
     <table className="sheet-table sheet-operations">
       <thead>
-        <tr>{NAMES.map((name) => <th key={name} scope="col">{t.operation[name]}</th>)}</tr>
+        <tr>
+          {NAMES.map((name) => (
+            <th key={name} scope="col">
+              {t.operation[name]}
+            </th>
+          ))}
+        </tr>
       </thead>
       <tbody>
         {data.operations.map((each, i) => {

@@ -45,8 +45,10 @@ export function SheetPage() {
   const now = useNow();
   const date = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(now);
   const { before, of, after } = t.page;
-  useFoot(source ? [source.data.name || source.file, date, `Turnwise ${import.meta.env["VITE_VERSION"]}`].join(" · ") : "",
-    `${JSON.stringify(before)} counter(page) ${JSON.stringify(of)} counter(pages) ${JSON.stringify(after)}`);
+  useFoot(
+    source ? [source.data.name || source.file, date, `Turnwise ${import.meta.env["VITE_VERSION"]}`].join(" · ") : "",
+    `${JSON.stringify(before)} counter(page) ${JSON.stringify(of)} counter(pages) ${JSON.stringify(after)}`,
+  );
   if (!source) return null;
   return (
     <main className="sheet-page">
@@ -57,20 +59,36 @@ export function SheetPage() {
           </button>
           <label>
             <span>{t.paper}</span>
-            <select className="select" value={paper} onChange={({ currentTarget: { value } }) => {
-              const chosen = PAPERS.find((each) => each === value);
-              if (chosen) changeSettings({ paper: chosen });
-            }}>
-              {PAPERS.map((each) => <option key={each} value={each}>{t.papers[each]}</option>)}
+            <select
+              className="select"
+              value={paper}
+              onChange={({ currentTarget: { value } }) => {
+                const chosen = PAPERS.find((each) => each === value);
+                if (chosen) changeSettings({ paper: chosen });
+              }}
+            >
+              {PAPERS.map((each) => (
+                <option key={each} value={each}>
+                  {t.papers[each]}
+                </option>
+              ))}
             </select>
           </label>
           <label className="sheet-check">
-            <input type="checkbox" checked={sheetProgram} onChange={(e) => changeSettings({ sheetProgram: e.currentTarget.checked })} />
+            <input
+              type="checkbox"
+              checked={sheetProgram}
+              onChange={(e) => changeSettings({ sheetProgram: e.currentTarget.checked })}
+            />
             <span>{t.withProgram}</span>
           </label>
           {isMeasured && (
             <label className="sheet-check">
-              <input type="checkbox" checked={sheetMeasured} onChange={(e) => changeSettings({ sheetMeasured: e.currentTarget.checked })} />
+              <input
+                type="checkbox"
+                checked={sheetMeasured}
+                onChange={(e) => changeSettings({ sheetMeasured: e.currentTarget.checked })}
+              />
               <span>{t.withMeasured}</span>
             </label>
           )}
@@ -80,8 +98,14 @@ export function SheetPage() {
         </div>
         <label className="sheet-write">
           <span>{t.remarks}</span>
-          <textarea rows={2} maxLength={LONGEST_REMARKS} placeholder={t.remarksHint} value={source.remarks}
-            onChange={(e) => setRemarks(e.currentTarget.value)} onBlur={closeStep} />
+          <textarea
+            rows={2}
+            maxLength={LONGEST_REMARKS}
+            placeholder={t.remarksHint}
+            value={source.remarks}
+            onChange={(e) => setRemarks(e.currentTarget.value)}
+            onBlur={closeStep}
+          />
         </label>
       </section>
       <SetupSheet source={source} t={t} date={date} />

@@ -15,12 +15,28 @@ function blocksOf(program: Program): readonly string[] {
 }
 
 /** The program as it leaves: in Klartext block by block, or its DIN/ISO file. */
-export function SheetProgram({ program, iso, name }: { readonly program: Program; readonly iso: string | null; readonly name: string }) {
+export function SheetProgram({
+  program,
+  iso,
+  name,
+}: {
+  readonly program: Program;
+  readonly iso: string | null;
+  readonly name: string;
+}) {
   const shown = iso === null ? blocksOf(program) : iso.trimEnd().split(/\r?\n/);
   return (
     <section className="sheet-program">
       <h2>{name}</h2>
-      {shown.length > MOST_BLOCKS ? <pre>{shown.join("\n")}</pre> : <ol>{shown.map((text, i) => <li key={i}>{text}</li>)}</ol>}
+      {shown.length > MOST_BLOCKS ? (
+        <pre>{shown.join("\n")}</pre>
+      ) : (
+        <ol>
+          {shown.map((text, i) => (
+            <li key={i}>{text}</li>
+          ))}
+        </ol>
+      )}
     </section>
   );
 }

@@ -6,7 +6,15 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import type { SheetWords } from "./sheet-words.ts";
 
 /** The running time, where it goes, and what it contains. */
-export function SheetTime({ run, t, words }: { readonly run: Run; readonly t: SheetTexts; readonly words: SheetWords }) {
+export function SheetTime({
+  run,
+  t,
+  words,
+}: {
+  readonly run: Run;
+  readonly t: SheetTexts;
+  readonly words: SheetWords;
+}) {
   const { time } = useTexts("machine");
   const language = useSettings((s) => s.language);
   const causes = timeCauses(time, run).map(([name, seconds]) => `${name} ${words.time(seconds)}`);

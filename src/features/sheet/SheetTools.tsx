@@ -11,23 +11,53 @@ const SIZE = { wide: 18, tall: 9 } as const;
 /** Half the cross at the theoretical tip, mm on paper. */
 const CROSS = 1;
 
-function Picture({ tool, mill, t }: { readonly tool: Tool | null; readonly mill: Mill | null; readonly t: SheetTexts["tool"] }) {
+function Picture({
+  tool,
+  mill,
+  t,
+}: {
+  readonly tool: Tool | null;
+  readonly mill: Mill | null;
+  readonly t: SheetTexts["tool"];
+}) {
   const picture = useMemo(() => (tool ? toolPicture(tool, SIZE) : mill ? millPicture(mill, SIZE) : null), [tool, mill]);
   if (!picture) return <span className="sheet-soft">–</span>;
   const { tip, scale } = picture;
   return (
     <span className="sheet-tool-picture">
-      <svg viewBox={`0 0 ${SIZE.wide} ${SIZE.tall}`} aria-hidden="true" style={{ width: `${SIZE.wide}mm`, height: `${SIZE.tall}mm` }}>
+      <svg
+        viewBox={`0 0 ${SIZE.wide} ${SIZE.tall}`}
+        aria-hidden="true"
+        style={{ width: `${SIZE.wide}mm`, height: `${SIZE.tall}mm` }}
+      >
         {picture.holder && <path className="sheet-holder" d={picture.holder} />}
         <path className="sheet-insert" d={picture.insert} />
-        <path className="sheet-tip" d={`M${tip.x - CROSS} ${tip.y}h${CROSS + CROSS}M${tip.x} ${tip.y - CROSS}v${CROSS + CROSS}`} />
+        <path
+          className="sheet-tip"
+          d={`M${tip.x - CROSS} ${tip.y}h${CROSS + CROSS}M${tip.x} ${tip.y - CROSS}v${CROSS + CROSS}`}
+        />
       </svg>
       <span className="sheet-small">{t.scale(scale.paper, scale.part)}</span>
     </span>
   );
 }
 
-const COLUMNS = ["TO", "RS", "T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "ZL", "XL", "DZL", "DXL", "DYL", "DRS", "R", "PITCH"] as const;
+const COLUMNS = [
+  "TO",
+  "RS",
+  "T-ANGLE",
+  "P-ANGLE",
+  "CUTLENGTH",
+  "CUTWIDTH",
+  "ZL",
+  "XL",
+  "DZL",
+  "DXL",
+  "DYL",
+  "DRS",
+  "R",
+  "PITCH",
+] as const;
 const MILL_COLUMNS = ["R", "DR", "T-ANGLE", "LCUTS", "PITCH"] as const;
 /** Columns whose 0 is said: the others say something only where they are not. */
 const ALWAYS: readonly string[] = ["TO", "RS", "R"];
@@ -44,7 +74,15 @@ function cells(tool: SheetTool, words: SheetWords): readonly string[] {
 const functionsText = (all: readonly number[]): string => all.map((m) => `M${m}`).join(" ");
 
 /** The tools in the order in which they are first called. */
-export function SheetTools({ data, t, words }: { readonly data: SetupData; readonly t: SheetTexts; readonly words: SheetWords }) {
+export function SheetTools({
+  data,
+  t,
+  words,
+}: {
+  readonly data: SetupData;
+  readonly t: SheetTexts;
+  readonly words: SheetWords;
+}) {
   if (data.tools.length === 0) return <p className="sheet-soft">{t.noTools}</p>;
   const heads = t.tool;
   return (
@@ -52,18 +90,25 @@ export function SheetTools({ data, t, words }: { readonly data: SetupData; reado
       <table className="sheet-table sheet-tools">
         <thead>
           <tr>
-            {(["number", "picture", "name", "data", "holder", "overhang", "spindle", "operations", "place"] as const).map((name) => (
-              <th key={name} scope="col">{heads[name]}</th>
+            {(
+              ["number", "picture", "name", "data", "holder", "overhang", "spindle", "operations", "place"] as const
+            ).map((name) => (
+              <th key={name} scope="col">
+                {heads[name]}
+              </th>
             ))}
           </tr>
         </thead>
         <tbody>
           {data.tools.map((each, index) => {
-            const { tool, mill, called, spindle, coolant } = each, known = tool ?? mill;
+            const { tool, mill, called, spindle, coolant } = each,
+              known = tool ?? mill;
             const used = data.operations.flatMap(({ tool: own }, i) => (own === index ? [i + 1] : []));
             return (
               <tr key={index}>
-                <th scope="row" className="sheet-big">{known ? words.number(known.T) : called}</th>
+                <th scope="row" className="sheet-big">
+                  {known ? words.number(known.T) : called}
+                </th>
                 <td>
                   <Picture tool={tool} mill={mill} t={heads} />
                 </td>
@@ -72,9 +117,17 @@ export function SheetTools({ data, t, words }: { readonly data: SetupData; reado
                   {known && <br />}
                   {tool ? t.types[tool.TYPE] : mill ? t.types[mill.TYPE ?? "mill"] : null}
                 </td>
-                <td className="sheet-cells">{cells(each, words).map((cell) => <span key={cell}>{cell}</span>)}</td>
+                <td className="sheet-cells">
+                  {cells(each, words).map((cell) => (
+                    <span key={cell}>{cell}</span>
+                  ))}
+                </td>
                 <td>
-                  {tool?.holder ? `${words.number(tool.holder.width)} × ${words.number(tool.holder.length)}` : <i>{heads.unknown}</i>}
+                  {tool?.holder ? (
+                    `${words.number(tool.holder.width)} × ${words.number(tool.holder.length)}`
+                  ) : (
+                    <i>{heads.unknown}</i>
+                  )}
                 </td>
                 <td>
                   <span className="sheet-line" />

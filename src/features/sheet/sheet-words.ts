@@ -52,11 +52,15 @@ export function sheetWords(t: Texts, own: SheetTexts, lengths: Lengths): SheetWo
       return t.page.effect.duration(Math.floor(whole / 60), formatFixed(language, whole % 60, 0));
     },
     feeds: (feeds) =>
-      (["mm/rev", "mm/min", "lead"] as const).flatMap((unit) => {
-        const own_ = feeds.filter((feed) => feed.unit === unit).map(({ value }) => length(value));
-        if (own_.length === 0) return [];
-        return unit === "lead" ? [`${unitOf.lead} ${own_.join(" / ")}`] : [`${own_.join(" / ")} ${lengths.words(unitOf[unit])}`];
-      }).join(", "),
+      (["mm/rev", "mm/min", "lead"] as const)
+        .flatMap((unit) => {
+          const own_ = feeds.filter((feed) => feed.unit === unit).map(({ value }) => length(value));
+          if (own_.length === 0) return [];
+          return unit === "lead"
+            ? [`${unitOf.lead} ${own_.join(" / ")}`]
+            : [`${own_.join(" / ")} ${lengths.words(unitOf[unit])}`];
+        })
+        .join(", "),
     spindle: (spindle) => {
       if (!spindle) return "";
       if (spindle.kind === "constant") return spindle.speed > 0 ? `S ${rpm(spindle.speed)}` : "";

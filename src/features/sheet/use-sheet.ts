@@ -35,22 +35,21 @@ export function useSheetSource(): SheetSource | null {
   const iso = useIsoFile(job);
   const settings = useSettings((s) => s.control);
   const { table } = toolsOnDevice(own.tools ?? shop);
-  const text = job ? printedText(job) : work?.text ?? null;
+  const text = job ? printedText(job) : (work?.text ?? null);
   const isOwn = newest !== null && !newest.isBeginning && (work ? isMadeFrom(newest, work) : newest.text === text);
   const outcome = isOwn ? newest : null;
   const program = useMemo(() => (text === null ? null : parse(text)), [text]);
-  const data = useMemo(() => program && setupData({ program, run: outcome?.run ?? null, tools: table.tools, mills: table.mills ?? [] }), [
-    program,
-    outcome,
-    table,
-  ]);
+  const data = useMemo(
+    () => program && setupData({ program, run: outcome?.run ?? null, tools: table.tools, mills: table.mills ?? [] }),
+    [program, outcome, table],
+  );
   if (text === null || !program || !data) return null;
   return {
     program,
     data,
     outcome,
     control: own.control ?? settings,
-    file: job ? fileOfJob(job) : work?.name ?? "",
+    file: job ? fileOfJob(job) : (work?.name ?? ""),
     iso: iso?.text ?? null,
     remarks: (job ?? work)?.remarks ?? "",
   };

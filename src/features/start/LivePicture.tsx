@@ -30,9 +30,17 @@ function put(svg: SVGSVGElement, run: LiveRun, time: number): number {
   return pass;
 }
 
-/** A real program on the lathe: the tool runs and the material goes. It can be held, and stands still where motion is not wanted. */
+/**
+ * A real program on the lathe: the tool runs and the material goes. It can be held, and stands still where motion is
+ * not wanted.
+ */
 export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
-  const { page: { start: { live: t }, effect } } = useTexts("first");
+  const {
+    page: {
+      start: { live: t },
+      effect,
+    },
+  } = useTexts("first");
   const language = useSettings((s) => s.language);
   const still = useSettings(reducedMotion);
   const [chosen, choose] = useState<boolean | null>(null);
@@ -71,7 +79,11 @@ export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
   const seconds = String((run?.seconds ?? 0) % 60).padStart(2, "0");
   return (
     <figure className="live-picture">
-      <svg ref={svg} viewBox={(run?.box ?? [-119, -51, 127, 102]).join(" ")} role="img" aria-label={run ? t.name(run.cycle) : undefined}
+      <svg
+        ref={svg}
+        viewBox={(run?.box ?? [-119, -51, 127, 102]).join(" ")}
+        role="img"
+        aria-label={run ? t.name(run.cycle) : undefined}
         aria-hidden={run ? undefined : true}
       >
         {run && (
@@ -107,7 +119,11 @@ export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
       <figcaption>
         {run && (
           <>
-            <button type="button" className="button icon plain" aria-label={plays ? t.pause : t.play} title={plays ? t.pause : t.play}
+            <button
+              type="button"
+              className="button icon plain"
+              aria-label={plays ? t.pause : t.play}
+              title={plays ? t.pause : t.play}
               onClick={() => choose(!plays)}
             >
               <Icon name={plays ? "pause" : "play"} />

@@ -1,6 +1,13 @@
 import { useRef, useState } from "react";
 import type { ExampleId } from "../../examples/index.ts";
-import { canOpenFiles, ENDINGS, pickFiles, pickFolder, plainFiles, type Chosen } from "../../app/records/files/file-handle.ts";
+import {
+  canOpenFiles,
+  ENDINGS,
+  pickFiles,
+  pickFolder,
+  plainFiles,
+  type Chosen,
+} from "../../app/records/files/file-handle.ts";
 import type * as FolderPart from "../../app/records/files/folder.ts";
 import { untilHere } from "../../app/base/parts.ts";
 import { openFiles, openFolder, openText, type Opening } from "../../app/fields/open/open-program.ts";
@@ -47,16 +54,37 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
       <h2>{t.programs.title}</h2>
       <p className="soft">{t.programs.lead}</p>
       <div className="program-ways">
-        <button type="button" className="button primary" onClick={() => void ask()}>{t.programs.openFile}</button>
-        <input ref={file} type="file" multiple hidden accept={[...ENDINGS, "text/plain", ".zip", ".json"].join(",")}
-          onChange={(event) => void take(plainFiles(event.currentTarget.files))} />
-        <button type="button" className="button" onClick={() => void askFolder()}>{t.programs.openFolder}</button>
-        <input ref={folder} type="file" multiple hidden {...{ webkitdirectory: "" }} onChange={(event) => {
-          const list = [...event.currentTarget.files ?? []];
-          if (list.length > 0) void takeFolder(({ filesOfList }) => filesOfList(list));
-        }} />
-        <button type="button" className="button" onClick={() => dialog.current?.showModal()}>{t.programs.paste}</button>
-        <button type="button" className="button" onClick={() => create(true)}>{t.programs.create}</button>
+        <button type="button" className="button primary" onClick={() => void ask()}>
+          {t.programs.openFile}
+        </button>
+        <input
+          ref={file}
+          type="file"
+          multiple
+          hidden
+          accept={[...ENDINGS, "text/plain", ".zip", ".json"].join(",")}
+          onChange={(event) => void take(plainFiles(event.currentTarget.files))}
+        />
+        <button type="button" className="button" onClick={() => void askFolder()}>
+          {t.programs.openFolder}
+        </button>
+        <input
+          ref={folder}
+          type="file"
+          multiple
+          hidden
+          {...{ webkitdirectory: "" }}
+          onChange={(event) => {
+            const list = [...(event.currentTarget.files ?? [])];
+            if (list.length > 0) void takeFolder(({ filesOfList }) => filesOfList(list));
+          }}
+        />
+        <button type="button" className="button" onClick={() => dialog.current?.showModal()}>
+          {t.programs.paste}
+        </button>
+        <button type="button" className="button" onClick={() => create(true)}>
+          {t.programs.create}
+        </button>
         <WhichButton className="button" name={t.start.which} />
         <span className="soft small">{t.programs.drop}</span>
       </div>
@@ -71,7 +99,10 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
       <ul className="program-examples">
         {Object.entries(t.examples as Readonly<Record<ExampleId, string>>).map(([id, title]) => (
           <li key={id}>
-            <button type="button" className="button program-example" aria-label={t.programs.example(title)}
+            <button
+              type="button"
+              className="button program-example"
+              aria-label={t.programs.example(title)}
               onClick={() => void openExample(id)}
             >
               <PartPicture of={pictures?.examples[id as ExampleId]} />
@@ -83,23 +114,37 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
       {creating && <CreateProgram done={() => create(false)} />}
       <dialog ref={dialog} className="paste-program" aria-label={t.programs.pasteTitle}>
         <h2>{t.programs.pasteTitle}</h2>
-        <textarea className="number" rows={14} spellCheck={false} aria-label={t.programs.pasteLabel} ref={area}
-          onChange={(event) => paste(event.currentTarget.value.trim() !== "")} onPaste={(event) => {
-          // Set at once: typing it in would take a browser seconds for a long program.
-          const text = event.clipboardData.getData("text/plain");
-          if (event.currentTarget.value !== "" || text.trim() === "") return;
-          event.preventDefault();
-          event.currentTarget.value = text;
-          paste(true);
-        }} />
+        <textarea
+          className="number"
+          rows={14}
+          spellCheck={false}
+          aria-label={t.programs.pasteLabel}
+          ref={area}
+          onChange={(event) => paste(event.currentTarget.value.trim() !== "")}
+          onPaste={(event) => {
+            // Set at once: typing it in would take a browser seconds for a long program.
+            const text = event.clipboardData.getData("text/plain");
+            if (event.currentTarget.value !== "" || text.trim() === "") return;
+            event.preventDefault();
+            event.currentTarget.value = text;
+            paste(true);
+          }}
+        />
         <div className="program-ways">
-          <button type="button" className="button primary" disabled={!pasted} onClick={() => {
-            dialog.current?.close();
-            openText(area.current?.value ?? "");
-          }}>
+          <button
+            type="button"
+            className="button primary"
+            disabled={!pasted}
+            onClick={() => {
+              dialog.current?.close();
+              openText(area.current?.value ?? "");
+            }}
+          >
             {t.programs.pasteOpen}
           </button>
-          <button type="button" className="button" onClick={() => dialog.current?.close()}>{t.programs.cancel}</button>
+          <button type="button" className="button" onClick={() => dialog.current?.close()}>
+            {t.programs.cancel}
+          </button>
         </div>
       </dialog>
     </section>

@@ -21,7 +21,8 @@ const fetchBegin = () => import("./begin.ts");
 function typeIntoSearch(page: HTMLElement, event: KeyboardEvent): void {
   const { key, target } = event;
   const isTyped = key.length === 1 && key !== " " && !event.ctrlKey && !event.metaKey && !event.altKey;
-  if (!isTyped || document.querySelector("dialog[open]") || (target as HTMLElement).closest("input, select, textarea")) return;
+  if (!isTyped || document.querySelector("dialog[open]") || (target as HTMLElement).closest("input, select, textarea"))
+    return;
   page.querySelector<HTMLInputElement>("input[type=search]")?.focus();
 }
 
@@ -34,13 +35,19 @@ function useMore(): More {
     const found = findMore(sought, works, examples);
     const all = [
       ...found.works.map(({ work, name }) => ({ id: work, name: t.foundWork(name), go: () => void openKept(work) })),
-      ...found.examples.map((id: ExampleId) => ({ id, name: t.foundExample(examples[id]), go: () => void openExample(id) })),
+      ...found.examples.map((id: ExampleId) => ({
+        id,
+        name: t.foundExample(examples[id]),
+        go: () => void openExample(id),
+      })),
     ];
     const shown: ReactNode = all.length > 0 && (
       <ul className="found-more">
         {all.map(({ id, name, go }) => (
           <li key={id}>
-            <button type="button" className="button found-one" onClick={go}>{name}</button>
+            <button type="button" className="button found-one" onClick={go}>
+              {name}
+            </button>
           </li>
         ))}
       </ul>
@@ -101,15 +108,23 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
       <section className="start-cycles" aria-label={words.choose}>
         <h2>{words.choose}</h2>
         <p className="soft">{words.chooseLead}</p>
-        <CycleChooser search={words.search} found={words.found} more={more} ways={[{
-          name: words.withExample,
-          short: words.withExample,
-          go: (cycle) => void start(cycle, true),
-        }, {
-          name: words.empty,
-          short: t.chooser.empty,
-          go: (cycle) => void start(cycle, false),
-        }]} />
+        <CycleChooser
+          search={words.search}
+          found={words.found}
+          more={more}
+          ways={[
+            {
+              name: words.withExample,
+              short: words.withExample,
+              go: (cycle) => void start(cycle, true),
+            },
+            {
+              name: words.empty,
+              short: t.chooser.empty,
+              go: (cycle) => void start(cycle, false),
+            },
+          ]}
+        />
       </section>
       {returns && welcome}
       <p className="small">

@@ -6,11 +6,14 @@ import { findMore } from "./find-more.ts";
 const work = (name: string, cycle: number | null): Kept => ({ work: name, savedAt: 7, name, cycle, size: 3 });
 const works = [work("WELLE-31", 4711), work("Épaulement", null), work("FLANSCH", null)];
 
-test.each([["welle", ["WELLE-31"], ["shaft"]], ["47", ["WELLE-31"], []], ["epaul", ["Épaulement"], []], ["flansch sechs", [], ["flange"]], [
-  "kitchen",
-  [],
-  [],
-], ["  ", [], []]])("%j finds works and examples by all its words", (sought, names, examples) => {
+test.each([
+  ["welle", ["WELLE-31"], ["shaft"]],
+  ["47", ["WELLE-31"], []],
+  ["epaul", ["Épaulement"], []],
+  ["flansch sechs", [], ["flange"]],
+  ["kitchen", [], []],
+  ["  ", [], []],
+])("%j finds works and examples by all its words", (sought, names, examples) => {
   const found = findMore(sought, works, page.examples);
   expect(found.works.map(({ name }) => name)).toEqual(names);
   expect(found.examples).toEqual(examples);

@@ -12,8 +12,14 @@ export interface FoundMore {
 const MOST = 12;
 
 /** Works and examples that hold every word that is sought, in their name or their cycle. */
-export function findMore(sought: string, works: readonly Kept[], examples: Readonly<Record<ExampleId, string>>): FoundMore {
-  const words = plain(sought).split(/[\s,;]+/).filter((word) => word !== "");
+export function findMore(
+  sought: string,
+  works: readonly Kept[],
+  examples: Readonly<Record<ExampleId, string>>,
+): FoundMore {
+  const words = plain(sought)
+    .split(/[\s,;]+/)
+    .filter((word) => word !== "");
   const fits = (text: string) => words.length > 0 && words.every((word) => plain(text).includes(word));
   return {
     works: works.filter(({ name, cycle }) => fits(`${name} ${cycle ?? ".h"}`)).slice(0, MOST),

@@ -31,23 +31,42 @@ export function CodeField({ entry }: { readonly entry: ToolEntry }) {
   return (
     <div className="tool-field wide code-field">
       <label htmlFor={id}>{w.label}</label>
-      <input id={id} ref={input} className="input number name" type="text" autoComplete="off" autoCapitalize="characters" spellCheck={false}
-        maxLength={80} data-enter="own" aria-describedby={`${id}-hint`} value={typed} onChange={(e) => {
-        type(e.currentTarget.value);
-        say("");
-      }} onKeyDown={(e) => {
-        if (e.key === "Enter") take();
-        else if (e.key === "Escape" && typed !== "") {
-          e.stopPropagation();
-          type("");
-        }
-      }} />
-      <span className="soft small" id={`${id}-hint`}>{w.hint}</span>
+      <input
+        id={id}
+        ref={input}
+        className="input number name"
+        type="text"
+        autoComplete="off"
+        autoCapitalize="characters"
+        spellCheck={false}
+        maxLength={80}
+        data-enter="own"
+        aria-describedby={`${id}-hint`}
+        value={typed}
+        onChange={(e) => {
+          type(e.currentTarget.value);
+          say("");
+        }}
+        onKeyDown={(e) => {
+          if (e.key === "Enter") take();
+          else if (e.key === "Escape" && typed !== "") {
+            e.stopPropagation();
+            type("");
+          }
+        }}
+      />
+      <span className="soft small" id={`${id}-hint`}>
+        {w.hint}
+      </span>
       {offersName && (
-        <button type="button" className="button" onClick={() => {
-          type(name);
-          input.current?.focus();
-        }}>
+        <button
+          type="button"
+          className="button"
+          onClick={() => {
+            type(name);
+            input.current?.focus();
+          }}
+        >
           {w.readName(name)}
         </button>
       )}
@@ -61,7 +80,9 @@ export function CodeField({ entry }: { readonly entry: ToolEntry }) {
       {cells.length > 0 && (
         <>
           <CodeFillings cells={cells} words={w} />
-          <button type="button" className="button primary" onClick={take}>{w.take}</button>
+          <button type="button" className="button primary" onClick={take}>
+            {w.take}
+          </button>
         </>
       )}
     </div>

@@ -14,14 +14,18 @@ type Number = (n: number) => string;
 function meaningOf(meaning: CodeMeaning, w: ToolCodeTexts, number: Number): string {
   switch (meaning.is) {
     case "form":
-      return meaning.angle === 0 ? w.forms[meaning.form] : `${w.forms[meaning.form]}, ${w.angle(number(meaning.angle))}`;
+      return meaning.angle === 0
+        ? w.forms[meaning.form]
+        : `${w.forms[meaning.form]}, ${w.angle(number(meaning.angle))}`;
     case "angle":
       return w.angle(number(meaning.angle));
     case "mm":
       return w.mm(number(meaning.mm));
     case "tolerance":
-      return w.tolerance(meaning.from === meaning.to ? number(meaning.from) : `${number(meaning.from)}–${number(meaning.to)}`,
-        number(meaning.thickness));
+      return w.tolerance(
+        meaning.from === meaning.to ? number(meaning.from) : `${number(meaning.from)}–${number(meaning.to)}`,
+        number(meaning.thickness),
+      );
     case "type":
       return `${w.holes[meaning.hole]}, ${w.breakers[meaning.breaker]}`;
     case "wiper":
@@ -84,7 +88,13 @@ export function CodeParts({ parts, words: w }: { readonly parts: readonly CodePa
 }
 
 /** What a code fills, each cell with what stands in it now. */
-export function CodeFillings({ cells, words: w }: { readonly cells: readonly Filling[]; readonly words: ToolCodeTexts }) {
+export function CodeFillings({
+  cells,
+  words: w,
+}: {
+  readonly cells: readonly Filling[];
+  readonly words: ToolCodeTexts;
+}) {
   const t = useTexts("tables").tools;
   const language = useSettings((s) => s.language);
   const shown = (cell: string, text: string, outline: string) =>
@@ -109,6 +119,10 @@ export function CodeNotes({ notes, words: w }: { readonly notes: readonly CodeNo
   const language = useSettings((s) => s.language);
   return notes.map((note, i) => {
     const differs = DIFFERENCES.includes(note.is);
-    return <Message key={i} tone={differs ? "warning" : "info"}>{noteOf(note, w, (n) => formatNumber(language, n, 3))}</Message>;
+    return (
+      <Message key={i} tone={differs ? "warning" : "info"}>
+        {noteOf(note, w, (n) => formatNumber(language, n, 3))}
+      </Message>
+    );
   });
 }

@@ -9,9 +9,17 @@ import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 
 /** Asks which file the table goes out as, and says what each cannot hold. */
-export function ExportDialog({ words: w, again, write, done }: { readonly words: ToolFileTexts;
-  readonly again: (origin: TableOrigin) => void; readonly write: (kind: ExportKind) => void; readonly done: () => void })
-{
+export function ExportDialog({
+  words: w,
+  again,
+  write,
+  done,
+}: {
+  readonly words: ToolFileTexts;
+  readonly again: (origin: TableOrigin) => void;
+  readonly write: (kind: ExportKind) => void;
+  readonly done: () => void;
+}) {
   const t = useTexts("tables").tools;
   const list = useTools((s) => s.list);
   const dialog = useRef<HTMLDialogElement>(null);
@@ -19,8 +27,18 @@ export function ExportDialog({ words: w, again, write, done }: { readonly words:
   const { table, mills } = toolsOnDevice(list);
   const held = table.tools.some((tool) => tool.holder);
   const origins = [...originsOf(list, false), ...originsOf(list, true)];
-  const kinds: readonly { readonly kind: ExportKind; readonly name: string; readonly hint: string; readonly count: number }[] = [
-    { kind: "turning", name: w.turning, hint: `${w.roundsHint}${held ? ` ${w.noHolders}` : ""}`, count: table.tools.length },
+  const kinds: readonly {
+    readonly kind: ExportKind;
+    readonly name: string;
+    readonly hint: string;
+    readonly count: number;
+  }[] = [
+    {
+      kind: "turning",
+      name: w.turning,
+      hint: `${w.roundsHint}${held ? ` ${w.noHolders}` : ""}`,
+      count: table.tools.length,
+    },
     { kind: "milling", name: w.milling, hint: w.roundsHint, count: mills.length },
     { kind: "csv", name: w.sheet, hint: w.sheetHint, count: table.tools.length + mills.length },
     { kind: "json", name: w.json, hint: w.jsonHint, count: table.tools.length + mills.length },
@@ -30,22 +48,30 @@ export function ExportDialog({ words: w, again, write, done }: { readonly words:
       <button type="button" className="button" disabled={disabled} aria-describedby={`export-${key}`} onClick={take}>
         <Icon name="download" /> {name}
       </button>
-      <p className="soft small" id={`export-${key}`}>{hint}</p>
+      <p className="soft small" id={`export-${key}`}>
+        {hint}
+      </p>
     </li>
   );
   return (
-    <dialog ref={dialog} className="tool-dialog" aria-label={w.exportTitle} onKeyDown={(event) => event.stopPropagation()}
+    <dialog
+      ref={dialog}
+      className="tool-dialog"
+      aria-label={w.exportTitle}
+      onKeyDown={(event) => event.stopPropagation()}
       onClose={() => !dialog.current?.open && done()}
     >
       <h2>{w.exportTitle}</h2>
       <ul className="tool-dialog-body export-ways">
         {origins.map((origin, i) => choice(`again-${i}`, w.again(origin.name), w.againHint, () => again(origin)))}
         {kinds.map(({ kind, name, hint, count }) =>
-          choice(kind, name, count === 0 ? w.noTools : `${t.count(count)}. ${hint}`, () => write(kind), count === 0)
+          choice(kind, name, count === 0 ? w.noTools : `${t.count(count)}. ${hint}`, () => write(kind), count === 0),
         )}
       </ul>
       <div className="tool-dialog-ways">
-        <button type="button" className="button" onClick={done}>{w.cancel}</button>
+        <button type="button" className="button" onClick={done}>
+          {w.cancel}
+        </button>
       </div>
     </dialog>
   );

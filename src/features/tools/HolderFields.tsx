@@ -25,7 +25,12 @@ function AxisField({ entry, issues }: Props) {
       <label htmlFor={id}>
         <span className="soft small">{t.holder.axis}</span>
       </label>
-      <select id={id} className="select" value={axis ?? text} aria-invalid={found.length > 0} aria-describedby={`${id}-wrong`}
+      <select
+        id={id}
+        className="select"
+        value={axis ?? text}
+        aria-invalid={found.length > 0}
+        aria-describedby={`${id}-wrong`}
         onChange={(e) => {
           closeStep();
           setCell(entry.id, "axis", e.currentTarget.value);
@@ -33,7 +38,11 @@ function AxisField({ entry, issues }: Props) {
         }}
       >
         {axis === null && <option value={text}>{text}</option>}
-        {(["", "X", "Z"] as const).map((each) => <option key={each} value={each}>{t.axes[each]}</option>)}
+        {(["", "X", "Z"] as const).map((each) => (
+          <option key={each} value={each}>
+            {t.axes[each]}
+          </option>
+        ))}
       </select>
       <CellMessages id={`${id}-wrong`} issues={found} text={text} />
     </div>
@@ -51,10 +60,22 @@ function HeadField({ entry, issues }: Props) {
       <label htmlFor={id}>
         <span className="soft small">{t.holder.head}</span>
       </label>
-      <textarea id={id} className="input number head" rows={2} autoComplete="off" spellCheck={false} maxLength={500}
-        aria-invalid={found.length > 0} aria-describedby={`${id}-hint ${id}-wrong`} value={text}
-        onChange={(e) => setCell(entry.id, "head", e.currentTarget.value)} onBlur={closeStep} />
-      <span className="soft small" id={`${id}-hint`}>{t.headHint}</span>
+      <textarea
+        id={id}
+        className="input number head"
+        rows={2}
+        autoComplete="off"
+        spellCheck={false}
+        maxLength={500}
+        aria-invalid={found.length > 0}
+        aria-describedby={`${id}-hint ${id}-wrong`}
+        value={text}
+        onChange={(e) => setCell(entry.id, "head", e.currentTarget.value)}
+        onBlur={closeStep}
+      />
+      <span className="soft small" id={`${id}-hint`}>
+        {t.headHint}
+      </span>
       <CellMessages id={`${id}-wrong`} issues={found} text={text} />
     </div>
   );
@@ -64,7 +85,9 @@ function HeadField({ entry, issues }: Props) {
 export function HolderFields({ entry, issues }: Props) {
   return (
     <>
-      {HOLDER_NUMBERS.map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
+      {HOLDER_NUMBERS.map((cell) => (
+        <ToolField key={cell} entry={entry} cell={cell} issues={issues} />
+      ))}
       <AxisField entry={entry} issues={issues} />
       <HeadField entry={entry} issues={issues} />
     </>

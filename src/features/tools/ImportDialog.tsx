@@ -29,10 +29,12 @@ function Changes({ changed, words: w }: { readonly changed: readonly ImportChang
         <li key={tool.id}>
           <b>{nameOf(tool)}</b>
           <span>
-            {cells.map(({ cell, from, to }) => {
-              const name = isHolderCell(cell) ? t.holder[cell] : cell;
-              return `${name} ${shown(cell, from, w.outline)} → ${shown(cell, to, w.newOutline)}`;
-            }).join("; ")}
+            {cells
+              .map(({ cell, from, to }) => {
+                const name = isHolderCell(cell) ? t.holder[cell] : cell;
+                return `${name} ${shown(cell, from, w.outline)} → ${shown(cell, to, w.newOutline)}`;
+              })
+              .join("; ")}
           </span>
         </li>
       ))}
@@ -47,10 +49,21 @@ function Names({ tools, words: w }: { readonly tools: readonly ToolEntry[]; read
   return <p className="import-names">{[...tools.slice(0, MOST).map(nameOf), ...more].join(" · ")}</p>;
 }
 
-/** What files would do to the table, before they do it: new, changed from what to what, and what is wrong or not understood. */
-export function ImportDialog({ brought, words: w, take, done }: { readonly brought: Brought; readonly words: ToolFileTexts;
-  readonly take: (choice: "all" | "new") => void; readonly done: () => void })
-{
+/**
+ * What files would do to the table, before they do it: new, changed from what to what, and what is wrong or not
+ * understood.
+ */
+export function ImportDialog({
+  brought,
+  words: w,
+  take,
+  done,
+}: {
+  readonly brought: Brought;
+  readonly words: ToolFileTexts;
+  readonly take: (choice: "all" | "new") => void;
+  readonly done: () => void;
+}) {
   const t = useTexts("tables").tools;
   const list = useTools((s) => s.list);
   const dialog = useRef<HTMLDialogElement>(null);
@@ -60,7 +73,11 @@ export function ImportDialog({ brought, words: w, take, done }: { readonly broug
   const title = w.title(brought.name);
   const told = fresh.length + changed.length;
   return (
-    <dialog ref={dialog} className="tool-dialog" aria-label={title} onKeyDown={(event) => event.stopPropagation()}
+    <dialog
+      ref={dialog}
+      className="tool-dialog"
+      aria-label={title}
+      onKeyDown={(event) => event.stopPropagation()}
       onClose={() => !dialog.current?.open && done()}
     >
       <h2>{title}</h2>
@@ -92,11 +109,17 @@ export function ImportDialog({ brought, words: w, take, done }: { readonly broug
         {brought.cutShort && <p>{t.cutShort}</p>}
       </div>
       <div className="tool-dialog-ways">
-        <button type="button" className="button primary" onClick={() => take("all")}>{w.takeAll(told + same)}</button>
+        <button type="button" className="button primary" onClick={() => take("all")}>
+          {w.takeAll(told + same)}
+        </button>
         {fresh.length > 0 && told + same > fresh.length && (
-          <button type="button" className="button" onClick={() => take("new")}>{w.takeNew(fresh.length)}</button>
+          <button type="button" className="button" onClick={() => take("new")}>
+            {w.takeNew(fresh.length)}
+          </button>
         )}
-        <button type="button" className="button" onClick={done}>{w.cancel}</button>
+        <button type="button" className="button" onClick={done}>
+          {w.cancel}
+        </button>
       </div>
     </dialog>
   );

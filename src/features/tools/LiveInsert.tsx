@@ -13,7 +13,10 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 const WIDTH = 176;
 const HEIGHT = 148;
 
-/** The next of 1, 2, 5, 10, 20 … that is not below a length, so that the drawing does not change its scale at each keystroke. */
+/**
+ * The next of 1, 2, 5, 10, 20 … that is not below a length, so that the drawing does not change its scale at each
+ * keystroke.
+ */
 export function wholeAbove(length: number): number {
   const power = 10 ** Math.floor(Math.log10(Math.max(length, SAME)));
   return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= length - ROUND) ?? length;
@@ -27,7 +30,10 @@ export function useLastTool(id: string, tool: Tool | null): Tool | null {
 }
 
 /** The insert of the open row to scale, with a length to compare it to; it follows each keystroke. */
-export function LiveInsert({ tool, now }: {
+export function LiveInsert({
+  tool,
+  now,
+}: {
   /** The tool to draw; null while there is none. */
   readonly tool: Tool | null;
   /** False while the cells make no tool and an older one is drawn. */

@@ -28,7 +28,12 @@ interface Side {
 function sideOf(mill: MillTool): Side {
   const across = toDiameter(radius(mill.R + (mill.DR ?? 0)));
   const drill = drillOf(mill);
-  return { across, point: drill ? pointLength(drill) : 0, edges: drill?.CUTLENGTH ?? null, pitch: drill?.PITCH ?? null };
+  return {
+    across,
+    point: drill ? pointLength(drill) : 0,
+    edges: drill?.CUTLENGTH ?? null,
+    pitch: drill?.PITCH ?? null,
+  };
 }
 
 /** The millimetres that the height of the drawing stands for. */
@@ -44,15 +49,21 @@ function Outline({ side, scale }: { readonly side: Side; readonly scale: number 
   const shoulder = foot - side.point * scale;
   const top = side.edges === null ? 0 : Math.max(0, foot - Math.max(side.edges, side.point) * scale);
   const step = side.pitch === null ? 0 : side.pitch * scale;
-  const turns = step < CLOSEST_TURNS
-    ? []
-    : Array.from({ length: Math.floor((shoulder - top) / step) }, (_, i) => shoulder - (i + 1) * step);
+  const turns =
+    step < CLOSEST_TURNS
+      ? []
+      : Array.from({ length: Math.floor((shoulder - top) / step) }, (_, i) => shoulder - (i + 1) * step);
   const tip = side.point > 0 ? `L${middle} ${foot}` : "";
   return (
     <>
       {top > 0 && <path className="shape-holder" d={`M${middle - half} 0H${middle + half}V${top}H${middle - half}Z`} />}
-      <path className="shape-insert" d={`M${middle - half} ${top}H${middle + half}V${shoulder}${tip}L${middle - half} ${shoulder}Z`} />
-      {turns.map((y) => <path key={y} className="tool-turn" d={`M${middle - half} ${y + step / 2}L${middle + half} ${y}`} />)}
+      <path
+        className="shape-insert"
+        d={`M${middle - half} ${top}H${middle + half}V${shoulder}${tip}L${middle - half} ${shoulder}Z`}
+      />
+      {turns.map((y) => (
+        <path key={y} className="tool-turn" d={`M${middle - half} ${y + step / 2}L${middle + half} ${y}`} />
+      ))}
       <path className="insert-tip" strokeDasharray="8 3 2 3" d={`M${middle} 0V${HEIGHT}`} />
     </>
   );
@@ -77,14 +88,23 @@ export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const pointed = mill.TYPE === "DRILL" || mill.TYPE === "CENTER";
   return (
     <figure className="live-insert" aria-label={t.millDrawing}>
-      <svg className="insert-drawing" width={WIDTH} height={HEIGHT} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} aria-hidden="true">
+      <svg
+        className="insert-drawing"
+        width={WIDTH}
+        height={HEIGHT}
+        viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
+        aria-hidden="true"
+      >
         <Outline side={side} scale={scale} />
       </svg>
       <figcaption className="small">
         <span className="scale-bar number">
           <i style={{ width: `${bar * scale}px` }} /> {t.scale(number(bar))}
         </span>
-        <span className="soft number">⌀ {t.scale(number(side.across))}{pointed && ` · ${angle}`}</span>
+        <span className="soft number">
+          ⌀ {t.scale(number(side.across))}
+          {pointed && ` · ${angle}`}
+        </span>
         {side.edges !== null && <span className="soft number">{t.edges(number(side.edges))}</span>}
         {side.pitch !== null && <span className="soft number">{t.pitch(number(side.pitch))}</span>}
       </figcaption>

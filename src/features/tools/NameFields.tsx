@@ -24,10 +24,21 @@ function NameField({ entry, issues }: Props) {
       <label htmlFor={id}>
         <b className="number">NAME</b> <span className="soft small">{t.columns.NAME}</span>
       </label>
-      <input id={id} className="input number name" type="text" autoComplete="off" autoCapitalize="characters" spellCheck={false}
-        maxLength={60} aria-label={t.field("NAME", t.columns.NAME)} aria-invalid={found.some((issue) => issue.severity === "error")}
-        aria-describedby={`${id}-wrong`} value={text} onChange={(e) => setCell(entry.id, "NAME", e.currentTarget.value.toUpperCase())}
-        onBlur={closeStep} />
+      <input
+        id={id}
+        className="input number name"
+        type="text"
+        autoComplete="off"
+        autoCapitalize="characters"
+        spellCheck={false}
+        maxLength={60}
+        aria-label={t.field("NAME", t.columns.NAME)}
+        aria-invalid={found.some((issue) => issue.severity === "error")}
+        aria-describedby={`${id}-wrong`}
+        value={text}
+        onChange={(e) => setCell(entry.id, "NAME", e.currentTarget.value.toUpperCase())}
+        onBlur={closeStep}
+      />
       <CellMessages id={`${id}-wrong`} issues={found} text={text} />
     </div>
   );
@@ -45,18 +56,33 @@ function TypeField({ entry, issues }: Props) {
       <label htmlFor={id}>
         <b className="number">TYPE</b> <span className="soft small">{t.columns.TYPE}</span>
       </label>
-      <select id={id} className="select" aria-label={t.field("TYPE", t.columns.TYPE)} value={type} aria-invalid={found.length > 0}
-        aria-describedby={`${id}-wrong`} onChange={(e) => {
-        closeStep();
-        setCell(entry.id, "TYPE", e.currentTarget.value);
-        closeStep();
-      }}>
+      <select
+        id={id}
+        className="select"
+        aria-label={t.field("TYPE", t.columns.TYPE)}
+        value={type}
+        aria-invalid={found.length > 0}
+        aria-describedby={`${id}-wrong`}
+        onChange={(e) => {
+          closeStep();
+          setCell(entry.id, "TYPE", e.currentTarget.value);
+          closeStep();
+        }}
+      >
         {!isToolType(type) && !isMillType(type) && <option value={type}>{type || t.anyType}</option>}
         <optgroup label={t.kinds.turning}>
-          {TOOL_TYPES.map((each) => <option key={each} value={each}>{each} · {setup.tool.types[each]}</option>)}
+          {TOOL_TYPES.map((each) => (
+            <option key={each} value={each}>
+              {each} · {setup.tool.types[each]}
+            </option>
+          ))}
         </optgroup>
         <optgroup label={t.kinds.milling}>
-          {MILL_TYPES.map((each) => <option key={each} value={each}>{each} · {each === "MILL" ? t.mill : setup.tool.types[each]}</option>)}
+          {MILL_TYPES.map((each) => (
+            <option key={each} value={each}>
+              {each} · {each === "MILL" ? t.mill : setup.tool.types[each]}
+            </option>
+          ))}
         </optgroup>
       </select>
       <CellMessages id={`${id}-wrong`} issues={found} text={type} />

@@ -32,7 +32,11 @@ function Arrow({ place }: { readonly place: number }) {
 }
 
 /** TO by its picture: nine directions round the centre of the nose, each with the insert as it would stand. */
-export function TipPicker({ value, tool, onChoose }: {
+export function TipPicker({
+  value,
+  tool,
+  onChoose,
+}: {
   readonly value: number | null;
   /** The tool to draw in each direction; null while its other columns make none. */
   readonly tool: Tool | null;
@@ -41,25 +45,36 @@ export function TipPicker({ value, tool, onChoose }: {
   const t = useTexts("tables").tools;
   const grid = useRef<HTMLDivElement>(null);
   const choose = (to: TipOrientation | undefined) => to && onChoose(to);
-  const keys = (place: number): NonNullable<RadioProps["onKeyDown"]> => (event) => {
-    const by = event.altKey || event.ctrlKey || event.metaKey ? undefined : ROWS[event.key];
-    if (by === undefined) return event.continuePropagation();
-    event.preventDefault();
-    const next = (place + by + PLACES.length) % PLACES.length;
-    choose(PLACES[next]);
-    grid.current?.querySelectorAll("input")[next]?.focus();
-  };
+  const keys =
+    (place: number): NonNullable<RadioProps["onKeyDown"]> =>
+    (event) => {
+      const by = event.altKey || event.ctrlKey || event.metaKey ? undefined : ROWS[event.key];
+      if (by === undefined) return event.continuePropagation();
+      event.preventDefault();
+      const next = (place + by + PLACES.length) % PLACES.length;
+      choose(PLACES[next]);
+      grid.current?.querySelectorAll("input")[next]?.focus();
+    };
   return (
     <fieldset className="tip-picker">
       <legend>
         <b className="number">TO</b> <span className="soft small">{t.columns.TO}</span>
       </legend>
-      <RadioGroup ref={grid} className="tip-grid" aria-label={t.orientation} value={value === null ? null : String(value)}
+      <RadioGroup
+        ref={grid}
+        className="tip-grid"
+        aria-label={t.orientation}
+        value={value === null ? null : String(value)}
         onChange={(chosen) => choose(PLACES.find((to) => String(to) === chosen))}
       >
         {PLACES.map((to, place) => (
-          <Radio key={to} value={String(to)} className="tip-choice" aria-label={t.orientationOf(to, t.directions[to - 1] ?? "")}
-            onKeyDown={keys(place)} render={(label) => <label {...label} title={t.orientationOf(to, t.directions[to - 1] ?? "")} />}
+          <Radio
+            key={to}
+            value={String(to)}
+            className="tip-choice"
+            aria-label={t.orientationOf(to, t.directions[to - 1] ?? "")}
+            onKeyDown={keys(place)}
+            render={(label) => <label {...label} title={t.orientationOf(to, t.directions[to - 1] ?? "")} />}
           >
             <span className="tip-picture" aria-hidden="true">
               {tool && <InsertDrawing tool={{ ...tool, TO: to }} width={DRAWING} height={DRAWING} />}

@@ -19,8 +19,13 @@ interface MessagesProps {
 /** What is wrong with a cell. An empty cell that is needed is said calmly. */
 const Messages = ({ issues, text, decimals = 4, onTake }: MessagesProps) =>
   issues.map((issue) => (
-    <FieldMessage key={issue.code} problem={{ issue }} decimals={decimals} calm={text.trim() === "" && issue.severity === "error"}
-      {...(onTake && { onTake })} />
+    <FieldMessage
+      key={issue.code}
+      problem={{ issue }}
+      decimals={decimals}
+      calm={text.trim() === "" && issue.severity === "error"}
+      {...(onTake && { onTake })}
+    />
   ));
 
 /** The same below a field that is no number, read out when it changes. */
@@ -39,7 +44,12 @@ function ownMeaning(t: ToolsTexts, cell: NumberColumn | HolderNumber, type: stri
 }
 
 /** One number of a row: typed text goes to the table at each keystroke, sums are worked out when the field is left. */
-export function ToolField({ entry, cell, issues, unused = null }: {
+export function ToolField({
+  entry,
+  cell,
+  issues,
+  unused = null,
+}: {
   readonly entry: ToolEntry;
   readonly cell: NumberColumn | HolderNumber;
   readonly issues: readonly Issue[];
@@ -47,27 +57,45 @@ export function ToolField({ entry, cell, issues, unused = null }: {
   readonly unused?: string | null;
 }) {
   const t = useTexts("tables").tools;
-  const text = cellOf(entry, cell), type = cellOf(entry, "TYPE");
+  const text = cellOf(entry, cell),
+    type = cellOf(entry, "TYPE");
   const put = (next: string) => setCell(entry.id, cell, next);
-  const { kind, range: [min], decimals } = ruleOf(cell, type);
-  const column = cell in t.holder ? null : cell as NumberColumn;
+  const {
+    kind,
+    range: [min],
+    decimals,
+  } = ruleOf(cell, type);
+  const column = cell in t.holder ? null : (cell as NumberColumn);
   const meaning = ownMeaning(t, cell, type) ?? (column ? t.columns[column] : t.holder[cell as HolderNumber]);
   const found = issues.filter((issue) => issue.at === cell);
   return (
-    <LabelledInput className={`tool-field${unused === null ? "" : " unused"}`} text={text} onText={put} onLeave={closeStep} signed={min < 0}
+    <LabelledInput
+      className={`tool-field${unused === null ? "" : " unused"}`}
+      text={text}
+      onText={put}
+      onLeave={closeStep}
+      signed={min < 0}
       label={
         <>
           {column && <b className="number">{column}</b>} <span className="soft small">{meaning}</span>
         </>
-      } aria-label={column ? t.field(column, meaning) : meaning}
-      unit={unused === null ? UNITS[kind] && t.units[UNITS[kind]] : t.unused(unused)} disabled={unused !== null}
+      }
+      aria-label={column ? t.field(column, meaning) : meaning}
+      unit={unused === null ? UNITS[kind] && t.units[UNITS[kind]] : t.unused(unused)}
+      disabled={unused !== null}
       aria-invalid={found.some((issue) => issue.severity === "error")}
       messages={
-        <Messages issues={found} text={text} decimals={decimals} onTake={(nearest) => {
-          closeStep();
-          put(String(nearest));
-          closeStep();
-        }} />
-      } />
+        <Messages
+          issues={found}
+          text={text}
+          decimals={decimals}
+          onTake={(nearest) => {
+            closeStep();
+            put(String(nearest));
+            closeStep();
+          }}
+        />
+      }
+    />
   );
 }

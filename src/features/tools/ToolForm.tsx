@@ -1,7 +1,13 @@
 import { useId, useMemo, type KeyboardEvent } from "react";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { applies, isDrillType, MILL_TABLE, type MillColumn, type NumberColumn } from "../../program/tools/tool-columns.ts";
+import {
+  applies,
+  isDrillType,
+  MILL_TABLE,
+  type MillColumn,
+  type NumberColumn,
+} from "../../program/tools/tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type EntryReading, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
@@ -26,22 +32,32 @@ function onEnter(event: KeyboardEvent<HTMLElement>): void {
   if (event.key !== "Enter" || !(from instanceof HTMLInputElement) || from.dataset["enter"] === "own") return;
   event.preventDefault();
   event.stopPropagation();
-  const fields = [...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select")].filter(
-    (f) => f.tabIndex >= 0
-  );
+  const fields = [
+    ...event.currentTarget.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input:not(:disabled), select"),
+  ].filter((f) => f.tabIndex >= 0);
   const next = fields[fields.indexOf(from) + 1];
   next?.focus();
   if (next instanceof HTMLInputElement && next.type === "text") next.select();
 }
 
-/** What the insert of a row looks like, whatever its number and name; `instead` stands for cells that do not matter either. */
+/**
+ * What the insert of a row looks like, whatever its number and name; `instead` stands for cells that do not matter
+ * either.
+ */
 const shapeOf = (entry: ToolEntry, reading: EntryReading, instead: ToolEntry["cells"] = {}): Tool | null =>
-  reading.tool ?? readEntry({ ...entry, cells: { ...entry.cells, T: String(reading.number ?? 0), NAME: "", ...instead } }).tool;
+  reading.tool ??
+  readEntry({ ...entry, cells: { ...entry.cells, T: String(reading.number ?? 0), NAME: "", ...instead } }).tool;
 
 /** The orientation of a row with its picture and what is wrong with it. */
-function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; readonly reading: EntryReading;
-  readonly issues: readonly Issue[] })
-{
+function Orientation({
+  entry,
+  reading,
+  issues,
+}: {
+  readonly entry: ToolEntry;
+  readonly reading: EntryReading;
+  readonly issues: readonly Issue[];
+}) {
   const id = useId();
   const text = cellOf(entry, "TO");
   const without = useMemo(() => shapeOf(entry, reading, { TO: "1" }), [entry, reading]);
@@ -49,11 +65,15 @@ function Orientation({ entry, reading, issues }: { readonly entry: ToolEntry; re
   const value = Number(text);
   return (
     <div className="tool-field wide">
-      <TipPicker value={text.trim() === "" ? null : value} tool={drawn} onChoose={(to) => {
-        closeStep();
-        setCell(entry.id, "TO", String(to));
-        closeStep();
-      }} />
+      <TipPicker
+        value={text.trim() === "" ? null : value}
+        tool={drawn}
+        onChoose={(to) => {
+          closeStep();
+          setCell(entry.id, "TO", String(to));
+          closeStep();
+        }}
+      />
       <CellMessages id={`${id}-wrong`} issues={issues.filter((issue) => issue.at === "TO")} text={text} />
     </div>
   );
@@ -119,16 +139,21 @@ function MillColumns({ entry, reading: { issues, mill } }: Row) {
       <fieldset className="tool-group">
         <legend>{t.groups.mill}</legend>
         <p className="soft small tool-note">{isDrillType(type) ? t.drillNote : t.millNote}</p>
-        {MILL_TABLE.filter((cell) => applies(cell, type)).map((cell) => <ToolField key={cell} entry={entry} cell={cell} issues={issues} />)}
+        {MILL_TABLE.filter((cell) => applies(cell, type)).map((cell) => (
+          <ToolField key={cell} entry={entry} cell={cell} issues={issues} />
+        ))}
       </fieldset>
     </>
   );
 }
 
 /** All columns of one tool, drawn as they are typed, and what can be done with the row. */
-export function ToolForm({ entry, reading, onDuplicate, onRemove }: Row & { readonly onDuplicate: () => void;
-  readonly onRemove: () => void })
-{
+export function ToolForm({
+  entry,
+  reading,
+  onDuplicate,
+  onRemove,
+}: Row & { readonly onDuplicate: () => void; readonly onRemove: () => void }) {
   const t = useTexts("tables").tools;
   const name = useToolName()(entry);
   return (
@@ -142,7 +167,11 @@ export function ToolForm({ entry, reading, onDuplicate, onRemove }: Row & { read
           <Icon name="close" /> {t.remove}
         </button>
       </header>
-      {isMillEntry(entry) ? <MillColumns entry={entry} reading={reading} /> : <TurningColumns entry={entry} reading={reading} />}
+      {isMillEntry(entry) ? (
+        <MillColumns entry={entry} reading={reading} />
+      ) : (
+        <TurningColumns entry={entry} reading={reading} />
+      )}
     </section>
   );
 }

@@ -1,6 +1,13 @@
 import { memo, useEffect, useRef, type KeyboardEvent } from "react";
 import { formatNumber } from "../../i18n/number.ts";
-import { applies, MILL_TABLE, ruleOf, TOOL_COLUMNS, type MillColumn, type ToolColumn } from "../../program/tools/tool-columns.ts";
+import {
+  applies,
+  MILL_TABLE,
+  ruleOf,
+  TOOL_COLUMNS,
+  type MillColumn,
+  type ToolColumn,
+} from "../../program/tools/tool-columns.ts";
 import { cellOf, type EntryReading, type ToolEntry } from "../../program/tools/tool-entry.ts";
 import type { ToolListReading } from "../../program/tools/tool-list.ts";
 import { anyNumber, readText } from "../../program/values/field.ts";
@@ -34,50 +41,72 @@ function useShown(): (column: Column, text: string) => string {
   };
 }
 
-const ToolRow = memo(
-  function ToolRow({ entry, reading, kind, open, drawn }: { readonly entry: ToolEntry; readonly reading: EntryReading;
-    readonly kind: ToolKind; readonly open: boolean; readonly drawn: boolean })
-  {
-    const t = useTexts("tables").tools;
-    const name = useToolName()(entry);
-    const shown = useShown();
-    const type = cellOf(entry, "TYPE");
-    const cutter = reading.tool ?? (reading.mill && drillOf(reading.mill));
-    const wrong = new Set(reading.issues.filter((issue) => issue.severity === "error").map((issue) => issue.at));
-    return (
-      <tr className={open ? "open" : ""} onClick={() => openToolRow(entry.id)}>
-        <th scope="row" className={wrong.has("T") || wrong.has("NAME") ? "wrong" : ""}>
-          <button type="button" data-row={entry.id} tabIndex={open ? 0 : -1} aria-current={open ? "true" : undefined}
-            aria-label={`${t.select(name)}${wrong.size > 0 ? `, ${t.hasError}` : ""}`}
+const ToolRow = memo(function ToolRow({
+  entry,
+  reading,
+  kind,
+  open,
+  drawn,
+}: {
+  readonly entry: ToolEntry;
+  readonly reading: EntryReading;
+  readonly kind: ToolKind;
+  readonly open: boolean;
+  readonly drawn: boolean;
+}) {
+  const t = useTexts("tables").tools;
+  const name = useToolName()(entry);
+  const shown = useShown();
+  const type = cellOf(entry, "TYPE");
+  const cutter = reading.tool ?? (reading.mill && drillOf(reading.mill));
+  const wrong = new Set(reading.issues.filter((issue) => issue.severity === "error").map((issue) => issue.at));
+  return (
+    <tr className={open ? "open" : ""} onClick={() => openToolRow(entry.id)}>
+      <th scope="row" className={wrong.has("T") || wrong.has("NAME") ? "wrong" : ""}>
+        <button
+          type="button"
+          data-row={entry.id}
+          tabIndex={open ? 0 : -1}
+          aria-current={open ? "true" : undefined}
+          aria-label={`${t.select(name)}${wrong.size > 0 ? `, ${t.hasError}` : ""}`}
+        >
+          {drawn && (
+            <span className="row-insert">
+              {cutter ? (
+                <InsertDrawing tool={cutter} width={DRAWING} height={DRAWING} />
+              ) : (
+                !reading.mill && <Icon name="error" />
+              )}
+            </span>
+          )}
+          <b className="number">{cellOf(entry, "T")}</b>
+          <span className="row-name number">{cellOf(entry, "NAME")}</span>
+          {wrong.size > 0 && !drawn && <Icon name="error" />}
+        </button>
+      </th>
+      {COLUMNS[kind].map((column) => {
+        const unused = !applies(column, type);
+        const text = cellOf(entry, column);
+        return (
+          <td
+            key={column}
+            className={`number${unused ? " unused" : ""}${wrong.has(column) ? " wrong" : ""}${column === "TYPE" ? " word" : ""}`}
           >
-            {drawn && (
-              <span className="row-insert">
-                {cutter ? <InsertDrawing tool={cutter} width={DRAWING} height={DRAWING} /> : !reading.mill && <Icon name="error" />}
-              </span>
-            )}
-            <b className="number">{cellOf(entry, "T")}</b>
-            <span className="row-name number">{cellOf(entry, "NAME")}</span>
-            {wrong.size > 0 && !drawn && <Icon name="error" />}
-          </button>
-        </th>
-        {COLUMNS[kind].map((column) => {
-          const unused = !applies(column, type);
-          const text = cellOf(entry, column);
-          return (
-            <td key={column}
-              className={`number${unused ? " unused" : ""}${wrong.has(column) ? " wrong" : ""}${column === "TYPE" ? " word" : ""}`}
-            >
-              {text.trim() === "" ? (unused ? "–" : "") : shown(column, text)}
-            </td>
-          );
-        })}
-      </tr>
-    );
-  },
-);
+            {text.trim() === "" ? (unused ? "–" : "") : shown(column, text)}
+          </td>
+        );
+      })}
+    </tr>
+  );
+});
 
 /** The whole table; one row is open and can be edited beside it. Arrow keys go from row to row. */
-export function ToolGrid({ list, kind, read, open }: {
+export function ToolGrid({
+  list,
+  kind,
+  read,
+  open,
+}: {
   /** The rows of this kind. */
   readonly list: readonly ToolEntry[];
   readonly kind: ToolKind;
@@ -93,7 +122,12 @@ export function ToolGrid({ list, kind, read, open }: {
   }, [open]);
 
   const onKeyDown = (event: KeyboardEvent) => {
-    const ways: Readonly<Record<string, number>> = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: list.length - 1 };
+    const ways: Readonly<Record<string, number>> = {
+      ArrowDown: at + 1,
+      ArrowUp: at - 1,
+      Home: 0,
+      End: list.length - 1,
+    };
     const to = ways[event.key];
     const next = to === undefined ? undefined : list[to];
     if (!next) return;
@@ -110,7 +144,10 @@ export function ToolGrid({ list, kind, read, open }: {
               T <span className="soft">NAME</span>
             </th>
             {COLUMNS[kind].map((column) => (
-              <th key={column} scope="col" className={column === "TYPE" ? "word" : undefined}
+              <th
+                key={column}
+                scope="col"
+                className={column === "TYPE" ? "word" : undefined}
                 title={t.field(column, kind === "milling" && column === "T-ANGLE" ? t.drillAngle : t.columns[column])}
               >
                 {column}
@@ -121,9 +158,17 @@ export function ToolGrid({ list, kind, read, open }: {
         <tbody>
           {list.map((entry) => {
             const reading = read.rows.get(entry.id);
-            return reading && (
-              <ToolRow key={entry.id} entry={entry} reading={reading} kind={kind} open={entry.id === open}
-                drawn={list.length <= MOST_DRAWN} />
+            return (
+              reading && (
+                <ToolRow
+                  key={entry.id}
+                  entry={entry}
+                  reading={reading}
+                  kind={kind}
+                  open={entry.id === open}
+                  drawn={list.length <= MOST_DRAWN}
+                />
+              )
             );
           })}
         </tbody>

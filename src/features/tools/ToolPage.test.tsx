@@ -69,9 +69,11 @@ test("a cell that cannot be used is said at its column, refused for programs, an
   await user.clear(field("P-ANGLE: point angle"));
   await user.type(field("P-ANGLE: point angle"), "85");
   expect(field("P-ANGLE: point angle").getAttribute("aria-invalid")).toBe("true");
-  const described = field("P-ANGLE: point angle").getAttribute("aria-describedby")?.split(" ").map((id) =>
-    document.getElementById(id)?.textContent ?? ""
-  ).join(" ");
+  const described = field("P-ANGLE: point angle")
+    .getAttribute("aria-describedby")
+    ?.split(" ")
+    .map((id) => document.getElementById(id)?.textContent ?? "")
+    .join(" ");
   expect(described).toContain("It must be less than 85.");
   expect(within(screen.getByRole("figure")).getByText(/Last possible insert/)).toBeTruthy();
   expect([...toolTable().refused.keys()]).toEqual([1]);
@@ -128,12 +130,17 @@ test("a file is taken over as one step, what it is missing is said", async () =>
   expect(screen.getByText("NAME CNMG-80-R08 → SHOP-80-R08")).toBeTruthy();
   expect(document.activeElement).toBe(all);
   await user.keyboard("{Enter}");
-  await vi.waitFor(() => expect(screen.getByText(/T\.TRN: 1 new, 1 changed\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy(), {
-    timeout: 60_000,
-  });
+  await vi.waitFor(
+    () => expect(screen.getByText(/T\.TRN: 1 new, 1 changed\. 1 row has an error\..*\[END\] is missing/)).toBeTruthy(),
+    {
+      timeout: 60_000,
+    },
+  );
   expect(toolTable().tools[0]?.NAME).toBe("SHOP-80-R08");
   expect(steps()).toBe(1);
-  await user.click(within(screen.getByText(/T\.TRN/).closest("p") as HTMLElement).getByRole("button", { name: /^Undo – / }));
+  await user.click(
+    within(screen.getByText(/T\.TRN/).closest("p") as HTMLElement).getByRole("button", { name: /^Undo – / }),
+  );
   expect(toolTable().tools).toEqual(shippedTools);
 });
 
@@ -146,18 +153,36 @@ test("the row of a tool is opened by its number", () => {
 });
 
 test("what is kept comes back; the shipped table is not kept, so that it can be a better one later", () => {
-  const changed = list().map((entry) => (entry.id === "r2" ? { ...entry, cells: { ...entry.cells, RS: "abc" } } : entry));
+  const changed = list().map((entry) =>
+    entry.id === "r2" ? { ...entry, cells: { ...entry.cells, RS: "abc" } } : entry,
+  );
   expect(toolRecord.read(toolRecord.write(changed))).toEqual(changed);
-  for (const damaged of [undefined, [], { version: 3, rows: [] }, { version: 0, rows: [] }, { rows: [] }, {
-    version: 1,
-    rows: [{ id: "a", cells: { RS: 1 } }],
-  }, { version: 1, rows: [{ id: "a", cells: {} }, { id: "a", cells: {} }] }])
+  for (const damaged of [
+    undefined,
+    [],
+    { version: 3, rows: [] },
+    { version: 0, rows: [] },
+    { rows: [] },
+    {
+      version: 1,
+      rows: [{ id: "a", cells: { RS: 1 } }],
+    },
+    {
+      version: 1,
+      rows: [
+        { id: "a", cells: {} },
+        { id: "a", cells: {} },
+      ],
+    },
+  ])
     expect(toolRecord.read(damaged)).toBeNull();
   expect(toolRecord.read({ version: 1, rows: [] })).toEqual([]);
-  const bare = shippedList.map(({ id, cells: { width: _w, length: _l, offsetZ: _z, offsetX: _x, axis: _a, head: _h, ...cells } }) => ({
-    id,
-    cells,
-  }));
+  const bare = shippedList.map(
+    ({ id, cells: { width: _w, length: _l, offsetZ: _z, offsetX: _x, axis: _a, head: _h, ...cells } }) => ({
+      id,
+      cells,
+    }),
+  );
   const [first, second, ...others] = bare;
   const older = [first, { ...second, cells: { ...second?.cells, RS: "0.85" } }, ...others];
   const [one, two, ...rest] = toolRecord.read({ version: 1, rows: older }) ?? [];
@@ -196,7 +221,9 @@ test("a drill shows only the columns that it has, stands among the milling tools
   await user.click(screen.getByRole("button", { name: "Milling and drilling" }));
   await user.click(screen.getByRole("button", { name: "New tool" }));
   await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "DRILL");
-  const names = screen.getAllByRole<HTMLInputElement>("textbox").map((each) => each.getAttribute("aria-label")?.split(":")[0]);
+  const names = screen
+    .getAllByRole<HTMLInputElement>("textbox")
+    .map((each) => each.getAttribute("aria-label")?.split(":")[0]);
   expect(names).toEqual(["T", "NAME", "R", "DR", "L", "DL", "T-ANGLE", "LCUTS"]);
   await user.type(field("R: tool radius"), "4,25");
   await user.type(field("T-ANGLE: point angle"), "118");
@@ -218,7 +245,9 @@ test("a code is read while it is typed, and Enter fills what it says as one step
   const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
   const before = steps();
   await user.type(code, "dnmg 15 06 08");
-  const said = within(screen.getByRole("list", { name: "What the code says" })).getAllByRole("listitem").map((item) => item.textContent);
+  const said = within(screen.getByRole("list", { name: "What the code says" }))
+    .getAllByRole("listitem")
+    .map((item) => item.textContent);
   expect(said[0]).toBe("D Shape: rhombic, 55°");
   expect(said[6]).toBe("08 Corner radius: 0.8 mm");
   await user.type(code, "{Enter}");
@@ -254,8 +283,11 @@ test("a code that is not covered says so, one that contradicts the row too, and 
   await user.type(field("NAME: tool name"), "ccmt 09t304");
   await user.click(screen.getByRole("button", { name: "Read the name CCMT 09T304 as a code" }));
   expect(code.value).toBe("CCMT 09T304");
-  expect(within(screen.getByRole("list", { name: "What will be filled" })).getAllByRole("listitem").map((item) => item.textContent))
-    .toEqual(["CUTLENGTH 12 → 9.67", "RS 0.8 → 0.4"]);
+  expect(
+    within(screen.getByRole("list", { name: "What will be filled" }))
+      .getAllByRole("listitem")
+      .map((item) => item.textContent),
+  ).toEqual(["CUTLENGTH 12 → 9.67", "RS 0.8 → 0.4"]);
 });
 
 test("the file that tools came from is kept on the device once, with the line of each", () => {

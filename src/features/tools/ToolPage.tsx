@@ -36,7 +36,8 @@ export function ToolPage() {
   const reading = entry && read.rows.get(entry.id);
   const wrong = list.length - read.table.tools.length - read.mills.length;
 
-  const focusRow = () => requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
+  const focusRow = () =>
+    requestAnimationFrame(() => page.current?.querySelector<HTMLElement>("tr.open button")?.focus());
   const focusField = () =>
     requestAnimationFrame(() => {
       const field = page.current?.querySelector<HTMLInputElement>(".tool-form input[type=text]");
@@ -85,10 +86,15 @@ export function ToolPage() {
           <button type="button" className="button primary" onClick={() => edited(addTool(kind))}>
             <Icon name="add" /> {t.add}
           </button>
-          <button type="button" className="button" aria-label={t.restoreLong} onClick={() => {
-            takeShipped();
-            setSaid({ sentences: [t.restored], failed: false, changed: true });
-          }}>
+          <button
+            type="button"
+            className="button"
+            aria-label={t.restoreLong}
+            onClick={() => {
+              takeShipped();
+              setSaid({ sentences: [t.restored], failed: false, changed: true });
+            }}
+          >
             {t.restore}
           </button>
         </div>
@@ -103,43 +109,69 @@ export function ToolPage() {
               </button>
             </>
           )}
-          <input ref={file} type="file" hidden multiple accept=".json,.trn,.t,.tab,.txt,.csv,application/json,text/plain,text/csv"
+          <input
+            ref={file}
+            type="file"
+            hidden
+            multiple
+            accept=".json,.trn,.t,.tab,.txt,.csv,application/json,text/plain,text/csv"
             onChange={(e) => {
               const chosen = [...(e.currentTarget.files ?? [])];
               e.currentTarget.value = "";
               if (chosen.length > 0 && w) void bringFiles(chosen, t, w).then(receive);
-            }} />
+            }}
+          />
         </div>
       </div>
-      <TableStatus said={said} undo={t.undo} done={() => {
-        setSaid(null);
-        focusRow();
-      }} />
+      <TableStatus
+        said={said}
+        undo={t.undo}
+        done={() => {
+          setSaid(null);
+          focusRow();
+        }}
+      />
       {w && asking === "export" && (
-        <ExportDialog words={w} done={() => ask(null)} again={(origin) => {
-          ask(null);
-          setSaid(exportAgain(origin, t, w));
-        }} write={(way) => {
-          ask(null);
-          setSaid(exportTools(way, language, t, w));
-        }} />
+        <ExportDialog
+          words={w}
+          done={() => ask(null)}
+          again={(origin) => {
+            ask(null);
+            setSaid(exportAgain(origin, t, w));
+          }}
+          write={(way) => {
+            ask(null);
+            setSaid(exportTools(way, language, t, w));
+          }}
+        />
       )}
       {w && asking !== null && asking !== "export" && (
-        <ImportDialog brought={asking} words={w} done={() => ask(null)} take={(choice) => {
-          ask(null);
-          setSaid(takeBrought(asking, choice, t, w));
-        }} />
+        <ImportDialog
+          brought={asking}
+          words={w}
+          done={() => ask(null)}
+          take={(choice) => {
+            ask(null);
+            setSaid(takeBrought(asking, choice, t, w));
+          }}
+        />
       )}
       <div className="tool-list">
         <TableTabs open={kind} onTools={showToolKind} onOwn={() => showOwn()} />
-        {rows.length === 0
-          ? <p className="tool-none">{t.none}</p>
-          : <ToolGrid list={rows} kind={kind} read={read} open={entry?.id ?? null} />}
+        {rows.length === 0 ? (
+          <p className="tool-none">{t.none}</p>
+        ) : (
+          <ToolGrid list={rows} kind={kind} read={read} open={entry?.id ?? null} />
+        )}
         <p className="small evidence-text tool-note">{t.unconfirmed}</p>
       </div>
       {entry && reading && (
-        <ToolForm entry={entry} reading={reading} onDuplicate={() => edited(duplicateTool(entry.id))} onRemove={() =>
-          remove(entry.id, nameOf(entry))} />
+        <ToolForm
+          entry={entry}
+          reading={reading}
+          onDuplicate={() => edited(duplicateTool(entry.id))}
+          onRemove={() => remove(entry.id, nameOf(entry))}
+        />
       )}
     </main>
   );

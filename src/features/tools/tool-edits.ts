@@ -9,7 +9,9 @@ import { editTools, useTools } from "../../app/document/tool-store.ts";
 export function setCell(id: string, cell: CellName, text: string): void {
   editTools(
     (list) =>
-      list.map((entry) => entry.id === id && cellOf(entry, cell) !== text ? { ...entry, cells: { ...entry.cells, [cell]: text } } : entry),
+      list.map((entry) =>
+        entry.id === id && cellOf(entry, cell) !== text ? { ...entry, cells: { ...entry.cells, [cell]: text } } : entry,
+      ),
     `tool ${id} ${cell}`,
   );
 }
@@ -17,16 +19,22 @@ export function setCell(id: string, cell: CellName, text: string): void {
 /** Several cells of one row: one step of undo. */
 export function setCells(id: string, cells: ToolEntry["cells"]): void {
   closeStep();
-  editTools((list) => list.map((entry) => entry.id === id ? { ...entry, cells: { ...entry.cells, ...cells } } : entry));
+  editTools((list) =>
+    list.map((entry) => (entry.id === id ? { ...entry, cells: { ...entry.cells, ...cells } } : entry)),
+  );
 }
 
 /** A new row with the next free number and what every table begins with; gives its id. */
 export function addTool(kind: ToolKind): string {
   const { list } = useTools.getState();
   const id = newId(list);
-  editTools(
-    () => [...list, { id, cells: { T: String(freeNumber(list)), ...(kind === "milling" ? { TYPE: MILL } : { TYPE: "ROUGH", TO: "1" }) } }]
-  );
+  editTools(() => [
+    ...list,
+    {
+      id,
+      cells: { T: String(freeNumber(list)), ...(kind === "milling" ? { TYPE: MILL } : { TYPE: "ROUGH", TO: "1" }) },
+    },
+  ]);
   return id;
 }
 

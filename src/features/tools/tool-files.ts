@@ -3,7 +3,14 @@ import type { Language } from "../../i18n/languages.ts";
 import { decimalSign } from "../../i18n/number.ts";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { tableAgain } from "../../program/tools/table-again.ts";
-import { cellOf, isMillEntry, tableOrigin, type EntryReading, type TableLine, type TableOrigin } from "../../program/tools/tool-entry.ts";
+import {
+  cellOf,
+  isMillEntry,
+  tableOrigin,
+  type EntryReading,
+  type TableLine,
+  type TableOrigin,
+} from "../../program/tools/tool-entry.ts";
 import { planImport, type IncomingTools } from "../../program/tools/tool-import.ts";
 import { writeTableCsv } from "../../program/tools/tool-table-csv.ts";
 import { readToolFile, writeTableJson } from "../../program/tools/tool-table-json.ts";
@@ -54,7 +61,12 @@ function broughtBy(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTe
     const at = table?.lines[i];
     return at === undefined ? undefined : { origin, at };
   });
-  const incoming = { rows, lines, columns: rows.map(() => columns), names: table?.turning ?? new Map<number, string>() };
+  const incoming = {
+    rows,
+    lines,
+    columns: rows.map(() => columns),
+    names: table?.turning ?? new Map<number, string>(),
+  };
   return { name, incoming, kept: table ? leftOut : [], leftOut: table ? [] : leftOut, cutShort };
 }
 
@@ -72,7 +84,11 @@ const joined = (all: readonly Brought[]): Brought => ({
 });
 
 /** Reads the files that were chosen, together; or says what is wrong with the first of them that cannot be read. */
-export async function bringFiles(files: readonly File[], t: ToolsTexts, w: ToolFileTexts): Promise<Brought | TableSaid> {
+export async function bringFiles(
+  files: readonly File[],
+  t: ToolsTexts,
+  w: ToolFileTexts,
+): Promise<Brought | TableSaid> {
   const all: Brought[] = [];
   for (const file of files) {
     if (file.size > LARGEST) return failure(t.problems.tooLarge(file.name));
@@ -124,10 +140,12 @@ export function exportTools(kind: ExportKind, language: Language, t: ToolsTexts,
   };
   const { name, text, count } = files[kind];
   downloadText(text(), name);
-  const meant = list.filter((entry) => kind === "json" || kind === "csv" || isMillEntry(entry) === (kind === "milling"));
-  const without = meant.filter((entry) => !isSound(rows.get(entry.id))).map((entry) =>
-    cellOf(entry, "T") || cellOf(entry, "NAME") || t.noNumber
+  const meant = list.filter(
+    (entry) => kind === "json" || kind === "csv" || isMillEntry(entry) === (kind === "milling"),
   );
+  const without = meant
+    .filter((entry) => !isSound(rows.get(entry.id)))
+    .map((entry) => cellOf(entry, "T") || cellOf(entry, "NAME") || t.noNumber);
   return {
     failed: false,
     changed: false,
@@ -151,7 +169,9 @@ export function exportAgain(origin: TableOrigin, t: ToolsTexts, w: ToolFileTexts
     sentences: [
       w.againDone(origin.name, made.changed, made.added, made.removed),
       ...(made.shipped > 0 ? [w.againShipped(made.shipped)] : []),
-      ...(made.tooLong.length > 0 ? [w.tooLong(made.tooLong.map(({ tool, column }) => `T${tool} ${column}`).join(", "))] : []),
+      ...(made.tooLong.length > 0
+        ? [w.tooLong(made.tooLong.map(({ tool, column }) => `T${tool} ${column}`).join(", "))]
+        : []),
       ...(decode(bytes).encoding === origin.encoding ? [] : [w.notEncodable]),
     ],
   };

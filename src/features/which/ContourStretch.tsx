@@ -31,7 +31,11 @@ export function ContourStretch({ words: { stretch: t }, contour, first, last, on
     <label>
       <span>{label}</span>
       <select className="select" value={value} onChange={(e) => choose(Number(e.target.value))}>
-        {contour.map((_, i) => <option key={i} value={i}>{i + 1}</option>)}
+        {contour.map((_, i) => (
+          <option key={i} value={i}>
+            {i + 1}
+          </option>
+        ))}
       </select>
     </label>
   );
@@ -39,7 +43,12 @@ export function ContourStretch({ words: { stretch: t }, contour, first, last, on
     <fieldset className="which-stretch">
       <legend>{t.title}</legend>
       <p className="small soft">{t.about}</p>
-      <svg viewBox={view} role="img" aria-label={t.picture(first + 1, last + 1, contour.length)} preserveAspectRatio="xMidYMid meet">
+      <svg
+        viewBox={view}
+        role="img"
+        aria-label={t.picture(first + 1, last + 1, contour.length)}
+        preserveAspectRatio="xMidYMid meet"
+      >
         {contour.map((_, i) => (
           <g key={i} className={i >= first && i <= last ? "which-meant" : undefined} onClick={() => point(i)}>
             <path className="which-target" d={path(i)} />

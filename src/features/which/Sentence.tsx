@@ -5,8 +5,15 @@ import type { Site } from "../../cycles/wanted.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { NumberField } from "../../app/fields/setup/NumberField.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
-import { ASKED, canBePreturned, measuresOf, type Sought, type AskingFault, type Measure,
-  type StockChoice } from "../../app/document/asking.ts";
+import {
+  ASKED,
+  canBePreturned,
+  measuresOf,
+  type Sought,
+  type AskingFault,
+  type Measure,
+  type StockChoice,
+} from "../../app/document/asking.ts";
 
 const SITES = ["outside", "inside", "face"] as const satisfies readonly Site[];
 const SHAPES = ["step", "plunge", "free", "groove", "thread"] as const satisfies readonly TurnedShape[];
@@ -21,36 +28,75 @@ interface Props {
 }
 
 /** One choice within the sentence. */
-function Choice<
-  T extends string,
->({ label, of, among, value, onChoose }: { readonly label: string; readonly of: Readonly<Record<T, string>>; readonly among: readonly T[];
-  readonly value: T; readonly onChoose: (value: T) => void })
-{
+function Choice<T extends string>({
+  label,
+  of,
+  among,
+  value,
+  onChoose,
+}: {
+  readonly label: string;
+  readonly of: Readonly<Record<T, string>>;
+  readonly among: readonly T[];
+  readonly value: T;
+  readonly onChoose: (value: T) => void;
+}) {
   return (
-    <select className="select which-choice" aria-label={label} value={value} onChange={(e) => {
-      const chosen = among.find((each) => each === e.target.value);
-      if (chosen) onChoose(chosen);
-    }}>
-      {among.map((each) => <option key={each} value={each}>{of[each]}</option>)}
+    <select
+      className="select which-choice"
+      aria-label={label}
+      value={value}
+      onChange={(e) => {
+        const chosen = among.find((each) => each === e.target.value);
+        if (chosen) onChoose(chosen);
+      }}
+    >
+      {among.map((each) => (
+        <option key={each} value={each}>
+          {of[each]}
+        </option>
+      ))}
     </select>
   );
 }
 
 /** What is wanted, as one says it: choices in a sentence, and its numbers below. */
 export function Sentence({ words, asking, fault, inWork, onAsk }: Props) {
-  const { setup: { units } } = useTexts();
+  const {
+    setup: { units },
+  } = useTexts();
   const stocks: readonly StockChoice[] = [
     "solid",
     ...(canBePreturned(asking.shape) ? (["preturned"] as const) : []),
     ...(inWork ? (["now"] as const) : []),
   ];
   const slots: Readonly<Record<string, ReactNode>> = {
-    site: <Choice label={words.site.label} of={words.site.of} among={SITES} value={asking.site} onChoose={(site) => onAsk({ site })} />,
+    site: (
+      <Choice
+        label={words.site.label}
+        of={words.site.of}
+        among={SITES}
+        value={asking.site}
+        onChoose={(site) => onAsk({ site })}
+      />
+    ),
     shape: (
-      <Choice label={words.shape.label} of={words.shape.of} among={SHAPES} value={asking.shape} onChoose={(shape) => onAsk({ shape })} />
+      <Choice
+        label={words.shape.label}
+        of={words.shape.of}
+        among={SHAPES}
+        value={asking.shape}
+        onChoose={(shape) => onAsk({ shape })}
+      />
     ),
     stock: (
-      <Choice label={words.stock.label} of={words.stock.of} among={stocks} value={asking.stock} onChoose={(stock) => onAsk({ stock })} />
+      <Choice
+        label={words.stock.label}
+        of={words.stock.of}
+        among={stocks}
+        value={asking.stock}
+        onChoose={(stock) => onAsk({ stock })}
+      />
     ),
   };
   const nameOf = (m: Measure) => (m === "d1" && asking.shape === "thread" ? words.threadDiameter : words.measures[m]);
@@ -58,13 +104,20 @@ export function Sentence({ words, asking, fault, inWork, onAsk }: Props) {
   return (
     <>
       <p className="which-sentence">
-        {words.sentence.split(/\{(\w+)\}/).map((part, i) => <span key={i}>{i % 2 === 0 ? part : slots[part]}</span>)}
+        {words.sentence.split(/\{(\w+)\}/).map((part, i) => (
+          <span key={i}>{i % 2 === 0 ? part : slots[part]}</span>
+        ))}
       </p>
       <div className="which-measures">
         {measuresOf(asking).map((m) => (
           <div key={m}>
-            <NumberField field={ASKED[m]} name={nameOf(m)} unit={unitOf(m)} text={asking.typed[m]}
-              onText={(text) => onAsk({ typed: { ...asking.typed, [m]: text } })} />
+            <NumberField
+              field={ASKED[m]}
+              name={nameOf(m)}
+              unit={unitOf(m)}
+              text={asking.typed[m]}
+              onText={(text) => onAsk({ typed: { ...asking.typed, [m]: text } })}
+            />
             <div role="status">{fault?.at === m && <Message tone="error">{words.faults[fault.code]}</Message>}</div>
           </div>
         ))}

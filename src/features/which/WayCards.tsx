@@ -35,9 +35,16 @@ function choiceText(t: Texts, cycle: Cycle, { choice }: Proposal): string | null
 }
 
 /** What is wrong with a way, the gravest first. */
-function problemsOf(t: Texts, words: WhichTexts, language: Language, { issues, judged, leavesMost }: Tried, cycle: number) {
+function problemsOf(
+  t: Texts,
+  words: WhichTexts,
+  language: Language,
+  { issues, judged, leavesMost }: Tried,
+  cycle: number,
+) {
   const found = judged.reasons.flatMap(({ kind }) => {
-    if (kind === "error" || kind === "holderUnknown" || kind === "flanksUnknown" || kind === "curvatureUnknown") return [];
+    if (kind === "error" || kind === "holderUnknown" || kind === "flanksUnknown" || kind === "curvatureUnknown")
+      return [];
     return [kind in words.problems ? words.problems[kind as keyof typeof words.problems] : words.problems.unproved];
   });
   const said = issues.map((issue) => issueText(t, language, issue, cycle));
@@ -65,7 +72,10 @@ export function WayCards({ words, compared: { ways, tried, isOld }, adds, onTake
         {whole && best && bestWay && (
           <>
             <Icon name="check" />{" "}
-            {words.bestIs(`${nameOf(bestWay)}, ${words.tool(bestWay.tool.T, bestWay.tool.NAME)}`, because[best.because])}
+            {words.bestIs(
+              `${nameOf(bestWay)}, ${words.tool(bestWay.tool.T, bestWay.tool.NAME)}`,
+              because[best.because],
+            )}
           </>
         )}
       </p>
@@ -77,13 +87,18 @@ export function WayCards({ words, compared: { ways, tried, isOld }, adds, onTake
             const one = tried.find((each) => each.id === way.id);
             const choice = choiceText(t, cycle, way);
             const isBest = whole && way.id === best?.id;
-            const name = [nameOf(way), words.tool(way.tool.T, way.tool.NAME), ...(choice === null ? [] : [choice])].join(", ");
+            const name = [
+              nameOf(way),
+              words.tool(way.tool.T, way.tool.NAME),
+              ...(choice === null ? [] : [choice]),
+            ].join(", ");
             const problems = one ? problemsOf(t, words, language, one, way.job.cycle) : [];
             const [reason] = one?.reasons ?? [];
             return (
               <li key={way.id} className={`which-way${isBest ? " which-best" : ""}`}>
                 <h3>
-                  <span className="number card-number">{way.job.cycle}</span> {t.cycles.of[way.job.cycle as CycleNumber].name}
+                  <span className="number card-number">{way.job.cycle}</span>{" "}
+                  {t.cycles.of[way.job.cycle as CycleNumber].name}
                   {isBest && <span className="which-mark">{words.best}</span>}
                 </h3>
                 <p className="small">{words.tool(way.tool.T, way.tool.NAME)}</p>
@@ -102,12 +117,16 @@ export function WayCards({ words, compared: { ways, tried, isOld }, adds, onTake
                     <dd>
                       {!one && "…"}
                       {one && one.stays === null && <span className="soft">{words.noArea}</span>}
-                      {one && one.stays !== null && (one.stays < NO_AREA ? words.nothing : (
-                        <>
-                          <span className="number">{write.area(one.stays)}</span>
-                          {reason && <span className="soft small">{words.reasons[reason.reason]}</span>}
-                        </>
-                      ))}
+                      {one &&
+                        one.stays !== null &&
+                        (one.stays < NO_AREA ? (
+                          words.nothing
+                        ) : (
+                          <>
+                            <span className="number">{write.area(one.stays)}</span>
+                            {reason && <span className="soft small">{words.reasons[reason.reason]}</span>}
+                          </>
+                        ))}
                     </dd>
                   </div>
                 </dl>
@@ -125,8 +144,12 @@ export function WayCards({ words, compared: { ways, tried, isOld }, adds, onTake
                     ))}
                   </ul>
                 )}
-                <button type="button" className={`button${isBest ? " primary" : ""}`}
-                  aria-label={adds ? words.insertLong(name) : words.takeLong(name)} disabled={!one || isOld} onClick={() => onTake(way)}
+                <button
+                  type="button"
+                  className={`button${isBest ? " primary" : ""}`}
+                  aria-label={adds ? words.insertLong(name) : words.takeLong(name)}
+                  disabled={!one || isOld}
+                  onClick={() => onTake(way)}
                 >
                   {adds ? words.insert : words.take}
                 </button>

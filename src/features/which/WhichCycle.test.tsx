@@ -15,7 +15,8 @@ import { WhichCycle } from "./WhichCycle.tsx";
 /** What the worker does, without one. */
 const direct: Comparer = {
   ways: (wanted, stock) => Promise.resolve(waysFor(wanted, stock, shippedTools)),
-  tryWay: (proposal, wanted, stock) => Promise.resolve(tryWay(proposal, wanted, stock, { tools: shippedTools, rapid: 10_000 })),
+  tryWay: (proposal, wanted, stock) =>
+    Promise.resolve(tryWay(proposal, wanted, stock, { tools: shippedTools, rapid: 10_000 })),
 };
 
 beforeEach(() => {
@@ -53,7 +54,9 @@ const best = () => screen.findByText(/^Best: /);
 test("the ways to make a step stand side by side, the best is named, and taking one begins its work", async () => {
   const done = shown();
   await best();
-  const cards = within(await ways()).getAllByRole("listitem").filter((card) => within(card).queryByRole("heading"));
+  const cards = within(await ways())
+    .getAllByRole("listitem")
+    .filter((card) => within(card).queryByRole("heading"));
   expect(cards.length).toBeGreaterThan(3);
   const first = within(cards[0] as HTMLElement);
   expect(first.getByText("Best")).toBeDefined();
@@ -100,5 +103,9 @@ test("of an opened work two elements of the contour are pointed at, and what is 
   expect(screen.getByRole("img", { name: /3 to 4/ })).toBeDefined();
   await settled();
   await userEvent.click(within(await ways()).getAllByRole("button", { name: /^Take it/ })[0] as HTMLElement);
-  expect(useEditor.getState().job?.contour.map((row) => [row.x, row.z])).toEqual([["48.4", "-18.3"], ["48.4", "-37.9"], ["70", "-37.9"]]);
+  expect(useEditor.getState().job?.contour.map((row) => [row.x, row.z])).toEqual([
+    ["48.4", "-18.3"],
+    ["48.4", "-37.9"],
+    ["70", "-37.9"],
+  ]);
 });

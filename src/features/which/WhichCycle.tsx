@@ -26,7 +26,8 @@ interface Props {
 }
 
 function begun(region: WhichRegion | null): Sought {
-  if (!region) return { site: "outside", shape: "step", stock: "solid", typed: usualNumbers("outside", "step"), rows: [] };
+  if (!region)
+    return { site: "outside", shape: "step", stock: "solid", typed: usualNumbers("outside", "step"), rows: [] };
   return soughtAt(region);
 }
 
@@ -57,26 +58,41 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
     ask((before) => asked(before, change, isTyped || region !== null));
   };
   return (
-    <dialog ref={dialog} className="which" aria-label={words?.title} onClose={() => !dialog.current?.open && done()}
+    <dialog
+      ref={dialog}
+      className="which"
+      aria-label={words?.title}
+      onClose={() => !dialog.current?.open && done()}
       onKeyDown={(event) => event.stopPropagation()}
     >
       {words && (
         <>
           <header className="which-head">
             <h2>{words.title}</h2>
-            <button type="button" className="button icon plain" aria-label={t.page.close} onClick={() => dialog.current?.close()}>
+            <button
+              type="button"
+              className="button icon plain"
+              aria-label={t.page.close}
+              onClick={() => dialog.current?.close()}
+            >
               <Icon name="close" />
             </button>
           </header>
           <p className="soft">{words.lead}</p>
           <Sentence words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
           {place && (
-            <ContourStretch words={words} contour={place.contour} first={place.first} last={place.last} onPick={(first, last) => {
-              const next = { ...place, first, last };
-              pick(next);
-              const { rows, typed, shape } = soughtAt(next);
-              onAsk({ rows, typed, shape });
-            }} />
+            <ContourStretch
+              words={words}
+              contour={place.contour}
+              first={place.first}
+              last={place.last}
+              onPick={(first, last) => {
+                const next = { ...place, first, last };
+                pick(next);
+                const { rows, typed, shape } = soughtAt(next);
+                onAsk({ rows, typed, shape });
+              }}
+            />
           )}
           {asking.shape === "free" && !place && (
             <Suspense>
@@ -85,10 +101,15 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
           )}
           {fault?.at === "contour" && <p className="soft">{words.faults.contour}</p>}
           {compared && (
-            <WayCards words={words} compared={compared} adds={asking.stock === "now"} onTake={(way) => {
-              done();
-              void takeWay(way, compared.wanted, { language, adds: asking.stock === "now" });
-            }} />
+            <WayCards
+              words={words}
+              compared={compared}
+              adds={asking.stock === "now"}
+              onTake={(way) => {
+                done();
+                void takeWay(way, compared.wanted, { language, adds: asking.stock === "now" });
+              }}
+            />
           )}
         </>
       )}

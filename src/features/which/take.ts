@@ -21,7 +21,8 @@ export async function takeWay(
   { language, adds }: { readonly language: Language; readonly adds: boolean },
 ): Promise<void> {
   const { job: open, program } = useEditor.getState();
-  const ncLanguage = ncLanguageOf(language), labels = ncLabels(ncLanguage);
+  const ncLanguage = ncLanguageOf(language),
+    labels = ncLabels(ncLanguage);
   const made = { ...job, ncLanguage, output: outputInUse() };
   if (adds && program) {
     const [{ editProgram, sessionText }, { showFile }] = await Promise.all([
@@ -31,7 +32,8 @@ export async function takeWay(
     showFile(null);
     return editProgram(withOperation(parse(sessionText() ?? program.text), made, labels), null);
   }
-  if (adds && open) return openText(print(withOperation(parse(printedText(open)), { ...made, layout: open.layout }, labels)));
+  if (adds && open)
+    return openText(print(withOperation(parse(printedText(open)), { ...made, layout: open.layout }, labels)));
   if (wanted.allowance > 0) return openText(wantedText(made, wanted, labels));
   startWork(made);
   const [first] = Object.keys(cycleByNumber(made.cycle)?.params ?? {});

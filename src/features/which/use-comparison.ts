@@ -18,7 +18,11 @@ export interface Compared {
 }
 
 /** Tries the ways one by one; what was asked before is forgotten as soon as something else is wanted. */
-export function useComparison(wanted: Wanted | null, stock: readonly Ring[] | null, { ways, tryWay }: Comparer): Compared | null {
+export function useComparison(
+  wanted: Wanted | null,
+  stock: readonly Ring[] | null,
+  { ways, tryWay }: Comparer,
+): Compared | null {
   const [compared, set] = useState<Omit<Compared, "isOld"> | null>(null);
   useEffect(() => {
     if (!wanted) return undefined;

@@ -7,14 +7,32 @@ import type { ReadArchive } from "../../app/records/archive.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { endBringing, type Bringing } from "../../app/records/bring-in-place.ts";
 import { BOXES, TABLES } from "../../app/records/parts.ts";
-import { boxOffer, FIRST_CHOICES, statesOf, tableOffer, takeArchive, type ArchivedState, type GroupChoice } from "./take-archive.ts";
+import {
+  boxOffer,
+  FIRST_CHOICES,
+  statesOf,
+  tableOffer,
+  takeArchive,
+  type ArchivedState,
+  type GroupChoice,
+} from "./take-archive.ts";
 import { useModal } from "../../app/base/use-modal.ts";
 import "./works.css";
 
 /** What is done with a table of the file: mine stays, takes what it does not have, or gives way. */
-function TableWays({ name, missing, choice, t, onChoose }: { readonly name: string; readonly missing: number; readonly choice: GroupChoice;
-  readonly t: DeviceTexts["bringIn"]; readonly onChoose: (choice: GroupChoice) => void })
-{
+function TableWays({
+  name,
+  missing,
+  choice,
+  t,
+  onChoose,
+}: {
+  readonly name: string;
+  readonly missing: number;
+  readonly choice: GroupChoice;
+  readonly t: DeviceTexts["bringIn"];
+  readonly onChoose: (choice: GroupChoice) => void;
+}) {
   const id = useId();
   const ways: readonly (readonly [GroupChoice, string])[] = [
     ["keep", t.keep],
@@ -45,9 +63,15 @@ function SameAsHere({ name, t }: { readonly name: string; readonly t: DeviceText
 const BOX_NAMES = Object.keys(BOXES) as readonly (keyof typeof BOXES)[];
 
 /** What a file holds, and what of it is taken. */
-function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readonly t: DeviceTexts["bringIn"];
-  readonly onDone: (sentences: readonly string[]) => void })
-{
+function Content({
+  archive,
+  t,
+  onDone,
+}: {
+  readonly archive: ReadArchive;
+  readonly t: DeviceTexts["bringIn"];
+  readonly onDone: (sentences: readonly string[]) => void;
+}) {
   const { page, menu } = useTexts("first");
   const { works: list } = useTexts("device");
   const [states, setStates] = useState<readonly ArchivedState[] | null>(null);
@@ -62,12 +86,19 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
   const chosen = archive.works.filter((_, i) => isNew(i) && !without.has(i));
   const fresh = archive.works.filter((_, i) => isNew(i)).length;
   const long = { course: t.courseLong, settings: t.settingsLong };
-  const offered = [...tables.filter(({ offer }) => offer && offer.missing !== null), ...boxes.filter(({ offer }) => offer)];
+  const offered = [
+    ...tables.filter(({ offer }) => offer && offer.missing !== null),
+    ...boxes.filter(({ offer }) => offer),
+  ];
   const nothing = chosen.length === 0 && offered.every(({ group }) => choices[group] === "keep");
   const take = async () => {
     work(true);
     const { kept, full, undone } = await takeArchive(archive, chosen, choices);
-    onDone([...(chosen.length > 0 ? [t.done(kept)] : []), ...(full > 0 ? [t.notKept(full)] : []), ...(undone ? [t.doneBeside] : [])]);
+    onDone([
+      ...(chosen.length > 0 ? [t.done(kept)] : []),
+      ...(full > 0 ? [t.notKept(full)] : []),
+      ...(undone ? [t.doneBeside] : []),
+    ]);
   };
   return (
     <>
@@ -77,8 +108,11 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
           {fresh === 0 && <p className="soft">{t.allSame}</p>}
           {fresh > 1 && (
             <label>
-              <input type="checkbox" checked={without.size === 0} onChange={() =>
-                leave(without.size === 0 ? new Set(archive.works.keys()) : new Set())} />
+              <input
+                type="checkbox"
+                checked={without.size === 0}
+                onChange={() => leave(without.size === 0 ? new Set(archive.works.keys()) : new Set())}
+              />
               <b>{t.all}</b>
             </label>
           )}
@@ -86,15 +120,23 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
             {archive.works.map(({ job }, i) => (
               <li key={i}>
                 <label>
-                  <input type="checkbox" checked={isNew(i) && !without.has(i)} disabled={!isNew(i)} onChange={() =>
-                    leave((before) => {
-                      const next = new Set(before);
-                      if (!next.delete(i)) next.add(i);
-                      return next;
-                    })} />
+                  <input
+                    type="checkbox"
+                    checked={isNew(i) && !without.has(i)}
+                    disabled={!isNew(i)}
+                    onChange={() =>
+                      leave((before) => {
+                        const next = new Set(before);
+                        if (!next.delete(i)) next.add(i);
+                        return next;
+                      })
+                    }
+                  />
                   <span>
                     <b className="kept-name">{job.name}</b>{" "}
-                    <span className="small">{"cycle" in job ? `${job.cycle} ${menu.of[job.cycle]?.name ?? ""}` : list.program}</span>{" "}
+                    <span className="small">
+                      {"cycle" in job ? `${job.cycle} ${menu.of[job.cycle]?.name ?? ""}` : list.program}
+                    </span>{" "}
                     <span className="small soft">{t.states[states[i] ?? "fresh"]}</span>
                   </span>
                 </label>
@@ -103,36 +145,55 @@ function Content({ archive, t, onDone }: { readonly archive: ReadArchive; readon
           </ul>
         </fieldset>
       )}
-      {tables.map(({ group, offer }) =>
-        offer && (offer.missing === null
-          ? <SameAsHere key={group} name={t[group](offer.rows)} t={t} />
-          : (
-            <TableWays key={group} name={t[group](offer.rows)} missing={offer.missing} choice={choices[group]} t={t} onChoose={(choice) =>
-              choose({ ...choices, [group]: choice })} />
-          ))
+      {tables.map(
+        ({ group, offer }) =>
+          offer &&
+          (offer.missing === null ? (
+            <SameAsHere key={group} name={t[group](offer.rows)} t={t} />
+          ) : (
+            <TableWays
+              key={group}
+              name={t[group](offer.rows)}
+              missing={offer.missing}
+              choice={choices[group]}
+              t={t}
+              onChoose={(choice) => choose({ ...choices, [group]: choice })}
+            />
+          )),
       )}
-      {boxes.map(({ group, offer }) =>
-        offer !== null && (offer
-          ? (
+      {boxes.map(
+        ({ group, offer }) =>
+          offer !== null &&
+          (offer ? (
             <label key={group} className="bring-settings">
-              <input type="checkbox" checked={choices[group] !== "keep"} onChange={() =>
-                choose({ ...choices, [group]: choices[group] === "keep" ? "missing" : "keep" })} />
+              <input
+                type="checkbox"
+                checked={choices[group] !== "keep"}
+                onChange={() => choose({ ...choices, [group]: choices[group] === "keep" ? "missing" : "keep" })}
+              />
               <span>
                 {t[group]} <span className="small soft">{long[group]}</span>
               </span>
             </label>
-          )
-          : <SameAsHere key={group} name={t[group]} t={t} />)
+          ) : (
+            <SameAsHere key={group} name={t[group]} t={t} />
+          )),
       )}
       {archive.unread.length > 0 && (
         <Message tone="warning">{t.unread(archive.unread.length, archive.unread.slice(0, 12).join(", "))}</Message>
       )}
-      {archive.unreadParts.map((part) => <Message key={part} tone="warning">{t.unreadParts[part]}</Message>)}
+      {archive.unreadParts.map((part) => (
+        <Message key={part} tone="warning">
+          {t.unreadParts[part]}
+        </Message>
+      ))}
       <div className="bring-buttons">
         <button type="button" className="button primary" disabled={nothing || busy} onClick={() => void take()}>
           {nothing ? t.nothing : t.take}
         </button>
-        <button type="button" className="button" onClick={endBringing}>{page.programs.cancel}</button>
+        <button type="button" className="button" onClick={endBringing}>
+          {page.programs.cancel}
+        </button>
       </div>
     </>
   );
@@ -146,7 +207,11 @@ export function BringInDialog({ of: { name, archive, problem } }: { readonly of:
   const { page } = useTexts("first");
   const [done, end] = useState<readonly string[] | null>(null);
   return (
-    <dialog ref={dialog} className="bring-in" aria-label={t.title(name)} onKeyDown={(event) => event.stopPropagation()}
+    <dialog
+      ref={dialog}
+      className="bring-in"
+      aria-label={t.title(name)}
+      onKeyDown={(event) => event.stopPropagation()}
       onClose={() => !dialog.current?.open && endBringing()}
     >
       <h2>{t.title(name)}</h2>
@@ -162,14 +227,20 @@ export function BringInDialog({ of: { name, archive, problem } }: { readonly of:
       {(problem !== null || done) && (
         <div className="bring-buttons">
           {done && (
-            <button type="button" className="button primary" onClick={() => {
-              endBringing();
-              goToEntrance({ page: "works" });
-            }}>
+            <button
+              type="button"
+              className="button primary"
+              onClick={() => {
+                endBringing();
+                goToEntrance({ page: "works" });
+              }}
+            >
               {t.showAll}
             </button>
           )}
-          <button type="button" className="button" onClick={endBringing}>{page.close}</button>
+          <button type="button" className="button" onClick={endBringing}>
+            {page.close}
+          </button>
         </div>
       )}
     </dialog>

@@ -17,29 +17,53 @@ export function ElsewherePage({ of: { work, name, cause } }: { readonly of: Work
     await takeOver(work);
     take(false);
   };
-  const copy = () => copyWork(work, (now) => freeName(now, useKeeping.getState().works.map((each) => each.name)));
+  const copy = () =>
+    copyWork(work, (now) =>
+      freeName(
+        now,
+        useKeeping.getState().works.map((each) => each.name),
+      ),
+    );
   return (
     <main className="elsewhere-page">
       <h1>{cause === "isOpen" ? t.isOpen(name) : t.wasTaken(name)}</h1>
       <p>{cause === "isOpen" ? t.isOpenLead : t.wasTakenLead}</p>
       <ul>
         <li>
-          <button type="button" className="button primary" disabled={taking} aria-describedby="elsewhere-take" onClick={() => void over()}>
+          <button
+            type="button"
+            className="button primary"
+            disabled={taking}
+            aria-describedby="elsewhere-take"
+            onClick={() => void over()}
+          >
             {cause === "isOpen" ? t.take : t.takeBack}
           </button>
-          <span id="elsewhere-take" className="soft">{t.takeLong}</span>
+          <span id="elsewhere-take" className="soft">
+            {t.takeLong}
+          </span>
         </li>
         <li>
-          <button type="button" className="button" disabled={taking} aria-describedby="elsewhere-copy" onClick={() => void copy()}>
+          <button
+            type="button"
+            className="button"
+            disabled={taking}
+            aria-describedby="elsewhere-copy"
+            onClick={() => void copy()}
+          >
             {t.copy}
           </button>
-          <span id="elsewhere-copy" className="soft">{t.copyLong}</span>
+          <span id="elsewhere-copy" className="soft">
+            {t.copyLong}
+          </span>
         </li>
         <li>
           <button type="button" className="button" onClick={goHome}>
             <Icon name="home" /> {list.back}
           </button>
-          <a className="button" href="#/works">{page.works.title}</a>
+          <a className="button" href="#/works">
+            {page.works.title}
+          </a>
         </li>
       </ul>
       <p role="status">{taking && t.taking}</p>

@@ -10,7 +10,9 @@ import { sizeWords } from "./size-words.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./works.css";
 
-/** What lies on this device: whether it stays, how much it is, all of it as a file and back, and the reports of faults. */
+/**
+ * What lies on this device: whether it stays, how much it is, all of it as a file and back, and the reports of faults.
+ */
 export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
   const { here: t, reports } = useTexts("device");
   const language = useSettings((s) => s.language);
@@ -21,7 +23,7 @@ export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
   const look = () => void storageState().then(setState);
   useEffect(look, []);
   const ask = async () => {
-    if (!await askToPersist()) say(t.refused);
+    if (!(await askToPersist())) say(t.refused);
     look();
   };
   return (
@@ -34,20 +36,38 @@ export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
         )}
       </p>
       <div className="bring-buttons">
-        {state?.persisted === false && <button type="button" className="button" onClick={() => void ask()}>{t.ask}</button>}
+        {state?.persisted === false && (
+          <button type="button" className="button" onClick={() => void ask()}>
+            {t.ask}
+          </button>
+        )}
         <SaveEverything say={say} />
-        <button type="button" className="button" aria-label={t.importLong} title={t.importLong} onClick={() => file.current?.click()}>
+        <button
+          type="button"
+          className="button"
+          aria-label={t.importLong}
+          title={t.importLong}
+          onClick={() => file.current?.click()}
+        >
           <Icon name="add" /> {t.importAll}
         </button>
-        <input ref={file} type="file" hidden accept=".zip,application/zip" onChange={(event) => {
-          const [chosen] = event.currentTarget.files ?? [];
-          event.currentTarget.value = "";
-          if (!chosen) return;
-          onBringIn();
-          void bringIn(chosen);
-        }} />
+        <input
+          ref={file}
+          type="file"
+          hidden
+          accept=".zip,application/zip"
+          onChange={(event) => {
+            const [chosen] = event.currentTarget.files ?? [];
+            event.currentTarget.value = "";
+            if (!chosen) return;
+            onBringIn();
+            void bringIn(chosen);
+          }}
+        />
       </div>
-      <p role="status" className="small">{said}</p>
+      <p role="status" className="small">
+        {said}
+      </p>
       {count > 0 && (
         <details>
           <summary>{`${reports.title} (${count})`}</summary>

@@ -6,8 +6,9 @@ import type { Kept } from "../../app/records/device.ts";
 import { KeptPicture } from "../../app/fields/kept/KeptPicture.tsx";
 
 /** What can be asked of a row. */
-export type RowWish = { readonly what: "open" | "rename" | "stay" | "duplicate" | "remove" | "select" } | { readonly what: "call";
-  readonly name: string };
+export type RowWish =
+  | { readonly what: "open" | "rename" | "stay" | "duplicate" | "remove" | "select" }
+  | { readonly what: "call"; readonly name: string };
 
 interface Props {
   readonly of: Kept;
@@ -26,9 +27,15 @@ interface Props {
 }
 
 /** The field for another name: Enter takes it, Escape leaves it. */
-function NameField({ name, label, onDone }: { readonly name: string; readonly label: string;
-  readonly onDone: (name: string | null) => void })
-{
+function NameField({
+  name,
+  label,
+  onDone,
+}: {
+  readonly name: string;
+  readonly label: string;
+  readonly onDone: (name: string | null) => void;
+}) {
   const input = useRef<HTMLInputElement>(null);
   useLayoutEffect(() => {
     input.current?.focus();
@@ -36,17 +43,38 @@ function NameField({ name, label, onDone }: { readonly name: string; readonly la
     input.current?.setSelectionRange(0, name.replace(/\.[^.]{1,4}$/, "").length);
   }, [name]);
   return (
-    <input ref={input} className="input number" type="text" defaultValue={name} aria-label={label} maxLength={80} spellCheck={false}
-      autoComplete="off" onBlur={(event) => onDone(event.currentTarget.value)} onKeyDown={(event) => {
-      event.stopPropagation();
-      if (event.key === "Enter") onDone(event.currentTarget.value);
-      if (event.key === "Escape") onDone(null);
-    }} />
+    <input
+      ref={input}
+      className="input number"
+      type="text"
+      defaultValue={name}
+      aria-label={label}
+      maxLength={80}
+      spellCheck={false}
+      autoComplete="off"
+      onBlur={(event) => onDone(event.currentTarget.value)}
+      onKeyDown={(event) => {
+        event.stopPropagation();
+        if (event.key === "Enter") onDone(event.currentTarget.value);
+        if (event.key === "Escape") onDone(null);
+      }}
+    />
   );
 }
 
 /** One work of the list: a picture, what it is, and what can be done with it. */
-export const WorkRow = memo(function WorkRow({ of, seen, kind, task, about, elsewhere, selected, renaming, t, onWish }: Props) {
+export const WorkRow = memo(function WorkRow({
+  of,
+  seen,
+  kind,
+  task,
+  about,
+  elsewhere,
+  selected,
+  renaming,
+  t,
+  onWish,
+}: Props) {
   const { name, cycle, work } = of;
   const does = (what: Exclude<RowWish["what"], "call">) => () => onWish(of, { what });
   return (
@@ -54,39 +82,54 @@ export const WorkRow = memo(function WorkRow({ of, seen, kind, task, about, else
       <label className="work-select">
         <input type="checkbox" aria-label={t.select(name)} checked={selected} onChange={does("select")} />
       </label>
-      {renaming
-        ? (
-          <div className="work-open">
-            <KeptPicture seen={seen} cycle={cycle} />
-            <NameField name={name} label={t.newName(name)}
-              onDone={(typed) => onWish(of, typed === null ? { what: "stay" } : { what: "call", name: typed })} />
-          </div>
-        )
-        : (
-          <button type="button" className="button plain work-open" aria-label={t.open(name)} onClick={does("open")}>
-            <KeptPicture seen={seen} cycle={cycle} />
-            <span className="kept-words">
-              <b className="kept-name">{name}</b>
-              <span className="small">
-                <span className="number card-number">{cycle ?? ".h"}</span> {task !== null && <b>{task}</b>} {kind}
-              </span>
-              <span className="soft small">{about}</span>
-              {elsewhere !== null && <span className="small work-elsewhere">{elsewhere}</span>}
+      {renaming ? (
+        <div className="work-open">
+          <KeptPicture seen={seen} cycle={cycle} />
+          <NameField
+            name={name}
+            label={t.newName(name)}
+            onDone={(typed) => onWish(of, typed === null ? { what: "stay" } : { what: "call", name: typed })}
+          />
+        </div>
+      ) : (
+        <button type="button" className="button plain work-open" aria-label={t.open(name)} onClick={does("open")}>
+          <KeptPicture seen={seen} cycle={cycle} />
+          <span className="kept-words">
+            <b className="kept-name">{name}</b>
+            <span className="small">
+              <span className="number card-number">{cycle ?? ".h"}</span> {task !== null && <b>{task}</b>} {kind}
             </span>
-          </button>
-        )}
+            <span className="soft small">{about}</span>
+            {elsewhere !== null && <span className="small work-elsewhere">{elsewhere}</span>}
+          </span>
+        </button>
+      )}
       <div className="work-tools">
-        <button type="button" className="button icon plain" aria-label={t.rename(name)} title={t.rename(name)} disabled={elsewhere !== null}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.rename(name)}
+          title={t.rename(name)}
+          disabled={elsewhere !== null}
           onClick={does("rename")}
         >
           <Icon name="rename" />
         </button>
-        <button type="button" className="button icon plain" aria-label={t.duplicate(name)} title={t.duplicate(name)}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.duplicate(name)}
+          title={t.duplicate(name)}
           onClick={does("duplicate")}
         >
           <Icon name="copy" />
         </button>
-        <button type="button" className="button icon plain" aria-label={t.remove(name)} title={t.remove(name)} disabled={elsewhere !== null}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.remove(name)}
+          title={t.remove(name)}
+          disabled={elsewhere !== null}
           onClick={does("remove")}
         >
           <Icon name="remove" />

@@ -17,15 +17,19 @@ import "./works.css";
 const rowOf = (work: string) => document.querySelector<HTMLElement>(`[data-work="${CSS.escape(work)}"] .work-open`);
 
 /** Once the list has changed, the keyboard is on the row of a work. */
-const focusRow = (work: string): void => void requestAnimationFrame(() => requestAnimationFrame(() => rowOf(work)?.focus()));
+const focusRow = (work: string): void =>
+  void requestAnimationFrame(() => requestAnimationFrame(() => rowOf(work)?.focus()));
 
-/** The same after what takes its time, unless the keyboard is elsewhere by then: a Delete for a field must not reach a row. */
+/**
+ * The same after what takes its time, unless the keyboard is elsewhere by then: a Delete for a field must not reach a
+ * row.
+ */
 const focusRowAgain = (work: string): void =>
   void requestAnimationFrame(() =>
     requestAnimationFrame(() => {
       const { activeElement, body } = document;
       if (!activeElement || activeElement === body || activeElement.closest("[data-work]")) rowOf(work)?.focus();
-    })
+    }),
   );
 
 /** Arrow keys go from work to work, F2 calls one otherwise, Delete takes it away. */
@@ -59,10 +63,17 @@ export function WorksPage() {
   const [order, setOrder] = useState<WorkOrder>("newest");
   const search = useRef<HTMLInputElement>(null);
   const works = useMemo(() => all.filter(({ cycle }) => cycle === null || menuCycle(cycle)), [all]);
-  const shown = useMemo(() => listWorks(works, sought, order, (cycle) => menu.of[cycle]?.name ?? ""), [works, sought, order, menu]);
+  const shown = useMemo(
+    () => listWorks(works, sought, order, (cycle) => menu.of[cycle]?.name ?? ""),
+    [works, sought, order, menu],
+  );
   // Pictures are made while a work is open, not while the list is shown.
   const [pictures] = useState(keptPictures);
-  const { saying, say, renaming, selected, select, remove, save, onWish } = useListActions(t, page.start.isElsewhere, focusRowAgain);
+  const { saying, say, renaming, selected, select, remove, save, onWish } = useListActions(
+    t,
+    page.start.isElsewhere,
+    focusRowAgain,
+  );
   const chosen = shown.filter(({ work }) => selected.has(work));
   useEffect(() => {
     void refreshWorks();
@@ -70,12 +81,16 @@ export function WorksPage() {
   }, []);
   const words = useMemo(() => {
     const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
-    return (savedAt: number, size: number) => `${page.start.changed(when.format(savedAt))} · ${sizeWords(size, language)}`;
+    return (savedAt: number, size: number) =>
+      `${page.start.changed(when.format(savedAt))} · ${sizeWords(size, language)}`;
   }, [language, page]);
-  const wish = useCallback((work: string, what: "rename" | "remove") => {
-    const of = shown.find((each) => each.work === work);
-    if (of && !elsewhere.has(work)) onWish(of, { what });
-  }, [shown, elsewhere, onWish]);
+  const wish = useCallback(
+    (work: string, what: "rename" | "remove") => {
+      const of = shown.find((each) => each.work === work);
+      if (of && !elsewhere.has(work)) onWish(of, { what });
+    },
+    [shown, elsewhere, onWish],
+  );
 
   return (
     <main className="works-page">
@@ -83,26 +98,47 @@ export function WorksPage() {
         <button type="button" className="button" onClick={goHome}>
           <Icon name="back" /> {t.back}
         </button>
-        <p role="status" className="soft">{sought.trim() === "" ? t.count(works.length) : t.found(shown.length, works.length)}</p>
-        <input ref={search} className="input works-search" type="search" aria-label={t.search} placeholder={t.search} value={sought}
-          onChange={(event) => seek(event.currentTarget.value)} onKeyDown={(event) => {
-          const [first] = shown;
-          if (event.key === "ArrowDown" && first) focusRow(first.work);
-        }} />
+        <p role="status" className="soft">
+          {sought.trim() === "" ? t.count(works.length) : t.found(shown.length, works.length)}
+        </p>
+        <input
+          ref={search}
+          className="input works-search"
+          type="search"
+          aria-label={t.search}
+          placeholder={t.search}
+          value={sought}
+          onChange={(event) => seek(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            const [first] = shown;
+            if (event.key === "ArrowDown" && first) focusRow(first.work);
+          }}
+        />
         <label className="works-order">
           <span>{t.sort}</span>
-          <select className="select" value={order}
+          <select
+            className="select"
+            value={order}
             onChange={(event) => setOrder(WORK_ORDERS.find((each) => each === event.target.value) ?? "newest")}
           >
-            {WORK_ORDERS.map((each) => <option key={each} value={each}>{t.orders[each]}</option>)}
+            {WORK_ORDERS.map((each) => (
+              <option key={each} value={each}>
+                {t.orders[each]}
+              </option>
+            ))}
           </select>
         </label>
       </div>
       {shown.length > 0 && (
         <div className="works-chosen">
           <label className="work-select">
-            <input type="checkbox" checked={chosen.length === shown.length} onChange={() =>
-              select(chosen.length === shown.length ? new Set() : new Set(shown.map(({ work }) => work)))} />
+            <input
+              type="checkbox"
+              checked={chosen.length === shown.length}
+              onChange={() =>
+                select(chosen.length === shown.length ? new Set() : new Set(shown.map(({ work }) => work)))
+              }
+            />
             <span>{t.selectAll}</span>
           </label>
           {chosen.length > 0 && (
@@ -111,10 +147,17 @@ export function WorksPage() {
               <button type="button" className="button" onClick={() => void save()}>
                 <Icon name="download" /> {t.saveSelected}
               </button>
-              <button type="button" className="button" onClick={() => {
-                search.current?.focus();
-                void remove(chosen.map(({ work }) => work), null);
-              }}>
+              <button
+                type="button"
+                className="button"
+                onClick={() => {
+                  search.current?.focus();
+                  void remove(
+                    chosen.map(({ work }) => work),
+                    null,
+                  );
+                }}
+              >
                 <Icon name="remove" /> {t.removeSelected}
               </button>
             </>
@@ -125,10 +168,19 @@ export function WorksPage() {
       {shown.length === 0 && <p className="soft works-none">{works.length === 0 ? t.none : t.noMatch}</p>}
       <ul className="works-list" aria-label={t.list} onKeyDown={(event) => onListKey(event, wish)}>
         {shown.map((of) => (
-          <WorkRow key={of.work} of={of} seen={pictures[of.work]} kind={of.cycle === null ? t.program : (menu.of[of.cycle]?.name ?? "")}
-            task={of.task === undefined ? null : page.start.task} about={words(of.savedAt, of.size)}
-            elsewhere={elsewhere.has(of.work) ? page.start.isElsewhere : null} selected={selected.has(of.work)}
-            renaming={renaming === of.work} t={t} onWish={onWish} />
+          <WorkRow
+            key={of.work}
+            of={of}
+            seen={pictures[of.work]}
+            kind={of.cycle === null ? t.program : (menu.of[of.cycle]?.name ?? "")}
+            task={of.task === undefined ? null : page.start.task}
+            about={words(of.savedAt, of.size)}
+            elsewhere={elsewhere.has(of.work) ? page.start.isElsewhere : null}
+            selected={selected.has(of.work)}
+            renaming={renaming === of.work}
+            t={t}
+            onWish={onWish}
+          />
         ))}
       </ul>
     </main>

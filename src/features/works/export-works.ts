@@ -65,12 +65,17 @@ export async function saveWorks(works: readonly string[]): Promise<number> {
 }
 
 /**
- * Hands everything on this device to the downloads: works, and all parts that an archive has beside them. What the device has not taken
- * is in it too.
+ * Hands everything on this device to the downloads: works, and all parts that an archive has beside them. What the
+ * device has not taken is in it too.
  */
-export async function saveEverything(unkept: readonly string[]): Promise<{ readonly works: number; readonly files: number }> {
+export async function saveEverything(
+  unkept: readonly string[],
+): Promise<{ readonly works: number; readonly files: number }> {
   handOver();
   const { works } = await findWorks();
   const all = [...new Set([...works.map(({ work }) => work), ...unkept])];
-  return save(all, eachPart((part) => part.here()));
+  return save(
+    all,
+    eachPart((part) => part.here()),
+  );
 }

@@ -7,14 +7,27 @@ export type WorkOrder = (typeof WORK_ORDERS)[number];
 
 const byTime = (a: Kept, b: Kept) => b.savedAt - a.savedAt;
 
-/** The works whose name or cycle holds every word that is sought, in an order. `cycleName` is what a cycle is called on the screen. */
-export function listWorks(works: readonly Kept[], sought: string, order: WorkOrder, cycleName: (cycle: number) => string): readonly Kept[] {
-  const words = plain(sought).split(/[\s,;]+/).filter((word) => word !== "");
+/**
+ * The works whose name or cycle holds every word that is sought, in an order. `cycleName` is what a cycle is called on
+ * the screen.
+ */
+export function listWorks(
+  works: readonly Kept[],
+  sought: string,
+  order: WorkOrder,
+  cycleName: (cycle: number) => string,
+): readonly Kept[] {
+  const words = plain(sought)
+    .split(/[\s,;]+/)
+    .filter((word) => word !== "");
   const textOf = ({ name, cycle }: Kept) => plain(`${name} ${cycle === null ? ".h" : `${cycle} ${cycleName(cycle)}`}`);
-  const found = words.length === 0 ? [...works] : works.filter((work) => {
-    const text = textOf(work);
-    return words.every((word) => text.includes(word));
-  });
+  const found =
+    words.length === 0
+      ? [...works]
+      : works.filter((work) => {
+          const text = textOf(work);
+          return words.every((word) => text.includes(word));
+        });
   // Names as people count: A2 before A10.
   const { compare } = new Intl.Collator("en", { numeric: true, sensitivity: "base" });
   const orders: Readonly<Record<WorkOrder, (a: Kept, b: Kept) => number>> = {

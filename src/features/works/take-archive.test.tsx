@@ -30,15 +30,24 @@ const own = (id: string, number: string, name: string): OwnEntry => ({
 const row = (id: string, T: string, NAME: string) => ({ id, cells: { ...shippedList[0]?.cells, T, NAME } });
 const settings = { ...firstSettings(), xDown: true };
 const archive: ReadArchive = {
-  works: [{ work: "same", savedAt: 41, job }, { work: "mine", savedAt: 42, job: { ...job, rapid: "4321" } }, {
-    work: "",
-    savedAt: 43,
-    job: { ...job, name: "NEW" },
-  }, { work: "free", savedAt: 44, job: { ...job, name: "FREE" } }],
+  works: [
+    { work: "same", savedAt: 41, job },
+    { work: "mine", savedAt: 42, job: { ...job, rapid: "4321" } },
+    {
+      work: "",
+      savedAt: 43,
+      job: { ...job, name: "NEW" },
+    },
+    { work: "free", savedAt: 44, job: { ...job, name: "FREE" } },
+  ],
   tools: [row("r1", "1", "OTHER 1"), row("x", "88.1", "GROOVER")],
   own: [own("c1", "1711", "OTHERS"), own("c2", "1713", "SAW")],
   settings,
-  course: withPlace(withPass(NO_PROGRESS, "l03-thicker-bar", { when: 7, seconds: 41.7 }), { lesson: "tool", number: 2, page: 3 }),
+  course: withPlace(withPass(NO_PROGRESS, "l03-thicker-bar", { when: 7, seconds: 41.7 }), {
+    lesson: "tool",
+    number: 2,
+    page: 3,
+  }),
   taught: null,
   forms: null,
   worked: null,
@@ -90,7 +99,10 @@ test("of tables the missing rows come, or all of them, each as one step", async 
   undo();
   expect(names()).toEqual(["MINE 1", "MINE 2"]);
   await takeArchive(archive, [], { ...NOTHING, tools: "replace", own: "replace" });
-  expect([names(), cycles()]).toEqual([["OTHER 1", "GROOVER"], ["OTHERS", "SAW"]]);
+  expect([names(), cycles()]).toEqual([
+    ["OTHER 1", "GROOVER"],
+    ["OTHERS", "SAW"],
+  ]);
 });
 
 test("a machine comes with the settings; where none is brought, that of the device stays", async () => {
@@ -104,7 +116,8 @@ test("a machine comes with the settings; where none is brought, that of the devi
 });
 
 test("cutting data come with the settings; where none are brought, the shop's own stay", async () => {
-  const mine = writeCuttingTable({ ...usualTable, power: 7.3 }), theirs = writeCuttingTable({ ...usualTable, power: 18.9 });
+  const mine = writeCuttingTable({ ...usualTable, power: 7.3 }),
+    theirs = writeCuttingTable({ ...usualTable, power: 18.9 });
   const take = (cutting: string, wanted: boolean) =>
     takeArchive({ ...archive, settings: { ...settings, material: "brass", cutting } }, [], {
       ...NOTHING,
@@ -128,7 +141,10 @@ test("tables that are the same have nothing missing to take", () => {
   });
   expect(tableOffer(archive, "tools")).toEqual({ rows: 2, missing: 1 });
   expect(tableOffer({ ...archive, own }, "own")).toEqual({ rows: 1, missing: null });
-  expect([tableOffer({ ...archive, own: [] }, "own"), tableOffer({ ...archive, tools: null }, "tools")]).toEqual([null, null]);
+  expect([tableOffer({ ...archive, own: [] }, "own"), tableOffer({ ...archive, tools: null }, "tools")]).toEqual([
+    null,
+    null,
+  ]);
   expect(tableOffer({ ...archive, tools: [] }, "tools")).toEqual({ rows: 0, missing: 0 });
 });
 
@@ -142,11 +158,18 @@ test("what was reached in the course elsewhere comes beside what was reached her
   const hinted = withPass(withHint(NO_PROGRESS, "l03-thicker-bar", 1), "l03-thicker-bar", { when: 3, seconds: 37.2 });
   const mine = withPass(hinted, "l01-sawn-long", { when: 4 });
   useLearning.setState({ list: mine });
-  expect([boxOffer(archive, "course"), boxOffer({ ...archive, course: mine }, "course"), boxOffer({ ...archive, course: null }, "course")])
-    .toEqual([true, false, null]);
+  expect([
+    boxOffer(archive, "course"),
+    boxOffer({ ...archive, course: mine }, "course"),
+    boxOffer({ ...archive, course: null }, "course"),
+  ]).toEqual([true, false, null]);
   expect((await takeArchive(archive, [], COURSE)).undone).toBe(true);
   const { list } = useLearning.getState();
-  expect(progressOfTask(list, "l03-thicker-bar")).toMatchObject({ passed: { way: "alone", when: 7 }, seconds: 37.2, hints: 1 });
+  expect(progressOfTask(list, "l03-thicker-bar")).toMatchObject({
+    passed: { way: "alone", when: 7 },
+    seconds: 37.2,
+    hints: 1,
+  });
   expect([progressOfTask(list, "l01-sawn-long").passed?.when, list.last?.page]).toEqual([4, 3]);
   undo();
   expect(useLearning.getState().list).toBe(mine);
@@ -175,10 +198,10 @@ test("forms, working times and results of learners come beside those that are he
     worked: { bush: { ms: 3_001, steps: 17 }, disc: { ms: 5, steps: 1 } },
     results: [zoe, ada],
   };
-  expect([boxOffer(brought, "course"), boxOffer({ ...brought, forms: null, worked: null, results: [ada] }, "course")]).toEqual([
-    true,
-    false,
-  ]);
+  expect([
+    boxOffer(brought, "course"),
+    boxOffer({ ...brought, forms: null, worked: null, results: [ada] }, "course"),
+  ]).toEqual([true, false]);
   const works = [{ work: "mine", savedAt: 3, job: { ...job, name: "OTHER" } }];
   await takeArchive(brought, works, COURSE);
   const other = [...device.works].find(([, { job: kept }]) => (kept as typeof job).name === "OTHER")?.[0] ?? "";

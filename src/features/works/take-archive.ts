@@ -24,14 +24,19 @@ export async function statesOf(works: readonly ArchivedWork[]): Promise<readonly
     prints.set(name, made);
     return made;
   };
-  return Promise.all(works.map(async ({ job }) => {
-    const known = await printsOf(job.name);
-    if (known.includes(fingerprint(job))) return "same";
-    return known.length > 0 ? "beside" : "fresh";
-  }));
+  return Promise.all(
+    works.map(async ({ job }) => {
+      const known = await printsOf(job.name);
+      if (known.includes(fingerprint(job))) return "same";
+      return known.length > 0 ? "beside" : "fresh";
+    }),
+  );
 }
 
-/** What becomes of a group of parts: it stays as it is here, takes what it does not have, or gives way to what is brought. */
+/**
+ * What becomes of a group of parts: it stays as it is here, takes what it does not have, or gives way to what is
+ * brought.
+ */
 export type GroupChoice = "keep" | "missing" | "replace";
 export type GroupChoices = Readonly<Record<Group, GroupChoice>>;
 
@@ -46,11 +51,15 @@ const NO_NAMES: ReadonlyMap<string, string> = new Map();
 /** The parts of a group that an archive brings. */
 const broughtOf = (archive: ReadArchive, group: Group): readonly (readonly [Part<unknown>, unknown])[] =>
   PART_NAMES.flatMap((name) => {
-    const part = PARTS[name], brought = archive[name];
+    const part = PARTS[name],
+      brought = archive[name];
     return part.group !== group || brought === null || part.isEmpty(brought) ? [] : [[part, brought] as const];
   });
 
-/** What an archive brings of a table: its rows, and how many of them this device does not have; null where both are the same. */
+/**
+ * What an archive brings of a table: its rows, and how many of them this device does not have; null where both are the
+ * same.
+ */
 export interface TableOffer {
   readonly rows: number;
   readonly missing: number | null;
@@ -62,25 +71,32 @@ const rowsOf = (table: unknown): number => (table as readonly unknown[]).length;
 export function tableOffer(archive: ReadArchive, table: (typeof TABLES)[number]): TableOffer | null {
   const [only] = broughtOf(archive, table);
   if (!only) return null;
-  const [part, brought] = only, mine = part.here();
+  const [part, brought] = only,
+    mine = part.here();
   const missing = part.isSame(brought, mine) ? null : rowsOf(part.merge(mine, brought, NO_NAMES)) - rowsOf(mine);
   return { rows: rowsOf(brought), missing };
 }
 
 /**
- * Whether an archive brings anything of a group that is not here; null where it has nothing of it at all. What is not ticked to begin with
- * is offered in any case.
+ * Whether an archive brings anything of a group that is not here; null where it has nothing of it at all. What is not
+ * ticked to begin with is offered in any case.
  */
 export function boxOffer(archive: ReadArchive, box: keyof typeof BOXES): boolean | null {
   const brought = broughtOf(archive, box);
   if (brought.length === 0) return null;
-  return !BOXES[box] || brought.some(([part, value]) => {
-    const mine = part.here();
-    return !part.isSame(part.merge(mine, value, NO_NAMES), mine);
-  });
+  return (
+    !BOXES[box] ||
+    brought.some(([part, value]) => {
+      const mine = part.here();
+      return !part.isSame(part.merge(mine, value, NO_NAMES), mine);
+    })
+  );
 }
 
-/** What came of an archive: works that were kept, works that found no room, and whether undo takes back what came beside them. */
+/**
+ * What came of an archive: works that were kept, works that found no room, and whether undo takes back what came beside
+ * them.
+ */
 interface Taken {
   readonly kept: number;
   readonly full: number;
@@ -88,7 +104,11 @@ interface Taken {
 }
 
 /** Takes what was chosen, each group as one step; no work on the device is written over. */
-export async function takeArchive(archive: ReadArchive, works: readonly ArchivedWork[], choices: GroupChoices): Promise<Taken> {
+export async function takeArchive(
+  archive: ReadArchive,
+  works: readonly ArchivedWork[],
+  choices: GroupChoices,
+): Promise<Taken> {
   const here = new Set(useKeeping.getState().works.map(({ work }) => work));
   const lying = works.map((each) => {
     const free = each.work !== "" && !here.has(each.work);
@@ -103,8 +123,8 @@ export async function takeArchive(archive: ReadArchive, works: readonly Archived
     if (choice === "keep") continue;
     const taken = asOneStep(() =>
       broughtOf(archive, group).map(([part, brought]) =>
-        part.take(choice === "replace" ? brought : part.merge(part.here(), brought, nameHere))
-      )
+        part.take(choice === "replace" ? brought : part.merge(part.here(), brought, nameHere)),
+      ),
     );
     await Promise.all(taken);
   }

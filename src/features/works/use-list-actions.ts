@@ -12,75 +12,98 @@ import type { RowWish } from "./WorkRow.tsx";
 const said = (sentence: string, changed = false): TableSaid => ({ sentences: [sentence], failed: false, changed });
 const failed = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
 
-/** What the list of works can be asked: for one row, and for all that are selected. `focus` puts the keyboard on the row of a work. */
+/**
+ * What the list of works can be asked: for one row, and for all that are selected. `focus` puts the keyboard on the row
+ * of a work.
+ */
 export function useListActions(t: DeviceTexts["works"], isElsewhere: string, focus: (work: string) => void) {
   const [last, setLast] = useState<{ readonly said: TableSaid; readonly step: HistoryStep | undefined } | null>(null);
   const step = useSteps((s) => s.past.at(-1));
   // Undo offers to take back what is said; once that was done in another way, it is no longer said.
   const saying = last && (!last.said.changed || last.step === step) ? last.said : null;
-  const say = useCallback((now: TableSaid | null) => setLast(now && { said: now, step: useSteps.getState().past.at(-1) }), []);
+  const say = useCallback(
+    (now: TableSaid | null) => setLast(now && { said: now, step: useSteps.getState().past.at(-1) }),
+    [],
+  );
   const [renaming, rename] = useState<string | null>(null);
   const [selected, select] = useState<ReadonlySet<string>>(new Set());
 
-  const call = useCallback(async ({ work, name }: Kept, typed: string) => {
-    rename(null);
-    focus(work);
-    const next = typed.trim();
-    if (next === "" || next === name) return;
-    const done = await renameWork(work, next);
-    const problems = { elsewhere: isElsewhere, nameTaken: t.nameTaken(next), failed: t.failed };
-    say(done === "done" ? said(t.renamed(next), true) : failed(problems[done]));
-    focus(work);
-  }, [t, isElsewhere, focus, say]);
+  const call = useCallback(
+    async ({ work, name }: Kept, typed: string) => {
+      rename(null);
+      focus(work);
+      const next = typed.trim();
+      if (next === "" || next === name) return;
+      const done = await renameWork(work, next);
+      const problems = { elsewhere: isElsewhere, nameTaken: t.nameTaken(next), failed: t.failed };
+      say(done === "done" ? said(t.renamed(next), true) : failed(problems[done]));
+      focus(work);
+    },
+    [t, isElsewhere, focus, say],
+  );
 
-  const remove = useCallback(async (works: readonly string[], nextRow: string | null) => {
-    const { gone, leftOut } = await removeWorks(works);
-    select((before) => new Set([...before].filter((work) => !works.includes(work))));
-    const sentences = [
-      ...(gone.length > 0 ? [t.removed(gone.length, gone[0]?.job.name ?? "")] : []),
-      ...(leftOut > 0 ? [t.leftOut(leftOut)] : []),
-    ];
-    say({ sentences, failed: gone.length === 0, changed: gone.length > 0 });
-    if (nextRow !== null) focus(nextRow);
-  }, [t, focus, say]);
+  const remove = useCallback(
+    async (works: readonly string[], nextRow: string | null) => {
+      const { gone, leftOut } = await removeWorks(works);
+      select((before) => new Set([...before].filter((work) => !works.includes(work))));
+      const sentences = [
+        ...(gone.length > 0 ? [t.removed(gone.length, gone[0]?.job.name ?? "")] : []),
+        ...(leftOut > 0 ? [t.leftOut(leftOut)] : []),
+      ];
+      say({ sentences, failed: gone.length === 0, changed: gone.length > 0 });
+      if (nextRow !== null) focus(nextRow);
+    },
+    [t, focus, say],
+  );
 
-  const duplicate = useCallback(async ({ work }: Kept) => {
-    const made = await duplicateWork(work, useKeeping.getState().works.map(({ name }) => name));
-    say(made ? said(t.duplicated(made.job.name), true) : failed(t.failed));
-    if (made) focus(made.work);
-  }, [t, focus, say]);
+  const duplicate = useCallback(
+    async ({ work }: Kept) => {
+      const made = await duplicateWork(
+        work,
+        useKeeping.getState().works.map(({ name }) => name),
+      );
+      say(made ? said(t.duplicated(made.job.name), true) : failed(t.failed));
+      if (made) focus(made.work);
+    },
+    [t, focus, say],
+  );
 
   const save = useCallback(async () => {
     const count = await saveWorks([...selected]);
     say(count > 0 ? said(t.saved(count)) : failed(t.failed));
   }, [t, selected, say]);
 
-  const onWish = useCallback((of: Kept, wish: RowWish) => {
-    switch (wish.what) {
-      case "open":
-        return void openKept(of.work);
-      case "rename":
-        return rename(of.work);
-      case "stay":
-        rename(null);
-        return focus(of.work);
-      case "call":
-        return void call(of, wish.name);
-      case "duplicate":
-        return void duplicate(of);
-      case "remove": {
-        const rows = [...document.querySelectorAll<HTMLElement>("[data-work]")].map((row) => row.dataset["work"] ?? "");
-        const at = rows.indexOf(of.work);
-        return void remove([of.work], rows[at + 1] ?? rows[at - 1] ?? null);
+  const onWish = useCallback(
+    (of: Kept, wish: RowWish) => {
+      switch (wish.what) {
+        case "open":
+          return void openKept(of.work);
+        case "rename":
+          return rename(of.work);
+        case "stay":
+          rename(null);
+          return focus(of.work);
+        case "call":
+          return void call(of, wish.name);
+        case "duplicate":
+          return void duplicate(of);
+        case "remove": {
+          const rows = [...document.querySelectorAll<HTMLElement>("[data-work]")].map(
+            (row) => row.dataset["work"] ?? "",
+          );
+          const at = rows.indexOf(of.work);
+          return void remove([of.work], rows[at + 1] ?? rows[at - 1] ?? null);
+        }
+        case "select":
+          return select((before) => {
+            const next = new Set(before);
+            if (!next.delete(of.work)) next.add(of.work);
+            return next;
+          });
       }
-      case "select":
-        return select((before) => {
-          const next = new Set(before);
-          if (!next.delete(of.work)) next.add(of.work);
-          return next;
-        });
-    }
-  }, [call, duplicate, remove, focus]);
+    },
+    [call, duplicate, remove, focus],
+  );
 
   return { saying, say, renaming, selected, select, remove, save, onWish };
 }

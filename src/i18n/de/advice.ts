@@ -20,15 +20,25 @@ export const advice = {
       `Etwa ${power} kW bei ${speed} m/min (Kienzle); die Spindel hat ${most} kW. Mit ${better} mm Zustellung reicht das.`,
     speedLimited: (limit, held, smallest, left) =>
       `Mit SMAX ${limit} wird die Schnittgeschwindigkeit bis ⌀ ${held} gehalten. Bei ⌀ ${smallest} sind es nur noch ${left} m/min.`,
-    noLimit: (speed) => `${speed} m/min ohne SMAX: Zur Achse hin dreht die Spindel, so schnell sie kann. Geben Sie eine Grenze an.`,
-    speedFar: (speed, usual) => `${speed} m/min liegen weit von den ${usual} m/min, mit denen man bei diesem Werkstoff beginnt.`,
+    noLimit: (speed) =>
+      `${speed} m/min ohne SMAX: Zur Achse hin dreht die Spindel, so schnell sie kann. Geben Sie eine Grenze an.`,
+    speedFar: (speed, usual) =>
+      `${speed} m/min liegen weit von den ${usual} m/min, mit denen man bei diesem Werkstoff beginnt.`,
   },
   material: "Werkstoff",
   ofDevice: "wie auf diesem Gerät",
   deviceMaterial: "Werkstoff der Arbeiten, die keinen nennen",
-  groups: { P: "Stahl", M: "Rostfreier Stahl", K: "Gusseisen", N: "NE-Metall", S: "Schwer zerspanbar", H: "Gehärteter Stahl" },
+  groups: {
+    P: "Stahl",
+    M: "Rostfreier Stahl",
+    K: "Gusseisen",
+    N: "NE-Metall",
+    S: "Schwer zerspanbar",
+    H: "Gehärteter Stahl",
+  },
   starting: "Startwerte",
-  startingLead: "Für beschichtetes Hartmetall, bei gehärtetem Stahl für CBN, zum Anfangen; der Hersteller der Platte weiß es besser.",
+  startingLead:
+    "Für beschichtetes Hartmetall, bei gehärtetem Stahl für CBN, zum Anfangen; der Hersteller der Platte weiß es besser.",
   start: (material, speeds) => `${material}: zu Beginn ${speeds}.`,
   startSource: "Schätzwert aus Handbüchern: beschichtetes Hartmetall, CBN für gehärteten Stahl.",
   startOwn: "Aus Ihrer eigenen Tabelle.",
@@ -44,8 +54,9 @@ export const advice = {
   spindle: "Schnittgeschwindigkeit",
   table: {
     title: "Schnittdaten der Werkstatt",
-    lead: "Ersetzen Sie die Werte durch Ihre eigenen; sie bleiben auf diesem Gerät und kommen in die Gesamtdatei. "
-      + "kc1.1 und mc folgen ab Werk Tabellen von Röhm (Stahl, Grauguss) und Iscar (die übrigen): Schätzwerte.",
+    lead:
+      "Ersetzen Sie die Werte durch Ihre eigenen; sie bleiben auf diesem Gerät und kommen in die Gesamtdatei. " +
+      "kc1.1 und mc folgen ab Werk Tabellen von Röhm (Stahl, Grauguss) und Iscar (die übrigen): Schätzwerte.",
     name: "Werkstoff",
     group: "Gruppe",
     power: "Leistung der Spindel, kW",

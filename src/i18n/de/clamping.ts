@@ -34,8 +34,9 @@ export const clamping: ClampingTexts = {
     LIMITX: "Grenze: nichts innerhalb ⌀",
   },
   tailstock: "Mit Reitstock",
-  known: "Maßstäblich gezeichnet; Berührung durch Werkzeug oder Halter ist ein Fehler. "
-    + "Backen wie bei üblichen Kraftspannfuttern: eigene messen.",
+  known:
+    "Maßstäblich gezeichnet; Berührung durch Werkzeug oder Halter ist ein Fehler. " +
+    "Backen wie bei üblichen Kraftspannfuttern: eigene messen.",
   inProgram: "Steht als Kommentar im Programm, ;\u00A0CLAMPING …, den die Steuerung übergeht.",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "inch ⌀", length: "inch" } },
 };

@@ -23,7 +23,8 @@ export const compare: CompareTexts = {
   operationsAdded: (n) => (n === 1 ? "1 Bearbeitung mehr" : `${n} Bearbeitungen mehr`),
   operationsRemoved: (n) => (n === 1 ? "1 Bearbeitung weniger" : `${n} Bearbeitungen weniger`),
   operationsMoved: (n) => (n === 1 ? "1 Bearbeitung verschoben" : `${n} Bearbeitungen verschoben`),
-  written: (n) => (n === 1 ? "1 Unterschied in Kommentar und Schreibweise" : `${n} Unterschiede in Kommentaren und Schreibweise`),
+  written: (n) =>
+    n === 1 ? "1 Unterschied in Kommentar und Schreibweise" : `${n} Unterschiede in Kommentaren und Schreibweise`,
   showWritten: "Kommentare und Schreibweise zeigen",
   time: (by) => `Zeit ${by}`,
   previous: "Voriger Unterschied",

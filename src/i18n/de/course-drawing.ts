@@ -31,7 +31,8 @@ export const courseDrawing = {
   },
   inMm: "mm",
   steel: "Stahl",
-  blankOf: (outside: string, bore: string, length: string) => `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  blankOf: (outside: string, bore: string, length: string) =>
+    `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
   allowance: (value: string) => `${value} vor Z0`,
   tolerances: "ISO 2768 – m",
   tolerancesHint: "Maße ohne Abmaße: nach ISO 2768-1, Klasse mittel",
@@ -53,10 +54,7 @@ export const courseDrawing = {
   micrometres: (value: string) => `Rz ${value}`,
   chamfer: (size: string, angle: string) => `${size}×${angle}°`,
   radius: (size: string) => `R${size}`,
-  thread: (
-    diameter: string,
-    lead: string,
-    starts: number,
-  ) => (starts > 1 ? `M${diameter}×${lead} (${starts}-gängig)` : `M${diameter}×${lead}`),
+  thread: (diameter: string, lead: string, starts: number) =>
+    starts > 1 ? `M${diameter}×${lead} (${starts}-gängig)` : `M${diameter}×${lead}`,
   all: (mark: string) => `${mark} an allen gedrehten Flächen`,
 } satisfies CourseDrawingTexts;

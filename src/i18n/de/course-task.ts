@@ -10,11 +10,13 @@ export const courseTask = {
   check: "Prüfen",
   checking: "Wird geprüft",
   passed: "Bestanden",
-  passedFor: { alone: "Bestanden, ohne Hilfe", hints: "Bestanden, mit Tipps", solution: "Bestanden, nachdem die Lösung gezeigt war" },
-  failed: (
-    open,
-    all,
-  ) => (open === 1 ? `1 von ${all} Zielen ist noch nicht erreicht` : `${open} von ${all} Zielen sind noch nicht erreicht`),
+  passedFor: {
+    alone: "Bestanden, ohne Hilfe",
+    hints: "Bestanden, mit Tipps",
+    solution: "Bestanden, nachdem die Lösung gezeigt war",
+  },
+  failed: (open, all) =>
+    open === 1 ? `1 von ${all} Zielen ist noch nicht erreicht` : `${open} von ${all} Zielen sind noch nicht erreicht`,
   stale: "Seit der letzten Prüfung geändert",
   tries: (n) => (n === 1 ? "1 Versuch" : `${n} Versuche`),
   empty: (names) => `Das zählt noch nicht als Versuch. Leer: ${names}`,
@@ -85,16 +87,21 @@ export const courseTask = {
     noThread: (name) => `Das Gewinde ${name} fehlt: Zwischen Außen- und Kernmaß ist keine Rille geschnitten`,
     threadPitch: (name, is, asked) => `Das Gewinde ${name} hat die Steigung ${is} mm statt ${asked}`,
     turnedRound: {
-      inside: "Mit diesen Werten dreht der Zyklus innen: "
-        + "Seine Kontur liegt über dem Startpunkt. Erst die Durchmesser und den Start ansehen, dann das Werkzeug",
-      outside: "Mit diesen Werten dreht der Zyklus außen: "
-        + "Seine Kontur liegt unter dem Startpunkt. Erst die Durchmesser und den Start ansehen, dann das Werkzeug",
-      away: "Mit diesen Werten schneidet der Zyklus vom Futter weg: "
-        + "Sein Ende liegt vor seinem Start. Erst nach einem vergessenen Minus suchen, dann beim Werkzeug",
-      towards: "Mit diesen Werten schneidet der Zyklus zum Futter hin: "
-        + "Sein Ende liegt hinter seinem Start. Erst die Vorzeichen in Z ansehen, dann das Werkzeug",
+      inside:
+        "Mit diesen Werten dreht der Zyklus innen: " +
+        "Seine Kontur liegt über dem Startpunkt. Erst die Durchmesser und den Start ansehen, dann das Werkzeug",
+      outside:
+        "Mit diesen Werten dreht der Zyklus außen: " +
+        "Seine Kontur liegt unter dem Startpunkt. Erst die Durchmesser und den Start ansehen, dann das Werkzeug",
+      away:
+        "Mit diesen Werten schneidet der Zyklus vom Futter weg: " +
+        "Sein Ende liegt vor seinem Start. Erst nach einem vergessenen Minus suchen, dann beim Werkzeug",
+      towards:
+        "Mit diesen Werten schneidet der Zyklus zum Futter hin: " +
+        "Sein Ende liegt hinter seinem Start. Erst die Vorzeichen in Z ansehen, dann das Werkzeug",
     },
-    thread: (name) => `Das Gewinde ${name} ist nicht auf ganzer Länge, in voller Tiefe und mit seiner Steigung geschnitten`,
+    thread: (name) =>
+      `Das Gewinde ${name} ist nicht auf ganzer Länge, in voller Tiefe und mit seiner Steigung geschnitten`,
     leftBy: (what, reason) => `${what}; Grund: ${reason}`,
     size: {
       diameter: (is, asked) => `⌀ ${is} statt ⌀ ${asked}`,
@@ -141,11 +148,12 @@ export const courseTask = {
     nextQuestion: "Nächste Frage",
     back: "Frage davor",
     run: "Lauf zeigen",
-    lacks: (n, of) => of === 1 ? "Ihre Antwort fehlt noch." : `Zu Frage ${n} fehlt die Antwort noch.`,
+    lacks: (n, of) => (of === 1 ? "Ihre Antwort fehlt noch." : `Zu Frage ${n} fehlt die Antwort noch.`),
     again: "Noch einmal sagen",
     right: (what) => `Richtig: ${what}`,
     wrong: (told, is) => `Sie sagten ${told}. Richtig: ${is}.`,
-    wrongBlock: (told) => `Satz ${told} ist nicht die Ursache. Sehen Sie zu, wo es schiefgeht, und sagen Sie es noch einmal.`,
+    wrongBlock: (told) =>
+      `Satz ${told} ist nicht die Ursache. Sehen Sie zu, wo es schiefgeht, und sagen Sie es noch einmal.`,
     wrongPlace: (told, is, mm) => `Sie sagten ${told}. Es ist bei ${is}, ${mm} mm daneben.`,
     nowhere: (told) => `Sie sagten ${told}. Es geschieht nirgends.`,
     yours: "Ihre Antwort im Bild",

@@ -2,21 +2,26 @@ import type { CourseTeachTexts } from "../en/course-teach.ts";
 
 export const courseTeach = {
   title: "Aufgabe aus diesem Programm",
-  lead: "Dieses Programm ist die Lösung. Was dabei entsteht, ist das verlangte Teil; alles ist vorgeschlagen und lässt "
-    + "sich überschreiben.",
+  lead:
+    "Dieses Programm ist die Lösung. Was dabei entsteht, ist das verlangte Teil; alles ist vorgeschlagen und lässt " +
+    "sich überschreiben.",
   working: "Das Programm wird gerechnet.",
-  noPart: "Aus diesem Programm entsteht kein Teil: Es wird nichts gedreht, oder es nennt kein Rohteil. Eine Aufgabe braucht beides.",
+  noPart:
+    "Aus diesem Programm entsteht kein Teil: Es wird nichts gedreht, oder es nennt kein Rohteil. Eine Aufgabe braucht beides.",
   close: "Schließen",
-  milled: (block: string) => `Ab Satz ${block} wird gefräst. Fräsen wird gezeichnet und nicht beurteilt: Eine Lösung damit besteht nie.`,
+  milled: (block: string) =>
+    `Ab Satz ${block} wird gefräst. Fräsen wird gezeichnet und nicht beurteilt: Eine Lösung damit besteht nie.`,
   milledOnly:
-    "Dieses Programm fräst. Fräsen wird gezeichnet und nicht beurteilt, es lässt sich also kein Teil verlangen. Fragen vor dem Lauf gehen: "
-    + "Was richtig ist, geben Sie selbst an.",
+    "Dieses Programm fräst. Fräsen wird gezeichnet und nicht beurteilt, es lässt sich also kein Teil verlangen. Fragen vor dem Lauf gehen: " +
+    "Was richtig ist, geben Sie selbst an.",
 
   titleOf: (name: string) => `Aufgabe „${name}“ ändern`,
   takeBack: "Zurücknehmen",
-  changedSince: "Das Programm wurde geändert, seit dieses Formular ausgefüllt wurde. Teil, Regeln und Maße sind noch die von vorher.",
+  changedSince:
+    "Das Programm wurde geändert, seit dieses Formular ausgefüllt wurde. Teil, Regeln und Maße sind noch die von vorher.",
   proposeAnew: "Neu vorschlagen",
-  formNotKept: "Dieser Browser bewahrt das Formular nicht auf. Speichern Sie die Aufgabe als Datei, bevor Sie es schließen.",
+  formNotKept:
+    "Dieser Browser bewahrt das Formular nicht auf. Speichern Sie die Aufgabe als Datei, bevor Sie es schließen.",
   keptForm: "Was Sie eintippen, bleibt auf diesem Gerät erhalten.",
   save: "Änderungen behalten",
   keepIt: "Aufbewahren",
@@ -38,10 +43,12 @@ export const courseTeach = {
   blank: "Rohteil",
   outside: "Außen, als Kontur",
   bore: "Bohrung, als Kontur",
-  partHint: "Sätze eines Konturunterprogramms, vom freien Ende her. Hinter dem letzten Punkt bleibt das Rohteil, wie es ist.",
+  partHint:
+    "Sätze eines Konturunterprogramms, vom freien Ende her. Hinter dem letzten Punkt bleibt das Rohteil, wie es ist.",
   threads: "Gewinde",
   threadsHint: "Die Kontur zeichnet ein Gewinde mit seinem Scheitel. Ein kegeliges Gewinde bleibt eine Form.",
-  thread: (from: string, to: string, crest: string, root: string) => `Z ${from} bis ${to}, Scheitel ⌀${crest}, Grund ⌀${root}`,
+  thread: (from: string, to: string, crest: string, root: string) =>
+    `Z ${from} bis ${to}, Scheitel ⌀${crest}, Grund ⌀${root}`,
   threadName: (where: string) => `Name des Gewindes, ${where}`,
   sizes: "Tolerierte Maße",
   noSizes: "Kein Maß wählbar: Das Teil hat keine Kontur.",
@@ -138,7 +145,11 @@ export const courseTeach = {
   isWrong: "Nicht richtig",
 
   start: "Was am Anfang offen liegt",
-  starts: { empty: "ein leeres Programm mit dem Rohteil", prompts: "die Dialogfragen eines Zyklus", program: "ein Programm" },
+  starts: {
+    empty: "ein leeres Programm mit dem Rohteil",
+    prompts: "die Dialogfragen eines Zyklus",
+    program: "ein Programm",
+  },
   call: (block: string, cycle: string) => `Satz ${block}: Zyklus ${cycle}`,
   which: "Zyklusaufruf",
   empty: "Leer gelassen",
@@ -161,7 +172,8 @@ export const courseTeach = {
     part: "Die Kontur des verlangten Teils hat einen Fehler.",
     noQuestion: "Es braucht mindestens eine Frage.",
     questions: "Es fehlt der Wortlaut, eine Zahl, die Auswahl oder die richtige Antwort.",
-    begins: "Es liegt nichts offen, das sich vorhersagen ließe: Wählen Sie ein Programm oder die Dialogfragen eines Zyklus.",
+    begins:
+      "Es liegt nichts offen, das sich vorhersagen ließe: Wählen Sie ein Programm oder die Dialogfragen eines Zyklus.",
     truth: "Das gibt es im Lauf nicht.",
     shape: "Etwas ist zu lang, oder eine Zahl fehlt.",
   },
@@ -169,7 +181,8 @@ export const courseTeach = {
   passes: "Die Lösung besteht.",
   refused: "Die Lösung besteht nicht:",
   idle: "Was am Anfang offen liegt, besteht schon: Es gäbe nichts zu tun.",
-  mark: (rule: string, value: string, limit: string) => (limit === "" ? `${rule}: ${value}` : `${rule}: ${value}, erlaubt ${limit}`),
+  mark: (rule: string, value: string, limit: string) =>
+    limit === "" ? `${rule}: ${value}` : `${rule}: ${value}, erlaubt ${limit}`,
   inBlock: (block: string) => `Satz ${block}`,
   judged: {
     errors: "Fehler",
@@ -203,7 +216,8 @@ export const courseTeach = {
   saveTask: "Als Datei speichern",
   kilobytes: (n: string) => `${n} kB`,
   linkLong: "Viele Programme schneiden so lange Links ab. Geben Sie besser die Datei aus.",
-  hereOnly: "Diese Seite läuft nur auf diesem Gerät. Ein Link darauf öffnet sich nirgends sonst; geben Sie die Datei aus.",
+  hereOnly:
+    "Diese Seite läuft nur auf diesem Gerät. Ein Link darauf öffnet sich nirgends sonst; geben Sie die Datei aus.",
 
   incoming: {
     title: (name: string) => `Aufgabe: ${name}`,
@@ -238,7 +252,8 @@ export const courseTeach = {
       oneOf: (path: string, names: string) => `${path} muss eines sein von: ${names}`,
       count: (path: string, n: string) => `${path} braucht so viele Einträge: ${n}`,
       unknown: (path: string, _: string) => `${path} ist hier nicht bekannt`,
-      contour: (path: string, _: string) => `${path}: Eine Zeile von Rohteil oder Umriss ist falsch, oder vom Rohteil bleibt nichts`,
+      contour: (path: string, _: string) =>
+        `${path}: Eine Zeile von Rohteil oder Umriss ist falsch, oder vom Rohteil bleibt nichts`,
     },
     types: {
       string: "ein Text in Anführungszeichen",
@@ -270,8 +285,9 @@ export const courseTeach = {
   hand: {
     open: "Ergebnisse abgeben",
     title: "Ergebnisse abgeben",
-    lead: "Was Sie in den Aufgaben getan haben, für Ihren Ausbilder: Versuche, Hinweise, Zeit, Schritte und Ihr letztes "
-      + "Programm jeder Aufgabe. Nichts wird gesendet; Datei oder Link geben Sie selbst weiter.",
+    lead:
+      "Was Sie in den Aufgaben getan haben, für Ihren Ausbilder: Versuche, Hinweise, Zeit, Schritte und Ihr letztes " +
+      "Programm jeder Aufgabe. Nichts wird gesendet; Datei oder Link geben Sie selbst weiter.",
     noProof: "Es ist kein Beweis: Eine Datei lässt sich ändern. Ein Name steht nur darin, wenn Sie einen eintippen.",
     none: "Noch wurde keine Aufgabe begonnen.",
     name: "Name (darf leer bleiben)",
@@ -282,8 +298,9 @@ export const courseTeach = {
 
   results: {
     gathered: (people: string) => `Ergebnisse von ${people} Lernenden`,
-    several: "Was hier steht, haben die Geräte der Lernenden geschrieben und kann geändert worden sein; jedes Programm wurde hier noch "
-      + "einmal gerechnet.",
+    several:
+      "Was hier steht, haben die Geräte der Lernenden geschrieben und kann geändert worden sein; jedes Programm wurde hier noch " +
+      "einmal gerechnet.",
     empty: "Diese Datei enthält keine Ergebnisse: Beim Erstellen war nichts gewählt.",
     name: "Name",
     noName: "ohne Namen",
@@ -307,15 +324,16 @@ export const courseTeach = {
     earlier: "früher",
     showEarlier: (n: string) => `Auch zeigen, was später noch einmal abgegeben wurde (${n})`,
     counts: "Zählt",
-    notKept: "Dieser Browser bewahrt die Ergebnisse nicht auf. Speichern Sie die Tabelle, bevor Sie die Seite verlassen.",
+    notKept:
+      "Dieser Browser bewahrt die Ergebnisse nicht auf. Speichern Sie die Tabelle, bevor Sie die Seite verlassen.",
     stopped: "kam zu keinem Ende",
     foretold: "nichts zu rechnen",
     score: "Punkte",
 
     title: (name: string) => (name === "" ? "Ergebnisse ohne Namen" : `Ergebnisse von ${name}`),
     lead: (day: string) =>
-      `Erstellt ${day}. Was hier steht, hat das Gerät des Lernenden geschrieben und kann geändert worden sein; jedes `
-      + "Programm wurde hier noch einmal gerechnet.",
+      `Erstellt ${day}. Was hier steht, hat das Gerät des Lernenden geschrieben und kann geändert worden sein; jedes ` +
+      "Programm wurde hier noch einmal gerechnet.",
     task: "Aufgabe",
     state: "Ergebnis",
     tries: "Versuche",

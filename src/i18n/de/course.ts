@@ -3,8 +3,8 @@ import type { CourseTexts } from "../en/course.ts";
 export const course = {
   title: "Kurs",
   lead:
-    "Drehen mit den Zyklen der Steuerung, vom ersten Absatz bis zum ganzen Teil. Jede Lektion hat ein paar Seiten mit bewegtem Bild und "
-    + "Aufgaben im echten Editor.",
+    "Drehen mit den Zyklen der Steuerung, vom ersten Absatz bis zum ganzen Teil. Jede Lektion hat ein paar Seiten mit bewegtem Bild und " +
+    "Aufgaben im echten Editor.",
   entrance: {
     name: "Kurs",
     about: "Lektionen mit Aufgaben, vom ersten Absatz bis zum ganzen Teil",
@@ -61,6 +61,7 @@ export const course = {
   cancel: "Abbrechen",
   begunAnew: "Der Kurs beginnt neu. Rückgängig bringt das Erreichte zurück.",
   damaged: "Was im Kurs erreicht wurde, war nicht lesbar. Es wurde beiseitegelegt, der Kurs beginnt neu.",
-  notKept: "Dieser Browser behält nicht, was im Kurs erreicht wird. Sichern Sie alles als eine Datei (Einstellungen), bevor Sie die Seite "
-    + "schließen.",
+  notKept:
+    "Dieser Browser behält nicht, was im Kurs erreicht wird. Sichern Sie alles als eine Datei (Einstellungen), bevor Sie die Seite " +
+    "schließen.",
 } satisfies CourseTexts;

@@ -27,10 +27,10 @@ export const device = {
     duplicated: (name) => `${name} wurde angelegt.`,
     saved: (n) => (n === 1 ? "1 Arbeit liegt in den Downloads." : `${n} Arbeiten liegen in den Downloads.`),
     nameTaken: (name) => `Eine andere Datei dieses Programms heißt ${name}.`,
-    leftOut:
-      (n) => (n === 1
+    leftOut: (n) =>
+      n === 1
         ? "Eine ist in einem anderen Tab offen und blieb, wie sie ist."
-        : `${n} sind in anderen Tabs offen und blieben, wie sie sind.`),
+        : `${n} sind in anderen Tabs offen und blieben, wie sie sind.`,
     failed: "Das hat das Gerät nicht angenommen. Alles ist, wie es war.",
   },
   here: {
@@ -44,7 +44,8 @@ export const device = {
     exportAll: "Alles als Datei sichern",
     exportLong: "Alle Arbeiten, Werkzeuge, eigenen Zyklen, Einstellungen und alles aus dem Kurs als eine Datei sichern",
     importAll: "Datei einlesen",
-    importLong: "Arbeiten, Werkzeuge, eigene Zyklen, Einstellungen und alles aus dem Kurs aus einer gesicherten Datei einlesen",
+    importLong:
+      "Arbeiten, Werkzeuge, eigene Zyklen, Einstellungen und alles aus dem Kurs aus einer gesicherten Datei einlesen",
     exported: (n, files) =>
       `${n === 1 ? "1 Arbeit" : `${n} Arbeiten`}, Werkzeuge, eigene Zyklen, Einstellungen und alles aus dem Kurs liegen in den Downloads${
         files > 1 ? `, in ${files} Dateien` : ""
@@ -67,7 +68,8 @@ export const device = {
     courseLong: "Was auf diesem Gerät besser ist, bleibt",
     settings: "Auch die Einstellungen übernehmen",
     settingsLong: "Sprache, Aussehen und Anzeige des Bilds",
-    unread: (n, names) => (n === 1 ? `Eine Arbeit ist nicht lesbar: ${names}` : `${n} Arbeiten sind nicht lesbar: ${names}`),
+    unread: (n, names) =>
+      n === 1 ? `Eine Arbeit ist nicht lesbar: ${names}` : `${n} Arbeiten sind nicht lesbar: ${names}`,
     unreadParts: {
       tools: "Die Werkzeugtabelle darin ist nicht lesbar.",
       own: "Die eigenen Zyklen darin sind nicht lesbar.",
@@ -82,13 +84,17 @@ export const device = {
     nothing: "Nichts gewählt",
     done: (n) => (n === 1 ? "1 Arbeit wurde eingelesen." : `${n} Arbeiten wurden eingelesen.`),
     doneBeside: "Was außer den Arbeiten gewählt war, ist übernommen; Rückgängig nimmt es zurück.",
-    notKept: (n) => (n === 1 ? "Für eine Arbeit war auf diesem Gerät kein Platz." : `Für ${n} Arbeiten war auf diesem Gerät kein Platz.`),
+    notKept: (n) =>
+      n === 1
+        ? "Für eine Arbeit war auf diesem Gerät kein Platz."
+        : `Für ${n} Arbeiten war auf diesem Gerät kein Platz.`,
     showAll: "Alle Arbeiten zeigen",
     problems: {
       notAnArchive: (name) => `${name} enthält keine Arbeiten von Turnwise.`,
       damaged: (name) => `${name} ist beschädigt: Nichts daraus wurde übernommen.`,
       tooLarge: (name) => `${name} enthält mehr, als auf einmal eingelesen wird.`,
-      newer: (name) => `${name} stammt aus einer neueren Ausgabe dieser Seite. Die Seite neu laden, um sie zu bekommen.`,
+      newer: (name) =>
+        `${name} stammt aus einer neueren Ausgabe dieser Seite. Die Seite neu laden, um sie zu bekommen.`,
       unreadable: (name) => `${name} konnte nicht gelesen werden.`,
     },
   },

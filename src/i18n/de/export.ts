@@ -6,7 +6,8 @@ export const exported: ExportTexts = {
   leadInches:
     "DXF in Inch, wie das Programm zählt; STL und SVG in Millimetern. Z liegt längs der Spindel, der Nullpunkt ist der des Werkstücks.",
   bodies: "Körper",
-  bodiesHint: "STL in Millimetern, geschlossene Flächen, Sehnen höchstens 0,02 mm neben der Rundung. Gewinde sind Wendel, rechtsgängig.",
+  bodiesHint:
+    "STL in Millimetern, geschlossene Flächen, Sehnen höchstens 0,02 mm neben der Rundung. Gewinde sind Wendel, rechtsgängig.",
   body: { part: "Fertigteil", blank: "Rohteil", stock: "Material, wie es jetzt ist" },
   bodyHint: {
     part: "Das Rohteil ohne alles, was die Zyklen und die Wege dazwischen abtragen.",

@@ -17,14 +17,19 @@ export const guideBlocks: GuideBlocksTexts = {
     axis: "Es gibt kein bewegtes Bild: Der Kern schneidet in der Ebene Z/X, und diese Achse liegt nicht darin.",
     milling: "Es gibt kein bewegtes Bild: Das zählt beim Fräsen, und der Kern zeigt, was das Drehen schneidet.",
     free: "Es gibt kein bewegtes Bild: Eine freie Kontur wird hier aufbewahrt und nicht ausgeführt.",
-    choice: "Es gibt kein bewegtes Bild: Eine andere Wahl braucht andere Sätze um sich, und mit denselben zeigt sie nichts.",
-    together: "Es gibt kein bewegtes Bild: Dieser Wert gehört mit anderen zusammen. Allein geändert nähme ihn die Steuerung nicht an.",
-    compensation: "Hier gibt es kein bewegtes Bild: Die Korrektur beginnt und endet mit einem Geradensatz. Die Seite von L zeigt sie.",
-    functions: "Hier gibt es kein bewegtes Bild: Von den M-Funktionen ändern M136 und M137 den Schnitt. Die Seite der M-Funktionen"
-      + " zeigt es.",
+    choice:
+      "Es gibt kein bewegtes Bild: Eine andere Wahl braucht andere Sätze um sich, und mit denselben zeigt sie nichts.",
+    together:
+      "Es gibt kein bewegtes Bild: Dieser Wert gehört mit anderen zusammen. Allein geändert nähme ihn die Steuerung nicht an.",
+    compensation:
+      "Hier gibt es kein bewegtes Bild: Die Korrektur beginnt und endet mit einem Geradensatz. Die Seite von L zeigt sie.",
+    functions:
+      "Hier gibt es kein bewegtes Bild: Von den M-Funktionen ändern M136 und M137 den Schnitt. Die Seite der M-Funktionen" +
+      " zeigt es.",
     same: "Es gibt kein bewegtes Bild: Mit anderen Werten fährt das Werkzeug denselben Weg und lässt dasselbe Teil.",
-    yours: "Ihr eigener Satz wird nicht gezeigt: Mit anderen Werten wird dort dasselbe geschnitten oder nichts, was der Kern"
-      + " schneiden kann, wie in einer gefrästen Ebene.",
+    yours:
+      "Ihr eigener Satz wird nicht gezeigt: Mit anderen Werten wird dort dasselbe geschnitten oder nichts, was der Kern" +
+      " schneiden kann, wie in einer gefrästen Ebene.",
   },
   functions: "M-Funktionen",
   kinds: blockKinds,
@@ -34,7 +39,8 @@ export const guideBlocks: GuideBlocksTexts = {
     "blankCylinder.length": "L zählt von der Planfläche zum Futter.",
     "blankCylinder.distance": "DIST kann fehlen: Die Planfläche liegt dann in Z0.",
     "blankCylinder.inside": "DI kann fehlen, wenn es Vollmaterial ist.",
-    "toolCall.tool": "Eine Nummer, ein Name in Anführungszeichen oder ein QS-Parameter; 5.1 ist ein Index von Werkzeug 5.",
+    "toolCall.tool":
+      "Eine Nummer, ein Name in Anführungszeichen oder ein QS-Parameter; 5.1 ist ein Index von Werkzeug 5.",
     "spin.cuttingSpeed": "VC zählt, solange VCONST an ist.",
     "spin.speed": "S zählt, solange VCONST aus ist.",
     "spin.speedLimit": "SMAX gilt, bis ein anderer SPIN-Satz eines nennt.",

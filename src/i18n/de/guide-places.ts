@@ -24,7 +24,10 @@ export const guidePlaces = {
     },
     "blank.length": {
       about: "Ganze Länge des Rohteils: L in BLK FORM CYLINDER, mit dem Stück, das das Futter hält.",
-      mistakes: ["Nur die freie Länge steht da: Die Backen stehen dem Werkzeug im Weg.", "Die Länge zum Abstechen ist vergessen."],
+      mistakes: [
+        "Nur die freie Länge steht da: Die Backen stehen dem Werkzeug im Weg.",
+        "Die Länge zum Abstechen ist vergessen.",
+      ],
     },
     "blank.allowance": {
       about: "Wie weit die Planfläche des Rohteils vor dem Werkstück-Nullpunkt steht: DIST. Z0 ist meist die fertige.",
@@ -35,23 +38,25 @@ export const guidePlaces = {
     },
     tool: {
       about:
-        "TOOL CALL holt eine Platte mit Schneidenradius und Orientierung TO aus der Tabelle. Dieselben Werte mit anderer Platte ergeben "
-        + "ein anderes Teil: Der Radius bleibt in Ecken, die Schneiden begrenzen Flanken.",
+        "TOOL CALL holt eine Platte mit Schneidenradius und Orientierung TO aus der Tabelle. Dieselben Werte mit anderer Platte ergeben " +
+        "ein anderes Teil: Der Radius bleibt in Ecken, die Schneiden begrenzen Flanken.",
       mistakes: [
         "Werkzeugnummer und Revolverplatz sind verwechselt: Eine andere Platte schneidet.",
         "Ein Außenwerkzeug wird für eine Innenkontur gerufen: Die Orientierung passt nicht.",
       ],
     },
     "start.x": {
-      about: "Wo die Spitze beim Zyklusaufruf quer steht, als ⌀. Zyklen ohne Startdurchmesser beginnen ihre Kontur hier; alle kommen von "
-        + "hier und fahren hierher zurück.",
+      about:
+        "Wo die Spitze beim Zyklusaufruf quer steht, als ⌀. Zyklen ohne Startdurchmesser beginnen ihre Kontur hier; alle kommen von " +
+        "hier und fahren hierher zurück.",
       mistakes: [
         "Er liegt im Rohteil: Der erste Eilgang geht durch Material.",
         "Ein Radius ist getippt: Das Werkzeug steht im halben Abstand zur Achse.",
       ],
     },
     "start.z": {
-      about: "Wo die Spitze beim Zyklusaufruf längs steht: vor dem Material, auf der Seite, von der der Zyklus arbeitet.",
+      about:
+        "Wo die Spitze beim Zyklusaufruf längs steht: vor dem Material, auf der Seite, von der der Zyklus arbeitet.",
       mistakes: [
         "Er liegt hinter einem Bund: Der Weg zum ersten Schnitt geht hindurch.",
         "Die Seite ist falsch: Ein Zyklus, der zum Futter schneidet, wird von rechts gerufen.",
@@ -59,8 +64,8 @@ export const guidePlaces = {
     },
     "spindle.cuttingSpeed": {
       about:
-        "VC in m/min: Die Steuerung ändert die Drehzahl mit dem ⌀, n = 1000 · vc / (π · d). Der Weg bleibt; Zeit, Wärme und Oberfläche "
-        + "ändern sich.",
+        "VC in m/min: Die Steuerung ändert die Drehzahl mit dem ⌀, n = 1000 · vc / (π · d). Der Weg bleibt; Zeit, Wärme und Oberfläche " +
+        "ändern sich.",
       mistakes: [
         "SMAX fehlt daneben: Zur Achse hin dreht die Spindel, so schnell sie kann.",
         "Umdrehungen stehen da: 1500 m/min sind für Stahl viel zu schnell.",
@@ -76,8 +81,8 @@ export const guidePlaces = {
     },
     "spindle.limit": {
       about:
-        "SMAX in Umdrehungen je Minute: Konstante Schnittgeschwindigkeit dreht nie schneller. Futter, Spannung und Unwucht bestimmen sie, "
-        + "nicht die Platte.",
+        "SMAX in Umdrehungen je Minute: Konstante Schnittgeschwindigkeit dreht nie schneller. Futter, Spannung und Unwucht bestimmen sie, " +
+        "nicht die Platte.",
       mistakes: [
         "Die Grenze des Futters ist übersehen: Backen verlieren mit der Drehzahl an Spannkraft.",
         "Sie ist so niedrig, dass die Schnittgeschwindigkeit nur am größten ⌀ gehalten wird.",
@@ -91,7 +96,8 @@ export const guidePlaces = {
       ],
     },
     rapid: {
-      about: "Wie schnell die Maschine im Eilgang fährt. Nur die geschätzte Zeit hängt davon ab; im Programm steht er nicht.",
+      about:
+        "Wie schnell die Maschine im Eilgang fährt. Nur die geschätzte Zeit hängt davon ab; im Programm steht er nicht.",
       mistakes: [
         "Er wird für einen Vorschub gehalten: Er schneidet nie.",
         "Zeiten zweier Maschinen werden mit dem Eilgang der einen verglichen.",
@@ -130,8 +136,9 @@ export const guidePlaces = {
     others: "Die anderen Formen",
   },
   elements: {
-    lead: "Die Kontur steht hinter dem Hauptprogramm, unter einem Label, das CYCL DEF 14 nennt. Ihre Richtung entscheidet, von wo sie "
-      + "geschnitten wird.",
+    lead:
+      "Die Kontur steht hinter dem Hauptprogramm, unter einem Label, das CYCL DEF 14 nennt. Ihre Richtung entscheidet, von wo sie " +
+      "geschnitten wird.",
     title: "Ihre Elemente",
     of: {
       L: "Gerade zum Endpunkt. Eine fehlende Koordinate bleibt, wie sie war.",

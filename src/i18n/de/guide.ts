@@ -36,12 +36,14 @@ export const guide = {
     working: "Der Kern rechnet den Zyklus …",
     none: "Kein anderer Wert ergibt hier einen Weg.",
     reserved: "In diesem Zyklus wird er nicht gelesen: Bahn, Zeit und Teil sind mit jedem Wert gleich.",
-    unseen: "Einige dieser Werte ergeben hier gleiche Bahn, Zeit und gleiches Teil: Was sie entscheiden, kommt an dieser Kontur nicht vor.",
+    unseen:
+      "Einige dieser Werte ergeben hier gleiche Bahn, Zeit und gleiches Teil: Was sie entscheiden, kommt an dieser Kontur nicht vor.",
     alike: {
       cuttingLines:
-        "Beide unterscheiden sich nur, wo die äußeren Schnitte länger oder kürzer sind als die inneren, etwa um einen Absatz herum. "
-        + "Diese Kontur endet in der Richtung, in der sie beginnt.",
-      reverse: "1 und 2 sind hier gleich: Ein Stechwerkzeug mit der Spitze in der Mitte seiner Schneide ist sein eigenes Spiegelbild.",
+        "Beide unterscheiden sich nur, wo die äußeren Schnitte länger oder kürzer sind als die inneren, etwa um einen Absatz herum. " +
+        "Diese Kontur endet in der Richtung, in der sie beginnt.",
+      reverse:
+        "1 und 2 sind hier gleich: Ein Stechwerkzeug mit der Spitze in der Mitte seiner Schneide ist sein eigenes Spiegelbild.",
     },
     picture: (q, value) => `Schnitt durch das Teil mit ${q} = ${value}`,
   },

@@ -58,7 +58,13 @@ export const machineTexts = {
   },
   time: {
     title: "Laufzeit",
-    causes: { cutting: "Vorschub", rapid: "Eilgang", dwell: "Verweilzeit", toolChange: "Werkzeugwechsel", spindle: "Spindelhochlauf" },
+    causes: {
+      cutting: "Vorschub",
+      rapid: "Eilgang",
+      dwell: "Verweilzeit",
+      toolChange: "Werkzeugwechsel",
+      spindle: "Spindelhochlauf",
+    },
     total: "Summe",
     machine: (name) => `Maschine: ${name}`,
     noMachine: "Keine Maschinendaten",

@@ -2,7 +2,9 @@ import type { MistakesTexts } from "../mistakes-text.ts";
 
 export const mistakes: MistakesTexts = {
   kinds: {
-    choice: ["Eine Zahl wird aus einem anderen Programm übernommen, ohne nachzusehen, was sie in diesem Zyklus bedeutet."],
+    choice: [
+      "Eine Zahl wird aus einem anderen Programm übernommen, ohne nachzusehen, was sie in diesem Zyklus bedeutet.",
+    ],
     diameter: [
       "Ein Radius wird eingegeben, wo die Steuerung einen Durchmesser will: Das Teil wird halb so dick.",
       "Vorzeichen und Seite der Achse werden verwechselt: Bei einem gewöhnlichen Teil ist X positiv.",
@@ -34,7 +36,9 @@ export const mistakes: MistakesTexts = {
       "0 oder sehr wenig: Das Werkzeug fährt im Eilgang bis ans Material, und ein etwas zu großes Rohteil wird getroffen.",
       "So groß, dass der Startpunkt darin liegt: Das Werkzeug fährt erst weg.",
     ],
-    clearanceReserved: ["Der Wert wird geändert, um mehr Abstand zu halten: Hier bewirkt er nichts. Nur der Startpunkt hilft."],
+    clearanceReserved: [
+      "Der Wert wird geändert, um mehr Abstand zu halten: Hier bewirkt er nichts. Nur der Startpunkt hilft.",
+    ],
     startDiameter: [
       "Aus Versehen kleiner als der Enddurchmesser: Die Steuerung hält es dann für eine Bohrung.",
       "Kleiner als das Rohteil: Vor der Kontur bleibt ein Ring stehen, und der erste Schnitt wird zu tief.",
@@ -44,8 +48,13 @@ export const mistakes: MistakesTexts = {
       "Das Fertigmaß wird mit Aufmaß eingegeben: Q483 kommt noch einmal dazu.",
     ],
     startZ: ["Z0 liegt auf der rohen Planfläche, die erst später gedreht wird: Jede Länge wird zu kurz."],
-    endZ: ["Die Länge des Absatzes wird ohne Vorzeichen eingegeben.", "Futter und Backen werden vergessen: Das Ende liegt hinter ihnen."],
-    surfaceAngle: ["Halber und ganzer Kegelwinkel werden verwechselt: Gefragt ist der Winkel zur Achse, also der halbe."],
+    endZ: [
+      "Die Länge des Absatzes wird ohne Vorzeichen eingegeben.",
+      "Futter und Backen werden vergessen: Das Ende liegt hinter ihnen.",
+    ],
+    surfaceAngle: [
+      "Halber und ganzer Kegelwinkel werden verwechselt: Gefragt ist der Winkel zur Achse, also der halbe.",
+    ],
     faceAngle: ["Der Winkel wird von der Achse aus gemessen; er zählt von der rechtwinkligen Planfläche aus."],
     flankAngle: ["Die beiden Flanken werden vertauscht: Q495 gehört zum Konturanfang, Q496 zum Konturende."],
     secondFlankAngle: ["Die beiden Flanken werden vertauscht: Q495 gehört zum Konturanfang, Q496 zum Konturende."],
@@ -113,7 +122,9 @@ export const mistakes: MistakesTexts = {
       "Ein positiver Wert soll den Einstich tiefer machen: Positiv bleibt über dem Grund.",
       "Damit wird eine falsche Werkzeuglänge korrigiert: Das gehört in die Werkzeugtabelle.",
     ],
-    blankAllowance: ["Das Schlichtaufmaß wird eingegeben: Gemeint ist, um wie viel das Rohteil dicker ist als die Kontur."],
+    blankAllowance: [
+      "Das Schlichtaufmaß wird eingegeben: Gemeint ist, um wie viel das Rohteil dicker ist als die Kontur.",
+    ],
     threadPitch: ["Bei mehreren Gängen wird die Steigung über alle Gänge statt der Teilung eingegeben."],
     threadDepth: ["0 wird für „kein Gewinde“ gehalten: Die Steuerung rechnet dann die Tiefe aus der Steigung."],
     firstInfeed: ["Der Wert wird für jeden Schnitt gehalten: Die späteren werden kleiner."],

@@ -8,7 +8,8 @@ export const offline = {
   reload: "Seite neu laden",
   look: "Neuere Version suchen",
   kept: {
-    impossible: "Dieser Browser behält die Seite nicht für den Betrieb ohne Netz; dazu braucht es eine Adresse mit https.",
+    impossible:
+      "Dieser Browser behält die Seite nicht für den Betrieb ohne Netz; dazu braucht es eine Adresse mit https.",
     coming: "Die Seite wird auf diesem Gerät abgelegt, für den Betrieb ohne Netz.",
     kept: "Auf diesem Gerät abgelegt: läuft ohne Netz.",
     failed: "Die Seite liegt noch nicht ganz auf diesem Gerät. Sobald ein Netz da ist, geht es weiter.",

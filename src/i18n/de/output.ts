@@ -16,7 +16,10 @@ export const output = {
   spindleOffHint: "Leer: M30 oder M2 hält die Spindel an.",
   functionWrong: "Eine Zahl von 0 bis 999",
   retract: "Freifahren am Ende",
-  retracts: { position: "Sichere Position über dem Rohteil", limit: "Verfahrgrenze in der Werkzeugachse (M140 MB MAX)" },
+  retracts: {
+    position: "Sichere Position über dem Rohteil",
+    limit: "Verfahrgrenze in der Werkzeugachse (M140 MB MAX)",
+  },
   end: "Programmende",
   ends: { 30: "M30", 2: "M2" },
   numbered: "Satznummern",

@@ -2,8 +2,9 @@ import type { SecondSideTexts } from "../en/second-side.ts";
 
 export const secondSide: SecondSideTexts = {
   title: "Umspannen",
-  lead: "Was dieses Programm stehen lässt, wird das Rohteil eines neuen: gespiegelt, Nullpunkt an der neuen Planfläche. Dieses Programm "
-    + "bleibt, wie es ist.",
+  lead:
+    "Was dieses Programm stehen lässt, wird das Rohteil eines neuen: gespiegelt, Nullpunkt an der neuen Planfläche. Dieses Programm " +
+    "bleibt, wie es ist.",
   piece: "Teil",
   held: (size) => `Im Futter, ${size}`,
   off: (size) => `Abgestochen, ${size}`,

@@ -10,7 +10,8 @@ export const sheet: SheetTexts = {
   withProgram: "Mit Programm",
   withMeasured: "Mit Messungen",
   measured: "Gemessen",
-  measuredOld: (n) => (n === 1 ? "1 Messung von vor einer Änderung fehlt" : `${n} Messungen von vor einer Änderung fehlen`),
+  measuredOld: (n) =>
+    n === 1 ? "1 Messung von vor einer Änderung fehlt" : `${n} Messungen von vor einer Änderung fehlen`,
   remarks: "Bemerkungen",
   remarksHint: "Spannen, Backen, Messen, worauf zu achten ist",
   preview: "Vorschau des Blatts",
@@ -27,7 +28,15 @@ export const sheet: SheetTexts = {
     good: "Geprüft",
     dryRun: "In Turnwise mit den Werkzeugen dieses Blatts simuliert. Das ersetzt keinen Probelauf an der Maschine.",
   },
-  head: { program: "Programm", file: "Datei", unit: "Einheit", blocks: "Sätze", time: "Zeit", date: "Gedruckt", control: "Steuerung" },
+  head: {
+    program: "Programm",
+    file: "Datei",
+    unit: "Einheit",
+    blocks: "Sätze",
+    time: "Zeit",
+    date: "Gedruckt",
+    control: "Steuerung",
+  },
   inch: "Zoll (Werkzeuge in mm)",
   estimate: (time) => `etwa ${time}`,
 

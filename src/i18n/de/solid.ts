@@ -3,8 +3,9 @@ import type { SolidTexts } from "../en/solid.ts";
 export const solid: SolidTexts = {
   title: "3D-Ansicht",
   picture: (cut, state) => `Der Drehkörper in 3D${cut ? ", ein Viertel weggeschnitten" : ""}, Z nach rechts. ${state}`,
-  keys: "Pfeiltasten drehen die Ansicht, mit Umschalt verschieben sie; Plus und Minus zoomen, 0 zeigt alles; "
-    + "1, 2 und 3 sind die Ansichten schräg, von vorn und auf die Planfläche.",
+  keys:
+    "Pfeiltasten drehen die Ansicht, mit Umschalt verschieben sie; Plus und Minus zoomen, 0 zeigt alles; " +
+    "1, 2 und 3 sind die Ansichten schräg, von vorn und auf die Planfläche.",
   views: "Ansichten",
   quarter: "Ein Viertel wegschneiden",
   quarterShort: "Viertel",

@@ -51,11 +51,29 @@ export const toolCodes: ToolCodeTexts = {
     polygon: "regelmäßig",
     round: "rund",
   },
-  holes: { none: "ohne Bohrung", plain: "glatte Bohrung", sunkOne: "einseitig gesenkt", sunkBoth: "beidseitig gesenkt" },
+  holes: {
+    none: "ohne Bohrung",
+    plain: "glatte Bohrung",
+    sunkOne: "einseitig gesenkt",
+    sunkBoth: "beidseitig gesenkt",
+  },
   breakers: { none: "ohne Spanformer", one: "Spanformer einseitig", both: "Spanformer beidseitig" },
-  finishes: { F: "scharf", E: "gerundet", T: "gefast", S: "gefast und gerundet", K: "doppelt gefast", P: "doppelt gefast, gerundet" },
+  finishes: {
+    F: "scharf",
+    E: "gerundet",
+    T: "gefast",
+    S: "gefast und gerundet",
+    K: "doppelt gefast",
+    P: "doppelt gefast, gerundet",
+  },
   hands: { R: "rechts", L: "links", N: "neutral" },
-  clampings: { top: "von oben", topHole: "von oben und über die Bohrung", hole: "über die Bohrung", screw: "Schraube", wedge: "Keil" },
+  clampings: {
+    top: "von oben",
+    topHole: "von oben und über die Bohrung",
+    hole: "über die Bohrung",
+    screw: "Schraube",
+    wedge: "Keil",
+  },
   makes: {
     steel: "Stahl",
     steelCoolant: "Stahl, Innenkühlung",
@@ -87,7 +105,8 @@ export const toolCodes: ToolCodeTexts = {
     onlyCorner: "Gezeichnet werden die zwei Schneiden an der Spitze, nicht der Rest der Platte.",
     endCutting: "Diese Bauform schneidet in der anderen Richtung: T-ANGLE und TO bleiben zum Einstellen.",
     leftBar: "Eine linke Bohrstange steht wie eine rechte mit TO 7 in der Tabelle; die Spindel dreht andersherum.",
-    headDrawn: "Schaft nach dem Code; seine Lage und der Umriss des Kopfes sind die üblicher Halter. Mit dem Katalog vergleichen.",
+    headDrawn:
+      "Schaft nach dem Code; seine Lage und der Umriss des Kopfes sind die üblicher Halter. Mit dem Katalog vergleichen.",
     special: "X ist eine Sonderform: was sie bedeutet, steht nur im Katalog.",
     unsure: (letter, angle) => `Buchstabe ${letter}: ${angle}° ist nicht bestätigt. Mit dem Katalog vergleichen.`,
     noShank: {

@@ -14,7 +14,8 @@ export const toolFiles: ToolFileTexts = {
   takeAll: (n) => `Alle übernehmen (${n})`,
   takeNew: (n) => `Nur die neuen (${n})`,
   cancel: "Abbrechen",
-  keptInFile: (names) => `Spalten ohne Platz hier: ${names}. Sie bleiben bei der Datei und gehen mit ihr wieder hinaus.`,
+  keptInFile: (names) =>
+    `Spalten ohne Platz hier: ${names}. Sie bleiben bei der Datei und gehen mit ihr wieder hinaus.`,
   leftOut: (names) => `Nicht verstandene Spalten: ${names}.`,
   taken: (files, fresh, changed) => `${files}: ${fresh} neu, ${changed} geändert.`,
   export: "Exportieren",
@@ -24,7 +25,8 @@ export const toolFiles: ToolFileTexts = {
   againHint: "Nur geänderte Werkzeuge werden neu geschrieben; alle anderen Zeilen, Spalten und Zeichen bleiben.",
   againDone: (file, changed, added, removed) =>
     `${file}: ${changed} geändert, ${added} dazu, ${removed} entfernt; alles andere wie gekommen.`,
-  againShipped: (n) => (n === 1 ? "1 mitgeliefertes Werkzeug kommt nicht hinein." : `${n} mitgelieferte Werkzeuge kommen nicht hinein.`),
+  againShipped: (n) =>
+    n === 1 ? "1 mitgeliefertes Werkzeug kommt nicht hinein." : `${n} mitgelieferte Werkzeuge kommen nicht hinein.`,
   tooLong: (cells) => `Länger als die Spalte, blieb wie es war: ${cells}.`,
   notEncodable: "Ein Name hat Zeichen, die der Zeichensatz der Datei nicht kennt: als UTF-8 geschrieben.",
   turning: "TOOLTURN.TRN, Drehwerkzeuge",
@@ -37,5 +39,6 @@ export const toolFiles: ToolFileTexts = {
   jsonHint: "Alle Spalten und Halter, nichts gerundet; auch für den Befehl verify.",
   noTools: "keine Werkzeuge",
   importLong: "Werkzeuge aus Dateien importieren: Tabellen der Steuerung, CSV oder JSON",
-  notATable: (file) => `${file} ist keine Werkzeugtabelle: weder JSON noch eine Tabelle mit BEGIN am Anfang noch eine Liste mit Spalte T.`,
+  notATable: (file) =>
+    `${file} ist keine Werkzeugtabelle: weder JSON noch eine Tabelle mit BEGIN am Anfang noch eine Liste mit Spalte T.`,
 };

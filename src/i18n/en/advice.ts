@@ -21,13 +21,22 @@ export const advice = {
       `About ${power} kW at ${speed} m/min (Kienzle); the spindle has ${most} kW. An infeed of ${better} mm needs no more.`,
     speedLimited: (limit: string, held: string, smallest: string, left: string) =>
       `With SMAX ${limit} the cutting speed is held down to ⌀ ${held}. At ⌀ ${smallest} only ${left} m/min of it are left.`,
-    noLimit: (speed: string) => `${speed} m/min without SMAX: towards the axis the spindle turns as fast as it can. Give it a limit.`,
-    speedFar: (speed: string, usual: string) => `${speed} m/min is far from the ${usual} m/min that this material usually starts with.`,
+    noLimit: (speed: string) =>
+      `${speed} m/min without SMAX: towards the axis the spindle turns as fast as it can. Give it a limit.`,
+    speedFar: (speed: string, usual: string) =>
+      `${speed} m/min is far from the ${usual} m/min that this material usually starts with.`,
   },
   material: "Material",
   ofDevice: "as on this device",
   deviceMaterial: "Material of works that name none",
-  groups: { P: "steel", M: "stainless steel", K: "cast iron", N: "non-ferrous metal", S: "hard to cut", H: "hardened steel" },
+  groups: {
+    P: "steel",
+    M: "stainless steel",
+    K: "cast iron",
+    N: "non-ferrous metal",
+    S: "hard to cut",
+    H: "hardened steel",
+  },
   starting: "Starting values",
   startingLead: "For coated carbide, hardened steel for CBN, to begin with; the insert’s maker knows better.",
   start: (material: string, speeds: string) => `${material}: ${speeds} as a start.`,
@@ -45,8 +54,9 @@ export const advice = {
   spindle: "Cutting speed",
   table: {
     title: "Cutting data of the shop",
-    lead: "Replace the values by your own; they stay on this device and go into the file of everything. "
-      + "kc1.1 and mc as shipped follow tables of Röhm (steel, grey iron) and Iscar (the others): estimates.",
+    lead:
+      "Replace the values by your own; they stay on this device and go into the file of everything. " +
+      "kc1.1 and mc as shipped follow tables of Röhm (steel, grey iron) and Iscar (the others): estimates.",
     name: "Material",
     group: "Group",
     power: "Power of the spindle, kW",

@@ -2,7 +2,8 @@ import type { Shape } from "../shape.ts";
 
 export const clamping = {
   title: "Clamping",
-  unstated: "Not stated: the blank counts as held at its rear end. Contact with jaws, chuck or tailstock is not looked for.",
+  unstated:
+    "Not stated: the blank counts as held at its rear end. Contact with jaws, chuck or tailstock is not looked for.",
   state: "State a clamping",
   remove: "State none",
   kind: "Held by",
@@ -34,7 +35,8 @@ export const clamping = {
     LIMITX: "Limit: nothing within ⌀",
   },
   tailstock: "With tailstock",
-  known: "Drawn to scale; contact of tool or holder with it is an error. Jaws are those of usual power chucks: measure yours.",
+  known:
+    "Drawn to scale; contact of tool or holder with it is an error. Jaws are those of usual power chucks: measure yours.",
   inProgram: "Kept in the program as a comment, ;\u00A0CLAMPING …, which a control passes over.",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "inch ⌀", length: "inch" } },
 };

@@ -24,7 +24,8 @@ export const compare = {
   operationsAdded: (n: number) => (n === 1 ? "1 operation more" : `${n} operations more`),
   operationsRemoved: (n: number) => (n === 1 ? "1 operation fewer" : `${n} operations fewer`),
   operationsMoved: (n: number) => (n === 1 ? "1 operation moved" : `${n} operations moved`),
-  written: (n: number) => (n === 1 ? "1 difference in comments and spelling" : `${n} differences in comments and spelling`),
+  written: (n: number) =>
+    n === 1 ? "1 difference in comments and spelling" : `${n} differences in comments and spelling`,
   showWritten: "Show comments and spelling",
   time: (by: string) => `time ${by}`,
   previous: "Previous difference",

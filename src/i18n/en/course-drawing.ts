@@ -31,7 +31,8 @@ export const courseDrawing = {
   },
   inMm: "mm",
   steel: "Steel",
-  blankOf: (outside: string, bore: string, length: string) => `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  blankOf: (outside: string, bore: string, length: string) =>
+    `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
   allowance: (value: string) => `${value} in front of Z0`,
   tolerances: "ISO 2768, class m",
   tolerancesHint: "Sizes without deviations: as ISO 2768-1, medium class",
@@ -53,11 +54,8 @@ export const courseDrawing = {
   micrometres: (value: string) => `Rz ${value}`,
   chamfer: (size: string, angle: string) => `${size}×${angle}°`,
   radius: (size: string) => `R${size}`,
-  thread: (
-    diameter: string,
-    lead: string,
-    starts: number,
-  ) => (starts > 1 ? `M${diameter}×${lead} (${starts} starts)` : `M${diameter}×${lead}`),
+  thread: (diameter: string, lead: string, starts: number) =>
+    starts > 1 ? `M${diameter}×${lead} (${starts} starts)` : `M${diameter}×${lead}`,
   all: (mark: string) => `${mark} on all turned surfaces`,
 } as const;
 

@@ -1,6 +1,9 @@
 import type { Shape } from "../shape.ts";
 
-/** A task of the course while it is worked on: its panel, its goals, and what became of them. Numbers come written in the language. */
+/**
+ * A task of the course while it is worked on: its panel, its goals, and what became of them. Numbers come written in
+ * the language.
+ */
 export const courseTask = {
   region: (title: string) => `Task: ${title}`,
   unfold: "Assignment",
@@ -11,8 +14,13 @@ export const courseTask = {
   check: "Check",
   checking: "Being checked",
   passed: "Passed",
-  passedFor: { alone: "Passed, without help", hints: "Passed, with hints", solution: "Passed, after the solution was shown" },
-  failed: (open: number, all: number) => (open === 1 ? `1 of ${all} goals is not met yet` : `${open} of ${all} goals are not met yet`),
+  passedFor: {
+    alone: "Passed, without help",
+    hints: "Passed, with hints",
+    solution: "Passed, after the solution was shown",
+  },
+  failed: (open: number, all: number) =>
+    open === 1 ? `1 of ${all} goals is not met yet` : `${open} of ${all} goals are not met yet`,
   stale: "Changed since the last check",
   tries: (n: number) => (n === 1 ? "1 try" : `${n} tries`),
   empty: (names: string) => `That is no try yet. Still empty: ${names}`,
@@ -81,14 +89,18 @@ export const courseTask = {
     missing: (mm: string) => `${mm} mm too much was cut`,
     residue: (mm: string) => `Steel stays, up to ${mm} mm thick`,
     noThread: (name: string) => `The thread ${name} is not there: no groove is cut between its crest and its root`,
-    threadPitch: (name: string, is: string, asked: string) => `The thread ${name} has a pitch of ${is} mm in place of ${asked}`,
+    threadPitch: (name: string, is: string, asked: string) =>
+      `The thread ${name} has a pitch of ${is} mm in place of ${asked}`,
     turnedRound: {
-      inside: "As the values stand, this cycle turns a bore: "
-        + "its contour lies above the start point. Look at the diameters and at the start before the tool",
-      outside: "As the values stand, this cycle turns the outside: "
-        + "its contour lies below the start point. Look at the diameters and at the start before the tool",
-      away: "As the values stand, this cycle cuts away from the chuck: "
-        + "its end lies in front of its start. Look for a forgotten minus before the tool",
+      inside:
+        "As the values stand, this cycle turns a bore: " +
+        "its contour lies above the start point. Look at the diameters and at the start before the tool",
+      outside:
+        "As the values stand, this cycle turns the outside: " +
+        "its contour lies below the start point. Look at the diameters and at the start before the tool",
+      away:
+        "As the values stand, this cycle cuts away from the chuck: " +
+        "its end lies in front of its start. Look for a forgotten minus before the tool",
       towards:
         "As the values stand, this cycle cuts towards the chuck: its end lies behind its start. Look at the signs along Z before the tool",
     },
@@ -110,7 +122,8 @@ export const courseTask = {
     without: (cycle: string) => `Cycle ${cycle} is called`,
     values: (q: string, is: string, asked: string) => `${q} is ${is}. Asked for: ${asked}`,
     noValue: (q: string) => `No cycle with ${q} is called`,
-    passes: (is: number, asked: number) => `${is === 1 ? "1 roughing pass" : `${is} roughing passes`} in place of ${asked}`,
+    passes: (is: number, asked: number) =>
+      `${is === 1 ? "1 roughing pass" : `${is} roughing passes`} in place of ${asked}`,
     rz: (is: string, most: string) => `Rz ${is} µm in place of ${most} µm`,
     noRz: (most: string) => `No surface with a known Rz; ${most} µm are asked for`,
     words: (word: string) => `${word} stands in no block`,
@@ -139,7 +152,8 @@ export const courseTask = {
     nextQuestion: "Next question",
     back: "Question before",
     run: "Show the run",
-    lacks: (n: number, of: number) => of === 1 ? "Your answer is still missing." : `Question ${n} still lacks its answer.`,
+    lacks: (n: number, of: number) =>
+      of === 1 ? "Your answer is still missing." : `Question ${n} still lacks its answer.`,
     again: "Say it again",
     right: (what: string) => `Right: ${what}`,
     wrong: (told: string, is: string) => `You said ${told}. It is ${is}.`,
@@ -158,7 +172,8 @@ export const courseTask = {
     better: {
       proof: (is: string, of: string) => `${is} of ${of} rules hold; each one gives its share.`,
       residue: (is: string) => `${is} stay on the part; less gives more.`,
-      time: (is: string, par: string) => `${is} s; ${par} s give full points: fewer passes, shorter ways, or more feed.`,
+      time: (is: string, par: string) =>
+        `${is} s; ${par} s give full points: fewer passes, shorter ways, or more feed.`,
       tools: (is: string, par: string) => `${is} tools; ${par} give full points.`,
     },
   },

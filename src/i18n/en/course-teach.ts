@@ -7,14 +7,16 @@ export const courseTeach = {
   working: "The program is being run.",
   noPart: "This program makes no part: nothing is turned, or it states no blank. A task needs both.",
   close: "Close",
-  milled: (block: string) => `From block ${block} on it is milled. Milling is drawn and not judged: an answer with it never passes.`,
+  milled: (block: string) =>
+    `From block ${block} on it is milled. Milling is drawn and not judged: an answer with it never passes.`,
   milledOnly:
-    "This program mills. Milling is drawn and not judged, so nothing can be asked that an answer must make. Questions before the run work: "
-    + "say yourself what is right.",
+    "This program mills. Milling is drawn and not judged, so nothing can be asked that an answer must make. Questions before the run work: " +
+    "say yourself what is right.",
 
   titleOf: (name: string) => `Change the task “${name}”`,
   takeBack: "Take back",
-  changedSince: "The program was changed since this form was filled in. Part, rules and sizes are still those of before.",
+  changedSince:
+    "The program was changed since this form was filled in. Part, rules and sizes are still those of before.",
   proposeAnew: "Propose them anew",
   formNotKept: "This browser does not keep the form. Save the task as a file before you close it.",
   keptForm: "What you type is kept on this device.",
@@ -41,7 +43,8 @@ export const courseTeach = {
   partHint: "Lines of a contour subprogram, from the free end. Behind the last point the blank stays as it is.",
   threads: "Threads",
   threadsHint: "The outline draws a thread by its crest. A tapered thread stays a shape.",
-  thread: (from: string, to: string, crest: string, root: string) => `Z ${from} to ${to}, crest ⌀${crest}, root ⌀${root}`,
+  thread: (from: string, to: string, crest: string, root: string) =>
+    `Z ${from} to ${to}, crest ⌀${crest}, root ⌀${root}`,
   threadName: (where: string) => `Name of the thread, ${where}`,
   sizes: "Toleranced sizes",
   noSizes: "No size can be chosen: the part has no outline.",
@@ -169,7 +172,8 @@ export const courseTeach = {
   passes: "The answer passes.",
   refused: "The answer does not pass:",
   idle: "What lies open in the beginning passes already: there would be nothing to do.",
-  mark: (rule: string, value: string, limit: string) => (limit === "" ? `${rule}: ${value}` : `${rule}: ${value}, allowed ${limit}`),
+  mark: (rule: string, value: string, limit: string) =>
+    limit === "" ? `${rule}: ${value}` : `${rule}: ${value}, allowed ${limit}`,
   inBlock: (block: string) => `block ${block}`,
   judged: {
     errors: "errors",
@@ -238,7 +242,8 @@ export const courseTeach = {
       oneOf: (path: string, names: string) => `${path} has to be one of: ${names}`,
       count: (path: string, n: string) => `${path} has to have as many entries as needed: ${n}`,
       unknown: (path: string, _: string) => `${path} is not known here`,
-      contour: (path: string, _: string) => `${path}: a line of blank or outline is wrong, or nothing is left of the blank`,
+      contour: (path: string, _: string) =>
+        `${path}: a line of blank or outline is wrong, or nothing is left of the blank`,
     },
     types: {
       string: "a text in quotation marks",
@@ -270,8 +275,9 @@ export const courseTeach = {
   hand: {
     open: "Hand in results",
     title: "Hand in results",
-    lead: "What you did in the tasks, for your instructor: tries, hints, time, steps and your last program of each task. "
-      + "Nothing is sent; you hand the file or the link on yourself.",
+    lead:
+      "What you did in the tasks, for your instructor: tries, hints, time, steps and your last program of each task. " +
+      "Nothing is sent; you hand the file or the link on yourself.",
     noProof: "It is no proof: a file can be changed. It holds a name only if you type one.",
     none: "No task was begun yet.",
     name: "Name (may stay empty)",
@@ -282,7 +288,8 @@ export const courseTeach = {
 
   results: {
     gathered: (people: string) => `Results of ${people} learners`,
-    several: "What stands here was written by the learners’ devices and can have been changed; each program was run again here.",
+    several:
+      "What stands here was written by the learners’ devices and can have been changed; each program was run again here.",
     empty: "This file holds no results: nothing was chosen when it was made.",
     name: "Name",
     noName: "no name",
@@ -313,7 +320,8 @@ export const courseTeach = {
 
     title: (name: string) => (name === "" ? "Results without a name" : `Results of ${name}`),
     lead: (day: string) =>
-      `Made ${day}. What stands here was written by the learner’s device and can have been changed; each program was ` + "run again here.",
+      `Made ${day}. What stands here was written by the learner’s device and can have been changed; each program was ` +
+      "run again here.",
     task: "Task",
     state: "Result",
     tries: "Tries",
@@ -329,7 +337,13 @@ export const courseTeach = {
     no: "no",
     minutes: (n: string) => `${n} min`,
     seconds: (n: string) => `${n} s`,
-    states: { new: "not begun", tried: "tried", alone: "passed alone", hints: "passed with hints", solution: "passed with the solution" },
+    states: {
+      new: "not begun",
+      tried: "tried",
+      alone: "passed alone",
+      hints: "passed with hints",
+      solution: "passed with the solution",
+    },
     againPasses: "passes",
     againFails: "does not pass",
     unknown: "task not known here",

@@ -1,10 +1,14 @@
 import type { Shape } from "../shape.ts";
 
-/** The pages of the course: the list of lessons, a lesson with its picture, how far one has come. Numbers arrive as text. */
+/**
+ * The pages of the course: the list of lessons, a lesson with its picture, how far one has come. Numbers arrive as
+ * text.
+ */
 export const course = {
   title: "Course",
-  lead: "Turning with the cycles of the control, from the first shoulder to a whole part. Each lesson is a few pages with a picture that "
-    + "moves, and tasks in the real editor.",
+  lead:
+    "Turning with the cycles of the control, from the first shoulder to a whole part. Each lesson is a few pages with a picture that " +
+    "moves, and tasks in the real editor.",
   entrance: {
     name: "Course",
     about: "Lessons with tasks, from the first shoulder to a whole part",

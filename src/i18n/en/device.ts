@@ -28,8 +28,10 @@ export const device = {
     duplicated: (name: string) => `${name} was made.`,
     saved: (n: number) => (n === 1 ? "1 work was saved to the downloads." : `${n} works were saved to the downloads.`),
     nameTaken: (name: string) => `Another file of this program is called ${name}.`,
-    leftOut:
-      (n: number) => (n === 1 ? "One is open in another tab and stayed as it is." : `${n} are open in other tabs and stayed as they are.`),
+    leftOut: (n: number) =>
+      n === 1
+        ? "One is open in another tab and stayed as it is."
+        : `${n} are open in other tabs and stayed as they are.`,
     failed: "The device did not take that. Everything is as it was.",
   },
   here: {
@@ -66,7 +68,8 @@ export const device = {
     courseLong: "What is better on this device stays",
     settings: "Take its settings too",
     settingsLong: "Language, appearance and how the picture is shown",
-    unread: (n: number, names: string) => (n === 1 ? `One work cannot be read: ${names}` : `${n} works cannot be read: ${names}`),
+    unread: (n: number, names: string) =>
+      n === 1 ? `One work cannot be read: ${names}` : `${n} works cannot be read: ${names}`,
     unreadParts: {
       tools: "The tool table in it cannot be read.",
       own: "The own cycles in it cannot be read.",
@@ -81,7 +84,8 @@ export const device = {
     nothing: "Nothing chosen",
     done: (n: number) => (n === 1 ? "1 work was brought in." : `${n} works were brought in.`),
     doneBeside: "What was chosen beside the works is in place; undo takes it back.",
-    notKept: (n: number) => (n === 1 ? "One work found no room on this device." : `${n} works found no room on this device.`),
+    notKept: (n: number) =>
+      n === 1 ? "One work found no room on this device." : `${n} works found no room on this device.`,
     showAll: "Show all works",
     problems: {
       notAnArchive: (name: string) => `${name} holds no works of Turnwise.`,

@@ -6,7 +6,8 @@ export const exported = {
   leadInches:
     "DXF in inches, as the program counts; STL and SVG in millimetres. Z lies along the spindle, the zero point is that of the workpiece.",
   bodies: "Bodies",
-  bodiesHint: "STL in millimetres, closed surfaces, chords within 0.02 mm of the round. Threads are helices, right-handed.",
+  bodiesHint:
+    "STL in millimetres, closed surfaces, chords within 0.02 mm of the round. Threads are helices, right-handed.",
   body: { part: "Finished part", blank: "Blank", stock: "Stock as it is now" },
   bodyHint: {
     part: "The blank less all that the cycles and the moves between them take away.",

@@ -2,14 +2,20 @@ import type { GlossaryTexts } from "../glossary-text.ts";
 
 export const glossary: GlossaryTexts = {
   words: { formsOf: (name) => `${name}(?:e?s)?`, capitals: false, apart: true },
-  blank: { name: "Blank", text: "The material before the first cut. BLK FORM says it; here it is a cylinder, a tube or an outline." },
+  blank: {
+    name: "Blank",
+    text: "The material before the first cut. BLK FORM says it; here it is a cylinder, a tube or an outline.",
+  },
   stock: { name: "Stock", text: "The material at a moment: what the cuts so far have left of the blank." },
   finishedPart: { name: "Finished part", text: "What has to remain. No cut may touch it." },
   residue: {
     name: "Residue",
     text: "Material that stays beyond the contour because the insert cannot get there: in corners, behind flanks, under limits.",
   },
-  contour: { name: "Contour", text: "The line of lines and arcs that the finished surface follows, in the direction of machining." },
+  contour: {
+    name: "Contour",
+    text: "The line of lines and arcs that the finished surface follows, in the direction of machining.",
+  },
   cornerElement: {
     name: "Chamfer, rounding",
     text: "What breaks a corner between two elements, or the edge at the start or end of a shoulder.",
@@ -39,11 +45,15 @@ export const glossary: GlossaryTexts = {
     text: "Where X0 and Z0 lie. X0 is the axis of the spindle; Z0 usually lies on the finished face, and the part on the negative side.",
   },
   diameter: { name: "Diameter (⌀)", text: "X is written as a diameter. A step of 2 mm in X moves the tool by 1 mm." },
-  radius: { name: "On the radius (r)", text: "Depths across the axis count on one side only: 3 mm make 6 mm on the diameter." },
+  radius: {
+    name: "On the radius (r)",
+    text: "Depths across the axis count on one side only: 3 mm make 6 mm on the diameter.",
+  },
   theoreticalTip: {
     name: "Theoretical tip",
-    text: "The corner that the insert would have without its nose radius. The control shows and programs the "
-      + "position of this point, although there is no steel.",
+    text:
+      "The corner that the insert would have without its nose radius. The control shows and programs the " +
+      "position of this point, although there is no steel.",
   },
   cuttingPoint: {
     name: "Cutting point",
@@ -59,15 +69,17 @@ export const glossary: GlossaryTexts = {
   },
   compensation: {
     name: "Nose radius compensation",
-    text:
-      "The control leads the nose so that its arc touches the contour, not the theoretical tip. Without it cones and arcs come out wrong.",
+    text: "The control leads the nose so that its arc touches the contour, not the theoretical tip. Without it cones and arcs come out wrong.",
   },
   insert: { name: "Insert", text: "The exchangeable plate that cuts, with its shape, angles and nose radius." },
   mainEdge: {
     name: "Main edge",
     text: "The edge beside the nose that does most of the cutting. A wall that leans more than it cannot be followed.",
   },
-  secondaryEdge: { name: "Secondary edge", text: "The edge behind the nose. On falling flanks it has to stay clear of the part." },
+  secondaryEdge: {
+    name: "Secondary edge",
+    text: "The edge behind the nose. On falling flanks it has to stay clear of the part.",
+  },
   edgeLength: {
     name: "Edge length (CUTLENGTH)",
     text: "How much of the edge may cut. A pass deeper than that works with the holder. Of a thread tool: how high its tooth is.",
@@ -99,10 +111,14 @@ export const glossary: GlossaryTexts = {
   },
   speedLimit: {
     name: "Speed limit (SMAX)",
-    text: "The highest speed that the control may choose. Near the axis VCONST would want an endless one: the "
-      + "chuck and the part set the bound.",
+    text:
+      "The highest speed that the control may choose. Near the axis VCONST would want an endless one: the " +
+      "chuck and the part set the bound.",
   },
-  chip: { name: "Chip", text: "What is cut off: depth times feed is its cross-section, and force and power grow with it." },
+  chip: {
+    name: "Chip",
+    text: "What is cut off: depth times feed is its cross-section, and force and power grow with it.",
+  },
   cuttingForce: {
     name: "Specific cutting force (kc)",
     text: "The force for each mm² of chip. Thin chips need more of it than thick ones.",
@@ -117,13 +133,22 @@ export const glossary: GlossaryTexts = {
     name: "Plunging",
     text: "Cutting into the material along a falling flank or straight down. Q487 allows it and Q488 gives it a feed of its own.",
   },
-  limit: { name: "Machining limit", text: "A diameter (Q480) or a place along Z (Q482) beyond which the cycle does not cut." },
+  limit: {
+    name: "Machining limit",
+    text: "A diameter (Q480) or a place along Z (Q482) beyond which the cycle does not cut.",
+  },
   program: { name: "Program", text: "What the control works through: blocks, one after the other." },
-  block: { name: "Block", text: "One numbered line of a program, or several that belong together, such as a cycle with its parameters." },
+  block: {
+    name: "Block",
+    text: "One numbered line of a program, or several that belong together, such as a cycle with its parameters.",
+  },
   cycle: { name: "Cycle", text: "A machining job that the control knows: from a few values it plans all its passes." },
   call: {
     name: "Cycle call",
     text: "M99, M89 or CYCL CALL. Only here the defined cycle moves the tool, with the tool and start point of that moment.",
   },
-  verdict: { name: "Verdict", text: "What the proof of a program says: proved, faults found, or not everything simulated." },
+  verdict: {
+    name: "Verdict",
+    text: "What the proof of a program says: proved, faults found, or not everything simulated.",
+  },
 };

@@ -3,8 +3,8 @@ import { blockKinds } from "./guide-blocks/kinds.ts";
 import { blockWords } from "./guide-blocks/words.ts";
 
 /**
- * Pages of the guide for the blocks of a program and for the words that one fills in there. A word is named by its field; where it
- * means something of its own in one kind of block, by both: "call.label".
+ * Pages of the guide for the blocks of a program and for the words that one fills in there. A word is named by its
+ * field; where it means something of its own in one kind of block, by both: "call.label".
  */
 export const guideBlocks = {
   title: "Blocks of a program",
@@ -22,14 +22,19 @@ export const guideBlocks = {
     axis: "There is no live picture: the kernel cuts in the plane Z/X, and this axis does not lie in it.",
     milling: "There is no live picture: this counts for milling, and the kernel shows what turning cuts.",
     free: "There is no live picture: a free contour is kept here and not run.",
-    choice: "There is no live picture: another choice wants other blocks round it, and with the same ones it shows nothing.",
-    together: "There is no live picture: this value goes together with others. With it alone changed, the control would not take the"
-      + " block.",
-    compensation: "There is no live picture here: compensation begins and ends with a straight block. The page of L shows it.",
-    functions: "There is no live picture here: of the M functions, M136 and M137 change the cut. The page of the M functions shows that.",
+    choice:
+      "There is no live picture: another choice wants other blocks round it, and with the same ones it shows nothing.",
+    together:
+      "There is no live picture: this value goes together with others. With it alone changed, the control would not take the" +
+      " block.",
+    compensation:
+      "There is no live picture here: compensation begins and ends with a straight block. The page of L shows it.",
+    functions:
+      "There is no live picture here: of the M functions, M136 and M137 change the cut. The page of the M functions shows that.",
     same: "There is no live picture: with other values the tool goes the same way and leaves the same part.",
-    yours: "Your own block is not shown: with other values the same is cut there, or nothing that the kernel can cut, as in a"
-      + " milled plane.",
+    yours:
+      "Your own block is not shown: with other values the same is cut there, or nothing that the kernel can cut, as in a" +
+      " milled plane.",
   },
   functions: "M functions",
   kinds: blockKinds,

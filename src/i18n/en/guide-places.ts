@@ -1,6 +1,9 @@
 import type { Shape } from "../shape.ts";
 
-/** Pages of the guide for prompts that are no parameter of a cycle. Each has what it is, and what is often done wrong with it. */
+/**
+ * Pages of the guide for prompts that are no parameter of a cycle. Each has what it is, and what is often done wrong
+ * with it.
+ */
 export const guidePlaces = {
   other: "Other prompts",
   setup: "Set-up",
@@ -10,7 +13,8 @@ export const guidePlaces = {
   runWith: "The kernel has run the cycle with each of these.",
   places: {
     "blank.outside": {
-      about: "The ⌀ of the raw bar: D in BLK FORM CYLINDER. The proof takes the material off it; the machine never sees it.",
+      about:
+        "The ⌀ of the raw bar: D in BLK FORM CYLINDER. The proof takes the material off it; the machine never sees it.",
       mistakes: [
         "The finished ⌀ is entered: the picture shows no material where the machine has some, and a rapid that hits it is not found.",
         "Bar and casting are thicker than their nominal size: the tolerance belongs into it.",
@@ -25,10 +29,14 @@ export const guidePlaces = {
     },
     "blank.length": {
       about: "Whole length of the blank: L in BLK FORM CYLINDER, with the piece that the chuck holds.",
-      mistakes: ["Only the free length is entered: the jaws stand where the tool has to go.", "The length for parting off is forgotten."],
+      mistakes: [
+        "Only the free length is entered: the jaws stand where the tool has to go.",
+        "The length for parting off is forgotten.",
+      ],
     },
     "blank.allowance": {
-      about: "How far the face of the blank stands in front of the workpiece zero: DIST. Z0 usually is the finished face.",
+      about:
+        "How far the face of the blank stands in front of the workpiece zero: DIST. Z0 usually is the finished face.",
       mistakes: [
         "0 although the face is still rough: in front of Z0 the tool meets material at rapid.",
         "A minus sign: the blank begins behind Z0, and the first passes cut air.",
@@ -36,16 +44,17 @@ export const guidePlaces = {
     },
     tool: {
       about:
-        "TOOL CALL takes an insert with its nose radius and its orientation TO out of the table. The same values with another insert make "
-        + "another part: the nose stays in corners, the edges limit flanks.",
+        "TOOL CALL takes an insert with its nose radius and its orientation TO out of the table. The same values with another insert make " +
+        "another part: the nose stays in corners, the edges limit flanks.",
       mistakes: [
         "Tool number and place in the turret are mixed up: another insert cuts.",
         "An outside tool is called for an inside contour: its orientation does not fit.",
       ],
     },
     "start.x": {
-      about: "Where the tip stands across when the cycle is called, as ⌀. Cycles without a start diameter begin their contour here; "
-        + "all come from here and go back here.",
+      about:
+        "Where the tip stands across when the cycle is called, as ⌀. Cycles without a start diameter begin their contour here; " +
+        "all come from here and go back here.",
       mistakes: [
         "It lies inside the blank: the first rapid goes through material.",
         "A radius is typed: the tool stands at half the distance from the axis.",
@@ -61,15 +70,16 @@ export const guidePlaces = {
     },
     "spindle.cuttingSpeed": {
       about:
-        "VC in m/min: the control changes the speed with the ⌀, n = 1000 · vc / (π · d). The path stays as it is; time, heat and surface "
-        + "change.",
+        "VC in m/min: the control changes the speed with the ⌀, n = 1000 · vc / (π · d). The path stays as it is; time, heat and surface " +
+        "change.",
       mistakes: [
         "There is no SMAX beside it: towards the axis the spindle turns as fast as it can.",
         "Revolutions are entered: 1500 m/min is far too fast for steel.",
       ],
     },
     "spindle.speed": {
-      about: "S in revolutions a minute, the same at every ⌀: right for threads. Towards the axis the cutting speed falls to nothing.",
+      about:
+        "S in revolutions a minute, the same at every ⌀: right for threads. Towards the axis the cutting speed falls to nothing.",
       mistakes: [
         "It is left from a thin part: on a large ⌀ the edge runs too fast.",
         "It is used for facing: towards the centre the surface gets worse.",
@@ -77,8 +87,8 @@ export const guidePlaces = {
     },
     "spindle.limit": {
       about:
-        "SMAX in revolutions a minute: constant cutting speed never turns the spindle faster. Chuck, clamping and imbalance decide it, "
-        + "not the insert.",
+        "SMAX in revolutions a minute: constant cutting speed never turns the spindle faster. Chuck, clamping and imbalance decide it, " +
+        "not the insert.",
       mistakes: [
         "The limit of the chuck is overlooked: jaws lose their grip as the speed grows.",
         "It is so low that the cutting speed is held on the largest ⌀ only.",

@@ -37,10 +37,12 @@ export const guide = {
     working: "The kernel is running the cycle …",
     none: "No other value of it makes a path here.",
     reserved: "Nothing is read from it in this cycle: path, time and part are the same with every value.",
-    unseen: "Some of these values make the same path, time and part here: what they decide does not occur on this contour.",
+    unseen:
+      "Some of these values make the same path, time and part here: what they decide does not occur on this contour.",
     alike: {
-      cuttingLines: "Both differ only where the passes outside are longer or shorter than those inside, as round a shoulder. "
-        + "This contour ends in the direction in which it begins.",
+      cuttingLines:
+        "Both differ only where the passes outside are longer or shorter than those inside, as round a shoulder. " +
+        "This contour ends in the direction in which it begins.",
       reverse: "1 and 2 are alike here: a bar with its tip in the middle of its edge is its own mirror image.",
     },
     picture: (q: string, value: string) => `Section of the part with ${q} = ${value}`,

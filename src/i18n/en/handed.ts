@@ -5,8 +5,8 @@ const tools = (n: number) => (n === 1 ? "1 tool" : `${n} tools`);
 export const handed = {
   title: "Hand on",
   lead:
-    "Whoever opens it sees the same picture, the same numbers and the same verdict. No server takes part: everything is in the link, or "
-    + "in the file.",
+    "Whoever opens it sees the same picture, the same numbers and the same verdict. No server takes part: everything is in the link, or " +
+    "in the file.",
   working: "Finding out which tools it needs …",
   along: "What goes along",
   facts: {
@@ -37,7 +37,8 @@ export const handed = {
   files: "Files",
   file: "As a file",
   report: "Report (JSON)",
-  reportHint: "The report is the same to the byte wherever this work is opened and left as it is: compare the two files.",
+  reportHint:
+    "The report is the same to the byte wherever this work is opened and left as it is: compare the two files.",
   noReport: "The calculation gave no report, so all tools of the table go along.",
 
   inside: (name: string) => `Open ${name}?`,
@@ -53,7 +54,8 @@ export const handed = {
 
   bar: (n: number) => `The open work runs with ${tools(n)} of its own.`,
   barControl: (control: string) => `The open work runs as on a ${control}, as it was handed on.`,
-  barMachine: (machine: string) => `The open work is timed with other machine data than those of this device: ${machine}.`,
+  barMachine: (machine: string) =>
+    `The open work is timed with other machine data than those of this device: ${machine}.`,
   ofWork: "Tools of this work",
   ofWorkLead: "It was handed on with these tools and runs with them, not with the table of this device.",
   theirs: "With the work",
@@ -63,11 +65,13 @@ export const handed = {
   as: { mine: "Keep mine", theirs: "Take theirs", free: "Put theirs at a free number" },
   keep: "Keep these tools in my table",
   kept: (added: number, replaced: number) =>
-    [added > 0 && `${tools(added)} added to your table`, replaced > 0 && `${tools(replaced)} replaced in it`].filter(Boolean).join(", ")
-    + ".",
+    [added > 0 && `${tools(added)} added to your table`, replaced > 0 && `${tools(replaced)} replaced in it`]
+      .filter(Boolean)
+      .join(", ") + ".",
   nothingToKeep: "Nothing to do: your table stays as it is.",
   allMine: "Your table has all of them as they are here.",
-  moved: (from: number, to: number) => `Tool ${from} of the work stands in your table as tool ${to}: TOOL CALL has to name ${to} there.`,
+  moved: (from: number, to: number) =>
+    `Tool ${from} of the work stands in your table as tool ${to}: TOOL CALL has to name ${to} there.`,
   changeCalls: (n: number) => (n === 1 ? "Change it in 1 TOOL CALL" : `Change it in ${n} TOOL CALLs`),
   callsChanged: "The program calls the new numbers.",
   useMine: "Use my table instead",

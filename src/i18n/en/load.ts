@@ -1,6 +1,9 @@
 import type { Shape } from "../shape.ts";
 
-/** Roughness and load by colour: the scale, what is told of a place, and the list of the greatest values. Numbers arrive as text. */
+/**
+ * Roughness and load by colour: the scale, what is told of a place, and the list of the greatest values. Numbers arrive
+ * as text.
+ */
 export const load = {
   names: {
     roughness: "Theoretical roughness Rz",

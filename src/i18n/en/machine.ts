@@ -38,7 +38,8 @@ export const machineTexts = {
   units: { rate: "mm/min", acceleration: "m/s²", seconds: "s", rpm: "rpm", power: "kW", torque: "Nm" },
   addPoint: "Add point",
   removePoint: (n: string) => `Remove point ${n}`,
-  functions: (on: string, off: string) => `M functions of the spindle: ${on}, ${off}. They are set in NC output and are part of the file.`,
+  functions: (on: string, off: string) =>
+    `M functions of the spindle: ${on}, ${off}. They are set in NC output and are part of the file.`,
   noFunction: "none to stop it",
   save: "Export machine",
   open: "Import machine …",
@@ -59,7 +60,13 @@ export const machineTexts = {
   },
   time: {
     title: "Running time",
-    causes: { cutting: "Cutting", rapid: "Rapid", dwell: "Dwell", toolChange: "Tool changes", spindle: "Spindle run-up" },
+    causes: {
+      cutting: "Cutting",
+      rapid: "Rapid",
+      dwell: "Dwell",
+      toolChange: "Tool changes",
+      spindle: "Spindle run-up",
+    },
     total: "Total",
     machine: (name: string) => `Machine: ${name}`,
     noMachine: "No machine data",

@@ -34,7 +34,9 @@ export const mistakes: MistakesTexts = {
       "0 or very little: the tool goes at rapid right up to the material, and a blank that is a little too large is hit.",
       "It is so large that the start point lies inside it: the tool first moves away.",
     ],
-    clearanceReserved: ["It is changed to keep the tool farther off: here it does nothing. Only the start point helps."],
+    clearanceReserved: [
+      "It is changed to keep the tool farther off: here it does nothing. Only the start point helps.",
+    ],
     startDiameter: [
       "It is smaller than the end diameter by mistake: the control then takes it for a bore.",
       "It is smaller than the blank: a ring of material stays in front of the contour and the first pass is too deep.",
@@ -44,15 +46,25 @@ export const mistakes: MistakesTexts = {
       "The finished diameter is entered with its oversize: Q483 is added once more.",
     ],
     startZ: ["Z0 lies on the raw face while the face is turned later: every length is then too short."],
-    endZ: ["The length of the shoulder is entered without its sign.", "Chuck and jaws are forgotten: the end lies behind them."],
-    surfaceAngle: ["Half and full angle of a cone are mixed up: the prompt wants the angle to the axis, which is half of the cone angle."],
+    endZ: [
+      "The length of the shoulder is entered without its sign.",
+      "Chuck and jaws are forgotten: the end lies behind them.",
+    ],
+    surfaceAngle: [
+      "Half and full angle of a cone are mixed up: the prompt wants the angle to the axis, which is half of the cone angle.",
+    ],
     faceAngle: ["The angle is measured from the axis; it counts from the square face."],
     flankAngle: ["The two flanks are exchanged: Q495 belongs to the contour start, Q496 to its end."],
     secondFlankAngle: ["The two flanks are exchanged: Q495 belongs to the contour start, Q496 to its end."],
-    startElement: ["Type 0 stays while Q502 has a size: no edge is broken.", "A chamfer is chosen where the drawing has a radius."],
+    startElement: [
+      "Type 0 stays while Q502 has a size: no edge is broken.",
+      "A chamfer is chosen where the drawing has a radius.",
+    ],
     startElementSize: ["It is longer than the wall that it breaks."],
     endElement: ["Type 0 stays while Q504 has a size: no edge is broken."],
-    endElementSize: ["The chamfer at the end lies on the raw diameter: with a blank that is larger it hangs in the air."],
+    endElementSize: [
+      "The chamfer at the end lies on the raw diameter: with a blank that is larger it hangs in the air.",
+    ],
     cornerRadius: [
       "It is smaller than the nose radius: the corner becomes as round as the insert and material stays.",
       "It is used for the edges as well: those are Q502 and Q504.",
@@ -110,7 +122,9 @@ export const mistakes: MistakesTexts = {
       "A positive value is entered in the hope of a deeper groove: positive stays above the floor.",
       "It is used to correct a wrong tool length: put that into the tool table.",
     ],
-    blankAllowance: ["The oversize for finishing is entered: what is meant is how much thicker the blank is than the contour."],
+    blankAllowance: [
+      "The oversize for finishing is entered: what is meant is how much thicker the blank is than the contour.",
+    ],
     threadPitch: ["The lead of a thread with several starts is entered in place of the pitch."],
     threadDepth: ["0 is taken for “no thread”: the control then works out the depth from the pitch."],
     firstInfeed: ["It is taken for the infeed of every pass: later ones become smaller."],

@@ -3,8 +3,7 @@ import type { Shape } from "../shape.ts";
 /** Texts of the next clamping: a program whose blank is what this one leaves. */
 export const secondSide = {
   title: "Turn it round",
-  lead:
-    "What this program leaves becomes the blank of a new one: mirrored, with its zero point at the new face. This program stays as it is.",
+  lead: "What this program leaves becomes the blank of a new one: mirrored, with its zero point at the new face. This program stays as it is.",
   piece: "Piece",
   held: (size: string) => `In the chuck, ${size}`,
   off: (size: string) => `Came off, ${size}`,

@@ -10,8 +10,8 @@ export const sheet = {
   withProgram: "With the program",
   withMeasured: "With measurements",
   measured: "Measured",
-  measuredOld:
-    (n: number) => (n === 1 ? "1 measurement of before a change is left out" : `${n} measurements of before a change are left out`),
+  measuredOld: (n: number) =>
+    n === 1 ? "1 measurement of before a change is left out" : `${n} measurements of before a change are left out`,
   remarks: "Remarks",
   remarksHint: "Clamping, jaws, measuring, what to watch",
   preview: "Preview of the sheet",
@@ -29,7 +29,15 @@ export const sheet = {
     good: "Proved",
     dryRun: "Simulated in Turnwise with the tools of this sheet. It is no substitute for a dry run on the machine.",
   },
-  head: { program: "Program", file: "File", unit: "Unit", blocks: "Blocks", time: "Time", date: "Printed", control: "Control" },
+  head: {
+    program: "Program",
+    file: "File",
+    unit: "Unit",
+    blocks: "Blocks",
+    time: "Time",
+    date: "Printed",
+    control: "Control",
+  },
   inch: "inch (tools in mm)",
   estimate: (time: string) => `about ${time}`,
 
@@ -38,9 +46,11 @@ export const sheet = {
   scale: (paper: number, part: number) => `Scale ${paper} : ${part}`,
   brackets: "( ) blank",
   chuckNote: "clamping not stated",
-  leftOut: (n: number) => (n === 1 ? "1 dimension left out for want of room" : `${n} dimensions left out for want of room`),
+  leftOut: (n: number) =>
+    n === 1 ? "1 dimension left out for want of room" : `${n} dimensions left out for want of room`,
   noDrawing: "Nothing is turned: there is no section to draw.",
-  thread: (diameter: string, lead: string, starts: number) => (starts > 1 ? `${diameter}×${lead} (${starts})` : `${diameter}×${lead}`),
+  thread: (diameter: string, lead: string, starts: number) =>
+    starts > 1 ? `${diameter}×${lead} (${starts})` : `${diameter}×${lead}`,
   facts: {
     blank: "Blank",
     bore: "bore",

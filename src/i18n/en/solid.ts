@@ -3,9 +3,11 @@ import type { Shape } from "../shape.ts";
 /** The view of the turned body in 3D. */
 export const solid = {
   title: "3D view",
-  picture: (cut: boolean, state: string) => `The turned body in 3D${cut ? ", a quarter cut away" : ""}, Z to the right. ${state}`,
-  keys: "Arrow keys turn the view, with Shift they slide it; plus and minus zoom, 0 shows everything; "
-    + "1, 2 and 3 are the views at an angle, from the front and at the face.",
+  picture: (cut: boolean, state: string) =>
+    `The turned body in 3D${cut ? ", a quarter cut away" : ""}, Z to the right. ${state}`,
+  keys:
+    "Arrow keys turn the view, with Shift they slide it; plus and minus zoom, 0 shows everything; " +
+    "1, 2 and 3 are the views at an angle, from the front and at the face.",
   views: "Views",
   quarter: "Cut a quarter away",
   quarterShort: "Quarter",

@@ -51,11 +51,29 @@ export const toolCodes: ToolCodeTexts = {
     polygon: "regular",
     round: "round",
   },
-  holes: { none: "no hole", plain: "plain hole", sunkOne: "hole sunk on one face", sunkBoth: "hole sunk on both faces" },
+  holes: {
+    none: "no hole",
+    plain: "plain hole",
+    sunkOne: "hole sunk on one face",
+    sunkBoth: "hole sunk on both faces",
+  },
   breakers: { none: "no chip breaker", one: "chip breaker on one face", both: "chip breakers on both faces" },
-  finishes: { F: "sharp", E: "rounded", T: "chamfered", S: "chamfered and rounded", K: "double chamfer", P: "double chamfer, rounded" },
+  finishes: {
+    F: "sharp",
+    E: "rounded",
+    T: "chamfered",
+    S: "chamfered and rounded",
+    K: "double chamfer",
+    P: "double chamfer, rounded",
+  },
   hands: { R: "right", L: "left", N: "neutral" },
-  clampings: { top: "from above", topHole: "from above and by the hole", hole: "by the hole", screw: "screw", wedge: "wedge" },
+  clampings: {
+    top: "from above",
+    topHole: "from above and by the hole",
+    hole: "by the hole",
+    screw: "screw",
+    wedge: "wedge",
+  },
   makes: {
     steel: "steel",
     steelCoolant: "steel, coolant through it",
@@ -87,7 +105,8 @@ export const toolCodes: ToolCodeTexts = {
     onlyCorner: "Drawn by its two edges at the tip; the rest of the insert is not.",
     endCutting: "This style cuts in the other direction: T-ANGLE and TO stay for you to set.",
     leftBar: "A left-hand bar is entered as TO 7 like a right-hand one; the spindle turns the other way.",
-    headDrawn: "Shank by the code; its place and the outline of the head are those of usual holders. Compare with the catalogue.",
+    headDrawn:
+      "Shank by the code; its place and the outline of the head are those of usual holders. Compare with the catalogue.",
     special: "X is a special form: what it means stands in the catalogue only.",
     unsure: (letter, angle) => `Letter ${letter}: ${angle}° is not confirmed. Compare with the catalogue.`,
     noShank: {

@@ -22,8 +22,10 @@ export const toolFiles: ToolFileTexts = {
   exportTitle: "Which file?",
   again: (file) => `${file} as it came, with the changes`,
   againHint: "Only changed tools are written anew; all other lines, columns and characters stay.",
-  againDone: (file, changed, added, removed) => `${file}: ${changed} changed, ${added} added, ${removed} removed; all else as it came.`,
-  againShipped: (n) => (n === 1 ? "1 shipped tool is not written into it." : `${n} shipped tools are not written into it.`),
+  againDone: (file, changed, added, removed) =>
+    `${file}: ${changed} changed, ${added} added, ${removed} removed; all else as it came.`,
+  againShipped: (n) =>
+    n === 1 ? "1 shipped tool is not written into it." : `${n} shipped tools are not written into it.`,
   tooLong: (cells) => `Longer than the column, left as it was: ${cells}.`,
   notEncodable: "A name has characters that the file's encoding lacks: written as UTF-8.",
   turning: "TOOLTURN.TRN, turning tools",
@@ -36,5 +38,6 @@ export const toolFiles: ToolFileTexts = {
   jsonHint: "All columns and holders, nothing rounded; the verify command reads it.",
   noTools: "no tools",
   importLong: "Import tools from files: tables of the control, CSV or JSON",
-  notATable: (file) => `${file} is no tool table: neither JSON, nor a table that begins with BEGIN, nor a sheet with a column T.`,
+  notATable: (file) =>
+    `${file} is no tool table: neither JSON, nor a table that begins with BEGIN, nor a sheet with a column T.`,
 };

@@ -15,7 +15,10 @@ export const which = {
       thread: "a thread",
     },
   },
-  stock: { label: "Material", of: { solid: "solid material", preturned: "a pre-turned part", now: "what stands there now" } },
+  stock: {
+    label: "Material",
+    of: { solid: "solid material", preturned: "a pre-turned part", now: "what stands there now" },
+  },
   measures: {
     d1: "From ⌀",
     d2: "To ⌀",

@@ -21,15 +21,24 @@ export const advice: AdviceTexts = typeset({
       `Environ ${power} kW à ${speed} m/min (Kienzle) ; la broche a ${most} kW. Une passe de ${better} mm s’en contente.`,
     speedLimited: (limit, held, smallest, left) =>
       `Avec SMAX ${limit}, la vitesse de coupe est tenue jusqu’à ⌀ ${held}. À ⌀ ${smallest}, il n’en reste que ${left} m/min.`,
-    noLimit: (speed) => `${speed} m/min sans SMAX : vers l’axe, la broche tourne aussi vite qu’elle peut. Donnez une limite.`,
+    noLimit: (speed) =>
+      `${speed} m/min sans SMAX : vers l’axe, la broche tourne aussi vite qu’elle peut. Donnez une limite.`,
     speedFar: (speed, usual) => `${speed} m/min est loin des ${usual} m/min usuels au départ pour cette matière.`,
   },
   material: "Matière",
   ofDevice: "celle de cet appareil",
   deviceMaterial: "Matière des travaux qui n’en nomment pas",
-  groups: { P: "acier", M: "acier inoxydable", K: "fonte", N: "métal non ferreux", S: "difficile à usiner", H: "acier trempé" },
+  groups: {
+    P: "acier",
+    M: "acier inoxydable",
+    K: "fonte",
+    N: "métal non ferreux",
+    S: "difficile à usiner",
+    H: "acier trempé",
+  },
   starting: "Valeurs de départ",
-  startingLead: "Pour carbure revêtu, CBN pour l’acier trempé, pour commencer ; le fabricant de la plaquette sait mieux.",
+  startingLead:
+    "Pour carbure revêtu, CBN pour l’acier trempé, pour commencer ; le fabricant de la plaquette sait mieux.",
   start: (material, speeds) => `${material} : ${speeds} pour commencer.`,
   startSource: "Estimation d’après des manuels : carbure revêtu, CBN pour l’acier trempé.",
   startOwn: "D’après votre propre tableau.",
@@ -45,8 +54,9 @@ export const advice: AdviceTexts = typeset({
   spindle: "Vitesse de coupe",
   table: {
     title: "Données de coupe de l’atelier",
-    lead: "Remplacez les valeurs par les vôtres ; elles restent sur cet appareil et vont dans le fichier de tout. "
-      + "kc1.1 et mc d’origine suivent les tables de Röhm (aciers, fonte grise) et d’Iscar (les autres) : des estimations.",
+    lead:
+      "Remplacez les valeurs par les vôtres ; elles restent sur cet appareil et vont dans le fichier de tout. " +
+      "kc1.1 et mc d’origine suivent les tables de Röhm (aciers, fonte grise) et d’Iscar (les autres) : des estimations.",
     name: "Matière",
     group: "Groupe",
     power: "Puissance de la broche, kW",

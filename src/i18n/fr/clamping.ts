@@ -2,8 +2,9 @@ import type { ClampingTexts } from "../en/clamping.ts";
 
 export const clamping: ClampingTexts = {
   title: "Serrage",
-  unstated: "Non indiqué : la pièce brute est supposée tenue à son extrémité arrière. "
-    + "Le contact avec mors, mandrin ou contre-poupée n’est pas contrôlé.",
+  unstated:
+    "Non indiqué : la pièce brute est supposée tenue à son extrémité arrière. " +
+    "Le contact avec mors, mandrin ou contre-poupée n’est pas contrôlé.",
   state: "Indiquer un serrage",
   remove: "Ne rien indiquer",
   kind: "Tenue par",
@@ -34,7 +35,8 @@ export const clamping: ClampingTexts = {
     LIMITX: "Limite : rien en dessous de ⌀",
   },
   tailstock: "Avec contre-poupée",
-  known: "Dessiné à l’échelle ; le contact de l’outil ou du porte-outil est une erreur. Mors de mandrins usuels : mesurer les vôtres.",
+  known:
+    "Dessiné à l’échelle ; le contact de l’outil ou du porte-outil est une erreur. Mors de mandrins usuels : mesurer les vôtres.",
   inProgram: "Reste dans le programme en commentaire, ;\u00A0CLAMPING …, que la commande ignore.",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "pouce ⌀", length: "pouce" } },
 };

@@ -23,7 +23,8 @@ export const compare: CompareTexts = {
   operationsAdded: (n) => (n === 1 ? "1 opération de plus" : `${n} opérations de plus`),
   operationsRemoved: (n) => (n === 1 ? "1 opération de moins" : `${n} opérations de moins`),
   operationsMoved: (n) => (n === 1 ? "1 opération déplacée" : `${n} opérations déplacées`),
-  written: (n) => (n === 1 ? "1 différence de commentaire ou d’écriture" : `${n} différences de commentaires et d’écriture`),
+  written: (n) =>
+    n === 1 ? "1 différence de commentaire ou d’écriture" : `${n} différences de commentaires et d’écriture`,
   showWritten: "Montrer commentaires et écriture",
   time: (by) => `temps ${by}`,
   previous: "Différence précédente",

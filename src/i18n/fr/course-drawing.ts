@@ -31,11 +31,13 @@ export const courseDrawing = {
   },
   inMm: "mm",
   steel: "Acier",
-  blankOf: (outside: string, bore: string, length: string) => `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  blankOf: (outside: string, bore: string, length: string) =>
+    `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
   allowance: (value: string) => `${value} devant Z0`,
   tolerances: "ISO 2768 – m",
   tolerancesHint: "Cotes sans écarts : selon ISO 2768-1, classe moyenne",
-  leftOut: (n: number) => (n <= 1 ? `${n} indication seulement dans la liste` : `${n} indications seulement dans la liste`),
+  leftOut: (n: number) =>
+    n <= 1 ? `${n} indication seulement dans la liste` : `${n} indications seulement dans la liste`,
   brackets: "( ) brut, cote auxiliaire",
   kinds: {
     diameter: "Diamètre",
@@ -53,10 +55,7 @@ export const courseDrawing = {
   micrometres: (value: string) => `Rz ${value}`,
   chamfer: (size: string, angle: string) => `${size}×${angle}°`,
   radius: (size: string) => `R${size}`,
-  thread: (
-    diameter: string,
-    lead: string,
-    starts: number,
-  ) => (starts > 1 ? `M${diameter}×${lead} (${starts} filets)` : `M${diameter}×${lead}`),
+  thread: (diameter: string, lead: string, starts: number) =>
+    starts > 1 ? `M${diameter}×${lead} (${starts} filets)` : `M${diameter}×${lead}`,
   all: (mark: string) => `${mark} sur toutes les surfaces tournées`,
 } satisfies CourseDrawingTexts;

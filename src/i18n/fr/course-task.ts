@@ -10,9 +10,15 @@ export const courseTask = {
   check: "Vérifier",
   checking: "Vérification en cours",
   passed: "Réussi",
-  passedFor: { alone: "Réussi, sans aide", hints: "Réussi, avec indices", solution: "Réussi, après la solution montrée" },
+  passedFor: {
+    alone: "Réussi, sans aide",
+    hints: "Réussi, avec indices",
+    solution: "Réussi, après la solution montrée",
+  },
   failed: (open, all) =>
-    open === 1 ? `1 objectif sur ${all} n’est pas encore atteint` : `${open} objectifs sur ${all} ne sont pas encore atteints`,
+    open === 1
+      ? `1 objectif sur ${all} n’est pas encore atteint`
+      : `${open} objectifs sur ${all} ne sont pas encore atteints`,
   stale: "Modifié depuis la dernière vérification",
   tries: (n) => (n === 1 ? "1 essai" : `${n} essais`),
   empty: (names) => `Ce n’est pas encore un essai. Vide : ${names}`,
@@ -83,12 +89,15 @@ export const courseTask = {
     noThread: (name) => `Le filetage ${name} manque : aucun sillon entre crête et fond`,
     threadPitch: (name, is, asked) => `Le filetage ${name} a un pas de ${is} mm au lieu de ${asked}`,
     turnedRound: {
-      inside: "Avec ces valeurs, le cycle usine un alésage : "
-        + "son contour est au-dessus du point de départ. Regarder d’abord les diamètres et le départ, puis l’outil",
-      outside: "Avec ces valeurs, le cycle usine l’extérieur : "
-        + "son contour est sous le point de départ. Regarder d’abord les diamètres et le départ, puis l’outil",
-      away: "Avec ces valeurs, le cycle s’éloigne du mandrin : "
-        + "sa fin est devant son départ. Chercher d’abord un moins oublié, puis regarder l’outil",
+      inside:
+        "Avec ces valeurs, le cycle usine un alésage : " +
+        "son contour est au-dessus du point de départ. Regarder d’abord les diamètres et le départ, puis l’outil",
+      outside:
+        "Avec ces valeurs, le cycle usine l’extérieur : " +
+        "son contour est sous le point de départ. Regarder d’abord les diamètres et le départ, puis l’outil",
+      away:
+        "Avec ces valeurs, le cycle s’éloigne du mandrin : " +
+        "sa fin est devant son départ. Chercher d’abord un moins oublié, puis regarder l’outil",
       towards:
         "Avec ces valeurs, le cycle va vers le mandrin : sa fin est derrière son départ. Regarder d’abord les signes en Z, puis l’outil",
     },
@@ -139,7 +148,8 @@ export const courseTask = {
     nextQuestion: "Question suivante",
     back: "Question précédente",
     run: "Montrer l’exécution",
-    lacks: (n, of) => of === 1 ? "Il manque encore votre réponse." : `Il manque encore la réponse à la question ${n}.`,
+    lacks: (n, of) =>
+      of === 1 ? "Il manque encore votre réponse." : `Il manque encore la réponse à la question ${n}.`,
     again: "Répondre de nouveau",
     right: (what) => `Juste : ${what}`,
     wrong: (told, is) => `Vous avez dit ${told}. C’est ${is}.`,
@@ -158,7 +168,8 @@ export const courseTask = {
     better: {
       proof: (is, of) => `${is} règles tenues sur ${of} ; chacune compte pour sa part.`,
       residue: (is) => `${is} restent sur la pièce ; moins donne plus de points.`,
-      time: (is, par) => `${is} s ; tous les points à ${par} s : moins de passes, des trajets plus courts ou plus d’avance.`,
+      time: (is, par) =>
+        `${is} s ; tous les points à ${par} s : moins de passes, des trajets plus courts ou plus d’avance.`,
       tools: (is, par) => `${is} outils ; tous les points avec ${par}.`,
     },
   },

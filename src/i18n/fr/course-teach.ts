@@ -4,17 +4,19 @@ export const courseTeach = {
   title: "Un exercice de ce programme",
   lead: "Ce programme est la solution. Ce qu’il produit est la pièce demandée ; tout est proposé et peut être modifié.",
   working: "Le programme est calculé.",
-  noPart: "Ce programme ne produit pas de pièce : rien n’est tourné, ou il n’indique pas de brut. Un exercice a besoin des deux.",
+  noPart:
+    "Ce programme ne produit pas de pièce : rien n’est tourné, ou il n’indique pas de brut. Un exercice a besoin des deux.",
   close: "Fermer",
   milled: (block: string) =>
     `À partir de la séquence ${block}, on fraise. Le fraisage est dessiné et pas jugé : une telle réponse n’est jamais reçue.`,
   milledOnly:
-    "Ce programme fraise. Le fraisage est dessiné et pas jugé : on ne peut donc demander aucune pièce. Des questions avant l’exécution "
-    + "sont possibles : indiquez vous-même ce qui est juste.",
+    "Ce programme fraise. Le fraisage est dessiné et pas jugé : on ne peut donc demander aucune pièce. Des questions avant l’exécution " +
+    "sont possibles : indiquez vous-même ce qui est juste.",
 
   titleOf: (name: string) => `Modifier l’exercice « ${name} »`,
   takeBack: "Annuler",
-  changedSince: "Le programme a été modifié depuis que ce formulaire a été rempli. Pièce, règles et cotes sont encore celles d’avant.",
+  changedSince:
+    "Le programme a été modifié depuis que ce formulaire a été rempli. Pièce, règles et cotes sont encore celles d’avant.",
   proposeAnew: "Les proposer à nouveau",
   formNotKept: "Ce navigateur ne garde pas le formulaire. Enregistrez l’exercice comme fichier avant de le fermer.",
   keptForm: "Ce que vous tapez est gardé sur cet appareil.",
@@ -23,7 +25,12 @@ export const courseTeach = {
   keptNow: "Gardé, sous le cours.",
 
   kind: "Genre",
-  kinds: { make: "Programmer", fault: "Trouver l’erreur", predict: "Prévoir l’exécution", drawing: "D’après un dessin" },
+  kinds: {
+    make: "Programmer",
+    fault: "Trouver l’erreur",
+    predict: "Prévoir l’exécution",
+    drawing: "D’après un dessin",
+  },
   words: "Textes",
   name: "Titre",
   ask: "Énoncé",
@@ -38,10 +45,12 @@ export const courseTeach = {
   blank: "Brut",
   outside: "Extérieur, comme contour",
   bore: "Alésage, comme contour",
-  partHint: "Lignes d’un sous-programme de contour, depuis l’extrémité libre. Derrière le dernier point, le brut reste tel quel.",
+  partHint:
+    "Lignes d’un sous-programme de contour, depuis l’extrémité libre. Derrière le dernier point, le brut reste tel quel.",
   threads: "Filetages",
   threadsHint: "Le contour dessine un filetage par son sommet. Un filetage conique reste une forme.",
-  thread: (from: string, to: string, crest: string, root: string) => `Z ${from} à ${to}, sommet ⌀${crest}, fond ⌀${root}`,
+  thread: (from: string, to: string, crest: string, root: string) =>
+    `Z ${from} à ${to}, sommet ⌀${crest}, fond ⌀${root}`,
   threadName: (where: string) => `Nom du filetage, ${where}`,
   sizes: "Cotes tolérancées",
   noSizes: "Aucune cote à choisir : la pièce n’a pas de contour.",
@@ -78,7 +87,8 @@ export const courseTeach = {
   toolOf: (number: string, name: string) => `T${number} ${name}`,
 
   questions: "Questions avant l’exécution",
-  questionsHint: "L’exécution reste cachée jusqu’à ce que toutes aient une réponse. Ce qui est juste vient de l’exécution elle-même.",
+  questionsHint:
+    "L’exécution reste cachée jusqu’à ce que toutes aient une réponse. Ce qui est juste vient de l’exécution elle-même.",
   addQuestion: "Ajouter une question",
   removeQuestion: (n: string) => `Retirer la question ${n}`,
   question: (n: string) => `Question ${n}`,
@@ -169,7 +179,8 @@ export const courseTeach = {
   passes: "La solution est reçue.",
   refused: "La solution n’est pas reçue :",
   idle: "Ce qui est ouvert au début est déjà reçu : il n’y aurait rien à faire.",
-  mark: (rule: string, value: string, limit: string) => (limit === "" ? `${rule} : ${value}` : `${rule} : ${value}, permis ${limit}`),
+  mark: (rule: string, value: string, limit: string) =>
+    limit === "" ? `${rule} : ${value}` : `${rule} : ${value}, permis ${limit}`,
   inBlock: (block: string) => `séquence ${block}`,
   judged: {
     errors: "erreurs",
@@ -203,7 +214,8 @@ export const courseTeach = {
   saveTask: "Enregistrer comme fichier",
   kilobytes: (n: string) => `${n} ko`,
   linkLong: "Beaucoup de logiciels coupent des liens de cette longueur. Distribuez plutôt le fichier.",
-  hereOnly: "Cette page ne tourne que sur cet appareil. Un lien vers elle ne s’ouvre nulle part ailleurs ; distribuez le fichier.",
+  hereOnly:
+    "Cette page ne tourne que sur cet appareil. Un lien vers elle ne s’ouvre nulle part ailleurs ; distribuez le fichier.",
 
   incoming: {
     title: (name: string) => `Exercice : ${name}`,
@@ -238,7 +250,8 @@ export const courseTeach = {
       oneOf: (path: string, names: string) => `${path} doit être l’un de : ${names}`,
       count: (path: string, n: string) => `${path} doit avoir ce nombre d’entrées : ${n}`,
       unknown: (path: string, _: string) => `${path} n’est pas connu ici`,
-      contour: (path: string, _: string) => `${path} : une ligne du brut ou du contour est fausse, ou il ne reste rien du brut`,
+      contour: (path: string, _: string) =>
+        `${path} : une ligne du brut ou du contour est fausse, ou il ne reste rien du brut`,
     },
     types: {
       string: "un texte entre guillemets",
@@ -270,8 +283,9 @@ export const courseTeach = {
   hand: {
     open: "Rendre les résultats",
     title: "Rendre les résultats",
-    lead: "Ce que vous avez fait dans les exercices, pour votre formateur : essais, indices, temps, étapes et votre dernier "
-      + "programme de chaque exercice. Rien n’est envoyé ; vous transmettez vous-même le fichier ou le lien.",
+    lead:
+      "Ce que vous avez fait dans les exercices, pour votre formateur : essais, indices, temps, étapes et votre dernier " +
+      "programme de chaque exercice. Rien n’est envoyé ; vous transmettez vous-même le fichier ou le lien.",
     noProof: "Ce n’est pas une preuve : un fichier se modifie. Il ne contient un nom que si vous en tapez un.",
     none: "Aucun exercice n’a encore été commencé.",
     name: "Nom (peut rester vide)",
@@ -314,8 +328,8 @@ export const courseTeach = {
 
     title: (name: string) => (name === "" ? "Résultats sans nom" : `Résultats de ${name}`),
     lead: (day: string) =>
-      `Établi le ${day}. Ce qui figure ici a été écrit par l’appareil de l’apprenant et peut avoir été modifié ; chaque `
-      + "programme a été recalculé ici.",
+      `Établi le ${day}. Ce qui figure ici a été écrit par l’appareil de l’apprenant et peut avoir été modifié ; chaque ` +
+      "programme a été recalculé ici.",
     task: "Exercice",
     state: "Résultat",
     tries: "Essais",
@@ -331,7 +345,13 @@ export const courseTeach = {
     no: "non",
     minutes: (n: string) => `${n} min`,
     seconds: (n: string) => `${n} s`,
-    states: { new: "pas commencé", tried: "essayé", alone: "reçu seul", hints: "reçu avec indices", solution: "reçu avec la solution" },
+    states: {
+      new: "pas commencé",
+      tried: "essayé",
+      alone: "reçu seul",
+      hints: "reçu avec indices",
+      solution: "reçu avec la solution",
+    },
     againPasses: "reçu",
     againFails: "pas reçu",
     unknown: "exercice inconnu ici",

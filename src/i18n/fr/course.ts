@@ -2,8 +2,9 @@ import type { CourseTexts } from "../en/course.ts";
 
 export const course = {
   title: "Cours",
-  lead: "Tourner avec les cycles de la commande, du premier épaulement à la pièce entière. Chaque leçon tient en quelques pages avec une "
-    + "image animée, et des exercices dans le véritable éditeur.",
+  lead:
+    "Tourner avec les cycles de la commande, du premier épaulement à la pièce entière. Chaque leçon tient en quelques pages avec une " +
+    "image animée, et des exercices dans le véritable éditeur.",
   entrance: {
     name: "Cours",
     about: "Leçons et exercices, du premier épaulement à la pièce entière",

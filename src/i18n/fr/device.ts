@@ -27,10 +27,10 @@ export const device = {
     duplicated: (name) => `${name} a été créé.`,
     saved: (n) => (n === 1 ? "1 travail est dans les téléchargements." : `${n} travaux sont dans les téléchargements.`),
     nameTaken: (name) => `Un autre fichier de ce programme s’appelle ${name}.`,
-    leftOut:
-      (n) => (n === 1
+    leftOut: (n) =>
+      n === 1
         ? "Un travail est ouvert dans un autre onglet et n’a pas changé."
-        : `${n} travaux sont ouverts dans d’autres onglets et n’ont pas changé.`),
+        : `${n} travaux sont ouverts dans d’autres onglets et n’ont pas changé.`,
     failed: "L’appareil ne l’a pas accepté. Tout est comme avant.",
   },
   here: {
@@ -82,7 +82,8 @@ export const device = {
     nothing: "Rien de choisi",
     done: (n) => (n === 1 ? "1 travail a été repris." : `${n} travaux ont été repris.`),
     doneBeside: "Ce qui était choisi à part les travaux est en place ; Annuler le retire.",
-    notKept: (n) => (n === 1 ? "Pas de place sur cet appareil pour un travail." : `Pas de place sur cet appareil pour ${n} travaux.`),
+    notKept: (n) =>
+      n === 1 ? "Pas de place sur cet appareil pour un travail." : `Pas de place sur cet appareil pour ${n} travaux.`,
     showAll: "Afficher tous les travaux",
     problems: {
       notAnArchive: (name) => `${name} ne contient aucun travail de Turnwise.`,

@@ -7,7 +7,8 @@ export const exported: ExportTexts = typeset({
   leadInches:
     "DXF en pouces, comme compte le programme ; STL et SVG en millimètres. Z est le long de la broche, le zéro est celui de la pièce.",
   bodies: "Volumes",
-  bodiesHint: "STL en millimètres, surfaces fermées, cordes à 0,02 mm au plus de l’arrondi. Les filetages sont des hélices, à droite.",
+  bodiesHint:
+    "STL en millimètres, surfaces fermées, cordes à 0,02 mm au plus de l’arrondi. Les filetages sont des hélices, à droite.",
   body: { part: "Pièce finie", blank: "Brut", stock: "Matière telle qu’elle est maintenant" },
   bodyHint: {
     part: "Le brut moins tout ce qu’enlèvent les cycles et les déplacements entre eux.",

@@ -5,7 +5,10 @@ export const files: FilesTexts = {
     title: (file) => `${file} a changé sur l’appareil`,
     text: "Le fichier contient autre chose que ce qui a été lu ou enregistré ici. Rien n’a été écrit.",
   },
-  gone: { title: (file) => `${file} n’est plus là`, text: "Le fichier a été déplacé, renommé ou supprimé. Rien n’a été écrit." },
+  gone: {
+    title: (file) => `${file} n’est plus là`,
+    text: "Le fichier a été déplacé, renommé ou supprimé. Rien n’a été écrit.",
+  },
   refused: { title: (file) => `${file} ne peut pas être écrit`, text: "Le navigateur n’en a pas reçu le droit." },
   failed: {
     title: (file) => `${file} n’a pas pu être écrit`,

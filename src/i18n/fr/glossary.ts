@@ -2,19 +2,33 @@ import type { GlossaryTexts } from "../glossary-text.ts";
 import { typeset } from "./typography/typeset.ts";
 
 export const glossary: GlossaryTexts = typeset({
-  words: { formsOf: (name) => name.split(" ").map((word) => `${word}(?:e?s|x)?`).join(" "), capitals: false, apart: true },
+  words: {
+    formsOf: (name) =>
+      name
+        .split(" ")
+        .map((word) => `${word}(?:e?s|x)?`)
+        .join(" "),
+    capitals: false,
+    apart: true,
+  },
   blank: {
     name: "Pièce brute",
     text: "La matière avant la première passe. BLK FORM la décrit ; ici un cylindre, un tube ou un profil.",
     also: "brut",
   },
-  stock: { name: "Matière en place", text: "La matière à un moment donné : ce que les passes ont laissé du brut jusqu’ici." },
+  stock: {
+    name: "Matière en place",
+    text: "La matière à un moment donné : ce que les passes ont laissé du brut jusqu’ici.",
+  },
   finishedPart: { name: "Pièce finie", text: "Ce qui doit rester. Aucune passe ne doit y toucher." },
   residue: {
     name: "Matière résiduelle",
     text: "Matière qui reste au-delà du contour parce que la plaquette n’y arrive pas : dans les angles, derrière les flancs, aux limites.",
   },
-  contour: { name: "Contour", text: "La suite de droites et d’arcs que suit la surface finie, dans le sens d’usinage." },
+  contour: {
+    name: "Contour",
+    text: "La suite de droites et d’arcs que suit la surface finie, dans le sens d’usinage.",
+  },
   cornerElement: {
     name: "Chanfrein, arrondi",
     text: "Ce qui casse un angle entre deux éléments, ou l’arête au début ou à la fin d’un épaulement.",
@@ -47,11 +61,15 @@ export const glossary: GlossaryTexts = typeset({
     text: "Où se trouvent X0 et Z0. X0 est l’axe de la broche ; Z0 est le plus souvent sur la face finie, la pièce du côté négatif.",
   },
   diameter: { name: "Diamètre (⌀)", text: "X s’écrit au diamètre. 2 mm en X déplacent l’outil de 1 mm." },
-  radius: { name: "Au rayon (r)", text: "Les profondeurs perpendiculaires à l’axe comptent d’un seul côté : 3 mm font 6 mm au diamètre." },
+  radius: {
+    name: "Au rayon (r)",
+    text: "Les profondeurs perpendiculaires à l’axe comptent d’un seul côté : 3 mm font 6 mm au diamètre.",
+  },
   theoreticalTip: {
     name: "Pointe théorique",
-    text: "L’angle qu’aurait la plaquette sans rayon de bec. La commande affiche et programme la position de ce "
-      + "point, bien qu’il n’y ait là pas de matière.",
+    text:
+      "L’angle qu’aurait la plaquette sans rayon de bec. La commande affiche et programme la position de ce " +
+      "point, bien qu’il n’y ait là pas de matière.",
   },
   cuttingPoint: {
     name: "Point de coupe",
@@ -69,7 +87,10 @@ export const glossary: GlossaryTexts = typeset({
     name: "Correction du rayon de bec",
     text: "La commande guide le bec pour que son arc touche le contour, et non la pointe théorique. Sans elle, cônes et arcs sont faux.",
   },
-  insert: { name: "Plaquette", text: "La plaquette amovible qui coupe, avec sa forme, ses angles et son rayon de bec." },
+  insert: {
+    name: "Plaquette",
+    text: "La plaquette amovible qui coupe, avec sa forme, ses angles et son rayon de bec.",
+  },
   mainEdge: {
     name: "Arête principale",
     text: "L’arête à côté du bec qui coupe le plus. Elle ne peut suivre une paroi plus inclinée qu’elle.",
@@ -80,8 +101,7 @@ export const glossary: GlossaryTexts = typeset({
   },
   edgeLength: {
     name: "Longueur d’arête (CUTLENGTH)",
-    text:
-      "Ce qui de l’arête peut couper. Une passe plus profonde travaille avec le porte-outil. D’un outil à fileter : la hauteur de la dent.",
+    text: "Ce qui de l’arête peut couper. Une passe plus profonde travaille avec le porte-outil. D’un outil à fileter : la hauteur de la dent.",
   },
   holder: { name: "Porte-outil", text: "Ce qui porte la plaquette. Il ne doit toucher ni la pièce ni le mandrin." },
   pass: {
@@ -94,8 +114,14 @@ export const glossary: GlossaryTexts = typeset({
     name: "Valeur de passe",
     text: "De combien une passe est plus profonde que la précédente. Q463 est le maximum ; la profondeur est divisée également.",
   },
-  roughing: { name: "Ébauche", text: "Enlever l’essentiel de la matière en peu de passes profondes, jusqu’à la surépaisseur." },
-  finishing: { name: "Finition", text: "Une passe le long du contour à la cote, avec peu de copeau et une petite avance." },
+  roughing: {
+    name: "Ébauche",
+    text: "Enlever l’essentiel de la matière en peu de passes profondes, jusqu’à la surépaisseur.",
+  },
+  finishing: {
+    name: "Finition",
+    text: "Une passe le long du contour à la cote, avec peu de copeau et une petite avance.",
+  },
   setupClearance: {
     name: "Distance d’approche (Q460)",
     text: "La distance que le cycle garde quand il se prépositionne en rapide, et dont il se retire avant de revenir en rapide.",
@@ -115,10 +141,14 @@ export const glossary: GlossaryTexts = typeset({
   },
   speedLimit: {
     name: "Limitation de vitesse (SMAX)",
-    text: "La vitesse la plus haute que la commande peut choisir. Près de l’axe, VCONST la voudrait infinie : "
-      + "mandrin et pièce fixent la borne.",
+    text:
+      "La vitesse la plus haute que la commande peut choisir. Près de l’axe, VCONST la voudrait infinie : " +
+      "mandrin et pièce fixent la borne.",
   },
-  chip: { name: "Copeau", text: "Ce qui est enlevé : profondeur fois avance donne sa section, force et puissance croissent avec elle." },
+  chip: {
+    name: "Copeau",
+    text: "Ce qui est enlevé : profondeur fois avance donne sa section, force et puissance croissent avec elle.",
+  },
   cuttingForce: {
     name: "Force spécifique de coupe (kc)",
     text: "La force par mm² de copeau. Les copeaux minces en demandent plus que les épais.",
@@ -127,7 +157,10 @@ export const glossary: GlossaryTexts = typeset({
     name: "Rugosité (Rz)",
     text: "Hauteur des stries d’avance. Le bec seul laisse environ f² / (8 · r) : moitié d’avance, quart de hauteur.",
   },
-  gouge: { name: "Collision avec le contour", text: "Pièce finie qu’un déplacement a enlevée. On ne peut pas la remettre." },
+  gouge: {
+    name: "Collision avec le contour",
+    text: "Pièce finie qu’un déplacement a enlevée. On ne peut pas la remettre.",
+  },
   airPass: { name: "Passe à vide", text: "Une passe qui ne touche aucune matière." },
   plunging: {
     name: "Plongée",
@@ -135,16 +168,25 @@ export const glossary: GlossaryTexts = typeset({
     // What "est plongée" is no plunging.
     where: "(?<!(?:est|sont|être) )",
   },
-  limit: { name: "Limite d’usinage", text: "Un diamètre (Q480) ou une position en Z (Q482) au-delà de laquelle le cycle ne coupe pas." },
+  limit: {
+    name: "Limite d’usinage",
+    text: "Un diamètre (Q480) ou une position en Z (Q482) au-delà de laquelle le cycle ne coupe pas.",
+  },
   program: { name: "Programme", text: "Ce que la commande exécute : des séquences, l’une après l’autre." },
   block: {
     name: "Séquence",
     text: "Une ligne numérotée d’un programme, ou plusieurs qui vont ensemble, comme un cycle avec ses paramètres.",
   },
-  cycle: { name: "Cycle", text: "Un usinage que la commande connaît : de quelques valeurs elle déduit toutes ses passes." },
+  cycle: {
+    name: "Cycle",
+    text: "Un usinage que la commande connaît : de quelques valeurs elle déduit toutes ses passes.",
+  },
   call: {
     name: "Appel de cycle",
     text: "M99, M89 ou CYCL CALL. Ce n’est qu’ici que le cycle défini déplace l’outil, avec l’outil et le point de départ du moment.",
   },
-  verdict: { name: "Verdict", text: "Ce que donne la preuve d’un programme : prouvé, défauts trouvés, ou simulation incomplète." },
+  verdict: {
+    name: "Verdict",
+    text: "Ce que donne la preuve d’un programme : prouvé, défauts trouvés, ou simulation incomplète.",
+  },
 });

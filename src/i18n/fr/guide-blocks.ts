@@ -18,13 +18,17 @@ export const guideBlocks: GuideBlocksTexts = typeset({
     axis: "Pas d’image animée : le noyau coupe dans le plan Z/X, et cet axe n’y est pas.",
     milling: "Pas d’image animée : cela compte au fraisage, et le noyau montre ce que coupe le tournage.",
     free: "Pas d’image animée : un contour libre est gardé ici et n’est pas exécuté.",
-    choice: "Pas d’image animée : un autre choix demande d’autres séquences autour de lui, et avec les mêmes il ne montre rien.",
+    choice:
+      "Pas d’image animée : un autre choix demande d’autres séquences autour de lui, et avec les mêmes il ne montre rien.",
     together: "Pas d’image animée : cette valeur va avec d’autres. Changée seule, la commande ne l’accepterait pas.",
-    compensation: "Pas d’image animée ici : la correction commence et finit par une séquence droite. La page de L la montre.",
-    functions: "Pas d’image animée ici : parmi les fonctions M, M136 et M137 changent la coupe. La page des fonctions M le montre.",
+    compensation:
+      "Pas d’image animée ici : la correction commence et finit par une séquence droite. La page de L la montre.",
+    functions:
+      "Pas d’image animée ici : parmi les fonctions M, M136 et M137 changent la coupe. La page des fonctions M le montre.",
     same: "Pas d’image animée : avec d’autres valeurs l’outil suit la même trajectoire et laisse la même pièce.",
-    yours: "Votre séquence n’est pas montrée : avec d’autres valeurs elle coupe la même chose, ou rien que le noyau sache couper,"
-      + " comme dans un plan fraisé.",
+    yours:
+      "Votre séquence n’est pas montrée : avec d’autres valeurs elle coupe la même chose, ou rien que le noyau sache couper," +
+      " comme dans un plan fraisé.",
   },
   functions: "Fonctions M",
   kinds: blockKinds,

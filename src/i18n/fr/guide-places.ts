@@ -10,7 +10,8 @@ export const guidePlaces: GuidePlacesTexts = typeset({
   runWith: "Le noyau a exécuté le cycle avec chacun d’eux.",
   places: {
     "blank.outside": {
-      about: "Le ⌀ de la barre brute : D dans BLK FORM CYLINDER. Le contrôle y enlève la matière ; la machine ne le voit jamais.",
+      about:
+        "Le ⌀ de la barre brute : D dans BLK FORM CYLINDER. Le contrôle y enlève la matière ; la machine ne le voit jamais.",
       mistakes: [
         "Le ⌀ fini est saisi : l’image n’a pas la matière qu’a la machine, et un rapide qui la touche n’est pas trouvé.",
         "Barre et fonte sont plus fortes que leur cote nominale : la tolérance en fait partie.",
@@ -25,7 +26,10 @@ export const guidePlaces: GuidePlacesTexts = typeset({
     },
     "blank.length": {
       about: "Longueur totale du brut : L dans BLK FORM CYLINDER, avec la partie que tient le mandrin.",
-      mistakes: ["Seule la longueur libre est saisie : les mors gênent l’outil.", "La longueur pour tronçonner est oubliée."],
+      mistakes: [
+        "Seule la longueur libre est saisie : les mors gênent l’outil.",
+        "La longueur pour tronçonner est oubliée.",
+      ],
     },
     "blank.allowance": {
       about: "Distance dont la face du brut dépasse devant le zéro pièce : DIST. Z0 est en général la face finie.",
@@ -35,8 +39,9 @@ export const guidePlaces: GuidePlacesTexts = typeset({
       ],
     },
     tool: {
-      about: "TOOL CALL prend dans le tableau une plaquette avec son rayon de bec et son orientation TO. Les mêmes valeurs avec une autre "
-        + "plaquette font une autre pièce : le bec reste dans les coins, les arêtes limitent les flancs.",
+      about:
+        "TOOL CALL prend dans le tableau une plaquette avec son rayon de bec et son orientation TO. Les mêmes valeurs avec une autre " +
+        "plaquette font une autre pièce : le bec reste dans les coins, les arêtes limitent les flancs.",
       mistakes: [
         "Numéro d’outil et poste de tourelle sont confondus : une autre plaquette coupe.",
         "Un outil extérieur est appelé pour un contour intérieur : son orientation ne convient pas.",
@@ -44,8 +49,8 @@ export const guidePlaces: GuidePlacesTexts = typeset({
     },
     "start.x": {
       about:
-        "Position transversale de la pointe à l’appel du cycle, en ⌀. Les cycles sans diamètre de départ commencent leur contour ici ; "
-        + "tous partent d’ici et y reviennent.",
+        "Position transversale de la pointe à l’appel du cycle, en ⌀. Les cycles sans diamètre de départ commencent leur contour ici ; " +
+        "tous partent d’ici et y reviennent.",
       mistakes: [
         "Il est dans le brut : le premier rapide traverse la matière.",
         "Un rayon est saisi : l’outil est à la moitié de la distance à l’axe.",
@@ -60,15 +65,16 @@ export const guidePlaces: GuidePlacesTexts = typeset({
     },
     "spindle.cuttingSpeed": {
       about:
-        "VC en m/min : la commande adapte la vitesse de rotation au ⌀, n = 1000 · vc / (π · d). La trajectoire reste ; temps, chaleur et "
-        + "état de surface changent.",
+        "VC en m/min : la commande adapte la vitesse de rotation au ⌀, n = 1000 · vc / (π · d). La trajectoire reste ; temps, chaleur et " +
+        "état de surface changent.",
       mistakes: [
         "Il manque SMAX : vers l’axe la broche tourne aussi vite qu’elle peut.",
         "Des tours sont saisis : 1500 m/min est bien trop rapide pour l’acier.",
       ],
     },
     "spindle.speed": {
-      about: "S en tours par minute, la même à chaque ⌀ : juste pour les filetages. Vers l’axe la vitesse de coupe tombe à rien.",
+      about:
+        "S en tours par minute, la même à chaque ⌀ : juste pour les filetages. Vers l’axe la vitesse de coupe tombe à rien.",
       mistakes: [
         "Elle vient d’une pièce mince : sur un grand ⌀ l’arête va trop vite.",
         "On dresse avec elle : vers le centre l’état de surface se dégrade.",
@@ -76,8 +82,8 @@ export const guidePlaces: GuidePlacesTexts = typeset({
     },
     "spindle.limit": {
       about:
-        "SMAX en tours par minute : la vitesse de coupe constante ne tourne jamais plus vite. Mandrin, serrage et balourd en décident, "
-        + "pas la plaquette.",
+        "SMAX en tours par minute : la vitesse de coupe constante ne tourne jamais plus vite. Mandrin, serrage et balourd en décident, " +
+        "pas la plaquette.",
       mistakes: [
         "La limite du mandrin est oubliée : les mors perdent leur serrage quand la vitesse monte.",
         "Elle est si basse que la vitesse de coupe n’est tenue que sur le plus grand ⌀.",

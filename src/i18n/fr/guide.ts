@@ -40,9 +40,11 @@ export const guide: GuideTexts = typeset({
     unseen:
       "Certaines de ces valeurs donnent ici les mêmes trajectoire, temps et pièce : ce qu’elles décident n’apparaît pas sur ce contour.",
     alike: {
-      cuttingLines: "Les deux ne diffèrent que là où les passes extérieures sont plus longues ou plus courtes que les intérieures, "
-        + "autour d’un épaulement par exemple. Ce contour finit dans la direction où il commence.",
-      reverse: "1 et 2 sont pareils ici : un outil à gorge dont la pointe est au milieu de l’arête est sa propre image en miroir.",
+      cuttingLines:
+        "Les deux ne diffèrent que là où les passes extérieures sont plus longues ou plus courtes que les intérieures, " +
+        "autour d’un épaulement par exemple. Ce contour finit dans la direction où il commence.",
+      reverse:
+        "1 et 2 sont pareils ici : un outil à gorge dont la pointe est au milieu de l’arête est sa propre image en miroir.",
     },
     picture: (q, value) => `Coupe de la pièce avec ${q} = ${value}`,
   },

@@ -37,7 +37,8 @@ export const machineTexts = {
   units: { rate: "mm/min", acceleration: "m/s²", seconds: "s", rpm: "tr/min", power: "kW", torque: "Nm" },
   addPoint: "Ajouter un point",
   removePoint: (n) => `Supprimer le point ${n}`,
-  functions: (on, off) => `Fonctions M de la broche : ${on}, ${off}. Elles se règlent sous Sortie CN et font partie du fichier.`,
+  functions: (on, off) =>
+    `Fonctions M de la broche : ${on}, ${off}. Elles se règlent sous Sortie CN et font partie du fichier.`,
   noFunction: "aucune pour l’arrêt",
   save: "Exporter la machine",
   open: "Importer une machine …",
@@ -71,7 +72,11 @@ export const machineTexts = {
     rate: (rate) => `Avance rapide ${rate} m/min`,
     rates: (x, z) => `Avance rapide X ${x}, Z ${z} m/min`,
     without: (what) => `Non compris : ${what}`,
-    lacks: { acceleration: "accélération", toolChange: "changements d’outil", spindle: "montée en vitesse de la broche" },
+    lacks: {
+      acceleration: "accélération",
+      toolChange: "changements d’outil",
+      spindle: "montée en vitesse de la broche",
+    },
     hint: "Les données machine se saisissent dans les réglages.",
   },
 } satisfies MachineTexts;

@@ -35,7 +35,9 @@ export const mistakes: MistakesTexts = typeset({
       "0 ou presque : l’outil arrive en rapide contre la matière, et un brut un peu trop grand est heurté.",
       "Si grande que le point de départ s’y trouve : l’outil s’éloigne d’abord.",
     ],
-    clearanceReserved: ["Elle est modifiée pour garder plus de distance : ici elle ne fait rien. Seul le point de départ aide."],
+    clearanceReserved: [
+      "Elle est modifiée pour garder plus de distance : ici elle ne fait rien. Seul le point de départ aide.",
+    ],
     startDiameter: [
       "Plus petit que le diamètre final par erreur : la commande y voit un alésage.",
       "Plus petit que le brut : une couronne reste devant le contour et la première passe est trop profonde.",
@@ -45,7 +47,10 @@ export const mistakes: MistakesTexts = typeset({
       "La cote finie est entrée avec sa surépaisseur : Q483 s’y ajoute encore.",
     ],
     startZ: ["Z0 se trouve sur la face brute qui sera dressée plus tard : toutes les longueurs sont trop courtes."],
-    endZ: ["La longueur de l’épaulement est entrée sans son signe.", "Mandrin et mors sont oubliés : la fin se trouve derrière eux."],
+    endZ: [
+      "La longueur de l’épaulement est entrée sans son signe.",
+      "Mandrin et mors sont oubliés : la fin se trouve derrière eux.",
+    ],
     surfaceAngle: ["Angle et demi-angle du cône sont confondus : on demande l’angle à l’axe, soit le demi-angle."],
     faceAngle: ["L’angle est mesuré depuis l’axe ; il compte depuis la face droite."],
     flankAngle: ["Les deux flancs sont échangés : Q495 appartient au début du contour, Q496 à sa fin."],
@@ -114,7 +119,9 @@ export const mistakes: MistakesTexts = typeset({
       "Une valeur positive pour une gorge plus profonde : positif reste au-dessus du fond.",
       "Elle sert à corriger une longueur d’outil fausse : cela va dans le tableau d’outils.",
     ],
-    blankAllowance: ["La surépaisseur de finition est entrée : il s’agit de l’épaisseur en plus du brut par rapport au contour."],
+    blankAllowance: [
+      "La surépaisseur de finition est entrée : il s’agit de l’épaisseur en plus du brut par rapport au contour.",
+    ],
     threadPitch: ["Pour plusieurs filets, le pas hélicoïdal est entré au lieu du pas entre filets."],
     threadDepth: ["0 est compris comme « pas de filet » : la commande calcule alors la profondeur d’après le pas."],
     firstInfeed: ["La valeur est prise pour chaque passe : les suivantes diminuent."],

@@ -16,7 +16,10 @@ export const output = {
   spindleOffHint: "Vide : M30 ou M2 arrête la broche.",
   functionWrong: "Un nombre de 0 à 999",
   retract: "Dégagement à la fin",
-  retracts: { position: "Position de sécurité au-dessus de la pièce brute", limit: "Fin de course dans l’axe d’outil (M140 MB MAX)" },
+  retracts: {
+    position: "Position de sécurité au-dessus de la pièce brute",
+    limit: "Fin de course dans l’axe d’outil (M140 MB MAX)",
+  },
   end: "Fin du programme",
   ends: { 30: "M30", 2: "M2" },
   numbered: "Numéros de séquence",

@@ -3,8 +3,8 @@ import type { SecondSideTexts } from "../en/second-side.ts";
 export const secondSide: SecondSideTexts = {
   title: "Retourner la pièce",
   lead:
-    "Ce que ce programme laisse devient la pièce brute d'un nouveau programme : inversée, point zéro sur la nouvelle face. Ce programme "
-    + "reste tel quel.",
+    "Ce que ce programme laisse devient la pièce brute d'un nouveau programme : inversée, point zéro sur la nouvelle face. Ce programme " +
+    "reste tel quel.",
   piece: "Pièce",
   held: (size) => `Dans le mandrin, ${size}`,
   off: (size) => `Tronçonnée, ${size}`,

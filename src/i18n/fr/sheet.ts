@@ -10,7 +10,8 @@ export const sheet: SheetTexts = {
   withProgram: "Avec le programme",
   withMeasured: "Avec les mesures",
   measured: "Mesuré",
-  measuredOld: (n) => (n === 1 ? "1 mesure d’avant une modification est omise" : `${n} mesures d’avant une modification sont omises`),
+  measuredOld: (n) =>
+    n === 1 ? "1 mesure d’avant une modification est omise" : `${n} mesures d’avant une modification sont omises`,
   remarks: "Remarques",
   remarksHint: "Serrage, mors, contrôle, points à surveiller",
   preview: "Aperçu de la fiche",

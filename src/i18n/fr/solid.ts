@@ -3,9 +3,11 @@ import { typeset } from "./typography/typeset.ts";
 
 export const solid: SolidTexts = typeset({
   title: "Vue 3D",
-  picture: (cut: boolean, state: string) => `Le volume tourné en 3D${cut ? ", un quart enlevé" : ""}, Z vers la droite. ${state}`,
-  keys: "Les flèches tournent la vue, avec Maj elles la déplacent ; plus et moins zooment, 0 montre tout ; "
-    + "1, 2 et 3 sont les vues en biais, de face et sur la face dressée.",
+  picture: (cut: boolean, state: string) =>
+    `Le volume tourné en 3D${cut ? ", un quart enlevé" : ""}, Z vers la droite. ${state}`,
+  keys:
+    "Les flèches tournent la vue, avec Maj elles la déplacent ; plus et moins zooment, 0 montre tout ; " +
+    "1, 2 et 3 sont les vues en biais, de face et sur la face dressée.",
   views: "Vues",
   quarter: "Enlever un quart",
   quarterShort: "Quart",

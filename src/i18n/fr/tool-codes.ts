@@ -52,7 +52,12 @@ export const toolCodes = typeset<ToolCodeTexts>({
     polygon: "régulière",
     round: "ronde",
   },
-  holes: { none: "sans trou", plain: "trou lisse", sunkOne: "trou fraisé d’un côté", sunkBoth: "trou fraisé des deux côtés" },
+  holes: {
+    none: "sans trou",
+    plain: "trou lisse",
+    sunkOne: "trou fraisé d’un côté",
+    sunkBoth: "trou fraisé des deux côtés",
+  },
   breakers: { none: "sans brise-copeaux", one: "brise-copeaux sur une face", both: "brise-copeaux sur deux faces" },
   finishes: {
     F: "vive",
@@ -63,7 +68,13 @@ export const toolCodes = typeset<ToolCodeTexts>({
     P: "double chanfrein, arrondie",
   },
   hands: { R: "à droite", L: "à gauche", N: "neutre" },
-  clampings: { top: "par le dessus", topHole: "par le dessus et le trou", hole: "par le trou", screw: "vis", wedge: "coin" },
+  clampings: {
+    top: "par le dessus",
+    topHole: "par le dessus et le trou",
+    hole: "par le trou",
+    screw: "vis",
+    wedge: "coin",
+  },
   makes: {
     steel: "acier",
     steelCoolant: "acier, arrosage interne",
@@ -85,9 +96,11 @@ export const toolCodes = typeset<ToolCodeTexts>({
   notes: {
     shapesDiffer: (insert, holder) => `La plaquette est ${insert}, le porte-outil reçoit ${holder}.`,
     sizesDiffer: (insert, holder) => `La plaquette est de taille ${insert}, le porte-outil reçoit ${holder}.`,
-    clearancesDiffer: (insert, holder) => `La plaquette a la dépouille ${insert}, le porte-outil est prévu pour ${holder}.`,
+    clearancesDiffer: (insert, holder) =>
+      `La plaquette a la dépouille ${insert}, le porte-outil est prévu pour ${holder}.`,
     rowAngle: (row, code) => `P-ANGLE vaut ${row}° ; le porte-outil reçoit des plaquettes de ${code}°. P-ANGLE reste.`,
-    rowEdge: (row, code) => `CUTLENGTH vaut ${row} mm ; le porte-outil reçoit des arêtes de ${code} mm. CUTLENGTH reste.`,
+    rowEdge: (row, code) =>
+      `CUTLENGTH vaut ${row} mm ; le porte-outil reçoit des arêtes de ${code} mm. CUTLENGTH reste.`,
     inch: "Code en pouces : cotes en millimètres, rayon de bec par son nom métrique.",
     inchHolder: "Code en pouces : le corps n’est pas couvert, les lettres le sont.",
     cornerMissing: "Le rayon de bec n’est pas dans le code : RS reste.",
@@ -95,7 +108,8 @@ export const toolCodes = typeset<ToolCodeTexts>({
     onlyCorner: "Seules les deux arêtes au bec sont dessinées, pas le reste de la plaquette.",
     endCutting: "Ce type coupe dans l’autre direction : T-ANGLE et TO restent à régler.",
     leftBar: "Une barre à gauche est entrée avec TO 7 comme une barre à droite ; la broche tourne dans l’autre sens.",
-    headDrawn: "Corps selon le code ; sa position et le contour de la tête sont ceux de porte-outils usuels. À comparer au catalogue.",
+    headDrawn:
+      "Corps selon le code ; sa position et le contour de la tête sont ceux de porte-outils usuels. À comparer au catalogue.",
     special: "X est une forme spéciale : sa signification n’est que dans le catalogue.",
     unsure: (letter, angle) => `Lettre ${letter} : ${angle}° n’est pas confirmé. À comparer au catalogue.`,
     noShank: {

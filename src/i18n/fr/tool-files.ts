@@ -23,7 +23,8 @@ export const toolFiles = typeset<ToolFileTexts>({
   exportTitle: "Quel fichier ?",
   again: (file) => `${file} tel qu’il est venu, avec les changements`,
   againHint: "Seuls les outils modifiés sont réécrits ; toutes les autres lignes, colonnes et signes restent.",
-  againDone: (file, changed, added, removed) => `${file} : ${changed} modifiés, ${added} ajoutés, ${removed} retirés ; le reste tel quel.`,
+  againDone: (file, changed, added, removed) =>
+    `${file} : ${changed} modifiés, ${added} ajoutés, ${removed} retirés ; le reste tel quel.`,
   againShipped: (n) => (n === 1 ? "1 outil livré n’y est pas écrit." : `${n} outils livrés n’y sont pas écrits.`),
   tooLong: (cells) => `Plus long que la colonne, laissé tel quel : ${cells}.`,
   notEncodable: "Un nom a des signes que le codage du fichier n’a pas : écrit en UTF-8.",
@@ -37,5 +38,6 @@ export const toolFiles = typeset<ToolFileTexts>({
   jsonHint: "Toutes les colonnes et les porte-outils, rien d’arrondi ; lu par la commande verify.",
   noTools: "aucun outil",
   importLong: "Importer des outils de fichiers : tables de la commande, CSV ou JSON",
-  notATable: (file) => `${file} n’est pas un tableau d’outils : ni JSON, ni tableau commençant par BEGIN, ni feuille avec une colonne T.`,
+  notATable: (file) =>
+    `${file} n’est pas un tableau d’outils : ni JSON, ni tableau commençant par BEGIN, ni feuille avec une colonne T.`,
 });

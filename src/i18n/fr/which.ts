@@ -16,7 +16,10 @@ export const which = typeset<WhichTexts>({
       thread: "un filetage",
     },
   },
-  stock: { label: "Matière", of: { solid: "la matière pleine", preturned: "une pièce déjà ébauchée", now: "ce qui reste maintenant" } },
+  stock: {
+    label: "Matière",
+    of: { solid: "la matière pleine", preturned: "une pièce déjà ébauchée", now: "ce qui reste maintenant" },
+  },
   measures: {
     d1: "De ⌀",
     d2: "À ⌀",

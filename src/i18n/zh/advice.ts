@@ -11,11 +11,14 @@ export const advice = {
   operation: (n, cycle) => `加工 ${n}，循环 ${cycle}`,
   of: {
     depthOverEdge: (depth, edge, most) => `切深 ${depth} mm，刃长 ${edge} mm。刀刃宜承担其三分之二，即 ${most} mm。`,
-    feedOverNose: (feed, nose, most) => `进给 ${feed} mm 大于刀尖半径 ${nose} mm 的 0.8 倍。不超过 ${most} mm 时刀尖不易崩裂。`,
+    feedOverNose: (feed, nose, most) =>
+      `进给 ${feed} mm 大于刀尖半径 ${nose} mm 的 0.8 倍。不超过 ${most} mm 时刀尖不易崩裂。`,
     rough: (rz, feed, nose, wanted, better) =>
       `进给 ${feed} mm、刀尖 ${nose} mm 形成 Rz ${rz} µm(f² / 8r)。Rz ${wanted} µm 需 ${better} mm。`,
-    power: (power, most, speed, better) => `${speed} m/min 时约需 ${power} kW(Kienzle)；主轴为 ${most} kW。切深 ${better} mm 即可。`,
-    speedLimited: (limit, held, smallest, left) => `SMAX ${limit} 时切削速度只能保持到 ⌀ ${held}。在 ⌀ ${smallest} 处仅剩 ${left} m/min。`,
+    power: (power, most, speed, better) =>
+      `${speed} m/min 时约需 ${power} kW(Kienzle)；主轴为 ${most} kW。切深 ${better} mm 即可。`,
+    speedLimited: (limit, held, smallest, left) =>
+      `SMAX ${limit} 时切削速度只能保持到 ⌀ ${held}。在 ⌀ ${smallest} 处仅剩 ${left} m/min。`,
     noLimit: (speed) => `${speed} m/min 而没有 SMAX：越近轴线主轴越快直至极限。请给出限制。`,
     speedFar: (speed, usual) => `${speed} m/min 与该材料常用的起始值 ${usual} m/min 相差很远。`,
   },
@@ -40,8 +43,7 @@ export const advice = {
   spindle: "切削速度",
   table: {
     title: "车间切削数据",
-    lead:
-      "可用本车间的数值替换；保存在本设备上，并包含在总文件中。出厂的 kc1.1 和 mc 依据 Röhm（钢、灰铸铁）与 Iscar（其余）的表，均为估算。",
+    lead: "可用本车间的数值替换；保存在本设备上，并包含在总文件中。出厂的 kc1.1 和 mc 依据 Röhm（钢、灰铸铁）与 Iscar（其余）的表，均为估算。",
     name: "材料",
     group: "组别",
     power: "主轴功率，kW",

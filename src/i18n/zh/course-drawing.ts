@@ -31,7 +31,8 @@ export const courseDrawing = {
   },
   inMm: "mm",
   steel: "钢",
-  blankOf: (outside: string, bore: string, length: string) => `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
+  blankOf: (outside: string, bore: string, length: string) =>
+    `${outside}${bore === "" ? "" : ` / ${bore}`} × ${length}`,
   allowance: (value: string) => `Z0 前余量 ${value}`,
   tolerances: "ISO 2768 – m",
   tolerancesHint: "未注公差尺寸：按 ISO 2768-1 中等级",
@@ -53,10 +54,7 @@ export const courseDrawing = {
   micrometres: (value: string) => `Rz ${value}`,
   chamfer: (size: string, angle: string) => `${size}×${angle}°`,
   radius: (size: string) => `R${size}`,
-  thread: (
-    diameter: string,
-    lead: string,
-    starts: number,
-  ) => (starts > 1 ? `M${diameter}×${lead} （${starts} 头）` : `M${diameter}×${lead}`),
+  thread: (diameter: string, lead: string, starts: number) =>
+    starts > 1 ? `M${diameter}×${lead} （${starts} 头）` : `M${diameter}×${lead}`,
   all: (mark: string) => `${mark}，所有车削表面`,
 } satisfies CourseDrawingTexts;

@@ -134,7 +134,7 @@ export const courseTask = {
     nextQuestion: "下一题",
     back: "上一题",
     run: "显示运行",
-    lacks: (n, of) => of === 1 ? "还没有回答。" : `问题 ${n} 还没有回答。`,
+    lacks: (n, of) => (of === 1 ? "还没有回答。" : `问题 ${n} 还没有回答。`),
     again: "再说一次",
     right: (what) => `正确：${what}`,
     wrong: (told, is) => `您说 ${told}，实际是 ${is}。`,

@@ -38,7 +38,8 @@ export const courseTeach = {
   partHint: "轮廓子程序的程序段，从自由端开始。最后一点之后毛坯保持不变。",
   threads: "螺纹",
   threadsHint: "轮廓按螺纹牙顶绘制。锥螺纹保持为形状。",
-  thread: (from: string, to: string, crest: string, root: string) => `Z ${from} 至 ${to}，牙顶 ⌀${crest}，牙底 ⌀${root}`,
+  thread: (from: string, to: string, crest: string, root: string) =>
+    `Z ${from} 至 ${to}，牙顶 ⌀${crest}，牙底 ⌀${root}`,
   threadName: (where: string) => `螺纹名称，${where}`,
   sizes: "带公差的尺寸",
   noSizes: "没有可选尺寸：零件没有轮廓。",
@@ -162,7 +163,8 @@ export const courseTeach = {
   passes: "答案通过。",
   refused: "答案未通过：",
   idle: "开始时打开的内容已经通过，无事可做。",
-  mark: (rule: string, value: string, limit: string) => (limit === "" ? `${rule}：${value}` : `${rule}：${value}，允许 ${limit}`),
+  mark: (rule: string, value: string, limit: string) =>
+    limit === "" ? `${rule}：${value}` : `${rule}：${value}，允许 ${limit}`,
   inBlock: (block: string) => `程序段 ${block}`,
   judged: {
     errors: "错误",

@@ -42,7 +42,8 @@ export const device = {
     exportLong: "将所有工作、刀具、自有循环、设置和全部课程内容存为一个文件",
     importAll: "导入文件",
     importLong: "从保存的文件导入工作、刀具、自有循环、设置和全部课程内容",
-    exported: (n, files) => `${n} 份工作以及刀具、自有循环、设置和全部课程内容已存入下载文件夹${files > 1 ? `，共 ${files} 个文件` : ""}。`,
+    exported: (n, files) =>
+      `${n} 份工作以及刀具、自有循环、设置和全部课程内容已存入下载文件夹${files > 1 ? `，共 ${files} 个文件` : ""}。`,
     notExported: "无法生成文件。",
   },
   bringIn: {

@@ -58,7 +58,9 @@ export const handed = {
   as: { mine: "保留我的", theirs: "采用对方的", free: "对方的放到空闲刀号" },
   keep: "将这些刀具存入我的刀具表",
   kept: (added, replaced) =>
-    [added > 0 && `已向您的刀具表添加 ${added} 把刀具`, replaced > 0 && `替换 ${replaced} 把`].filter(Boolean).join("，") + "。",
+    [added > 0 && `已向您的刀具表添加 ${added} 把刀具`, replaced > 0 && `替换 ${replaced} 把`]
+      .filter(Boolean)
+      .join("，") + "。",
   nothingToKeep: "无需更改：您的刀具表保持不变。",
   allMine: "您的刀具表已有全部这些刀具，数值相同。",
   moved: (from, to) => `此工作的刀具 ${from} 在您的刀具表中为刀具 ${to}：届时 TOOL CALL 必须写 ${to}。`,

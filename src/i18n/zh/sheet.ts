@@ -27,7 +27,15 @@ export const sheet: SheetTexts = {
     good: "已验证",
     dryRun: "已在 Turnwise 中用本单所列刀具仿真，不能代替机床上的空运行。",
   },
-  head: { program: "程序", file: "文件", unit: "单位", blocks: "程序段", time: "时间", date: "打印", control: "数控系统" },
+  head: {
+    program: "程序",
+    file: "文件",
+    unit: "单位",
+    blocks: "程序段",
+    time: "时间",
+    date: "打印",
+    control: "数控系统",
+  },
   inch: "英寸（刀具为 mm）",
   estimate: (time) => `约 ${time}`,
 

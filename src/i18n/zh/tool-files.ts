@@ -22,7 +22,8 @@ export const toolFiles: ToolFileTexts = {
   exportTitle: "导出哪个文件？",
   again: (file) => `${file} 原样，带更改`,
   againHint: "只重写更改过的刀具；其他行、列和字符保持不变。",
-  againDone: (file, changed, added, removed) => `${file}：更改 ${changed} 把，新增 ${added} 把，删除 ${removed} 把；其余原样。`,
+  againDone: (file, changed, added, removed) =>
+    `${file}：更改 ${changed} 把，新增 ${added} 把，删除 ${removed} 把；其余原样。`,
   againShipped: (n) => `${n} 把随附刀具不写入该文件。`,
   tooLong: (cells) => `比列宽长，保持原样：${cells}。`,
   notEncodable: "名称中有文件编码没有的字符：按 UTF-8 写出。",

@@ -34,7 +34,9 @@ const chunked = new WeakMap<Ring, Chunks>();
 function chunksOf(ring: Ring): Chunks {
   const known = chunked.get(ring);
   if (known) return known;
-  const parts = Array.from({ length: Math.ceil(ring.length / CHUNK) }, (_, i) => boxOf(ring.slice(i * CHUNK, (i + 1) * CHUNK)));
+  const parts = Array.from({ length: Math.ceil(ring.length / CHUNK) }, (_, i) =>
+    boxOf(ring.slice(i * CHUNK, (i + 1) * CHUNK)),
+  );
   const made = {
     parts,
     box: {
@@ -49,13 +51,14 @@ function chunksOf(ring: Ring): Chunks {
 }
 
 /**
- * A ring without points that come to nothing when it is cut to a box: those inside a chunk that lies beyond one side of it, in the order in
- * which it is cut. What is left of it, and in which order, is the same to the last bit.
+ * A ring without points that come to nothing when it is cut to a box: those inside a chunk that lies beyond one side of
+ * it, in the order in which it is cut. What is left of it, and in which order, is the same to the last bit.
  */
 function nearBox(ring: Ring, parts: readonly Box[], box: Box): Ring {
   const out: Pt[] = [];
   parts.forEach(({ left, right, low, high }, i) => {
-    const first = i * CHUNK, last = Math.min(ring.length, first + CHUNK) - 1;
+    const first = i * CHUNK,
+      last = Math.min(ring.length, first + CHUNK) - 1;
     const beside = right < box.left || left > box.right;
     const over = left >= box.left && right <= box.right && (high < box.low || low > box.high);
     if (beside || over) out.push(ring[first] as Pt, ring[last] as Pt);
@@ -68,8 +71,8 @@ function nearBox(ring: Ring, parts: readonly Box[], box: Box): Ring {
 const MARGIN = 0.01;
 
 /**
- * The box that an area may be cut to before it is combined with rings: the sides that the cut makes then lie beyond them. Where they ran
- * along the rings themselves the polygon engine found 0.5 mm² in common that neither of them had.
+ * The box that an area may be cut to before it is combined with rings: the sides that the cut makes then lie beyond
+ * them. Where they ran along the rings themselves the polygon engine found 0.5 mm² in common that neither of them had.
  */
 export function boxBeyond(rings: readonly Ring[]): Box {
   const { left, right, low, high } = boxAround(rings);
@@ -81,14 +84,16 @@ export const gapBetween = (a: Box, b: Box): number =>
   hypotenuse(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.low - b.high, b.low - a.high));
 
 /**
- * What of an area lies in a box, to be combined further or measured: outlines may run along the sides of the box more than once, which
- * the non-zero rule of the polygon engine forgives and a signed area does not count. Much faster than a true intersection. The engine's
- * own clip to a rectangle loses a corner where a vertex lies on a side of it, which the law of this function finds.
+ * What of an area lies in a box, to be combined further or measured: outlines may run along the sides of the box more
+ * than once, which the non-zero rule of the polygon engine forgives and a signed area does not count. Much faster than
+ * a true intersection. The engine's own clip to a rectangle loses a corner where a vertex lies on a side of it, which
+ * the law of this function finds.
  */
 export function inBox(area: readonly Ring[], box: Box): Ring[] {
   const out: Ring[] = [];
   for (const ring of area) {
-    const chunks = ring.length > CHUNK ? chunksOf(ring) : null, own = chunks?.box ?? boxOf(ring);
+    const chunks = ring.length > CHUNK ? chunksOf(ring) : null,
+      own = chunks?.box ?? boxOf(ring);
     if (own.left >= box.right || own.right <= box.left || own.low >= box.high || own.high <= box.low) continue;
     const isInside = own.left >= box.left && own.right <= box.right && own.low >= box.low && own.high <= box.high;
     let cut: Ring = chunks && !isInside ? nearBox(ring, chunks.parts, box) : ring;
@@ -110,7 +115,10 @@ function side(ring: Ring, axis: "z" | "r", limit: number, sign: 1 | -1): Ring {
       const [from, to] = [(a[axis] - limit) * sign, (b[axis] - limit) * sign];
       if (from >= 0 !== to >= 0) {
         const t = from / (from - to);
-        out.push({ z: axial(axis === "z" ? limit : a.z + (b.z - a.z) * t), r: radius(axis === "r" ? limit : a.r + (b.r - a.r) * t) });
+        out.push({
+          z: axial(axis === "z" ? limit : a.z + (b.z - a.z) * t),
+          r: radius(axis === "r" ? limit : a.r + (b.r - a.r) * t),
+        });
       }
       if (to >= 0) out.push(b);
     }

@@ -40,7 +40,10 @@ export interface Clamped {
   readonly bodies: readonly ClampBody[];
 }
 
-/** Usual three-jaw power chucks, mm: ⌀, bore, depth of the body, and the top jaws: over the face, along the radius, across. */
+/**
+ * Usual three-jaw power chucks, mm: ⌀, bore, depth of the body, and the top jaws: over the face, along the radius,
+ * across.
+ */
 const CHUCKS = [
   { size: 160, bore: 45, deep: 81, high: 36, long: 66, wide: 31 },
   { size: 200, bore: 52, deep: 91, high: 40, long: 80, wide: 35 },
@@ -52,7 +55,8 @@ export const CHUCK_SIZES: readonly number[] = CHUCKS.map(({ size }) => size);
 
 /** The chuck of a diameter: the next of the list, at its scale. */
 function chuckOf(size: number) {
-  const of = CHUCKS.find((c) => c.size >= size) ?? CHUCKS[CHUCKS.length - 1] ?? CHUCKS[0], k = size / of.size;
+  const of = CHUCKS.find((c) => c.size >= size) ?? CHUCKS[CHUCKS.length - 1] ?? CHUCKS[0],
+    k = size / of.size;
   return { bore: of.bore * k, deep: of.deep * k, high: of.high * k, long: of.long * k, wide: of.wide * k };
 }
 
@@ -60,30 +64,44 @@ function chuckOf(size: number) {
 export const jawWidth = (size: number): number => chuckOf(size).wide;
 
 /** Steps of a hard jaw, from the work on: share of its length along the radius, and of its height over the chuck. */
-const STEPS = [[0.36, 1], [0.7, 0.62], [1, 0.3]] as const;
+const STEPS = [
+  [0.36, 1],
+  [0.7, 0.62],
+  [1, 0.3],
+] as const;
 /** A soft jaw is one block. */
 const BLOCK = [[1, 1]] as const;
 /** The shoulder of a jaw at which the work stands: across, and at least behind it, mm. */
 const SHOULDER = { across: 3, behind: 6 } as const;
 /** A jaw reaches no farther out than the chuck times this, and is never shorter than this part of its length. */
 const [BEYOND, SHORTEST] = [1.1, 0.3];
-/** A collet chuck: its wall at the nose, and how deep it is at least; the depth of a driver; what is known of a quill; mm. */
+/**
+ * A collet chuck: its wall at the nose, and how deep it is at least; the depth of a driver; what is known of a quill;
+ * mm.
+ */
 const [WALL, DEEP, DRIVER, QUILL] = [6, 60, 40, 160];
 /** Farther than any machine reaches, mm. */
 const FAR = 5000;
 
-const box = (
-  left: number,
-  right: number,
-  low: number,
-  high: number,
-): Ring => [at(left, low), at(right, low), at(right, high), at(left, high)];
+const box = (left: number, right: number, low: number, high: number): Ring => [
+  at(left, low),
+  at(right, low),
+  at(right, high),
+  at(left, high),
+];
 
 /** The jaws of a chuck that grips at a radius, and Z of the face that they stand on. */
-function jawsOf({ kind, diameter: d, length, face }: Clamping, size: number): { readonly ring: Ring; readonly foot: number } {
-  const { high, long } = chuckOf(size), grip = radiusOf(d), inside = kind === "chuckInside";
-  const foot = face - Math.max(high, length + SHOULDER.behind), tall = face - foot;
-  const most = inside ? grip : radiusOf(size) * BEYOND - grip, reach = Math.max(SHORTEST * long, Math.min(long, most));
+function jawsOf(
+  { kind, diameter: d, length, face }: Clamping,
+  size: number,
+): { readonly ring: Ring; readonly foot: number } {
+  const { high, long } = chuckOf(size),
+    grip = radiusOf(d),
+    inside = kind === "chuckInside";
+  const foot = face - Math.max(high, length + SHOULDER.behind),
+    tall = face - foot;
+  const most = inside ? grip : radiusOf(size) * BEYOND - grip,
+    reach = Math.max(SHORTEST * long, Math.min(long, most));
   // Seen from the gripped surface: how far away from the work.
   const r = (away: number) => Math.max(0, grip + (inside ? -away : away));
   const back = face - length;
@@ -91,32 +109,46 @@ function jawsOf({ kind, diameter: d, length, face }: Clamping, size: number): { 
     const z = foot + tall * height;
     return [at(z, r(reach * (all[i - 1]?.[0] ?? 0))), at(z, r(reach * share))];
   });
-  const ring = [at(foot, r(-SHOULDER.across)), at(back, r(-SHOULDER.across)), at(back, r(0)), ...profile, at(foot, r(reach))];
+  const ring = [
+    at(foot, r(-SHOULDER.across)),
+    at(back, r(-SHOULDER.across)),
+    at(back, r(0)),
+    ...profile,
+    at(foot, r(reach)),
+  ];
   return { ring: inside ? ring.reverse() : ring, foot };
 }
 
 /** The bodies of what grips the work at its rear end. */
 function gripBodies(c: Clamping): ClampBody[] {
-  const { kind, face, size, length } = c, r = radiusOf(c.diameter);
+  const { kind, face, size, length } = c,
+    r = radiusOf(c.diameter);
   if (kind === "centres") return [{ part: "driver", rings: [box(face - DRIVER, face, 0, r)] }];
   if (size === undefined) return [];
   if (kind === "collet") {
-    const back = face - Math.max(DEEP, length + SHOULDER.behind), outer = radiusOf(size), nose = Math.min(outer, r + WALL);
+    const back = face - Math.max(DEEP, length + SHOULDER.behind),
+      outer = radiusOf(size),
+      nose = Math.min(outer, r + WALL);
     const ring = [at(back, r), at(face, r), at(face, nose), at(face - (outer - nose) / 2, outer), at(back, outer)];
     return [{ part: "collet", rings: [ring] }];
   }
-  const { ring, foot } = jawsOf(c, size), { bore, deep } = chuckOf(size);
-  return [{ part: "jaws", rings: [ring] }, { part: "chuck", rings: [box(foot - deep, foot, radiusOf(bore), radiusOf(size))] }];
+  const { ring, foot } = jawsOf(c, size),
+    { bore, deep } = chuckOf(size);
+  return [
+    { part: "jaws", rings: [ring] },
+    { part: "chuck", rings: [box(foot - deep, foot, radiusOf(bore), radiusOf(size))] },
+  ];
 }
 
 function centreOf({ quill, tip, angle }: NonNullable<Clamping["tailstock"]>): Ring {
-  const r = radiusOf(quill), full = tip + r / Math.tan(((angle / 2) * Math.PI) / 180);
+  const r = radiusOf(quill),
+    full = tip + r / Math.tan(((angle / 2) * Math.PI) / 180);
   return [at(tip, 0), at(full + QUILL, 0), at(full + QUILL, r), at(full, r)];
 }
 
 /**
- * What tool and holder must not meet: jaws and chuck, collet or driver, tailstock, each less what the blank fills, and what lies behind a
- * stated limit. Jaws count all round: they turn.
+ * What tool and holder must not meet: jaws and chuck, collet or driver, tailstock, each less what the blank fills, and
+ * what lies behind a stated limit. Jaws count all round: they turn.
  */
 export function clampingBodies(c: Clamping, blank: readonly Ring[]): readonly ClampBody[] {
   const tailstock: readonly ClampBody[] = c.tailstock ? [{ part: "tailstock", rings: [centreOf(c.tailstock)] }] : [];
@@ -131,18 +163,22 @@ const NEAR = 0.5;
 /** True when jaws or collet do not grip the blank: there is nothing of it at their ⌀, or it stands in them. */
 export function missesBlank({ kind, diameter: d, length, face }: Clamping, blank: readonly Ring[]): boolean {
   if (kind === "centres" || blank.length === 0) return false;
-  const r = radiusOf(d), [back, inside] = [face - length, kind === "chuckInside"];
-  const has = (low: number, high: number) => areaOf(real(intersection(blank, [box(back, face, Math.max(0, low), high)]))) > 0;
+  const r = radiusOf(d),
+    [back, inside] = [face - length, kind === "chuckInside"];
+  const has = (low: number, high: number) =>
+    areaOf(real(intersection(blank, [box(back, face, Math.max(0, low), high)]))) > 0;
   return inside ? !has(r, r + NEAR) || has(0, r - NEAR) : !has(r - NEAR, r) || has(r + NEAR, FAR);
 }
 
 /**
- * Where a clamping grips the work: a piece of the work that reaches into one of these areas is held. Between centres both ends are; a
- * tailstock in front of a chuck supports the work and holds nothing by itself.
+ * Where a clamping grips the work: a piece of the work that reaches into one of these areas is held. Between centres
+ * both ends are; a tailstock in front of a chuck supports the work and holds nothing by itself.
  */
 export function gripZones(c: Clamping, blank: readonly Ring[]): readonly Ring[] {
-  const { kind, diameter: d, length, face, tailstock } = c, r = radiusOf(d);
+  const { kind, diameter: d, length, face, tailstock } = c,
+    r = radiusOf(d);
   if (kind !== "centres") return [box(face - length, face, Math.max(0, r - NEAR), r + NEAR)];
-  const { left, high } = boxAround(blank), driven = box(left, left + NEAR, 0, high);
+  const { left, high } = boxAround(blank),
+    driven = box(left, left + NEAR, 0, high);
   return tailstock ? [driven, centreOf({ ...tailstock, tip: tailstock.tip - NEAR })] : [driven];
 }

@@ -11,8 +11,18 @@ const box = (z0: number, r0: number, z1: number, r1: number) => ring([z0, r0], [
 describe("known faults of other ports", () => {
   test("an input point is not overwritten by an intersection", () => {
     const mm = (points: [number, number][]) => ring(...points.map(([x, y]): [number, number] => [x / 1e5, y / 1e5]));
-    const triangle = mm([[-968021, 289005], [-943762, 302447], [-1000000, 237828]]);
-    const pentagon = mm([[-163353, 261701], [-163023, 262156], [-122651, 448734], [-968021, 289005], [-1021013, 204201]]);
+    const triangle = mm([
+      [-968021, 289005],
+      [-943762, 302447],
+      [-1000000, 237828],
+    ]);
+    const pentagon = mm([
+      [-163353, 261701],
+      [-163023, 262156],
+      [-122651, 448734],
+      [-968021, 289005],
+      [-1021013, 204201],
+    ]);
     expect(Math.abs(areaOf(difference([triangle], [pentagon])))).toBeCloseTo(66589013 / 1e10, 7);
   });
   test("a closed offset with round joins has the right area", () => {
@@ -56,11 +66,14 @@ const triangle = fc.tuple(coordinate, coordinate, coordinate, coordinate, coordi
 });
 
 test("area is kept: what is cut off and what stays make the whole", () => {
-  fc.assert(fc.property(triangle, triangle, (a, b) => {
-    const together = areaOf(difference([a], [b])) + areaOf(intersection([a], [b]));
-    expect(together).toBeCloseTo(areaOf([a]), 1);
-    expect(Math.abs(together - areaOf([a]))).toBeLessThan(0.02);
-  }), { numRuns: 500 });
+  fc.assert(
+    fc.property(triangle, triangle, (a, b) => {
+      const together = areaOf(difference([a], [b])) + areaOf(intersection([a], [b]));
+      expect(together).toBeCloseTo(areaOf([a]), 1);
+      expect(Math.abs(together - areaOf([a]))).toBeLessThan(0.02);
+    }),
+    { numRuns: 500 },
+  );
 });
 
 test("a stray ring of rounding does not turn an offset inside out", () => {
@@ -70,7 +83,10 @@ test("a stray ring of rounding does not turn an offset inside out", () => {
   // One that reaches just as far, beside the outline: at equal height the engine takes the one on the left.
   const level = ring([-1, 2], [-0.999, 1.999], [-1, 1.999]);
   expect(areaOfRing(level)).toBeLessThan(0);
-  for (const area of [[level, box(0, 0, 2, 2)], [box(0, 0, 2, 2), level]]) {
+  for (const area of [
+    [level, box(0, 0, 2, 2)],
+    [box(0, 0, 2, 2), level],
+  ]) {
     expect(areaOf(opened(area, 0.01))).toBeCloseTo(4, 2);
     expect(areaOf(offset(area, 0.5))).toBeCloseTo(8 + Math.PI / 4, 2);
   }
@@ -82,9 +98,12 @@ test("a blank larger than any lathe keeps its size when packed", () => {
 });
 
 test("packing is exact for what comes from the engine", () => {
-  fc.assert(fc.property(triangle, triangle, (a, b) => {
-    const cut = difference([a], [b]);
-    expect(unpacked(packed(cut))).toEqual(cut);
-    expect(union(cut)).toHaveLength(union(union(cut)).length);
-  }), { numRuns: 200 });
+  fc.assert(
+    fc.property(triangle, triangle, (a, b) => {
+      const cut = difference([a], [b]);
+      expect(unpacked(packed(cut))).toEqual(cut);
+      expect(union(cut)).toHaveLength(union(union(cut)).length);
+    }),
+    { numRuns: 200 },
+  );
 });

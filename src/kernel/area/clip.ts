@@ -1,14 +1,25 @@
-import { Clipper64, ClipType, EndType, FillRule, inflatePaths, JoinType, PathType, pointInPolygon, PointInPolygonResult, simplifyPaths,
-  type Path64 } from "clipper2-ts";
+import {
+  Clipper64,
+  ClipType,
+  EndType,
+  FillRule,
+  inflatePaths,
+  JoinType,
+  PathType,
+  pointInPolygon,
+  PointInPolygonResult,
+  simplifyPaths,
+  type Path64,
+} from "clipper2-ts";
 import { areaOfRing } from "./area.ts";
 import type { Pt, Ring } from "../geometry/point.ts";
 import { CHORD, GRID } from "../tolerance.ts";
 import { axial, radius } from "../units.ts";
 
 /*
- * Areas as sets of rings, mm: outer rings run counter-clockwise, holes clockwise, and overlaps count once (non-zero rule).
- * This is the only file that knows the polygon engine. It counts in integers of GRID, so every result lies on that grid
- * and goes through it again unchanged.
+ * Areas as sets of rings, mm: outer rings run counter-clockwise, holes clockwise, and overlaps count once (non-zero
+ * rule). This is the only file that knows the polygon engine. It counts in integers of GRID, so every result lies on
+ * that grid and goes through it again unchanged.
  */
 
 /** Rings as the engine's integers, for keeping and for sending to another thread: z, r, z, r … of one ring each. */
@@ -43,7 +54,8 @@ function paths(rings: readonly Ring[]): Path64[] {
 const DUST = 100 * GRID * GRID;
 
 const rings = (solution: readonly Path64[]): Ring[] => withoutDust(solution.map((p) => p.map((q) => point(q.x, q.y))));
-const withoutDust = (area: readonly Ring[]): Ring[] => area.filter((ring) => ring.length > 2 && Math.abs(areaOfRing(ring)) > DUST);
+const withoutDust = (area: readonly Ring[]): Ring[] =>
+  area.filter((ring) => ring.length > 2 && Math.abs(areaOfRing(ring)) > DUST);
 
 function combine(type: ClipType, subject: readonly Ring[], clip: readonly Ring[]): Ring[] {
   const engine = new Clipper64();
@@ -56,10 +68,12 @@ function combine(type: ClipType, subject: readonly Ring[], clip: readonly Ring[]
 }
 
 /** What lies in `subject` and not in `clip`. */
-export const difference = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] => combine(ClipType.Difference, subject, clip);
+export const difference = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] =>
+  combine(ClipType.Difference, subject, clip);
 
 /** What lies in both. */
-export const intersection = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] => combine(ClipType.Intersection, subject, clip);
+export const intersection = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] =>
+  combine(ClipType.Intersection, subject, clip);
 
 /** What lies in any of the rings, overlaps merged. */
 export const union = (area: readonly Ring[], more: readonly Ring[] = []): Ring[] => combine(ClipType.Union, area, more);
@@ -68,9 +82,10 @@ export const union = (area: readonly Ring[], more: readonly Ring[] = []): Ring[]
 const APART = 1;
 
 /**
- * Grown (delta > 0) or shrunk (delta < 0) on all sides by a length in mm; grown corners are round to CHORD. The engine takes the ring
- * that reaches farthest for an outer one, and turns everything round when it runs clockwise, as a hole does that reaches as far as what
- * it lies in. So a ring that is an outer one lies beyond all others, and is taken out again.
+ * Grown (delta > 0) or shrunk (delta < 0) on all sides by a length in mm; grown corners are round to CHORD. The engine
+ * takes the ring that reaches farthest for an outer one, and turns everything round when it runs clockwise, as a hole
+ * does that reaches as far as what it lies in. So a ring that is an outer one lies beyond all others, and is taken out
+ * again.
  */
 export function offset(area: readonly Ring[], delta: number): Ring[] {
   const own = paths(area);
@@ -78,7 +93,12 @@ export function offset(area: readonly Ring[], delta: number): Ring[] {
   const top = own.reduce((most, path) => path.reduce((m, q) => Math.max(m, q.y), most), -Infinity);
   const [by, apart] = [toGrid(Math.abs(delta)), toGrid(APART)];
   const [low, size] = [top + 2 * by + apart, 4 * by + apart];
-  const guard: Path64 = [{ x: 0, y: low }, { x: size, y: low }, { x: size, y: low + size }, { x: 0, y: low + size }];
+  const guard: Path64 = [
+    { x: 0, y: low },
+    { x: size, y: low },
+    { x: size, y: low + size },
+    { x: 0, y: low + size },
+  ];
   const solution = inflatePaths([...own, guard], delta * UNITS, JoinType.Round, EndType.Polygon, 2, CHORD * UNITS);
   return rings(solution.filter((path) => (path[0]?.y ?? 0) < low - by - apart / 2));
 }
@@ -86,15 +106,20 @@ export function offset(area: readonly Ring[], delta: number): Ring[] {
 /** Whether a point lies inside a ring; on its edge it does not. */
 export const isInside = (ring: Ring, p: Pt): boolean => {
   const [path] = paths([ring]);
-  return path !== undefined && pointInPolygon({ x: toGrid(p.z), y: toGrid(p.r) }, path) === PointInPolygonResult.IsInside;
+  return (
+    path !== undefined && pointInPolygon({ x: toGrid(p.z), y: toGrid(p.r) }, path) === PointInPolygonResult.IsInside
+  );
 };
 
 /** With fewer corners, none of which was farther than `within` mm from the straight line that takes its place. */
-export const simplified = (area: readonly Ring[], within: number): Ring[] => rings(simplifyPaths(paths(area), within * UNITS, true));
+export const simplified = (area: readonly Ring[], within: number): Ring[] =>
+  rings(simplifyPaths(paths(area), within * UNITS, true));
 
 /** The same for an open line of points, whose ends stay. */
 export const coarsened = (line: readonly Pt[], within: number): Pt[] =>
-  simplifyPaths([line.map((p) => ({ x: toGrid(p.z), y: toGrid(p.r) }))], within * UNITS, false).flat().map(({ x, y }) => point(x, y));
+  simplifyPaths([line.map((p) => ({ x: toGrid(p.z), y: toGrid(p.r) }))], within * UNITS, false)
+    .flat()
+    .map(({ x, y }) => point(x, y));
 
 /** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */
 export const opened = (area: readonly Ring[], width: number): Ring[] => offset(offset(area, -width / 2), width / 2);
@@ -112,4 +137,6 @@ export const packed = (area: readonly Ring[]): PackedRings =>
 
 /** Rings from their compact form. */
 export const unpacked = (area: PackedRings): Ring[] =>
-  area.map((numbers) => Array.from({ length: numbers.length / 2 }, (_, i) => point(numbers[2 * i] ?? 0, numbers[2 * i + 1] ?? 0)));
+  area.map((numbers) =>
+    Array.from({ length: numbers.length / 2 }, (_, i) => point(numbers[2 * i] ?? 0, numbers[2 * i + 1] ?? 0)),
+  );

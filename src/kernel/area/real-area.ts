@@ -14,4 +14,5 @@ export const real = (area: Ring[]): Ring[] => {
 };
 
 /** How much of an area lies outside another one, mm²; 0 where the two only differ by chords and grid. */
-export const areaOutside = (area: readonly Ring[], other: readonly Ring[]): number => areaOf(real(difference(area, other)));
+export const areaOutside = (area: readonly Ring[], other: readonly Ring[]): number =>
+  areaOf(real(difference(area, other)));

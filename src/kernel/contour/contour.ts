@@ -85,13 +85,17 @@ interface Part {
   readonly element: number;
 }
 
-/** Over a part too short to have a direction its neighbours go on where one of them is a line; else a short line closes the gap. */
+/**
+ * Over a part too short to have a direction its neighbours go on where one of them is a line; else a short line closes
+ * the gap.
+ */
 function withoutShort(parts: readonly Part[]): Part[] {
   const kept: Part[] = [];
   for (const p of parts) {
     const [last, { segment }] = [kept.at(-1), p];
     const short = lengthOf(segment) <= SAME;
-    if (last && short && last.segment.kind === "line") kept[kept.length - 1] = { ...last, segment: line(last.segment.from, segment.to) };
+    if (last && short && last.segment.kind === "line")
+      kept[kept.length - 1] = { ...last, segment: line(last.segment.from, segment.to) };
     else if (last && !short) {
       const gap = line(last.segment.to, segment.from);
       if (segment.kind === "line") kept.push({ ...p, segment: line(gap.from, segment.to) });
@@ -110,8 +114,16 @@ function bends(before: Segment, after: Segment): boolean {
 /** Lines between points. */
 export const chainOf = (points: readonly Pt[]): Segment[] => points.slice(1).map((to, i) => line(points[i] ?? to, to));
 
-/** The segment of an element from where it begins behind `before`; a line, with an issue, where such an arc can not be. */
-export function segmentTo(from: Pt, before: Segment | undefined, e: PathElement, element: number, issues: Issue[]): Segment {
+/**
+ * The segment of an element from where it begins behind `before`; a line, with an issue, where such an arc can not be.
+ */
+export function segmentTo(
+  from: Pt,
+  before: Segment | undefined,
+  e: PathElement,
+  element: number,
+  issues: Issue[],
+): Segment {
   switch (e.kind) {
     case "line":
       return line(from, e.to);
@@ -151,7 +163,8 @@ export function contourFrom(programmed: readonly ContourElement[]): Contour {
       return;
     }
     if ("size" in e) {
-      if (chain.segments.length === 0 || waiting) issues.push(issue("cornerElementAlone", "error", { element }, "contour"));
+      if (chain.segments.length === 0 || waiting)
+        issues.push(issue("cornerElementAlone", "error", { element }, "contour"));
       else waiting = { corner: e, element };
       return;
     }
@@ -170,7 +183,10 @@ export function contourFrom(programmed: readonly ContourElement[]): Contour {
   if (alone) issues.push(issue("cornerElementAlone", "error", { element: alone }, "contour"));
   if (chain.segments.length === 0) issues.push(issue("contourTooShort", "error", {}, "contour"));
   issues.push(...putRecesses(chain, recesses));
-  const done = withCorners(chain.segments, chain.corners, { segments: chain.segmentNumbers, corners: chain.cornerNumbers });
+  const done = withCorners(chain.segments, chain.corners, {
+    segments: chain.segmentNumbers,
+    corners: chain.cornerNumbers,
+  });
   const crossing = selfCrossing(done.segments);
   if (crossing) {
     const [element, other] = crossing.map((i) => done.elements[i] ?? 0) as [number, number];

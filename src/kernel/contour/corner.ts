@@ -3,7 +3,9 @@ import { ROUND, SAME } from "../tolerance.ts";
 
 const { along, beyond, cross, curveBeside, direction, footOn, lengthOf, meet } = part;
 
-/** What stands on a corner of a contour: a chamfer with equal legs along both lines, or a tangential arc. Size in mm. */
+/**
+ * What stands on a corner of a contour: a chamfer with equal legs along both lines, or a tangential arc. Size in mm.
+ */
 export interface CornerElement {
   readonly kind: "chamfer" | "round";
   readonly size: number;
@@ -17,8 +19,10 @@ export interface Cut {
 }
 
 /** A segment used up to nothing becomes a line without length: an arc from a point to itself would be a full circle. */
-const ending = (s: Segment, to: Pt): Segment => (along(s, to) > SAME ? { ...s, to } : { kind: "line", from: s.from, to });
-const starting = (s: Segment, from: Pt): Segment => lengthOf(s) - along(s, from) > SAME ? { ...s, from } : { kind: "line", from, to: s.to };
+const ending = (s: Segment, to: Pt): Segment =>
+  along(s, to) > SAME ? { ...s, to } : { kind: "line", from: s.from, to };
+const starting = (s: Segment, from: Pt): Segment =>
+  lengthOf(s) - along(s, from) > SAME ? { ...s, from } : { kind: "line", from, to: s.to };
 
 function rounded(before: Segment, after: Segment, r: number): Cut | null {
   const bend = cross(direction(before, before.to), direction(after, after.from));
@@ -31,7 +35,14 @@ function rounded(before: Segment, after: Segment, r: number): Cut | null {
     const [from, to] = [footOn(before, c), footOn(after, c)];
     const [keep, skip] = [along(before, from), along(after, to)];
     const lost = lengthOf(before) - keep + skip;
-    if (keep < -ROUND || skip < -ROUND || keep > lengthOf(before) + ROUND || skip > lengthOf(after) + ROUND || lost >= loss) continue;
+    if (
+      keep < -ROUND ||
+      skip < -ROUND ||
+      keep > lengthOf(before) + ROUND ||
+      skip > lengthOf(after) + ROUND ||
+      lost >= loss
+    )
+      continue;
     loss = lost;
     const between: Segment = { kind: "arc", from, to, centre: c, turn };
     best = { before: ending(before, from), between, after: starting(after, to) };

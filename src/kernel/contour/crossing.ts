@@ -22,7 +22,9 @@ type Crossing = readonly [number, number] | null;
 /** A chain never changes, and is asked about again by all that read it. */
 const known = new WeakMap<readonly Segment[], Crossing>();
 
-/** Two segments of a chain that cross or touch, as indices (the later one first), or null. Overlaps are not looked for. */
+/**
+ * Two segments of a chain that cross or touch, as indices (the later one first), or null. Overlaps are not looked for.
+ */
 export function selfCrossing(chain: readonly Segment[]): Crossing {
   const before = known.get(chain);
   if (before !== undefined) return before;
@@ -47,11 +49,18 @@ function firstCrossing(chain: readonly Segment[]): Crossing {
   const boxes = chain.map(boxOf);
   // Along the longer side fewer of them lie beside each other.
   const [left, right, low, high] = boxes.reduce(
-    (all, b) => [Math.min(all[0], b.left), Math.max(all[1], b.right), Math.min(all[2], b.low), Math.max(all[3], b.high)],
+    (all, b) => [
+      Math.min(all[0], b.left),
+      Math.max(all[1], b.right),
+      Math.min(all[2], b.low),
+      Math.max(all[3], b.high),
+    ],
     [Infinity, -Infinity, Infinity, -Infinity],
   );
-  const [begin, end] = right - left > high - low ? ["left", "right"] as const : ["low", "high"] as const;
-  const placed = chain.map((s, index): Placed => ({ s, index, box: boxes[index] as Box })).sort((a, b) => a.box[begin] - b.box[begin]);
+  const [begin, end] = right - left > high - low ? (["left", "right"] as const) : (["low", "high"] as const);
+  const placed = chain
+    .map((s, index): Placed => ({ s, index, box: boxes[index] as Box }))
+    .sort((a, b) => a.box[begin] - b.box[begin]);
   let active: Placed[] = [];
   for (const one of placed) {
     active = active.filter((other) => other.box[end] >= one.box[begin]);

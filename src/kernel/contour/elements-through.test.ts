@@ -6,7 +6,10 @@ import { CHORD, SAME } from "../tolerance.ts";
 
 const near = { line: SAME, arc: 5 * CHORD };
 const fillet: Segment = { kind: "arc", from: at(-12.4, 17.3), to: at(-14, 18.9), centre: at(-12.4, 18.9), turn: "cw" };
-/** The points of an outline that runs straight into the fillet and on along its face, its arc in chords of a tool and of a path. */
+/**
+ * The points of an outline that runs straight into the fillet and on along its face, its arc in chords of a tool and of
+ * a path.
+ */
 const points = (finer: number): Pt[] => [at(0, 17.3), ...part.flattened(fillet, CHORD / finer), at(-14, 30.1)];
 
 describe("lines and arcs through points", () => {
@@ -26,7 +29,9 @@ describe("lines and arcs through points", () => {
   });
 
   test("corners are none, and no line takes a step along", () => {
-    const hexagon = Array.from({ length: 7 }, (_, i) => at(10 * Math.cos((i * Math.PI) / 3), 20 + 10 * Math.sin((i * Math.PI) / 3)));
+    const hexagon = Array.from({ length: 7 }, (_, i) =>
+      at(10 * Math.cos((i * Math.PI) / 3), 20 + 10 * Math.sin((i * Math.PI) / 3)),
+    );
     expect(elementsThrough(hexagon, near).map(({ kind }) => kind)).toEqual(Array.from({ length: 6 }, () => "line"));
     const stepped = [at(0, 10), at(-20, 10), at(-20, 10.0013), at(-41.7, 10.0013)];
     expect(elementsThrough(stepped, near)).toHaveLength(3);

@@ -11,7 +11,8 @@ export interface Nearness {
 type Arc = Extract<Segment, { kind: "arc" }>;
 
 /** An arc is no arc with less than so many points of its chords, and none of a radius over this, mm. */
-const ARC_POINTS = 4, LARGEST_ARC = 2000;
+const ARC_POINTS = 4,
+  LARGEST_ARC = 2000;
 /** Three points that enclose less are in a line, mm². */
 const NO_AREA = 0.000036;
 /** An arc that turns through more is said too little of by its chord, radians. */
@@ -21,10 +22,13 @@ const HALVINGS = 60;
 
 /** The circle through three points; null where they lie on a line. */
 function circle(a: Pt, b: Pt, c: Pt): { readonly centre: Pt; readonly radius: number } | null {
-  const [bz, br, cz, cr] = [b.z - a.z, b.r - a.r, c.z - a.z, c.r - a.r], d = 2 * (bz * cr - br * cz);
+  const [bz, br, cz, cr] = [b.z - a.z, b.r - a.r, c.z - a.z, c.r - a.r],
+    d = 2 * (bz * cr - br * cz);
   if (Math.abs(d) < NO_AREA) return null;
   const [bb, cc] = [bz * bz + br * br, cz * cz + cr * cr];
-  const z = (cr * bb - br * cc) / d, r = (bz * cc - cz * bb) / d, radius = Math.hypot(z, r);
+  const z = (cr * bb - br * cc) / d,
+    r = (bz * cc - cz * bb) / d,
+    radius = Math.hypot(z, r);
   return radius > LARGEST_ARC ? null : { centre: part.point(a.z + z, a.r + r), radius };
 }
 
@@ -38,8 +42,14 @@ function lineOf(points: readonly Pt[], from: number, to: number, near: number): 
   return between(points, from, to).every((p) => part.distanceTo(line, p) < near) ? line : null;
 }
 
-/** Whether a run of points lies near a circle, chords and all: one that sinks farther from its arc is a line beside it. */
-function isNear(run: readonly Pt[], { centre, radius }: { readonly centre: Pt; readonly radius: number }, near: number): boolean {
+/**
+ * Whether a run of points lies near a circle, chords and all: one that sinks farther from its arc is a line beside it.
+ */
+function isNear(
+  run: readonly Pt[],
+  { centre, radius }: { readonly centre: Pt; readonly radius: number },
+  near: number,
+): boolean {
   const lies = (p: Pt) => Math.abs(part.apart(p, centre) - radius) < near;
   return run.every((p, i) => {
     const q = run[i + 1];
@@ -59,34 +69,37 @@ function arcOf(points: readonly Pt[], from: number, to: number, near: number): A
 
 /** Between the chords of an arc and the line over all of them, mm². */
 const areaOverLine = (line: number, angle: number, chords: number): number =>
-  (line ** 2 / 8) * (chords * Math.sin(angle / chords) - Math.sin(angle)) / Math.sin(angle / 2) ** 2;
+  ((line ** 2 / 8) * (chords * Math.sin(angle / chords) - Math.sin(angle))) / Math.sin(angle / 2) ** 2;
 
 /** Between an arc of less than half a turn, as the stock has it in chords, and the line from end to end, mm². */
 export function areaOfArc(line: number, radius: number): number {
-  const half = Math.asin(Math.min(1, line / 2 / radius)), angle = half + half;
+  const half = Math.asin(Math.min(1, line / 2 / radius)),
+    angle = half + half;
   return areaOverLine(line, angle, chordsOf(radius, angle, CHORD));
 }
 
 /**
- * The arc between the same ends that encloses what its points enclose. The circle through three of them hangs on how those three were
- * rounded; the area hangs on all.
+ * The arc between the same ends that encloses what its points enclose. The circle through three of them hangs on how
+ * those three were rounded; the area hangs on all.
  */
 function settled(arc: Arc, run: readonly Pt[], near: number): Arc {
   const sweep = part.sweepOf(arc);
   if (sweep > WIDE) return arc;
-  const line = part.apart(arc.from, arc.to), chords = chordsOf(part.radiusOf(arc), sweep, CHORD);
-  const enclosed = run.slice(1).reduce(
-    (sum, q, i) => sum + part.cross(part.difference(run[i] ?? q, arc.from), part.difference(q, arc.from)),
-    0,
-  );
-  const way = arc.turn === "ccw" ? 1 : -1, area = (way * enclosed) / 2;
+  const line = part.apart(arc.from, arc.to),
+    chords = chordsOf(part.radiusOf(arc), sweep, CHORD);
+  const enclosed = run
+    .slice(1)
+    .reduce((sum, q, i) => sum + part.cross(part.difference(run[i] ?? q, arc.from), part.difference(q, arc.from)), 0);
+  const way = arc.turn === "ccw" ? 1 : -1,
+    area = (way * enclosed) / 2;
   let [low, high] = [ROUND, 2 * Math.PI - ROUND];
   for (let i = 0; i < HALVINGS; i += 1) {
     const middle = (low + high) / 2;
     if (areaOverLine(line, middle, chords) < area) low = middle;
     else high = middle;
   }
-  const radius = line / (2 * Math.sin(low / 2)), side = way * radius * Math.cos(low / 2);
+  const radius = line / (2 * Math.sin(low / 2)),
+    side = way * radius * Math.cos(low / 2);
   if (!(area > 0) || radius > LARGEST_ARC) return arc;
   const across = part.leftOf(part.unit(part.difference(arc.to, arc.from)));
   const centre = part.beyond(part.pointOn(part.line(arc.from, arc.to), 1 / 2), across, side);
@@ -99,8 +112,12 @@ export function elementsThrough(points: readonly Pt[], near: Nearness): Segment[
   let from = 0;
   while (from < points.length - 1) {
     let best: { to: number; segment: Segment } | null = null;
-    for (const [make, least, by] of [[lineOf, 1, near.line], [arcOf, ARC_POINTS, near.arc]] as const) {
-      let to = from + least, made = make(points, from, to, by);
+    for (const [make, least, by] of [
+      [lineOf, 1, near.line],
+      [arcOf, ARC_POINTS, near.arc],
+    ] as const) {
+      let to = from + least,
+        made = make(points, from, to, by);
       while (made) {
         if (!best || to > best.to) best = { to, segment: made };
         to += 1;

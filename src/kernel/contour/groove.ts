@@ -11,7 +11,9 @@ export interface Groove {
   readonly words: RecessWords;
 }
 
-/** The words of a recess in the order of the control: printed for the TNC7, 81762x-19, topic "Recesses and undercuts". */
+/**
+ * The words of a recess in the order of the control: printed for the TNC7, 81762x-19, topic "Recesses and undercuts".
+ */
 export const GROOVE_WORDS: readonly RecessWord[] = [
   "CENTER",
   "R",
@@ -26,15 +28,20 @@ export const GROOVE_WORDS: readonly RecessWord[] = [
   "FAR_CHF",
 ];
 /** Words that say the same thing in two ways: a recess has one of each pair. */
-const EITHER: readonly (readonly [RecessWord, RecessWord])[] = [["DEPTH", "DIAM"], ["ANGLE", "ANG_WIDTH"], ["RND", "CHF"], [
-  "FAR_RND",
-  "FAR_CHF",
-]];
+const EITHER: readonly (readonly [RecessWord, RecessWord])[] = [
+  ["DEPTH", "DIAM"],
+  ["ANGLE", "ANG_WIDTH"],
+  ["RND", "CHF"],
+  ["FAR_RND", "FAR_CHF"],
+];
 /** Words of a recess that a program measures as diameters: CENTER only where it stands on a face. */
-export const grooveDiameters =
-  (direction: Groove["direction"]): readonly RecessWord[] => (direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"]);
+export const grooveDiameters = (direction: Groove["direction"]): readonly RecessWord[] =>
+  direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"];
 
-/** A corner of a recess, mm: how far along its element from the element's start, and how far across it (towards +X or +Z). */
+/**
+ * A corner of a recess, mm: how far along its element from the element's start, and how far across it (towards +X or
+ * +Z).
+ */
 export interface GrooveVertex {
   readonly along: number;
   readonly across: number;
@@ -52,8 +59,8 @@ export type GrooveShape =
   | "wrongElement";
 
 /**
- * Inclination of each flank against the perpendicular to its element, degrees: ANGLE as it is, or half the opening angle ANG_WIDTH.
- * The word instead, where the flank would lie along the element.
+ * Inclination of each flank against the perpendicular to its element, degrees: ANGLE as it is, or half the opening
+ * angle ANG_WIDTH. The word instead, where the flank would lie along the element.
  */
 function flankOf(w: RecessWords): number | { readonly word: RecessWord } {
   const [angle, opening] = [w.ANGLE ?? 0, w.ANG_WIDTH ?? 0];
@@ -86,10 +93,15 @@ export function grooveShape({ direction, words: w }: Groove, on: Segment): Groov
   if (near + lean >= far - lean) return { word: w.ANG_WIDTH === undefined ? "ANGLE" : "ANG_WIDTH" };
   const floor: CornerElement | null = R > 0 ? { kind: "round", size: R } : null;
   return {
-    vertices: [{ along: near, across: 0, corner: edgeElement(w.RND, w.CHF) }, { along: near + lean, across: depth, corner: floor }, {
-      along: far - lean,
-      across: depth,
-      corner: floor,
-    }, { along: far, across: 0, corner: edgeElement(w.FAR_RND, w.FAR_CHF) }],
+    vertices: [
+      { along: near, across: 0, corner: edgeElement(w.RND, w.CHF) },
+      { along: near + lean, across: depth, corner: floor },
+      {
+        along: far - lean,
+        across: depth,
+        corner: floor,
+      },
+      { along: far, across: 0, corner: edgeElement(w.FAR_RND, w.FAR_CHF) },
+    ],
   };
 }

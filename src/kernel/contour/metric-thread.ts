@@ -2,8 +2,8 @@ import { INCH_ROUNDED } from "../tolerance.ts";
 import type { Diameter } from "../units.ts";
 
 /**
- * Depth of the metric profile in pitches: of an outside thread, and of an inside one. Printed for HEIDENHAIN lathes (tag L:
- * MANUALplus 4110 p. 170, MANUALplus 620 and CNC PILOT 640 (54843x-03) p. 130, CNC PILOT 4290 p. 525).
+ * Depth of the metric profile in pitches: of an outside thread, and of an inside one. Printed for HEIDENHAIN lathes
+ * (tag L: MANUALplus 4110 p. 170, MANUALplus 620 and CNC PILOT 640 (54843x-03) p. 130, CNC PILOT 4290 p. 525).
  */
 export const METRIC = { outside: 0.6134, inside: 0.5413 } as const;
 /** Angle between the flanks of that profile, degrees. */
@@ -68,12 +68,16 @@ export const METRIC_SIZES: readonly (readonly [nominal: number, coarse: number |
   [72, 6, 4, 3, 2, 1.5],
 ];
 
-/** How far a bore may be wider or narrower than the core of its size, in pitches: more than the tolerance 6H of a core leaves. */
+/**
+ * How far a bore may be wider or narrower than the core of its size, in pitches: more than the tolerance 6H of a core
+ * leaves.
+ */
 const BORE = 0.25;
 
 /**
- * The nominal diameter, mm, of the inside thread whose bore is programmed with this diameter. A size with this pitch is meant as the
- * nominal diameter itself, any other as the core: of the size that is nearest, or of one that no list has (decision 0005).
+ * The nominal diameter, mm, of the inside thread whose bore is programmed with this diameter. A size with this pitch is
+ * meant as the nominal diameter itself, any other as the core: of the size that is nearest, or of one that no list has
+ * (decision 0005).
  */
 export function nominalOfBore(bore: Diameter, pitch: number): number {
   const sizes = METRIC_SIZES.filter(([, ...pitches]) => pitches.includes(pitch)).map(([nominal]) => nominal);

@@ -19,7 +19,10 @@ export interface Inset {
   readonly after: number;
 }
 
-/** A contour while it is built: corner i stands between segments i and i + 1; `segmentNumbers` and `cornerNumbers` are elements. */
+/**
+ * A contour while it is built: corner i stands between segments i and i + 1; `segmentNumbers` and `cornerNumbers` are
+ * elements.
+ */
 export interface ContourChain {
   readonly segments: Segment[];
   readonly corners: (CornerElement | null)[];
@@ -30,7 +33,10 @@ export interface ContourChain {
 const tooLong = (element: number, size: number, max: number): Issue =>
   issue("cornerElementTooLong", "error", { element, size, max }, "contour");
 
-/** Puts segments in the place of `count` segments from `index`; `inner` are the corners between them, all of one element. */
+/**
+ * Puts segments in the place of `count` segments from `index`; `inner` are the corners between them, all of one
+ * element.
+ */
 function replace(
   chain: ContourChain,
   index: number,
@@ -40,10 +46,9 @@ function replace(
   element: number,
 ): void {
   const own = chain.segmentNumbers.slice(index, index + count);
-  const numbers = parts.map((
-    _,
-    i,
-  ) => (i === 0 ? (own[0] ?? element) : i === parts.length - 1 ? (own[own.length - 1] ?? element) : element));
+  const numbers = parts.map((_, i) =>
+    i === 0 ? (own[0] ?? element) : i === parts.length - 1 ? (own[own.length - 1] ?? element) : element,
+  );
   chain.segments.splice(index, count, ...parts);
   chain.segmentNumbers.splice(index, count, ...numbers);
   chain.corners.splice(index, count - 1, ...inner);
@@ -67,7 +72,14 @@ function putUndercut(chain: ContourChain, undercut: Undercut, element: number, i
   if ("word" in shape) return [issue("recessWord", "error", { element, word: shape.word }, "contour")];
   if ("pitch" in shape) {
     const words = shape.missing.join(" ");
-    return [issue("pitchNotListed", "error", { element, pitch: shape.pitch, words, ...neighboursOfPitch(shape.pitch) }, "contour")];
+    return [
+      issue(
+        "pitchNotListed",
+        "error",
+        { element, pitch: shape.pitch, words, ...neighboursOfPitch(shape.pitch) },
+        "contour",
+      ),
+    ];
   }
   const [first, last] = [shape.vertices[0], shape.vertices[shape.vertices.length - 1]];
   const [broad, high] = [first?.u ?? 0, last?.v ?? 0];
@@ -78,8 +90,17 @@ function putUndercut(chain: ContourChain, undercut: Undercut, element: number, i
   const ordered = cylinderFirst ? shape.vertices : shape.vertices.toReversed();
   const points = ordered.map((v) => at(corner.z + awayZ * v.u, corner.r + awayR * v.v));
   const ends = [one.from, ...points, two.to];
-  replace(chain, index, 2, ends.slice(1).map((to, i) => line(ends[i] ?? to, to)), ordered.map((v) => v.corner), element);
-  const given = Object.entries(shape.defaults).map(([word, n]) => `${word}${Number(n.toFixed(DECIMALS))}`).join(" ");
+  replace(
+    chain,
+    index,
+    2,
+    ends.slice(1).map((to, i) => line(ends[i] ?? to, to)),
+    ordered.map((v) => v.corner),
+    element,
+  );
+  const given = Object.entries(shape.defaults)
+    .map(([word, n]) => `${word}${Number(n.toFixed(DECIMALS))}`)
+    .join(" ");
   return given === "" ? [] : [issue("undercutDefaults", "info", { element, words: given }, "contour")];
 }
 
@@ -96,14 +117,24 @@ function putGroove(chain: ContourChain, groove: Groove, element: number, index: 
   const points = shape.vertices.map((v) =>
     groove.direction === "radial"
       ? at(on.from.z + signZ * v.along, on.from.r + v.across)
-      : at(on.from.z + v.across, on.from.r + signR * v.along)
+      : at(on.from.z + v.across, on.from.r + signR * v.along),
   );
   const ends = [on.from, ...points, on.to];
-  replace(chain, index, 1, ends.slice(1).map((to, i) => line(ends[i] ?? to, to)), shape.vertices.map((v) => v.corner), element);
+  replace(
+    chain,
+    index,
+    1,
+    ends.slice(1).map((to, i) => line(ends[i] ?? to, to)),
+    shape.vertices.map((v) => v.corner),
+    element,
+  );
   return [];
 }
 
-/** How far along its segment a recess lies, mm: those farther along are put in first, so that the ones before keep their place. */
+/**
+ * How far along its segment a recess lies, mm: those farther along are put in first, so that the ones before keep their
+ * place.
+ */
 function place(chain: ContourChain, r: Inset): number {
   if (r.recess.kind === "undercut") return Infinity;
   const on = chain.segments[r.after];
@@ -113,8 +144,12 @@ function place(chain: ContourChain, r: Inset): number {
 
 /** Puts undercuts and recesses into a chain; one that does not fit is left out and reported. */
 export function putRecesses(chain: ContourChain, recesses: readonly Inset[]): Issue[] {
-  const backwards = recesses.map((r) => ({ r, place: place(chain, r) })).sort((a, b) => b.r.after - a.r.after || b.place - a.place);
+  const backwards = recesses
+    .map((r) => ({ r, place: place(chain, r) }))
+    .sort((a, b) => b.r.after - a.r.after || b.place - a.place);
   return backwards.flatMap(({ r }) =>
-    r.recess.kind === "undercut" ? putUndercut(chain, r.recess, r.element, r.after) : putGroove(chain, r.recess, r.element, r.after)
+    r.recess.kind === "undercut"
+      ? putUndercut(chain, r.recess, r.element, r.after)
+      : putGroove(chain, r.recess, r.element, r.after),
   );
 }

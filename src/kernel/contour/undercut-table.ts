@@ -11,8 +11,8 @@ export interface UndercutMeasures {
 }
 
 /**
- * Up to diameter: radius, depth, breadth, depth into the face. DIN 509, forms E and F, printed for HEIDENHAIN lathes (tag L: MANUALplus 620
- * p. 581, CNC PILOT 640 p. 617; decision 0005).
+ * Up to diameter: radius, depth, breadth, depth into the face. DIN 509, forms E and F, printed for HEIDENHAIN lathes
+ * (tag L: MANUALplus 620 p. 581, CNC PILOT 640 p. 617; decision 0005).
  */
 const DIN_509: readonly (readonly [upTo: number, R: number, DEPTH: number, BREADTH: number, FACEDEPTH: number])[] = [
   [1.6, 0.1, 0.1, 0.5, 0.1],
@@ -24,11 +24,18 @@ const DIN_509: readonly (readonly [upTo: number, R: number, DEPTH: number, BREAD
 ];
 
 /**
- * Pitch, radius, then diameter difference and breadth outside, and the same inside. DIN 76, printed for HEIDENHAIN lathes (tag L:
- * MANUALplus 620, 12/2017, p. 685, CNC PILOT 640 p. 574, CNC PILOT 4290 p. 438; decision 0005). MANUALplus 4110 p. 525 has 0.3 for
- * pitch 0.45 inside.
+ * Pitch, radius, then diameter difference and breadth outside, and the same inside. DIN 76, printed for HEIDENHAIN
+ * lathes (tag L: MANUALplus 620, 12/2017, p. 685, CNC PILOT 640 p. 574, CNC PILOT 4290 p. 438; decision 0005).
+ * MANUALplus 4110 p. 525 has 0.3 for pitch 0.45 inside.
  */
-const DIN_76: readonly (readonly [pitch: number, R: number, outside: number, broad: number, inside: number, broadInside: number])[] = [
+const DIN_76: readonly (readonly [
+  pitch: number,
+  R: number,
+  outside: number,
+  broad: number,
+  inside: number,
+  broadInside: number,
+])[] = [
   [0.2, 0.1, 0.3, 0.7, 0.1, 1.2],
   [0.25, 0.12, 0.4, 0.9, 0.1, 1.4],
   [0.3, 0.16, 0.5, 1.05, 0.1, 1.6],
@@ -65,7 +72,10 @@ export function undercutOfDiameter(diameter: Diameter): UndercutMeasures {
 /** A thread beside its undercut: a shaft, or the bore that is programmed before it. */
 export type ThreadedCylinder = "shaft" | { readonly bore: Diameter };
 
-const isListed = (pitch: number) => ([listed]: (typeof DIN_76)[number]): boolean => Math.abs(listed - pitch) <= INCH_ROUNDED;
+const isListed =
+  (pitch: number) =>
+  ([listed]: (typeof DIN_76)[number]): boolean =>
+    Math.abs(listed - pitch) <= INCH_ROUNDED;
 
 /** The next pitches of DIN 76 below and above one that is not in its list, mm. */
 export function neighboursOfPitch(pitch: number): { readonly below?: number; readonly above?: number } {
@@ -75,15 +85,14 @@ export function neighboursOfPitch(pitch: number): { readonly below?: number; rea
 }
 
 /**
- * What DIN 76 gives for a thread of this pitch, which an inch program only nearly names; null for a pitch that is not in its list. Inside
- * the floor lies at nominal + I, so its depth counts from the bore: (nominal + I − bore) / 2.
+ * What DIN 76 gives for a thread of this pitch, which an inch program only nearly names; null for a pitch that is not
+ * in its list. Inside the floor lies at nominal + I, so its depth counts from the bore: (nominal + I − bore) / 2.
  */
 export function undercutOfPitch(pitch: number, cylinder: ThreadedCylinder): UndercutMeasures | null {
   const row = DIN_76.find(isListed(pitch));
   if (!row) return null;
   const [listed, R, outer, broad, inner, broadInside] = row;
-  const [apart, BREADTH] = cylinder === "shaft"
-    ? [outer, broad]
-    : [nominalOfBore(cylinder.bore, listed) + inner - cylinder.bore, broadInside];
+  const [apart, BREADTH] =
+    cylinder === "shaft" ? [outer, broad] : [nominalOfBore(cylinder.bore, listed) + inner - cylinder.bore, broadInside];
   return { R, DEPTH: apart / 2, BREADTH, FACEDEPTH: 0 };
 }

@@ -6,8 +6,22 @@ import { radians, type Diameter } from "../units.ts";
 export const UNDERCUT_FORMS = ["E", "F", "H", "K", "U", "THREAD"] as const;
 export type UndercutForm = (typeof UNDERCUT_FORMS)[number];
 /** Words of undercuts and recesses: lengths in mm, angles in degrees; DIAM and an axial CENTER are radii here. */
-export type RecessWord = "R" | "DEPTH" | "BREADTH" | "ANGLE" | "ANG_WIDTH" | "FACEDEPTH" | "FACEANGLE" | "ROT" | "PITCH" | "RND" | "CHF"
-  | "CENTER" | "DIAM" | "FAR_RND" | "FAR_CHF";
+export type RecessWord =
+  | "R"
+  | "DEPTH"
+  | "BREADTH"
+  | "ANGLE"
+  | "ANG_WIDTH"
+  | "FACEDEPTH"
+  | "FACEANGLE"
+  | "ROT"
+  | "PITCH"
+  | "RND"
+  | "CHF"
+  | "CENTER"
+  | "DIAM"
+  | "FAR_RND"
+  | "FAR_CHF";
 export type RecessWords = { readonly [W in RecessWord]?: number };
 
 /** UDC: an undercut in the corner between a cylinder and a face. Words that are left out come from the standard. */
@@ -28,13 +42,16 @@ export interface Vertex {
 }
 
 /**
- * An undercut as its corners from the cylinder to the face, with the words the standard gave; or the word that makes it impossible; or the
- * words that are missing because the standard does not list the pitch.
+ * An undercut as its corners from the cylinder to the face, with the words the standard gave; or the word that makes it
+ * impossible; or the words that are missing because the standard does not list the pitch.
  */
-export type UndercutShape = { readonly vertices: readonly Vertex[]; readonly defaults: RecessWords } | { readonly word: RecessWord } | {
-  readonly pitch: number;
-  readonly missing: readonly RecessWord[];
-};
+export type UndercutShape =
+  | { readonly vertices: readonly Vertex[]; readonly defaults: RecessWords }
+  | { readonly word: RecessWord }
+  | {
+      readonly pitch: number;
+      readonly missing: readonly RecessWord[];
+    };
 
 /** The words of each form in the order of the control; only form E is printed with its words. */
 export const UNDERCUT_WORDS: Readonly<Record<UndercutForm, readonly RecessWord[]>> = {
@@ -49,7 +66,10 @@ export const UNDERCUT_WORDS: Readonly<Record<UndercutForm, readonly RecessWord[]
 export const ANGLE_WORDS: ReadonlySet<RecessWord> = new Set(["ANGLE", "ANG_WIDTH", "FACEANGLE", "ROT"]);
 /** Words without which a form is complete. */
 const SPARE: ReadonlySet<RecessWord> = new Set(["R", "PITCH", "RND", "CHF"]);
-/** Forms with tables in a standard; its angles for all. Those of E, F and THREAD are printed for HEIDENHAIN lathes (tag L). */
+/**
+ * Forms with tables in a standard; its angles for all. Those of E, F and THREAD are printed for HEIDENHAIN lathes (tag
+ * L).
+ */
 const LISTED: ReadonlySet<UndercutForm> = new Set(["E", "F", "H", "THREAD"]);
 const DEFAULT_ANGLES: Readonly<Record<UndercutForm, RecessWords>> = {
   E: { ANGLE: 15 },
@@ -66,15 +86,18 @@ export const edgeElement = (round: number | undefined, chamfer: number | undefin
   round !== undefined && round > 0
     ? { kind: "round", size: round }
     : chamfer !== undefined && chamfer > 0
-    ? { kind: "chamfer", size: chamfer }
-    : null;
+      ? { kind: "chamfer", size: chamfer }
+      : null;
 
 /** What the standard gives for the words that are not there. */
 function defaultsOf({ form, words }: Undercut, diameter: Diameter, inside: boolean): RecessWords {
-  const table = form === "THREAD" ? undercutOfPitch(words.PITCH ?? 0, inside ? { bore: diameter } : "shaft") : undercutOfDiameter(diameter);
+  const table =
+    form === "THREAD"
+      ? undercutOfPitch(words.PITCH ?? 0, inside ? { bore: diameter } : "shaft")
+      : undercutOfDiameter(diameter);
   const measures: RecessWords = (LISTED.has(form) && table) || {};
-  const missing = UNDERCUT_WORDS[form].flatMap(
-    (w) => (words[w] === undefined && measures[w] !== undefined ? [[w, measures[w]] as const] : [])
+  const missing = UNDERCUT_WORDS[form].flatMap((w) =>
+    words[w] === undefined && measures[w] !== undefined ? [[w, measures[w]] as const] : [],
   );
   const angles = Object.entries(DEFAULT_ANGLES[form]).filter(([w]) => words[w as RecessWord] === undefined);
   return Object.fromEntries([...missing, ...angles]);
@@ -86,7 +109,8 @@ export function undercutShape(undercut: Undercut, diameter: Diameter, inside: bo
   const w: RecessWords = { ...defaults, ...undercut.words };
   const { PITCH } = w;
   const missing = UNDERCUT_WORDS[undercut.form].filter((word) => !SPARE.has(word) && w[word] === undefined);
-  if (undercut.form === "THREAD" && PITCH !== undefined && PITCH > ROUND && missing.length > 0) return { pitch: PITCH, missing };
+  if (undercut.form === "THREAD" && PITCH !== undefined && PITCH > ROUND && missing.length > 0)
+    return { pitch: PITCH, missing };
   const wrong = impossible(undercut.form, w);
   if (wrong) return { word: wrong };
   const made = verticesOf(undercut.form, w);
@@ -128,8 +152,16 @@ function intoFace(
   return [...into, vertex(touch.u + foot * Math.tan(lean), -D, R), vertex(0, touch.v - touch.u / Math.tan(lean))];
 }
 
-/** Form K: a wedge into the corner, its axis at ROT to the cylinder; DEPTH is how far its round bottom lies below the cylinder. */
-function wedge(R: number, D: number, opening: number, rotation: number): readonly Vertex[] | { readonly word: RecessWord } {
+/**
+ * Form K: a wedge into the corner, its axis at ROT to the cylinder; DEPTH is how far its round bottom lies below the
+ * cylinder.
+ */
+function wedge(
+  R: number,
+  D: number,
+  opening: number,
+  rotation: number,
+): readonly Vertex[] | { readonly word: RecessWord } {
   const half = opening / 2;
   if (half >= rotation || rotation + half >= 90) return { word: "ANGLE" };
   if (D <= R) return { word: "DEPTH" };

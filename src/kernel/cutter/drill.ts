@@ -11,7 +11,9 @@ const FLAT = 180;
 
 export const isDrill = (t: Tool): boolean => DRILL_TYPES.some((type) => type === t.TYPE);
 
-/** From the point of a drill to where it has its full radius, mm: nothing where its point is flat, or its angle unknown. */
+/**
+ * From the point of a drill to where it has its full radius, mm: nothing where its point is flat, or its angle unknown.
+ */
 export function pointLength(t: Tool): number {
   const angle = t["T-ANGLE"] ?? FLAT;
   return angle > 0 && angle < FLAT ? (t.R ?? 0) / Math.tan(radians(angle) / 2) : 0;
@@ -42,11 +44,18 @@ export function holeOf(t: Tool, pitch: number = t.PITCH ?? 0): NeededHole | null
   return { radius: length(least), drill: length(pitch > 0 ? Math.max(least, r - HALF_PITCH * pitch) : least) };
 }
 
-/** A drill on the axis, relative to its point, seen from the side: it points to -Z and lies on both sides of the axis. */
+/**
+ * A drill on the axis, relative to its point, seen from the side: it points to -Z and lies on both sides of the axis.
+ */
 export function drillShape(t: Tool): Convex {
   const [r, point] = [t.R ?? 0, pointLength(t)];
   const end = point + Math.max(t.CUTLENGTH ?? LONG, r);
-  const corners: Flat[] = [{ u: point, v: -r }, { u: end, v: -r }, { u: end, v: r }, { u: point, v: r }];
+  const corners: Flat[] = [
+    { u: point, v: -r },
+    { u: end, v: -r },
+    { u: end, v: r },
+    { u: point, v: r },
+  ];
   if (point > 0) corners.push({ u: 0, v: 0 });
   const features = ["secondaryEdge", "back", "mainEdge", "nose", "nose"] as const;
   return corners.map((from, i) => ({

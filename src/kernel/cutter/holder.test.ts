@@ -5,7 +5,14 @@ import type { Holder, TipOrientation, Tool } from "../plan/tool.ts";
 import { length } from "../units.ts";
 
 const box = { width: length(20), length: length(100), offsetZ: length(3), offsetX: length(-7) };
-const held = (TO: TipOrientation, holder: Holder): Tool => ({ T: 1, NAME: "", TYPE: "BUTTON", TO, RS: length(2), holder });
+const held = (TO: TipOrientation, holder: Holder): Tool => ({
+  T: 1,
+  NAME: "",
+  TYPE: "BUTTON",
+  TO,
+  RS: length(2),
+  holder,
+});
 const sides = (ring: Ring | undefined) => {
   const [z, r] = [(ring ?? []).map((p) => p.z), (ring ?? []).map((p) => p.r)];
   return [Math.min(...z), Math.max(...z), Math.min(...r), Math.max(...r)];
@@ -25,8 +32,9 @@ describe("the shank", () => {
     [1, "Z", [3, 103, -7, 13]],
     [7, "X", [3, 23, -107, -7]],
     [8, "X", [3, 23, -7, 93]],
-  ])("TO %i along %s lies away from the tip",
-    (to, axis, expected) => expect(sides(holderOutlines(held(to, { ...box, ...(axis && { axis }) }))[0])).toEqual(expected));
+  ])("TO %i along %s lies away from the tip", (to, axis, expected) =>
+    expect(sides(holderOutlines(held(to, { ...box, ...(axis && { axis }) }))[0])).toEqual(expected),
+  );
 });
 
 test("a correction moves the holder with the insert", () => {
@@ -35,4 +43,16 @@ test("a correction moves the holder with the insert", () => {
 });
 
 test("a part with a dent is taken with its dent filled, and turns counter-clockwise", () =>
-  expect(hullOf([[0, 0], [0, 4], [1, 1], [4, 0], [2, 0]])).toEqual([[0, 0], [4, 0], [0, 4]]));
+  expect(
+    hullOf([
+      [0, 0],
+      [0, 4],
+      [1, 1],
+      [4, 0],
+      [2, 0],
+    ]),
+  ).toEqual([
+    [0, 0],
+    [4, 0],
+    [0, 4],
+  ]));

@@ -18,18 +18,27 @@ function shank(h: Holder, to: TipOrientation): readonly Corner[] {
   const along = shankAxis(to, h.axis) === "Z";
   const z = h.offsetZ + (tip.u > 0 ? -1 : 1) * (along ? h.length : h.width);
   const x = h.offsetX + (tip.v > 0 ? -1 : 1) * (along ? h.width : h.length);
-  return [[h.offsetZ, h.offsetX], [z, h.offsetX], [z, x], [h.offsetZ, x]];
+  return [
+    [h.offsetZ, h.offsetX],
+    [z, h.offsetX],
+    [z, x],
+    [h.offsetZ, x],
+  ];
 }
 
 const turn = (a: Corner, b: Corner, c: Corner) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 
-/** Convex hull of corners, counter-clockwise, without corners on a straight side; fewer than three when they lie on a line. */
+/**
+ * Convex hull of corners, counter-clockwise, without corners on a straight side; fewer than three when they lie on a
+ * line.
+ */
 export function hullOf(corners: readonly Corner[]): readonly Corner[] {
   const sorted = [...corners].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   const side = (order: readonly Corner[]) => {
     const out: Corner[] = [];
     for (const c of order) {
-      while (out.length > 1 && turn(out[out.length - 2] as Corner, out[out.length - 1] as Corner, c) <= ROUND) out.pop();
+      while (out.length > 1 && turn(out[out.length - 2] as Corner, out[out.length - 1] as Corner, c) <= ROUND)
+        out.pop();
       out.push(c);
     }
     return out.slice(0, -1);
@@ -38,15 +47,15 @@ export function hullOf(corners: readonly Corner[]): readonly Corner[] {
 }
 
 /**
- * The holder as convex outlines (counter-clockwise) relative to the theoretical tip, the shank last; none when the tool has
- * no holder. A correction moves it with the insert.
+ * The holder as convex outlines (counter-clockwise) relative to the theoretical tip, the shank last; none when the tool
+ * has no holder. A correction moves it with the insert.
  */
 export function holderOutlines(t: Tool): readonly Ring[] {
   if (!t.holder) return [];
   const shift = shiftOf(t);
-  return [...(t.holder.head ?? []), shank(t.holder, t.TO)].map((part) => hullOf(part).map(([z, x]) => at(z + shift.u, x + shift.v))).filter(
-    (ring) => ring.length > 2
-  );
+  return [...(t.holder.head ?? []), shank(t.holder, t.TO)]
+    .map((part) => hullOf(part).map(([z, x]) => at(z + shift.u, x + shift.v)))
+    .filter((ring) => ring.length > 2);
 }
 
 const MIRRORED: Record<"r" | "z", Record<TipOrientation, TipOrientation>> = {
@@ -54,7 +63,10 @@ const MIRRORED: Record<"r" | "z", Record<TipOrientation, TipOrientation>> = {
   z: { 1: 3, 2: 2, 3: 1, 4: 8, 5: 7, 6: 6, 7: 5, 8: 4, 9: 9 },
 };
 
-/** Where the near corner of the mirrored shank lies: a box whose tip points square to the mirrored axis grows one way only. */
+/**
+ * Where the near corner of the mirrored shank lies: a box whose tip points square to the mirrored axis grows one way
+ * only.
+ */
 function mirroredHolder(h: Holder, to: TipOrientation, axis: "r" | "z"): Holder {
   const flip = ([z, x]: HolderCorner): HolderCorner => (axis === "z" ? [length(-z), x] : [z, length(-x)]);
   const lies = shankAxis(to, h.axis);
@@ -71,7 +83,9 @@ function mirroredHolder(h: Holder, to: TipOrientation, axis: "r" | "z"): Holder 
   };
 }
 
-/** A tool with its tip and its holder mirrored along an axis, as a cycle adapts it that runs its contour the other way. */
+/**
+ * A tool with its tip and its holder mirrored along an axis, as a cycle adapts it that runs its contour the other way.
+ */
 export const mirroredTool = (tool: Tool, axis: "r" | "z"): Tool => ({
   ...tool,
   TO: MIRRORED[axis][tool.TO],

@@ -11,7 +11,10 @@ const { beyond, heading, scaled } = flat;
 /** Edge length of an insert whose CUTLENGTH is empty, mm: 12, and 30 for the bar of a recessing tool. */
 const EDGE = 12;
 const BAR = 30;
-/** Height of the tooth of a thread insert whose CUTLENGTH is empty, mm: that of the usual insert for pitches from 0.5 to 3 mm. */
+/**
+ * Height of the tooth of a thread insert whose CUTLENGTH is empty, mm: that of the usual insert for pitches from 0.5 to
+ * 3 mm.
+ */
 export const USUAL_TOOTH = 2.5;
 /** Point angle of a thread insert whose P-ANGLE is empty, degrees: that of the metric and the unified profile. */
 const POINT_ANGLE = 60;
@@ -40,21 +43,29 @@ export function tipOffset(t: Tool): Flat {
   return scaled(tip, r);
 }
 /**
- * How far the tip passes the axis at most until the outermost nose has faced it clean, mm: its centre stands there, or the nose is past it
- * where an edge keeps it from touching a face with its lowest point.
+ * How far the tip passes the axis at most until the outermost nose has faced it clean, mm: its centre stands there, or
+ * the nose is past it where an edge keeps it from touching a face with its lowest point.
  */
 export const noseReach = (t: Tool): number =>
-  insertShape(t).reduce((most, e) => (e.kind === "arc" && e.feature === "nose" ? Math.max(most, e.centre.v) : most), noseRadius(t));
+  insertShape(t).reduce(
+    (most, e) => (e.kind === "arc" && e.feature === "nose" ? Math.max(most, e.centre.v) : most),
+    noseRadius(t),
+  );
 /** Length of the cutting edge, mm; undefined when none was entered, for which 0 stands too. */
 export const cutLength = (t: Tool) => (t.CUTLENGTH !== undefined && t.CUTLENGTH > 0 ? t.CUTLENGTH : undefined);
 /** Angle between the flanks of a thread insert, degrees. */
 export const pointAngle = (t: Tool): number => t["P-ANGLE"] ?? POINT_ANGLE;
 /** Height of the tooth of a thread insert, mm: its CUTLENGTH. */
 const toothHeight = (t: Tool): number => cutLength(t) ?? USUAL_TOOTH;
-/** A thread tool for flanks of this height, mm: an empty CUTLENGTH limits nothing, so the tooth is then higher than it has to be. */
+/**
+ * A thread tool for flanks of this height, mm: an empty CUTLENGTH limits nothing, so the tooth is then higher than it
+ * has to be.
+ */
 export function withToothFor(height: number, t: Tool): Tool {
   const high = height * 1.2;
-  return cutLength(t) === undefined && high > USUAL_TOOTH && Number.isFinite(high) ? { ...t, CUTLENGTH: length(high) } : t;
+  return cutLength(t) === undefined && high > USUAL_TOOTH && Number.isFinite(high)
+    ? { ...t, CUTLENGTH: length(high) }
+    : t;
 }
 /** Width of a recessing edge with its delta, mm. */
 export const cuttingWidth = (t: Tool) => Math.max(0, (t.CUTWIDTH ?? 0) + (t.DCW ?? 0));
@@ -78,7 +89,8 @@ export function insertShape(t: Tool, body = false): Convex {
   const shift = scaled(tip, -r);
   if (t.TYPE === "BUTTON") return moved(circle(r), shift);
   if (t.TYPE === "THREAD") return moved(tooth(r, Math.atan2(-tip.v, -tip.u), pointAngle(t) / 2, toothHeight(t)), shift);
-  if (flanksUnknown(t)) return moved(body ? capsule(r, Math.atan2(-tip.v, -tip.u), cutLength(t) ?? EDGE) : circle(r), shift);
+  if (flanksUnknown(t))
+    return moved(body ? capsule(r, Math.atan2(-tip.v, -tip.u), cutLength(t) ?? EDGE) : circle(r), shift);
   return moved(oriented(parallelogram(t, r), t.TO), shift);
 }
 
@@ -90,14 +102,18 @@ function parallelogram(t: Tool, r: number): Convex {
   return pointed(r, radians(180 - T - P), radians(180 - T), l, true);
 }
 
-/** The tooth of a thread insert about `axis` (from the tip inwards): half angle in degrees, height from the tip in mm. */
+/**
+ * The tooth of a thread insert about `axis` (from the tip inwards): half angle in degrees, height from the tip in mm.
+ */
 function tooth(r: number, axis: number, half: number, height: number): Convex {
   const a = radians(half);
   const edge = (height + r / Math.sin(a) - r) / Math.cos(a);
   return pointed(r, axis - a, axis + a, edge, false);
 }
 
-/** Two edges in the directions `secondary` and `main` (radians, counter-clockwise in this order), joined by the nose. */
+/**
+ * Two edges in the directions `secondary` and `main` (radians, counter-clockwise in this order), joined by the nose.
+ */
 function pointed(r: number, secondary: number, main: number, l: number, parallel: boolean): Convex {
   const half = (main - secondary) / 2;
   const s = heading(secondary);
@@ -119,18 +135,41 @@ function pointed(r: number, secondary: number, main: number, l: number, parallel
   };
   const line = (from: Flat, to: Flat, feature: Feature): Edge => ({ kind: "line", from, to, feature });
   const rear = beyond(endS, m, far);
-  const sides = parallel ? [line(endS, rear, "behindSecondary"), line(rear, endM, "behindMain")] : [line(endS, endM, "back")];
+  const sides = parallel
+    ? [line(endS, rear, "behindSecondary"), line(rear, endM, "behindMain")]
+    : [line(endS, endM, "back")];
   return [nose, line(onS, endS, "secondaryEdge"), ...sides, line(endM, onM, "mainEdge")];
 }
 
-const circle = (r: number): Convex => [{ kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: 0, sweep: 2 * Math.PI, feature: "nose" }];
+const circle = (r: number): Convex => [
+  { kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: 0, sweep: 2 * Math.PI, feature: "nose" },
+];
 
 /** The nose circle drawn out along `axis` by `l`. */
 function capsule(r: number, axis: number, l: number): Convex {
   const end = scaled(heading(axis), l);
-  const near: Edge = { kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: axis + Math.PI / 2, sweep: Math.PI, feature: "nose" };
-  const away: Edge = { kind: "arc", centre: end, radius: r, start: axis - Math.PI / 2, sweep: Math.PI, feature: "back" };
-  const join = (a: Edge, b: Edge, feature: Feature): Edge => ({ kind: "line", from: edgeEnd(a), to: edgeStart(b), feature });
+  const near: Edge = {
+    kind: "arc",
+    centre: { u: 0, v: 0 },
+    radius: r,
+    start: axis + Math.PI / 2,
+    sweep: Math.PI,
+    feature: "nose",
+  };
+  const away: Edge = {
+    kind: "arc",
+    centre: end,
+    radius: r,
+    start: axis - Math.PI / 2,
+    sweep: Math.PI,
+    feature: "back",
+  };
+  const join = (a: Edge, b: Edge, feature: Feature): Edge => ({
+    kind: "line",
+    from: edgeEnd(a),
+    to: edgeStart(b),
+    feature,
+  });
   return [near, join(near, away, "secondaryEdge"), away, join(away, near, "mainEdge")];
 }
 
@@ -173,14 +212,18 @@ function oriented(k: Convex, to: TipOrientation): Convex {
   const inside = to === 5 || to === 6 || to === 7 || to === 4;
   const left = to === 3 || to === 5;
   if (to === 8 || to === 4)
-    return inFrame(inFrame(k, { transverse: false, signU: 1, signV: inside ? -1 : 1 }), { transverse: true, signU: 1, signV: 1 });
+    return inFrame(inFrame(k, { transverse: false, signU: 1, signV: inside ? -1 : 1 }), {
+      transverse: true,
+      signU: 1,
+      signV: 1,
+    });
   return inFrame(k, { transverse: false, signU: left ? -1 : 1, signV: inside ? -1 : 1 });
 }
 
 /**
  * The insert as a polygon relative to the theoretical tip, counter-clockwise; arcs within `chord` mm, inside the true
- * shape. `body`: with unknown flanks, drawn out so that it removes material; else the nose alone, which is all that can be
- * checked then.
+ * shape. `body`: with unknown flanks, drawn out so that it removes material; else the nose alone, which is all that can
+ * be checked then.
  */
 export function insertOutline(t: Tool, chord: number, body = true): Ring {
   const out: Pt[] = [];
@@ -211,7 +254,8 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
 function quarters(start: number, sweep: number): [start: number, sweep: number][] {
   const quarter = Math.PI / 2;
   const cuts = [start];
-  for (let k = Math.floor(start / quarter + 1 + ROUND); k * quarter < start + sweep - ROUND; k++) cuts.push(k * quarter);
+  for (let k = Math.floor(start / quarter + 1 + ROUND); k * quarter < start + sweep - ROUND; k++)
+    cuts.push(k * quarter);
   return cuts.map((a, i) => [a, (cuts[i + 1] ?? start + sweep) - a]);
 }
 

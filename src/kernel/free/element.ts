@@ -12,8 +12,8 @@ export interface FromPole {
 }
 
 /**
- * An element of a free contour with what is given of it: lengths in one unit, angles in radians, counter-clockwise from the
- * first axis. Elements count from 1; 0 is what stands before the contour.
+ * An element of a free contour with what is given of it: lengths in one unit, angles in radians, counter-clockwise from
+ * the first axis. Elements count from 1; 0 is what stands before the contour.
  */
 export interface FreeElement {
   readonly kind: "line" | "arc";
@@ -43,6 +43,9 @@ export interface FreeElement {
   readonly closes: number | null;
 }
 
-/** The whole line or circle that an element lies on; a line by its direction and its distance from zero, to the left. */
-export type Curve = { readonly kind: "line"; readonly angle: number; readonly offset: number } | { readonly kind: "arc";
-  readonly centre: PlanePoint; readonly radius: number; readonly turn: Turn };
+/**
+ * The whole line or circle that an element lies on; a line by its direction and its distance from zero, to the left.
+ */
+export type Curve =
+  | { readonly kind: "line"; readonly angle: number; readonly offset: number }
+  | { readonly kind: "arc"; readonly centre: PlanePoint; readonly radius: number; readonly turn: Turn };

@@ -62,14 +62,19 @@ export function solutionsOf(w: Window, s: Search): readonly FreePlaces[] | null 
   /** Where curves only just touch, a solution counts twice and seems loose; all starts come to the same place then. */
   const loose: FreePlaces[] = [];
   let repeated = 0;
-  for (let n = 0; n < startsFor(w.unknowns.length) && repeated < enough(w.unknowns.length) && s.starts < MOST_STARTS; n += 1) {
+  for (
+    let n = 0;
+    n < startsFor(w.unknowns.length) && repeated < enough(w.unknowns.length) && s.starts < MOST_STARTS;
+    n += 1
+  ) {
     s.starts += 1;
     const fit = leastSquares(w.residuals, startOf(w, s, n));
     if (fit.rest > ROUNDED / s.size) continue;
     const made = w.read(fit.at);
     if (!isSound(w, made, s)) continue;
     const list = fit.rest > EXACT ? near : fit.isolated ? exact : loose;
-    if (list.some((other) => alike(w, other, made, list === loose ? TOUCHING * s.size : SEPARATE * s.size))) repeated += 1;
+    if (list.some((other) => alike(w, other, made, list === loose ? TOUCHING * s.size : SEPARATE * s.size)))
+      repeated += 1;
     else {
       list.push(made);
       repeated = 0;
@@ -78,17 +83,27 @@ export function solutionsOf(w: Window, s: Search): readonly FreePlaces[] | null 
   }
   // A search that was broken off proves nothing.
   if (s.starts >= MOST_STARTS) return null;
-  const separate = [...exact, ...loose.filter((one) => !exact.some((other) => alike(w, other, one, TOUCHING * s.size)))];
+  const separate = [
+    ...exact,
+    ...loose.filter((one) => !exact.some((other) => alike(w, other, one, TOUCHING * s.size))),
+  ];
   return separate.length > 0 ? separate : near;
 }
 
 function alike(w: Window, a: FreePlaces, b: FreePlaces, near: number): boolean {
   for (let k = w.first; k <= w.last; k += 1) {
     const [one, two] = [a.curve(k), b.curve(k)];
-    if (one?.kind === "line" && two?.kind === "line"
-      && (Math.cos(one.angle - two.angle) < 1 - ONE_WAY || Math.abs(one.offset - two.offset) > near))
+    if (
+      one?.kind === "line" &&
+      two?.kind === "line" &&
+      (Math.cos(one.angle - two.angle) < 1 - ONE_WAY || Math.abs(one.offset - two.offset) > near)
+    )
       return false;
-    if (one?.kind === "arc" && two?.kind === "arc" && (apart(one.centre, two.centre) > near || Math.abs(one.radius - two.radius) > near))
+    if (
+      one?.kind === "arc" &&
+      two?.kind === "arc" &&
+      (apart(one.centre, two.centre) > near || Math.abs(one.radius - two.radius) > near)
+    )
       return false;
     const [p, q] = [a.point(k), b.point(k)];
     if (p && q && apart(p, q) > near) return false;
@@ -103,14 +118,21 @@ function isSound(w: Window, found: FreePlaces, { elements, size }: Search): bool
     const [e, own, from, to] = [elements[k - 1], found.curve(k), found.point(k - 1), found.point(k)];
     if (!e || !own) continue;
     if (own.kind === "arc" && (own.radius < least || own.radius > 100 * size)) return false;
-    if (from && to
-      && (own.kind === "line" ? dot(difference(to, from), heading(own.angle)) < least : apart(from, to) < least && e.closes === null))
+    if (
+      from &&
+      to &&
+      (own.kind === "line"
+        ? dot(difference(to, from), heading(own.angle)) < least
+        : apart(from, to) < least && e.closes === null)
+    )
       return false;
     const before = found.curve(k - 1);
-    if (e.tangent && before && from && Math.cos(directionAt(own, from) - directionAt(before, from)) < 0.99) return false;
+    if (e.tangent && before && from && Math.cos(directionAt(own, from) - directionAt(before, from)) < 0.99)
+      return false;
     const angle = givenAngle(e, found);
     if (angle !== null && own.kind === "arc" && from && Math.cos(directionAt(own, from) - angle) < 0.99) return false;
-    if (e.sweep !== null && own.kind === "arc" && from && to && Math.abs(sweepOf(own, from, to) - e.sweep) > 0.01) return false;
+    if (e.sweep !== null && own.kind === "arc" && from && to && Math.abs(sweepOf(own, from, to) - e.sweep) > 0.01)
+      return false;
     if (!polarSound(e, to)) return false;
   }
   return true;

@@ -33,7 +33,8 @@ function eliminated(matrix: readonly (readonly number[])[], right: readonly numb
   const rows = matrix.map((row, i) => [...row, right[i] ?? 0]);
   for (let column = 0; column < n; column += 1) {
     let pivot = column;
-    for (let i = column + 1; i < n; i += 1) if (Math.abs(rows[i]?.[column] ?? 0) > Math.abs(rows[pivot]?.[column] ?? 0)) pivot = i;
+    for (let i = column + 1; i < n; i += 1)
+      if (Math.abs(rows[i]?.[column] ?? 0) > Math.abs(rows[pivot]?.[column] ?? 0)) pivot = i;
     const [head, other] = [rows[pivot], rows[column]];
     const size = head?.[column] ?? 0;
     if (!head || !other || Math.abs(size) <= least) return null;
@@ -41,7 +42,9 @@ function eliminated(matrix: readonly (readonly number[])[], right: readonly numb
     for (let i = 0; i < n; i += 1) {
       const row = rows[i];
       const factor = i === column || !row ? 0 : (row[column] ?? 0) / size;
-      if (row && factor !== 0) { for (let k = column; k <= n; k += 1) row[k] = (row[k] ?? 0) - factor * (head[k] ?? 0); }
+      if (row && factor !== 0) {
+        for (let k = column; k <= n; k += 1) row[k] = (row[k] ?? 0) - factor * (head[k] ?? 0);
+      }
     }
   }
   return rows.map((row, i) => (row[n] ?? 0) / (row[i] ?? 1));
@@ -58,7 +61,11 @@ export function leastSquares(f: Residuals, start: readonly number[]): Fit {
     const down = columns.map((a) => -dot(a, residuals));
     let moved = false;
     for (let tries = 0; tries < 8 && !moved; tries += 1) {
-      const step = eliminated(normal.map((row, i) => row.with(i, (row[i] ?? 0) * (1 + damping) + STILL)), down, 0);
+      const step = eliminated(
+        normal.map((row, i) => row.with(i, (row[i] ?? 0) * (1 + damping) + STILL)),
+        down,
+        0,
+      );
       const next = step && at.map((v, i) => v + (step[i] ?? 0));
       const found = next && f(next);
       const less = found ? dot(found, found) : Infinity;
@@ -72,6 +79,11 @@ export function leastSquares(f: Residuals, start: readonly number[]): Fit {
     if (!moved) break;
   }
   const columns = slopes(f, at, residuals);
-  const isolated = eliminated(columns.map((a) => columns.map((b) => dot(a, b))), columns.map(() => 0), FLAT * FLAT) !== null;
+  const isolated =
+    eliminated(
+      columns.map((a) => columns.map((b) => dot(a, b))),
+      columns.map(() => 0),
+      FLAT * FLAT,
+    ) !== null;
   return { at, rest: residuals.reduce((most, r) => Math.max(most, Math.abs(r)), 0), isolated };
 }

@@ -53,7 +53,13 @@ function drawn(parts: readonly Drawn[]): { readonly segments: PlaneSegment[]; re
       const to = beyond(from, heading(way), part.long);
       segments.push({ kind: "line", from, to });
       elements.push(
-        line({ tangent, angle: a ? at(way) : null, length: b ? part.long : null, x: c ? at(to.x) : null, y: d ? at(to.y) : null }),
+        line({
+          tangent,
+          angle: a ? at(way) : null,
+          length: b ? part.long : null,
+          x: c ? at(to.x) : null,
+          y: d ? at(to.y) : null,
+        }),
       );
       [from, angle] = [to, way];
       continue;
@@ -61,13 +67,15 @@ function drawn(parts: readonly Drawn[]): { readonly segments: PlaneSegment[]; re
     const middle = sum(from, scaled(leftOf(heading(way)), signOf(part.turn) * part.long));
     const to = plane.turned(from, middle, (signOf(part.turn) * part.sweep * 180) / Math.PI);
     segments.push({ kind: "arc", from, to, centre: middle, turn: part.turn });
-    elements.push(arc(part.turn, {
-      tangent,
-      radius: a ? part.long : null,
-      ...(b && centre(middle.x, middle.y)),
-      x: c ? at(to.x) : null,
-      y: d ? at(to.y) : null,
-    }));
+    elements.push(
+      arc(part.turn, {
+        tangent,
+        radius: a ? part.long : null,
+        ...(b && centre(middle.x, middle.y)),
+        x: c ? at(to.x) : null,
+        y: d ? at(to.y) : null,
+      }),
+    );
     [from, angle] = [to, way + signOf(part.turn) * part.sweep];
   }
   return { segments, elements };
@@ -80,7 +88,10 @@ const contours = (one: fc.Arbitrary<Drawn>, maxLength: number) =>
   fc.array(one, { minLength: 1, maxLength }).filter((parts) => !parts.some((b, i) => isOneArc(parts[i - 1], b)));
 
 const part: fc.Arbitrary<Drawn> = fc.record({
-  corner: fc.oneof(fc.constant(null), fc.integer({ min: -22, max: 22 }).map((n) => n / 10)),
+  corner: fc.oneof(
+    fc.constant(null),
+    fc.integer({ min: -22, max: 22 }).map((n) => n / 10),
+  ),
   kind: fc.constantFrom("line" as const, "arc" as const),
   long: fc.integer({ min: 40, max: 400 }).map((n) => n / 13),
   sweep: fc.integer({ min: 3, max: 45 }).map((n) => n / 10),
@@ -90,79 +101,132 @@ const part: fc.Arbitrary<Drawn> = fc.record({
 
 /** Places along two segments agree. */
 const same = (a: PlaneSegment, b: PlaneSegment) =>
-  [0, 0.31, 0.66, 1].every((k) => apart(pointOn(a, k), pointOn(b, k)) < 1e-3) && Math.abs(lengthOf(a) - lengthOf(b)) < 1e-2;
+  [0, 0.31, 0.66, 1].every((k) => apart(pointOn(a, k), pointOn(b, k)) < 1e-3) &&
+  Math.abs(lengthOf(a) - lengthOf(b)) < 1e-2;
 
 test("what is found for certain is the contour that the values were taken from", () => {
   let certain = 0;
-  fc.assert(fc.property(contours(part, 4), (parts) => {
-    const { segments, elements } = drawn(parts);
-    solveFreeContour(elements, { x: 3.7, y: -2.9 }, null).forEach((solved, i) => {
-      const real = segments[i];
-      if (!solved?.certain || !real) return;
-      certain += 1;
-      expect(same(solved.segment, real), JSON.stringify([solved.segment, real])).toBe(true);
-    });
-  }), { numRuns: 120 });
+  fc.assert(
+    fc.property(contours(part, 4), (parts) => {
+      const { segments, elements } = drawn(parts);
+      solveFreeContour(elements, { x: 3.7, y: -2.9 }, null).forEach((solved, i) => {
+        const real = segments[i];
+        if (!solved?.certain || !real) return;
+        certain += 1;
+        expect(same(solved.segment, real), JSON.stringify([solved.segment, real])).toBe(true);
+      });
+    }),
+    { numRuns: 120 },
+  );
   expect(certain).toBeGreaterThan(60);
 });
 
 test("what follows from a choice is uncertain, though it stands before it", () => {
-  // The radius of the second arc leaves two centres; the first arc, of which only the end is given, is tangential to either.
-  const { elements } = drawn([{ corner: 0, kind: "arc", long: 40 / 13, sweep: 0.3, turn: "cw", given: [false, false, true, true] }, {
-    corner: null,
-    kind: "arc",
-    long: 40 / 13,
-    sweep: 3.2,
-    turn: "ccw",
-    given: [true, false, true, true],
-  }]);
-  expect(solveFreeContour(elements, { x: 3.7, y: -2.9 }, null).map((solved) => solved?.certain)).toEqual([false, false]);
+  // The radius of the second arc leaves two centres; the first arc, of which only the end is given, is tangential to
+  // either.
+  const { elements } = drawn([
+    { corner: 0, kind: "arc", long: 40 / 13, sweep: 0.3, turn: "cw", given: [false, false, true, true] },
+    {
+      corner: null,
+      kind: "arc",
+      long: 40 / 13,
+      sweep: 3.2,
+      turn: "ccw",
+      given: [true, false, true, true],
+    },
+  ]);
+  expect(solveFreeContour(elements, { x: 3.7, y: -2.9 }, null).map((solved) => solved?.certain)).toEqual([
+    false,
+    false,
+  ]);
 });
 
 test("what is given whole is found, however the contour runs", () => {
-  const whole = part.map((p) => ({ ...p, given: p.kind === "line" ? [true, true, false, false] : [false, true, true, true] }));
-  fc.assert(fc.property(contours(whole, 6), (parts) => {
-    const { segments, elements } = drawn(parts);
-    solveFreeContour(elements, { x: 3.7, y: -2.9 }, null).forEach((solved, i) => {
-      expect(solved?.certain).toBe(true);
-      expect(solved && segments[i] && same(solved.segment, segments[i])).toBe(true);
-    });
-  }), { numRuns: 60 });
+  const whole = part.map((p) => ({
+    ...p,
+    given: p.kind === "line" ? [true, true, false, false] : [false, true, true, true],
+  }));
+  fc.assert(
+    fc.property(contours(whole, 6), (parts) => {
+      const { segments, elements } = drawn(parts);
+      solveFreeContour(elements, { x: 3.7, y: -2.9 }, null).forEach((solved, i) => {
+        expect(solved?.certain).toBe(true);
+        expect(solved && segments[i] && same(solved.segment, segments[i])).toBe(true);
+      });
+    }),
+    { numRuns: 60 },
+  );
 });
 
 describe("what neighbours determine together", () => {
   const ends = (elements: readonly FreeElement[], start: PlanePoint) =>
-    solveFreeContour(elements, start, null).map((s) => s && [s.segment.to.x, s.segment.to.y].map((n) => Math.round(n * 1000) / 1000 + 0));
+    solveFreeContour(elements, start, null).map(
+      (s) => s && [s.segment.to.x, s.segment.to.y].map((n) => Math.round(n * 1000) / 1000 + 0),
+    );
 
   test("a line between two circles of which only centre and radius are given", () => {
-    const [one, two, three] = solveFreeContour([
-      arc("cw", { radius: 12, ...centre(12, 0) }),
-      line({ tangent: true }),
-      arc("cw", { tangent: true, radius: 5, ...centre(40, 9), x: at(40), y: at(4) }),
-    ], { x: 0, y: 0 }, null);
+    const [one, two, three] = solveFreeContour(
+      [
+        arc("cw", { radius: 12, ...centre(12, 0) }),
+        line({ tangent: true }),
+        arc("cw", { tangent: true, radius: 5, ...centre(40, 9), x: at(40), y: at(4) }),
+      ],
+      { x: 0, y: 0 },
+      null,
+    );
     expect([one, two, three].every((s) => s?.certain)).toBe(true);
     expect(two && Math.abs(lengthOf(two.segment) - Math.sqrt(28 * 28 + 81 - 49))).toBeLessThan(1e-6);
   });
   test("a line at a distance from a point, and one parallel to another", () => {
-    const found = ends([
-      line({ angle: at(0), length: 30 }),
-      line({ angle: at(Math.PI / 2), x: at(30) }),
-      line({ parallel: { of: 1, distance: 12.5 }, angle: at(Math.PI), length: 7 }),
-    ], { x: 0, y: 0 });
-    expect(found).toEqual([[30, 0], [30, 12.5], [23, 12.5]]);
-    expect(ends([line({ beside: { point: { x: 10, y: 4 }, distance: 4 }, angle: at(0), x: at(18) })], { x: 2, y: 0 })).toEqual([[18, 0]]);
+    const found = ends(
+      [
+        line({ angle: at(0), length: 30 }),
+        line({ angle: at(Math.PI / 2), x: at(30) }),
+        line({ parallel: { of: 1, distance: 12.5 }, angle: at(Math.PI), length: 7 }),
+      ],
+      { x: 0, y: 0 },
+    );
+    expect(found).toEqual([
+      [30, 0],
+      [30, 12.5],
+      [23, 12.5],
+    ]);
+    expect(
+      ends([line({ beside: { point: { x: 10, y: 4 }, distance: 4 }, angle: at(0), x: at(18) })], { x: 2, y: 0 }),
+    ).toEqual([[18, 0]]);
   });
   test("an arc through points, one by its sweep, one that begins in a direction", () => {
-    expect(ends([arc("ccw", { through: [{ x: 10, y: 10 }, { x: 0, y: 20 }], x: at(-6), y: at(18) })], { x: 0, y: 0 })).toEqual([[-6, 18]]);
+    expect(
+      ends(
+        [
+          arc("ccw", {
+            through: [
+              { x: 10, y: 10 },
+              { x: 0, y: 20 },
+            ],
+            x: at(-6),
+            y: at(18),
+          }),
+        ],
+        { x: 0, y: 0 },
+      ),
+    ).toEqual([[-6, 18]]);
     expect(ends([arc("cw", { ...centre(0, 0), sweep: Math.PI / 2 })], { x: -9, y: 0 })).toEqual([[0, 9]]);
     expect(ends([arc("ccw", { angle: at(0), radius: 7, x: at(7), y: at(7) })], { x: 0, y: 0 })).toEqual([[7, 7]]);
   });
   test("a closed contour ends where it began", () => {
-    const found = ends([line({ angle: at(0), length: 20 }), line({ angle: at(Math.PI / 2), length: 8 }), line({ closes: 0 })], {
-      x: 1,
-      y: 2,
-    });
-    expect(found).toEqual([[21, 2], [21, 10], [1, 2]]);
+    const found = ends(
+      [line({ angle: at(0), length: 20 }), line({ angle: at(Math.PI / 2), length: 8 }), line({ closes: 0 })],
+      {
+        x: 1,
+        y: 2,
+      },
+    );
+    expect(found).toEqual([
+      [21, 2],
+      [21, 10],
+      [1, 2],
+    ]);
   });
   test("where a line only just touches a circle there is one place", () =>
     expect(ends([arc("cw", { radius: 30, ...centre(30, 30), x: at(0) })], { x: 30, y: 60 })).toEqual([[0, 30]]));
@@ -173,10 +237,13 @@ describe("what neighbours determine together", () => {
     expect(only?.segment.to.y).toBeCloseTo(8, 6);
   });
   test("what stands before a contradiction is found, what is open or contradicts is not", () => {
-    const found = ends([line({ angle: at(0), length: 5 }), line({ angle: at(0), length: 3, x: at(2) }), line({ x: at(9), y: at(9) })], {
-      x: 0,
-      y: 0,
-    });
+    const found = ends(
+      [line({ angle: at(0), length: 5 }), line({ angle: at(0), length: 3, x: at(2) }), line({ x: at(9), y: at(9) })],
+      {
+        x: 0,
+        y: 0,
+      },
+    );
     expect(found).toEqual([[5, 0], null, null]);
     expect(ends([line({ angle: at(0.5) })], { x: 0, y: 0 })).toEqual([null]);
   });

@@ -73,7 +73,10 @@ function madeOf(b: Branch, s: Search, first: number, last: number): Choice | nul
   return choice;
 }
 
-/** Finds all that follows without a choice; then the smallest choice that is left, null without one, "nowhere" at a contradiction. */
+/**
+ * Finds all that follows without a choice; then the smallest choice that is left, null without one, "nowhere" at a
+ * contradiction.
+ */
 function follow(b: Branch, s: Search): Choice | null | "nowhere" {
   for (;;) {
     let [choice, went]: [Choice | null, boolean] = [null, false];
@@ -110,7 +113,8 @@ function isClosed({ points }: Branch): boolean {
 
 /** The way so far; contours that come back to their start are likelier than any other. */
 const wayOf = (b: Branch, { size }: Search): number =>
-  (isClosed(b) ? -CLOSED * size : 0) + b.curves.reduce((way, own, i) => {
+  (isClosed(b) ? -CLOSED * size : 0) +
+  b.curves.reduce((way, own, i) => {
     const segment = i === 0 ? null : segmentOf(own, b.points[i - 1] ?? null, b.points[i] ?? null);
     return way + (segment ? lengthOf(segment) : 0);
   }, 0);
@@ -128,7 +132,9 @@ function agrees(b: Branch, { elements, size }: Search): boolean {
 
 function segmentOf(own: Curve | null, from: PlanePoint | null, to: PlanePoint | null): PlaneSegment | null {
   if (!own || !from || !to) return null;
-  return own.kind === "line" ? { kind: "line", from, to } : { kind: "arc", from, to, centre: own.centre, turn: own.turn };
+  return own.kind === "line"
+    ? { kind: "line", from, to }
+    : { kind: "arc", from, to, centre: own.centre, turn: own.turn };
 }
 
 const given = (value: FreeValue): number | null => (value && "at" in value ? value.at : null);
@@ -156,22 +162,29 @@ function beginning(elements: readonly FreeElement[], start: PlanePoint, before: 
 
 /** The lengths that an element names: how large its contour may be. */
 function lengthsOf(e: FreeElement): number[] {
-  const values = [e.x, e.y, e.centreX, e.centreY, e.polar?.radius, e.centrePolar?.radius].map((v) => (v && "by" in v ? v.by : null));
+  const values = [e.x, e.y, e.centreX, e.centreY, e.polar?.radius, e.centrePolar?.radius].map((v) =>
+    v && "by" in v ? v.by : null,
+  );
   const polar = [e.polar, e.centrePolar].map((p) => given(p?.radius ?? null));
-  return [...values, ...polar, e.radius, e.length, e.beside?.distance, e.parallel?.distance].map((n) => Math.abs(n ?? 0));
+  return [...values, ...polar, e.radius, e.length, e.beside?.distance, e.parallel?.distance].map((n) =>
+    Math.abs(n ?? 0),
+  );
 }
 
 function searchOf(elements: readonly FreeElement[], b: Branch): Search {
   const named = elements.flatMap((e) => [...e.through, e.beside?.point, e.polar?.pole, e.centrePolar?.pole]);
-  const places = [...b.points, ...named, ...b.curves.map((c) => (c?.kind === "arc" ? c.centre : null))].filter((p) =>
-    p !== null && p !== undefined
+  const places = [...b.points, ...named, ...b.curves.map((c) => (c?.kind === "arc" ? c.centre : null))].filter(
+    (p) => p !== null && p !== undefined,
   );
   const [xs, ys] = [
     elements.flatMap((e) => given(e.x) ?? given(e.centreX) ?? []),
     elements.flatMap((e) => given(e.y) ?? given(e.centreY) ?? []),
   ];
   const box = (values: readonly number[]) => [Math.min(...values), Math.max(...values)] as const;
-  const [[left, right], [low, high]] = [box([...places.map((p) => p.x), ...xs]), box([...places.map((p) => p.y), ...ys])];
+  const [[left, right], [low, high]] = [
+    box([...places.map((p) => p.x), ...xs]),
+    box([...places.map((p) => p.y), ...ys]),
+  ];
   return {
     elements,
     size: Math.max(1, right - left, high - low, ...elements.flatMap(lengthsOf)),
@@ -181,12 +194,17 @@ function searchOf(elements: readonly FreeElement[], b: Branch): Search {
 }
 
 /**
- * Solves a contour of which only some things are given, from a known point. What follows from neighbouring elements is found
- * together. Where several contours agree with all that is given, the shortest way is taken, and said to be uncertain.
+ * Solves a contour of which only some things are given, from a known point. What follows from neighbouring elements is
+ * found together. Where several contours agree with all that is given, the shortest way is taken, and said to be
+ * uncertain.
  * @param before What ran before it, for a tangential first element; null where that is not known.
  * @returns For each element what it is; null from the first that is not determined or contradicts.
  */
-export function solveFreeContour(elements: readonly FreeElement[], start: PlanePoint, before: Curve | null): (FreeSolved | null)[] {
+export function solveFreeContour(
+  elements: readonly FreeElement[],
+  start: PlanePoint,
+  before: Curve | null,
+): (FreeSolved | null)[] {
   const whole = solvedElements(elements, start, before);
   if (whole) return whole;
   // Something contradicts: what stands before it is solved without it.
@@ -201,12 +219,19 @@ export function solveFreeContour(elements: readonly FreeElement[], start: PlaneP
   return elements.map((_, i) => best[i] ?? null);
 }
 
-/** The elements that are not known yet: what is found of them from now on may follow from a choice, whatever side of it they are on. */
+/**
+ * The elements that are not known yet: what is found of them from now on may follow from a choice, whatever side of it
+ * they are on.
+ */
 const open = ({ curves, points }: Branch): number[] =>
   curves.flatMap((own, k) => (k > 0 && (!own || !points[k - 1] || !points[k]) ? [k] : []));
 
 /** The elements as far as they are determined; null where something contradicts. */
-function solvedElements(elements: readonly FreeElement[], start: PlanePoint, before: Curve | null): (FreeSolved | null)[] | null {
+function solvedElements(
+  elements: readonly FreeElement[],
+  start: PlanePoint,
+  before: Curve | null,
+): (FreeSolved | null)[] | null {
   const b = beginning(elements, start, before);
   const s = searchOf(elements, b);
   for (;;) {
@@ -222,7 +247,9 @@ function solvedElements(elements: readonly FreeElement[], start: PlanePoint, bef
     });
     const best = leading.toSorted((one, two) => one.way - two.way)[0];
     if (!best) return null;
-    if (leading.length > 1) { for (const k of open(b)) b.uncertain.add(k); }
+    if (leading.length > 1) {
+      for (const k of open(b)) b.uncertain.add(k);
+    }
     take(b, window, best.found);
   }
   let ended = false;
@@ -239,7 +266,8 @@ function fits(e: FreeElement, k: number, segment: PlaneSegment, found: FreePlace
   const own = found.curve(k);
   if (!own) return false;
   if (endResiduals(e, k, found, size).some((r) => Math.abs(r) * size > ROUNDED)) return false;
-  if (Math.abs(distanceFrom(own, segment.from)) > ROUNDED || Math.abs(distanceFrom(own, segment.to)) > ROUNDED) return false;
+  if (Math.abs(distanceFrom(own, segment.from)) > ROUNDED || Math.abs(distanceFrom(own, segment.to)) > ROUNDED)
+    return false;
   if (own.kind === "arc" && e.radius !== null && Math.abs(own.radius - Math.abs(e.radius)) > ROUNDED) return false;
   if (own.kind === "line" && dot(difference(segment.to, segment.from), heading(own.angle)) <= 0) return false;
   return true;

@@ -5,7 +5,10 @@ import type { Residuals } from "./least-squares.ts";
 
 const { apart, cross, difference, dot, scaled, sum, angleOf, heading } = plane;
 
-/** What is known while a contour is being solved: the curve of each element and the point at its end; 0 is what stands before. */
+/**
+ * What is known while a contour is being solved: the curve of each element and the point at its end; 0 is what stands
+ * before.
+ */
 export interface Known {
   readonly curves: readonly (Curve | null)[];
   readonly points: readonly (PlanePoint | null)[];
@@ -21,7 +24,9 @@ export interface FreePlaces {
 export interface Window {
   readonly first: number;
   readonly last: number;
-  /** Of each unknown: an angle, a distance to the left or right, a radius, or a coordinate in the first or second axis. */
+  /**
+   * Of each unknown: an angle, a distance to the left or right, a radius, or a coordinate in the first or second axis.
+   */
   readonly unknowns: readonly ("angle" | "offset" | "radius" | "x" | "y")[];
   readonly residuals: Residuals;
   readonly read: (at: readonly number[]) => FreePlaces;
@@ -34,7 +39,9 @@ const reach = ({ radius, turn }: Arc): number => signOf(turn) * radius;
 
 /** The direction in which a curve runs at a point of it, radians. */
 export function directionAt(curve: Curve, p: PlanePoint): number {
-  return curve.kind === "line" ? curve.angle : angleOf(difference(p, curve.centre)) + (signOf(curve.turn) * Math.PI) / 2;
+  return curve.kind === "line"
+    ? curve.angle
+    : angleOf(difference(p, curve.centre)) + (signOf(curve.turn) * Math.PI) / 2;
 }
 
 /** How far a point is from a curve: to the left of a line, outside of a circle. */
@@ -70,7 +77,12 @@ export function freeValueOf(given: FreeValue, base: (of: number) => number | nul
 }
 
 /** Residuals of a point that is given by its distance and angle from a pole. */
-function fromPole({ pole, radius, angle }: FromPole, p: PlanePoint, point: FreePlaces["point"], size: number): number[] {
+function fromPole(
+  { pole, radius, angle }: FromPole,
+  p: PlanePoint,
+  point: FreePlaces["point"],
+  size: number,
+): number[] {
   const way = difference(p, pole);
   const far = freeValueOf(radius, (of) => (point(of) ? apart(point(of) ?? pole, pole) : null));
   const turned = freeValueOf(angle, (of) => (point(of) ? angleOf(difference(point(of) ?? pole, pole)) : null));
@@ -106,7 +118,10 @@ function curveResiduals(e: FreeElement, found: FreePlaces, own: Curve, size: num
     if (e.parallel.distance !== null) out.push((Math.abs(own.offset - along) - e.parallel.distance) / size);
     return out;
   }
-  const [x, y] = [freeValueOf(e.centreX, (of) => found.point(of)?.x ?? null), freeValueOf(e.centreY, (of) => found.point(of)?.y ?? null)];
+  const [x, y] = [
+    freeValueOf(e.centreX, (of) => found.point(of)?.x ?? null),
+    freeValueOf(e.centreY, (of) => found.point(of)?.y ?? null),
+  ];
   // A centre that is given outright is no unknown.
   if (x !== null && e.centreX && "by" in e.centreX) out.push((own.centre.x - x) / size);
   if (y !== null && e.centreY && "by" in e.centreY) out.push((own.centre.y - y) / size);
@@ -132,7 +147,9 @@ function spanResiduals(e: FreeElement, k: number, found: FreePlaces, own: Curve,
   }
   if (!from || !to) return out;
   if (e.length !== null)
-    out.push(((own.kind === "line" ? dot(difference(to, from), heading(own.angle)) : apart(from, to)) - e.length) / size);
+    out.push(
+      ((own.kind === "line" ? dot(difference(to, from), heading(own.angle)) : apart(from, to)) - e.length) / size,
+    );
   if (e.sweep !== null && own.kind === "arc") {
     const turned = angleOf(difference(from, own.centre)) + signOf(own.turn) * e.sweep;
     out.push(cross(heading(turned), difference(to, own.centre)) / size);
@@ -154,7 +171,8 @@ function curveFrom(e: FreeElement, found: FreePlaces, take: Take): (at: readonly
   }
   const direct = (given: FreeValue) => (given && "at" in given ? given.at : null);
   const [cx, cy] = [direct(e.centreX), direct(e.centreY)];
-  const turn: Turn = e.turn, size = e.radius;
+  const turn: Turn = e.turn,
+    size = e.radius;
   const [x, y, radius] = [
     cx === null ? take("x") : () => cx,
     cy === null ? take("y") : () => cy,
@@ -167,15 +185,29 @@ function curveFrom(e: FreeElement, found: FreePlaces, take: Take): (at: readonly
 const undirected = (e: FreeElement) => e.kind === "line" && e.angle === null && !e.tangent;
 
 const ends = (e: FreeElement) =>
-  [e.x, e.y, e.polar?.radius ?? null, e.polar?.angle ?? null, e.length, e.sweep, e.closes].filter((given) => given !== null).length;
+  [e.x, e.y, e.polar?.radius ?? null, e.polar?.angle ?? null, e.length, e.sweep, e.closes].filter(
+    (given) => given !== null,
+  ).length;
 
-/** The equations of elements `first` to `last`; null where they can not stand for themselves. `size` makes lengths comparable. */
-export function windowOf(elements: readonly FreeElement[], known: Known, first: number, last: number, size: number): Window | null {
+/**
+ * The equations of elements `first` to `last`; null where they can not stand for themselves. `size` makes lengths
+ * comparable.
+ */
+export function windowOf(
+  elements: readonly FreeElement[],
+  known: Known,
+  first: number,
+  last: number,
+  size: number,
+): Window | null {
   const at = (k: number) => elements[k - 1];
   const standing: FreePlaces = { curve: (k) => known.curves[k] ?? null, point: (k) => known.points[k] ?? null };
   const [head, tail] = [at(first), at(last)];
   if (!head || !tail) return null;
-  const [curved, placed] = [(k: number) => (known.curves[k] ?? null) !== null, (k: number) => (known.points[k] ?? null) !== null];
+  const [curved, placed] = [
+    (k: number) => (known.curves[k] ?? null) !== null,
+    (k: number) => (known.points[k] ?? null) !== null,
+  ];
   const single = first === last;
   const [headKnown, tailKnown] = [curved(first), curved(last)];
   if (single && headKnown && placed(last)) return null;
@@ -223,14 +255,23 @@ export function windowOf(elements: readonly FreeElement[], known: Known, first: 
       const [e, own] = [at(k), found.curve(k)];
       if (!e || !own) continue;
       const isNew = !curved(k);
-      const [from, to] = [k > first || withStart ? found.point(k - 1) : null, k < last || withEnd ? found.point(k) : null];
+      const [from, to] = [
+        k > first || withStart ? found.point(k - 1) : null,
+        k < last || withEnd ? found.point(k) : null,
+      ];
       if (isNew) out.push(...curveResiduals(e, found, own, size));
       // Where curves touch, their point lies on both.
       if (from && points.get(k - 1) !== "touch" && (isNew || !placed(k - 1))) out.push(distanceFrom(own, from) / size);
       if (to && points.get(k) !== "touch" && (isNew || !placed(k))) out.push(distanceFrom(own, to) / size);
       if (to && !placed(k)) out.push(...endResiduals(e, k, found, size));
       out.push(
-        ...spanResiduals(e, k, { curve: found.curve, point: (n) => (n === k - 1 ? from : n === k ? to : found.point(n)) }, own, size),
+        ...spanResiduals(
+          e,
+          k,
+          { curve: found.curve, point: (n) => (n === k - 1 ? from : n === k ? to : found.point(n)) },
+          own,
+          size,
+        ),
       );
       const before = k > first || withStart ? found.curve(k - 1) : null;
       if (!e.tangent || !before) continue;

@@ -8,20 +8,30 @@ export function arcFormsOf<P>(v: Vectors<P>, { direction, line }: Segments<P>) {
   const { beyond, cross, difference, dot, leftOf, sizeOf } = v;
 
   /**
-   * An arc by its end, radius (mm; negative: the longer way round) and turn. When the radius can not span the two points,
-   * `nearest` is the smallest that can, on the grid a control prints.
+   * An arc by its end, radius (mm; negative: the longer way round) and turn. When the radius can not span the two
+   * points, `nearest` is the smallest that can, on the grid a control prints.
    */
-  function arcByRadius(from: P, to: P, radius: number, turn: Turn): { readonly segment: SegmentOf<P> | null; readonly nearest: number } {
+  function arcByRadius(
+    from: P,
+    to: P,
+    radius: number,
+    turn: Turn,
+  ): { readonly segment: SegmentOf<P> | null; readonly nearest: number } {
     const way = difference(to, from);
     const chord = sizeOf(way);
     const nearest = roundedUp(chord / 2) * (radius < 0 ? -1 : 1);
     if (chord <= SAME || chord / 2 - Math.abs(radius) > ARC_END / 2) return { segment: null, nearest };
     const height = Math.sqrt(Math.max(0, radius * radius - (chord * chord) / 4));
     const side = (signOf(turn) * Math.sign(radius) * height) / chord;
-    return { segment: { kind: "arc", from, to, centre: beyond(beyond(from, way, 1 / 2), leftOf(way), side), turn }, nearest };
+    return {
+      segment: { kind: "arc", from, to, centre: beyond(beyond(from, way, 1 / 2), leftOf(way), side), turn },
+      nearest,
+    };
   }
 
-  /** The arc (or line) that leaves a segment in its direction and ends in `to`; null when that would have to turn back. */
+  /**
+   * The arc (or line) that leaves a segment in its direction and ends in `to`; null when that would have to turn back.
+   */
   function arcTangential(before: SegmentOf<P>, to: P): SegmentOf<P> | null {
     const from = before.to;
     const way = direction(before, from);

@@ -9,7 +9,9 @@ export type CurveOf<P> = { readonly point: P; readonly along: P } | { readonly c
 export function curvesOf<P>(v: Vectors<P>, s: Segments<P>) {
   const { apart, beyond, cross, difference, dot, leftOf, sizeOf, unit } = v;
 
-  /** The curve on which centres of circles of radius `r` lie that touch a segment on one side; null when there is none. */
+  /**
+   * The curve on which centres of circles of radius `r` lie that touch a segment on one side; null when there is none.
+   */
   function curveBeside(e: SegmentOf<P>, r: number, side: Turn): CurveOf<P> | null {
     if (e.kind === "line") {
       const way = unit(difference(e.to, e.from));
@@ -21,7 +23,10 @@ export function curvesOf<P>(v: Vectors<P>, s: Segments<P>) {
 
   /** Where two curves meet: none, one or two points. */
   function meet(a: CurveOf<P>, b: CurveOf<P>): P[] {
-    if ("point" in a) return "point" in b ? meetLines(a.point, a.along, b.point, b.along) : meetLine(a.point, a.along, b.centre, b.radius);
+    if ("point" in a)
+      return "point" in b
+        ? meetLines(a.point, a.along, b.point, b.along)
+        : meetLine(a.point, a.along, b.centre, b.radius);
     if ("point" in b) return meetLine(b.point, b.along, a.centre, a.radius);
     const gap = apart(a.centre, b.centre);
     if (gap < ROUND) return [];
@@ -49,12 +54,20 @@ export function curvesOf<P>(v: Vectors<P>, s: Segments<P>) {
 
   /** Points of `a` that can be nearest to `b`: its ends, crossings, and where both run parallel. */
   function candidates(a: SegmentOf<P>, b: SegmentOf<P>): P[] {
-    const found = [a.from, a.to, s.nearestOn(a, b.from), s.nearestOn(a, b.to), ...meetings(a, b).map((p) => s.nearestOn(a, p))];
+    const found = [
+      a.from,
+      a.to,
+      s.nearestOn(a, b.from),
+      s.nearestOn(a, b.to),
+      ...meetings(a, b).map((p) => s.nearestOn(a, p)),
+    ];
     if (b.kind === "arc") found.push(s.nearestOn(a, b.centre));
     if (a.kind === "arc") {
       const way = unit(b.kind === "arc" ? difference(b.centre, a.centre) : leftOf(difference(b.to, b.from)));
       const size = s.radiusOf(a);
-      if (dot(way, way) > 0) { for (const k of [size, -size]) found.push(s.nearestOn(a, beyond(a.centre, way, k))); }
+      if (dot(way, way) > 0) {
+        for (const k of [size, -size]) found.push(s.nearestOn(a, beyond(a.centre, way, k)));
+      }
     }
     return found;
   }

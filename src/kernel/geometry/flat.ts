@@ -42,13 +42,17 @@ const turnIn = (f: Frame, turn: Turn) => (mirrors(f) ? opposite(turn) : turn);
 /** A contour element, part space to strategy space. */
 export function segmentToFlat(f: Frame, s: Segment): FlatSegment {
   const [from, to] = [toFlat(f, s.from), toFlat(f, s.to)];
-  return s.kind === "line" ? { kind: "line", from, to } : { kind: "arc", from, to, centre: toFlat(f, s.centre), turn: turnIn(f, s.turn) };
+  return s.kind === "line"
+    ? { kind: "line", from, to }
+    : { kind: "arc", from, to, centre: toFlat(f, s.centre), turn: turnIn(f, s.turn) };
 }
 
 /** A path element, strategy space to part space. */
 export function segmentToPart(f: Frame, s: FlatSegment): Segment {
   const [from, to] = [toPart(f, s.from), toPart(f, s.to)];
-  return s.kind === "line" ? { kind: "line", from, to } : { kind: "arc", from, to, centre: toPart(f, s.centre), turn: turnIn(f, s.turn) };
+  return s.kind === "line"
+    ? { kind: "line", from, to }
+    : { kind: "arc", from, to, centre: toPart(f, s.centre), turn: turnIn(f, s.turn) };
 }
 
 /** Outward normal (unit) of a contour element at one of its ends; the material lies to the right of the direction. */

@@ -28,21 +28,31 @@ test("chords stay as near as asked, with their ends exact", () => {
     sweep: fc.double({ min: 0.01, max: 6.2, noNaN: true }),
     chord: fc.constantFrom(0.0001, 0.001, 0.01),
   });
-  fc.assert(fc.property(arcs, ({ size, start, sweep, chord }) => {
-    const on = (a: number) => at(size * Math.cos(a), 600 + size * Math.sin(a));
-    const points = flattened({ kind: "arc", from: on(start), to: on(start + sweep), centre: at(0, 600), turn: "ccw" }, chord);
-    expect(points[0]).toEqual(on(start));
-    expect(points.at(-1)).toEqual(on(start + sweep));
-    points.slice(1).forEach((p, i) => {
-      const q = points[i]!;
-      const sagitta = size - Math.hypot((p.z + q.z) / 2, (p.r + q.r) / 2 - 600);
-      expect(sagitta).toBeLessThan(chord * 1.001 + 1e-9);
-    });
-  }), { numRuns: 300 });
+  fc.assert(
+    fc.property(arcs, ({ size, start, sweep, chord }) => {
+      const on = (a: number) => at(size * Math.cos(a), 600 + size * Math.sin(a));
+      const points = flattened(
+        { kind: "arc", from: on(start), to: on(start + sweep), centre: at(0, 600), turn: "ccw" },
+        chord,
+      );
+      expect(points[0]).toEqual(on(start));
+      expect(points.at(-1)).toEqual(on(start + sweep));
+      points.slice(1).forEach((p, i) => {
+        const q = points[i]!;
+        const sagitta = size - Math.hypot((p.z + q.z) / 2, (p.r + q.r) / 2 - 600);
+        expect(sagitta).toBeLessThan(chord * 1.001 + 1e-9);
+      });
+    }),
+    { numRuns: 300 },
+  );
 });
 
 test("a chain has each joint once", () => {
-  const chain: Segment[] = [{ kind: "line", from: at(5, 10), to: at(2, 10) }, quarter, { kind: "line", from: at(0, 12), to: at(-5, 12) }];
+  const chain: Segment[] = [
+    { kind: "line", from: at(5, 10), to: at(2, 10) },
+    quarter,
+    { kind: "line", from: at(0, 12), to: at(-5, 12) },
+  ];
   const points = flattenedChain(chain, 0.1);
   expect(points[0]).toEqual(at(5, 10));
   expect(points.at(-1)).toEqual(at(-5, 12));

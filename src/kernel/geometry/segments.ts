@@ -65,9 +65,17 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
 
   const line = (from: P, to: P): LineOf<P> => ({ kind: "line", from, to });
 
-  /** Angle from the start of an arc to the ray of a point, radians in its turn, 0 … 2π; a hair before the start is the start. */
+  /**
+   * Angle from the start of an arc to the ray of a point, radians in its turn, 0 … 2π; a hair before the start is the
+   * start.
+   */
   const turnTo = (s: ArcOf<P>, p: P): number => {
-    const cx = x(s.centre), cy = y(s.centre), ax = x(s.from) - cx, ay = y(s.from) - cy, bx = x(p) - cx, by = y(p) - cy;
+    const cx = x(s.centre),
+      cy = y(s.centre),
+      ax = x(s.from) - cx,
+      ay = y(s.from) - cy,
+      bx = x(p) - cx,
+      by = y(p) - cy;
     const angle = Math.atan2(ax * by - ay * bx, ax * bx + ay * by) * signOf(s.turn);
     return angle < -ROUND ? angle + FULL_TURN : Math.max(0, angle);
   };
@@ -86,7 +94,9 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
   /** Direction of travel in a point of a segment, length 1. */
   const direction = (s: SegmentOf<P>, p: P): P => {
     if (s.kind === "line") return unit(difference(s.to, s.from));
-    const dx = x(p) - x(s.centre), dy = y(p) - y(s.centre), k = signOf(s.turn) / (hypotenuse(dx, dy) || 1);
+    const dx = x(p) - x(s.centre),
+      dy = y(p) - y(s.centre),
+      k = signOf(s.turn) / (hypotenuse(dx, dy) || 1);
     return point(-dy * k, dx * k);
   };
 
@@ -99,7 +109,9 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
 
   /** The same segment run the other way. */
   const reversed = (s: SegmentOf<P>): SegmentOf<P> =>
-    s.kind === "line" ? line(s.to, s.from) : { kind: "arc", from: s.to, to: s.from, centre: s.centre, turn: opposite(s.turn) };
+    s.kind === "line"
+      ? line(s.to, s.from)
+      : { kind: "arc", from: s.to, to: s.from, centre: s.centre, turn: opposite(s.turn) };
 
   /** The same segment elsewhere. */
   const shifted = (s: SegmentOf<P>, by: P): SegmentOf<P> =>
@@ -108,8 +120,11 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
       : { kind: "arc", from: sum(s.from, by), to: sum(s.to, by), centre: sum(s.centre, by), turn: s.turn };
 
   /** The points of a segment by fractions 0 … 1 of its way. */
-  const pointsOn = (s: SegmentOf<P>): (fraction: number) => P => {
-    const inside = s.kind === "line" ? (k: number) => beyond(s.from, difference(s.to, s.from), k) : alongSpiral(s.centre, polarOf(s));
+  const pointsOn = (s: SegmentOf<P>): ((fraction: number) => P) => {
+    const inside =
+      s.kind === "line"
+        ? (k: number) => beyond(s.from, difference(s.to, s.from), k)
+        : alongSpiral(s.centre, polarOf(s));
     return (fraction) => (fraction <= 0 ? s.from : fraction >= 1 ? s.to : inside(fraction));
   };
   const alongSpiral = (centre: P, p: Polar) => (k: number) =>
@@ -117,7 +132,9 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
   /** The point of a segment at a fraction 0 … 1 of its way. */
   const pointOn = (s: SegmentOf<P>, fraction: number): P => pointsOn(s)(fraction);
 
-  /** Points along a segment, both ends included; an arc becomes chords within `chord` mm of it, whose points lie on it. */
+  /**
+   * Points along a segment, both ends included; an arc becomes chords within `chord` mm of it, whose points lie on it.
+   */
   const flattened = (s: SegmentOf<P>, chord: number): P[] => {
     if (s.kind === "line") return [s.from, s.to];
     const p = polarOf(s);
@@ -164,10 +181,20 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
 
   /** The smallest box round a segment. */
   const boxOf = (s: SegmentOf<P>): Box => {
-    const ax = x(s.from), ay = y(s.from), bx = x(s.to), by = y(s.to);
-    const left = Math.min(ax, bx), right = Math.max(ax, bx), low = Math.min(ay, by), high = Math.max(ay, by);
+    const ax = x(s.from),
+      ay = y(s.from),
+      bx = x(s.to),
+      by = y(s.to);
+    const left = Math.min(ax, bx),
+      right = Math.max(ax, bx),
+      low = Math.min(ay, by),
+      high = Math.max(ay, by);
     if (s.kind === "line") return { left, right, low, high };
-    const cx = x(s.centre), cy = y(s.centre), size = hypotenuse(ax - cx, ay - cy), sweep = sweepOf(s), k = signOf(s.turn);
+    const cx = x(s.centre),
+      cy = y(s.centre),
+      size = hypotenuse(ax - cx, ay - cy),
+      sweep = sweepOf(s),
+      k = signOf(s.turn);
     const start = Math.atan2(ay - cy, ax - cx);
     /** Whether the arc passes the end of its circle that lies so far round, radians. */
     const passes = (end: number): boolean => {

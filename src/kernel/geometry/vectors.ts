@@ -1,6 +1,6 @@
 /**
- * How a space reads and makes its points: the first axis to the right, the second upwards, so that counter-clockwise and
- * left mean the same in every space. A direction or a difference is written like a point.
+ * How a space reads and makes its points: the first axis to the right, the second upwards, so that counter-clockwise
+ * and left mean the same in every space. A direction or a difference is written like a point.
  */
 export interface Axes<P> {
   readonly x: (p: P) => number;
@@ -8,7 +8,10 @@ export interface Axes<P> {
   readonly point: (x: number, y: number) => P;
 }
 
-/** The length of a step. What engines have for it takes care of numbers near the ends of their range, for a tenth of what a plan takes. */
+/**
+ * The length of a step. What engines have for it takes care of numbers near the ends of their range, for a tenth of
+ * what a plan takes.
+ */
 export const hypotenuse = (dx: number, dy: number): number => Math.sqrt(dx * dx + dy * dy);
 
 export type Vectors<P> = ReturnType<typeof vectorsOf<P>>;
@@ -42,11 +45,34 @@ export function vectorsOf<P>({ x, y, point }: Axes<P>) {
   /** A point turned about a centre, degrees, counter-clockwise positive. Whole quarters are exact. */
   const turned = (p: P, centre: P, angle: number): P => {
     const quarters = angle / 90;
-    const exact = Number.isInteger(quarters) ? [[1, 0], [0, 1], [-1, 0], [0, -1]][((quarters % 4) + 4) % 4] : undefined;
+    const exact = Number.isInteger(quarters)
+      ? [
+          [1, 0],
+          [0, 1],
+          [-1, 0],
+          [0, -1],
+        ][((quarters % 4) + 4) % 4]
+      : undefined;
     const radians = (angle * Math.PI) / 180;
     const [cos, sin] = [exact?.[0] ?? Math.cos(radians), exact?.[1] ?? Math.sin(radians)];
     const d = difference(p, centre);
     return point(x(centre) + x(d) * cos - y(d) * sin, y(centre) + x(d) * sin + y(d) * cos);
   };
-  return { point, sum, difference, scaled, beyond, dot, cross, sizeOf, apart, leftOf, unit, angleOf, heading, onCircle, turned };
+  return {
+    point,
+    sum,
+    difference,
+    scaled,
+    beyond,
+    dot,
+    cross,
+    sizeOf,
+    apart,
+    leftOf,
+    unit,
+    angleOf,
+    heading,
+    onCircle,
+    turned,
+  };
 }

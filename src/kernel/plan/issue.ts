@@ -7,12 +7,22 @@ import type { ClampPart } from "../area/clamping.ts";
 export type Severity = "error" | "warning" | "info";
 
 /** Why material stays. */
-export type Reason = "insertRadius" | "mainEdge" | "secondaryEdge" | "toolWidth" | "cutLength" | "limit" | "plunging" | "oversize"
-  | "smoothing" | "correction" | "overCrest";
+export type Reason =
+  | "insertRadius"
+  | "mainEdge"
+  | "secondaryEdge"
+  | "toolWidth"
+  | "cutLength"
+  | "limit"
+  | "plunging"
+  | "oversize"
+  | "smoothing"
+  | "correction"
+  | "overCrest";
 
 /**
- * The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`: tried, or left out. It never is
- * another dimension of the drawing; where the sign of one is impossible, it is the other sign.
+ * The data of each code. `nearest` is the nearest value that works, in the units of the field at `at`: tried, or left
+ * out. It never is another dimension of the drawing; where the sign of one is impossible, it is the other sign.
  */
 interface Data {
   /* single values */
@@ -31,7 +41,10 @@ interface Data {
   diameterNegative: { value: number; nearest?: number };
   /** The end of a contour in front of its start, where there is no material: a minus that was forgotten. */
   endInFront: { value: number; nearest: number };
-  /** Start and end of a contour, ⌀ or Z, in an order in which there is no material for it, and in the other order there is. */
+  /**
+   * Start and end of a contour, ⌀ or Z, in an order in which there is no material for it, and in the other order there
+   * is.
+   */
   endsExchanged: { axis: "X" | "Z"; start: number; end: number; other: string };
   elementTooLong: { size: number; max: number };
   cornersTooWide: { radius: number; max: number };
@@ -61,22 +74,35 @@ interface Data {
   /** The depth that counts because none was entered: a part of the pitch. */
   depthFromPitch: { depth: number; pitch: number; factor: number };
   /**
-   * The same with an insert of another profile than the metric one, to which the factor belongs. `right`: what its own profile has,
-   * in pitches and on the radius.
+   * The same with an insert of another profile than the metric one, to which the factor belongs. `right`: what its own
+   * profile has, in pitches and on the radius.
    */
-  depthOfOtherProfile: { depth: number; pitch: number; factor: number; angle: number; right?: number; nearest?: number };
+  depthOfOtherProfile: {
+    depth: number;
+    pitch: number;
+    factor: number;
+    angle: number;
+    right?: number;
+    nearest?: number;
+  };
   /** CUTLENGTH is empty: the tooth of the insert is taken to be this high, mm. */
   toothAssumed: { height: number };
   /** The insert is too low for the depth. */
   threadOverInsert: { depth: number; most: number };
-  /** Material stands over the crest, or over its line in the run-in or the overrun; `most` is how high it may, where that is too high. */
+  /**
+   * Material stands over the crest, or over its line in the run-in or the overrun; `most` is how high it may, where
+   * that is too high.
+   */
   threadMeets: { place: "over" | "before" | "behind"; over: number; x: number; z: number; most?: number };
   /** Steeper than the flank of the insert, so that passes would cut into the finished flank. */
   flankInfeedTooSteep: { angle: number; most: number; nearest?: number };
   runOutTooLong: { size: number; max: number; nearest?: number };
   /** The thread does not run on along the axis that is locked to the spindle. */
   threadTurnsBack: { axis: "X" | "Z" };
-  /** Where the run-in begins, the tool would stand in material; without an offer where no run-in of a usual length leads past it. */
+  /**
+   * Where the run-in begins, the tool would stand in material; without an offer where no run-in of a usual length leads
+   * past it.
+   */
   runInBlocked: { x: number; z: number; nearest?: number };
   /** Turns of the spindle in all passes together. */
   threadTooMany: { turns: number; most: number };
@@ -84,23 +110,29 @@ interface Data {
   taperImpossible: { angle: number };
   /** mm/min, and the speed up to which it is not more. */
   threadFeedOverLimit: { feed: number; most: number; speed: number; upTo: number };
-  /** The spindle runs at a constant surface speed, m/min; rpm at the largest diameter of the passes and at the smallest. */
+  /**
+   * The spindle runs at a constant surface speed, m/min; rpm at the largest diameter of the passes and at the smallest.
+   */
   threadSurfaceSpeed: { cuttingSpeed: number; slow?: number; fast?: number };
   runInShort: { runIn: number; needed: number; speed: number; nearest?: number };
   /* start point and limits */
   startInArea: { x: number; z: number };
-  /** The start point lies behind the contour start, mm along the axis: the tool goes to the clearance in front of it. */
+  /**
+   * The start point lies behind the contour start, mm along the axis: the tool goes to the clearance in front of it.
+   */
   startBehindContour: { behind: number; clearance: number };
   startInMaterial: { x: number; z: number };
   /** mm across the cutting direction. */
   startBelowContour: { below: number };
   /** The tool would stand in the finished part; at x and z it would not. */
   startInPart: { x: number; z: number };
-  /** The insert reaches across the axis into the part; `nearest` is a diameter of the start point at which it does not. */
+  /**
+   * The insert reaches across the axis into the part; `nearest` is a diameter of the start point at which it does not.
+   */
   insertAcrossAxis: { reach: number; nearest?: number };
   /**
-   * There is no bore to cut in: solid from `z` on, though the path goes on to `to`. `need`: the smallest bore that the tool fits in at the
-   * start point, as a diameter.
+   * There is no bore to cut in: solid from `z` on, though the path goes on to `to`. `need`: the smallest bore that the
+   * tool fits in at the start point, as a diameter.
    */
   boreMissing: { z: number; to: number; need: number };
   /** The contour is run towards the start point; from the other side, at x and z, it works. */
@@ -108,8 +140,8 @@ interface Data {
   startInsideEnvelope: { clearance: number };
   limitOnWrongSide: { limit: number; nearest?: number };
   /**
-   * What an operation takes on the side of its machining limit that is not to be cut, mm². `finishing`: its roughing, which ran as well,
-   * takes nothing there.
+   * What an operation takes on the side of its machining limit that is not to be cut, mm². `finishing`: its roughing,
+   * which ran as well, takes nothing there.
    */
   cutBehindLimit: { area: number; x: number; z: number; finishing: boolean };
   nothingToCut: {};
@@ -128,7 +160,12 @@ interface Data {
   /** Values still missing before an element is determined. */
   elementFree: { element: number; freedom: number };
   /** Something given does not agree with the rest; `nearest` does. Degrees for angles, mm otherwise. */
-  elementContradicts: { element: number; quantity: "angle" | "length" | "tangent" | "radius"; given: number; nearest: number };
+  elementContradicts: {
+    element: number;
+    quantity: "angle" | "length" | "tangent" | "radius";
+    given: number;
+    nearest: number;
+  };
   elementUnreachable: { element: number };
   /** An arc by its centre without a centre before it. */
   centreMissing: { element: number };
@@ -139,7 +176,10 @@ interface Data {
   recessWord: { element: number; word: string };
   /** Two words of a recess that say the same thing in two ways: it takes one of them. */
   recessWordsExclusive: { element: number; word: string; other: string };
-  /** A thread relief by a pitch that DIN 76 does not list, mm, with its neighbours there; `words` are those that the block has to have. */
+  /**
+   * A thread relief by a pitch that DIN 76 does not list, mm, with its neighbours there; `words` are those that the
+   * block has to have.
+   */
   pitchNotListed: { element: number; pitch: number; below?: number; above?: number; words: string };
   /** Words that the standard gave because the block has none. */
   undercutDefaults: { element: number; words: string };
@@ -152,10 +192,26 @@ interface Data {
   approachSideAssumed: {};
   approachInsideCircle: { point: "PS" | "PN"; radius: number; nearest?: number };
   /** On the way from PS or to PN; a point from where the way is free. */
-  approachCutsContour: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number; freeX: number; freeY?: number;
-    freeZ?: number };
+  approachCutsContour: {
+    point: "PS" | "PN";
+    depth: number;
+    x: number;
+    y?: number;
+    z?: number;
+    freeX: number;
+    freeY?: number;
+    freeZ?: number;
+  };
   /** The same where another LEN or R helps. */
-  approachValueCutsContour: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number; word: "LEN" | "R"; nearest: number };
+  approachValueCutsContour: {
+    point: "PS" | "PN";
+    depth: number;
+    x: number;
+    y?: number;
+    z?: number;
+    word: "LEN" | "R";
+    nearest: number;
+  };
   /** The same where nothing simple helps. */
   approachBlocked: { point: "PS" | "PN"; depth: number; x: number; y?: number; z?: number };
   /* proof */
@@ -163,13 +219,22 @@ interface Data {
   materialLeft: { reason: Reason; area: number; x: number; z: number; asked?: true };
   gouge: { area: number; x: number; z: number };
   /**
-   * Behind its end a thread cuts the finished part: its tip at the depth (`shaft`), or a flank what stands beside the way of the tip
-   * (`shoulder`). `to`: how far the tip goes, along Z or, in a face, as a diameter; so does `end`, where the thread ends.
+   * Behind its end a thread cuts the finished part: its tip at the depth (`shaft`), or a flank what stands beside the
+   * way of the tip (`shoulder`). `to`: how far the tip goes, along Z or, in a face, as a diameter; so does `end`, where
+   * the thread ends.
    */
-  threadOverruns: { meets: "shaft" | "shoulder"; area: number; x: number; z: number; axis: "X" | "Z"; end: number; to: number };
+  threadOverruns: {
+    meets: "shaft" | "shoulder";
+    area: number;
+    x: number;
+    z: number;
+    axis: "X" | "Z";
+    end: number;
+    to: number;
+  };
   /**
-   * Over more than half of a thread there is less material than its crest needs: `missing` mm of it, on the radius or along Z, and what
-   * would be right, as a diameter or, in a face, as a Z.
+   * Over more than half of a thread there is less material than its crest needs: `missing` mm of it, on the radius or
+   * along Z, and what would be right, as a diameter or, in a face, as a Z.
    */
   crestMissing: { missing: number; diameter: number } | { missing: number; z: number };
   rapidInStock: { area: number; x: number; z: number };
@@ -182,7 +247,9 @@ interface Data {
   partedOff: { area: number; block: number; x: number; z: number };
   /** A cut on a piece that `block` has cut loose, mm². */
   cutOnLoosePiece: { area: number; block: number; x: number; z: number };
-  /** Behind the rear end of the blank, at `rear`, below its diameter; "unheld": its outside is turned away up to there. */
+  /**
+   * Behind the rear end of the blank, at `rear`, below its diameter; "unheld": its outside is turned away up to there.
+   */
   behindBlank: { motion: "rapid" | "feed" | "unheld"; x: number; z: number; rear: number };
   /** Tool or holder meets what the work is held by, as it is stated. */
   clampContact: { part: ClampPart; by: "tool" | "holder"; x: number; z: number };
@@ -207,7 +274,12 @@ interface Data {
 export type Code = keyof Data;
 /** One finding. `at` names the field: a Q number, a tool column, "tool", "start.x", "start.z", "contour". */
 export type Issue = {
-  [C in Code]: { readonly code: C; readonly severity: Severity; readonly at?: string; readonly data: Readonly<Data[C]> };
+  [C in Code]: {
+    readonly code: C;
+    readonly severity: Severity;
+    readonly at?: string;
+    readonly data: Readonly<Data[C]>;
+  };
 }[Code];
 
 /** Makes one issue; the compiler checks that the data fit the code. */

@@ -1,6 +1,9 @@
 import type { Pt, Segment } from "../geometry/point.ts";
 
-/** What is measured: with the caliper across, along or down, between two places, an arc, an angle, the thickness of a wall. */
+/**
+ * What is measured: with the caliper across, along or down, between two places, an arc, an angle, the thickness of a
+ * wall.
+ */
 export type MeasuredKind = "diameter" | "length" | "depth" | "distance" | "radius" | "angle" | "wall";
 
 /** What a place was taken from: a corner, the centre of an arc, somewhere on an edge, the end of a move, or nothing. */

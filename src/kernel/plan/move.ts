@@ -34,10 +34,11 @@ export interface Threading {
 }
 
 /**
- * One motion of the theoretical tool tip, from where the tip stands to `to`. Plain data: picture, simulation,
- * time, warnings and goldens all read the same list. A feed that goes nowhere may stand still: `dwell`, turns of the spindle.
+ * One motion of the theoretical tool tip, from where the tip stands to `to`. Plain data: picture, simulation, time,
+ * warnings and goldens all read the same list. A feed that goes nowhere may stand still: `dwell`, turns of the spindle.
  */
-export type Move = ({ readonly kind: "rapid"; readonly to: Pt } & Purpose)
+export type Move =
+  | ({ readonly kind: "rapid"; readonly to: Pt } & Purpose)
   | ({ readonly kind: "feed"; readonly to: Pt; readonly dwell?: number } & Feeding & Purpose)
   | ({ readonly kind: "arc"; readonly to: Pt; readonly centre: Pt; readonly turn: Turn } & Feeding & Purpose)
   | ({ readonly kind: "thread"; readonly to: Pt } & Threading & Purpose);

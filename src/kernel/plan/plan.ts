@@ -17,18 +17,23 @@ export interface Setting {
   /** True where that stock is traced (FUNCTION TURNDATA BLANK): roughing leaves out passes that touch nothing of it. */
   readonly leavesOutAir?: boolean;
   /**
-   * What nobody has drilled yet: outlines, and the Z from which on they are solid. `isBored`: a bore in them may be wider by now, so that
-   * they tell of the axis only. Absent where nobody knows.
+   * What nobody has drilled yet: outlines, and the Z from which on they are solid. `isBored`: a bore in them may be
+   * wider by now, so that they tell of the axis only. Absent where nobody knows.
    */
   readonly solid?: { readonly rings: readonly Ring[]; readonly below: number; readonly isBored: boolean } | null;
-  /** Outlines that nothing stands outside of: the blank that is stated, whatever has been cut of it. Absent where none is. */
+  /**
+   * Outlines that nothing stands outside of: the blank that is stated, whatever has been cut of it. Absent where none
+   * is.
+   */
   readonly blank?: readonly Ring[] | null;
 }
 
 /** The stock that a path may hang on: a control knows none but one that is traced, whatever BLK FORM says. */
 export const tracedStock = ({ stock, leavesOutAir }: Setting): readonly Ring[] | null => (leavesOutAir ? stock : null);
 
-/** A stretch of the finishing path, with what keeps the insert from going deeper there (null: it lies on the contour). */
+/**
+ * A stretch of the finishing path, with what keeps the insert from going deeper there (null: it lies on the contour).
+ */
 export interface Reach {
   readonly path: Segment;
   readonly reason: Reason | null;
@@ -49,7 +54,9 @@ export interface ThreadPlan {
   readonly out: Pt;
   /** The room over the crest, as far as any stock reaches: what stands there the thread leaves between its grooves. */
   readonly above: Ring;
-  /** The crest from the beginning of the thread to its end, part space: the surface that has to stand before it is cut. */
+  /**
+   * The crest from the beginning of the thread to its end, part space: the surface that has to stand before it is cut.
+   */
   readonly crest: readonly Pt[];
   /** Where the tip of the last pass comes to a stop behind the end, part space. */
   readonly end: Pt;
@@ -58,7 +65,10 @@ export interface ThreadPlan {
   readonly side: readonly { readonly u: number; readonly v: number }[];
 }
 
-/** A machining limit: a plane across the spindle axis (z) or a cylinder (r), mm, and the side of it that is not to be cut. */
+/**
+ * A machining limit: a plane across the spindle axis (z) or a cylinder (r), mm, and the side of it that is not to be
+ * cut.
+ */
 export interface MachiningLimit {
   /** The field it was given in. */
   readonly at: string;
@@ -86,16 +96,20 @@ export interface Plan {
   /** True when passes run along the contour: the depth of a cut is then square to its path, as of a finishing cut. */
   readonly isParallel?: boolean;
   /**
-   * Roughing passes at distinct levels, and the infeed as divided: of several, the greatest. Of plunges side by side: the bites they take,
-   * and the deepest one.
+   * Roughing passes at distinct levels, and the infeed as divided: of several, the greatest. Of plunges side by side:
+   * the bites they take, and the deepest one.
    */
   readonly passes: number;
   readonly infeed: Length;
-  /** What this cycle takes away when it is perfect: between contour and start point (polygon, arcs flattened to CHORD). */
+  /**
+   * What this cycle takes away when it is perfect: between contour and start point (polygon, arcs flattened to CHORD).
+   */
   readonly area: Ring;
   /** The finished part as far as this cycle knows it (polygon): nothing may cut here. */
   readonly part: Ring;
-  /** Direction (unit offset) out of the material: whatever lies that way of a position on the path is free for the tool. */
+  /**
+   * Direction (unit offset) out of the material: whatever lies that way of a position on the path is free for the tool.
+   */
   readonly openSide: Pt;
   /** The deepest path of this tool along the drawn contour; explains what stays. */
   readonly reach: readonly Reach[];

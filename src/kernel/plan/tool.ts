@@ -11,7 +11,10 @@ export type TipOrientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9;
 /** A corner of a holder, from the theoretical tip along Z and X (radius), mm. */
 export type HolderCorner = readonly [z: Length, x: Length];
 
-/** A holder for the collision check only: it never changes a path. A box, the shank, and what joins it to the insert. All mm. */
+/**
+ * A holder for the collision check only: it never changes a path. A box, the shank, and what joins it to the insert.
+ * All mm.
+ */
 export interface Holder {
   /** Across the shank. */
   readonly width: Length;
@@ -20,13 +23,18 @@ export interface Holder {
   /** From the theoretical tip to the near corner of the shank, along Z and X (radius). */
   readonly offsetZ: Length;
   readonly offsetX: Length;
-  /** Along which axis the shank lies; without it X for orientations that point to −X (and for round inserts), Z for all others. */
+  /**
+   * Along which axis the shank lies; without it X for orientations that point to −X (and for round inserts), Z for all
+   * others.
+   */
   readonly axis?: "X" | "Z";
   /** Head, neck or blade between shank and insert: convex outlines by their corners. */
   readonly head?: readonly (readonly HolderCorner[])[];
 }
 
-/** One row of the turning-tool table, or a drill, by the names of its columns. mm and degrees; a missing cell is absent. */
+/**
+ * One row of the turning-tool table, or a drill, by the names of its columns. mm and degrees; a missing cell is absent.
+ */
 export interface Tool {
   readonly T: number;
   readonly NAME: string;

@@ -23,7 +23,11 @@ export interface Room {
 
 /** Where the tip may be: on this side of the axis, and up to `beyond` mm on the other. */
 export function roomOf(f: Frame, beyond = 0): Room {
-  const [lowU, highU] = f.transverse ? (f.signU > 0 ? [-beyond, Infinity] : [-Infinity, beyond]) : [-Infinity, Infinity];
+  const [lowU, highU] = f.transverse
+    ? f.signU > 0
+      ? [-beyond, Infinity]
+      : [-Infinity, beyond]
+    : [-Infinity, Infinity];
   const [lowV, highV] = f.transverse ? [-Infinity, Infinity] : f.signV > 0 ? [-beyond, Infinity] : [-Infinity, beyond];
   return { minU: lowU, maxU: highU, minV: lowV, maxV: highV };
 }
@@ -58,7 +62,13 @@ export class Track {
   feed(point: Flat, value: number, purpose: Purpose) {
     const to = this.inside(point);
     if (this.still(to)) return;
-    this.moves.push({ kind: "feed", to: toPart(this.frame, to), feed: asFeed(value), feedUnit: this.feedUnit, ...purpose });
+    this.moves.push({
+      kind: "feed",
+      to: toPart(this.frame, to),
+      feed: asFeed(value),
+      feedUnit: this.feedUnit,
+      ...purpose,
+    });
     this.at = to;
   }
 

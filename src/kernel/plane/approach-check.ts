@@ -12,8 +12,9 @@ export interface ContourCut {
   readonly on: PlanePoint;
 }
 /** What makes the way free: another PS or PN, or another LEN or R. */
-export type FreeWay = { readonly kind: "point"; readonly point: PlanePoint } | { readonly kind: "value"; readonly word: "LEN" | "R";
-  readonly value: number };
+export type FreeWay =
+  | { readonly kind: "point"; readonly point: PlanePoint }
+  | { readonly kind: "value"; readonly word: "LEN" | "R"; readonly value: number };
 
 /** Less than a control can print is not a cut, mm. */
 const LEAST_CUT = 0.001;
@@ -30,7 +31,7 @@ function materialOf(contour: readonly PlaneSegment[], side: Side): (p: PlanePoin
       const b = ring[(i + 1) % ring.length] ?? a;
       if (a.y > p.y !== b.y > p.y && p.x < a.x + ((p.y - a.y) / (b.y - a.y)) * (b.x - a.x)) inside = !inside;
     });
-    return inside === (area > 0) === (side === "right");
+    return (inside === area > 0) === (side === "right");
   };
 }
 
@@ -39,9 +40,16 @@ function endsOf(legs: readonly PlaneSegment[]): PlanePoint[] {
   return first && last ? [first.from, last.to] : [];
 }
 
-const wider = (b: Box, by: number): Box => ({ left: b.left - by, right: b.right + by, low: b.low - by, high: b.high + by });
+const wider = (b: Box, by: number): Box => ({
+  left: b.left - by,
+  right: b.right + by,
+  low: b.low - by,
+  high: b.high + by,
+});
 
-/** The deepest place where a tool on these legs cuts into a contour whose free side is known; null when the way is free. */
+/**
+ * The deepest place where a tool on these legs cuts into a contour whose free side is known; null when the way is free.
+ */
 export function contourCut(
   legs: readonly PlaneSegment[],
   contour: readonly PlaneSegment[],
@@ -75,7 +83,9 @@ export function contourCut(
 export type CheckedLegs = "all" | "fromPH";
 
 const legsOf = (a: Approach, checked: CheckedLegs) =>
-  a.legs.filter((l, i) => checked === "all" || a.departing || i > 0 || l.segment.to === a.points.PA).map((l) => l.segment);
+  a.legs
+    .filter((l, i) => checked === "all" || a.departing || i > 0 || l.segment.to === a.points.PA)
+    .map((l) => l.segment);
 
 /** Turns of PS round PH that are tried, nearest first, degrees; and factors of its distance. */
 const TURNS = Array.from({ length: 18 }, (_, i) => [10 * (i + 1), -10 * (i + 1)]).flat();
@@ -103,8 +113,11 @@ export function guardApproach(
   const isFree = (other: ApproachRequest) => {
     const tried = approach(other);
     const legs = legsOf(tried, checked);
-    return tried.issues.every((i) => i.severity !== "error") && !contourCut(legs, near, q.side, q.toolRadius, () => false)
-      && !endsOf(legs).some(inMaterial);
+    return (
+      tried.issues.every((i) => i.severity !== "error") &&
+      !contourCut(legs, near, q.side, q.toolRadius, () => false) &&
+      !endsOf(legs).some(inMaterial)
+    );
   };
   return { cut, free: freePoint(q, made, isFree) ?? freeValue(q, isFree) };
 }
@@ -113,7 +126,9 @@ export function guardApproach(
 function nearby(q: ApproachRequest, made: Approach, contour: readonly PlaneSegment[]): readonly PlaneSegment[] {
   const at = made.points.PA ?? made.points.PE;
   if (!at) return contour;
-  const reach = 2 * q.toolRadius + 4 * ((q.outside ? apart(q.outside, at) : 0) + 3 * Math.abs(q.length ?? 0) + 6 * Math.abs(q.radius ?? 0));
+  const reach =
+    2 * q.toolRadius +
+    4 * ((q.outside ? apart(q.outside, at) : 0) + 3 * Math.abs(q.length ?? 0) + 6 * Math.abs(q.radius ?? 0));
   return contour.filter((s) => distanceTo(s, at) <= reach);
 }
 
@@ -125,7 +140,7 @@ function freePoint(q: ApproachRequest, made: Approach, isFree: (q: ApproachReque
     [0, ...TURNS].map((angle) => {
       const p = turned(beyond(pivot, difference(outside, pivot), k), pivot, angle);
       return { x: onGrid(p.x, 0.5), y: onGrid(p.y, 0.5) };
-    })
+    }),
   ).sort((a, b) => apart(a, outside) - apart(b, outside));
   const point = tried.find((p) => isFree({ ...q, outside: p }));
   return point ? { kind: "point", point } : null;

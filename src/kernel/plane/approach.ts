@@ -5,7 +5,8 @@ import { opposite, type Turn } from "../geometry/segments.ts";
 import { ROUND } from "../tolerance.ts";
 import { roundedDown } from "../units.ts";
 
-const { apart, beyond, cross, difference, direction, dot, leftOf, reversed, scaled, sizeOf, sum, sweepOf, turned } = plane;
+const { apart, beyond, cross, difference, direction, dot, leftOf, reversed, scaled, sizeOf, sum, sweepOf, turned } =
+  plane;
 
 /** The geometry of APPR and DEP. The polar forms (PLT, PLN, PCT, PLCT) differ only in how their point is written. */
 export type ApproachShape = "LT" | "LN" | "CT" | "LCT";
@@ -20,7 +21,10 @@ export interface ApproachRequest {
   readonly toolRadius: number;
   /** First (APPR) or last (DEP) element of the programmed contour. */
   readonly element: PlaneSegment;
-  /** APPR: the tool centre before the block (PS). DEP LCT: the programmed end point PN. Null where nobody knows or none is needed. */
+  /**
+   * APPR: the tool centre before the block (PS). DEP LCT: the programmed end point PN. Null where nobody knows or none
+   * is needed.
+   */
   readonly outside: PlanePoint | null;
   /** LEN of LT and LN, with its sign. */
   readonly length?: number;
@@ -41,7 +45,10 @@ export interface ApproachLeg {
   readonly feed: "before" | "block";
 }
 
-/** How the tool centre comes onto the contour (PS, PH, PA) or leaves it (PE, PH, PN). What is impossible is left out and reported. */
+/**
+ * How the tool centre comes onto the contour (PS, PH, PA) or leaves it (PE, PH, PN). What is impossible is left out and
+ * reported.
+ */
 export interface Approach {
   readonly shape: ApproachShape;
   readonly departing: boolean;
@@ -51,7 +58,12 @@ export interface Approach {
   /** Direction of the contour in PA or PE, length 1. */
   readonly tangent: PlanePoint;
   /** The arc of CT and LCT: centre angle in degrees. */
-  readonly arc: { readonly centre: PlanePoint; readonly radius: number; readonly angle: number; readonly turn: Turn } | null;
+  readonly arc: {
+    readonly centre: PlanePoint;
+    readonly radius: number;
+    readonly angle: number;
+    readonly turn: Turn;
+  } | null;
   readonly issues: readonly Issue[];
 }
 
@@ -88,7 +100,11 @@ function straight(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival {
   if (q.shape === "LT" && length < 0)
     issues.push(issue("outOfRange", "error", { value: length, min: 0, max: MOST, nearest: -length }, "LEN"));
   const auxiliary = q.shape === "LT" ? beyond(a.at, a.way, -length) : beyond(a.at, a.free, length);
-  return { auxiliary, segments: [...lineTo(q.departing ? null : q.outside, auxiliary), ...lineTo(auxiliary, a.at)], arc: null };
+  return {
+    auxiliary,
+    segments: [...lineTo(q.departing ? null : q.outside, auxiliary), ...lineTo(auxiliary, a.at)],
+    arc: null,
+  };
 }
 
 /** A radius that makes a circle; null when there is none. `signed`: the sign chooses the side. */
@@ -154,7 +170,10 @@ function tangential(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | n
   };
 }
 
-/** How APPR reaches the contour or DEP leaves it. Never throws; an impossible form becomes the straight way, with an issue. */
+/**
+ * How APPR reaches the contour or DEP leaves it. Never throws; an impossible form becomes the straight way, with an
+ * issue.
+ */
 export function approach(q: ApproachRequest): Approach {
   const made = shaped(q);
   return { ...made, issues: made.issues.map((each) => tried(each, q, made.issues)) };
@@ -174,7 +193,8 @@ function shaped(q: ApproachRequest): Approach {
   const tangent = direction(q.element, corner);
   const at = beyond(corner, towardsTool(tangent, q.side), q.toolRadius);
   let hand: "left" | "right" = q.side === "none" ? "left" : q.side;
-  if (q.side === "none" && q.shape === "LCT" && q.outside) hand = cross(tangent, difference(q.outside, at)) >= 0 ? "left" : "right";
+  if (q.side === "none" && q.shape === "LCT" && q.outside)
+    hand = cross(tangent, difference(q.outside, at)) >= 0 ? "left" : "right";
   if (q.side === "none" && q.shape === "LN") issues.push(issue("approachSideAssumed", "warning", {}));
   const anchor: Anchor = {
     at,
@@ -182,11 +202,12 @@ function shaped(q: ApproachRequest): Approach {
     way: q.departing ? scaled(tangent, -1) : tangent,
     hand: q.departing ? flipped(hand) : hand,
   };
-  const made = q.shape === "CT"
-    ? circular(q, anchor, issues)
-    : q.shape === "LCT"
-    ? tangential(q, anchor, issues)
-    : straight(q, anchor, issues);
+  const made =
+    q.shape === "CT"
+      ? circular(q, anchor, issues)
+      : q.shape === "LCT"
+        ? tangential(q, anchor, issues)
+        : straight(q, anchor, issues);
   const arrival = made ?? { auxiliary: null, segments: lineTo(q.outside, at), arc: null };
   const { shape, departing, side } = q;
   const common = {

@@ -8,7 +8,9 @@ const { along, apart, beyond, cross, direction, dot, lengthOf, line, meetings, r
 /** A piece of the centre path. */
 export interface CentrePiece {
   readonly segment: PlaneSegment;
-  /** Index of the programmed segment it belongs to; the arc round an outer corner belongs to the one before the corner. */
+  /**
+   * Index of the programmed segment it belongs to; the arc round an outer corner belongs to the one before the corner.
+   */
   readonly element: number;
   readonly part: "element" | "corner";
 }
@@ -20,10 +22,15 @@ export interface Compensated {
   readonly issues: readonly Issue[];
 }
 
-/** The path of the centre along one segment; null when the tool is larger than an inside radius. A point has length 0. */
+/**
+ * The path of the centre along one segment; null when the tool is larger than an inside radius. A point has length 0.
+ */
 export function centrePath(s: PlaneSegment, side: Side, radius: number): PlaneSegment | null {
   if (side === "none" || radius === 0) return s;
-  const [from, to] = [s.from, s.to].map((p) => beyond(p, towardsTool(direction(s, p), side), radius)) as [PlanePoint, PlanePoint];
+  const [from, to] = [s.from, s.to].map((p) => beyond(p, towardsTool(direction(s, p), side), radius)) as [
+    PlanePoint,
+    PlanePoint,
+  ];
   if (s.kind === "line") return line(from, to);
   const rest = radiusOf(s) - radius;
   if ((s.turn === "ccw") !== (side === "left") || rest > ROUND) return { ...s, from, to };
@@ -32,8 +39,12 @@ export function centrePath(s: PlaneSegment, side: Side, radius: number): PlaneSe
 
 const isLong = (s: PlaneSegment) => lengthOf(s) > ROUND;
 
-/** Shortened to end or begin in a point; nothing left becomes a line without length, because such an arc would be a full circle. */
-const endingAt = (s: PlaneSegment, to: PlanePoint): PlaneSegment => along(s, to) > ROUND ? { ...s, to } : line(s.from, to);
+/**
+ * Shortened to end or begin in a point; nothing left becomes a line without length, because such an arc would be a full
+ * circle.
+ */
+const endingAt = (s: PlaneSegment, to: PlanePoint): PlaneSegment =>
+  along(s, to) > ROUND ? { ...s, to } : line(s.from, to);
 const beginningAt = (s: PlaneSegment, from: PlanePoint): PlaneSegment =>
   lengthOf(s) - along(s, from) > ROUND ? { ...s, from } : line(from, s.to);
 
@@ -45,14 +56,16 @@ function crossing(before: PlaneSegment, after: PlaneSegment): PlanePoint | null 
   for (const p of meetings(before, after)) {
     const [keep, skip] = [nearZero(along(before, p), before), nearZero(along(after, p), after)];
     const lost = longBefore - keep + skip;
-    if (keep < -ROUND || skip < -ROUND || keep > longBefore + ROUND || skip > longAfter + ROUND || lost >= loss) continue;
+    if (keep < -ROUND || skip < -ROUND || keep > longBefore + ROUND || skip > longAfter + ROUND || lost >= loss)
+      continue;
     [best, loss] = [p, lost];
   }
   return best;
 }
 
 /** On an arc, a hair before its beginning counts as nearly a full turn: it is the beginning. */
-const nearZero = (far: number, s: PlaneSegment) => s.kind === "arc" && 2 * Math.PI * radiusOf(s) - far < ROUND ? 0 : far;
+const nearZero = (far: number, s: PlaneSegment) =>
+  s.kind === "arc" && 2 * Math.PI * radiusOf(s) - far < ROUND ? 0 : far;
 
 /** A corner to the other side than the tool needs an arc round it. */
 function turnsAway(before: PlaneSegment, after: PlaneSegment, corner: PlanePoint, side: Side): boolean {
@@ -89,7 +102,11 @@ function walk(contour: readonly PlaneSegment[], side: Side, radius: number): Wal
       add(before, last, "element");
     } else if (apart(programmed.to, s.from) <= SAME && turnsAway(programmed, s, programmed.to, side)) {
       add(before, last, "element");
-      add({ kind: "arc", from: end, to: path.from, centre: s.from, turn: side === "left" ? "cw" : "ccw" }, last, "corner");
+      add(
+        { kind: "arc", from: end, to: path.from, centre: s.from, turn: side === "left" ? "cw" : "ccw" },
+        last,
+        "corner",
+      );
     } else {
       const at = crossing(before, path);
       if (at) {
@@ -98,7 +115,8 @@ function walk(contour: readonly PlaneSegment[], side: Side, radius: number): Wal
       } else {
         add(before, last, "element");
         add(line(end, path.from), last, "corner");
-        if (apart(end, path.from) > SAME && last + 1 === element) tooLarge.push(swallowed(before, path) === "before" ? last : element);
+        if (apart(end, path.from) > SAME && last + 1 === element)
+          tooLarge.push(swallowed(before, path) === "before" ? last : element);
       }
     }
     current = { path, element };
@@ -109,7 +127,8 @@ function walk(contour: readonly PlaneSegment[], side: Side, radius: number): Wal
 }
 
 /** Of two neighbours that do not cut each other, the one that is too short for this tool. */
-const swallowed = (before: PlaneSegment, after: PlaneSegment) => (lengthOf(before) < lengthOf(after) ? "before" : "after");
+const swallowed = (before: PlaneSegment, after: PlaneSegment) =>
+  lengthOf(before) < lengthOf(after) ? "before" : "after";
 
 /** Largest tool radius that fits a stretch of contour, on the grid a control prints, mm. */
 function largestThatFits(contour: readonly PlaneSegment[], side: Side, tooBig: number): number {

@@ -8,7 +8,10 @@ export interface MillSpot {
   readonly z: number | null;
 }
 
-/** An arc in a plane beside that of the tool axis: its centre in the axes of that plane, its turn from the first axis to the second. */
+/**
+ * An arc in a plane beside that of the tool axis: its centre in the axes of that plane, its turn from the first axis to
+ * the second.
+ */
 interface SideArc {
   readonly plane: "YZ" | "ZX";
   readonly centre: { readonly x?: number; readonly y?: number; readonly z?: number };
@@ -38,7 +41,11 @@ export const wayOf = ({ from, to, centre, turn }: MillMotion): PlaneSegment =>
   centre && turn ? { kind: "arc", from, to, centre, turn } : { kind: "line", from, to };
 
 /** Where the tool stands on an arc beside the plane: the third axis goes evenly. */
-function spotOnSide({ from, to }: MillMotion, { plane: across, centre, turn }: SideArc, fraction: number): MillSpot | null {
+function spotOnSide(
+  { from, to }: MillMotion,
+  { plane: across, centre, turn }: SideArc,
+  fraction: number,
+): MillSpot | null {
   if (from.z === null || to.z === null || centre.z === undefined) return null;
   const even = (a: number, b: number) => a + (b - a) * fraction;
   if (across === "YZ") {

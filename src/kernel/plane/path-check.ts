@@ -24,7 +24,9 @@ export interface PathCut {
 /** Two arcs whose ends miss their circles come this much too near, mm: that is no cut. */
 export const LEAST_PATH_CUT = 2 * ARC_END;
 
-/** Elements whose boxes are looked at together: a long contour runs through many places, and most of them are far away. */
+/**
+ * Elements whose boxes are looked at together: a long contour runs through many places, and most of them are far away.
+ */
 const GROUP = 32;
 
 const joined = (a: Box, b: Box): Box => ({
@@ -33,13 +35,20 @@ const joined = (a: Box, b: Box): Box => ({
   low: Math.min(a.low, b.low),
   high: Math.max(a.high, b.high),
 });
-const wider = (b: Box, by: number): Box => ({ left: b.left - by, right: b.right + by, low: b.low - by, high: b.high + by });
+const wider = (b: Box, by: number): Box => ({
+  left: b.left - by,
+  right: b.right + by,
+  low: b.low - by,
+  high: b.high + by,
+});
 
 /** Calls with the index of every segment whose box meets a box. */
 function finder(segments: readonly PlaneSegment[]): (box: Box, found: (index: number) => void) => void {
-  const boxes = segments.map(boxOf), groups: Box[] = [];
+  const boxes = segments.map(boxOf),
+    groups: Box[] = [];
   boxes.forEach((box, i) => {
-    const group = Math.floor(i / GROUP), before = groups[group];
+    const group = Math.floor(i / GROUP),
+      before = groups[group];
     groups[group] = before ? joined(before, box) : box;
   });
   return (box, found) => {
@@ -55,23 +64,31 @@ function finder(segments: readonly PlaneSegment[]): (box: Box, found: (index: nu
 }
 
 /**
- * A contour that crosses itself ends where it does so: often its first and its last element are drawn beyond their corner, into the
- * air. What lies before the first and behind the last crossing is no wall.
+ * A contour that crosses itself ends where it does so: often its first and its last element are drawn beyond their
+ * corner, into the air. What lies before the first and behind the last crossing is no wall.
  */
 function wallsOf(contour: readonly PlaneSegment[], find: ReturnType<typeof finder>): readonly (PlaneSegment | null)[] {
-  let [first, last]: [{ index: number; on: PlanePoint } | null, { index: number; on: PlanePoint } | null] = [null, null];
+  let [first, last]: [{ index: number; on: PlanePoint } | null, { index: number; on: PlanePoint } | null] = [
+    null,
+    null,
+  ];
   contour.forEach((s, index) => {
     find(boxOf(s), (other) => {
       const t = contour[other];
       if (!t || other <= index + 1) return;
       for (const p of meetings(s, t)) {
         if (apart(nearestOn(s, p), p) > SAME || apart(nearestOn(t, p), p) > SAME) continue;
-        if (!first || index < first.index || (index === first.index && along(s, p) < along(s, first.on))) first = { index, on: p };
-        if (!last || other > last.index || (other === last.index && along(t, p) > along(t, last.on))) last = { index: other, on: p };
+        if (!first || index < first.index || (index === first.index && along(s, p) < along(s, first.on)))
+          first = { index, on: p };
+        if (!last || other > last.index || (other === last.index && along(t, p) > along(t, last.on)))
+          last = { index: other, on: p };
       }
     });
   });
-  const [from, to] = [first, last] as [{ index: number; on: PlanePoint } | null, { index: number; on: PlanePoint } | null];
+  const [from, to] = [first, last] as [
+    { index: number; on: PlanePoint } | null,
+    { index: number; on: PlanePoint } | null,
+  ];
   if (!from || !to) return contour;
   return contour.map((s, i) => {
     if (i < from.index || i > to.index) return null;
@@ -82,8 +99,9 @@ function wallsOf(contour: readonly PlaneSegment[], find: ReturnType<typeof finde
 }
 
 /**
- * The deepest place where the tool cuts into its own contour away from where it mills: a waist that it runs through although it is too
- * narrow. Neighbours on the path are looked at when it is compensated. `isWall` and the pieces leave out what runs above the part.
+ * The deepest place where the tool cuts into its own contour away from where it mills: a waist that it runs through
+ * although it is too narrow. Neighbours on the path are looked at when it is compensated. `isWall` and the pieces leave
+ * out what runs above the part.
  */
 export function pathCut(
   contour: readonly PlaneSegment[],
@@ -103,7 +121,8 @@ export function pathCut(
       if (Math.abs(into - element) === 1 && near.kind === "line" && contour[element]?.kind === "line") return;
       if (toolRadius - gapBetween(segment, near).distance <= (worst?.depth ?? LEAST_PATH_CUT)) return;
       walls ??= wallsOf(contour, find);
-      const wall = walls[into], gap = wall && gapBetween(segment, wall);
+      const wall = walls[into],
+        gap = wall && gapBetween(segment, wall);
       if (gap && toolRadius - gap.distance > (worst?.depth ?? LEAST_PATH_CUT))
         worst = { piece, into, depth: toolRadius - gap.distance, on: gap.on };
     });

@@ -35,19 +35,32 @@ const NOWHERE = { element: 0, onCorner: false };
 export function planeContour(elements: readonly PlaneElement[], side: Side, toolRadius: number): PlaneContour {
   const kept = elements.flatMap((e, element) => (plane.lengthOf(e.segment) > SAME ? [{ ...e, element }] : []));
   const chain = kept.map((e) => partSegment(e.segment));
-  const made = withCorners(chain, kept.map((e) => e.corner ?? null), {
-    segments: kept.map((_, i) => i + 1),
-    corners: kept.map((_, i) => -i - 1),
-  });
+  const made = withCorners(
+    chain,
+    kept.map((e) => e.corner ?? null),
+    {
+      segments: kept.map((_, i) => i + 1),
+      corners: kept.map((_, i) => -i - 1),
+    },
+  );
   const place = (n: number) => ({ element: kept[Math.abs(n) - 1]?.element ?? 0, onCorner: n < 0 });
-  const contour = made.segments.map((s, i): ContourPart => ({ segment: planeSegment(s), ...place(made.elements[i] ?? 1) }));
-  const centre = compensate(contour.map((c) => c.segment), side, toolRadius);
+  const contour = made.segments.map((s, i): ContourPart => ({
+    segment: planeSegment(s),
+    ...place(made.elements[i] ?? 1),
+  }));
+  const centre = compensate(
+    contour.map((c) => c.segment),
+    side,
+    toolRadius,
+  );
   return {
     contour,
     path: centre.pieces.map(({ segment, element, part }) => ({ ...(contour[element] ?? NOWHERE), segment, part })),
     issues: [
       ...made.issues.map((found) => numbered(found, place("element" in found.data ? found.data.element : 1))),
-      ...centre.issues.map((found) => numbered(found, contour["element" in found.data ? found.data.element - 1 : 0] ?? NOWHERE)),
+      ...centre.issues.map((found) =>
+        numbered(found, contour["element" in found.data ? found.data.element - 1 : 0] ?? NOWHERE),
+      ),
     ],
   };
 }

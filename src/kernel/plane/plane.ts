@@ -3,8 +3,8 @@ import { spaceOf } from "../geometry/space.ts";
 import { at, type Pt, type Segment } from "../geometry/point.ts";
 
 /**
- * A point or a direction of the working plane, mm: X and Y while milling. In turning x is Z and y is the distance from the
- * axis, so that counter-clockwise, left and right mean the same in both.
+ * A point or a direction of the working plane, mm: X and Y while milling. In turning x is Z and y is the distance from
+ * the axis, so that counter-clockwise, left and right mean the same in both.
  */
 export interface PlanePoint {
   readonly x: number;

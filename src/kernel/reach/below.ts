@@ -1,9 +1,20 @@
-import { crossings, firstSpan, valueAt, type Envelope, type EnvelopePiece, type Interval, type Span } from "./envelope.ts";
+import {
+  crossings,
+  firstSpan,
+  valueAt,
+  type Envelope,
+  type EnvelopePiece,
+  type Interval,
+  type Span,
+} from "./envelope.ts";
 import { JOINED, ROUND } from "../tolerance.ts";
 
 /** The lowest and the highest v of a piece between two places of it. */
 function rangeOf(p: EnvelopePiece, a: number, b: number): readonly [low: number, high: number] {
-  const va = valueAt(p, a), vb = valueAt(p, b), low = Math.min(va, vb), high = Math.max(va, vb);
+  const va = valueAt(p, a),
+    vb = valueAt(p, b),
+    low = Math.min(va, vb),
+    high = Math.max(va, vb);
   if (p.arc === 0 || p.cu <= a || p.cu >= b) return [low, high];
   return p.arc === 1 ? [low, p.cv + p.radius] : [p.cv - p.radius, high];
 }

@@ -16,7 +16,8 @@ export function bridged(contour: readonly FlatSegment[]): Bound[] {
   let top: Flat = first.from;
   let open = false;
   const close = (to: Flat) => {
-    if (open && to.u - top.u > ROUND) out.push({ segment: { kind: "line", from: top, to: { u: to.u, v: top.v } }, on: "bridge" });
+    if (open && to.u - top.u > ROUND)
+      out.push({ segment: { kind: "line", from: top, to: { u: to.u, v: top.v } }, on: "bridge" });
     open = false;
   };
   for (const s of contour.flatMap(oneWay)) {
@@ -32,7 +33,9 @@ export function bridged(contour: readonly FlatSegment[]): Bound[] {
   }
   const last = contour[contour.length - 1] as FlatSegment;
   close(last.to);
-  return out.length > 0 ? out : [{ segment: { kind: "line", from: top, to: { u: last.to.u, v: top.v } }, on: "bridge" }];
+  return out.length > 0
+    ? out
+    : [{ segment: { kind: "line", from: top, to: { u: last.to.u, v: top.v } }, on: "bridge" }];
 }
 
 /** The elements of a contour that fall, as they follow each other: into these a tool plunges. */
@@ -53,8 +56,14 @@ function oneWay(s: FlatSegment): FlatSegment[] {
   if (s.kind === "line") return [s];
   const { start, sweep, startRadius } = polarOf(s);
   const way = signOf(s.turn);
-  const turns = [Math.PI / 2, -Math.PI / 2].map((a) => positive(way * (a - start))).filter((d) => d > ROUND && d < way * sweep - ROUND);
-  const points = [s.from, ...turns.sort((x, y) => x - y).map((d) => onCircle(s.centre, startRadius, start + way * d)), s.to];
+  const turns = [Math.PI / 2, -Math.PI / 2]
+    .map((a) => positive(way * (a - start)))
+    .filter((d) => d > ROUND && d < way * sweep - ROUND);
+  const points = [
+    s.from,
+    ...turns.sort((x, y) => x - y).map((d) => onCircle(s.centre, startRadius, start + way * d)),
+    s.to,
+  ];
   return points.slice(1).map((to, i): FlatSegment => ({ ...s, from: points[i] as Flat, to }));
 }
 

@@ -6,14 +6,25 @@ import { JOINED, NOTHING, ROUND } from "../tolerance.ts";
 const { angleOf, apart, dot, heading, onCircle, scaled, sum } = flat;
 
 /**
- * Which part of the insert an edge belongs to; `behindMain` and `behindSecondary` are the sides that go on from the end of a cutting edge
- * and cut nothing themselves.
+ * Which part of the insert an edge belongs to; `behindMain` and `behindSecondary` are the sides that go on from the end
+ * of a cutting edge and cut nothing themselves.
  */
 export type Feature = "nose" | "mainEdge" | "secondaryEdge" | "width" | "behindMain" | "behindSecondary" | "back";
 
-/** One boundary element of a convex shape, run counter-clockwise. Angles in radians; an arc runs from `start` by `sweep` > 0. */
-export type Edge = { readonly kind: "line"; readonly from: Flat; readonly to: Flat; readonly feature: Feature } | { readonly kind: "arc";
-  readonly centre: Flat; readonly radius: number; readonly start: number; readonly sweep: number; readonly feature: Feature };
+/**
+ * One boundary element of a convex shape, run counter-clockwise. Angles in radians; an arc runs from `start` by `sweep`
+ * > 0.
+ */
+export type Edge =
+  | { readonly kind: "line"; readonly from: Flat; readonly to: Flat; readonly feature: Feature }
+  | {
+      readonly kind: "arc";
+      readonly centre: Flat;
+      readonly radius: number;
+      readonly start: number;
+      readonly sweep: number;
+      readonly feature: Feature;
+    };
 
 /** A convex shape: closed boundary, counter-clockwise, lines and arcs. */
 export type Convex = readonly Edge[];
@@ -22,28 +33,41 @@ export const edgeStart = (e: Edge): Flat => (e.kind === "line" ? e.from : onCirc
 export const edgeEnd = (e: Edge): Flat => (e.kind === "line" ? e.to : onCircle(e.centre, e.radius, e.start + e.sweep));
 
 /** Angle of the outward normal where an edge begins. */
-export const normalStart = (e: Edge) => e.kind === "arc" ? e.start : Math.atan2(-(e.to.u - e.from.u), e.to.v - e.from.v);
+export const normalStart = (e: Edge) =>
+  e.kind === "arc" ? e.start : Math.atan2(-(e.to.u - e.from.u), e.to.v - e.from.v);
 /** Angle of the outward normal where an edge ends. */
 export const normalEnd = (e: Edge) => (e.kind === "arc" ? e.start + e.sweep : normalStart(e));
 
-/** The shape of part space (z as u, r as v) seen in a frame; a mirroring frame reverses the boundary to keep its turn. */
+/**
+ * The shape of part space (z as u, r as v) seen in a frame; a mirroring frame reverses the boundary to keep its turn.
+ */
 export function inFrame(k: Convex, f: Frame): Convex {
   const map = (p: Flat) => toFlat(f, at(p.u, p.v));
   const angle = (a: number) => angleOf(map(heading(a)));
   if (!mirrors(f))
     return k.map((e) =>
-      e.kind === "line" ? { ...e, from: map(e.from), to: map(e.to) } : { ...e, centre: map(e.centre), start: angle(e.start) }
+      e.kind === "line"
+        ? { ...e, from: map(e.from), to: map(e.to) }
+        : { ...e, centre: map(e.centre), start: angle(e.start) },
     );
-  return k.map((e): Edge =>
-    e.kind === "line" ? { ...e, from: map(e.to), to: map(e.from) } : { ...e, centre: map(e.centre), start: angle(e.start + e.sweep) }
-  ).reverse();
+  return k
+    .map((e): Edge =>
+      e.kind === "line"
+        ? { ...e, from: map(e.to), to: map(e.from) }
+        : { ...e, centre: map(e.centre), start: angle(e.start + e.sweep) },
+    )
+    .reverse();
 }
 
 /** The shape moved by an offset. */
 export const moved = (k: Convex, by: Flat): Convex =>
-  k.map((e) => e.kind === "line" ? { ...e, from: sum(e.from, by), to: sum(e.to, by) } : { ...e, centre: sum(e.centre, by) });
+  k.map((e) =>
+    e.kind === "line" ? { ...e, from: sum(e.from, by), to: sum(e.to, by) } : { ...e, centre: sum(e.centre, by) },
+  );
 
-/** Minkowski sum with the rectangle ±a × ±b: arcs split at the axis directions and shift, straight bridges join them. */
+/**
+ * Minkowski sum with the rectangle ±a × ±b: arcs split at the axis directions and shift, straight bridges join them.
+ */
 export function grown(k: Convex, a: number, b: number): Convex {
   if (a === 0 && b === 0) return k;
   const pieces: Edge[] = k.flatMap(splitAtAxes).map((e) => {
@@ -57,7 +81,8 @@ export function grown(k: Convex, a: number, b: number): Convex {
     const next = pieces[(i + 1) % pieces.length] as Edge;
     const from = edgeEnd(e);
     const to = edgeStart(next);
-    if (apart(from, to) > NOTHING) out.push({ kind: "line", from, to, feature: e.feature === "nose" ? next.feature : e.feature });
+    if (apart(from, to) > NOTHING)
+      out.push({ kind: "line", from, to, feature: e.feature === "nose" ? next.feature : e.feature });
   });
   return out;
 }
@@ -67,10 +92,21 @@ export function grownRound(k: Convex, by: number): Convex {
   return k.flatMap((e, i): Edge[] => {
     const next = k[(i + 1) % k.length] as Edge;
     const [start, sweep] = [normalEnd(e), positive(normalStart(next) - normalEnd(e))];
-    const edge = e.kind === "arc" ? { ...e, radius: e.radius + by } : (moved([e], scaled(heading(normalStart(e)), by))[0] as Edge);
+    const edge =
+      e.kind === "arc" ? { ...e, radius: e.radius + by } : (moved([e], scaled(heading(normalStart(e)), by))[0] as Edge);
     // Nearly a full turn is a joint without a bend, seen from its other side.
     if (sweep < JOINED || sweep > FULL_TURN - JOINED) return [edge];
-    return [edge, { kind: "arc", centre: edgeEnd(e), radius: by, start, sweep, feature: e.feature === "nose" ? next.feature : e.feature }];
+    return [
+      edge,
+      {
+        kind: "arc",
+        centre: edgeEnd(e),
+        radius: by,
+        start,
+        sweep,
+        feature: e.feature === "nose" ? next.feature : e.feature,
+      },
+    ];
   });
 }
 /** Zero for a direction along an axis: such an edge is bridged on both sides. */
@@ -102,7 +138,8 @@ export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
     }
   };
   for (const e of k) {
-    if (e.kind === "arc" && positive(angle - e.start + ROUND) <= e.sweep + 2 * ROUND) offer(onCircle(e.centre, e.radius, angle), e.feature);
+    if (e.kind === "arc" && positive(angle - e.start + ROUND) <= e.sweep + 2 * ROUND)
+      offer(onCircle(e.centre, e.radius, angle), e.feature);
     offer(edgeStart(e), e.feature);
     offer(edgeEnd(e), e.feature);
   }

@@ -1,11 +1,22 @@
-import { crossings, firstSpan, heightAt, linePiece, push, valueAt, type Envelope, type Origin, type EnvelopePiece, type Interval,
-  type Span } from "./envelope.ts";
+import {
+  crossings,
+  firstSpan,
+  heightAt,
+  linePiece,
+  push,
+  valueAt,
+  type Envelope,
+  type Origin,
+  type EnvelopePiece,
+  type Interval,
+  type Span,
+} from "./envelope.ts";
 import { flat, type FlatSegment } from "../geometry/flat.ts";
 import { JOINED, ROUND } from "../tolerance.ts";
 
 /**
- * The envelope cut down to pieces (from left to right, side by side) wherever they are lower by no more than `most` mm: deeper
- * down material stays above them. Where the envelope has a gap it keeps it.
+ * The envelope cut down to pieces (from left to right, side by side) wherever they are lower by no more than `most` mm:
+ * deeper down material stays above them. Where the envelope has a gap it keeps it.
  */
 export function loweredBy(e: Envelope, cuts: readonly EnvelopePiece[], most: number): Envelope {
   const first = cuts[0];
@@ -25,7 +36,8 @@ export function loweredBy(e: Envelope, cuts: readonly EnvelopePiece[], most: num
       for (let k = 0; k <= cuts.length; k += 1) {
         const to = cuts[k] ?? end;
         const middle = (from + to) / 2;
-        const stands = valueAt(piece, middle), reached = valueAt(cut, middle);
+        const stands = valueAt(piece, middle),
+          reached = valueAt(cut, middle);
         push(out, stands <= reached || stands > reached + most + JOINED ? piece : cut, from, to);
         from = to;
       }
@@ -42,11 +54,17 @@ const inOrder = (a: readonly number[], b: readonly number[]): readonly number[] 
 
 /** The stretch of an envelope between two places, moved up by `by` mm. */
 export const raised = (e: Envelope, u0: number, u1: number, by: number): Envelope =>
-  e.filter((s) => s.u1 > u0 && s.u0 < u1).map((s) => ({ piece: lifted(s.piece, by), u0: Math.max(s.u0, u0), u1: Math.min(s.u1, u1) }));
+  e
+    .filter((s) => s.u1 > u0 && s.u0 < u1)
+    .map((s) => ({ piece: lifted(s.piece, by), u0: Math.max(s.u0, u0), u1: Math.min(s.u1, u1) }));
 
-const lifted = (p: EnvelopePiece, by: number): EnvelopePiece => (p.arc === 0 ? { ...p, v0: p.v0 + by } : { ...p, cv: p.cv + by });
+const lifted = (p: EnvelopePiece, by: number): EnvelopePiece =>
+  p.arc === 0 ? { ...p, v0: p.v0 + by } : { ...p, cv: p.cv + by };
 
-/** Where one envelope lies more than `by` mm over another, from left to right: looked at where either begins a piece, and in between. */
+/**
+ * Where one envelope lies more than `by` mm over another, from left to right: looked at where either begins a piece,
+ * and in between.
+ */
 export function aboveBy(e: Envelope, other: Envelope, from: number, to: number, by: number): Interval[] {
   const found: Interval[] = [];
   let j = firstSpan(other, from);
@@ -57,7 +75,8 @@ export function aboveBy(e: Envelope, other: Envelope, from: number, to: number, 
       const o = other[j] as Span;
       const [a, b] = [Math.max(from, s.u0, o.u0), Math.min(to, s.u1, o.u1)];
       if (b - a <= ROUND) continue;
-      if ([a, (a + b) / 2, b].some((u) => valueAt(s.piece, u) > valueAt(o.piece, u) + by)) found.push({ from: a, to: b });
+      if ([a, (a + b) / 2, b].some((u) => valueAt(s.piece, u) > valueAt(o.piece, u) + by))
+        found.push({ from: a, to: b });
     }
   }
   return found;

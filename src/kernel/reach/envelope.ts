@@ -3,7 +3,10 @@ import { flat, type Flat, type FlatSegment } from "../geometry/flat.ts";
 import { hypotenuse } from "../geometry/vectors.ts";
 import { JOINED, NOTHING, ROUND } from "../tolerance.ts";
 
-/** Where a piece of the envelope comes from: the insert feature that touches, and the kind of contour element it touches. */
+/**
+ * Where a piece of the envelope comes from: the insert feature that touches, and the kind of contour element it
+ * touches.
+ */
 export interface Origin {
   readonly feature: Feature;
   /** "contour": the drawn contour; the others are bounds of the area, not of the part. */
@@ -42,7 +45,9 @@ export function linePiece(a: Flat, b: Flat, origin: Origin): EnvelopePiece | nul
 
 /** The upper envelope of any number of pieces; exact up to rounding, in O(n log n) for n pieces that cross little. */
 export function upperEnvelope(pieces: readonly EnvelopePiece[]): Envelope {
-  let level: Span[][] = pieces.filter((p) => p.u1 - p.u0 > ROUND).map((piece) => [{ piece, u0: piece.u0, u1: piece.u1 }]);
+  let level: Span[][] = pieces
+    .filter((p) => p.u1 - p.u0 > ROUND)
+    .map((piece) => [{ piece, u0: piece.u0, u1: piece.u1 }]);
   level.sort((a, b) => (a[0] as Span).u0 - (b[0] as Span).u0);
   while (level.length > 1) {
     const next: Span[][] = [];
@@ -90,11 +95,14 @@ function merge(a: readonly Span[], b: readonly Span[]): Span[] {
 export function push(out: Span[], piece: EnvelopePiece, u0: number, u1: number) {
   if (u1 - u0 <= 0) return;
   const last = out.at(-1);
-  if (last && sameLine(last.piece, piece) && u0 - last.u1 <= ROUND) out[out.length - 1] = { piece: last.piece, u0: last.u0, u1 };
+  if (last && sameLine(last.piece, piece) && u0 - last.u1 <= ROUND)
+    out[out.length - 1] = { piece: last.piece, u0: last.u0, u1 };
   else out.push({ piece, u0, u1 });
 }
 
-/** Whether a piece goes on where another ends: itself, or as level, as the floors that plunges side by side have left. */
+/**
+ * Whether a piece goes on where another ends: itself, or as level, as the floors that plunges side by side have left.
+ */
 const sameLine = (p: EnvelopePiece, q: EnvelopePiece): boolean =>
   p === q || (p.arc === 0 && q.arc === 0 && p.slope === 0 && q.slope === 0 && p.v0 === q.v0 && p.origin === q.origin);
 
@@ -103,7 +111,8 @@ function higher(out: Span[], f: EnvelopePiece, g: EnvelopePiece, u0: number, u1:
   const cuts = crossings(f, g, u0, u1);
   let from = u0;
   for (let i = 0; i <= cuts.length; i += 1) {
-    const cut = cuts[i] ?? u1, middle = (from + cut) / 2;
+    const cut = cuts[i] ?? u1,
+      middle = (from + cut) / 2;
     push(out, valueAt(f, middle) >= valueAt(g, middle) ? f : g, from, cut);
     from = cut;
   }
@@ -120,7 +129,10 @@ export function crossings(f: EnvelopePiece, g: EnvelopePiece, lo: number, hi: nu
     return isWithin(u) ? [u] : NOWHERE;
   }
   const [one, other] = f.arc === 0 ? lineArc(f, g as Arc) : g.arc === 0 ? lineArc(g, f) : arcArc(f, g);
-  const first = Math.min(one, other), second = Math.max(one, other), isFirst = isWithin(first), isSecond = isWithin(second);
+  const first = Math.min(one, other),
+    second = Math.max(one, other),
+    isFirst = isWithin(first),
+    isSecond = isWithin(second);
   if (isFirst) return isSecond ? [first, second] : [first];
   return isSecond ? [second] : NOWHERE;
 }
@@ -208,16 +220,21 @@ export function lowest(e: Envelope, u0: number, u1: number): number {
 
 /** Highest v of the envelope over [u0, u1], and where; gaps do not count. */
 export function highest(e: Envelope, u0: number, u1: number): { u: number; v: number } {
-  let u = u0, v = -Infinity;
+  let u = u0,
+    v = -Infinity;
   for (let i = firstSpan(e, u0); i < e.length; i++) {
-    const s = e[i] as Span, { piece } = s;
+    const s = e[i] as Span,
+      { piece } = s;
     if (s.u0 > u1) break;
-    const a = Math.max(u0, s.u0), b = Math.min(u1, s.u1);
+    const a = Math.max(u0, s.u0),
+      b = Math.min(u1, s.u1);
     if (b < a) continue;
-    const va = valueAt(piece, a), vb = valueAt(piece, b);
+    const va = valueAt(piece, a),
+      vb = valueAt(piece, b);
     if (va > v) [u, v] = [a, va];
     if (vb > v) [u, v] = [b, vb];
-    if (piece.arc === 1 && piece.cu > a && piece.cu < b && piece.cv + piece.radius > v) [u, v] = [piece.cu, piece.cv + piece.radius];
+    if (piece.arc === 1 && piece.cu > a && piece.cu < b && piece.cv + piece.radius > v)
+      [u, v] = [piece.cu, piece.cv + piece.radius];
   }
   return { u, v };
 }
@@ -269,9 +286,10 @@ export function pathAlong(e: Envelope, u0: number, u1: number): Stretch[] {
     const start = at && flat.apart(at, from) <= JOINED ? at : from;
     const p = s.piece;
     out.push({
-      segment: p.arc === 0
-        ? { kind: "line", from: start, to }
-        : { kind: "arc", from: start, to, centre: { u: p.cu, v: p.cv }, turn: p.arc === -1 ? "ccw" : "cw" },
+      segment:
+        p.arc === 0
+          ? { kind: "line", from: start, to }
+          : { kind: "arc", from: start, to, centre: { u: p.cu, v: p.cv }, turn: p.arc === -1 ? "ccw" : "cw" },
       origin: p.origin,
     });
     at = to;

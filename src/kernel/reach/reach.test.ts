@@ -19,7 +19,16 @@ const tools: Tool[] = [
     "P-ANGLE": degrees(80),
     CUTLENGTH: length(12),
   },
-  { T: 2, NAME: "B", TYPE: "FINISH", TO: 1, RS: length(0.4), "T-ANGLE": degrees(93), "P-ANGLE": degrees(35), CUTLENGTH: length(16) },
+  {
+    T: 2,
+    NAME: "B",
+    TYPE: "FINISH",
+    TO: 1,
+    RS: length(0.4),
+    "T-ANGLE": degrees(93),
+    "P-ANGLE": degrees(35),
+    CUTLENGTH: length(16),
+  },
   {
     T: 3,
     NAME: "C",
@@ -35,7 +44,16 @@ const tools: Tool[] = [
     TO: 2,
     RS: length(0.1),
   },
-  { T: 6, NAME: "F", TYPE: "ROUGH", TO: 1, RS: length(0), "T-ANGLE": degrees(75), "P-ANGLE": degrees(60), CUTLENGTH: length(9) },
+  {
+    T: 6,
+    NAME: "F",
+    TYPE: "ROUGH",
+    TO: 1,
+    RS: length(0),
+    "T-ANGLE": degrees(75),
+    "P-ANGLE": degrees(60),
+    CUTLENGTH: length(9),
+  },
 ];
 /** Longitudinal outside towards −Z. */
 const frame = { transverse: false, signU: -1, signV: 1 } as const;
@@ -46,60 +64,84 @@ function dense(k: Convex): Flat[] {
     Array.from({ length: 101 }, (_, i): Flat =>
       e.kind === "line"
         ? { u: e.from.u + ((e.to.u - e.from.u) * i) / 100, v: e.from.v + ((e.to.v - e.from.v) * i) / 100 }
-        : flat.onCircle(e.centre, e.radius, e.start + (e.sweep * i) / 100))
+        : flat.onCircle(e.centre, e.radius, e.start + (e.sweep * i) / 100),
+    ),
   );
 }
 
-const contour = fc.array(fc.record({ du: fc.integer({ min: 50, max: 6000 }), dv: fc.integer({ min: -5000, max: 5000 }) }), {
-  minLength: 1,
-  maxLength: 6,
-}).map((steps): FlatSegment[] => {
-  let at: Flat = { u: 0, v: 0 };
-  return steps.map((s) => {
-    const from = at;
-    at = { u: from.u + s.du / 1000, v: from.v + s.dv / 1000 };
-    return { kind: "line", from, to: at };
+const contour = fc
+  .array(fc.record({ du: fc.integer({ min: 50, max: 6000 }), dv: fc.integer({ min: -5000, max: 5000 }) }), {
+    minLength: 1,
+    maxLength: 6,
+  })
+  .map((steps): FlatSegment[] => {
+    let at: Flat = { u: 0, v: 0 };
+    return steps.map((s) => {
+      const from = at;
+      at = { u: from.u + s.du / 1000, v: from.v + s.dv / 1000 };
+      return { kind: "line", from, to: at };
+    });
   });
-});
 
 describe("the reach of an insert over a contour", () => {
   test.each(tools)("$NAME touches and never cuts: it agrees with trying every point", (tool) => {
     const insert = inFrame(insertShape(tool), frame);
     const edge = dense(insert);
-    fc.assert(fc.property(contour, fc.integer({ min: -3000, max: 20000 }), (chain, at) => {
-      const e = reachOver(chain.map((segment) => ({ segment, on: "contour" })), insert);
-      const u = at / 1000;
-      // The highest lift that any pair of a contour point and an insert point asks for.
-      const ground = (x: number) => {
-        const s = chain.find((c) => c.from.u <= x && x <= c.to.u);
-        return s ? s.from.v + ((s.to.v - s.from.v) * (x - s.from.u)) / (s.to.u - s.from.u) : -Infinity;
-      };
-      const tried = Math.max(...edge.map((q) => ground(u + q.u) - q.v),
-        ...chain.flatMap((s) => [s.from, s.to]).flatMap((p) => edge.filter((q) => Math.abs(q.u + u - p.u) < 1e-9).map((q) => p.v - q.v)));
-      const exact = heightAt(e, u);
-      if (tried === -Infinity) return;
-      expect(exact).toBeGreaterThanOrEqual(tried - 1e-6);
-    }), { numRuns: 200 });
+    fc.assert(
+      fc.property(contour, fc.integer({ min: -3000, max: 20000 }), (chain, at) => {
+        const e = reachOver(
+          chain.map((segment) => ({ segment, on: "contour" })),
+          insert,
+        );
+        const u = at / 1000;
+        // The highest lift that any pair of a contour point and an insert point asks for.
+        const ground = (x: number) => {
+          const s = chain.find((c) => c.from.u <= x && x <= c.to.u);
+          return s ? s.from.v + ((s.to.v - s.from.v) * (x - s.from.u)) / (s.to.u - s.from.u) : -Infinity;
+        };
+        const tried = Math.max(
+          ...edge.map((q) => ground(u + q.u) - q.v),
+          ...chain
+            .flatMap((s) => [s.from, s.to])
+            .flatMap((p) => edge.filter((q) => Math.abs(q.u + u - p.u) < 1e-9).map((q) => p.v - q.v)),
+        );
+        const exact = heightAt(e, u);
+        if (tried === -Infinity) return;
+        expect(exact).toBeGreaterThanOrEqual(tried - 1e-6);
+      }),
+      { numRuns: 200 },
+    );
   });
 
   test("is the contour itself for a sharp needle, and its offset for a circle", () => {
     const circle = inFrame(insertShape(tools[2] as Tool), frame);
     const slope: FlatSegment[] = [{ kind: "line", from: { u: 0, v: 0 }, to: { u: 40, v: 30 } }];
-    const e = reachOver(slope.map((segment) => ({ segment, on: "contour" })), circle);
+    const e = reachOver(
+      slope.map((segment) => ({ segment, on: "contour" })),
+      circle,
+    );
     // The centre runs 3 mm off the slope 3:4, the tip 3 mm below the centre.
     expect(heightAt(e, 20)).toBeCloseTo(15 + 3 / 0.8 - 3, 9);
   });
 
   test("a valley arc smaller than the nose is bridged, a larger one is followed by the difference of the radii", () => {
     const circle = inFrame(insertShape(tools[2] as Tool), frame);
-    const bowl = (r: number): FlatSegment[] => [{ kind: "line", from: { u: -20, v: r }, to: { u: -r, v: r } }, {
-      kind: "arc",
-      from: { u: -r, v: r },
-      to: { u: r, v: r },
-      centre: { u: 0, v: r },
-      turn: "ccw",
-    }, { kind: "line", from: { u: r, v: r }, to: { u: 20, v: r } }];
-    const over = (r: number) => reachOver(bowl(r).map((segment) => ({ segment, on: "contour" })), circle);
+    const bowl = (r: number): FlatSegment[] => [
+      { kind: "line", from: { u: -20, v: r }, to: { u: -r, v: r } },
+      {
+        kind: "arc",
+        from: { u: -r, v: r },
+        to: { u: r, v: r },
+        centre: { u: 0, v: r },
+        turn: "ccw",
+      },
+      { kind: "line", from: { u: r, v: r }, to: { u: 20, v: r } },
+    ];
+    const over = (r: number) =>
+      reachOver(
+        bowl(r).map((segment) => ({ segment, on: "contour" })),
+        circle,
+      );
     expect(heightAt(over(5), 0)).toBeCloseTo(0, 9);
     expect(heightAt(over(2), 0)).toBeCloseTo(2 - (3 - Math.sqrt(9 - 4)), 9);
   });
@@ -107,13 +149,20 @@ describe("the reach of an insert over a contour", () => {
   test("a contour that begins with an overhang is touched at its first point as well", () => {
     const circle = inFrame(insertShape(tools[2] as Tool), frame);
     // A hollow of radius 2 that leaves its first point a hair backwards.
-    const chain: FlatSegment[] = [{ kind: "arc", from: { u: 0, v: 0 }, to: { u: 2, v: -2 }, centre: { u: 2, v: -1e-3 }, turn: "ccw" }, {
-      kind: "line",
-      from: { u: 2, v: -2 },
-      to: { u: 9, v: -2 },
-    }];
-    const e = reachOver(chain.map((segment) => ({ segment, on: "contour" })), circle);
-    // The circle of 3 rests on the first point: its centre one to the right of it is √8 above it, the tip 3 below the centre.
+    const chain: FlatSegment[] = [
+      { kind: "arc", from: { u: 0, v: 0 }, to: { u: 2, v: -2 }, centre: { u: 2, v: -1e-3 }, turn: "ccw" },
+      {
+        kind: "line",
+        from: { u: 2, v: -2 },
+        to: { u: 9, v: -2 },
+      },
+    ];
+    const e = reachOver(
+      chain.map((segment) => ({ segment, on: "contour" })),
+      circle,
+    );
+    // The circle of 3 rests on the first point: its centre one to the right of it is √8 above it, the tip 3 below the
+    // centre.
     expect(heightAt(e, 1)).toBeCloseTo(Math.sqrt(8) - 3, 9);
   });
 });
@@ -121,29 +170,39 @@ describe("the reach of an insert over a contour", () => {
 describe("a straight way over an envelope", () => {
   const around = { feature: "nose", on: "contour", corner: false } as const;
   const height = fc.integer({ min: -4000, max: 4000 }).map((n) => n / 1000);
-  const hills = fc.array(fc.tuple(height, height), { minLength: 2, maxLength: 8 }).map((line) =>
-    upperEnvelope(line.flatMap(([a, b], i) => linePiece({ u: i, v: a }, { u: i + 1, v: b }, around) ?? []))
-  );
+  const hills = fc
+    .array(fc.tuple(height, height), { minLength: 2, maxLength: 8 })
+    .map((line) =>
+      upperEnvelope(line.flatMap(([a, b], i) => linePiece({ u: i, v: a }, { u: i + 1, v: b }, around) ?? [])),
+    );
   test("is free exactly when no point of it lies under the envelope", () => {
-    fc.assert(fc.property(hills, height, height, (e, a, b) => {
-      const [from, to] = [{ u: 0.25, v: a }, { u: e.length - 0.25, v: b }];
-      const depths = e.flatMap((s) =>
-        [s.u0, s.u1 - 1e-6].map((u) => Math.min(Math.max(u, from.u), to.u)).filter((u) => u >= s.u0 && u <= s.u1).map((u) =>
-          valueAt(s.piece, u) - (a + ((b - a) * (u - from.u)) / (to.u - from.u))
-        )
-      );
-      const deepest = Math.max(...depths);
-      fc.pre(Math.abs(deepest) > 1e-4);
-      expect(staysAbove(e, from, to)).toBe(deepest < 0);
-    }));
+    fc.assert(
+      fc.property(hills, height, height, (e, a, b) => {
+        const [from, to] = [
+          { u: 0.25, v: a },
+          { u: e.length - 0.25, v: b },
+        ];
+        const depths = e.flatMap((s) =>
+          [s.u0, s.u1 - 1e-6]
+            .map((u) => Math.min(Math.max(u, from.u), to.u))
+            .filter((u) => u >= s.u0 && u <= s.u1)
+            .map((u) => valueAt(s.piece, u) - (a + ((b - a) * (u - from.u)) / (to.u - from.u))),
+        );
+        const deepest = Math.max(...depths);
+        fc.pre(Math.abs(deepest) > 1e-4);
+        expect(staysAbove(e, from, to)).toBe(deepest < 0);
+      }),
+    );
   });
 });
 
 test("an insert grown by a disc keeps that distance from a corner, a line and an arc, with arcs that stay arcs", () => {
-  const corner: Bound[] = [flat.line({ u: -10, v: 2 }, { u: 0, v: 2 }), flat.line({ u: 0, v: 2 }, { u: 0, v: -3 })].map((segment) => ({
-    segment,
-    on: "contour" as const,
-  }));
+  const corner: Bound[] = [flat.line({ u: -10, v: 2 }, { u: 0, v: 2 }), flat.line({ u: 0, v: 2 }, { u: 0, v: -3 })].map(
+    (segment) => ({
+      segment,
+      on: "contour" as const,
+    }),
+  );
   const tip = grownRound(insertShape({ T: 1, NAME: "", TYPE: "BUTTON", TO: 9, RS: length(0.8) }), 1.3);
   const e = reachOver(corner, tip);
   for (const u of [-7, -0.4, 0, 0.6, 1.7]) {
@@ -155,7 +214,12 @@ test("an insert grown by a disc keeps that distance from a corner, a line and an
 });
 
 test("a corner of an insert grown by a disc becomes an arc of that radius", () => {
-  const square = [[0, 0], [3, 0], [3, 2], [0, 2]].map(([u, v], i, all): Edge => {
+  const square = [
+    [0, 0],
+    [3, 0],
+    [3, 2],
+    [0, 2],
+  ].map(([u, v], i, all): Edge => {
     const [p, q] = all[(i + 1) % 4] as [number, number];
     return { kind: "line", from: { u: u as number, v: v as number }, to: { u: p, v: q }, feature: "width" };
   });

@@ -14,9 +14,9 @@ export interface Bound {
 
 /**
  * The lowest positions of the tip over a chain of contour elements: the upper boundary of material ⊕ mirrored insert,
- * exact in lines and arcs (decision "Reach"). The chain runs with the material on its right; `insert` is relative to the
- * tip, in the same space. Each piece is a pair of a contour element and an insert element with the same normal, so every
- * piece lies in the sum, and the uppermost ones bound it.
+ * exact in lines and arcs (decision "Reach"). The chain runs with the material on its right; `insert` is relative to
+ * the tip, in the same space. Each piece is a pair of a contour element and an insert element with the same normal, so
+ * every piece lies in the sum, and the uppermost ones bound it.
  */
 export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
   const edges = mirroredLowerHull(insert);
@@ -31,7 +31,8 @@ export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
     else alongArc(s, k, b.on, add);
     const next = chain[i + 1];
     if (i === 0) atCorner(s.from, { u: -1, v: 0 }, facingUp(normalAt(s, "from")), k, b.on, add);
-    if (next) atCorner(s.to, normalAt(s, "to"), normalAt(next.segment, "from"), k, b.on === "contour" ? b.on : next.on, add);
+    if (next)
+      atCorner(s.to, normalAt(s, "to"), normalAt(next.segment, "from"), k, b.on === "contour" ? b.on : next.on, add);
     else atCorner(s.to, facingUp(normalAt(s, "to")), { u: 1, v: 0 }, k, b.on, add);
   });
   return upperEnvelope(pieces);
@@ -40,7 +41,9 @@ export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
 /** A normal at an end of the chain; of an element that hangs over there, as flat as one that faces up can be. */
 const facingUp = (n: Flat): Flat => (n.v >= 0 ? n : { u: Math.sign(n.u), v: 0 });
 
-/** {−q} of the insert, only the elements that can face up: normals in (0, π), split there. Edges run counter-clockwise. */
+/**
+ * {−q} of the insert, only the elements that can face up: normals in (0, π), split there. Edges run counter-clockwise.
+ */
 function mirroredLowerHull(insert: Convex): Edge[] {
   return insert.flatMap((e): Edge[] => {
     if (e.kind === "line") {
@@ -94,7 +97,8 @@ function vertices(k: readonly Edge[]): Vertex[] {
 function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePiece | null) => void) {
   if (s.to.u - s.from.u <= 0) return;
   const a = angleOf(normalAt(s, "from"));
-  const shift = (by: Flat, feature: Feature) => add(linePiece(sum(s.from, by), sum(s.to, by), { feature, on, corner: false }));
+  const shift = (by: Flat, feature: Feature) =>
+    add(linePiece(sum(s.from, by), sum(s.to, by), { feature, on, corner: false }));
   let parallel = false;
   for (const e of k.edges)
     if (e.kind === "line" && Math.abs(a - normalStart(e)) <= ROUND) {
@@ -135,20 +139,40 @@ function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePi
       }
     }
     for (const v of k.vertices)
-      add(halfArc(s, v.at, radius, { from: Math.max(from, v.from), to: Math.min(to, v.to) }, { feature: v.feature, on, corner: false }));
+      add(
+        halfArc(
+          s,
+          v.at,
+          radius,
+          { from: Math.max(from, v.from), to: Math.min(to, v.to) },
+          { feature: v.feature, on, corner: false },
+        ),
+      );
   }
 }
 
-/** The part of an offset arc with certain normals: upper half for a hill, lower half for a valley. Null where there is none. */
+/**
+ * The part of an offset arc with certain normals: upper half for a hill, lower half for a valley. Null where there is
+ * none.
+ */
 function halfArc(s: ArcOf<Flat>, by: Flat, r: number, { from, to }: Interval, origin: Origin): EnvelopePiece | null {
   if (to - from <= ROUND || r <= ROUND) return null;
   const { u: cu, v: cv } = sum(s.centre, by);
-  const [u0, u1] = isValley(s) ? [cu - r * Math.cos(from), cu - r * Math.cos(to)] : [cu + r * Math.cos(to), cu + r * Math.cos(from)];
+  const [u0, u1] = isValley(s)
+    ? [cu - r * Math.cos(from), cu - r * Math.cos(to)]
+    : [cu + r * Math.cos(to), cu + r * Math.cos(from)];
   return u1 - u0 > ROUND ? { arc: isValley(s) ? -1 : 1, u0, u1, cu, cv, radius: r, origin } : null;
 }
 
 /** A convex corner carries the normals between its two elements (clockwise from `before` to `after`). */
-function atCorner(p: Flat, before: Flat, after: Flat, k: Hull, on: Origin["on"], add: (p: EnvelopePiece | null) => void) {
+function atCorner(
+  p: Flat,
+  before: Flat,
+  after: Flat,
+  k: Hull,
+  on: Origin["on"],
+  add: (p: EnvelopePiece | null) => void,
+) {
   const bend = cross(before, after);
   if (bend > -NOTHING && dot(before, after) > 0) return; // smooth or reflex
   if (bend > NOTHING) return;

@@ -40,9 +40,9 @@ interface Candidate {
 
 /** Chooses among places for a point, sets it and counts them. False when there is none. */
 function choose(w: Solving, element: number, candidates: readonly Candidate[]): boolean {
-  const rated = candidates.map((c) => ({ c, faults: faultsOf(w, c), ...orderOf(w, element, c) })).sort((a, b) =>
-    byRank(a, b) || a.c.point.r - b.c.point.r
-  );
+  const rated = candidates
+    .map((c) => ({ c, faults: faultsOf(w, c), ...orderOf(w, element, c) }))
+    .sort((a, b) => byRank(a, b) || a.c.point.r - b.c.point.r);
   const fit = rated.filter((r) => r.faults === (rated[0]?.faults ?? 0));
   const chosen = fit[w.elements[element]?.choice ?? 0] ?? rated[0];
   if (!chosen) {
@@ -56,7 +56,10 @@ function choose(w: Solving, element: number, candidates: readonly Candidate[]): 
 /** Lines that would run backwards, arcs of no length and places below the axis. */
 function faultsOf(w: Solving, { i, point }: Candidate): number {
   let faults = point.r < -SAME ? 1 : 0;
-  for (const [element, from, to] of [[i, pointOf(w, i - 1), point], [i + 1, point, pointOf(w, i + 1)]] as const) {
+  for (const [element, from, to] of [
+    [i, pointOf(w, i - 1), point],
+    [i + 1, point, pointOf(w, i + 1)],
+  ] as const) {
     const angle = w.angle[element] ?? null;
     if (!from || !to || !w.elements[element]) continue;
     if (angle !== null && dot(difference(to, from), heading(angle)) < -SAME) faults += 1;
@@ -66,12 +69,14 @@ function faultsOf(w: Solving, { i, point }: Candidate): number {
 }
 
 /**
- * The likelier place first: the shorter arc (the longer one for a negative radius), the shorter way to the next point, else
- * towards the chuck.
+ * The likelier place first: the shorter arc (the longer one for a negative radius), the shorter way to the next point,
+ * else towards the chuck.
  */
 function orderOf(w: Solving, element: number, { i, point }: Candidate): Omit<Rank, "faults"> {
-  const circle = w.circle[element] ?? null, e = w.elements[element];
-  const from = i === element ? pointOf(w, element - 1) : point, to = i === element ? point : pointOf(w, element);
+  const circle = w.circle[element] ?? null,
+    e = w.elements[element];
+  const from = i === element ? pointOf(w, element - 1) : point,
+    to = i === element ? point : pointOf(w, element);
   if (!circle || circle === "straight" || e?.kind !== "arc" || !from || !to) {
     const [before, after] = [pointOf(w, i - 1), pointOf(w, i + 1)];
     return { otherWay: 0, detour: before && after ? apart(before, point) + apart(point, after) : point.z };
@@ -82,7 +87,9 @@ function orderOf(w: Solving, element: number, { i, point }: Candidate): Omit<Ran
 /** Ends the freedom of one point by a length or a circle; the first that can be. True when a point was found. */
 export function findPlace(w: Solving): boolean {
   for (let i = 1; i < w.elements.length; i += 1) {
-    const e = w.elements[i], circle = w.circle[i] ?? null, forms = [w.forms[i - 1], w.forms[i]].flatMap((f) => (f ? [f.z, f.r] : []));
+    const e = w.elements[i],
+      circle = w.circle[i] ?? null,
+      forms = [w.forms[i - 1], w.forms[i]].flatMap((f) => (f ? [f.z, f.r] : []));
     const free = freeIn(...forms);
     const [only] = free;
     if (only === undefined || w.unreachable.has(i)) continue;
@@ -90,7 +97,14 @@ export function findPlace(w: Solving): boolean {
       const [a, b] = [slide(w, i - 1, only), slide(w, i, only)];
       const found = atDistance(difference(b.start, a.start), difference(b.move, a.move), e.length);
       const p = pointOf(w, i) ? i - 1 : i;
-      if (choose(w, i, found.map((k) => ({ i: p, point: onSlide(p === i ? b : a, k) })))) return true;
+      if (
+        choose(
+          w,
+          i,
+          found.map((k) => ({ i: p, point: onSlide(p === i ? b : a, k) })),
+        )
+      )
+        return true;
     }
     if (circle && circle !== "straight") {
       for (const p of [i, i - 1]) {
@@ -99,7 +113,14 @@ export function findPlace(w: Solving): boolean {
         if (one === undefined || more.length > 0) continue;
         const s = slide(w, p, one);
         const found = atDistance(difference(s.start, circle.centre), s.move, circle.radius);
-        if (choose(w, i, found.map((k) => ({ i: p, point: onSlide(s, k) })))) return true;
+        if (
+          choose(
+            w,
+            i,
+            found.map((k) => ({ i: p, point: onSlide(s, k) })),
+          )
+        )
+          return true;
       }
     }
   }
@@ -119,7 +140,9 @@ function findMeeting(w: Solving): boolean {
 }
 
 function distance(w: Solving, element: number, other: number) {
-  const e = w.elements[element], circle = w.circle[element] ?? null, end = pointOf(w, other);
+  const e = w.elements[element],
+    circle = w.circle[element] ?? null,
+    end = pointOf(w, other);
   if (circle && circle !== "straight") return { centre: circle.centre, radius: circle.radius };
   return element > 0 && e?.kind === "line" && e.length !== null && end ? { centre: end, radius: e.length } : null;
 }

@@ -5,8 +5,19 @@ import { findAngles, findCircles, way } from "./solve-curves.ts";
 import { findTouches } from "./solve-touches.ts";
 import { pointOf, settle, startSolving, type SolveElement, type Solving } from "./solve-work.ts";
 import { ARC_END, SAME } from "../tolerance.ts";
-import { axial, type Axial, degrees, type Degrees, inDegrees, length, type Length, radians, radius, type Radius,
-  roundedAngle } from "../units.ts";
+import {
+  axial,
+  type Axial,
+  degrees,
+  type Degrees,
+  inDegrees,
+  length,
+  type Length,
+  radians,
+  radius,
+  type Radius,
+  roundedAngle,
+} from "../units.ts";
 
 const { angleOf, apart, cross, difference, dot, heading } = part;
 
@@ -42,7 +53,9 @@ export function solveContour(elements: readonly SolveElement[]): SolvedContour {
   // Each round finds at least one coordinate, direction or circle.
   for (let round = 0; round <= elements.length * 4 + 4; round += 1) {
     const found = settle(w);
-    const bent = findAngles(w), circled = findCircles(w), touched = findTouches(w);
+    const bent = findAngles(w),
+      circled = findCircles(w),
+      touched = findTouches(w);
     if (found || bent || circled || touched) continue;
     if (!findPlace(w)) break;
   }
@@ -57,7 +70,8 @@ const round = (angle: number): Degrees => {
 
 function solvedElement(w: Solving, i: number): SolvedElement {
   const [z, r, segment] = [w.z[i] ?? null, w.r[i] ?? null, segmentOf(w, i)];
-  const straight = w.elements[i]?.kind === "line", angle = w.angle[i] ?? null;
+  const straight = w.elements[i]?.kind === "line",
+    angle = w.angle[i] ?? null;
   return {
     z: z === null ? null : axial(z),
     r: r === null ? null : radius(r),
@@ -77,19 +91,30 @@ function segmentOf(w: Solving, i: number): Segment | null {
 }
 
 /**
- * Values still missing at the end point that are not already missing at the point before it, less those that a length or
- * a circle stands for; for an arc its own circle.
+ * Values still missing at the end point that are not already missing at the point before it, less those that a length
+ * or a circle stands for; for an arc its own circle.
  */
 function freedomOf(w: Solving, i: number, segment: Segment | null): number {
-  const e = w.elements[i], form = w.forms[i], before = w.forms[i - 1];
+  const e = w.elements[i],
+    form = w.forms[i],
+    before = w.forms[i - 1];
   if (pointOf(w, i)) return e?.kind === "arc" && i > 0 && !segment && pointOf(w, i - 1) ? 1 : 0;
   const counted = new Set(before ? [...before.z.by.keys(), ...before.r.by.keys()] : []);
-  const free = form ? [...new Set([...form.z.by.keys(), ...form.r.by.keys()])].filter((k) => !counted.has(k)).length : 0;
+  const free = form
+    ? [...new Set([...form.z.by.keys(), ...form.r.by.keys()])].filter((k) => !counted.has(k)).length
+    : 0;
   if (free === 0) return 0;
   const bound = [i, i + 1].filter((k) => {
-    const other = w.elements[k], circle = w.circle[k] ?? null;
+    const other = w.elements[k],
+      circle = w.circle[k] ?? null;
     if (circle && circle !== "straight") return true;
-    return k > 0 && other?.kind === "line" && other.length !== null && (w.angle[k] ?? null) === null && pointOf(w, k === i ? i - 1 : i + 1);
+    return (
+      k > 0 &&
+      other?.kind === "line" &&
+      other.length !== null &&
+      (w.angle[k] ?? null) === null &&
+      pointOf(w, k === i ? i - 1 : i + 1)
+    );
   }).length;
   const own = form && (form.z.by.size === 0 || form.r.by.size === 0) ? 1 : Math.min(2, free);
   return Math.max(1, own - bound);
@@ -99,12 +124,16 @@ function freedomOf(w: Solving, i: number, segment: Segment | null): number {
 const between = (a: Pt, b: Pt) => Math.abs(inDegrees(Math.atan2(cross(a, b), dot(a, b))));
 
 function contradictions(w: Solving, e: SolveElement, i: number, freedom: number): Issue[] {
-  const found: Issue[] = [], element = i + 1;
+  const found: Issue[] = [],
+    element = i + 1;
   const say = (quantity: "angle" | "length" | "tangent" | "radius", given: number, nearest: number) =>
-    found.push(issue("elementContradicts", "error", { element, quantity, given, nearest: roundedAngle(nearest) }, "contour"));
+    found.push(
+      issue("elementContradicts", "error", { element, quantity, given, nearest: roundedAngle(nearest) }, "contour"),
+    );
   const [from, to] = [pointOf(w, i - 1), pointOf(w, i)];
   if (freedom > 0 && !w.unreachable.has(i)) return [issue("elementFree", "error", { element, freedom }, "contour")];
-  if (!to || freedom > 0) return w.unreachable.has(i) ? [issue("elementUnreachable", "error", { element }, "contour")] : [];
+  if (!to || freedom > 0)
+    return w.unreachable.has(i) ? [issue("elementUnreachable", "error", { element }, "contour")] : [];
   if (!from || i === 0) return [];
   if (e.kind === "line") lineAgainst(e, from, to, say);
   const circle = w.circle[i] ?? null;
@@ -126,7 +155,8 @@ function lineAgainst(
   const far = apart(from, to);
   if (far <= SAME) return;
   const real = angleOf(difference(to, from));
-  const given = e.angle === null ? null : heading(radians(e.angle)), own = heading(real);
+  const given = e.angle === null ? null : heading(radians(e.angle)),
+    own = heading(real);
   if (given && e.angle !== null) {
     const off = Math.abs(cross(given, difference(to, from)));
     if (off > ARC_END || dot(given, own) < 0) say("angle", e.angle, round(real));

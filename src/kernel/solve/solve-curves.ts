@@ -3,15 +3,33 @@ import { at, part, type Pt, type Turn } from "../geometry/point.ts";
 import { arcRank, aside, byRank, pointOf, same, type Circle, type Rank, type Solving } from "./solve-work.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 
-const { angleOf, apart, arcByRadius, arcTangential, beyond, cross, difference, direction, dot, heading, line, meet, reversed, sum, sweepOf,
-  unit } = part;
+const {
+  angleOf,
+  apart,
+  arcByRadius,
+  arcTangential,
+  beyond,
+  cross,
+  difference,
+  direction,
+  dot,
+  heading,
+  line,
+  meet,
+  reversed,
+  sum,
+  sweepOf,
+  unit,
+} = part;
 
 /** The point at a distance from one point, on the ray to another. */
 export const towards = (from: Pt, to: Pt, far: number): Pt => beyond(from, unit(difference(to, from)), far);
 
 /** Direction of travel of element i in point p (i − 1 or i); null while it is not known. */
 export function way(w: Solving, i: number, p: number): Pt | null {
-  const angle = w.angle[i] ?? null, circle = w.circle[i] ?? null, point = pointOf(w, p);
+  const angle = w.angle[i] ?? null,
+    circle = w.circle[i] ?? null,
+    point = pointOf(w, p);
   if (angle !== null) return heading(angle);
   if (!circle || circle === "straight" || !point || same(point, circle.centre)) return null;
   return direction({ kind: "arc", from: point, to: point, centre: circle.centre, turn: circle.turn }, point);
@@ -28,7 +46,8 @@ export function findAngles(w: Solving): boolean {
     if (e.kind === "arc" && w.circle[i] !== "straight") return;
     const [from, to] = [pointOf(w, i - 1), pointOf(w, i)];
     const ends = from && to && apart(from, to) > SAME ? difference(to, from) : null;
-    const found = ends ?? (tangent(w, i) ? way(w, i - 1, i - 1) : null) ?? (tangent(w, i + 1) ? way(w, i + 1, i) : null);
+    const found =
+      ends ?? (tangent(w, i) ? way(w, i - 1, i - 1) : null) ?? (tangent(w, i + 1) ? way(w, i + 1, i) : null);
     if (!found) return;
     w.angle[i] = angleOf(found);
     changed = true;
@@ -52,12 +71,14 @@ export function findCircles(w: Solving): boolean {
 function circleOf(w: Solving, i: number): Circle | "straight" | null {
   const e = w.elements[i];
   if (e?.kind !== "arc") return null;
-  const [from, to] = [pointOf(w, i - 1), pointOf(w, i)], size = e.radius === null ? null : Math.abs(e.radius);
+  const [from, to] = [pointOf(w, i - 1), pointOf(w, i)],
+    size = e.radius === null ? null : Math.abs(e.radius);
   if (e.centre) {
-    const radius = from ? apart(from, e.centre) : size ?? (to && apart(to, e.centre));
+    const radius = from ? apart(from, e.centre) : (size ?? (to && apart(to, e.centre)));
     return radius !== null && radius > SAME && e.turn ? { centre: e.centre, radius, turn: e.turn } : null;
   }
-  const before = tangent(w, i) ? way(w, i - 1, i - 1) : null, after = tangent(w, i + 1) ? way(w, i + 1, i) : null;
+  const before = tangent(w, i) ? way(w, i - 1, i - 1) : null,
+    after = tangent(w, i + 1) ? way(w, i + 1, i) : null;
   if (size !== null && size > SAME && e.turn) {
     if (from && before) return { centre: sum(from, aside(e.turn, before, size)), radius: size, turn: e.turn };
     if (to && after) return { centre: sum(to, aside(e.turn, after, size)), radius: size, turn: e.turn };
@@ -71,8 +92,8 @@ function circleOf(w: Solving, i: number): Circle | "straight" | null {
   const made = before
     ? arcTangential(line(difference(from, before), from), to)
     : after
-    ? arcTangential(line(sum(to, after), to), from)
-    : null;
+      ? arcTangential(line(sum(to, after), to), from)
+      : null;
   if (!made) return null;
   // The neighbour behind was run backwards.
   const own = before ? made : reversed(made);
@@ -84,7 +105,8 @@ function onLine(w: Solving, i: number): Pt | null {
   const angle = w.angle[i] ?? null;
   if (angle === null) return null;
   for (const p of [i - 1, i]) {
-    const point = pointOf(w, p), form = w.forms[p];
+    const point = pointOf(w, p),
+      form = w.forms[p];
     if (point) return point;
     const free = form ? new Set([...form.z.by.keys(), ...form.r.by.keys()]) : null;
     const [only] = free ?? [];
@@ -99,9 +121,15 @@ function onLine(w: Solving, i: number): Pt | null {
 function trackBeside(w: Solving, i: number, size: number, turn: Turn): CurveOf<Pt> | null {
   const circle = w.circle[i] ?? null;
   if (circle && circle !== "straight")
-    return { centre: circle.centre, radius: circle.turn === turn ? Math.abs(circle.radius - size) : circle.radius + size };
-  const point = onLine(w, i), angle = w.angle[i] ?? null;
-  return point && angle !== null ? { point: sum(point, aside(turn, heading(angle), size)), along: heading(angle) } : null;
+    return {
+      centre: circle.centre,
+      radius: circle.turn === turn ? Math.abs(circle.radius - size) : circle.radius + size,
+    };
+  const point = onLine(w, i),
+    angle = w.angle[i] ?? null;
+  return point && angle !== null
+    ? { point: sum(point, aside(turn, heading(angle), size)), along: heading(angle) }
+    : null;
 }
 
 /** The circle of given size between two things it touches or runs through, one of them not known as a point. */
@@ -110,7 +138,9 @@ function circleBetween(w: Solving, i: number, size: number, turn: Turn): Circle 
   const one = tangent(w, i) ? trackBeside(w, i - 1, size, turn) : around(pointOf(w, i - 1));
   const two = tangent(w, i + 1) ? trackBeside(w, i + 1, size, turn) : around(pointOf(w, i));
   if (!one || !two) return null;
-  const centres = meet(one, two).map((centre) => ({ centre, ...rankOf(w, i, { centre, radius: size, turn }) })).sort(byRank);
+  const centres = meet(one, two)
+    .map((centre) => ({ centre, ...rankOf(w, i, { centre, radius: size, turn }) }))
+    .sort(byRank);
   const fit = centres.filter((c) => c.faults === 0);
   w.choices[i] = Math.max(1, fit.length);
   const chosen = fit[w.elements[i]?.choice ?? 0] ?? fit[0] ?? centres[0];
@@ -120,7 +150,10 @@ function circleBetween(w: Solving, i: number, size: number, turn: Turn): Circle 
 
 /** How well a circle fits as element i: which of its neighbours would run backwards, and how far it turns. */
 function rankOf(w: Solving, i: number, { centre, turn }: Circle): Rank {
-  const [start, end] = [touching(w, i - 1, i - 1, centre) ?? pointOf(w, i - 1), touching(w, i + 1, i, centre) ?? pointOf(w, i)];
+  const [start, end] = [
+    touching(w, i - 1, i - 1, centre) ?? pointOf(w, i - 1),
+    touching(w, i + 1, i, centre) ?? pointOf(w, i),
+  ];
   const backwards = (element: number, from: Pt | null, to: Pt | null) => {
     const angle = w.angle[element] ?? null;
     return from && to && angle !== null && dot(difference(to, from), heading(angle)) < -SAME ? 1 : 0;
@@ -135,7 +168,9 @@ function rankOf(w: Solving, i: number, { centre, turn }: Circle): Rank {
 /** Where a circle about `c` touches element i, when it does and point p between them is not known. */
 function touching(w: Solving, i: number, p: number, c: Pt): Pt | null {
   if (pointOf(w, p)) return null;
-  const circle = w.circle[i] ?? null, angle = w.angle[i] ?? null, point = onLine(w, i);
+  const circle = w.circle[i] ?? null,
+    angle = w.angle[i] ?? null,
+    point = onLine(w, i);
   if (circle && circle !== "straight") return towards(circle.centre, c, circle.radius);
   return point && angle !== null ? beyond(point, heading(angle), dot(difference(c, point), heading(angle))) : null;
 }

@@ -39,7 +39,8 @@ export function solveLinear(count: number, equations: readonly Equation[], first
     const row: Row = { factors: new Map(), value };
     for (const [variable, factor] of terms) subtract(row, { factors: new Map([[variable, factor]]), value: 0 }, -1);
     for (const variable of [...row.factors.keys()]) {
-      const pivot = rows.get(variable), factor = row.factors.get(variable);
+      const pivot = rows.get(variable),
+        factor = row.factors.get(variable);
       if (pivot && factor !== undefined) subtract(row, pivot, factor);
     }
     let best: number | null = null;

@@ -11,7 +11,10 @@ export function findTouches(w: Solving): boolean {
   w.elements.forEach((_, i) => {
     const circle = w.circle[i] ?? null;
     if (!circle || circle === "straight") return;
-    for (const [other, p, far] of [[i - 1, i - 1, i - 2], [i + 1, i, i + 1]] as const) {
+    for (const [other, p, far] of [
+      [i - 1, i - 1, i - 2],
+      [i + 1, i, i + 1],
+    ] as const) {
       if (other < 1 || !tangent(w, Math.max(i, other)) || pointOf(w, p)) continue;
       const found = touchOf(w, circle, other, far, other > i);
       if (found) changed = place(w, p, found) || changed;
@@ -22,7 +25,9 @@ export function findTouches(w: Solving): boolean {
 
 /** Where a circle meets its tangential neighbour; `after` says that the neighbour follows. */
 function touchOf(w: Solving, { centre, radius, turn }: Circle, other: number, far: number, after: boolean): Pt | null {
-  const next = w.circle[other] ?? null, angle = w.angle[other] ?? null, outside = pointOf(w, far);
+  const next = w.circle[other] ?? null,
+    angle = w.angle[other] ?? null,
+    outside = pointOf(w, far);
   if (next && next !== "straight") {
     if (same(centre, next.centre)) return null;
     return towards(centre, next.centre, next.turn === turn && next.radius > radius ? -radius : radius);
@@ -34,7 +39,8 @@ function touchOf(w: Solving, { centre, radius, turn }: Circle, other: number, fa
     w.unreachable.add(other);
     return null;
   }
-  // The centre lies to the side of the turn, seen along the line; of the two tangents from a point only one has it there.
+  // The centre lies to the side of the turn, seen along the line; of the two tangents from a point only one has it
+  // there.
   const lean = Math.acos(radius / gap) * ((turn === "ccw") === after ? 1 : -1);
   return onCircle(centre, radius, angleOf(difference(outside, centre)) - lean);
 }

@@ -18,10 +18,14 @@ interface Ends {
 /** An element of which some things are given. The first element of a contour is only its start point. */
 export type SolveElement =
   /** Angle to +Z, counter-clockwise with X upwards; it tells the direction of travel. */
-  | Ends
-    & { readonly kind: "line"; readonly angle: Degrees | null; readonly length: Length | null }
+  | (Ends & { readonly kind: "line"; readonly angle: Degrees | null; readonly length: Length | null })
   /** Radius in mm; negative takes the longer way round. */
-  | Ends & { readonly kind: "arc"; readonly turn: Turn | null; readonly radius: number | null; readonly centre: Pt | null };
+  | (Ends & {
+      readonly kind: "arc";
+      readonly turn: Turn | null;
+      readonly radius: number | null;
+      readonly centre: Pt | null;
+    });
 
 export interface Circle {
   readonly centre: Pt;
@@ -100,7 +104,9 @@ function coordinateOf(given: GivenCoordinate<Axial> | GivenCoordinate<Radius>, b
   return before === null ? null : before + given.by;
 }
 
-/** Everything that follows from coordinates, directions and lengths along them. True when something new became known. */
+/**
+ * Everything that follows from coordinates, directions and lengths along them. True when something new became known.
+ */
 export function settle(w: Solving): boolean {
   let changed = false;
   const unknown = (i: number) => i < w.elements.length && (w.z[i] === null || w.r[i] === null);
@@ -123,7 +129,8 @@ function settleStretch(w: Solving, from: number, to: number): boolean {
     const terms: [number, number][] = [];
     let rest = value;
     for (const [axis, i, factor] of parts) {
-      const variable = variables.get(`${axis}${i}`), constant = w[axis][i] ?? null;
+      const variable = variables.get(`${axis}${i}`),
+        constant = w[axis][i] ?? null;
       if (variable !== undefined) terms.push([variable, factor]);
       else if (constant === null) return;
       else rest -= constant * factor;
@@ -131,21 +138,49 @@ function settleStretch(w: Solving, from: number, to: number): boolean {
     equations.push({ terms, value: rest });
   };
   for (let i = Math.max(1, from); i <= Math.min(to + 1, w.elements.length - 1); i += 1) {
-    const e = w.elements[i], angle = w.angle[i] ?? null;
+    const e = w.elements[i],
+      angle = w.angle[i] ?? null;
     for (const axis of ["z", "r"] as const) {
       const given = e?.[axis];
-      if (given && "by" in given) add([[axis, i, 1], [axis, i - 1, -1]], given.by);
+      if (given && "by" in given)
+        add(
+          [
+            [axis, i, 1],
+            [axis, i - 1, -1],
+          ],
+          given.by,
+        );
     }
     if (e?.kind !== "line" || angle === null) continue;
     const way = part.heading(angle);
-    add([["z", i, way.r], ["z", i - 1, -way.r], ["r", i, -way.z], ["r", i - 1, way.z]], 0);
-    if (e.length !== null) add([["z", i, way.z], ["z", i - 1, -way.z], ["r", i, way.r], ["r", i - 1, -way.r]], e.length);
+    add(
+      [
+        ["z", i, way.r],
+        ["z", i - 1, -way.r],
+        ["r", i, -way.z],
+        ["r", i - 1, way.z],
+      ],
+      0,
+    );
+    if (e.length !== null)
+      add(
+        [
+          ["z", i, way.z],
+          ["z", i - 1, -way.z],
+          ["r", i, way.r],
+          ["r", i - 1, -way.r],
+        ],
+        e.length,
+      );
   }
   // Parameters of different stretches never meet in one element with both ends unknown, but keep their names apart.
   const solved = solveLinear(variables.size, equations, from * 2);
   let changed = false;
   for (const [name, variable] of variables) {
-    const axis = name.startsWith("z") ? "z" : "r", i = Number(name.slice(1)), form = solved[variable], forms = w.forms[i];
+    const axis = name.startsWith("z") ? "z" : "r",
+      i = Number(name.slice(1)),
+      form = solved[variable],
+      forms = w.forms[i];
     if (!form || !forms) continue;
     forms[axis] = form;
     if (form.by.size > 0) continue;
@@ -154,7 +189,8 @@ function settleStretch(w: Solving, from: number, to: number): boolean {
   }
   for (let i = from; i <= to; i += 1)
     for (const axis of ["z", "r"] as const) {
-      const constant = w[axis][i] ?? null, forms = w.forms[i];
+      const constant = w[axis][i] ?? null,
+        forms = w.forms[i];
       if (forms && constant !== null) forms[axis] = known(constant);
     }
   return changed;

@@ -14,8 +14,8 @@ import { radius, rounded, toDiameter } from "../units.ts";
 const REAL = 0.01;
 
 /**
- * What of an insert lies across the axis while its tip stands at a distance of `r`: its stretch of z from the tip, and how far
- * it reaches.
+ * What of an insert lies across the axis while its tip stands at a distance of `r`: its stretch of z from the tip, and
+ * how far it reaches.
  */
 function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: number } | null {
   let [from, to, reach] = [Infinity, -Infinity, 0];
@@ -34,12 +34,19 @@ function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: 
 /** What a convex outline sweeps on the other side of the axis on a straight way, turned to this side. */
 function sweptAcross(outline: Ring, from: Pt, to: Pt): Ring[] {
   const turned = [from, to].flatMap((p) => outline.map((q) => [q.z + p.z, -(q.r + p.r)] as const));
-  return inBox([hullOf(turned).map(([z, r]) => at(z, r))], { left: -Infinity, right: Infinity, low: 0, high: Infinity });
+  return inBox([hullOf(turned).map(([z, r]) => at(z, r))], {
+    left: -Infinity,
+    right: Infinity,
+    low: 0,
+    high: Infinity,
+  });
 }
 
 /** Where a move leads to in straight steps. */
 const waypoints = (from: Pt, m: Move): readonly Pt[] =>
-  m.kind === "arc" ? part.flattened({ kind: "arc", from, to: m.to, centre: m.centre, turn: m.turn }, CHORD).slice(1) : [m.to];
+  m.kind === "arc"
+    ? part.flattened({ kind: "arc", from, to: m.to, centre: m.centre, turn: m.turn }, CHORD).slice(1)
+    : [m.to];
 
 /** A plan without its path, for a reason. */
 const refusedFor = (plan: Plan, found: Issue): Plan => ({
@@ -52,9 +59,9 @@ const refusedFor = (plan: Plan, found: Issue): Plan => ({
 });
 
 /**
- * The work turns: what an insert reaches across the axis meets the part on the other side, as in a bore that is narrower than the
- * insert is long. A plan that would is refused with the smallest diameter at which the tip stays clear. So is one that bores where there
- * is no bore.
+ * The work turns: what an insert reaches across the axis meets the part on the other side, as in a bore that is
+ * narrower than the insert is long. A plan that would is refused with the smallest diameter at which the tip stays
+ * clear. So is one that bores where there is no bore.
  */
 export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "startV"): Plan {
   const { tool, start } = setting;
@@ -75,9 +82,15 @@ export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "star
     if (areaOf(near) < REAL || areaOf(intersection(sweptAcross(outline, ...way), near)) < REAL) continue;
     const free = Math.min(...plan.contour.flatMap((s) => [s.from.r, s.to.r]));
     const x = wholeAbove(toDiameter(radius(-lowest - free)));
-    return refusedFor(plan,
-      issue("insertAcrossAxis", "error",
-        x > 0 && x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach }, role));
+    return refusedFor(
+      plan,
+      issue(
+        "insertAcrossAxis",
+        "error",
+        x > 0 && x < toDiameter(radius(free)) ? { reach: across.reach, nearest: x } : { reach: across.reach },
+        role,
+      ),
+    );
   }
   return plan;
 }
@@ -89,8 +102,8 @@ const CORE = 0.1;
 const wholeAbove = (d: number) => Math.ceil(d - SAME);
 
 /**
- * Where a path inside the work runs into solid material: to the axis, or so near to it that the insert leaves a core for its shank to
- * meet. `lowest`: how far the insert reaches from the tip towards the axis and beyond.
+ * Where a path inside the work runs into solid material: to the axis, or so near to it that the insert leaves a core
+ * for its shank to meet. `lowest`: how far the insert reaches from the tip towards the axis and beyond.
  */
 function boreMissing(plan: Plan, { tool, start, solid }: Setting, lowest: number): Issue | null {
   const cuts = plan.moves.flatMap((m, i) => (m.kind === "rapid" ? [] : [plan.moves[i - 1]?.to ?? start, m.to]));
@@ -101,7 +114,9 @@ function boreMissing(plan: Plan, { tool, start, solid }: Setting, lowest: number
   for (const high of solid.isBored ? [SAME] : [SAME, start.r + lowest - SAME]) {
     const core = high > 0 ? boxAround(inBox(solid.rings, { left, right, low: 0, high })) : null;
     if (core === null || !(core.right - core.left > CORE)) continue;
-    const inside = holderOutlines(plan.tool ?? tool).flat().filter((p) => Math.abs(p.z) < right - left);
+    const inside = holderOutlines(plan.tool ?? tool)
+      .flat()
+      .filter((p) => Math.abs(p.z) < right - left);
     const across = Math.max(-lowest, ...inside.map((p) => -p.r)) - start.r;
     const need = across > start.r ? radius(wholeAbove(across)) : start.r;
     const [z, to] = start.z > (left + right) / 2 ? [core.right, left] : [core.left, right];

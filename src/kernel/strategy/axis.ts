@@ -5,14 +5,16 @@ import { ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
 
 /*
- * The work turns about the axis: beyond it stands the mirror image of what stands on this side, and a cylinder of no radius is nothing.
- * What bounds a tool there is decided here for every strategy (decision "The axis").
+ * The work turns about the axis: beyond it stands the mirror image of what stands on this side, and a cylinder of no
+ * radius is nothing. What bounds a tool there is decided here for every strategy (decision "The axis").
  */
 
 /** Longer than any part is thick, mm. */
 const DEEP = 5000;
 
-/** A contour as it bounds a tool, and what bounds it beyond an end that lies on the axis (null: the end lies elsewhere). */
+/**
+ * A contour as it bounds a tool, and what bounds it beyond an end that lies on the axis (null: the end lies elsewhere).
+ */
 export interface TurnedChain {
   readonly chain: readonly Bound[];
   /** The elements that the ends of a path along the contour touch. */
@@ -40,7 +42,9 @@ export function aroundAxis(contour: readonly Bound[], frame: Frame): TurnedChain
   return { chain, ends: [first, last], front: nothing(first.from), back: nothing(last.to) };
 }
 
-/** Along the axis nothing stands where a contour runs on it: it is a trench, between what comes before and behind it. */
+/**
+ * Along the axis nothing stands where a contour runs on it: it is a trench, between what comes before and behind it.
+ */
 function trench({ segment: { from, to }, on }: Bound, before: boolean, behind: boolean): Bound[] {
   const low = (p: Flat): Flat => ({ u: p.u, v: p.v - DEEP });
   const line = (a: Flat, b: Flat): Bound => ({ segment: { kind: "line", from: a, to: b }, on });
@@ -57,11 +61,13 @@ function acrossAxis(contour: readonly Bound[], frame: Frame): TurnedChain {
   // Towards the axis the contour ends there, away from it it begins there.
   if (frame.signU < 0 && meets(ends[1].to)) {
     const [chain, back] = joinedAtAxis(upToAxis(solid, frame));
-    return { chain, ends, front: null, back: [...back, level((back.at(-1) ?? chain.at(-1) as Bound).segment.to, 1)] };
+    return { chain, ends, front: null, back: [...back, level((back.at(-1) ?? (chain.at(-1) as Bound)).segment.to, 1)] };
   }
   if (frame.signU > 0 && meets(ends[0].from)) {
     // The other way round it is the same, seen from the far side.
-    const [back, chain] = joinedAtAxis(upToAxis(solid.map(reversed).reverse(), frame).map((b) => mirrored(reversed(b))));
+    const [back, chain] = joinedAtAxis(
+      upToAxis(solid.map(reversed).reverse(), frame).map((b) => mirrored(reversed(b))),
+    );
     return { chain, ends, front: [reversed(level((back[0] as Bound).segment.from, -1)), ...back], back: null };
   }
   return { chain: solid, ends, front: null, back: null };
@@ -77,7 +83,10 @@ function joinedAtAxis(chain: readonly Bound[]): readonly [Bound[], Bound[]] {
 }
 
 /** What runs on from a place at its height, away from the axis. */
-const level = (p: Flat, way: 1 | -1): Bound => ({ segment: { kind: "line", from: p, to: { u: p.u + way * DEEP, v: p.v } }, on: "edge" });
+const level = (p: Flat, way: 1 | -1): Bound => ({
+  segment: { kind: "line", from: p, to: { u: p.u + way * DEEP, v: p.v } },
+  on: "edge",
+});
 
 const reversed = (b: Bound): Bound => ({ ...b, segment: flat.reversed(b.segment) });
 
@@ -93,7 +102,8 @@ function upToAxis(chain: readonly Bound[], frame: Frame): Bound[] {
   const out = [...chain];
   while (out.length > 1 && radiusOf(frame, (out.at(-1) as Bound).segment.from) <= SAME) out.pop();
   const last = out.at(-1) as Bound;
-  if (radiusOf(frame, last.segment.to) < -ROUND) out[out.length - 1] = { ...last, segment: cutAtAxis(last.segment, frame) };
+  if (radiusOf(frame, last.segment.to) < -ROUND)
+    out[out.length - 1] = { ...last, segment: cutAtAxis(last.segment, frame) };
   return out;
 }
 
@@ -114,8 +124,8 @@ function cutAtAxis(s: FlatSegment, frame: Frame): FlatSegment {
 export const axisFloor = ({ transverse, signV }: Frame): number => (!transverse && signV > 0 ? 0 : -Infinity);
 
 /**
- * How far the tip may pass the axis, mm: the cut ends when the centre of the nose stands on it, and a contour that is drawn beyond it is
- * followed.
+ * How far the tip may pass the axis, mm: the cut ends when the centre of the nose stands on it, and a contour that is
+ * drawn beyond it is followed.
  */
 export function beyondAxis(tool: Tool, contour: readonly FlatSegment[], frame: Frame): number {
   const least = Math.min(...contour.flatMap(({ from, to }) => [radiusOf(frame, from), radiusOf(frame, to)]));

@@ -3,7 +3,9 @@ import { firstSpan, valueAt, type Envelope, type Interval, type Span } from "../
 import type { Flat } from "../geometry/flat.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 
-/** A stretch of an envelope that falls to one floor and rises again: one section of a contour for a tool that plunges. */
+/**
+ * A stretch of an envelope that falls to one floor and rises again: one section of a contour for a tool that plunges.
+ */
 export interface Basin extends Interval {
   /** Where it is deepest: a stretch, or a place. */
   readonly floor: Interval;
@@ -16,8 +18,8 @@ export interface Basin extends Interval {
 const RIDGE = 0.01;
 
 /**
- * What of an envelope lies below `top` over a stretch of u, in sections from left to right. A level stretch between two belongs to the
- * left one.
+ * What of an envelope lies below `top` over a stretch of u, in sections from left to right. A level stretch between two
+ * belongs to the left one.
  */
 export function basinsOf(e: Envelope, span: Interval, top: number): Basin[] {
   const open = top < Infinity ? below(e, top - SAME, span.from, span.to) : [span];

@@ -7,19 +7,23 @@ import { length } from "../units.ts";
 import type { Flat } from "../geometry/flat.ts";
 
 /*
- * A channel exactly as wide as the tool lets it in at one single place, and an envelope has none without a width. So the set of tip
- * positions is closed: where a tool narrower by SAME goes deeper between two walls than the tool itself, the tip has a slot.
+ * A channel exactly as wide as the tool lets it in at one single place, and an envelope has none without a width. So
+ * the set of tip positions is closed: where a tool narrower by SAME goes deeper between two walls than the tool itself,
+ * the tip has a slot.
  */
 
 /** Width of such a slot beside nothing deeper, mm: wider than what envelopes join, narrower than any move. */
 const SLOT = 10 * JOINED;
 
-/** How much narrower than the tool a channel may be, mm, with room for the slot in one that is narrower by all of SAME. */
+/**
+ * How much narrower than the tool a channel may be, mm, with room for the slot in one that is narrower by all of SAME.
+ */
 const NARROWER = SAME + 4 * SLOT;
 
 /** A bar or a button that is narrower by that; null where no other tool has two sides to fit with. */
 export function slimmed(tool: Tool): Tool | null {
-  if (isBar(tool) && cuttingWidth(tool) > 2 * NARROWER) return { ...tool, CUTWIDTH: length((tool.CUTWIDTH ?? 0) - NARROWER) };
+  if (isBar(tool) && cuttingWidth(tool) > 2 * NARROWER)
+    return { ...tool, CUTWIDTH: length((tool.CUTWIDTH ?? 0) - NARROWER) };
   return tool.TYPE === "BUTTON" && noseRadius(tool) > NARROWER ? { ...tool, RS: length(tool.RS - NARROWER / 2) } : null;
 }
 
@@ -31,13 +35,20 @@ export function centredIn(slim: Convex, shape: Convex): Convex {
 
 /** An envelope with these slots, as deep as the envelope of the slim tool is there. */
 export function withSlots(e: Envelope, slim: Envelope, slots: readonly Interval[]): Envelope {
-  return slots.reduce((all, { from, to }) => [...between(all, -Infinity, from), ...between(slim, from, to), ...between(all, to, Infinity)],
-    e);
+  return slots.reduce(
+    (all, { from, to }) => [
+      ...between(all, -Infinity, from),
+      ...between(slim, from, to),
+      ...between(all, to, Infinity),
+    ],
+    e,
+  );
 }
 
 /**
- * The slot where each channel is deepest: between two walls that the slim tool passes, no farther apart than the difference, and the tool
- * does not. It reaches to where the tool itself comes deepest beside it, so that no wall is left in between.
+ * The slot where each channel is deepest: between two walls that the slim tool passes, no farther apart than the
+ * difference, and the tool does not. It reaches to where the tool itself comes deepest beside it, so that no wall is
+ * left in between.
  */
 export function channelsOf(e: Envelope, slim: Envelope): Interval[] {
   const found: Interval[] = [];
@@ -86,5 +97,8 @@ function between(e: Envelope, from: number, to: number): Span[] {
 /** The ends of a path along a contour: one beside a slot lies on its far side, so that the path leads through it. */
 export function besideSlot(start: Flat, end: Flat, slots: readonly Interval[]): readonly [Flat, Flat] {
   const beside = ({ u }: Flat) => slots.find(({ from, to }) => u >= from - NARROWER && u <= to + NARROWER);
-  return [{ ...start, u: Math.min(start.u, beside(start)?.from ?? start.u) }, { ...end, u: Math.max(end.u, beside(end)?.to ?? end.u) }];
+  return [
+    { ...start, u: Math.min(start.u, beside(start)?.from ?? start.u) },
+    { ...end, u: Math.max(end.u, beside(end)?.to ?? end.u) },
+  ];
 }

@@ -14,7 +14,16 @@ import type { Feeds } from "./feeds.ts";
 import { followContour, type Finish } from "./finish.ts";
 import { unfit } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
-import { groundOver, insertIn, insidePart, leadOf, reachOf, startInPart, type Ground, type Surroundings } from "./ground.ts";
+import {
+  groundOver,
+  insertIn,
+  insidePart,
+  leadOf,
+  reachOf,
+  startInPart,
+  type Ground,
+  type Surroundings,
+} from "./ground.ts";
 import { limitedInfeed } from "./infeed.ts";
 import { keptOver } from "./kept.ts";
 import { empty, TURNING } from "./leveled.ts";
@@ -62,7 +71,9 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
   const insert = insertIn(tool, l.frame);
   const lead = leadOf(insert);
   const works = workingStart(l, contour, lead);
-  const refused = [unfit(tool, l.frame, TURNING), wrongStart(contour, called, setting, works)].filter((i) => i !== null);
+  const refused = [unfit(tool, l.frame, TURNING), wrongStart(contour, called, setting, works)].filter(
+    (i) => i !== null,
+  );
   if (refused.length > 0) return { ...sketch, issues: refused };
   const issues: Issue[] = [];
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
@@ -75,8 +86,11 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
   if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(works)] };
   const kept = over(0);
   const blank = groundOver(bounds, tool, l.frame, { u: 0, v: 0, round: l.allowance }, AROUND);
-  const stands = atCall({ stock: tracedStock(setting), area: sketch.area.map((p) => toFlat(l.frame, p)), frame: l.frame, insert },
-    drawn.bare, l.operation > 1 ? { grown: kept.bare, infeed: Math.min(l.infeed, l.allowance) } : null);
+  const stands = atCall(
+    { stock: tracedStock(setting), area: sketch.area.map((p) => toFlat(l.frame, p)), frame: l.frame, insert },
+    drawn.bare,
+    l.operation > 1 ? { grown: kept.bare, infeed: Math.min(l.infeed, l.allowance) } : null,
+  );
   const first = (contour[0] as FlatSegment).from;
   const start = startOf(l, called, { u: first.u - lead - l.clearance, behind: first.u }, blank);
   if (start.v > called.v || inAllowance(called, blank))
@@ -84,7 +98,14 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
   else if (start.u < called.u)
     issues.push(issue("startBehindContour", "info", { behind: called.u - first.u, clearance: l.clearance }, "startU"));
   const room = roomOf(l.frame, beyondAxis(tool, contour, l.frame));
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert), Math.max(called.v, start.v));
+  const cutter = new Cutter(
+    l.frame,
+    setting.feedUnit,
+    called,
+    room,
+    new Frontier(stands, insert),
+    Math.max(called.v, start.v),
+  );
   back(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
 
   const follow = {
@@ -112,20 +133,24 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
     followContour(cutter, { ...follow, ground: l.operation === 3 ? kept : drawn }, issues);
     back(cutter, start, l, "finish", 4);
   }
-  return clearAcross({
-    ...sketch,
-    issues,
-    // Where a pass has nothing to follow there is none.
-    ...countedAnew(cutter.moves),
-    infeed: length(greatest(passes)),
-    reach: reachOf(drawn, drawn.first, drawn.end.u, l.frame, tool),
-    kept: reachOf(kept, kept.first, Math.max(kept.end.u, drawn.end.u), l.frame, tool),
-  }, setting, l.frame.transverse ? "startU" : "startV");
+  return clearAcross(
+    {
+      ...sketch,
+      issues,
+      // Where a pass has nothing to follow there is none.
+      ...countedAnew(cutter.moves),
+      infeed: length(greatest(passes)),
+      reach: reachOf(drawn, drawn.first, drawn.end.u, l.frame, tool),
+      kept: reachOf(kept, kept.first, Math.max(kept.end.u, drawn.end.u), l.frame, tool),
+    },
+    setting,
+    l.frame.transverse ? "startU" : "startV",
+  );
 }
 
 /**
- * The printed steps 1 to 5 of roughing: infeed, along the contour, back to the start point in X at feed, at rapid to the beginning of the
- * next pass, until the oversize is reached (TNC7, 81762x-17, topic "Cycle 815").
+ * The printed steps 1 to 5 of roughing: infeed, along the contour, back to the start point in X at feed, at rapid to
+ * the beginning of the next pass, until the oversize is reached (TNC7, 81762x-17, topic "Cycle 815").
  */
 function roughAlong(cutter: Cutter, follow: Finish, passes: readonly number[], over: (round: number) => Ground): void {
   let left = passes.reduce((sum, infeed) => sum + infeed, 0);
@@ -133,7 +158,11 @@ function roughAlong(cutter: Cutter, follow: Finish, passes: readonly number[], o
     const last = i === passes.length - 1;
     left = last ? 0 : left - infeed;
     // What lies beyond the axis is no pass, and no fault.
-    followContour(cutter, { ...follow, ground: last ? follow.ground : over(left), pass: i + 1, clearance: follow.clearance }, []);
+    followContour(
+      cutter,
+      { ...follow, ground: last ? follow.ground : over(left), pass: i + 1, clearance: follow.clearance },
+      [],
+    );
   });
 }
 
@@ -152,16 +181,26 @@ const allowanceAt = (blank: Ground, u: number) => (u < blank.first ? -Infinity :
 const inAllowance = ({ u, v }: Flat, blank: Ground): boolean => v < allowanceAt(blank, u) - SAME;
 
 /**
- * Where the cycle starts from: where it is called; from behind the contour start along Z to the set-up clearance in front of it (as
- * printed, for roughing and finishing alike); and straight above that out of the allowance.
+ * Where the cycle starts from: where it is called; from behind the contour start along Z to the set-up clearance in
+ * front of it (as printed, for roughing and finishing alike); and straight above that out of the allowance.
  */
-function startOf(l: ContourParallel, called: Flat, front: { readonly u: number; readonly behind: number }, blank: Ground): Flat {
+function startOf(
+  l: ContourParallel,
+  called: Flat,
+  front: { readonly u: number; readonly behind: number },
+  blank: Ground,
+): Flat {
   const at = called.u > front.behind + SAME ? { u: front.u, v: called.v } : called;
   return inAllowance(at, blank) ? { u: at.u, v: allowanceAt(blank, at.u) + l.clearance } : at;
 }
 
 /** A contour is not run towards the start point; nothing is run from the other side of the axis. */
-function wrongStart(contour: readonly FlatSegment[], called: Flat, { start }: Setting, works: { x: number; z: number }): Issue | null {
+function wrongStart(
+  contour: readonly FlatSegment[],
+  called: Flat,
+  { start }: Setting,
+  works: { x: number; z: number },
+): Issue | null {
   const last = (contour.at(-1) as FlatSegment).to;
   return called.u > last.u - SAME || start.r < -SAME ? issue("startOnWrongSide", "error", works, "startU") : null;
 }
@@ -177,5 +216,11 @@ function workingStart(l: ContourParallel, contour: readonly FlatSegment[], lead:
 /** Back to the cycle start. */
 function back(cutter: Cutter, start: Flat, l: ContourParallel, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
-  cutter.link(start, { gap: l.clearance, feed: run === "finish" ? l.feeds.finish : l.feeds.rough, out: p, down: p, enter: p });
+  cutter.link(start, {
+    gap: l.clearance,
+    feed: run === "finish" ? l.feeds.finish : l.feeds.rough,
+    out: p,
+    down: p,
+    enter: p,
+  });
 }

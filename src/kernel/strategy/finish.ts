@@ -32,9 +32,9 @@ export interface Finish {
 
 /**
  * The printed finishing steps: infeed at rapid to the clearance, the contour from start to end at feed, lift by the
- * clearance at feed (behind a roughing pass along the contour: back to the height of the start point). Going back to the
- * cycle start is the caller's. A machining limit ends the cut, and it goes on where the contour comes back from behind the
- * limit.
+ * clearance at feed (behind a roughing pass along the contour: back to the height of the start point). Going back to
+ * the cycle start is the caller's. A machining limit ends the cut, and it goes on where the contour comes back from
+ * behind the limit.
  */
 export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void {
   const u0 = Math.max(f.ground.first, f.from);
@@ -48,11 +48,11 @@ export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void 
   runs.forEach((run, i) => {
     const whole = i === 0 && f.ground.first >= f.from - SAME ? joined(f, run) : run;
     leadIn(cutter, f, whole, near && i === 0);
-    cutter.along(whole,
-      (s) =>
-        f.smoothing && falls(s)
-          ? { feed: f.feeds.plunge, purpose: { ...purpose(f, 2), plunging: true } }
-          : { feed: feedOf(f), purpose: purpose(f, 2) });
+    cutter.along(whole, (s) =>
+      f.smoothing && falls(s)
+        ? { feed: f.feeds.plunge, purpose: { ...purpose(f, 2), plunging: true } }
+        : { feed: feedOf(f), purpose: purpose(f, 2) },
+    );
     if (f.backTo !== undefined && f.backTo > cutter.at.v + SAME)
       cutter.feed({ u: cutter.at.u, v: f.backTo }, feedOf(f), purpose(f, 3));
     else cutter.leave(f.clearance, -1, f.ground.envelope, feedOf(f), purpose(f, 3));
@@ -110,15 +110,26 @@ function under(s: FlatSegment, height: number): FlatSegment[] {
 
 /** A way straight up or down that ends, or begins, at a height. */
 const upTo = (s: FlatSegment, height: number): FlatSegment =>
-  s.from.v > height ? { ...s, from: { u: s.from.u, v: height } } : s.to.v > height ? { ...s, to: { u: s.to.u, v: height } } : s;
+  s.from.v > height
+    ? { ...s, from: { u: s.from.u, v: height } }
+    : s.to.v > height
+      ? { ...s, to: { u: s.to.u, v: height } }
+      : s;
 
 /** A contour that begins with a wall is joined at the foot of that wall, or followed from its top down. */
 function joined(f: Finish, run: readonly FlatSegment[]): FlatSegment[] {
   const first = run[0] as FlatSegment;
   const top = f.ground.start.v;
   const left = heightAt(f.ground.envelope, first.from.u - SAME);
-  const v = first.from.v < top - SAME ? top : first.from.v <= top + SAME ? first.from.v : Math.min(first.from.v, Math.max(top, left));
-  return Math.abs(v - first.from.v) <= SAME ? [...run] : [{ kind: "line", from: { u: first.from.u, v }, to: first.from }, ...run];
+  const v =
+    first.from.v < top - SAME
+      ? top
+      : first.from.v <= top + SAME
+        ? first.from.v
+        : Math.min(first.from.v, Math.max(top, left));
+  return Math.abs(v - first.from.v) <= SAME
+    ? [...run]
+    : [{ kind: "line", from: { u: first.from.u, v }, to: first.from }, ...run];
 }
 
 /**
@@ -136,13 +147,15 @@ function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: bo
     enter: purpose(f, 1),
   };
   const bare = f.ground.bare;
-  if (near && staysAbove(bare, cutter.at, to) && !blocked(bare, cutter.at, to)) return cutter.feed(to, feedOf(f), purpose(f, 1));
+  if (near && staysAbove(bare, cutter.at, to) && !blocked(bare, cutter.at, to))
+    return cutter.feed(to, feedOf(f), purpose(f, 1));
   const along = tangentAt(first, "from");
   const square = normalAt(first, "from");
   const from =
-    [{ u: -along.u, v: -along.v }, square].map((d) => cutter.inBore({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance }, to)).find(
-      (p) => staysAbove(bare, p, to) && !blocked(bare, p, to) && p.u >= f.from - f.clearance
-    ) ?? cutter.inBore({ u: to.u, v: to.v + f.clearance }, to);
+    [{ u: -along.u, v: -along.v }, square]
+      .map((d) => cutter.inBore({ u: to.u + d.u * f.clearance, v: to.v + d.v * f.clearance }, to))
+      .find((p) => staysAbove(bare, p, to) && !blocked(bare, p, to) && p.u >= f.from - f.clearance) ??
+    cutter.inBore({ u: to.u, v: to.v + f.clearance }, to);
   cutter.link(from, link);
   cutter.feed(to, feedOf(f), purpose(f, 1));
 }

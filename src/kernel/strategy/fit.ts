@@ -17,12 +17,17 @@ export function unfitForThread(tool: Tool, frame: Frame): Issue | null {
     return tip.u === 0 && tip.v < 0;
   };
   if (tool.TYPE === "THREAD" && square(tool.TO)) return null;
-  return issue("toolUnfit", "error", { type: tool.TYPE, orientation: tool.TO, types: ["THREAD"], orientations: EVERY.filter(square) },
-    "tool");
+  return issue(
+    "toolUnfit",
+    "error",
+    { type: tool.TYPE, orientation: tool.TO, types: ["THREAD"], orientations: EVERY.filter(square) },
+    "tool",
+  );
 }
 
 /** The orientation whose tip points straight into the material. */
-export const squareTo = (frame: Frame): TipOrientation => (frame.transverse ? (frame.signV > 0 ? 8 : 4) : frame.signV > 0 ? 2 : 6);
+export const squareTo = (frame: Frame): TipOrientation =>
+  frame.transverse ? (frame.signV > 0 ? 8 : 4) : frame.signV > 0 ? 2 : 6;
 
 /** Where the tip of an orientation points, in strategy space. */
 function pointing(TO: TipOrientation, frame: Frame): Flat {
@@ -49,8 +54,8 @@ function carriedInside(tool: Tool, frame: Frame): boolean {
 }
 
 /**
- * Why a tool cannot do a machining at all, by its TYPE or its tip orientation, with the types and orientations that can;
- * null when it can. Source: tool table of the control (TYPE, TO), decision "Tools that fit".
+ * Why a tool cannot do a machining at all, by its TYPE or its tip orientation, with the types and orientations that
+ * can; null when it can. Source: tool table of the control (TYPE, TO), decision "Tools that fit".
  */
 export function unfit(tool: Tool, frame: Frame, types: readonly ToolType[]): Issue | null {
   const type = types.some((each) => each === tool.TYPE);

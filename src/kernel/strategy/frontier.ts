@@ -1,6 +1,14 @@
 import { extent, type Convex } from "../reach/convex.ts";
 import { aboveBy, besideAt, loweredBy, pieceOf, raised } from "../reach/cut-envelope.ts";
-import { highest, higherOf, linePiece, type Envelope, type EnvelopePiece, type Interval, type Origin } from "../reach/envelope.ts";
+import {
+  highest,
+  higherOf,
+  linePiece,
+  type Envelope,
+  type EnvelopePiece,
+  type Interval,
+  type Origin,
+} from "../reach/envelope.ts";
 import { toFlat, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
 import type { Ring } from "../geometry/point.ts";
 import { reachOver, type Bound } from "../reach/reach.ts";
@@ -9,8 +17,8 @@ import { ROUND, SAME } from "../tolerance.ts";
 const CUT: Origin = { feature: "nose", on: "edge", corner: false };
 
 /**
- * The material that still stands, as the tool meets it: for every u the height of the tip from which on the insert is clear
- * of it. At first the blank, or the area where no blank is known; every cut lowers it. Strategy space, mm.
+ * The material that still stands, as the tool meets it: for every u the height of the tip from which on the insert is
+ * clear of it. At first the blank, or the area where no blank is known; every cut lowers it. Strategy space, mm.
  */
 export class Frontier {
   private settled: Envelope;
@@ -26,7 +34,11 @@ export class Frontier {
    * `first`: what stands at the beginning. `roof`: height above which nothing may be cut although material stands there
    * (a machining limit); without one Infinity.
    */
-  constructor(private readonly first: Envelope, insert: Convex, private readonly roof = Infinity) {
+  constructor(
+    private readonly first: Envelope,
+    insert: Convex,
+    private readonly roof = Infinity,
+  ) {
     this.settled = first;
     [this.behind, this.before] = overhang(insert);
     const { minV, maxV } = extent(insert);
@@ -40,8 +52,8 @@ export class Frontier {
   }
 
   /**
-   * Whether the tip, standing free at u0, may cross to u1 at a height without touching what stands. A wall in front of u1 that a
-   * cut lower down has left may hang over there; one behind u0 only falls back.
+   * Whether the tip, standing free at u0, may cross to u1 at a height without touching what stands. A wall in front of
+   * u1 that a cut lower down has left may hang over there; one behind u0 only falls back.
    */
   clear(u0: number, u1: number, v: number): boolean {
     if (v < this.over(u0, u1) - SAME || this.roofed(Math.min(u0, u1), Math.max(u0, u1))) return false;
@@ -51,8 +63,8 @@ export class Frontier {
   }
 
   /**
-   * The height from which on the tip may go straight up or down. Beside a wall that a cut has left, an edge that leans back
-   * from the nose has left more than the nose shows, so the wall counts there too.
+   * The height from which on the tip may go straight up or down. Beside a wall that a cut has left, an edge that leans
+   * back from the nose has left more than the nose shows, so the wall counts there too.
    */
   freeFrom(u: number): number {
     if (this.roofed(u, u)) return Infinity;
@@ -64,7 +76,9 @@ export class Frontier {
 
   /** How high walls stand that hang over a place from so far behind and before it, where something stood there once. */
   private hangs(u: number, behind: number, before: number): number {
-    return behind + before > 0 ? Math.min(besideAt(this.first, u), highest(this.now, u - behind, u + before).v) : -Infinity;
+    return behind + before > 0
+      ? Math.min(besideAt(this.first, u), highest(this.now, u - behind, u + before).v)
+      : -Infinity;
   }
 
   /** Between which places material stands more than `by` mm over an envelope; null where none does. */
@@ -89,7 +103,10 @@ export class Frontier {
       const [low, top] = [Math.min(path.from.v, path.to.v), Math.max(path.from.v, path.to.v)];
       const been = this.columns.get(key) ?? [low, top];
       const joins = low <= been[1] && been[0] <= top;
-      this.columns.set(key, joins ? [Math.min(low, been[0]), Math.max(top, been[1])] : low < been[0] ? [low, top] : been);
+      this.columns.set(
+        key,
+        joins ? [Math.min(low, been[0]), Math.max(top, been[1])] : low < been[0] ? [low, top] : been,
+      );
     }
   }
 
@@ -122,18 +139,24 @@ function sideBySide(cuts: readonly EnvelopePiece[]): EnvelopePiece[][] {
 /** How far the insert draws back above its widest place, behind and before the tip, mm. */
 function overhang(insert: Convex): [behind: number, before: number] {
   const { minU, maxU, maxV } = extent(insert);
-  const top = insert.flatMap((e) => (e.kind === "line" ? [e.from, e.to] : [{ u: e.centre.u, v: e.centre.v + e.radius }])).filter((p) =>
-    p.v > maxV - SAME
-  );
+  const top = insert
+    .flatMap((e) => (e.kind === "line" ? [e.from, e.to] : [{ u: e.centre.u, v: e.centre.v + e.radius }]))
+    .filter((p) => p.v > maxV - SAME);
   const us = top.map((p) => p.u);
   return [Math.max(0, Math.min(...us) - minU), Math.max(0, maxU - Math.max(...us))];
 }
 
 /** What stands in front of a tool: chains of material (on the right of their direction), as its tip meets them. */
 function standing(chains: readonly (readonly FlatSegment[])[], insert: Convex): Envelope {
-  return chains.filter((c) => c.length > 0).map((c) => reachOver(c.map((segment): Bound => ({ segment, on: "edge" })), insert)).reduce<
-    Envelope
-  >((all, e) => (all.length === 0 ? e : higherOf(all, e)), []);
+  return chains
+    .filter((c) => c.length > 0)
+    .map((c) =>
+      reachOver(
+        c.map((segment): Bound => ({ segment, on: "edge" })),
+        insert,
+      ),
+    )
+    .reduce<Envelope>((all, e) => (all.length === 0 ? e : higherOf(all, e)), []);
 }
 
 /** A closed outline as a chain with its inside on the right, closed beyond its first corner. */
@@ -143,18 +166,27 @@ function outlineChain(points: readonly Flat[]): FlatSegment[] {
     return sum + p.u * q.v - q.u * p.v;
   }, 0);
   const clockwise = twice > 0 ? [...points].reverse() : points;
-  const lines = clockwise.map((from, i): FlatSegment => ({ kind: "line", from, to: clockwise[(i + 1) % clockwise.length] as Flat }));
+  const lines = clockwise.map((from, i): FlatSegment => ({
+    kind: "line",
+    from,
+    to: clockwise[(i + 1) % clockwise.length] as Flat,
+  }));
   return lines.length > 0 ? [...lines, lines[0] as FlatSegment] : [];
 }
 
 /**
- * The frontier at the call of a cycle: the part under the blank. Where earlier cuts have changed the blank nobody knows how:
- * then roughing takes the area (`area`, corners in strategy space) to be full, and finishing expects what roughing with the
- * same values leaves, which is the contour grown by the oversize and at the most one infeed, up to the height (`top`) that roughing
- * begins at.
+ * The frontier at the call of a cycle: the part under the blank. Where earlier cuts have changed the blank nobody knows
+ * how: then roughing takes the area (`area`, corners in strategy space) to be full, and finishing expects what roughing
+ * with the same values leaves, which is the contour grown by the oversize and at the most one infeed, up to the height
+ * (`top`) that roughing begins at.
  */
 export function atCall(
-  o: { readonly stock: readonly Ring[] | null; readonly area: readonly Flat[]; readonly frame: Frame; readonly insert: Convex },
+  o: {
+    readonly stock: readonly Ring[] | null;
+    readonly area: readonly Flat[];
+    readonly frame: Frame;
+    readonly insert: Convex;
+  },
   part: Envelope,
   roughed: { readonly grown: Envelope; readonly infeed: number; readonly top?: number } | null,
 ): Envelope {
@@ -162,7 +194,8 @@ export function atCall(
     const us = o.area.map((p) => p.u);
     const [from, to] = [Math.min(...us), Math.max(...us)];
     const left = raised(roughed.grown, from, to, roughed.infeed);
-    const most = roughed.top === undefined ? null : linePiece({ u: from, v: roughed.top }, { u: to, v: roughed.top }, CUT);
+    const most =
+      roughed.top === undefined ? null : linePiece({ u: from, v: roughed.top }, { u: to, v: roughed.top }, CUT);
     return higherOf(higherOf(part, roughed.grown), most ? loweredBy(left, [most], Infinity) : left);
   }
   const rings = o.stock === null ? [o.area] : o.stock.map((ring) => ring.map((p) => toFlat(o.frame, p)));

@@ -1,7 +1,15 @@
 import { extent, grown, grownRound, inFrame, type Convex } from "../reach/convex.ts";
 import { besideAt } from "../reach/cut-envelope.ts";
 import { below } from "../reach/below.ts";
-import { higherOf, linePiece, pathAlong, upperEnvelope, type Envelope, type Origin, type EnvelopePiece } from "../reach/envelope.ts";
+import {
+  higherOf,
+  linePiece,
+  pathAlong,
+  upperEnvelope,
+  type Envelope,
+  type Origin,
+  type EnvelopePiece,
+} from "../reach/envelope.ts";
 import { flat, normalAt, segmentToPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
 import { positive } from "../geometry/segments.ts";
 import { insertShape, isBar } from "../cutter/insert.ts";
@@ -28,7 +36,9 @@ export interface Surroundings {
   readonly floors: readonly { readonly v: number; readonly on: Origin["on"] }[];
 }
 
-/** What a ground keeps off the contour: a rectangle ±u × ±v, and round it `round` mm square to the contour everywhere. */
+/**
+ * What a ground keeps off the contour: a rectangle ±u × ±v, and round it `round` mm square to the contour everywhere.
+ */
 export interface Keep extends Flat {
   readonly round?: number;
 }
@@ -63,17 +73,26 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
   const open = first.from.u - keep.u - round;
   if (turned.front) chain.unshift(...turned.front);
   else if (s.frontWall !== null)
-    chain.unshift(edge({ u: open - FAR, v: s.frontWall }, { u: open, v: s.frontWall }),
-      edge({ u: open, v: s.frontWall }, { u: open, v: first.from.v }), edge({ u: open, v: first.from.v }, first.from));
+    chain.unshift(
+      edge({ u: open - FAR, v: s.frontWall }, { u: open, v: s.frontWall }),
+      edge({ u: open, v: s.frontWall }, { u: open, v: first.from.v }),
+      edge({ u: open, v: first.from.v }, first.from),
+    );
   else if (s.front === "part") chain.unshift(edge({ u: first.from.u - FAR, v: first.from.v }, first.from));
   const close = last.to.u + keep.u + round;
   if (turned.back) chain.push(...turned.back);
   else if (s.wall !== null)
-    chain.push(edge(last.to, { u: close, v: last.to.v }), edge({ u: close, v: last.to.v }, { u: close, v: s.wall }),
-      edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }));
+    chain.push(
+      edge(last.to, { u: close, v: last.to.v }),
+      edge({ u: close, v: last.to.v }, { u: close, v: s.wall }),
+      edge({ u: close, v: s.wall }, { u: close + FAR, v: s.wall }),
+    );
   else chain.push(edge(last.to, { u: last.to.u + FAR, v: last.to.v }));
   const slim = slimmed(tool);
-  const [own, deeper] = [reachOver(chain, insert), slim ? reachOver(chain, kept(centredIn(insertIn(slim, frame), shape))) : []];
+  const [own, deeper] = [
+    reachOver(chain, insert),
+    slim ? reachOver(chain, kept(centredIn(insertIn(slim, frame), shape))) : [],
+  ];
   const channels = channelsOf(own, deeper);
   const bare = withSlots(own, deeper, channels);
   const [start, end] = besideSlot(...touches, channels);
@@ -88,7 +107,14 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
   const level = first.from.v + keep.v + round - bottom;
   if (s.front === "free" && !turned.front) bound(low, start.u, level, "edge");
   for (const f of s.floors) bound(low, high, f.v - bottom, f.on);
-  const axis = roomOf(frame, beyondAxis(tool, contour.map((b) => b.segment), frame)).minV;
+  const axis = roomOf(
+    frame,
+    beyondAxis(
+      tool,
+      contour.map((b) => b.segment),
+      frame,
+    ),
+  ).minV;
   if (axis > -Infinity) bound(low, high, axis, "edge");
   const envelope = extra.length === 0 ? bare : higherOf(bare, upperEnvelope(extra));
   // No element can be touched farther in front of the first point than the insert reaches ahead of its tip.
@@ -119,8 +145,9 @@ export function leadOf(insert: Convex, height?: number): number {
 }
 
 /**
- * Tip position when the nose touches an end of an element with the normal it has there; an element that a flank keeps the
- * nose from is touched with the normal nearest to its own. Of two corners that touch alike, the one that covers more.
+ * Tip position when the nose touches an end of an element with the normal it has there; an element that a flank keeps
+ * the nose from is touched with the normal nearest to its own. Of two corners that touch alike, the one that covers
+ * more.
  */
 function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
   const n = normalAt(s, end);
@@ -134,7 +161,8 @@ function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
     const off = away(wanted, angle);
     const at = flat.onCircle(e.centre, e.radius, angle);
     // Beside a wall that the oversize makes as straight, the lower one, which ends the way higher up.
-    const covers = Math.abs(at.u - best.at.u) < ROUND ? at.v < best.at.v : end === "from" ? at.u > best.at.u : at.u < best.at.u;
+    const covers =
+      Math.abs(at.u - best.at.u) < ROUND ? at.v < best.at.v : end === "from" ? at.u > best.at.u : at.u < best.at.u;
     if (off < best.off - ROUND || (off < best.off + ROUND && covers)) best = { off, at };
   }
   return { u: s[end].u - best.at.u, v: s[end].v - best.at.v };
@@ -144,7 +172,10 @@ const away = (a: number, b: number) => Math.min(positive(a - b), positive(b - a)
 
 /** The finishing path over a ground, as stretches with what keeps the insert from going deeper. */
 export function reachOf(g: Ground, u0: number, u1: number, frame: Frame, tool: Tool): Reach[] {
-  return pathAlong(g.envelope, u0, u1).map((s) => ({ path: segmentToPart(frame, s.segment), reason: reasonOf(s.origin, tool) }));
+  return pathAlong(g.envelope, u0, u1).map((s) => ({
+    path: segmentToPart(frame, s.segment),
+    reason: reasonOf(s.origin, tool),
+  }));
 }
 
 /** What keeps the insert from going deeper; where a side behind a cutting edge does, that edge is too short. */
@@ -163,4 +194,5 @@ function reasonOf(o: Origin | null, tool: Tool): Reason | null {
 export const insidePart = (part: Ground, at: Flat): boolean => at.v < besideAt(part.bare, at.u) - SAME;
 
 /** What is said then: no way out would leave the part whole. `works`: a start point that does. */
-export const startInPart = (works: { readonly x: number; readonly z: number }): Issue => issue("startInPart", "error", works, "start");
+export const startInPart = (works: { readonly x: number; readonly z: number }): Issue =>
+  issue("startInPart", "error", works, "start");

@@ -1,5 +1,13 @@
 import { pathAlong } from "../reach/envelope.ts";
-import { flat, normalAt, segmentToFlat, segmentToPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
+import {
+  flat,
+  normalAt,
+  segmentToFlat,
+  segmentToPart,
+  type Flat,
+  type FlatSegment,
+  type Frame,
+} from "../geometry/flat.ts";
 import type { Segment } from "../geometry/point.ts";
 import { JOINED, ROUND } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
@@ -10,8 +18,9 @@ import { groundOver } from "./ground.ts";
 export const POINT: Tool = { T: 0, NAME: "", TYPE: "BUTTON", TO: 9, RS: length(0) };
 
 /**
- * A contour with an oversize on it as a point follows it, in machining direction: what a cycle leaves there, or with `round`, kept
- * square to the contour everywhere, what stands there before it. It begins and ends beside the ends of the contour.
+ * A contour with an oversize on it as a point follows it, in machining direction: what a cycle leaves there, or with
+ * `round`, kept square to the contour everywhere, what stands there before it. It begins and ends beside the ends of
+ * the contour.
  */
 export function keptOver(
   contour: readonly Segment[],
@@ -23,15 +32,28 @@ export function keptOver(
   if (!first || !last) return [];
   const keep = frame.transverse ? { u: r, v: z, round } : { u: z, v: r, round };
   const around = { wall: null, front: "part", frontWall: null, floors: [] } as const;
-  const { envelope } = groundOver(elements.map((segment) => ({ segment, on: "contour" })), POINT, frame, keep, around);
+  const { envelope } = groundOver(
+    elements.map((segment) => ({ segment, on: "contour" })),
+    POINT,
+    frame,
+    keep,
+    around,
+  );
   const beside = (s: FlatSegment, end: "from" | "to"): Flat => {
     const n = normalAt(s, end);
-    return { u: s[end].u + sign(n.u) * keep.u + n.u * round, v: s[end].v + Math.max(0, sign(n.v)) * keep.v + n.v * round };
+    return {
+      u: s[end].u + sign(n.u) * keep.u + n.u * round,
+      v: s[end].v + Math.max(0, sign(n.v)) * keep.v + n.v * round,
+    };
   };
   const [start, end] = [beside(first, "from"), beside(last, "to")];
   const path = pathAlong(envelope, start.u + JOINED, end.u - JOINED).map((s) => s.segment);
   // A wall at an end of the contour is a step there.
-  const whole = [flat.line(start, path[0]?.from ?? end), ...path, ...(path.length > 0 ? [flat.line(path.at(-1)?.to ?? end, end)] : [])];
+  const whole = [
+    flat.line(start, path[0]?.from ?? end),
+    ...path,
+    ...(path.length > 0 ? [flat.line(path.at(-1)?.to ?? end, end)] : []),
+  ];
   return whole.map((s) => segmentToPart(frame, s));
 }
 

@@ -58,11 +58,17 @@ interface Site {
   readonly insert: Convex;
   readonly keep: Flat;
   readonly called: Flat;
-  /** Tip height of the outer corner of the area; the highest and the lowest point of the contour, from outside no deeper than the axis. */
+  /**
+   * Tip height of the outer corner of the area; the highest and the lowest point of the contour, from outside no deeper
+   * than the axis.
+   */
   readonly outer: number;
   readonly highest: number;
   readonly lowest: number;
-  /** The part goes on in front of the first point: as the cycle says, or because a cut from the middle outwards leaves a pin there. */
+  /**
+   * The part goes on in front of the first point: as the cycle says, or because a cut from the middle outwards leaves a
+   * pin there.
+   */
   readonly inFront: boolean;
 }
 
@@ -78,7 +84,10 @@ function siteOf(l: Leveled, setting: Setting): Site | null {
     keep: l.frame.transverse ? { u: l.oversize.r, v: l.oversize.z } : { u: l.oversize.z, v: l.oversize.r },
     outer: Math.max(l.outerHeight ?? first.from.v, first.from.v) - extent(insert).minV,
     highest: flat.reduce((most, s) => Math.max(most, s.from.v, s.to.v), -Infinity),
-    lowest: Math.max(axisFloor(l.frame), flat.reduce((least, s) => Math.min(least, lowestOf(s)), Infinity)),
+    lowest: Math.max(
+      axisFloor(l.frame),
+      flat.reduce((least, s) => Math.min(least, lowestOf(s)), Infinity),
+    ),
     inFront: l.partInFront || (l.frame.transverse && l.frame.signU > 0),
   };
 }
@@ -103,7 +112,8 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const refused = [unfit(tool, l.frame, TURNING), wrongStart(l, site, setting)].filter((i) => i !== null);
   if (refused.length > 0) return { ...sketch, issues: refused };
   if (flanksUnknown(tool)) issues.push(issue("flanksNotChecked", "info", {}, "tool"));
-  if (isBar(tool) && tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
+  if (isBar(tool) && tool.TYPE === "RECESS")
+    issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
 
   const bounds: Bound[] = l.plunging ? flat.map((segment) => ({ segment, on: "contour" })) : bridged(flat);
   const limits = limitsOf(l.limit, called, flat, issues);
@@ -120,18 +130,29 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
   const floor = site.lowest + keep.v;
   // What stands in front of a contour that begins or ends on the axis is taken with it: there is no floor.
-  const floors = site.lowest > axisFloor(l.frame) + SAME ? [...over.floors, { v: floor, on: "edge" as const }] : over.floors;
+  const floors =
+    site.lowest > axisFloor(l.frame) + SAME ? [...over.floors, { v: floor, on: "edge" as const }] : over.floors;
   const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors });
   // The contour grown by the oversize is wanted only where something follows it, or where roughing has run before.
   const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
-  const stands = atCall({
-    stock: tracedStock(setting),
-    area: areaCorners(site, top, site.inFront ? Infinity : start.u + leadIn(l, site)),
-    frame: l.frame,
-    insert,
-  }, drawn.bare, l.operation > 1 ? { grown: grown.bare, infeed: l.infeed, top } : null);
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, room, new Frontier(stands, insert, limits.ceiling),
-    Math.max(called.v, l.frame.transverse || l.frame.signV > 0 ? start.v : top));
+  const stands = atCall(
+    {
+      stock: tracedStock(setting),
+      area: areaCorners(site, top, site.inFront ? Infinity : start.u + leadIn(l, site)),
+      frame: l.frame,
+      insert,
+    },
+    drawn.bare,
+    l.operation > 1 ? { grown: grown.bare, infeed: l.infeed, top } : null,
+  );
+  const cutter = new Cutter(
+    l.frame,
+    setting.feedUnit,
+    called,
+    room,
+    new Frontier(stands, insert, limits.ceiling),
+    Math.max(called.v, l.frame.transverse || l.frame.signV > 0 ? start.v : top),
+  );
   place(cutter, l, site, start, setting, issues);
 
   const from = Math.max(start.u, limits.from, room.minU);
@@ -156,7 +177,8 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
     const upper = Math.min(top, limits.ceiling);
-    const depth = upper - Math.max(floor - extent(insert).minV, deepestLevel(l, site, setting, kept.envelope, from, to));
+    const depth =
+      upper - Math.max(floor - extent(insert).minV, deepestLevel(l, site, setting, kept.envelope, from, to));
     const divided = divide(depth, limitedInfeed(l.infeed, tool, depth, issues), issues);
     if (!divided) return { ...sketch, issues };
     division = divided;
@@ -181,22 +203,28 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
     followContour(cutter, { ...follow, ground: l.operation === 3 ? grown : drawn, smoothing: false }, issues);
     back(cutter, start, l, "finish", 4);
   }
-  return clearAcross({
-    ...sketch,
-    moves: cutter.moves,
-    issues,
-    ...division,
-    ...(setting.leavesOutAir && countedAnew(cutter.moves)),
-    infeed: length(division.infeed),
-    area: areaOver(flat, l.frame, frontOf(l, site, start.u), top),
-    reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
-    kept: reachOf(kept, Math.max(kept.first, from), Math.min(Math.max(kept.end.u, drawn.end.u), to), l.frame, tool),
-    ...unlimited(),
-    ...limitsInPart(l.limit, called, l.frame),
-  }, setting, l.frame.transverse ? "startU" : "startV");
+  return clearAcross(
+    {
+      ...sketch,
+      moves: cutter.moves,
+      issues,
+      ...division,
+      ...(setting.leavesOutAir && countedAnew(cutter.moves)),
+      infeed: length(division.infeed),
+      area: areaOver(flat, l.frame, frontOf(l, site, start.u), top),
+      reach: reachOf(drawn, Math.max(drawn.first, from), Math.min(drawn.end.u, to), l.frame, tool),
+      kept: reachOf(kept, Math.max(kept.first, from), Math.min(Math.max(kept.end.u, drawn.end.u), to), l.frame, tool),
+      ...unlimited(),
+      ...limitsInPart(l.limit, called, l.frame),
+    },
+    setting,
+    l.frame.transverse ? "startU" : "startV",
+  );
 }
 
-/** Where the area begins: at the start point, or with the contour where what stands in front is none of its business. */
+/**
+ * Where the area begins: at the start point, or with the contour where what stands in front is none of its business.
+ */
 const frontOf = (l: Leveled, site: Site, from: number) => (l.partInFront ? (site.flat[0] as FlatSegment).from.u : from);
 
 const NOTHING: Flat = { u: 0, v: 0 };
@@ -209,12 +237,21 @@ const toFinishOver = (site: Site, floor: number | null): Surroundings => ({
   floors: floor === null ? [] : [{ v: floor, on: "limit" as const }],
 });
 
-/** The deepest level of roughing: of the contour without the elements that only break its edges, as far as this tool reaches. */
+/**
+ * The deepest level of roughing: of the contour without the elements that only break its edges, as far as this tool
+ * reaches.
+ */
 function deepestLevel(l: Leveled, site: Site, { tool }: Setting, kept: Envelope, from: number, to: number): number {
   const deepest = lowest(kept, from, to);
   const core = site.flat.slice(l.edges.start, site.flat.length - l.edges.end);
   if (core.length === 0 || core.length === site.flat.length) return deepest;
-  const surface = groundOver(core.map((segment) => ({ segment, on: "contour" })), tool, l.frame, site.keep, toFinishOver(site, null));
+  const surface = groundOver(
+    core.map((segment) => ({ segment, on: "contour" })),
+    tool,
+    l.frame,
+    site.keep,
+    toFinishOver(site, null),
+  );
   return Math.max(deepest, lowest(surface.envelope, from, to));
 }
 
@@ -222,10 +259,17 @@ function deepestLevel(l: Leveled, site: Site, { tool }: Setting, kept: Envelope,
 function areaCorners(site: Site, top: number, front: number): Flat[] {
   const [first, last] = [site.flat[0] as FlatSegment, site.flat[site.flat.length - 1] as FlatSegment];
   const [low, high, from] = [first.from.v - FAR, top + extent(site.insert).minV, Math.min(first.from.u, front)];
-  return [{ u: from, v: low }, { u: from, v: high }, { u: last.to.u, v: high }, { u: last.to.u, v: low }];
+  return [
+    { u: from, v: low },
+    { u: from, v: high },
+    { u: last.to.u, v: high },
+    { u: last.to.u, v: low },
+  ];
 }
 
-/** Where the cycle starts from, as the manual places it before step 1: clear of the area, or up to the contour start. */
+/**
+ * Where the cycle starts from, as the manual places it before step 1: clear of the area, or up to the contour start.
+ */
 function startOf(l: Leveled, site: Site, setting: Setting): Flat {
   const { called } = site;
   const first = (site.flat[0] as FlatSegment).from;
@@ -235,9 +279,10 @@ function startOf(l: Leveled, site: Site, setting: Setting): Flat {
   if (!reachesIn(l, site, setting)) return { u: called.u, v };
   const lead = leadIn(l, site);
   // The finishing of a shoulder begins at the level it was called from, where no part stands in front of it.
-  const clear = finishing && l.startRule === "shoulder" && !site.inFront
-    ? v
-    : Math.max(v, Math.max(site.highest, site.outer) + l.clearance);
+  const clear =
+    finishing && l.startRule === "shoulder" && !site.inFront
+      ? v
+      : Math.max(v, Math.max(site.highest, site.outer) + l.clearance);
   return { u: first.u - lead - l.clearance, v: clear };
 }
 
@@ -280,7 +325,13 @@ function place(cutter: Cutter, l: Leveled, site: Site, start: Flat, setting: Set
 /** Back to the cycle start. */
 function back(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
-  cutter.link(start, { gap: l.clearance, feed: run === "finish" ? l.feeds.finish : l.feeds.rough, out: p, down: p, enter: p });
+  cutter.link(start, {
+    gap: l.clearance,
+    feed: run === "finish" ? l.feeds.finish : l.feeds.rough,
+    out: p,
+    down: p,
+    enter: p,
+  });
 }
 
 /** A plan without a path, for the reasons told; `contour`: what is drawn of it, in machining direction. */

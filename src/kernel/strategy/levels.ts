@@ -1,6 +1,15 @@
 import { below } from "../reach/below.ts";
-import { heightAt, higherOf, highest, linePiece, pathAlong, upperEnvelope, type Envelope, type Interval,
-  type Origin } from "../reach/envelope.ts";
+import {
+  heightAt,
+  higherOf,
+  highest,
+  linePiece,
+  pathAlong,
+  upperEnvelope,
+  type Envelope,
+  type Interval,
+  type Origin,
+} from "../reach/envelope.ts";
 import type { FlatSegment } from "../geometry/flat.ts";
 import type { Move } from "../plan/move.ts";
 import { JOINED, ROUND, SAME, SLIVER } from "../tolerance.ts";
@@ -27,7 +36,10 @@ export interface Levels {
   readonly leavesOutAir: boolean;
 }
 
-/** One cut: a valley at a level, where it is entered (null: from the front), and how far its lift may follow the contour. */
+/**
+ * One cut: a valley at a level, where it is entered (null: from the front), and how far its lift may follow the
+ * contour.
+ */
 interface Cut {
   readonly pass: number;
   readonly valley: Interval;
@@ -38,7 +50,9 @@ interface Cut {
 }
 
 const purpose = (step: number, pass: number, plunging = false): Purpose =>
-  plunging ? { phase: "rough", run: "rough", step, pass, plunging: true } : { phase: "rough", run: "rough", step, pass };
+  plunging
+    ? { phase: "rough", run: "rough", step, pass, plunging: true }
+    : { phase: "rough", run: "rough", step, pass };
 
 /** A falling element: the tool goes into the material there. */
 export const falls = (s: FlatSegment) => s.to.v < s.from.v - ROUND;
@@ -57,8 +71,8 @@ function* cuts(l: Levels): Generator<Cut> {
     });
   // A crest that stands higher than the start point ends the area.
   const front = Math.max(l.top, heightAt(l.envelope, l.from));
-  const reachable = below(l.envelope, level(l, 1), l.from, l.to).filter((v) =>
-    open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME
+  const reachable = below(l.envelope, level(l, 1), l.from, l.to).filter(
+    (v) => open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME,
   );
   // Where the part in front stands as high as the area, nothing is to be cut before the contour begins.
   const begin = heightAt(l.envelope, l.from) >= l.top - SAME ? Math.min(l.first, reachable[0]?.from ?? l.from) : l.from;
@@ -67,14 +81,18 @@ function* cuts(l: Levels): Generator<Cut> {
     yield cut;
     if (cut.pass < l.passes)
       pending.push(
-        ...within(cut.pass + 1, below(l.envelope, level(l, cut.pass + 1), cut.valley.from, cut.valley.to), cut.valley).reverse(),
+        ...within(
+          cut.pass + 1,
+          below(l.envelope, level(l, cut.pass + 1), cut.valley.from, cut.valley.to),
+          cut.valley,
+        ).reverse(),
       );
   }
 }
 
 /**
- * The printed steps 1 to 5 of roughing: infeed at rapid, cut, lift by the infeed, back at rapid, until the deepest level.
- * With smoothing 0, what an outer element needs below the last level is cut at the end by following the contour.
+ * The printed steps 1 to 5 of roughing: infeed at rapid, cut, lift by the infeed, back at rapid, until the deepest
+ * level. With smoothing 0, what an outer element needs below the last level is cut at the end by following the contour.
  */
 export function roughByLevels(cutter: Cutter, l: Levels): void {
   if (l.passes === 0) return;
@@ -89,9 +107,9 @@ export function roughByLevels(cutter: Cutter, l: Levels): void {
 
 /** Moves whose passes are counted anew where some were left out, and how many passes that makes. */
 export function countedAnew(moves: readonly Move[]): { readonly moves: readonly Move[]; readonly passes: number } {
-  const left = [...new Set(moves.flatMap(({ phase, pass }) => (phase === "rough" && pass !== undefined ? [pass] : [])))].sort((a, b) =>
-    a - b
-  );
+  const left = [
+    ...new Set(moves.flatMap(({ phase, pass }) => (phase === "rough" && pass !== undefined ? [pass] : []))),
+  ].sort((a, b) => a - b);
   const number = new Map(left.map((pass, i) => [pass, i + 1]));
   const counted = moves.map((move): Move => {
     const pass = move.phase === "rough" && move.pass !== undefined ? number.get(move.pass) : undefined;
@@ -102,12 +120,16 @@ export function countedAnew(moves: readonly Move[]): { readonly moves: readonly 
 
 const FLOOR: Origin = { feature: "nose", on: "edge", corner: false };
 
-/** Whether nothing stands over a level where its cut runs, and along the contour where it lifts; slivers are nothing. */
+/**
+ * Whether nothing stands over a level where its cut runs, and along the contour where it lifts; slivers are nothing.
+ */
 function isInAir({ frontier }: Cutter, l: Levels, { pass, valley, entry, limit }: Cut): boolean {
   const [from, to] = [entry ?? valley.from, l.smoothing === 0 ? Math.max(valley.to, limit) : valley.to];
   const height = level(l, pass);
   const floor = linePiece({ u: from, v: height }, { u: to, v: height }, FLOOR);
-  return floor === null || frontier.standsOver(higherOf(l.envelope, upperEnvelope([floor])), { from, to }, SLIVER) === null;
+  return (
+    floor === null || frontier.standsOver(higherOf(l.envelope, upperEnvelope([floor])), { from, to }, SLIVER) === null
+  );
 }
 
 const linked = (l: Levels, pass: number) => ({
@@ -123,8 +145,10 @@ function enter(cutter: Cutter, l: Levels, { pass, valley, entry }: Cut) {
   const height = level(l, pass);
   if (entry === null) return cutter.link({ u: valley.from, v: height }, linked(l, pass));
   cutter.link({ u: entry, v: Math.max(height, heightAt(l.envelope, entry)) }, linked(l, pass));
-  cutter.along(pathAlong(l.envelope, entry, valley.from).map((s) => s.segment),
-    (s) => ({ feed: falls(s) ? l.feeds.plunge : l.feeds.rough, purpose: purpose(2, pass, falls(s)) }));
+  cutter.along(
+    pathAlong(l.envelope, entry, valley.from).map((s) => s.segment),
+    (s) => ({ feed: falls(s) ? l.feeds.plunge : l.feeds.rough, purpose: purpose(2, pass, falls(s)) }),
+  );
   cutter.feed({ u: valley.from, v: height }, l.feeds.plunge, purpose(2, pass, true));
 }
 
@@ -135,7 +159,10 @@ function lift(cutter: Cutter, l: Levels, { pass, valley, limit, outer }: Cut) {
   if (l.smoothing === 0) {
     const up = highest(l.envelope, valley.to, Math.max(valley.to, limit));
     const end = up.v > previous - ROUND ? riseTo(l.envelope, valley.to, limit, previous) : up.u;
-    cutter.along(pathAlong(l.envelope, valley.to, end).map((s) => s.segment), () => ({ feed: l.feeds.rough, purpose: p }));
+    cutter.along(
+      pathAlong(l.envelope, valley.to, end).map((s) => s.segment),
+      () => ({ feed: l.feeds.rough, purpose: p }),
+    );
     cutter.feed(cutter.inBore({ u: end, v: previous }), l.feeds.rough, p);
     cutter.feed(cutter.inBore({ u: end, v: previous + l.infeed }), l.feeds.rough, p);
     return;

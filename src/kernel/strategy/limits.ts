@@ -12,7 +12,9 @@ export interface Limits {
 
 const NONE: Limits = { from: -Infinity, to: Infinity, floor: null, ceiling: Infinity };
 
-/** The side of each limit on which the tool stands at the call is machined, the other is not cut (decision "Limits"). */
+/**
+ * The side of each limit on which the tool stands at the call is machined, the other is not cut (decision "Limits").
+ */
 export function limitsOf(limit: Flat | null, called: Flat, contour: readonly FlatSegment[], issues: Issue[]): Limits {
   if (!limit) return NONE;
   const before = called.u <= limit.u;

@@ -11,7 +11,15 @@ import { Cutter, type Link } from "./link.ts";
 
 /* The one way between two cuts, over a step that stands 5 high from u = 10 to u = 20, flat 0 beside it. */
 const frame: Frame = { transverse: false, signU: 1, signV: 1 };
-const bar: Tool = { T: 1, NAME: "BAR", TYPE: "RECTURN", TO: 2, RS: length(0), CUTWIDTH: length(3), CUTLENGTH: length(30) };
+const bar: Tool = {
+  T: 1,
+  NAME: "BAR",
+  TYPE: "RECTURN",
+  TO: 2,
+  RS: length(0),
+  CUTWIDTH: length(3),
+  CUTLENGTH: length(30),
+};
 const around = { feature: "nose", on: "edge", corner: false } as const;
 const flat = (u0: number, u1: number, v: number) => linePiece({ u: u0, v }, { u: u1, v }, around) ?? [];
 const step = upperEnvelope([flat(0, 10, 0), flat(10, 20, 5), flat(20, 30, 0)].flat());
@@ -23,19 +31,31 @@ const linked = (from: Flat, to: Flat, roof = Infinity, before?: (cutter: Cutter)
   before?.(cutter);
   const count = cutter.moves.length;
   cutter.link(to, link);
-  return cutter.moves.slice(count).map((m: Move) => `${m.kind} ${m.step} ${Number(m.to.z.toFixed(3))}/${Number(m.to.r.toFixed(3))}`);
+  return cutter.moves
+    .slice(count)
+    .map((m: Move) => `${m.kind} ${m.step} ${Number(m.to.z.toFixed(3))}/${Number(m.to.r.toFixed(3))}`);
 };
 
 describe("a link", () => {
   test("rises over what stands by the clearance, crosses, comes down at rapid to the clearance and at feed to its end", () => {
-    expect(linked({ u: 5, v: 1 }, { u: 25, v: 0.1 })).toEqual(["rapid 4 5/5.7", "rapid 4 25/5.7", "rapid 1 25/0.7", "feed 2 25/0.1"]);
+    expect(linked({ u: 5, v: 1 }, { u: 25, v: 0.1 })).toEqual([
+      "rapid 4 5/5.7",
+      "rapid 4 25/5.7",
+      "rapid 1 25/0.7",
+      "feed 2 25/0.1",
+    ]);
   });
   test("crosses at the height of the higher end where that is clear", () => {
     expect(linked({ u: 5, v: 6 }, { u: 25, v: 6.4 })).toEqual(["rapid 4 5/6.4", "rapid 4 25/6.4"]);
     expect(linked({ u: 2, v: 1 }, { u: 8, v: 1 })).toEqual(["rapid 4 8/1"]);
   });
   test("leaves what stands above it at feed, from there on at rapid", () => {
-    expect(linked({ u: 15, v: 3 }, { u: 25, v: 1 })).toEqual(["feed 4 15/5", "rapid 4 15/5.7", "rapid 4 25/5.7", "rapid 1 25/1"]);
+    expect(linked({ u: 15, v: 3 }, { u: 25, v: 1 })).toEqual([
+      "feed 4 15/5",
+      "rapid 4 15/5.7",
+      "rapid 4 25/5.7",
+      "rapid 1 25/1",
+    ]);
   });
   test("comes down no lower than the clearance over what stands at rapid", () => {
     expect(linked({ u: 5, v: 9 }, { u: 15, v: 4 })).toEqual(["rapid 4 15/9", "rapid 1 15/5.7", "feed 2 15/4"]);

@@ -17,7 +17,9 @@ export interface Link {
   readonly enter: Purpose;
 }
 
-/** A tool at work: its moves, and what still stands in front of it. Everything that runs at feed lowers the frontier. */
+/**
+ * A tool at work: its moves, and what still stands in front of it. Everything that runs at feed lowers the frontier.
+ */
 export class Cutter extends Track {
   private readonly nearest: number;
 
@@ -46,8 +48,8 @@ export class Cutter extends Track {
   }
 
   /**
-   * From where one cut has ended to where the next begins, the only way that any cycle has: up over what stands, across, and
-   * down, one axis at a time. At rapid above the frontier only, the rest at feed.
+   * From where one cut has ended to where the next begins, the only way that any cycle has: up over what stands,
+   * across, and down, one axis at a time. At rapid above the frontier only, the rest at feed.
    */
   link(to: Flat, l: Link): void {
     const barrier = this.frontier.over(this.at.u, to.u);
@@ -76,18 +78,23 @@ export class Cutter extends Track {
   }
 
   /**
-   * Leaves the contour at feed: at 45°, away from the cutting direction (`towards` −1) or along it (1), by `by` mm in either
-   * axis; straight up by the same where the part is in the way. `room`: how far it may lean.
+   * Leaves the contour at feed: at 45°, away from the cutting direction (`towards` −1) or along it (1), by `by` mm in
+   * either axis; straight up by the same where the part is in the way. `room`: how far it may lean.
    */
   leave(by: number, towards: 1 | -1, part: Envelope, value: number, purpose: Purpose, room = by): void {
     const lift = this.inBore({ u: this.at.u, v: this.at.v + by }).v - this.at.v;
     const leaning = this.inBore({ u: this.at.u + towards * Math.max(0, Math.min(lift, room)), v: this.at.v + lift });
-    this.feed(lift > 0 && staysAbove(part, leaning, this.at) ? leaning : { u: this.at.u, v: this.at.v + lift }, value, purpose);
+    this.feed(
+      lift > 0 && staysAbove(part, leaning, this.at) ? leaning : { u: this.at.u, v: this.at.v + lift },
+      value,
+      purpose,
+    );
   }
 
   /**
-   * In a bore nothing but a cut leads nearer to the axis than the start point: what stands on the other side meets the insert and its
-   * holder. The place next to a point that keeps to that, and comes no nearer than `cut` does; outside the point itself.
+   * In a bore nothing but a cut leads nearer to the axis than the start point: what stands on the other side meets the
+   * insert and its holder. The place next to a point that keeps to that, and comes no nearer than `cut` does; outside
+   * the point itself.
    */
   inBore({ u, v }: Flat, cut: Flat = this.at): Flat {
     const { transverse, signV } = this.frame;

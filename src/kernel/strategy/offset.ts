@@ -8,11 +8,17 @@ export const CONTROL_OFFSET = 0.1;
 const SHARE = 0.8;
 
 /**
- * Shortening per pass, mm. It adds up on the side where passes end: every second one, or every one when they all run the
- * same way. A programmed value is lowered to what fits, with a message; the control's own 0.1 is not, and is an error
- * when its sum passes the limit (it is then planned as far as it fits).
+ * Shortening per pass, mm. It adds up on the side where passes end: every second one, or every one when they all run
+ * the same way. A programmed value is lowered to what fits, with a message; the control's own 0.1 is not, and is an
+ * error when its sum passes the limit (it is then planned as far as it fits).
  */
-export function offsetPerPass(programmed: number, passes: number, oneWay: boolean, effectiveWidth: number, issues: Issue[]): number {
+export function offsetPerPass(
+  programmed: number,
+  passes: number,
+  oneWay: boolean,
+  effectiveWidth: number,
+  issues: Issue[],
+): number {
   const times = oneWay ? passes - 1 : Math.ceil((passes - 1) / 2);
   if (times <= 0) return 0;
   const max = SHARE * effectiveWidth;

@@ -8,21 +8,31 @@ const { flattenedChain } = part;
 /** How far the finished part is drawn beyond the contour, mm. */
 const BEYOND = 2000;
 
-/** The finished part under a contour: closed far below it, and going on behind its last point (and before its first). */
+/**
+ * The finished part under a contour: closed far below it, and going on behind its last point (and before its first).
+ */
 export function partUnder(contour: readonly FlatSegment[], frame: Frame, both: boolean): Ring {
   const points = chain(contour, frame);
   const first = contour[0]?.from;
   const last = contour[contour.length - 1]?.to;
   if (!first || !last) return [];
   const deep = Math.min(first.v, last.v) - BEYOND;
-  const close: Flat[] = [{ u: last.u + BEYOND, v: last.v }, { u: last.u + BEYOND, v: deep }];
-  const start: Flat[] = both ? [{ u: first.u - BEYOND, v: deep }, { u: first.u - BEYOND, v: first.v }] : [{ u: first.u, v: deep }];
+  const close: Flat[] = [
+    { u: last.u + BEYOND, v: last.v },
+    { u: last.u + BEYOND, v: deep },
+  ];
+  const start: Flat[] = both
+    ? [
+        { u: first.u - BEYOND, v: deep },
+        { u: first.u - BEYOND, v: first.v },
+      ]
+    : [{ u: first.u, v: deep }];
   return turned([...points, ...[...close, ...start].map((p) => toPart(frame, p))]);
 }
 
 /**
- * The area to be removed: between the contour and the level and place of the start point; what stands above that level is no
- * part of it.
+ * The area to be removed: between the contour and the level and place of the start point; what stands above that level
+ * is no part of it.
  */
 export function areaOver(contour: readonly FlatSegment[], frame: Frame, from: number, top: number): Ring {
   const points = chain(contour, frame).map((p) => toFlat(frame, p));
@@ -30,7 +40,11 @@ export function areaOver(contour: readonly FlatSegment[], frame: Frame, from: nu
   if (!first || !last) return [];
   const level = Math.max(top, last.v, first.v);
   const front = Math.min(from, first.u);
-  const corners: Flat[] = [{ u: last.u, v: level }, { u: front, v: level }, { u: front, v: first.v }];
+  const corners: Flat[] = [
+    { u: last.u, v: level },
+    { u: front, v: level },
+    { u: front, v: first.v },
+  ];
   return turned([...under(points, level), ...corners].map((p) => toPart(frame, p)));
 }
 
@@ -46,7 +60,13 @@ export function partBetween(contour: readonly FlatSegment[], frame: Frame): Ring
   const [first, last] = [contour[0]?.from, contour[contour.length - 1]?.to];
   if (!first || !last) return [];
   const deep = Math.min(first.v, last.v) - BEYOND;
-  return turned([...points, ...[{ u: last.u, v: deep }, { u: first.u, v: deep }].map((p) => toPart(frame, p))]);
+  return turned([
+    ...points,
+    ...[
+      { u: last.u, v: deep },
+      { u: first.u, v: deep },
+    ].map((p) => toPart(frame, p)),
+  ]);
 }
 
 /** A band thinner than anything that is looked at: it joins grooves that would touch in points only. */
@@ -80,7 +100,11 @@ function under(points: readonly Flat[], level: number): Flat[] {
   return out;
 }
 
-const chain = (contour: readonly FlatSegment[], frame: Frame) => flattenedChain(contour.map((s) => segmentToPart(frame, s)), CHORD);
+const chain = (contour: readonly FlatSegment[], frame: Frame) =>
+  flattenedChain(
+    contour.map((s) => segmentToPart(frame, s)),
+    CHORD,
+  );
 
 /** As the polygon engine takes it: a spike may be one only there. */
 const onGrid = ({ z, r }: Pt): Pt => at(Math.round(z / GRID) * GRID, Math.round(r / GRID) * GRID);
@@ -97,8 +121,8 @@ function turned(spiked: readonly Pt[]): Ring {
 }
 
 /**
- * A ring without the points at which it turns back on itself, as where a wall of the contour lies in the line that closes it:
- * the polygon engine loses corners beside them.
+ * A ring without the points at which it turns back on itself, as where a wall of the contour lies in the line that
+ * closes it: the polygon engine loses corners beside them.
  */
 function withoutSpikes(points: readonly Pt[]): Pt[] {
   const ring = [...points];

@@ -2,7 +2,9 @@ import type { Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
 import { divide } from "./infeed.ts";
 
-/** What passes along a contour take off: its thickness, and the length of a pass on its outside and on its inside, mm. */
+/**
+ * What passes along a contour take off: its thickness, and the length of a pass on its outside and on its inside, mm.
+ */
 export interface Allowance {
   readonly depth: number;
   readonly outer: number;
@@ -10,9 +12,9 @@ export interface Allowance {
 }
 
 /**
- * The infeeds of passes along a contour, from the outside, as few as the greatest infeed allows. Each takes the same area (infeed × length
- * of the pass, which changes evenly from outside to inside): where passes are of one length their infeeds are. Null when there
- * would be too many, with the issue that says so.
+ * The infeeds of passes along a contour, from the outside, as few as the greatest infeed allows. Each takes the same
+ * area (infeed × length of the pass, which changes evenly from outside to inside): where passes are of one length their
+ * infeeds are. Null when there would be too many, with the issue that says so.
  */
 export function divideAllowance(a: Allowance, most: number, issues: Issue[]): readonly number[] | null {
   const even = divide(a.depth, most, issues);
@@ -30,9 +32,12 @@ export function divideAllowance(a: Allowance, most: number, issues: Issue[]): re
 function infeedsOf({ depth, outer, inner }: Allowance, passes: number): number[] {
   // A contour without length has no areas to share.
   if (outer + inner <= SAME) return Array.from({ length: passes }, () => depth / passes);
-  const area = depth * (outer + inner) / 2;
+  const area = (depth * (outer + inner)) / 2;
   const grows = (inner - outer) / depth;
-  const behind = (share: number) => 2 * share * area / (outer + Math.sqrt(Math.max(0, outer * outer + 2 * grows * share * area)));
-  const depths = Array.from({ length: passes + 1 }, (_, i) => (i === 0 ? 0 : i === passes ? depth : behind(i / passes)));
+  const behind = (share: number) =>
+    (2 * share * area) / (outer + Math.sqrt(Math.max(0, outer * outer + 2 * grows * share * area)));
+  const depths = Array.from({ length: passes + 1 }, (_, i) =>
+    i === 0 ? 0 : i === passes ? depth : behind(i / passes),
+  );
   return depths.slice(1).map((d, i) => d - (depths[i] ?? 0));
 }

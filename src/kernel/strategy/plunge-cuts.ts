@@ -42,7 +42,12 @@ const ASLANT = 2;
 /** What plunges leave between them on a wall or a floor is cut along it when it is more than this, mm. */
 const LEFT = 0.02;
 
-const p = (step: number, pass?: number): Purpose => ({ phase: "rough", run: "rough", step, ...(pass !== undefined && { pass }) });
+const p = (step: number, pass?: number): Purpose => ({
+  phase: "rough",
+  run: "rough",
+  step,
+  ...(pass !== undefined && { pass }),
+});
 
 /** How many bites a plunge takes. */
 export const bitesOf = (depth: number, bite: number): number => (bite > 0 ? partsOf(depth, bite) : 1);
@@ -54,8 +59,8 @@ export interface Bites {
 }
 
 /**
- * The steps 1 to 5 of recessing: section by section, in each all plunges, then what they leave along the walls. Where nothing stands
- * over its place, as beside a blank that is lower than the start point, no plunge is made.
+ * The steps 1 to 5 of recessing: section by section, in each all plunges, then what they leave along the walls. Where
+ * nothing stands over its place, as beside a blank that is lower than the start point, no plunge is made.
  */
 export function roughByPlunges(cutter: Cutter, r: PlungeRough): Bites {
   const done: Flat[] = [];
@@ -85,7 +90,13 @@ interface Numbering {
 }
 
 /** Down to a place in bites; at the feed for solid material below everything that stands free beside it. */
-function plunge(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Flat[], { pass, step, count }: Numbering): void {
+function plunge(
+  cutter: Cutter,
+  r: PlungeRough,
+  place: Flat,
+  done: readonly Flat[],
+  { pass, step, count }: Numbering,
+): void {
   const beside = done.filter((d) => Math.abs(d.u - place.u) < r.spacing.width - SAME);
   const free = beside.length > 0 ? Math.min(...beside.map((d) => d.v)) : Infinity;
   const [across, solid] = [p(3), (v: number) => (v < free - SAME ? r.solidFeed : r.feed)];
@@ -94,7 +105,10 @@ function plunge(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Flat
     const purpose = p(step, pass + k);
     if (k === 1) {
       const first = free < r.top && depth < free - SAME ? Math.max(depth, free) : depth;
-      cutter.link({ u: place.u, v: first }, { gap: r.clearance, feed: solid(first), out: across, down: across, enter: purpose });
+      cutter.link(
+        { u: place.u, v: first },
+        { gap: r.clearance, feed: solid(first), out: across, down: across, enter: purpose },
+      );
     } else if (cutter.at.v > free + SAME && depth < free - SAME) cutter.feed({ u: place.u, v: free }, r.feed, purpose);
     cutter.feed({ u: place.u, v: depth }, solid(depth), purpose);
     if (k < count) cutter.feed({ u: place.u, v: Math.min(r.top, depth + CHIP_BREAK) }, r.feed, purpose);
@@ -103,12 +117,14 @@ function plunge(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Flat
 }
 
 /**
- * Between two plunges no farther apart than the level part of the edge nothing stands any more above the higher one. What lies behind
- * a plunge that is no higher was cleared with that one.
+ * Between two plunges no farther apart than the level part of the edge nothing stands any more above the higher one.
+ * What lies behind a plunge that is no higher was cleared with that one.
  */
 function clearBeside(cutter: Cutter, { level }: Spacing, place: Flat, done: readonly Flat[]): void {
   for (const side of [-1, 1]) {
-    const beside = done.map((d) => ({ v: d.v, away: (d.u - place.u) * side })).filter((d) => d.away >= 0 && d.away <= level + SAME);
+    const beside = done
+      .map((d) => ({ v: d.v, away: (d.u - place.u) * side }))
+      .filter((d) => d.away >= 0 && d.away <= level + SAME);
     let nearer = Infinity;
     for (const d of beside.sort((a, b) => a.away - b.away)) {
       const v = Math.max(d.v, place.v);
@@ -133,7 +149,9 @@ function retract(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Fla
   cutter.link({ u: cutter.at.u, v: r.top }, { gap: r.clearance, feed: r.feed, out, down: out, enter: out });
 }
 
-/** What stands between the plunges on leaning and round walls, and on a floor for a round edge: one cut down each side. */
+/**
+ * What stands between the plunges on leaning and round walls, and on a floor for a round edge: one cut down each side.
+ */
 function alongWalls(cutter: Cutter, r: PlungeRough, { from, to, floor }: Basin): void {
   const e = r.ground.envelope;
   const cut = (path: readonly FlatSegment[], away: 1 | -1) => {
@@ -144,12 +162,28 @@ function alongWalls(cutter: Cutter, r: PlungeRough, { from, to, floor }: Basin):
     cutter.link(first.from, link);
     cutter.along(path, () => ({ feed: r.feed, purpose }));
     const beside = away > 0 ? r.room.to - cutter.at.u : cutter.at.u - r.room.from;
-    cutter.leave(liftUnder(r.top, cutter.at.v, r.clearance), away, e, r.feed, purpose,
-      Math.min(r.clearance, reachOfStep(r.spacing), beside));
+    cutter.leave(
+      liftUnder(r.top, cutter.at.v, r.clearance),
+      away,
+      e,
+      r.feed,
+      purpose,
+      Math.min(r.clearance, reachOfStep(r.spacing), beside),
+    );
     cutter.link({ u: cutter.at.u, v: r.top }, link);
   };
   const left = cutter.frontier.standsOver(e, { from, to: floor.to }, LEFT);
-  if (left && left.to > left.from + SAME) cut(pathAlong(e, left.from, left.to).map((s) => s.segment), 1);
+  if (left && left.to > left.from + SAME)
+    cut(
+      pathAlong(e, left.from, left.to).map((s) => s.segment),
+      1,
+    );
   const right = cutter.frontier.standsOver(e, { from: floor.to, to }, LEFT);
-  if (right && right.to > right.from + SAME) cut(pathAlong(e, right.from, right.to).map((s) => flat.reversed(s.segment)).reverse(), -1);
+  if (right && right.to > right.from + SAME)
+    cut(
+      pathAlong(e, right.from, right.to)
+        .map((s) => flat.reversed(s.segment))
+        .reverse(),
+      -1,
+    );
 }

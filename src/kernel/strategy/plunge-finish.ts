@@ -18,7 +18,9 @@ export interface PlungeFinish {
 
 const p = (step: number): Purpose => ({ phase: "finish", run: "finish", step });
 
-/** The steps 1 to 7 of finishing by plunging: in each section down one wall and half of its floor, then down the other. */
+/**
+ * The steps 1 to 7 of finishing by plunging: in each section down one wall and half of its floor, then down the other.
+ */
 export function finishByHalves(cutter: Cutter, f: PlungeFinish): void {
   const e = f.ground.envelope;
   const link = (step: number) => ({ gap: f.clearance, feed: f.feed, out: p(step), down: p(step), enter: p(step) });
@@ -34,8 +36,21 @@ export function finishByHalves(cutter: Cutter, f: PlungeFinish): void {
       cutter.leave(liftUnder(f.top, cutter.at.v, f.clearance), away, e, f.feed, p(step + 2), Math.abs(middle - begin));
       out(step + 3);
     };
-    half(from, pathAlong(e, from, middle).map((s) => s.segment), 1, -1);
+    half(
+      from,
+      pathAlong(e, from, middle).map((s) => s.segment),
+      1,
+      -1,
+    );
     // A tool as wide as the groove has finished both walls and the floor.
-    if (to - from > SAME) half(to, pathAlong(e, middle, to).map((s) => flat.reversed(s.segment)).reverse(), 5, 1);
+    if (to - from > SAME)
+      half(
+        to,
+        pathAlong(e, middle, to)
+          .map((s) => flat.reversed(s.segment))
+          .reverse(),
+        5,
+        1,
+      );
   }
 }

@@ -30,14 +30,17 @@ export const reachOfStep = ({ width, level, step, comb }: Spacing): number => {
 };
 
 /**
- * Where a basin is plunged: at its stops, and between them and its ends evenly, no farther apart than a step. It begins where the floor
- * does, goes on to the far wall, and comes back for the near one: so every plunge behind the first has a side that is free.
+ * Where a basin is plunged: at its stops, and between them and its ends evenly, no farther apart than a step. It begins
+ * where the floor does, goes on to the far wall, and comes back for the near one: so every plunge behind the first has
+ * a side that is free.
  */
 export function placesIn(basin: Basin, e: Envelope, s: Spacing): Places {
   const [full, webs]: [Flat[], Flat[]] = [[], []];
   const most = reachOfStep(s);
   // A leaning wall ends where nothing is left to plunge for: no stop, but its slope is divided as well.
-  const ends = [basin.from, ...basin.stops.map((p) => p.u), basin.to].filter((u, i, all) => i === 0 || u > (all[i - 1] ?? u) + SAME);
+  const ends = [basin.from, ...basin.stops.map((p) => p.u), basin.to].filter(
+    (u, i, all) => i === 0 || u > (all[i - 1] ?? u) + SAME,
+  );
   ends.forEach((u, i) => {
     const before = ends[i - 1];
     if (before !== undefined) {
@@ -58,7 +61,7 @@ export function placesIn(basin: Basin, e: Envelope, s: Spacing): Places {
   return { full: fromFloor(full, basin), webs: fromFloor(webs, basin) };
 }
 
-const fromFloor = (
-  places: readonly Flat[],
-  { floor }: Basin,
-): Flat[] => [...places.filter((p) => p.u > floor.from - SAME), ...places.filter((p) => p.u <= floor.from - SAME).toReversed()];
+const fromFloor = (places: readonly Flat[], { floor }: Basin): Flat[] => [
+  ...places.filter((p) => p.u > floor.from - SAME),
+  ...places.filter((p) => p.u <= floor.from - SAME).toReversed(),
+];

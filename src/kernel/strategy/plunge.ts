@@ -18,8 +18,18 @@ import { Cutter } from "./link.ts";
 import { bitesOf, roughByPlunges, type Bites, type PlungeCut } from "./plunge-cuts.ts";
 import { finishByHalves } from "./plunge-finish.ts";
 import { placesIn, reachOfStep, type Places, type Spacing } from "./plunge-places.ts";
-import { floorOf, frontierAt, onContour, reachWithin, siteOf, sketchOf, surroundingsOf, tipBetween, unlimitedReach,
-  type Sunk } from "./recess-site.ts";
+import {
+  floorOf,
+  frontierAt,
+  onContour,
+  reachWithin,
+  siteOf,
+  sketchOf,
+  surroundingsOf,
+  tipBetween,
+  unlimitedReach,
+  type Sunk,
+} from "./recess-site.ts";
 
 /** A recess, or a contour with any number of them, cut by plunges side by side. */
 export interface Plunging extends PlungeCut, Sunk {
@@ -47,7 +57,8 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   const sketch = sketchOf(l, site, l.bite);
   const refused = unfit(tool, l.frame, PLUNGING);
   if (refused) return { ...sketch, issues: [refused] };
-  if (called.v < opening - SAME) issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
+  if (called.v < opening - SAME)
+    issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
   const limits = limitsOf(l.limit, called, site.flat, issues);
   const over = surroundingsOf(site, limits, floorOf(tool, site, setting, issues));
@@ -59,8 +70,21 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   }
   const grown = groundOver(bounds, tool, l.frame, keep, over(false));
   const insert = insertIn(tool, l.frame);
-  const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: SAME, operation: l.operation, ceiling: limits.ceiling });
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top);
+  const frontier = frontierAt(site, setting, insert, {
+    drawn,
+    grown,
+    infeed: SAME,
+    operation: l.operation,
+    ceiling: limits.ceiling,
+  });
+  const cutter = new Cutter(
+    l.frame,
+    setting.feedUnit,
+    called,
+    roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)),
+    frontier,
+    top,
+  );
   const start = { u: called.u, v: top };
   // The tool stood there, so it comes down on it at rapid.
   const back = (run: "rough" | "finish", step: number) => {
@@ -91,17 +115,21 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
     finishByHalves(cutter, { ground, basins, top, clearance: l.clearance, feed: l.finishingFeed });
     back("finish", 8);
   }
-  return clearAcross({
-    ...sketch,
-    moves: cutter.moves,
-    issues,
-    passes: cuts.passes,
-    infeed: length(cuts.infeed),
-    reach: reachWithin(drawn, room, l.frame, tool),
-    kept: reachWithin(kept, onContour(drawn, room), l.frame, tool),
-    ...unlimitedReach(l, site, tool),
-    ...limitsInPart(l.limit, called, l.frame),
-  }, setting, l.frame.transverse ? "startU" : "startV");
+  return clearAcross(
+    {
+      ...sketch,
+      moves: cutter.moves,
+      issues,
+      passes: cuts.passes,
+      infeed: length(cuts.infeed),
+      reach: reachWithin(drawn, room, l.frame, tool),
+      kept: reachWithin(kept, onContour(drawn, room), l.frame, tool),
+      ...unlimitedReach(l, site, tool),
+      ...limitsInPart(l.limit, called, l.frame),
+    },
+    setting,
+    l.frame.transverse ? "startU" : "startV",
+  );
 }
 
 /** How the plunges of a tool lie side by side over an opening. */
@@ -126,7 +154,12 @@ function tooClose(basins: readonly Basin[], s: Spacing): Issue {
   const stops = basins.reduce((sum, b) => sum + b.stops.length, 0);
   const wide = basins.reduce((sum, b) => sum + b.to - b.from, 0);
   const nearest = Math.ceil((wide / Math.max(1, MOST_PASSES - stops) / s.width) * 1000) / 1000;
-  return issue("tooManyPasses", "error", { passes: Math.ceil(plungesIn(basins, s)), most: MOST_PASSES, nearest }, "overlap");
+  return issue(
+    "tooManyPasses",
+    "error",
+    { passes: Math.ceil(plungesIn(basins, s)), most: MOST_PASSES, nearest },
+    "overlap",
+  );
 }
 
 /** More bites than anybody means: the smallest one that makes fewer. */

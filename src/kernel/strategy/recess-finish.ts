@@ -14,8 +14,8 @@ export interface RecessFinish {
   readonly top: number;
   readonly feed: number;
   /**
-   * Which walls are cut downwards, the tool coming from both sides to meet on the floor: none, every one that rises from a corner, or
-   * only those that rise steeply from a sharp one.
+   * Which walls are cut downwards, the tool coming from both sides to meet on the floor: none, every one that rises
+   * from a corner, or only those that rise steeply from a sharp one.
    */
   readonly downwards: "none" | "every" | "steep";
   /** Distance to keep from the second wall while its oversize still stands, mm. */
@@ -25,7 +25,10 @@ export interface RecessFinish {
   readonly ceiling: number;
 }
 
-/** One finishing cut: from above its beginning along a path, ending at `foot`; the way it leaves has so much room behind it. */
+/**
+ * One finishing cut: from above its beginning along a path, ending at `foot`; the way it leaves has so much room behind
+ * it.
+ */
 interface Cut {
   readonly path: readonly FlatSegment[];
   readonly foot: Flat;
@@ -37,7 +40,10 @@ interface Cut {
 
 const p = (step: number): Purpose => ({ phase: "finish", run: "finish", step });
 
-/** The printed finishing steps 1 to 6 of a recess, valley by valley; going back to the cycle start is the caller's. No place, no cut. */
+/**
+ * The printed finishing steps 1 to 6 of a recess, valley by valley; going back to the cycle start is the caller's. No
+ * place, no cut.
+ */
 export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   const e = f.ground.envelope;
   const [left, right] = [Math.max(f.ground.start.u, f.area.from), Math.min(f.ground.end.u, f.area.to)];
@@ -59,10 +65,17 @@ export function finishRecess(cutter: Cutter, f: RecessFinish): void {
     const walls = { left: first ? f.ground.start.v : -Infinity, right: last ? f.ground.end.v : -Infinity };
     for (const cut of cutsOf(run, at, walls, f)) {
       const begin = cut.path[0]?.from ?? cut.foot;
-      const height = cut.back ? (begin.u >= right - SAME ? walls.right : begin.v) : begin.u <= left + SAME ? walls.left : begin.v;
+      const height = cut.back
+        ? begin.u >= right - SAME
+          ? walls.right
+          : begin.v
+        : begin.u <= left + SAME
+          ? walls.left
+          : begin.v;
       into(begin.u, Math.max(height, Math.min(begin.v, f.ceiling)), cut.back ? 5 : 1);
       const floor = Math.min(cut.foot.v, ...cut.path.map(lowestOf));
-      const onFloor = (s: FlatSegment) => s.kind === "line" && Math.abs(s.from.v - floor) < SAME && Math.abs(s.to.v - floor) < SAME;
+      const onFloor = (s: FlatSegment) =>
+        s.kind === "line" && Math.abs(s.from.v - floor) < SAME && Math.abs(s.to.v - floor) < SAME;
       const step = (s: FlatSegment) => (cut.back ? 6 : onFloor(s) ? 3 : 2);
       cutter.along(cut.path, (s) => ({ feed: f.feed, purpose: p(step(s)) }));
       cutter.feed(cut.foot, f.feed, p(cut.back ? 6 : 2));
@@ -79,12 +92,18 @@ interface EndWalls {
   readonly right: number;
 }
 
-/** A rise at which a bar would lean sideways into the oversize of a wall: steeper than 45°, out of a corner sharper than 30°. */
+/**
+ * A rise at which a bar would lean sideways into the oversize of a wall: steeper than 45°, out of a corner sharper than
+ * 30°.
+ */
 const STEEP = { rise: Math.SQRT1_2, turn: 0.5 };
 const UP: Flat = { u: 0, v: 1 };
 const LEVEL: Flat = { u: 1, v: 0 };
 
-/** The cuts along a run: each valley from its first wall to the floor, and from the top of its second wall to where the first ended. */
+/**
+ * The cuts along a run: each valley from its first wall to the floor, and from the top of its second wall to where the
+ * first ended.
+ */
 function cutsOf(run: readonly FlatSegment[], at: Flat, walls: EndWalls, f: RecessFinish): Cut[] {
   const segments = [...run];
   const cuts: Cut[] = [];
@@ -115,10 +134,17 @@ function cutsOf(run: readonly FlatSegment[], at: Flat, walls: EndWalls, f: Reces
     const here = split.at > 0 ? where : foot;
     const room = here.u - floor.from;
     const isWall = begin === 0 && walls.left > here.v + SAME;
-    if (split.at > begin || isWall) cuts.push({ path: segments.slice(begin, split.at), foot: here, back: false, room, last: false });
+    if (split.at > begin || isWall)
+      cuts.push({ path: segments.slice(begin, split.at), foot: here, back: false, room, last: false });
     // A tool as wide as the groove has finished both walls on one way down.
     if (segments.length > 0 || !isWall)
-      cuts.push({ path: segments.slice(split.at, top).map(flat.reversed).reverse(), foot: here, back: true, room, last: false });
+      cuts.push({
+        path: segments.slice(split.at, top).map(flat.reversed).reverse(),
+        foot: here,
+        back: true,
+        room,
+        last: false,
+      });
     begin = top;
     k = top;
   }
@@ -145,10 +171,14 @@ function splitAt(segments: FlatSegment[], from: number, to: number, u: number): 
 function halves(s: FlatSegment, u: number): [FlatSegment, FlatSegment] {
   const k = (u - s.from.u) / (s.to.u - s.from.u);
   const side = s.kind === "arc" && s.turn === "ccw" ? -1 : 1;
-  const v = s.kind === "line"
-    ? s.from.v + k * (s.to.v - s.from.v)
-    : s.centre.v + side * Math.sqrt(Math.max(0, flat.radiusOf(s) ** 2 - (u - s.centre.u) ** 2));
-  return [{ ...s, to: { u, v } }, { ...s, from: { u, v } }];
+  const v =
+    s.kind === "line"
+      ? s.from.v + k * (s.to.v - s.from.v)
+      : s.centre.v + side * Math.sqrt(Math.max(0, flat.radiusOf(s) ** 2 - (u - s.centre.u) ** 2));
+  return [
+    { ...s, to: { u, v } },
+    { ...s, from: { u, v } },
+  ];
 }
 
 /** The joint at which a rise from `k` on ends; a hill is cut where it is highest. */

@@ -13,7 +13,9 @@ const { reversed, shifted } = flat;
 
 export interface RecessRough {
   readonly ground: Ground;
-  /** Where the tip may be: between the walls that close the area, or up to where the ends of the contour are touched. */
+  /**
+   * Where the tip may be: between the walls that close the area, or up to where the ends of the contour are touched.
+   */
   readonly area: Interval;
   readonly top: number;
   readonly passes: number;
@@ -37,11 +39,12 @@ const purpose = (step: number, pass?: number, plunging = false): Purpose => ({
 });
 
 /**
- * The printed steps 1 to 7 of roughing a recess: plunge, cut sideways, plunge …, and at the end one cut along each wall. A contour with
- * several valleys is cut section by section.
+ * The printed steps 1 to 7 of roughing a recess: plunge, cut sideways, plunge …, and at the end one cut along each
+ * wall. A contour with several valleys is cut section by section.
  */
 export function roughRecess(cutter: Cutter, r: RecessRough): void {
-  for (const section of sectionsOf(r.ground.envelope, r, r.area)) roughSection(cutter, r, section, { left: 0, right: 0 });
+  for (const section of sectionsOf(r.ground.envelope, r, r.area))
+    roughSection(cutter, r, section, { left: 0, right: 0 });
 }
 
 function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: Shortened): void {
@@ -52,7 +55,10 @@ function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: 
     const side: Side = r.oneWay || pass % 2 === 1 ? "right" : "left";
     const height = heightOf(r, pass);
     if (k === 0) {
-      const begin = side === "right" ? Math.min(here.to, here.from + shortened.left) : Math.max(here.from, here.to - shortened.right);
+      const begin =
+        side === "right"
+          ? Math.min(here.to, here.from + shortened.left)
+          : Math.max(here.from, here.to - shortened.right);
       cutter.link({ u: begin, v: height }, linked(r, 1, purpose(1, pass, true)));
     }
     if (pass > 1) shortened[side] += r.offset;
@@ -71,7 +77,7 @@ function roughSection(cutter: Cutter, r: RecessRough, s: RecessSection, before: 
   });
   const last = s.inner.length - 1;
   s.inner.forEach((part, i) =>
-    roughSection(cutter, r, part, { left: i === 0 ? shortened.left : 0, right: i === last ? shortened.right : 0 })
+    roughSection(cutter, r, part, { left: i === 0 ? shortened.left : 0, right: i === last ? shortened.right : 0 }),
   );
   if (s.levels.length === 0) alongFloor(cutter, r, s);
   else if (last < 0) alongWalls(cutter, r, s, shortened);
@@ -93,9 +99,9 @@ interface Descent {
 }
 
 /**
- * Where a pass ends: before its wall by what it is shortened, and not before the deepest level (`next`), over which nothing may be left
- * for a plunge to take. Where that uses up its way, it stays where it has plunged: on the way back it would take what passes before have
- * left on the other side, all at once.
+ * Where a pass ends: before its wall by what it is shortened, and not before the deepest level (`next`), over which
+ * nothing may be left for a plunge to take. Where that uses up its way, it stays where it has plunged: on the way back
+ * it would take what passes before have left on the other side, all at once.
  */
 function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Descent): number {
   return side === "right"
@@ -104,8 +110,8 @@ function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Descent): 
 }
 
 /**
- * Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and down. A pass whose
- * way was used up goes straight down, or along the wall that is there.
+ * Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and
+ * down. A pass whose way was used up goes straight down, or along the wall that is there.
  */
 function beside(
   cutter: Cutter,
@@ -115,9 +121,12 @@ function beside(
   pass: number,
 ) {
   const e = r.ground.envelope;
-  const wall = side === "right"
-    ? pathAlong(e, next.to, here.to).map((s) => shifted(reversed(s.segment), { u: -shortened.right, v: 0 })).reverse()
-    : pathAlong(e, here.from, next.from).map((s) => shifted(s.segment, { u: shortened.left, v: 0 }));
+  const wall =
+    side === "right"
+      ? pathAlong(e, next.to, here.to)
+          .map((s) => shifted(reversed(s.segment), { u: -shortened.right, v: 0 }))
+          .reverse()
+      : pathAlong(e, here.from, next.from).map((s) => shifted(s.segment, { u: shortened.left, v: 0 }));
   const wanted = side === "right" ? next.to - shortened.right : next.from + shortened.left;
   const stands = side === "right" ? here.to - shortened.right : here.from + shortened.left;
   const { u } = cutter.at;
@@ -125,11 +134,14 @@ function beside(
   const usedUp = side === "right" ? wanted < Math.max(began, next.from) : wanted > Math.min(began, next.to);
   const target = { u: Math.min(Math.max(usedUp ? u : wanted, next.from), next.to), v: heightOf(r, pass) };
   if (side === "right" ? u > stands + SAME : u < stands - SAME) {
-    const under = u > next.to
-      ? pathAlong(e, next.to, u).map((s) => reversed(s.segment)).reverse()
-      : u < next.from
-      ? pathAlong(e, u, next.from).map((s) => s.segment)
-      : [];
+    const under =
+      u > next.to
+        ? pathAlong(e, next.to, u)
+            .map((s) => reversed(s.segment))
+            .reverse()
+        : u < next.from
+          ? pathAlong(e, u, next.from).map((s) => s.segment)
+          : [];
     return down(cutter, under, { u: Math.min(Math.max(u, next.from), next.to), v: target.v }, r, pass);
   }
   // A shoulder between the two levels is no wall: it is left to the cut along the wall.
@@ -166,7 +178,10 @@ function alongFloor(cutter: Cutter, r: RecessRough, s: RecessSection) {
   out(cutter, r);
 }
 
-/** What levels and shortening left: the rest under the last level, one plunging cut down each wall, and the floor beside it. */
+/**
+ * What levels and shortening left: the rest under the last level, one plunging cut down each wall, and the floor beside
+ * it.
+ */
 function alongWalls(cutter: Cutter, r: RecessRough, s: RecessSection, shortened: Shortened) {
   const e = r.ground.envelope;
   const floor = s.levels.at(-1) as Interval;
@@ -179,7 +194,9 @@ function alongWalls(cutter: Cutter, r: RecessRough, s: RecessSection, shortened:
   if (deeper) {
     const path = cutter.at.u > (a + b) / 2 ? backwards(segments(a, b)) : segments(a, b);
     const how = (x: FlatSegment) =>
-      falls(x) ? { feed: r.feeds.plunge, purpose: purpose(5, undefined, true) } : { feed: r.feeds.rough, purpose: purpose(2) };
+      falls(x)
+        ? { feed: r.feeds.plunge, purpose: purpose(5, undefined, true) }
+        : { feed: r.feeds.rough, purpose: purpose(2) };
     cutter.along(path, how);
   }
   const cut = (away: 1 | -1, rim: Rim, wall: readonly FlatSegment[], rest: readonly FlatSegment[]) => {

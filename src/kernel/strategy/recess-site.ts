@@ -1,7 +1,16 @@
 import { extent, type Convex } from "../reach/convex.ts";
 import { loweredBy } from "../reach/cut-envelope.ts";
 import type { Interval, Origin } from "../reach/envelope.ts";
-import { highestOf, lowestOf, segmentToFlat, toFlat, toPart, type Flat, type FlatSegment, type Frame } from "../geometry/flat.ts";
+import {
+  highestOf,
+  lowestOf,
+  segmentToFlat,
+  toFlat,
+  toPart,
+  type Flat,
+  type FlatSegment,
+  type Frame,
+} from "../geometry/flat.ts";
 import { isBar } from "../cutter/insert.ts";
 import { issue, type Issue } from "../plan/issue.ts";
 import { tracedStock, type Plan, type Reach, type Setting } from "../plan/plan.ts";
@@ -17,7 +26,8 @@ import type { Limits } from "./limits.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
 
 /*
- * A contour that a tool plunges into, whether it then goes on sideways or comes out again: the part goes on beyond both its ends.
+ * A contour that a tool plunges into, whether it then goes on sideways or comes out again: the part goes on beyond both
+ * its ends.
  */
 
 /** What such a machining is asked for, whatever its strategy. */
@@ -73,9 +83,13 @@ export const sketchOf = ({ contour, frame, oversize }: Sunk, { flat, top }: Sunk
   oversize,
 });
 
-/** What lies beside the contour: the part, and in front of an end that is lower than the start point a wall, when roughing. */
+/**
+ * What lies beside the contour: the part, and in front of an end that is lower than the start point a wall, when
+ * roughing.
+ */
 export const surroundingsOf =
-  ({ first, last, top }: SunkSite, limits: Limits, deepest: number | null) => (walls: boolean): Surroundings => ({
+  ({ first, last, top }: SunkSite, limits: Limits, deepest: number | null) =>
+  (walls: boolean): Surroundings => ({
     wall: walls && top > last.v + SAME ? top + FAR : null,
     front: "part",
     frontWall: walls && top > first.v + SAME ? top + FAR : null,
@@ -103,9 +117,18 @@ export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: 
   const { minU, maxU } = extent(insert);
   const beside = (end: Flat) => (opening > end.v + SAME ? maxU - minU : 0);
   const [from, to] = [first.u - beside(first), last.u + beside(last)];
-  const area = [{ u: from, v: top - FAR }, { u: from, v: top }, { u: to, v: top }, { u: to, v: top - FAR }];
+  const area = [
+    { u: from, v: top - FAR },
+    { u: from, v: top },
+    { u: to, v: top },
+    { u: to, v: top - FAR },
+  ];
   // Over the start point nothing stands that a recess is to be cut out of.
-  const grown = loweredBy(o.grown.bare, [{ arc: 0, u0: from - FAR, u1: to + FAR, v0: top, slope: 0, origin: TOP }], Infinity);
+  const grown = loweredBy(
+    o.grown.bare,
+    [{ arc: 0, u0: from - FAR, u1: to + FAR, v0: top, slope: 0, origin: TOP }],
+    Infinity,
+  );
   const roughed = o.operation > 1 ? { grown, infeed: o.infeed, top } : null;
   const stands = atCall({ stock: tracedStock(setting), area, frame, insert }, o.drawn.bare, roughed);
   const frontier = new Frontier(stands, insert, o.ceiling);
@@ -114,13 +137,21 @@ export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: 
 }
 
 /**
- * The height that material stands up to over a contour: in the stock where that is known, else in the blank, of which no more than the
- * contour tells is taken to be left (decision "CUTLENGTH counts in the material").
+ * The height that material stands up to over a contour: in the stock where that is known, else in the blank, of which
+ * no more than the contour tells is taken to be left (decision "CUTLENGTH counts in the material").
  */
 function standsUpTo({ frame, flat, opening }: SunkSite, { stock, blank }: Setting): number {
   const us = flat.flatMap((s) => [s.from.u, s.to.u]);
   const span = { from: Math.min(...us), to: Math.max(...us) };
-  const high = (rings: readonly Ring[]) => Math.max(...rings.map((ring) => highestIn(ring.map((p) => toFlat(frame, p)), span)));
+  const high = (rings: readonly Ring[]) =>
+    Math.max(
+      ...rings.map((ring) =>
+        highestIn(
+          ring.map((p) => toFlat(frame, p)),
+          span,
+        ),
+      ),
+    );
   if (stock) return high(stock);
   return blank && blank.length > 0 ? Math.min(opening, high(blank)) : opening;
 }

@@ -20,11 +20,23 @@ import { Cutter } from "./link.ts";
 import { offsetPerPass } from "./offset.ts";
 import { finishRecess, type RecessFinish } from "./recess-finish.ts";
 import { roughRecess } from "./recess-rough.ts";
-import { floorOf, frontierAt, reachWithin, siteOf, sketchOf, surroundingsOf, tipBetween, unlimitedReach,
-  type Sunk } from "./recess-site.ts";
+import {
+  floorOf,
+  frontierAt,
+  reachWithin,
+  siteOf,
+  sketchOf,
+  surroundingsOf,
+  tipBetween,
+  unlimitedReach,
+  type Sunk,
+} from "./recess-site.ts";
 import { RECESS_CLEARANCE } from "./valley.ts";
 
-/** A groove turned by plunging and cutting sideways in turn: its contour goes from the edge where machining starts to the other edge. */
+/**
+ * A groove turned by plunging and cutting sideways in turn: its contour goes from the edge where machining starts to
+ * the other edge.
+ */
 export interface Recess extends Sunk {
   readonly infeed: number;
   readonly feeds: Feeds;
@@ -51,7 +63,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   if (refused) return { ...sketch, issues: [refused] };
   const issues: Issue[] = [];
   if (tool.TYPE === "RECESS") issues.push(issue("toolCannotCutSideways", "warning", { type: tool.TYPE }, "tool"));
-  if (called.v < opening - SAME) issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
+  if (called.v < opening - SAME)
+    issues.push(issue("startBelowContour", "info", { below: opening - called.v }, "startV"));
 
   const span = { from: first.u, to: last.u };
   const limits = limitsOf(l.limit, called, flat, issues);
@@ -65,20 +78,41 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     return { ...sketch, issues: [...issues, startInPart({ x: toDiameter(works.r), z: works.z })] };
   }
   const grown = groundOver(bounds, tool, l.frame, keep, surroundings(false));
-  // Beside an end that lies lower than the rest the blank may stand: the finishing cut stays between the walls there, as roughing does.
+  // Beside an end that lies lower than the rest the blank may stand: the finishing cut stays between the walls there,
+  // as roughing does.
   const low = { first: opening > first.v + SAME, last: opening > last.v + SAME };
   const closed = low.first || low.last;
   const finishedTo = (g: Ground, by: Flat): { readonly ground: Ground; readonly area: Interval } => {
     if (!closed) return { ground: g, area: room };
-    const around = { ...surroundings(false), ...(low.last && { wall: top + FAR }), ...(low.first && { frontWall: top + FAR }) };
+    const around = {
+      ...surroundings(false),
+      ...(low.last && { wall: top + FAR }),
+      ...(low.first && { frontWall: top + FAR }),
+    };
     const ground = groundOver(bounds, tool, l.frame, by, around);
     const open = below(ground.envelope, top, span.from - FAR, span.to + FAR);
-    const [from, to] = [low.first ? open[0]?.from ?? Infinity : -Infinity, low.last ? open.at(-1)?.to ?? -Infinity : Infinity];
+    const [from, to] = [
+      low.first ? (open[0]?.from ?? Infinity) : -Infinity,
+      low.last ? (open.at(-1)?.to ?? -Infinity) : Infinity,
+    ];
     return { ground, area: { from: Math.max(room.from, from), to: Math.min(room.to, to) } };
   };
   const deepestPath = finishedTo(drawn, { u: 0, v: 0 });
-  const frontier = frontierAt(site, setting, insert, { drawn, grown, infeed: l.infeed, operation: l.operation, ceiling: limits.ceiling });
-  const cutter = new Cutter(l.frame, setting.feedUnit, called, roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)), frontier, top);
+  const frontier = frontierAt(site, setting, insert, {
+    drawn,
+    grown,
+    infeed: l.infeed,
+    operation: l.operation,
+    ceiling: limits.ceiling,
+  });
+  const cutter = new Cutter(
+    l.frame,
+    setting.feedUnit,
+    called,
+    roomOf(l.frame, beyondAxis(tool, site.flat, l.frame)),
+    frontier,
+    top,
+  );
   const start = { u: called.u, v: top };
   back(cutter, start, l.operation > 1 ? l.feeds.finish : l.feeds.rough, l.operation > 1 ? "finish" : "rough", 0);
 
@@ -101,7 +135,15 @@ export function planRecess(l: Recess, setting: Setting): Plan {
         from: Math.max(room.from, top > first.v + SAME ? span.from - FAR : kept.start.u),
         to: Math.min(room.to, top > last.v + SAME ? span.to + FAR : kept.end.u),
       };
-      roughRecess(cutter, { ground: kept, area: between, top: upper, offset, ...division, oneWay: l.oneWay, feeds: l.feeds });
+      roughRecess(cutter, {
+        ground: kept,
+        area: between,
+        top: upper,
+        offset,
+        ...division,
+        oneWay: l.oneWay,
+        feeds: l.feeds,
+      });
     }
     back(cutter, start, l.feeds.rough, "rough", 8);
   }
@@ -117,17 +159,21 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     });
     back(cutter, start, l.feeds.finish, "finish", 7);
   }
-  return clearAcross({
-    ...sketch,
-    moves: cutter.moves,
-    issues,
-    passes: division.passes,
-    infeed: length(division.infeed),
-    reach: reachWithin(deepestPath.ground, deepestPath.area, l.frame, tool),
-    kept: reachWithin(kept, room, l.frame, tool),
-    ...unlimitedReach(l, site, tool),
-    ...limitsInPart(l.limit, called, l.frame),
-  }, setting, l.frame.transverse ? "startU" : "startV");
+  return clearAcross(
+    {
+      ...sketch,
+      moves: cutter.moves,
+      issues,
+      passes: division.passes,
+      infeed: length(division.infeed),
+      reach: reachWithin(deepestPath.ground, deepestPath.area, l.frame, tool),
+      kept: reachWithin(kept, room, l.frame, tool),
+      ...unlimitedReach(l, site, tool),
+      ...limitsInPart(l.limit, called, l.frame),
+    },
+    setting,
+    l.frame.transverse ? "startU" : "startV",
+  );
 }
 
 /** To the cycle start, before and after: the tool stood there, so it comes down on it at rapid. */

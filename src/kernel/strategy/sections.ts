@@ -29,13 +29,20 @@ export interface Heights {
 
 export const heightOf = ({ top, infeed }: Heights, pass: number) => top - pass * infeed;
 
-/** The valleys of an area that lie under its top, from left to right, each with what it splits into (decision "Sections of a recess"). */
+/**
+ * The valleys of an area that lie under its top, from left to right, each with what it splits into (decision "Sections
+ * of a recess").
+ */
 export function sectionsOf(e: Envelope, h: Heights, area: Interval): RecessSection[] {
   const within = (pass: number, valley: Interval, left: Rim, right: Rim): RecessSection[] => {
     const parts = pass > h.passes ? [] : below(e, heightOf(h, pass), valley.from, valley.to);
     const crest = (i: number): Rim => {
       const [before, after] = [parts[i - 1], parts[i]];
-      return before && after ? { u: highest(e, before.to, after.from).u, v: heightOf(h, pass - 1) } : before ? right : left;
+      return before && after
+        ? { u: highest(e, before.to, after.from).u, v: heightOf(h, pass - 1) }
+        : before
+          ? right
+          : left;
     };
     return parts.map((part, i) => downFrom(pass, part, crest(i), crest(i + 1)));
   };
@@ -50,7 +57,10 @@ export function sectionsOf(e: Envelope, h: Heights, area: Interval): RecessSecti
     return { left, right, first, levels, inner: [] };
   };
   return below(e, h.top, area.from, area.to).flatMap((open) => {
-    const [left, right]: Rim[] = [{ u: open.from, v: h.top }, { u: open.to, v: h.top }];
+    const [left, right]: Rim[] = [
+      { u: open.from, v: h.top },
+      { u: open.to, v: h.top },
+    ];
     if (!left || !right) return [];
     const parts = within(1, open, left, right);
     if (parts.length > 0) return parts;

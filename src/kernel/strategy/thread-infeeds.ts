@@ -13,9 +13,9 @@ const share = (k: number, constant: boolean) => (constant ? 1 : Math.max(Math.sq
 const OFFERED = { passes: 60, step: 0.05 } as const;
 
 /**
- * Depth of each pass of a thread, mm, the last one `depth`: as few as a first cut of at most `most` allows. With a constant chip
- * cross-section the depth grows with the square root of the pass, since the area of a wedge grows with the square of its depth.
- * Null when there would be too many, with the issue that says so.
+ * Depth of each pass of a thread, mm, the last one `depth`: as few as a first cut of at most `most` allows. With a
+ * constant chip cross-section the depth grows with the square root of the pass, since the area of a wedge grows with
+ * the square of its depth. Null when there would be too many, with the issue that says so.
  */
 export function threadDepths(depth: number, most: number, constant: boolean, issues: Issue[]): number[] | null {
   const sums = [1];

@@ -23,16 +23,17 @@ export function heightOn(line: readonly Flat[], u: number): number {
 }
 
 /** Where the tool begins to rise along a run-out; at no place where there is none. */
-export const risesAt = ({ crest, runOut }: ThreadLine): number => (runOut > 0 ? (crest.at(-1) as Flat).u - runOut : Infinity);
+export const risesAt = ({ crest, runOut }: ThreadLine): number =>
+  runOut > 0 ? (crest.at(-1) as Flat).u - runOut : Infinity;
 
 /** How much of its depth a pass has at a place. */
 export const shareAt = (line: ThreadLine, u: number): number =>
   u <= risesAt(line) ? 1 : Math.max(0, ((line.crest.at(-1) as Flat).u - u) / line.runOut);
 
 /**
- * Corners of the way of the tip in a pass of `depth`, run-in and overrun included. A shallower pass lies back along the thread by `slope`
- * for each mm of depth that it lacks, so that it stays inside the finished groove; along a run-out it rises from its own depth to the
- * crest at the end of the thread.
+ * Corners of the way of the tip in a pass of `depth`, run-in and overrun included. A shallower pass lies back along the
+ * thread by `slope` for each mm of depth that it lacks, so that it stays inside the finished groove; along a run-out it
+ * rises from its own depth to the crest at the end of the thread.
  */
 export function passAt(line: ThreadLine, depth: number, slope: number): Flat[] {
   const { crest, runIn, overrun, runOut } = line;
@@ -42,9 +43,9 @@ export function passAt(line: ThreadLine, depth: number, slope: number): Flat[] {
   const share = (u: number) => shareAt(line, u);
   const corners = crest.map(({ u }) => (u - back <= rises ? u - back : u));
   const ends = runOut > 0 ? [rises, last.u, last.u + overrun] : [last.u + overrun - back];
-  const places = [first.u - runIn - back, ...corners, ...ends].sort((a, b) => a - b).filter((u, i, all) =>
-    i === 0 || u - (all[i - 1] as number) >= SAME
-  );
+  const places = [first.u - runIn - back, ...corners, ...ends]
+    .sort((a, b) => a - b)
+    .filter((u, i, all) => i === 0 || u - (all[i - 1] as number) >= SAME);
   const way = places.map((u): Flat => ({ u, v: heightOn(crest, u + back * share(u)) - depth * share(u) }));
   return way.filter((p, i) => !isBetween(way[i - 1], p, way[i + 1]));
 }

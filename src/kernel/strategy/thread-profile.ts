@@ -22,23 +22,31 @@ export function lowerSide(tool: Tool, frame: Frame): Flat[] {
 }
 const turnsUp = (a: Flat, b: Flat, c: Flat) => (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 
-/** Where the tip stands in the plane of the stock when all starts have been cut to the depth: every `pitch`, and where it stops. */
+/**
+ * Where the tip stands in the plane of the stock when all starts have been cut to the depth: every `pitch`, and where
+ * it stops.
+ */
 export function tipsOf(deepest: readonly Flat[], pitch: number, phase: number): Flat[] {
   const [first, last] = [deepest[0] as Flat, deepest.at(-1) as Flat];
   const count = Math.floor((last.u - first.u) / pitch + 1 + ROUND);
-  const places = Array.from({ length: Math.max(0, count) }, (_, k) => first.u + (k + phase) * pitch).filter((u) => u < last.u - ROUND);
+  const places = Array.from({ length: Math.max(0, count) }, (_, k) => first.u + (k + phase) * pitch).filter(
+    (u) => u < last.u - ROUND,
+  );
   return [...places.map((u) => ({ u, v: heightOn(deepest, u) })), last];
 }
 
 /**
- * The finished thread in section, from its beginning to its end: the crest, and in it the shape of the insert at every place
- * where its tip comes through the plane.
+ * The finished thread in section, from its beginning to its end: the crest, and in it the shape of the insert at every
+ * place where its tip comes through the plane.
  */
 export function teeth(line: ThreadLine, tips: readonly Flat[], side: readonly Flat[]): FlatSegment[] {
   const [first, last] = [line.crest[0] as Flat, line.crest.at(-1) as Flat];
-  const rising = Math.max(0,
-    ...line.crest.slice(1).map((p, i) => Math.abs(p.v - (line.crest[i] as Flat).v) / (p.u - (line.crest[i] as Flat).u)));
-  // Higher up a flank lies above the crest, whatever the taper; what a flank has too much is compared with its neighbours in vain.
+  const rising = Math.max(
+    0,
+    ...line.crest.slice(1).map((p, i) => Math.abs(p.v - (line.crest[i] as Flat).v) / (p.u - (line.crest[i] as Flat).u)),
+  );
+  // Higher up a flank lies above the crest, whatever the taper; what a flank has too much is compared with its
+  // neighbours in vain.
   const high = Math.min(...side.map((p) => p.v)) + line.depth * (1 + 3 * rising) + rising + 0.01;
   const pieces: EnvelopePiece[] = [];
   const put = (a: Flat, b: Flat) => {
@@ -55,7 +63,11 @@ export function teeth(line: ThreadLine, tips: readonly Flat[], side: readonly Fl
         put({ u: tip.u + before.u, v: tip.v + before.v }, { u: tip.u + p.u, v: tip.v + p.v });
       });
   const up = (p: Flat): Flat => ({ u: p.u, v: -p.v });
-  return pathAlong(upperEnvelope(pieces), first.u, last.u).map(({ segment: s }) => ({ kind: "line", from: up(s.from), to: up(s.to) }));
+  return pathAlong(upperEnvelope(pieces), first.u, last.u).map(({ segment: s }) => ({
+    kind: "line",
+    from: up(s.from),
+    to: up(s.to),
+  }));
 }
 
 /** A lower side as far as it lies below a height. */

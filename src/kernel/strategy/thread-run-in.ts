@@ -7,8 +7,8 @@ const USUAL_TURNS = 10;
 export const RUN_IN_STEP = 0.5;
 
 /**
- * The shortest run-in of a usual length from which on the tool begins in free air, where it does not from one of `blocked`; null when
- * none does. mm
+ * The shortest run-in of a usual length from which on the tool begins in free air, where it does not from one of
+ * `blocked`; null when none does. mm
  */
 export function shortestRunIn(isFree: (runIn: number) => boolean, blocked: number, lead: number): number | null {
   const longest = Math.max(USUAL_TURNS * lead, 2 * blocked);

@@ -24,7 +24,12 @@ type Where = "before" | "over" | "behind";
 const TOLD = 0.05;
 
 /** Where material stands highest over the crest, or over the line of it beyond its ends; of equal places the first. */
-function highestOver(crest: readonly Flat[], frame: Frame, stock: readonly Ring[], { from, to }: Between): Stands | null {
+function highestOver(
+  crest: readonly Flat[],
+  frame: Frame,
+  stock: readonly Ring[],
+  { from, to }: Between,
+): Stands | null {
   let best: Stands | null = null;
   const look = (at: Flat) => {
     const over = at.v - heightOn(crest, at.u);
@@ -48,7 +53,11 @@ function highestOver(crest: readonly Flat[], frame: Frame, stock: readonly Ring[
 /** The stretches of the way of a pass: its run-in, the thread, and its overrun. */
 function stretches({ crest }: ThreadLine, { from, to }: Between): (Between & { readonly where: Where })[] {
   const [first, last] = [(crest[0] as Flat).u, (crest.at(-1) as Flat).u];
-  return [{ where: "over", from: first, to: last }, { where: "before", from, to: first }, { where: "behind", from: last, to }];
+  return [
+    { where: "over", from: first, to: last },
+    { where: "before", from, to: first },
+    { where: "behind", from: last, to },
+  ];
 }
 
 const FIELD: Readonly<Record<Where, string>> = { over: "crest", before: "runIn", behind: "overrun" };
@@ -63,8 +72,8 @@ function meets(frame: Frame, where: Where, { at, over }: Stands, most?: number):
 }
 
 /**
- * What stands over the crest, and what is higher than that in the run-in or the overrun: the first pass takes it on top of its infeed,
- * and between the grooves it stays. Nothing where nobody knows the stock.
+ * What stands over the crest, and what is higher than that in the run-in or the overrun: the first pass takes it on top
+ * of its infeed, and between the grooves it stays. Nothing where nobody knows the stock.
  */
 export function standingOver(w: ThreadLine, frame: Frame, stock: readonly Ring[] | null, along: Between): Issue[] {
   let told = TOLD;
@@ -77,15 +86,27 @@ export function standingOver(w: ThreadLine, frame: Frame, stock: readonly Ring[]
 }
 
 /**
- * Over a groove deeper than the insert is high its own walls would close behind the insert, however thin each pass is: what stands too high
- * over the thread or over its run-in; null where nothing does. What the overrun meets the tool runs into, and the stock shows it; but
- * over the bottom of a bore there is no way back.
+ * Over a groove deeper than the insert is high its own walls would close behind the insert, however thin each pass is:
+ * what stands too high over the thread or over its run-in; null where nothing does. What the overrun meets the tool
+ * runs into, and the stock shows it; but over the bottom of a bore there is no way back.
  */
-export function tooHigh(w: ThreadLine, frame: Frame, insert: Convex, stock: readonly Ring[] | null, { from, to }: Between): Issue | null {
+export function tooHigh(
+  w: ThreadLine,
+  frame: Frame,
+  insert: Convex,
+  stock: readonly Ring[] | null,
+  { from, to }: Between,
+): Issue | null {
   const { maxV } = extent(insert);
   const rises = risesAt(w);
   const found = stretches(w, { from, to }).flatMap(({ where, ...between }) => {
-    const parts = where === "over" && rises < between.to ? [{ ...between, to: rises }, { ...between, from: rises }] : [between];
+    const parts =
+      where === "over" && rises < between.to
+        ? [
+            { ...between, to: rises },
+            { ...between, from: rises },
+          ]
+        : [between];
     return parts.flatMap((part) => {
       const stands = highestOver(w.crest, frame, stock ?? [], part);
       if (!stands || (where === "behind" && toPart(frame, stands.at).r > SAME)) return [];

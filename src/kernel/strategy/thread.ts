@@ -8,7 +8,17 @@ import { part, type Segment } from "../geometry/point.ts";
 import { CHORD, ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
 import { roomOf, Track, type Purpose } from "../plan/track.ts";
-import { angleUnder, degrees, type Length, length, radians, rounded, roundedAngle, roundedDown, toDiameter } from "../units.ts";
+import {
+  angleUnder,
+  degrees,
+  type Length,
+  length,
+  radians,
+  rounded,
+  roundedAngle,
+  roundedDown,
+  toDiameter,
+} from "../units.ts";
 import { clearAcross } from "./across.ts";
 import { squareTo, unfitForThread } from "./fit.ts";
 import { atCall, Frontier } from "./frontier.ts";
@@ -47,7 +57,10 @@ export interface Thread {
 
 /** More turns of the spindle than this in one operation no one can mean. */
 const MOST_TURNS = 100_000;
-/** In one cut of each start; every turn is a tooth of the section, which takes far longer to work out than a turn in the air. */
+/**
+ * In one cut of each start; every turn is a tooth of the section, which takes far longer to work out than a turn in the
+ * air.
+ */
 const MOST_TEETH = 10_000;
 
 /** The thread as it is to be, apart from how it is reached. */
@@ -55,11 +68,15 @@ interface Wanted extends ThreadLine {
   readonly pitch: number;
 }
 
-/** The depth that counts because none was entered: that of the metric profile, which an insert with another angle does not have. */
+/**
+ * The depth that counts because none was entered: that of the metric profile, which an insert with another angle does
+ * not have.
+ */
 function depthTold(depth: number, pitch: number, factor: number, tool: Tool): Issue {
   // What a tool of another kind makes is no thread at all.
   const angle = tool.TYPE === "THREAD" ? pointAngle(tool) : METRIC_ANGLE;
-  if (Math.abs(angle - METRIC_ANGLE) < ROUND) return issue("depthFromPitch", "info", { depth, pitch, factor }, "threadDepth");
+  if (Math.abs(angle - METRIC_ANGLE) < ROUND)
+    return issue("depthFromPitch", "info", { depth, pitch, factor }, "threadDepth");
   const isWhitworth = Math.abs(angle - WHITWORTH.angle) < ROUND;
   const right = isWhitworth ? { right: WHITWORTH.depth, nearest: rounded(WHITWORTH.depth * pitch) } : {};
   return issue("depthOfOtherProfile", "warning", { depth, pitch, factor, angle, ...right }, "threadDepth");
@@ -75,10 +92,13 @@ function wanted(t: Thread, tool: Tool, issues: Issue[]): Wanted | null {
   const factor = t.inside ? METRIC.inside : METRIC.outside;
   const depth = t.depth > 0 ? t.depth : pitch * factor;
   if (!(t.depth > 0)) issues.push(depthTold(depth, pitch, factor, tool));
-  const crest = part.flattenedChain(t.contour, CHORD).map((p) => toFlat(t.frame, p)).map(({ u, v }) => ({
-    u,
-    v: t.inside ? v + depth : v,
-  }));
+  const crest = part
+    .flattenedChain(t.contour, CHORD)
+    .map((p) => toFlat(t.frame, p))
+    .map(({ u, v }) => ({
+      u,
+      v: t.inside ? v + depth : v,
+    }));
   const [first, last] = [crest[0], crest.at(-1)];
   if (!first || !last || crest.slice(1).some((p, i) => p.u - (crest[i] as Flat).u < SAME)) {
     issues.push(issue("threadTurnsBack", "error", { axis: t.frame.transverse ? "X" : "Z" }, "contour"));
@@ -101,7 +121,8 @@ function wanted(t: Thread, tool: Tool, issues: Issue[]): Wanted | null {
 }
 
 /** The insert of a thread tool, or for pictures one with the flanks of the metric profile. */
-const insertFor = (tool: Tool, frame: Frame): Tool => (tool === POINT ? { ...POINT, TYPE: "THREAD", TO: squareTo(frame) } : tool);
+const insertFor = (tool: Tool, frame: Frame): Tool =>
+  tool === POINT ? { ...POINT, TYPE: "THREAD", TO: squareTo(frame) } : tool;
 
 /** What of a tool does not go with a thread. */
 function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
@@ -110,11 +131,18 @@ function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
   const half = pointAngle(tool) / 2;
   const found: Issue[] = [];
   if (t.flankAngle > half + ROUND)
-    found.push(issue("flankInfeedTooSteep", "error", {
-      angle: t.flankAngle,
-      most: half,
-      nearest: roundedAngle(half) <= half ? roundedAngle(half) : angleUnder(half),
-    }, "infeedAngle"));
+    found.push(
+      issue(
+        "flankInfeedTooSteep",
+        "error",
+        {
+          angle: t.flankAngle,
+          most: half,
+          nearest: roundedAngle(half) <= half ? roundedAngle(half) : angleUnder(half),
+        },
+        "infeedAngle",
+      ),
+    );
   const high = extent(insertIn(tool, t.frame)).maxV;
   const depth = depthAlong(w, half);
   if (depth > high + SAME) found.push(issue("threadOverInsert", "error", { depth, most: high }, "threadDepth"));
@@ -123,7 +151,10 @@ function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
 
 /** How high a flank has to be, mm: on a cone the crest rises beside the tip on one side. */
 function depthAlong({ crest, depth }: Wanted, half: number): number {
-  const rise = Math.max(0, ...crest.slice(1).map((p, i) => Math.abs((p.v - (crest[i] as Flat).v) / (p.u - (crest[i] as Flat).u))));
+  const rise = Math.max(
+    0,
+    ...crest.slice(1).map((p, i) => Math.abs((p.v - (crest[i] as Flat).v) / (p.u - (crest[i] as Flat).u))),
+  );
   const over = 1 - rise * Math.tan(radians(half));
   return over > 0 ? depth / over : Infinity;
 }
@@ -145,9 +176,13 @@ export function planThread(t: Thread, setting: Setting): Plan {
   const cuts = Math.max(1, t.starts) * ((depths?.length ?? 0) + t.airCuts);
   const turns = Math.max(1, (ends.u - begins.u) / t.lead) * cuts;
   const inOneCut = (ends.u - begins.u) / w.pitch;
-  const bounds = [{ turns: inOneCut, most: MOST_TEETH }, { turns, most: MOST_TURNS }];
+  const bounds = [
+    { turns: inOneCut, most: MOST_TEETH },
+    { turns, most: MOST_TURNS },
+  ];
   const passed = bounds.find((b) => b.turns > b.most);
-  if (passed) refused.push(issue("threadTooMany", "error", { turns: Math.round(passed.turns), most: passed.most }, "pitch"));
+  if (passed)
+    refused.push(issue("threadTooMany", "error", { turns: Math.round(passed.turns), most: passed.most }, "pitch"));
   if (!depths || refused.length > 0) return { ...empty([...refused, ...issues], t.contour) };
   const side = lowerSide(tool, t.frame);
   const slope = Math.tan(radians(t.flankAngle));
@@ -185,16 +220,22 @@ export function planThread(t: Thread, setting: Setting): Plan {
   const way = wayFor(t, w, { tool, setting, deepest, depths, slope });
   if ("code" in way) return { ...sketch, issues: [...issues, way] };
   issues.push(...standingOver(w, t.frame, setting.stock, { from: (deepest[0] as Flat).u, to: ends.u }));
-  const reach = tips.map((p) => toPart(t.frame, p)).map((at) => ({ path: { kind: "line", from: at, to: at } as const, reason: null }));
-  return clearAcross({
-    ...sketch,
-    moves: movesOf(t, setting, way, passes),
-    issues,
-    passes: depths.length,
-    infeed: length(depths[0] as number),
-    reach,
-    kept: reach,
-  }, setting, "startV");
+  const reach = tips
+    .map((p) => toPart(t.frame, p))
+    .map((at) => ({ path: { kind: "line", from: at, to: at } as const, reason: null }));
+  return clearAcross(
+    {
+      ...sketch,
+      moves: movesOf(t, setting, way, passes),
+      issues,
+      passes: depths.length,
+      infeed: length(depths[0] as number),
+      reach,
+      kept: reach,
+    },
+    setting,
+    "startV",
+  );
 }
 
 interface Passes {
@@ -211,7 +252,11 @@ interface Way {
 }
 
 /** Where rapids are free; what is wrong where they are not. */
-function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }: Passes & { tool: Tool; setting: Setting }): Way | Issue {
+function wayFor(
+  t: Thread,
+  w: Wanted,
+  { tool, setting, deepest, depths, slope }: Passes & { tool: Tool; setting: Setting },
+): Way | Issue {
   const { frame } = t;
   const insert = insertIn(tool, frame);
   const start = toFlat(frame, setting.start);
@@ -222,13 +267,22 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
   const frontier = new Frontier(atCall({ stock: setting.stock, area, frame, insert }, [], null), insert);
   const [begins, ends] = [deepest[0] as Flat, deepest.at(-1) as Flat];
   const back = (w.depth - (depths[0] as number)) * slope;
-  const stands = Math.max(top, heightOn(w.crest, begins.u), heightOn(w.crest, ends.u),
-    frontier.over(begins.u - back - SAME, ends.u + SAME));
+  const stands = Math.max(
+    top,
+    heightOn(w.crest, begins.u),
+    heightOn(w.crest, ends.u),
+    frontier.over(begins.u - back - SAME, ends.u + SAME),
+  );
   // Inside, the back of the insert keeps clear of the wall on the other side of the axis.
   const ceiling = t.inside && !frame.transverse ? Math.min(0, -top - extent(insert).maxV) : Infinity;
   const raised = (height: number) => Math.max(height, Math.min(height + t.clearance, ceiling));
   const over = raised(stands);
-  const link = Math.max(over, start.v, raisedOver(frontier.over(start.u, begins.u - back)), raisedOver(frontier.over(ends.u, start.u)));
+  const link = Math.max(
+    over,
+    start.v,
+    raisedOver(frontier.over(start.u, begins.u - back)),
+    raisedOver(frontier.over(ends.u, start.u)),
+  );
   function raisedOver(height: number) {
     return height > stands ? raised(height) : -Infinity;
   }
@@ -240,7 +294,12 @@ function wayFor(t: Thread, w: Wanted, { tool, setting, deepest, depths, slope }:
   if (!isFree(w.runIn)) {
     const at = toPart(frame, begins);
     const nearest = shortestRunIn(isFree, w.runIn, t.lead);
-    return issue("runInBlocked", "error", { x: toDiameter(at.r), z: at.z, ...(nearest !== null && { nearest }) }, "runIn");
+    return issue(
+      "runInBlocked",
+      "error",
+      { x: toDiameter(at.r), z: at.z, ...(nearest !== null && { nearest }) },
+      "runIn",
+    );
   }
   const blocked = tooHigh(w, frame, insert, setting.stock, { from: begins.u - back, to: ends.u });
   if (blocked) return blocked;
@@ -265,7 +324,12 @@ function movesOf(t: Thread, setting: Setting, way: Way, passes: readonly (readon
     const first = points[0] as Flat;
     points.slice(1).forEach((p, i) => {
       const turned = ((points[i] as Flat).u - first.u) / t.lead;
-      const locked = { pitch: length(t.lead), axis, angle: degrees((angle + 360 * turned) % 360), stops: i === points.length - 2 } as const;
+      const locked = {
+        pitch: length(t.lead),
+        axis,
+        angle: degrees((angle + 360 * turned) % 360),
+        stops: i === points.length - 2,
+      } as const;
       track.thread(p, locked, purpose);
     });
   };

@@ -2,4 +2,5 @@
 export const RECESS_CLEARANCE = 2;
 
 /** How far the tool lifts from a height: by the clearance, and no higher than the start point stands. All mm. */
-export const liftUnder = (top: number, v: number, clearance = RECESS_CLEARANCE) => Math.max(0, Math.min(clearance, top - v));
+export const liftUnder = (top: number, v: number, clearance = RECESS_CLEARANCE) =>
+  Math.max(0, Math.min(clearance, top - v));

@@ -4,8 +4,9 @@ import type { Tool } from "../plan/tool.ts";
 import type { Length } from "../units.ts";
 
 /** Spindle set-up: constant speed in rpm, or constant cutting speed in m/min with a limit in rpm. */
-export type Spindle = { readonly kind: "constant"; readonly speed: number } | { readonly kind: "surface"; readonly cuttingSpeed: number;
-  readonly limit: number };
+export type Spindle =
+  | { readonly kind: "constant"; readonly speed: number }
+  | { readonly kind: "surface"; readonly cuttingSpeed: number; readonly limit: number };
 
 /** Why the spindle does not turn as a cut needs it: it stands, has no speed, or turns the other way round. */
 export interface Idle {
@@ -40,7 +41,10 @@ export interface Step {
   readonly file?: string;
   /** Line of that block in its file, from 1. */
   readonly line?: number;
-  /** The block that brought the tool to `from` at rapid, from where nobody knows; absent where the way there is a step or a feed. */
+  /**
+   * The block that brought the tool to `from` at rapid, from where nobody knows; absent where the way there is a step
+   * or a feed.
+   */
   readonly broughtBy?: number;
   /** Of a feed move outside cycles: cut along a compensated contour, or said by the program to be meant. */
   readonly intent?: "compensated" | "meant";

@@ -17,5 +17,8 @@ const to = (z: number): ThreadMove => ({ ...THREAD, to: at(z, 14.3) });
 
 test("a feed to the chuck cuts a right-handed thread as long as the spindle turns forwards; each of both turns it round", () => {
   const from = at(-3.7, 14.3);
-  expect([to(-21.9), to(8.4)].map((move) => [handOf(from, move, false), handOf(from, move, true)])).toEqual([[1, -1], [-1, 1]]);
+  expect([to(-21.9), to(8.4)].map((move) => [handOf(from, move, false), handOf(from, move, true)])).toEqual([
+    [1, -1],
+    [-1, 1],
+  ]);
 });

@@ -6,16 +6,19 @@ import { ROUND } from "../tolerance.ts";
 export type ThreadMove = Extract<Move, { kind: "thread" }>;
 
 /** Turns of the spindle in a thread move that begins at `from`. */
-export const turnsIn = (from: Pt, move: ThreadMove): number => Math.abs(move.to[move.axis] - from[move.axis]) / move.pitch;
+export const turnsIn = (from: Pt, move: ThreadMove): number =>
+  Math.abs(move.to[move.axis] - from[move.axis]) / move.pitch;
 
 /** 1: a right-handed thread, −1: a left-handed one. */
 export type ThreadHand = 1 | -1;
 
 /**
- * The hand of what a thread move cuts. M3 turns the work clockwise as seen from the headstock: a feed to it cuts a right-handed thread,
- * one away from it a left-handed one; with the spindle turning backwards it is the other way round.
+ * The hand of what a thread move cuts. M3 turns the work clockwise as seen from the headstock: a feed to it cuts a
+ * right-handed thread, one away from it a left-handed one; with the spindle turning backwards it is the other way
+ * round.
  */
-export const handOf = (from: Pt, { to }: ThreadMove, backwards: boolean): ThreadHand => (to.z > from.z === backwards ? 1 : -1);
+export const handOf = (from: Pt, { to }: ThreadMove, backwards: boolean): ThreadHand =>
+  to.z > from.z === backwards ? 1 : -1;
 
 /** A place on the way of a thread move, as a fraction of it. */
 export interface Stamp {
@@ -24,8 +27,8 @@ export interface Stamp {
 }
 
 /**
- * Where the tip stands when the work has turned so that the half plane of the stock passes the tool: once a turn, and at the end
- * where the tool stops. A helix cuts a plane through the axis nowhere else.
+ * Where the tip stands when the work has turned so that the half plane of the stock passes the tool: once a turn, and
+ * at the end where the tool stops. A helix cuts a plane through the axis nowhere else.
  */
 export function stampsOf(from: Pt, move: ThreadMove): Stamp[] {
   const turns = turnsIn(from, move);

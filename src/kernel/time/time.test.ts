@@ -42,12 +42,24 @@ test("facing at constant cutting speed is integrated exactly", () => {
 });
 test("a thread runs at the speed of its start", () => {
   expect(
-    secondsOf(at(2, 20), { kind: "thread", to: at(-28, 20), pitch: length(1.5), axis: "z", angle: degrees(0), stops: true, ...purpose },
-      constant, 1),
+    secondsOf(
+      at(2, 20),
+      { kind: "thread", to: at(-28, 20), pitch: length(1.5), axis: "z", angle: degrees(0), stops: true, ...purpose },
+      constant,
+      1,
+    ),
   ).toBeCloseTo((20 / 550) * 60, 9);
 });
 test("arcs agree with many short lines", () => {
-  const arc: Move = { kind: "arc", to: at(10, 20), centre: at(0, 20), turn: "cw", feed: feed(0.2), feedUnit: "mm/rev", ...purpose };
+  const arc: Move = {
+    kind: "arc",
+    to: at(10, 20),
+    centre: at(0, 20),
+    turn: "cw",
+    feed: feed(0.2),
+    feedUnit: "mm/rev",
+    ...purpose,
+  };
   let [sum, last] = [0, at(0, 10)];
   const start = at(0, 10);
   for (let i = 1; i <= 5000; i += 1) {
@@ -60,13 +72,15 @@ test("arcs agree with many short lines", () => {
 });
 test("never NaN, never negative, and additive along a line", () => {
   const any = fc.double({ min: -200, max: 200, noNaN: true });
-  fc.assert(fc.property(any, any, any, any, fc.double({ min: 0, max: 1, noNaN: true }), (z0, r0, z1, r1, t) => {
-    const middle = at(z0 + (z1 - z0) * t, r0 + (r1 - r0) * t);
-    const whole = secondsOf(at(z0, r0), cut(at(z1, r1)), surface, 1);
-    const parts = secondsOf(at(z0, r0), cut(middle), surface, 1) + secondsOf(middle, cut(at(z1, r1)), surface, 1);
-    expect(whole).toBeGreaterThanOrEqual(0);
-    expect(parts).toBeCloseTo(whole, 6);
-  }));
+  fc.assert(
+    fc.property(any, any, any, any, fc.double({ min: 0, max: 1, noNaN: true }), (z0, r0, z1, r1, t) => {
+      const middle = at(z0 + (z1 - z0) * t, r0 + (r1 - r0) * t);
+      const whole = secondsOf(at(z0, r0), cut(at(z1, r1)), surface, 1);
+      const parts = secondsOf(at(z0, r0), cut(middle), surface, 1) + secondsOf(middle, cut(at(z1, r1)), surface, 1);
+      expect(whole).toBeGreaterThanOrEqual(0);
+      expect(parts).toBeCloseTo(whole, 6);
+    }),
+  );
 });
 test("no feed and no speed take no time", () => {
   expect(secondsOf(at(0, 0), cut(at(5, 5), 0), constant, 1)).toBe(0);
@@ -83,22 +97,35 @@ test("rapid axes start and arrive together: the slower one for its share sets th
   expect(secondsOf(at(7, 3), { kind: "rapid", to: at(7, 3), ...purpose }, surface, even)).toBe(0);
 });
 test("a rapid that is too short for its rate is all ramp; just long enough, both rules agree", () => {
-  expect(secondsOf(at(5, 0), { kind: "rapid", to: at(0, 0), ...purpose }, surface, axes)).toBeCloseTo(2 * Math.sqrt(5 / 4000), 12);
+  expect(secondsOf(at(5, 0), { kind: "rapid", to: at(0, 0), ...purpose }, surface, axes)).toBeCloseTo(
+    2 * Math.sqrt(5 / 4000),
+    12,
+  );
   const enough = (20_000 / 60) ** 2 / 4000;
-  expect(secondsOf(at(0, 0), { kind: "rapid", to: at(enough, 0), ...purpose }, surface, axes)).toBeCloseTo(2 * Math.sqrt(enough / 4000),
-    12);
-  expect(secondsOf(at(0, 0), { kind: "rapid", to: at(200, 0), ...purpose }, surface, axes)).toBeCloseTo(0.6 + 1 / 12, 12);
+  expect(secondsOf(at(0, 0), { kind: "rapid", to: at(enough, 0), ...purpose }, surface, axes)).toBeCloseTo(
+    2 * Math.sqrt(enough / 4000),
+    12,
+  );
+  expect(secondsOf(at(0, 0), { kind: "rapid", to: at(200, 0), ...purpose }, surface, axes)).toBeCloseTo(
+    0.6 + 1 / 12,
+    12,
+  );
 });
 test("a law of rapids: never sooner than without acceleration, and the same both ways", () => {
-  const place = fc.tuple(fc.double({ min: -300, max: 300, noNaN: true }), fc.double({ min: -300, max: 300, noNaN: true }));
-  fc.assert(fc.property(place, place, ([z, r], [toZ, toR]) => {
-    const rapid = (from: Pt, to: Pt, rates: Parameters<typeof secondsOf>[3]) =>
-      secondsOf(from, { kind: "rapid", to, ...purpose }, surface, rates);
-    const [a, b] = [at(z, r), at(toZ, toR)];
-    const ramped = rapid(a, b, axes);
-    expect(ramped).toBeGreaterThanOrEqual(rapid(a, b, { x: { rate: 10_000 }, z: { rate: 20_000 } }));
-    expect(rapid(b, a, axes)).toBeCloseTo(ramped, 9);
-  }));
+  const place = fc.tuple(
+    fc.double({ min: -300, max: 300, noNaN: true }),
+    fc.double({ min: -300, max: 300, noNaN: true }),
+  );
+  fc.assert(
+    fc.property(place, place, ([z, r], [toZ, toR]) => {
+      const rapid = (from: Pt, to: Pt, rates: Parameters<typeof secondsOf>[3]) =>
+        secondsOf(from, { kind: "rapid", to, ...purpose }, surface, rates);
+      const [a, b] = [at(z, r), at(toZ, toR)];
+      const ramped = rapid(a, b, axes);
+      expect(ramped).toBeGreaterThanOrEqual(rapid(a, b, { x: { rate: 10_000 }, z: { rate: 20_000 } }));
+      expect(rapid(b, a, axes)).toBeCloseTo(ramped, 9);
+    }),
+  );
 });
 test("a machine limits a constant speed and a constant cutting speed, and leaves what is slower as it is", () => {
   expect(withinLimit(constant, 500)).toEqual({ kind: "constant", speed: 500 });

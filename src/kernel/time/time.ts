@@ -31,7 +31,10 @@ function minutesPerTurn(spindle: Spindle, r: number): number {
 /** Spindle speed in rpm at a distance of `r` mm from the axis. */
 export const speedAt = (spindle: Spindle, r: number): number => 1 / minutesPerTurn(spindle, r);
 
-/** Whether a spindle that should hold a cutting speed cannot turn fast enough for it at a distance of `r` mm from the axis. */
+/**
+ * Whether a spindle that should hold a cutting speed cannot turn fast enough for it at a distance of `r` mm from the
+ * axis.
+ */
 export const isAtLimit = (spindle: Spindle, r: number): boolean =>
   spindle.kind === "surface" && spindle.limit > 0 && surface(spindle.cuttingSpeed) * Math.abs(r) * spindle.limit < 1;
 
@@ -48,7 +51,9 @@ function bends(spindle: Spindle): number[] {
 /** Mean minutes per revolution along a straight line between two distances from the axis: exact, piece by piece. */
 function meanAlongLine(spindle: Spindle, from: number, to: number): number {
   if (Math.abs(to - from) < NOTHING) return minutesPerTurn(spindle, from);
-  const bent = bends(spindle).map((r) => (r - from) / (to - from)).filter((t) => t > 0 && t < 1);
+  const bent = bends(spindle)
+    .map((r) => (r - from) / (to - from))
+    .filter((t) => t > 0 && t < 1);
   // Most moves have none: long paths are asked with every change.
   if (bent.length === 0) return (minutesPerTurn(spindle, from) + minutesPerTurn(spindle, to)) / 2;
   const stops = [0, ...bent, 1].sort((a, b) => a - b);
@@ -61,22 +66,31 @@ function meanAlongLine(spindle: Spindle, from: number, to: number): number {
   return sum;
 }
 
-/** Pieces of a whole arc, and of one that turns by half a radian at most, in the numerical mean (Simpson's rule; even). */
-const PIECES = 32, FEW_PIECES = 8, SHORT_TURN = 0.5;
+/**
+ * Pieces of a whole arc, and of one that turns by half a radian at most, in the numerical mean (Simpson's rule; even).
+ */
+const PIECES = 32,
+  FEW_PIECES = 8,
+  SHORT_TURN = 0.5;
 
 function meanAlongArc(spindle: Spindle, path: ArcOf<Pt>): number {
   if (spindle.kind === "constant") return minutesPerTurn(spindle, path.from.r);
-  const { start, sweep, startRadius, endRadius } = part.polarOf(path), pieces = Math.abs(sweep) <= SHORT_TURN ? FEW_PIECES : PIECES;
+  const { start, sweep, startRadius, endRadius } = part.polarOf(path),
+    pieces = Math.abs(sweep) <= SHORT_TURN ? FEW_PIECES : PIECES;
   let sum = 0;
   for (let i = 0; i <= pieces; i += 1) {
-    const weight = i === 0 || i === pieces ? 1 : i % 2 === 1 ? 4 : 2, on = i / pieces;
+    const weight = i === 0 || i === pieces ? 1 : i % 2 === 1 ? 4 : 2,
+      on = i / pieces;
     const out = path.centre.r + (startRadius + (endRadius - startRadius) * on) * Math.sin(start + sweep * on);
     sum += weight * minutesPerTurn(spindle, out);
   }
   return sum / (3 * pieces);
 }
 
-/** How an axis goes at rapid: mm/min, and m/s² up to there and down again. Without an acceleration it has its rate at once. */
+/**
+ * How an axis goes at rapid: mm/min, and m/s² up to there and down again. Without an acceleration it has its rate at
+ * once.
+ */
 export interface AxisRapid {
   readonly rate: number;
   readonly acceleration?: number;
@@ -89,13 +103,14 @@ export type RapidRate = number | { readonly x: AxisRapid; readonly z: AxisRapid 
 type AxisWay = readonly [way: number, axis: AxisRapid];
 
 /**
- * Minutes of a straight rapid from stop to stop: the axes start and arrive together, so the one that needs longest for its share sets
- * rate and acceleration of all.
+ * Minutes of a straight rapid from stop to stop: the axes start and arrive together, so the one that needs longest for
+ * its share sets rate and acceleration of all.
  */
 export function rapidMinutes(ways: readonly AxisWay[]): number {
   const moving = ways.filter(([way]) => Math.abs(way) > 0);
   const travel = Math.sqrt(moving.reduce((sum, [way]) => sum + way * way, 0));
-  const along = (of: (axis: AxisRapid) => number) => Math.min(...moving.map(([way, axis]) => (of(axis) * travel) / Math.abs(way)));
+  const along = (of: (axis: AxisRapid) => number) =>
+    Math.min(...moving.map(([way, axis]) => (of(axis) * travel) / Math.abs(way)));
   if (moving.length === 0) return 0;
   const rate = along((axis) => axis.rate);
   // In mm/min²: 1 m/s² is 1000 mm/s².
@@ -139,7 +154,10 @@ function minutesOf(path: Segment, move: Move, spindle: Spindle, rapid: RapidRate
     case "rapid":
       return typeof rapid === "number"
         ? travel / rapid
-        : rapidMinutes([[path.to.z - path.from.z, rapid.z], [path.to.r - path.from.r, rapid.x]]);
+        : rapidMinutes([
+            [path.to.z - path.from.z, rapid.z],
+            [path.to.r - path.from.r, rapid.x],
+          ]);
     case "feed":
       if (move.dwell !== undefined) return move.dwell * minutesPerTurn(spindle, move.to.r);
       return move.feedUnit === "mm/min" ? travel / move.feed : (travel / move.feed) * meanOf(spindle, path);

@@ -30,17 +30,21 @@ export function dimensionOf(token: IsoToken): boolean | null {
 }
 
 /**
- * The coordinates of a block in their order. One G90 or G91 holds for the whole block, wherever it stands; of several each holds
- * for the words behind it. `incremental`: what the blocks before left in force.
+ * The coordinates of a block in their order. One G90 or G91 holds for the whole block, wherever it stands; of several
+ * each holds for the words behind it. `incremental`: what the blocks before left in force.
  */
-export function coordinatesOf(tokens: readonly IsoToken[], incremental: boolean): { coordinates: IsoCoordinate[]; incremental: boolean } {
+export function coordinatesOf(
+  tokens: readonly IsoToken[],
+  incremental: boolean,
+): { coordinates: IsoCoordinate[]; incremental: boolean } {
   const modes = tokens.map(dimensionOf);
   const named = modes.filter((mode) => mode !== null);
   let now = named.length === 1 ? (named[0] ?? incremental) : incremental;
   const coordinates: IsoCoordinate[] = [];
   for (const [i, token] of tokens.entries()) {
     now = modes[i] ?? now;
-    if (NAMES.has(token.letter) && token.value !== null) coordinates.push({ name: token.letter, value: token.value, incremental: now });
+    if (NAMES.has(token.letter) && token.value !== null)
+      coordinates.push({ name: token.letter, value: token.value, incremental: now });
   }
   return { coordinates, incremental: named.at(-1) ?? incremental };
 }

@@ -20,12 +20,23 @@ interface Data {
 export type IsoIssueCode = keyof Data;
 
 /** A finding before its place is known; `at` counts characters of the block behind its number. */
-export type IsoProblem = { [C in IsoIssueCode]: { readonly code: C; readonly at: number; readonly data: Readonly<Data[C]> } }[IsoIssueCode];
+export type IsoProblem = {
+  [C in IsoIssueCode]: { readonly code: C; readonly at: number; readonly data: Readonly<Data[C]> };
+}[IsoIssueCode];
 
-/** One finding of the reader. Lines and columns of the DIN/ISO text count from 1; `number` is that of the block, null without one. */
+/**
+ * One finding of the reader. Lines and columns of the DIN/ISO text count from 1; `number` is that of the block, null
+ * without one.
+ */
 export type IsoIssue = {
-  [C in IsoIssueCode]: { readonly code: C; readonly severity: NcSeverity; readonly number: number | null; readonly line: number;
-    readonly column: number; readonly data: Readonly<Data[C]> };
+  [C in IsoIssueCode]: {
+    readonly code: C;
+    readonly severity: NcSeverity;
+    readonly number: number | null;
+    readonly line: number;
+    readonly column: number;
+    readonly data: Readonly<Data[C]>;
+  };
 }[IsoIssueCode];
 
 /** How much a finding weighs: what is kept as text is not run. */

@@ -21,7 +21,8 @@ export interface IsoBlock extends IsoLine {
   readonly parameters: readonly Pick<IsoLine, "text" | "comment">[];
 }
 
-const HEAD = /^[ \t\u00a0\ufeff]*(\/?)[ \t]*(?:(?:N[ \t]*|(?=\d+[ \t]+[A-Z%]))(\d{1,9})(?!\d)[ \t]*(\/?))?[ \t\u00a0]*/i;
+const HEAD =
+  /^[ \t\u00a0\ufeff]*(\/?)[ \t]*(?:(?:N[ \t]*|(?=\d+[ \t]+[A-Z%]))(\d{1,9})(?!\d)[ \t]*(\/?))?[ \t\u00a0]*/i;
 const CYCLE = /^G[ \t]*[1-9]\d\d(?!\d)/i;
 /** Characters of one line; a longer one is no block, and is kept as it stands. */
 export const LONGEST_LINE = 10_000;
@@ -38,7 +39,8 @@ function continued(text: string): string | null {
   return cut === null ? null : withoutStar(cut);
 }
 /** A star belongs to a comment unless a blank stands before it. */
-const withoutCommentStar = (text: string) => (/(?:^|[ \t])\*$/.test(text.slice(-2)) ? withoutStar(text) : text.trimEnd());
+const withoutCommentStar = (text: string) =>
+  /(?:^|[ \t])\*$/.test(text.slice(-2)) ? withoutStar(text) : text.trimEnd();
 
 /** Where the comment starts: the first `;` outside quotes, or -1. A quote that is never closed is no quote. */
 function commentAt(text: string): number {
@@ -63,12 +65,18 @@ function lineOf(raw: string, line: number, inCycle: boolean): IsoLine {
   const at = commentAt(body);
   return at < 0
     ? { ...common, text: withoutStar(body), comment: null, open: cut !== null }
-    : { ...common, text: body.slice(0, at).trimEnd(), comment: withoutCommentStar(body.slice(at + 1)), open: cut !== null };
+    : {
+        ...common,
+        text: body.slice(0, at).trimEnd(),
+        comment: withoutCommentStar(body.slice(at + 1)),
+        open: cut !== null,
+      };
 }
 
 /** Whether a line holds parameters of the cycle before it, and is no assignment of its own. */
 function belongs(next: IsoLine, head: IsoLine, open: boolean): boolean {
-  if (next.number !== null || !/^Q[LR]?\d/i.test(next.text) || isoTokens(next.text).some((t) => t.letter !== "Q")) return false;
+  if (next.number !== null || !/^Q[LR]?\d/i.test(next.text) || isoTokens(next.text).some((t) => t.letter !== "Q"))
+    return false;
   const alone = head.number !== null && !/\bQ\d/i.test(head.text);
   return open || alone || next.comment !== null || Number(/\d+/.exec(next.text)?.[0]) >= FIRST_CYCLE;
 }
@@ -102,11 +110,17 @@ const IN_KLARTEXT = /^\s*\/?\s*\d*\s*(?:BEGIN|END)[ \t]+PGM\b/i;
 const LOOKED_AT = 200;
 const LOOKED_ALONG = 200;
 
-/** True for a text that is a DIN/ISO program: its first line is `%NAME G71`, or most of its lines are blocks with N or G. */
+/**
+ * True for a text that is a DIN/ISO program: its first line is `%NAME G71`, or most of its lines are blocks with N or
+ * G.
+ */
 export function isIsoText(text: string): boolean {
-  const lines = text.slice(0, 100_000).split(/\r\n|\n|\r/).map((line) => line.slice(0, LOOKED_ALONG)).filter((line) =>
-    !/^\s*(?:;|$)/.test(line)
-  ).slice(0, LOOKED_AT);
+  const lines = text
+    .slice(0, 100_000)
+    .split(/\r\n|\n|\r/)
+    .map((line) => line.slice(0, LOOKED_ALONG))
+    .filter((line) => !/^\s*(?:;|$)/.test(line))
+    .slice(0, LOOKED_AT);
   if (FRAME.test(lines[0] ?? "")) return true;
   if (lines.some((line) => IN_KLARTEXT.test(line))) return false;
   return lines.filter((line) => IN_ISO.test(line)).length * 2 > lines.length;

@@ -28,7 +28,8 @@ const HSC = new RegExp(String.raw`^HSC-MODE[ \t]*:[ \t]*([01])(?:[ \t]+TA[ \t]*(
 /** Number of a parameter word: P01, P02. */
 export const parameterWord = (i: number) => `P${String(i).padStart(2, "0")}`;
 
-const valueIn = (m: RegExpExecArray | null, group = 1): Value | null => (m?.[group] === undefined ? null : readValue(m[group]));
+const valueIn = (m: RegExpExecArray | null, group = 1): Value | null =>
+  m?.[group] === undefined ? null : readValue(m[group]);
 const axisOf = (letter: string) => letter.toUpperCase() as AxisName;
 
 function shifted(lines: readonly Line[]): AxisWord[] | null {
@@ -51,7 +52,12 @@ function wordsOf(cycle: number, first: string, lines: readonly Line[]): string[]
   };
   switch (cycle) {
     case 8:
-      return only && MIRRORED.test(first) ? first.toUpperCase().split(/[ \t]+/).filter((w) => w !== "") : null;
+      return only && MIRRORED.test(first)
+        ? first
+            .toUpperCase()
+            .split(/[ \t]+/)
+            .filter((w) => w !== "")
+        : null;
     case 9:
       return one(DWELL, (v) => `F${bareValue(v)}`);
     case 10: {
@@ -130,12 +136,15 @@ function toleranceTexts([tolerance, mode, angle, ...more]: readonly IsoToken[]):
 }
 
 /** The texts of the lines 1, 2 …; null when a word is missing or unknown. */
-function textsOf(cycle: number, row: boolean, { tokens, coordinates }: OlderWords, names: IsoNames): (string | null)[] | null {
+function textsOf(
+  cycle: number,
+  row: boolean,
+  { tokens, coordinates }: OlderWords,
+  names: IsoNames,
+): (string | null)[] | null {
   const only = tokens.length === 1 ? tokens[0] : undefined;
-  const one = (
-    front: string,
-    value: Value | null | undefined,
-  ) => (value === null || value === undefined ? null : [front + bareValue(value)]);
+  const one = (front: string, value: Value | null | undefined) =>
+    value === null || value === undefined ? null : [front + bareValue(value)];
   const valueOf = (letter: string) => (only?.letter === letter ? only.value : null);
   if (row) return one("#", parameterIn(only, 1));
   switch (cycle) {
@@ -145,7 +154,11 @@ function textsOf(cycle: number, row: boolean, { tokens, coordinates }: OlderWord
         return w ? `${w.incremental ? "I" : ""}${w.name}${signedValue(w.value)}` : null;
       });
     case 8:
-      return [tokens.every((t) => t.raw.length === 1 && /[XYZABCUVW]/.test(t.letter)) ? tokens.map((t) => t.letter).join(" ") : null];
+      return [
+        tokens.every((t) => t.raw.length === 1 && /[XYZABCUVW]/.test(t.letter))
+          ? tokens.map((t) => t.letter).join(" ")
+          : null,
+      ];
     case 9:
       return one("DWELL ", valueOf("F"));
     case 10: {
@@ -177,7 +190,9 @@ function textsOf(cycle: number, row: boolean, { tokens, coordinates }: OlderWord
 const blocksOf = (cycle: number, title: string, texts: readonly string[]): Statement[] =>
   [title, ...texts].map((text, line) => ({ kind: "cycleLine", cycle, line, text }));
 
-/** The Klartext blocks of an older cycle from the words behind its G word; null when they are not those of the cycle. */
+/**
+ * The Klartext blocks of an older cycle from the words behind its G word; null when they are not those of the cycle.
+ */
 export function olderCycleOfIso(cycle: number, row: boolean, words: OlderWords, names: IsoNames): Statement[] | null {
   const read = textsOf(cycle, row, words, names) ?? [];
   const texts = read.filter((text) => text !== null);

@@ -11,7 +11,12 @@ const cases = (text: string) => text.split("\n").filter((line) => line !== "" &&
 /** The lines of a case as a program: a line that begins a block gets its number. */
 function program(lines: string): string {
   let number = 3;
-  return lines.split(" ⏎ ").map((line) => (/^Q\d+=/.test(line) ? line : `${number++} ${line}`)).join("\n") + "\n";
+  return (
+    lines
+      .split(" ⏎ ")
+      .map((line) => (/^Q\d+=/.test(line) ? line : `${number++} ${line}`))
+      .join("\n") + "\n"
+  );
 }
 
 /** `=` both ways; `->` to DIN/ISO and from there. Formulas hold `=` with blanks as well, so the middle one parts. */
@@ -42,7 +47,12 @@ describe("what has no word is kept and listed", () => {
     const before = parse(program(klartext));
     const printed = isoProgramText(before);
     expect(printed.kept).toEqual(before.blocks.map((b, index) => ({ index, number: b.number })));
-    expect(printed.text).toBe(klartext.split(" ⏎ ").map((line, i) => `N${3 + i} ${line} *\n`).join(""));
+    expect(printed.text).toBe(
+      klartext
+        .split(" ⏎ ")
+        .map((line, i) => `N${3 + i} ${line} *\n`)
+        .join(""),
+    );
     const known = before.blocks.every((b) => b.statement.kind !== "unknown");
     const read = klartextOfIso(printed.text, LAYOUTS.tnc7);
     expect(read.issues.map((i) => i.code)).toEqual(known ? [] : ["isoBlockNotUnderstood"]);
@@ -51,21 +61,28 @@ describe("what has no word is kept and listed", () => {
 });
 
 describe("the table of words", () => {
-  test.each(isoWords.filter((w) => w.klartext !== "").map((w) => [w.word, w] as const))("%s is printed for its example", (_, row) => {
-    const { text, kept } = isoProgramText(parse(`${row.klartext}\n`));
-    expect(kept).toEqual([]);
-    // "I J K" are words to choose from; "G90 … G91 …" stand both in a block.
-    const all = row.word.split(/ ?… ?/).filter((w) => w !== "");
-    for (const words of all) expect(text).toMatch(new RegExp(String.raw`(?:^|[ \d])(?:${words.replaceAll(" ", "|")})`));
-  });
+  test.each(isoWords.filter((w) => w.klartext !== "").map((w) => [w.word, w] as const))(
+    "%s is printed for its example",
+    (_, row) => {
+      const { text, kept } = isoProgramText(parse(`${row.klartext}\n`));
+      expect(kept).toEqual([]);
+      // "I J K" are words to choose from; "G90 … G91 …" stand both in a block.
+      const all = row.word.split(/ ?… ?/).filter((w) => w !== "");
+      for (const words of all)
+        expect(text).toMatch(new RegExp(String.raw`(?:^|[ \d])(?:${words.replaceAll(" ", "|")})`));
+    },
+  );
 
-  test.each(isoWords.filter((w) => w.klartext === "").map((w) => [w.word, w.means.kind]))("%s is read or reported", (word, kind) => {
-    const { text, issues } = klartextOfIso(`N1 G02 X+5 R5 *\nN2 ${word} X+3 H+5 R+2 *\n`, LAYOUTS.tnc7);
-    if (kind === "unread") {
-      expect(issues).toMatchObject([{ code: "isoWordNotUnderstood", number: 2, line: 2, data: { word } }]);
-      expect(parse(text).blocks[1]?.statement).toEqual({ kind: "unknown", text: `${word} X+3 H+5 R+2` });
-    } else expect(parse(text).blocks[1]?.statement.kind === "path").toBe(issues.length === 0);
-  });
+  test.each(isoWords.filter((w) => w.klartext === "").map((w) => [w.word, w.means.kind]))(
+    "%s is read or reported",
+    (word, kind) => {
+      const { text, issues } = klartextOfIso(`N1 G02 X+5 R5 *\nN2 ${word} X+3 H+5 R+2 *\n`, LAYOUTS.tnc7);
+      if (kind === "unread") {
+        expect(issues).toMatchObject([{ code: "isoWordNotUnderstood", number: 2, line: 2, data: { word } }]);
+        expect(parse(text).blocks[1]?.statement).toEqual({ kind: "unknown", text: `${word} X+3 H+5 R+2` });
+      } else expect(parse(text).blocks[1]?.statement.kind === "path").toBe(issues.length === 0);
+    },
+  );
 
   test("no word stands twice with another meaning, and a recalled one has no page", () => {
     const coded = isoWords.filter((w) => /^[GD]\d+$/.test(w.word));

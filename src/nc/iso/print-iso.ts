@@ -26,7 +26,9 @@ const isBlank = ({ kind }: Statement) => kind === "empty" || kind === "comment";
 /** Formulas and texts are written alike in both languages. */
 const isShared = (s: Statement) => (s.kind === "assign" && s.fn === null) || s.kind === "assignText";
 
-/** In front of a DIN/ISO block that could not be translated, where its text alone could be taken for a Klartext block. */
+/**
+ * In front of a DIN/ISO block that could not be translated, where its text alone could be taken for a Klartext block.
+ */
 export const UNREAD_MARK = "ISO";
 
 /** The Klartext of a block on one line. */
@@ -38,8 +40,14 @@ function keptText(s: Statement): string {
 
 const frameText = (s: StatementOf<"begin" | "end">) => `%${s.name} ${isoWordFor({ kind: "unit", unit: s.unit })}`;
 
-/** The older cycle that begins at `index`: its block of DIN/ISO and how many Klartext blocks it is; null when there is no word for it. */
-function olderCycleAt(blocks: readonly Block[], index: number): { readonly text: string; readonly count: number } | null {
+/**
+ * The older cycle that begins at `index`: its block of DIN/ISO and how many Klartext blocks it is; null when there is
+ * no word for it.
+ */
+function olderCycleAt(
+  blocks: readonly Block[],
+  index: number,
+): { readonly text: string; readonly count: number } | null {
   const head = blocks[index];
   if (head?.statement.kind !== "cycleLine" || head.statement.line !== 0) return null;
   const { cycle } = head.statement;
@@ -54,8 +62,9 @@ function olderCycleAt(blocks: readonly Block[], index: number): { readonly text:
 }
 
 /**
- * Prints a program in DIN/ISO: one block a line, each with `N` and the number that it has in Klartext, each complete in itself.
- * Blocks without a DIN/ISO word stand as Klartext and are listed in `kept`. Names of cycles and labels of parameters are lost.
+ * Prints a program in DIN/ISO: one block a line, each with `N` and the number that it has in Klartext, each complete in
+ * itself. Blocks without a DIN/ISO word stand as Klartext and are listed in `kept`. Names of cycles and labels of
+ * parameters are lost.
  */
 export function isoProgramText(program: Program): IsoProgram {
   const { blocks } = program;
@@ -78,7 +87,12 @@ export function isoProgramText(program: Program): IsoProgram {
     else {
       const silent = begins || (number === null && s.kind === "comment");
       const head = silent ? "" : ends ? `${isoWordFor({ kind: "block", block: "end" })} ` : `N${at} `;
-      lines.push(`${skip ? "/" : ""}${head}${word ?? keptText(s)}${comment === null ? "" : ` ;${comment}`} *`.replace(/ {2,}\*$/, " *"));
+      lines.push(
+        `${skip ? "/" : ""}${head}${word ?? keptText(s)}${comment === null ? "" : ` ;${comment}`} *`.replace(
+          / {2,}\*$/,
+          " *",
+        ),
+      );
     }
   }
   return { text: lines.map((line) => line + newLine).join(""), kept };

@@ -1,8 +1,26 @@
 import { feedText } from "../print-words.ts";
-import type { AxisName, AxisWord, FunctionNumber, Label, Parameter, Statement, StatementOf, Value } from "../statement.ts";
+import type {
+  AxisName,
+  AxisWord,
+  FunctionNumber,
+  Label,
+  Parameter,
+  Statement,
+  StatementOf,
+  Value,
+} from "../statement.ts";
 import { coordinateTexts } from "./coordinates.ts";
 import { parameterWord } from "./older-cycles.ts";
-import { bareValue, coordinatesOfAxes, ISO_STYLE, polarCoordinates, saysOnly, signedValue, tailTexts, wordsBlock } from "./print-words.ts";
+import {
+  bareValue,
+  coordinatesOfAxes,
+  ISO_STYLE,
+  polarCoordinates,
+  saysOnly,
+  signedValue,
+  tailTexts,
+  wordsBlock,
+} from "./print-words.ts";
 import { FIRST_CYCLE, isoWordFor, type IsoBlockName, type IsoPath } from "./words.ts";
 
 const blockWord = (block: IsoBlockName) => isoWordFor({ kind: "block", block });
@@ -20,7 +38,9 @@ const CENTRE: Partial<Record<AxisName, string>> = { X: "I", Y: "J", Z: "K" };
 function poleText(words: StatementOf<"path">["words"]): string | null {
   if (!saysOnly(words, "axes")) return null;
   if (words.axes.length === 0) return wordsBlock(words, { word: blockWord("polePosition") });
-  const coordinates = words.axes.flatMap((w) => (CENTRE[w.axis] === undefined ? [] : [{ ...w, name: CENTRE[w.axis] ?? "" }]));
+  const coordinates = words.axes.flatMap((w) =>
+    CENTRE[w.axis] === undefined ? [] : [{ ...w, name: CENTRE[w.axis] ?? "" }],
+  );
   return coordinates.length < words.axes.length ? null : wordsBlock(words, { coordinates });
 }
 
@@ -40,7 +60,8 @@ function pathText({ path, words }: StatementOf<"path">): string | null {
       if (words.turn === undefined) return null;
       break;
     case "CR":
-      if (words.turn === undefined || words.radius === undefined || !saysOnly(words, "axes", "turn", "radius")) return null;
+      if (words.turn === undefined || words.radius === undefined || !saysOnly(words, "axes", "turn", "radius"))
+        return null;
       return wordsBlock(words, { word: made("C"), coordinates: axes, more: [`R${signedValue(words.radius)}`] });
     default:
       if (words.turn !== undefined) return null;
@@ -79,12 +100,16 @@ function blankText(corner: 1 | 2, axis: AxisName | null, axes: readonly AxisWord
 
 /** The words of a cycle with Q parameters, on one line. */
 export const parametersText = (s: StatementOf<"cycle">): string =>
-  s.parameters.map(({ q, value }) =>
-    ` ${q}=${value === "max" || value === "auto" ? feedText(value, ISO_STYLE) : value === null ? "" : signedValue(value)}`
-  ).join("");
+  s.parameters
+    .map(
+      ({ q, value }) =>
+        ` ${q}=${value === "max" || value === "auto" ? feedText(value, ISO_STYLE) : value === null ? "" : signedValue(value)}`,
+    )
+    .join("");
 
 function cycleText(s: StatementOf<"cycle">): string | null {
-  const word = s.cycle >= FIRST_CYCLE && s.cycle < 1000 ? `G${s.cycle}` : isoWordFor({ kind: "shiftedCycle", cycle: s.cycle });
+  const word =
+    s.cycle >= FIRST_CYCLE && s.cycle < 1000 ? `G${s.cycle}` : isoWordFor({ kind: "shiftedCycle", cycle: s.cycle });
   return word && word + parametersText(s);
 }
 
@@ -98,7 +123,9 @@ function operands(fn: FunctionNumber, { formula: f }: StatementOf<"assign">): Va
 function assignText(s: StatementOf<"assign">): string | null {
   const values = s.fn === null ? null : operands(s.fn, s);
   const word = s.fn === null ? null : isoWordFor({ kind: "function", fn: s.fn });
-  return values && word ? [word, s.target, ...values.map((v, i) => `${parameterWord(i + 1)} ${signedValue(v)}`)].join(" ") : null;
+  return values && word
+    ? [word, s.target, ...values.map((v, i) => `${parameterWord(i + 1)} ${signedValue(v)}`)].join(" ")
+    : null;
 }
 
 /** What each jump compares. */
@@ -135,7 +162,9 @@ export function isoStatement(s: Statement): string | null {
     case "stop":
       return saysOnly(s.words) ? wordsBlock(s.words, { word: blockWord("stop") }) : null;
     case "functions":
-      return s.words.feed === undefined && s.words.compensation === undefined && saysOnly(s.words) ? tailTexts(s.words).join(" ") : null;
+      return s.words.feed === undefined && s.words.compensation === undefined && saysOnly(s.words)
+        ? tailTexts(s.words).join(" ")
+        : null;
     case "callProgram":
       return `%${typeof s.file === "object" ? s.file.parameter : s.bare ? s.file : `"${s.file}"`}`;
     case "raise":

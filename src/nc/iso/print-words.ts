@@ -12,9 +12,12 @@ export const ISO_STYLE = LAYOUTS.tnc7;
 export const bareValue = (value: Value) => valueText(value, { ...ISO_STYLE, plus: false });
 export const signedValue = (value: Value) => valueText(value, ISO_STYLE);
 
-export const coordinatesOfAxes = (axes: readonly AxisWord[]): IsoCoordinate[] => axes.map((w) => ({ ...w, name: w.axis }));
-export const polarCoordinates =
-  ({ polarRadius, polarAngle }: Words): IsoCoordinate[] => [...polar("R", polarRadius), ...polar("H", polarAngle)];
+export const coordinatesOfAxes = (axes: readonly AxisWord[]): IsoCoordinate[] =>
+  axes.map((w) => ({ ...w, name: w.axis }));
+export const polarCoordinates = ({ polarRadius, polarAngle }: Words): IsoCoordinate[] => [
+  ...polar("R", polarRadius),
+  ...polar("H", polarAngle),
+];
 const polar = (name: string, w: PolarWord | undefined) => (w ? [{ ...w, name }] : []);
 
 const compensationTexts = ({ compensation }: Words): string[] =>
@@ -44,7 +47,13 @@ interface BlockParts {
 
 /** A block: its G word, compensation, coordinates, a radius, feed and M functions. */
 export const wordsBlock = (words: Words, { word, coordinates = [], more = [], rapid = false }: BlockParts): string =>
-  [...(word ? [word] : []), ...compensationTexts(words), ...coordinateTexts(coordinates), ...more, ...tailTexts(words, rapid)].join(" ");
+  [
+    ...(word ? [word] : []),
+    ...compensationTexts(words),
+    ...coordinateTexts(coordinates),
+    ...more,
+    ...tailTexts(words, rapid),
+  ].join(" ");
 
 type Part = keyof Words;
 const TAIL: readonly Part[] = ["compensation", "feed", "functions", "retract", "functionFeed"];

@@ -14,25 +14,35 @@ import { FIRST_CYCLE, isoMeaningOf, type IsoMeaning } from "./words.ts";
 
 /** A Klartext block inside a DIN/ISO program. */
 const KLARTEXT = new RegExp(
-  String.raw`^(?:(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CYCLE?[ \t]*(?:DEF|CALL)|CALL[ \t]|SEL[ \t]|LBL[ \t]|`
-    + String.raw`(?:FUNCTION|TRANS|PLANE|APPR|DEP|UDC|GRV|FPOL|FSELECT|FLT|FL|FCT|FC|RND|CHF|CTP|CR|CT|CC|CP|LP|STOP|IF)(?![A-Z])|`
-    + String.raw`(?:CONTOUR[ \t]+DEF|DECLARE)(?![A-Z])|FN[ \t]*\d|Q[LRSC]?\d+[ \t]*=|L[ \t]+[A-Z]|C[ \t]+[A-PR-Z])`,
+  String.raw`^(?:(?:BEGIN|END)[ \t]+PGM|BLK[ \t]+FORM|TOOL[ \t]+(?:CALL|DEF)|CYCLE?[ \t]*(?:DEF|CALL)|CALL[ \t]|SEL[ \t]|LBL[ \t]|` +
+    String.raw`(?:FUNCTION|TRANS|PLANE|APPR|DEP|UDC|GRV|FPOL|FSELECT|FLT|FL|FCT|FC|RND|CHF|CTP|CR|CT|CC|CP|LP|STOP|IF)(?![A-Z])|` +
+    String.raw`(?:CONTOUR[ \t]+DEF|DECLARE)(?![A-Z])|FN[ \t]*\d|Q[LRSC]?\d+[ \t]*=|L[ \t]+[A-Z]|C[ \t]+[A-PR-Z])`,
   "i",
 );
 const INLINE_CYCLE = /^CYCLE?[ \t]*DEF[ \t]*(\d{1,9})(?![\d.])[ \t]*(.*)$/i;
 const ISO_CYCLE = /^G[ \t]*(\d{3})(?!\d)[ \t]*(.*)$/i;
 const BEFORE_PARAMETERS = /^(.*?)(?=(?:^|[ \t])Q[LR]?\d{1,4}(?!\d)|$)/i;
 const NAME = /^[^\d=;+]*$/;
-const CALL = new RegExp(String.raw`^L[ \t]*(?:(\d{1,9})|"([^"]*)"|(Q[LRS]?\d{1,4}))[ \t]*(?:,[ \t]*(${VALUE})[ \t]*)?$`, "i");
+const CALL = new RegExp(
+  String.raw`^L[ \t]*(?:(\d{1,9})|"([^"]*)"|(Q[LRS]?\d{1,4}))[ \t]*(?:,[ \t]*(${VALUE})[ \t]*)?$`,
+  "i",
+);
 const PROGRAM = /^%[ \t]*(?:"([^"]*)"|(QS\d{1,4})|([^\s":<][^"]*))$/i;
 
 /** A value may be a label only as whole number or parameter. */
 function labelOf(token: IsoToken | undefined): Label | Parameter | null {
   if (!token) return null;
-  return token.text ?? (token.value === null || (typeof token.value === "number" && token.value < 0) ? null : token.value);
+  return (
+    token.text ?? (token.value === null || (typeof token.value === "number" && token.value < 0) ? null : token.value)
+  );
 }
 
-function parametersOf(tokens: readonly IsoToken[], cycle: number, comment: string | null, names: IsoNames): CycleParameter[] | null {
+function parametersOf(
+  tokens: readonly IsoToken[],
+  cycle: number,
+  comment: string | null,
+  names: IsoNames,
+): CycleParameter[] | null {
   if (tokens.some((t) => t.letter !== "Q")) return null;
   return tokens.map((t, i) => {
     const q = t.text ?? "";
@@ -42,7 +52,12 @@ function parametersOf(tokens: readonly IsoToken[], cycle: number, comment: strin
 }
 
 /** A cycle with Q parameters, on one line or on several. */
-function cycleBlock(cycle: number, rest: string, { comment, parameters: lines }: IsoBlock, names: IsoNames): Statement | null {
+function cycleBlock(
+  cycle: number,
+  rest: string,
+  { comment, parameters: lines }: IsoBlock,
+  names: IsoNames,
+): Statement | null {
   const front = BEFORE_PARAMETERS.exec(rest)?.[1] ?? "";
   if (!NAME.test(front)) return null;
   const own = parametersOf(isoTokens(rest.slice(front.length)), cycle, lines.length > 0 ? null : comment, names);
@@ -77,11 +92,13 @@ function parameterBlock(tokens: readonly IsoToken[]): Statement | null {
   }
   if (means?.kind === "jump") {
     const [left, right] = values(tokens.slice(1, 3), 2) ?? [];
-    const label = tokens.length === 4 && tokens[3]?.letter === "P" && tokens[3].number === 3 ? labelOf(tokens[3]) : null;
+    const label =
+      tokens.length === 4 && tokens[3]?.letter === "P" && tokens[3].number === 3 ? labelOf(tokens[3]) : null;
     if (left === undefined || right === undefined || label === null) return null;
     return { kind: "jump", fn: means.fn, left, right, compare: JUMPS[means.fn], label };
   }
-  if (means?.kind !== "function" || target?.letter !== "Q" || target.value !== null || target.text === null) return null;
+  if (means?.kind !== "function" || target?.letter !== "Q" || target.value !== null || target.text === null)
+    return null;
   const { fn } = means;
   const of = (value: Value): Formula => ({ kind: "value", value });
   const assigned = (formula: Formula): Statement => ({ kind: "assign", fn, target: target.text ?? "", formula });
@@ -95,7 +112,9 @@ function parameterBlock(tokens: readonly IsoToken[]): Statement | null {
 
 /** T: the call of a tool, with M functions behind it as a block of their own. */
 function toolCall(tokens: readonly IsoToken[]): Statement[] | null {
-  const call: { -readonly [K in keyof Extract<Statement, { kind: "toolCall" }>]: Extract<Statement, { kind: "toolCall" }>[K] } = {
+  const call: {
+    -readonly [K in keyof Extract<Statement, { kind: "toolCall" }>]: Extract<Statement, { kind: "toolCall" }>[K];
+  } = {
     kind: "toolCall",
     tool: null,
     axis: null,
@@ -123,12 +142,16 @@ function toolCall(tokens: readonly IsoToken[]): Statement[] | null {
   return [call, ...(functions.length === 0 ? [] : [{ kind: "functions", words } as const])];
 }
 
-/** Blocks that a G word begins: label, tool definition, blank, older cycles. Null when their words do not belong to them. */
+/**
+ * Blocks that a G word begins: label, tool definition, blank, older cycles. Null when their words do not belong to
+ * them.
+ */
 function wordBlock(means: IsoMeaning, tokens: readonly IsoToken[], names: IsoNames): Statement[] | null {
   const first = tokens.findIndex((t) => t.letter === "G" && isoMeaningOf("G", t.number ?? -1) === means);
   const rest = tokens.filter((t, i) => i !== first && dimensionOf(t) === null);
   const { coordinates } = coordinatesOf(tokens, false);
-  if (means.kind === "olderCycle") return olderCycleOfIso(means.cycle, means.row ?? false, { tokens: rest, coordinates }, names);
+  if (means.kind === "olderCycle")
+    return olderCycleOfIso(means.cycle, means.row ?? false, { tokens: rest, coordinates }, names);
   if (means.kind !== "block") return null;
   if (means.block === "label") {
     const label = rest.length === 1 && rest[0]?.letter === "L" ? labelOf(rest[0]) : null;
@@ -142,20 +165,27 @@ function wordBlock(means: IsoMeaning, tokens: readonly IsoToken[], names: IsoNam
     if (tool === null || typeof tool === "object" || rest.some((t) => !/^[TLR]$/.test(t.letter))) return null;
     return [{ kind: "toolDefinition", tool, length: of("L")?.value ?? null, radius: of("R")?.value ?? null }];
   }
-  const axes = coordinates.flatMap(({ name, ...w }) => (/^[XYZABCUVW]$/.test(name) ? [{ axis: name as "X", ...w }] : []));
+  const axes = coordinates.flatMap(({ name, ...w }) =>
+    /^[XYZABCUVW]$/.test(name) ? [{ axis: name as "X", ...w }] : [],
+  );
   const planes = rest.flatMap((t) => {
     const plane = t.letter === "G" ? isoMeaningOf("G", t.number ?? -1) : null;
     return plane?.kind === "plane" ? [plane.axis] : [];
   });
   const corner = means.block === "blankMinimum" ? 1 : 2;
-  if (axes.length + planes.length < rest.length || planes.length > 1 || (corner === 2 && planes.length > 0)) return null;
+  if (axes.length + planes.length < rest.length || planes.length > 1 || (corner === 2 && planes.length > 0))
+    return null;
   return [{ kind: "blankBox", corner, axis: planes[0] ?? null, axes }];
 }
 
 /** Words that begin a block of their own kind, wherever they stand in it. */
 const OWN: ReadonlySet<string> = new Set(["label", "toolDefinition", "blankMinimum", "blankMaximum"]);
 
-const notUnderstood = (text: string): IsoProblem => ({ code: "isoBlockNotUnderstood", at: 0, data: { text: text.slice(0, 60) } });
+const notUnderstood = (text: string): IsoProblem => ({
+  code: "isoBlockNotUnderstood",
+  at: 0,
+  data: { text: text.slice(0, 60) },
+});
 
 /** A Klartext block as it stands in a DIN/ISO program. */
 function klartextBlock(text: string): Statement | null {
@@ -163,7 +193,9 @@ function klartextBlock(text: string): Statement | null {
   return !statement || statement.kind === "unknown" || statement.kind === "empty" ? null : statement;
 }
 
-/** Reads one block, its frame aside. What is not understood has no statements and at least one problem; never throws. */
+/**
+ * Reads one block, its frame aside. What is not understood has no statements and at least one problem; never throws.
+ */
 export function readIsoBlock(block: IsoBlock, { modal, names }: IsoContext): ReadBlock {
   const { text } = block;
   const done = (statements: readonly Statement[] | null): ReadBlock => ({
@@ -175,17 +207,22 @@ export function readIsoBlock(block: IsoBlock, { modal, names }: IsoContext): Rea
   if (text.length > LONGEST_LINE) return done(null);
   if (/^\*/.test(text)) return one({ kind: "structure", text: text.replace(/^\*[ \t]*-?/, "").trim() });
   const inline = INLINE_CYCLE.exec(text);
-  if (inline) return one(cycleBlock(Number(inline[1]), inline[2] ?? "", block, inline[2] ? { ...names, cycle: () => "" } : names));
+  if (inline)
+    return one(
+      cycleBlock(Number(inline[1]), inline[2] ?? "", block, inline[2] ? { ...names, cycle: () => "" } : names),
+    );
   if (KLARTEXT.test(text)) return one(klartextBlock(text));
   const program = PROGRAM.exec(text);
   if (program) {
     const [, quoted, held, bare] = program;
-    const file = held === undefined ? (quoted ?? (bare ?? "").trim()) : { parameter: held.toUpperCase(), negative: false };
+    const file =
+      held === undefined ? (quoted ?? (bare ?? "").trim()) : { parameter: held.toUpperCase(), negative: false };
     return one({ kind: "callProgram", file, bare: bare !== undefined });
   }
   const call = CALL.exec(text);
   if (call) {
-    const label = call[3] === undefined ? readLabel(call[1], call[2]) : { parameter: call[3].toUpperCase(), negative: false };
+    const label =
+      call[3] === undefined ? readLabel(call[1], call[2]) : { parameter: call[3].toUpperCase(), negative: false };
     const repeat = call[4] === undefined ? null : readValue(call[4]);
     return one({ kind: "call", label, repeat: repeat === 0 ? null : repeat });
   }
@@ -196,9 +233,9 @@ export function readIsoBlock(block: IsoBlock, { modal, names }: IsoContext): Rea
   if (called) return done(called);
   const tokens = isoTokens(text);
   if (tokens[0]?.letter === "D") return one(parameterBlock(tokens));
-  const own = tokens.map((t) => (t.letter === "G" ? isoMeaningOf("G", t.number ?? -1) : null)).find((m) =>
-    m?.kind === "olderCycle" || (m?.kind === "block" && OWN.has(m.block))
-  );
+  const own = tokens
+    .map((t) => (t.letter === "G" ? isoMeaningOf("G", t.number ?? -1) : null))
+    .find((m) => m?.kind === "olderCycle" || (m?.kind === "block" && OWN.has(m.block)));
   if (own) return done(wordBlock(own, tokens, names));
   if (tokens.some((t) => t.letter === "T")) return done(toolCall(tokens));
   return readPathBlock(text, tokens, modal);

@@ -11,40 +11,101 @@ const style = LAYOUTS.tnc7;
 const klartext = (text: string) => klartextOfIso(text, style);
 const lines = (...l: string[]) => l.map((line) => `${line}\n`).join("");
 /** Blocks without frame and without numbers, for cases of one thing. */
-const bodies = (text: string) => klartext(text).text.trimEnd().split("\n").map((line) => line.replace(/^\d+ /, ""));
+const bodies = (text: string) =>
+  klartext(text)
+    .text.trimEnd()
+    .split("\n")
+    .map((line) => line.replace(/^\d+ /, ""));
 
 describe("programs as other people write them", () => {
   test("modal, counted in tens, with G words in any order", () => {
-    const text = lines("%S525 G71 *", "N10 G30 G17 X+0 Y+0 Z-20 *", "N20 G31 G90 X+100 Y+100 Z+0 *", "N30 G99 T12 L-25 R+20 *",
-      "N40 T12 G17 S1000 *", "N50 G90 G40 G00 Z+100 M06 *", "N60 X+30 Y-30 *", "N70 Z-15 M03 *", "N80 G41 G01 X+50 Y+0 F100 *",
-      "N90 X+10 Y+40 *", "N100 G06 X+50 Y+50 *", "N110 G01 X+100 *", "N120 G00 G40 X+130 Y+70 *", "N130 Z+100 M02 *", "N99999 %S525 G71 *");
+    const text = lines(
+      "%S525 G71 *",
+      "N10 G30 G17 X+0 Y+0 Z-20 *",
+      "N20 G31 G90 X+100 Y+100 Z+0 *",
+      "N30 G99 T12 L-25 R+20 *",
+      "N40 T12 G17 S1000 *",
+      "N50 G90 G40 G00 Z+100 M06 *",
+      "N60 X+30 Y-30 *",
+      "N70 Z-15 M03 *",
+      "N80 G41 G01 X+50 Y+0 F100 *",
+      "N90 X+10 Y+40 *",
+      "N100 G06 X+50 Y+50 *",
+      "N110 G01 X+100 *",
+      "N120 G00 G40 X+130 Y+70 *",
+      "N130 Z+100 M02 *",
+      "N99999 %S525 G71 *",
+    );
     expect(isIsoText(text)).toBe(true);
     const read = klartext(text);
     expect(read.issues).toEqual([]);
     expect(read.text).toBe(
-      lines("0 BEGIN PGM S525 MM", "10 BLK FORM 0.1 Z X+0 Y+0 Z-20", "20 BLK FORM 0.2 X+100 Y+100 Z+0", "30 TOOL DEF 12 L-25 R+20",
-        "40 TOOL CALL 12 Z S1000", "50 L Z+100 R0 FMAX M6", "60 L X+30 Y-30 FMAX", "70 L Z-15 FMAX M3", "80 L X+50 Y+0 RL F100",
-        "90 L X+10 Y+40", "100 CT X+50 Y+50", "110 L X+100", "120 L X+130 Y+70 R0 FMAX", "130 L Z+100 FMAX M2", "140 END PGM S525 MM"),
+      lines(
+        "0 BEGIN PGM S525 MM",
+        "10 BLK FORM 0.1 Z X+0 Y+0 Z-20",
+        "20 BLK FORM 0.2 X+100 Y+100 Z+0",
+        "30 TOOL DEF 12 L-25 R+20",
+        "40 TOOL CALL 12 Z S1000",
+        "50 L Z+100 R0 FMAX M6",
+        "60 L X+30 Y-30 FMAX",
+        "70 L Z-15 FMAX M3",
+        "80 L X+50 Y+0 RL F100",
+        "90 L X+10 Y+40",
+        "100 CT X+50 Y+50",
+        "110 L X+100",
+        "120 L X+130 Y+70 R0 FMAX",
+        "130 L Z+100 FMAX M2",
+        "140 END PGM S525 MM",
+      ),
     );
   });
 
   test("without blanks, without stars, in small letters, with commas", () => {
-    const text = lines("%teil7 g70", "n5t0g17", "n10t5g18s1200dl+0,05", "n15g00g40g90x+20,5z+2m3", "n20z-1,25", "n25g01g91z-0,5f80",
-      "n30x-q5g90", "n35g02x+10z-5r-2,5", "n99999999%teil7g70");
+    const text = lines(
+      "%teil7 g70",
+      "n5t0g17",
+      "n10t5g18s1200dl+0,05",
+      "n15g00g40g90x+20,5z+2m3",
+      "n20z-1,25",
+      "n25g01g91z-0,5f80",
+      "n30x-q5g90",
+      "n35g02x+10z-5r-2,5",
+      "n99999999%teil7g70",
+    );
     expect(isIsoText(text)).toBe(true);
     const read = klartext(text);
     expect(read.issues).toEqual([]);
     expect(read.text).toBe(
-      lines("0 BEGIN PGM teil7 INCH", "5 TOOL CALL 0 Z", "10 TOOL CALL 5 Y S1200 DL+0.05", "15 L X+20.5 Z+2 R0 FMAX M3", "20 L Z-1.25 FMAX",
-        "25 L IZ-0.5 F80", "30 L X-Q5", "35 CR X+10 Z-5 R-2.5 DR-", "40 END PGM teil7 INCH"),
+      lines(
+        "0 BEGIN PGM teil7 INCH",
+        "5 TOOL CALL 0 Z",
+        "10 TOOL CALL 5 Y S1200 DL+0.05",
+        "15 L X+20.5 Z+2 R0 FMAX M3",
+        "20 L Z-1.25 FMAX",
+        "25 L IZ-0.5 F80",
+        "30 L X-Q5",
+        "35 CR X+10 Z-5 R-2.5 DR-",
+        "40 END PGM teil7 INCH",
+      ),
     );
   });
 
   test("centres in a block of their own, in the arc, relative, and the last position", () => {
     expect(
       bodies(
-        lines("G01 X+5 Y+45 F200", "I+45 J+45", "G03 X+40.5 Y+12.75", "X+85 Y+45", "G02 I+50.5 J+0 X+5 Y+45", "G05 X+6 Y+44.5", "G91 I+10",
-          "G90 J-10 G91 I+2", "G29", "G12 I+1 H+90", "I-1 K-2 M8"),
+        lines(
+          "G01 X+5 Y+45 F200",
+          "I+45 J+45",
+          "G03 X+40.5 Y+12.75",
+          "X+85 Y+45",
+          "G02 I+50.5 J+0 X+5 Y+45",
+          "G05 X+6 Y+44.5",
+          "G91 I+10",
+          "G90 J-10 G91 I+2",
+          "G29",
+          "G12 I+1 H+90",
+          "I-1 K-2 M8",
+        ),
       ),
     ).toEqual([
       "L X+5 Y+45 F200",
@@ -66,8 +127,16 @@ describe("programs as other people write them", () => {
   test("polar, with a helix", () => {
     expect(
       bodies(
-        lines("N10 I+25 K+25 *", "N20 G11 G42 R+20 H+0 F250 M3 *", "N30 G13 H+180 *", "N40 G16 R+30 H+30 *",
-          "N50 G10 G40 G90 R+60 G91 H-15.5 *", "N60 H-15.5 *", "N70 G13 G91 H+1080 Z-4.5 *", "N80 G15 H+10 *"),
+        lines(
+          "N10 I+25 K+25 *",
+          "N20 G11 G42 R+20 H+0 F250 M3 *",
+          "N30 G13 H+180 *",
+          "N40 G16 R+30 H+30 *",
+          "N50 G10 G40 G90 R+60 G91 H-15.5 *",
+          "N60 H-15.5 *",
+          "N70 G13 G91 H+1080 Z-4.5 *",
+          "N80 G15 H+10 *",
+        ),
       ),
     ).toEqual([
       "CC X+25 Z+25",
@@ -84,9 +153,22 @@ describe("programs as other people write them", () => {
   test("subprograms, repeats, jumps, calls of programs", () => {
     expect(
       bodies(
-        lines("N1 L1,0 *", 'N2 L"IN",3 *', "N3 L 7 , Q5 *", "N4 L2", "N5 G98 L1 *", 'N6 G98 L"IN" *', "N7 G98 L0 *",
-          "N8 D09 P01 +Q1 P02 +Q03 P03 10 *", 'N9 D12P01+Q5P02+0P03"END" *', "N10 D00 Q05 P01 +60 *", "N11 d2q1p01-q2p02-5",
-          "N12 Q1 = Q05 + 3 *", "N13 %TNC:\\SUB\\A.I *", "N14 D14 P01 1000 *"),
+        lines(
+          "N1 L1,0 *",
+          'N2 L"IN",3 *',
+          "N3 L 7 , Q5 *",
+          "N4 L2",
+          "N5 G98 L1 *",
+          'N6 G98 L"IN" *',
+          "N7 G98 L0 *",
+          "N8 D09 P01 +Q1 P02 +Q03 P03 10 *",
+          'N9 D12P01+Q5P02+0P03"END" *',
+          "N10 D00 Q05 P01 +60 *",
+          "N11 d2q1p01-q2p02-5",
+          "N12 Q1 = Q05 + 3 *",
+          "N13 %TNC:\\SUB\\A.I *",
+          "N14 D14 P01 1000 *",
+        ),
       ),
     ).toEqual([
       "CALL LBL 1",
@@ -134,30 +216,74 @@ describe("programs as other people write them", () => {
       label: (n: number, q: string) => (q === "Q218" ? `${n} ${q}` : null),
       contour: { title: "KONTUR", label: "KONTURLABEL" },
     };
-    expect(klartextOfIso("N1 G256 Q218=+60 Q424=+2 *\nN2 G37 P01 5 P02 12 *\nN9 G04 F0.5 *\n", { ...style, decimal: "," }, names).text)
-      .toBe(
-        lines("1 CYCL DEF 256 C256 ~", "Q218=+60 ;256 Q218 ~", "Q424=+2", "2 CYCL DEF 14.0 KONTUR", "3 CYCL DEF 14.1 KONTURLABEL5 /12",
-          "9 CYCL DEF 9.0 C9", "10 CYCL DEF 9.1 DWELL 0.5"),
-      );
+    expect(
+      klartextOfIso(
+        "N1 G256 Q218=+60 Q424=+2 *\nN2 G37 P01 5 P02 12 *\nN9 G04 F0.5 *\n",
+        { ...style, decimal: "," },
+        names,
+      ).text,
+    ).toBe(
+      lines(
+        "1 CYCL DEF 256 C256 ~",
+        "Q218=+60 ;256 Q218 ~",
+        "Q424=+2",
+        "2 CYCL DEF 14.0 KONTUR",
+        "3 CYCL DEF 14.1 KONTURLABEL5 /12",
+        "9 CYCL DEF 9.0 C9",
+        "10 CYCL DEF 9.1 DWELL 0.5",
+      ),
+    );
   });
 
   test("comments, structure, marks and Klartext in between", () => {
     expect(
       klartext(
-        lines("; head *", "%A G71 ;first *", "/N10 G00 X+5 ;to the side *", "N20 / L X+7 FMAX *", "", "N30 * - PART *", "N40 ;*** text ***",
-          "N50 G90 ;only a mode *", "N60 FUNCTION MODE TURN *", "N70 APPR LT X+20 Z+2 LEN5 RL F0.2 *", "N99999999 %A G71 *"),
+        lines(
+          "; head *",
+          "%A G71 ;first *",
+          "/N10 G00 X+5 ;to the side *",
+          "N20 / L X+7 FMAX *",
+          "",
+          "N30 * - PART *",
+          "N40 ;*** text ***",
+          "N50 G90 ;only a mode *",
+          "N60 FUNCTION MODE TURN *",
+          "N70 APPR LT X+20 Z+2 LEN5 RL F0.2 *",
+          "N99999999 %A G71 *",
+        ),
       ).text,
     ).toBe(
-      lines("; head", "0 BEGIN PGM A MM ;first", "/10 L X+5 FMAX ;to the side", "/20 L X+7 FMAX", "", "30 * - PART", "40 ;*** text ***",
-        "50 ;only a mode", "60 FUNCTION MODE TURN", "70 APPR LT X+20 Z+2 LEN5 RL F0.2", "80 END PGM A MM"),
+      lines(
+        "; head",
+        "0 BEGIN PGM A MM ;first",
+        "/10 L X+5 FMAX ;to the side",
+        "/20 L X+7 FMAX",
+        "",
+        "30 * - PART",
+        "40 ;*** text ***",
+        "50 ;only a mode",
+        "60 FUNCTION MODE TURN",
+        "70 APPR LT X+20 Z+2 LEN5 RL F0.2",
+        "80 END PGM A MM",
+      ),
     );
   });
 
   test("a feed at rapid is for the next block at feed, and a speed is a call without tool", () => {
     expect(
       bodies(
-        lines("G00 X+5 F300", "Z-1", "G25 R2", "G01 Z-2", "Z-3", "S800 M3", "G01 X+9 S900 F10", "G00 F100 Z+5", "G01 X+1 F20",
-          "T7 M6 G17 S50"),
+        lines(
+          "G00 X+5 F300",
+          "Z-1",
+          "G25 R2",
+          "G01 Z-2",
+          "Z-3",
+          "S800 M3",
+          "G01 X+9 S900 F10",
+          "G00 F100 Z+5",
+          "G01 X+1 F20",
+          "T7 M6 G17 S50",
+        ),
       ),
     ).toEqual([
       "L X+5 FMAX",
@@ -179,7 +305,9 @@ describe("programs as other people write them", () => {
 
 describe("what is not understood", () => {
   const findings = (text: string) =>
-    klartext(text).issues.map((i) => `${i.code} ${i.severity} N${i.number} ${i.line}:${i.column} ${JSON.stringify(i.data)}`);
+    klartext(text).issues.map(
+      (i) => `${i.code} ${i.severity} N${i.number} ${i.line}:${i.column} ${JSON.stringify(i.data)}`,
+    );
   test.each([
     ["N10 X+5 *", "isoPathMissing error N10 1:5 {}"],
     ["N10 G00 X+5 *\nN20 G26 R5 *", 'isoWordNotUnderstood error N20 2:5 {"word":"G26"}'],
@@ -200,7 +328,9 @@ describe("what is not understood", () => {
   ])("%j", (text, finding) => expect(findings(text)).toEqual([finding]));
 
   test("a kept block is unknown in Klartext too, and leaves what it says in force", () => {
-    const { text } = klartext(lines("N10 G00 X+5 *", "N20 G01 X+4 G43 *", "N30 X+3 *", "N40 X+2 FOO *", "N50 G26 R5 *"));
+    const { text } = klartext(
+      lines("N10 G00 X+5 *", "N20 G01 X+4 G43 *", "N30 X+3 *", "N40 X+2 FOO *", "N50 G26 R5 *"),
+    );
     expect(text).toBe(lines("10 L X+5 FMAX", "20 G01 X+4 G43", "30 L X+3", "40 ISO X+2 FOO", "50 G26 R5"));
     expect(parse(text).blocks.map((b) => b.statement.kind)).toEqual(["path", "unknown", "path", "unknown", "unknown"]);
     expect(isoProgramText(parse(text)).text).toBe(
@@ -212,7 +342,9 @@ describe("what is not understood", () => {
 describe("numbers of blocks", () => {
   const numbers = (text: string) => parse(klartext(text).text).blocks.map((b) => b.number);
   test("those of the file where they rise and leave room", () => {
-    expect(numbers(lines("%A G71 *", "N10 M8 *", "N20 G37 P01 2 *", "N30 M9 *", "N99999999 %A G71 *"))).toEqual([0, 10, 20, 21, 30, 40]);
+    expect(numbers(lines("%A G71 *", "N10 M8 *", "N20 G37 P01 2 *", "N30 M9 *", "N99999999 %A G71 *"))).toEqual([
+      0, 10, 20, 21, 30, 40,
+    ]);
     expect(numbers(lines("%A G71 *", "N1 M8 *", "G37 P01 2 *", "N4 M9 *"))).toEqual([0, 1, 2, 3, 4]);
   });
   test.each([
@@ -221,22 +353,27 @@ describe("numbers of blocks", () => {
     lines("%A G71 *", "N0 M8 *", "N1 M9 *", "N99999999 %A G71 *"),
   ])("else they are counted from 0, which is findings", (text) => {
     expect(numbers(text)).toEqual([0, 1, 2, 3]);
-    expect(klartext(text).issues).toMatchObject([{ code: "isoBlocksRecounted", severity: "info", number: null, line: 1, column: 1 }]);
+    expect(klartext(text).issues).toMatchObject([
+      { code: "isoBlocksRecounted", severity: "info", number: null, line: 1, column: 1 },
+    ]);
   });
   test("a file without numbers is counted without a word", () => {
-    expect(klartext("%A G71\nM8\n%A G71\n")).toEqual({ text: lines("0 BEGIN PGM A MM", "1 M8", "2 END PGM A MM"), issues: [] });
+    expect(klartext("%A G71\nM8\n%A G71\n")).toEqual({
+      text: lines("0 BEGIN PGM A MM", "1 M8", "2 END PGM A MM"),
+      issues: [],
+    });
   });
 });
 
 describe("the text that is printed", () => {
   test("one block a line with the number that Klartext shows, in the line ends of the program", () => {
     const text =
-      "0 BEGIN PGM A MM\r\n/1 L X+5 FMAX ;out\r\n\r\n; note\r\n2 FUNCTION MODE TURN\r\n3 CYCL DEF 7.0 D\r\n4 CYCL DEF 7.1 X+1\r\n"
-      + "7 M30\r\n8 END PGM A MM\r\n";
+      "0 BEGIN PGM A MM\r\n/1 L X+5 FMAX ;out\r\n\r\n; note\r\n2 FUNCTION MODE TURN\r\n3 CYCL DEF 7.0 D\r\n4 CYCL DEF 7.1 X+1\r\n" +
+      "7 M30\r\n8 END PGM A MM\r\n";
     const { text: iso, kept } = isoProgramText(parse(text));
     expect(iso).toBe(
-      "%A G71 *\r\n/N1 G00 G90 X+5 ;out *\r\n\r\n; note *\r\nN2 FUNCTION MODE TURN *\r\nN3 G54 G90 X+1 *\r\nN7 M30 *\r\n"
-        + "N99999999 %A G71 *\r\n",
+      "%A G71 *\r\n/N1 G00 G90 X+5 ;out *\r\n\r\n; note *\r\nN2 FUNCTION MODE TURN *\r\nN3 G54 G90 X+1 *\r\nN7 M30 *\r\n" +
+        "N99999999 %A G71 *\r\n",
     );
     expect(kept).toEqual([{ index: 4, number: 2 }]);
     expect(klartextOfIso(iso, { ...style, newLine: "\r\n" }, { ...ENGLISH_NAMES, cycle: () => "D" }).text).toBe(text);

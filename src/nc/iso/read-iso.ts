@@ -31,23 +31,37 @@ const isBlank = ({ statement: { kind } }: KlartextBlock) => kind === "empty" || 
 
 function frameOf({ text, number }: IsoBlock, hasStarted: boolean): Statement | null {
   const m = text.length > LONGEST_FRAME ? null : FRAME.exec(text);
-  return m && { kind: hasStarted || number === LAST_NUMBER ? "end" : "begin", name: m[1] ?? "", unit: m[2] === "0" ? "INCH" : "MM" };
+  return (
+    m && {
+      kind: hasStarted || number === LAST_NUMBER ? "end" : "begin",
+      name: m[1] ?? "",
+      unit: m[2] === "0" ? "INCH" : "MM",
+    }
+  );
 }
 
-/** A block that was not understood, as a text that Klartext does not understand either: marked where it could be taken for a block. */
+/**
+ * A block that was not understood, as a text that Klartext does not understand either: marked where it could be taken
+ * for a block.
+ */
 function unread(block: IsoBlock): Statement {
   const text = [block, ...block.parameters].map((line) => line.text).join(" ");
   const isUnknown = parse(`0 ${text}`).blocks[0]?.statement.kind === "unknown";
   return { kind: "unknown", text: isUnknown ? text : `${UNREAD_MARK} ${text}` };
 }
 
-/** The Klartext blocks of a block. The first has its number and its comment, which stands alone where there is no place for it. */
+/**
+ * The Klartext blocks of a block. The first has its number and its comment, which stands alone where there is no place
+ * for it.
+ */
 function blocksOf(block: IsoBlock, statements: readonly Statement[]): KlartextBlock[] {
   const { number, skip, comment } = block;
   const isCycle = statements[0]?.kind === "cycle";
-  // A block that only leaves words in force becomes none; the head of a list has no comment, its last parameter has a label.
-  const standsAlone = comment !== null
-    && (statements.length === 0 || (isCycle && (block.parameters.length > 0 || !block.text.includes("="))));
+  // A block that only leaves words in force becomes none; the head of a list has no comment, its last parameter has a
+  // label.
+  const standsAlone =
+    comment !== null &&
+    (statements.length === 0 || (isCycle && (block.parameters.length > 0 || !block.text.includes("="))));
   const separate: KlartextBlock[] = standsAlone
     ? [{ statement: { kind: "comment", text: comment }, number: isCycle ? null : number, skip, comment: null }]
     : [];
@@ -90,9 +104,9 @@ function countedNumbers(output: readonly KlartextBlock[]): (number | null)[] {
 }
 
 /**
- * Translates a DIN/ISO program into Klartext. The text is read block by block with what each leaves in force, so a block may rely on those
- * before it. `names`: names and labels that DIN/ISO does not hold. What is not understood stays as text and is reported; any text is
- * read, and nothing throws.
+ * Translates a DIN/ISO program into Klartext. The text is read block by block with what each leaves in force, so a
+ * block may rely on those before it. `names`: names and labels that DIN/ISO does not hold. What is not understood stays
+ * as text and is reported; any text is read, and nothing throws.
  */
 export function klartextOfIso(text: string, style: Style, names: IsoNames = ENGLISH_NAMES): KlartextOfIso {
   const output: KlartextBlock[] = [];
@@ -103,7 +117,13 @@ export function klartextOfIso(text: string, style: Style, names: IsoNames = ENGL
     const { number, skip, comment } = block;
     const report = (problems: readonly IsoProblem[]) => {
       for (const { at, ...problem } of problems)
-        issues.push({ ...problem, severity: isoSeverity(problem.code), number, line: block.line, column: block.column + at } as IsoIssue);
+        issues.push({
+          ...problem,
+          severity: isoSeverity(problem.code),
+          number,
+          line: block.line,
+          column: block.column + at,
+        } as IsoIssue);
     };
     if (block.text === "") {
       const statement: Statement = comment === null ? { kind: "empty" } : { kind: "comment", text: comment };
@@ -124,8 +144,17 @@ export function klartextOfIso(text: string, style: Style, names: IsoNames = ENGL
   }
   const fileNumbers = numbersOfFile(output);
   if (!fileNumbers && output.some(({ number }) => number !== null))
-    issues.push({ code: "isoBlocksRecounted", severity: isoSeverity("isoBlocksRecounted"), number: null, line: 1, column: 1, data: {} });
+    issues.push({
+      code: "isoBlocksRecounted",
+      severity: isoSeverity("isoBlocksRecounted"),
+      number: null,
+      line: 1,
+      column: 1,
+      data: {},
+    });
   const numbers = fileNumbers ?? countedNumbers(output);
-  const written = output.map(({ statement, skip, comment }, i) => blockText(numbers[i] ?? null, statement, style, { skip, comment }));
+  const written = output.map(({ statement, skip, comment }, i) =>
+    blockText(numbers[i] ?? null, statement, style, { skip, comment }),
+  );
   return { text: written.join(""), issues };
 }

@@ -41,12 +41,14 @@ function sortWords(tokens: readonly IsoToken[], modal: IsoModal): SortedWords {
   let special: IsoBlockName | null = null;
   let pole = false;
   let speed: Value | null = null;
-  const unread = ({ raw: word, at }: IsoToken) => problems.push({ code: "isoWordNotUnderstood", at, data: { word: word.slice(0, 40) } });
+  const unread = ({ raw: word, at }: IsoToken) =>
+    problems.push({ code: "isoWordNotUnderstood", at, data: { word: word.slice(0, 40) } });
   const letter = (token: IsoToken) => {
     const { letter: address, value, special: word, text } = token;
     if (text !== null || (word !== null && address !== "F" && address !== "MB")) return unread(token);
     if (value === null && word === null) {
-      if (/^[A-Z]+$/.test(address)) return problems.push({ code: "isoValueMissing", at: token.at, data: { word: token.raw } });
+      if (/^[A-Z]+$/.test(address))
+        return problems.push({ code: "isoValueMissing", at: token.at, data: { word: token.raw } });
       return unread(token);
     }
     if (/^[XYZABCUVWIJKRH]$/.test(address)) return undefined;
@@ -67,7 +69,8 @@ function sortWords(tokens: readonly IsoToken[], modal: IsoModal): SortedWords {
     const means = isoMeaningOf("G", token.number ?? -1);
     if (means?.kind === "path") explicit = means;
     else if (means?.kind === "compensation") words.compensation = means.value;
-    else if (means?.kind === "plane") problems.push({ code: "isoPlaneLeftOut", at: token.at, data: { word: token.raw } });
+    else if (means?.kind === "plane")
+      problems.push({ code: "isoPlaneLeftOut", at: token.at, data: { word: token.raw } });
     else if (means?.kind === "block" && means.block === "polePosition") pole = true;
     else if (means?.kind === "block" && SPECIAL.has(means.block) && special === null) special = means.block;
     else if (dimensionOf(token) === null) unread(token);
@@ -79,10 +82,17 @@ const axisWords = (coordinates: readonly IsoCoordinate[]): AxisWord[] =>
   coordinates.flatMap(({ name, ...w }) => (/^[XYZABCUVW]$/.test(name) ? [{ axis: name as AxisName, ...w }] : []));
 
 /** The last of several coordinates with one name counts, as in Klartext. */
-const single = (axes: readonly AxisWord[]): AxisWord[] => axes.filter((w, i) => axes.findLastIndex((o) => o.axis === w.axis) === i);
+const single = (axes: readonly AxisWord[]): AxisWord[] =>
+  axes.filter((w, i) => axes.findLastIndex((o) => o.axis === w.axis) === i);
 
-/** A block with a word of its own: rounding, chamfer, stop, call of a cycle. Null when it has words that do not belong to it. */
-function specialBlock(kind: IsoBlockName, { coordinates, words, explicit, pole, speed }: SortedWords): Statement | null {
+/**
+ * A block with a word of its own: rounding, chamfer, stop, call of a cycle. Null when it has words that do not belong
+ * to it.
+ */
+function specialBlock(
+  kind: IsoBlockName,
+  { coordinates, words, explicit, pole, speed }: SortedWords,
+): Statement | null {
   if (explicit || pole || speed !== null) return null;
   if (kind === "rounding" || kind === "chamfer") {
     const [r, ...more] = coordinates;
@@ -134,7 +144,11 @@ const speedCall = (speed: Value): Statement => ({
   extra: [],
 });
 
-const notUnderstood = (raw: string): IsoProblem => ({ code: "isoBlockNotUnderstood", at: 0, data: { text: raw.slice(0, 60) } });
+const notUnderstood = (raw: string): IsoProblem => ({
+  code: "isoBlockNotUnderstood",
+  at: 0,
+  data: { text: raw.slice(0, 60) },
+});
 
 /** Reads a block of path words, with what the blocks before left in force. */
 export function readPathBlock(raw: string, tokens: readonly IsoToken[], before: IsoModal): ReadBlock {
@@ -152,26 +166,39 @@ export function readPathBlock(raw: string, tokens: readonly IsoToken[], before: 
     return statement ? { statements: [statement], modal, problems } : kept(notUnderstood(raw));
   }
   const statements: Statement[] = speed === null ? [] : [speedCall(speed)];
-  const centre = coordinates.flatMap(({ name, ...w }) => (CENTRE[name] === undefined ? [] : [{ axis: CENTRE[name], ...w }]));
+  const centre = coordinates.flatMap(({ name, ...w }) =>
+    CENTRE[name] === undefined ? [] : [{ axis: CENTRE[name], ...w }],
+  );
   const ends = coordinates.length > centre.length;
   const moves = explicit !== null || ends;
   const none: Words = { axes: [], linear: [], functions: [], extra: [] };
   if (centre.length > 0 || read.pole)
     statements.push({ kind: "path", path: "CC", words: { ...(moves ? none : words), axes: single(centre) } });
-  else if (!moves && (words.feed !== undefined || words.compensation !== undefined)) statements.push({ kind: "path", path: "L", words });
+  else if (!moves && (words.feed !== undefined || words.compensation !== undefined))
+    statements.push({ kind: "path", path: "L", words });
   else if (!moves && words.functions.length > 0) statements.push({ kind: "functions", words });
   if (!moves) return { statements, modal, problems };
   if (!path) return kept({ code: "isoPathMissing", at: 0, data: {} });
   if (path.turn === "last" && turn === null) {
-    return kept({ code: "isoDirectionMissing", at: 0, data: { word: tokens.find((t) => t.letter === "G")?.raw ?? "" } });
+    return kept({
+      code: "isoDirectionMissing",
+      at: 0,
+      data: { word: tokens.find((t) => t.letter === "G")?.raw ?? "" },
+    });
   }
   const fed = withFeed(path, words, before.feed);
   const statement = pathBlock(path, { ...read, words: fed.words }, turn);
-  return statement ? { statements: [...statements, statement], modal: { ...modal, feed: fed.left }, problems } : kept(notUnderstood(raw));
+  return statement
+    ? { statements: [...statements, statement], modal: { ...modal, feed: fed.left }, problems }
+    : kept(notUnderstood(raw));
 }
 
 /** A feed of a block at rapid is left for the next block at feed. */
-function withFeed({ rapid }: PathMeaning, words: Words, left: FeedWord | null): { readonly words: Words; readonly left: FeedWord | null } {
+function withFeed(
+  { rapid }: PathMeaning,
+  words: Words,
+  left: FeedWord | null,
+): { readonly words: Words; readonly left: FeedWord | null } {
   if (rapid) return { words, left: words.feed !== undefined && words.feed !== "max" ? words.feed : left };
   return { words: words.feed === undefined && left !== null ? { ...words, feed: left } : words, left: null };
 }

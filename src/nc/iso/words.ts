@@ -1,13 +1,34 @@
 import type { AxisName, Compensation, FunctionNumber, PathKind } from "../statement.ts";
 
-/** How far a word can be trusted: A printed for TNC 640 or TNC7, B for a sibling control, K1 to K3 recalled, from sure to uncertain. */
+/**
+ * How far a word can be trusted: A printed for TNC 640 or TNC7, B for a sibling control, K1 to K3 recalled, from sure
+ * to uncertain.
+ */
 export type IsoEvidence = "A" | "B" | "K1" | "K2" | "K3";
 
 /** Path functions that a G word turns on; a radius in the block makes CR of C. */
 export type IsoPath = Extract<PathKind, "L" | "C" | "CT" | "LP" | "CP" | "CTP">;
 /** Blocks that have a word of their own and are not part of a path. */
-export type IsoBlockName = "pole" | "polePosition" | "chamfer" | "rounding" | "stop" | "cycleCall" | "label" | "call" | "toolCall"
-  | "toolDefinition" | "blankMinimum" | "blankMaximum" | "callProgram" | "raise" | "cycle" | "parameters" | "radiusArc" | "mixed" | "begin"
+export type IsoBlockName =
+  | "pole"
+  | "polePosition"
+  | "chamfer"
+  | "rounding"
+  | "stop"
+  | "cycleCall"
+  | "label"
+  | "call"
+  | "toolCall"
+  | "toolDefinition"
+  | "blankMinimum"
+  | "blankMaximum"
+  | "callProgram"
+  | "raise"
+  | "cycle"
+  | "parameters"
+  | "radiusArc"
+  | "mixed"
+  | "begin"
   | "end";
 
 /** What a word says. */
@@ -52,7 +73,10 @@ export const isoSources = {
   T360: "TNC 360 ISO, sheet of G functions, p. 5-9 and 7-5",
 } as const;
 
-const path = (at: IsoPath, more: { readonly rapid?: true; readonly turn?: "cw" | "ccw" | "last" } = {}): IsoMeaning => ({
+const path = (
+  at: IsoPath,
+  more: { readonly rapid?: true; readonly turn?: "cw" | "ccw" | "last" } = {},
+): IsoMeaning => ({
   kind: "path",
   path: at,
   ...more,
@@ -64,7 +88,13 @@ const fn = (n: FunctionNumber): IsoMeaning => ({ kind: "function", fn: n });
 const jump = (n: 9 | 10 | 11 | 12): IsoMeaning => ({ kind: "jump", fn: n });
 const unread: IsoMeaning = { kind: "unread" };
 
-type Row = readonly [word: string, means: IsoMeaning, klartext: string, evidence: IsoEvidence, source?: keyof typeof isoSources];
+type Row = readonly [
+  word: string,
+  means: IsoMeaning,
+  klartext: string,
+  evidence: IsoEvidence,
+  source?: keyof typeof isoSources,
+];
 
 const ROWS: readonly Row[] = [
   ["%", block("begin"), "BEGIN PGM PART MM", "B", "T320"],
@@ -167,16 +197,19 @@ export const isRecalledIsoWord = ({ evidence }: Pick<IsoWord, "evidence">): bool
 
 const keyOf = (means: IsoMeaning): string => JSON.stringify(means, Object.keys(means).sort());
 const byMeaning: ReadonlyMap<string, string> = new Map(isoWords.map(({ word, means }) => [keyOf(means), word]));
-const byCode: ReadonlyMap<string, IsoMeaning> = new Map(isoWords.flatMap(({ word, means }) => {
-  const m = /^([GD])(\d+)$/.exec(word);
-  return m ? [[`${m[1]}${Number(m[2])}`, means] as const] : [];
-}));
+const byCode: ReadonlyMap<string, IsoMeaning> = new Map(
+  isoWords.flatMap(({ word, means }) => {
+    const m = /^([GD])(\d+)$/.exec(word);
+    return m ? [[`${m[1]}${Number(m[2])}`, means] as const] : [];
+  }),
+);
 
 /** The word that says something; null where DIN/ISO has none. */
 export const isoWordFor = (means: IsoMeaning): string | null => byMeaning.get(keyOf(means)) ?? null;
 
 /** What a G or D function says; null for one that is not in the table. */
-export const isoMeaningOf = (letter: "G" | "D", code: number): IsoMeaning | null => byCode.get(`${letter}${code}`) ?? null;
+export const isoMeaningOf = (letter: "G" | "D", code: number): IsoMeaning | null =>
+  byCode.get(`${letter}${code}`) ?? null;
 
 /** From this G number on, the number is that of a cycle with Q parameters. */
 export const FIRST_CYCLE = 200;

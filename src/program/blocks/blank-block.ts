@@ -14,7 +14,8 @@ import type { Machine } from "../state/machine.ts";
 import type { ContourSource } from "../state/modal.ts";
 import { traceBlank } from "./stock-at-call.ts";
 
-const impossible = (machine: Machine, index: number): void => machine.log.say(programIssue("blankImpossible", "error", {}), index);
+const impossible = (machine: Machine, index: number): void =>
+  machine.log.say(programIssue("blankImpossible", "error", {}), index);
 
 const now = ({ log }: Machine) => ({ operations: log.operations.length, steps: log.steps.length });
 
@@ -37,8 +38,8 @@ function take(machine: Machine, rings: readonly Ring[] | null, axis: AxisName, i
 const NOTHING: BoxCorner = { x: null, y: null, z: null };
 
 /**
- * BLK FORM 0.1 and 0.2. The upper side is for the approaches of a mill; a value without a number is told only where a program
- * needs it, which is there or where it turns.
+ * BLK FORM 0.1 and 0.2. The upper side is for the approaches of a mill; a value without a number is told only where a
+ * program needs it, which is there or where it turns.
  */
 export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: number): void {
   const top = s.corner === 2 ? s.axes.find((w) => w.axis === "Z") : undefined;
@@ -54,7 +55,10 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
     return word.incremental ? before && before + machine.length(value) : machine.length(value);
   };
   const corner: BoxCorner = { x: along("X", first.x), y: along("Y", first.y), z: along("Z", first.z) };
-  machine.set({ blank: [], unturned: { kind: "box", index, corners: s.corner === 1 ? [corner, NOTHING] : [first, corner] } });
+  machine.set({
+    blank: [],
+    unturned: { kind: "box", index, corners: s.corner === 1 ? [corner, NOTHING] : [first, corner] },
+  });
   if (machine.now.turning && s.corner === 2) turnBlank(machine);
 }
 
@@ -73,7 +77,8 @@ export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">,
   const [long, distance] = [read(s.length), read(s.distance)];
   if (!s.outside || s.length === null) return impossible(machine, index);
   // A value without a number has been told.
-  if (outside === null || long === null || (s.inside && inside === null) || (s.distance !== null && distance === null)) return;
+  if (outside === null || long === null || (s.inside && inside === null) || (s.distance !== null && distance === null))
+    return;
   const rings = cylinder({
     outside: measured(outside, s.outside.measure === "D"),
     inside: measured(inside ?? 0, s.inside?.measure === "DI"),
@@ -109,7 +114,10 @@ function unread(machine: Machine, form: string, index: number): void {
   if (machine.now.turning) turnBlank(machine);
 }
 
-/** The name of a file that was not opened with the program, which is told; null for one that was, or whose name nobody knows. */
+/**
+ * The name of a file that was not opened with the program, which is told; null for one that was, or whose name nobody
+ * knows.
+ */
 function notAtHand(machine: Machine, named: FileName, index: number): string | null {
   const file = writtenFile(machine, named, index);
   if (file === null || machine.unitOfFile(file, index)) return null;
@@ -118,7 +126,8 @@ function notAtHand(machine: Machine, named: FileName, index: number): string | n
 }
 
 /** An outline of FUNCTION TURNDATA says what is turned: what a blank of another form would be is no matter then. */
-const statesOutline = ({ program }: Machine) => program.blocks.some(({ statement: s }) => s.kind === "turnBlank" && s.blank !== "off");
+const statesOutline = ({ program }: Machine) =>
+  program.blocks.some(({ statement: s }) => s.kind === "turnBlank" && s.blank !== "off");
 
 /** The program turns: what stands for a blank of another form, and what is said of it, at the block of that blank. */
 export function turnBlank(machine: Machine): void {
@@ -136,7 +145,8 @@ export function turnBlank(machine: Machine): void {
 
 /** Says that a cycle was called without a blank, unless it has been told why there is none. */
 export function tellMissing({ log }: Machine): void {
-  if (!log.unproved.some((u) => u.what.startsWith("BLK FORM"))) log.say(programIssue("blankMissing", "warning", {}), null);
+  if (!log.unproved.some((u) => u.what.startsWith("BLK FORM")))
+    log.say(programIssue("blankMissing", "warning", {}), null);
 }
 
 /** Says that a box stands for the stock, unless an outline has taken its place before anything was cut. */
@@ -144,7 +154,10 @@ export function tellBox(machine: Machine): void {
   const { blank, unturned } = machine.now;
   const made = unturned?.kind === "box" && blank.length > 0 ? turnedBox(...unturned.corners) : null;
   if (!unturned || !made || typeof made === "string") return;
-  machine.log.say(programIssue("boxTurned", "warning", { outer: toDiameter(made.outer), inner: toDiameter(made.inner) }), unturned.index);
+  machine.log.say(
+    programIssue("boxTurned", "warning", { outer: toDiameter(made.outer), inner: toDiameter(made.inner) }),
+    unturned.index,
+  );
 }
 
 /** The rings of an outline; null: it has no area; "unread": what is missing has been told. */
@@ -153,14 +166,18 @@ type Outlined = Ring[] | null | "unread";
 function behind(machine: Machine, source: ContourSource, radii: boolean, index: number): Outlined {
   const read = readContourOf(machine, source, index, radii);
   if (!read) return "unread";
-  for (const i of read.contour.issues) machine.log.say(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
+  for (const i of read.contour.issues)
+    machine.log.say(i, read.blocks["element" in i.data ? i.data.element - 1 : 0] ?? index);
   return rotation(read.contour.segments);
 }
 
 const behindLabel = (machine: Machine, label: Label, radii: boolean, index: number): Outlined =>
   behind(machine, { unit: machine.unit, label }, radii, index);
 
-/** An outline behind a label or in a file; `radii`: its X words are radii. A file that is not at hand leaves `what` unproved. */
+/**
+ * An outline behind a label or in a file; `radii`: its X words are radii. A file that is not at hand leaves `what`
+ * unproved.
+ */
 function outlined(
   machine: Machine,
   from: OutlineSource,
@@ -220,5 +237,6 @@ function compare(machine: Machine, { before, rings, stated, named }: Compared, i
     machine.log.say(issue("blankLacks", "warning", { what: named, area: lacks }), index);
     machine.log.leaveUnproved(named, index);
   }
-  if (before.length > 0 && adds > 0) machine.log.say(programIssue("blankAdds", "warning", { what: named, area: adds }), index);
+  if (before.length > 0 && adds > 0)
+    machine.log.say(programIssue("blankAdds", "warning", { what: named, area: adds }), index);
 }

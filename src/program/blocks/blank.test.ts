@@ -13,10 +13,7 @@ import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
 /** A shoulder roughed by levels, called from far outside. */
-const shoulder = (
-  diameter: number,
-  end: number,
-) => [
+const shoulder = (diameter: number, end: number) => [
   [
     "CYCL DEF 811 SHOULDER",
     "Q215=+1",
@@ -42,7 +39,10 @@ const made = (blocks: readonly string[], files: Readonly<Record<string, string>>
     tools: shippedTools,
     rapid: 10_000,
     tracing,
-    files: filesByName(Object.entries(files).map(([name, t]) => ({ name, text: t })), parse),
+    files: filesByName(
+      Object.entries(files).map(([name, t]) => ({ name, text: t })),
+      parse,
+    ),
   });
 };
 type Made = ReturnType<typeof made>;
@@ -65,7 +65,12 @@ describe("a box that turns", () => {
     expect(issue?.issue.data).toMatchObject({ inner: 34.4 });
   });
   test("whatever the order of its corners, with incremental words, and in inches", () => {
-    const turnedRound = made(["BLK FORM 0.1 Z X+30.9 Y-28.4 Z+1.5", "BLK FORM 0.2 IX-52.2 IY+45.6 IZ-63.2", ...TURN, "M30"]);
+    const turnedRound = made([
+      "BLK FORM 0.1 Z X+30.9 Y-28.4 Z+1.5",
+      "BLK FORM 0.2 IX-52.2 IY+45.6 IZ-63.2",
+      ...TURN,
+      "M30",
+    ]);
     expect(extent(turnedRound)).toEqual(extent(made([...box, ...TURN, "M30"])));
     const inch = made(["BLK FORM 0.1 Z X-1 Y-1.5 Z-2", "BLK FORM 0.2 X+1 Y+1.5 Z+0", ...TURN, "M30"], {}, "INCH");
     expect(extent(inch)).toEqual([0, Number((50.8 * Math.hypot(1, 1.5)).toFixed(3)), -50.8, 0]);
@@ -73,16 +78,20 @@ describe("a box that turns", () => {
   test("in a piece of a program without FUNCTION MODE too; while milling it is no stock of this picture", () => {
     expect(extent(made([...box, ...TURN.slice(1), "M30"]))[1]).toBeGreaterThan(83);
     const milled = made([...box, "FUNCTION MODE MILL", "TOOL CALL 2 Z S2000", "L X+0 Y+0 Z+5 FMAX", "M30"]);
-    expect(milled).toMatchObject({ blank: [], cuboid: { left: -21.3, right: 30.9, low: -28.4, high: 17.2, bottom: -61.7, top: 1.5 } });
+    expect(milled).toMatchObject({
+      blank: [],
+      cuboid: { left: -21.3, right: 30.9, low: -28.4, high: 17.2, bottom: -61.7, top: 1.5 },
+    });
   });
   test.each([
     ["beside the axis", ["BLK FORM 0.1 Z X+0 Y-20 Z-40", "BLK FORM 0.2 X+55 Y+20 Z+0"], ["blankNotTurned@3"]],
     ["without volume", ["BLK FORM 0.1 Z X-20 Y-20 Z-0", "BLK FORM 0.2 X+20 Y+20 Z+0"], ["blankImpossible@3"]],
     ["with one corner", ["BLK FORM 0.1 Z X-20 Y-20 Z-40"], ["notProved@2"]],
-    ["by a value that nobody knows", ["FN 18: SYSREAD Q1 = ID20 NR1", "BLK FORM 0.1 Z X-20 Y-20 Z-40", "BLK FORM 0.2 X+Q1 Y+20 Z+0"], [
-      "notUnderstood@2",
-      "notProved@4",
-    ]],
+    [
+      "by a value that nobody knows",
+      ["FN 18: SYSREAD Q1 = ID20 NR1", "BLK FORM 0.1 Z X-20 Y-20 Z-40", "BLK FORM 0.2 X+Q1 Y+20 Z+0"],
+      ["notUnderstood@2", "notProved@4"],
+    ],
   ])("%s is none", (_, blocks, codes) => {
     const r = made([...blocks, ...TURN, "M30"]);
     expect([r.blank, r.cuboid === null]).toEqual([[], _ !== "beside the axis"]);
@@ -90,15 +99,22 @@ describe("a box that turns", () => {
   });
   test("a rapid through a corner is found, one beside it is none", () => {
     const found = (x: number) =>
-      simulate(made([...box, ...TURN, "L X+120 Z+3 R0 FMAX", `L X+${x} FMAX`, "L Z-20 FMAX", "L X+120 FMAX", "M30"])).findings.map((f) =>
-        f.kind
-      );
+      simulate(
+        made([...box, ...TURN, "L X+120 Z+3 R0 FMAX", `L X+${x} FMAX`, "L Z-20 FMAX", "L X+120 FMAX", "M30"]),
+      ).findings.map((f) => f.kind);
     expect(new Set(found(78.6))).toEqual(new Set(["rapidInStock"]));
     expect(found(84.2)).toEqual([]);
   });
 });
 
-const bowl = (name: string, x: number, z: number) => [`LBL ${name}`, `L X+0 Z+${z}`, `L X+${x}`, "L Z-47.9", "L X+0", "LBL 0"];
+const bowl = (name: string, x: number, z: number) => [
+  `LBL ${name}`,
+  `L X+0 Z+${z}`,
+  `L X+${x}`,
+  "L Z-47.9",
+  "L X+0",
+  "LBL 0",
+];
 
 describe("other forms", () => {
   test("a rotation is hollow by its inner outline, behind a label or in a file", () => {
@@ -106,11 +122,18 @@ describe("other forms", () => {
     const r = made(["BLK FORM ROTATION Z DIM_D LBL 3 LBLIN 4", ...TURN, "M30", ...hollow]);
     expect(areaOf(r.blank)).toBeCloseTo(31 * 48.7 - 11 * 20.1, 6);
     expect(told(r)).toEqual(["wordsRecalled@2"]);
-    const file = { "CAST.H": ["BEGIN PGM CAST MM", "L X+0 Z+0.8", "L X+31", "L Z-47.9", "L X+0", "END PGM CAST MM"].join("\n") };
-    expect(areaOf(made(['BLK FORM ROTATION Z DIM_R "TNC:\\CAST.H"', ...TURN, "M30"], file).blank)).toBeCloseTo(31 * 48.7, 6);
+    const file = {
+      "CAST.H": ["BEGIN PGM CAST MM", "L X+0 Z+0.8", "L X+31", "L Z-47.9", "L X+0", "END PGM CAST MM"].join("\n"),
+    };
+    expect(areaOf(made(['BLK FORM ROTATION Z DIM_R "TNC:\\CAST.H"', ...TURN, "M30"], file).blank)).toBeCloseTo(
+      31 * 48.7,
+      6,
+    );
     const missing = made(['BLK FORM ROTATION Z DIM_D FILE "GONE.H"', ...TURN, "M30"], file);
     expect([missing.blank, told(missing)]).toEqual([[], ["programNotOpened@2", "notProved@2"]]);
-    expect(told(made(['BLK FORM ROTATION Z DIM_D "GONE.H"', "FUNCTION MODE MILL", "M30"], file))).toEqual(["programNotOpened@2"]);
+    expect(told(made(['BLK FORM ROTATION Z DIM_D "GONE.H"', "FUNCTION MODE MILL", "M30"], file))).toEqual([
+      "programNotOpened@2",
+    ]);
     expect(missing.unproved).toMatchObject([{ what: 'BLK FORM ROTATION "GONE.H"', step: 0 }]);
   });
   test("what an inner outline leaves nothing of, and a word that nobody knows, are told", () => {
@@ -118,7 +141,9 @@ describe("other forms", () => {
       "wordsRecalled@2",
       "blankImpossible@2",
     ]);
-    expect(told(made(["BLK FORM ROTATION Z DIM_D LBL 3 TURNED", ...TURN, "M30", ...bowl("3", 62, 0.8)]))).toContain("wordNotUnderstood@2");
+    expect(told(made(["BLK FORM ROTATION Z DIM_D LBL 3 TURNED", ...TURN, "M30", ...bowl("3", 62, 0.8)]))).toContain(
+      "wordNotUnderstood@2",
+    );
   });
   test("a body in a file leaves a program that turns unproved, and is named; one that mills it does not", () => {
     const file = 'BLK FORM FILE "TNC:\\CAD\\BLANK.STL" TARGET "PART.STL"';
@@ -140,11 +165,17 @@ describe("other forms", () => {
 });
 
 test("the blank of a program that is called counts only where its caller has none", () => {
-  const called = (words: string) => ({ "CUT.H": ["BEGIN PGM CUT MM", words, "L X+90 Z+5 R0 FMAX", "END PGM CUT MM"].join("\n") });
+  const called = (words: string) => ({
+    "CUT.H": ["BEGIN PGM CUT MM", words, "L X+90 Z+5 R0 FMAX", "END PGM CUT MM"].join("\n"),
+  });
   const box = "BLK FORM 0.1 Z X-10 Y-10 Z-10\nBLK FORM 0.2 X+10 Y+10 Z+0";
   for (const words of ["BLK FORM CYLINDER Z D33 L20", box, 'BLK FORM FILE "A.STL"'])
-    expect(extent(made(["BLK FORM CYLINDER Z D62.4 L70.3", ...TURN, "CALL PGM CUT", "M30"], called(words)))).toEqual([0, 62.4, -70.3, 0]);
-  expect(extent(made([...TURN, "CALL PGM CUT", "M30"], called("BLK FORM CYLINDER Z D33 L20")))).toEqual([0, 33, -20, 0]);
+    expect(extent(made(["BLK FORM CYLINDER Z D62.4 L70.3", ...TURN, "CALL PGM CUT", "M30"], called(words)))).toEqual([
+      0, 62.4, -70.3, 0,
+    ]);
+  expect(extent(made([...TURN, "CALL PGM CUT", "M30"], called("BLK FORM CYLINDER Z D33 L20")))).toEqual([
+    0, 33, -20, 0,
+  ]);
 });
 
 describe("FUNCTION TURNDATA BLANK", () => {
@@ -174,10 +205,16 @@ describe("FUNCTION TURNDATA BLANK", () => {
     expect(again.simulation.proof.unproved).toEqual([]);
     const plain = judged(cutting);
     expect(areaOf(again.simulation.final)).toBe(areaOf(plain.simulation.final));
-    expect(again.simulation.proof.stated[0]?.adds).toBeCloseTo(areaOf(again.r.blank) - areaOf(plain.simulation.final), 1);
+    expect(again.simulation.proof.stated[0]?.adds).toBeCloseTo(
+      areaOf(again.r.blank) - areaOf(plain.simulation.final),
+      1,
+    );
   });
   test("after a cut an outline that lacks material is the stock from there on, and nothing is proved behind it", () => {
-    const other = judged([...cutting, "FUNCTION TURNDATA BLANK LBL 3", "L X+59.2 FMAX", "L Z-30.3 F0.2", "L X+66"], bowl("3", 60.2, 0.4));
+    const other = judged(
+      [...cutting, "FUNCTION TURNDATA BLANK LBL 3", "L X+59.2 FMAX", "L Z-30.3 F0.2", "L X+66"],
+      bowl("3", 60.2, 0.4),
+    );
     expect(other.found).toContain("blankLacks");
     expect(other.judged.reasons).toContainEqual({ kind: "unproved", block: 11, what: "FUNCTION TURNDATA BLANK LBL 3" });
     const at = (step: number) => areaOf(stockAt(other.simulation, { step, fraction: 0 }));
@@ -190,8 +227,10 @@ describe("FUNCTION TURNDATA BLANK", () => {
   });
   test("work that was turned round is judged side by side: residue as it stood before, gouges by the contours behind", () => {
     const first = judged(shoulder(51.3, -30.4));
-    const other = judged([...shoulder(51.3, -30.4), "L X+80 Z+20 FMAX", "FUNCTION TURNDATA BLANK LBL 3", ...shoulder(33.1, -11.2)],
-      bowl("3", 58.2, 0.4));
+    const other = judged(
+      [...shoulder(51.3, -30.4), "L X+80 Z+20 FMAX", "FUNCTION TURNDATA BLANK LBL 3", ...shoulder(33.1, -11.2)],
+      bowl("3", 58.2, 0.4),
+    );
     const left = (of: typeof first, operation: number) =>
       of.simulation.proof.residual.filter((r) => r.operation === operation).map((r) => r.area);
     expect(left(other, 0)).toEqual(left(first, 0));
@@ -200,7 +239,10 @@ describe("FUNCTION TURNDATA BLANK", () => {
   });
   test("while it is traced, roughing leaves out the levels that cuts before and the outline have left in the air", () => {
     const passes = (before: readonly string[], between: readonly string[] = []) => {
-      const { r, simulation } = judged([...before, ...shoulder(51.3, -30.4), ...between, ...shoulder(41.7, -17.9)], bowl("3", 62, 0.8));
+      const { r, simulation } = judged(
+        [...before, ...shoulder(51.3, -30.4), ...between, ...shoulder(41.7, -17.9)],
+        bowl("3", 62, 0.8),
+      );
       return {
         passes: r.operations.map((o) => o.plan.passes),
         air: simulation.proof.airPasses,
@@ -217,11 +259,22 @@ describe("FUNCTION TURNDATA BLANK", () => {
       expect(passes(["FUNCTION TURNDATA BLANK LBL 3"], [end]).passes).toEqual([3, 11]);
   });
   test("while milling nothing is traced", () => {
-    const r = made([bar, "FUNCTION MODE MILL", "FUNCTION TURNDATA BLANK LBL 3", ...TURN, "M30", ...bowl("3", 57.6, 0.8)]);
+    const r = made([
+      bar,
+      "FUNCTION MODE MILL",
+      "FUNCTION TURNDATA BLANK LBL 3",
+      ...TURN,
+      "M30",
+      ...bowl("3", 57.6, 0.8),
+    ]);
     expect([told(r), extent(r)[1]]).toEqual([["notSimulated@4"], 62]);
   });
   test("one in a file is read; OFF says nothing", () => {
-    const text = { "FORGED.H": ["BEGIN PGM F MM", "L X+0 Z+0.8", "L X+62", "L Z-47.9", "L X+0", "L Z+0.8", "END PGM F MM"].join("\n") };
+    const text = {
+      "FORGED.H": ["BEGIN PGM F MM", "L X+0 Z+0.8", "L X+62", "L Z-47.9", "L X+0", "L Z+0.8", "END PGM F MM"].join(
+        "\n",
+      ),
+    };
     const r = made([bar, ...TURN, 'FUNCTION TURNDATA BLANK "FORGED.H"', "FUNCTION TURNDATA BLANK OFF", "M30"], text);
     expect([told(r), extent(r)]).toEqual([["blankTraced@7"], [0, 62, -47.9, 0.8]]);
   });

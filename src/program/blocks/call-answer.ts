@@ -45,23 +45,40 @@ export interface CallAnswer extends Pick<Operation, "call" | "plan"> {
 
 const nothing: Plan = empty([]);
 
-const unique = (issues: readonly Issue[]) => [...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values()];
+const unique = (issues: readonly Issue[]) => [
+  ...new Map(issues.map((i) => [JSON.stringify([i.code, i.at ?? "", i.data]), i])).values(),
+];
 
 function answer(
   machine: Machine,
   { cycle, defined, contour, told, start: at, tool, stock: standing, solid: unbored }: CalledCycle,
 ): CallAnswer {
-  const { spindle, now: { datum, toolFeed: autoFeed, tool: called } } = machine;
+  const {
+    spindle,
+    now: { datum, toolFeed: autoFeed, tool: called },
+  } = machine;
   const start = countedPoint(at, datum);
   const given: Given = { contour, start };
   const { values, partial, issues } = cycleValues(machine, cycle, defined.values);
   const counted = (rings: readonly Ring[]) => rings.map((ring) => ring.map((p) => countedPoint(p, datum)));
   const [stock, blank] = [standing && counted(standing), counted(machine.now.blank)];
-  const solid = unbored ? { rings: counted(unbored.rings), below: unbored.below - datum.z, isBored: unbored.isBored } : null;
-  const setting = { tool, start, feedUnit: machine.feedUnit, autoFeed, stock, leavesOutAir: machine.traced !== null, solid, blank };
-  const plan = values && (cycle.contour === "own" || contour)
-    ? { ...cycle.plan(values, setting, given), asked: askedOf(cycle, values) }
-    : nothing;
+  const solid = unbored
+    ? { rings: counted(unbored.rings), below: unbored.below - datum.z, isBored: unbored.isBored }
+    : null;
+  const setting = {
+    tool,
+    start,
+    feedUnit: machine.feedUnit,
+    autoFeed,
+    stock,
+    leavesOutAir: machine.traced !== null,
+    solid,
+    blank,
+  };
+  const plan =
+    values && (cycle.contour === "own" || contour)
+      ? { ...cycle.plan(values, setting, given), asked: askedOf(cycle, values) }
+      : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
   // What a tool that was never called would do wrong is no fault of the program.
   const planned = called ? plan.issues : [];
@@ -69,15 +86,17 @@ function answer(
   const own = issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
   const judge = judgeOf(cycle, called ? setting : null, given);
   // An impossible sign or order explains whatever tool and path say to it.
-  const slip = values && called && judge && own.length === 0
-    ? slipAtCall({ cycle, values, setting, judge, outlined, planned: plan.issues })
-    : null;
+  const slip =
+    values && called && judge && own.length === 0
+      ? slipAtCall({ cycle, values, setting, judge, outlined, planned: plan.issues })
+      : null;
   const found = slip ?? unique([...own, ...outlined, ...planned, ...turning]);
   const news = found.filter((i) => i.at !== "contour" || (told !== null && !told.includes(i.code)));
   const offered = slip ?? triedOffers(cycle.params, partial, news, judge, start);
-  const feeds = values && plan !== nothing
-    ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
-    : [];
+  const feeds =
+    values && plan !== nothing
+      ? unlikelyFeeds(cycle, values, plan.moves, machine, (v) => cycle.plan(v, setting, given).moves)
+      : [];
   return {
     plan: shiftedPlan(slip ? { ...plan, issues: slip } : plan, datum),
     found,
@@ -91,7 +110,11 @@ const place = ({ z, r }: Pt): string => `${exactly(z)} ${exactly(r)}`;
 /** All that an answer hangs on. */
 function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked: CalledCycle): string {
   const { cycle, defined, contour, told, start, tool, stock, solid } = asked;
-  const { spindle, clock: { rapid }, now: { inch, datum, toolFeed, perRevolution, tool: called } } = machine;
+  const {
+    spindle,
+    clock: { rapid },
+    now: { inch, datum, toolFeed, perRevolution, tool: called },
+  } = machine;
   return [
     `call ${cycle.number} ${place(start)} ${exactly(datum.x)} ${exactly(datum.z)} ${exactly(datum.y)}`,
     JSON.stringify([inch, toolFeed, perRevolution, rapid, spindle, called !== null, machine.traced !== null, told]),
@@ -108,5 +131,9 @@ function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked:
 export function answerTo(machine: Machine, asked: CalledCycle): CallAnswer {
   const { memory } = machine.shop;
   if (!memory) return answer(machine, asked);
-  return memory.once(questionOf(machine, memory, asked), (name) => ({ ...answer(machine, asked), name }), ({ plan }) => plan.moves.length);
+  return memory.once(
+    questionOf(machine, memory, asked),
+    (name) => ({ ...answer(machine, asked), name }),
+    ({ plan }) => plan.moves.length,
+  );
 }

@@ -5,26 +5,41 @@ import { filesByName } from "../state/program-files.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
-const head = "0 BEGIN PGM T MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1\n2 FUNCTION MODE TURN\n3 TOOL CALL 15\n4 FUNCTION TURNDATA "
-  + "SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX M303\n";
-const CYCLE = "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n"
-  + "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0\nL X+82 Z+3 FMAX\nCYCL CALL";
+const head =
+  "0 BEGIN PGM T MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1\n2 FUNCTION MODE TURN\n3 TOOL CALL 15\n4 FUNCTION TURNDATA " +
+  "SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX M303\n";
+const CYCLE =
+  "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n" +
+  "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0\nL X+82 Z+3 FMAX\nCYCL CALL";
 const FIRST = "L X+80 Z-20.5\nL X+50\nL Z+0";
 const SECOND = "L X+76.4 Z-11.3\nL X+41\nL Z+0";
 const file = (lines: string) => `BEGIN PGM S MM\n${lines}\nEND PGM S MM\n`;
 const FILES = { "FIRST.H": file(FIRST), "SECOND.H": file(SECOND) };
-const made = (lines: string, files: Readonly<Record<string, string>> = {}, labels = `LBL 1\n${FIRST}\nLBL 0\nLBL "B"\n${SECOND}\nLBL 0`) =>
+const made = (
+  lines: string,
+  files: Readonly<Record<string, string>> = {},
+  labels = `LBL 1\n${FIRST}\nLBL 0\nLBL "B"\n${SECOND}\nLBL 0`,
+) =>
   run(parse(`${head}${lines}\n${CYCLE}\nM30\n${labels}\nEND PGM T MM\n`), {
     tools: shippedTools,
     rapid: 10_000,
-    files: filesByName(Object.entries({ ...FILES, ...files }).map(([name, text]) => ({ name, text })), parse),
+    files: filesByName(
+      Object.entries({ ...FILES, ...files }).map(([name, text]) => ({ name, text })),
+      parse,
+    ),
   });
 type Made = ReturnType<typeof made>;
-const contour = (r: Made) => r.operations[0]?.call?.given.contour?.map((s) => `${+toDiameter(s.to.r).toFixed(3)} ${+s.to.z.toFixed(3)}`);
+const contour = (r: Made) =>
+  r.operations[0]?.call?.given.contour?.map((s) => `${+toDiameter(s.to.r).toFixed(3)} ${+s.to.z.toFixed(3)}`);
 /** Findings that count; labels that a case has no use for are not meant. */
 const told = (r: Made) =>
-  r.issues.filter((f) => f.issue.severity !== "info" && f.issue.code !== "neverReached").map((f) => `${f.issue.code}@${f.block}`);
-const [first, second] = [["50 -20.5", "50 0"], ["41 -11.3", "41 0"]];
+  r.issues
+    .filter((f) => f.issue.severity !== "info" && f.issue.code !== "neverReached")
+    .map((f) => `${f.issue.code}@${f.block}`);
+const [first, second] = [
+  ["50 -20.5", "50 0"],
+  ["41 -11.3", "41 0"],
+];
 
 describe("one contour is run", () => {
   test.each<[string, string, readonly string[]]>([
@@ -44,8 +59,16 @@ describe("one contour is run", () => {
     ["the only one", 'DECLARE CONTOUR QC1 = "SECOND"', second],
     ["one of its own labels", `DECLARE CONTOUR QC1 = LBL 7 DEPTH5\nLBL 7\n${SECOND}\nLBL 0`, second],
     ["a file whose name a text holds", 'DECLARE STRING QS1 = "SEC" || "OND.H"\nDECLARE CONTOUR QC4 = QS1', second],
-    ["the one that the formula names", 'DECLARE CONTOUR QC1 = "FIRST"\nDECLARE CONTOUR QC2 = "SECOND.H"\nQC10 = ( QC2 )', second],
-    ["through two formulas", 'DECLARE CONTOUR QC1 = "FIRST"\nDECLARE CONTOUR QC2 = "SECOND.H"\nQC10 = QC1\nQC11 = QC10', first],
+    [
+      "the one that the formula names",
+      'DECLARE CONTOUR QC1 = "FIRST"\nDECLARE CONTOUR QC2 = "SECOND.H"\nQC10 = ( QC2 )',
+      second,
+    ],
+    [
+      "through two formulas",
+      'DECLARE CONTOUR QC1 = "FIRST"\nDECLARE CONTOUR QC2 = "SECOND.H"\nQC10 = QC1\nQC11 = QC10',
+      first,
+    ],
   ])("a file of declarations: %s", (_, lines, expected) => {
     const r = made('SEL CONTOUR "ALL"', { "ALL.H": file(lines) });
     expect(told(r)).toEqual([]);
@@ -65,14 +88,18 @@ describe("what is not run says which block, and why", () => {
     const r = made('SEL CONTOUR "ALL"', {
       "ALL.H": file('DECLARE CONTOUR QC1 = "FIRST"\nDECLARE CONTOUR QC2 = LBL 3\n\nQC10 = ( QC1 | QC2 ) \\ QC1'),
     });
-    expect(joined(r)).toMatchObject([{
-      block: 7,
-      inFile: { file: "ALL.H", line: 5 },
-      issue: { data: { joined: "( QC1 | QC2 ) \\ QC1" } },
-    }]);
+    expect(joined(r)).toMatchObject([
+      {
+        block: 7,
+        inFile: { file: "ALL.H", line: 5 },
+        issue: { data: { joined: "( QC1 | QC2 ) \\ QC1" } },
+      },
+    ]);
   });
   test("several without a formula", () => {
-    const r = made('SEL CONTOUR "ALL"', { "ALL.H": file('DECLARE CONTOUR QC1 = "FIRST"\nDECLARE CONTOUR QC2 = "SECOND"') });
+    const r = made('SEL CONTOUR "ALL"', {
+      "ALL.H": file('DECLARE CONTOUR QC1 = "FIRST"\nDECLARE CONTOUR QC2 = "SECOND"'),
+    });
     expect(joined(r)).toMatchObject([{ inFile: { file: "ALL.H", line: 3 }, issue: { data: { joined: "QC1 QC2" } } }]);
   });
   test("a declared file that is missing is named", () => {

@@ -40,9 +40,9 @@ function byFormula(s: StatementOf<"contourFormula">, declared: ReadonlyMap<strin
 
 /** The contour of a file: the file is one, or it declares contours and the last formula says which counts. */
 function contourOf(machine: Machine, unit: Unit): Found {
-  const blocks = unit.program.blocks.map((block, i) => ({ s: block.statement, index: unit.from + i })).filter(({ index }) =>
-    !machine.isSkipped(index)
-  );
+  const blocks = unit.program.blocks
+    .map((block, i) => ({ s: block.statement, index: unit.from + i }))
+    .filter(({ index }) => !machine.isSkipped(index));
   const declarations = blocks.filter(({ s }) => s.kind === "declareContour");
   if (declarations.length === 0) return { unit, label: null };
   const declared = new Map<string, Found>();
@@ -58,7 +58,9 @@ function contourOf(machine: Machine, unit: Unit): Found {
   }
   if (chosen !== undefined) return chosen;
   const [only] = declared.values();
-  return declared.size === 1 ? (only ?? null) : { joined: [...declared.keys()].join(" "), index: declarations[1]?.index ?? unit.from };
+  return declared.size === 1
+    ? (only ?? null)
+    : { joined: [...declared.keys()].join(" "), index: declarations[1]?.index ?? unit.from };
 }
 
 function takeFile(machine: Machine, file: FileName, what: string, index: number): void {

@@ -9,8 +9,18 @@ import { breaksRule, isWholePoint } from "../state/control-rule.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 import type { ContourSource } from "../state/modal.ts";
-import { coordinates, elementOf, endOf, isArcPath, NOWHERE, pointIn, segmentOf, type PathBlock, type Position,
-  type WordReader } from "../state/path.ts";
+import {
+  coordinates,
+  elementOf,
+  endOf,
+  isArcPath,
+  NOWHERE,
+  pointIn,
+  segmentOf,
+  type PathBlock,
+  type Position,
+  type WordReader,
+} from "../state/path.ts";
 import { wordOf, wordReader } from "../motion/path-block.ts";
 import { recessOf } from "./recess-words.ts";
 import { nameOf } from "./unproved-blocks.ts";
@@ -45,12 +55,20 @@ interface Reader {
 /** Longest contour that is read; beyond it the run ends, for a contour cut short would be another part. */
 const MOST_BLOCKS = 20_000;
 
-/** Reads the contour behind a label of the program that runs. Null when the label does not exist. `radii`: X words are radii (DIM_R). */
+/**
+ * Reads the contour behind a label of the program that runs. Null when the label does not exist. `radii`: X words are
+ * radii (DIM_R).
+ */
 export const readContour = (machine: Machine, label: Label, at: number, radii = false): Subprogram | null =>
   readContourOf(machine, { unit: machine.unit, label }, at, radii);
 
 /** Reads a contour up to the LBL 0 of its label, or to the end of its file. */
-export function readContourOf(machine: Machine, { unit, label }: ContourSource, at: number, radii = false): Subprogram | null {
+export function readContourOf(
+  machine: Machine,
+  { unit, label }: ContourSource,
+  at: number,
+  radii = false,
+): Subprogram | null {
   const start = label === null ? unit.from - 1 : unit.labels.get(label);
   if (start === undefined) {
     machine.log.say(programIssue("labelMissing", "error", { label: String(label) }), at);
@@ -90,11 +108,16 @@ export function readContourOf(machine: Machine, { unit, label }: ContourSource, 
   outer.forEach((value, name) => machine.parameters.set(name, value));
   if (machine.full) return null;
   const make = () => contourFrom(reader.elements);
-  return { contour: machine.shop.memory?.alike(reader.elements, make) ?? make(), blocks: reader.blocks, isTroubled: reader.isTroubled };
+  return {
+    contour: machine.shop.memory?.alike(reader.elements, make) ?? make(),
+    blocks: reader.blocks,
+    isTroubled: reader.isTroubled,
+  };
 }
 
 /** A block as it is written, without its number. */
-const lineOfBlock = (machine: Machine, index: number) => (machine.blocks[index]?.raw ?? "").trim().replace(/^\/?\d*[ \t]*\/?[ \t]*/, "");
+const lineOfBlock = (machine: Machine, index: number) =>
+  (machine.blocks[index]?.raw ?? "").trim().replace(/^\/?\d*[ \t]*\/?[ \t]*/, "");
 
 function element(reader: Reader, s: Statement, index: number): void {
   switch (s.kind) {
@@ -143,8 +166,8 @@ const corner = (reader: Reader, kind: "chamfer" | "round", size: number | null, 
   push(reader, { kind, size: reader.machine.length(size ?? 0) }, index);
 
 /**
- * Coordinates of a contour count from its own datum. What is wrong with a word is told here, and not again as a fault of the contour;
- * that nothing stands before its first point is told where that point is incomplete.
+ * Coordinates of a contour count from its own datum. What is wrong with a word is told here, and not again as a fault
+ * of the contour; that nothing stands before its first point is told where that point is incomplete.
  */
 const wordsOf = (reader: Reader, index: number): WordReader => ({
   ...wordReader(reader.machine, index),
@@ -166,7 +189,8 @@ function path(reader: Reader, { path: kind, words }: Extract<Statement, { kind: 
   const { machine, plane, at, pole } = reader;
   const read = wordsOf(reader, index);
   if (kind !== "CC") first(reader, kind, words, index);
-  if (kind === "RND") return corner(reader, "round", words.radius === undefined ? null : machine.number(words.radius, index), index);
+  if (kind === "RND")
+    return corner(reader, "round", words.radius === undefined ? null : machine.number(words.radius, index), index);
   if (kind === "CC") {
     if (words.axes.length === 0 && reader.isWhole === false) read.rule("emptyCentre", "CC");
     reader.pole = pointIn(plane, coordinates(read, words.axes, at));
@@ -177,7 +201,8 @@ function path(reader: Reader, { path: kind, words }: Extract<Statement, { kind: 
   reader.at = endOf(read, block, { plane, at, pole }) ?? at;
   const to = pointIn(plane, reader.at);
   const from = pointIn(plane, at);
-  reader.last = from && to && segmentOf({ ...read, fault: () => undefined }, block, { from, to, pole, before: reader.last });
+  reader.last =
+    from && to && segmentOf({ ...read, fault: () => undefined }, block, { from, to, pole, before: reader.last });
   const before = from && to && part.apart(from, to) <= SAME ? reader.elements.at(-1) : undefined;
   if (before?.kind === "round" || before?.kind === "chamfer") read.rule("zeroBehindCorner", wordOf(before));
   if (to) push(reader, elementOf(read, block, to, pole) ?? { kind: "line", to }, index);
@@ -223,7 +248,8 @@ function first(reader: Reader, kind: PathKind | "CHF", { axes, polarRadius, pola
   const word = axes.find((w) => w.incremental);
   if (kind === "CHF" || kind === "RND" || isArcPath(kind)) notFirst(reader, kind, index);
   else if (word) notFirst(reader, `I${word.axis}`, index);
-  else if (polarRadius?.incremental || polarAngle?.incremental) notFirst(reader, polarAngle?.incremental ? "IPA" : "IPR", index);
+  else if (polarRadius?.incremental || polarAngle?.incremental)
+    notFirst(reader, polarAngle?.incremental ? "IPA" : "IPR", index);
 }
 
 function notFirst(reader: Reader, word: string, index: number): void {
@@ -234,6 +260,9 @@ function notFirst(reader: Reader, word: string, index: number): void {
 /** The first block of a contour names both coordinates: a control knows no point before it. */
 function incomplete(reader: Reader, index: number): void {
   if (!reader.isTroubled && reader.elements.length === 0)
-    reader.machine.log.say(programIssue("contourStartIncomplete", "error", { axis: reader.at.x === null ? "X" : "Z" }), index);
+    reader.machine.log.say(
+      programIssue("contourStartIncomplete", "error", { axis: reader.at.x === null ? "X" : "Z" }),
+      index,
+    );
   reader.isTroubled = true;
 }

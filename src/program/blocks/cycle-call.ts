@@ -27,7 +27,10 @@ import { actingCycle, actsAtOnce, isSilent } from "./unproved-blocks.ts";
 import { rankTools } from "../tools/which-tool.ts";
 
 interface Read extends Pick<Given, "contour"> {
-  /** What was told of the contour at its blocks; null where what else is wrong with it follows from one that can not be read. */
+  /**
+   * What was told of the contour at its blocks; null where what else is wrong with it follows from one that can not be
+   * read.
+   */
   readonly told: readonly Issue["code"][] | null;
   /** Of each segment, in programmed order: its block, and the number of its element there. */
   readonly places: readonly { readonly block: number; readonly element: number }[];
@@ -52,8 +55,12 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
   }
   if (contours.length === 0) {
     const { contourFile: file } = machine.now;
-    machine.log.say(file === null ? programIssue("contourNotNamed", "error", { cycle }) : programIssue("contourInFile", "error", { file }),
-      index);
+    machine.log.say(
+      file === null
+        ? programIssue("contourNotNamed", "error", { cycle })
+        : programIssue("contourInFile", "error", { file }),
+      index,
+    );
     return NO_CONTOUR;
   }
   const read = contours.map((source) => readContourOf(machine, source, index));
@@ -65,21 +72,27 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
     }
   // One contour is handed on as it is: what was found out about it holds.
   const [only] = read;
-  const segments = read.length === 1 ? only?.contour.segments ?? [] : read.flatMap((r) => r?.contour.segments ?? []);
-  const places = read.flatMap((r) => r?.contour.elements.map((element) => ({ element, block: r.blocks[element - 1] ?? index })) ?? []);
+  const segments = read.length === 1 ? (only?.contour.segments ?? []) : read.flatMap((r) => r?.contour.segments ?? []);
+  const places = read.flatMap(
+    (r) => r?.contour.elements.map((element) => ({ element, block: r.blocks[element - 1] ?? index })) ?? [],
+  );
   const isTroubled = read.some((r) => r?.isTroubled ?? true);
   const told = isTroubled ? null : read.flatMap((r) => r?.contour.issues ?? []).map((i) => i.code);
   return { contour: segments.length > 0 ? segments : null, told, places };
 }
 
-/** What a cycle says of a segment of its contour, with the number and the block of that element; everything else at the call. */
+/**
+ * What a cycle says of a segment of its contour, with the number and the block of that element; everything else at the
+ * call.
+ */
 function inProgram<F extends Issue | ProgramIssue>(
   found: F,
   places: Read["places"],
   call: number,
 ): { readonly said: F; readonly block: number } {
   const { element, other } = found.data as { readonly element?: unknown; readonly other?: unknown };
-  const placeOf = (segment: unknown) => (found.at === "contour" && typeof segment === "number" ? places[segment - 1] : undefined);
+  const placeOf = (segment: unknown) =>
+    found.at === "contour" && typeof segment === "number" ? places[segment - 1] : undefined;
   const [place, second] = [placeOf(element), placeOf(other)];
   if (!place) return { said: found, block: call };
   return {
@@ -89,19 +102,32 @@ function inProgram<F extends Issue | ProgramIssue>(
 }
 
 /**
- * A part of a program that calls no tool is shown all the same, with the tool of the table that makes most of its contour;
- * that no tool is called has been said, as an error.
+ * A part of a program that calls no tool is shown all the same, with the tool of the table that makes most of its
+ * contour; that no tool is called has been said, as an error.
  */
-function standIn(machine: Machine, cycle: Cycle, given: Defined["values"], contour: Given["contour"], at: Pt, index: number): Tool | null {
+function standIn(
+  machine: Machine,
+  cycle: Cycle,
+  given: Defined["values"],
+  contour: Given["contour"],
+  at: Pt,
+  index: number,
+): Tool | null {
   const { values } = cycleValues(machine, cycle, given);
   if (!values || (cycle.contour === "free" && !contour)) return null;
   const start = countedPoint(at, machine.now.datum);
-  const best = rankTools(cycle, values, { contour, start }, {
-    start,
-    feedUnit: machine.feedUnit,
-    autoFeed: machine.now.toolFeed,
-    stock: null,
-  }, machine.shop.tools)[0]?.tool;
+  const best = rankTools(
+    cycle,
+    values,
+    { contour, start },
+    {
+      start,
+      feedUnit: machine.feedUnit,
+      autoFeed: machine.now.toolFeed,
+      stock: null,
+    },
+    machine.shop.tools,
+  )[0]?.tool;
   if (best) machine.log.say(issue("betterTool", "info", { tool: best.T, name: best.NAME }, "tool"), index);
   return best ?? null;
 }
@@ -115,8 +141,8 @@ function preconditions(machine: Machine, index: number): void {
 }
 
 /**
- * Where the tip stands at the call, on the workpiece. While milling the words of X are taken as the diameters that they were
- * meant to be.
+ * Where the tip stands at the call, on the workpiece. While milling the words of X are taken as the diameters that they
+ * were meant to be.
  */
 function startOf(machine: Machine, index: number): Pt | null {
   if (!machine.now.turning) return pointIn("lathe", machine.place.mill);
@@ -153,7 +179,8 @@ export function callCycle(machine: Machine, index: number): void {
   if (!start) return;
   if (!machine.roomForOperation(index)) return;
   const operation = machine.log.operations.length;
-  const { places, contour, told } = cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : OWN_CONTOUR;
+  const { places, contour, told } =
+    cycle.contour === "free" ? givenContour(machine, cycle.number, index, operation) : OWN_CONTOUR;
   const tool = machine.now.tool ?? standIn(machine, cycle, defined.values, contour, start, index);
   if (!tool) return;
   mustTurn(machine, tool, index, { operation });
@@ -199,7 +226,8 @@ function readParameters(machine: Machine, parameters: readonly CycleParameter[],
 }
 
 /**
- * What a control fills into a list that software older than itself wrote. Told once for a program: its lists come from one machine.
+ * What a control fills into a list that software older than itself wrote. Told once for a program: its lists come from
+ * one machine.
  */
 function fillIn(machine: Machine, cycle: Cycle, values: Map<string, number | "auto" | null>, index: number): void {
   const filled: string[] = [];
@@ -208,14 +236,18 @@ function fillIn(machine: Machine, cycle: Cycle, values: Map<string, number | "au
     values.set(q, filledIn);
     filled.push(`${q}=${filledIn}`);
   }
-  if (filled.length > 0) machine.log.sayOnce(programIssue("listOfOlderSoftware", "info", { cycle: cycle.number, filled }), index);
+  if (filled.length > 0)
+    machine.log.sayOnce(programIssue("listOfOlderSoftware", "info", { cycle: cycle.number, filled }), index);
 }
 
-/** A cycle that acts here: values that it can not have are told, ones that are not given are those of an older control. */
+/**
+ * A cycle that acts here: values that it can not have are told, ones that are not given are those of an older control.
+ */
 function act(machine: Machine, cycle: Cycle, s: StatementOf<"cycle">, index: number): void {
   const { issues } = cycleValues(machine, cycle, readParameters(machine, s.parameters, index).values);
   const raw = machine.blocks[index]?.raw ?? "";
-  for (const i of issues) if (i.code !== "missing" && i.at !== undefined) machine.log.say(i, index, lineOfParameter(raw, i.at));
+  for (const i of issues)
+    if (i.code !== "missing" && i.at !== undefined) machine.log.say(i, index, lineOfParameter(raw, i.at));
 }
 
 /** Takes up a definition; parameters are read now, as the control does, and stand in Q parameters of their number. */
@@ -236,6 +268,15 @@ export function cycleDefinition(machine: Machine, index: number): void {
   values.forEach((v, q) => typeof v === "number" && machine.known.set(q, v));
   troubled.forEach((reason, q) => machine.known.forget(q, reason));
   if (cycle || bores) machine.definitions.add(index);
-  if (cycle) foreignParameters(machine, cycle, s.parameters.map((p) => p.q), index);
-  machine.set({ callsBehindMoves: false, defined: { index, cycle: s.cycle, values, troubled: new Set(troubled.keys()) } });
+  if (cycle)
+    foreignParameters(
+      machine,
+      cycle,
+      s.parameters.map((p) => p.q),
+      index,
+    );
+  machine.set({
+    callsBehindMoves: false,
+    defined: { index, cycle: s.cycle, values, troubled: new Set(troubled.keys()) },
+  });
 }

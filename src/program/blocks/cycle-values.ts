@@ -10,7 +10,15 @@ const INCH_DECIMALS = 1;
 /** Decimals of a value that was converted from inches, mm. */
 const CONVERTED_DECIMALS = 6;
 
-const NO_LENGTH: ReadonlySet<string> = new Set(["choice", "angle", "feed", "count", "factor", "percent", "revolutions"]);
+const NO_LENGTH: ReadonlySet<string> = new Set([
+  "choice",
+  "angle",
+  "feed",
+  "count",
+  "factor",
+  "percent",
+  "revolutions",
+]);
 const isLength = (p: { readonly kind: string }) => !NO_LENGTH.has(p.kind);
 const hasInches = (p: { readonly kind: string }) => isLength(p) || p.kind === "feed";
 
@@ -22,7 +30,9 @@ export const decimalsInInches = (p: { readonly kind: string; readonly decimals: 
 export const valueInProgram = (p: { readonly kind: string } | undefined, mm: number, inches: boolean): number =>
   inches && p && isLength(p) ? roundedInch(mm / INCH) : mm;
 
-/** A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted. */
+/**
+ * A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted.
+ */
 function inMillimetres(machine: Machine, p: Param, n: number): number {
   if (!machine.now.inch) return kept(n, p.decimals);
   if (!hasInches(p)) return kept(n, CONVERTED_DECIMALS);
@@ -43,7 +53,11 @@ export function cycleValues<P extends Params>(
   machine: Machine,
   cycle: Cycle<P>,
   given: ReadonlyMap<string, number | "auto" | null>,
-): { readonly values: Values<P> | null; readonly partial: Readonly<Record<string, number | "auto">>; readonly issues: readonly Issue[] } {
+): {
+  readonly values: Values<P> | null;
+  readonly partial: Readonly<Record<string, number | "auto">>;
+  readonly issues: readonly Issue[];
+} {
   const values: Record<string, number | "auto"> = {};
   const issues: Issue[] = [];
   for (const [q, p] of Object.entries<Param>(cycle.params)) {

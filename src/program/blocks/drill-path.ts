@@ -46,7 +46,9 @@ export const DRILL_WORDS: ReadonlyMap<number, readonly string[]> = new Map([
 /** Infeeds of one bore; more nobody means. */
 const MOST_PECKS = 2000;
 
-/** Depths under the surface at which the tool turns back, the last one that of the bore; null when there are too many. */
+/**
+ * Depths under the surface at which the tool turns back, the last one that of the bore; null when there are too many.
+ */
 function pecks(whole: number, first: number, less: number, least: number): number[] | null {
   const out: number[] = [];
   let [depth, infeed] = [0, first > 0 ? first : whole];
@@ -71,14 +73,26 @@ export function drillPath(cycle: number, q: Q, bore: Bore): DrillMove[] | null {
 }
 
 function downAndBack(q: Q, { bottom, clear }: Bore): DrillMove[] {
-  return [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: BACK }];
+  return [
+    { to: bottom, feed: DOWN, dwell: q("Q211") },
+    { to: clear, feed: BACK },
+  ];
 }
 
-/** Cycles that widen a hole, and what they take of it at most, as a share of the tool's radius and in mm: a reamer takes little. */
-const WIDENS: ReadonlyMap<number, { readonly share: number; readonly most: number }> = new Map([[201, { share: 0.5, most: 0.5 }], [202, {
-  share: 0.5,
-  most: Infinity,
-}]]);
+/**
+ * Cycles that widen a hole, and what they take of it at most, as a share of the tool's radius and in mm: a reamer takes
+ * little.
+ */
+const WIDENS: ReadonlyMap<number, { readonly share: number; readonly most: number }> = new Map([
+  [201, { share: 0.5, most: 0.5 }],
+  [
+    202,
+    {
+      share: 0.5,
+      most: Infinity,
+    },
+  ],
+]);
 
 /** The hole that a cycle needs before it runs; null where it makes one. */
 export function holeBefore(cycle: number, tool: Tool, q: Q): NeededHole | null {
@@ -91,7 +105,8 @@ export function holeBefore(cycle: number, tool: Tool, q: Q): NeededHole | null {
 }
 
 const MOVES: Readonly<Record<number, (q: Q, bore: Bore) => DrillMove[] | null>> = {
-  200: (q, bore) => pecking(q, bore, { infeeds: [q("Q202"), 0, 0], back: null, rest: q("Q210"), ahead: () => q("Q200") }),
+  200: (q, bore) =>
+    pecking(q, bore, { infeeds: [q("Q202"), 0, 0], back: null, rest: q("Q210"), ahead: () => q("Q200") }),
   201: downAndBack,
   // The step off the wall at the bottom (Q214, Q336) is within the bore.
   202: downAndBack,
@@ -104,13 +119,24 @@ const MOVES: Readonly<Record<number, (q: Q, bore: Bore) => DrillMove[] | null>> 
       breaks: { count: q("Q213"), by: q("Q256") },
     }),
   205: deep,
-  206: (q, { bottom, clear }) => [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: DOWN }],
+  206: (q, { bottom, clear }) => [
+    { to: bottom, feed: DOWN, dwell: q("Q211") },
+    { to: clear, feed: DOWN },
+  ],
   207: (q, { bottom, clear }) => {
     const feed = { pitch: Math.abs(q("Q239")) };
-    return feed.pitch > 0 ? [{ to: bottom, feed }, { to: clear, feed }] : null;
+    return feed.pitch > 0
+      ? [
+          { to: bottom, feed },
+          { to: clear, feed },
+        ]
+      : null;
   },
   209: chipBreakingTap,
-  240: (q, { bottom, clear }) => [{ to: bottom, feed: DOWN, dwell: q("Q211") }, { to: clear, feed: null }],
+  240: (q, { bottom, clear }) => [
+    { to: bottom, feed: DOWN, dwell: q("Q211") },
+    { to: clear, feed: null },
+  ],
 };
 
 interface Pecking {
@@ -147,7 +173,9 @@ function pecking(q: Q, { surface, bottom, clear }: Bore, p: Pecking): DrillMove[
   });
 }
 
-/** 205: a start that lies deeper, chips broken on the way, and a stop above the last depth that grows with the depth. */
+/**
+ * 205: a start that lies deeper, chips broken on the way, and a stop above the last depth that grows with the depth.
+ */
 function deep(q: Q, bore: Bore): DrillMove[] | null {
   const below = Math.abs(q("Q379"));
   const start = bore.surface - below;
@@ -198,6 +226,9 @@ function chipBreakingTap(q: Q, { surface, bottom, clear }: Bore): DrillMove[] | 
   return depths.flatMap((depth, i) => {
     const at = i === depths.length - 1 ? bottom : surface - depth;
     const back = i === depths.length - 1 || !(by > 0) ? clear : Math.min(clear, at + by);
-    return [{ to: at, feed }, { to: back, feed }];
+    return [
+      { to: at, feed },
+      { to: back, feed },
+    ];
   });
 }

@@ -40,12 +40,15 @@ const LENGTHS: ReadonlySet<string> = new Set([
 export const isDrilling = (cycle: number): boolean => DRILL_WORDS.has(cycle);
 
 /**
- * Runs a drilling cycle where the drill stands on the axis of the turning spindle. False where it is to be kept as it is: off the
- * axis, without a drill, or with values that make no bore.
+ * Runs a drilling cycle where the drill stands on the axis of the turning spindle. False where it is to be kept as it
+ * is: off the axis, without a drill, or with values that make no bore.
  */
 export function drillOnAxis(machine: Machine, defined: Defined, index: number): boolean {
   const { tool } = machine.now;
-  const { tip, place: { sure } } = machine;
+  const {
+    tip,
+    place: { sure },
+  } = machine;
   const needed = DRILL_WORDS.get(defined.cycle);
   if (!machine.now.turning || !needed || !tool || !isDrill(tool) || !tip || !sure.x || !sure.z) return false;
   if (Math.abs(tip.r) > ON_AXIS || needed.some((q) => value(machine, defined, q) === null)) return false;
@@ -96,10 +99,14 @@ interface Judged {
 /** What the values say that the tool can not do, or that nobody means. */
 function judge(machine: Machine, { defined, tool, bore, q }: Judged, index: number): void {
   const raw = machine.blocks[defined.index]?.raw ?? "";
-  const say = (issue: Parameters<typeof machine.log.say>[0], at: string) => machine.log.say(issue, defined.index, lineOfParameter(raw, at));
+  const say = (issue: Parameters<typeof machine.log.say>[0], at: string) =>
+    machine.log.say(issue, defined.index, lineOfParameter(raw, at));
   const edges = tool.CUTLENGTH;
   if (edges !== undefined && bore.surface - bore.bottom > edges + SAME)
-    machine.log.say(programIssue("drillTooShort", "warning", { depth: bore.surface - bore.bottom, edges }, "tool"), index);
+    machine.log.say(
+      programIssue("drillTooShort", "warning", { depth: bore.surface - bore.bottom, edges }, "tool"),
+      index,
+    );
   const tapping = DRILL_WORDS.get(defined.cycle)?.includes("Q239");
   const pitch = Math.abs(q("Q239"));
   if (tapping && tool.PITCH !== undefined && Math.abs(tool.PITCH - pitch) > SAME)
@@ -108,7 +115,10 @@ function judge(machine: Machine, { defined, tool, bore, q }: Judged, index: numb
   const feed = q("Q206");
   if (!(feed > 0)) say(programIssue("feedZero", "error", { word: `Q206=${feed}` }, "Q206"), "Q206");
   else if (feed < AS_RAPID && isUnlikely(machine.feedOf(feed), machine.now.perRevolution))
-    say(programIssue("feedUnlikely", "warning", { feed: machine.feedOf(feed), unit: machine.feedUnit }, "Q206"), "Q206");
+    say(
+      programIssue("feedUnlikely", "warning", { feed: machine.feedOf(feed), unit: machine.feedUnit }, "Q206"),
+      "Q206",
+    );
 }
 
 const purpose = { run: "rough", step: 0 } as const;
@@ -123,7 +133,8 @@ function feedOf(machine: Machine, defined: Defined, feed: Exclude<DrillFeed, { p
 function moveOf(machine: Machine, defined: Defined, { to, feed }: DrillMove, from: Pt): Move {
   const end = pointAt(to, from.r);
   const phase = feed && to < from.z ? "rough" : "position";
-  if (feed && "pitch" in feed) return { kind: "feed", to: end, feed: feedNumber(feed.pitch), feedUnit: "mm/rev", phase, ...purpose };
+  if (feed && "pitch" in feed)
+    return { kind: "feed", to: end, feed: feedNumber(feed.pitch), feedUnit: "mm/rev", phase, ...purpose };
   const n = feed && feedOf(machine, defined, feed);
   if (n === null) return { kind: "rapid", to: end, phase: "position", ...purpose };
   return { kind: "feed", to: end, feed: n, feedUnit: machine.feedUnit, phase, ...purpose };
@@ -131,7 +142,11 @@ function moveOf(machine: Machine, defined: Defined, { to, feed }: DrillMove, fro
 
 function perform(
   machine: Machine,
-  { defined, path, hole }: { readonly defined: Defined; readonly path: readonly DrillMove[]; readonly hole: NeededHole | null },
+  {
+    defined,
+    path,
+    hole,
+  }: { readonly defined: Defined; readonly path: readonly DrillMove[]; readonly hole: NeededHole | null },
   start: Pt,
   index: number,
 ): void {
@@ -143,15 +158,19 @@ function perform(
     from = move.to;
     const turns = spindle && each.dwell ? (each.dwell / 60) * speedAt(spindle, from.r) : 0;
     if (turns > 0 && Number.isFinite(turns)) {
-      machine.step(from, {
-        kind: "feed",
-        to: from,
-        feed: feedNumber(0),
-        feedUnit: machine.feedUnit,
-        dwell: turns,
-        phase: "position",
-        ...purpose,
-      }, index);
+      machine.step(
+        from,
+        {
+          kind: "feed",
+          to: from,
+          feed: feedNumber(0),
+          feedUnit: machine.feedUnit,
+          dwell: turns,
+          phase: "position",
+          ...purpose,
+        },
+        index,
+      );
     }
   }
   machine.setPlace({ at: { x: toDiameter(from.r), y: null, z: from.z }, last: null });

@@ -7,14 +7,16 @@ import { readTools } from "../tools/read-tools.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
-const table = readTools(JSON.stringify({
-  tools: [
-    { T: 41, NAME: "D17", TYPE: "DRILL", R: 8.5, "T-ANGLE": 90, LCUTS: 43 },
-    { T: 42, NAME: "NC90", TYPE: "center", R: 5, "T-ANGLE": 90 },
-    { T: 43, NAME: "M8", TYPE: "TAP", R: 4, PITCH: 1.25 },
-    { T: 44, NAME: "END10", TYPE: "MILL", R: 5 },
-  ],
-}));
+const table = readTools(
+  JSON.stringify({
+    tools: [
+      { T: 41, NAME: "D17", TYPE: "DRILL", R: 8.5, "T-ANGLE": 90, LCUTS: 43 },
+      { T: 42, NAME: "NC90", TYPE: "center", R: 5, "T-ANGLE": 90 },
+      { T: 43, NAME: "M8", TYPE: "TAP", R: 4, PITCH: 1.25 },
+      { T: 44, NAME: "END10", TYPE: "MILL", R: 5 },
+    ],
+  }),
+);
 const mills = "tools" in table ? (table.mills ?? []) : [];
 
 const program = (cycle: string, { tool = 41, at = "X+0", mode = "TURN", behind = "" } = {}) =>
@@ -41,12 +43,26 @@ const made = (text: string) => {
   return run(read, { tools: shippedTools, mills, rapid: 10_000 });
 };
 const moves = (text: string) =>
-  made(text).steps.map(({ move: m }) =>
-    `${m.kind === "feed" ? (m.dwell ? `rest ${m.dwell}` : `F${m.feed}${m.feedUnit.slice(2)}`) : m.kind}` + ` ${+m.to.z.toFixed(3)}`
+  made(text).steps.map(
+    ({ move: m }) =>
+      `${m.kind === "feed" ? (m.dwell ? `rest ${m.dwell}` : `F${m.feed}${m.feedUnit.slice(2)}`) : m.kind}` +
+      ` ${+m.to.z.toFixed(3)}`,
   );
-const codes = (text: string) => made(text).issues.filter((f) => f.issue.severity !== "info").map((f) => f.issue.code);
+const codes = (text: string) =>
+  made(text)
+    .issues.filter((f) => f.issue.severity !== "info")
+    .map((f) => f.issue.code);
 
-const drilling = cycle(200, "DRILLING", { Q200: 2, Q201: -33, Q206: 130, Q202: 14, Q210: 0.5, Q203: 1, Q204: 9, Q211: 0.25 });
+const drilling = cycle(200, "DRILLING", {
+  Q200: 2,
+  Q201: -33,
+  Q206: 130,
+  Q202: 14,
+  Q210: 0.5,
+  Q203: 1,
+  Q204: 9,
+  Q211: 0.25,
+});
 
 describe("drilling on the axis while turning", () => {
   test("200: out of the bore between two infeeds, down again to above the last depth", () =>
@@ -77,18 +93,24 @@ describe("drilling on the axis while turning", () => {
   test("Q395 = 1 drives the full radius to the depth", () =>
     expect(moves(program(drilling.replace("Q202=14", "Q202=0") + " ~\nQ395=1"))[1]).toBe("F130/min -40.5"));
   test("203: chips broken inside twice, then out; smaller infeeds down to the least", () =>
-    expect(moves(program(cycle(203, "UNIVERSAL DRILLING", {
-      Q200: 2,
-      Q201: -20,
-      Q206: 90,
-      Q202: 7,
-      Q203: 0,
-      Q212: 3,
-      Q213: 1,
-      Q205: 3,
-      Q208: 500,
-      Q256: 0.3,
-    })))).toEqual([
+    expect(
+      moves(
+        program(
+          cycle(203, "UNIVERSAL DRILLING", {
+            Q200: 2,
+            Q201: -20,
+            Q206: 90,
+            Q202: 7,
+            Q203: 0,
+            Q212: 3,
+            Q213: 1,
+            Q205: 3,
+            Q208: 500,
+            Q256: 0.3,
+          }),
+        ),
+      ),
+    ).toEqual([
       "rapid 2",
       "F90/min -7",
       "rapid -6.7",
@@ -104,20 +126,26 @@ describe("drilling on the axis while turning", () => {
       "F500/min 2",
     ]));
   test("205: from a start that lies deeper, chips broken every Q257", () =>
-    expect(moves(program(cycle(205, "UNIVERSAL PECKING", {
-      Q200: 1,
-      Q201: -30,
-      Q206: 90,
-      Q202: 12,
-      Q203: 0,
-      Q257: 5,
-      Q256: 0.5,
-      Q258: 0.4,
-      Q259: 0.4,
-      Q379: 10,
-      Q253: 700,
-      Q208: 0,
-    })))).toEqual([
+    expect(
+      moves(
+        program(
+          cycle(205, "UNIVERSAL PECKING", {
+            Q200: 1,
+            Q201: -30,
+            Q206: 90,
+            Q202: 12,
+            Q203: 0,
+            Q257: 5,
+            Q256: 0.5,
+            Q258: 0.4,
+            Q259: 0.4,
+            Q379: 10,
+            Q253: 700,
+            Q208: 0,
+          }),
+        ),
+      ),
+    ).toEqual([
       "rapid 1",
       "F700/min -9",
       "F90/min -15",
@@ -136,11 +164,19 @@ describe("drilling on the axis while turning", () => {
     const reaming = { Q200: 2, Q201: -12.5, Q206: 60, Q211: 0, Q208: "MAX", Q203: 0, Q204: 2 };
     expect(moves(program(cycle(201, "REAMING", reaming)))).toEqual(["rapid 2", "F60/min -12.5", "rapid 2"]);
     const centering = { Q200: 2, Q343: 1, Q201: 0, Q344: -7, Q206: 60, Q211: 0, Q203: 0, Q204: 2 };
-    expect(moves(program(cycle(240, "CENTERING", centering), { tool: 42 }))).toEqual(["rapid 2", "F60/min -3.5", "rapid 2"]);
+    expect(moves(program(cycle(240, "CENTERING", centering), { tool: 42 }))).toEqual([
+      "rapid 2",
+      "F60/min -3.5",
+      "rapid 2",
+    ]);
   });
   test("207 and 209: the pitch in one turn, down and back", () => {
     const tap = { Q200: 5, Q201: -16, Q239: 1.25, Q203: 0, Q204: 5 };
-    expect(moves(program(cycle(207, "RIGID TAPPING NEW", tap), { tool: 43 }))).toEqual(["rapid 5", "F1.25/rev -16", "F1.25/rev 5"]);
+    expect(moves(program(cycle(207, "RIGID TAPPING NEW", tap), { tool: 43 }))).toEqual([
+      "rapid 5",
+      "F1.25/rev -16",
+      "F1.25/rev 5",
+    ]);
     expect(moves(program(cycle(209, "TAPPING W/ CHIP BRKG", { ...tap, Q257: 9, Q256: 1 }), { tool: 43 }))).toEqual([
       "rapid 5",
       "F1.25/rev -9",
@@ -148,7 +184,9 @@ describe("drilling on the axis while turning", () => {
       "F1.25/rev -16",
       "F1.25/rev 5",
     ]);
-    expect(codes(program(cycle(207, "RIGID TAPPING NEW", { ...tap, Q239: 1.5 }), { tool: 43 }))).toEqual(["pitchOfTap"]);
+    expect(codes(program(cycle(207, "RIGID TAPPING NEW", { ...tap, Q239: 1.5 }), { tool: 43 }))).toEqual([
+      "pitchOfTap",
+    ]);
   });
   test("the tool stands above the bore behind it, and a boring bar starts in it", () => {
     const done = made(program(drilling, { behind: "L X+7 F100\nL Z-5 FMAX" }));
@@ -160,18 +198,21 @@ describe("drilling on the axis while turning", () => {
     expect(codes(program(drilling.replace("Q201=-33", "Q201=-43.5")))).toEqual(["drillTooShort"]);
     expect(codes(program(drilling.replace("Q206=130", "Q206=0")))).toEqual(["feedZero"]);
   });
-  test.each([["M3", "+1.25", []], ["M4", "-1.25", []], ["M4", "+1.25", ["hand"]], ["M3", "-1.25", ["hand"]], ["M5", "+1.25", ["stopped"]]])(
-    "%s and a pitch of %s: the sign is the hand of the thread",
-    (start, pitch, how) => {
-      const tapping = cycle(207, "RIGID TAPPING", { Q200: 5, Q201: -12, Q239: pitch, Q203: 0, Q204: 20 });
-      const done = run(parse(program(tapping, { tool: 43 }).replace(" M3\n", ` ${start}\n`)), {
-        tools: shippedTools,
-        mills,
-        rapid: 10_000,
-      });
-      expect(done.issues.flatMap(({ issue }) => (issue.code === "spindleStopped" ? [issue.data.how] : []))).toEqual(how);
-    },
-  );
+  test.each([
+    ["M3", "+1.25", []],
+    ["M4", "-1.25", []],
+    ["M4", "+1.25", ["hand"]],
+    ["M3", "-1.25", ["hand"]],
+    ["M5", "+1.25", ["stopped"]],
+  ])("%s and a pitch of %s: the sign is the hand of the thread", (start, pitch, how) => {
+    const tapping = cycle(207, "RIGID TAPPING", { Q200: 5, Q201: -12, Q239: pitch, Q203: 0, Q204: 20 });
+    const done = run(parse(program(tapping, { tool: 43 }).replace(" M3\n", ` ${start}\n`)), {
+      tools: shippedTools,
+      mills,
+      rapid: 10_000,
+    });
+    expect(done.issues.flatMap(({ issue }) => (issue.code === "spindleStopped" ? [issue.data.how] : []))).toEqual(how);
+  });
   test("one that is never called is said", () => {
     const text = program(drilling);
     expect(codes(text.replace("CYCL CALL\n", ""))).toEqual(["cycleNeverCalled"]);

@@ -31,7 +31,10 @@ interface Flow {
 
 const isText = (parameter: string) => parameter.startsWith("QS");
 
-/** How a program came to its end: the block that ended it and its word, or none when the text ran out or a bound was met. */
+/**
+ * How a program came to its end: the block that ended it and its word, or none when the text ran out or a bound was
+ * met.
+ */
 export interface Ending {
   readonly index: number;
   readonly word: string | null;
@@ -39,14 +42,20 @@ export interface Ending {
   readonly told: boolean;
 }
 
-/** Where a run begins, and who sees it before each block while no call has to return and nothing was guessed or told. */
+/**
+ * Where a run begins, and who sees it before each block while no call has to return and nothing was guessed or told.
+ */
 export interface RunCourse {
   readonly from: number;
   readonly watch?: (next: number) => void;
 }
 
 /** Runs block after block, with calls, repetitions, jumps and the programs that are called. */
-export function execute(machine: Machine, block: (s: Statement, index: number) => void, { from, watch }: RunCourse): Ending {
+export function execute(
+  machine: Machine,
+  block: (s: Statement, index: number) => void,
+  { from, watch }: RunCourse,
+): Ending {
   const flow: Flow = { machine, returns: [], repeats: new Map(), guessed: false };
   let [next, told] = [from, false];
   for (;;) {
@@ -137,7 +146,11 @@ function labelOf(machine: Machine, named: Label | Parameter, index: number): Lab
 }
 
 /** The block of a label; null when there is none, or none that is known. */
-function target(machine: Machine, named: Extract<Statement, { kind: "call" | "jump" }>["label"], index: number): number | null {
+function target(
+  machine: Machine,
+  named: Extract<Statement, { kind: "call" | "jump" }>["label"],
+  index: number,
+): number | null {
   const label = labelOf(machine, named, index);
   if (label === null) return null;
   const found = machine.labels.get(label);
@@ -148,7 +161,9 @@ function target(machine: Machine, named: Extract<Statement, { kind: "call" | "ju
 /** How many labels of the program that runs have called each other. */
 const depthOf = (returns: readonly Return[]) => returns.length - 1 - returns.findLastIndex((r) => r.caller !== null);
 
-/** Where a label call goes on. A call with REP repeats the blocks between label and call; one without returns at LBL 0. */
+/**
+ * Where a label call goes on. A call with REP repeats the blocks between label and call; one without returns at LBL 0.
+ */
 function call({ machine, returns, repeats }: Flow, s: Extract<Statement, { kind: "call" }>, index: number): number {
   const on = index + 1;
   const to = target(machine, s.label, index);
@@ -192,7 +207,9 @@ function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, inde
     return set === null ? null : set === (s.compare === "IS DEFINED");
   }
   const read = (value: Value) =>
-    typeof value === "object" && isText(value.parameter) ? machine.text(value.parameter, index) : machine.number(value, index);
+    typeof value === "object" && isText(value.parameter)
+      ? machine.text(value.parameter, index)
+      : machine.number(value, index);
   const [left, right] = [read(s.left), read(s.right)];
   if (left === null || right === null) {
     if (machine.known.isUnproved) machine.log.leaveUnproved(s.fn === null ? "IF" : `FN ${s.fn}`, index);
@@ -213,11 +230,19 @@ function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, inde
 }
 
 const runs = (s: Statement) =>
-  s.kind === "cycleCall" || s.kind === "call" || s.kind === "callProgram" || s.kind === "callSelected" || s.kind === "approach"
-  || s.kind === "free" || (s.kind === "path" && s.path !== "CC")
-  || (wordsOf(s)?.functions.includes(99) ?? false);
+  s.kind === "cycleCall" ||
+  s.kind === "call" ||
+  s.kind === "callProgram" ||
+  s.kind === "callSelected" ||
+  s.kind === "approach" ||
+  s.kind === "free" ||
+  (s.kind === "path" && s.path !== "CC") ||
+  (wordsOf(s)?.functions.includes(99) ?? false);
 
-/** Motion and calls behind the end of the program that nothing has run: the first of them is named. True when there is one. */
+/**
+ * Motion and calls behind the end of the program that nothing has run: the first of them is named. True when there is
+ * one.
+ */
 export function neverReached(machine: Machine, ending: Ending): boolean {
   if (ending.word === null) return false;
   const used = usedLabels(machine);

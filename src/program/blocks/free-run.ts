@@ -31,8 +31,10 @@ export function runFree(machine: Machine, s: Free, index: number): void {
 function solved(machine: Machine, index: number): FreeRun {
   const { run, indices } = collectFree(machine, index);
   const { turning, mill } = machine.now;
-  // Mirrored, turned or scaled coordinates, or a datum that nobody knows: what is given counts in others than the place does.
-  const elsewhere = wordReader(machine, index).frame || [datumShiftOf(machine, "X"), datumShiftOf(machine, "Z")].includes("unknown");
+  // Mirrored, turned or scaled coordinates, or a datum that nobody knows: what is given counts in others than the place
+  // does.
+  const elsewhere =
+    wordReader(machine, index).frame || [datumShiftOf(machine, "X"), datumShiftOf(machine, "Z")].includes("unknown");
   if (elsewhere || (!turning && mill.otherAxis)) return { blocks: new Map(), expected: null };
   const { at, sure, last, mill: centre } = machine.place;
   const from = turning ? (sure.x && sure.z ? pointIn("lathe", at) : null) : pointIn("XY", centre);

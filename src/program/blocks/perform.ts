@@ -15,8 +15,17 @@ export interface Performed extends Pick<Operation, "cycle" | "start" | "tool" | 
 
 /** The moves of a plan as steps of the operation that comes next. */
 function stepsOf(machine: Machine, { start, tool }: Performed, plan: Plan, index: number): readonly Step[] {
-  const { log, spindle, clock: { rapid } } = machine;
-  const what = { tool: plan.tool ?? tool, block: log.numbers[index] ?? 0, operation: log.operations.length, ...log.lineOf(index) };
+  const {
+    log,
+    spindle,
+    clock: { rapid },
+  } = machine;
+  const what = {
+    tool: plan.tool ?? tool,
+    block: log.numbers[index] ?? 0,
+    operation: log.operations.length,
+    ...log.lineOf(index),
+  };
   let from = start;
   return plan.moves.map((move) => {
     const step = stepOf({ from, move, ...what }, spindle, rapid);
@@ -27,7 +36,10 @@ function stepsOf(machine: Machine, { start, tool }: Performed, plan: Plan, index
 
 /** The same, as the very steps of the run before where they were the same there. */
 function knownSteps(machine: Machine, performed: Performed, index: number): TimedSteps {
-  const { log, shop: { memory } } = machine;
+  const {
+    log,
+    shop: { memory },
+  } = machine;
   const { plan, name } = performed.answer;
   const make = () => timed(stepsOf(machine, performed, plan, index));
   if (!memory || name === undefined) return make();
@@ -39,9 +51,14 @@ function knownSteps(machine: Machine, performed: Performed, index: number): Time
 /** Runs the moves of a plan, as far as there is room, and notes the operation. */
 export function perform(machine: Machine, performed: Performed, index: number): void {
   const { log } = machine;
-  const { defined, answer: { plan, found, call }, ...called } = performed;
+  const {
+    defined,
+    answer: { plan, found, call },
+    ...called
+  } = performed;
   const firstStep = log.steps.length;
-  const all = knownSteps(machine, performed, index), { room } = machine;
+  const all = knownSteps(machine, performed, index),
+    { room } = machine;
   const run = all.steps.length <= room ? all : timed(all.steps.slice(0, room));
   machine.take(run, index);
   if (run !== all) machine.roomForMove(index);

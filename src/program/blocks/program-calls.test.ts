@@ -5,17 +5,22 @@ import { fileKey, filesByName } from "../state/program-files.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
-const head = "0 BEGIN PGM T MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1 DI20\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 FUNCTION TURNDATA "
-  + "SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX M303\n";
+const head =
+  "0 BEGIN PGM T MM\n1 BLK FORM CYLINDER Z D80 L100 DIST+1 DI20\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 FUNCTION TURNDATA " +
+  "SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX M303\n";
 const made = (lines: string, files: Readonly<Record<string, string>> = {}, skipMarked = false) =>
   run(parse(`${head}${lines}\nM30\nEND PGM T MM\n`), {
     tools: shippedTools,
     rapid: 10_000,
-    files: filesByName(Object.entries(files).map(([name, text]) => ({ name, text })), parse),
+    files: filesByName(
+      Object.entries(files).map(([name, text]) => ({ name, text })),
+      parse,
+    ),
     skipMarked,
   });
 type Made = ReturnType<typeof made>;
-const path = (r: Made) => r.steps.map((s) => `${s.block} ${+toDiameter(s.move.to.r).toFixed(3)} ${+s.move.to.z.toFixed(3)}`);
+const path = (r: Made) =>
+  r.steps.map((s) => `${s.block} ${+toDiameter(s.move.to.r).toFixed(3)} ${+s.move.to.z.toFixed(3)}`);
 const told = (r: Made) => r.issues.filter((f) => f.issue.severity !== "info").map((f) => `${f.issue.code}@${f.block}`);
 const unproved = (r: Made) => r.unproved.map((u) => `${u.what}@${u.block}`);
 
@@ -23,10 +28,14 @@ const unproved = (r: Made) => r.unproved.map((u) => `${u.what}@${u.block}`);
 const pgm = (lines: string, unit = "MM") => `BEGIN PGM S ${unit}\n${lines}\nEND PGM S ${unit}\n`;
 
 describe("names of files", () => {
-  test.each([["CUT", "CUT.H"], ["cut.h", "CUT.H"], ["TNC:\\work\\Cut.h", "CUT.H"], ["../sub/cut", "CUT.H"], ["a.i", "A.I"], ["", ""]])(
-    "%s is compared as %s",
-    (name, key) => expect(fileKey(name)).toBe(key),
-  );
+  test.each([
+    ["CUT", "CUT.H"],
+    ["cut.h", "CUT.H"],
+    ["TNC:\\work\\Cut.h", "CUT.H"],
+    ["../sub/cut", "CUT.H"],
+    ["a.i", "A.I"],
+    ["", ""],
+  ])("%s is compared as %s", (name, key) => expect(fileKey(name)).toBe(key));
 });
 
 describe("a program calls another", () => {
@@ -41,59 +50,79 @@ describe("a program calls another", () => {
     const files = { "a.h": pgm("L IX-1.5 FMAX") };
     expect(path(made('SEL PGM "A.H"\nCALL SELECTED PGM\nCALL SELECTED PGM', files))).toEqual(["8 98.5 50", "9 97 50"]);
     expect(path(made('QS3 = "TNC:\\" || "A"\nSEL PGM QS3\nCALL SELECTED PGM', files))).toEqual(["9 98.5 50"]);
-    expect(path(made("CYCL DEF 12.0 PGM CALL\nCYCL DEF 12.1 PGM TNC:\\A.H\nL Z+40 FMAX M99\nCYCL CALL", files))).toEqual([
-      "9 100 40",
-      "9 98.5 40",
-      "10 97 40",
-    ]);
+    expect(
+      path(made("CYCL DEF 12.0 PGM CALL\nCYCL DEF 12.1 PGM TNC:\\A.H\nL Z+40 FMAX M99\nCYCL CALL", files)),
+    ).toEqual(["9 100 40", "9 98.5 40", "10 97 40"]);
   });
   test("it has labels, local parameters and a unit of its own; Q parameters are shared", () => {
     const files = { "S.H": pgm("Q1 = Q1 / 25.4\nQL1 = 3\nCALL LBL 1\nLBL 1\nL IZ+0.1 FMAX\nLBL 0", "INCH") };
-    const r = made("Q1 = 50.8\nQL1 = 71\nCALL PGM S\nL X+QL1 Z+Q1 FMAX\nCALL LBL 1\nM30\nLBL 1\nL IZ+0.1 FMAX\nLBL 0", files);
+    const r = made(
+      "Q1 = 50.8\nQL1 = 71\nCALL PGM S\nL X+QL1 Z+Q1 FMAX\nCALL LBL 1\nM30\nLBL 1\nL IZ+0.1 FMAX\nLBL 0",
+      files,
+    );
     expect(path(r)).toEqual(["9 100 52.54", "9 100 55.08", "10 71 2", "14 71 2.1"]);
     expect(told(r)).toEqual([]);
   });
   test("findings stand at the call, with their place in the file", () => {
     const r = made("CALL PGM S", { "S.H": pgm("; a note\n3 L X+Q77 FMAX\n4 CALL LBL 9\n5 M2") });
     expect(told(r)).toEqual(["parameterUnset@7", "labelMissing@7", "endInCalled@7"]);
-    expect(r.issues.find((f) => f.issue.code === "labelMissing")).toMatchObject({ line: 8, inFile: { file: "S.H", block: 4, line: 4 } });
+    expect(r.issues.find((f) => f.issue.code === "labelMissing")).toMatchObject({
+      line: 8,
+      inFile: { file: "S.H", block: 4, line: 4 },
+    });
     expect(made("CALL PGM S", { "S.H": pgm("L X+90 FMAX") }).issues.filter((f) => f.inFile)).toEqual([]);
   });
   test("one that is not at hand is named, and nothing is proved behind it", () => {
     const r = made("CALL PGM NOWHERE.H\nL X+90 FMAX");
     expect(unproved(r)).toEqual(["CALL PGM@7"]);
-    expect(r.issues.map((f) => f.issue)).toContainEqual(expect.objectContaining({ code: "programNotOpened", data: { file: "NOWHERE.H" } }));
-    expect(told(made("CALL SELECTED PGM"))).toEqual(["programNotSelected@7"]);
-    expect(unproved(made("SEL PGM QS1\nFN 18: SYSREAD Q1 = ID1\nQS1 = TOCHAR ( DAT+Q1 )\nSEL PGM QS1\nCALL SELECTED PGM"))).toContain(
-      "CALL SELECTED PGM@11",
+    expect(r.issues.map((f) => f.issue)).toContainEqual(
+      expect.objectContaining({ code: "programNotOpened", data: { file: "NOWHERE.H" } }),
     );
+    expect(told(made("CALL SELECTED PGM"))).toEqual(["programNotSelected@7"]);
+    expect(
+      unproved(made("SEL PGM QS1\nFN 18: SYSREAD Q1 = ID1\nQS1 = TOCHAR ( DAT+Q1 )\nSEL PGM QS1\nCALL SELECTED PGM")),
+    ).toContain("CALL SELECTED PGM@11");
   });
   test("one that calls itself without end stops with the cause", () => {
     expect(told(made("CALL PGM S", { "S.H": pgm("L IX+1 FMAX\nCALL PGM S") }))).toEqual(["programsTooDeep@7"]);
-    expect(told(made("CALL PGM A", { "A.H": pgm("CALL PGM B"), "B.H": pgm("CALL PGM A") }))).toEqual(["programsTooDeep@7"]);
+    expect(told(made("CALL PGM A", { "A.H": pgm("CALL PGM B"), "B.H": pgm("CALL PGM A") }))).toEqual([
+      "programsTooDeep@7",
+    ]);
     expect(told(made("CALL PGM S\nCALL PGM S", { "S.H": pgm("L IX+1 FMAX") }))).toEqual([]);
   });
   test("a program that comes back out of a repetition goes on with it", () =>
-    expect(path(made("LBL 4\nCALL PGM S\nCALL LBL 4 REP 2", { "S.H": pgm("LBL 4\nL IX+1 FMAX\nCALL LBL 4 REP 1") }))).toHaveLength(6));
+    expect(
+      path(made("LBL 4\nCALL PGM S\nCALL LBL 4 REP 2", { "S.H": pgm("LBL 4\nL IX+1 FMAX\nCALL LBL 4 REP 1") })),
+    ).toHaveLength(6));
 });
 
-const SHOULDER = "TOOL CALL 15\nL Z+50 FMAX\nCYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\n"
-  + "Q483=+0 ~\nQ484=+0 ~\n"
-  + "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0\nL X+82 Z+3 FMAX\nCYCL CALL";
+const SHOULDER =
+  "TOOL CALL 15\nL Z+50 FMAX\nCYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\n" +
+  "Q483=+0 ~\nQ484=+0 ~\n" +
+  "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0\nL X+82 Z+3 FMAX\nCYCL CALL";
 const OUTLINE = "L X+80 Z-20.5\nL X+50\nL Z+0";
-const contourOf = (r: Made) => r.operations[0]?.call?.given.contour?.map((s) => `${+toDiameter(s.to.r).toFixed(3)} ${+s.to.z.toFixed(3)}`);
+const contourOf = (r: Made) =>
+  r.operations[0]?.call?.given.contour?.map((s) => `${+toDiameter(s.to.r).toFixed(3)} ${+s.to.z.toFixed(3)}`);
 
 describe("contours from files", () => {
   const inside = made(`CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL1\n${SHOULDER}\nM30\nLBL 1\n${OUTLINE}\nLBL 0`);
   test.each([
     ["SEL CONTOUR", 'SEL CONTOUR "TNC:\\c\\outline.h"', { "OUTLINE.H": pgm(OUTLINE) }],
     ["a name in a parameter", 'QS1 = "OUTLINE"\nSEL CONTOUR QS1', { "OUTLINE.H": pgm(OUTLINE) }],
-    ["a file that declares a contour", 'SEL CONTOUR "ALL"', {
-      "ALL.H": pgm('DECLARE CONTOUR QC1 = "OUTLINE.H"\nQC2 = QC1'),
-      "OUTLINE.H": pgm(OUTLINE),
-    }],
+    [
+      "a file that declares a contour",
+      'SEL CONTOUR "ALL"',
+      {
+        "ALL.H": pgm('DECLARE CONTOUR QC1 = "OUTLINE.H"\nQC2 = QC1'),
+        "OUTLINE.H": pgm(OUTLINE),
+      },
+    ],
     ["CONTOUR DEF with a file", 'CONTOUR DEF P1 = "OUTLINE.H"', { "OUTLINE.H": pgm(OUTLINE) }],
-    ["an inch file", 'SEL CONTOUR "O.H"', { "O.H": pgm(`L X+${80 / 25.4} Z-${20.5 / 25.4}\nL X+${50 / 25.4}\nL Z+0`, "INCH") }],
+    [
+      "an inch file",
+      'SEL CONTOUR "O.H"',
+      { "O.H": pgm(`L X+${80 / 25.4} Z-${20.5 / 25.4}\nL X+${50 / 25.4}\nL Z+0`, "INCH") },
+    ],
   ])("%s", (_, lines, files) => {
     const r = made(`${lines}\n${SHOULDER}`, files);
     expect(told(r)).toEqual([]);
@@ -102,7 +131,10 @@ describe("contours from files", () => {
     expect(r.operations[0]?.plan.passes).toBeGreaterThan(2);
   });
   test("CONTOUR DEF with a label", () =>
-    expect(contourOf(made(`CONTOUR DEF P1 = LBL "A"\n${SHOULDER}\nM30\nLBL "A"\n${OUTLINE}\nLBL 0`))).toEqual(["50 -20.5", "50 0"]));
+    expect(contourOf(made(`CONTOUR DEF P1 = LBL "A"\n${SHOULDER}\nM30\nLBL "A"\n${OUTLINE}\nLBL 0`))).toEqual([
+      "50 -20.5",
+      "50 0",
+    ]));
   test("several areas are not joined: the cycle is unproved", () =>
     expect(unproved(made(`CONTOUR DEF P1 = "A.H" I2 = "B.H" DEPTH5\n${SHOULDER}`))).toEqual(["CYCL CALL@12"]));
   test("a file that is not at hand is an error of the cycle", () =>
@@ -120,13 +152,20 @@ describe("blocks that are marked with /", () => {
   test("a label that is left out is none, and so is an element of a contour", () => {
     expect(told(made("CALL LBL 1\nM30\n/LBL 1\nLBL 1\nL X+90 FMAX\nLBL 0"))).toEqual(["labelTwice@10"]);
     expect(told(made("CALL LBL 1\nM30\n/LBL 1\nLBL 1\nL X+90 FMAX\nLBL 0", {}, true))).toEqual([]);
-    const outlined = made(`CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL1\n${SHOULDER}\nM30\nLBL 1\n${OUTLINE}\n/L X+88\nLBL 0`, {}, true);
+    const outlined = made(
+      `CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL1\n${SHOULDER}\nM30\nLBL 1\n${OUTLINE}\n/L X+88\nLBL 0`,
+      {},
+      true,
+    );
     expect(contourOf(outlined)).toEqual(["50 -20.5", "50 0"]);
   });
 });
 
 describe("values", () => {
-  const at = (lines: string) => path(made(`${lines}\nL X+Q9 FMAX`)).at(-1)?.split(" ")[1];
+  const at = (lines: string) =>
+    path(made(`${lines}\nL X+Q9 FMAX`))
+      .at(-1)
+      ?.split(" ")[1];
   test.each([
     ["FN 6: Q9 = SIN-Q1", "Q1 = -30", "0.5"],
     ["FN6:Q9=SIN +90", "", "1"],
@@ -166,10 +205,9 @@ describe("values", () => {
     expect(radius("MM", "TOOL CALL 77 Z S100")).toEqual([0, "Q108@4"]);
     expect(unproved(made("L X+Q110 FMAX"))).toEqual(["Q110@7"]);
     expect(told(made("L X+Q99 FMAX"))).toEqual(["parameterUnset@7"]);
-    expect(unproved(made("FN 18: SYSREAD Q1 = ID1\nQ200 = 3\nCYCL DEF 200 DRILLING ~\nQ200=+Q1\nL X+Q200 FMAX"))).toEqual([
-      "Q1@9",
-      "Q200@10",
-    ]);
+    expect(
+      unproved(made("FN 18: SYSREAD Q1 = ID1\nQ200 = 3\nCYCL DEF 200 DRILLING ~\nQ200=+Q1\nL X+Q200 FMAX")),
+    ).toEqual(["Q1@9", "Q200@10"]);
   });
   test("a tool by its name in a parameter", () => {
     const name = shippedTools[1]?.NAME ?? "";
@@ -193,11 +231,16 @@ describe("values", () => {
     expect(unproved(made('SQL BIND Q5 "T.R"\nQ5 = 4\nSQL FETCH Q1 HANDLE Q2\nL X+Q5 FMAX'))).toEqual(["Q5@10"]);
     expect(unproved(made("QS1 = SYSSTR ( ID10950 NR1 )\nQ2 = STRLEN ( SRC_QS1 )\nL X+Q2 FMAX"))).toEqual(["Q2@9"]);
     expect(unproved(made("Q2 = CFGREAD ( KEY_QS1 TAG_QS2 )\nL X+Q2 FMAX"))).toEqual(["Q2@8"]);
-    expect(unproved(made("Q150 = 3\nTCH PROBE 427 MEASURE ~\nQ263=+1\nL Z+Q150 FMAX"))).toEqual(["TCH PROBE 427@8", "Q150@9"]);
+    expect(unproved(made("Q150 = 3\nTCH PROBE 427 MEASURE ~\nQ263=+1\nL Z+Q150 FMAX"))).toEqual([
+      "TCH PROBE 427@8",
+      "Q150@9",
+    ]);
     expect(unproved(made("Q2 = 90\nL X+Q2 FMAX"))).toEqual([]);
   });
   test("SET UNDEFINED takes a value away", () =>
-    expect(path(made("Q5 = 4\nQ5 = SET UNDEFINED\nIF Q5 IS UNDEFINED GOTO LBL 1\nL X+90 FMAX\nLBL 1\nL Z+1 FMAX"))).toEqual(["12 100 1"]));
+    expect(
+      path(made("Q5 = 4\nQ5 = SET UNDEFINED\nIF Q5 IS UNDEFINED GOTO LBL 1\nL X+90 FMAX\nLBL 1\nL Z+1 FMAX")),
+    ).toEqual(["12 100 1"]));
   test("FUNCTION TURNDATA SPIN keeps the gear", () => {
     const [block] = parse("4 FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2000 GEARRANGE:2\n").blocks;
     expect(block?.issues).toEqual([]);

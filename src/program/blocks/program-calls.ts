@@ -42,5 +42,8 @@ export function programCycle(machine: Machine, { line, text }: StatementOf<"cycl
   if (line !== 1) return;
   const name = nameInCycle(text);
   const program = /^QS\d{1,4}$/i.test(name) ? machine.text(name.toUpperCase(), index) : name;
-  machine.set({ callsBehindMoves: false, defined: { index, cycle: PROGRAM_CYCLE, values: new Map(), troubled: new Set(), program } });
+  machine.set({
+    callsBehindMoves: false,
+    defined: { index, cycle: PROGRAM_CYCLE, values: new Map(), troubled: new Set(), program },
+  });
 }

@@ -1,6 +1,13 @@
 import { grooveDiameters, GROOVE_WORDS, type Groove } from "../../kernel/contour/groove.ts";
-import { ANGLE_WORDS, UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut,
-  type UndercutForm } from "../../kernel/contour/undercut.ts";
+import {
+  ANGLE_WORDS,
+  UNDERCUT_FORMS,
+  UNDERCUT_WORDS,
+  type RecessWord,
+  type RecessWords,
+  type Undercut,
+  type UndercutForm,
+} from "../../kernel/contour/undercut.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
 import type { NamedWord, Statement } from "../../nc/statement.ts";
 import { programIssue } from "../state/issue.ts";
@@ -41,7 +48,11 @@ export function recessOf(
 ): Undercut | Groove | null {
   if (s.kind === "groove") {
     const direction = s.form === "AXIAL" ? "axial" : "radial";
-    return { kind: "groove", direction, words: wordsOf(machine, s.words, GROOVE_WORDS, grooveDiameters(direction), index) };
+    return {
+      kind: "groove",
+      direction,
+      words: wordsOf(machine, s.words, GROOVE_WORDS, grooveDiameters(direction), index),
+    };
   }
   const form = formOf(s.form);
   if (!form) {

@@ -17,7 +17,9 @@ export const shiftedSegment = (s: Segment, by: By): Segment => {
 };
 
 const move = (m: Move, by: By): Move =>
-  m.kind === "arc" ? { ...m, to: shiftedPoint(m.to, by), centre: shiftedPoint(m.centre, by) } : { ...m, to: shiftedPoint(m.to, by) };
+  m.kind === "arc"
+    ? { ...m, to: shiftedPoint(m.to, by), centre: shiftedPoint(m.centre, by) }
+    : { ...m, to: shiftedPoint(m.to, by) };
 
 const shiftedThread = (thread: ThreadPlan, by: By): ThreadPlan => ({
   ...thread,

@@ -5,7 +5,9 @@ import type { Words } from "../../nc/statement.ts";
 import type { Machine } from "../state/machine.ts";
 import { idleSpindle } from "../state/spindle-state.ts";
 
-/** M functions that start a spindle: those of every control, with coolant or without, and those of the turning spindle. */
+/**
+ * M functions that start a spindle: those of every control, with coolant or without, and those of the turning spindle.
+ */
 const START: readonly number[] = [3, 4, 13, 14, 303, 304];
 /** Those of them that start it the other way round. What a machine has of its own counts as forwards. */
 const BACKWARDS: readonly number[] = [4, 14, 304];
@@ -24,7 +26,8 @@ const spunAt = (machine: Machine, index: number) => ({ index, unproved: machine.
 /** What the M functions of a block start as it begins. */
 export function startedBy(machine: Machine, { functions }: Words, index: number): void {
   const last = functions.findLast(mayStart);
-  if (last !== undefined) machine.set({ turns: true, backwards: BACKWARDS.includes(last), spun: spunAt(machine, index) });
+  if (last !== undefined)
+    machine.set({ turns: true, backwards: BACKWARDS.includes(last), spun: spunAt(machine, index) });
 }
 
 /** What they stop at its end. A spindle that stands already was stopped by the block before. */
@@ -50,5 +53,10 @@ export function mustTurn(machine: Machine, tool: Tool, index: number, { operatio
   }
   machine.set({ spun: { ...machine.now.spun, told: true } });
   const { how, by } = idle;
-  machine.log.say(issue("spindleStopped", "error", { how, ...(by !== null && { block: by }) }), index, 0, operation ?? null);
+  machine.log.say(
+    issue("spindleStopped", "error", { how, ...(by !== null && { block: by }) }),
+    index,
+    0,
+    operation ?? null,
+  );
 }

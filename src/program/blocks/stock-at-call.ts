@@ -7,38 +7,54 @@ import type { Machine } from "../state/machine.ts";
 
 /** FUNCTION TURNDATA BLANK: from here on the run knows what stands. */
 export function traceBlank(machine: Machine, rings: readonly Ring[]): void {
-  const { shop, log, now: { clamping } } = machine;
+  const {
+    shop,
+    log,
+    now: { clamping },
+  } = machine;
   machine.hasTraced = true;
   machine.traced = shop.tracing ? { blank: shop.tracing(rings, clamping?.made ?? null), next: log.steps.length } : null;
 }
 
 /**
- * What stands when a cycle is called; null where earlier cuts have left nobody knows what, since only the simulation knows that.
- * A blank that is traced is cut by the steps up to here.
+ * What stands when a cycle is called; null where earlier cuts have left nobody knows what, since only the simulation
+ * knows that. A blank that is traced is cut by the steps up to here.
  */
 export function stockAtCall(machine: Machine): readonly Ring[] | null {
-  const { traced, now: { blank, blankSince }, log: { steps, operations } } = machine;
+  const {
+    traced,
+    now: { blank, blankSince },
+    log: { steps, operations },
+  } = machine;
   if (traced) {
     for (; traced.next < steps.length; traced.next += 1) traced.blank.add(steps[traced.next] as (typeof steps)[number]);
     return traced.blank.stock();
   }
-  const isUncut = operations.length === blankSince.operations && !steps.slice(blankSince.steps).some((s) => isDrill(s.tool));
+  const isUncut =
+    operations.length === blankSince.operations && !steps.slice(blankSince.steps).some((s) => isDrill(s.tool));
   return isUncut && blank.length > 0 ? blank : null;
 }
 
 /**
- * What of the blank nobody has bored yet: behind the lowest Z that a drill or a cut on the axis has come to. Null where nobody knows what
- * stands there, as behind effects that are not simulated.
+ * What of the blank nobody has bored yet: behind the lowest Z that a drill or a cut on the axis has come to. Null where
+ * nobody knows what stands there, as behind effects that are not simulated.
  */
 export function solidAtCall(machine: Machine): Setting["solid"] {
-  const { traced, now: { blank, blankSince }, log: { steps, operations, unproved } } = machine;
+  const {
+    traced,
+    now: { blank, blankSince },
+    log: { steps, operations, unproved },
+  } = machine;
   if (traced) return { rings: stockAtCall(machine) ?? [], below: Infinity, isBored: false };
   if (blank.length === 0 || unproved.length > 0) return null;
   let below = Infinity;
   const since = steps.slice(blankSince.steps);
   for (const { tool, move } of since)
     if (move.kind !== "rapid" && (isDrill(tool) || move.to.r <= SAME)) below = Math.min(below, move.to.z);
-  const isBored = operations.slice(blankSince.operations).some(({ plan }) => plan.openSide.r < 0)
-    || since.some(({ move, tool, operation }) => operation === null && move.kind !== "rapid" && tipDirection(tool.TO).v > 0);
+  const isBored =
+    operations.slice(blankSince.operations).some(({ plan }) => plan.openSide.r < 0) ||
+    since.some(
+      ({ move, tool, operation }) => operation === null && move.kind !== "rapid" && tipDirection(tool.TO).v > 0,
+    );
   return { rings: blank, below, isBored };
 }

@@ -6,20 +6,28 @@ import { axisRate, speedAt, type RapidRate } from "../../kernel/time/time.ts";
 import { RUN_IN_STEP } from "../../kernel/strategy/thread-run-in.ts";
 import { roundedUp, roundedUpTo } from "../../kernel/units.ts";
 
-/** Revolutions per minute times lead, over this, are the mm that an axis needs to get up to the feed: a rule of thumb of the trade. */
+/**
+ * Revolutions per minute times lead, over this, are the mm that an axis needs to get up to the feed: a rule of thumb of
+ * the trade.
+ */
 const RUN_IN = 400;
 
-/** A speed that follows the diameter: each pass starts in another place of the turn. Told whatever else keeps the thread from its path. */
+/**
+ * A speed that follows the diameter: each pass starts in another place of the turn. Told whatever else keeps the thread
+ * from its path.
+ */
 function surfaceSpeed(spindle: Extract<Spindle, { kind: "surface" }>, moves: Plan["moves"]): Issue {
-  const speeds = moves.flatMap((m, i) => m.kind === "thread" ? [moves[i - 1]?.to.r ?? m.to.r, m.to.r].map((r) => speedAt(spindle, r)) : []);
+  const speeds = moves.flatMap((m, i) =>
+    m.kind === "thread" ? [moves[i - 1]?.to.r ?? m.to.r, m.to.r].map((r) => speedAt(spindle, r)) : [],
+  );
   const [slow, fast] = [Math.round(Math.min(...speeds)), Math.round(Math.max(...speeds))];
   const { cuttingSpeed } = spindle;
   return issue("threadSurfaceSpeed", "warning", fast > slow ? { cuttingSpeed, slow, fast } : { cuttingSpeed });
 }
 
 /**
- * What the speed of the spindle makes of a thread: one that changes with the diameter, a feed that the axis cannot follow (it goes no
- * faster than at rapid), a run-in too short to get up to it. The last two at their parameters.
+ * What the speed of the spindle makes of a thread: one that changes with the diameter, a feed that the axis cannot
+ * follow (it goes no faster than at rapid), a run-in too short to get up to it. The last two at their parameters.
  */
 export function threadWarnings(cycle: Cycle, plan: Plan, spindle: Spindle | null, rapid: RapidRate): Issue[] {
   const changing = cycle.thread && spindle?.kind === "surface" ? [surfaceSpeed(spindle, plan.moves)] : [];
@@ -28,7 +36,8 @@ export function threadWarnings(cycle: Cycle, plan: Plan, spindle: Spindle | null
 
 function feedWarnings({ params }: Cycle, { thread, moves }: Plan, spindle: Spindle | null, rapid: RapidRate): Issue[] {
   const first = moves.findIndex((m) => m.kind === "thread");
-  const before = moves[first - 1], turned = moves[first];
+  const before = moves[first - 1],
+    turned = moves[first];
   if (!thread || !spindle || !before || !turned) return [];
   const shown = (...topics: readonly string[]) =>
     topics.flatMap((topic) => Object.keys(params).filter((q) => params[q]?.shown === topic))[0];
@@ -39,14 +48,21 @@ function feedWarnings({ params }: Cycle, { thread, moves }: Plan, spindle: Spind
   const whole = { feed: Math.round(feed), speed: Math.round(speed) };
   const most = axisRate(rapid, before.to, turned.to);
   if (feed > most)
-    found.push(issue("threadFeedOverLimit", "warning", { ...whole, most, upTo: Math.floor(most / thread.lead) }, shown("pitch")));
+    found.push(
+      issue("threadFeedOverLimit", "warning", { ...whole, most, upTo: Math.floor(most / thread.lead) }, shown("pitch")),
+    );
   const needed = roundedUp(feed / RUN_IN);
   if (thread.runIn < needed) {
     const at = shown("runIn", "clearance");
     const longest = at === undefined ? 0 : (params[at]?.range[1] ?? 0);
     const nearest = roundedUpTo(RUN_IN_STEP, needed);
     // At a speed that no run-in can reach, the speed is what has to change.
-    const data = { runIn: thread.runIn, needed, speed: whole.speed, ...(nearest <= longest && feed <= most && { nearest }) };
+    const data = {
+      runIn: thread.runIn,
+      needed,
+      speed: whole.speed,
+      ...(nearest <= longest && feed <= most && { nearest }),
+    };
     found.push(issue("runInShort", "warning", data, at));
   }
   return found;

@@ -18,7 +18,8 @@ export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition"
 export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: number): void {
   if (s.axis !== null) machine.setMill({ otherAxis: s.axis !== "Z" });
   const wanted = typeof s.tool === "object" && s.tool !== null ? toolOf(machine, s.tool, index) : s.tool;
-  if (s.tool !== null && machine.now.compensation !== "R0") breaksRule(machine, "toolCallCompensated", machine.now.compensation, index);
+  if (s.tool !== null && machine.now.compensation !== "R0")
+    breaksRule(machine, "toolCallCompensated", machine.now.compensation, index);
   if (s.tool !== null) changeTool(machine, wanted);
   if (wanted === null && s.tool !== null) unknownTool(machine);
   if (wanted !== null) takeMill(machine, s, wanted, index);
@@ -36,7 +37,11 @@ const toolOf = (machine: Machine, held: Parameter, index: number) =>
 
 /** A tool change takes its time unless the tool is in already: the index behind the point is another edge of it. */
 function changeTool(machine: Machine, wanted: number | string | null): void {
-  const { shop: { tools, mills = [], machine: data }, log, now } = machine;
+  const {
+    shop: { tools, mills = [], machine: data },
+    log,
+    now,
+  } = machine;
   const row = wanted === null ? undefined : (find(tools, wanted) ?? find(mills, wanted));
   const number = row?.T ?? wanted;
   const name = typeof number === "number" ? String(Math.floor(number)) : number;
@@ -70,8 +75,9 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   const tool = refused ? undefined : (find(machine.shop.tools, wanted) ?? drillIn(machine.shop.mills ?? [], wanted));
   machine.setPlace({ sure: { x: false, z: false }, brought: null, home: null, last: null });
   machine.set({ compensation: "R0", tool: tool ? asBefore(machine, tool) : null, toolRefused: !tool, corrections: {} });
-  if (refused && typeof wanted === "number") { for (const i of refused) machine.log.say(i, index); }
-  else if (!tool) notInTable(machine, wanted, index);
+  if (refused && typeof wanted === "number") {
+    for (const i of refused) machine.log.say(i, index);
+  } else if (!tool) notInTable(machine, wanted, index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
     machine.log.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
   // Off the plane that is turned in: the edge may stand above or below the axis.
@@ -87,8 +93,8 @@ function rowsOf({ shop }: Machine, wanted: number): readonly number[] {
 }
 
 /**
- * No turning tool and no drill: of a tool with an index, the rows that the tables have of that tool. A mill that no table has may be of
- * the machine's own, but not one of a tool that is there.
+ * No turning tool and no drill: of a tool with an index, the rows that the tables have of that tool. A mill that no
+ * table has may be of the machine's own, but not one of a tool that is there.
  */
 function notInTable(machine: Machine, wanted: number | string, index: number): void {
   const tool = String(wanted);
@@ -107,8 +113,8 @@ function notInTable(machine: Machine, wanted: number | string, index: number): v
 const asBefore = ({ shop }: Machine, tool: Tool): Tool => shop.memory?.same(tool) ?? tool;
 
 /**
- * A tool of another table is no fault while only milling follows: with a mill of known radius until something is turned without a tool
- * call before it, else until turning begins.
+ * A tool of another table is no fault while only milling follows: with a mill of known radius until something is turned
+ * without a tool call before it, else until turning begins.
  */
 function turnsLater(machine: Machine, index: number): boolean {
   const isMill = machine.now.mill.radius !== null;
@@ -125,14 +131,25 @@ function turnsLater(machine: Machine, index: number): boolean {
 }
 
 /** What moves the tool or may do so. */
-const MOVES: ReadonlySet<Statement["kind"]> = new Set(["path", "approach", "free", "cycleCall", "call", "callProgram", "callSelected"]);
+const MOVES: ReadonlySet<Statement["kind"]> = new Set([
+  "path",
+  "approach",
+  "free",
+  "cycleCall",
+  "call",
+  "callProgram",
+  "callSelected",
+]);
 
 function drillIn(mills: readonly Mill[], wanted: number | string): Tool | undefined {
   const row = find(mills, wanted);
   return row && (drillOf(row) ?? undefined);
 }
 
-/** A drill of the table of milling tools, as a tool that turning can use on its axis; null for a mill. An empty cell may be 0. */
+/**
+ * A drill of the table of milling tools, as a tool that turning can use on its axis; null for a mill. An empty cell may
+ * be 0.
+ */
 export function drillOf(row: Mill): Tool | null {
   if (!row.TYPE || !(row.R + (row.DR ?? 0) > 0)) return null;
   return {

@@ -28,26 +28,33 @@ describe("comments in odd spelling", () => {
     [" CLAMPING CHUCK INSIDE D60 LENGTH25 FACE-75 SIZE200", { ...OUTSIDE, kind: "chuckInside" }],
     [" CLAMPING SOFT JAWS OUTSIDE D60 LENGTH25 FACE-75 SIZE200", { ...OUTSIDE, kind: "softJaws" }],
     [" CLAMPING COLLET D60 LENGTH25 FACE-75 NOSE100", { ...OUTSIDE, kind: "collet", size: 100 }],
-    [" CLAMPING BETWEEN CENTERS D30 FACE-75 QUILL40 TIP-2", {
-      kind: "centres",
-      diameter: 30,
-      length: 0,
-      face: -75,
-      tailstock: CENTRE,
-    }],
-    [" CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75 SIZE200 TAILSTOCK QUILL40 TIP Z-2 ANGLE 75 LIMIT Z-72.5 LIMIT X100", {
-      ...OUTSIDE,
-      tailstock: { ...CENTRE, angle: 75 },
-      limit: { z: -72.5, x: 100 },
-    }],
+    [
+      " CLAMPING BETWEEN CENTERS D30 FACE-75 QUILL40 TIP-2",
+      {
+        kind: "centres",
+        diameter: 30,
+        length: 0,
+        face: -75,
+        tailstock: CENTRE,
+      },
+    ],
+    [
+      " CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75 SIZE200 TAILSTOCK QUILL40 TIP Z-2 ANGLE 75 LIMIT Z-72.5 LIMIT X100",
+      {
+        ...OUTSIDE,
+        tailstock: { ...CENTRE, angle: 75 },
+        limit: { z: -72.5, x: 100 },
+      },
+    ],
   ])("%s", (comment, wanted) => {
     const read = readClamping(comment) ?? expect.fail("a clamping");
     expect(read.what).toEqual([]);
     expect(clampingOf(read, (n) => n)).toEqual(wanted);
   });
 
-  test.each([" CLAMPINGS D60", " clamp it well", " NO CLAMPING", ""])("%j is another comment",
-    (comment) => expect(readClamping(comment)).toBeNull());
+  test.each([" CLAMPINGS D60", " clamp it well", " NO CLAMPING", ""])("%j is another comment", (comment) =>
+    expect(readClamping(comment)).toBeNull(),
+  );
 
   test.each<[string, readonly string[]]>([
     [" CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75", ["SIZE"]],
@@ -63,7 +70,17 @@ describe("comments in odd spelling", () => {
   });
 
   test("what is printed is read the same", () => {
-    const words = { D: "60", LENGTH: "25", FACE: "-75", SIZE: "200", QUILL: "40", TIP: "-2", ANGLE: "75", LIMITZ: "-72.5", LIMITX: "100" };
+    const words = {
+      D: "60",
+      LENGTH: "25",
+      FACE: "-75",
+      SIZE: "200",
+      QUILL: "40",
+      TIP: "-2",
+      ANGLE: "75",
+      LIMITZ: "-72.5",
+      LIMITX: "100",
+    };
     for (const kind of CLAMPING_KINDS) {
       const read = readClamping(` ${clampingText({ kind, words })}`) ?? expect.fail(kind);
       expect([kind, read.kind, read.what]).toEqual([kind, kind, []]);
@@ -75,13 +92,18 @@ describe("comments in odd spelling", () => {
 describe("bodies", () => {
   const blank = [[at(-100, 0), at(0, 0), at(0, 30), at(-100, 30)]];
   const sizes = (c: Clamping) =>
-    Object.fromEntries(clampingBodies(c, blank).map(({ part, rings }) => [part, boxAround(rings)])) as Record<ClampPart,
-      ReturnType<typeof boxAround>>;
+    Object.fromEntries(clampingBodies(c, blank).map(({ part, rings }) => [part, boxAround(rings)])) as Record<
+      ClampPart,
+      ReturnType<typeof boxAround>
+    >;
 
   test("jaws begin at the front, stand on the gripped ⌀, and leave the blank to itself", () => {
     const { jaws, chuck } = sizes(OUTSIDE);
     expect(jaws).toMatchObject({ left: -115, right: -75 });
-    const grip = clampingBodies(OUTSIDE, blank)[0]?.rings.flat().filter(({ z }) => z > -99) ?? [];
+    const grip =
+      clampingBodies(OUTSIDE, blank)[0]
+        ?.rings.flat()
+        .filter(({ z }) => z > -99) ?? [];
     expect(Math.min(...grip.map(({ r }) => r))).toBe(30);
     expect(chuck).toMatchObject({ right: -115, low: 26, high: 100 });
     for (const c of [OUTSIDE, { ...OUTSIDE, kind: "collet", size: 90 } as const, { ...OUTSIDE, tailstock: CENTRE }])
@@ -102,27 +124,43 @@ describe("bodies", () => {
     expect(tailstock.left).toBeCloseTo(0, 6);
   });
 
-  test.each<[Partial<Clamping>, boolean]>([[{}, false], [{ diameter: 60.8 }, false], [{ diameter: 64 }, true], [{ diameter: 56 }, true], [{
-    face: -1,
-    length: 10,
-  }, false], [{ face: 20, length: 10 }, true]])("%j grips nothing: %s",
-    (more, misses) => expect(missesBlank({ ...OUTSIDE, ...more }, blank)).toBe(misses));
+  test.each<[Partial<Clamping>, boolean]>([
+    [{}, false],
+    [{ diameter: 60.8 }, false],
+    [{ diameter: 64 }, true],
+    [{ diameter: 56 }, true],
+    [
+      {
+        face: -1,
+        length: 10,
+      },
+      false,
+    ],
+    [{ face: 20, length: 10 }, true],
+  ])("%j grips nothing: %s", (more, misses) => expect(missesBlank({ ...OUTSIDE, ...more }, blank)).toBe(misses));
 });
 
 /** A bar ⌀30, Z0 to Z-80, turned along its whole length; `comment` behind its blank. */
 const turned = (comment: string, end = -80) =>
-  readFileSync("tests/cases/clamped-bar.h", "utf8").replace(/; CLAMPING .*/, comment).replace("Q494=-80", `Q494=${end}`);
+  readFileSync("tests/cases/clamped-bar.h", "utf8")
+    .replace(/; CLAMPING .*/, comment)
+    .replace("Q494=-80", `Q494=${end}`);
 const contacts = (text: string) => {
-  const made = ran(text), simulation = simulate(made);
-  return stockIssues(simulation).flatMap(({ issue }) => (issue.code === "clampContact" ? [`${issue.data.part} ${issue.data.by}`] : []));
+  const made = ran(text),
+    simulation = simulate(made);
+  return stockIssues(simulation).flatMap(({ issue }) =>
+    issue.code === "clampContact" ? [`${issue.data.part} ${issue.data.by}`] : [],
+  );
 };
 const HELD = "; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60 SIZE160";
 
 describe("contact", () => {
   test("turning to the end of the bar runs into the jaws that are stated", () =>
     expect(contacts(turned(HELD))).toEqual(["jaws tool", "jaws holder"]));
-  test.each([["; a comment", -80], ["; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60", -80]])("with %s nothing is claimed",
-    (comment, end) => expect(contacts(turned(comment, end))).toEqual([]));
+  test.each([
+    ["; a comment", -80],
+    ["; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60", -80],
+  ])("with %s nothing is claimed", (comment, end) => expect(contacts(turned(comment, end))).toEqual([]));
   test("a cut that ends clear of the jaws meets none of them, one that ends nearer than its holder does", () => {
     expect(contacts(turned(HELD, -50))).toEqual([]);
     expect(contacts(turned(HELD, -59))).toEqual([]);
@@ -145,10 +183,16 @@ describe("contact", () => {
     expect(long("CHUCK OUTSIDE D30 LENGTH4 FACE-76 SIZE160 QUILL80 TIP-4 ANGLE120")).toContain("tailstock tool");
   });
   test("a changed grip is cut again where its run is known: other pieces come loose", () => {
-    const again = simulating(), disc = readFileSync("tests/cases/ring-out-of-a-disc.h", "utf8");
+    const again = simulating(),
+      disc = readFileSync("tests/cases/ring-out-of-a-disc.h", "utf8");
     const loose = (text: string) => again(ran(text)).proof.loose.map(({ shape }) => shape);
     const beside = disc.replace("SOFT JAWS D80", "SOFT JAWS D76");
-    expect([loose(disc), loose(beside), loose(disc), loose(disc.replace(/; CLAMPING.*/, "; none"))]).toEqual([["slug"], [], ["slug"], []]);
+    expect([loose(disc), loose(beside), loose(disc), loose(disc.replace(/; CLAMPING.*/, "; none"))]).toEqual([
+      ["slug"],
+      [],
+      ["slug"],
+      [],
+    ]);
   });
   test("changed in a run that is known it is looked at again", () => {
     const again = simulating();
@@ -164,34 +208,55 @@ test.each<[string, readonly string[]]>([
   [`${HELD}\n; CLAMPING COLLET D30 LENGTH20 FACE-60 SIZE80`, ["clampingTwice"]],
   ["; CLAMPING CHUCK OUTSIDE D36 LENGTH20 FACE-60 SIZE160", ["clampingMisses"]],
 ])("%s tells %j", (comment, codes) => {
-  const told = ran(turned(comment)).issues.map(({ issue }) => issue.code).filter((code) => code.startsWith("clamping"));
+  const told = ran(turned(comment))
+    .issues.map(({ issue }) => issue.code)
+    .filter((code) => code.startsWith("clamping"));
   expect(told).toEqual(codes);
 });
 
 test("behind a block, and in an inch program, it counts as well", () => {
   const beside = turned("").replace("DIST+0", `DIST+0 ${HELD}`);
-  expect(ran(beside).clamping?.clamping).toEqual({ kind: "chuckOutside", diameter: 30, length: 20, face: -60, size: 160 });
+  expect(ran(beside).clamping?.clamping).toEqual({
+    kind: "chuckOutside",
+    diameter: 30,
+    length: 20,
+    face: -60,
+    size: 160,
+  });
   const inch = "0 BEGIN PGM A INCH\n; CLAMPING CHUCK OUTSIDE D1 LENGTH1 FACE-2 SIZE8\n1 END PGM A INCH\n";
-  expect(ran(inch).clamping?.clamping).toEqual({ kind: "chuckOutside", diameter: 25.4, length: 25.4, face: -50.8, size: 203.2 });
+  expect(ran(inch).clamping?.clamping).toEqual({
+    kind: "chuckOutside",
+    diameter: 25.4,
+    length: 25.4,
+    face: -50.8,
+    size: 203.2,
+  });
 });
 
 test("a program gets its clamping behind the blank, another one in its place, and none again", () => {
-  const text = turned("; CLAMPING CHUCK OUTSIDE D30").replace(/; CLAMPING .*\n/, ""), program = parse(text);
+  const text = turned("; CLAMPING CHUCK OUTSIDE D30").replace(/; CLAMPING .*\n/, ""),
+    program = parse(text);
   const raw = (of: typeof program) => of.blocks.map((b) => b.raw).join("");
   const draft = proposedClamping({ left: -80, right: 0, high: 15 });
   const stated = withClamping(program, draft);
   expect(raw(stated).split("\n")[2]).toBe("2 ; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60 SIZE160");
   expect(clampingIn(parse(raw(stated)))?.draft).toEqual(draft);
-  expect(raw(withClamping(stated, { ...draft, kind: "softJaws" })).split("\n")[2]).toContain("; CLAMPING SOFT JAWS D30");
+  expect(raw(withClamping(stated, { ...draft, kind: "softJaws" })).split("\n")[2]).toContain(
+    "; CLAMPING SOFT JAWS D30",
+  );
   expect(raw(withClamping(stated, null))).toBe(text);
 });
 
 test("the report says what holds the work, and that nothing was looked at where it is not stated", () => {
   const reported = (text: string) => {
     const made = ran(text);
-    return report({ file: "a.h", run: made, simulation: simulate(made), milliseconds: { parse: 0, plan: 0, simulate: 0 } }, "en");
+    return report(
+      { file: "a.h", run: made, simulation: simulate(made), milliseconds: { parse: 0, plan: 0, simulate: 0 } },
+      "en",
+    );
   };
-  const stated = reported(turned(`${HELD} QUILL4 TIP-2`, -50)), unstated = reported(turned("; none", -50));
+  const stated = reported(turned(`${HELD} QUILL4 TIP-2`, -50)),
+    unstated = reported(turned("; none", -50));
   expect(stated.clamping).toMatchObject({ kind: "chuckOutside", diameter: 30, face: -60 });
   expect(summary(stated)).toContain("clamping as stated: chuck outside, D30, front at Z-60, tailstock at Z-2");
   expect(unstated.clamping).toBeNull();

@@ -5,8 +5,16 @@ import type { Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { anyNumber, type Field } from "../values/field.ts";
 import { readClamping } from "./read-clamping.ts";
-import { ANY_NUMBER, CLAMPING_WORDS, clampingText, LEAST_ANGLE, MOST_ANGLE, neededWords, type ClampingDraft,
-  type ClampingWord } from "./words.ts";
+import {
+  ANY_NUMBER,
+  CLAMPING_WORDS,
+  clampingText,
+  LEAST_ANGLE,
+  MOST_ANGLE,
+  neededWords,
+  type ClampingDraft,
+  type ClampingWord,
+} from "./words.ts";
 
 const rangeOf = (word: ClampingWord): Field["range"] =>
   word === "ANGLE" ? [LEAST_ANGLE, MOST_ANGLE] : [ANY_NUMBER.has(word) ? -Infinity : Number.MIN_VALUE, Infinity];
@@ -33,21 +41,28 @@ export function proposedClamping(
   k = 1,
 ): ClampingDraft {
   const long = Math.min(MOST_GRIPPED, Math.floor((right - left) * GRIPPED) || (right - left) * GRIPPED);
-  const across = toDiameter(radius(high)), least = across * LARGER;
+  const across = toDiameter(radius(high)),
+    least = across * LARGER;
   const size = CHUCK_SIZES.find((each) => each > least) ?? Math.ceil(least / 100) * 100;
   const text = (mm: number) => String(Number((mm / k).toFixed(4)));
-  return { kind: "chuckOutside", words: { D: text(across), LENGTH: text(long), FACE: text(left + long), SIZE: text(size) } };
+  return {
+    kind: "chuckOutside",
+    words: { D: text(across), LENGTH: text(long), FACE: text(left + long), SIZE: text(size) },
+  };
 }
 
 /** What a comment states as it would be typed; null for one that is none of a clamping. */
 function draftOf(comment: string): ClampingDraft | null {
   const read = readClamping(comment);
   if (!read) return null;
-  const words = CLAMPING_WORDS.flatMap((word) => (read.values[word] === undefined ? [] : [[word, String(read.values[word])] as const]));
+  const words = CLAMPING_WORDS.flatMap((word) =>
+    read.values[word] === undefined ? [] : [[word, String(read.values[word])] as const],
+  );
   return { kind: read.kind ?? "chuckOutside", words: Object.fromEntries(words) };
 }
 
-const commentOf = ({ statement: s, comment }: Program["blocks"][number]) => (s.kind === "comment" ? s.text : comment) ?? "";
+const commentOf = ({ statement: s, comment }: Program["blocks"][number]) =>
+  (s.kind === "comment" ? s.text : comment) ?? "";
 
 /** The clamping that a program states, with its block; null where it states none. */
 export function clampingIn({ blocks }: Program): { readonly index: number; readonly draft: ClampingDraft } | null {
@@ -60,7 +75,10 @@ export function clampingIn({ blocks }: Program): { readonly index: number; reado
 
 const isBlank = ({ kind }: Statement) => kind.startsWith("blank");
 
-/** The program with another clamping, or with none: a comment of its own behind the blank, or in the place of the one that it has. */
+/**
+ * The program with another clamping, or with none: a comment of its own behind the blank, or in the place of the one
+ * that it has.
+ */
 export function withClamping(program: Program, draft: ClampingDraft | null): Program {
   const had = clampingIn(program);
   const statement: Statement | null = draft && { kind: "comment", text: ` ${clampingText(draft)}` };

@@ -1,8 +1,22 @@
-import { missesBlank, clampingBodies, type Clamped, type Clamping, type ClampingKind } from "../../kernel/area/clamping.ts";
+import {
+  missesBlank,
+  clampingBodies,
+  type Clamped,
+  type Clamping,
+  type ClampingKind,
+} from "../../kernel/area/clamping.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
-import { ANY_NUMBER, CENTRE_ANGLE, CLAMPING_WORDS, LEAST_ANGLE, MOST_ANGLE, neededWords, type ClampingWord } from "./words.ts";
+import {
+  ANY_NUMBER,
+  CENTRE_ANGLE,
+  CLAMPING_WORDS,
+  LEAST_ANGLE,
+  MOST_ANGLE,
+  neededWords,
+  type ClampingWord,
+} from "./words.ts";
 
 /** What a comment states, in the unit of its program; `what`: words that say nothing that is known. */
 export interface ReadClamping {
@@ -12,11 +26,21 @@ export interface ReadClamping {
 }
 
 /** Other spellings of words with a number. */
-const ALSO: Readonly<Record<string, ClampingWord>> = { Ø: "D", "⌀": "D", DIA: "D", CHUCK: "SIZE", COLLET: "SIZE", NOSE: "SIZE" };
-const KINDS: readonly (readonly [RegExp, ClampingKind])[] = [[/SOFT/, "softJaws"], [/COLLET/, "collet"], [/CENT(RE|ER)/, "centres"], [
-  /INSIDE/,
-  "chuckInside",
-], [/OUTSIDE/, "chuckOutside"]];
+const ALSO: Readonly<Record<string, ClampingWord>> = {
+  Ø: "D",
+  "⌀": "D",
+  DIA: "D",
+  CHUCK: "SIZE",
+  COLLET: "SIZE",
+  NOSE: "SIZE",
+};
+const KINDS: readonly (readonly [RegExp, ClampingKind])[] = [
+  [/SOFT/, "softJaws"],
+  [/COLLET/, "collet"],
+  [/CENT(RE|ER)/, "centres"],
+  [/INSIDE/, "chuckInside"],
+  [/OUTSIDE/, "chuckOutside"],
+];
 /** Words that go with a kind and say nothing by themselves. */
 const SILENT = /^(CHUCK|SOFT|JAWS?|COLLET|BETWEEN|CENT(RE|ER)S?|INSIDE|OUTSIDE|TAILSTOCK|LIMITS?|MM|INCH)$/;
 /** A word with its number, or one alone. */
@@ -25,17 +49,24 @@ const TOKEN = /([^\s\d:=+.,;-]+)(?:\s*[:=]?\s*([+-]?\d*[.,]?\d+))?|\S/gu;
 const AXIS = /\b(FACE|TIP|LIMIT)\s+([ZX])(?=\s*[:=]?\s*[+-]?[\d.])/gu;
 
 const known = (word: string): ClampingWord | undefined => ALSO[word] ?? CLAMPING_WORDS.find((w) => w === word);
-const takes = (word: ClampingWord, n: number) => ANY_NUMBER.has(word) || (word === "ANGLE" ? n >= LEAST_ANGLE && n <= MOST_ANGLE : n > 0);
+const takes = (word: ClampingWord, n: number) =>
+  ANY_NUMBER.has(word) || (word === "ANGLE" ? n >= LEAST_ANGLE && n <= MOST_ANGLE : n > 0);
 
-/** Reads a comment, from behind its `;`; null for one that is none of a clamping. Spelling, order and decimal sign are free. */
+/**
+ * Reads a comment, from behind its `;`; null for one that is none of a clamping. Spelling, order and decimal sign are
+ * free.
+ */
 export function readClamping(comment: string): ReadClamping | null {
   // An axis may stand by itself before its value: FACE Z-75, LIMIT Z-70.
-  const text = /^\s*CLAMPING\b[\s:=]*(.*)$/iu.exec(comment)?.[1]?.toUpperCase().replace(AXIS,
-    (_, word: string, axis: string) => word === "LIMIT" ? word + axis : word);
+  const text = /^\s*CLAMPING\b[\s:=]*(.*)$/iu
+    .exec(comment)?.[1]
+    ?.toUpperCase()
+    .replace(AXIS, (_, word: string, axis: string) => (word === "LIMIT" ? word + axis : word));
   if (text === undefined) return null;
   const [values, what]: [Partial<Record<ClampingWord, number>>, string[]] = [{}, []];
   for (const [whole, word = "", digits] of text.matchAll(TOKEN)) {
-    const name = known(word), n = Number(digits?.replace(",", "."));
+    const name = known(word),
+      n = Number(digits?.replace(",", "."));
     if (name && digits !== undefined && values[name] === undefined && takes(name, n)) values[name] = n;
     else if ((digits !== undefined || !SILENT.test(word)) && /[^\s,;:-]/u.test(whole)) what.push(whole);
   }
@@ -46,10 +77,11 @@ export function readClamping(comment: string): ReadClamping | null {
 export function clampingOf({ kind, values }: ReadClamping, mm: (n: number) => number): Clamping | readonly string[] {
   if (!kind) return ["CHUCK OUTSIDE"];
   const isOnCentre = values.QUILL !== undefined || values.TIP !== undefined;
-  const needed = [...new Set([...neededWords(kind), ...(isOnCentre ? ["QUILL", "TIP"] as const : [])])];
+  const needed = [...new Set([...neededWords(kind), ...(isOnCentre ? (["QUILL", "TIP"] as const) : [])])];
   const missing = needed.filter((word) => values[word] === undefined);
   if (missing.length > 0) return missing;
-  const of = (word: ClampingWord) => mm(values[word] ?? 0), has = (word: ClampingWord) => values[word] !== undefined;
+  const of = (word: ClampingWord) => mm(values[word] ?? 0),
+    has = (word: ClampingWord) => values[word] !== undefined;
   // Nothing is gripped from outside by a chuck that is smaller.
   if (kind !== "centres" && of("SIZE") <= of("D")) return ["SIZE"];
   return {
@@ -59,8 +91,9 @@ export function clampingOf({ kind, values }: ReadClamping, mm: (n: number) => nu
     face: of("FACE"),
     ...(kind !== "centres" && { size: of("SIZE") }),
     ...(isOnCentre && { tailstock: { quill: of("QUILL"), tip: of("TIP"), angle: values.ANGLE ?? CENTRE_ANGLE } }),
-    ...((has("LIMITZ") || has("LIMITX"))
-      && { limit: { ...(has("LIMITZ") && { z: of("LIMITZ") }), ...(has("LIMITX") && { x: of("LIMITX") }) } }),
+    ...((has("LIMITZ") || has("LIMITX")) && {
+      limit: { ...(has("LIMITZ") && { z: of("LIMITZ") }), ...(has("LIMITX") && { x: of("LIMITX") }) },
+    }),
   };
 }
 
@@ -72,7 +105,8 @@ export function takeComment(machine: Machine, comment: string, index: number): v
   if (clamping?.index === index) return;
   if (clamping) return machine.log.say(programIssue("clampingTwice", "warning", {}), index);
   const made = clampingOf(read, (n) => machine.length(n));
-  if (read.what.length > 0) machine.log.say(programIssue("clampingUnread", "info", { what: read.what.join(" ").slice(0, 40) }), index);
+  if (read.what.length > 0)
+    machine.log.say(programIssue("clampingUnread", "info", { what: read.what.join(" ").slice(0, 40) }), index);
   if ("kind" in made) machine.set({ clamping: { index, made } });
   else machine.log.say(programIssue("clampingIncomplete", "info", { words: made.join(", ") }), index);
 }

@@ -1,8 +1,8 @@
 import type { ClampingKind } from "../../kernel/area/clamping.ts";
 
 /*
- * `; CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75 SIZE200 QUILL40 TIP-2 ANGLE60 LIMITZ-72 LIMITX100`: a comment for a control, the clamping
- * for those who know it. Lengths in the unit of the program, D, SIZE, QUILL and LIMITX as ⌀.
+ * `; CLAMPING CHUCK OUTSIDE D60 LENGTH25 FACE-75 SIZE200 QUILL40 TIP-2 ANGLE60 LIMITZ-72 LIMITX100`: a comment for a
+ * control, the clamping for those who know it. Lengths in the unit of the program, D, SIZE, QUILL and LIMITX as ⌀.
  */
 
 /** Words of a clamping with a number, in the order in which they are written. */

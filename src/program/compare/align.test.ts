@@ -16,15 +16,18 @@ function longest(a: readonly number[], b: readonly number[]): number {
 const list = fc.array(fc.nat(4), { maxLength: 14 });
 
 test("what is paired is equal and in the order of both lists, and no common part is longer", () => {
-  fc.assert(fc.property(list, list, (a, b) => {
-    const pairs = aligned(Int32Array.from(a), Int32Array.from(b));
-    pairs.forEach(([i, j], k) => {
-      expect(a[i]).toBe(b[j]);
-      const [before, above] = pairs[k - 1] ?? [-1, -1];
-      expect(i > before && j > above).toBe(true);
-    });
-    expect(pairs).toHaveLength(longest(a, b));
-  }), { numRuns: 1000 });
+  fc.assert(
+    fc.property(list, list, (a, b) => {
+      const pairs = aligned(Int32Array.from(a), Int32Array.from(b));
+      pairs.forEach(([i, j], k) => {
+        expect(a[i]).toBe(b[j]);
+        const [before, above] = pairs[k - 1] ?? [-1, -1];
+        expect(i > before && j > above).toBe(true);
+      });
+      expect(pairs).toHaveLength(longest(a, b));
+    }),
+    { numRuns: 1000 },
+  );
 });
 
 test("long lists without anything in common end, and what they have at their ends is found", () => {

@@ -1,7 +1,9 @@
 /** Two places that belong together: index in the first and in the second list. */
 export type Pair = readonly [a: number, b: number];
 
-/** Steps of one search before the way found so far is taken: keeps lists that have little in common from taking long. */
+/**
+ * Steps of one search before the way found so far is taken: keeps lists that have little in common from taking long.
+ */
 const MOST_STEPS = 400;
 
 /** The furthest place that a search came to, and how far each diagonal was before each of its steps. */
@@ -32,7 +34,8 @@ function search(a: Int32Array, b: Int32Array, [fromA, fromB]: Pair): Way {
       while (x < n && x - k < m && a[fromA + x] === b[fromB + x - k]) x += 1;
       front[most + 1 + k] = x;
       const y = x - k;
-      if (x <= n && y <= m && isFurther([x, y], [way.end[0] - fromA, way.end[1] - fromB])) way = { end: [fromA + x, fromB + y], steps: d };
+      if (x <= n && y <= m && isFurther([x, y], [way.end[0] - fromA, way.end[1] - fromB]))
+        way = { end: [fromA + x, fromB + y], steps: d };
       if (x >= n && y >= m) return { ...way, before };
     }
   }
@@ -60,8 +63,9 @@ function equalsOn({ end, steps, before }: Way, [fromA, fromB]: Pair): Pair[] {
 }
 
 /**
- * Equal members of two lists in their order: as many as there can be (Myers 1986), or where the lists have little in common
- * at least a good part of them. The time grows in proportion to the length of the lists, however little they have in common.
+ * Equal members of two lists in their order: as many as there can be (Myers 1986), or where the lists have little in
+ * common at least a good part of them. The time grows in proportion to the length of the lists, however little they
+ * have in common.
  */
 export function aligned(a: Int32Array, b: Int32Array): readonly Pair[] {
   const shorter = Math.min(a.length, b.length);

@@ -45,8 +45,8 @@ function placed(program: Program): Placed {
     });
     return { title: own.title, cycles, block: numbers[from] ?? 0, place };
   });
-  const telling = all.units.map(
-    (own) => (own.definitions.length > 0 ? own.definitions : Array.from({ length: own.to - own.from }, (_, i) => own.from + i))
+  const telling = all.units.map((own) =>
+    own.definitions.length > 0 ? own.definitions : Array.from({ length: own.to - own.from }, (_, i) => own.from + i),
   );
   return { of, units, telling };
 }
@@ -75,7 +75,8 @@ function outOfOrder(partner: Int32Array): ReadonlySet<number> {
     let best: { readonly count: number; readonly before: number | null } = { count: 1, before: null };
     for (const j of kept) {
       const up = length.get(j);
-      if (j < i && up && (partner[j] ?? 0) < (partner[i] ?? 0) && up.count + 1 > best.count) best = { count: up.count + 1, before: j };
+      if (j < i && up && (partner[j] ?? 0) < (partner[i] ?? 0) && up.count + 1 > best.count)
+        best = { count: up.count + 1, before: j };
     }
     length.set(i, best);
   }
@@ -89,10 +90,14 @@ function outOfOrder(partner: Int32Array): ReadonlySet<number> {
 }
 
 /**
- * The differences by the operations that they stand in, in the order of the second program; operations without any stand among them,
- * for they may run otherwise all the same. What belongs to no operation comes first.
+ * The differences by the operations that they stand in, in the order of the second program; operations without any
+ * stand among them, for they may run otherwise all the same. What belongs to no operation comes first.
  */
-export function byOperation(a: Program, b: Program, { differences, partners }: ProgramComparison): readonly ComparedOperation[] {
+export function byOperation(
+  a: Program,
+  b: Program,
+  { differences, partners }: ProgramComparison,
+): readonly ComparedOperation[] {
   const [inA, inB] = [placed(a), placed(b)];
   const partner = partnersOf(inA, inB, partners);
   const moved = outOfOrder(partner);
@@ -102,9 +107,10 @@ export function byOperation(a: Program, b: Program, { differences, partners }: P
   for (const each of differences) {
     const unitB = each.b === null ? -1 : (inB.of[each.b] ?? -1);
     const unitA = each.a === null ? -1 : (inA.of[each.a] ?? -1);
-    const name = each.b === null
-      ? nameOf(unitA, unitA < 0 ? -1 : (partner[unitA] ?? -1))
-      : nameOf(unitB < 0 ? -1 : (comesFrom.get(unitB) ?? -1), unitB);
+    const name =
+      each.b === null
+        ? nameOf(unitA, unitA < 0 ? -1 : (partner[unitA] ?? -1))
+        : nameOf(unitB < 0 ? -1 : (comesFrom.get(unitB) ?? -1), unitB);
     const list = own.get(name);
     if (list) list.push(each);
     else own.set(name, [each]);

@@ -3,8 +3,8 @@ import { aligned, type Pair } from "./align.ts";
 import { bareText, isSaid, meaningOf, wordChanges, type Meaning, type WordChange } from "./meaning.ts";
 
 /**
- * What became of a block. "note": only its comment, its name or a label of a cycle differs; "form": only the way it is written; what
- * has another number only is no difference at all.
+ * What became of a block. "note": only its comment, its name or a label of a cycle differs; "form": only the way it is
+ * written; what has another number only is no difference at all.
  */
 export type DifferenceKind = "changed" | "added" | "removed" | "moved" | "note" | "form";
 
@@ -57,7 +57,11 @@ function pairUp(
 }
 
 /** Each stretch of both lists that lies between pairs. */
-function between(pairs: readonly Pair[], n: number, m: number): readonly (readonly [readonly number[], readonly number[]])[] {
+function between(
+  pairs: readonly Pair[],
+  n: number,
+  m: number,
+): readonly (readonly [readonly number[], readonly number[]])[] {
   const range = (from: number, to: number) => Array.from({ length: to - from }, (_, i) => from + i);
   let [a, b] = [0, 0];
   return [...pairs, [n, m] as const].map(([i, j]) => {
@@ -69,12 +73,14 @@ function between(pairs: readonly Pair[], n: number, m: number): readonly (readon
 
 const PASSES: readonly Naming[] = [({ key }) => key, ({ like }) => like, ({ kind }) => kind];
 
-/** Pairs in the order of both: first what means the same, then in what is left what is alike, then what is of one kind. */
+/**
+ * Pairs in the order of both: first what means the same, then in what is left what is alike, then what is of one kind.
+ */
 function inOrder(both: readonly [SaidBlocks, SaidBlocks]): readonly Pair[] {
   const [{ at: a }, { at: b }] = both;
   return PASSES.reduce<readonly Pair[]>((pairs, naming) => {
     const more = between(pairs, a.length, b.length).flatMap(([one, other]) =>
-      one.length > 0 && other.length > 0 ? pairUp(one, other, both, naming) : []
+      one.length > 0 && other.length > 0 ? pairUp(one, other, both, naming) : [],
     );
     return more.length === 0 ? pairs : [...pairs, ...more].sort(([i], [j]) => i - j);
   }, []);
@@ -109,7 +115,10 @@ function elsewhere(pairs: readonly Pair[], [a, b]: readonly [SaidBlocks, SaidBlo
       moved.push([i, j]);
     });
   };
-  take(({ key }) => key, () => true);
+  take(
+    ({ key }) => key,
+    () => true,
+  );
   take(({ kind, like }) => (kind.startsWith("cycle ") ? like : null), keepsMost);
   return moved;
 }
@@ -119,7 +128,8 @@ const spaced = (text: string): string => text.replace(/\s+/g, " ").trim();
 /** Comment, name and labels of a block: what is written for people. */
 function noteOf({ statement: s, comment, raw }: Block): string {
   const parts = [comment ?? ""];
-  if (s.kind === "cycle") parts.push(s.name, ...s.parameters.toSorted((a, b) => (a.q < b.q ? -1 : 1)).map(({ label }) => label ?? ""));
+  if (s.kind === "cycle")
+    parts.push(s.name, ...s.parameters.toSorted((a, b) => (a.q < b.q ? -1 : 1)).map(({ label }) => label ?? ""));
   if (s.kind === "begin" || s.kind === "end") parts.push(s.name);
   if (s.kind === "cycleLine" && s.line === 0) parts.push(s.text);
   if (s.kind === "comment" || s.kind === "structure") parts.push(s.text);
@@ -133,7 +143,9 @@ function inWriting(a: Block, b: Block): "note" | "form" | null {
   return bareText(a).replace(/\r\n?/g, "\n") === bareText(b).replace(/\r\n?/g, "\n") ? null : "form";
 }
 
-/** Comments, structure lines and blank lines between two pairs: pairs of the same words, and what one of the two lacks. */
+/**
+ * Comments, structure lines and blank lines between two pairs: pairs of the same words, and what one of the two lacks.
+ */
 function notesBetween(a: Program, b: Program, [fromA, toA]: Pair, [fromB, toB]: Pair): readonly BlockDifference[] {
   const notes = ({ blocks }: Program, from: number, to: number) =>
     Array.from({ length: Math.max(0, to - from) }, (_, i) => from + i).filter((i) => {
@@ -174,7 +186,11 @@ function compareInOrder(a: Program, b: Program): ProgramComparison {
   const differ = (i: number, j: number, isMoved: boolean) => {
     const [one, other] = [saidA.at[i] ?? 0, saidB.at[j] ?? 0];
     const words = wordChanges(saidA.meanings[i] as Meaning, saidB.meanings[j] as Meaning);
-    const kind = isMoved ? "moved" : words.length > 0 ? "changed" : inWriting(a.blocks[one] as Block, b.blocks[other] as Block);
+    const kind = isMoved
+      ? "moved"
+      : words.length > 0
+        ? "changed"
+        : inWriting(a.blocks[one] as Block, b.blocks[other] as Block);
     if (kind) differences.push({ kind, a: one, b: other, words });
   };
   let [nextA, nextB] = [0, 0];
@@ -232,8 +248,9 @@ function comesFirst(a: Program, b: Program): boolean {
 }
 
 /**
- * Sets two programs against each other by what their blocks mean: numbers of blocks, blanks, case, the order of words, the way numbers
- * are written and the language of names and labels are no difference in meaning. Swapped programs give the inverse.
+ * Sets two programs against each other by what their blocks mean: numbers of blocks, blanks, case, the order of words,
+ * the way numbers are written and the language of names and labels are no difference in meaning. Swapped programs give
+ * the inverse.
  */
 export function comparePrograms(a: Program, b: Program): ProgramComparison {
   return comesFirst(a, b) ? compareInOrder(a, b) : inverted(compareInOrder(b, a), a.blocks.length);

@@ -2,7 +2,17 @@ import type { Block } from "../../nc/program.ts";
 import { valueText } from "../../nc/number-text.ts";
 import { parameterValueText, statementLines } from "../../nc/print.ts";
 import { feedText } from "../../nc/print-words.ts";
-import type { AxisWord, Label, NamedWord, Parameter, PolarWord, Statement, StatementOf, Value, Words } from "../../nc/statement.ts";
+import type {
+  AxisWord,
+  Label,
+  NamedWord,
+  Parameter,
+  PolarWord,
+  Statement,
+  StatementOf,
+  Value,
+  Words,
+} from "../../nc/statement.ts";
 import { LAYOUTS, type Style } from "../../nc/style.ts";
 import { CONTOUR_CYCLE, contourLabels } from "../state/contour-names.ts";
 import { PROGRAM_CYCLE } from "../blocks/program-calls.ts";
@@ -20,7 +30,8 @@ export interface Meaning {
 }
 
 /** Blocks that say nothing to the control. */
-export const isSaid = ({ statement: { kind } }: Block): boolean => kind !== "empty" && kind !== "comment" && kind !== "structure";
+export const isSaid = ({ statement: { kind } }: Block): boolean =>
+  kind !== "empty" && kind !== "comment" && kind !== "structure";
 
 const BARE: Style = { ...LAYOUTS.tnc7, plus: false };
 const SIGNED: Style = { ...BARE, plus: true };
@@ -71,7 +82,8 @@ class Said {
 }
 
 const QUOTED = /("[^"]*")/;
-const NUMBER = /(?<![\w.,])([+-]?)[ \t]*(\d+(?:[.,]\d*)?|[.,]\d+)(?![\w.,])|(?<=[A-Z])([+-]?)(\d+[.,]\d*|[.,]\d+)(?![\w.,])/gi;
+const NUMBER =
+  /(?<![\w.,])([+-]?)[ \t]*(\d+(?:[.,]\d*)?|[.,]\d+)(?![\w.,])|(?<=[A-Z])([+-]?)(\d+[.,]\d*|[.,]\d+)(?![\w.,])/gi;
 const plainNumber = (sign: string, digits: string): string => {
   const size = Number(digits.replace(",", "."));
   return `${sign === "-" && size !== 0 ? "-" : ""}${size}`;
@@ -79,16 +91,33 @@ const plainNumber = (sign: string, digits: string): string => {
 
 /** Text in one spelling: case, blanks and the way numbers are written count only between quotes. */
 function plainText(raw: string): string {
-  return raw.split(QUOTED).map((part, i) =>
-    i % 2 === 1
-      ? part
-      : part.toUpperCase().replace(NUMBER,
-        (_, sign: string | undefined, digits: string | undefined, behind: string | undefined, more: string | undefined) =>
-          plainNumber(sign ?? behind ?? "", digits ?? more ?? "0")).replace(/\s+/g, " ").replace(/ ?([=*/()]) ?/g, "$1")
-  ).join("").trim();
+  return raw
+    .split(QUOTED)
+    .map((part, i) =>
+      i % 2 === 1
+        ? part
+        : part
+            .toUpperCase()
+            .replace(
+              NUMBER,
+              (
+                _,
+                sign: string | undefined,
+                digits: string | undefined,
+                behind: string | undefined,
+                more: string | undefined,
+              ) => plainNumber(sign ?? behind ?? "", digits ?? more ?? "0"),
+            )
+            .replace(/\s+/g, " ")
+            .replace(/ ?([=*/()]) ?/g, "$1"),
+    )
+    .join("")
+    .trim();
 }
 
-/** Words of four letters and more in the lines of an older cycle are of a language: CONTOUR LABEL, KONTURLABEL, WINKEL. */
+/**
+ * Words of four letters and more in the lines of an older cycle are of a language: CONTOUR LABEL, KONTURLABEL, WINKEL.
+ */
 const LANGUAGE_WORD = /(?<![A-Z.\\:_])[A-Z.]{4,}(?![\\:_])/gi;
 
 function cycleLineText({ cycle, line, text: written }: StatementOf<"cycleLine">): string {
@@ -98,9 +127,8 @@ function cycleLineText({ cycle, line, text: written }: StatementOf<"cycleLine">)
   return cycle === PROGRAM_CYCLE ? plainText(written) : plainText(written.replace(LANGUAGE_WORD, " "));
 }
 
-const labelText =
-  (label: Label
-    | Parameter): string => (typeof label === "object" ? text(label) : typeof label === "string" ? `"${label}"` : String(label));
+const labelText = (label: Label | Parameter): string =>
+  typeof label === "object" ? text(label) : typeof label === "string" ? `"${label}"` : String(label);
 
 /** Values of a cycle that the reader could not make out, as they are written. */
 function unread(raw: string, q: string): string {
@@ -110,19 +138,29 @@ function unread(raw: string, q: string): string {
 
 function cycleWords(s: StatementOf<"cycle">, raw: string): Said {
   const said = new Said();
-  for (const { q, value } of s.parameters) said.put(q, value === null ? unread(raw, q) : parameterValueText(value, BARE));
+  for (const { q, value } of s.parameters)
+    said.put(q, value === null ? unread(raw, q) : parameterValueText(value, BARE));
   return said;
 }
 
-const axesOf = ({ axes }: Words): string => axes.map(({ axis }) => axis).sort().join("");
+const axesOf = ({ axes }: Words): string =>
+  axes
+    .map(({ axis }) => axis)
+    .sort()
+    .join("");
 
 /** A block as it stands, without its number, its comment and its line ends. */
 export const bareText = ({ raw, number, skip }: Pick<Block, "raw" | "number" | "skip">): string =>
-  raw.replace(skip || number !== null ? /^\s*\/?[ \t]*(?:N?\d+(?![\d.,]))?[ \t]*\/?/i : /^\s*/, "").replace(/;[^\r\n"]*(?=[\r\n]|$)/g, "");
+  raw
+    .replace(skip || number !== null ? /^\s*\/?[ \t]*(?:N?\d+(?![\d.,]))?[ \t]*\/?/i : /^\s*/, "")
+    .replace(/;[^\r\n"]*(?=[\r\n]|$)/g, "");
 
 type Spoken = readonly [kind: string, like: string, said: Said];
 
-/** Statements whose words can be set against each other one by one; undefined for any other, which is compared as a whole. */
+/**
+ * Statements whose words can be set against each other one by one; undefined for any other, which is compared as a
+ * whole.
+ */
 function spoken(s: Statement, raw: string): Spoken | undefined {
   const said = new Said();
   switch (s.kind) {
@@ -135,26 +173,41 @@ function spoken(s: Statement, raw: string): Spoken | undefined {
       return [
         s.kind,
         s.kind,
-        said.put("", s.axis).number(s.outside?.measure ?? "D", s.outside?.value).number("L", s.length).number("DIST", s.distance).number(
-          s.inside?.measure ?? "DI",
-          s.inside?.value,
-        ),
+        said
+          .put("", s.axis)
+          .number(s.outside?.measure ?? "D", s.outside?.value)
+          .number("L", s.length)
+          .number("DIST", s.distance)
+          .number(s.inside?.measure ?? "DI", s.inside?.value),
       ];
     case "toolDefinition":
-      return [s.kind, `${s.kind} ${s.tool}`, said.put("T", labelText(s.tool)).number("L", s.length).number("R", s.radius)];
+      return [
+        s.kind,
+        `${s.kind} ${s.tool}`,
+        said.put("T", labelText(s.tool)).number("L", s.length).number("R", s.radius),
+      ];
     case "toolCall":
       return [
         s.kind,
         s.tool === null ? "toolWords" : s.kind,
-        said.put("T", s.tool === null ? null : labelText(s.tool)).put("", s.axis).number("S", s.speed).put("F",
-          s.feed && feedText(s.feed, BARE).replace(/^F(?=[\d.-])/, "")).number("DL", s.deltaLength).number("DR", s.deltaRadius).put("",
-            s.extra.length > 0 ? plainText(s.extra.join(" ")) : null),
+        said
+          .put("T", s.tool === null ? null : labelText(s.tool))
+          .put("", s.axis)
+          .number("S", s.speed)
+          .put("F", s.feed && feedText(s.feed, BARE).replace(/^F(?=[\d.-])/, ""))
+          .number("DL", s.deltaLength)
+          .number("DR", s.deltaRadius)
+          .put("", s.extra.length > 0 ? plainText(s.extra.join(" ")) : null),
       ];
     case "spin":
       return [
         s.kind,
         s.kind,
-        said.put("VCONST", s.constantSurface ? "ON" : "OFF").number("VC", s.cuttingSpeed).number("S", s.speed).number("SMAX", s.limit)
+        said
+          .put("VCONST", s.constantSurface ? "ON" : "OFF")
+          .number("VC", s.cuttingSpeed)
+          .number("S", s.speed)
+          .number("SMAX", s.limit)
           .number("GEARRANGE", s.gear),
       ];
     case "turnCorrection":
@@ -193,7 +246,14 @@ function spoken(s: Statement, raw: string): Spoken | undefined {
       return [
         s.kind,
         `${s.kind} ${s.target}`,
-        said.put(s.target, plainText(statementLines(s.fn === 0 ? { ...s, fn: null } : s, BARE).join(" ").replace(/^[^=]*=/, ""))),
+        said.put(
+          s.target,
+          plainText(
+            statementLines(s.fn === 0 ? { ...s, fn: null } : s, BARE)
+              .join(" ")
+              .replace(/^[^=]*=/, ""),
+          ),
+        ),
       ];
     default:
       return undefined;
@@ -201,19 +261,29 @@ function spoken(s: Statement, raw: string): Spoken | undefined {
 }
 
 const wholeText = (s: Statement): string => {
-  if (s.kind === "callProgram" || s.kind === "selectProgram") return statementLines({ ...s, bare: false }, BARE).join(" ").toUpperCase();
+  if (s.kind === "callProgram" || s.kind === "selectProgram")
+    return statementLines({ ...s, bare: false }, BARE)
+      .join(" ")
+      .toUpperCase();
   return plainText(statementLines(s.kind === "jump" ? { ...s, fn: null } : s, BARE).join(" "));
 };
 
-/** What a block says, in one spelling: case, blanks, order of words, names of cycles and labels of their parameters do not count. */
+/**
+ * What a block says, in one spelling: case, blanks, order of words, names of cycles and labels of their parameters do
+ * not count.
+ */
 export function meaningOf(block: Block): Meaning {
   const { statement: s, raw, skip, issues } = block;
   const found = spoken(s, raw);
-  const [kind, like] = found ?? [s.kind, s.kind === "unknown" ? `unknown ${/^\S*/.exec(s.text.toUpperCase())?.[0] ?? ""}` : s.kind];
+  const [kind, like] = found ?? [
+    s.kind,
+    s.kind === "unknown" ? `unknown ${/^\S*/.exec(s.text.toUpperCase())?.[0] ?? ""}` : s.kind,
+  ];
   // What the reader did not wholly take up is compared as it stands.
-  const said = issues.length > 0 && s.kind !== "cycle"
-    ? new Said().put("", plainText(bareText(block)))
-    : found?.[2] ?? new Said().put("", wholeText(s));
+  const said =
+    issues.length > 0 && s.kind !== "cycle"
+      ? new Said().put("", plainText(bareText(block)))
+      : (found?.[2] ?? new Said().put("", wholeText(s)));
   if (skip) said.put("/", "/");
   const words = new Map([...said.words].sort(([a], [b]) => (a < b ? -1 : 1)));
   return { kind, like, words, key: JSON.stringify([kind, like, ...[...words].flat()]) };
@@ -230,8 +300,10 @@ export interface WordChange {
 /** What differs between two blocks, word by word, in the order of their names. */
 export function wordChanges(a: Meaning, b: Meaning): readonly WordChange[] {
   const names = [...new Set([...a.words.keys(), ...b.words.keys()])];
-  return names.flatMap((name) => {
-    const [from, to] = [a.words.get(name) ?? null, b.words.get(name) ?? null];
-    return from === to ? [] : [{ name, from, to }];
-  }).sort((one, other) => one.name.localeCompare(other.name, "en", { numeric: true }));
+  return names
+    .flatMap((name) => {
+      const [from, to] = [a.words.get(name) ?? null, b.words.get(name) ?? null];
+      return from === to ? [] : [{ name, from, to }];
+    })
+    .sort((one, other) => one.name.localeCompare(other.name, "en", { numeric: true }));
 }

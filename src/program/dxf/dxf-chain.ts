@@ -15,11 +15,10 @@ export interface DxfChain {
 
 const apart = (a: Pt, b: Pt) => Math.hypot(a.z - b.z, a.r - b.r);
 /** The same curve run through the other way. */
-export const turnedAround =
-  (s:
-    Segment): Segment => (s.kind === "line"
-      ? { kind: "line", from: s.to, to: s.from }
-      : { ...s, from: s.to, to: s.from, turn: s.turn === "cw" ? "ccw" : "cw" });
+export const turnedAround = (s: Segment): Segment =>
+  s.kind === "line"
+    ? { kind: "line", from: s.to, to: s.from }
+    : { ...s, from: s.to, to: s.from, turn: s.turn === "cw" ? "ccw" : "cw" };
 
 /** Ends of curves by squares of the plane, so that near ones are found at once. */
 class Ends {
@@ -59,7 +58,8 @@ class Ends {
 
 /** Joins curves whose ends are no farther apart than the tolerance (mm) into chains, the longest first. */
 export function chainsOf(curves: readonly Segment[], tolerance: number): DxfChain[] {
-  const ends = new Ends(curves, tolerance), used = new Set<number>();
+  const ends = new Ends(curves, tolerance),
+    used = new Set<number>();
   const chains: DxfChain[] = [];
   const others = (index: number, p: Pt) => ends.near(p, used).filter((n) => n.index !== index);
   // Open ends first: a chain that is begun in its middle would fall apart.
@@ -75,10 +75,14 @@ export function chainsOf(curves: readonly Segment[], tolerance: number): DxfChai
       const first = openOnly ? begin(i) : s;
       if (!first) return;
       used.add(i);
-      const segments = [first], branches: Pt[] = [];
-      let widest = 0, gaps = 0;
-      for (let last = first;;) {
-        const near = ends.near(last.to, used), [next] = near, found = next && curves[next.index];
+      const segments = [first],
+        branches: Pt[] = [];
+      let widest = 0,
+        gaps = 0;
+      for (let last = first; ;) {
+        const near = ends.near(last.to, used),
+          [next] = near,
+          found = next && curves[next.index];
         if (!next || !found) break;
         if (new Set(near.map((n) => n.index)).size > 1) branches.push(last.to);
         used.add(next.index);
@@ -89,7 +93,14 @@ export function chainsOf(curves: readonly Segment[], tolerance: number): DxfChai
       }
       const end = segments.at(-1)?.to;
       const closed = segments.length > 1 && end !== undefined && apart(end, first.from) <= Math.max(tolerance, SAME);
-      chains.push({ segments, widest, gaps, closed, branches, length: segments.reduce((sum, x) => sum + part.lengthOf(x), 0) });
+      chains.push({
+        segments,
+        widest,
+        gaps,
+        closed,
+        branches,
+        length: segments.reduce((sum, x) => sum + part.lengthOf(x), 0),
+      });
     });
   return chains.sort((a, b) => b.length - a.length);
 }

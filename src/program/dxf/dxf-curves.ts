@@ -26,7 +26,8 @@ export interface DxfCurves {
 
 type Fields = Readonly<Record<string, unknown>>;
 const isFields = (v: unknown): v is Fields => typeof v === "object" && v !== null;
-const number = (v: unknown): number | null => (typeof v === "number" && Number.isFinite(v) && Math.abs(v) < 1e6 ? v : null);
+const number = (v: unknown): number | null =>
+  typeof v === "number" && Number.isFinite(v) && Math.abs(v) < 1e6 ? v : null;
 
 function point(v: unknown): Pt | null {
   if (!isFields(v)) return null;
@@ -50,8 +51,15 @@ const mirrored = (s: DxfCurve): DxfCurve => {
 /** A side of a polyline: its bulge is the tangent of a quarter of the angle it turns through, positive to the left. */
 export function bulged(from: Pt, to: Pt, bulge: number): DxfCurve {
   if (Math.abs(bulge) < ROUND) return { kind: "line", from, to };
-  const k = (1 - bulge * bulge) / (4 * bulge), [dz, dr] = [to.z - from.z, to.r - from.r];
-  return { kind: "arc", from, to, centre: at((from.z + to.z) / 2 - dr * k, (from.r + to.r) / 2 + dz * k), turn: bulge > 0 ? "ccw" : "cw" };
+  const k = (1 - bulge * bulge) / (4 * bulge),
+    [dz, dr] = [to.z - from.z, to.r - from.r];
+  return {
+    kind: "arc",
+    from,
+    to,
+    centre: at((from.z + to.z) / 2 - dr * k, (from.r + to.r) / 2 + dz * k),
+    turn: bulge > 0 ? "ccw" : "cw",
+  };
 }
 
 /** The curves of one entity; null where its numbers are missing, undefined where it is neither line nor arc. */
@@ -63,7 +71,12 @@ function curvesOf(e: Fields): DxfCurve[] | null | undefined {
       return from && to && [{ kind: "line", from, to }];
     }
     case "ARC": {
-      const [centre, size, start, end] = [point(e["center"]), number(e["radius"]), number(e["startAngle"]), number(e["endAngle"])];
+      const [centre, size, start, end] = [
+        point(e["center"]),
+        number(e["radius"]),
+        number(e["startAngle"]),
+        number(e["endAngle"]),
+      ];
       if (!centre || size === null || size <= 0 || start === null || end === null) return null;
       const on = (a: number) => at(centre.z + size * Math.cos(a), centre.r + size * Math.sin(a));
       return [{ kind: "arc", from: on(start), to: on(end), centre, turn: "ccw" }];
@@ -74,7 +87,8 @@ function curvesOf(e: Fields): DxfCurve[] | null | undefined {
       if (points.length < 2 || points.some((p) => p === null)) return null;
       const closed = e["shape"] === true;
       return points.flatMap((from, i) => {
-        const to = points[i + 1] ?? (closed && points.length > 2 ? points[0] : null), v = vertices[i];
+        const to = points[i + 1] ?? (closed && points.length > 2 ? points[0] : null),
+          v = vertices[i];
         return from && to ? [bulged(from, to, (isFields(v) ? number(v["bulge"]) : null) ?? 0)] : [];
       });
     }
@@ -90,14 +104,17 @@ export function dxfCurves(entities: readonly unknown[], scale: number): DxfCurve
   const sized = (p: Pt) => at(p.z * scale, p.r * scale);
   const curves = entities.flatMap((e): DxfCurve[] => {
     if (!isFields(e)) return [];
-    const made = curvesOf(e), kind = String(e["type"]);
+    const made = curvesOf(e),
+      kind = String(e["type"]);
     if (made === undefined) skipped.set(kind, (skipped.get(kind) ?? 0) + 1);
     if (made === null) broken += 1;
-    return (made ?? []).map((s) => (seenFromBehind(e) ? mirrored(s) : s)).map(
-      (s) => (s.kind === "line"
-        ? { ...s, from: sized(s.from), to: sized(s.to) }
-        : { ...s, from: sized(s.from), to: sized(s.to), centre: sized(s.centre) })
-    );
+    return (made ?? [])
+      .map((s) => (seenFromBehind(e) ? mirrored(s) : s))
+      .map((s) =>
+        s.kind === "line"
+          ? { ...s, from: sized(s.from), to: sized(s.to) }
+          : { ...s, from: sized(s.from), to: sized(s.to), centre: sized(s.centre) },
+      );
   });
   return { curves: curves.filter((s) => s.kind === "arc" || apart(s.from, s.to) > JOINED), skipped, broken };
 }

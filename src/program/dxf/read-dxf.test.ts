@@ -7,14 +7,61 @@ import { dxfDefaults, readDxf, type DxfChoice, type ParsedDxf } from "./read-dxf
 
 /** A DXF file of these entities, as a CAD writes it: group codes and values on lines of their own. */
 const file = (entities: readonly (readonly (string | number)[])[], header: readonly (string | number)[] = []) =>
-  ["0", "SECTION", "2", "HEADER", ...header, "0", "ENDSEC", "0", "SECTION", "2", "ENTITIES", ...entities.flat(), "0", "ENDSEC", "0", "EOF"]
-    .join("\n");
-const line = (x1: number, y1: number, x2: number, y2: number) => [0, "LINE", 8, 0, 10, x1, 20, y1, 30, 0, 11, x2, 21, y2, 31, 0];
-const arc = (x: number, y: number, r: number, from: number, to: number) => [0, "ARC", 8, 0, 10, x, 20, y, 30, 0, 40, r, 50, from, 51, to];
-const polyline = (
-  closed: boolean,
-  ...points: readonly (readonly [number, number, number?])[]
-) => [
+  [
+    "0",
+    "SECTION",
+    "2",
+    "HEADER",
+    ...header,
+    "0",
+    "ENDSEC",
+    "0",
+    "SECTION",
+    "2",
+    "ENTITIES",
+    ...entities.flat(),
+    "0",
+    "ENDSEC",
+    "0",
+    "EOF",
+  ].join("\n");
+const line = (x1: number, y1: number, x2: number, y2: number) => [
+  0,
+  "LINE",
+  8,
+  0,
+  10,
+  x1,
+  20,
+  y1,
+  30,
+  0,
+  11,
+  x2,
+  21,
+  y2,
+  31,
+  0,
+];
+const arc = (x: number, y: number, r: number, from: number, to: number) => [
+  0,
+  "ARC",
+  8,
+  0,
+  10,
+  x,
+  20,
+  y,
+  30,
+  0,
+  40,
+  r,
+  50,
+  from,
+  51,
+  to,
+];
+const polyline = (closed: boolean, ...points: readonly (readonly [number, number, number?])[]) => [
   0,
   "LWPOLYLINE",
   8,
@@ -65,7 +112,11 @@ describe("a drawing becomes rows", () => {
   test("swapped and flipped axes mirror the arcs as well; Z0 can be put at the right end", () => {
     const entities = [line(10, 0, 10, -15), arc(15, -15, 5, 180, 270)];
     expect(short(read(entities, { swapped: true }))).toEqual(["L 20 0", "L -15", "CR 30 -20 5 cw"]);
-    expect(short(read([line(0, 10, 15, 10), arc(15, 15, 5, 270, 360)], { flipped: true }))).toEqual(["L 20 0", "L -15", "CR 30 -20 5 cw"]);
+    expect(short(read([line(0, 10, 15, 10), arc(15, 15, 5, 270, 360)], { flipped: true }))).toEqual([
+      "L 20 0",
+      "L -15",
+      "CR 30 -20 5 cw",
+    ]);
     expect(short(read([line(100, 10, 80, 10)], { zeroRight: true }))).toEqual(["L 20 0", "L -20"]);
   });
 
@@ -97,7 +148,9 @@ describe("what is wrong with a drawing is named", () => {
   test("nothing to read, arcs on diameters, a contour below the axis, other entities, a branch", () => {
     expect(codes(read([]))).toEqual(["nothing"]);
     expect(codes(read([[0, "CIRCLE", 8, 0, 10, 0, 20, 0, 40, 5], line(0, 10, -5, 10)]))).toEqual(["skipped"]);
-    expect(codes(read([line(0, 10, -15, 10), arc(-15, 15, 5, 180, 270)], { diameters: true }))).toEqual(["arcsInDiameters"]);
+    expect(codes(read([line(0, 10, -15, 10), arc(-15, 15, 5, 180, 270)], { diameters: true }))).toEqual([
+      "arcsInDiameters",
+    ]);
     expect(codes(read([line(0, 10, -5, -10)]))).toEqual(["belowAxis"]);
     expect(codes(read([line(0, 10, -10, 10), line(-10, 10, -20, 10), line(-10, 10, -10, 30)]))).toContain("branch");
     expect(codes(read([line(0, 0, -10, 0)]))).toEqual(["onlyAxis"]);
@@ -111,7 +164,14 @@ describe("what is wrong with a drawing is named", () => {
 
   test("a parser's odd answer is no exception", () => {
     const odd = {
-      entities: [null, 3, {}, { type: "LINE" }, { type: "ARC", center: { x: NaN, y: 0 } }, { type: "LWPOLYLINE", vertices: [{ x: 1 }] }],
+      entities: [
+        null,
+        3,
+        {},
+        { type: "LINE" },
+        { type: "ARC", center: { x: NaN, y: 0 } },
+        { type: "LWPOLYLINE", vertices: [{ x: 1 }] },
+      ],
     };
     expect(readDxf(odd, dxfDefaults).issues.map((i) => i.code)).toContain("nothing");
     expect(readDxf({}, dxfDefaults).rows).toEqual([]);
@@ -119,30 +179,43 @@ describe("what is wrong with a drawing is named", () => {
 });
 
 describe("laws", () => {
-  const points = fc.array(fc.record({ x: fc.integer({ min: -200, max: 0 }), y: fc.integer({ min: 1, max: 100 }) }), {
-    minLength: 2,
-    maxLength: 20,
-  }).filter((all) => new Set(all.map((p) => `${p.x} ${p.y}`)).size === all.length);
+  const points = fc
+    .array(fc.record({ x: fc.integer({ min: -200, max: 0 }), y: fc.integer({ min: 1, max: 100 }) }), {
+      minLength: 2,
+      maxLength: 20,
+    })
+    .filter((all) => new Set(all.map((p) => `${p.x} ${p.y}`)).size === all.length);
 
   test("a polyline comes back point by point, from one end or the other", () => {
-    fc.assert(fc.property(points, fc.boolean(), (all, reversed) => {
-      const r = read([polyline(false, ...all.map((p) => [p.x, p.y] as const))], { reversed });
-      const ends = readRows(r.rows).rows.map((row) => row.end);
-      const wanted = all.map((p) => ({ x: p.y / 0.5, z: p.x }));
-      expect([JSON.stringify(wanted), JSON.stringify(wanted.toReversed())]).toContain(JSON.stringify(ends));
-    }), { numRuns: 200 });
+    fc.assert(
+      fc.property(points, fc.boolean(), (all, reversed) => {
+        const r = read([polyline(false, ...all.map((p) => [p.x, p.y] as const))], { reversed });
+        const ends = readRows(r.rows).rows.map((row) => row.end);
+        const wanted = all.map((p) => ({ x: p.y / 0.5, z: p.x }));
+        expect([JSON.stringify(wanted), JSON.stringify(wanted.toReversed())]).toContain(JSON.stringify(ends));
+      }),
+      { numRuns: 200 },
+    );
   });
 
   test("lines shuffled and turned round make the same chain, and their program prints", () => {
-    fc.assert(fc.property(points, fc.infiniteStream(fc.nat()), (all, numbers) => {
-      const lines = all.slice(1).map((p, i) => {
-        const from = all[i] ?? p, [order = 0, turned = 0] = [...numbers.take(2)];
-        return { order, entity: turned % 2 ? line(p.x, p.y, from.x, from.y) : line(from.x, from.y, p.x, p.y) };
-      }).sort((a, b) => a.order - b.order).map((l) => l.entity);
-      const r = read(lines);
-      expect(r.chains).toBe(1);
-      expect(r.rows).toHaveLength(all.length);
-      expect(contourStatements(r.rows)).toHaveLength(all.length);
-    }), { numRuns: 200 });
+    fc.assert(
+      fc.property(points, fc.infiniteStream(fc.nat()), (all, numbers) => {
+        const lines = all
+          .slice(1)
+          .map((p, i) => {
+            const from = all[i] ?? p,
+              [order = 0, turned = 0] = [...numbers.take(2)];
+            return { order, entity: turned % 2 ? line(p.x, p.y, from.x, from.y) : line(from.x, from.y, p.x, p.y) };
+          })
+          .sort((a, b) => a.order - b.order)
+          .map((l) => l.entity);
+        const r = read(lines);
+        expect(r.chains).toBe(1);
+        expect(r.rows).toHaveLength(all.length);
+        expect(contourStatements(r.rows)).toHaveLength(all.length);
+      }),
+      { numRuns: 200 },
+    );
   });
 });

@@ -25,17 +25,23 @@ export const dxfDefaults: DxfChoice = {
 };
 
 /** What a drawing holds that matters for its contour; errors leave no contour. X as diameter. */
-export type DxfIssue = { readonly code: "nothing" | "arcsInDiameters" | "tooMany" | "onlyAxis"; readonly severity: "error" } | {
-  readonly code: "skipped";
-  readonly severity: "info";
-  readonly kind: string;
-  readonly count: number;
-} | { readonly code: "broken"; readonly severity: "warning"; readonly count: number } | { readonly code: "chains";
-  readonly severity: "warning"; readonly count: number } | { readonly code: "branch"; readonly severity: "warning"; readonly x: number;
-  readonly z: number } | { readonly code: "gapsClosed"; readonly severity: "info"; readonly count: number; readonly widest: number } | {
-  readonly code: "axisDropped" | "closed" | "inches";
-  readonly severity: "info";
-} | { readonly code: "belowAxis"; readonly severity: "error"; readonly x: number; readonly z: number };
+export type DxfIssue =
+  | { readonly code: "nothing" | "arcsInDiameters" | "tooMany" | "onlyAxis"; readonly severity: "error" }
+  | {
+      readonly code: "skipped";
+      readonly severity: "info";
+      readonly kind: string;
+      readonly count: number;
+    }
+  | { readonly code: "broken"; readonly severity: "warning"; readonly count: number }
+  | { readonly code: "chains"; readonly severity: "warning"; readonly count: number }
+  | { readonly code: "branch"; readonly severity: "warning"; readonly x: number; readonly z: number }
+  | { readonly code: "gapsClosed"; readonly severity: "info"; readonly count: number; readonly widest: number }
+  | {
+      readonly code: "axisDropped" | "closed" | "inches";
+      readonly severity: "info";
+    }
+  | { readonly code: "belowAxis"; readonly severity: "error"; readonly x: number; readonly z: number };
 
 /** A drawing read: the rows of its contour, and how many chains there are to choose from. */
 export interface DxfReading {
@@ -63,16 +69,24 @@ function placed(s: Segment, choice: DxfChoice): Segment {
   const over = choice.swapped !== choice.flipped;
   return s.kind === "line"
     ? { kind: "line", from: put(s.from), to: put(s.to) }
-    : { kind: "arc", from: put(s.from), to: put(s.to), centre: put(s.centre), turn: over === (s.turn === "cw") ? "ccw" : "cw" };
+    : {
+        kind: "arc",
+        from: put(s.from),
+        to: put(s.to),
+        centre: put(s.centre),
+        turn: over === (s.turn === "cw") ? "ccw" : "cw",
+      };
 }
 
-const onAxis = (s: Segment, tolerance: number) => s.kind === "line" && Math.abs(s.from.r) <= tolerance && Math.abs(s.to.r) <= tolerance;
+const onAxis = (s: Segment, tolerance: number) =>
+  s.kind === "line" && Math.abs(s.from.r) <= tolerance && Math.abs(s.to.r) <= tolerance;
 const spot = (p: Pt) => ({ x: toDiameter(p.r), z: p.z });
 
 /** Reads lines, arcs and polylines of a drawing into the rows of a contour. */
 export function readDxf(dxf: ParsedDxf, choice: DxfChoice): DxfReading {
   const issues: DxfIssue[] = [];
-  const units = dxf.header?.["$INSUNITS"], scale = (typeof units === "number" ? UNITS[units] : undefined) ?? 1;
+  const units = dxf.header?.["$INSUNITS"],
+    scale = (typeof units === "number" ? UNITS[units] : undefined) ?? 1;
   if (units === 1) issues.push({ code: "inches", severity: "info" });
   const { curves, skipped, broken } = dxfCurves(dxf.entities ?? [], scale);
   skipped.forEach((count, kind) => issues.push({ code: "skipped", severity: "info", kind, count }));
@@ -84,10 +98,12 @@ export function readDxf(dxf: ParsedDxf, choice: DxfChoice): DxfReading {
   });
   if (curves.length === 0) return none("nothing");
   if (curves.length > MOST) return none("tooMany");
-  const all = curves.map((s) => placed(s, choice)), off = all.filter((s) => !onAxis(s, Math.max(choice.tolerance, SAME)));
+  const all = curves.map((s) => placed(s, choice)),
+    off = all.filter((s) => !onAxis(s, Math.max(choice.tolerance, SAME)));
   if (off.length === 0) return none("onlyAxis");
   if (off.length < all.length) issues.push({ code: "axisDropped", severity: "info" });
-  const chains = chainsOf(off, choice.tolerance), chain = chains[choice.chain] ?? chains[0];
+  const chains = chainsOf(off, choice.tolerance),
+    chain = chains[choice.chain] ?? chains[0];
   if (!chain) return none("nothing");
   if (chains.length > 1) issues.push({ code: "chains", severity: "warning", count: chains.length });
   if (choice.diameters && chain.segments.some((s) => s.kind === "arc")) return none("arcsInDiameters", chains.length);
@@ -116,11 +132,14 @@ function rowsOf(run: readonly Segment[], zeroRight: boolean): ContourRow[] {
   let before = write(first.from);
   const rows = [newRow("e1", before)];
   run.forEach((s, i) => {
-    const end = write(ends[i] ?? s.to), id = `e${i + 2}`;
+    const end = write(ends[i] ?? s.to),
+      id = `e${i + 2}`;
     if (end.x === before.x && end.z === before.z) return;
-    if (s.kind === "line") rows.push(newRow(id, { x: end.x === before.x ? "" : end.x, z: end.z === before.z ? "" : end.z }));
+    if (s.kind === "line")
+      rows.push(newRow(id, { x: end.x === before.x ? "" : end.x, z: end.z === before.z ? "" : end.z }));
     else {
-      const size = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r), long = part.sweepOf(s) > Math.PI + ROUND;
+      const size = Math.hypot(s.from.z - s.centre.z, s.from.r - s.centre.r),
+        long = part.sweepOf(s) > Math.PI + ROUND;
       rows.push(newRow(id, { kind: "CR", ...end, r: typed(long ? -size : size), turn: s.turn }));
     }
     before = end;

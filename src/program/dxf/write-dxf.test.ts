@@ -15,25 +15,28 @@ const contour: readonly Segment[] = [
   { kind: "arc", from: at(-33.75, 15.875), to: at(-36.25, 18.375), centre: at(-36.25, 15.875), turn: "ccw" },
   { kind: "line", from: at(-36.25, 18.375), to: at(-48.6, 22.07) },
 ];
-const read = (text: string, diameters = false) => readDxf(new DxfParser().parseSync(text) as ParsedDxf, { ...dxfDefaults, diameters });
+const read = (text: string, diameters = false) =>
+  readDxf(new DxfParser().parseSync(text) as ParsedDxf, { ...dxfDefaults, diameters });
 
-test.each([["mm", 4, []], ["inch", 1, ["inches"]]] as const)(
-  "our own import reads the same contour back from %s, arcs as arcs with their turn",
-  (unit, code, told) => {
-    const text = writeDxf([{ name: "CONTOUR", segments: contour }], false, unit), back = read(text);
-    expect(text).toMatch(new RegExp(`\\$INSUNITS\\s+70\\s+${code}\\s`));
-    expect(back.issues.map(({ code: said }) => said)).toEqual(told);
-    const { segments } = readRows(back.rows).contour;
-    expect(segments.map((s) => [s.kind, s.kind === "arc" ? s.turn : ""])).toEqual(
-      contour.map((s) => [s.kind, s.kind === "arc" ? s.turn : ""]),
-    );
-    segments.forEach((s, i) => {
-      const was = contour[i];
-      if (!was) throw new Error("more than there was");
-      for (const k of [0, 0.31, 0.77, 1]) expect(part.apart(part.pointOn(s, k), part.pointOn(was, k))).toBeLessThan(0.001);
-    });
-  },
-);
+test.each([
+  ["mm", 4, []],
+  ["inch", 1, ["inches"]],
+] as const)("our own import reads the same contour back from %s, arcs as arcs with their turn", (unit, code, told) => {
+  const text = writeDxf([{ name: "CONTOUR", segments: contour }], false, unit),
+    back = read(text);
+  expect(text).toMatch(new RegExp(`\\$INSUNITS\\s+70\\s+${code}\\s`));
+  expect(back.issues.map(({ code: said }) => said)).toEqual(told);
+  const { segments } = readRows(back.rows).contour;
+  expect(segments.map((s) => [s.kind, s.kind === "arc" ? s.turn : ""])).toEqual(
+    contour.map((s) => [s.kind, s.kind === "arc" ? s.turn : ""]),
+  );
+  segments.forEach((s, i) => {
+    const was = contour[i];
+    if (!was) throw new Error("more than there was");
+    for (const k of [0, 0.31, 0.77, 1])
+      expect(part.apart(part.pointOn(s, k), part.pointOn(was, k))).toBeLessThan(0.001);
+  });
+});
 
 test("with X as a diameter arcs are chords near the arc, and read as a diameter they are the same contour", () => {
   const text = writeDxf([{ name: "CONTOUR", segments: contour }], true, "mm");
@@ -49,24 +52,40 @@ test("with X as a diameter arcs are chords near the arc, and read as a diameter 
 test("a full circle and any arc come back with their length", () => {
   const angle = fc.integer({ min: 0, max: 3599 }).map((n) => (n * Math.PI) / 1800),
     size = fc.integer({ min: 301, max: 9999 }).map((n) => n / 100);
-  fc.assert(fc.property(angle, angle, size, fc.constantFrom("cw" as const, "ccw" as const), (start, end, r, turn) => {
-    const on = (a: number) => at(-30 + r * Math.cos(a), 150 + r * Math.sin(a));
-    const arc: Segment = { kind: "arc", from: on(start), to: on(end), centre: at(-30, 150), turn };
-    const entities = (new DxfParser().parseSync(writeDxf([{ name: "A", segments: [arc] }], false, "mm")) as ParsedDxf).entities ?? [];
-    const sweep = (entities as readonly { startAngle: number; endAngle: number; radius: number }[]).reduce((sum, e) => {
-      expect(e.radius).toBeCloseTo(r, 6);
-      const gone = e.endAngle - e.startAngle;
-      return sum + (gone < 0 ? gone + 2 * Math.PI : gone);
-    }, 0);
-    expect(sweep).toBeCloseTo(part.sweepOf(arc), 6);
-  }));
+  fc.assert(
+    fc.property(angle, angle, size, fc.constantFrom("cw" as const, "ccw" as const), (start, end, r, turn) => {
+      const on = (a: number) => at(-30 + r * Math.cos(a), 150 + r * Math.sin(a));
+      const arc: Segment = { kind: "arc", from: on(start), to: on(end), centre: at(-30, 150), turn };
+      const entities =
+        (new DxfParser().parseSync(writeDxf([{ name: "A", segments: [arc] }], false, "mm")) as ParsedDxf).entities ??
+        [];
+      const sweep = (entities as readonly { startAngle: number; endAngle: number; radius: number }[]).reduce(
+        (sum, e) => {
+          expect(e.radius).toBeCloseTo(r, 6);
+          const gone = e.endAngle - e.startAngle;
+          return sum + (gone < 0 ? gone + 2 * Math.PI : gone);
+        },
+        0,
+      );
+      expect(sweep).toBeCloseTo(part.sweepOf(arc), 6);
+    }),
+  );
 });
 
 test("a file is of release 12: no handles, no markers of classes, millimetres, every group a code and a value", () => {
-  const lines = writeDxf([{ name: "CONTOUR_1", segments: contour }, { name: "CONTOUR_2", segments: contour.slice(2, 3) }], false, "mm")
-    .split("\r\n");
+  const lines = writeDxf(
+    [
+      { name: "CONTOUR_1", segments: contour },
+      { name: "CONTOUR_2", segments: contour.slice(2, 3) },
+    ],
+    false,
+    "mm",
+  ).split("\r\n");
   expect(lines.at(-1)).toBe("");
-  const codes = lines.slice(0, -1).filter((_, i) => i % 2 === 0).map(Number);
+  const codes = lines
+    .slice(0, -1)
+    .filter((_, i) => i % 2 === 0)
+    .map(Number);
   expect(codes.every((c) => Number.isInteger(c) && c < 100)).toBe(true);
   expect(codes).not.toContain(5);
   expect(lines.slice(lines.indexOf("$ACADVER"), lines.indexOf("$ACADVER") + 3)[2]).toBe("AC1009");

@@ -34,12 +34,17 @@ function withEnd(program: Program, end: 30 | 2): Program {
   const { to } = operationsOf(program);
   const s = blocks[to]?.statement;
   if (s && endsMain(s) && s.kind !== "end") return program;
-  return withBlocks(program, [...blocks.slice(0, to), ...blocksOfStatements(program, to, [functionsOf(end)]), ...blocks.slice(to)]);
+  return withBlocks(program, [
+    ...blocks.slice(0, to),
+    ...blocksOfStatements(program, to, [functionsOf(end)]),
+    ...blocks.slice(to),
+  ]);
 }
 
 /**
- * A program with the operation of a work among its others: structure comment, tool call, spindle, feed unit, way there, cycle, call and
- * way back, and its contour, under a label of its own, at the end of the file. Turning and M30 are written where they are missing.
+ * A program with the operation of a work among its others: structure comment, tool call, spindle, feed unit, way there,
+ * cycle, call and way back, and its contour, under a label of its own, at the end of the file. Turning and M30 are
+ * written where they are missing.
  */
 export function withOperation(program: Program, job: SetJob, labels: Labels, { behind, title }: Adding = {}): Program {
   const cycle = cycleByNumber(job.cycle);
@@ -54,20 +59,32 @@ export function withOperation(program: Program, job: SetJob, labels: Labels, { b
   const ended = withEnd(program, output.end);
   const { from, units } = operationsOf(ended);
   const place = behind === undefined ? units.length - 1 : (behind ?? -1);
-  const before = ended.blocks.slice(0, place < 0 ? from : (units[place]?.to ?? from)).findLast(({ statement: s }) => s.kind === "mode");
+  const before = ended.blocks
+    .slice(0, place < 0 ? from : (units[place]?.to ?? from))
+    .findLast(({ statement: s }) => s.kind === "mode");
   const isTurning = before?.statement.kind === "mode" && before.statement.mode === "TURN";
   // Between others a spindle that is stopped would stand still for the next of them.
   const isLast = place === units.length - 1;
-  const stops = (s: Statement) => !isLast && JSON.stringify(s) === JSON.stringify(functionsOf(output.spindleOff ?? NaN));
+  const stops = (s: Statement) =>
+    !isLast && JSON.stringify(s) === JSON.stringify(functionsOf(output.spindleOff ?? NaN));
   const main: readonly Statement[] = [
     ...(isTurning ? [] : [TURNING]),
     ...(title === undefined || title.trim() === "" ? [] : [{ kind: "structure" as const, text: title.trim() }]),
-    ...all.slice(all.findIndex((s) => s.kind === "toolCall"), ending).filter((s) => !stops(s)),
+    ...all
+      .slice(
+        all.findIndex((s) => s.kind === "toolCall"),
+        ending,
+      )
+      .filter((s) => !stops(s)),
   ];
   const operated = withAddedBehind(ended, place < 0 ? null : place, blocksOfStatements(ended, from, main));
   const subprogram = all.slice(ending + 1).filter((s) => s.kind !== "end");
   const end = operated.blocks.findLastIndex(({ statement: s }) => s.kind === "end");
   const at = end < 0 ? operated.blocks.length : end;
-  const behindIt = [...operated.blocks.slice(0, at), ...blocksOfStatements(operated, at, subprogram), ...operated.blocks.slice(at)];
+  const behindIt = [
+    ...operated.blocks.slice(0, at),
+    ...blocksOfStatements(operated, at, subprogram),
+    ...operated.blocks.slice(at),
+  ];
   return subprogram.length > 0 ? withBlocks(operated, behindIt) : operated;
 }

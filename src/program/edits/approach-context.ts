@@ -53,7 +53,12 @@ function feedBefore(run: Run, index: number, plane: WorkingPlane): ApproachConte
 function countingOf(found: ApproachRun | undefined) {
   const by = found ? difference(NO_TIP, found.datum) : NO_TIP;
   if (!found || found.transform === NO_TRANSFORM)
-    return { point: (p: PlanePoint) => sum(p, by), segment: (s: PlaneSegment) => shifted(s, by), side: (s: Side) => s, growth: 1 };
+    return {
+      point: (p: PlanePoint) => sum(p, by),
+      segment: (s: PlaneSegment) => shifted(s, by),
+      side: (s: Side) => s,
+      growth: 1,
+    };
   const { transform, datum } = found;
   const point = (p: PlanePoint): PlanePoint => {
     const { x, y } = toProgram({ shift: { ...datum, z: 0 }, transform }, { ...p, z: 0 });
@@ -71,12 +76,22 @@ function countingOf(found: ApproachRun | undefined) {
 
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
-/** What stands round the APPR or DEP block at `index`: from the last run, and from the text where the run says nothing about it. */
-export function approachContext(program: Program, index: number, run: Run | null, parameters: KnownParameters): ApproachContext {
+/**
+ * What stands round the APPR or DEP block at `index`: from the last run, and from the text where the run says nothing
+ * about it.
+ */
+export function approachContext(
+  program: Program,
+  index: number,
+  run: Run | null,
+  parameters: KnownParameters,
+): ApproachContext {
   const { turning, inch, pole } = inForce(program, index, parameters);
   const statement = program.blocks[index]?.statement;
   const departing = statement?.kind === "approach" && statement.departing;
-  const found: ApproachRun | undefined = run?.approaches.findLast((a) => a.index === index && a.departing === departing);
+  const found: ApproachRun | undefined = run?.approaches.findLast(
+    (a) => a.index === index && a.departing === departing,
+  );
   const plane = found?.plane ?? (turning ? "ZX" : "XY");
   // The words of the block count from the datum of the program.
   const count = countingOf(found);

@@ -41,7 +41,8 @@ export function typedFunctions(typed: string): readonly number[] | null {
 export function readWord(f: ApproachField, typed: string, known: KnownParameters = {}): FieldReading {
   const { id, kind } = f;
   const text = typed.trim();
-  if (kind === "side") return text === "" ? nothing : { ...nothing, empty: false, value: SIDES.findIndex((s) => s === text) };
+  if (kind === "side")
+    return text === "" ? nothing : { ...nothing, empty: false, value: SIDES.findIndex((s) => s === text) };
   if (kind === "functions") return typedFunctions(text) ? nothing : wrong(issue("notANumber", "error", { text }, id));
   const read = readText({ ...f, kind }, kind === "feed" ? text.replace(/^F\s*(?=\d)/i, "") : text, known);
   // What a parameter holds shows when the program runs: until then it is no fault.
@@ -57,13 +58,15 @@ export function readApproach(
   draft: ApproachDraft,
   known: KnownParameters = {},
 ): ApproachReading {
-  const readings = approachFields(s.form, s.departing, plane).map((f) => [f.id, readWord(f, draft[f.id] ?? "", known)] as const);
+  const readings = approachFields(s.form, s.departing, plane).map(
+    (f) => [f.id, readWord(f, draft[f.id] ?? "", known)] as const,
+  );
   return Object.fromEntries(readings);
 }
 
 /**
- * The block of what was typed. A word that can not be read keeps what `base` said; words without a prompt (a third axis in
- * turning, words nobody knows) stay as they are.
+ * The block of what was typed. A word that can not be read keeps what `base` said; words without a prompt (a third axis
+ * in turning, words nobody knows) stay as they are.
  */
 export function approachStatement(
   base: ApproachStatement,
@@ -90,7 +93,11 @@ export function approachStatement(
     return c ? [{ axis, value: c.value, incremental: c.incremental }] : [];
   });
   const [polarRadius, polarAngle] = [coordinate("PR", old.polarRadius), coordinate("PA", old.polarAngle)];
-  const [centreAngle, length, radius] = [value("CCA", old.centreAngle), value("LEN", old.length), value("R", old.radius)];
+  const [centreAngle, length, radius] = [
+    value("CCA", old.centreAngle),
+    value("LEN", old.length),
+    value("R", old.radius),
+  ];
   const compensation = SIDES.find((s) => s === draft.SIDE);
   const feed = failed("F") ? old.feed : feedOf(readings.F, old.feed);
   const functions = typedFunctions(draft.M ?? "") ?? old.functions;

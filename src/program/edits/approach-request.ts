@@ -1,5 +1,12 @@
 import type { ApproachRequest } from "../../kernel/plane/approach.ts";
-import { partPoint, plane, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane/plane.ts";
+import {
+  partPoint,
+  plane,
+  planePoint,
+  type PlanePoint,
+  type PlaneSegment,
+  type Side,
+} from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { inDegrees, radius, rounded, toDiameter } from "../../kernel/units.ts";
 import type { ApproachForm } from "../../nc/statement.ts";
@@ -48,22 +55,31 @@ const sideOf = (read: FieldReading | undefined, otherwise: Side): Side => {
 };
 
 /** Last point of a contour before DEP, where incremental words count from; the start of the tool for APPR. */
-const origin = (
-  { contour, before, tip }: ApproachContext,
-  departing: boolean,
-) => (departing ? (contour.at(-1)?.to ?? null) : before && sum(before, tip));
+const origin = ({ contour, before, tip }: ApproachContext, departing: boolean) =>
+  departing ? (contour.at(-1)?.to ?? null) : before && sum(before, tip);
 
 /** The point that a block names: PA, or PN of DEP LCT. Null while it is not complete. */
-export function namedPoint(form: ApproachForm, departing: boolean, read: ApproachReading, context: ApproachContext): PlanePoint | null {
+export function namedPoint(
+  form: ApproachForm,
+  departing: boolean,
+  read: ApproachReading,
+  context: ApproachContext,
+): PlanePoint | null {
   const plane = context.plane === "ZX" ? "lathe" : "XY";
   const axes = context.plane === "ZX" ? (["Z", "X"] as const) : (["X", "Y"] as const);
-  const word = (name: ApproachWord) => ({ value: read[name]?.value ?? NaN, incremental: read[name]?.incremental ?? false });
+  const word = (name: ApproachWord) => ({
+    value: read[name]?.value ?? NaN,
+    incremental: read[name]?.incremental ?? false,
+  });
   const words = isPolar(form)
     ? { axes: [], polarRadius: word("PR"), polarAngle: word("PA") }
     : { axes: axes.map((axis) => ({ axis, ...word(axis) })) };
   const from = origin(context, departing);
   const at = from ? { ...NOWHERE, ...coordinatesIn(plane, partPoint(from)) } : NOWHERE;
-  const block = { path: isPolar(form) ? "LP" : "L", words: { ...words, linear: [], functions: [], extra: [] } } as const;
+  const block = {
+    path: isPolar(form) ? "LP" : "L",
+    words: { ...words, linear: [], functions: [], extra: [] },
+  } as const;
   const to = endOf(plainReader(context.unit), block, { plane, at, pole: context.pole && partPoint(context.pole) });
   const point = to && pointIn(plane, to);
   return point && planePoint(point);
@@ -91,7 +107,8 @@ export function readyApproach(
   const contour = departing || !named ? context.contour : beginningIn(context.contour, named);
   const element = departing ? contour.at(-1) : contour[0];
   if (!element) return null;
-  const value = (word: FieldReading | undefined, scale: number) => (typeof word?.value === "number" ? word.value * scale : undefined);
+  const value = (word: FieldReading | undefined, scale: number) =>
+    typeof word?.value === "number" ? word.value * scale : undefined;
   const [length, size, angle] = [value(read.LEN, context.unit), value(read.R, context.unit), value(read.CCA, 1)];
   return {
     contour,
@@ -112,7 +129,11 @@ export function readyApproach(
 const printed = (n: number) => String(rounded(n) + 0);
 
 /** A point of the working plane as the words that name it in a form. */
-export function wordsOfPoint(form: ApproachForm, p: PlanePoint, context: ApproachContext): Partial<Record<ApproachWord, string>> | null {
+export function wordsOfPoint(
+  form: ApproachForm,
+  p: PlanePoint,
+  context: ApproachContext,
+): Partial<Record<ApproachWord, string>> | null {
   const { pole, unit } = context;
   if (isPolar(form)) {
     if (!pole) return null;

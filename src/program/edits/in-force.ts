@@ -11,7 +11,12 @@ export interface InForce {
   readonly functions: readonly (number | null)[];
 }
 
-export const NOTHING_IN_FORCE: InForce = { spin: null, feedUnit: null, contour: [], functions: KEPT_ON.map(() => null) };
+export const NOTHING_IN_FORCE: InForce = {
+  spin: null,
+  feedUnit: null,
+  contour: [],
+  functions: KEPT_ON.map(() => null),
+};
 
 /** What is in force behind a block. */
 function after(now: InForce, { statement: s }: Block): InForce {
@@ -19,7 +24,10 @@ function after(now: InForce, { statement: s }: Block): InForce {
   const isTool = s.kind === "toolCall" && s.tool !== null;
   const kept = KEPT_ON.map(({ on, off }, i) => {
     const before = isTool ? null : (now.functions[i] ?? null);
-    return functions.reduce<number | null>((m, each) => (on.includes(each) ? each : off.includes(each) ? null : m), before);
+    return functions.reduce<number | null>(
+      (m, each) => (on.includes(each) ? each : off.includes(each) ? null : m),
+      before,
+    );
   });
   const names = namesContour(s);
   const begins = names && !(s.kind === "cycleLine" && s.line > 0);

@@ -2,14 +2,25 @@ import * as fc from "fast-check";
 import { describe, expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { print, type Program } from "../../nc/program.ts";
-import { duplicatedOperation, isRefused, movedOperation, retooledOperation, switchedOperation, withoutOperation,
-  type Refusal } from "./operation-edits.ts";
+import {
+  duplicatedOperation,
+  isRefused,
+  movedOperation,
+  retooledOperation,
+  switchedOperation,
+  withoutOperation,
+  type Refusal,
+} from "./operation-edits.ts";
 import { isOff, operationsOf, wholeOf } from "./operations.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
 const shipped = import.meta.glob<string>("../../examples/*.h", { query: "?raw", import: "default", eager: true });
-const goldens = import.meta.glob<string>("../../../tests/programs/*.h", { query: "?raw", import: "default", eager: true });
+const goldens = import.meta.glob<string>("../../../tests/programs/*.h", {
+  query: "?raw",
+  import: "default",
+  eager: true,
+});
 const named = (name: string) => Object.entries(shipped).find(([path]) => path.endsWith(`/${name}.h`))?.[1] ?? "";
 const flange = named("flange");
 const texts = [...Object.values(shipped), ...Object.values(goldens)];
@@ -27,16 +38,28 @@ const summary = (program: Program) =>
   });
 const numbers = (program: Program) => program.blocks.flatMap(({ number }) => (number === null ? [] : [number]));
 
-/** Written as other files are: counted in tens, without numbers, with a comment at the end, with the line ends of Windows. */
-const tens = (text: string) => text.replace(/^(\/?)(\d+) /gm, (_, mark: string, n: string) => `${mark}${Number(n) * 10 + 10} `);
+/**
+ * Written as other files are: counted in tens, without numbers, with a comment at the end, with the line ends of
+ * Windows.
+ */
+const tens = (text: string) =>
+  text.replace(/^(\/?)(\d+) /gm, (_, mark: string, n: string) => `${mark}${Number(n) * 10 + 10} `);
 const gaps = (text: string) =>
   text.replace(/^(\/?)(\d+) /gm, (_, mark: string, n: string) => `${mark}${Number(n) + (Number(n) > 11 ? 7 : 0)} `);
 const bare = (text: string) => text.replace(/^\d+ /gm, "");
 const windows = (text: string) => text.replaceAll("\n", "\r\n");
 const ended = (text: string) => `${text.trimEnd()}\n; END OF FILE, no line behind it`;
 const lettered = (text: string) => text.replace(/^(\d+) /gm, "N$1 ");
-const written = fc.constantFrom<(text: string) => string>((text) => text, tens, gaps, bare, windows, ended, lettered,
-  (text) => windows(tens(text)));
+const written = fc.constantFrom<(text: string) => string>(
+  (text) => text,
+  tens,
+  gaps,
+  bare,
+  windows,
+  ended,
+  lettered,
+  (text) => windows(tens(text)),
+);
 
 describe("the operations of a program", () => {
   test("the flange has eight, of which two go on with a tool", () => {
@@ -95,11 +118,12 @@ describe("the operations of a program", () => {
   test("what a jump leads to, or what shifts the datum, is tied", () => {
     const text = (middle: string) =>
       `BEGIN PGM A MM\nTOOL CALL 1\nCYCL DEF 812 X ~\nQ215=+0\nL X+50 Z+2 FMAX M99\n${middle}M30\nEND PGM A MM\n`;
-    expect(unitsOf(parse(text("LBL 4\nTOOL CALL 2\nL X+5 Z+1 F0.2\nCALL LBL 4 REP 3\n"))).map(({ tie }) => tie)).toEqual([
-      "label",
-      "label",
-    ]);
-    expect(unitsOf(parse(text("TOOL CALL 2\nTRANS DATUM AXIS Z-3.2\nL X+5 Z+1 F0.2\n"))).map(({ tie }) => tie)).toEqual([null, "frame"]);
+    expect(
+      unitsOf(parse(text("LBL 4\nTOOL CALL 2\nL X+5 Z+1 F0.2\nCALL LBL 4 REP 3\n"))).map(({ tie }) => tie),
+    ).toEqual(["label", "label"]);
+    expect(unitsOf(parse(text("TOOL CALL 2\nTRANS DATUM AXIS Z-3.2\nL X+5 Z+1 F0.2\n"))).map(({ tie }) => tie)).toEqual(
+      [null, "frame"],
+    );
     expect(movedOperation(parse(text("TOOL CALL 2\nTRANS DATUM AXIS Z-3.2\nL X+5 Z+1 F0.2\n")), 0, 1)).toEqual({
       refused: "frame",
       unit: 1,
@@ -115,8 +139,8 @@ describe("the operations of a program", () => {
 
   test("a parameter that one operation sets and the other reads keeps them in order", () => {
     const program = parse(
-      "BEGIN PGM A MM\nTOOL CALL 1\nQ7 = 3.5\nCYCL DEF 812 X ~\nQ215=+0\nL X+5 Z+2 FMAX M99\nTOOL CALL 2\nCYCL DEF 812 X ~\nQ493=+Q7\n"
-        + "L X+5 Z+2 FMAX M99\nM30\nEND PGM A MM\n",
+      "BEGIN PGM A MM\nTOOL CALL 1\nQ7 = 3.5\nCYCL DEF 812 X ~\nQ215=+0\nL X+5 Z+2 FMAX M99\nTOOL CALL 2\nCYCL DEF 812 X ~\nQ493=+Q7\n" +
+        "L X+5 Z+2 FMAX M99\nM30\nEND PGM A MM\n",
     );
     expect(movedOperation(program, 1, 0)).toEqual({ refused: "parameter", unit: 0, parameter: "Q7" });
   });
@@ -131,40 +155,52 @@ const unmarked = all.filter(({ text, unit }) => {
 });
 const one = fc.constantFrom(...unmarked);
 const case_ = fc.tuple(one, written).map(([{ text, unit }, write]) => ({ program: parse(write(text)), unit }));
-/** A program whose operations say spindle, feed unit and contour themselves: nothing has to be written out when they change places. */
+/**
+ * A program whose operations say spindle, feed unit and contour themselves: nothing has to be written out when they
+ * change places.
+ */
 const whole = fc.tuple(written, fc.nat(6)).map(([write, unit]) => ({ program: parse(write(flange)), unit }));
 
 describe("an operation is changed as a whole", () => {
   test("down and up again is the same to the byte", () => {
-    fc.assert(fc.property(whole, ({ program, unit }) => {
-      const down = made(movedOperation(program, unit, unit + 1));
-      expect(print(down)).not.toBe(print(program));
-      expect(print(made(movedOperation(down, unit + 1, unit)))).toBe(print(program));
-    }), { numRuns: 150 });
+    fc.assert(
+      fc.property(whole, ({ program, unit }) => {
+        const down = made(movedOperation(program, unit, unit + 1));
+        expect(print(down)).not.toBe(print(program));
+        expect(print(made(movedOperation(down, unit + 1, unit)))).toBe(print(program));
+      }),
+      { numRuns: 150 },
+    );
   });
 
   test("doubled and taken out again is the same to the byte", () => {
-    fc.assert(fc.property(case_, ({ program, unit }) => {
-      const twice = duplicatedOperation(program, unit);
-      expect(isRefused(twice)).toBe(unitsOf(program)[unit]?.tie !== null);
-      if (isRefused(twice)) return;
-      const read = made(twice);
-      expect(unitsOf(read)).toHaveLength(unitsOf(program).length + 1);
-      expect(print(made(withoutOperation(read, unit + 1)))).toBe(print(program));
-    }), { numRuns: 150 });
+    fc.assert(
+      fc.property(case_, ({ program, unit }) => {
+        const twice = duplicatedOperation(program, unit);
+        expect(isRefused(twice)).toBe(unitsOf(program)[unit]?.tie !== null);
+        if (isRefused(twice)) return;
+        const read = made(twice);
+        expect(unitsOf(read)).toHaveLength(unitsOf(program).length + 1);
+        expect(print(made(withoutOperation(read, unit + 1)))).toBe(print(program));
+      }),
+      { numRuns: 150 },
+    );
   });
 
   test("switched off and on again is the same to the byte; off, it runs no call", () => {
-    fc.assert(fc.property(case_, ({ program, unit }) => {
-      const off = switchedOperation(program, unit, false);
-      expect(isRefused(off)).toBe(unitsOf(program)[unit]?.tie !== null);
-      if (isRefused(off)) return;
-      const read = made(off);
-      const [then, now] = [unitsOf(program)[unit], unitsOf(read)[unit]];
-      expect(now && isOff(read, now)).toBe(true);
-      expect(then && isOff(program, then)).toBe(false);
-      expect(print(made(switchedOperation(read, unit, true)))).toBe(print(program));
-    }), { numRuns: 150 });
+    fc.assert(
+      fc.property(case_, ({ program, unit }) => {
+        const off = switchedOperation(program, unit, false);
+        expect(isRefused(off)).toBe(unitsOf(program)[unit]?.tie !== null);
+        if (isRefused(off)) return;
+        const read = made(off);
+        const [then, now] = [unitsOf(program)[unit], unitsOf(read)[unit]];
+        expect(now && isOff(read, now)).toBe(true);
+        expect(then && isOff(program, then)).toBe(false);
+        expect(print(made(switchedOperation(read, unit, true)))).toBe(print(program));
+      }),
+      { numRuns: 150 },
+    );
   });
 
   test("blocks of other operations keep every byte but their numbers", () => {
@@ -172,7 +208,16 @@ describe("an operation is changed as a whole", () => {
     const program = parse(flange);
     const { units } = operationsOf(program);
     const others = (p: Program, unit: number) =>
-      unitsOf(p).filter((_, i) => i !== unit).map(({ from, to }) => without(p.blocks.slice(from, to).map(({ raw }) => raw).join("")));
+      unitsOf(p)
+        .filter((_, i) => i !== unit)
+        .map(({ from, to }) =>
+          without(
+            p.blocks
+              .slice(from, to)
+              .map(({ raw }) => raw)
+              .join(""),
+          ),
+        );
     units.forEach((_, unit) => {
       if (unit === 0) return;
       expect(others(made(movedOperation(program, unit, 0)), 0)).toEqual(others(program, unit));
@@ -197,8 +242,13 @@ describe("what an operation needs goes with it", () => {
       "GROOVE IN THE FACE 852 T8",
     ]);
     const { from, to } = wholeOf(operationsOf(moved), 4);
-    const text = moved.blocks.slice(from, to).map(({ raw }) => raw).join("");
-    expect(text).toMatch(/TOOL CALL 1\n\d+ FUNCTION TURNDATA SPIN VCONST:ON VC:220 SMAX2500\n\d+ M136\n\d+ L X\+140 Z\+80 R0 FMAX\n/);
+    const text = moved.blocks
+      .slice(from, to)
+      .map(({ raw }) => raw)
+      .join("");
+    expect(text).toMatch(
+      /TOOL CALL 1\n\d+ FUNCTION TURNDATA SPIN VCONST:ON VC:220 SMAX2500\n\d+ M136\n\d+ L X\+140 Z\+80 R0 FMAX\n/,
+    );
     expect(text).toMatch(/M303\n/);
     expect(text).toMatch(/L X\+140 FMAX\n\d+ L Z\+80 FMAX\n$/);
     expect(numbers(moved)).toEqual(numbers(moved).map((_, i) => i));
@@ -209,12 +259,19 @@ describe("what an operation needs goes with it", () => {
   });
 
   test("one that goes on with spindle and feed unit of another gets its own when it comes first", () => {
-    const program = parse(Object.entries(goldens).find(([path]) => path.endsWith("/two-tools.h"))?.[1].replaceAll("+Q7", "+44.4") ?? "");
+    const program = parse(
+      Object.entries(goldens)
+        .find(([path]) => path.endsWith("/two-tools.h"))?.[1]
+        .replaceAll("+Q7", "+44.4") ?? "",
+    );
     const first = made(movedOperation(program, 1, 0));
     const { from, to } = wholeOf(operationsOf(first), 0);
-    expect(first.blocks.slice(from, to).map(({ raw }) => raw).join("")).toMatch(
-      /^3 \* - FINISHING\n4 TOOL CALL 3\n5 FUNCTION TURNDATA SPIN VCONST:ON VC:187\.5 SMAX2345\n6 M136\n/,
-    );
+    expect(
+      first.blocks
+        .slice(from, to)
+        .map(({ raw }) => raw)
+        .join(""),
+    ).toMatch(/^3 \* - FINISHING\n4 TOOL CALL 3\n5 FUNCTION TURNDATA SPIN VCONST:ON VC:187\.5 SMAX2345\n6 M136\n/);
   });
 
   test("switched off, the first with a tool leaves tool and spindle to the second, and runs no more", () => {
@@ -223,19 +280,29 @@ describe("what an operation needs goes with it", () => {
     expect(text).toContain("\n/19 CYCL DEF 812");
     expect(text).toContain("\n20 L X+100 Z+2 FMAX M303\n/21 CYCL CALL\n22 CYCL DEF");
     const [was, is] = [movesOf(parse(flange)), movesOf(off, true)];
-    expect(is.operations.map(({ block }) => block)).toEqual(was.operations.map(({ block }) => block).filter((block) => block !== 21));
+    expect(is.operations.map(({ block }) => block)).toEqual(
+      was.operations.map(({ block }) => block).filter((block) => block !== 21),
+    );
   });
 
   test("another tool: where it is shared, the other operation keeps its own", () => {
     const other = made(retooledOperation(parse(flange), 2, 3));
-    expect(summary(other).slice(1, 4)).toEqual(["ROUGHING OUTSIDE 812 T1", "ROUGHING OUTSIDE 812 T3", "FINISHING OUTSIDE 812 T3"]);
+    expect(summary(other).slice(1, 4)).toEqual([
+      "ROUGHING OUTSIDE 812 T1",
+      "ROUGHING OUTSIDE 812 T3",
+      "FINISHING OUTSIDE 812 T3",
+    ]);
     const alone = made(retooledOperation(parse(flange), 7, 9));
     expect(print(alone)).toBe(flange.replace("62 TOOL CALL 8\n", "62 TOOL CALL 9\n"));
   });
 
   test("taken out, the first with a tool leaves it to the second", () => {
     const less = made(withoutOperation(parse(flange), 1));
-    expect(summary(less).slice(0, 3)).toEqual(["FACING 820 T15", "ROUGHING OUTSIDE 812 T1", "FINISHING OUTSIDE 812 T3"]);
+    expect(summary(less).slice(0, 3)).toEqual([
+      "FACING 820 T15",
+      "ROUGHING OUTSIDE 812 T1",
+      "FINISHING OUTSIDE 812 T3",
+    ]);
     expect(print(less)).toContain("18 L X+140 Z+80 R0 FMAX\n19 M303\n20 CYCL DEF 812");
   });
 });

@@ -7,8 +7,19 @@ import { withBlocks, withSkip } from "../../nc/replace.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { wordsOf } from "../blocks/flow.ts";
 import { inForceBehind, NOTHING_IN_FORCE, type InForce } from "./in-force.ts";
-import { definesCycle, isNote, isOfFreeContour, KEPT_ON, namesContour, operationsOf, setsFeedUnit, wholeOf, type Operations,
-  type ToolSection, type Tie } from "./operations.ts";
+import {
+  definesCycle,
+  isNote,
+  isOfFreeContour,
+  KEPT_ON,
+  namesContour,
+  operationsOf,
+  setsFeedUnit,
+  wholeOf,
+  type Operations,
+  type ToolSection,
+  type Tie,
+} from "./operations.ts";
 import { parametersOf, sharedParameter } from "./shared-parameters.ts";
 import { noWords } from "../values/typed-value.ts";
 
@@ -23,19 +34,25 @@ export interface Refusal {
 export const isRefused = (made: Program | Refusal): made is Refusal => "refused" in made;
 
 const alike = (a: readonly Block[], b: readonly Block[]): boolean =>
-  a.length === b.length && a.every((block, i) => {
+  a.length === b.length &&
+  a.every((block, i) => {
     const other = b[i];
     return other !== undefined && bare(block) === bare(other);
   });
 const bare = ({ raw }: Block): string => raw.replace(/^([ \t]*\/?[ \t]*[Nn]?)\d+(?![\d.,])/, "$1");
 
 /** Blocks of statements, in the style of a program; numbered where its blocks are. */
-export function blocksOfStatements(program: Program, index: number, statements: readonly Statement[]): readonly Block[] {
+export function blocksOfStatements(
+  program: Program,
+  index: number,
+  statements: readonly Statement[],
+): readonly Block[] {
   const style = styleAt(program, Math.max(0, Math.min(index, program.blocks.length - 1)));
   const letter = program.blocks.some(({ raw }) => /^[ \t]*\/?[ \t]*N\d/i.test(raw)) ? "N" : "";
   const head = program.blocks.some(({ number }) => number !== null) ? `${letter}0 ` : "";
-  return statements.flatMap((s) =>
-    parse((s.kind === "empty" ? "" : head) + statementLines(s, style).join(style.newLine) + style.newLine).blocks
+  return statements.flatMap(
+    (s) =>
+      parse((s.kind === "empty" ? "" : head) + statementLines(s, style).join(style.newLine) + style.newLine).blocks,
   );
 }
 
@@ -47,21 +64,29 @@ interface Group {
   readonly opening?: readonly Block[];
 }
 
-const cut = ({ blocks }: Program, { from, to }: { readonly from: number; readonly to: number }): readonly Block[] => blocks.slice(from, to);
+const cut = ({ blocks }: Program, { from, to }: { readonly from: number; readonly to: number }): readonly Block[] =>
+  blocks.slice(from, to);
 
 /** Statements that a group needs because what was in force before it is so no longer. */
 function missingSetting(blocks: readonly Block[], was: InForce, now: InForce): readonly Statement[] {
   const has = (is: (s: Statement) => boolean) => blocks.some(({ statement: s }) => is(s));
-  const spin = was.spin && JSON.stringify(was.spin) !== JSON.stringify(now.spin) && !has((s) => s.kind === "spin") ? [was.spin] : [];
+  const spin =
+    was.spin && JSON.stringify(was.spin) !== JSON.stringify(now.spin) && !has((s) => s.kind === "spin")
+      ? [was.spin]
+      : [];
   const unit =
-    was.feedUnit !== null && was.feedUnit !== now.feedUnit
-      && !has((s) => setsFeedUnit(s) || (wordsOf(s)?.functions.some((m) => m === 136 || m === 137) ?? false))
+    was.feedUnit !== null &&
+    was.feedUnit !== now.feedUnit &&
+    !has((s) => setsFeedUnit(s) || (wordsOf(s)?.functions.some((m) => m === 136 || m === 137) ?? false))
       ? [functionsOf([was.feedUnit])]
       : [];
   return [...spin, ...unit];
 }
 
-const functionsOf = (functions: readonly number[]): Statement => ({ kind: "functions", words: { ...noWords, functions } });
+const functionsOf = (functions: readonly number[]): Statement => ({
+  kind: "functions",
+  words: { ...noWords, functions },
+});
 
 /** What an operation needs before its own blocks: the contour that it was run with, and what was switched on. */
 function missingBefore(blocks: readonly Block[], was: InForce, now: InForce): readonly Statement[] {
@@ -71,7 +96,9 @@ function missingBefore(blocks: readonly Block[], was: InForce, now: InForce): re
   const contour = free && !own && JSON.stringify(was.contour) !== JSON.stringify(now.contour) ? was.contour : [];
   const lost = was.functions.flatMap((m, i) => {
     const group = KEPT_ON[i];
-    const setsIt = blocks.some(({ statement: s }) => wordsOf(s)?.functions.some((each) => group?.on.includes(each)) ?? false);
+    const setsIt = blocks.some(
+      ({ statement: s }) => wordsOf(s)?.functions.some((each) => group?.on.includes(each)) ?? false,
+    );
     return m !== null && now.functions[i] !== m && !setsIt ? [m] : [];
   });
   const functions = [...new Set(lost)];
@@ -93,7 +120,12 @@ interface Added {
 }
 
 /** The operations in another order, of which some may have been merged or parted, put together again. */
-function composed(program: Program, all: Operations, groups: readonly (Group | Added)[], joins: ReadonlySet<number>): Program {
+function composed(
+  program: Program,
+  all: Operations,
+  groups: readonly (Group | Added)[],
+  joins: ReadonlySet<number>,
+): Program {
   const before = states(program, all);
   const made: Block[] = [];
   let now = inForceBehind(program.blocks.slice(0, all.from), NOTHING_IN_FORCE);
@@ -117,7 +149,11 @@ function composed(program: Program, all: Operations, groups: readonly (Group | A
     for (const unit of units) {
       const blocks = cut(program, all.units[unit] ?? section.closing);
       const bared = joins.has(unit) ? withoutNeedless(blocks, now) : blocks;
-      const missing = blocksOfStatements(program, section.from, missingBefore(bared, before.units.get(unit) ?? NOTHING_IN_FORCE, now));
+      const missing = blocksOfStatements(
+        program,
+        section.from,
+        missingBefore(bared, before.units.get(unit) ?? NOTHING_IN_FORCE, now),
+      );
       const words = bared.findIndex(({ statement: s }) => !isNote(s));
       put(missing.length > 0 ? [...bared.slice(0, words), ...missing, ...bared.slice(words)] : bared);
     }
@@ -143,7 +179,9 @@ function states({ blocks }: Program, all: Operations) {
   return { sections, units };
 }
 
-/** Runs of operations that stand with one tool: neighbours of one section, and of two that have come to say the same. */
+/**
+ * Runs of operations that stand with one tool: neighbours of one section, and of two that have come to say the same.
+ */
 function grouped(
   program: Program,
   all: Operations,
@@ -157,10 +195,13 @@ function grouped(
     const last = groups.at(-1);
     const neighbour = last?.units.at(-1);
     const isNew = neighbour !== undefined && neighbour + 1 !== unit;
-    const same = last !== undefined
-      && (last.section === section
-        || (isNew && section.opening.to > section.opening.from && alike(cut(program, last.section.opening), cut(program, section.opening))
-          && alike(cut(program, last.section.closing), cut(program, section.closing))));
+    const same =
+      last !== undefined &&
+      (last.section === section ||
+        (isNew &&
+          section.opening.to > section.opening.from &&
+          alike(cut(program, last.section.opening), cut(program, section.opening)) &&
+          alike(cut(program, last.section.closing), cut(program, section.closing))));
     if (last && same) {
       last.units.push(unit);
       if (isNew) joins.add(unit);
@@ -194,14 +235,19 @@ export function movedOperation(program: Program, unit: number, to: number): Prog
   return composed(program, all, groups, joins);
 }
 
-/** The program with blocks behind an operation, or before all of them; what shares its tool with those behind gets it again. */
+/**
+ * The program with blocks behind an operation, or before all of them; what shares its tool with those behind gets it
+ * again.
+ */
 export function withAddedBehind(program: Program, unit: number | null, added: readonly Block[]): Program {
   const all = operationsOf(program);
   const behind = unit === null ? -1 : unit;
   const groups = all.sections.flatMap((section): readonly (Group | Added)[] => {
     const [before, rest] = [section.units.filter((i) => i <= behind), section.units.filter((i) => i > behind)];
     const part = (units: readonly number[]): readonly Group[] => (units.length > 0 ? [{ section, units }] : []);
-    return before.length > 0 && rest[0] !== undefined ? [...part(before), { added }, ...part(rest)] : part(section.units);
+    return before.length > 0 && rest[0] !== undefined
+      ? [...part(before), { added }, ...part(rest)]
+      : part(section.units);
   });
   const parted = groups.some((group) => "added" in group);
   const first = groups.findIndex((group) => "units" in group && (group.units[0] ?? 0) > behind);
@@ -247,10 +293,15 @@ export function switchedOperation(program: Program, unit: number, on: boolean): 
   const later = program.blocks.slice(to, all.to);
   const needed = parametersOf(later).read;
   const stays = ({ statement: s }: Block) =>
-    isNote(s) || ((s.kind === "assign" || s.kind === "assignText") && needed.has(s.target.toUpperCase()))
-    || (!isAlone && wordsOf(s)?.functions.some((m) => KEPT_ON.some((kept) => kept.on.includes(m))))
-    || (s.kind === "spin" && !later.some((b) => b.statement.kind === "spin")) || setsFeedUnit(s) || s.kind === "mode";
-  const next = program.blocks.map((block, i) => (i < from || i >= to || (!on && stays(block)) ? block : withSkip(block, !on)));
+    isNote(s) ||
+    ((s.kind === "assign" || s.kind === "assignText") && needed.has(s.target.toUpperCase())) ||
+    (!isAlone && wordsOf(s)?.functions.some((m) => KEPT_ON.some((kept) => kept.on.includes(m)))) ||
+    (s.kind === "spin" && !later.some((b) => b.statement.kind === "spin")) ||
+    setsFeedUnit(s) ||
+    s.kind === "mode";
+  const next = program.blocks.map((block, i) =>
+    i < from || i >= to || (!on && stays(block)) ? block : withSkip(block, !on),
+  );
   return withSkips(program, next);
 }
 

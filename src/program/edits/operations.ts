@@ -11,7 +11,10 @@ export interface BlockRange {
   readonly to: number;
 }
 
-/** Why an operation has to stay where it is: a label that is jumped to or called, or coordinates that are shifted or turned. */
+/**
+ * Why an operation has to stay where it is: a label that is jumped to or called, or coordinates that are shifted or
+ * turned.
+ */
 export type Tie = "label" | "frame" | "tool";
 
 /** One operation: a cycle with its calls, or what is cut without one, and the tool that it runs with. */
@@ -49,18 +52,24 @@ const CALLS: readonly number[] = [89, 99];
 const FEED_UNITS: readonly number[] = [136, 137];
 
 /** M functions that stay on, the spindle and the coolant: what switches each on and off. A tool change ends both. */
-export const KEPT_ON: readonly { readonly on: readonly number[]; readonly off: readonly number[] }[] = [{
-  on: [3, 4, 13, 14, 303, 304],
-  off: [5, 305],
-}, { on: [7, 8, 13, 14], off: [9] }];
+export const KEPT_ON: readonly { readonly on: readonly number[]; readonly off: readonly number[] }[] = [
+  {
+    on: [3, 4, 13, 14, 303, 304],
+    off: [5, 305],
+  },
+  { on: [7, 8, 13, 14], off: [9] },
+];
 
 const functionsOf = (s: Statement): readonly number[] => wordsOf(s)?.functions ?? [];
 export const endsMain = (s: Statement): boolean => s.kind === "end" || functionsOf(s).some((m) => ENDS.includes(m));
 
 /** True for what calls the cycle that is defined, or runs something else in its place. */
 export const callsCycle = (s: Statement): boolean =>
-  s.kind === "cycleCall" || s.kind === "call" || s.kind === "callProgram" || s.kind === "callSelected"
-  || functionsOf(s).some((m) => CALLS.includes(m));
+  s.kind === "cycleCall" ||
+  s.kind === "call" ||
+  s.kind === "callProgram" ||
+  s.kind === "callSelected" ||
+  functionsOf(s).some((m) => CALLS.includes(m));
 
 /** A cycle that waits for its call. */
 export const definesCycle = (s: Statement): boolean =>
@@ -71,36 +80,69 @@ const callsTool = (s: Statement): boolean => s.kind === "toolCall" && s.tool !==
 const changesFrame = (s: Statement): boolean => {
   if (s.kind === "cycle" || s.kind === "cycleLine")
     return s.cycle !== CONTOUR_CYCLE && actsAtOnce(s.cycle) && (s.cycle === PRESET || !isSilent(s.cycle));
-  return s.kind === "datum" || s.kind === "datumTable" || s.kind === "mirror" || s.kind === "rotation" || s.kind === "scale"
-    || s.kind === "plane";
+  return (
+    s.kind === "datum" ||
+    s.kind === "datumTable" ||
+    s.kind === "mirror" ||
+    s.kind === "rotation" ||
+    s.kind === "scale" ||
+    s.kind === "plane"
+  );
 };
 const PRESET = 247;
 
 const isNote = (s: Statement): boolean => s.kind === "structure" || s.kind === "comment" || s.kind === "empty";
-export const setsFeedUnit = (s: Statement): boolean => s.kind === "functions" && functionsOf(s).every((m) => FEED_UNITS.includes(m));
+export const setsFeedUnit = (s: Statement): boolean =>
+  s.kind === "functions" && functionsOf(s).every((m) => FEED_UNITS.includes(m));
 const isFrame = (s: Statement): boolean =>
-  s.kind === "begin" || s.kind === "blankBox" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankFile"
-  || s.kind === "turnBlank" || s.kind === "mode";
+  s.kind === "begin" ||
+  s.kind === "blankBox" ||
+  s.kind === "blankCylinder" ||
+  s.kind === "blankRotation" ||
+  s.kind === "blankFile" ||
+  s.kind === "turnBlank" ||
+  s.kind === "mode";
 const isRapid = (s: Statement): boolean =>
-  (s.kind === "path" && s.words.feed === "max" && !callsCycle(s)) || (s.kind === "functions" && s.words.retract !== undefined);
+  (s.kind === "path" && s.words.feed === "max" && !callsCycle(s)) ||
+  (s.kind === "functions" && s.words.retract !== undefined);
 /** A block that only names what the next cycle is run with. */
 const namesContour = (s: Statement): boolean =>
-  (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE) || s.kind === "selectContour" || s.kind === "contourDefinition"
-  || s.kind === "declareContour" || s.kind === "contourFormula";
+  (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE) ||
+  s.kind === "selectContour" ||
+  s.kind === "contourDefinition" ||
+  s.kind === "declareContour" ||
+  s.kind === "contourFormula";
 const switchesOn = (s: Statement): boolean =>
   s.kind === "functions" && s.words.functions.every((m) => KEPT_ON.some(({ on }) => on.includes(m)));
 const preparesCycle = (s: Statement): boolean =>
-  isNote(s) || switchesOn(s) || namesContour(s) || s.kind === "assign" || s.kind === "assignText" || s.kind === "spin" || setsFeedUnit(s)
-  || (s.kind === "toolCall" && s.tool === null) || changesFrame(s);
+  isNote(s) ||
+  switchesOn(s) ||
+  namesContour(s) ||
+  s.kind === "assign" ||
+  s.kind === "assignText" ||
+  s.kind === "spin" ||
+  setsFeedUnit(s) ||
+  (s.kind === "toolCall" && s.tool === null) ||
+  changesFrame(s);
 /** What may stand between a tool call and the first cut. */
 const preparesTool = (s: Statement): boolean =>
-  isNote(s) || callsTool(s) || s.kind === "toolCall" || s.kind === "toolDefinition" || s.kind === "spin" || s.kind === "turnCorrection"
-  || s.kind === "mode" || s.kind === "turnBlank" || s.kind === "assign" || s.kind === "assignText" || isRapid(s)
-  || (s.kind === "functions" && !callsCycle(s));
+  isNote(s) ||
+  callsTool(s) ||
+  s.kind === "toolCall" ||
+  s.kind === "toolDefinition" ||
+  s.kind === "spin" ||
+  s.kind === "turnCorrection" ||
+  s.kind === "mode" ||
+  s.kind === "turnBlank" ||
+  s.kind === "assign" ||
+  s.kind === "assignText" ||
+  isRapid(s) ||
+  (s.kind === "functions" && !callsCycle(s));
 /** What may stand before the tool call that begins a section. */
 const leadsTool = (s: Statement): boolean =>
   isNote(s) || s.kind === "toolDefinition" || s.kind === "spin" || s.kind === "mode" || setsFeedUnit(s);
-const leaves = (s: Statement): boolean => isRapid(s) || isNote(s) || s.kind === "stop" || (s.kind === "functions" && !callsCycle(s));
+const leaves = (s: Statement): boolean =>
+  isRapid(s) || isNote(s) || s.kind === "stop" || (s.kind === "functions" && !callsCycle(s));
 
 /** Index behind the blocks before `at`, not before `least`, that all are of a kind. */
 function backOver(blocks: readonly Block[], at: number, least: number, is: (s: Statement) => boolean): number {
@@ -109,7 +151,10 @@ function backOver(blocks: readonly Block[], at: number, least: number, is: (s: S
   return from;
 }
 
-/** Where the main program ends: at M30, or where neither M30 nor M2 stands at the first label behind all calls, or at END PGM. */
+/**
+ * Where the main program ends: at M30, or where neither M30 nor M2 stands at the first label behind all calls, or at
+ * END PGM.
+ */
 function endOfMain(blocks: readonly Block[]): number {
   const found = blocks.findIndex(({ statement: s, skip }) => endsMain(s) && !skip);
   if (found >= 0 && blocks[found]?.statement.kind !== "end") return found;
@@ -154,9 +199,11 @@ function partsOf(blocks: readonly Block[], { from, to }: BlockRange): Cuts {
   const note = blocks.slice(least, ready).findIndex(({ statement: s }) => s.kind === "structure") + least;
   const first = Math.min(Math.max(begins[0] ?? ready, firstOwn(blocks, least)), note >= least ? note : Infinity);
   const starts = [Math.max(first, callsTool(at(tool)) ? least : from), ...begins.slice(1)];
-  const clean = starts.every((start, k) => start <= (definitions[k] ?? closing.from)) && closing.from >= (starts.at(-1) ?? from);
+  const clean =
+    starts.every((start, k) => start <= (definitions[k] ?? closing.from)) && closing.from >= (starts.at(-1) ?? from);
   const opens = { from, to: starts[0] ?? from };
-  const isClean = clean && definitions.length > 0 && blocks.slice(opens.from, opens.to).every(({ statement: s }) => preparesTool(s));
+  const isClean =
+    clean && definitions.length > 0 && blocks.slice(opens.from, opens.to).every(({ statement: s }) => preparesTool(s));
   if (!isClean) return { opening: { from, to: from }, closing: { from: to, to }, parts: [{ from, to }] };
   const parts = starts.map((start, k) => ({ from: start, to: starts[k + 1] ?? closing.from }));
   return { opening: opens, closing, parts };
@@ -167,7 +214,17 @@ function firstOwn(blocks: readonly Block[], from: number): number {
   let own = from;
   for (let i = from; i < blocks.length; i += 1) {
     const s = blocks[i]?.statement;
-    if (!s || !(s.kind === "spin" || setsFeedUnit(s) || s.kind === "mode" || s.kind === "turnCorrection" || s.kind === "comment")) break;
+    if (
+      !s ||
+      !(
+        s.kind === "spin" ||
+        setsFeedUnit(s) ||
+        s.kind === "mode" ||
+        s.kind === "turnCorrection" ||
+        s.kind === "comment"
+      )
+    )
+      break;
     if (s.kind !== "comment") own = i + 1;
   }
   return own;
@@ -195,7 +252,15 @@ function tiedStretches(blocks: readonly Block[], end: number): readonly BlockRan
   return tied;
 }
 
-function tieFor({ hasLabel, framed, toolless }: { readonly hasLabel: boolean; readonly framed: boolean; readonly toolless: boolean }) {
+function tieFor({
+  hasLabel,
+  framed,
+  toolless,
+}: {
+  readonly hasLabel: boolean;
+  readonly framed: boolean;
+  readonly toolless: boolean;
+}) {
   if (hasLabel) return "label";
   if (framed) return "frame";
   return toolless ? "tool" : null;
@@ -209,8 +274,12 @@ export function operationsOf({ blocks }: Program): Operations {
   for (let i = 0; i < end; i += 1) if (callsTool(at(i))) tools.push(i);
   const firstCut = blocks.findIndex(({ statement: s }, i) => i < end && (definesCycle(s) || callsCycle(s)));
   const frame =
-    blocks.slice(0, end).findLastIndex(({ statement: s }, i) => isFrame(s) && i < Math.min(...tools, firstCut < 0 ? end : firstCut)) + 1;
-  const toolStarts = tools.map((tool, k) => backOver(blocks, tool, k === 0 ? frame : (tools[k - 1] ?? 0) + 1, leadsTool));
+    blocks
+      .slice(0, end)
+      .findLastIndex(({ statement: s }, i) => isFrame(s) && i < Math.min(...tools, firstCut < 0 ? end : firstCut)) + 1;
+  const toolStarts = tools.map((tool, k) =>
+    backOver(blocks, tool, k === 0 ? frame : (tools[k - 1] ?? 0) + 1, leadsTool),
+  );
   const [firstTool = Infinity] = toolStarts;
   const headless = firstCut >= 0 && firstCut < firstTool;
   const starts = [...(headless ? [frame] : []), ...toolStarts];
@@ -226,9 +295,9 @@ export function operationsOf({ blocks }: Program): Operations {
     const own = cuts.parts.map((part, k): OperationPart => {
       const inside = blocks.slice(part.from, part.to);
       const toolCall = blocks.slice(0, part.to).findLastIndex(({ statement: s }) => callsTool(s));
-      const framed = blocks.slice(k === 0 ? from : part.from, k === cuts.parts.length - 1 ? whole.to : part.to).some(({ statement: s }) =>
-        changesFrame(s)
-      );
+      const framed = blocks
+        .slice(k === 0 ? from : part.from, k === cuts.parts.length - 1 ? whole.to : part.to)
+        .some(({ statement: s }) => changesFrame(s));
       const title = (k === 0 ? titleIn(blocks, cuts.opening) : null) ?? titleIn(blocks, part);
       return {
         ...part,
@@ -260,10 +329,14 @@ export function wholeOf({ sections, units }: Operations, unit: number): BlockRan
 /** True for an operation whose cycles and calls all stand behind a skip mark. */
 export function isOff({ blocks }: Program, { from, to }: BlockRange): boolean {
   const acting = blocks.slice(from, to).filter(({ statement: s }) => definesCycle(s) || callsCycle(s));
-  const all = acting.length > 0 ? acting : blocks.slice(from, to).filter(({ statement: s }) => s.kind === "path" || s.kind === "approach");
+  const all =
+    acting.length > 0
+      ? acting
+      : blocks.slice(from, to).filter(({ statement: s }) => s.kind === "path" || s.kind === "approach");
   return all.length > 0 && all.every(({ skip }) => skip);
 }
 
 /** True where a cycle takes its contour from a subprogram. */
-export const isOfFreeContour = (s: Statement): boolean => s.kind === "cycle" && cycleByNumber(s.cycle)?.contour === "free";
+export const isOfFreeContour = (s: Statement): boolean =>
+  s.kind === "cycle" && cycleByNumber(s.cycle)?.contour === "free";
 export { isNote, namesContour };

@@ -33,15 +33,39 @@ describe("a description", () => {
     expect(cycle).toEqual({
       number: 317,
       name: "BAR PULLER",
-      parameters: [{ q: "Q1711", prompt: "PULL LENGTH", kind: "length", range: [0.5, 187.25], bounded: true, choices: null, first: 31.7 }, {
-        q: "Q1712",
-        prompt: "GRIP",
-        kind: "choice",
-        range: [-99999.9999, 99999.9999],
-        bounded: false,
-        choices: [{ value: 0, meaning: "open" }, { value: 1, meaning: "closed" }, { value: 3, meaning: "" }],
-        first: 0,
-      }, { q: "Q1713", prompt: "FEED RATE", kind: "feed", range: [0, 99999.9999], bounded: false, choices: null, first: "auto" }],
+      parameters: [
+        {
+          q: "Q1711",
+          prompt: "PULL LENGTH",
+          kind: "length",
+          range: [0.5, 187.25],
+          bounded: true,
+          choices: null,
+          first: 31.7,
+        },
+        {
+          q: "Q1712",
+          prompt: "GRIP",
+          kind: "choice",
+          range: [-99999.9999, 99999.9999],
+          bounded: false,
+          choices: [
+            { value: 0, meaning: "open" },
+            { value: 1, meaning: "closed" },
+            { value: 3, meaning: "" },
+          ],
+          first: 0,
+        },
+        {
+          q: "Q1713",
+          prompt: "FEED RATE",
+          kind: "feed",
+          range: [0, 99999.9999],
+          bounded: false,
+          choices: null,
+          first: "auto",
+        },
+      ],
     });
   });
 
@@ -88,15 +112,21 @@ describe("a description", () => {
     [{ kind: "choice" as const, choices: Array.from({ length: 21 }, (_, i) => i).join() }, "p1.choices tooMany"],
   ])("a parameter with %j: %s", (given, code) => expect(codes(withParameter(given))).toEqual([code]));
 
-  test.each([[{ number: "0317" }], [{ number: "199" }], [{ name: "SCHLEIFEN Ö 5/2 (A)" }], [{ name: "X".repeat(OWN_SIZES.name) }]])(
-    "%j is nothing wrong",
-    (given) => expect(codes(entry(given))).toEqual([]),
-  );
+  test.each([
+    [{ number: "0317" }],
+    [{ number: "199" }],
+    [{ name: "SCHLEIFEN Ö 5/2 (A)" }],
+    [{ name: "X".repeat(OWN_SIZES.name) }],
+  ])("%j is nothing wrong", (given) => expect(codes(entry(given))).toEqual([]));
 
-  test.each([{ q: "QL3" }, { q: "QR03" }, { q: "17" }, { q: "q17" }, { min: "3", max: "3", first: "3" }, { prompt: "A; B" }])(
-    "a parameter with %j is nothing wrong",
-    (given) => expect(codes(withParameter(given))).toEqual([]),
-  );
+  test.each([
+    { q: "QL3" },
+    { q: "QR03" },
+    { q: "17" },
+    { q: "q17" },
+    { min: "3", max: "3", first: "3" },
+    { prompt: "A; B" },
+  ])("a parameter with %j is nothing wrong", (given) => expect(codes(withParameter(given))).toEqual([]));
 
   test("a parameter stands in it once", () => {
     const parameters = [newParameter("p1", { q: "Q7", prompt: "A" }), newParameter("p2", { q: "7", prompt: "B" })];
@@ -106,14 +136,14 @@ describe("a description", () => {
   test("prompts hold what is typed to its range and choices", () => {
     const [length, grip, feed] = readOwn(entry()).cycle?.parameters.map(ownField) ?? [];
     const said = (field: typeof length, typed: string) => field && (readText(field, typed).issue?.code ?? "good");
-    expect([said(length, "0.5"), said(length, "0.4"), said(length, ""), said(grip, "3"), said(grip, "2"), said(feed, "FMAX")]).toEqual([
-      "good",
-      "outOfRange",
-      "missing",
-      "good",
-      "notAChoice",
-      "good",
-    ]);
+    expect([
+      said(length, "0.5"),
+      said(length, "0.4"),
+      said(length, ""),
+      said(grip, "3"),
+      said(grip, "2"),
+      said(feed, "FMAX"),
+    ]).toEqual(["good", "outOfRange", "missing", "good", "notAChoice", "good"]);
   });
 });
 
@@ -129,12 +159,15 @@ describe("text", () => {
     expect(parse(text).blocks[1]?.statement).toEqual(ownStatement(cycle));
   });
 
-  test.each(["A; B", "NUR Ö", 'Ø 5 "x"', "Q5=3", "12.5", "-", ";", "50 % 'a'", "直径"])("a prompt %s comes back", (prompt) => {
-    const { cycle } = readOwn(withParameter({ prompt }));
-    if (!cycle) throw new Error("not read");
-    const statement = ownStatement(cycle);
-    expect(parse(print(withInserted(parse(""), 0, statement))).blocks.map((b) => b.statement)).toEqual([statement]);
-  });
+  test.each(["A; B", "NUR Ö", 'Ø 5 "x"', "Q5=3", "12.5", "-", ";", "50 % 'a'", "直径"])(
+    "a prompt %s comes back",
+    (prompt) => {
+      const { cycle } = readOwn(withParameter({ prompt }));
+      if (!cycle) throw new Error("not read");
+      const statement = ownStatement(cycle);
+      expect(parse(print(withInserted(parse(""), 0, statement))).blocks.map((b) => b.statement)).toEqual([statement]);
+    },
+  );
 
   test("a block proposes its description", () => {
     const s = block(
@@ -165,17 +198,25 @@ describe("the list", () => {
     const list = [entry(), entry({ id: "c2", number: "0317", name: "OTHER" }), entry({ id: "c3", number: "318" })];
     const { rows, cycles } = readLibrary(list);
     expect(rows.get("c2")?.problems).toEqual([{ at: "number", code: "twice", text: "317" }]);
-    expect([...cycles].map(([number, { name }]) => [number, name])).toEqual([[317, "BAR PULLER"], [318, "BAR PULLER"]]);
+    expect([...cycles].map(([number, { name }]) => [number, name])).toEqual([
+      [317, "BAR PULLER"],
+      [318, "BAR PULLER"],
+    ]);
     expect(freeCycle(list, 317)).toBe(319);
     expect(freeCycle([], 880)).toBe(881);
   });
 
   test("goes into a file and comes back, with what is wrong in it", () => {
-    const list = [entry(), entry({ id: "c2", number: "12x", name: 'A "B"', parameters: [] }), withParameter({ first: "1+2", min: "-0" })];
+    const list = [
+      entry(),
+      entry({ id: "c2", number: "12x", name: 'A "B"', parameters: [] }),
+      withParameter({ first: "1+2", min: "-0" }),
+    ];
     const read = readLibraryFile(`\uFEFF${writeLibrary(list)}`);
     if (!("entries" in read)) throw new Error("not read");
     const withoutId = <T extends { readonly id: string }>({ id: _, ...rest }: T) => rest;
-    const bare = (entries: typeof list) => entries.map((e) => ({ ...withoutId(e), parameters: e.parameters.map(withoutId) }));
+    const bare = (entries: typeof list) =>
+      entries.map((e) => ({ ...withoutId(e), parameters: e.parameters.map(withoutId) }));
     expect(bare([...read.entries])).toEqual(bare(list));
     expect(read.leftOut).toEqual([]);
   });
@@ -185,7 +226,9 @@ describe("the list", () => {
       '{"cycles":[{"number":317,"colour":1,"name":"A","parameters":[{"q":7,"prompt":"B","kind":"depth","min":1.5}]}]}',
     );
     expect(read).toEqual({
-      entries: [{ id: "c1", number: "317", name: "A", parameters: [newParameter("p1", { q: "7", prompt: "B", min: "1.5" })] }],
+      entries: [
+        { id: "c1", number: "317", name: "A", parameters: [newParameter("p1", { q: "7", prompt: "B", min: "1.5" })] },
+      ],
       leftOut: ["colour", "kind depth"],
     });
   });
@@ -203,12 +246,19 @@ describe("the list", () => {
   ])("%.40s is refused", (text, problem) => expect(readLibraryFile(text)).toEqual(problem));
 
   test("a description of the same number takes the place of the old one", () => {
-    const made = mergedLibrary([entry(), entry({ id: "c2", number: "318" })], [
-      entry({ id: "c1", number: "318", name: "NEW" }),
-      entry({ id: "c2", number: "320" }),
-      entry({ id: "c3", number: "320", name: "LAST" }),
+    const made = mergedLibrary(
+      [entry(), entry({ id: "c2", number: "318" })],
+      [
+        entry({ id: "c1", number: "318", name: "NEW" }),
+        entry({ id: "c2", number: "320" }),
+        entry({ id: "c3", number: "320", name: "LAST" }),
+      ],
+    );
+    expect(made.list.map(({ id, number, name }) => `${id} ${number} ${name}`)).toEqual([
+      "c1 317 BAR PULLER",
+      "c2 318 NEW",
+      "c3 320 LAST",
     ]);
-    expect(made.list.map(({ id, number, name }) => `${id} ${number} ${name}`)).toEqual(["c1 317 BAR PULLER", "c2 318 NEW", "c3 320 LAST"]);
     expect([made.replaced, made.added]).toEqual([1, 1]);
   });
 });

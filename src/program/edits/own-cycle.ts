@@ -7,8 +7,8 @@ import { parameterAsTyped } from "../values/typed-value.ts";
 import { actsAtOnce, isSilent } from "../blocks/unproved-blocks.ts";
 
 /*
- * Cycles of the operator: those of a machine or a shop that nobody here knows. A description gives them a dialog and clean text; what they
- * do to the workpiece stays unknown, so they stay unproved.
+ * Cycles of the operator: those of a machine or a shop that nobody here knows. A description gives them a dialog and
+ * clean text; what they do to the workpiece stays unknown, so they stay unproved.
  */
 
 /** What a parameter of such a cycle is. */
@@ -56,11 +56,26 @@ export interface OwnCycle {
   readonly parameters: readonly OwnParameter[];
 }
 
-/** What is wrong with a description, and at which field: "number", "name", "parameters", or id and cell of a parameter. */
+/**
+ * What is wrong with a description, and at which field: "number", "name", "parameters", or id and cell of a parameter.
+ */
 export interface OwnProblem {
   readonly at: string;
-  readonly code: "missing" | "noNumber" | "known" | "twice" | "characters" | "tooLong" | "noParameter" | "qTwice" | "notANumber" | "order"
-    | "outside" | "choices" | "choiceTwice" | "tooMany";
+  readonly code:
+    | "missing"
+    | "noNumber"
+    | "known"
+    | "twice"
+    | "characters"
+    | "tooLong"
+    | "noParameter"
+    | "qTwice"
+    | "notANumber"
+    | "order"
+    | "outside"
+    | "choices"
+    | "choiceTwice"
+    | "tooMany";
   /** What the sentence names: the wrong text, or the bound. */
   readonly text: string;
 }
@@ -77,7 +92,13 @@ export interface OwnReading {
 export const OWN_SIZES = { cycles: 200, parameters: 60, name: 60, prompt: 80, choices: 20, cell: 500 } as const;
 /** What a control can hold. */
 const WIDEST = 99999.9999;
-const LEAST: Readonly<Record<OwnKind, number>> = { length: -WIDEST, angle: -WIDEST, feed: 0, choice: -WIDEST, number: -WIDEST };
+const LEAST: Readonly<Record<OwnKind, number>> = {
+  length: -WIDEST,
+  angle: -WIDEST,
+  feed: 0,
+  choice: -WIDEST,
+  number: -WIDEST,
+};
 export const OWN_DECIMALS = 4;
 
 export const fieldId = (parameter: string, cell: OwnCell): string => `${parameter}.${cell}`;
@@ -111,7 +132,10 @@ function numberAt(typed: string, at: string, say: Say): number | null {
 }
 
 function readChoices(typed: string, at: string, say: Say): readonly OwnChoice[] {
-  const parts = typed.split(/[,;\n]/).map(trimmed).filter((part) => part !== "");
+  const parts = typed
+    .split(/[,;\n]/)
+    .map(trimmed)
+    .filter((part) => part !== "");
   const choices = parts.flatMap((part) => {
     const m = /^([+-]?\d{1,5}(?:\.\d{1,4})?)(?:[ =:]+(.*))?$/.exec(part);
     return m ? [{ value: Number(m[1]), meaning: m[2] ?? "" }] : [];
@@ -124,12 +148,18 @@ function readChoices(typed: string, at: string, say: Say): readonly OwnChoice[] 
 }
 
 /** The value that a new block begins with: the typed one, or the nearest to zero that the parameter takes. */
-function readFirst(p: OwnParameterEntry, [min, max]: OwnParameter["range"], choices: OwnParameter["choices"], say: Say): number | "auto" {
+function readFirst(
+  p: OwnParameterEntry,
+  [min, max]: OwnParameter["range"],
+  choices: OwnParameter["choices"],
+  say: Say,
+): number | "auto" {
   const at = fieldId(p.id, "first");
   if (p.kind === "feed" && feedWord(p.first) === "auto") return "auto";
   const typed = numberAt(p.first, at, say);
   if (typed === null) return choices?.[0]?.value ?? Math.min(max, Math.max(min, 0));
-  const fits = choices && choices.length > 0 ? choices.some(({ value }) => value === typed) : typed >= min && typed <= max;
+  const fits =
+    choices && choices.length > 0 ? choices.some(({ value }) => value === typed) : typed >= min && typed <= max;
   if (!fits) say(at, "outside", p.first.trim());
   return typed;
 }
@@ -204,20 +234,24 @@ export const newParameter = (id: string, given: Partial<Omit<OwnParameterEntry, 
 });
 
 /** What the text of a program calls a parameter says of its kind: only where it can hardly be anything else. */
-const WORDS: readonly (readonly [RegExp, OwnKind])[] = [[/\bFEED(?!ER)|VORSCHUB|\bAVANCE|进给/i, "feed"], [
-  /\bANG(?:LE|\b)|WINKEL|角/i,
-  "angle",
-], [
-  /DIAMETER|DURCHMESSER|DIAM[EÈ]TRE|\bDEPTH|TIEFE|PROFONDEUR|LENGTH|LAENGE|LÄNGE|LONGUEUR|CLEARANCE|ABSTAND|DISTANCE|直径|深度|长度/i,
-  "length",
-]];
+const WORDS: readonly (readonly [RegExp, OwnKind])[] = [
+  [/\bFEED(?!ER)|VORSCHUB|\bAVANCE|进给/i, "feed"],
+  [/\bANG(?:LE|\b)|WINKEL|角/i, "angle"],
+  [
+    /DIAMETER|DURCHMESSER|DIAM[EÈ]TRE|\bDEPTH|TIEFE|PROFONDEUR|LENGTH|LAENGE|LÄNGE|LONGUEUR|CLEARANCE|ABSTAND|DISTANCE|直径|深度|长度/i,
+    "length",
+  ],
+];
 
 function kindOf({ value, label }: CycleParameter): OwnKind {
   if (value === "auto" || value === "max") return "feed";
   return WORDS.find(([words]) => words.test(label ?? ""))?.[1] ?? "number";
 }
 
-/** A description as the text of a block proposes it: its number, its name, its parameters with the prompts behind `;` and their values. */
+/**
+ * A description as the text of a block proposes it: its number, its name, its parameters with the prompts behind `;`
+ * and their values.
+ */
 export function describedFrom(s: StatementOf<"cycle">, id: string): OwnEntry {
   const named = s.parameters.filter(({ q }, i) => s.parameters.findIndex((each) => each.q === q) === i);
   return {

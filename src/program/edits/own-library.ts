@@ -1,6 +1,16 @@
 import { z } from "zod/mini";
-import { isKnownCycle, newParameter, OWN_CELLS, OWN_KINDS, OWN_SIZES, readOwn, type OwnCycle, type OwnEntry, type OwnParameterEntry,
-  type OwnReading } from "./own-cycle.ts";
+import {
+  isKnownCycle,
+  newParameter,
+  OWN_CELLS,
+  OWN_KINDS,
+  OWN_SIZES,
+  readOwn,
+  type OwnCycle,
+  type OwnEntry,
+  type OwnParameterEntry,
+  type OwnReading,
+} from "./own-cycle.ts";
 
 /** All descriptions of this device, in their order. */
 export type OwnList = readonly OwnEntry[];
@@ -20,11 +30,17 @@ export function readLibrary(list: OwnList): OwnLibrary {
     const reading = readOwn(entry);
     const isSecond = reading.number !== null && taken.has(reading.number);
     if (reading.number !== null) taken.add(reading.number);
-    rows.set(entry.id, isSecond
-      ? { ...reading, cycle: null, problems: [{ at: "number", code: "twice", text: String(reading.number) }, ...reading.problems] }
-      : reading);
-    if (reading.cycle && !isSecond)
-      cycles.set(reading.cycle.number, reading.cycle);
+    rows.set(
+      entry.id,
+      isSecond
+        ? {
+            ...reading,
+            cycle: null,
+            problems: [{ at: "number", code: "twice", text: String(reading.number) }, ...reading.problems],
+          }
+        : reading,
+    );
+    if (reading.cycle && !isSecond) cycles.set(reading.cycle.number, reading.cycle);
   }
   return { rows, cycles };
 }
@@ -44,7 +60,9 @@ export function freeCycle(list: OwnList, from: number): number | null {
   return null;
 }
 
-/** Descriptions of a file over those of the list: one of the same number takes the place of the old one, others follow. */
+/**
+ * Descriptions of a file over those of the list: one of the same number takes the place of the old one, others follow.
+ */
 export function mergedLibrary(
   list: OwnList,
   entries: OwnList,
@@ -62,14 +80,14 @@ export function mergedLibrary(
 }
 
 /** A number as a number where it says the same, any other text as it is typed. */
-const written =
-  (text: string): string | number => (/^-?(?:0|[1-9]\d{0,8})(?:\.\d*[1-9])?$/.test(text) && text !== "-0" ? Number(text) : text);
+const written = (text: string): string | number =>
+  /^-?(?:0|[1-9]\d{0,8})(?:\.\d*[1-9])?$/.test(text) && text !== "-0" ? Number(text) : text;
 
 /** Writes the list as a file, one parameter a line. What is typed wrong is in it as well. */
 export function writeLibrary(list: OwnList): string {
   const parameter = ({ q, prompt, kind, ...rest }: OwnParameterEntry): string => {
     const cells = (["min", "max", "first", "choices"] as const).flatMap((cell) =>
-      rest[cell] === "" ? [] : [[cell, cell === "choices" ? rest[cell] : written(rest[cell])]]
+      rest[cell] === "" ? [] : [[cell, cell === "choices" ? rest[cell] : written(rest[cell])]],
     );
     return `    ${JSON.stringify({ q, prompt, kind, ...Object.fromEntries(cells) })}`;
   };
@@ -98,12 +116,16 @@ const cycleShape = z.looseObject({
   parameters: z.nullish(z.array(parameterShape).check(z.maxLength(OWN_SIZES.parameters))),
 });
 const fileShape = z.looseObject({ cycles: z.array(z.unknown()) });
-const asText = (value: string | number | null | undefined): string => (value === null || value === undefined ? "" : String(value));
+const asText = (value: string | number | null | undefined): string =>
+  value === null || value === undefined ? "" : String(value);
 
 /** What a file brings: descriptions, and the names in it that mean nothing here; or why it brings none. */
-export type OwnFile = { readonly entries: OwnList; readonly leftOut: readonly string[] } | {
-  readonly problem: "notALibrary" | "nothing" | "tooMany";
-} | { readonly problem: "wrongCycle"; readonly at: number };
+export type OwnFile =
+  | { readonly entries: OwnList; readonly leftOut: readonly string[] }
+  | {
+      readonly problem: "notALibrary" | "nothing" | "tooMany";
+    }
+  | { readonly problem: "wrongCycle"; readonly at: number };
 
 const isOneOf = <T extends string>(all: readonly T[], text: string): text is T => all.some((each) => each === text);
 const NAMES: ReadonlySet<string> = new Set(["number", "name", "parameters", "kind", ...OWN_CELLS]);
@@ -122,7 +144,10 @@ export function readLibraryFile(text: string): OwnFile {
   if (all.length === 0) return { problem: "nothing" };
   if (all.length > OWN_SIZES.cycles) return { problem: "tooMany" };
   const leftOut = new Set<string>();
-  const unread = (row: object) => Object.keys(row).filter((key) => !NAMES.has(key)).forEach((key) => leftOut.add(key.slice(0, 40)));
+  const unread = (row: object) =>
+    Object.keys(row)
+      .filter((key) => !NAMES.has(key))
+      .forEach((key) => leftOut.add(key.slice(0, 40)));
   const entries: OwnEntry[] = [];
   for (const [i, each] of all.entries()) {
     const read = cycleShape.safeParse(each);

@@ -25,9 +25,15 @@ export interface SecondSide {
 
 /** Label of the outline of the blank. */
 const BLANK_LABEL = 1;
-/** Decimals of the outline: those that a control takes. Those it keeps would move a long cylinder by more than the chords of an arc. */
+/**
+ * Decimals of the outline: those that a control takes. Those it keeps would move a long cylinder by more than the
+ * chords of an arc.
+ */
 const OUTLINE_DECIMALS = { MM: 4, INCH: 5 } as const;
-/** An arc that turns through more is written as two: near half a turn its end points say too little of its centre, radians. */
+/**
+ * An arc that turns through more is written as two: near half a turn its end points say too little of its centre,
+ * radians.
+ */
 const WIDEST = (2 / 3) * Math.PI;
 /** A shorter arc is a corner, mm. */
 const SHORTEST_ARC = 0.01;
@@ -45,13 +51,19 @@ export function nextClampingName(name: string): string {
   return nameOnControl(stem).slice(0, LONGEST_NAME - end.length) + end;
 }
 
-/** A piece as it lies when it is turned round: what was its rear face is the front, `front` mm before Z0. Applied twice it is back. */
+/**
+ * A piece as it lies when it is turned round: what was its rear face is the front, `front` mm before Z0. Applied twice
+ * it is back.
+ */
 export function turnedRound(piece: readonly Ring[], front: number): Ring[] {
   const { left } = boxAround([...piece]);
   return piece.map((ring) => ring.map((p) => at(left - p.z + front, p.r)).reverse());
 }
 
-/** The elements of a ring, from its point farthest in front and nearest to the axis on: there a setter begins an outline. */
+/**
+ * The elements of a ring, from its point farthest in front and nearest to the axis on: there a setter begins an
+ * outline.
+ */
 function elementsOf(ring: Ring): readonly Segment[] {
   const first = ring.reduce((best, p, i) => {
     const now = ring[best] ?? p;
@@ -63,17 +75,23 @@ function elementsOf(ring: Ring): readonly Segment[] {
 function asWritten(s: Segment): Segment[] {
   if (s.kind === "line") return [s];
   if (part.lengthOf(s) < SHORTEST_ARC) return [part.line(s.from, s.to)];
-  const count = Math.ceil(part.sweepOf(s) / WIDEST), point = (i: number) => part.pointOn(s, i / count);
-  return Array.from({ length: count }, (_, i) => ({ ...s, from: i === 0 ? s.from : point(i), to: i + 1 === count ? s.to : point(i + 1) }));
+  const count = Math.ceil(part.sweepOf(s) / WIDEST),
+    point = (i: number) => part.pointOn(s, i / count);
+  return Array.from({ length: count }, (_, i) => ({
+    ...s,
+    from: i === 0 ? s.from : point(i),
+    to: i + 1 === count ? s.to : point(i + 1),
+  }));
 }
 
 /**
- * One line round a piece. A cavity is reached along a line that is run there and back, which has no width and encloses nothing: a blank
- * has one outline.
+ * One line round a piece. A cavity is reached along a line that is run there and back, which has no width and encloses
+ * nothing: a blank has one outline.
  */
 function outlineOf(piece: readonly Ring[]): readonly Segment[] {
   const chains = piece.toSorted((a, b) => areaOfRing(b) - areaOfRing(a)).map(elementsOf);
-  const [outer = [], ...cavities] = chains, begin = outer[0]?.from;
+  const [outer = [], ...cavities] = chains,
+    begin = outer[0]?.from;
   if (!begin) return [];
   return [
     ...outer,
@@ -84,9 +102,14 @@ function outlineOf(piece: readonly Ring[]): readonly Segment[] {
   ].flatMap(asWritten);
 }
 
-/** The radius of an arc with as few decimals as leave it the same to the eye of the proof. `per`: mm of a unit of the program. */
+/**
+ * The radius of an arc with as few decimals as leave it the same to the eye of the proof. `per`: mm of a unit of the
+ * program.
+ */
 function radiusWritten(arc: Extract<Segment, { kind: "arc" }>, per: number, decimals: number): number {
-  const chord = part.apart(arc.from, arc.to), exact = part.radiusOf(arc), area = areaOfArc(chord, exact);
+  const chord = part.apart(arc.from, arc.to),
+    exact = part.radiusOf(arc),
+    area = areaOfArc(chord, exact);
   const most = Math.min(AS_MUCH, CHORD * part.lengthOf(arc));
   for (let digits = 0; digits < decimals; digits += 1) {
     const fewer = kept(exact / per, digits);
@@ -95,23 +118,30 @@ function radiusWritten(arc: Extract<Segment, { kind: "arc" }>, per: number, deci
   return kept(exact / per, decimals);
 }
 
-/** The blocks of an outline: an axis whose number stays is left out, and so is an element that the decimals leave without length. */
+/**
+ * The blocks of an outline: an axis whose number stays is left out, and so is an element that the decimals leave
+ * without length.
+ */
 function outlineStatements(segments: readonly Segment[], unit: "MM" | "INCH"): Statement[] {
-  const decimals = OUTLINE_DECIMALS[unit], per = IN_MM[unit === "INCH" ? "inch" : "mm"];
+  const decimals = OUTLINE_DECIMALS[unit],
+    per = IN_MM[unit === "INCH" ? "inch" : "mm"];
   const written = (p: Pt) => ({ X: kept(toDiameter(p.r) / per, decimals), Z: kept(p.z / per, decimals) });
   const [first] = segments;
   if (!first) return [];
   let before: { readonly X: number; readonly Z: number } | null = null;
   const statement = (to: Pt, arc: Extract<Segment, { kind: "arc" }> | null): Statement[] => {
-    const now = written(to), was = before;
+    const now = written(to),
+      was = before;
     const axes = (["X", "Z"] as const).flatMap((axis): AxisWord[] =>
-      arc !== null || was?.[axis] !== now[axis] ? [{ axis, value: now[axis], incremental: false }] : []
+      arc !== null || was?.[axis] !== now[axis] ? [{ axis, value: now[axis], incremental: false }] : [],
     );
     if (was?.X === now.X && was.Z === now.Z) return [];
     before = now;
     const words = { ...noWords, axes };
     if (!arc) return [{ kind: "path", path: "L", words }];
-    return [{ kind: "path", path: "CR", words: { ...words, radius: radiusWritten(arc, per, decimals), turn: arc.turn } }];
+    return [
+      { kind: "path", path: "CR", words: { ...words, radius: radiusWritten(arc, per, decimals), turn: arc.turn } },
+    ];
   };
   return [...statement(first.from, null), ...segments.flatMap((s) => statement(s.to, s.kind === "arc" ? s : null))];
 }
@@ -120,30 +150,43 @@ function outlineStatements(segments: readonly Segment[], unit: "MM" | "INCH"): S
 const isPlain = (s: Statement): boolean => !JSON.stringify(s).includes('"parameter"');
 
 /**
- * What the first program says of turning before it cuts: the mode with its kinematics, its first turning tool, with which the second side
- * is faced more often than not, the speed and the unit of feeds. A call that names a tool axis is one of a mill.
+ * What the first program says of turning before it cuts: the mode with its kinematics, its first turning tool, with
+ * which the second side is faced more often than not, the speed and the unit of feeds. A call that names a tool axis is
+ * one of a mill.
  */
 function turningOf({ blocks }: Program): Statement[] {
   const all = blocks.map(({ statement }) => statement).filter(isPlain);
-  const mode = all.find((s) => s.kind === "mode" && s.mode === "TURN") ?? { kind: "mode", mode: "TURN", kinematics: null };
-  const call = all.find((s): s is StatementOf<"toolCall"> => s.kind === "toolCall" && s.tool !== null && s.axis === null);
+  const mode = all.find((s) => s.kind === "mode" && s.mode === "TURN") ?? {
+    kind: "mode",
+    mode: "TURN",
+    kinematics: null,
+  };
+  const call = all.find(
+    (s): s is StatementOf<"toolCall"> => s.kind === "toolCall" && s.tool !== null && s.axis === null,
+  );
   if (!call) return [mode];
   const tool: Statement = { ...call, speed: null, feed: null, deltaLength: null, deltaRadius: null, extra: [] };
   return [mode, tool, ...[all.find((s) => s.kind === "spin"), all.find(setsFeedUnit)].filter((s) => s !== undefined)];
 }
 
 /**
- * The program of the next clamping: what is left of a piece, turned round, as its blank; Z0 in the new front or behind what is still to be
- * faced off it. It runs to its end, and has everything but its operations. `piece`: outline and cavities, as they stand in the first
- * clamping, mm; empty text where there is none.
+ * The program of the next clamping: what is left of a piece, turned round, as its blank; Z0 in the new front or behind
+ * what is still to be faced off it. It runs to its end, and has everything but its operations. `piece`: outline and
+ * cavities, as they stand in the first clamping, mm; empty text where there is none.
  */
-export function secondSide(program: Program, piece: readonly Ring[], { allowance, output: otherwise }: SecondSide): string {
+export function secondSide(
+  program: Program,
+  piece: readonly Ring[],
+  { allowance, output: otherwise }: SecondSide,
+): string {
   const begin = program.blocks.find(({ statement: s }) => s.kind === "begin")?.statement;
-  const [name, unit] = begin?.kind === "begin" ? [nextClampingName(begin.name), begin.unit] : [nextClampingName("PROGRAM"), "MM" as const];
+  const [name, unit] =
+    begin?.kind === "begin" ? [nextClampingName(begin.name), begin.unit] : [nextClampingName("PROGRAM"), "MM" as const];
   const turned = turnedRound(piece, allowance);
   const outline = outlineStatements(outlineOf(turned), unit);
   if (outline.length === 0) return "";
-  const output = outputIn(program, otherwise), per = IN_MM[unit === "INCH" ? "inch" : "mm"];
+  const output = outputIn(program, otherwise),
+    per = IN_MM[unit === "INCH" ? "inch" : "mm"];
   const { high } = boxAround(turned);
   const away = (axis: "X" | "Z", mm: number): AxisWord => ({
     axis,

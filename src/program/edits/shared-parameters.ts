@@ -4,7 +4,10 @@ import { NUMBER_PARAMETER } from "../../nc/value.ts";
 const ANY_PARAMETER = new RegExp(String.raw`(?<![A-Z])${NUMBER_PARAMETER}`, "gi");
 
 /** Parameters that blocks set, and those that they read. The parameters of a cycle itself are neither. */
-export function parametersOf(blocks: readonly Block[]): { readonly set: ReadonlySet<string>; readonly read: ReadonlySet<string> } {
+export function parametersOf(blocks: readonly Block[]): {
+  readonly set: ReadonlySet<string>;
+  readonly read: ReadonlySet<string>;
+} {
   const set = new Set<string>();
   const read = new Set<string>();
   for (const { statement: s, raw } of blocks) {

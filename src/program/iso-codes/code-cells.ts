@@ -15,11 +15,27 @@ export interface Filling {
 }
 
 /** What has to be known about a code beside its parts. mm and degrees. */
-export type CodeNote = { readonly is: "shapesDiffer" | "sizesDiffer" | "clearancesDiffer"; readonly insert: string;
-  readonly holder: string } | { readonly is: "rowAngle" | "rowEdge"; readonly row: number; readonly code: number } | {
-  readonly is: "inch" | "inchHolder" | "cornerMissing" | "sizeUnsure" | "onlyCorner" | "endCutting" | "leftBar" | "headDrawn" | "special";
-} | { readonly is: "unsure"; readonly letter: string; readonly angle: number } | { readonly is: "noShank";
-  readonly why: Exclude<NoShank, "incomplete"> };
+export type CodeNote =
+  | {
+      readonly is: "shapesDiffer" | "sizesDiffer" | "clearancesDiffer";
+      readonly insert: string;
+      readonly holder: string;
+    }
+  | { readonly is: "rowAngle" | "rowEdge"; readonly row: number; readonly code: number }
+  | {
+      readonly is:
+        | "inch"
+        | "inchHolder"
+        | "cornerMissing"
+        | "sizeUnsure"
+        | "onlyCorner"
+        | "endCutting"
+        | "leftBar"
+        | "headDrawn"
+        | "special";
+    }
+  | { readonly is: "unsure"; readonly letter: string; readonly angle: number }
+  | { readonly is: "noShank"; readonly why: Exclude<NoShank, "incomplete"> };
 
 export interface CodeFilling {
   readonly cells: readonly Filling[];
@@ -84,7 +100,8 @@ function holderFacts(codes: ToolCodes, holder: HolderCode, entry: ToolEntry): Co
   const round = holder.shape === "R";
   const setting = settingOf(holder);
   const letter = holder.parts.find((each) => each.name === "style");
-  if (letter && !letter.sure && holder.style) notes.push({ is: "unsure", letter: letter.text, angle: holder.style.angle });
+  if (letter && !letter.sure && holder.style)
+    notes.push({ is: "unsure", letter: letter.text, angle: holder.style.angle });
   if (holder.style && setting === null && !round) notes.push({ is: "endCutting" });
   if (setting !== null && !round) found["T-ANGLE"] = String(setting);
   if (holder.hand && (setting !== null || round)) found.TO = holder.kind === "bar" ? "7" : ORIENTATIONS[holder.hand];
@@ -94,17 +111,22 @@ function holderFacts(codes: ToolCodes, holder: HolderCode, entry: ToolEntry): Co
   if (typeof shank === "object") {
     Object.assign(found, shank);
     notes.push({ is: "headDrawn" });
-  } else if (shank !== "incomplete" && !(shank === "seat" && setting === null)) notes.push({ is: "noShank", why: shank });
+  } else if (shank !== "incomplete" && !(shank === "seat" && setting === null))
+    notes.push({ is: "noShank", why: shank });
   return { cells: [], notes, found };
 }
 
-/** The insert that a holder without one asks for, where the row says nothing of it yet; and where the row says something else. */
+/**
+ * The insert that a holder without one asks for, where the row says nothing of it yet; and where the row says something
+ * else.
+ */
 function holderInsert(holder: HolderCode, entry: ToolEntry): CodeFilling & { readonly found: Cells } {
   const notes: CodeNote[] = [];
   const found: Cells = {};
   const [angle, edge] = [INSERT_SHAPES[holder.shape]?.angle ?? null, edgeOfHolder(holder)];
   const [rowAngle, rowEdge] = [numberIn(entry, "P-ANGLE"), numberIn(entry, "CUTLENGTH")];
-  if (holder.shape === "R") return { cells: [], notes, found: cellOf(entry, "TYPE") === "BUTTON" ? found : { TYPE: "BUTTON" } };
+  if (holder.shape === "R")
+    return { cells: [], notes, found: cellOf(entry, "TYPE") === "BUTTON" ? found : { TYPE: "BUTTON" } };
   if (angle !== null && rowAngle === null) found["P-ANGLE"] = String(angle);
   else if (angle !== null && rowAngle !== null && Math.abs(rowAngle - angle) >= SAME_ANGLE)
     notes.push({ is: "rowAngle", row: rowAngle, code: angle });
@@ -116,8 +138,11 @@ function holderInsert(holder: HolderCode, entry: ToolEntry): CodeFilling & { rea
 
 function differences({ insert, holder }: ToolCodes): CodeNote[] {
   if (!insert || !holder) return [];
-  const differ = (is: "shapesDiffer" | "sizesDiffer" | "clearancesDiffer", a: string | null, b: string | null): CodeNote[] =>
-    a && b && a !== b ? [{ is, insert: a, holder: b }] : [];
+  const differ = (
+    is: "shapesDiffer" | "sizesDiffer" | "clearancesDiffer",
+    a: string | null,
+    b: string | null,
+  ): CodeNote[] => (a && b && a !== b ? [{ is, insert: a, holder: b }] : []);
   return [
     ...differ("shapesDiffer", insert.shape, holder.shape),
     ...(insert.shape === holder.shape ? differ("sizesDiffer", insert.size, holder.size) : []),
@@ -139,17 +164,21 @@ function insertNotes(insert: InsertCode): CodeNote[] {
 /** The code that names a tool: of its insert, else of its holder. */
 export const nameOfCodes = ({ insert, holder }: ToolCodes): string => insert?.code ?? holder?.code ?? "";
 
-/** What codes fill into a row, and what has to be said about it. Only what they say is filled; the name only where there is none. */
+/**
+ * What codes fill into a row, and what has to be said about it. Only what they say is filled; the name only where there
+ * is none.
+ */
 export function fillingOf(codes: ToolCodes, entry: ToolEntry): CodeFilling {
   const { insert, holder } = codes;
   const ofHolder = holder ? holderFacts(codes, holder, entry) : null;
   const asked = holder && !insert ? holderInsert(holder, entry) : null;
-  const name: Cells = cellOf(entry, "NAME").trim() === "" && nameOfCodes(codes) !== "" ? { NAME: nameOfCodes(codes) } : {};
+  const name: Cells =
+    cellOf(entry, "NAME").trim() === "" && nameOfCodes(codes) !== "" ? { NAME: nameOfCodes(codes) } : {};
   const wanted: Cells = { ...name, ...(insert && insertCells(insert, entry)), ...asked?.found, ...ofHolder?.found };
   const isSpecial = [...(insert?.parts ?? []), ...(holder?.parts ?? [])].some((each) => each.meaning?.is === "special");
-  const cells = Object.entries(wanted).map(([cell, to]) => ({ cell: cell as CellName, from: cellOf(entry, cell as CellName), to })).filter(
-    ({ from, to }) => from.trim() !== to
-  );
+  const cells = Object.entries(wanted)
+    .map(([cell, to]) => ({ cell: cell as CellName, from: cellOf(entry, cell as CellName), to }))
+    .filter(({ from, to }) => from.trim() !== to);
   return {
     cells,
     notes: [
@@ -166,7 +195,9 @@ export function fillingOf(codes: ToolCodes, entry: ToolEntry): CodeFilling {
 export function isWholeCode({ insert, holder, notCovered }: ToolCodes): boolean {
   if (notCovered !== null) return false;
   const parts = [...(insert?.parts ?? []), ...(holder?.parts ?? [])];
-  const whole = insert ? parts.some((each) => each.name === "corner") : Boolean(holder?.across) && Boolean(holder?.style);
+  const whole = insert
+    ? parts.some((each) => each.name === "corner")
+    : Boolean(holder?.across) && Boolean(holder?.style);
   return whole && parts.every((each) => each.meaning !== null);
 }
 

@@ -27,20 +27,38 @@ export type PartName = (typeof PART_NAMES)[number];
 export type InsertClamping = "top" | "topHole" | "hole" | "screw" | "wedge";
 export type Hand = "R" | "L" | "N";
 /** What a bar is made of. */
-export type BarMake = "steel" | "steelCoolant" | "steelDamped" | "steelDampedCoolant" | "carbide" | "carbideCoolant" | "carbideDamped"
-  | "carbideDampedCoolant" | "heavy" | "heavyCoolant";
+export type BarMake =
+  | "steel"
+  | "steelCoolant"
+  | "steelDamped"
+  | "steelDampedCoolant"
+  | "carbide"
+  | "carbideCoolant"
+  | "carbideDamped"
+  | "carbideDampedCoolant"
+  | "heavy"
+  | "heavyCoolant";
 /** With which side of its shank a holder cuts: along it with its flank, with its end, or with both. */
 export type Cuts = "side" | "end" | "both";
 
 /** What a part of a code says. mm and degrees. */
-export type CodeMeaning = { readonly is: "form"; readonly form: InsertForm; readonly angle: number } | { readonly is: "angle";
-  readonly angle: number } | { readonly is: "mm"; readonly mm: number } | { readonly is: "tolerance"; readonly from: number;
-  readonly to: number; readonly thickness: number } | { readonly is: "type"; readonly hole: Hole; readonly breaker: Breaker } | {
-  readonly is: "wiper";
-  readonly angle: number | null;
-} | { readonly is: "finish"; readonly finish: EdgeFinish } | { readonly is: "hand"; readonly hand: Hand } | { readonly is: "clamping";
-  readonly clamping: InsertClamping } | { readonly is: "style"; readonly angle: number; readonly cuts: Cuts } | { readonly is: "bar";
-  readonly make: BarMake } | { readonly is: "special" } | { readonly is: "nothing" };
+export type CodeMeaning =
+  | { readonly is: "form"; readonly form: InsertForm; readonly angle: number }
+  | { readonly is: "angle"; readonly angle: number }
+  | { readonly is: "mm"; readonly mm: number }
+  | { readonly is: "tolerance"; readonly from: number; readonly to: number; readonly thickness: number }
+  | { readonly is: "type"; readonly hole: Hole; readonly breaker: Breaker }
+  | {
+      readonly is: "wiper";
+      readonly angle: number | null;
+    }
+  | { readonly is: "finish"; readonly finish: EdgeFinish }
+  | { readonly is: "hand"; readonly hand: Hand }
+  | { readonly is: "clamping"; readonly clamping: InsertClamping }
+  | { readonly is: "style"; readonly angle: number; readonly cuts: Cuts }
+  | { readonly is: "bar"; readonly make: BarMake }
+  | { readonly is: "special" }
+  | { readonly is: "nothing" };
 
 /** One part of a code as it was read; `sure` is false where sources differ or the fact is only recalled. */
 export interface CodePart {

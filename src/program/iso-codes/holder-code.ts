@@ -33,8 +33,8 @@ const special = (text: string): CodeMeaning | null => (text === "X" ? { is: "spe
 
 /** The five letters that holders and bars share. */
 function head(scan: Scanner): Head {
-  const [clamping, shape, style, clearance, hand] = ["clamping", "shape", "style", "clearance", "hand"].map(() =>
-    scan.take(/^[A-Z]/) ?? ""
+  const [clamping, shape, style, clearance, hand] = ["clamping", "shape", "style", "clearance", "hand"].map(
+    () => scan.take(/^[A-Z]/) ?? "",
   );
   const held = CLAMPINGS[clamping ?? ""];
   const form = INSERT_SHAPES[shape ?? ""];
@@ -44,20 +44,32 @@ function head(scan: Scanner): Head {
   const parts = [
     codePart("clamping", clamping ?? "", held ? { is: "clamping", clamping: held } : special(clamping ?? "")),
     codePart("holderShape", shape ?? "", form ? { is: "form", form: form.form, angle: form.angle } : null),
-    codePart("style", style ?? "", cuts ? { is: "style", angle: cuts.angle, cuts: cuts.cuts } : special(style ?? ""), cuts?.sure ?? true),
+    codePart(
+      "style",
+      style ?? "",
+      cuts ? { is: "style", angle: cuts.angle, cuts: cuts.cuts } : special(style ?? ""),
+      cuts?.sure ?? true,
+    ),
     codePart("clearance", clearance ?? "", angle === undefined ? null : { is: "angle", angle }),
     codePart("hand", hand ?? "", known ? { is: "hand", hand: known } : null),
   ].filter((each) => each.text !== "");
   return { parts, shape: shape ?? "", style: cuts, clearance: clearance ?? "", hand: known };
 }
 
-const mm = (name: "height" | "width" | "length" | "diameter" | "edge", text: string, value: number | null, sure = true): CodePart =>
-  codePart(name, text, value === null ? special(text) : { is: "mm", mm: value }, sure);
+const mm = (
+  name: "height" | "width" | "length" | "diameter" | "edge",
+  text: string,
+  value: number | null,
+  sure = true,
+): CodePart => codePart(name, text, value === null ? special(text) : { is: "mm", mm: value }, sure);
 
 const lengthOf = (text: string) => mm("length", text, LENGTHS[text] ?? null, !UNSURE_LENGTHS.includes(text));
 
 function makersOwn(scan: Scanner): CodePart[] {
-  const rest = scan.rest().replace(/^[\s\-_/·]+/, "").trim();
+  const rest = scan
+    .rest()
+    .replace(/^[\s\-_/·]+/, "")
+    .trim();
   return rest === "" ? [] : [codePart("maker", rest, { is: "nothing" })];
 }
 
@@ -73,11 +85,23 @@ export function readHolderCode(text: string): HolderCode {
   // Three digits in place of shank and size count in sixteenths and eighths of an inch (DCLNR 164D).
   const inch = /^[\s\-_/·]*\d{2}[\s\-_/·]*\d[A-Z]?(?!\d)/.test(scan.rest());
   if (inch) {
-    const shank = codePart("height", scan.rest().replace(/^[\s\-_/·]+/, "").trim(), null);
+    const shank = codePart(
+      "height",
+      scan
+        .rest()
+        .replace(/^[\s\-_/·]+/, "")
+        .trim(),
+      null,
+    );
     const parts = [...letters, shank];
     return { kind: "holder", code: wordOf(parts), parts, ...facts, across: null, length: null, size: null, inch };
   }
-  const [height, width, long, size] = [scan.take(/^\d{2}/), scan.take(/^\d{2}/), scan.take(/^[A-Z]/), scan.take(/^\d{2}/)];
+  const [height, width, long, size] = [
+    scan.take(/^\d{2}/),
+    scan.take(/^\d{2}/),
+    scan.take(/^[A-Z]/),
+    scan.take(/^\d{2}/),
+  ];
   const sizes = [
     ...(height === null ? [] : [mm("height", height, Number(height))]),
     ...(width === null ? [] : [mm("width", width, Number(width))]),
@@ -100,7 +124,11 @@ export function readHolderCode(text: string): HolderCode {
 /** Reads a boring bar, such as A25R-SCLCR 09; the text has capital letters only. */
 export function readBarCode(text: string): HolderCode {
   const scan = scanner(text);
-  const [make = "", diameter = "", long = ""] = [scan.take(/^[A-Z]/) ?? "", scan.take(/^\d{2}/) ?? "", scan.take(/^[A-Z]/) ?? ""];
+  const [make = "", diameter = "", long = ""] = [
+    scan.take(/^[A-Z]/) ?? "",
+    scan.take(/^\d{2}/) ?? "",
+    scan.take(/^[A-Z]/) ?? "",
+  ];
   const known = BAR_MAKES[make];
   const bar = [
     codePart("bar", make, known ? { is: "bar", make: known } : special(make)),

@@ -1,8 +1,8 @@
 import type { BarMake, InsertClamping, Cuts } from "./code-part.ts";
 
 /*
- * Facts of ISO 5608 (holders), ISO 5609 and 6261 (boring bars) and ISO 5610 (shanks). Sources, and where they differ: docs/decisions,
- * the reading of tool codes.
+ * Facts of ISO 5608 (holders), ISO 5609 and 6261 (boring bars) and ISO 5610 (shanks). Sources, and where they differ:
+ * docs/decisions, the reading of tool codes.
  */
 
 /** How the insert is held; X is special. */
@@ -83,10 +83,30 @@ export const LENGTHS: Readonly<Record<string, number>> = {
 export const UNSURE_LENGTHS = ["F", "G", "N", "W"];
 
 /** From the back of an offset shank to the tip, by the width of the shank, mm. */
-export const SHANK_REACH: Readonly<Record<number, number>> = { 8: 10, 10: 12, 12: 16, 16: 20, 20: 25, 25: 32, 32: 40, 40: 50, 50: 60 };
+export const SHANK_REACH: Readonly<Record<number, number>> = {
+  8: 10,
+  10: 12,
+  12: 16,
+  16: 20,
+  20: 25,
+  25: 32,
+  32: 40,
+  40: 50,
+  50: 60,
+};
 
 /** From the axis of a bar to the tip, by the diameter of the bar, mm. */
-export const BAR_REACH: Readonly<Record<number, number>> = { 8: 6, 10: 7, 12: 9, 16: 11, 20: 13, 25: 17, 32: 22, 40: 27, 50: 35 };
+export const BAR_REACH: Readonly<Record<number, number>> = {
+  8: 6,
+  10: 7,
+  12: 9,
+  16: 11,
+  20: 13,
+  25: 17,
+  32: 22,
+  40: 27,
+  50: 35,
+};
 
 export const BAR_MAKES: Readonly<Record<string, BarMake>> = {
   S: "steel",

@@ -38,7 +38,10 @@ const along = (from: Point, to: Point, by: number): Point => [from[0] + to[0] * 
 const xAt = (from: Point, way: Point, z: number) => from[1] + ((z - from[0]) * way[1]) / way[0];
 const zAt = (from: Point, way: Point, x: number) => from[0] + ((x - from[1]) * way[0]) / way[1];
 
-/** Corners under the two edges of an insert of tip orientation 1, from its theoretical tip, and how the head goes on behind them. */
+/**
+ * Corners under the two edges of an insert of tip orientation 1, from its theoretical tip, and how the head goes on
+ * behind them.
+ */
 function seatOf({ setting, angle, edge, corner }: HeldInsert) {
   const [main, second] = [heading(setting), heading(setting + angle)];
   const in_ = (INSET + corner * HALF) / Math.sin((angle * Math.PI) / 180);
@@ -78,10 +81,14 @@ function offsetShank(insert: HeldInsert, across: number, reach: number, long: nu
   const far = xAt(onSecond, behindSecond, reach);
   const end = Math.ceil(Math.max(far, across * HEAD_OF_SHANK, onMain[1] + INSET));
   const near = reach - across;
-  const head: Point[] = [root, onSecond, [reach, far], ...(end - far > INSET ? [[reach, end] as Point] : []), [
-    Math.max(near, zAt(onMain, behindMain, end)),
-    end,
-  ], onMain];
+  const head: Point[] = [
+    root,
+    onSecond,
+    [reach, far],
+    ...(end - far > INSET ? [[reach, end] as Point] : []),
+    [Math.max(near, zAt(onMain, behindMain, end)), end],
+    onMain,
+  ];
   return cellsOf(head, [hand === "L" ? -1 : 1, 1], { z: near, x: end, across, length: long - end });
 }
 
@@ -92,12 +99,16 @@ function middleShank(insert: HeldInsert, across: number, long: number): HolderCe
   const [right, left] = [xAt(onSecond, behindSecond, side), xAt(onMain, behindMain, -side)];
   const end = Math.ceil(Math.max(right, left, across));
   const head: Point[] = [root, onSecond, [side, right], [side, end], [-side, end], [-side, left], onMain];
-  return cellsOf(head.filter(([z, x], i) => !(i > 0 && head[i - 1]?.[0] === z && head[i - 1]?.[1] === x)), [1, 1], {
-    z: -side,
-    x: end,
-    across,
-    length: long - end,
-  });
+  return cellsOf(
+    head.filter(([z, x], i) => !(i > 0 && head[i - 1]?.[0] === z && head[i - 1]?.[1] === x)),
+    [1, 1],
+    {
+      z: -side,
+      x: end,
+      across,
+      length: long - end,
+    },
+  );
 }
 
 /** A round insert over the middle of a shank: a neck narrower than the insert, then the shank. */
@@ -105,8 +116,18 @@ function roundShank(diameter: number, across: number, long: number): HolderCells
   const [neck, side, end] = [diameter * SEATED * HALF, across * HALF, Math.ceil(Math.max(across, diameter * 1.5))];
   const top = end - (side - neck);
   const cells = cellsOf([], [1, 1], { z: -side, x: end, across, length: long - end });
-  const necked: Point[] = [[-neck, diameter * HALF], [neck, diameter * HALF], [neck, top], [-neck, top]];
-  const shoulders: Point[] = [[-neck, top], [neck, top], [side, end], [-side, end]];
+  const necked: Point[] = [
+    [-neck, diameter * HALF],
+    [neck, diameter * HALF],
+    [neck, top],
+    [-neck, top],
+  ];
+  const shoulders: Point[] = [
+    [-neck, top],
+    [neck, top],
+    [side, end],
+    [-side, end],
+  ];
   const parts = [necked, shoulders].map((part) => part.map(([z, x]): Point => [tenths(z), tenths(x)]));
   return { ...cells, head: writeHead(parts as unknown as Parameters<typeof writeHead>[0]) };
 }
@@ -134,10 +155,14 @@ function barShank(insert: HeldInsert, across: number, reach: number, long: numbe
 export type NoShank = "incomplete" | "seat" | "reach" | "round";
 
 /**
- * The shank and a head as the code of a holder has them: sizes and the place of the tip by the standards, the outline of the head drawn
- * behind the edges of the insert. mm; corners from the theoretical tip.
+ * The shank and a head as the code of a holder has them: sizes and the place of the tip by the standards, the outline
+ * of the head drawn behind the edges of the insert. mm; corners from the theoretical tip.
  */
-export function holderCellsOf(holder: HolderCode, insert: HeldInsert | null, diameter: number | null): HolderCells | NoShank {
+export function holderCellsOf(
+  holder: HolderCode,
+  insert: HeldInsert | null,
+  diameter: number | null,
+): HolderCells | NoShank {
   const { across, length, style, hand, kind } = holder;
   if (across === null || length === null || !style || !hand) return "incomplete";
   const round = holder.shape === "R";

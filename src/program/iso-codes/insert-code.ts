@@ -1,6 +1,18 @@
 import { codePart, scanner, type CodePart, type Hand, type CodeMeaning, type Scanner } from "./code-part.ts";
-import { CLEARANCES, circleOf, EDGE_FINISHES, edgeOf, INSERT_SHAPES, INSERT_TYPES, inchCircle, inchCorner, inchThickness, THICKNESSES,
-  TOLERANCES, WIPER_EDGES } from "./insert-facts.ts";
+import {
+  CLEARANCES,
+  circleOf,
+  EDGE_FINISHES,
+  edgeOf,
+  INSERT_SHAPES,
+  INSERT_TYPES,
+  inchCircle,
+  inchCorner,
+  inchThickness,
+  THICKNESSES,
+  TOLERANCES,
+  WIPER_EDGES,
+} from "./insert-facts.ts";
 
 /** An insert as its code tells it, as far as the code goes. mm and degrees. */
 export interface InsertCode {
@@ -54,14 +66,19 @@ function metricSizes(scan: Scanner, shape: string): Sizes {
   const round = INSERT_SHAPES[shape]?.form === "round";
   const size = scan.take(/^\d{2}/) ?? "";
   const thick = scan.take(/^(?:T\d|\d\d)/);
-  const cornerText = thick === null ? null : scan.take(/^(?:M[0O]|M(?=$|[\s-])|\d\d|[ADEFPZ][A-GNPZ](?=[FETSKP]?[RLN]?(?:$|[\s\-_/])))/);
+  const cornerText =
+    thick === null ? null : scan.take(/^(?:M[0O]|M(?=$|[\s-])|\d\d|[ADEFPZ][A-GNPZ](?=[FETSKP]?[RLN]?(?:$|[\s\-_/])))/);
   const corner = cornerText === null ? null : cornerPart(cornerText, round);
   const circle = circleOf(shape, Number(size));
   // A round insert is counted in whole millimetres when its corner says M0, and in parts of an inch when it says 00.
   const inWholes = round && cornerText !== "00";
   const edge = circle === null || inWholes ? Number(size) : inHundredths(edgeOf(shape, circle) ?? Number(size));
   const sure = round ? cornerText !== null : circle !== null;
-  const parts = [lengthPart("edge", size, edge, sure), ...(thick === null ? [] : [thickness(thick)]), ...(corner ? [corner.part] : [])];
+  const parts = [
+    lengthPart("edge", size, edge, sure),
+    ...(thick === null ? [] : [thickness(thick)]),
+    ...(corner ? [corner.part] : []),
+  ];
   return { parts, edge, size, corner: round ? inHundredths(edge * HALF) : (corner?.corner ?? null) };
 }
 const HALF = 1 / 2;
@@ -71,7 +88,8 @@ function inchSizes(scan: Scanner, shape: string): Sizes {
   const [all = "", size = "", thick = "", tip] = INCHES.exec(scan.rest().replace(SEPARATORS, "")) ?? [];
   const circle = inchCircle(size);
   const thickMm = inchThickness(thick);
-  if (all === "" || circle === null || thickMm === null) return { ...NO_SIZES, parts: [codePart("edge", scan.rest().trim(), null)] };
+  if (all === "" || circle === null || thickMm === null)
+    return { ...NO_SIZES, parts: [codePart("edge", scan.rest().trim(), null)] };
   scan.take(/^(?:1\.[258]|10|\d(?:\.5)?)/);
   scan.take(/^\d(?:\.\d)?/);
   if (tip !== undefined) scan.take(/^(?:0?\.5|\d)/);
@@ -82,7 +100,9 @@ function inchSizes(scan: Scanner, shape: string): Sizes {
   const parts = [
     lengthPart("edge", size, edge),
     lengthPart("thickness", thick, thickMm),
-    ...(tip === undefined ? [] : [round ? codePart("corner", tip, { is: "nothing" }) : lengthPart("corner", tip, corner)]),
+    ...(tip === undefined
+      ? []
+      : [round ? codePart("corner", tip, { is: "nothing" }) : lengthPart("corner", tip, corner)]),
   ];
   const digits = edge === null ? null : String(Math.floor(edge)).padStart(2, "0");
   return { parts, edge, size: digits, corner: round ? inHundredths(circle * HALF) : corner };
@@ -102,7 +122,8 @@ function behind(scan: Scanner): CodePart[] {
   return parts;
 }
 
-const letter = (text: string, known: CodeMeaning | null): CodeMeaning | null => known ?? (text === "X" ? { is: "special" } : null);
+const letter = (text: string, known: CodeMeaning | null): CodeMeaning | null =>
+  known ?? (text === "X" ? { is: "special" } : null);
 
 /** Reads an insert by its code; the text has capital letters only. Null when its first letter is none of a shape. */
 export function readInsertCode(text: string): InsertCode | null {
@@ -118,9 +139,18 @@ export function readInsertCode(text: string): InsertCode | null {
   const [hole, breaker] = INSERT_TYPES[type] ?? [];
   const letters = [
     codePart("shape", shape, { is: "form", form: known.form, angle: known.angle }),
-    codePart("clearance", clearance, angle !== undefined ? { is: "angle", angle } : (clearance === "O" ? { is: "special" } : null)),
-    codePart("tolerance", tolerance,
-      from !== undefined && to !== undefined && thick !== undefined ? { is: "tolerance", from, to, thickness: thick } : null),
+    codePart(
+      "clearance",
+      clearance,
+      angle !== undefined ? { is: "angle", angle } : clearance === "O" ? { is: "special" } : null,
+    ),
+    codePart(
+      "tolerance",
+      tolerance,
+      from !== undefined && to !== undefined && thick !== undefined
+        ? { is: "tolerance", from, to, thickness: thick }
+        : null,
+    ),
     codePart("type", type, letter(type, hole && breaker ? { is: "type", hole, breaker } : null)),
   ].filter((each) => each.text !== "");
   const digits = scan.rest().replace(SEPARATORS, "");

@@ -1,13 +1,16 @@
 /*
- * Facts of ISO 1832, the designation of indexable inserts, and of ANSI B212.4, which counts in parts of an inch. Sources, and where they
- * differ: docs/decisions, the reading of tool codes.
+ * Facts of ISO 1832, the designation of indexable inserts, and of ANSI B212.4, which counts in parts of an inch.
+ * Sources, and where they differ: docs/decisions, the reading of tool codes.
  */
 
 /** What an insert of a letter looks like from above. */
-export type InsertForm = "rhombic" | "parallelogram" | "rectangle" | "square" | "triangle" | "trigon" | "polygon" | "round";
+export type InsertForm =
+  "rhombic" | "parallelogram" | "rectangle" | "square" | "triangle" | "trigon" | "polygon" | "round";
 
 /** Shape by its letter: the included angle at the tip in degrees (0: round), and the form. */
-export const INSERT_SHAPES: Readonly<Record<string, { readonly angle: number; readonly form: InsertForm; readonly corners?: number }>> = {
+export const INSERT_SHAPES: Readonly<
+  Record<string, { readonly angle: number; readonly form: InsertForm; readonly corners?: number }>
+> = {
   A: { angle: 85, form: "parallelogram" },
   B: { angle: 82, form: "parallelogram" },
   C: { angle: 80, form: "rhombic" },
@@ -27,7 +30,17 @@ export const INSERT_SHAPES: Readonly<Record<string, { readonly angle: number; re
 };
 
 /** Normal clearance by its letter, degrees; O is any other. */
-export const CLEARANCES: Readonly<Record<string, number>> = { A: 3, B: 5, C: 7, D: 15, E: 20, F: 25, G: 30, N: 0, P: 11 };
+export const CLEARANCES: Readonly<Record<string, number>> = {
+  A: 3,
+  B: 5,
+  C: 7,
+  D: 15,
+  E: 20,
+  F: 25,
+  G: 30,
+  N: 0,
+  P: 11,
+};
 
 /** Tolerance class: of the inscribed circle from and to, and of the thickness, each ± mm. */
 export const TOLERANCES: Readonly<Record<string, readonly [from: number, to: number, thickness: number]>> = {
@@ -121,8 +134,8 @@ export function edgeOf(shape: string, circle: number): number | null {
 }
 
 /**
- * Inscribed circle of a shape by the two digits of its size: those are the whole millimetres of its edge. Null where no usual circle, or
- * more than one, has them.
+ * Inscribed circle of a shape by the two digits of its size: those are the whole millimetres of its edge. Null where no
+ * usual circle, or more than one, has them.
  */
 export function circleOf(shape: string, digits: number): number | null {
   const found = CIRCLES.filter((circle) => Math.floor(edgeOf(shape, circle) ?? NaN) === digits);
@@ -138,7 +151,8 @@ export function inchCircle(text: string): number | null {
 }
 
 /** Thickness of an inch code, mm: sixteenths of an inch. */
-export const inchThickness = (text: string): number | null => (Number(text) > 0 ? Math.round(Number(text) * 158.75) / 100 : null);
+export const inchThickness = (text: string): number | null =>
+  Number(text) > 0 ? Math.round(Number(text) * 158.75) / 100 : null;
 
 /** Corner radius of an inch code, mm: 64ths of an inch by the name they have in millimetres (2 is 0.8). */
 export const inchCorner = (text: string): number | null =>

@@ -13,9 +13,14 @@ import { readToolCodes } from "./tool-code.ts";
 
 const row = (cells: ToolEntry["cells"] = { T: "21", TYPE: "ROUGH", TO: "1" }): ToolEntry => ({ id: "r", cells });
 const filled = (text: string, entry = row()) =>
-  Object.fromEntries(fillingOf(readToolCodes(text), entry).cells.map(({ cell, to }) => [cell, to])) as Partial<Record<CellName, string>>;
+  Object.fromEntries(fillingOf(readToolCodes(text), entry).cells.map(({ cell, to }) => [cell, to])) as Partial<
+    Record<CellName, string>
+  >;
 const notes = (text: string, entry = row()) => fillingOf(readToolCodes(text), entry).notes.map((note) => note.is);
-const taken = (text: string, entry = row()): ToolEntry => ({ ...entry, cells: { ...entry.cells, ...filled(text, entry) } });
+const taken = (text: string, entry = row()): ToolEntry => ({
+  ...entry,
+  cells: { ...entry.cells, ...filled(text, entry) },
+});
 
 describe("inserts", () => {
   test.each([
@@ -52,16 +57,23 @@ describe("inserts", () => {
     expect(Object.keys(cells).sort()).toEqual(["CUTLENGTH", "NAME", "P-ANGLE", "RS"]);
   });
 
-  test.each([["RCMT 10T3M0", 5], ["RCMT1204MO-RH", 6], ["RNMG 120400", 6.35], ["rcmt 0602M0", 3], ["RNMG 43", null]])("%s is round",
-    (text, RS) => {
-      const cells = filled(text);
-      expect(cells.TYPE).toBe("BUTTON");
-      expect(cells["P-ANGLE"]).toBeUndefined();
-      if (RS !== null) expect(cells.RS).toBe(String(RS));
-    });
+  test.each([
+    ["RCMT 10T3M0", 5],
+    ["RCMT1204MO-RH", 6],
+    ["RNMG 120400", 6.35],
+    ["rcmt 0602M0", 3],
+    ["RNMG 43", null],
+  ])("%s is round", (text, RS) => {
+    const cells = filled(text);
+    expect(cells.TYPE).toBe("BUTTON");
+    expect(cells["P-ANGLE"]).toBeUndefined();
+    if (RS !== null) expect(cells.RS).toBe(String(RS));
+  });
 
   test("each place says what it means", () => {
-    expect(readToolCodes("TNMG 16 04 08 EN-M5").insert?.parts.map(({ name, text, meaning }) => [name, text, meaning])).toEqual([
+    expect(
+      readToolCodes("TNMG 16 04 08 EN-M5").insert?.parts.map(({ name, text, meaning }) => [name, text, meaning]),
+    ).toEqual([
       ["shape", "T", { is: "form", form: "triangle", angle: 60 }],
       ["clearance", "N", { is: "angle", angle: 0 }],
       ["tolerance", "M", { is: "tolerance", from: 0.05, to: 0.15, thickness: 0.13 }],
@@ -73,7 +85,10 @@ describe("inserts", () => {
       ["direction", "N", { is: "hand", hand: "N" }],
       ["maker", "M5", { is: "nothing" }],
     ]);
-    expect(readToolCodes("SPKN 1203EDR").insert?.parts[6]).toMatchObject({ text: "ED", meaning: { is: "wiper", angle: 75 } });
+    expect(readToolCodes("SPKN 1203EDR").insert?.parts[6]).toMatchObject({
+      text: "ED",
+      meaning: { is: "wiper", angle: 75 },
+    });
   });
 
   test("a letter that is none is said, and the others still fill", () => {
@@ -113,7 +128,10 @@ describe("holders", () => {
   });
 
   test("the length of the code is head and shank together", () => {
-    for (const [text, all, place] of [["PDJNR 2525M15", 150, "offsetX"], ["A20Q-SCLCR09", 180, "offsetZ"]] as const) {
+    for (const [text, all, place] of [
+      ["PDJNR 2525M15", 150, "offsetX"],
+      ["A20Q-SCLCR09", 180, "offsetZ"],
+    ] as const) {
       const cells = filled(text);
       expect(Number(cells.length) + Number(cells[place])).toBe(all);
     }
@@ -121,7 +139,14 @@ describe("holders", () => {
 
   test("facts alone are filled: shape and edge only where the row has none, the name only where there is none", () => {
     const entry = row({ T: "5", NAME: "MINE", TYPE: "FINISH", TO: "1", RS: "1.2", "P-ANGLE": "55", CUTLENGTH: "15.5" });
-    expect(Object.keys(filled("PDJNR 2525M15", entry)).sort()).toEqual(["T-ANGLE", "head", "length", "offsetX", "offsetZ", "width"]);
+    expect(Object.keys(filled("PDJNR 2525M15", entry)).sort()).toEqual([
+      "T-ANGLE",
+      "head",
+      "length",
+      "offsetX",
+      "offsetZ",
+      "width",
+    ]);
     expect(notes("PDJNR 2525M15", entry)).toEqual(["headDrawn"]);
     expect(notes("PCLNR 2525M12", entry)).toEqual(["rowAngle", "rowEdge", "headDrawn"]);
     expect(filled("PDJNR 2525M15")).toMatchObject({ NAME: "PDJNR2525M15", "P-ANGLE": "55", CUTLENGTH: "15.5" });
@@ -147,7 +172,8 @@ describe("holders", () => {
     ["DCLNL 16 4D", "inchHolder"],
     ["PXLNR 2525M12", "noShank"],
   ])("%s: %s", (text, note) => {
-    if (text === "PXLNR 2525M12") expect(readToolCodes(text).holder?.parts.find((part) => part.meaning === null)?.text).toBe("X");
+    if (text === "PXLNR 2525M12")
+      expect(readToolCodes(text).holder?.parts.find((part) => part.meaning === null)?.text).toBe("X");
     else expect(notes(text)).toContain(note);
   });
 });
@@ -169,27 +195,34 @@ test.each([
 
 /** How far a corner lies behind the nearest cutting edge, the edges drawn on for ever. */
 const behindEdges = (tool: Tool, p: Pt) =>
-  Math.min(...insertShape(tool).flatMap((e) => {
-    if (e.kind !== "line" || (e.feature !== "mainEdge" && e.feature !== "secondaryEdge")) return [];
-    const [u, v] = [e.to.u - e.from.u, e.to.v - e.from.v];
-    return [(u * (p.r - e.from.v) - v * (p.z - e.from.u)) / Math.hypot(u, v)];
-  }));
+  Math.min(
+    ...insertShape(tool).flatMap((e) => {
+      if (e.kind !== "line" || (e.feature !== "mainEdge" && e.feature !== "secondaryEdge")) return [];
+      const [u, v] = [e.to.u - e.from.u, e.to.v - e.from.v];
+      return [(u * (p.r - e.from.v) - v * (p.z - e.from.u)) / Math.hypot(u, v)];
+    }),
+  );
 
 describe("a tool made of two codes", () => {
-  const pairs = ["DNMG 150608", "DNMG 150616", "DNMG 110404"].flatMap((insert) =>
-    ["PDJNR 2525M15", "PDJNL 2020K15", "PDNNN 3232P15", "S40V-PDUNR15", "A25R-PDUNL 11"].map((holder) => [insert, holder])
-  ).concat([
-    ["CNMG 120408", "PCLNR 2525M12"],
-    ["CCMT 060202", "A12K-SCLCR06"],
-    ["CCMT 09T308", "A25R-SCLCR09"],
-    ["VBMT 160404", "SVJBR 2525M16"],
-    ["VCMT 160412", "SVVCN 2020K16"],
-    ["WNMG 080412", "PWLNL 2525M08"],
-    ["TNMG 160404", "PTGNR 2020K16"],
-    ["SNMG 120416", "PSDNN 2525M12"],
-    ["DCMT 070204", "E16R-SDQCR07"],
-    ["SCMT 120408", "S32T-PSKCR12"],
-  ]) as [string, string][];
+  const pairs = ["DNMG 150608", "DNMG 150616", "DNMG 110404"]
+    .flatMap((insert) =>
+      ["PDJNR 2525M15", "PDJNL 2020K15", "PDNNN 3232P15", "S40V-PDUNR15", "A25R-PDUNL 11"].map((holder) => [
+        insert,
+        holder,
+      ]),
+    )
+    .concat([
+      ["CNMG 120408", "PCLNR 2525M12"],
+      ["CCMT 060202", "A12K-SCLCR06"],
+      ["CCMT 09T308", "A25R-SCLCR09"],
+      ["VBMT 160404", "SVJBR 2525M16"],
+      ["VCMT 160412", "SVVCN 2020K16"],
+      ["WNMG 080412", "PWLNL 2525M08"],
+      ["TNMG 160404", "PTGNR 2020K16"],
+      ["SNMG 120416", "PSDNN 2525M12"],
+      ["DCMT 070204", "E16R-SDQCR07"],
+      ["SCMT 120408", "S32T-PSKCR12"],
+    ]) as [string, string][];
 
   test.each(pairs)("%s in %s can be drawn and has a head behind its edges", (insert, holder) => {
     const { tool, issues } = readEntry(taken(`${insert} ${holder}`));
@@ -207,7 +240,9 @@ describe("a tool made of two codes", () => {
   test("a round insert in a neutral holder", () => {
     const { tool } = readEntry(taken("RCMT 1204M0 SRDCN 2525M12", row({ T: "1" })));
     expect(tool).toMatchObject({ TYPE: "BUTTON", RS: 6, TO: 2, holder: { width: 25, offsetZ: -12.5 } });
-    expect(areaOf(intersection([holderOutlines(tool as Tool)[0] as Ring], [insertOutline(tool as Tool, 1e-3)]))).toBeGreaterThan(1);
+    expect(
+      areaOf(intersection([holderOutlines(tool as Tool)[0] as Ring], [insertOutline(tool as Tool, 1e-3)])),
+    ).toBeGreaterThan(1);
   });
 
   test("a left-hand holder is the mirror image of the right-hand one", () => {
@@ -217,7 +252,8 @@ describe("a tool made of two codes", () => {
   });
 
   test("inserts lie as their holders hold them", () => {
-    const most = (text: string, of: (p: Pt) => number) => Math.max(...insertOutline(readEntry(taken(text)).tool as Tool, 1e-3).map(of));
+    const most = (text: string, of: (p: Pt) => number) =>
+      Math.max(...insertOutline(readEntry(taken(text)).tool as Tool, 1e-3).map(of));
     // 93° and 95° lean past square: nothing of the insert is in front of the tip towards the chuck.
     expect(most("DNMG 150608 PDJNR 2525M15", (p) => -p.z)).toBeCloseTo(0, 3);
     expect(most("CCMT 09T304 A25R-SCLCR09", (p) => p.r)).toBeCloseTo(0, 3);
@@ -229,15 +265,22 @@ describe("a tool made of two codes", () => {
 test("nothing typed makes it throw, and what it fills can be read", () =>
   fc.assert(
     fc.property(
-      fc.oneof(fc.string(), fc.stringMatching(/^[A-Z]{4,5} ?[0-9T]{2,6}[A-Z0-9 -]{0,6}$/),
+      fc.oneof(
+        fc.string(),
+        fc.stringMatching(/^[A-Z]{4,5} ?[0-9T]{2,6}[A-Z0-9 -]{0,6}$/),
         fc.stringMatching(/^[SAE][0-9]{2}[A-Y]-[CDMPS][A-Z]{4}[0-9]{2}$/),
-        fc.stringMatching(/^[CDMPS][ABCDEHKLMOPRSTVW][A-Y][ABCDNP][RLN] ?(1616|2020|2525|3232)[A-Y](06|09|11|12|15|16)$/)),
+        fc.stringMatching(
+          /^[CDMPS][ABCDEHKLMOPRSTVW][A-Y][ABCDNP][RLN] ?(1616|2020|2525|3232)[A-Y](06|09|11|12|15|16)$/,
+        ),
+      ),
       (text) => {
         const entry = taken(text);
-        const wrong = readEntry(entry).issues.filter((issue) => issue.severity === "error" && issue.code !== "toolColumn");
-        expect(wrong.filter((issue) =>
-          issue.at === "head" || issue.at === "width" || issue.code === "notANumber"
-        )).toEqual([]);
+        const wrong = readEntry(entry).issues.filter(
+          (issue) => issue.severity === "error" && issue.code !== "toolColumn",
+        );
+        expect(
+          wrong.filter((issue) => issue.at === "head" || issue.at === "width" || issue.code === "notANumber"),
+        ).toEqual([]);
       },
     ),
     { numRuns: 2000 },

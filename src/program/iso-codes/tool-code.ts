@@ -15,7 +15,9 @@ const GAP = String.raw`[\s\-_/·]*`;
 const THREAD = new RegExp(
   String.raw`^(?:\d{2}${GAP}[EI][RLN]|S[EI][RLN]${GAP}\d|[SACE]\d{2}[A-Z]${GAP}S?[EI][RLN]|[TL]T[EI]?[RLN]${GAP}\d)`,
 );
-const GROOVE = new RegExp(String.raw`^(?:M[GR][GM]N|MG[EI]?[HV][RLN]|MG[EI][HV]|[NRL]\d{3}|T?D[CGN]${GAP}\d|GX|LCG|GTN|[A-Z]?QD)`);
+const GROOVE = new RegExp(
+  String.raw`^(?:M[GR][GM]N|MG[EI]?[HV][RLN]|MG[EI][HV]|[NRL]\d{3}|T?D[CGN]${GAP}\d|GX|LCG|GTN|[A-Z]?QD)`,
+);
 const BAR = /^[A-J S]\s*\d{2}\s*[A-Z]?(?:[\s\-_/·]*[A-Z]{0,5})/;
 /** The letters of a holder, and those of an insert: five and four, with digits or nothing behind them. */
 const HOLDER = new RegExp(String.raw`^[CDMPSWX]${GAP}(?:[A-Z]${GAP}){4}(?:\d|$)`);
@@ -36,16 +38,18 @@ function readOne(text: string): ToolCodes {
 }
 
 /** Where a second code may begin: behind a space, a plus or a comma. */
-const placesOfSecond = (text: string) => [...text.matchAll(/[\s+,;]+(?=[A-Z])/g)].map((found) => [found.index, found[0].length] as const);
+const placesOfSecond = (text: string) =>
+  [...text.matchAll(/[\s+,;]+(?=[A-Z])/g)].map((found) => [found.index, found[0].length] as const);
 
 /**
- * Reads what was typed: the code of an insert, of a holder, or of both in either order, in any letters, with any gaps. Never throws;
- * an empty text has neither.
+ * Reads what was typed: the code of an insert, of a holder, or of both in either order, in any letters, with any gaps.
+ * Never throws; an empty text has neither.
  */
 export function readToolCodes(typed: string): ToolCodes {
   const text = typed.trim().toUpperCase();
   if (text === "") return { insert: null, holder: null, notCovered: null };
-  const strong = (codes: ToolCodes) => codes.notCovered === null && (codes.holder?.parts.length ?? codes.insert?.parts.length ?? 0) > 4;
+  const strong = (codes: ToolCodes) =>
+    codes.notCovered === null && (codes.holder?.parts.length ?? codes.insert?.parts.length ?? 0) > 4;
   for (const [at, gap] of placesOfSecond(text)) {
     const [first, second] = [readOne(text.slice(0, at)), readOne(text.slice(at + gap))];
     if (!strong(first) || !strong(second) || (first.insert === null) === (second.insert === null)) continue;

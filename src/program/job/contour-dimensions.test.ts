@@ -68,7 +68,8 @@ describe("typing a dimension", () => {
   });
 
   test("a sloping line of another length keeps its direction", () => {
-    const after = typed(shaft, 4, "length", "40"), [from, to] = [endOf(after, 3), endOf(after, 4)];
+    const after = typed(shaft, 4, "length", "40"),
+      [from, to] = [endOf(after, 3), endOf(after, 4)];
     expect(after[4]).toMatchObject({ length: "40", x: "", z: "" });
     expect(readRows(after).issues.filter((i) => i.issue.severity === "error")).toEqual([]);
     const before = Math.atan2((58.07 - 41.9) / 2, -51.3 + 23.617);
@@ -85,7 +86,8 @@ describe("typing a dimension", () => {
   });
 
   test("taking a length away leaves the line where it is", () => {
-    const held = typed(shaft, 4, "length", "40"), end = endOf(held, 4);
+    const held = typed(shaft, 4, "length", "40"),
+      end = endOf(held, 4);
     const rows = [...held.slice(0, 4), row("e5", { length: "40", angle: held[4]?.angle ?? "" })];
     const freed = typed(rows.with(4, row("e5", { angle: "150", length: "12.3" })), 4, "length", "");
     expect(end).not.toBeNull();
@@ -107,11 +109,17 @@ describe("typing a dimension", () => {
   test("a typed value comes out as it was typed, whatever the line", () => {
     const size = fc.integer({ min: -40_000, max: -1 }).map((n) => n / 1000),
       wide = fc.integer({ min: 1, max: 90_000 }).map((n) => n / 1000);
-    fc.assert(fc.property(wide, size, wide, size, wide, (x, z, x2, dz, far) => {
-      const rows = [row("e1", { x: String(x), z: String(z) }), row("e2", { x: String(x2), z: String(Number((z + dz).toFixed(3))) })];
-      const read = readRows(typed(rows, 1, "length", String(far))).rows[1];
-      expect(read?.length).toBeCloseTo(far, 6);
-    }), { numRuns: 60 });
+    fc.assert(
+      fc.property(wide, size, wide, size, wide, (x, z, x2, dz, far) => {
+        const rows = [
+          row("e1", { x: String(x), z: String(z) }),
+          row("e2", { x: String(x2), z: String(Number((z + dz).toFixed(3))) }),
+        ];
+        const read = readRows(typed(rows, 1, "length", String(far))).rows[1];
+        expect(read?.length).toBeCloseTo(far, 6);
+      }),
+      { numRuns: 60 },
+    );
   });
 });
 
@@ -125,7 +133,7 @@ test("what holds an element", () => {
   };
   expect(of(shaft)).toEqual([[], ["horizontal"], [], ["vertical"], []]);
   expect(of([row("e1", { x: "20", z: "0" }), row("e2", { x: "26.4", angle: "135" })])[1]).toEqual(["sought"]);
-  expect(of([row("e1", { x: "20", z: "0" }), row("e2", { z: "-5.5" }), row("e3", { kind: "CT", x: "33", z: "-9" })])[2]).toEqual([
-    "tangent",
-  ]);
+  expect(
+    of([row("e1", { x: "20", z: "0" }), row("e2", { z: "-5.5" }), row("e3", { kind: "CT", x: "33", z: "-9" })])[2],
+  ).toEqual(["tangent"]);
 });

@@ -10,7 +10,10 @@ import { positionAsTyped } from "../values/typed-value.ts";
 
 type Rows = readonly ContourRow[];
 
-/** One dimension of an element, as a drawing writes it: X as diameter and absolute, also where the row counts from the point before. */
+/**
+ * One dimension of an element, as a drawing writes it: X as diameter and absolute, also where the row counts from the
+ * point before.
+ */
 export interface ContourDimension {
   readonly row: number;
   readonly field: RowField;
@@ -36,11 +39,15 @@ function pointOfRow(row: ContourRow, reading: RowReading): { readonly x: number;
   return reading.pole && { x: toDiameter(reading.pole.r), z: reading.pole.z };
 }
 
-const pointAt = ({ x, z }: { readonly x: number; readonly z: number }): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
+const pointAt = ({ x, z }: { readonly x: number; readonly z: number }): Pt => ({
+  z: axial(z),
+  r: toRadius(diameter(x)),
+});
 
 /** The dimensions that an element has, in the order in which the keyboard visits them. */
 export function dimensionsOf(rows: Rows, reading: RowsReading, index: number): readonly ContourDimension[] {
-  const row = rows[index], read = reading.rows[index];
+  const row = rows[index],
+    read = reading.rows[index];
   if (!row || !read) return [];
   const one = (field: RowField, typed: string, value: number | null, isAdded = false): ContourDimension => {
     const follows = isEmpty(typed);
@@ -56,9 +63,10 @@ export function dimensionsOf(rows: Rows, reading: RowsReading, index: number): r
   }
   if (SIZE_KINDS.includes(row.kind) && row.kind !== "CR") return [one("r", row.r, numberOf(row.r))];
   const at = pointOfRow(row, read);
-  const ends = END_KINDS.includes(row.kind) || row.kind === "CC"
-    ? [one("x", row.x, at && at.x, row.incrementalX), one("z", row.z, at && at.z, row.incrementalZ)]
-    : [];
+  const ends =
+    END_KINDS.includes(row.kind) || row.kind === "CC"
+      ? [one("x", row.x, at && at.x, row.incrementalX), one("z", row.z, at && at.z, row.incrementalZ)]
+      : [];
   const first = read.inherited.x === null;
   if (row.kind === "CR") return [...ends, one("r", row.r, read.radius)];
   if (row.kind !== "L" || first) return ends;
@@ -66,10 +74,16 @@ export function dimensionsOf(rows: Rows, reading: RowsReading, index: number): r
 }
 
 /** An absolute value in a coordinate that counts from the point before stays counted from there. */
-function added(text: string, incremental: boolean, before: number | null): { readonly text: string; readonly incremental: boolean } {
+function added(
+  text: string,
+  incremental: boolean,
+  before: number | null,
+): { readonly text: string; readonly incremental: boolean } {
   const value = numberOf(text);
   if (!incremental || text.trim() === "") return { text, incremental };
-  return value === null || before === null ? { text, incremental: false } : { text: positionAsTyped(value - before), incremental };
+  return value === null || before === null
+    ? { text, incremental: false }
+    : { text: positionAsTyped(value - before), incremental };
 }
 
 /** The longer way of a line decides which coordinate stays when its angle changes. */
@@ -77,9 +91,13 @@ function turned(row: ContourRow, read: RowReading, text: string): Partial<Contou
   if (text.trim() === "") return { angle: text, ...(row.length.trim() === "" ? placed(row, read) : {}) };
   const open = { incrementalX: false, incrementalZ: false };
   if (row.length.trim() !== "") return { angle: text, x: "", z: "", ...open };
-  const { end, inherited: { x, z } } = read;
+  const {
+    end,
+    inherited: { x, z },
+  } = read;
   if (!end || x === null || z === null) return { angle: text };
-  const { r: from } = pointAt({ x, z }), { r: to } = pointAt(end);
+  const { r: from } = pointAt({ x, z }),
+    { r: to } = pointAt(end);
   return Math.abs(end.z - z) >= Math.abs(to - from)
     ? { angle: text, x: "", incrementalX: false, z: row.incrementalZ ? row.z : positionAsTyped(end.z) }
     : { angle: text, z: "", incrementalZ: false, x: row.incrementalX ? row.x : positionAsTyped(end.x) };
@@ -88,12 +106,18 @@ function turned(row: ContourRow, read: RowReading, text: string): Partial<Contou
 /** A line of another length keeps its direction; one along an axis stays written by its coordinate. */
 function lengthened(row: ContourRow, read: RowReading, text: string): Partial<ContourRow> {
   if (text.trim() === "") return { length: text, ...(row.angle.trim() === "" ? placed(row, read) : {}) };
-  const { end, inherited: { x, z }, angle } = read, value = numberOf(text);
+  const {
+      end,
+      inherited: { x, z },
+      angle,
+    } = read,
+    value = numberOf(text);
   const open = { x: "", z: "", incrementalX: false, incrementalZ: false };
   if (row.angle.trim() !== "") return { length: text, ...open };
   if (!end || x === null || z === null || angle === null || value === null || row.length.trim() !== "" || row.tangent)
     return { length: text };
-  const from = pointAt({ x, z }), to = pointAt(end);
+  const from = pointAt({ x, z }),
+    to = pointAt(end);
   if (Math.abs(to.r - from.r) < SAME) {
     const way = Math.sign(to.z - from.z) * value;
     return { z: positionAsTyped(row.incrementalZ ? way : z + way) };
@@ -113,12 +137,16 @@ function placed(row: ContourRow, { end }: RowReading): Partial<ContourRow> {
 }
 
 function polarChange(row: ContourRow, read: RowReading, name: PolarName, text: string): Partial<ContourRow> {
-  const { incremental } = polarTyped(row, name), { x, z } = read.inherited;
+  const { incremental } = polarTyped(row, name),
+    { x, z } = read.inherited;
   const before = read.pole && x !== null && z !== null ? polarOf(read.pole, pointAt({ x, z }))[name] : null;
   return { words: withPolar(row.words, name, added(text, incremental, before)) };
 }
 
-/** The change of a row whose dimension is typed in the drawing. Sums are worked out; what cannot be read is kept and said in the table. */
+/**
+ * The change of a row whose dimension is typed in the drawing. Sums are worked out; what cannot be read is kept and
+ * said in the table.
+ */
 function changeOf(row: ContourRow, read: RowReading, field: RowField, typed: string): Partial<ContourRow> {
   const text = sumOf(typed) ?? typed;
   switch (field) {
@@ -143,7 +171,8 @@ function changeOf(row: ContourRow, read: RowReading, field: RowField, typed: str
 
 /** The table after a dimension was typed in the drawing. */
 export function dimensionTyped(rows: Rows, reading: RowsReading, index: number, field: RowField, typed: string): Rows {
-  const row = rows[index], read = reading.rows[index];
+  const row = rows[index],
+    read = reading.rows[index];
   if (!row || !read) return rows;
   const change = changeOf(row, read, field, typed);
   const same = Object.entries(change).every(([name, value]) => row[name as keyof ContourRow] === value);
@@ -155,7 +184,11 @@ export type Hold = "tangent" | "horizontal" | "vertical" | "sought";
 
 /** What holds an element beside typed coordinates: tangency, a coordinate that stays, values that are worked out. */
 export function holdsOf(row: ContourRow, read: RowReading): readonly Hold[] {
-  const { end, inherited: { x, z }, sought } = read;
+  const {
+    end,
+    inherited: { x, z },
+    sought,
+  } = read;
   const stays = (typed: string, from: number | null, to: number | null, isSought: boolean) =>
     typed.trim() === "" && from !== null && to !== null && !isSought && Math.abs(to - from) < SAME;
   const isLine = row.kind === "L";

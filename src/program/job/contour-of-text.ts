@@ -28,7 +28,8 @@ function rowOf(s: Statement, id: string): ContourRow | null {
   if (s.path === "L") return newRow(id, { kind: "L", ...place(s.words) });
   if (s.path === "LP" || s.path === "CP" || s.path === "CTP")
     return newRow(id, { kind: s.path, words: polar(s.words), turn: turn ?? "ccw" });
-  if (s.path === "CC" || s.path === "C" || s.path === "CT") return newRow(id, { kind: s.path, ...place(s.words), turn: turn ?? "ccw" });
+  if (s.path === "CC" || s.path === "C" || s.path === "CT")
+    return newRow(id, { kind: s.path, ...place(s.words), turn: turn ?? "ccw" });
   if (s.path === "RND") return newRow(id, { kind: "RND", r });
   if (s.path === "CR") return newRow(id, { kind: "CR", ...place(s.words), r, turn: turn ?? "cw" });
   return null;
@@ -49,8 +50,9 @@ export function rowsFrom({ blocks }: Program, first: number): readonly ContourRo
 /** The contour that cycle 14 names in front of a block, as rows of the contour table; empty where there is none. */
 export function contourBefore(program: Program, index: number): readonly ContourRow[] {
   const { blocks } = program;
-  const named = blocks.slice(0, index).findLast((b) => b.statement.kind === "cycleLine" && b.statement.cycle === 14 && b.statement.line > 0)
-    ?.statement;
+  const named = blocks
+    .slice(0, index)
+    .findLast((b) => b.statement.kind === "cycleLine" && b.statement.cycle === 14 && b.statement.line > 0)?.statement;
   const found = named?.kind === "cycleLine" ? /"([^"]+)"|(\d{1,9})/.exec(named.text) : null;
   if (!found) return [];
   const label = found[1] ?? Number(found[2]);

@@ -28,7 +28,11 @@ test("a coordinate left out stays as it was, an incremental one adds to it", () 
     row("L", { x: "50" }),
     row("L", { x: "-10", z: "-5", incrementalX: true, incrementalZ: true }),
   ]);
-  expect(rows.map((r) => r.end)).toEqual([{ x: 75, z: -20 }, { x: 50, z: -20 }, { x: 40, z: -25 }]);
+  expect(rows.map((r) => r.end)).toEqual([
+    { x: 75, z: -20 },
+    { x: 50, z: -20 },
+    { x: 40, z: -25 },
+  ]);
   expect(rows[1]?.inherited).toEqual({ x: 75, z: -20 });
 });
 
@@ -58,7 +62,11 @@ test("a row in which nothing is typed is not wrong, and has no block", () => {
 test("an element that goes nowhere, a lone corner and a corner too long are said at their row", () => {
   expect(codes([...printed.slice(0, 2), row("CR", { r: "5" })])).toContainEqual([3, null, "contourPoint"]);
   expect(codes([row("RND", { r: "2" }), ...printed.slice(0, 2)])).toContainEqual([1, null, "cornerElementAlone"]);
-  expect(codes([...printed.slice(0, 2), row("RND", { r: "200" }), ...printed.slice(3)])).toContainEqual([3, "r", "cornerElementTooLong"]);
+  expect(codes([...printed.slice(0, 2), row("RND", { r: "200" }), ...printed.slice(3)])).toContainEqual([
+    3,
+    "r",
+    "cornerElementTooLong",
+  ]);
 });
 
 test("an arc needs its radius, and one that reaches its end", () => {
@@ -85,7 +93,10 @@ test("a question mark seeks a coordinate; what stays open is counted and said", 
   const rows = [row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "?" }), row("L", { x: "60", z: "-30" })];
   expect(readRows(rows).rows.map((r) => r.freedom)).toEqual([0, 1, 0]);
   expect(codes(rows)).toEqual([[2, null, "elementFree"]]);
-  expect(readRows([...rows.slice(0, 2), row("L", { x: "60", z: "-30", length: "20" })]).rows[1]?.end).toEqual({ x: 60, z: -10 });
+  expect(readRows([...rows.slice(0, 2), row("L", { x: "60", z: "-30", length: "20" })]).rows[1]?.end).toEqual({
+    x: 60,
+    z: -10,
+  });
 });
 
 test("a corner is rounded between solved points", () => {
@@ -116,20 +127,28 @@ test("an arc about a centre, and one that leaves its line tangentially", () => {
 test("faults are said at their row where rows without an element stand before it", () => {
   const start = [row("L", { x: "20", z: "0" }), row("CC", { x: "30", z: "-20" })];
   expect(codes([...start, row("C", { x: "30", z: "-25" })])).toEqual([[3, null, "arcOffCircle"]]);
-  expect(codes([row("L", { x: "20", z: "0" }), row("C", { x: "30", z: "-25" })])).toContainEqual([2, null, "centreMissing"]);
-  expect(readRows([...start, row("L", { z: "-20" }), row("L", { x: "40" }), row("L", { x: "10", z: "-5" })]).issues[0]).toMatchObject({
+  expect(codes([row("L", { x: "20", z: "0" }), row("C", { x: "30", z: "-25" })])).toContainEqual([
+    2,
+    null,
+    "centreMissing",
+  ]);
+  expect(
+    readRows([...start, row("L", { z: "-20" }), row("L", { x: "40" }), row("L", { x: "10", z: "-5" })]).issues[0],
+  ).toMatchObject({
     row: 4,
     issue: { code: "contourCrossesItself", data: { element: 5, other: 3 } },
   });
 });
 
 test("a value that contradicts is said at its field", () => {
-  expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "-10", angle: "130" })])).toEqual([[
+  expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "-10", angle: "130" })])).toEqual([
+    [2, "angle", "elementContradicts"],
+  ]);
+  expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", length: "-1" })])).toContainEqual([
     2,
-    "angle",
-    "elementContradicts",
-  ]]);
-  expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", length: "-1" })])).toContainEqual([2, "length", "outOfRange"]);
+    "length",
+    "outOfRange",
+  ]);
 });
 
 test("the printed undercut stands in the corner between its cylinder and its face", () => {
@@ -143,11 +162,9 @@ test("the printed undercut stands in the corner between its cylinder and its fac
   expect(issues).toMatchObject([{ row: 2, issue: { code: "undercutDefaults", severity: "info" } }]);
   expect(Math.min(...contour.segments.map((s) => s.to.r))).toBeCloseTo(18, 6);
   expect(rowOfSegment).toContain(2);
-  expect(codes([...rows.slice(0, 2), row("UDC", { form: "E", words: { R: "abc" } }), row("L", { x: "60" })])).toContainEqual([
-    3,
-    null,
-    "notANumber",
-  ]);
+  expect(
+    codes([...rows.slice(0, 2), row("UDC", { form: "E", words: { R: "abc" } }), row("L", { x: "60" })]),
+  ).toContainEqual([3, null, "notANumber"]);
 });
 
 test("a recess in a cylinder", () => {

@@ -53,7 +53,9 @@ function fieldOf(found: Issue): RowField | null {
 
 const known = new WeakMap<readonly ContourRow[], RowsReading>();
 
-/** Reads the contour table, once per state of it; coordinates that are not typed are solved where the others allow it. */
+/**
+ * Reads the contour table, once per state of it; coordinates that are not typed are solved where the others allow it.
+ */
 export function readRows(rows: readonly ContourRow[]): RowsReading {
   const read = known.get(rows) ?? readAnew(rows);
   known.set(rows, read);
@@ -81,28 +83,34 @@ function readAnew(rows: readonly ContourRow[]): RowsReading {
   const found = [
     ...solution.issues.map((i) => ({ i, row: asked[(elementOf(i) ?? 0) - 1]?.row ?? null })),
     ...contour.issues.map((i) => ({ i, row: rowOf(elementOf(i)) })),
-  ].flatMap(
-    ({ i, row }): RowIssue[] => (row === null || typed.has(row) ? [] : [{ row, field: fieldOf(i), issue: numbered(i, row, rowOf) }])
+  ].flatMap(({ i, row }): RowIssue[] =>
+    row === null || typed.has(row) ? [] : [{ row, field: fieldOf(i), issue: numbered(i, row, rowOf) }],
   );
   return {
     rows: readings(given, poles, solved),
     contour,
     rowOfSegment: contour.elements.map((n) => rowOf(n) ?? 0),
-    issues: [...reader.issues, ...found].map((each) => (begun(rows[each.row]) ? each : calm(each))).sort((a, b) => a.row - b.row),
+    issues: [...reader.issues, ...found]
+      .map((each) => (begun(rows[each.row]) ? each : calm(each)))
+      .sort((a, b) => a.row - b.row),
   };
 }
 
 /** A row in which nothing is typed yet is not wrong, only not begun. */
 const calm = (found: RowIssue): RowIssue =>
-  found.issue.code === "missing" ? { ...found, issue: { ...found.issue, severity: "info" } as RowIssue["issue"] } : found;
+  found.issue.code === "missing"
+    ? { ...found, issue: { ...found.issue, severity: "info" } as RowIssue["issue"] }
+    : found;
 
 /** The finding with the numbers of rows, where rows before it make no element. */
 function numbered(found: Issue, row: number, rowOf: (n: number) => number | null): Issue {
-  const other = "other" in found.data && typeof found.data.other === "number" ? { other: (rowOf(found.data.other) ?? 0) + 1 } : {};
+  const other =
+    "other" in found.data && typeof found.data.other === "number" ? { other: (rowOf(found.data.other) ?? 0) + 1 } : {};
   return { ...found, data: { ...found.data, element: row + 1, ...other } } as Issue;
 }
 
-const pointOf = (s: SolvedElement | undefined): Pt | null => (s && s.z !== null && s.r !== null ? { z: s.z, r: s.r } : null);
+const pointOf = (s: SolvedElement | undefined): Pt | null =>
+  s && s.z !== null && s.r !== null ? { z: s.z, r: s.r } : null;
 
 /** Radius as CR writes it: negative where the arc takes the longer way. */
 function signedRadius(s: SolvedElement | undefined): number | null {
@@ -122,7 +130,8 @@ function contourElement(given: RowGiven | undefined, solved: SolvedElement | und
   if (e.kind === "line") return { kind: "line", to };
   if (e.centre) return { kind: "centre", to, centre: e.centre, turn: e.turn ?? "ccw" };
   if (e.radius !== null) return { kind: "radius", to, radius: e.radius, turn: e.turn ?? "ccw" };
-  const arc = solved?.segment, radius = signedRadius(solved);
+  const arc = solved?.segment,
+    radius = signedRadius(solved);
   if (e.turn === null) return { kind: "tangent", to };
   return arc?.kind === "arc" && radius !== null ? { kind: "radius", to, radius, turn: arc.turn } : { kind: "line", to };
 }
@@ -134,7 +143,10 @@ function readings(
 ): RowReading[] {
   let [x, z]: (number | null)[] = [null, null];
   return given.map((g, i): RowReading => {
-    const inherited = { x: x ?? null, z: z ?? null }, pole = poles[i] ?? null, s = solved.get(i), at = pointOf(s);
+    const inherited = { x: x ?? null, z: z ?? null },
+      pole = poles[i] ?? null,
+      s = solved.get(i),
+      at = pointOf(s);
     if (g.kind !== "element" || !s)
       return {
         end: null,

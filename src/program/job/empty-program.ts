@@ -7,8 +7,17 @@ import { noWords } from "../values/typed-value.ts";
 /** A program with its blank and nothing in it yet, that runs to its end. */
 export function emptyProgram(typedName: string, blank: BlankDraft): string {
   const name = nameOnControl(typedName);
-  return programText([{ kind: "begin", name, unit: "MM" }, blankStatement(blank), { kind: "mode", mode: "TURN", kinematics: null }, {
-    kind: "functions",
-    words: { ...noWords, functions: [30] },
-  }, { kind: "end", name, unit: "MM" }], LAYOUTS.tnc7);
+  return programText(
+    [
+      { kind: "begin", name, unit: "MM" },
+      blankStatement(blank),
+      { kind: "mode", mode: "TURN", kinematics: null },
+      {
+        kind: "functions",
+        words: { ...noWords, functions: [30] },
+      },
+      { kind: "end", name, unit: "MM" },
+    ],
+    LAYOUTS.tnc7,
+  );
 }

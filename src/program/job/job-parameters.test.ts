@@ -64,5 +64,6 @@ describe("Q parameters of a job", () => {
     expect(pathOf(open).issues.map((f) => f.issue.code)).toContain("parameterUnset");
   });
 
-  test("a value that no prompt uses is not printed", () => expect(lines(job({}, { Q5: "25" }))).toEqual(lines(job({}))));
+  test("a value that no prompt uses is not printed", () =>
+    expect(lines(job({}, { Q5: "25" }))).toEqual(lines(job({}))));
 });

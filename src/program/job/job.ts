@@ -55,7 +55,10 @@ export const newRow = (id: string, given: Partial<ContourRow> = {}): ContourRow 
   id,
 });
 
-/** Cylinder as typed, mm: outside and bore as ⌀, whole length, and how far it reaches in front of Z0. An empty field is proposed. */
+/**
+ * Cylinder as typed, mm: outside and bore as ⌀, whole length, and how far it reaches in front of Z0. An empty field is
+ * proposed.
+ */
 export interface BlankDraft {
   readonly outside: string;
   readonly bore: string;
@@ -130,9 +133,16 @@ export interface SetJob extends Job {
 }
 
 /** A set-up of which nobody has set anything yet. */
-export const UNSET = { tool: null, blank: { outside: "", bore: "", length: "", allowance: "" }, start: { x: "", z: "" } } as const;
+export const UNSET = {
+  tool: null,
+  blank: { outside: "", bore: "", length: "", allowance: "" },
+  start: { x: "", z: "" },
+} as const;
 
-/** A job that shows the printed example of a cycle. A thread is cut at a constant speed: its pitch hangs on the turns of the spindle. */
+/**
+ * A job that shows the printed example of a cycle. A thread is cut at a constant speed: its pitch hangs on the turns of
+ * the spindle.
+ */
 export function exampleJob(cycle: Cycle): SetJob {
   const example = cycle.setup;
   return {
@@ -143,7 +153,12 @@ export function exampleJob(cycle: Cycle): SetJob {
     tool: example.tool,
     blank: { ...example.blank, bore: example.blank.bore || "0" },
     start: example.start,
-    spindle: { mode: cycle.group === "thread" ? "constant" : "surface", speed: "800", cuttingSpeed: "180", limit: "2500" },
+    spindle: {
+      mode: cycle.group === "thread" ? "constant" : "surface",
+      speed: "800",
+      cuttingSpeed: "180",
+      limit: "2500",
+    },
     perRevolution: true,
     rapid: "10000",
     contour: example.contour.map((r, i) => newRow(`e${i + 1}`, r)),

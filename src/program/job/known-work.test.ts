@@ -14,10 +14,12 @@ const pointsOf = (contour: readonly ContourRow[]) =>
 
 test("the blank is what its measures say, and nothing while they say none", () => {
   const blank = { outside: "61.4", bore: "12.2", length: "33.7", allowance: "0.9" };
-  expect(blankOf({ ...job, blank })[0]?.map((p) => [p.z.toFixed(3), p.r.toFixed(3)])).toEqual([["-32.800", "6.100"], ["0.900", "6.100"], [
-    "0.900",
-    "30.700",
-  ], ["-32.800", "30.700"]]);
+  expect(blankOf({ ...job, blank })[0]?.map((p) => [p.z.toFixed(3), p.r.toFixed(3)])).toEqual([
+    ["-32.800", "6.100"],
+    ["0.900", "6.100"],
+    ["0.900", "30.700"],
+    ["-32.800", "30.700"],
+  ]);
   expect(blankOf({ ...job, blank: { ...blank, length: "" } })).toEqual([]);
   expect(blankOf({ ...job, blank: { ...blank, bore: "61.4" } })).toEqual([]);
 });

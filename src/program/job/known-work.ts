@@ -24,24 +24,41 @@ export interface KnownWork {
 /** The half section of the blank as typed; nothing as long as its measures make none. */
 export function blankOf(job: Job): readonly Ring[] {
   const known = knownParameters(job);
-  const typed = (field: "outside" | "bore" | "length" | "allowance") => readText(SETUP_FIELDS[field], job.blank[field], known);
+  const typed = (field: "outside" | "bore" | "length" | "allowance") =>
+    readText(SETUP_FIELDS[field], job.blank[field], known);
   const [outside, length] = [typed("outside").value, typed("length").value];
   const [bore, front] = [typed("bore").value ?? 0, typed("allowance").value ?? 0];
   if (outside === null || length === null) return [];
-  return cylinder({ outside: toRadius(diameter(outside)), inside: bore > 0 ? toRadius(diameter(bore)) : radius(0), length, front }) ?? [];
+  return (
+    cylinder({
+      outside: toRadius(diameter(outside)),
+      inside: bore > 0 ? toRadius(diameter(bore)) : radius(0),
+      length,
+      front,
+    }) ?? []
+  );
 }
 
 /** Where the elements of the contour table end, as far as that is known. */
 const endsOf = (job: Job) => readRows(job.contour).rows.flatMap(({ end }) => end ?? []);
 
 /** What is known of a job: its set-up, and of its contour what the values typed so far determine. */
-export function knownWork(cycle: Cycle, job: Job, { partial }: DraftReading, given: Given, tools: readonly Tool[]): KnownWork {
+export function knownWork(
+  cycle: Cycle,
+  job: Job,
+  { partial }: DraftReading,
+  given: Given,
+  tools: readonly Tool[],
+): KnownWork {
   const outline = knownOutline(cycle, partial, given);
   return {
     blank: blankOf(job),
     start: given.start,
     tool: tools.find((tool) => tool.T === job.tool) ?? null,
     outline,
-    points: (cycle.contour === "free" ? endsOf(job) : outline.corners).map(({ x, z }) => ({ z: axial(z), r: toRadius(diameter(x)) })),
+    points: (cycle.contour === "free" ? endsOf(job) : outline.corners).map(({ x, z }) => ({
+      z: axial(z),
+      r: toRadius(diameter(x)),
+    })),
   };
 }

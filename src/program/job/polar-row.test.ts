@@ -13,7 +13,10 @@ import { shippedTools } from "../tools/shipped-tools.ts";
 
 const row = (kind: ContourRow["kind"], given: Partial<ContourRow> = {}) => newRow("e", { kind, ...given });
 const text = (rows: readonly ContourRow[]) =>
-  programText(contourStatements(rows), LAYOUTS.tnc7).trim().split("\n").map((line) => line.trim().replace(/^\d+ /, ""));
+  programText(contourStatements(rows), LAYOUTS.tnc7)
+    .trim()
+    .split("\n")
+    .map((line) => line.trim().replace(/^\d+ /, ""));
 const rounded = (rows: readonly ContourRow[]) =>
   readRows(rows).rows.map((r) => r.end && [r.end.x, r.end.z].map((n) => Math.round(n * 1000) / 1000 || 0));
 const codes = (rows: readonly ContourRow[]) => readRows(rows).issues.map((i) => [i.row + 1, i.field, i.issue.code]);
@@ -34,7 +37,14 @@ describe("polar rows", () => {
         row("LP", { words: { IPR: "-5", PA: "Q7" } }),
         row("LP", { words: { PR: "1,2346", PA: "12.34567" } }),
       ]).slice(2),
-    ).toEqual(["LP PR+30 PA+0", "LP IPA+60", "CP PA+180 DR+", "CTP PR+30 PA+30", "LP IPR-5 PA+Q7", "LP PR+1.235 PA+12.3457"]);
+    ).toEqual([
+      "LP PR+30 PA+0",
+      "LP IPA+60",
+      "CP PA+180 DR+",
+      "CTP PR+30 PA+30",
+      "LP IPR-5 PA+Q7",
+      "LP PR+1.235 PA+12.3457",
+    ]);
   });
 
   test("end round the pole: PR is a true length, PA counts from +Z towards +X", () => {
@@ -50,7 +60,12 @@ describe("polar rows", () => {
   });
 
   test("an arc round the pole keeps its distance, and coordinates go on from its end", () => {
-    const { contour, issues, rows } = readRows([start, pole, row("CP", { words: { PA: "90" }, turn: "ccw" }), row("L", { z: "-50" })]);
+    const { contour, issues, rows } = readRows([
+      start,
+      pole,
+      row("CP", { words: { PA: "90" }, turn: "ccw" }),
+      row("L", { z: "-50" }),
+    ]);
     expect(issues).toEqual([]);
     expect(contour.segments.map((s) => s.kind)).toEqual(["arc", "line"]);
     expect(rows[3]?.end?.x).toBeCloseTo(80, 9);
@@ -84,11 +99,17 @@ describe("polar rows", () => {
     expect(codes([start, row("LP", { words: { PR: "10", PA: "90" } })])).toEqual([[2, null, "poleMissing"]]);
     expect(codes([start, pole, row("LP")])).toEqual([[3, null, "contourPoint"]]);
     expect(codes([pole, row("LP", { words: { PR: "30", IPA: "5" } }), start])).toContainEqual([2, "PA", "missing"]);
-    expect(codes([start, pole, row("LP", { words: { PR: "abc", PA: "0" } }), row("L", { z: "-20" })])).toEqual([[3, "PR", "notANumber"]]);
+    expect(codes([start, pole, row("LP", { words: { PR: "abc", PA: "0" } }), row("L", { z: "-20" })])).toEqual([
+      [3, "PR", "notANumber"],
+    ]);
   });
 
   test("may be the start point", () => {
-    expect(rounded([pole, row("LP", { words: { PR: "30", PA: "0" } }), row("L", { z: "-20" })])).toEqual([null, [20, 0], [20, -20]]);
+    expect(rounded([pole, row("LP", { words: { PR: "30", PA: "0" } }), row("L", { z: "-20" })])).toEqual([
+      null,
+      [20, 0],
+      [20, -20],
+    ]);
   });
 });
 
@@ -106,7 +127,11 @@ test("the table and the run of its program make the same contour", () => {
     row("L", { z: "-60" }),
   ];
   const text = printJob({ ...exampleJob(cycle), contour }, ncLabels("en"));
-  const ran = run(parse(text), { tools: shippedTools, rapid: 10_000 }).operations[0]?.plan.contour.map((s) => [s.kind, s.to.z, s.to.r]);
+  const ran = run(parse(text), { tools: shippedTools, rapid: 10_000 }).operations[0]?.plan.contour.map((s) => [
+    s.kind,
+    s.to.z,
+    s.to.r,
+  ]);
   const read = readRows(contour);
   expect(read.issues).toEqual([]);
   expect(ran).toEqual(read.contour.segments.map((s) => [s.kind, expect.closeTo(s.to.z, 6), expect.closeTo(s.to.r, 6)]));

@@ -15,7 +15,11 @@ export type PolarName = "PR" | "PA";
 /** Decimals a control keeps of an angle. */
 const ANGLE_DECIMALS = 4;
 const decimalsOf = (name: PolarName) => (name === "PR" ? POSITION_DECIMALS : ANGLE_DECIMALS);
-const NAMES: Partial<Record<ContourRow["kind"], readonly PolarName[]>> = { LP: ["PR", "PA"], CP: ["PA"], CTP: ["PR", "PA"] };
+const NAMES: Partial<Record<ContourRow["kind"], readonly PolarName[]>> = {
+  LP: ["PR", "PA"],
+  CP: ["PA"],
+  CTP: ["PR", "PA"],
+};
 
 /** The polar words that a row has; none where it is no polar element. */
 export const polarNames = (row: ContourRow): readonly PolarName[] => NAMES[row.kind] ?? [];
@@ -37,14 +41,19 @@ export const withPolar = (words: ContourRow["words"], name: PolarName, typed: Po
   [typed.incremental ? `I${name}` : name]: typed.text,
 });
 
-const putWord = (name: PolarName, word: PolarWord): Partial<Words> => (name === "PR" ? { polarRadius: word } : { polarAngle: word });
+const putWord = (name: PolarName, word: PolarWord): Partial<Words> =>
+  name === "PR" ? { polarRadius: word } : { polarAngle: word };
 
 /** The polar words of a row for its block. */
 export function polarWords(row: ContourRow): Partial<Words> {
-  return Object.assign({}, ...polarNames(row).map((name): Partial<Words> => {
-    const { text, incremental } = polarTyped(row, name), value = typedValue(text, decimalsOf(name));
-    return value === null ? {} : putWord(name, { value, incremental });
-  })) as Partial<Words>;
+  return Object.assign(
+    {},
+    ...polarNames(row).map((name): Partial<Words> => {
+      const { text, incremental } = polarTyped(row, name),
+        value = typedValue(text, decimalsOf(name));
+      return value === null ? {} : putWord(name, { value, incremental });
+    }),
+  ) as Partial<Words>;
 }
 
 /** A place as distance and angle round a pole. */
@@ -55,7 +64,8 @@ export const polarOf = (pole: Pt, to: Pt): Readonly<Record<PolarName, number>> =
 
 /** The words of a row whose element is to end in another place: what is left out and stays right is still left out. */
 export function polarWordsTo(row: ContourRow, pole: Pt, before: Pt | null, to: Pt): ContourRow["words"] {
-  const next = polarOf(pole, to), old = before && polarOf(pole, before);
+  const next = polarOf(pole, to),
+    old = before && polarOf(pole, before);
   return polarNames(row).reduce((words, name) => {
     const { text, incremental } = polarTyped(row, name);
     if (text.trim() === "" && old && Math.abs(next[name] - old[name]) < STEP / 2) return words;
@@ -68,18 +78,21 @@ export function polarWordsTo(row: ContourRow, pole: Pt, before: Pt | null, to: P
 
 /** Where a polar row ends, as its block does in the run. */
 function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null {
-  const before = typeof reader.x === "number" && typeof reader.z === "number"
-    ? { z: axial(reader.z), r: toRadius(diameter(reader.x)) }
-    : null;
+  const before =
+    typeof reader.x === "number" && typeof reader.z === "number"
+      ? { z: axial(reader.z), r: toRadius(diameter(reader.x)) }
+      : null;
   if (!reader.pole) {
     reader.issues.push({ row: index, field: null, issue: programIssue("poleMissing", "error", {}) });
     return null;
   }
   const names = polarNames(row);
-  let words: Words = noWords, readable = true;
+  let words: Words = noWords,
+    readable = true;
   for (const name of ["PR", "PA"] as const) {
     const { text, incremental } = names.includes(name) ? polarTyped(row, name) : { text: "", incremental: false };
-    const empty = text.trim() === "", value = empty ? null : rowNumber(reader, index, name, text, NEEDED);
+    const empty = text.trim() === "",
+      value = empty ? null : rowNumber(reader, index, name, text, NEEDED);
     if (value !== null) words = { ...words, ...putWord(name, { value, incremental }) };
     else if (!empty) readable = false;
     // Without a known point before, there is nothing to keep or to add to.
@@ -89,7 +102,9 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
     reader.issues.push({
       row: index,
       field: shown ? name : null,
-      issue: shown ? issue("missing", "error", {}, "contour") : issue("contourPoint", "error", { element: index + 1 }, "contour"),
+      issue: shown
+        ? issue("missing", "error", {}, "contour")
+        : issue("contourPoint", "error", { element: index + 1 }, "contour"),
     });
   }
   if (!readable) return null;
@@ -104,7 +119,11 @@ export function polarGiven(
   index: number,
 ): { readonly z: GivenCoordinate<Axial>; readonly r: GivenCoordinate<Radius> } {
   const to = polarEnd(reader, row, index);
-  if (!to) return { z: reader.z === null ? null : { by: axial(0) }, r: reader.x === null ? null : { by: toRadius(diameter(0)) } };
+  if (!to)
+    return {
+      z: reader.z === null ? null : { by: axial(0) },
+      r: reader.x === null ? null : { by: toRadius(diameter(0)) },
+    };
   reader.z = to.z;
   reader.x = toDiameter(to.r);
   return { z: { at: to.z }, r: { at: to.r } };

@@ -7,7 +7,10 @@ import { formWord } from "../blocks/recess-words.ts";
 import { recessWords } from "./row-given.ts";
 import { noWords, POSITION_DECIMALS, typedAxis, typedValue } from "../values/typed-value.ts";
 
-const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT" | "LP" | "CP" | "CTP", words: Partial<Words>): Statement => ({
+const path = (
+  kind: "L" | "RND" | "CR" | "C" | "CC" | "CT" | "LP" | "CP" | "CTP",
+  words: Partial<Words>,
+): Statement => ({
   kind: "path",
   path: kind,
   words: { ...noWords, ...words },
@@ -17,7 +20,11 @@ const path = (kind: "L" | "RND" | "CR" | "C" | "CC" | "CT" | "LP" | "CP" | "CTP"
 function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
   const typed = [...typedAxis("X", row.x, row.incrementalX), ...typedAxis("Z", row.z, row.incrementalZ)];
   if (!reading?.end || !(reading.sought.x || reading.sought.z)) return typed;
-  const word = (axis: "X" | "Z", value: number): AxisWord => ({ axis, value: kept(value, POSITION_DECIMALS), incremental: false });
+  const word = (axis: "X" | "Z", value: number): AxisWord => ({
+    axis,
+    value: kept(value, POSITION_DECIMALS),
+    incremental: false,
+  });
   const { x, z } = reading.end;
   return [
     ...(reading.sought.x || row.incrementalX ? [word("X", x)] : typed.filter((w) => w.axis === "X")),
@@ -36,16 +43,23 @@ const namedWords = (row: ContourRow): NamedWord[] =>
 const NAMES_ITS_END: ReadonlySet<ContourRow["kind"]> = new Set(["L", "CR", "CT", "LP", "CTP"]);
 
 function statement(row: ContourRow, reading: RowReading | undefined): Statement[] {
-  const axes = axesOf(row, reading), size = typedValue(row.r);
+  const axes = axesOf(row, reading),
+    size = typedValue(row.r);
   if (reading && (reading.sought.x || reading.sought.z) && !reading.end && axes.length === 0) return [];
   if (NAMES_ITS_END.has(row.kind) && axes.length === 0 && Object.keys(polarWords(row)).length === 0) return [];
   switch (row.kind) {
     case "L":
       return [path("L", { axes })];
     case "CR": {
-      const radius: Value | null = size
-        ?? (reading === undefined || reading.radius === null ? null : kept(reading.radius, POSITION_DECIMALS));
-      return [path("CR", { axes, ...(radius !== null && { radius }), turn: (size === null ? reading?.turn : null) ?? row.turn })];
+      const radius: Value | null =
+        size ?? (reading === undefined || reading.radius === null ? null : kept(reading.radius, POSITION_DECIMALS));
+      return [
+        path("CR", {
+          axes,
+          ...(radius !== null && { radius }),
+          turn: (size === null ? reading?.turn : null) ?? row.turn,
+        }),
+      ];
     }
     case "C":
       return [path("C", { axes, turn: row.turn })];
@@ -69,16 +83,18 @@ function statement(row: ContourRow, reading: RowReading | undefined): Statement[
 }
 
 /** Whether a row stands in the program. */
-export const hasBlock = (row: ContourRow, reading: RowReading | undefined): boolean => statement(row, reading).length > 0;
+export const hasBlock = (row: ContourRow, reading: RowReading | undefined): boolean =>
+  statement(row, reading).length > 0;
 
 const known = new WeakMap<readonly ContourRow[], readonly Statement[]>();
 
 /**
- * The blocks of a contour table, made once per state of it: what was typed, with the coordinates that were solved. An element that is still
- * open has no block.
+ * The blocks of a contour table, made once per state of it: what was typed, with the coordinates that were solved. An
+ * element that is still open has no block.
  */
 export function contourStatements(rows: readonly ContourRow[]): readonly Statement[] {
-  const reading = readRows(rows), made = known.get(rows) ?? rows.flatMap((row, i) => statement(row, reading.rows[i]));
+  const reading = readRows(rows),
+    made = known.get(rows) ?? rows.flatMap((row, i) => statement(row, reading.rows[i]));
   known.set(rows, made);
   return made;
 }

@@ -5,7 +5,14 @@ import { parse } from "../../nc/parse.ts";
 import { print } from "../../nc/program.ts";
 import { withOperation } from "../edits/added-operation.ts";
 import { exampleJob, type SetJob } from "./job.ts";
-import { EARLIER_OUTPUT, isNcOutput, nameOfOutput, NC_OUTPUT_NAMES, NC_OUTPUTS, type NcOutput } from "../machine/nc-output.ts";
+import {
+  EARLIER_OUTPUT,
+  isNcOutput,
+  nameOfOutput,
+  NC_OUTPUT_NAMES,
+  NC_OUTPUTS,
+  type NcOutput,
+} from "../machine/nc-output.ts";
 import { outputIn } from "../edits/output-in.ts";
 import { printJob } from "./print-job.ts";
 import { proposedOperation } from "./proposed-operation.ts";
@@ -22,7 +29,8 @@ const bare = (text: string) => text.split(/\r?\n/).map((line) => line.replace(/^
 /** The blocks round the call: the way there behind the tool, and the way back to the end. */
 const ways = (job: SetJob) => {
   const lines = bare(printJob(job, labels));
-  const cycle = lines.findIndex((line) => line.startsWith(`CYCL DEF ${job.cycle}`)), call = lines.indexOf("CYCL CALL");
+  const cycle = lines.findIndex((line) => line.startsWith(`CYCL DEF ${job.cycle}`)),
+    call = lines.indexOf("CYCL CALL");
   return {
     there: [...lines.slice(0, cycle), ...lines.slice(cycle + 1, call)].filter((line) => line.startsWith("L ")),
     back: lines.slice(call + 1, lines.findIndex((line) => line === `M${job.output.end}`) + 1),
@@ -61,24 +69,40 @@ describe("what a program does for its machine", () => {
     ["a function that is none", { ...own, spindleOn: 1000 }],
     ["a part of a function", { ...own, spindleOff: 5.5 }],
     ["another end", { ...own, end: 0 }],
-    ["another line end", {
-      ...own,
-      newLine: "\r",
-    }],
+    [
+      "another line end",
+      {
+        ...own,
+        newLine: "\r",
+      },
+    ],
   ])("%s is no setting", (_, raw) => expect(isNcOutput(raw)).toBe(false));
 });
 
 describe("the way to the start point and back", () => {
   const blank = { outside: "90", bore: "30", length: "80", allowance: "1.5" };
   test.each([
-    // Straight where nothing stands, in a bore along the axis, elsewhere across it at a height that clears every shoulder.
-    ["beside the blank", { x: "91.5", z: "-22.5" }, ["L X+111.5 Z+51.5 R0 FMAX", "L X+91.5 Y+0 Z-22.5 FMAX M303"], ["L Z+51.5 R0 FMAX"]],
+    // Straight where nothing stands, in a bore along the axis, elsewhere across it at a height that clears every
+    // shoulder.
+    [
+      "beside the blank",
+      { x: "91.5", z: "-22.5" },
+      ["L X+111.5 Z+51.5 R0 FMAX", "L X+91.5 Y+0 Z-22.5 FMAX M303"],
+      ["L Z+51.5 R0 FMAX"],
+    ],
     ["in front", { x: "44.3", z: "3" }, ["L X+110 Z+53 R0 FMAX", "L X+44.3 Y+0 Z+3 FMAX M303"], ["L Z+53 R0 FMAX"]],
-    ["lower than the outside", { x: "61.7", z: "-22.5" }, ["L X+110 Z+51.5 R0 FMAX", "L Z-22.5 FMAX", "L X+61.7 Y+0 Z-22.5 FMAX M303"], [
-      "L X+110 R0 FMAX",
-      "L Z+51.5 R0 FMAX",
-    ]],
-    ["in the bore", { x: "28", z: "-12" }, ["L X+110 Z+51.5 R0 FMAX", "L X+28 FMAX", "L X+28 Y+0 Z-12 FMAX M303"], ["L Z+51.5 R0 FMAX"]],
+    [
+      "lower than the outside",
+      { x: "61.7", z: "-22.5" },
+      ["L X+110 Z+51.5 R0 FMAX", "L Z-22.5 FMAX", "L X+61.7 Y+0 Z-22.5 FMAX M303"],
+      ["L X+110 R0 FMAX", "L Z+51.5 R0 FMAX"],
+    ],
+    [
+      "in the bore",
+      { x: "28", z: "-12" },
+      ["L X+110 Z+51.5 R0 FMAX", "L X+28 FMAX", "L X+28 Y+0 Z-12 FMAX M303"],
+      ["L Z+51.5 R0 FMAX"],
+    ],
   ])("%s", (_, start, there, back) => {
     const found = ways(jobOf(811, { blank, start }));
     expect(found.there).toEqual(there);
@@ -106,9 +130,20 @@ describe("every text of the app obeys the rules that it checks", () => {
 });
 
 describe("an operation that joins a program", () => {
-  const program = (on: string) => parse(printJob(jobOf(811, { name: "A" }), labels).replace("M303", on).replace("M305", "M8"));
-  test.each([["M3", 3, 5], ["M4", 4, 5], ["M304", 304, 305], ["M303", 303, 305]])("starts and stops the spindle as the program does: %s",
-    (on, start, stop) => expect(outputIn(program(on), NC_OUTPUTS.transfer)).toMatchObject({ spindleOn: start, spindleOff: stop }));
+  const program = (on: string) =>
+    parse(
+      printJob(jobOf(811, { name: "A" }), labels)
+        .replace("M303", on)
+        .replace("M305", "M8"),
+    );
+  test.each([
+    ["M3", 3, 5],
+    ["M4", 4, 5],
+    ["M304", 304, 305],
+    ["M303", 303, 305],
+  ])("starts and stops the spindle as the program does: %s", (on, start, stop) =>
+    expect(outputIn(program(on), NC_OUTPUTS.transfer)).toMatchObject({ spindleOn: start, spindleOff: stop }),
+  );
 
   test("stops it only where nothing comes behind", () => {
     const two = withOperation(program("M3"), jobOf(821), labels);

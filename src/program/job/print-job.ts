@@ -53,7 +53,11 @@ function spin(job: Job): Statement {
 }
 
 /** Names of programs on the control: letters, digits and underscores. */
-export const nameOnControl = (typed: string) => typed.trim().replace(/[^\p{L}\p{N}_+-]+/gu, "_").slice(0, 32) || "PROGRAM";
+export const nameOnControl = (typed: string) =>
+  typed
+    .trim()
+    .replace(/[^\p{L}\p{N}_+-]+/gu, "_")
+    .slice(0, 32) || "PROGRAM";
 
 /** BLK FORM of a typed cylinder. */
 export function blankStatement({ outside, bore, length, allowance }: BlankDraft): Statement {
@@ -72,10 +76,15 @@ export function blankStatement({ outside, bore, length, allowance }: BlankDraft)
 const assignments = (job: Job, known: KnownParameters): Statement[] =>
   usedParameters(job).flatMap((target): Statement[] => {
     const of = known[target];
-    return of === undefined ? [] : [{ kind: "assign", fn: null, target, formula: { kind: "value", value: kept(of, PARAMETER_DECIMALS) } }];
+    return of === undefined
+      ? []
+      : [{ kind: "assign", fn: null, target, formula: { kind: "value", value: kept(of, PARAMETER_DECIMALS) } }];
   });
 
-/** Where a start point lies: clear of the blank, in its bore, or lower than its outside, where a shoulder may stand higher than it. */
+/**
+ * Where a start point lies: clear of the blank, in its bore, or lower than its outside, where a shoulder may stand
+ * higher than it.
+ */
 type StartPlace = "clear" | "bore" | "low";
 
 function placeOfStart({ blank, start }: Job): StartPlace {
@@ -85,7 +94,10 @@ function placeOfStart({ blank, start }: Job): StartPlace {
   return x >= outside ? "clear" : "low";
 }
 
-/** The way out to the safe position, from a low place across the axis first; then the spindle off, unless M30 or M2 does it. */
+/**
+ * The way out to the safe position, from a low place across the axis first; then the spindle off, unless M30 or M2 does
+ * it.
+ */
 function wayOut(output: NcOutput, place: StartPlace, safe: { readonly x: number; readonly z: number }): Statement[] {
   const { retract, spindleOff } = output;
   const along = (axes: AxisWord[]) => path({ axes, compensation: "R0", feed: "max" });
@@ -106,7 +118,10 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
   const place = placeOfStart(job);
   const safeX = kept(Math.max(number(job.blank.outside, 0), number(job.start.x, 0)) + AWAY.x, POSITION_DECIMALS);
   const safeZ = kept(Math.max(number(job.blank.allowance, 0), number(job.start.z, 0), 0) + AWAY.z, POSITION_DECIMALS);
-  const at = (x: Value, z: Value): AxisWord[] => [{ axis: "X", value: x, incremental: false }, { axis: "Z", value: z, incremental: false }];
+  const at = (x: Value, z: Value): AxisWord[] => [
+    { axis: "X", value: x, incremental: false },
+    { axis: "Z", value: z, incremental: false },
+  ];
   const free = cycle.contour === "free";
   const draft = job.drafts[cycle.number] ?? {};
   const known = knownParameters(job);
@@ -148,19 +163,28 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
     ...wayOut(output, place, { x: safeX, z: safeZ }),
     functions(output.end),
     ...(free
-      ? [{ kind: "label" as const, label: CONTOUR_LABEL }, ...contourStatements(job.contour), { kind: "label" as const, label: 0 }]
+      ? [
+          { kind: "label" as const, label: CONTOUR_LABEL },
+          ...contourStatements(job.contour),
+          { kind: "label" as const, label: 0 },
+        ]
       : []),
     { kind: "end", name, unit: "MM" },
   ];
 }
 
-/** How the Klartext of a job is written. What is shown with the look of the manual, or leaves in DIN/ISO, runs as a file of the TNC 640. */
+/**
+ * How the Klartext of a job is written. What is shown with the look of the manual, or leaves in DIN/ISO, runs as a file
+ * of the TNC 640.
+ */
 export const styleOfJob = ({ layout, output: { newLine } }: Pick<Job, "layout" | "output">): Style => ({
   ...LAYOUTS[layout === "tnc7" ? "tnc7" : "tnc640"],
   newLine,
 });
 
-/** The complete program text of a job as a file that its control loads; empty when its cycle is not in the catalogue. */
+/**
+ * The complete program text of a job as a file that its control loads; empty when its cycle is not in the catalogue.
+ */
 export function printJob(job: SetJob, labels: Labels): string {
   const cycle = cycleByNumber(job.cycle);
   return cycle ? programText(jobStatements(job, cycle, labels), styleOfJob(job), job.output.numbered) : "";

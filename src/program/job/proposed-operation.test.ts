@@ -26,8 +26,16 @@ function withProposed(program: Program, number: number): Program {
   if (!values) throw new Error(`${number}: values are missing`);
   const start = tipAtCall(job);
   const given = { start, contour: cycle.contour === "free" ? readRows(job.contour).contour.segments : null };
-  const [best] = rankTools(cycle, values, given, { start, feedUnit: "mm/rev", autoFeed: null, stock: null }, shippedTools);
-  const next = withOperation(program, { ...job, tool: best?.tool.T ?? 0 }, ncLabels("en"), { title: `CYCLE ${number}` });
+  const [best] = rankTools(
+    cycle,
+    values,
+    given,
+    { start, feedUnit: "mm/rev", autoFeed: null, stock: null },
+    shippedTools,
+  );
+  const next = withOperation(program, { ...job, tool: best?.tool.T ?? 0 }, ncLabels("en"), {
+    title: `CYCLE ${number}`,
+  });
   return parse(print(next));
 }
 
@@ -37,21 +45,26 @@ const cutting = catalogue.filter(({ acts }) => !acts).map(({ number }) => number
 describe("an operation that is put in", () => {
   test("an empty program states its blank and runs to its end", () => {
     expect(print(begun)).toBe(
-      "0 BEGIN PGM PART_7_B MM\n1 BLK FORM CYLINDER Z D73.4 L88.6 DIST+1.3\n2 FUNCTION MODE TURN\n3 M30\n4 END PGM PART_7_B MM\n"
-        .replaceAll("PART_7_B", "Part_7_b"),
+      "0 BEGIN PGM PART_7_B MM\n1 BLK FORM CYLINDER Z D73.4 L88.6 DIST+1.3\n2 FUNCTION MODE TURN\n3 M30\n4 END PGM PART_7_B MM\n".replaceAll(
+        "PART_7_B",
+        "Part_7_b",
+      ),
     );
     expect(runOf(begun).issues).toEqual([]);
   });
 
-  test.each(cutting)("%i: cuts the blank that stands there, without an error, with its own blocks from comment to way back", (number) => {
-    const program = withProposed(begun, number);
-    const { operations, issues } = runOf(program);
-    expect(issues.filter(({ issue }) => issue.severity === "error").map(({ issue }) => issue.code)).toEqual([]);
-    expect(operations).toHaveLength(1);
-    expect(operations[0]?.plan.moves.length).toBeGreaterThan(3);
-    const { units } = operationsOf(program);
-    expect(units.map(({ title, tie }) => [title, tie])).toEqual([[`CYCLE ${number}`, null]]);
-  });
+  test.each(cutting)(
+    "%i: cuts the blank that stands there, without an error, with its own blocks from comment to way back",
+    (number) => {
+      const program = withProposed(begun, number);
+      const { operations, issues } = runOf(program);
+      expect(issues.filter(({ issue }) => issue.severity === "error").map(({ issue }) => issue.code)).toEqual([]);
+      expect(operations).toHaveLength(1);
+      expect(operations[0]?.plan.moves.length).toBeGreaterThan(3);
+      const { units } = operationsOf(program);
+      expect(units.map(({ title, tie }) => [title, tie])).toEqual([[`CYCLE ${number}`, null]]);
+    },
+  );
 
   test("a shoulder goes on where the one before it ended", () => {
     const program = withProposed(withProposed(begun, 812), 812);
@@ -69,7 +82,12 @@ describe("an operation that is put in", () => {
     if (!cycle) throw new Error("no cycle");
     const old = "10 BEGIN PGM A MM\r\n20 BLK FORM CYLINDER Z D60 L70\r\n30 END PGM A MM\r\n";
     const next = print(withOperation(parse(old), proposedOperation(cycle, { blank: [], before: [] }), ncLabels("en")));
-    expect(next.split("\r\n").filter((line) => /^\d/.test(line)).map((line) => /^(\d+) (\S+)/.exec(line)?.slice(1).join(" "))).toEqual([
+    expect(
+      next
+        .split("\r\n")
+        .filter((line) => /^\d/.test(line))
+        .map((line) => /^(\d+) (\S+)/.exec(line)?.slice(1).join(" ")),
+    ).toEqual([
       "10 BEGIN",
       "20 BLK",
       "30 FUNCTION",
@@ -89,14 +107,17 @@ describe("an operation that is put in", () => {
   });
 
   test("between two that share a tool: the second calls it again", () => {
-    const twice = "0 BEGIN PGM A MM\n1 FUNCTION MODE TURN\n2 TOOL CALL 3\n3 FUNCTION TURNDATA SPIN VCONST:OFF S731\n4 M136\n"
-      + "5 L X+90 Z+44 FMAX\n6 CYCL DEF 812 X ~\nQ215=+0\n7 L X+61 Z+2 FMAX M303\n8 CYCL CALL\n9 CYCL DEF 812 X ~\nQ215=+1\n"
-      + "10 L X+62 Z+2 FMAX\n11 CYCL CALL\n12 L Z+44 FMAX\n13 M30\n14 END PGM A MM\n";
+    const twice =
+      "0 BEGIN PGM A MM\n1 FUNCTION MODE TURN\n2 TOOL CALL 3\n3 FUNCTION TURNDATA SPIN VCONST:OFF S731\n4 M136\n" +
+      "5 L X+90 Z+44 FMAX\n6 CYCL DEF 812 X ~\nQ215=+0\n7 L X+61 Z+2 FMAX M303\n8 CYCL CALL\n9 CYCL DEF 812 X ~\nQ215=+1\n" +
+      "10 L X+62 Z+2 FMAX\n11 CYCL CALL\n12 L Z+44 FMAX\n13 M30\n14 END PGM A MM\n";
     const cycle = cycleByNumber(862);
     if (!cycle) throw new Error("no cycle");
     const job = { ...proposedOperation(cycle, { blank: [], before: [] }), tool: 10 };
     const next = parse(print(withOperation(parse(twice), job, ncLabels("en"), { behind: 0, title: "RECESS" })));
-    const tools = operationsOf(next).units.map(({ toolCall }) => next.blocks[toolCall ?? -1]?.raw.replace(/^\d+ /, "").trim());
+    const tools = operationsOf(next).units.map(({ toolCall }) =>
+      next.blocks[toolCall ?? -1]?.raw.replace(/^\d+ /, "").trim(),
+    );
     expect(tools).toEqual(["TOOL CALL 3", "TOOL CALL 10", "TOOL CALL 3"]);
     expect(print(next)).toMatch(
       /TOOL CALL 3\n\d+ FUNCTION TURNDATA SPIN VCONST:OFF S731\n\d+ M136\n\d+ L X\+90 Z\+44 FMAX\n\d+ M303\n\d+ CYCL DEF/,

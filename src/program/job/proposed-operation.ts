@@ -41,10 +41,18 @@ interface Room {
 function roomOf(blank: readonly Ring[]): Room {
   if (blank.length === 0) return { outer: 80, bore: 0, front: 1, back: -99 };
   const { left, right, low, high } = boxOf(blank.flat());
-  return { outer: rounded(toDiameter(radius(high))), bore: rounded(toDiameter(radius(Math.max(0, low)))), front: right, back: left };
+  return {
+    outer: rounded(toDiameter(radius(high))),
+    bore: rounded(toDiameter(radius(Math.max(0, low)))),
+    front: right,
+    back: left,
+  };
 }
 
-const corner = (d: number, z: number): Corner => ({ diameter: diameter(rounded(Math.max(0, d))), z: axial(rounded(z)) });
+const corner = (d: number, z: number): Corner => ({
+  diameter: diameter(rounded(Math.max(0, d))),
+  z: axial(rounded(z)),
+});
 
 /** The corners of the last operation before that works from the same side; null where none has. */
 function lastOf(before: readonly Operation[], site: Site): Pick<Wanted, "from" | "to"> | null {
@@ -56,12 +64,16 @@ function lastOf(before: readonly Operation[], site: Site): Pick<Wanted, "from" |
   return found ? boxAroundContour(found.plan.contour, site) : null;
 }
 
-function stepOutside({ outer, front, back }: Room, last: Pick<Wanted, "from" | "to"> | null): Pick<Wanted, "from" | "to"> {
+function stepOutside(
+  { outer, front, back }: Room,
+  last: Pick<Wanted, "from" | "to"> | null,
+): Pick<Wanted, "from" | "to"> {
   const length = whole((front - back) * PART.length);
   if (!last) return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -length) };
   // A shoulder goes on where the one before it ended, and one diameter out.
   const rest = Math.max(1, whole((last.to.z - back) * PART.length));
-  const inner = last.from.diameter < outer ? last.from.diameter : last.to.diameter + (outer - last.to.diameter) * PART.diameter;
+  const inner =
+    last.from.diameter < outer ? last.from.diameter : last.to.diameter + (outer - last.to.diameter) * PART.diameter;
   return { from: corner(outer, last.to.z), to: corner(inner, last.to.z - rest) };
 }
 
@@ -93,7 +105,13 @@ function wantedHere(cycle: Cycle, { blank, before }: BeforeOperation): Wanted {
   if (cycle.group === "thread") {
     const { from, to } = stepOutside(room, null);
     const on = last ?? { from, to: { ...to, diameter: from.diameter } };
-    return { ...rest, site: "outside", shape: "thread", from: corner(on.to.diameter, on.from.z), to: corner(on.to.diameter, on.to.z) };
+    return {
+      ...rest,
+      site: "outside",
+      shape: "thread",
+      from: corner(on.to.diameter, on.from.z),
+      to: corner(on.to.diameter, on.to.z),
+    };
   }
   if (shape === "groove" || cycle.group === "recessing" || cycle.group === "recessTurning")
     return { ...rest, shape: "groove", ...inRecess(room, site, last) };
@@ -123,10 +141,15 @@ function withOwnStart(job: SetJob, cycle: Cycle, { site, shape, from }: Wanted):
     const [x, z] = [from.diameter + RUN_IN, from.z + RUN_IN];
     return { ...job, start: { x: positionAsTyped(x), z: positionAsTyped(z) } };
   }
-  return site === "face" && shape === "step" ? { ...job, start: { ...job.start, z: positionAsTyped(from.z + CLEARANCE) } } : job;
+  return site === "face" && shape === "step"
+    ? { ...job, start: { ...job.start, z: positionAsTyped(from.z + CLEARANCE) } }
+    : job;
 }
 
-/** The work of a cycle with values that fit what stands there and what was made before; all of it can be changed afterwards. */
+/**
+ * The work of a cycle with values that fit what stands there and what was made before; all of it can be changed
+ * afterwards.
+ */
 export function proposedOperation(cycle: Cycle, here: BeforeOperation): SetJob {
   const wanted = wantedHere(cycle, here);
   const plain = jobFor(cycle, drawn(cycle, wanted), here.blank.length > 0 ? here.blank : null);
@@ -140,5 +163,10 @@ export function proposedOperation(cycle: Cycle, here: BeforeOperation): SetJob {
 function spindleAsTyped(usual: SpindleDraft, spindle: NonNullable<Operation["spindle"]>): SpindleDraft {
   return spindle.kind === "constant"
     ? { ...usual, mode: "constant", speed: valueAsTyped(spindle.speed) }
-    : { ...usual, mode: "surface", cuttingSpeed: valueAsTyped(spindle.cuttingSpeed), limit: valueAsTyped(spindle.limit) };
+    : {
+        ...usual,
+        mode: "surface",
+        cuttingSpeed: valueAsTyped(spindle.cuttingSpeed),
+        limit: valueAsTyped(spindle.limit),
+      };
 }

@@ -18,7 +18,9 @@ describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("rea
 
   test("an empty draft misses every parameter that is neither optional nor reserved, in order", () => {
     const read = readDraft(cycle, {});
-    const needed = Object.entries(cycle.params).filter(([, p]) => !p.optional && !p.reserved).map(([q]) => q);
+    const needed = Object.entries(cycle.params)
+      .filter(([, p]) => !p.optional && !p.reserved)
+      .map(([q]) => q);
     expect(read.values).toBeNull();
     expect(read.issues.map((i) => [i.code, i.at])).toEqual(needed.map((q) => ["missing", q]));
   });
@@ -41,14 +43,16 @@ describe("what the other values leave without effect", () => {
     expect(issues).toEqual([]);
     expect(values).toMatchObject({ Q501: 0, Q502: 0, Q503: 1, Q504: 0.37 });
   });
-  test.each([["there is one", "2"], ["nothing is typed there", ""], ["what is typed there is none", "5"], ["it cannot be read", "?"]])(
-    "is asked for where %s",
-    (_, Q501) => {
-      const { perField, values } = readDraft(cycle, { ...draft, Q501 });
-      expect(perField["Q502"]?.issue).toMatchObject({ code: "missing", at: "Q502" });
-      expect(values).toBeNull();
-    },
-  );
+  test.each([
+    ["there is one", "2"],
+    ["nothing is typed there", ""],
+    ["what is typed there is none", "5"],
+    ["it cannot be read", "?"],
+  ])("is asked for where %s", (_, Q501) => {
+    const { perField, values } = readDraft(cycle, { ...draft, Q501 });
+    expect(perField["Q502"]?.issue).toMatchObject({ code: "missing", at: "Q502" });
+    expect(values).toBeNull();
+  });
   test("is kept where it is typed, and still has to be a number", () => {
     expect(readDraft(cycle, { ...draft, Q502: "1.23" }).values).toMatchObject({ Q502: 1.23 });
     expect(readDraft(cycle, { ...draft, Q502: "1.2.3" }).issues.map((i) => i.code)).toEqual(["notANumber"]);

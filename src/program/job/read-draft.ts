@@ -27,8 +27,8 @@ const valueOf = (param: Param, { written, value, empty }: FieldReading): number 
 
 /**
  * The only way from typed text to the values of a cycle. Empty stays missing and never becomes 0, unless the control
- * lets the parameter be left out, or the others say that it has no effect (decision 0013). A value that is offered in place of a wrong
- * one fits the others, as far as the contour tells.
+ * lets the parameter be left out, or the others say that it has no effect (decision 0013). A value that is offered in
+ * place of a wrong one fits the others, as far as the contour tells.
  */
 export function readDraft<P extends Params>(
   cycle: Pick<Cycle<P>, "params"> & Partial<Pick<Cycle<P>, "contour" | "outline">>,
@@ -50,9 +50,14 @@ export function readDraft<P extends Params>(
     partial[q] = neutralOf(param);
   }
   const { contour, outline } = cycle;
-  const judge = contour === "own" && outline
-    ? (values: Values<P>) => ({ issues: outline(values, { contour: null, start: null }).issues, moves: 0, passes: null })
-    : null;
+  const judge =
+    contour === "own" && outline
+      ? (values: Values<P>) => ({
+          issues: outline(values, { contour: null, start: null }).issues,
+          moves: 0,
+          passes: null,
+        })
+      : null;
   const found = Object.values(perField).flatMap((field) => field.issue ?? []);
   const issues = found.map((each) => triedOffers(cycle.params, partial, [each], judge)[0] ?? each);
   const values = issues.length === 0 ? (partial as Values<P>) : null;

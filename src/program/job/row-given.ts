@@ -4,16 +4,28 @@ import type { Pt } from "../../kernel/geometry/point.ts";
 import type { GivenCoordinate, SolveElement } from "../../kernel/solve/solve-work.ts";
 import { axial, degrees, diameter, length, toRadius, type Axial, type Radius } from "../../kernel/units.ts";
 import { grooveDiameters, GROOVE_WORDS, type Groove } from "../../kernel/contour/groove.ts";
-import { UNDERCUT_FORMS, UNDERCUT_WORDS, type RecessWord, type RecessWords, type Undercut } from "../../kernel/contour/undercut.ts";
+import {
+  UNDERCUT_FORMS,
+  UNDERCUT_WORDS,
+  type RecessWord,
+  type RecessWords,
+  type Undercut,
+} from "../../kernel/contour/undercut.ts";
 import type { Field } from "../values/field.ts";
 import type { ContourRow } from "./job.ts";
 import { isPolarRow, polarGiven } from "./polar-row.ts";
 import { ANY, NEEDED, goesNowhere, rowNumber, type RowField, type RowReader } from "./row-reader.ts";
 
 /** What one row gives: a corner, an element to be solved, an undercut or recess, or a centre, which is no element. */
-export type RowGiven = { readonly kind: "corner"; readonly corner: CornerElement } | { readonly kind: "element";
-  readonly element: SolveElement; readonly sought: { readonly x: boolean; readonly z: boolean } } | { readonly kind: "recess";
-  readonly recess: Undercut | Groove } | { readonly kind: "centre" };
+export type RowGiven =
+  | { readonly kind: "corner"; readonly corner: CornerElement }
+  | {
+      readonly kind: "element";
+      readonly element: SolveElement;
+      readonly sought: { readonly x: boolean; readonly z: boolean };
+    }
+  | { readonly kind: "recess"; readonly recess: Undercut | Groove }
+  | { readonly kind: "centre" };
 
 /** A coordinate that is typed as a question mark is sought. */
 export const SOUGHT = "?";
@@ -33,7 +45,9 @@ type Coordinate = { readonly by: number } | { readonly at: number } | null;
 
 /** What a row says of a coordinate, and where that leads as far as typed values alone tell. */
 function coordinate(reader: RowReader, row: ContourRow, index: number, axis: "x" | "z"): Coordinate {
-  const typed = row[axis], incremental = axis === "x" ? row.incrementalX : row.incrementalZ, before = reader[axis];
+  const typed = row[axis],
+    incremental = axis === "x" ? row.incrementalX : row.incrementalZ,
+    before = reader[axis];
   if (asked(typed) || (empty(typed) && before !== null && seeks(row))) {
     reader[axis] = "sought";
     return null;
@@ -54,9 +68,11 @@ const onRadius = (c: Coordinate): GivenCoordinate<Radius> =>
 
 /** The centre that a CC row names: typed, or where the last row ends. */
 function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null {
-  const say = (field: RowField) => reader.issues.push({ row: index, field, issue: issue("missing", "error", {}, "contour") });
+  const say = (field: RowField) =>
+    reader.issues.push({ row: index, field, issue: issue("missing", "error", {}, "contour") });
   const one = (axis: "x" | "z", incremental: boolean): number | null => {
-    const before = reader[axis], value = rowNumber(reader, index, axis, row[axis], ANY);
+    const before = reader[axis],
+      value = rowNumber(reader, index, axis, row[axis], ANY);
     if (value !== null && !incremental) return value;
     if (typeof before === "number") return before + (value ?? 0);
     if (value !== null || empty(row[axis])) say(axis);
@@ -79,10 +95,12 @@ export function recessWords(row: ContourRow): readonly RecessWord[] {
 
 function recessOfRow(reader: RowReader, row: ContourRow, index: number): Undercut | Groove {
   const measured = (word: RecessWord, n: number) => (isDiameterWord(row, word) ? toRadius(diameter(n)) : n);
-  const words: RecessWords = Object.fromEntries(recessWords(row).flatMap((word) => {
-    const n = rowNumber(reader, index, null, row.words[word] ?? "", ANY);
-    return n === null ? [] : [[word, measured(word, n)] as const];
-  }));
+  const words: RecessWords = Object.fromEntries(
+    recessWords(row).flatMap((word) => {
+      const n = rowNumber(reader, index, null, row.words[word] ?? "", ANY);
+      return n === null ? [] : [[word, measured(word, n)] as const];
+    }),
+  );
   if (row.kind === "GRV") return { kind: "groove", direction: row.form === "AXIAL" ? "axial" : "radial", words };
   return { kind: "undercut", form: UNDERCUT_FORMS.find((f) => f === row.form) ?? "E", words };
 }
@@ -100,21 +118,33 @@ export function rowGiven(reader: RowReader, row: ContourRow, index: number): Row
   }
   if (isPolarRow(row)) {
     const end = polarGiven(reader, row, index);
-    return { kind: "element", element: shape(reader, row, index, { ...end, choice: row.second ? 1 : 0 }), sought: { x: false, z: false } };
+    return {
+      kind: "element",
+      element: shape(reader, row, index, { ...end, choice: row.second ? 1 : 0 }),
+      sought: { x: false, z: false },
+    };
   }
   const before = { x: reader.x, z: reader.z };
   const [x, z] = [coordinate(reader, row, index, "x"), coordinate(reader, row, index, "z")];
   const still = empty(row.x) && empty(row.z) && before.x !== null && before.z !== null && !seeks(row);
   if (still && row.kind !== "C") goesNowhere(reader, row, index);
-  const common = { z: onAxis(z), r: onRadius(x), choice: row.second ? 1 as const : 0 as const };
+  const common = { z: onAxis(z), r: onRadius(x), choice: row.second ? (1 as const) : (0 as const) };
   return {
     kind: "element",
     element: shape(reader, row, index, common),
-    sought: { x: x === null && before.x !== null || asked(row.x), z: z === null && before.z !== null || asked(row.z) },
+    sought: {
+      x: (x === null && before.x !== null) || asked(row.x),
+      z: (z === null && before.z !== null) || asked(row.z),
+    },
   };
 }
 
-function shape(reader: RowReader, row: ContourRow, index: number, common: Pick<SolveElement, "z" | "r" | "choice">): SolveElement {
+function shape(
+  reader: RowReader,
+  row: ContourRow,
+  index: number,
+  common: Pick<SolveElement, "z" | "r" | "choice">,
+): SolveElement {
   const arc = { ...common, kind: "arc" as const, turn: row.turn, radius: null, centre: null, tangent: row.tangent };
   switch (row.kind) {
     case "LP":
@@ -126,12 +156,19 @@ function shape(reader: RowReader, row: ContourRow, index: number, common: Pick<S
       return { ...arc, turn: null, tangent: true };
     case "C":
       if (!reader.pole)
-        reader.issues.push({ row: index, field: null, issue: issue("centreMissing", "error", { element: index + 1 }, "contour") });
+        reader.issues.push({
+          row: index,
+          field: null,
+          issue: issue("centreMissing", "error", { element: index + 1 }, "contour"),
+        });
       return { ...arc, centre: reader.pole };
     case "CR":
       return { ...arc, radius: asked(row.r) ? null : rowNumber(reader, index, "r", row.r, row.tangent ? ANY : NEEDED) };
     default: {
-      const [angle, far] = [rowNumber(reader, index, "angle", row.angle, ANY), rowNumber(reader, index, "length", row.length, SIZE)];
+      const [angle, far] = [
+        rowNumber(reader, index, "angle", row.angle, ANY),
+        rowNumber(reader, index, "length", row.length, SIZE),
+      ];
       return {
         ...common,
         kind: "line",

@@ -16,7 +16,9 @@ export interface RowIssue {
 
 /** What the rows give, read one after the other: numbers, and what is wrong with their text. */
 export interface RowReader {
-  /** Where the last row stands as far as typed coordinates alone say; X as diameter. "sought" where solving has to say. */
+  /**
+   * Where the last row stands as far as typed coordinates alone say; X as diameter. "sought" where solving has to say.
+   */
   x: number | "sought" | null;
   z: number | "sought" | null;
   pole: Pt | null;
@@ -28,7 +30,13 @@ export const ANY: Field = { ...anyNumber, id: "contour" };
 export const NEEDED: Field = { ...ANY, optional: false };
 
 /** A number typed into a row; says what is wrong with it. */
-export function rowNumber(reader: RowReader, row: number, at: RowField | null, typed: string, field: Field): number | null {
+export function rowNumber(
+  reader: RowReader,
+  row: number,
+  at: RowField | null,
+  typed: string,
+  field: Field,
+): number | null {
   const { value, issue: found } = readText(field, typed);
   if (found) reader.issues.push({ row, field: at, issue: found });
   return value;
@@ -36,9 +44,13 @@ export function rowNumber(reader: RowReader, row: number, at: RowField | null, t
 
 /** Whether anything is typed in a row. */
 export const begun = (row: ContourRow | undefined): boolean =>
-  row !== undefined && [row.x, row.z, row.r, row.angle, row.length, ...Object.values(row.words)].some((text) => text.trim() !== "");
+  row !== undefined &&
+  [row.x, row.z, row.r, row.angle, row.length, ...Object.values(row.words)].some((text) => text.trim() !== "");
 
-/** Says that an element goes nowhere. A row in which nothing is typed yet is not wrong, only not begun: it has no block either. */
+/**
+ * Says that an element goes nowhere. A row in which nothing is typed yet is not wrong, only not begun: it has no block
+ * either.
+ */
 export function goesNowhere(reader: RowReader, row: ContourRow, index: number): void {
   const found = issue("contourPoint", begun(row) ? "error" : "info", { element: index + 1 }, "contour");
   reader.issues.push({ row: index, field: null, issue: found });

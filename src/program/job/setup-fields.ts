@@ -1,6 +1,11 @@
 import { anyNumber, type Field } from "../values/field.ts";
 
-const field = (id: string, least: number, optional = false): Field => ({ ...anyNumber, id, range: [least, Infinity], optional });
+const field = (id: string, least: number, optional = false): Field => ({
+  ...anyNumber,
+  id,
+  range: [least, Infinity],
+  optional,
+});
 /** Anything above nothing. */
 const MORE = Number.MIN_VALUE;
 

@@ -28,8 +28,15 @@ const numberAt = (blank: BlankDraft, field: keyof BlankDraft) => readText(anyNum
 /** An end in front of the work, as far as somebody has chosen tool and blank. */
 function slips({ cycle, job, setup, partial, tools }: Asked, { from, to }: LikelyWork): Issue[] {
   const front = setup.proposed.has("blank.allowance") ? null : numberAt(job.blank, "allowance");
-  const tool = setup.proposed.has("tool") ? null : tools.find(({ T }) => T === job.tool) ?? null;
-  const found = endInFront({ cycle, values: partial, from: from.z, to: to.z, blank: front === null ? null : { front }, tool });
+  const tool = setup.proposed.has("tool") ? null : (tools.find(({ T }) => T === job.tool) ?? null);
+  const found = endInFront({
+    cycle,
+    values: partial,
+    from: from.z,
+    to: to.z,
+    blank: front === null ? null : { front },
+    tool,
+  });
   return found ? [found] : [];
 }
 
@@ -41,14 +48,22 @@ function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork)
   const [across, along] = [endsAlong(cycle, "diameter"), endsAlong(cycle, "axial")];
   const typed = (q: string) => typeof partial[q] === "number";
   const isSet = (place: SetupPlace) => !setup.proposed.has(place);
-  const [outside, bore, length, front] = (["outside", "bore", "length", "allowance"] as const).map((field) => numberAt(blank, field));
+  const [outside, bore, length, front] = (["outside", "bore", "length", "allowance"] as const).map((field) =>
+    numberAt(blank, field),
+  );
   const proposal = (field: keyof BlankDraft) => numberAt(setup.proposal.blank, field) ?? 0;
   const of = (r: number) => rounded(toDiameter(radius(r)));
   const at = (wanted: number) => across.find((q) => partial[q] === wanted);
   const found: ProgramIssue[] = [];
-  const ask = (place: "outside" | "bore" | "length" | "allowance", contour: number, has: number, other = at(contour), thread = false) => {
+  const ask = (
+    place: "outside" | "bore" | "length" | "allowance",
+    contour: number,
+    has: number,
+    other = at(contour),
+    thread = false,
+  ) => {
     const data = {
-      place: thread ? "thread" as const : place,
+      place: thread ? ("thread" as const) : place,
       contour,
       blank: has,
       nearest: proposal(place),
@@ -59,26 +74,38 @@ function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork)
   if (free ? work.drawn : across.some(typed)) {
     const radiusOf = (d: number) => toRadius(diameter(d));
     if (isSet("blank.outside") && typeof outside === "number" && outside > 0) {
-      const largest = free ? of(box.high) : Math.max(...across.flatMap((q) => (typed(q) ? [partial[q] as number] : [])));
+      const largest = free
+        ? of(box.high)
+        : Math.max(...across.flatMap((q) => (typed(q) ? [partial[q] as number] : [])));
       if (largest > outside + SAME) ask("outside", largest, outside);
       else if (shape === "thread" && !work.across && !inside && box.high < radiusOf(outside) - SAME)
         ask("outside", of(box.high), outside, undefined, true);
     }
-    if (isSet("blank.bore") && inside && shape !== "thread" && typeof bore === "number" && box.high <= radiusOf(bore) + SAME)
+    if (
+      isSet("blank.bore") &&
+      inside &&
+      shape !== "thread" &&
+      typeof bore === "number" &&
+      box.high <= radiusOf(bore) + SAME
+    )
       ask("bore", of(box.high), bore);
   }
   if (typeof front === "number" && (free ? work.drawn : along.every(typed)) && work.to.z <= work.from.z) {
     const ahead = box.right - front;
     const end = along.find((q) => partial[q] === box.left);
     const begin = along.find((q) => partial[q] === box.right);
-    if (isSet("blank.allowance") && ahead > MOST_AHEAD * (box.right - box.left) + SAME) ask("allowance", box.right, front, begin);
+    if (isSet("blank.allowance") && ahead > MOST_AHEAD * (box.right - box.left) + SAME)
+      ask("allowance", box.right, front, begin);
     else if (isSet("blank.length") && typeof length === "number" && box.left < front - length - SAME)
       ask("length", box.left, front - length, end);
   }
   return found;
 }
 
-/** Questions where values and set-up do not agree, each with what would mend it. Nothing of them is an error: both can be meant. */
+/**
+ * Questions where values and set-up do not agree, each with what would mend it. Nothing of them is an error: both can
+ * be meant.
+ */
 export function setupQuestions(asked: Asked): readonly (Issue | ProgramIssue)[] {
   const { work } = asked.setup;
   return work ? [...slips(asked, work), ...blankQuestions(asked, work)] : [];

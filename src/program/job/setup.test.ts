@@ -34,9 +34,9 @@ describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("cyc
   test("with the values of its example is cut in the blank, from the start and with the tool that are proposed", () => {
     const { made, simulation } = ran({ ...example, ...UNSET });
     // No cylinder is a cone: what stands over the crest of a tapered thread is told.
-    const told = made.issues.map((found) => found.issue).filter((i) =>
-      i.severity !== "info" && (i.code !== "threadMeets" || number === 831)
-    );
+    const told = made.issues
+      .map((found) => found.issue)
+      .filter((i) => i.severity !== "info" && (i.code !== "threadMeets" || number === 831));
     expect(told).toEqual([]);
     expect(simulation.findings.map((found) => found.kind)).toEqual([]);
     expect(simulation.proof.cut).toBeGreaterThan(1);
@@ -69,7 +69,10 @@ test("each typed value moves what is proposed, and what is set stays and moves t
     blank: { outside: "61.3", bore: "0", length: "65", allowance: "1.5" },
     start: { x: "61.3", z: "3.5" },
   });
-  const set = at({ Q491: "61.3", Q492: "0", Q494: "-33.2" }, { blank: { outside: "66", bore: "", length: "", allowance: "2.2" } });
+  const set = at(
+    { Q491: "61.3", Q492: "0", Q494: "-33.2" },
+    { blank: { outside: "66", bore: "", length: "", allowance: "2.2" } },
+  );
   expect([set.blank.outside, set.start.x, set.start.z]).toEqual(["66", "66", "4.2"]);
   expect([...set.proposed].toSorted()).toEqual(["blank.bore", "blank.length", "start.x", "start.z", "tool"]);
   expect(set.proposal.blank.outside).toBe("61.3");
@@ -84,7 +87,8 @@ test("a bore gets a hollow blank, a start inside it and a tool that points outwa
 
 test("a number that is only half there changes nothing that depends on it", () => {
   const typed = { Q491: "61.3", Q492: "0", Q493: "40" };
-  for (const half of ["-", "+", "2*", "("]) expect(setup(emptyJob(812, { ...typed, Q494: half }))).toEqual(setup(emptyJob(812, typed)));
+  for (const half of ["-", "+", "2*", "("])
+    expect(setup(emptyJob(812, { ...typed, Q494: half }))).toEqual(setup(emptyJob(812, typed)));
 });
 
 test("material in front of the face is not proposed for an end that was typed without its minus", () => {
@@ -98,50 +102,91 @@ describe("questions where values and set-up do not agree", () => {
     const cycle = cycleOf(job.cycle);
     const { partial } = readDraft(cycle, job.drafts[job.cycle] ?? {});
     return setupQuestions({ cycle, job: withSetup(job, s), setup: s, partial, tools: shippedTools }).map(
-      ({ code, at, data }) => [code, at, data]
+      ({ code, at, data }) => [code, at, data],
     );
   };
   const shoulder = { Q491: "61.3", Q492: "0", Q493: "40", Q494: "-33.2" };
 
-  test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("none of the example of cycle %i", (_, cycle) => {
-    expect(asked(exampleJob(cycle))).toEqual([]);
-  });
+  test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))(
+    "none of the example of cycle %i",
+    (_, cycle) => {
+      expect(asked(exampleJob(cycle))).toEqual([]);
+    },
+  );
   test.each<[string, Readonly<Record<string, string>>, Partial<Job>]>([
     ["a contour that begins in front of the face", { ...shoulder, Q492: "2" }, {}],
     ["a datum far behind", { ...shoulder, Q492: "120.5", Q494: "70" }, {}],
     ["an end that is not answered yet", { Q491: "61.3", Q494: "55" }, {}],
     ["a tool that works away from the chuck", { ...shoulder, Q492: "-60", Q494: "21" }, { tool: 7 }],
-    ["a blank that reaches there", { ...shoulder, Q494: "33.2" }, { blank: { ...UNSET.blank, length: "100", allowance: "40" } }],
+    [
+      "a blank that reaches there",
+      { ...shoulder, Q494: "33.2" },
+      { blank: { ...UNSET.blank, length: "100", allowance: "40" } },
+    ],
   ])("none about %s", (_, draft, rest) => expect(asked(emptyJob(812, draft, rest))).toEqual([]));
 
   test("an end in front of its start is asked about with its minus", () => {
-    expect(asked(emptyJob(812, { ...shoulder, Q494: "55.4" }))).toEqual([["endInFront", "Q494", { value: 55.4, nearest: -55.4 }]]);
+    expect(asked(emptyJob(812, { ...shoulder, Q494: "55.4" }))).toEqual([
+      ["endInFront", "Q494", { value: 55.4, nearest: -55.4 }],
+    ]);
   });
   test.each<[number, Readonly<Record<string, string>>, Partial<Job["blank"]>, string, object]>([
-    [812, shoulder, { outside: "60" }, "blank.outside", { place: "outside", contour: 61.3, blank: 60, other: "Q491", nearest: 61.3 }],
-    [812, shoulder, { length: "30" }, "blank.length", { place: "length", contour: -33.2, blank: -30, other: "Q494", nearest: 64 }],
-    [852, { Q491: "61.3", Q492: "0", Q493: "42.7", Q494: "-12" }, { allowance: "-20" }, "blank.allowance", {
-      place: "allowance",
-      contour: 0,
-      blank: -20,
-      other: "Q492",
-      nearest: 0,
-    }],
-    [812, { ...shoulder, Q491: "30", Q493: "41.5" }, { bore: "43" }, "blank.bore", {
-      place: "bore",
-      contour: 41.5,
-      blank: 43,
-      other: "Q493",
-      nearest: 30,
-    }],
-    [831, { Q471: "0", Q491: "20", Q492: "0", Q494: "-15" }, { outside: "75" }, "blank.outside", {
-      place: "thread",
-      contour: 20,
-      blank: 75,
-      other: "Q491",
-      nearest: 20,
-    }],
+    [
+      812,
+      shoulder,
+      { outside: "60" },
+      "blank.outside",
+      { place: "outside", contour: 61.3, blank: 60, other: "Q491", nearest: 61.3 },
+    ],
+    [
+      812,
+      shoulder,
+      { length: "30" },
+      "blank.length",
+      { place: "length", contour: -33.2, blank: -30, other: "Q494", nearest: 64 },
+    ],
+    [
+      852,
+      { Q491: "61.3", Q492: "0", Q493: "42.7", Q494: "-12" },
+      { allowance: "-20" },
+      "blank.allowance",
+      {
+        place: "allowance",
+        contour: 0,
+        blank: -20,
+        other: "Q492",
+        nearest: 0,
+      },
+    ],
+    [
+      812,
+      { ...shoulder, Q491: "30", Q493: "41.5" },
+      { bore: "43" },
+      "blank.bore",
+      {
+        place: "bore",
+        contour: 41.5,
+        blank: 43,
+        other: "Q493",
+        nearest: 30,
+      },
+    ],
+    [
+      831,
+      { Q471: "0", Q491: "20", Q492: "0", Q494: "-15" },
+      { outside: "75" },
+      "blank.outside",
+      {
+        place: "thread",
+        contour: 20,
+        blank: 75,
+        other: "Q491",
+        nearest: 20,
+      },
+    ],
   ])("cycle %i with %j in %j is asked about", (number, draft, blank, at, data) => {
-    expect(asked(emptyJob(number, draft, { blank: { ...UNSET.blank, ...blank } }))).toEqual([["blankAgainstContour", at, data]]);
+    expect(asked(emptyJob(number, draft, { blank: { ...UNSET.blank, ...blank } }))).toEqual([
+      ["blankAgainstContour", at, data],
+    ]);
   });
 });

@@ -18,7 +18,8 @@ import { positionAsTyped } from "../values/typed-value.ts";
 import { fitOf, isUsualTool, usualFirst } from "../tools/which-tool.ts";
 
 /** What of the set-up is proposed until somebody sets it. */
-export type SetupPlace = "tool" | "blank.outside" | "blank.bore" | "blank.length" | "blank.allowance" | "start.x" | "start.z";
+export type SetupPlace =
+  "tool" | "blank.outside" | "blank.bore" | "blank.length" | "blank.allowance" | "start.x" | "start.z";
 
 /** The set-up that a work runs with: what was set, and what is proposed for the rest. */
 export interface Setup {
@@ -33,11 +34,16 @@ export interface Setup {
   readonly proposal: Pick<SetJob, "blank" | "start">;
 }
 
-/** Material round a shape, mm: beside a bore or a groove in a face, on a cylinder that is turned, and behind it for the chuck. */
+/**
+ * Material round a shape, mm: beside a bore or a groove in a face, on a cylinder that is turned, and behind it for the
+ * chuck.
+ */
 const ROUND_IT = 10;
 const ON_CYLINDER = 2;
 const BEHIND = 30;
-/** What stays between the tip at the call and the material, mm; where the cut itself begins at the tip; before a thread. */
+/**
+ * What stays between the tip at the call and the material, mm; where the cut itself begins at the tip; before a thread.
+ */
 const CLEARANCE = 2;
 const AT_TIP = 1;
 const RUN_UP = 5;
@@ -59,7 +65,8 @@ function blankOf({ box, from, to, across, inside, shape, pitch, ringed }: Likely
   const outside = beside
     ? Math.ceil(rounded(toDiameter(radius(box.high + ROUND_IT))))
     : toDiameter(radius(box.high + (ringed ? ON_CYLINDER : 0)));
-  // Away from the chuck nothing is cut unless somebody says that there is material: the end then lies where it would usually be.
+  // Away from the chuck nothing is cut unless somebody says that there is material: the end then lies where it would
+  // usually be.
   const away = shape !== "free" && to.z > from.z;
   const begins = across || shape === "step" ? (away ? from.z : box.right) : Math.max(away ? from.z : box.right, 0);
   const back = away ? from.z - (to.z - from.z) : box.left;
@@ -82,8 +89,9 @@ interface Cylinder {
 function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: LikelyWork, blank: Cylinder): Pt {
   const [out, along] = [inside ? -1 : 1, from.z < to.z && (shape !== "free" || !across) ? -1 : 1];
   const clear = beginsAtTip(cycle) ? AT_TIP : CLEARANCE;
-  const beside = (by: number) => inside ? Math.max(0, Math.min(from.r, blank.bore) - by) : Math.max(from.r, blank.outside) + by;
-  const before = (z: number, by: number) => along > 0 ? Math.max(z, blank.front) + by : z - by;
+  const beside = (by: number) =>
+    inside ? Math.max(0, Math.min(from.r, blank.bore) - by) : Math.max(from.r, blank.outside) + by;
+  const before = (z: number, by: number) => (along > 0 ? Math.max(z, blank.front) + by : z - by);
   if (shape === "thread") return at(from.z + along * RUN_UP, beside(RUN_UP));
   if (isGroove(cycle)) return across ? at(before(box.right, clear), from.r) : at(from.z, beside(clear));
   if (cycle.contour === "free") {
@@ -95,33 +103,41 @@ function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: LikelyW
   return at(before(from.z, CLEARANCE), beside(shape === "plunge" ? CLEARANCE : 0));
 }
 
-/** The tool of the table that a turner would take: of the usual kind, turned towards the work, and able to make the contour. */
+/**
+ * The tool of the table that a turner would take: of the usual kind, turned towards the work, and able to make the
+ * contour.
+ */
 function toolOf(cycle: Cycle, work: LikelyWork, given: Given, tools: readonly Tool[]): number {
   const operation = Object.entries(cycle.params).find(([, p]) => p.text === "operation")?.[0];
   const values = { ...work.values, ...(operation === undefined ? {} : { [operation]: FINISHING }) } as Values<Params>;
   const example = (tool: Tool) => Number(tool.T !== cycle.setup.tool);
-  const usual = usualFirst(cycle.group, tools.filter((tool) => isUsualTool(cycle.group, tool) && checkTool(tool).length === 0)).toSorted((
-    a,
-    b,
-  ) => example(a) - example(b));
+  const usual = usualFirst(
+    cycle.group,
+    tools.filter((tool) => isUsualTool(cycle.group, tool) && checkTool(tool).length === 0),
+  ).toSorted((a, b) => example(a) - example(b));
   const short = (given.contour?.length ?? 0) <= MOST_ELEMENTS;
   const start = given.start ?? work.from;
-  const tried = short && (cycle.contour === "own" || given.contour)
-    ? usual.map((tool) => ({
-      tool,
-      fit: () => fitOf(tool, cycle.plan(values, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, given)),
-    }))
-    : [];
+  const tried =
+    short && (cycle.contour === "own" || given.contour)
+      ? usual.map((tool) => ({
+          tool,
+          fit: () =>
+            fitOf(tool, cycle.plan(values, { tool, start, feedUnit: "mm/rev", autoFeed: null, stock: null }, given)),
+        }))
+      : [];
   let cuts: number | null = null;
   for (const { tool, fit } of tried.slice(0, MOST_TRIED)) {
     const found = fit();
     if (found.makesContour) return tool.T;
     if (found.cuts) cuts ??= tool.T;
   }
-  return cuts ?? (usual[0]?.T ?? cycle.setup.tool);
+  return cuts ?? usual[0]?.T ?? cycle.setup.tool;
 }
 
-/** The set-up of a job: fields that somebody has set as they are, empty ones as they are proposed for what is typed so far. */
+/**
+ * The set-up of a job: fields that somebody has set as they are, empty ones as they are proposed for what is typed so
+ * far.
+ */
 export function setupOf(job: Job, tools: readonly Tool[]): Setup {
   const cycle = cycleByNumber(job.cycle);
   const known = knownParameters(job);
@@ -130,7 +146,9 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
   const isSet = (typed: string) => typed.trim() !== "";
   const proposed = new Set<SetupPlace>([
     ...(job.tool === null ? ["tool" as const] : []),
-    ...(["outside", "bore", "length", "allowance"] as const).flatMap((f) => (isSet(set[f]) ? [] : [`blank.${f}` as const])),
+    ...(["outside", "bore", "length", "allowance"] as const).flatMap((f) =>
+      isSet(set[f]) ? [] : [`blank.${f}` as const],
+    ),
     ...(["x", "z"] as const).flatMap((f) => (isSet(set[f]) ? [] : [`start.${f}` as const])),
   ]);
   if (!cycle)

@@ -15,7 +15,10 @@ const RUN_UP = 5;
 
 const numberOf = (typed: string) => Number(typed);
 
-/** A contour in the direction in which a cycle cuts: along Z away from its open side, or from the outside towards its depth. */
+/**
+ * A contour in the direction in which a cycle cuts: along Z away from its open side, or from the outside towards its
+ * depth.
+ */
 function directed(contour: readonly Segment[], wanted: Wanted, across: boolean): readonly Segment[] {
   const [first, last] = [contour[0]?.from, contour.at(-1)?.to];
   if (!first || !last) return contour;
@@ -50,7 +53,8 @@ function startOfOwn(cycle: Cycle, wanted: Wanted, across: boolean): Pt {
 export function jobFor(cycle: Cycle, wanted: Wanted, stock: readonly Ring[] | null): SetJob {
   const across = worksAcross(cycle);
   const contour = directed(wantedContour(wanted), wanted, across);
-  const start = cycle.contour === "free" ? startOfFree(cycle, wanted, contour, across) : startOfOwn(cycle, wanted, across);
+  const start =
+    cycle.contour === "free" ? startOfFree(cycle, wanted, contour, across) : startOfOwn(cycle, wanted, across);
   const values = Object.entries(valuesFor(cycle, wanted)).map(([q, value]) => [q, String(value)]);
   return {
     ...exampleJob(cycle),

@@ -8,7 +8,9 @@ import { axial, diameter, radians, radius, rounded, toDiameter, toRadius } from 
 import { newRow, type BlankDraft, type ContourRow } from "./job.ts";
 import { positionAsTyped } from "../values/typed-value.ts";
 
-/** Material that stands round a shape where nothing says how much: beside it, behind it, on the far side of a bore, mm. */
+/**
+ * Material that stands round a shape where nothing says how much: beside it, behind it, on the far side of a bore, mm.
+ */
 const ROUND_IT = 10;
 const BEHIND = 30;
 /** How far the open side of a shape reaches, mm: beyond every blank. */
@@ -61,11 +63,17 @@ const pointsOf = (contour: readonly Segment[]): Pt[] => part.flattenedChain(cont
 export function boxAroundContour(contour: readonly Segment[], site: Site): Pick<Wanted, "from" | "to"> {
   const { left, right, low, high } = boxOf(pointsOf(contour));
   const [open, deep] = site === "inside" ? [low, high] : [high, low];
-  const corner = (r: number, z: number) => ({ diameter: diameter(rounded(toDiameter(radius(r)))), z: axial(rounded(z)) });
+  const corner = (r: number, z: number) => ({
+    diameter: diameter(rounded(toDiameter(radius(r)))),
+    z: axial(rounded(z)),
+  });
   return { from: corner(open, right), to: corner(deep, left) };
 }
 
-/** What is to go: between the finished contour and the open side, as far as `open` mm beyond the box. Null where there is none. */
+/**
+ * What is to go: between the finished contour and the open side, as far as `open` mm beyond the box. Null where there
+ * is none.
+ */
 function between(wanted: Wanted, open: number): Ring | null {
   const points = pointsOf(wantedContour(wanted));
   const [first, last] = [points[0], points.at(-1)];
@@ -81,7 +89,17 @@ export const wantedArea = (wanted: Wanted): Ring | null => between(wanted, 0);
 
 /** The cylinder that holds what is wanted, as it is typed. */
 export function blankFor(wanted: Wanted, stock: readonly Ring[] | null): BlankDraft {
-  const written = ({ outside, bore, front, back }: { outside: number; bore: number; front: number; back: number }): BlankDraft => ({
+  const written = ({
+    outside,
+    bore,
+    front,
+    back,
+  }: {
+    outside: number;
+    bore: number;
+    front: number;
+    back: number;
+  }): BlankDraft => ({
     outside: positionAsTyped(toDiameter(radius(outside))),
     bore: bore > 0 ? positionAsTyped(toDiameter(radius(bore))) : "0",
     length: positionAsTyped(front - back),
@@ -115,16 +133,17 @@ export function rowsOf(contour: readonly Segment[]): ContourRow[] {
   const [first] = contour;
   if (!first) return [];
   const x = ({ r }: Pt) => positionAsTyped(toDiameter(r));
-  const row = (i: number, to: Pt, given: Partial<ContourRow> = {}) => newRow(`e${i}`, { x: x(to), z: positionAsTyped(to.z), ...given });
+  const row = (i: number, to: Pt, given: Partial<ContourRow> = {}) =>
+    newRow(`e${i}`, { x: x(to), z: positionAsTyped(to.z), ...given });
   return [
     row(1, first.from),
     ...contour.flatMap((s, i): ContourRow[] =>
       s.kind === "line"
         ? [row(i + 2, s.to)]
         : [
-          newRow(`c${i + 2}`, { kind: "CC", x: x(s.centre), z: positionAsTyped(s.centre.z) }),
-          row(i + 2, s.to, { kind: "C", turn: s.turn }),
-        ]
+            newRow(`c${i + 2}`, { kind: "CC", x: x(s.centre), z: positionAsTyped(s.centre.z) }),
+            row(i + 2, s.to, { kind: "C", turn: s.turn }),
+          ],
     ),
   ];
 }

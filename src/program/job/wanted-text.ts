@@ -26,11 +26,21 @@ export function wantedText(job: SetJob, wanted: Wanted, labels: Labels): string 
   const plain = jobStatements(job, cycle, labels);
   const [shaped] = wanted.allowance > 0 ? blankRings(wanted, [ringOf(job.blank)]) : [];
   if (!shaped) return programText(plain, styleOfJob(job), job.output.numbered);
-  const blank: Statement = { kind: "blankRotation", axis: "Z", measure: "D", outline: { label: BLANK_LABEL }, inner: null };
-  const outline: Statement[] = [{ kind: "label", label: BLANK_LABEL }, ...contourStatements(rowsOf(round(shaped))), {
-    kind: "label",
-    label: 0,
-  }];
+  const blank: Statement = {
+    kind: "blankRotation",
+    axis: "Z",
+    measure: "D",
+    outline: { label: BLANK_LABEL },
+    inner: null,
+  };
+  const outline: Statement[] = [
+    { kind: "label", label: BLANK_LABEL },
+    ...contourStatements(rowsOf(round(shaped))),
+    {
+      kind: "label",
+      label: 0,
+    },
+  ];
   const all = plain.map((s) => (s.kind === "blankCylinder" ? blank : s));
   return programText([...all.slice(0, -1), ...outline, ...all.slice(-1)], styleOfJob(job), job.output.numbered);
 }

@@ -1,6 +1,8 @@
 import type { MachineData } from "./machine-data.ts";
 
-/** Machines to begin with. Their figures are examples of their class, not those of any make: the owner replaces them. */
+/**
+ * Machines to begin with. Their figures are examples of their class, not those of any make: the owner replaces them.
+ */
 export const EXAMPLE_MACHINES = {
   small: {
     name: "Turning centre, small",
@@ -11,7 +13,11 @@ export const EXAMPLE_MACHINES = {
       most: 6000,
       runUp: 2,
       power: 11,
-      torque: [{ speed: 0, torque: 70 }, { speed: 1500, torque: 70 }, { speed: 6000, torque: 17.5 }],
+      torque: [
+        { speed: 0, torque: 70 },
+        { speed: 1500, torque: 70 },
+        { speed: 6000, torque: 17.5 },
+      ],
     },
   },
   millTurn: {
@@ -23,7 +29,11 @@ export const EXAMPLE_MACHINES = {
       most: 1200,
       runUp: 3,
       power: 40,
-      torque: [{ speed: 0, torque: 950 }, { speed: 400, torque: 950 }, { speed: 1200, torque: 318 }],
+      torque: [
+        { speed: 0, torque: 950 },
+        { speed: 400, torque: 950 },
+        { speed: 1200, torque: 318 },
+      ],
     },
   },
   large: {
@@ -35,7 +45,11 @@ export const EXAMPLE_MACHINES = {
       most: 1600,
       runUp: 8,
       power: 37,
-      torque: [{ speed: 0, torque: 1400 }, { speed: 250, torque: 1400 }, { speed: 1600, torque: 220 }],
+      torque: [
+        { speed: 0, torque: 1400 },
+        { speed: 250, torque: 1400 },
+        { speed: 1600, torque: 220 },
+      ],
     },
   },
 } as const satisfies Readonly<Record<string, MachineData>>;

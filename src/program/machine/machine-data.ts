@@ -48,10 +48,16 @@ export interface MachineTimed {
   readonly machine?: MachineData;
 }
 
-/** Power of a spindle at a speed in rpm, kW: what its torque gives, and never more than its power; null where neither is stated. */
+/**
+ * Power of a spindle at a speed in rpm, kW: what its torque gives, and never more than its power; null where neither is
+ * stated.
+ */
 export function powerAt({ power, torque = [] }: SpindleData, speed: number): number | null {
   const above = torque.findIndex((point) => point.speed >= speed);
-  const [low, high] = [torque[above < 0 ? torque.length - 1 : Math.max(0, above - 1)], torque[above < 0 ? torque.length - 1 : above]];
+  const [low, high] = [
+    torque[above < 0 ? torque.length - 1 : Math.max(0, above - 1)],
+    torque[above < 0 ? torque.length - 1 : above],
+  ];
   if (!low || !high) return power ?? null;
   const share = high.speed > low.speed ? Math.max(0, speed - low.speed) / (high.speed - low.speed) : 0;
   const given = ((low.torque + (high.torque - low.torque) * share) * 2 * Math.PI * speed) / 60_000;

@@ -26,12 +26,13 @@ describe("a machine file", () => {
 
   test("a name is enough", () => expect(read({})).toEqual({ machine: { name: "A" } }));
 
-  test.each([["not JSON", "{", "notJson"], ["a list", "[]", "notMachine"], ["a tool file", `{"tools":[]}`, "notMachine"], [
-    "of a newer edition",
-    `{"format":"turnwise-machine/2","name":"A"}`,
-    "newer",
-  ], ["longer than any", `{"format":"turnwise-machine/1","name":"${"A".repeat(10_000)}"}`, "notMachine"]])("%s",
-    (_, text, kind) => expect(readMachine(text)).toEqual({ problems: [{ kind, at: "" }] }));
+  test.each([
+    ["not JSON", "{", "notJson"],
+    ["a list", "[]", "notMachine"],
+    ["a tool file", `{"tools":[]}`, "notMachine"],
+    ["of a newer edition", `{"format":"turnwise-machine/2","name":"A"}`, "newer"],
+    ["longer than any", `{"format":"turnwise-machine/1","name":"${"A".repeat(10_000)}"}`, "notMachine"],
+  ])("%s", (_, text, kind) => expect(readMachine(text)).toEqual({ problems: [{ kind, at: "" }] }));
 
   test.each([
     [{ name: "" }, ["low name 1"]],
@@ -56,7 +57,15 @@ describe("a machine file", () => {
 });
 
 test("the power of a spindle is that of its torque up to its own", () => {
-  const spindle = { most: 3000, power: 11, torque: [{ speed: 500, torque: 80 }, { speed: 1500, torque: 70 }, { speed: 3000, torque: 40 }] };
+  const spindle = {
+    most: 3000,
+    power: 11,
+    torque: [
+      { speed: 500, torque: 80 },
+      { speed: 1500, torque: 70 },
+      { speed: 3000, torque: 40 },
+    ],
+  };
   const kW = (Nm: number, rpm: number) => (Nm * rpm * 2 * Math.PI) / 60_000;
   expect(powerAt(spindle, 250)).toBeCloseTo(kW(80, 250), 9);
   expect(powerAt(spindle, 1000)).toBeCloseTo(kW(75, 1000), 9);

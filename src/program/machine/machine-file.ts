@@ -3,7 +3,8 @@ import type { MachineData } from "./machine-data.ts";
 import { isNcOutput, type NcOutput } from "./nc-output.ts";
 
 /** The first member of a machine file: what it is, and which edition of it. */
-const FORMAT = "turnwise-machine/", EDITION = 1;
+const FORMAT = "turnwise-machine/",
+  EDITION = 1;
 export const MACHINE_FORMAT = `${FORMAT}${EDITION}`;
 
 /** A machine as a file: what times are worked out with, and how programs are written for it. */
@@ -12,11 +13,15 @@ export interface MachineFile extends MachineData {
 }
 
 /** Longest name, and longest file that is read, characters. */
-const LONGEST_NAME = 60, LONGEST_FILE = 10_000;
+const LONGEST_NAME = 60,
+  LONGEST_FILE = 10_000;
 /** Points of a torque curve at least and at most. */
-const FEWEST_POINTS = 2, MOST_POINTS = 20;
+const FEWEST_POINTS = 2,
+  MOST_POINTS = 20;
 
-/** Lowest and highest value of each number, in its unit: wide enough for any lathe, and too narrow for a slip of units. */
+/**
+ * Lowest and highest value of each number, in its unit: wide enough for any lathe, and too narrow for a slip of units.
+ */
 export const MACHINE_RANGES = {
   /** mm/min */
   rapid: [100, 200_000],
@@ -49,28 +54,34 @@ const spindle = z.strictObject({
   runUp: z.optional(within("runUp")),
   power: z.optional(within("power")),
   torque: z.optional(
-    z.array(z.strictObject({ speed: within("speed"), torque: within("torque") })).check(z.minLength(FEWEST_POINTS),
-      z.maxLength(MOST_POINTS), z.refine(rise, { params: { kind: "order" } })),
+    z
+      .array(z.strictObject({ speed: within("speed"), torque: within("torque") }))
+      .check(z.minLength(FEWEST_POINTS), z.maxLength(MOST_POINTS), z.refine(rise, { params: { kind: "order" } })),
   ),
 });
 
 /** The machine file. */
-export const machineSchema = z.strictObject({
-  format: z.literal(MACHINE_FORMAT),
-  name: z.string().check(z.minLength(1), z.maxLength(LONGEST_NAME)),
-  rapid: axes("rapid"),
-  acceleration: axes("acceleration"),
-  toolChange: z.optional(within("toolChange")),
-  spindle: z.optional(spindle),
-  output: z.optional(z.custom<NcOutput>(isNcOutput)),
-}).check(z.refine(({ rapid, acceleration }) => rapid !== undefined || acceleration === undefined, {
-  path: ["acceleration"],
-  params: { kind: "alone" },
-}));
+export const machineSchema = z
+  .strictObject({
+    format: z.literal(MACHINE_FORMAT),
+    name: z.string().check(z.minLength(1), z.maxLength(LONGEST_NAME)),
+    rapid: axes("rapid"),
+    acceleration: axes("acceleration"),
+    toolChange: z.optional(within("toolChange")),
+    spindle: z.optional(spindle),
+    output: z.optional(z.custom<NcOutput>(isNcOutput)),
+  })
+  .check(
+    z.refine(({ rapid, acceleration }) => rapid !== undefined || acceleration === undefined, {
+      path: ["acceleration"],
+      params: { kind: "alone" },
+    }),
+  );
 
 /** What is wrong with a machine file, and where: `spindle.torque.2.speed`, empty for the whole file. */
 export interface MachineProblem {
-  readonly kind: "notJson" | "notMachine" | "newer" | "missing" | "unknown" | "low" | "high" | "wrong" | "order" | "alone";
+  readonly kind:
+    "notJson" | "notMachine" | "newer" | "missing" | "unknown" | "low" | "high" | "wrong" | "order" | "alone";
   readonly at: string;
   /** The bound that is passed. */
   readonly limit?: number;
@@ -81,7 +92,8 @@ type Found = NonNullable<ReturnType<typeof machineSchema.safeParse>["error"]>["i
 /** The value at a path in plain data. */
 const valueAt = (raw: unknown, path: readonly PropertyKey[]): unknown =>
   path.reduce<unknown>(
-    (value, key) => (typeof value === "object" && value !== null ? (value as Record<PropertyKey, unknown>)[key] : undefined),
+    (value, key) =>
+      typeof value === "object" && value !== null ? (value as Record<PropertyKey, unknown>)[key] : undefined,
     raw,
   );
 
@@ -95,16 +107,21 @@ function problemOf(found: Found, raw: unknown): MachineProblem {
     case "too_big":
       return { kind: "high", at, limit: Number(found.maximum) };
     case "custom":
-      return { kind: found.params?.["kind"] === "order" ? "order" : found.params?.["kind"] === "alone" ? "alone" : "wrong", at };
+      return {
+        kind: found.params?.["kind"] === "order" ? "order" : found.params?.["kind"] === "alone" ? "alone" : "wrong",
+        at,
+      };
     default:
       return { kind: valueAt(raw, found.path) === undefined ? "missing" : "wrong", at };
   }
 }
 
-const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> => typeof raw === "object" && raw !== null && !Array.isArray(raw);
+const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> =>
+  typeof raw === "object" && raw !== null && !Array.isArray(raw);
 
 /** A machine file that is read, or all that is wrong with it. */
-export type ReadMachine = { readonly machine: MachineFile } | { readonly problems: readonly [MachineProblem, ...MachineProblem[]] };
+export type ReadMachine =
+  { readonly machine: MachineFile } | { readonly problems: readonly [MachineProblem, ...MachineProblem[]] };
 
 const refusal = (kind: MachineProblem["kind"]): ReadMachine => ({ problems: [{ kind, at: "" }] });
 

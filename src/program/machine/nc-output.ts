@@ -1,19 +1,22 @@
 /**
- * How a program is written: as a file of either control, in DIN/ISO, or with the look of the printed manual, which no control loads.
+ * How a program is written: as a file of either control, in DIN/ISO, or with the look of the printed manual, which no
+ * control loads.
  */
 export const JOB_LAYOUTS = ["tnc640", "tnc7", "iso", "manual"] as const;
 export type JobLayout = (typeof JOB_LAYOUTS)[number];
 
 /**
- * How the text of a program is written for one machine: M functions of its builder, how the tool leaves, and what the way to the control
- * asks of the file. It is kept with the work and goes along when the work is shared.
+ * How the text of a program is written for one machine: M functions of its builder, how the tool leaves, and what the
+ * way to the control asks of the file. It is kept with the work and goes along when the work is shared.
  */
 export interface NcOutput {
   /** M function that starts the turning spindle. */
   readonly spindleOn: number;
   /** M function that stops it before the end of the program; null where M30 or M2 does. */
   readonly spindleOff: number | null;
-  /** Where the tool goes at the end: to the safe position, or along the tool axis to the limit of travel (M140 MB MAX). */
+  /**
+   * Where the tool goes at the end: to the safe position, or along the tool axis to the limit of travel (M140 MB MAX).
+   */
   readonly retract: "position" | "limit";
   /** M30 or M2. */
   readonly end: 30 | 2;
@@ -34,7 +37,10 @@ const MANUAL: NcOutput = {
   capitals: false,
 };
 
-/** Settings to begin with: the functions of the manual, the same on a machine whose only spindle turns, and a file for older transfer. */
+/**
+ * Settings to begin with: the functions of the manual, the same on a machine whose only spindle turns, and a file for
+ * older transfer.
+ */
 export const NC_OUTPUTS = {
   manual: MANUAL,
   mainSpindle: { ...MANUAL, spindleOn: 3, spindleOff: 5 },
@@ -53,13 +59,22 @@ export const nameOfOutput = (output: NcOutput): NcOutputName | null =>
   NC_OUTPUT_NAMES.find((name) => KEYS.every((key) => NC_OUTPUTS[name][key] === output[key])) ?? null;
 
 /** Whether an M function can be set: a whole number that a control takes. */
-export const isFunctionNumber = (m: unknown): m is number => typeof m === "number" && Number.isInteger(m) && m >= 0 && m <= 999;
+export const isFunctionNumber = (m: unknown): m is number =>
+  typeof m === "number" && Number.isInteger(m) && m >= 0 && m <= 999;
 
 /** Whether plain data, that anybody may have written, are settings. */
 export function isNcOutput(raw: unknown): raw is NcOutput {
   if (typeof raw !== "object" || raw === null) return false;
-  const { spindleOn, spindleOff, retract, end, numbered, newLine, capitals } = raw as Readonly<Record<keyof NcOutput, unknown>>;
-  return isFunctionNumber(spindleOn) && (spindleOff === null || isFunctionNumber(spindleOff))
-    && (retract === "position" || retract === "limit") && (end === 30 || end === 2) && typeof numbered === "boolean"
-    && (newLine === "\n" || newLine === "\r\n") && typeof capitals === "boolean";
+  const { spindleOn, spindleOff, retract, end, numbered, newLine, capitals } = raw as Readonly<
+    Record<keyof NcOutput, unknown>
+  >;
+  return (
+    isFunctionNumber(spindleOn) &&
+    (spindleOff === null || isFunctionNumber(spindleOff)) &&
+    (retract === "position" || retract === "limit") &&
+    (end === 30 || end === 2) &&
+    typeof numbered === "boolean" &&
+    (newLine === "\n" || newLine === "\r\n") &&
+    typeof capitals === "boolean"
+  );
 }

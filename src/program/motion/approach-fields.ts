@@ -18,7 +18,12 @@ const FARTHEST = 99_999.9999;
 /** The finest step of a word. */
 const FINEST = 0.001;
 
-const field = (id: ApproachWord, kind: ApproachField["kind"], range: Field["range"], more: Partial<ApproachField> = {}): ApproachField => ({
+const field = (
+  id: ApproachWord,
+  kind: ApproachField["kind"],
+  range: Field["range"],
+  more: Partial<ApproachField> = {},
+): ApproachField => ({
   id,
   kind,
   range,
@@ -48,10 +53,13 @@ function position(polar: boolean, plane: WorkingPlane): readonly ApproachField[]
 }
 
 /** LT, LN, CT or LCT of a form, whichever way its point is written. */
-export const shapeOf = (form: ApproachForm): "LT" | "LN" | "CT" | "LCT" => form.replace("P", "") as "LT" | "LN" | "CT" | "LCT";
+export const shapeOf = (form: ApproachForm): "LT" | "LN" | "CT" | "LCT" =>
+  form.replace("P", "") as "LT" | "LN" | "CT" | "LCT";
 export const isPolar = (form: ApproachForm): boolean => form.startsWith("P");
 
-/** The prompts of APPR or DEP in the order of the control. DEP knows a position only where its end point is given (LCT). */
+/**
+ * The prompts of APPR or DEP in the order of the control. DEP knows a position only where its end point is given (LCT).
+ */
 export function approachFields(form: ApproachForm, departing: boolean, plane: WorkingPlane): readonly ApproachField[] {
   const shape = shapeOf(form);
   const own: Record<typeof shape, readonly ApproachField[]> = {
@@ -60,7 +68,10 @@ export function approachFields(form: ApproachForm, departing: boolean, plane: Wo
     CT: [centreAngle, field("R", "length", BOTH)],
     LCT: [field("R", "length", [FINEST, FARTHEST])],
   };
-  const depth = departing && shape !== "LCT" && plane === "XY" ? [field("Z", "length", BOTH, { optional: true, increments: true })] : [];
+  const depth =
+    departing && shape !== "LCT" && plane === "XY"
+      ? [field("Z", "length", BOTH, { optional: true, increments: true })]
+      : [];
   return [
     ...(departing && shape !== "LCT" ? depth : position(isPolar(form), plane)),
     ...own[shape],

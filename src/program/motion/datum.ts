@@ -13,9 +13,9 @@ const KEYS: Readonly<Partial<Record<AxisName, keyof Datum>>> = { X: "x", Y: "y",
 const ALL: readonly (keyof Datum)[] = ["x", "y", "z"];
 
 /**
- * From a coordinate of the program to that of the workpiece, in the measure of its word: of X a diameter while turning. Null for an
- * axis that no path runs along. A shift that nobody knows makes a position of turning unknown, so that nothing false is found there;
- * a mill's path, which cuts no stock here, is drawn from the last datum that was known.
+ * From a coordinate of the program to that of the workpiece, in the measure of its word: of X a diameter while turning.
+ * Null for an axis that no path runs along. A shift that nobody knows makes a position of turning unknown, so that
+ * nothing false is found there; a mill's path, which cuts no stock here, is drawn from the last datum that was known.
  */
 export function datumShiftOf(machine: Machine, axis: AxisName): number | "unknown" | null {
   const key = KEYS[axis];
@@ -38,7 +38,9 @@ export function shiftDatum(machine: Machine, words: readonly AxisWord[], what: s
     } else {
       const typed = machine.length(n);
       const by = key === "x" && machine.now.turning ? toRadius(diameter(typed)) : typed;
-      machine.set({ datum: { ...machine.now.datum, [key]: length(by + (w.incremental ? machine.now.datum[key] : 0)) } });
+      machine.set({
+        datum: { ...machine.now.datum, [key]: length(by + (w.incremental ? machine.now.datum[key] : 0)) },
+      });
       if (!w.incremental) machine.set({ unknownDatum: others(machine, key) });
     }
   }

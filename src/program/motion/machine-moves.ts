@@ -11,7 +11,10 @@ import { part } from "../../kernel/geometry/point.ts";
 /** Machine coordinates: where that is on the workpiece, nobody here knows. */
 const MACHINE_COORDINATES: ReadonlySet<number> = new Set([91, 92]);
 const RETRACT = 140;
-/** How far beyond the blank a tool stands after M140 MB MAX, mm: the end of the travel is farther, and nothing stands between. */
+/**
+ * How far beyond the blank a tool stands after M140 MB MAX, mm: the end of the travel is farther, and nothing stands
+ * between.
+ */
 const BEYOND_BLANK = 20;
 
 export const isElsewhere = (words: Words): boolean => words.functions.some((m) => MACHINE_COORDINATES.has(m));
@@ -23,8 +26,9 @@ const isMachineZero = (words: Words): boolean => words.functions.includes(91);
 const HOME = 10;
 
 /**
- * Whether a block takes a turning tool home at rapid, away from the work. One axis alone runs straight, until it is beside the blank and
- * nothing stands in its way any more; how several axes share the way nobody knows, so that the tool has to stand beside the blank already.
+ * Whether a block takes a turning tool home at rapid, away from the work. One axis alone runs straight, until it is
+ * beside the blank and nothing stands in its way any more; how several axes share the way nobody knows, so that the
+ * tool has to stand beside the blank already.
  */
 function goesHome(machine: Machine, words: Words, index: number): boolean {
   const { blank, tool } = machine.now;
@@ -36,17 +40,19 @@ function goesHome(machine: Machine, words: Words, index: number): boolean {
   if (words.feed !== "max" || !isAtHome || !from || !tool || blank.length === 0) return false;
   const { right, high } = boxAround(blank);
   const [only] = words.axes;
-  if (words.axes.length > 1 || (only?.axis !== "X" && only?.axis !== "Z")) return from.z > right || Math.abs(from.r) > high;
-  const to = only.axis === "Z"
-    ? { z: axial(Math.max(from.z, right + BEYOND_BLANK)), r: from.r }
-    : { z: from.z, r: radius(Math.max(from.r, high + BEYOND_BLANK)) };
+  if (words.axes.length > 1 || (only?.axis !== "X" && only?.axis !== "Z"))
+    return from.z > right || Math.abs(from.r) > high;
+  const to =
+    only.axis === "Z"
+      ? { z: axial(Math.max(from.z, right + BEYOND_BLANK)), r: from.r }
+      : { z: from.z, r: radius(Math.max(from.r, high + BEYOND_BLANK)) };
   if (part.lengthOf(part.line(from, to)) > SAME) machine.step(from, moveOf(machine, part.line(from, to), null), index);
   return true;
 }
 
 /**
- * A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is not proved, but for
- * the way home.
+ * A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is
+ * not proved, but for the way home.
  */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { mill } = machine.place;
@@ -63,17 +69,24 @@ export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { at, sure } = machine.place;
   machine.setPlace({ sure: { x: sure.x && at.x !== null, z: sure.z && at.z !== null }, last: null, milled: null });
   machine.millGuide.here = centreOf(machine.place.mill);
-  const what = words.functions.filter((m) => MACHINE_COORDINATES.has(m)).map((m) => `M${m}`).join(" ");
+  const what = words.functions
+    .filter((m) => MACHINE_COORDINATES.has(m))
+    .map((m) => `M${m}`)
+    .join(" ");
   if (isHome) machine.setPlace({ home: { index, what } });
   else if (wasKnown) machine.log.leaveUnproved(what, index);
   else machine.log.notSimulated(what, index);
 }
 
-/** M140: back along the tool axis, at the beginning of its block, by MB or to the end of the travel; at its own feed, or at rapid. */
+/**
+ * M140: back along the tool axis, at the beginning of its block, by MB or to the end of the travel; at its own feed, or
+ * at rapid.
+ */
 export function retract(machine: Machine, words: Words, index: number): void {
   const feed = functionFeed(machine, words.functionFeed, index);
   const by = words.retract === undefined || words.retract === "max" ? null : machine.number(words.retract, index);
-  if (words.retract === undefined || (words.retract !== "max" && by === null)) machine.log.leaveUnproved(`M${RETRACT}`, index);
+  if (words.retract === undefined || (words.retract !== "max" && by === null))
+    machine.log.leaveUnproved(`M${RETRACT}`, index);
   const far = by === null ? null : machine.length(by);
   machine.setPlace({ milled: null, last: null });
   if (machine.now.turning) turned(machine, far, feed, index);
@@ -86,7 +99,12 @@ function turned(machine: Machine, far: number | null, feed: Travel["feed"], inde
   const from = machine.place.sure.x && machine.place.sure.z ? machine.tip : null;
   const ends = machine.now.blank.flat().map((p) => p.z);
   const blankEnd = ends.reduce((a, b) => Math.max(a, b), -Infinity);
-  const z = far !== null && from ? from.z + far : from && Number.isFinite(blankEnd) ? Math.max(from.z, blankEnd + BEYOND_BLANK) : null;
+  const z =
+    far !== null && from
+      ? from.z + far
+      : from && Number.isFinite(blankEnd)
+        ? Math.max(from.z, blankEnd + BEYOND_BLANK)
+        : null;
   if (from && z !== null) {
     const to = { z: axial(z), r: from.r };
     if (z !== from.z) machine.step(from, moveOf(machine, part.line(from, to), feed), index);
@@ -96,10 +114,15 @@ function turned(machine: Machine, far: number | null, feed: Travel["feed"], inde
 }
 
 function milled(machine: Machine, far: number | null, feed: Travel["feed"], index: number): void {
-  const { now, place: { mill }, millGuide: { here } } = machine;
+  const {
+    now,
+    place: { mill },
+    millGuide: { here },
+  } = machine;
   if (now.mill.otherAxis) return machine.log.leaveUnproved(`M${RETRACT}`, index);
   const [at, from] = [here ?? centreOf(mill), mill.z];
   const to = far === null || from === null ? null : from + far;
-  if (at && from !== null && to !== null) millStep(machine, { kind: "line", from: at, to: at }, { fromZ: from, toZ: to, feed, index });
+  if (at && from !== null && to !== null)
+    millStep(machine, { kind: "line", from: at, to: at }, { fromZ: from, toZ: to, feed, index });
   machine.setPlace({ mill: { ...mill, z: to } });
 }

@@ -20,7 +20,10 @@ export interface SideBlock {
 const NAMED_BY_POLE: ReadonlySet<PathKind> = new Set(["C", "CP"]);
 const NAMED_BY_END: ReadonlySet<PathKind> = new Set(["CR", "CT"]);
 
-/** The plane that an arc runs in: its pole's, or that of its end point. CP with an axis of its own is a helix round the tool axis. */
+/**
+ * The plane that an arc runs in: its pole's, or that of its end point. CP with an axis of its own is a helix round the
+ * tool axis.
+ */
 export function planeOf(machine: Machine, { path, words }: PathBlock): MillPlane {
   if (NAMED_BY_END.has(path)) return planeOfAxes(words.axes);
   if (!NAMED_BY_POLE.has(path) || (path === "CP" && words.axes.length > 0)) return "XY";

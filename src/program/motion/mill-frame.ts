@@ -27,7 +27,10 @@ function wordsOn(machine: Machine, words: Words, plane: MillPlane, index: number
   };
 }
 
-/** Mirrored, turned and scaled coordinates bend some arcs out of shape or out of their plane: those are not proved, and run straight. */
+/**
+ * Mirrored, turned and scaled coordinates bend some arcs out of shape or out of their plane: those are not proved, and
+ * run straight.
+ */
 export function millBlock(machine: Machine, block: PathBlock, plane: MillPlane, index: number): PathBlock {
   const { transform } = machine.now;
   if (transform === NO_TRANSFORM) return block;

@@ -17,14 +17,29 @@ export type SidePlane = Exclude<MillPlane, "XY">;
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
 /**
- * Seconds of a motion over `long` mm. At rapid each axis has what the machine states of it, and Y what it states of X; an arc goes as a
- * straight way of its length would along X.
+ * Seconds of a motion over `long` mm. At rapid each axis has what the machine states of it, and Y what it states of X;
+ * an arc goes as a straight way of its length would along X.
  */
-function secondsOver(machine: Machine, long: number, { feed, line }: { readonly feed: Feed | null; readonly line: Spot | null }): number {
+function secondsOver(
+  machine: Machine,
+  long: number,
+  { feed, line }: { readonly feed: Feed | null; readonly line: Spot | null },
+): number {
   const { rapid } = machine.clock;
   if (feed === null && typeof rapid !== "number") {
     const { x, z } = rapid;
-    return 60 * rapidMinutes(line ? [[line.x, x], [line.y, x], [line.z ?? 0, z]] : [[long, x]]);
+    return (
+      60 *
+      rapidMinutes(
+        line
+          ? [
+              [line.x, x],
+              [line.y, x],
+              [line.z ?? 0, z],
+            ]
+          : [[long, x]],
+      )
+    );
   }
   const rate = feed ?? machine.shop.rapid;
   return rate > 0 && (feed === null || !machine.now.perRevolution) ? (60 * long) / rate : 0;
@@ -40,14 +55,19 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   const isStill = s.kind === "line" && apart(s.from, s.to) <= ROUND;
   if ((isStill && fromZ === toZ) || !machine.roomForMove(index)) return;
   const long = travelLength(s, (toZ ?? 0) - (fromZ ?? toZ ?? 0));
-  const [from, to] = [{ x: s.from.x, y: s.from.y, z: fromZ }, { x: s.to.x, y: s.to.y, z: toZ }];
+  const [from, to] = [
+    { x: s.from.x, y: s.from.y, z: fromZ },
+    { x: s.to.x, y: s.to.y, z: toZ },
+  ];
   const [{ feedUnit }, radius, block] = [machine, machine.now.mill.radius ?? 0, machine.log.numbers[index] ?? 0];
-  const line = s.kind === "line" ? { x: s.to.x - s.from.x, y: s.to.y - s.from.y, z: (toZ ?? 0) - (fromZ ?? toZ ?? 0) } : null;
+  const line =
+    s.kind === "line" ? { x: s.to.x - s.from.x, y: s.to.y - s.from.y, z: (toZ ?? 0) - (fromZ ?? toZ ?? 0) } : null;
   const [seconds, turned] = [secondsOver(machine, long, { feed, line }), machine.log.steps.length];
   // Written out: of the many objects of a long program, copies of objects take most of the time.
-  const straight: PlaneStep = feed === null
-    ? { kind: "rapid", from, to, radius, block, index, seconds, turned }
-    : { kind: "feed", from, to, feed, feedUnit, radius, block, index, seconds, turned };
+  const straight: PlaneStep =
+    feed === null
+      ? { kind: "rapid", from, to, radius, block, index, seconds, turned }
+      : { kind: "feed", from, to, feed, feedUnit, radius, block, index, seconds, turned };
   machine.log.milled.push(s.kind === "arc" ? { ...straight, kind: "arc", centre: s.centre, turn: s.turn } : straight);
 }
 
@@ -56,7 +76,12 @@ export function millSideStep(
   machine: Machine,
   plane: SidePlane,
   s: PlaneSegment,
-  { before, to, feed, index }: { readonly before: Position; readonly to: Position; readonly feed: Feed | null; readonly index: number },
+  {
+    before,
+    to,
+    feed,
+    index,
+  }: { readonly before: Position; readonly to: Position; readonly feed: Feed | null; readonly index: number },
 ): void {
   const [from, end] = [spotOf(before), spotOf(to)];
   if (!from || !end || !machine.roomForMove(index)) return;

@@ -20,15 +20,16 @@ const carrierOf = (machine: Machine) => () => millCarrier(machine);
 export const closeMill = (machine: Machine): void => close(machine.millGuide, carrierOf(machine));
 
 /** The plane in which the words of a block count: LP stays in that of its pole. */
-const planeOfWords = (
-  machine: Machine,
-  block: PathBlock,
-): MillPlane => (block.path === "LP" ? (machine.now.pole?.plane ?? "XY") : planeOf(machine, block));
+const planeOfWords = (machine: Machine, block: PathBlock): MillPlane =>
+  block.path === "LP" ? (machine.now.pole?.plane ?? "XY") : planeOf(machine, block);
 
 /** One path block: L, C, CR, CT and the polar forms. */
 export function millPath(machine: Machine, written: PathBlock, index: number): void {
   const block = millBlock(machine, written, planeOfWords(machine, written), index);
-  const { place: { mill: before }, millGuide: guide } = machine;
+  const {
+    place: { mill: before },
+    millGuide: guide,
+  } = machine;
   const { words } = block;
   const requested = sideOf(words, guide.chain?.side ?? "none");
   const to = endOf(wordReader(machine, index), block, standing(machine, planeOfWords(machine, block)));
@@ -56,11 +57,19 @@ export function millPath(machine: Machine, written: PathBlock, index: number): v
   const milled = { from: before, to, plane: "XY" } as const;
   if (!start) machine.setPlace({ milled: { ...milled, segment: null } });
   const segment = start && elementBetween(machine, block, { start, end, milled }, index);
-  if (segment?.kind !== "arc") return followPath(guide, carrierOf(machine), requested, { fromZ, toZ, feed, index, segment, to: end });
+  if (segment?.kind !== "arc")
+    return followPath(guide, carrierOf(machine), requested, { fromZ, toZ, feed, index, segment, to: end });
   const pieces = around(machine, block, segment, index);
   const z = (k: number) => (fromZ === null || toZ === null ? toZ : fromZ + ((toZ - fromZ) * k) / pieces.length);
   pieces.forEach((piece, i) =>
-    followPath(guide, carrierOf(machine), requested, { fromZ: z(i), toZ: z(i + 1), feed, index, segment: piece, to: piece.to })
+    followPath(guide, carrierOf(machine), requested, {
+      fromZ: z(i),
+      toZ: z(i + 1),
+      feed,
+      index,
+      segment: piece,
+      to: piece.to,
+    }),
   );
 }
 
@@ -80,7 +89,12 @@ interface Between {
   readonly milled: Pick<NonNullable<Whereabouts["milled"]>, "from" | "to" | "plane">;
 }
 
-function elementBetween(machine: Machine, block: PathBlock, { start, end, milled }: Between, index: number): PlaneSegment {
+function elementBetween(
+  machine: Machine,
+  block: PathBlock,
+  { start, end, milled }: Between,
+  index: number,
+): PlaneSegment {
   const { pole } = standing(machine, "XY");
   const made = segmentOf(wordReader(machine, index), block, {
     from: partPoint(start),
@@ -108,7 +122,10 @@ function needsRadius(machine: Machine, side: Side, index: number): void {
 
 /** APPR and DEP. */
 export function millApproach(machine: Machine, s: Extract<Statement, { kind: "approach" }>, index: number): void {
-  const { place: { mill }, millGuide: guide } = machine;
+  const {
+    place: { mill },
+    millGuide: guide,
+  } = machine;
   const { departing, form } = s;
   const words = millApproachWords(machine, s.words, form, index);
   const path: PathBlock = { path: isPolar(form) ? "LP" : "L", words };

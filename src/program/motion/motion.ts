@@ -54,7 +54,13 @@ export function runApproach(machine: Machine, s: StatementOf<"approach">, index:
 }
 
 /** A rounding or chamfer behind the last element; its own feed counts for it alone. */
-function corner(machine: Machine, kind: CornerElement["kind"], value: Value | null, { feed }: Words, index: number): void {
+function corner(
+  machine: Machine,
+  kind: CornerElement["kind"],
+  value: Value | null,
+  { feed }: Words,
+  index: number,
+): void {
   const n = value === null ? null : machine.number(value, index);
   if (n === null) return;
   const growth = cornerGrowth(machine, kind === "round" ? "RND" : "CHF", index);
@@ -66,5 +72,6 @@ function corner(machine: Machine, kind: CornerElement["kind"], value: Value | nu
   const items = guide.chain?.items ?? [];
   const last = items.at(-1);
   const added = last && addCorner(guide, { element, feed: own === null ? last.feed : machine.feedOf(own), index });
-  if (!added) machine.log.say(issue("cornerElementAlone", "error", { element: Math.max(1, items.length) }, "contour"), index);
+  if (!added)
+    machine.log.say(issue("cornerElementAlone", "error", { element: Math.max(1, items.length) }, "contour"), index);
 }

@@ -5,7 +5,10 @@ import type { Machine } from "../state/machine.ts";
 /** How a cut beside the centre is called among what is not proved. */
 const BESIDE = "Y";
 
-/** A word of an axis that no path of turning runs along: Y takes the tool off the centre or back, others leave nothing proved. */
+/**
+ * A word of an axis that no path of turning runs along: Y takes the tool off the centre or back, others leave nothing
+ * proved.
+ */
 export function namedAside(machine: Machine, { axis, incremental }: AxisWord, n: number, index: number): void {
   if (axis === "Y" && machine.now.turning) {
     const { besideCentre, datum } = machine.now;
@@ -14,7 +17,10 @@ export function namedAside(machine: Machine, { axis, incremental }: AxisWord, n:
   } else if (n !== 0) machine.log.leaveUnproved(`${incremental ? "I" : ""}${axis}`, index);
 }
 
-/** A cut beside the centre of the spindle is not in the plane that is simulated. Without a Y word the tool stands where Y counts from. */
+/**
+ * A cut beside the centre of the spindle is not in the plane that is simulated. Without a Y word the tool stands where
+ * Y counts from.
+ */
 export function offCentre(machine: Machine, index: number): void {
   const { turning, besideCentre, datum, unknownDatum } = machine.now;
   const y = besideCentre ?? datum.y;

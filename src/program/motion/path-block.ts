@@ -14,8 +14,19 @@ import { namedAside, offCentre } from "./off-centre.ts";
 import { frameOf } from "./transform-blocks.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
-import { coordinates, endOf, isPolarPath, planeOfAxes, pointIn, segmentOf, type PathBlock, type Plane, type Position, type Standing,
-  type WordReader } from "../state/path.ts";
+import {
+  coordinates,
+  endOf,
+  isPolarPath,
+  planeOfAxes,
+  pointIn,
+  segmentOf,
+  type PathBlock,
+  type Plane,
+  type Position,
+  type Standing,
+  type WordReader,
+} from "../state/path.ts";
 
 const purpose = { phase: "position", run: "rough", step: 0 } as const;
 
@@ -23,7 +34,9 @@ const purpose = { phase: "position", run: "rough", step: 0 } as const;
 export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): Move {
   if (feed === null) return { kind: "rapid", to: s.to, ...purpose };
   const feeding = { feed, feedUnit: machine.feedUnit, ...purpose };
-  return s.kind === "line" ? { kind: "feed", to: s.to, ...feeding } : { kind: "arc", to: s.to, centre: s.centre, turn: s.turn, ...feeding };
+  return s.kind === "line"
+    ? { kind: "feed", to: s.to, ...feeding }
+    : { kind: "arc", to: s.to, centre: s.centre, turn: s.turn, ...feeding };
 }
 
 /** Runs the element that waited for a corner; called before anything that does not belong to the contour. */
@@ -31,7 +44,8 @@ export function runHeldElement(machine: Machine): void {
   const { held } = machine.place;
   machine.setPlace({ held: null });
   if (!held) return;
-  if (held.corner) machine.log.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
+  if (held.corner)
+    machine.log.say(issue("cornerElementAlone", "error", { element: held.element }, "contour"), held.corner.index);
   run(machine, held.segment, held.feed, held.index);
 }
 
@@ -43,7 +57,8 @@ function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: numbe
 function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
   const { held } = machine.place;
   const { corner } = held ?? {};
-  if (corner && part.lengthOf(segment) <= SAME) return breaksRule(machine, "zeroBehindCorner", wordOf(corner.element), index);
+  if (corner && part.lengthOf(segment) <= SAME)
+    return breaksRule(machine, "zeroBehindCorner", wordOf(corner.element), index);
   if (!held || !corner) {
     runHeldElement(machine);
     machine.setPlace({ held: { segment, feed, index, corner: null, element: (held?.element ?? 0) + 1 } });
@@ -53,7 +68,10 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
   if (!cut) {
     const { kind, size } = corner.element;
     const max = largestCorner(held.segment, segment, kind, size);
-    machine.log.say(issue("cornerElementTooLong", "error", { element: held.element, size, max }, "contour"), corner.index);
+    machine.log.say(
+      issue("cornerElementTooLong", "error", { element: held.element, size, max }, "contour"),
+      corner.index,
+    );
   }
   run(machine, cut?.before ?? held.segment, held.feed, held.index);
   if (cut) run(machine, cut.between, corner.feed, corner.index);
@@ -64,13 +82,19 @@ function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index
 export function cornerBlock(machine: Machine, element: CornerElement, feed: FeedWord | undefined, index: number): void {
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
   const { held } = machine.place;
-  if (!held || held.corner) return machine.log.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
-  machine.setPlace({ held: { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } } });
+  if (!held || held.corner)
+    return machine.log.say(issue("cornerElementAlone", "error", { element: held?.element ?? 1 }, "contour"), index);
+  machine.setPlace({
+    held: { ...held, corner: { element, feed: own === null ? held.feed : machine.feedOf(own), index } },
+  });
 }
 
 const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.incremental;
 
-/** Takes over the end of a block. An axis is sure from an absolute word on: an incremental one is as sure as what it starts from. */
+/**
+ * Takes over the end of a block. An axis is sure from an absolute word on: an incremental one is as sure as what it
+ * starts from.
+ */
 export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
   const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
   const both = isPolarPath(path) && isAbsolute(words.polarRadius) && isAbsolute(words.polarAngle);
@@ -91,7 +115,7 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
   },
   frame: frameOf(machine.now),
   aside: (w, n) => namedAside(machine, w, n, index),
-  lose: () => void (machine.setPlace({ lost: machine.known.trouble })),
+  lose: () => void machine.setPlace({ lost: machine.known.trouble }),
   fault: (code) => {
     if (code === "arcImpossible" || machine.place.lost === null)
       machine.log.say(programIssue(code, code === "startUnknown" ? "warning" : "error", {}), index);
@@ -130,14 +154,22 @@ export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to:
   return last;
 }
 
-/** A feed of which nobody knows where it begins or ends is not cut: it matters unless it surely ends beside the blank. */
+/**
+ * A feed of which nobody knows where it begins or ends is not cut: it matters unless it surely ends beside the blank.
+ */
 function cutFromNowhere(machine: Machine, to: Pt | null, index: number): void {
   const { blank } = machine.now;
   if (blank.length === 0) return;
   const { left, right, high } = boxAround(blank);
   if (to && (to.z < left || to.z > right || Math.abs(to.r) > high)) return;
   machine.log.say(programIssue("startUnknown", "warning", {}), index);
-  machine.log.leaveUnproved(machine.blocks[index]?.raw.trim().replace(/^\/?\d+\s*/, "").slice(0, 60) ?? "", index);
+  machine.log.leaveUnproved(
+    machine.blocks[index]?.raw
+      .trim()
+      .replace(/^\/?\d+\s*/, "")
+      .slice(0, 60) ?? "",
+    index,
+  );
 }
 
 /** One path block: L, C, CR, CT and the polar forms. */

@@ -17,7 +17,11 @@ const { apart, beyond, difference, direction, sum } = plane;
 
 /** Runs one chain; remembers where the tool centre stands. */
 class Finishing {
-  constructor(readonly carrier: Carrier, readonly chain: CompensatedChain, public centre: PlanePoint | null) {}
+  constructor(
+    readonly carrier: Carrier,
+    readonly chain: CompensatedChain,
+    public centre: PlanePoint | null,
+  ) {}
 
   /** Goes along a path of the centre; a gap before it is closed with a straight line. */
   go(s: PlaneSegment, travel: Travel): void {
@@ -43,7 +47,8 @@ class Finishing {
 
   /** Moves in the tool axis alone. */
   lift(travel: Travel): void {
-    if (this.centre && travel.fromZ !== travel.toZ) this.run({ kind: "line", from: this.centre, to: this.centre }, travel);
+    if (this.centre && travel.fromZ !== travel.toZ)
+      this.run({ kind: "line", from: this.centre, to: this.centre }, travel);
   }
 }
 
@@ -57,14 +62,23 @@ function placeOf(carrier: Carrier, p: PlanePoint): { x: number; y: number } | { 
 
 /** The finding of the check that the control leaves out. */
 function cutIssue(carrier: Carrier, q: ApproachRequest, guarded: NonNullable<ReturnType<typeof guardApproach>>): Issue {
-  const common = { point: q.departing ? ("PN" as const) : ("PS" as const), depth: guarded.cut.depth, ...placeOf(carrier, guarded.cut.on) };
+  const common = {
+    point: q.departing ? ("PN" as const) : ("PS" as const),
+    depth: guarded.cut.depth,
+    ...placeOf(carrier, guarded.cut.on),
+  };
   const { free } = guarded;
   if (free?.kind === "point") {
     const to = placeOf(carrier, sum(free.point, carrier.tip));
-    return issue("approachCutsContour", "warning", { ...common, freeX: to.x, ...("y" in to ? { freeY: to.y } : { freeZ: to.z }) },
-      "contour");
+    return issue(
+      "approachCutsContour",
+      "warning",
+      { ...common, freeX: to.x, ...("y" in to ? { freeY: to.y } : { freeZ: to.z }) },
+      "contour",
+    );
   }
-  if (free) return issue("approachValueCutsContour", "warning", { ...common, word: free.word, nearest: free.value }, free.word);
+  if (free)
+    return issue("approachValueCutsContour", "warning", { ...common, word: free.word, nearest: free.value }, free.word);
   return issue("approachBlocked", "warning", common, "contour");
 }
 
@@ -87,8 +101,9 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
   const above = carrier.top !== null && call.fromZ !== null && call.fromZ >= carrier.top;
   const inPlaneFirst = (machine.shop.control ?? "TNC 640") === "TNC 640" && call.fromZ !== call.toZ;
   const segments = contour.contour.map((c) => c.segment);
-  const guarded = !made.issues.some((i) => i.severity === "error")
-    && guardApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
+  const guarded =
+    !made.issues.some((i) => i.severity === "error") &&
+    guardApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
   if (guarded) machine.log.say(cutIssue(carrier, q, guarded), call.index);
   carrier.note({
     block: machine.log.numbers[call.index] ?? 0,
@@ -105,7 +120,10 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
     contour: segments,
     tip: carrier.tip,
     pole: call.pole,
-    datum: carrier.plane === "XY" ? { x: machine.now.datum.x, y: machine.now.datum.y } : { x: machine.now.datum.z, y: machine.now.datum.x },
+    datum:
+      carrier.plane === "XY"
+        ? { x: machine.now.datum.x, y: machine.now.datum.y }
+        : { x: machine.now.datum.z, y: machine.now.datum.x },
     transform: frameOf(machine.now)?.transform ?? NO_TRANSFORM,
     feedBefore: call.before,
     cut: guarded ? guarded.cut : null,
@@ -121,7 +139,12 @@ function runApproach(f: Finishing, call: ApproachCall, made: Approach, before: T
   const toPH = made.points.PS ? 1 : 0;
   made.legs.forEach((leg, i) => {
     const isFirst = i < toPH;
-    const travel = { ...call, feed: feedOf(i), fromZ: isFirst ? call.fromZ : call.toZ, toZ: isFirst && !atOnce ? call.fromZ : call.toZ };
+    const travel = {
+      ...call,
+      feed: feedOf(i),
+      fromZ: isFirst ? call.fromZ : call.toZ,
+      toZ: isFirst && !atOnce ? call.fromZ : call.toZ,
+    };
     f.go(leg.segment, travel);
     if (isFirst && !atOnce) f.lift({ ...call, feed: feedOf(i) });
   });
@@ -178,26 +201,38 @@ function along(f: Finishing, contour: PlaneContour): void {
     const flat = { ...item, fromZ: item.lifts.at(-1)?.toZ ?? item.toZ, toZ: item.lifts.at(-1)?.toZ ?? item.toZ };
     for (const p of own.filter((each) => each.part === "corner")) f.go(p.segment, flat);
     for (const p of onCorner)
-      f.go(p.segment, { ...flat, feed: item.corner ? item.corner.feed : item.feed, index: item.corner?.index ?? item.index });
+      f.go(p.segment, {
+        ...flat,
+        feed: item.corner ? item.corner.feed : item.feed,
+        index: item.corner?.index ?? item.index,
+      });
   });
 }
 
 function sayIssues(carrier: Carrier, chain: CompensatedChain, contour: PlaneContour): void {
   for (const { issue: found, element, onCorner } of contour.issues) {
-    const item = chain.items[element], own = contour.contour.find((c) => c.element === element && c.onCorner === onCorner);
-    const seen = found.code === "toolRadiusTooLarge" && own && carrier.plane === "XY"
-      ? { ...found, data: { ...found.data, ...plane.pointOn(own.segment, 1 / 2) } }
-      : found;
+    const item = chain.items[element],
+      own = contour.contour.find((c) => c.element === element && c.onCorner === onCorner);
+    const seen =
+      found.code === "toolRadiusTooLarge" && own && carrier.plane === "XY"
+        ? { ...found, data: { ...found.data, ...plane.pointOn(own.segment, 1 / 2) } }
+        : found;
     if (item) carrier.machine.log.say(seen, onCorner ? (item.corner?.index ?? item.index) : item.index);
   }
   const open = chain.items.at(-1)?.corner;
-  if (open) carrier.machine.log.say(issue("cornerElementAlone", "error", { element: chain.items.length }, "contour"), open.index);
+  if (open)
+    carrier.machine.log.say(
+      issue("cornerElementAlone", "error", { element: chain.items.length }, "contour"),
+      open.index,
+    );
 }
 
 /** Without an element of its own, a contour of one point takes the direction in which the tool came to it. */
 function ownDirection(chain: CompensatedChain, here: PlanePoint | null): PlaneSegment | undefined {
   const { start } = chain;
-  return start.kind === "line" && here && apart(here, start.to) > ROUND ? { kind: "line", from: here, to: start.to } : undefined;
+  return start.kind === "line" && here && apart(here, start.to) > ROUND
+    ? { kind: "line", from: here, to: start.to }
+    : undefined;
 }
 
 const hasRadius = (side: Side) => side !== "none";
@@ -218,8 +253,11 @@ export function finishChain(
     f.asProgrammed();
     return f.centre && sum(f.centre, carrier.tip);
   }
-  const contour = planeContour(chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })),
-    chain.side, carrier.toolRadius);
+  const contour = planeContour(
+    chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })),
+    chain.side,
+    carrier.toolRadius,
+  );
   sayIssues(carrier, chain, contour);
   sayPathCut(carrier, chain, contour);
   const single = ownDirection(chain, here);
@@ -231,7 +269,10 @@ export function finishChain(
   else if (departure) {
     sayAlone(f, `DEP ${departure.form}`, departure.index);
     if (f.centre && departure.target)
-      f.go({ kind: "line", from: f.centre, to: difference(departure.target, carrier.tip) }, { ...departure, toZ: departure.fromZ });
+      f.go(
+        { kind: "line", from: f.centre, to: difference(departure.target, carrier.tip) },
+        { ...departure, toZ: departure.fromZ },
+      );
     f.lift(departure);
   }
   return f.centre && sum(f.centre, carrier.tip);

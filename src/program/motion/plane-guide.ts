@@ -16,7 +16,8 @@ const { apart, lengthOf } = plane;
 
 const SIDES: Readonly<Record<Compensation, Side>> = { R0: "none", RL: "left", RR: "right" };
 /** The side that a block asks for; the one in force when it says nothing. */
-export const sideOf = (words: Words, now: Side): Side => (words.compensation === undefined ? now : SIDES[words.compensation]);
+export const sideOf = (words: Words, now: Side): Side =>
+  words.compensation === undefined ? now : SIDES[words.compensation];
 
 /** A path block in the working plane: from the programmed point before it (null: unknown) to its own. */
 export interface PathStep extends Travel {
@@ -45,7 +46,9 @@ const LONGEST = 20_000;
 /** Elements as programmed that wait at most for a corner behind them; only the last one really has to. */
 const WAITING = 1000;
 
-/** Carries out a contour without compensation up to its last element, so that a long program does not wait as a whole. */
+/**
+ * Carries out a contour without compensation up to its last element, so that a long program does not wait as a whole.
+ */
 function advance(guide: Guide, carrier: CarrierFor): void {
   const items = guide.chain?.items ?? [];
   if (items.length <= WAITING || guide.chain?.side !== "none") return;
@@ -78,7 +81,8 @@ function append(machine: Machine, guide: Guide, step: PathStep, programmed: Plan
 export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, step: PathStep): void {
   const now = guide.chain?.side ?? "none";
   const { machine } = carrier(requested);
-  if (now !== "none" && requested !== "none" && now !== requested) machine.log.say(programIssue("sideChanged", "error", {}), step.index);
+  if (now !== "none" && requested !== "none" && now !== requested)
+    machine.log.say(programIssue("sideChanged", "error", {}), step.index);
   if (guide.chain && now !== requested) {
     close(guide, carrier);
     if (requested === "none") return uncompensated(machine, guide, step, guide.here);
@@ -88,7 +92,8 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
     return advance(guide, carrier);
   }
   if (guide.chain) {
-    if (guide.chain.items.length >= LONGEST) return machine.stop(programIssue("contourTooLong", "error", { limit: LONGEST }), step.index);
+    if (guide.chain.items.length >= LONGEST)
+      return machine.stop(programIssue("contourTooLong", "error", { limit: LONGEST }), step.index);
     append(machine, guide, step, step.segment ?? { kind: "line", from: step.to, to: step.to });
     return;
   }
@@ -105,8 +110,14 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
 /** R0: as programmed. After RL or RR the tool leaves from where it really stands. */
 function uncompensated(machine: Machine, guide: Guide, step: PathStep, standing: PlanePoint | null): void {
   guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
-  append(machine, guide, step,
-    standing ? { kind: "line", from: standing, to: step.to } : (step.segment ?? { kind: "line", from: step.to, to: step.to }));
+  append(
+    machine,
+    guide,
+    step,
+    standing
+      ? { kind: "line", from: standing, to: step.to }
+      : (step.segment ?? { kind: "line", from: step.to, to: step.to }),
+  );
 }
 
 /** A rounding or chamfer behind the last element; false when there is none. */
@@ -141,7 +152,12 @@ export interface WrittenApproach {
   readonly toZ: number | null;
 }
 
-function callOf(machine: Machine, b: WrittenApproach, feed: Travel["feed"], known: Travel["feed"] | undefined): ApproachCall {
+function callOf(
+  machine: Machine,
+  b: WrittenApproach,
+  feed: Travel["feed"],
+  known: Travel["feed"] | undefined,
+): ApproachCall {
   const { form, departing, index, target, fromZ, toZ } = b;
   const pole = machine.now.pole && pointIn(machine.now.turning ? "lathe" : "XY", machine.now.pole.at);
   return {
@@ -160,7 +176,8 @@ function callOf(machine: Machine, b: WrittenApproach, feed: Travel["feed"], know
 }
 
 /** The feed that the block before ran at: null is rapid; undefined when none is programmed at all. */
-const feedBefore = (machine: Machine) => (machine.now.lastFeed === undefined ? (machine.now.feed ?? undefined) : machine.now.lastFeed);
+const feedBefore = (machine: Machine) =>
+  machine.now.lastFeed === undefined ? (machine.now.feed ?? undefined) : machine.now.lastFeed;
 
 /** Forms that run without a side as if nothing were wrong; the others say what they take. */
 const UNCOMPENSATED: ReadonlySet<ApproachCall["shape"]> = new Set(["LT", "LCT"]);
@@ -180,7 +197,12 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenAppro
   if (!guide.here && machine.place.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), b.index);
   const feed = blockFeed(machine, b.words.feed, b.index);
   const before = known === undefined ? feed : known;
-  guide.chain = { side, start: { kind: "approach", call: callOf(machine, b, feed, known), before }, lifts: [], items: [] };
+  guide.chain = {
+    side,
+    start: { kind: "approach", call: callOf(machine, b, feed, known), before },
+    lifts: [],
+    items: [],
+  };
 }
 
 /** DEP: the contour ends, and compensation with it. */

@@ -16,7 +16,10 @@ function isBelow(item: ChainItem | undefined, onCorner: boolean, top: number | n
   return heights.some((z) => z === null || z < top);
 }
 
-/** The deepest place where the way along a contour cuts that contour. A path that does not fit its neighbours is at fault before that. */
+/**
+ * The deepest place where the way along a contour cuts that contour. A path that does not fit its neighbours is at
+ * fault before that.
+ */
 function cutOf(contour: PlaneContour, { items }: CompensatedChain, { top }: Carrier, toolRadius: number) {
   const indices = new Map<string, number>();
   const key = (element: number, onCorner: boolean) => `${element} ${onCorner}`;
@@ -27,22 +30,37 @@ function cutOf(contour: PlaneContour, { items }: CompensatedChain, { top }: Carr
     const c = contour.contour[i];
     return c !== undefined && isBelow(items[c.element], c.onCorner, top);
   };
-  const cut = pathCut(contour.contour.map((c) => c.segment), pieces, toolRadius, isWall);
+  const cut = pathCut(
+    contour.contour.map((c) => c.segment),
+    pieces,
+    toolRadius,
+    isWall,
+  );
   return cut && { ...cut, by: milled[cut.piece], wall: contour.contour[cut.into] };
 }
 
 /** A control compares an element with its neighbours only: it mills through a waist narrower than its tool. */
 export function sayPathCut(carrier: Carrier, chain: CompensatedChain, contour: PlaneContour): void {
   // A turning tool is no full circle, and what it cuts of its part is proved.
-  if (carrier.plane !== "XY" || chain.side === "none" || contour.issues.some((each) => each.issue.severity === "error")) return;
+  if (carrier.plane !== "XY" || chain.side === "none" || contour.issues.some((each) => each.issue.severity === "error"))
+    return;
   const cut = cutOf(contour, chain, carrier, carrier.toolRadius);
   if (!cut?.by || !cut.wall) return;
-  const { by, wall, depth, on } = cut, item = chain.items[by.element];
+  const { by, wall, depth, on } = cut,
+    item = chain.items[by.element];
   if (!item) return;
-  const found = issue("pathCutsContour", "warning", { element: by.element + 1, other: wall.element + 1, depth, x: on.x, y: on.y }, "tool");
+  const found = issue(
+    "pathCutsContour",
+    "warning",
+    { element: by.element + 1, other: wall.element + 1, depth, x: on.x, y: on.y },
+    "tool",
+  );
   const fits = (size: number) => {
-    const smaller = planeContour(chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })),
-      chain.side, size);
+    const smaller = planeContour(
+      chain.items.map(({ segment, corner }) => ({ segment, ...(corner && { corner: corner.element }) })),
+      chain.side,
+      size,
+    );
     // What is offered passes without a hair of a cut.
     return smaller.issues.length === 0 && cutOf(smaller, chain, carrier, size + LEAST_PATH_CUT - SAME) === null;
   };

@@ -15,15 +15,16 @@ interface At {
 }
 
 /**
- * Takes a change over. A turned part has one side and one axis: what mirrored, turned or scaled coordinates mean there, no manual
- * says, so nothing is proved. Nor is a contour whose side changes while it is compensated.
+ * Takes a change over. A turned part has one side and one axis: what mirrored, turned or scaled coordinates mean there,
+ * no manual says, so nothing is proved. Nor is a contour whose side changes while it is compensated.
  */
 function change(machine: Machine, by: Partial<Transform>, { what, index }: At): void {
   const before = machine.now.transform;
   const transform = settledTransform({ ...before, ...by });
   if (JSON.stringify(before) === JSON.stringify(transform)) return;
   machine.set({ transform });
-  if ((machine.now.turning && transform !== NO_TRANSFORM) || machine.now.compensation !== "R0") machine.log.leaveUnproved(what, index);
+  if ((machine.now.turning && transform !== NO_TRANSFORM) || machine.now.compensation !== "R0")
+    machine.log.leaveUnproved(what, index);
 }
 
 /** Coordinates that are mirrored, turned or scaled go over into turning, where they are not run. */
@@ -38,7 +39,11 @@ export function mirrorAxes(machine: Machine, axes: readonly AxisName[] | "reset"
   if (axes !== "reset" && axes.some((a) => !"XYZ".includes(a))) machine.log.leaveUnproved(at.what, at.index);
 }
 
-export function turnPlane(machine: Machine, angle: { readonly value: Value; readonly incremental: boolean } | "reset", at: At): void {
+export function turnPlane(
+  machine: Machine,
+  angle: { readonly value: Value; readonly incremental: boolean } | "reset",
+  at: At,
+): void {
   if (angle === "reset") return change(machine, { rotation: 0 }, at);
   const n = machine.number(angle.value, at.index);
   if (n === null) machine.log.leaveUnproved(at.what, at.index);

@@ -17,25 +17,30 @@ import { coordinatesIn, type PathBlock } from "../state/path.ts";
 import type { Carrier } from "./carrier.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf, type CarrierFor } from "./plane-guide.ts";
 
-/** The carrier of a turning tool: compensated by its nose radius, or as programmed; the program moves its theoretical tip. */
-const carrierOf = (machine: Machine): CarrierFor => (side): Carrier => {
-  const { tool } = machine.now;
-  const tip = side === "none" || !tool ? { u: 0, v: 0 } : tipOffset(tool);
-  return {
-    machine,
-    plane: "ZX",
-    toolRadius: tool ? noseRadius(tool) : 0,
-    tip: { x: tip.u, y: tip.v },
-    top: null,
-    emit: (s, { feed, index }) => {
-      const path = partSegment(s);
-      const isCompensated = side !== "none" && feed !== null;
-      if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, { isCompensated });
-    },
-    arrive: () => undefined,
-    note: (run) => machine.log.approaches.push(run),
+/**
+ * The carrier of a turning tool: compensated by its nose radius, or as programmed; the program moves its theoretical
+ * tip.
+ */
+const carrierOf =
+  (machine: Machine): CarrierFor =>
+  (side): Carrier => {
+    const { tool } = machine.now;
+    const tip = side === "none" || !tool ? { u: 0, v: 0 } : tipOffset(tool);
+    return {
+      machine,
+      plane: "ZX",
+      toolRadius: tool ? noseRadius(tool) : 0,
+      tip: { x: tip.u, y: tip.v },
+      top: null,
+      emit: (s, { feed, index }) => {
+        const path = partSegment(s);
+        const isCompensated = side !== "none" && feed !== null;
+        if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, { isCompensated });
+      },
+      arrive: () => undefined,
+      note: (run) => machine.log.approaches.push(run),
+    };
   };
-};
 
 /** Carries out what waits between RL or RR and its end. */
 export const closeTurn = (machine: Machine): void => {
@@ -44,20 +49,24 @@ export const closeTurn = (machine: Machine): void => {
 
 /** True when a path block belongs to a compensated contour. */
 export const isGuided = (machine: Machine, words: Words): boolean =>
-  machine.now.tool !== null && (machine.turnGuide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
+  machine.now.tool !== null &&
+  (machine.turnGuide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
 
 /** Tip orientations that point along one axis, so that neither side is that of the insert. */
 const NEUTRAL: ReadonlySet<TipOrientation> = new Set([2, 4, 6, 8]);
 
 /**
- * RL or RR begins with a neutral tip: its direction is printed as not clear (TNC7, 81762x-17, tool radius compensation of turning tools).
- * Cycles compensate by themselves and are not meant.
+ * RL or RR begins with a neutral tip: its direction is printed as not clear (TNC7, 81762x-17, tool radius compensation
+ * of turning tools). Cycles compensate by themselves and are not meant.
  */
 function sayNeutralTip(machine: Machine, side: Side, index: number): void {
   const { tool } = machine.now;
   if (side === "none" || !tool || isDrillType(tool.TYPE) || !NEUTRAL.has(tool.TO)) return;
   const word = side === "left" ? "RL" : "RR";
-  machine.log.say(programIssue("compensationUndefined", "warning", { side: word, orientation: tool.TO }, "tool"), index);
+  machine.log.say(
+    programIssue("compensationUndefined", "warning", { side: word, orientation: tool.TO }, "tool"),
+    index,
+  );
 }
 
 /** Begins where the tip stands, unless a contour is under way. */
@@ -99,7 +108,9 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
   if (requested === "none" && words.compensation !== undefined) closeTurn(machine);
 }
 
-/** Nobody knows from where a block goes: a fault of the block, unless another one that was told has lost the position. */
+/**
+ * Nobody knows from where a block goes: a fault of the block, unless another one that was told has lost the position.
+ */
 export function startUnknown(machine: Machine, index: number): void {
   if (machine.place.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), index);
 }
@@ -118,7 +129,15 @@ export function turnApproach(machine: Machine, s: Extract<Statement, { kind: "ap
   else if (to) machine.setPlace({ at: to });
   const tip = machine.tip;
   if (isEnd && !tip) return startUnknown(machine, index);
-  const block = { departing, form, words, index, target: isEnd && tip ? planePoint(tip) : null, fromZ: null, toZ: null };
+  const block = {
+    departing,
+    form,
+    words,
+    index,
+    target: isEnd && tip ? planePoint(tip) : null,
+    fromZ: null,
+    toZ: null,
+  };
   if (departing) endWithDeparture(machine.turnGuide, carrierOf(machine), block);
   else beginApproach(machine.turnGuide, carrierOf(machine), block);
   const { here } = machine.turnGuide;

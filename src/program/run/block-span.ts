@@ -23,8 +23,8 @@ function spanFrom({ blocks }: Program, from: number, ends: Ends): BlockSpan {
 }
 
 /**
- * The blocks that a block stands for: a tool call and a structure line for all up to the next one, a label and its call for the
- * subprogram, any other block for itself.
+ * The blocks that a block stands for: a tool call and a structure line for all up to the next one, a label and its call
+ * for the subprogram, any other block for itself.
  */
 export function blockSpan(program: Program, index: number): BlockSpan {
   const statement = program.blocks[index]?.statement;

@@ -8,7 +8,10 @@ interface TextFile {
   readonly text: string;
 }
 
-/** Texts without any of these name no other file, and need not be read for it: most of a folder is long and calls nothing. */
+/**
+ * Texts without any of these name no other file, and need not be read for it: most of a folder is long and calls
+ * nothing.
+ */
 const MAY_NAME =
   /(?:CALL|SEL)[ \t]+PGM|SEL[ \t]+CONTOUR|CONTOUR[ \t]+DEF|DECLARE|CYCL[ \t]+DEF[ \t]*12|BLANK|FILE|FORM[ \t]+ROTATION|QS\d/i;
 const BEGIN = /^[ \t]*(?:N?\d+[ \t]+)?BEGIN[ \t]+PGM/im;
@@ -21,7 +24,9 @@ function quotedIn(text: TextFormula): readonly string[] {
 /** Every file that a value names anywhere in it: blocks of many kinds do, in places of their own. */
 function filesIn(value: unknown): readonly string[] {
   if (typeof value !== "object" || value === null) return [];
-  return Object.entries(value).flatMap(([key, held]) => (key === "file" && typeof held === "string" ? [held] : filesIn(held)));
+  return Object.entries(value).flatMap(([key, held]) =>
+    key === "file" && typeof held === "string" ? [held] : filesIn(held),
+  );
 }
 
 function namedBy(s: Statement): readonly string[] {
@@ -41,7 +46,9 @@ function reachedFrom(key: string, names: ReadonlyMap<string, ReadonlySet<string>
   return seen;
 }
 
-/** Files that were opened together: which one runs, and the programs among them that each could be a work of its own. */
+/**
+ * Files that were opened together: which one runs, and the programs among them that each could be a work of its own.
+ */
 export interface MainPrograms {
   readonly index: number;
   /** False where it is not clear which one runs: no program is called by none, or several are. */
@@ -51,20 +58,25 @@ export interface MainPrograms {
 }
 
 /**
- * Which of the files that were opened together runs: the program that no other calls. Where that is none or several, the one
- * that reaches most of the others, then the first; `sure` is false then.
+ * Which of the files that were opened together runs: the program that no other calls. Where that is none or several,
+ * the one that reaches most of the others, then the first; `sure` is false then.
  */
 export function mainOf(files: readonly TextFile[], parse: (text: string) => Program): MainPrograms {
   const keys = files.map(({ name }) => fileKey(name));
-  const names = new Map(files.map(({ text }, i) => [keys[i] ?? "", MAY_NAME.test(text) ? namedFiles(parse(text)) : new Set<string>()]));
+  const names = new Map(
+    files.map(({ text }, i) => [keys[i] ?? "", MAY_NAME.test(text) ? namedFiles(parse(text)) : new Set<string>()]),
+  );
   const called = new Map<string, string[]>();
-  for (const [by, all] of names) for (const name of all) if (name !== by) called.set(name, [...(called.get(name) ?? []), by]);
+  for (const [by, all] of names)
+    for (const name of all) if (name !== by) called.set(name, [...(called.get(name) ?? []), by]);
   const programs = files.flatMap(({ text }, i) => (BEGIN.test(text) ? [i] : []));
   const reached = (i: number) => reachedFrom(keys[i] ?? "", names);
-  const free = programs.filter((i) => !called.has(keys[i] ?? "")).map((index) => {
-    const all = reached(index);
-    return { index, calls: keys.flatMap((key, i) => (i !== index && all.has(key) ? [i] : [])) };
-  });
+  const free = programs
+    .filter((i) => !called.has(keys[i] ?? ""))
+    .map((index) => {
+      const all = reached(index);
+      return { index, calls: keys.flatMap((key, i) => (i !== index && all.has(key) ? [i] : [])) };
+    });
   const [only] = free;
   if (only && free.length === 1) return { index: only.index, sure: true, free };
   const candidates = free.length > 0 ? free.map(({ index }) => index) : programs;

@@ -43,23 +43,35 @@ describe("lists that older software wrote", () => {
     expect(ran(older).steps.map(({ move }) => move)).toEqual(ran(whole).steps.map(({ move }) => move));
     expect(ran(older).steps.length).toBeGreaterThan(10);
     const filled = Object.entries(values).map(([q, value]) => `${q}=${value}`);
-    expect(said(older).filter(({ code }) => code === "listOfOlderSoftware")).toEqual([{
-      code: "listOfOlderSoftware",
-      severity: "info",
-      data: { cycle: number, filled: expect.arrayContaining(filled) as unknown },
-    }]);
+    expect(said(older).filter(({ code }) => code === "listOfOlderSoftware")).toEqual([
+      {
+        code: "listOfOlderSoftware",
+        severity: "info",
+        data: { cycle: number, filled: expect.arrayContaining(filled) as unknown },
+      },
+    ]);
     expect(said(whole).filter(({ code }) => code === "listOfOlderSoftware")).toEqual([]);
     expect(said(older).filter(({ severity }) => severity === "error")).toEqual([]);
   });
 
-  test.each([[862, "Q478"], [852, "Q463"], [811, "Q463"]])("%i without %s lacks a value that no software left out", (number, q) => {
+  test.each([
+    [862, "Q478"],
+    [852, "Q463"],
+    [811, "Q463"],
+  ])("%i without %s lacks a value that no software left out", (number, q) => {
     const [, older] = both(number, { [q]: 1 });
-    expect(said(older).filter(({ code }) => code === "missing").map(placeOf)).toEqual([q]);
+    expect(
+      said(older)
+        .filter(({ code }) => code === "missing")
+        .map(placeOf),
+    ).toEqual([q]);
   });
 
   test("a parameter that is there without a value is missing, as on the control", () => {
     const [whole] = both(862, LATER);
-    expect(said(whole.replace(/Q510=\S+/, "Q510=")).map((i) => `${i.code} ${placeOf(i) ?? ""}`)).toContain("missing Q510");
+    expect(said(whole.replace(/Q510=\S+/, "Q510=")).map((i) => `${i.code} ${placeOf(i) ?? ""}`)).toContain(
+      "missing Q510",
+    );
   });
 
   test("are told once, however many there are", () => {

@@ -20,7 +20,12 @@ export type PathChoice =
   /** A block of a called file, by the line on which it begins. */
   | { readonly kind: "inFile"; readonly file: string; readonly line: number }
   /** The moves of one pass of a cycle call, or of one of its phases; all of the call where neither is named. */
-  | { readonly kind: "pass"; readonly operation: number; readonly of?: Step["move"]["run"]; readonly pass?: number | undefined }
+  | {
+      readonly kind: "pass";
+      readonly operation: number;
+      readonly of?: Step["move"]["run"];
+      readonly pass?: number | undefined;
+    }
   /** Segments of the programmed contour, counted from 0. */
   | { readonly kind: "segments"; readonly segments: readonly number[] };
 
@@ -28,7 +33,9 @@ export type PathChoice =
 export interface Marked {
   readonly stretches: readonly MoveSpan[];
   readonly contour: readonly Segment[];
-  /** The step at whose beginning the tool is shown; null where nothing in the run belongs to the choice, or follows it. */
+  /**
+   * The step at whose beginning the tool is shown; null where nothing in the run belongs to the choice, or follows it.
+   */
   readonly begin: number | null;
 }
 
@@ -62,7 +69,8 @@ export function stretchesBy<S, K>(steps: readonly S[], keyAt: (step: S, i: numbe
   let first = 0;
   let next = steps.length > 0 ? keyAt(steps[0] as S, 0) : null;
   for (let i = 0; i < steps.length; i += 1) {
-    const key = next, isLast = i + 1 === steps.length;
+    const key = next,
+      isLast = i + 1 === steps.length;
     next = isLast ? null : keyAt(steps[i + 1] as S, i + 1);
     if (next === key && !isLast) continue;
     if (key !== null) noted(all, key, { first, last: i });
@@ -125,7 +133,10 @@ export function contourOf(operation: Operation): readonly Segment[] {
   return call?.given.contour?.map((segment) => shiftedSegment(segment, call.datum)) ?? [];
 }
 
-/** The moves that make some segments of a contour: finishing moves nearest to them; of a call that only roughs, its last pass. */
+/**
+ * The moves that make some segments of a contour: finishing moves nearest to them; of a call that only roughs, its last
+ * pass.
+ */
 function movesAlong(run: Run, operation: number, chosen: ReadonlySet<number>): readonly MoveSpan[] {
   const [whole] = stretchOf(run, operation);
   const call = run.operations[operation];
@@ -134,12 +145,14 @@ function movesAlong(run: Run, operation: number, chosen: ReadonlySet<number>): r
   const steps = run.steps.slice(whole.first, whole.last + 1);
   const finishes = steps.some(({ move }) => move.phase === "finish");
   const makes = ({ move }: Step) =>
-    move.kind !== "rapid" && (finishes ? move.phase === "finish" : move.pass === call.plan.passes && move.phase !== "position");
+    move.kind !== "rapid" &&
+    (finishes ? move.phase === "finish" : move.pass === call.plan.passes && move.phase !== "position");
   const nearest = (p: Pt) => {
     const far = contour.map((s) => part.distanceTo(s, p));
     return far.indexOf(Math.min(...far));
   };
-  const along = stretchesBy(steps, (step) => (makes(step) && chosen.has(nearest(middleOf(step))) ? true : null)).get(true) ?? [];
+  const along =
+    stretchesBy(steps, (step) => (makes(step) && chosen.has(nearest(middleOf(step))) ? true : null)).get(true) ?? [];
   return along.map(({ first, last }) => ({ first: first + whole.first, last: last + whole.first }));
 }
 
@@ -153,7 +166,11 @@ function alongContour(run: Run, places: readonly ContourPlace[]): Marked {
   const of = [...new Set(places.map(({ operation }) => operation))];
   return marking(
     of.flatMap((operation) =>
-      movesAlong(run, operation, new Set(places.filter((p) => p.operation === operation).map(({ segment }) => segment)))
+      movesAlong(
+        run,
+        operation,
+        new Set(places.filter((p) => p.operation === operation).map(({ segment }) => segment)),
+      ),
     ),
     contour,
   );
@@ -176,8 +193,11 @@ function ofBlocks(run: Run, { span: { from, to }, line }: Extract<PathChoice, { 
 }
 
 function ofFileBlock(run: Run, { file, line }: Extract<PathChoice, { kind: "inFile" }>): Marked {
-  const { definedAt, contourAt } = pathIndex(run), key = keyOf(file, line);
-  const own = stretchesBy(run.steps, (step) => (step.line !== undefined && keyOf(step.file, step.line) === key ? true : null)).get(true);
+  const { definedAt, contourAt } = pathIndex(run),
+    key = keyOf(file, line);
+  const own = stretchesBy(run.steps, (step) =>
+    step.line !== undefined && keyOf(step.file, step.line) === key ? true : null,
+  ).get(true);
   if (own) return marking(own);
   const defined = definedAt.get(key);
   if (defined) return marking(defined.flatMap((operation) => stretchOf(run, operation)));
@@ -189,7 +209,8 @@ function ofPass(run: Run, { operation, of, pass }: Extract<PathChoice, { kind: "
   const [whole] = stretchOf(run, operation);
   if (!whole || of === undefined) return marking(whole ? [whole] : []);
   const steps = run.steps.slice(whole.first, whole.last + 1);
-  const mine = ({ move }: Step) => move.run === of && (pass === undefined || move.pass === pass) && move.phase !== "position";
+  const mine = ({ move }: Step) =>
+    move.run === of && (pass === undefined || move.pass === pass) && move.phase !== "position";
   const found = stretchesBy(steps, (step) => (mine(step) ? true : null)).get(true) ?? [];
   return marking(found.map(({ first, last }) => ({ first: first + whole.first, last: last + whole.first })));
 }
@@ -204,13 +225,17 @@ export function markedBy(run: Run, choice: PathChoice): Marked {
     case "pass":
       return ofPass(run, choice);
     case "segments":
-      return alongContour(run, run.operations.flatMap((o, operation) => (o.contourLines
-        ? choice.segments.map((segment) => ({
-          operation,
-          segment,
-        }))
-        : [])
-      ));
+      return alongContour(
+        run,
+        run.operations.flatMap((o, operation) =>
+          o.contourLines
+            ? choice.segments.map((segment) => ({
+                operation,
+                segment,
+              }))
+            : [],
+        ),
+      );
   }
 }
 
@@ -231,14 +256,18 @@ export type RunningPart = "operation" | "phase" | "pass";
 /** The part of the path that belongs to a step, or between two cycles to the one that comes. */
 export function runningPart(run: Run, step: number, part: RunningPart): PathChoice | null {
   const { operation, move } = run.steps[Math.min(step, run.steps.length - 1)] ?? {};
-  const next = operation ?? run.operations.findIndex(({ firstStep, lastStep }) => firstStep > step && lastStep >= firstStep);
+  const next =
+    operation ?? run.operations.findIndex(({ firstStep, lastStep }) => firstStep > step && lastStep >= firstStep);
   const shown = next < 0 ? run.operations.length - 1 : next;
   if (shown < 0) return null;
   if (part === "operation" || move === undefined || operation === null) return { kind: "pass", operation: shown };
   return { kind: "pass", operation: shown, of: move.run, ...(part === "pass" && { pass: move.pass }) };
 }
 
-/** Where the dialog of a move is: at the definition of its cycle; outside the cycles of a called file at its block there. */
+/**
+ * Where the dialog of a move is: at the definition of its cycle; outside the cycles of a called file at its block
+ * there.
+ */
 export function definitionOf(run: Run, step: number): TextLine | null {
   const { operation = null, file, line } = run.steps[step] ?? {};
   const made = operation === null ? undefined : run.operations[operation];
@@ -258,7 +287,8 @@ export function contourHit(run: Run, place: Pt, reach: number): ContourHit | nul
   let nearest = reach;
   run.operations.forEach((call, operation) => {
     contourOf(call).forEach((s, segment) => {
-      const far = part.distanceTo(s, place), line = call.contourLines?.[segment];
+      const far = part.distanceTo(s, place),
+        line = call.contourLines?.[segment];
       if (!line || far > nearest || (best && far === nearest)) return;
       nearest = far;
       best = { ...line, operation, segment };

@@ -8,8 +8,10 @@ import { run } from "./run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
 function made(text: string) {
-  const program = parse(text), result = run(program, { tools: shippedTools, rapid: 10_000 });
-  const numbers = blockNumbers(program), lines = startLines(program);
+  const program = parse(text),
+    result = run(program, { tools: shippedTools, rapid: 10_000 });
+  const numbers = blockNumbers(program),
+    lines = startLines(program);
   const choice = (number: number) => {
     const index = numbers.indexOf(number);
     return { kind: "blocks", span: blockSpan(program, index), line: lines[index] ?? 0 } as const;
@@ -58,7 +60,8 @@ describe("a program that turns and mills", () => {
   const { run: result, choice } = mixed;
   const turnedFirst = result.steps.findIndex(({ block }) => block > 15);
   test("has no unknown tool in a mill that TOOL DEF gives its radius; turning with it is one", () => {
-    const codes = (text: string) => run(parse(text), { tools: shippedTools, rapid: 10_000 }).issues.map(({ issue: { code } }) => code);
+    const codes = (text: string) =>
+      run(parse(text), { tools: shippedTools, rapid: 10_000 }).issues.map(({ issue: { code } }) => code);
     const known = print(mixed.program);
     expect(codes(known)).not.toContain("toolUnknown");
     expect(codes(known.replace("16 TOOL CALL 1\n", "16 ;\n"))).toContain("toolUnknown");

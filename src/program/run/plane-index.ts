@@ -43,11 +43,15 @@ export function choiceOfMilled({ plane }: Pick<Run, "plane">, step: number): Pat
   return made ? { kind: "blocks", span: { from: made.index, to: made.index }, line: 0 } : null;
 }
 
-/** Which picture shows what a choice stands for, by its own moves or else by those that come next; null where a program has only one. */
+/**
+ * Which picture shows what a choice stands for, by its own moves or else by those that come next; null where a program
+ * has only one.
+ */
 export function sideOfChoice(run: Run, choice: PathChoice): MachineSide | null {
   if (run.plane.length === 0 || run.steps.length === 0) return null;
   if (choice.kind !== "blocks") return "lathe";
-  const [milled] = milledBy(run, choice.span), turned = markedBy(run, choice);
+  const [milled] = milledBy(run, choice.span),
+    turned = markedBy(run, choice);
   if (turned.stretches.length > 0) return milled && firstIsMilled(run, milled.first, turned.begin) ? "plane" : "lathe";
   if (milled) return "plane";
   const [next, begin] = [planeBegin(run, choice.span.to), turned.begin];
@@ -79,10 +83,15 @@ export function momentOn(run: Pick<Run, "plane" | "steps">, side: MachineSide, s
 }
 
 /**
- * Where a program goes on with the other side when it has been played from one step to another: the step there with which it does;
- * null while it stays.
+ * Where a program goes on with the other side when it has been played from one step to another: the step there with
+ * which it does; null while it stays.
  */
-export function crossing({ plane, steps }: Pick<Run, "plane" | "steps">, side: MachineSide, from: number, to: number): number | null {
+export function crossing(
+  { plane, steps }: Pick<Run, "plane" | "steps">,
+  side: MachineSide,
+  from: number,
+  to: number,
+): number | null {
   if (side === "plane") {
     const before = plane[from]?.turned;
     const after = to < plane.length ? plane[to]?.turned : steps.length;

@@ -27,7 +27,10 @@ interface Former {
 const NOTED: ReadonlySet<Statement["kind"]> = new Set(["cycle", "toolCall"]);
 const MOST_NOTED = 48;
 
-/** What counts for all of a program, wherever it stands: its unit, its labels, which of them are outlines, how it begins. */
+/**
+ * What counts for all of a program, wherever it stands: its unit, its labels, which of them are outlines, how it
+ * begins.
+ */
 const OF_ALL: ReadonlySet<Statement["kind"]> = new Set([
   "begin",
   "end",
@@ -47,7 +50,10 @@ function isLike(a: Block, b: Block | undefined): boolean {
   return s.kind === t.kind && !OF_ALL.has(s.kind) && (s.kind !== "cycle" || t.kind !== "cycle" || s.cycle === t.cycle);
 }
 
-/** Where a run is; null where a run of another program could not go on from, since something is under way that it would change. */
+/**
+ * Where a run is; null where a run of another program could not go on from, since something is under way that it would
+ * change.
+ */
 function passing(machine: Machine): RunMoment | null {
   const { now, place, freePole, executed, turnGuide, millGuide } = machine;
   const isBetween = !turnGuide.chain && !millGuide.chain && !machine.freeRun && !machine.next && !machine.full;
@@ -88,9 +94,14 @@ const areSame = (a: Beside, b: Beside): boolean =>
 
 /** Whether two runs can use the same, apart from programs that they call. */
 const isSameShop = (a: Shop, b: Shop): boolean =>
-  a.rapid === b.rapid && isSame(a.machine, b.machine) && a.control === b.control && a.skipMarked === b.skipMarked && a.memory === b.memory
-  && isSame(a.tools, b.tools)
-  && isSame(a.mills, b.mills) && isSame([...(a.refused ?? [])], [...(b.refused ?? [])]);
+  a.rapid === b.rapid &&
+  isSame(a.machine, b.machine) &&
+  a.control === b.control &&
+  a.skipMarked === b.skipMarked &&
+  a.memory === b.memory &&
+  isSame(a.tools, b.tools) &&
+  isSame(a.mills, b.mills) &&
+  isSame([...(a.refused ?? [])], [...(b.refused ?? [])]);
 
 /** What the former run passed before it looked at anything that is another now. */
 function common(
@@ -102,7 +113,9 @@ function common(
   if (!isSameShop(machine.shop, shop) || !areSame(beside, calls)) return null;
   const changed = changedBlocks(machine.program, program);
   if (!changed) return null;
-  const looked = changed.flatMap((i) => [machine.visited[i] ?? 0, machine.foreseen[i] ?? 0]).filter((count) => count > 0);
+  const looked = changed
+    .flatMap((i) => [machine.visited[i] ?? 0, machine.foreseen[i] ?? 0])
+    .filter((count) => count > 0);
   const first = Math.min(...looked);
   return { passed: passed.filter(({ moment }) => moment.executed < first), first: changed[0] ?? null };
 }
@@ -117,15 +130,20 @@ interface Runner {
 const STOPPED = new Error("the rest of the program is run another time");
 
 /**
- * Runs one state of a program after the other: what it comes to before it looks at a block that is another one than in the run before
- * is not run again. What comes is the same as of `run`.
+ * Runs one state of a program after the other: what it comes to before it looks at a block that is another one than in
+ * the run before is not run again. What comes is the same as of `run`.
  */
 export function runningAgain(): Runner {
   let former: Former | null = null;
   const part: Runner["part"] = (program, shop, beside, goesOn) => {
     const same = former && common(former, program, shop, beside);
-    const passed = [...(same?.passed ?? [])], last = passed.at(-1);
-    const machine = new Machine(program, shop, former && last ? { machine: former.machine, at: last.moment } : undefined);
+    const passed = [...(same?.passed ?? [])],
+      last = passed.at(-1);
+    const machine = new Machine(
+      program,
+      shop,
+      former && last ? { machine: former.machine, at: last.moment } : undefined,
+    );
     if (last) shop.memory?.again(last.moment.asked);
     const apart = Math.ceil(program.blocks.length / MOST_NOTED);
     const watch = (next: number) => {

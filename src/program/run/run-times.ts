@@ -33,7 +33,12 @@ export interface Times extends SecondsBeside {
 }
 
 /** Where the time of a run goes. */
-export function timesOf({ steps, plane, seconds, timing: { beside } }: Pick<Run, "steps" | "plane" | "seconds" | "timing">): Times {
+export function timesOf({
+  steps,
+  plane,
+  seconds,
+  timing: { beside },
+}: Pick<Run, "steps" | "plane" | "seconds" | "timing">): Times {
   let [cutting, rapid, { dwell }] = [0, 0, beside];
   for (const { move, seconds: taken } of steps) {
     const cause = causeOf(move);

@@ -3,8 +3,17 @@ import { issue } from "../../kernel/plan/issue.ts";
 import type { Block, Program } from "../../nc/program.ts";
 import type { Statement, StatementOf, Words } from "../../nc/statement.ts";
 import { assign, assignText } from "../blocks/assign.ts";
-import { blankBox, blankCylinder, blankFile, blankOfTurnData, blankRotation, cuboidOf, tellBox, tellMissing,
-  turnBlank } from "../blocks/blank-block.ts";
+import {
+  blankBox,
+  blankCylinder,
+  blankFile,
+  blankOfTurnData,
+  blankRotation,
+  cuboidOf,
+  tellBox,
+  tellMissing,
+  turnBlank,
+} from "../blocks/blank-block.ts";
 import { clampedOf, takeComment } from "../clamping/read-clamping.ts";
 import { contourCycle, contourDefinition, selectContour } from "../blocks/contour-choice.ts";
 import { CONTOUR_CYCLE } from "../state/contour-names.ts";
@@ -25,7 +34,14 @@ import { startedBy, stoppedBy } from "../blocks/spindle-start.ts";
 import type { Run } from "../state/run-types.ts";
 import type { Shop } from "../state/shop.ts";
 import { correctTool, toolCall, toolDefinition } from "../blocks/tool-call.ts";
-import { mirrorAxes, scaleAxes, transformedTurning, transformLine, transforms, turnPlane } from "../motion/transform-blocks.ts";
+import {
+  mirrorAxes,
+  scaleAxes,
+  transformedTurning,
+  transformLine,
+  transforms,
+  turnPlane,
+} from "../motion/transform-blocks.ts";
 import { actingLine, actsAtOnce, isSilent, textBlock } from "../blocks/unproved-blocks.ts";
 
 /** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
@@ -44,18 +60,22 @@ export function runToEnd(machine: Machine, course: RunCourse): Run {
   finish(machine);
   machine.endBrought();
   tellBox(machine);
-  if (machine.now.turning && machine.log.steps.length > 0) machine.log.countsFrom(machine.now.datum.x, machine.now.datum.z);
+  if (machine.now.turning && machine.log.steps.length > 0)
+    machine.log.countsFrom(machine.now.datum.x, machine.now.datum.z);
   if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
   if (ending.word === null && !ending.told && machine.log.steps.length > 0)
     machine.log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
   if (machine.log.operations.length > 0 && machine.now.blank.length === 0) tellMissing(machine);
   const { toolChange, spindle, dwell } = machine.log.beside;
-  const blank = machine.log.firstBlank ?? machine.now.blank, clamping = clampedOf(machine, blank);
+  const blank = machine.log.firstBlank ?? machine.now.blank,
+    clamping = clampedOf(machine, blank);
   return {
     program: {
       name: frame.name,
       unit: machine.now.inch ? "inch" : "mm",
-      blocks: program.blocks.filter((b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment")).length,
+      blocks: program.blocks.filter(
+        (b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment"),
+      ).length,
     },
     blank,
     clamping,
@@ -76,7 +96,8 @@ export function runToEnd(machine: Machine, course: RunCourse): Run {
 }
 
 /** True for what only turns: its spindle, and its cycles. */
-const isTurned = ({ statement: s }: Block) => s.kind === "spin" || (s.kind === "cycle" && cycleByNumber(s.cycle) !== undefined);
+const isTurned = ({ statement: s }: Block) =>
+  s.kind === "spin" || (s.kind === "cycle" && cycleByNumber(s.cycle) !== undefined);
 
 /** A piece of a program without FUNCTION MODE before its first turned block is read as turning. */
 const beginsTurning = (program: Program) => {
@@ -126,10 +147,20 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
 };
 
 /** Kinds that are run by the order of the blocks, or by their M functions. */
-const IN_ORDER: ReadonlySet<Statement["kind"]> = new Set(["begin", "end", "label", "call", "jump", "raise", "functions", "stop"]);
+const IN_ORDER: ReadonlySet<Statement["kind"]> = new Set([
+  "begin",
+  "end",
+  "label",
+  "call",
+  "jump",
+  "raise",
+  "functions",
+  "stop",
+]);
 
 /** Whether a block of a kind does anything; of comments only the one that states the clamping is read. */
-export const acts = (kind: Statement["kind"]): boolean => kind !== "comment" && (HANDLERS[kind] !== undefined || IN_ORDER.has(kind));
+export const acts = (kind: Statement["kind"]): boolean =>
+  kind !== "comment" && (HANDLERS[kind] !== undefined || IN_ORDER.has(kind));
 
 /** Blocks behind which no contour goes on. */
 const ENDING: ReadonlySet<Statement["kind"]> = new Set(["mode", "toolCall", "cycleCall"]);
@@ -150,7 +181,8 @@ const handle = <K extends Statement["kind"]>(machine: Machine, kind: K, s: State
   HANDLERS[kind]?.(machine, s, index);
 
 function block(machine: Machine, s: Statement, index: number): void {
-  const words = wordsOf(s), { comment = null } = machine.blocks[index] ?? {};
+  const words = wordsOf(s),
+    { comment = null } = machine.blocks[index] ?? {};
   if (comment !== null) takeComment(machine, comment, index);
   before(machine, s, words);
   if (words) functions(machine, words, index);
@@ -204,14 +236,18 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
     machine.log.say(issue("outOfRange", "error", { value: limit, min: 0, max: FASTEST_SPINDLE }, "SMAX"), index);
   if (s.constantSurface && cuttingSpeed !== null && cuttingSpeed > 0) {
     machine.set({ spindle: { kind: "surface", cuttingSpeed, limit: Math.max(0, limit ?? 0) }, spunBy: index });
-  } else if (!s.constantSurface && speed !== null && speed > 0) machine.set({ spindle: { kind: "constant", speed }, spunBy: index });
+  } else if (!s.constantSurface && speed !== null && speed > 0)
+    machine.set({ spindle: { kind: "constant", speed }, spunBy: index });
   else {
     machine.log.say(programIssue("spindleMissing", "error", {}), index);
     machine.set({ speedElsewhere: "told" });
   }
 }
 
-/** One line of an older cycle: what shifts, mirrors, turns and scales is run, a contour's labels are noted, other cycles are told. */
+/**
+ * One line of an older cycle: what shifts, mirrors, turns and scales is run, a contour's labels are noted, other cycles
+ * are told.
+ */
 function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number): void {
   const { cycle, line, text } = s;
   if (cycle === CONTOUR_CYCLE) contourCycle(machine, s, index);

@@ -11,9 +11,10 @@ const findings = (
   severity: (i: number) => "error" | "warning" | "info" = () => "error",
 ): RunFinding[] =>
   Array.from({ length: count }, (_, i) => ({
-    issue: code === "labelMissing"
-      ? programIssue(code, severity(i), { label: String(i) })
-      : programIssue(code, severity(i), { tool: String(i) }),
+    issue:
+      code === "labelMissing"
+        ? programIssue(code, severity(i), { label: String(i) })
+        : programIssue(code, severity(i), { tool: String(i) }),
     block: i,
     line: i + 1,
     operation: null,
@@ -37,20 +38,27 @@ test("of more, the first stay, and the number of the others stands where they be
   expect(few.slice(0, MOST_ALIKE)).toEqual(all.slice(0, MOST_ALIKE));
 });
 
-test.each([["info", MOST_ALIKE - 1], ["warning", MOST_ALIKE + 5], ["error", MOST_ALIKE + 9]] as const)(
-  "what is left out is as grave as the gravest of it: %s",
-  (severity, at) => {
-    const few = fewAlike(findings(MOST_ALIKE + 20, "labelMissing", (i) => (i === at ? severity : "info")));
-    expect(few[MOST_ALIKE]?.issue.severity).toBe(severity);
-  },
-);
+test.each([
+  ["info", MOST_ALIKE - 1],
+  ["warning", MOST_ALIKE + 5],
+  ["error", MOST_ALIKE + 9],
+] as const)("what is left out is as grave as the gravest of it: %s", (severity, at) => {
+  const few = fewAlike(findings(MOST_ALIKE + 20, "labelMissing", (i) => (i === at ? severity : "info")));
+  expect(few[MOST_ALIKE]?.issue.severity).toBe(severity);
+});
 
 test("a program with a fault in every block lists some and counts the rest", () => {
   const blocks = Array.from({ length: 2500 }, (_, i) => `${i + 1} HEIDENHAIN what ever ${i}`);
-  const { issues } = run(parse(["0 BEGIN PGM A MM", ...blocks, "2501 END PGM A MM", ""].join("\n")), { tools: [], rapid: 10_000 });
+  const { issues } = run(parse(["0 BEGIN PGM A MM", ...blocks, "2501 END PGM A MM", ""].join("\n")), {
+    tools: [],
+    rapid: 10_000,
+  });
   expect(issues.filter((f) => f.issue.code === "notUnderstood").length).toBe(MOST_ALIKE);
-  expect(issues.filter((f) => f.issue.code === "moreAlike").map((f) => f.issue.data)).toEqual([{ code: "notUnderstood", count: 1500 }, {
-    code: "notProved",
-    count: 1500,
-  }]);
+  expect(issues.filter((f) => f.issue.code === "moreAlike").map((f) => f.issue.data)).toEqual([
+    { code: "notUnderstood", count: 1500 },
+    {
+      code: "notProved",
+      count: 1500,
+    },
+  ]);
 });

@@ -8,8 +8,8 @@ export const MOST_ALIKE = 1000;
 const WEIGHT: Readonly<Record<Severity, number>> = { info: 0, warning: 1, error: 2 };
 
 /**
- * What is known of the findings of one kind: how many there are, and of those that are not listed where they begin and how
- * grave they are.
+ * What is known of the findings of one kind: how many there are, and of those that are not listed where they begin and
+ * how grave they are.
  */
 interface Kind {
   count: number;
@@ -19,8 +19,8 @@ interface Kind {
 }
 
 /**
- * Of each kind the first MOST_ALIKE findings, in their order. In the place of the first that is left out stands how many there
- * are, as grave as the gravest of them: nothing is left out in silence.
+ * Of each kind the first MOST_ALIKE findings, in their order. In the place of the first that is left out stands how
+ * many there are, as grave as the gravest of them: nothing is left out in silence.
  */
 export function fewAlike(findings: Iterable<RunFinding>): RunFinding[] {
   const kinds = new Map<string, Kind>();
@@ -40,7 +40,11 @@ export function fewAlike(findings: Iterable<RunFinding>): RunFinding[] {
   for (const [code, { count, gravest, first }] of kinds) {
     const place = listed[first];
     if (place)
-      listed[first] = { ...place, issue: programIssue("moreAlike", gravest, { code, count: count - MOST_ALIKE }), operation: null };
+      listed[first] = {
+        ...place,
+        issue: programIssue("moreAlike", gravest, { code, count: count - MOST_ALIKE }),
+        operation: null,
+      };
   }
   return listed;
 }

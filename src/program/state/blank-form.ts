@@ -18,7 +18,14 @@ interface Cylinder {
 export function cylinder({ outside, inside, length, front }: Cylinder): Ring[] | null {
   if (!(outside > inside) || !(inside >= 0) || !(length > 0) || !Number.isFinite(outside + length + front)) return null;
   const [near, far] = [axial(front), axial(front - length)];
-  return [[{ z: far, r: inside }, { z: near, r: inside }, { z: near, r: outside }, { z: far, r: outside }]];
+  return [
+    [
+      { z: far, r: inside },
+      { z: near, r: inside },
+      { z: near, r: outside },
+      { z: far, r: outside },
+    ],
+  ];
 }
 
 /** A corner of a box; null: not given, or not known. */
@@ -28,29 +35,36 @@ export interface BoxCorner {
   readonly z: number | null;
 }
 
-/** A box that turns round the axis: the cylinder round its corners, and the radius within which there is material all round. */
+/**
+ * A box that turns round the axis: the cylinder round its corners, and the radius within which there is material all
+ * round.
+ */
 export interface TurnedBox {
   readonly rings: Ring[];
   readonly outer: Radius;
   readonly inner: Radius;
 }
 
-const lowAndHigh = (
-  a: number | null,
-  b: number | null,
-): readonly [number, number] => [Math.min(a ?? NaN, b ?? NaN), Math.max(a ?? NaN, b ?? NaN)];
+const lowAndHigh = (a: number | null, b: number | null): readonly [number, number] => [
+  Math.min(a ?? NaN, b ?? NaN),
+  Math.max(a ?? NaN, b ?? NaN),
+];
 
 /** The box between two corners: "unknown" when a coordinate is, "impossible" when it has no volume. */
 export function boxBetween(a: BoxCorner, b: BoxCorner): Cuboid | "impossible" | "unknown" {
-  const [[left, right], [low, high], [bottom, top]] = [lowAndHigh(a.x, b.x), lowAndHigh(a.y, b.y), lowAndHigh(a.z, b.z)];
+  const [[left, right], [low, high], [bottom, top]] = [
+    lowAndHigh(a.x, b.x),
+    lowAndHigh(a.y, b.y),
+    lowAndHigh(a.z, b.z),
+  ];
   if (![left, right, low, high, bottom, top].every(Number.isFinite)) return "unknown";
   const isSolid = right - left > SAME && high - low > SAME && top - bottom > SAME;
   return isSolid ? { left, right, low, high, bottom, top } : "impossible";
 }
 
 /**
- * What a box is while it turns round X0 Y0: wherever one of its corners comes by there may be material. "impossible" when it has no
- * volume, "beside" when the axis does not go through it, "unknown" when a coordinate is.
+ * What a box is while it turns round X0 Y0: wherever one of its corners comes by there may be material. "impossible"
+ * when it has no volume, "beside" when the axis does not go through it, "unknown" when a coordinate is.
  */
 export function turnedBox(a: BoxCorner, b: BoxCorner): TurnedBox | "impossible" | "beside" | "unknown" {
   const box = boxBetween(a, b);

@@ -8,7 +8,8 @@ const SLOWEST = 1;
 const FASTEST = 5;
 
 /** A feed that can be run and that nobody means. */
-export const isUnlikely = (n: number, perRevolution: boolean): boolean => (perRevolution ? n > FASTEST : n > 0 && n < SLOWEST);
+export const isUnlikely = (n: number, perRevolution: boolean): boolean =>
+  perRevolution ? n > FASTEST : n > 0 && n < SLOWEST;
 
 /** A number behind F: mm/rev or mm/min. FU is per revolution in either mode. */
 function feedOf(machine: Machine, feed: Exclude<FeedWord, string>, index: number): FeedNumber | null {
@@ -20,18 +21,26 @@ function feedOf(machine: Machine, feed: Exclude<FeedWord, string>, index: number
 export function takeFeed(machine: Machine, feed: FeedWord | undefined, index: number): void {
   if (feed === undefined || feed === "max") return;
   machine.set({ feedWord: feed === "auto" ? "FAUTO" : "F" });
-  machine.set({ feed: feed === "auto" ? (machine.now.toolFeed ?? feedNumber(0)) : (feedOf(machine, feed, index) ?? machine.now.feed) });
+  machine.set({
+    feed:
+      feed === "auto" ? (machine.now.toolFeed ?? feedNumber(0)) : (feedOf(machine, feed, index) ?? machine.now.feed),
+  });
 }
 
 /** Says what is wrong with the feed of a motion, where the motion first runs with it. */
 function judge(machine: Machine, feed: FeedNumber, index: number): void {
-  const { perRevolution } = machine.now, { feedUnit } = machine;
+  const { perRevolution } = machine.now,
+    { feedUnit } = machine;
   const now = `${feed} ${feedUnit} ${machine.now.feedWord}`;
   if (now === machine.now.judged) return;
   machine.set({ judged: now });
   if (!(feed > 0))
-    machine.log.say(programIssue("feedZero", "error", { word: machine.now.feedWord === "FAUTO" ? "FAUTO" : `F${feed}` }, "F"), index);
-  else if (isUnlikely(feed, perRevolution)) machine.log.say(programIssue("feedUnlikely", "warning", { feed, unit: feedUnit }, "F"), index);
+    machine.log.say(
+      programIssue("feedZero", "error", { word: machine.now.feedWord === "FAUTO" ? "FAUTO" : `F${feed}` }, "F"),
+      index,
+    );
+  else if (isUnlikely(feed, perRevolution))
+    machine.log.say(programIssue("feedUnlikely", "warning", { feed, unit: feedUnit }, "F"), index);
 }
 
 /** The feed of a block that moves: null is rapid. */
@@ -50,7 +59,9 @@ export function blockFeed(machine: Machine, feed: FeedWord | undefined, index: n
   return machine.now.feed ?? feedNumber(0);
 }
 
-/** The feed of M140 or another function with a feed of its own: rapid without one. The feed of the path stays as it is. */
+/**
+ * The feed of M140 or another function with a feed of its own: rapid without one. The feed of the path stays as it is.
+ */
 export function functionFeed(machine: Machine, feed: FeedWord | undefined, index: number): FeedNumber | null {
   if (feed === undefined || feed === "max") return null;
   return feed === "auto" ? machine.now.toolFeed : feedOf(machine, feed, index);

@@ -7,7 +7,7 @@ const NAMED = new RegExp(String.raw`"([^"]+)"|(?<![A-Z])(${PARAMETER})|(\d{1,9})
 /** Cycle 14 names the labels of the contour behind a word of any language: LABEL2, KONTURLABEL1 /2, LABEL QS3. */
 export const contourLabels = (text: string): (Label | Parameter)[] =>
   [...text.matchAll(NAMED)].map(([, name, parameter, digits]) =>
-    parameter === undefined ? (name ?? Number(digits)) : { parameter: parameter.toUpperCase(), negative: false }
+    parameter === undefined ? (name ?? Number(digits)) : { parameter: parameter.toUpperCase(), negative: false },
   );
 
 /** The cycle that names the labels of a contour. */

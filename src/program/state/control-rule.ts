@@ -8,8 +8,8 @@ export const breaksRule = (machine: Machine, rule: ControlRule, word: string, in
   machine.log.say(programIssue("controlRule", "error", { rule, word }), index);
 
 /**
- * Whether a block names both coordinates of its plane; null where it names none, which leaves the point before as it is. A mill's plane is
- * that of its axes: Z alone is none of it.
+ * Whether a block names both coordinates of its plane; null where it names none, which leaves the point before as it
+ * is. A mill's plane is that of its axes: Z alone is none of it.
  */
 export function isWholePoint(path: PathKind, { axes }: Words, turning: boolean): boolean | null {
   if (isPolarPath(path)) return true;

@@ -4,7 +4,14 @@ import { plane as flat, planeSegment, type PlanePoint, type PlaneSegment } from 
 import { SAME } from "../../kernel/tolerance.ts";
 import { inDegrees, radius, toDiameter } from "../../kernel/units.ts";
 import type { AxisWord, FreeForm, StatementOf, Words } from "../../nc/statement.ts";
-import { AXES, freeElement, freePoint, type FreeElementRead, type FreePlane, type FreeSetting } from "./free-element.ts";
+import {
+  AXES,
+  freeElement,
+  freePoint,
+  type FreeElementRead,
+  type FreePlane,
+  type FreeSetting,
+} from "./free-element.ts";
 
 type Free = StatementOf<"free">;
 type Path = StatementOf<"path">;
@@ -12,7 +19,10 @@ type Path = StatementOf<"path">;
 /** An element of a free contour as a path block with all coordinates. */
 export interface FreeBlock {
   readonly path: Path;
-  /** The first element of which another one fits as well. FSELECT names one, but only a control knows in which order it counts them. */
+  /**
+   * The first element of which another one fits as well. FSELECT names one, but only a control knows in which order it
+   * counts them.
+   */
   readonly isChosen: boolean;
 }
 
@@ -36,7 +46,11 @@ export const isFreeElement = (s: Free): boolean => IS_ELEMENT.has(s.form);
 const REMEMBERED = 64;
 const remembered = new Map<string, readonly (FreeSolved | null)[]>();
 
-function solvedOnce(elements: readonly FreeElement[], start: PlanePoint, before: Curve | null): readonly (FreeSolved | null)[] {
+function solvedOnce(
+  elements: readonly FreeElement[],
+  start: PlanePoint,
+  before: Curve | null,
+): readonly (FreeSolved | null)[] {
   const key = JSON.stringify([elements, start, before]);
   const solved = remembered.get(key) ?? solveFreeContour(elements, start, before);
   remembered.delete(key);
@@ -83,15 +97,22 @@ function readRun(run: readonly FreeWritten[], setting: FreeSetting): FreeElement
   return read;
 }
 
-/** The element as a block that names its end; an arc of more than half a turn has a negative radius. Null for a whole circle. */
+/**
+ * The element as a block that names its end; an arc of more than half a turn has a negative radius. Null for a whole
+ * circle.
+ */
 function pathOf(s: Free, segment: PlaneSegment, plane: FreePlane): Path | null {
   const [first, second] = AXES[plane];
   const { from, to } = segment;
-  const axes: AxisWord[] = [...s.words.axes.filter((w) => w.axis !== first && w.axis !== second), {
-    axis: first,
-    value: to.x,
-    incremental: false,
-  }, { axis: second, value: plane === "lathe" ? toDiameter(radius(to.y)) : to.y, incremental: false }];
+  const axes: AxisWord[] = [
+    ...s.words.axes.filter((w) => w.axis !== first && w.axis !== second),
+    {
+      axis: first,
+      value: to.x,
+      incremental: false,
+    },
+    { axis: second, value: plane === "lathe" ? toDiameter(radius(to.y)) : to.y, incremental: false },
+  ];
   const { polarRadius: _p, polarAngle: _a, length: _l, radius: _r, turn: _t, centreAngle: _c, ...plain } = s.words;
   const words: Words = { ...plain, axes };
   if (segment.kind === "line") return { kind: "path", path: "L", words };

@@ -10,8 +10,10 @@ type Free = StatementOf<"free">;
 export type FreePlane = "XY" | "lathe" | "radii";
 
 /** First and second axis of a plane. */
-export const AXES = { XY: ["X", "Y"], lathe: ["Z", "X"], radii: ["Z", "X"] } as const satisfies Record<FreePlane,
-  readonly [AxisName, AxisName]>;
+export const AXES = { XY: ["X", "Y"], lathe: ["Z", "X"], radii: ["Z", "X"] } as const satisfies Record<
+  FreePlane,
+  readonly [AxisName, AxisName]
+>;
 
 /** How values become numbers; all lengths in the unit of the program, counted from its datum. */
 export interface FreeSetting {
@@ -59,7 +61,10 @@ class Unreadable extends Error {}
 class FreeReader {
   private readonly asked = new Set<string>();
 
-  constructor(private readonly s: Free, private readonly r: FreeReading) {}
+  constructor(
+    private readonly s: Free,
+    private readonly r: FreeReading,
+  ) {}
 
   number(value: Value): number {
     const n = this.r.setting.number(value);
@@ -115,7 +120,11 @@ class FreeReader {
 
   /** True when the block says nothing beside what was asked for. */
   get isWhole(): boolean {
-    return this.s.given.every((w) => this.asked.has(w.name)) && this.s.words.extra.length === 0 && this.s.words.linear.length === 0;
+    return (
+      this.s.given.every((w) => this.asked.has(w.name)) &&
+      this.s.words.extra.length === 0 &&
+      this.s.words.linear.length === 0
+    );
   }
 }
 
@@ -152,8 +161,10 @@ function elementFrom(s: Free, r: FreeReading, read: FreeReader): FreeElement | n
     tangent: s.form === "FLT" || s.form === "FCT",
     x: read.coordinate(first, false),
     y: read.coordinate(second, true),
-    polar: read.polar(polarWord(words.polarRadius, read.reference("RPR"), (n) => n),
-      polarWord(words.polarAngle, read.reference("RPA"), inRadians)),
+    polar: read.polar(
+      polarWord(words.polarRadius, read.reference("RPR"), (n) => n),
+      polarWord(words.polarAngle, read.reference("RPA"), inRadians),
+    ),
     angle: angle !== null ? { at: angle } : more !== null ? { by: more, of: from } : null,
     length: read.optional(words.length),
     turn: words.turn ?? "ccw",
@@ -167,7 +178,10 @@ function elementFrom(s: Free, r: FreeReading, read: FreeReader): FreeElement | n
     parallel: of === null ? null : { of, distance: distance === null ? null : Math.abs(distance) },
     closes: closing ? r.opened : null,
   };
-  const half = (parallel !== null && of === null) || (beside === null) !== (far === null) || (parallel === null && distance !== null);
+  const half =
+    (parallel !== null && of === null) ||
+    (beside === null) !== (far === null) ||
+    (parallel === null && distance !== null);
   const { centreX, centreY, centrePolar, radius: size, sweep } = element;
   const foreign = isLine
     ? [centreX, centreY, centrePolar, size, sweep, words.turn].some((given) => given !== null && given !== undefined)

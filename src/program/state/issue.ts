@@ -4,7 +4,9 @@ import type { FeedUnit } from "../../kernel/plan/move.ts";
 /** Rules that a control holds a program to, each by what breaks it. */
 export type ControlRule = "signOfAngle" | "zeroBehindCorner" | "emptyCentre" | "sideOnArc" | "toolCallCompensated";
 
-/** What can be wrong when a program runs, beside its text (`nc`) and its cycles (`kernel`): code and data, no sentences. */
+/**
+ * What can be wrong when a program runs, beside its text (`nc`) and its cycles (`kernel`): code and data, no sentences.
+ */
 interface Data {
   /** The block is understood by the reader and left out by the simulation. */
   notSimulated: { what: string };
@@ -31,7 +33,10 @@ interface Data {
   neverReached: { by: string };
   /** A parameter that the cycle does not have, or one that stands twice. */
   parameterForeign: { name: string; cycle: number };
-  /** The list of a cycle ends where older software ended it; `filled` is what the control fills in, as words of the list. */
+  /**
+   * The list of a cycle ends where older software ended it; `filled` is what the control fills in, as words of the
+   * list.
+   */
   listOfOlderSoftware: { cycle: number; filled: readonly string[] };
   /** The program runs on into the label of a contour. */
   runsIntoLabel: { label: string };
@@ -64,7 +69,10 @@ interface Data {
   parameterUnset: { name: string };
   divisionByZero: {};
   notFinite: { text: string };
-  /** `; CLAMPING …`: words that were not understood, the rest counts; words without which nothing is known; a second one. */
+  /**
+   * `; CLAMPING …`: words that were not understood, the rest counts; words without which nothing is known; a second
+   * one.
+   */
   clampingUnread: { what: string };
   clampingIncomplete: { words: string };
   clampingTwice: {};
@@ -73,7 +81,10 @@ interface Data {
   blankMissing: {};
   blankNotTurned: { form: string };
   blankImpossible: {};
-  /** A box turns: the cylinder round its corners is the stock, and there is material all round within the inner diameter only. */
+  /**
+   * A box turns: the cylinder round its corners is the stock, and there is material all round within the inner diameter
+   * only.
+   */
   boxTurned: { outer: number; inner: number };
   /** The outline of FUNCTION TURNDATA BLANK is the stock, since BLK FORM gives none that is turned. */
   blankTaken: { what: string };
@@ -84,14 +95,21 @@ interface Data {
   poleMissing: {};
   startUnknown: {};
   /** A measure of the blank that somebody has set, and the contour that it does not agree with: ⌀ or Z, mm. */
-  blankAgainstContour: { place: "outside" | "bore" | "length" | "allowance" | "thread"; contour: number; blank: number; other?: string;
-    nearest: number };
+  blankAgainstContour: {
+    place: "outside" | "bore" | "length" | "allowance" | "thread";
+    contour: number;
+    blank: number;
+    other?: string;
+    nearest: number;
+  };
   /** An element of a free contour that what is given does not determine, or not without contradiction. */
   freeChosen: {};
   freeUnsolved: { form: string };
   arcImpossible: {};
   radiusCompensation: { side: "RL" | "RR" };
-  /** RL or RR with a turning tool whose tip orientation names no side: the direction of the compensation is not defined. */
+  /**
+   * RL or RR with a turning tool whose tip orientation names no side: the direction of the compensation is not defined.
+   */
   compensationUndefined: { side: "RL" | "RR"; orientation: number };
   /** RL to RR or back without R0 between. */
   sideChanged: {};
@@ -124,10 +142,20 @@ interface Data {
 
 export type ProgramCode = keyof Data;
 export type ProgramIssue = {
-  [C in ProgramCode]: { readonly code: C; readonly severity: Severity; readonly at?: string; readonly data: Readonly<Data[C]> };
+  [C in ProgramCode]: {
+    readonly code: C;
+    readonly severity: Severity;
+    readonly at?: string;
+    readonly data: Readonly<Data[C]>;
+  };
 }[ProgramCode];
 
 /** Makes one issue; the compiler checks that the data fit the code. */
-export function programIssue<C extends ProgramCode>(code: C, severity: Severity, data: Data[C], at?: string): ProgramIssue {
+export function programIssue<C extends ProgramCode>(
+  code: C,
+  severity: Severity,
+  data: Data[C],
+  at?: string,
+): ProgramIssue {
   return (at === undefined ? { code, severity, data } : { code, severity, at, data }) as ProgramIssue;
 }

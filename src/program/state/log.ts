@@ -25,7 +25,19 @@ const IN_PROGRAM = {};
 /** How far a log was at a moment: of what is only added to, how much there was. */
 export interface LogMoment {
   readonly counts: Readonly<
-    Record<"steps" | "milled" | "operations" | "approaches" | "spindles" | "findings" | "unproved" | "stated" | "said" | "left", number>
+    Record<
+      | "steps"
+      | "milled"
+      | "operations"
+      | "approaches"
+      | "spindles"
+      | "findings"
+      | "unproved"
+      | "stated"
+      | "said"
+      | "left",
+      number
+    >
   >;
   readonly datums: Run["datums"];
   readonly firstBlank: readonly Ring[] | null;
@@ -37,10 +49,15 @@ const firstOf = <Value>(set: ReadonlySet<Value>, count: number): Set<Value> => n
 
 /** What a run has done and said so far, each at its block. */
 export class Log {
-  /** Number of each block, and its line in the text; of a block of another program, those of the block that called it. */
+  /**
+   * Number of each block, and its line in the text; of a block of another program, those of the block that called it.
+   */
   readonly numbers: number[];
   readonly lines: number[];
-  /** Texts of called programs, in the order of their blocks: each with where its first block stands and which block has called it. */
+  /**
+   * Texts of called programs, in the order of their blocks: each with where its first block stands and which block has
+   * called it.
+   */
   private readonly appended: Appended[] = [];
   readonly steps: Step[] = [];
   readonly stepBlocks: number[] = [];
@@ -66,12 +83,18 @@ export class Log {
   private readonly own: number;
 
   /** `before`: a log of the same blocks, what it held at a moment is taken over. */
-  constructor(private readonly program: Program, before?: { readonly log: Log; readonly at: LogMoment }) {
+  constructor(
+    private readonly program: Program,
+    before?: { readonly log: Log; readonly at: LogMoment },
+  ) {
     this.own = program.blocks.length;
     this.numbers = blockNumbers(program);
     this.lines = startLines(program);
     if (!before) return;
-    const { log, at: { counts, datums, firstBlank, seconds, beside } } = before;
+    const {
+      log,
+      at: { counts, datums, firstBlank, seconds, beside },
+    } = before;
     this.steps = log.steps.slice(0, counts.steps);
     this.stepBlocks = log.stepBlocks.slice(0, counts.steps);
     this.milled = log.milled.slice(0, counts.milled);
@@ -91,8 +114,22 @@ export class Log {
 
   /** How far it is now; nothing of another program may have been said yet. */
   get moment(): LogMoment {
-    const { steps, milled, operations, approaches, spindles, findings, unproved, stated, said, left, datums, firstBlank, seconds, beside } =
-      this;
+    const {
+      steps,
+      milled,
+      operations,
+      approaches,
+      spindles,
+      findings,
+      unproved,
+      stated,
+      said,
+      left,
+      datums,
+      firstBlank,
+      seconds,
+      beside,
+    } = this;
     return {
       counts: {
         steps: steps.length,
@@ -157,11 +194,14 @@ export class Log {
     const key = `${index} ${issue.code} ${issue.at ?? ""} ${operation ?? ""} ${operation === null ? "" : JSON.stringify(issue.data)}`;
     if (this.said.has(key)) return;
     this.said.add(key);
-    const place = index === null ? { block: null, line: null } : {
-      block: this.numbers[index] ?? 0,
-      line: (this.lines[index] ?? 1) + (index < this.own ? within : 0),
-      ...this.inFile(index, within),
-    };
+    const place =
+      index === null
+        ? { block: null, line: null }
+        : {
+            block: this.numbers[index] ?? 0,
+            line: (this.lines[index] ?? 1) + (index < this.own ? within : 0),
+            ...this.inFile(index, within),
+          };
     this.findings.push({ issue, ...place, operation });
   }
 
@@ -181,7 +221,8 @@ export class Log {
 
   /** Notes how the spindle turns at the step that comes next. */
   turnsAt(spindle: Spindle | null, backwards: boolean): void {
-    const last = this.spindles.at(-1), turnsBack = last?.backwards ?? false;
+    const last = this.spindles.at(-1),
+      turnsBack = last?.backwards ?? false;
     if ((last?.spindle ?? null) === spindle && turnsBack === backwards) return;
     this.spindles.push({ step: this.steps.length, spindle, ...(backwards && { backwards }) });
   }
@@ -220,12 +261,17 @@ export class Log {
     if (this.left.has(key)) return;
     this.left.add(key);
     // The first of all says from where on nothing is proved; a list of all that follow would fill the memory.
-    if (this.unproved.length < MOST_ALIKE) this.unproved.push({ step: this.steps.length, block, what, ...this.fileOf(index) });
+    if (this.unproved.length < MOST_ALIKE)
+      this.unproved.push({ step: this.steps.length, block, what, ...this.fileOf(index) });
     this.say(programIssue("notProved", "warning", { what }), index);
   }
 
   /** Notes that from the step that comes next on another blank stands in the chuck. */
-  states(rings: readonly Ring[], { what, before }: { readonly what: string; readonly before: readonly Ring[] }, index: number): void {
+  states(
+    rings: readonly Ring[],
+    { what, before }: { readonly what: string; readonly before: readonly Ring[] },
+    index: number,
+  ): void {
     this.firstBlank ??= before;
     this.stated.push({ step: this.steps.length, block: this.numbers[index] ?? 0, what, rings, ...this.fileOf(index) });
   }
@@ -239,11 +285,13 @@ export class Log {
 
   /** What the reader found, less what is also said as a missing parameter. */
   private *read(missing: ReadonlySet<number | null>): Generator<RunFinding> {
-    for (const i of eachIssue(this.program)) if (!(i.code === "wordMissing" && missing.has(i.line))) yield this.located(i);
+    for (const i of eachIssue(this.program))
+      if (!(i.code === "wordMissing" && missing.has(i.line))) yield this.located(i);
     for (const { file, caller } of this.appended) {
       const at = { block: this.numbers[caller] ?? null, line: this.lines[caller] ?? null };
       for (const issue of eachIssue(file.program))
-        if (issue.severity !== "info") yield { issue, ...at, operation: null, inFile: { file: file.name, block: null, line: issue.line } };
+        if (issue.severity !== "info")
+          yield { issue, ...at, operation: null, inFile: { file: file.name, block: null, line: issue.line } };
     }
   }
 

@@ -7,7 +7,10 @@ import type { Modal } from "./modal.ts";
 function rapidRateOf({ rapid, machine }: MachineTimed): RapidRate {
   const { rapid: rates, acceleration } = machine ?? {};
   if (!rates) return rapid;
-  const axis = (name: keyof OfAxes) => ({ rate: rates[name], ...(acceleration && { acceleration: acceleration[name] }) });
+  const axis = (name: keyof OfAxes) => ({
+    rate: rates[name],
+    ...(acceleration && { acceleration: acceleration[name] }),
+  });
   return { x: axis("x"), z: axis("z") };
 }
 
@@ -33,15 +36,17 @@ export class MachineClock {
   }
 
   /**
-   * Seconds until the spindle turns as is programmed now, at a distance of `r` mm from the axis: from rest, from another speed, or from
-   * turning the other way. Along a cut at constant cutting speed it follows by itself. Null where it turns so already.
+   * Seconds until the spindle turns as is programmed now, at a distance of `r` mm from the axis: from rest, from
+   * another speed, or from turning the other way. Along a cut at constant cutting speed it follows by itself. Null
+   * where it turns so already.
    */
   runUp(
     { turns, backwards, runsAs, spindle: programmed }: Modal,
     r: number,
   ): { readonly seconds: number; readonly runsAs: SpindleTurns } | null {
     const spindle = this.limited(programmed);
-    if (!turns || !spindle || !this.data || (runsAs?.spindle === spindle && runsAs.backwards === backwards)) return null;
+    if (!turns || !spindle || !this.data || (runsAs?.spindle === spindle && runsAs.backwards === backwards))
+      return null;
     const [was, is] = [runsAs ? speedAt(runsAs.spindle, r) : 0, speedAt(spindle, r)];
     const by = runsAs && runsAs.backwards !== backwards ? was + is : Math.abs(is - was);
     return { seconds: ((this.data.runUp ?? 0) * by) / this.data.most, runsAs: { spindle, backwards } };

@@ -45,7 +45,9 @@ export class Machine {
   /** Blocks of definitions that were taken up, and of those that were called. */
   readonly definitions: Set<number>;
   readonly called: Set<number>;
-  /** How many blocks had been executed when a block was first run, or read as part of a contour; 0 for one that was not. */
+  /**
+   * How many blocks had been executed when a block was first run, or read as part of a contour; 0 for one that was not.
+   */
   readonly visited: Uint32Array;
   /** The same for a block that was looked at from another one before it. */
   readonly foreseen: Uint32Array;
@@ -68,7 +70,11 @@ export class Machine {
   full = false;
 
   /** `before`: a run of a program with the same blocks up to a moment, and that moment, from which this one goes on. */
-  constructor(readonly program: Program, readonly shop: Shop, before?: { readonly machine: Machine; readonly at: RunMoment }) {
+  constructor(
+    readonly program: Program,
+    readonly shop: Shop,
+    before?: { readonly machine: Machine; readonly at: RunMoment },
+  ) {
     const { machine, at } = before ?? {};
     this.clock = machine?.clock ?? new MachineClock(shop);
     this.blocks = program.blocks;
@@ -99,8 +105,9 @@ export class Machine {
   }
 
   private takeUp(program: Program, file: string | null, from: number): Unit {
-    const unit = unitFrom(program, { file, from, skipMarked: this.shop.skipMarked ?? false },
-      (label, index) => this.log.say(programIssue("labelTwice", "error", { label: String(label) }), index));
+    const unit = unitFrom(program, { file, from, skipMarked: this.shop.skipMarked ?? false }, (label, index) =>
+      this.log.say(programIssue("labelTwice", "error", { label: String(label) }), index),
+    );
     this.units.set(program, unit);
     return unit;
   }
@@ -171,9 +178,14 @@ export class Machine {
     this.known.trouble = unknown ?? "told";
     if (unknown === "told") return null;
     if (result.kind === "unset" && unknown) this.log.leaveUnproved(result.name, index);
-    else if (result.kind === "unset") this.log.sayOnce(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
+    else if (result.kind === "unset")
+      this.log.sayOnce(programIssue("parameterUnset", "error", { name: result.name }, result.name), index);
     else if (result.kind === "zero") this.log.say(programIssue("divisionByZero", "error", {}), index);
-    else this.log.say(programIssue("notFinite", "error", { text: this.blocks[index]?.raw.trim().slice(0, 60) ?? "" }), index);
+    else
+      this.log.say(
+        programIssue("notFinite", "error", { text: this.blocks[index]?.raw.trim().slice(0, 60) ?? "" }),
+        index,
+      );
     return null;
   }
 
@@ -211,7 +223,11 @@ export class Machine {
     this.log.unproved.push({
       step,
       block: this.log.numbers[index] ?? 0,
-      what: this.blocks[index]?.raw.trim().split(/[\r\n]/)[0]?.slice(0, 60) ?? "",
+      what:
+        this.blocks[index]?.raw
+          .trim()
+          .split(/[\r\n]/)[0]
+          ?.slice(0, 60) ?? "",
     });
   }
 
@@ -271,7 +287,10 @@ export class Machine {
     this.take(timed([stepOf(motion, this.spindle, this.clock.rapid)]), index);
   }
 
-  /** Adds motions of the tool, for which there is room, and what they take: the first of them goes on from where it was brought. */
+  /**
+   * Adds motions of the tool, for which there is room, and what they take: the first of them goes on from where it was
+   * brought.
+   */
   take({ steps, seconds }: TimedSteps, index: number): void {
     const [first] = steps;
     if (!first) return;
@@ -283,7 +302,8 @@ export class Machine {
       this.log.takes("spindle", runUp.seconds);
       this.set({ runsAs: runUp.runsAs });
     }
-    for (const fault of speedFaults(this.now, steps, this.shop.machine?.spindle?.most)) this.log.say(fault, this.now.spunBy ?? index);
+    for (const fault of speedFaults(this.now, steps, this.shop.machine?.spindle?.most))
+      this.log.say(fault, this.now.spunBy ?? index);
     const { brought, home } = this.place;
     if (home && steps.some(({ move }) => move.kind !== "rapid")) {
       this.log.leaveUnproved(home.what, home.index);
@@ -291,7 +311,9 @@ export class Machine {
     }
     const block = this.log.inProgram(index);
     for (const step of steps) {
-      this.log.steps.push(step === first && brought !== null ? { ...first, broughtBy: this.log.numbers[brought] ?? 0 } : step);
+      this.log.steps.push(
+        step === first && brought !== null ? { ...first, broughtBy: this.log.numbers[brought] ?? 0 } : step,
+      );
       this.log.stepBlocks.push(block);
     }
     if (brought !== null) this.setPlace({ brought: null });

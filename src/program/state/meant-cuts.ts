@@ -2,7 +2,10 @@ import type { Step } from "../../kernel/time/step.ts";
 import type { Block } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 
-/** What a comment says of a cut below the contour of a cycle: it is meant. Behind its block, or before the first block of the cut. */
+/**
+ * What a comment says of a cut below the contour of a cycle: it is meant. Behind its block, or before the first block
+ * of the cut.
+ */
 export const MEANT = "INTENDED CUT";
 
 const says = (comment: string | null): boolean => comment !== null && comment.trim().toUpperCase().startsWith(MEANT);
@@ -10,8 +13,11 @@ const says = (comment: string | null): boolean => comment !== null && comment.tr
 /** Blocks of which a cut is made. */
 const CUTTING: ReadonlySet<Statement["kind"]> = new Set(["path", "free", "chamfer", "approach", "comment", "empty"]);
 
-/** Whether a block goes on with the cut that the one before it has begun: a rapid ends it, and so does anything else. */
-const goesOn = ({ statement: s }: Block): boolean => CUTTING.has(s.kind) && !(s.kind === "path" && s.words.feed === "max");
+/**
+ * Whether a block goes on with the cut that the one before it has begun: a rapid ends it, and so does anything else.
+ */
+const goesOn = ({ statement: s }: Block): boolean =>
+  CUTTING.has(s.kind) && !(s.kind === "path" && s.words.feed === "max");
 
 /** Index of the first block of the cut that a block belongs to: a comment in front of it counts for the whole of it. */
 export function beginOfCut(blocks: readonly Block[], index: number): number {

@@ -57,11 +57,13 @@ export interface Held {
 }
 
 /** A blank of another form: a box, a body in a file, or one round another axis. */
-export type UnturnedBlank = { readonly kind: "box"; readonly index: number; readonly corners: readonly [BoxCorner, BoxCorner] } | {
-  readonly kind: "file" | "otherAxis";
-  readonly index: number;
-  readonly form: string;
-};
+export type UnturnedBlank =
+  | { readonly kind: "box"; readonly index: number; readonly corners: readonly [BoxCorner, BoxCorner] }
+  | {
+      readonly kind: "file" | "otherAxis";
+      readonly index: number;
+      readonly form: string;
+    };
 
 /** What is in force for a mill, mm. */
 export interface Milling {
@@ -74,14 +76,20 @@ export interface Milling {
   readonly top: number | null;
 }
 
-/** Where the tool stands between two blocks. X is a diameter, mm. Never changed in place: every move puts a new one in its place. */
+/**
+ * Where the tool stands between two blocks. X is a diameter, mm. Never changed in place: every move puts a new one in
+ * its place.
+ */
 export interface Whereabouts {
   readonly at: Position;
   /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
   readonly sure: { readonly x: boolean; readonly z: boolean };
   /** The block that brought the tool here at rapid, from where nobody knows; null once the tool has moved on. */
   readonly brought: number | null;
-  /** The block that took the tool home in machine coordinates, until the tool is changed: a cut from there is not proved. */
+  /**
+   * The block that took the tool home in machine coordinates, until the tool is changed: a cut from there is not
+   * proved.
+   */
   readonly home: { readonly index: number; readonly what: string } | null;
   /** Whether the last point was programmed with both coordinates of its plane; null where nobody asks. */
   readonly isWhole: boolean | null;
@@ -93,8 +101,16 @@ export interface Whereabouts {
   readonly last: Segment | null;
   /** The position of a mill, as programmed. */
   readonly mill: Position;
-  /** What a mill ran last, for an arc that leaves it tangentially beside the plane of the tool axis; its arc, null for a line. */
-  readonly milled: { readonly from: Position; readonly to: Position; readonly plane: MillPlane; readonly segment: Segment | null } | null;
+  /**
+   * What a mill ran last, for an arc that leaves it tangentially beside the plane of the tool axis; its arc, null for a
+   * line.
+   */
+  readonly milled: {
+    readonly from: Position;
+    readonly to: Position;
+    readonly plane: MillPlane;
+    readonly segment: Segment | null;
+  } | null;
 }
 
 /** What is in force between two blocks, mm. Never changed in place: a block puts a new one in its place. */
@@ -133,10 +149,14 @@ export interface Modal {
   /** How it turned at the last motion since it was started. */
   readonly runsAs: SpindleTurns | null;
   /**
-   * The block that started or stopped it last, null before any; how much was left unproved then; and whether a cut has been blamed since.
+   * The block that started or stopped it last, null before any; how much was left unproved then; and whether a cut has
+   * been blamed since.
    */
   readonly spun: { readonly index: number | null; readonly unproved: number; readonly told: boolean };
-  /** A speed that is none of turning: of TOOL CALL, which counts for a drill in the tool spindle, or one whose fault has been told. */
+  /**
+   * A speed that is none of turning: of TOOL CALL, which counts for a drill in the tool spindle, or one whose fault has
+   * been told.
+   */
   readonly speedElsewhere: "toolCall" | "told" | null;
   /** Which way round the spindle turned when a tool cut in a cycle first, by its number: an edge cuts one way only. */
   readonly ways: ReadonlyMap<number, boolean>;

@@ -8,7 +8,11 @@ import { shippedTools } from "../tools/shipped-tools.ts";
 
 const shop: Shop = { tools: shippedTools, rapid: 10_000 };
 const n = (value: number) => Math.round(value * 1e6) / 1e6 + 0;
-type Corner = { readonly from: readonly number[]; readonly to: readonly number[]; readonly centre: readonly number[] | null };
+type Corner = {
+  readonly from: readonly number[];
+  readonly to: readonly number[];
+  readonly centre: readonly number[] | null;
+};
 const corner = (from: readonly number[], to: readonly number[], centre: readonly number[] | null): Corner => ({
   from: from.map(n),
   to: to.map(n),
@@ -16,24 +20,33 @@ const corner = (from: readonly number[], to: readonly number[], centre: readonly
 });
 
 /** `u` is the first axis of the plane, `v` the second: in turning Z and a diameter. */
-const turned = (text: string) => text.replace(/v([+-]?[\d.]+)/g, (_, v: string) => `X${2 * Number(v)}`).replaceAll("u", "Z");
+const turned = (text: string) =>
+  text.replace(/v([+-]?[\d.]+)/g, (_, v: string) => `X${2 * Number(v)}`).replaceAll("u", "Z");
 const milledText = (text: string) => text.replaceAll("v", "Y").replaceAll("u", "X");
 const onMainLevel = (text: string) =>
-  run(parse(`BEGIN PGM T MM\nFUNCTION MODE TURN\nTOOL CALL 15\n${turned(text)}\nL IZ+1 FMAX M30\nEND PGM T MM`), shop).steps.flatMap(
-    ({ from, move }) => (move.kind === "rapid"
+  run(
+    parse(`BEGIN PGM T MM\nFUNCTION MODE TURN\nTOOL CALL 15\n${turned(text)}\nL IZ+1 FMAX M30\nEND PGM T MM`),
+    shop,
+  ).steps.flatMap(({ from, move }) =>
+    move.kind === "rapid"
       ? []
-      : [corner([from.z, from.r], [move.to.z, move.to.r], move.kind === "arc" ? [move.centre.z, move.centre.r] : null)])
+      : [corner([from.z, from.r], [move.to.z, move.to.r], move.kind === "arc" ? [move.centre.z, move.centre.r] : null)],
   );
 const inContour = (text: string) =>
   readContour(new Machine(parse(`LBL 1\n${turned(text)}\nLBL 0`), shop), 1, 0)?.contour.segments.map((s) =>
-    corner([s.from.z, s.from.r], [s.to.z, s.to.r], s.kind === "arc" ? [s.centre.z, s.centre.r] : null)
+    corner([s.from.z, s.from.r], [s.to.z, s.to.r], s.kind === "arc" ? [s.centre.z, s.centre.r] : null),
   );
 const milled = (text: string) =>
-  run(parse(`BEGIN PGM T MM\nTOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S4000\nL Z+20 R0 FMAX\n${milledText(text)}\nL IX+1 FMAX M30\nEND PGM T MM`),
-    shop).plane.flatMap((s) => (s.kind === "rapid" || s.seconds === 0
+  run(
+    parse(
+      `BEGIN PGM T MM\nTOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S4000\nL Z+20 R0 FMAX\n${milledText(text)}\nL IX+1 FMAX M30\nEND PGM T MM`,
+    ),
+    shop,
+  ).plane.flatMap((s) =>
+    s.kind === "rapid" || s.seconds === 0
       ? []
-      : [corner([s.from.x, s.from.y], [s.to.x, s.to.y], s.centre ? [s.centre.x, s.centre.y] : null)])
-    );
+      : [corner([s.from.x, s.from.y], [s.to.x, s.to.y], s.centre ? [s.centre.x, s.centre.y] : null)],
+  );
 
 describe("a block leads to the same place on the main level, in a contour and under a mill", () => {
   test.each([
@@ -57,9 +70,9 @@ describe("a block leads to the same place on the main level, in a contour and un
 });
 
 const codes = (text: string) =>
-  run(parse(`BEGIN PGM T MM\n${text}\nM30\nEND PGM T MM`), shop).issues.map((f) => `${f.issue.code}@${f.block}`).filter((c) =>
-    !c.startsWith("frameMissing")
-  );
+  run(parse(`BEGIN PGM T MM\n${text}\nM30\nEND PGM T MM`), shop)
+    .issues.map((f) => `${f.issue.code}@${f.block}`)
+    .filter((c) => !c.startsWith("frameMissing"));
 const TURNING = "FUNCTION MODE TURN\nTOOL CALL 15\nL X+20 Z+0 F100\nCC X+20 Z-20";
 const MILLING = "TOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S4000\nL X+0 Y+10 Z+5 F100\nCC X-20 Y+10";
 
@@ -73,7 +86,10 @@ describe("what can not be known is told once, and the position is lost until it 
     expect(codes(`${MILLING}\n${block.replace("Z-5 X+20", "X-5 Y+10")}`)).toEqual(expected);
   });
   test("the way to the point behind it is no cut from where the tool stood before", () => {
-    const { steps } = run(parse(`BEGIN PGM T MM\n${TURNING}\nLP PR+Q1 PA+90\nL X+40\nL Z-50\nL Z-60\nEND PGM T MM`), shop);
+    const { steps } = run(
+      parse(`BEGIN PGM T MM\n${TURNING}\nLP PR+Q1 PA+90\nL X+40\nL Z-50\nL Z-60\nEND PGM T MM`),
+      shop,
+    );
     expect(steps.map((s) => [s.from.z, s.move.to.z])).toEqual([[-50, -60]]);
   });
   test("words round the pole that count from a point which nobody knows", () => {

@@ -15,8 +15,8 @@ export interface Position {
 export const NOWHERE: Position = { x: null, y: null, z: null };
 
 /**
- * A plane that a path runs in. Its angles count from the first axis towards the second: X to Y, Y to Z, Z to X. "lathe" is the plane
- * of a turning tool, Z to X with diameters in X; an outline in radii lies in "ZX".
+ * A plane that a path runs in. Its angles count from the first axis towards the second: X to Y, Y to Z, Z to X. "lathe"
+ * is the plane of a turning tool, Z to X with diameters in X; an outline in radii lies in "ZX".
  */
 export type Plane = "XY" | "YZ" | "ZX" | "lathe";
 const AXES_OF = { XY: ["x", "y"], YZ: ["y", "z"], ZX: ["z", "x"], lathe: ["z", "x"] } as const;
@@ -30,7 +30,9 @@ export interface Pole {
   readonly plane: MillPlane;
 }
 
-/** The plane of the axes that a block of a mill names: that of the tool axis unless it names Z with one of the others. */
+/**
+ * The plane of the axes that a block of a mill names: that of the tool axis unless it names Z with one of the others.
+ */
 export function planeOfAxes(words: readonly AxisWord[]): MillPlane {
   const has = (axis: AxisName) => words.some((w) => w.axis === axis);
   if (!has("Z") || has("X") === has("Y")) return "XY";
@@ -61,8 +63,8 @@ export interface WordReader {
   /** A length of the program in mm. */
   readonly length: (n: number) => number;
   /**
-   * How far the datum that absolute coordinates of an axis count from stands from that of the positions, "unknown" where nobody
-   * knows; null where no path runs along it.
+   * How far the datum that absolute coordinates of an axis count from stands from that of the positions, "unknown"
+   * where nobody knows; null where no path runs along it.
    */
   readonly shift: (axis: AxisName) => number | "unknown" | null;
   /** The frame of coordinates that are mirrored, turned or scaled; null where they are at most shifted. */
@@ -76,7 +78,10 @@ export interface WordReader {
   readonly rule: (rule: ControlRule, word: string) => void;
 }
 
-/** Reads typed words, lengths in a unit of so many mm; who typed them is told elsewhere what is wrong. A missing number is NaN. */
+/**
+ * Reads typed words, lengths in a unit of so many mm; who typed them is told elsewhere what is wrong. A missing number
+ * is NaN.
+ */
 export const plainReader = (unit: number): WordReader => ({
   number: (value) => (typeof value === "number" && !Number.isNaN(value) ? value : null),
   length: (n) => n * unit,
@@ -108,7 +113,12 @@ export const isPolarPath = (path: PathKind): boolean => POLAR.has(path);
 export function coordinates(read: WordReader, words: readonly AxisWord[], at: Position): Position {
   if (!read.frame || words.length === 0) return counted(read, words, at, read.shift);
   const along = (axis: AxisName) => (read.shift(axis) === null ? null : 0);
-  return placed(read.frame, counted(read, words, toProgram(read.frame, at), along), at, words.map((w) => w.axis));
+  return placed(
+    read.frame,
+    counted(read, words, toProgram(read.frame, at), along),
+    at,
+    words.map((w) => w.axis),
+  );
 }
 
 /** Where a place of the program lies; an axis that no word moves stays to the last bit where it was. */
@@ -145,10 +155,15 @@ function counted(read: WordReader, words: readonly AxisWord[], at: Position, shi
 }
 
 /**
- * The point of PR and PA round a pole in a plane: PR is a true length, PA counts from the first axis towards the second. What is left
- * out keeps the distance or angle of the point before. Null where a number is not known.
+ * The point of PR and PA round a pole in a plane: PR is a true length, PA counts from the first axis towards the
+ * second. What is left out keeps the distance or angle of the point before. Null where a number is not known.
  */
-export function polarPoint(read: WordReader, { polarRadius, polarAngle }: Words, pole: Pt, before: Pt | null): Pt | null {
+export function polarPoint(
+  read: WordReader,
+  { polarRadius, polarAngle }: Words,
+  pole: Pt,
+  before: Pt | null,
+): Pt | null {
   const [dz, dr] = before ? [before.z - pole.z, before.r - pole.r] : [0, 0];
   const value = (word: PolarWord | undefined, was: number, measured: (n: number) => number) => {
     if (!word) return was;
@@ -198,11 +213,14 @@ export const isArcPath = (path: PathKind): boolean => ARCS.has(path);
 /** An incremental angle turns the way that DR says. */
 function signs(read: WordReader, { polarAngle, turn }: Words): void {
   const n = polarAngle?.incremental && turn ? read.number(polarAngle.value) : null;
-  if (n !== null && n !== 0 && (n > 0) !== (turn === "ccw"))
+  if (n !== null && n !== 0 && n > 0 !== (turn === "ccw"))
     read.rule("signOfAngle", `IPA${n > 0 ? "+" : ""}${n} DR${turn === "ccw" ? "+" : "-"}`);
 }
 
-/** The element that a block describes, ending in a point; null where its pole or its radius is missing, which has been told. */
+/**
+ * The element that a block describes, ending in a point; null where its pole or its radius is missing, which has been
+ * told.
+ */
 export function elementOf(read: WordReader, { path, words }: PathBlock, to: Pt, pole: Pt | null): PathElement | null {
   const turn = words.turn ?? "ccw";
   switch (path) {

@@ -5,11 +5,15 @@ export interface PlanMemory {
   /** The cycle, whose plans and outlines are made once. */
   of(cycle: Cycle): Cycle;
   /**
-   * What is made of a question, which its text tells apart from all others; it is made with a name that no other answer has. `size` says
-   * how many objects an answer holds; answers of runs long ago are kept as long as all of them are small.
+   * What is made of a question, which its text tells apart from all others; it is made with a name that no other answer
+   * has. `size` says how many objects an answer holds; answers of runs long ago are kept as long as all of them are
+   * small.
    */
   once<Answer>(question: string, make: (name: string) => Answer, size?: (answer: Answer) => number): Answer;
-  /** What is made of elements that are small and plain: the same object for elements that are alike, as long as it was not long ago. */
+  /**
+   * What is made of elements that are small and plain: the same object for elements that are alike, as long as it was
+   * not long ago.
+   */
   alike<Made extends object>(elements: readonly unknown[], make: () => Made): Made;
   /** A value that never changes, as the same object each time: the first that was written as this one is. */
   same<Value extends object>(value: Value): Value;
@@ -19,7 +23,10 @@ export interface PlanMemory {
   asked(): number;
   /** A run that goes on from where the one before had asked for so many answers: they count as asked for. */
   again(count: number): void;
-  /** Another run begins. What the one before has asked for is kept in any case, older answers within bounds: steps are taken back. */
+  /**
+   * Another run begins. What the one before has asked for is kept in any case, older answers within bounds: steps are
+   * taken back.
+   */
   next(): void;
 }
 
@@ -29,7 +36,9 @@ interface Made {
   readonly made: object;
 }
 
-/** Lists of elements whose result is remembered: a program has few contours that are as many blocks as a key waits for. */
+/**
+ * Lists of elements whose result is remembered: a program has few contours that are as many blocks as a key waits for.
+ */
 const MOST_MADE = 12;
 
 /** A list with more entries is written once, and called by its name from then on. */
@@ -41,7 +50,9 @@ function holdSame(a: unknown, b: unknown): boolean {
   if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
   const keys = Object.keys(a);
   if (keys.length !== Object.keys(b).length) return false;
-  return keys.every((key) => key in b && holdSame((a as Record<string, unknown>)[key], (b as Record<string, unknown>)[key]));
+  return keys.every(
+    (key) => key in b && holdSame((a as Record<string, unknown>)[key], (b as Record<string, unknown>)[key]),
+  );
 }
 
 interface Named {
@@ -105,9 +116,11 @@ export function planMemory(): PlanMemory {
     return known;
   };
   /** In a question a long list, as a contour is one, stands by its name. */
-  const shortened = (_: string, value: unknown): unknown => (Array.isArray(value) && value.length > LONG_LIST ? first(value).name : value);
+  const shortened = (_: string, value: unknown): unknown =>
+    Array.isArray(value) && value.length > LONG_LIST ? first(value).name : value;
   const askedOf =
-    <Asked extends readonly unknown[], Answer>(name: string, make: (...values: Asked) => Answer) => (...values: Asked): Answer =>
+    <Asked extends readonly unknown[], Answer>(name: string, make: (...values: Asked) => Answer) =>
+    (...values: Asked): Answer =>
       once(`${name} ${JSON.stringify(values, shortened)}`, () => make(...values));
   let made: readonly Made[] = [];
   return {
@@ -118,8 +131,11 @@ export function planMemory(): PlanMemory {
       return answer;
     },
     of(cycle) {
-      const known = cycles.get(cycle)
-        ?? { ...cycle, plan: askedOf(`plan ${cycle.number}`, cycle.plan), outline: askedOf(`outline ${cycle.number}`, cycle.outline) };
+      const known = cycles.get(cycle) ?? {
+        ...cycle,
+        plan: askedOf(`plan ${cycle.number}`, cycle.plan),
+        outline: askedOf(`outline ${cycle.number}`, cycle.outline),
+      };
       cycles.set(cycle, known);
       return known;
     },

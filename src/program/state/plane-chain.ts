@@ -34,11 +34,14 @@ export interface ApproachCall extends Travel {
 }
 
 /** How the tool comes to a contour: it stands there, moves there with an RL or RR block, or approaches. */
-export type ChainStart = { readonly kind: "here" } | ({ readonly kind: "line"; readonly to: PlanePoint } & Travel) | {
-  readonly kind: "approach";
-  readonly call: ApproachCall;
-  readonly before: Feed | null;
-};
+export type ChainStart =
+  | { readonly kind: "here" }
+  | ({ readonly kind: "line"; readonly to: PlanePoint } & Travel)
+  | {
+      readonly kind: "approach";
+      readonly call: ApproachCall;
+      readonly before: Feed | null;
+    };
 
 /** Elements that belong together: everything between two changes of RL, RR and R0. */
 export interface CompensatedChain {

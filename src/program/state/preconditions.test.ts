@@ -3,8 +3,9 @@ import { parse } from "../../nc/parse.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
 
-const VALUES = "Q215=+0 Q460=+2 Q491=+75 Q492=+0 Q493=+50 Q494=-55 Q495=+5 Q501=+1 Q502=+0.5 Q500=+1.5 Q496=+0 Q503=+1 Q504=+0.5 Q463=+3 "
-  + "Q478=+0.3 Q483=+0.4 Q484=+0.2 Q505=+0.2 Q506=+0";
+const VALUES =
+  "Q215=+0 Q460=+2 Q491=+75 Q492=+0 Q493=+50 Q494=-55 Q495=+5 Q501=+1 Q502=+0.5 Q500=+1.5 Q496=+0 Q503=+1 Q504=+0.5 Q463=+3 " +
+  "Q478=+0.3 Q483=+0.4 Q484=+0.2 Q505=+0.2 Q506=+0";
 const CONTOUR_VALUES =
   "Q215=+0 Q460=+2 Q499=+0 Q463=+3 Q478=+0.3 Q483=+0.4 Q484=+0.2 Q505=+0.2 Q487=+1 Q488=+0 Q479=+0 Q480=+0 Q482=+0 Q506=+0";
 const defined = (number: number, values: string) => `CYCL DEF ${number} NAME ~\n${values.split(" ").join(" ~\n")}`;
@@ -19,7 +20,10 @@ interface Frame {
   readonly m136?: string;
   readonly unit?: string;
 }
-const program = (body: string, { mode = "FUNCTION MODE TURN", tool = "TOOL CALL 1", m136 = "M136", unit = "MM" }: Frame = {}) =>
+const program = (
+  body: string,
+  { mode = "FUNCTION MODE TURN", tool = "TOOL CALL 1", m136 = "M136", unit = "MM" }: Frame = {},
+) =>
   [
     "BEGIN PGM T " + unit,
     "BLK FORM CYLINDER Z D75 L100 DIST+0",
@@ -31,13 +35,17 @@ const program = (body: string, { mode = "FUNCTION MODE TURN", tool = "TOOL CALL 
     body,
     "END PGM T " + unit,
     "",
-  ].filter((l, i) => l !== "" || i > 7).join("\n");
+  ]
+    .filter((l, i) => l !== "" || i > 7)
+    .join("\n");
 const made = (body: string, frame?: Frame) => run(parse(program(body, frame)), { tools: shippedTools, rapid: 10_000 });
 /** Findings above a notice as "severity code@block" with the field; blocks count from 0 as the control numbers them. */
 const said = (body: string, frame?: Frame) =>
-  made(body, frame).issues.filter((f) => f.issue.severity !== "info").map((f) =>
-    `${f.issue.severity} ${f.issue.code}${"at" in f.issue && f.issue.at ? ` ${f.issue.at}` : ""}@${f.block}`
-  );
+  made(body, frame)
+    .issues.filter((f) => f.issue.severity !== "info")
+    .map(
+      (f) => `${f.issue.severity} ${f.issue.code}${"at" in f.issue && f.issue.at ? ` ${f.issue.at}` : ""}@${f.block}`,
+    );
 
 const CALLED = `${SHOULDER}\n${TO_START}\nCYCL CALL\nM30`;
 const FREE_CALLED = `${FREE}\n${TO_START}\nCYCL CALL\nM30\n${OUTLINE}`;
@@ -51,22 +59,48 @@ test("the programs that the cases are made from have no fault", () => {
 describe("a cycle call", () => {
   test.each<[string, string, string[], Frame?]>([
     ["no FUNCTION MODE", CALLED, ["error notInTurnMode@8"], { mode: "" }],
-    ["FUNCTION MODE only behind it", CALLED.replace("M30", "FUNCTION MODE TURN\nM30"), ["error notInTurnMode@8"], { mode: "" }],
+    [
+      "FUNCTION MODE only behind it",
+      CALLED.replace("M30", "FUNCTION MODE TURN\nM30"),
+      ["error notInTurnMode@8"],
+      { mode: "" },
+    ],
     ["FUNCTION MODE MILL", CALLED, ["error notInTurnMode@9"], { mode: "FUNCTION MODE MILL" }],
-    ["RR on the way to the start point", CALLED.replace(TO_START, "L X+80 Z+5 RR F0.2\nL X+75 Z+2"), ["error compensationActive@10"]],
-    ["RL in the block of M99", CALLED.replace(`${TO_START}\nCYCL CALL`, "L X+75 Z+2 RL F0.2 M99"), ["error compensationActive@8"]],
-    ["RL from an arc", CALLED.replace(TO_START, "CR X+75 Z+2 R+200 DR+ RL F0.2"), ["error controlRule@8", "error compensationActive@9"]],
+    [
+      "RR on the way to the start point",
+      CALLED.replace(TO_START, "L X+80 Z+5 RR F0.2\nL X+75 Z+2"),
+      ["error compensationActive@10"],
+    ],
+    [
+      "RL in the block of M99",
+      CALLED.replace(`${TO_START}\nCYCL CALL`, "L X+75 Z+2 RL F0.2 M99"),
+      ["error compensationActive@8"],
+    ],
+    [
+      "RL from an arc",
+      CALLED.replace(TO_START, "CR X+75 Z+2 R+200 DR+ RL F0.2"),
+      ["error controlRule@8", "error compensationActive@9"],
+    ],
     ["R0 again before it", CALLED.replace(TO_START, "L X+80 Z+5 RR F0.2\nL X+75 Z+2 R0"), []],
     ["defined and not called", CALLED.replace("CYCL CALL\n", ""), ["warning cycleNeverCalled@7"]],
-    ["defined again before its call", CALLED.replace(TO_START, `${SHOULDER}\n${TO_START}`), ["warning cycleNeverCalled@7"]],
+    [
+      "defined again before its call",
+      CALLED.replace(TO_START, `${SHOULDER}\n${TO_START}`),
+      ["warning cycleNeverCalled@7"],
+    ],
     ["called behind M30", `${SHOULDER}\n${TO_START}\nM30\nCYCL CALL`, ["warning neverReached@10"]],
     ["a position behind M30 and another", `${CALLED}\n${TO_START}\nL Z+5`, ["warning neverReached@11"]],
     ["M2 in a block, then a call", `${SHOULDER}\nL X+75 Z+2 FMAX M2\nCYCL CALL`, ["warning neverReached@9"]],
-    ["an unknown parameter, and one twice", CALLED.replace("Q506=+0", "Q506=+0 ~\nQ999=+5 ~\nQ478=+0.3"), [
-      "warning parameterForeign Q999@7",
-      "warning parameterForeign Q478@7",
-    ]],
-    ["M89 calls at each position until M99", `${SHOULDER}\nL X+75 Z+2 FMAX M89\nL X+75 Z+2 FMAX M99\nL X+90 FMAX\nM30`, []],
+    [
+      "an unknown parameter, and one twice",
+      CALLED.replace("Q506=+0", "Q506=+0 ~\nQ999=+5 ~\nQ478=+0.3"),
+      ["warning parameterForeign Q999@7", "warning parameterForeign Q478@7"],
+    ],
+    [
+      "M89 calls at each position until M99",
+      `${SHOULDER}\nL X+75 Z+2 FMAX M89\nL X+75 Z+2 FMAX M99\nL X+90 FMAX\nM30`,
+      [],
+    ],
   ])("%s", (_, body, expected, frame) => expect(said(body, frame)).toEqual(expected));
 
   test("without FUNCTION MODE TURN it is planned and shown all the same", () => {
@@ -75,7 +109,9 @@ describe("a cycle call", () => {
     expect(made(CALLED, { mode: "FUNCTION MODE MILL" }).operations[0]?.plan).toEqual(whole);
   });
   test("M89 runs the cycle at every positioning block, M99 ends it", () =>
-    expect(made(`${SHOULDER}\nL X+75 Z+2 FMAX M89\nL X+76 Z+2 FMAX\nL X+77 Z+2 FMAX M99\nL X+90 FMAX\nM30`).operations).toHaveLength(3));
+    expect(
+      made(`${SHOULDER}\nL X+75 Z+2 FMAX M89\nL X+76 Z+2 FMAX\nL X+77 Z+2 FMAX M99\nL X+90 FMAX\nM30`).operations,
+    ).toHaveLength(3));
   test("a foreign parameter is said on its own line", () => {
     const lines = made(CALLED.replace("Q506=+0", "Q506=+0 ~\nQ999=+5 ~\nQ478=+0.3")).issues.map((f) => f.line);
     expect(lines).toEqual([28, 29]);
@@ -83,16 +119,36 @@ describe("a cycle call", () => {
 });
 
 describe("feeds", () => {
-  const shoulder = (change: [string, string][], frame?: Frame) => said(change.reduce((t, [a, b]) => t.replace(a, b), CALLED), frame);
-  const contour = (change: [string, string][]) => said(change.reduce((t, [a, b]) => t.replace(a, b), FREE_CALLED), FACING);
+  const shoulder = (change: [string, string][], frame?: Frame) =>
+    said(
+      change.reduce((t, [a, b]) => t.replace(a, b), CALLED),
+      frame,
+    );
+  const contour = (change: [string, string][]) =>
+    said(
+      change.reduce((t, [a, b]) => t.replace(a, b), FREE_CALLED),
+      FACING,
+    );
   test("0 and FAUTO without a feed, for each feed that the operation runs with", () => {
     expect(shoulder([["Q478=+0.3", "Q478=+0"]])).toEqual(["error feedZero Q478@7"]);
-    expect(shoulder([["Q478=+0.3", "Q478=FAUTO"], ["Q505=+0.2", "Q505=FAUTO"]])).toEqual([
-      "error feedZero Q478@7",
-      "error feedZero Q505@7",
-    ]);
-    expect(shoulder([["Q215=+0", "Q215=+1"], ["Q505=+0.2", "Q505=+0"]])).toEqual([]);
-    expect(shoulder([["Q215=+0", "Q215=+2"], ["Q478=+0.3", "Q478=+0"]])).toEqual([]);
+    expect(
+      shoulder([
+        ["Q478=+0.3", "Q478=FAUTO"],
+        ["Q505=+0.2", "Q505=FAUTO"],
+      ]),
+    ).toEqual(["error feedZero Q478@7", "error feedZero Q505@7"]);
+    expect(
+      shoulder([
+        ["Q215=+0", "Q215=+1"],
+        ["Q505=+0.2", "Q505=+0"],
+      ]),
+    ).toEqual([]);
+    expect(
+      shoulder([
+        ["Q215=+0", "Q215=+2"],
+        ["Q478=+0.3", "Q478=+0"],
+      ]),
+    ).toEqual([]);
     expect(shoulder([["Q478=+0.3", "Q478=FAUTO"]], { tool: "TOOL CALL 1 F0.25" })).toEqual([]);
   });
   test("FAUTO is the feed of TOOL CALL, whatever a path block said since", () => {
@@ -108,7 +164,15 @@ describe("feeds", () => {
   test("feeds that nobody means", () => {
     expect(shoulder([["Q478=+0.3", "Q478=+300"]])).toEqual(["warning feedUnlikely Q478@7"]);
     expect(shoulder([], { m136: "" })).toEqual(["warning feedUnlikely Q478@6", "warning feedUnlikely Q505@6"]);
-    expect(shoulder([["Q478=+0.3", "Q478=+300"], ["Q505=+0.2", "Q505=+100"]], { m136: "" })).toEqual([]);
+    expect(
+      shoulder(
+        [
+          ["Q478=+0.3", "Q478=+300"],
+          ["Q505=+0.2", "Q505=+100"],
+        ],
+        { m136: "" },
+      ),
+    ).toEqual([]);
     expect(said("L X+90 Z+5 F200\nL Z+4\nL Z+3\nM30")).toEqual(["warning feedUnlikely F@7"]);
     expect(said("L X+90 Z+5 F200\nM136\nL Z+4\nL Z+3\nM30", { m136: "" })).toEqual(["warning feedUnlikely F@8"]);
     expect(said("L X+90 Z+5 F0.2\nM30", { m136: "" })).toEqual(["warning feedUnlikely F@6"]);
@@ -141,26 +205,34 @@ describe("a fault is told once, with its cause", () => {
       ["error contourStartIncomplete@14"],
       FACING,
     ],
-    ["a parameter without a value, used again and again", "Q5 = Q1 + 1\nL X+Q5 FMAX\nL Z+Q1 FMAX\nL Z-Q5 FMAX\nM30", [
-      "error parameterUnset Q1@7",
-    ]],
+    [
+      "a parameter without a value, used again and again",
+      "Q5 = Q1 + 1\nL X+Q5 FMAX\nL Z+Q1 FMAX\nL Z-Q5 FMAX\nM30",
+      ["error parameterUnset Q1@7"],
+    ],
     ["a cycle with such a parameter", CALLED.replace("Q493=+50", "Q493=+Q90"), ["error parameterUnset Q90@7"]],
     ["a start point that hangs on one", CALLED.replace("L X+75 Z+2", "L X+Q90 Z+2"), ["error parameterUnset Q90@8"]],
-    ["an APPR in PS with RL", "L X+100 Z+10 RL F0.2\nAPPR LT X+60 Z+0 LEN3 RL F0.2\nL Z-20\nDEP LT LEN3\nM30", [
-      "error compensationActive@8",
-    ]],
-    ["an APPR without a side", "L X+100 Z+10 R0 FMAX\nAPPR LT X+60 Z+0 LEN3 F0.2\nL Z-20\nDEP LT LEN3\nM30", [
-      "warning approachUncompensated@8",
-    ]],
-    ["an APPR LT from inside the contour", "L X+100 Z+10 R0 FMAX\nAPPR LT X+60 Z+0 LEN-3 RL F0.2\nL Z-20\nDEP LT LEN3\nM30", [
-      "error outOfRange LEN@8",
-    ]],
+    [
+      "an APPR in PS with RL",
+      "L X+100 Z+10 RL F0.2\nAPPR LT X+60 Z+0 LEN3 RL F0.2\nL Z-20\nDEP LT LEN3\nM30",
+      ["error compensationActive@8"],
+    ],
+    [
+      "an APPR without a side",
+      "L X+100 Z+10 R0 FMAX\nAPPR LT X+60 Z+0 LEN3 F0.2\nL Z-20\nDEP LT LEN3\nM30",
+      ["warning approachUncompensated@8"],
+    ],
+    [
+      "an APPR LT from inside the contour",
+      "L X+100 Z+10 R0 FMAX\nAPPR LT X+60 Z+0 LEN-3 RL F0.2\nL Z-20\nDEP LT LEN3\nM30",
+      ["error outOfRange LEN@8"],
+    ],
   ])("%s", (_, body, expected, frame) => expect(said(body, frame)).toEqual(expected));
 
   test("the number of the element is told, not always the first", () => {
     const element = (body: string) =>
-      made(`L X+100 Z+10 F0.2\nL X+60\nL Z-10\nL X+62\nRND R5\nL Z-20\n${body}M30`).issues.find((f) =>
-        f.issue.code === "cornerElementTooLong"
+      made(`L X+100 Z+10 F0.2\nL X+60\nL Z-10\nL X+62\nRND R5\nL Z-20\n${body}M30`).issues.find(
+        (f) => f.issue.code === "cornerElementTooLong",
       )?.issue.data;
     expect(element("")).toMatchObject({ element: 4 });
   });

@@ -17,7 +17,10 @@ export function lineOfParameter(raw: string, q: string, time = 1): number {
   return found ? raw.slice(0, found.index + 1).split(/\r\n|\n|\r/).length - 1 : 0;
 }
 
-/** Parameters that the cycle does not have, and those that stand twice: a control refuses the first and takes the last of the others. */
+/**
+ * Parameters that the cycle does not have, and those that stand twice: a control refuses the first and takes the last
+ * of the others.
+ */
 export function foreignParameters(machine: Machine, cycle: Cycle, names: readonly string[], index: number): void {
   const raw = machine.blocks[index]?.raw ?? "";
   const met = new Set<string>();
@@ -25,8 +28,11 @@ export function foreignParameters(machine: Machine, cycle: Cycle, names: readonl
     const twice = met.has(q);
     met.add(q);
     if (twice || !(q in cycle.params))
-      machine.log.say(programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q), index,
-        lineOfParameter(raw, q, twice ? 2 : 1));
+      machine.log.say(
+        programIssue("parameterForeign", "warning", { name: q, cycle: cycle.number }, q),
+        index,
+        lineOfParameter(raw, q, twice ? 2 : 1),
+      );
   }
 }
 
@@ -42,7 +48,9 @@ export function unlikelyFeeds<P extends Params>(
   planned: (values: Values<P>) => readonly Move[],
 ): ProgramIssue[] {
   const found: ProgramIssue[] = [];
-  const names = Object.entries<Param>(cycle.params).filter(([, p]) => p.kind === "feed").map(([q]) => q);
+  const names = Object.entries<Param>(cycle.params)
+    .filter(([, p]) => p.kind === "feed")
+    .map(([q]) => q);
   const read = (q: string) => (values as Readonly<Record<string, number | "auto">>)[q];
   let [still, now] = [standsStill(moves), values];
   for (const q of names) {

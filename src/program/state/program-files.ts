@@ -12,14 +12,24 @@ export interface ProgramFiles {
   find(key: string): ProgramFile | null;
 }
 
-/** What file names are compared by: the folder does not count, nor the case, and a name without an ending is that of a program. */
+/**
+ * What file names are compared by: the folder does not count, nor the case, and a name without an ending is that of a
+ * program.
+ */
 export function fileKey(name: string): string {
-  const bare = name.trim().replace(/^.*[\\/:]/, "").toUpperCase();
+  const bare = name
+    .trim()
+    .replace(/^.*[\\/:]/, "")
+    .toUpperCase();
   return bare === "" || bare.includes(".") ? bare : `${bare}.H`;
 }
 
 /** The name that the second line of cycle 12 gives a program: `PGM TNC:\DRILL.H`, or the name alone. */
-export const nameInCycle = (text: string): string => text.replace(/^PGM[ \t]+/i, "").replaceAll('"', "").trim();
+export const nameInCycle = (text: string): string =>
+  text
+    .replace(/^PGM[ \t]+/i, "")
+    .replaceAll('"', "")
+    .trim();
 
 /** Files by their names, each read when it is first called. Of two with one name the first counts. */
 export function filesByName(

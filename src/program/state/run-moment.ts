@@ -5,7 +5,10 @@ import type { LogMoment } from "./log.ts";
 import type { Modal, Whereabouts } from "./modal.ts";
 import type { Guide } from "./plane-chain.ts";
 
-/** Where a run was between two blocks of its program, while no call had to return: what `Machine` holds, by the same names. */
+/**
+ * Where a run was between two blocks of its program, while no call had to return: what `Machine` holds, by the same
+ * names.
+ */
 export interface RunMoment {
   readonly now: Modal;
   readonly place: Whereabouts;

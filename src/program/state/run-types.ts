@@ -59,9 +59,13 @@ export interface Operation {
   readonly lastStep: number;
   /** Issues of the values, the tool and the plan. */
   readonly issues: readonly Issue[];
-  /** Where each segment of the contour that it was given is written, in programmed order; absent where it follows none. */
+  /**
+   * Where each segment of the contour that it was given is written, in programmed order; absent where it follows none.
+   */
   readonly contourLines?: readonly TextLine[];
-  /** What the cycle was called with, so that it can be planned again with another tool; null when its values make none. */
+  /**
+   * What the cycle was called with, so that it can be planned again with another tool; null when its values make none.
+   */
   readonly call: {
     readonly values: Values<Params>;
     readonly given: Given;
@@ -72,7 +76,10 @@ export interface Operation {
   } | null;
 }
 
-/** Seconds that pass beside the motions: tool changes, the spindle getting to its speed, dwells that are blocks of their own. */
+/**
+ * Seconds that pass beside the motions: tool changes, the spindle getting to its speed, dwells that are blocks of their
+ * own.
+ */
 export interface SecondsBeside {
   readonly toolChange: number;
   readonly spindle: number;
@@ -114,9 +121,15 @@ export interface Run {
   readonly plane: readonly PlaneStep[];
   /** Every APPR and DEP with its points, in both planes, in the order they ran. */
   readonly approaches: readonly ApproachRun[];
-  /** Where a turning program counts from, from a step on, in the order of the steps; empty when that is the workpiece zero throughout. */
+  /**
+   * Where a turning program counts from, from a step on, in the order of the steps; empty when that is the workpiece
+   * zero throughout.
+   */
   readonly datums: readonly { readonly step: number; readonly at: Pt }[];
-  /** How the spindle turns, from a step on, in the order of the steps; null until a speed was programmed. M4 turns it backwards. */
+  /**
+   * How the spindle turns, from a step on, in the order of the steps; null until a speed was programmed. M4 turns it
+   * backwards.
+   */
   readonly spindles: readonly { readonly step: number; readonly spindle: Spindle | null; readonly backwards?: true }[];
   /** What was not simulated though it can move the path or the stock, in the order it was met. */
   readonly unproved: readonly Unproved[];

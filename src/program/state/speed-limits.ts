@@ -5,7 +5,10 @@ import { toDiameter } from "../../kernel/units.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { Modal } from "./modal.ts";
 
-/** Above this no material that is turned is cut, m/min: 0.8 km/min, the highest of makers' tables for aluminium, rounded up. */
+/**
+ * Above this no material that is turned is cut, m/min: 0.8 km/min, the highest of makers' tables for aluminium, rounded
+ * up.
+ */
 const FASTEST_CUT = 0.8 * 1000;
 /** Without machine data: a lathe that turns faster than this with a chuck is rare, rpm. */
 const FASTEST_SPINDLE = 5000;
@@ -20,8 +23,8 @@ const farthestOf = ({ from, move }: { readonly from: Step["from"]; readonly move
   Math.max(Math.abs(from.r), Math.abs(move.to.r));
 
 /**
- * What the speed in force makes of motions, each to be said at its SPIN block. `most`: highest speed of the machine, rpm; without it
- * only what no machine does is told.
+ * What the speed in force makes of motions, each to be said at its SPIN block. `most`: highest speed of the machine,
+ * rpm; without it only what no machine does is told.
  */
 export function speedFaults({ spindle }: Modal, steps: readonly Step[], most: number | undefined): ProgramIssue[] {
   const cutting = spindle ? steps.filter(cuts) : [];
@@ -34,7 +37,10 @@ export function speedFaults({ spindle }: Modal, steps: readonly Step[], most: nu
     const { speed } = spindle;
     if (most !== undefined && speed > most) found.push(unlikely(speed, most, "machine", "S"));
     // Plain moves at feed may run beside the work.
-    const surface = cutting.reduce((best, s) => (s.operation === null ? best : Math.max(best, cuttingSpeedAt(speed, farthestOf(s)))), 0);
+    const surface = cutting.reduce(
+      (best, s) => (s.operation === null ? best : Math.max(best, cuttingSpeedAt(speed, farthestOf(s)))),
+      0,
+    );
     if (surface > FASTEST_CUT) found.push(unlikely(surface, FASTEST_CUT, "material", "S"));
     return found;
   }
@@ -46,8 +52,12 @@ export function speedFaults({ spindle }: Modal, steps: readonly Step[], most: nu
   if (speedAt(spindle, nearestOf(near)) > (most ?? FASTEST_SPINDLE)) {
     const nearest = Math.abs(near.from.r) < Math.abs(near.move.to.r) ? near.from.r : near.move.to.r;
     found.push(
-      programIssue("speedUnlimited", "warning", { diameter: nearestOf(near) === 0 ? 0 : Math.abs(toDiameter(nearest)), block: near.block },
-        "SMAX"),
+      programIssue(
+        "speedUnlimited",
+        "warning",
+        { diameter: nearestOf(near) === 0 ? 0 : Math.abs(toDiameter(nearest)), block: near.block },
+        "SMAX",
+      ),
     );
   }
   return found;

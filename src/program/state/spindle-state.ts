@@ -4,8 +4,8 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Modal } from "./modal.ts";
 
 /**
- * Whether a tool cuts backwards; undefined where nobody knows. A drill cuts forwards, any other edge the way in which it has cut before.
- * A tap may be a left-hand one, and leaves its thread with the spindle turning back.
+ * Whether a tool cuts backwards; undefined where nobody knows. A drill cuts forwards, any other edge the way in which
+ * it has cut before. A tap may be a left-hand one, and leaves its thread with the spindle turning back.
  */
 const cutsBackwards = ({ ways }: Modal, tool: Tool): boolean | undefined =>
   isDrill(tool) ? (tool.TYPE === "TAP" ? undefined : false) : ways.get(tool.T);
@@ -17,10 +17,16 @@ interface Known {
 }
 
 /**
- * Why the spindle surely does not turn as a cut with a tool needs it; null where it does. Silent where blocks came before that nobody
- * here knows: any of them may have started the spindle, or set a speed. `wanted`: whether the cut needs it backwards, as its cycle says.
+ * Why the spindle surely does not turn as a cut with a tool needs it; null where it does. Silent where blocks came
+ * before that nobody here knows: any of them may have started the spindle, or set a speed. `wanted`: whether the cut
+ * needs it backwards, as its cycle says.
  */
-export function idleSpindle(now: Modal, { unproved, numbers }: Known, tool: Tool, wanted = cutsBackwards(now, tool)): Idle | null {
+export function idleSpindle(
+  now: Modal,
+  { unproved, numbers }: Known,
+  tool: Tool,
+  wanted = cutsBackwards(now, tool),
+): Idle | null {
   const { mode, spindle, turns, backwards, spun, speedElsewhere } = now;
   if (mode !== "TURN") return null;
   const by = spun.index === null ? null : (numbers[spun.index] ?? null);

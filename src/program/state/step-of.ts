@@ -10,12 +10,19 @@ export interface TimedSteps {
   readonly seconds: number;
 }
 
-export const timed = (steps: readonly Step[]): TimedSteps => ({ steps, seconds: steps.reduce((sum, step) => sum + step.seconds, 0) });
+export const timed = (steps: readonly Step[]): TimedSteps => ({
+  steps,
+  seconds: steps.reduce((sum, step) => sum + step.seconds, 0),
+});
 
 const STILL: Spindle = { kind: "constant", speed: 0 };
 
 /** A motion with the time that it takes. */
-export const stepOf = ({ from, move, tool, block, operation, ...line }: Motion, spindle: Spindle | null, rapid: RapidRate): Step => ({
+export const stepOf = (
+  { from, move, tool, block, operation, ...line }: Motion,
+  spindle: Spindle | null,
+  rapid: RapidRate,
+): Step => ({
   from,
   move,
   tool,

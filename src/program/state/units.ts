@@ -3,8 +3,8 @@ import type { Label } from "../../nc/statement.ts";
 import { namesIn } from "./contour-names.ts";
 
 /**
- * One text of a run: the program itself, or one that it calls. The blocks of all of them stand behind one another, so that an
- * index names one block of the run, whichever text it is from.
+ * One text of a run: the program itself, or one that it calls. The blocks of all of them stand behind one another, so
+ * that an index names one block of the run, whichever text it is from.
  */
 export interface Unit {
   /** Name of its file; null for the program itself. */
@@ -20,7 +20,8 @@ export interface Unit {
 }
 
 /** A block behind a skip mark while the switch for them is on. */
-export const isSkipped = (block: Block | undefined, skipMarked: boolean): boolean => skipMarked && (block?.skip ?? false);
+export const isSkipped = (block: Block | undefined, skipMarked: boolean): boolean =>
+  skipMarked && (block?.skip ?? false);
 
 /** A text as part of a run. `twice` hears of each label that is set a second time. */
 export function unitFrom(

@@ -2,13 +2,23 @@ import { describe, expect, test } from "vitest";
 import { checkTool, type ToolRow } from "./check-tool.ts";
 import { shippedTools } from "./shipped-tools.ts";
 
-const turning: ToolRow = { T: 1, NAME: "TURN", TYPE: "ROUGH", TO: 1, RS: 0.8, "T-ANGLE": 95, "P-ANGLE": 80, CUTLENGTH: 12 };
+const turning: ToolRow = {
+  T: 1,
+  NAME: "TURN",
+  TYPE: "ROUGH",
+  TO: 1,
+  RS: 0.8,
+  "T-ANGLE": 95,
+  "P-ANGLE": 80,
+  CUTLENGTH: 12,
+};
 const recessing: ToolRow = { T: 8, NAME: "GROOVE", TYPE: "RECTURN", TO: 8, RS: 0.2, CUTWIDTH: 3, CUTLENGTH: 35 };
 const columns = (row: ToolRow) => checkTool(row).map((found) => found.at);
 
 describe("checkTool", () => {
-  test.each(shippedTools.map((tool) => [tool.NAME, tool] as const))("shipped tool %s is sound",
-    (_, tool) => expect(checkTool(tool)).toEqual([]));
+  test.each(shippedTools.map((tool) => [tool.NAME, tool] as const))("shipped tool %s is sound", (_, tool) =>
+    expect(checkTool(tool)).toEqual([]),
+  );
 
   test("RS must be there and not negative", () => {
     expect(columns({ ...turning, RS: -0.1 })).toEqual(["RS"]);
@@ -26,11 +36,13 @@ describe("checkTool", () => {
   });
 
   test("CUTWIDTH must be more than twice RS for recessing tools", () => {
-    expect(checkTool({ ...recessing, CUTWIDTH: 0.4 })).toMatchObject([{
-      code: "toolColumn",
-      at: "CUTWIDTH",
-      data: { value: 0.4, min: 0.4 },
-    }]);
+    expect(checkTool({ ...recessing, CUTWIDTH: 0.4 })).toMatchObject([
+      {
+        code: "toolColumn",
+        at: "CUTWIDTH",
+        data: { value: 0.4, min: 0.4 },
+      },
+    ]);
     expect(columns({ ...recessing, CUTWIDTH: null })).toEqual(["CUTWIDTH"]);
     expect(columns({ ...recessing, CUTWIDTH: 0.5, DCW: -0.2 })).toEqual(["CUTWIDTH"]);
     expect(columns({ ...recessing, CUTWIDTH: 0.41 })).toEqual([]);

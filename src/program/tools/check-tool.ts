@@ -17,7 +17,8 @@ const numberIn = (row: ToolRow, column: keyof Tool): number | null => {
   return typeof cell === "number" && Number.isFinite(cell) ? cell : null;
 };
 
-const isEmpty = (row: ToolRow, column: keyof Tool) => row[column] === undefined || row[column] === null || row[column] === "";
+const isEmpty = (row: ToolRow, column: keyof Tool) =>
+  row[column] === undefined || row[column] === null || row[column] === "";
 
 /** Smallest radius of a round insert: with none there is no insert. */
 const LEAST_ROUND = 0.001;

@@ -1,6 +1,14 @@
 import { describe, expect, test } from "vitest";
-import { growthIn, isFlipped, NO_TRANSFORM, settledTransform, toProgram, toWorkpiece, type CoordinateFrame,
-  type Transform } from "./coordinates-frame.ts";
+import {
+  growthIn,
+  isFlipped,
+  NO_TRANSFORM,
+  settledTransform,
+  toProgram,
+  toWorkpiece,
+  type CoordinateFrame,
+  type Transform,
+} from "./coordinates-frame.ts";
 
 const frame = (t: Partial<Transform>, shift = { x: 3.17, y: -8.4, z: 0.93 }): CoordinateFrame => ({
   shift,
@@ -42,8 +50,11 @@ describe("a frame", () => {
     expect(rounded(toWorkpiece(f, { x: 1, y: 2, z: 0 }))).toEqual([106, 12, 1]);
   });
   test("a centre of scaling stays where it is", () =>
-    expect(rounded(toWorkpiece(frame({ scale: { x: 0.7, y: 1.3, z: 2 }, centre: P }, { x: 0, y: 0, z: 0 }), P))).toEqual(rounded(P)));
-  test("quarter turns have no remainder", () => expect(toWorkpiece(frame({ rotation: 90 }, { x: 0, y: 0, z: 0 }), P).x).toBe(4.02));
+    expect(
+      rounded(toWorkpiece(frame({ scale: { x: 0.7, y: 1.3, z: 2 }, centre: P }, { x: 0, y: 0, z: 0 }), P)),
+    ).toEqual(rounded(P)));
+  test("quarter turns have no remainder", () =>
+    expect(toWorkpiece(frame({ rotation: 90 }, { x: 0, y: 0, z: 0 }), P).x).toBe(4.02));
 });
 
 test("what changes nothing is none: whole turns, twice a mirror", () => {
@@ -65,5 +76,8 @@ test("one mirrored axis of a plane turns its arcs round, two do not", () => {
 test("circles grow with one factor, and in their own plane only", () => {
   const t = { ...NO_TRANSFORM, scale: { x: 1.4, y: 1.4, z: 0.6 } };
   expect([growthIn(t, "XY"), growthIn(t, "ZX")]).toEqual([1.4, null]);
-  expect([growthIn({ ...t, rotation: 5 }, "XY"), growthIn({ ...NO_TRANSFORM, rotation: 5 }, "YZ")]).toEqual([1.4, null]);
+  expect([growthIn({ ...t, rotation: 5 }, "XY"), growthIn({ ...NO_TRANSFORM, rotation: 5 }, "YZ")]).toEqual([
+    1.4,
+    null,
+  ]);
 });

@@ -26,8 +26,8 @@ export const NO_TRANSFORM: Transform = {
 };
 
 /**
- * From coordinates of a program to those of the workpiece: scaled about the centre, turned, mirrored, shifted. Read from the
- * workpiece that is the order in which a control takes them up: datum, mirror, rotation, scale.
+ * From coordinates of a program to those of the workpiece: scaled about the centre, turned, mirrored, shifted. Read
+ * from the workpiece that is the order in which a control takes them up: datum, mirror, rotation, scale.
  */
 export interface CoordinateFrame {
   readonly shift: Each<number>;
@@ -48,7 +48,14 @@ export function settledTransform(t: Transform): Transform {
 function waysOf(degrees: number): readonly [number, number] {
   const quarters = withinATurn(degrees) / 90;
   if (!Number.isInteger(quarters)) return [Math.cos(radians(degrees)), Math.sin(radians(degrees))];
-  return ([[1, 0], [0, 1], [-1, 0], [0, -1]] as const)[quarters as 0 | 1 | 2 | 3];
+  return (
+    [
+      [1, 0],
+      [0, 1],
+      [-1, 0],
+      [0, -1],
+    ] as const
+  )[quarters as 0 | 1 | 2 | 3];
 }
 
 function turned(p: Place, degrees: number): Place {

@@ -4,29 +4,36 @@ import { parse } from "../../nc/parse.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "./shipped-tools.ts";
 
-const SHOULDER = "CYCL DEF 812 NAME ~\n"
-  + "Q215=+0 Q460=+2 Q491=+75 Q492=+0 Q493=+50 Q494=-55 Q495=+5 Q501=+1 Q502=+0.5 Q500=+1.5 Q496=+0 Q503=+1 Q504=+0.5 Q463=+3 "
-  + "Q478=+0.3 Q483=+0.4 Q484=+0.2 Q505=+0.2 Q506=+0".split(" ").join(" ~\n");
+const SHOULDER =
+  "CYCL DEF 812 NAME ~\n" +
+  "Q215=+0 Q460=+2 Q491=+75 Q492=+0 Q493=+50 Q494=-55 Q495=+5 Q501=+1 Q502=+0.5 Q500=+1.5 Q496=+0 Q503=+1 Q504=+0.5 Q463=+3 " +
+  "Q478=+0.3 Q483=+0.4 Q484=+0.2 Q505=+0.2 Q506=+0".split(" ").join(" ~\n");
 const turned = (lines: string, unit = "MM") =>
   run(
     parse(
-      `0 BEGIN PGM T ${unit}\n1 BLK FORM CYLINDER Z D80 L100 DIST+1 DI20\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 FUNCTION `
-        + `TURNDATA SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX\n${lines}\nM30\nEND PGM T ${unit}\n`,
+      `0 BEGIN PGM T ${unit}\n1 BLK FORM CYLINDER Z D80 L100 DIST+1 DI20\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 FUNCTION ` +
+        `TURNDATA SPIN VCONST:OFF S500\n5 M136\n6 L X+100 Z+50 R0 FMAX\n${lines}\nM30\nEND PGM T ${unit}\n`,
     ),
     { tools: shippedTools, rapid: 10_000 },
   );
 const milled = (lines: string, unit = "MM") =>
-  run(parse(`0 BEGIN PGM M ${unit}\n1 TOOL CALL 1 Z S1000\n2 L X+0 Y+0 Z+10 R0 FMAX\n${lines}\nM30\nEND PGM M ${unit}\n`), {
-    tools: shippedTools,
-    rapid: 10_000,
-  });
+  run(
+    parse(`0 BEGIN PGM M ${unit}\n1 TOOL CALL 1 Z S1000\n2 L X+0 Y+0 Z+10 R0 FMAX\n${lines}\nM30\nEND PGM M ${unit}\n`),
+    {
+      tools: shippedTools,
+      rapid: 10_000,
+    },
+  );
 type Made = ReturnType<typeof run>;
 const round = (n: number) => +n.toFixed(3) + 0;
 const path = (r: Made) =>
-  r.steps.filter((s) => s.operation === null).map((s) => `${s.move.kind} ${round(toDiameter(s.move.to.r))} ${round(s.move.to.z)}`);
+  r.steps
+    .filter((s) => s.operation === null)
+    .map((s) => `${s.move.kind} ${round(toDiameter(s.move.to.r))} ${round(s.move.to.z)}`);
 const plane = (r: Made) =>
-  r.plane.map((s) =>
-    `${s.kind} ${round(s.to.x)} ${round(s.to.y)} ${s.to.z === null ? "?" : round(s.to.z)}${s.feed === undefined ? "" : ` F${s.feed}`}`
+  r.plane.map(
+    (s) =>
+      `${s.kind} ${round(s.to.x)} ${round(s.to.y)} ${s.to.z === null ? "?" : round(s.to.z)}${s.feed === undefined ? "" : ` F${s.feed}`}`,
   );
 const unproved = (r: Made) => r.unproved.map((u) => `${u.what}@${u.block}`);
 const codes = (r: Made) => r.issues.filter((f) => f.issue.severity !== "info").map((f) => `${f.issue.code}@${f.block}`);
@@ -34,11 +41,18 @@ const codes = (r: Made) => r.issues.filter((f) => f.issue.severity !== "info").m
 describe("the datum is shifted", () => {
   test("by cycle 7 and by TRANS DATUM, X as a diameter, each axis on its own", () => {
     expect(path(turned("CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 Z-30\nL X+80 Z+2 FMAX"))).toEqual(["rapid 80 -28"]);
-    expect(path(turned("CYCL DEF 7.0 NULLPUNKT\nCYCL DEF 7.1 X+4\nCYCL DEF 7.2 IZ-10\nCYCL DEF 7.3 IZ-5.5\nL X+80 Z+2 FMAX\nL IX-2 FMAX")))
-      .toEqual(["rapid 84 -13.5", "rapid 82 -13.5"]);
     expect(
       path(
-        turned("CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 Z-20\nTRANS DATUM AXIS X+1 Z-40\nL X+80 Z+45 FMAX\nTRANS DATUM RESET\nL Z+2 FMAX"),
+        turned(
+          "CYCL DEF 7.0 NULLPUNKT\nCYCL DEF 7.1 X+4\nCYCL DEF 7.2 IZ-10\nCYCL DEF 7.3 IZ-5.5\nL X+80 Z+2 FMAX\nL IX-2 FMAX",
+        ),
+      ),
+    ).toEqual(["rapid 84 -13.5", "rapid 82 -13.5"]);
+    expect(
+      path(
+        turned(
+          "CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 Z-20\nTRANS DATUM AXIS X+1 Z-40\nL X+80 Z+45 FMAX\nTRANS DATUM RESET\nL Z+2 FMAX",
+        ),
       ),
     ).toEqual(["rapid 81 5", "rapid 81 2"]);
     expect(path(turned("Q5 = -7\nTRANS DATUM AXIS Z+Q5\nL Z+0 FMAX"))).toEqual(["rapid 100 -7"]);
@@ -119,9 +133,9 @@ test("a value that a cycle can not have where it acts is told at its line; it is
 
 describe("positions that nobody knows are not invented", () => {
   test("M91 and M92: no steps until both axes are programmed again", () => {
-    expect(path(turned("L Z-1 R0 FMAX M91\nL X-1 Y-1 R0 FMAX M91\nL X+90 FMAX\nL IZ+3 FMAX\nL Z+5 FMAX\nL Z+4 FMAX"))).toEqual([
-      "rapid 90 4",
-    ]);
+    expect(
+      path(turned("L Z-1 R0 FMAX M91\nL X-1 Y-1 R0 FMAX M91\nL X+90 FMAX\nL IZ+3 FMAX\nL Z+5 FMAX\nL Z+4 FMAX")),
+    ).toEqual(["rapid 90 4"]);
     expect(unproved(turned("L Z-1 R0 FMAX M92\nL X-1 R0 FMAX M91"))).toEqual(["M92@7"]);
     expect(plane(milled("L Z-1 R0 FMAX M91\nL X+5 FMAX\nL Z+3 FMAX\nL X+6 F100"))).toEqual([
       "rapid 0 0 10",
@@ -144,7 +158,9 @@ describe("positions that nobody knows are not invented", () => {
       "feed 32 -24.5",
       "feed 32 2",
     ]);
-    expect(plane(milled("L X+5 F125 M140 MB 50 F750\nL X+10\nL X+20 M128 F1000\nL X+30\nL M140 MB MAX\nL X+40"))).toEqual([
+    expect(
+      plane(milled("L X+5 F125 M140 MB 50 F750\nL X+10\nL X+20 M128 F1000\nL X+30\nL M140 MB MAX\nL X+40")),
+    ).toEqual([
       "rapid 0 0 10",
       "feed 0 0 60 F750",
       "feed 5 0 60 F125",
@@ -155,10 +171,13 @@ describe("positions that nobody knows are not invented", () => {
     ]);
   });
   test("a program that begins with an incremental move starts nowhere", () => {
-    const begun = run(parse("BEGIN PGM I MM\nTOOL CALL 1 Z S1000\nL IX+5 IY+5 IZ+5 FMAX\nL IX+5 F100\nM30\nEND PGM I MM\n"), {
-      tools: [],
-      rapid: 1,
-    });
+    const begun = run(
+      parse("BEGIN PGM I MM\nTOOL CALL 1 Z S1000\nL IX+5 IY+5 IZ+5 FMAX\nL IX+5 F100\nM30\nEND PGM I MM\n"),
+      {
+        tools: [],
+        rapid: 1,
+      },
+    );
     expect(plane(begun)).toEqual([]);
     expect(path(turned("TOOL CALL 2\nL IZ+5 FMAX\nL IX+5 FMAX\nL X+90 FMAX\nL Z+1 FMAX\nL Z+2 FMAX"))).toEqual([
       // Where the tool before was brought to.
@@ -210,9 +229,11 @@ describe("the order of the blocks", () => {
     ["FN 9: IF Q2 IS UNDEFINED GOTO LBL 1", true],
     ["FN 9: IF Q2 IS DEFINED GOTO LBL 1", false],
     ["FN 9: IF +0 EQU +0 GOTO LBL Q9", true],
-  ])("%s jumps: %s",
-    (jump, jumps) =>
-      expect(path(turned(`Q1 = 5\nQ9 = 1\n${jump}\nL Z+40 FMAX\nLBL 1\nLBL "ONE"\nL X+90 FMAX`)).length).toBe(jumps ? 1 : 2));
+  ])("%s jumps: %s", (jump, jumps) =>
+    expect(path(turned(`Q1 = 5\nQ9 = 1\n${jump}\nL Z+40 FMAX\nLBL 1\nLBL "ONE"\nL X+90 FMAX`)).length).toBe(
+      jumps ? 1 : 2,
+    ),
+  );
   test("a loop of jumps runs, an endless one ends with a message", () => {
     expect(path(turned("Q1 = 0\nLBL 1\nQ1 = Q1 + 1\nL IZ-1 FMAX\nFN 12: IF +Q1 LT +4 GOTO LBL 1"))).toHaveLength(4);
     expect(codes(turned("LBL 1\nFN 9: IF +1 EQU +1 GOTO LBL 1"))).toEqual(["tooManyBlocks@8"]);
@@ -220,25 +241,37 @@ describe("the order of the blocks", () => {
     expect(codes(turned("FN 9: IF +Q1 EQU +1 GOTO LBL 7"))).toEqual(["parameterUnset@7"]);
   });
   test("paraxial blocks run as straight lines", () => {
-    expect(path(turned("X+70 R0 FMAX\nZ-20 R0 F0.3\nIX+2\nZ+5 FMAX"))).toEqual(["rapid 70 50", "feed 70 -20", "feed 72 -20", "rapid 72 5"]);
+    expect(path(turned("X+70 R0 FMAX\nZ-20 R0 F0.3\nIX+2\nZ+5 FMAX"))).toEqual([
+      "rapid 70 50",
+      "feed 70 -20",
+      "feed 72 -20",
+      "rapid 72 5",
+    ]);
     expect(plane(milled("Z+100 FMAX\nX+5 F100"))).toEqual(["rapid 0 0 10", "rapid 0 0 100", "feed 5 0 100 F100"]);
   });
 });
 
 describe("arcs run in their plane", () => {
   const arcs = (r: Made) =>
-    r.plane.filter((s) => s.kind === "arc").map((s) => ({ to: s.to, ...(s.side ? { ...s.side } : { centre: s.centre, turn: s.turn }) }));
+    r.plane
+      .filter((s) => s.kind === "arc")
+      .map((s) => ({ to: s.to, ...(s.side ? { ...s.side } : { centre: s.centre, turn: s.turn }) }));
   test.each([
     ["L X+12 Z+5 F500\nCC X+10 Z+5\nC X+8 Z+5 DR+", { plane: "ZX", centre: { x: 10, z: 5 }, turn: "ccw" }],
     ["L Y+10 Z+5 F500\nCC Y+12 Z+5\nC Y+14 Z+5 DR-", { plane: "YZ", centre: { y: 12, z: 5 }, turn: "cw" }],
     ["L X+12 Z+5 F500\nCC X+10 Z+5\nCP IPA+90 DR+", { plane: "ZX", to: { x: 10, y: 0, z: 3 }, turn: "ccw" }],
     ["L X+0 Z+5 F500\nCR X+10 Z+15 R+10 DR+", { plane: "ZX", to: { x: 10, y: 0, z: 15 } }],
     ["L Y+0 Z+0 F500\nL Y+10\nCT Y+20 Z+10", { plane: "YZ", centre: { y: 10, z: 10 }, turn: "ccw" }],
-    ["L X+10 Y+0 Z+5 F500\nCC X+0 Y+0\nCP IPA+90 IZ-2 DR+", { to: { x: 0, y: 10, z: 3 }, centre: { x: 0, y: 0 }, turn: "ccw" }],
+    [
+      "L X+10 Y+0 Z+5 F500\nCC X+0 Y+0\nCP IPA+90 IZ-2 DR+",
+      { to: { x: 0, y: 10, z: 3 }, centre: { x: 0, y: 0 }, turn: "ccw" },
+    ],
   ])("%s", (lines, expected) => {
     const made = milled(lines);
     const [arc] = arcs(made);
-    expect(JSON.parse(JSON.stringify(arc, (_, v: unknown) => (typeof v === "number" ? round(v) : v)))).toMatchObject(expected);
+    expect(JSON.parse(JSON.stringify(arc, (_, v: unknown) => (typeof v === "number" ? round(v) : v)))).toMatchObject(
+      expected,
+    );
     expect(codes(made)).toEqual([]);
   });
   test("an arc that no plane has is a fault; one under compensation is not proved", () => {

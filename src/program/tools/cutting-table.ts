@@ -4,7 +4,9 @@ import { z } from "zod/mini";
 export const ISO_GROUPS = ["P", "M", "K", "N", "S", "H"] as const;
 export type IsoGroup = (typeof ISO_GROUPS)[number];
 
-/** A material with its starting values for coated carbide, hardened steel for CBN, turned dry or wet on a sound machine. */
+/**
+ * A material with its starting values for coated carbide, hardened steel for CBN, turned dry or wet on a sound machine.
+ */
 export interface CutMaterial {
   readonly id: string;
   /** As it is written on a drawing. */
@@ -27,8 +29,17 @@ export interface CuttingTable {
   readonly materials: readonly CutMaterial[];
 }
 
-type Row = readonly [id: string, name: string, group: IsoGroup, kc11: number, mc: number, roughSpeed: number, roughFeed: number,
-  finishSpeed: number, finishFeed: number];
+type Row = readonly [
+  id: string,
+  name: string,
+  group: IsoGroup,
+  kc11: number,
+  mc: number,
+  roughSpeed: number,
+  roughFeed: number,
+  finishSpeed: number,
+  finishFeed: number,
+];
 
 /** Values of makers' tables, rounded; docs/decisions/0032 has each with its source. */
 const ROWS: readonly Row[] = [
@@ -71,17 +82,21 @@ const between = (low: number, high: number) => z.number().check(z.gte(low), z.lt
 const name = z.string().check(z.minLength(1), z.maxLength(LONGEST));
 const shape = z.object({
   power: between(0.1, 500),
-  materials: z.array(z.object({
-    id: name,
-    name,
-    group: z.enum(ISO_GROUPS),
-    kc11: between(100, 20_000),
-    mc: between(0, 0.9),
-    roughSpeed: between(1, 5000),
-    roughFeed: between(0.01, 5),
-    finishSpeed: between(1, 5000),
-    finishFeed: between(0.01, 5),
-  })).check(z.minLength(1), z.maxLength(MOST)),
+  materials: z
+    .array(
+      z.object({
+        id: name,
+        name,
+        group: z.enum(ISO_GROUPS),
+        kc11: between(100, 20_000),
+        mc: between(0, 0.9),
+        roughSpeed: between(1, 5000),
+        roughFeed: between(0.01, 5),
+        finishSpeed: between(1, 5000),
+        finishFeed: between(0.01, 5),
+      }),
+    )
+    .check(z.minLength(1), z.maxLength(MOST)),
 });
 
 /** A shop's table from text; null where it is none. Never throws. */

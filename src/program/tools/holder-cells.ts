@@ -29,7 +29,11 @@ export const soundHead = (head: readonly (readonly Corner[])[]): boolean =>
 /** Reads a typed head: its parts, none for an empty text, null when it makes no outline. */
 export function readHead(text: string): readonly (readonly Corner[])[] | null {
   if (text.trim() === "") return [];
-  const parts = text.trim().replace(/;\s*$/, "").split(";").map((part) => part.trim().split(/\s+/).map(corner));
+  const parts = text
+    .trim()
+    .replace(/;\s*$/, "")
+    .split(";")
+    .map((part) => part.trim().split(/\s+/).map(corner));
   if (!parts.every((part): part is Corner[] => part.every((c) => c !== null))) return null;
   return soundHead(parts) ? parts : null;
 }

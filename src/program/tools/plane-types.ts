@@ -7,10 +7,15 @@ import type { DrillType } from "../../kernel/plan/tool.ts";
 import type { ApproachForm } from "../../nc/statement.ts";
 import type { Transform } from "./coordinates-frame.ts";
 
-/** How a control moves in the tool axis with APPR and DEP: "TNC 640" in the plane first, then in the axis; "TNC7" both at once. */
+/**
+ * How a control moves in the tool axis with APPR and DEP: "TNC 640" in the plane first, then in the axis; "TNC7" both
+ * at once.
+ */
 export type Control = "TNC 640" | "TNC7";
 
-/** A position of a mill, mm: its centre in the plane, its end in the axis. `z` is null as long as no block has named it. */
+/**
+ * A position of a mill, mm: its centre in the plane, its end in the axis. `z` is null as long as no block has named it.
+ */
 export interface Spot {
   readonly x: number;
   readonly y: number;
@@ -24,9 +29,15 @@ export interface PlaneStep {
   readonly to: Spot;
   readonly centre?: PlanePoint;
   readonly turn?: Turn;
-  /** Of an arc in a plane beside that of the tool axis: the centre in the axes of that plane, the turn from its first to its second. */
-  readonly side?: { readonly plane: "YZ" | "ZX"; readonly centre: { readonly x?: number; readonly y?: number; readonly z?: number };
-    readonly turn: Turn };
+  /**
+   * Of an arc in a plane beside that of the tool axis: the centre in the axes of that plane, the turn from its first to
+   * its second.
+   */
+  readonly side?: {
+    readonly plane: "YZ" | "ZX";
+    readonly centre: { readonly x?: number; readonly y?: number; readonly z?: number };
+    readonly turn: Turn;
+  };
   /** Absent on a rapid. */
   readonly feed?: number;
   readonly feedUnit?: FeedUnit;
@@ -57,7 +68,12 @@ export interface ApproachRun {
   readonly points: NamedPoints;
   readonly toolRadius: number;
   /** Of CT and LCT, degrees; its centre as the points. */
-  readonly arc: { readonly centre: PlanePoint; readonly radius: number; readonly angle: number; readonly turn: Turn } | null;
+  readonly arc: {
+    readonly centre: PlanePoint;
+    readonly radius: number;
+    readonly angle: number;
+    readonly turn: Turn;
+  } | null;
   /** What it was calculated from, for a dialog that tries other values; in the path of the tool centre. */
   readonly request: ApproachRequest;
   /** The programmed contour that it belongs to. */

@@ -8,8 +8,9 @@ import type { Mill } from "./plane-types.ts";
 /** A cell that may be left out or written as null. */
 const cell = z.number().nullish();
 /** Parts of a head, each by its corners [Z, X]. */
-const head = z.array(z.array(z.tuple([z.number(), z.number()]))).refine(soundHead,
-  "a part needs 3 to 16 corners that are not in line; 8 parts at most");
+const head = z
+  .array(z.array(z.tuple([z.number(), z.number()])))
+  .refine(soundHead, "a part needs 3 to 16 corners that are not in line; 8 parts at most");
 const row = z.object({
   T: z.number().min(0).max(32767.9),
   NAME: z.string().max(32).nullish(),
@@ -28,14 +29,16 @@ const row = z.object({
   CUTLENGTH: cell,
   CUTWIDTH: cell,
   DCW: cell,
-  holder: z.object({
-    width: z.number().positive(),
-    length: z.number().positive(),
-    offsetZ: z.number(),
-    offsetX: z.number(),
-    axis: z.enum(["X", "Z"]).optional(),
-    head: head.optional(),
-  }).nullish(),
+  holder: z
+    .object({
+      width: z.number().positive(),
+      length: z.number().positive(),
+      offsetZ: z.number(),
+      offsetX: z.number(),
+      axis: z.enum(["X", "Z"]).optional(),
+      head: head.optional(),
+    })
+    .nullish(),
 });
 /** A milling tool: any row with a radius R that names none of the turning types. */
 const mill = z.object({
@@ -48,14 +51,18 @@ const mill = z.object({
   "T-ANGLE": z.number().min(0).max(180).nullish(),
   LCUTS: z.number().min(0).nullish(),
   PITCH: z.number().min(0).nullish(),
-  TYPE: z.string().refine((type) => !TOOL_TYPES.some((t) => t === type)).nullish(),
+  TYPE: z
+    .string()
+    .refine((type) => !TOOL_TYPES.some((t) => t === type))
+    .nullish(),
 });
 const file = z.object({ tools: z.array(z.unknown()) }).transform(({ tools }, context) => ({
   tools: tools.flatMap((cells, i) => {
     const asMill = mill.safeParse(cells);
     const read = asMill.success ? asMill : row.safeParse(cells);
     if (read.success) return [read.data];
-    for (const found of read.error.issues) context.addIssue({ code: "custom", message: found.message, path: ["tools", i, ...found.path] });
+    for (const found of read.error.issues)
+      context.addIssue({ code: "custom", message: found.message, path: ["tools", i, ...found.path] });
     return [];
   }),
 }));
@@ -88,7 +95,10 @@ export interface ShopTools {
   readonly mills?: readonly Mill[];
 }
 
-/** Reads the text of a tools file. A file that is no table gives `problem`; a row with impossible columns is refused alone. */
+/**
+ * Reads the text of a tools file. A file that is no table gives `problem`; a row with impossible columns is refused
+ * alone.
+ */
 export function readTools(text: string): ShopTools | { readonly problem: string } {
   let json: unknown;
   try {
@@ -110,7 +120,9 @@ export function readTools(text: string): ShopTools | { readonly problem: string 
       continue;
     }
     const present = Object.fromEntries(
-      Object.entries(cells).filter(([column, value]) => value !== null && value !== undefined && !(column === "CUTLENGTH" && value === 0)),
+      Object.entries(cells).filter(
+        ([column, value]) => value !== null && value !== undefined && !(column === "CUTLENGTH" && value === 0),
+      ),
     );
     const problems = checkTool(present);
     if (problems.length > 0) refused.set(cells.T, problems);
@@ -123,5 +135,9 @@ export function readTools(text: string): ShopTools | { readonly problem: string 
 export function over(base: readonly Tool[], table: ShopTools): ShopTools {
   const mills = table.mills ?? [];
   const replaced = new Set([...table.tools.map((t) => t.T), ...table.refused.keys(), ...mills.map((m) => m.T)]);
-  return { tools: [...base.filter((t) => !replaced.has(t.T)), ...table.tools], refused: table.refused, ...(mills.length > 0 && { mills }) };
+  return {
+    tools: [...base.filter((t) => !replaced.has(t.T)), ...table.tools],
+    refused: table.refused,
+    ...(mills.length > 0 && { mills }),
+  };
 }

@@ -12,7 +12,10 @@ function callAfter(called: number, moved: KeptTools["moved"]): number | null {
 }
 
 /** The program with other numbers in its tool calls, and how many blocks changed. All else stays to the letter. */
-export function withCalls(program: Program, moved: KeptTools["moved"]): { readonly program: Program; readonly changed: number } {
+export function withCalls(
+  program: Program,
+  moved: KeptTools["moved"],
+): { readonly program: Program; readonly changed: number } {
   let [next, changed] = [program, 0];
   program.blocks.forEach(({ statement }, index) => {
     if (statement.kind !== "toolCall" || typeof statement.tool !== "number") return;

@@ -38,19 +38,23 @@ function imported(text: string, before: readonly ToolEntry[] = []): readonly Too
   const origin = { name: "T", text, encoding: "utf-8" as const };
   return mergedTools(before, read.rows, read.table?.lines.map((at) => ({ origin, at })) ?? []).list;
 }
-const again = (text: string, list: readonly ToolEntry[]) => tableAgain({ name: "T", text, encoding: "utf-8" }, list) as TableAgain;
+const again = (text: string, list: readonly ToolEntry[]) =>
+  tableAgain({ name: "T", text, encoding: "utf-8" }, list) as TableAgain;
 const changed = (list: readonly ToolEntry[], T: string, cells: ToolEntry["cells"]) =>
-  list.map((entry) => cellOf(entry, "T") === T ? { ...entry, cells: { ...entry.cells, ...cells } } : entry);
+  list.map((entry) => (cellOf(entry, "T") === T ? { ...entry, cells: { ...entry.cells, ...cells } } : entry));
 const differing = (a: string, b: string) => {
   const [as, bs] = [a.split("\n"), b.split("\n")];
   return bs.filter((line, i) => line !== as[i]);
 };
 
 describe("a table that comes back", () => {
-  test.each([["turning", TURNING], ["milling", MILLING], ["cut short", TURNING.replace("[END]\r\n", "")], [
-    "without an end of line",
-    MILLING.trimEnd(),
-  ], ["trimmed", MILLING.replaceAll(/ +\n/g, "\n")]])("%s: untouched it is the same to the byte", (_, text) => {
+  test.each([
+    ["turning", TURNING],
+    ["milling", MILLING],
+    ["cut short", TURNING.replace("[END]\r\n", "")],
+    ["without an end of line", MILLING.trimEnd()],
+    ["trimmed", MILLING.replaceAll(/ +\n/g, "\n")],
+  ])("%s: untouched it is the same to the byte", (_, text) => {
     expect(again(text, imported(text))).toEqual({ text, changed: 0, added: 0, removed: 0, shipped: 0, tooLong: [] });
   });
 
@@ -64,17 +68,18 @@ describe("a table that comes back", () => {
 
   test("a deleted tool goes, a new one stands by its number, a sister tool keeps its index", () => {
     const list = imported(TURNING).filter((entry) => cellOf(entry, "T") !== "1.1");
-    const fresh = { id: "n", cells: { T: "7", NAME: "NEU", TYPE: "ROUGH", TO: "3", RS: "0.8", "T-ANGLE": "62.5", "P-ANGLE": "55" } };
+    const fresh = {
+      id: "n",
+      cells: { T: "7", NAME: "NEU", TYPE: "ROUGH", TO: "3", RS: "0.8", "T-ANGLE": "62.5", "P-ANGLE": "55" },
+    };
     const next = again(TURNING, [...list, fresh]);
     expect(next).toMatchObject({ changed: 0, added: 1, removed: 1 });
-    expect(next.text.split("\r\n").slice(6).map((line) => line.slice(0, 13).trim())).toEqual([
-      "1       VORDR",
-      "5       SCHLI",
-      "7       NEU",
-      "14      INNEN",
-      "[END]",
-      "",
-    ]);
+    expect(
+      next.text
+        .split("\r\n")
+        .slice(6)
+        .map((line) => line.slice(0, 13).trim()),
+    ).toEqual(["1       VORDR", "5       SCHLI", "7       NEU", "14      INNEN", "[END]", ""]);
     expect(next.text).toContain(
       "7       NEU                                           +0,8     3        +62,5   +55               ROUGH                      ",
     );
@@ -96,9 +101,14 @@ describe("a table that comes back", () => {
   });
 
   test("what is longer than its column keeps what it had and is said; a number gives up decimals first", () => {
-    const next = again(MILLING, changed(imported(MILLING), "7", { NAME: "A-NAME-OF-TWENTY-CHA", L: "101.12345", DR: "-0.12345" }));
+    const next = again(
+      MILLING,
+      changed(imported(MILLING), "7", { NAME: "A-NAME-OF-TWENTY-CHA", L: "101.12345", DR: "-0.12345" }),
+    );
     expect(next.tooLong).toEqual([{ tool: "7", column: "NAME" }]);
-    expect(differing(MILLING, next.text)).toEqual(["7    D16             +101.123 +8      +0     -0.123 L  0    gut      "]);
+    expect(differing(MILLING, next.text)).toEqual([
+      "7    D16             +101.123 +8      +0     -0.123 L  0    gut      ",
+    ]);
   });
 
   test("inches come back as inches, and only where something changed", () => {
@@ -124,47 +134,53 @@ describe("a table that comes back", () => {
     const made = fc.record({
       widths: fc.array(fc.integer({ min: 9, max: 20 }), { minLength: 10, maxLength: 10 }),
       order: fc.shuffledSubarray(columns, { minLength: 10 }),
-      rows: fc.uniqueArray(fc.record({
-        T: fc.integer({ min: 1, max: 999 }),
-        radius: fc.integer({ min: 0, max: 40 }),
-        mystery: fc.stringMatching(/^[ -~]{0,7}$/),
-      }), { selector: (row) => row.T, minLength: 1, maxLength: 8 }),
+      rows: fc.uniqueArray(
+        fc.record({
+          T: fc.integer({ min: 1, max: 999 }),
+          radius: fc.integer({ min: 0, max: 40 }),
+          mystery: fc.stringMatching(/^[ -~]{0,7}$/),
+        }),
+        { selector: (row) => row.T, minLength: 1, maxLength: 8 },
+      ),
       comma: fc.boolean(),
       trimmed: fc.boolean(),
       eol: fc.constantFrom("\n", "\r\n"),
     });
-    fc.assert(fc.property(made, fc.nat(7), ({ widths, order, rows, comma, trimmed, eol }, pick) => {
-      const line = (cells: Readonly<Record<string, string>>) => {
-        const text = order.map((column, i) => (cells[column] ?? "").padEnd(widths[i] ?? 9)).join("");
-        return trimmed ? text.trimEnd() : text;
-      };
-      const number = (n: number) => String(n / 10).replace(".", comma ? "," : ".");
-      const text = [
-        "BEGIN X.TRN MM",
-        line(Object.fromEntries(columns.map((column) => [column, column]))),
-        ...rows.map(({ T, radius, mystery }) =>
-          line({
-            T: String(T),
-            NAME: `N${T}`,
-            RS: number(radius),
-            TO: "1",
-            TYPE: "ROUGH",
-            "T-ANGLE": "95",
-            "P-ANGLE": "55",
-            MYSTERY: mystery.trim(),
-            DOC: "a  b",
-          })
-        ),
-        "[END]",
-        "",
-      ].join(eol);
-      const list = imported(text);
-      expect(again(text, list).text).toBe(text);
-      const T = String(rows[pick % rows.length]?.T);
-      const next = again(text, changed(list, T, { RS: "4.7" }));
-      expect(differing(text, next.text)).toHaveLength(1);
-      const read = readTableText(next.text);
-      expect("rows" in read && read.rows).toEqual(changed(list, T, { RS: "4.7" }).map((entry) => entry.cells));
-    }), { numRuns: 300 });
+    fc.assert(
+      fc.property(made, fc.nat(7), ({ widths, order, rows, comma, trimmed, eol }, pick) => {
+        const line = (cells: Readonly<Record<string, string>>) => {
+          const text = order.map((column, i) => (cells[column] ?? "").padEnd(widths[i] ?? 9)).join("");
+          return trimmed ? text.trimEnd() : text;
+        };
+        const number = (n: number) => String(n / 10).replace(".", comma ? "," : ".");
+        const text = [
+          "BEGIN X.TRN MM",
+          line(Object.fromEntries(columns.map((column) => [column, column]))),
+          ...rows.map(({ T, radius, mystery }) =>
+            line({
+              T: String(T),
+              NAME: `N${T}`,
+              RS: number(radius),
+              TO: "1",
+              TYPE: "ROUGH",
+              "T-ANGLE": "95",
+              "P-ANGLE": "55",
+              MYSTERY: mystery.trim(),
+              DOC: "a  b",
+            }),
+          ),
+          "[END]",
+          "",
+        ].join(eol);
+        const list = imported(text);
+        expect(again(text, list).text).toBe(text);
+        const T = String(rows[pick % rows.length]?.T);
+        const next = again(text, changed(list, T, { RS: "4.7" }));
+        expect(differing(text, next.text)).toHaveLength(1);
+        const read = readTableText(next.text);
+        expect("rows" in read && read.rows).toEqual(changed(list, T, { RS: "4.7" }).map((entry) => entry.cells));
+      }),
+      { numRuns: 300 },
+    );
   });
 });

@@ -1,6 +1,19 @@
 import { INCH } from "../../kernel/units.ts";
-import { cellIn, cellNameOf, MILL_WORDS, isTurnWord, knownColumns, tableLayoutOf, rowIn, TABLE_NUMBER, typedCell, wordOfMill,
-  type TableColumn, type TableLayout, type Title } from "./table-layout.ts";
+import {
+  cellIn,
+  cellNameOf,
+  MILL_WORDS,
+  isTurnWord,
+  knownColumns,
+  tableLayoutOf,
+  rowIn,
+  TABLE_NUMBER,
+  typedCell,
+  wordOfMill,
+  type TableColumn,
+  type TableLayout,
+  type Title,
+} from "./table-layout.ts";
 import { ruleOf, type NumberColumn } from "./tool-columns.ts";
 import { cellOf, hasFile, isMillEntry, readEntry, type TableOrigin, type ToolEntry } from "./tool-entry.ts";
 import { sameList, shippedList } from "./tool-list.ts";
@@ -33,7 +46,8 @@ function mannerOf(layout: TableLayout, title: Title): Manner {
   const own = body.map((line) => line.slice(title.from, title.to)).filter((cell) => cell.trim() !== "");
   const isComma = (line: string) => layout.titles.some((each) => /^[+-]?\d*,\d+$/.test(cellIn(line, each)));
   const numbers = own.filter((cell) => TABLE_NUMBER.test(cell.trim()));
-  const rule = title.name === "NAME" || title.name === "TYPE" || title.name === "TYP" ? null : ruleOf(title.name as NumberColumn);
+  const rule =
+    title.name === "NAME" || title.name === "TYPE" || title.name === "TYP" ? null : ruleOf(title.name as NumberColumn);
   return {
     comma: body.some(isComma),
     signed: numbers.length > 0 ? numbers.some((cell) => cell.trim().startsWith("+")) : (rule?.range[0] ?? 0) < 0,
@@ -44,7 +58,10 @@ function mannerOf(layout: TableLayout, title: Title): Manner {
 /** Decimals that an inch has more than a millimetre. */
 const MORE_IN_INCH = 1;
 
-/** A value of a row as the file would write it; fewer decimals where the column is narrow, null where it does not fit at all. */
+/**
+ * A value of a row as the file would write it; fewer decimals where the column is narrow, null where it does not fit at
+ * all.
+ */
 function fitted(layout: TableLayout, title: Title, manner: Manner, text: string, before: string): string | null {
   const room = title.to === Infinity ? Infinity : title.to - title.from - 1;
   const fits = (cell: string) => (cell.length <= room ? cell : null);
@@ -93,7 +110,8 @@ function lineOf({ layout, manners, tooLong }: Writer, line: string, entry: ToolE
     const cell = cellNameOf(title.name, layout.milling);
     const text = cellOf(entry, cell).trim();
     const before = cellIn(line, title);
-    if (!fresh && ((had[cell] ?? "") === text || typedCell(title.name as TableColumn, before, layout.inch) === text)) continue;
+    if (!fresh && ((had[cell] ?? "") === text || typedCell(title.name as TableColumn, before, layout.inch) === text))
+      continue;
     const put = fitted(layout, title, manner, text, before);
     if (put === null) tooLong.push({ tool: cellOf(entry, "T"), column: title.name });
     else if (put !== before) now = withCell(now, title, put, manner.right);
@@ -107,7 +125,8 @@ const isUsable = (entry: ToolEntry) => {
   return tool !== null || mill !== null;
 };
 
-const isShipped = (entry: ToolEntry) => shippedList.some((each) => each.cells["T"] === cellOf(entry, "T") && sameList([each], [entry]));
+const isShipped = (entry: ToolEntry) =>
+  shippedList.some((each) => each.cells["T"] === cellOf(entry, "T") && sameList([each], [entry]));
 
 /** The number that a line of a table names, tool or not. */
 function numberIn(layout: TableLayout, line: string): number | null {
@@ -117,22 +136,26 @@ function numberIn(layout: TableLayout, line: string): number | null {
 }
 
 /**
- * A table file once more, with what became of its tools: changed cells are written in place, deleted tools are left out, new ones stand in
- * the order of their numbers; all other lines, columns and characters stay. Rows that are not sound keep the line that they had.
- * Null when the text is no table.
+ * A table file once more, with what became of its tools: changed cells are written in place, deleted tools are left
+ * out, new ones stand in the order of their numbers; all other lines, columns and characters stay. Rows that are not
+ * sound keep the line that they had. Null when the text is no table.
  */
 export function tableAgain(origin: TableOrigin, list: readonly ToolEntry[]): TableAgain | null {
   const layout = tableLayoutOf(origin.text);
   if (!layout || "lacks" in layout) return null;
   const mine = list.filter((entry) => isMillEntry(entry) === layout.milling);
-  const here = new Map(mine.filter(({ line }) => line?.origin.text === origin.text).map((entry) => [entry.line?.at, entry]));
+  const here = new Map(
+    mine.filter(({ line }) => line?.origin.text === origin.text).map((entry) => [entry.line?.at, entry]),
+  );
   const manners = new Map(
-    layout.titles.filter(({ name }) => knownColumns(layout.milling).some((column) => column === name)).map(
-      (title) => [title, mannerOf(layout, title)]
-    ),
+    layout.titles
+      .filter(({ name }) => knownColumns(layout.milling).some((column) => column === name))
+      .map((title) => [title, mannerOf(layout, title)]),
   );
   const writer: Writer = { layout, manners, tooLong: [] };
-  const names = new Map(list.filter((entry) => !isMillEntry(entry)).map((entry) => [numberOf(entry), cellOf(entry, "NAME")]));
+  const names = new Map(
+    list.filter((entry) => !isMillEntry(entry)).map((entry) => [numberOf(entry), cellOf(entry, "NAME")]),
+  );
   const foreign = mine.filter((entry) => entry.line?.origin.text !== origin.text && isUsable(entry));
   const fresh = foreign.filter((entry) => !isShipped(entry)).sort((a, b) => numberOf(a) - numberOf(b));
   let [changed, added, removed] = [0, 0, 0];
@@ -164,7 +187,14 @@ export function tableAgain(origin: TableOrigin, list: readonly ToolEntry[]): Tab
   fresh.forEach(add);
   if (open !== undefined) out.push(open);
   for (let i = layout.last; i < layout.lines.length; i++) out.push((layout.lines[i] ?? "") + (layout.ends[i] ?? ""));
-  return { text: out.join(""), changed, added, removed, shipped: foreign.filter(isShipped).length, tooLong: writer.tooLong };
+  return {
+    text: out.join(""),
+    changed,
+    added,
+    removed,
+    shipped: foreign.filter(isShipped).length,
+    tooLong: writer.tooLong,
+  };
 }
 
 /** The row that the milling table has of a turning tool takes the name that the tool has now. */
@@ -175,7 +205,8 @@ function turnedName(writer: Writer, line: string, names: ReadonlyMap<number, str
   const number = numberIn(layout, line);
   const name = number === null ? undefined : names.get(number);
   const manner = title && manners.get(title);
-  if (!title || !type || !manner || !name || !isTurnWord(cellIn(line, type)) || cellIn(line, title) === name) return line;
+  if (!title || !type || !manner || !name || !isTurnWord(cellIn(line, type)) || cellIn(line, title) === name)
+    return line;
   const put = fitted(layout, title, manner, name, "");
   if (put !== null) return withCell(line, title, put, manner.right);
   tooLong.push({ tool: String(number), column: "NAME" });

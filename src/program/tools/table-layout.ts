@@ -1,12 +1,20 @@
 import type { DrillType } from "../../kernel/plan/tool.ts";
 import { INCH } from "../../kernel/units.ts";
-import { MILL, MILL_COLUMNS, ruleOf, TOOL_COLUMNS, type CellName, type MillColumn, type NumberColumn,
-  type ToolColumn } from "./tool-columns.ts";
+import {
+  MILL,
+  MILL_COLUMNS,
+  ruleOf,
+  TOOL_COLUMNS,
+  type CellName,
+  type MillColumn,
+  type NumberColumn,
+  type ToolColumn,
+} from "./tool-columns.ts";
 import type { ToolEntry } from "./tool-entry.ts";
 
 /*
- * How a table of the control is laid out in its file, read from the file itself: a BEGIN line, perhaps a description, a line of titles, and
- * every cell beginning under its title. Reasons: docs/decisions, the tool-table layout.
+ * How a table of the control is laid out in its file, read from the file itself: a BEGIN line, perhaps a description, a
+ * line of titles, and every cell beginning under its title. Reasons: docs/decisions, the tool-table layout.
  */
 
 /** In the table of milling tools the type stands under a title of its own. */
@@ -45,7 +53,11 @@ const NEEDED: readonly ToolColumn[] = ["T", "TYPE", "TO", "RS"];
 
 function titlesOf(line: string): Title[] {
   const starts = [...line.matchAll(/\S+/g)];
-  return starts.map((match, i) => ({ name: match[0].toUpperCase(), from: match.index, to: starts[i + 1]?.index ?? Infinity }));
+  return starts.map((match, i) => ({
+    name: match[0].toUpperCase(),
+    from: match.index,
+    to: starts[i + 1]?.index ?? Infinity,
+  }));
 }
 
 /** A description of the columns may stand between the first line and the titles. */
@@ -59,8 +71,8 @@ function afterDescription(lines: readonly string[], at: number): number {
 
 /** A table without TO, but with a radius R, is one of milling tools. */
 const isMillTable = (titles: readonly Title[]) =>
-  ["T", "R"].every((name) => titles.some((title) => title.name === name))
-  && !titles.some((title) => title.name === "TO" || title.name === "RS");
+  ["T", "R"].every((name) => titles.some((title) => title.name === name)) &&
+  !titles.some((title) => title.name === "TO" || title.name === "RS");
 
 /** Reads how a table is laid out; null when it does not begin as one, and the columns that it lacks. */
 export function tableLayoutOf(text: string): TableLayout | { readonly lacks: readonly string[] } | null {
@@ -90,10 +102,12 @@ export function tableLayoutOf(text: string): TableLayout | { readonly lacks: rea
   };
 }
 
-const isOf = <C extends TableColumn>(columns: readonly C[], name: string): name is C => columns.some((column) => column === name);
+const isOf = <C extends TableColumn>(columns: readonly C[], name: string): name is C =>
+  columns.some((column) => column === name);
 
 /** The columns of a table that have a place here. */
-export const knownColumns = (milling: boolean): readonly TableColumn[] => (milling ? [...MILL_FILE, "TYPE"] : TOOL_COLUMNS);
+export const knownColumns = (milling: boolean): readonly TableColumn[] =>
+  milling ? [...MILL_FILE, "TYPE"] : TOOL_COLUMNS;
 
 /** The titles of a table that have no place here. */
 export const unknownTitles = ({ titles, milling }: TableLayout): string[] =>
@@ -105,7 +119,8 @@ export const cellIn = (line: string, { from, to }: Title): string => line.slice(
 /** The type of a row of the milling table: its column has either title. */
 const typeIn = (cells: Readonly<Record<string, string>>) => cells["TYP"] ?? cells["TYPE"] ?? "";
 
-export const millTypeOf = (word: string) => MILL_WORDS.find(({ words }) => words.includes(word.toUpperCase()))?.type ?? MILL;
+export const millTypeOf = (word: string) =>
+  MILL_WORDS.find(({ words }) => words.includes(word.toUpperCase()))?.type ?? MILL;
 
 /** Whether a word of the milling table stands for a turning tool, whose data are in the other table. */
 export const isTurnWord = (word: string): boolean => /TURN|^29$/i.test(word);
@@ -113,12 +128,18 @@ export const isTurnWord = (word: string): boolean => /TURN|^29$/i.test(word);
 /** Places of a milling table that hold no tool of its own: empty ones, and turning tools. */
 function isNoMill(cells: Readonly<Record<string, string>>): boolean {
   if (isTurnWord(typeIn(cells))) return true;
-  return (cells["NAME"] ?? "") === "" && MILL_COLUMNS.every((column) => !(Number((cells[column] ?? "0").replace(",", ".")) !== 0));
+  return (
+    (cells["NAME"] ?? "") === "" &&
+    MILL_COLUMNS.every((column) => !(Number((cells[column] ?? "0").replace(",", ".")) !== 0))
+  );
 }
 
 /** A number without the zeros at its end. */
 export const shortNumber = (value: number, decimals: number): string => {
-  const text = value.toFixed(decimals).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+  const text = value
+    .toFixed(decimals)
+    .replace(/(\.\d*?)0+$/, "$1")
+    .replace(/\.$/, "");
   return text === "-0" ? "0" : text;
 };
 
@@ -159,13 +180,16 @@ export function turningNames(layout: TableLayout): ReadonlyMap<number, string> {
       const title = layout.titles.find((each) => each.name === name);
       return title ? cellIn(line, title) : "";
     };
-    if (isTurnWord(cell("TYP") || cell("TYPE")) && cell("T") !== "") found.set(Number(cell("T").replace(",", ".")), cell("NAME"));
+    if (isTurnWord(cell("TYP") || cell("TYPE")) && cell("T") !== "")
+      found.set(Number(cell("T").replace(",", ".")), cell("NAME"));
   }
   return found;
 }
 
 /** The word that a table of milling tools has for a type. */
-export const wordOfMill = (type: string | undefined): string => MILL_WORDS.find((each) => each.type === type)?.words[0] ?? MILL;
+export const wordOfMill = (type: string | undefined): string =>
+  MILL_WORDS.find((each) => each.type === type)?.words[0] ?? MILL;
 
 /** The cell of a row that stands under a title. */
-export const cellNameOf = (title: string, milling: boolean): CellName => (milling && title === "TYP" ? "TYPE" : (title as CellName));
+export const cellNameOf = (title: string, milling: boolean): CellName =>
+  milling && title === "TYP" ? "TYPE" : (title as CellName);

@@ -29,8 +29,8 @@ export type HolderNumber = (typeof HOLDER_NUMBERS)[number];
 export const HOLDER_CELLS = [...HOLDER_NUMBERS, "axis", "head"] as const;
 export type HolderCell = (typeof HOLDER_CELLS)[number];
 /**
- * Columns of a milling tool beside T and NAME: length, radius, and what is added to both; how long the edges of a drill are, and the
- * pitch of a tap. The point angle of a drill stands under T-ANGLE.
+ * Columns of a milling tool beside T and NAME: length, radius, and what is added to both; how long the edges of a drill
+ * are, and the pitch of a tap. The point angle of a drill stands under T-ANGLE.
  */
 export const MILL_COLUMNS = ["L", "R", "DL", "DR", "LCUTS", "PITCH"] as const;
 export type MillColumn = (typeof MILL_COLUMNS)[number];
@@ -41,16 +41,26 @@ export const MILL = "MILL";
 /** Types of the table of milling tools. */
 export const MILL_TYPES = [MILL, ...DRILL_TYPES] as const;
 /** Columns of that table behind T, NAME and the type, in their order. */
-export const MILL_TABLE = ["R", "DR", "L", "DL", "T-ANGLE", "LCUTS", "PITCH"] as const satisfies readonly NumberColumn[];
+export const MILL_TABLE = [
+  "R",
+  "DR",
+  "L",
+  "DL",
+  "T-ANGLE",
+  "LCUTS",
+  "PITCH",
+] as const satisfies readonly NumberColumn[];
 
 /**
- * What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page: what is printed for DXL, DYL and DZL,
- * ±999.9999, belongs to the compensation table `.tco` (TNC7 basic, 81762x-19).
+ * What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page: what is printed for
+ * DXL, DYL and DZL, ±999.9999, belongs to the compensation table `.tco` (TNC7 basic, 81762x-19).
  */
 export interface ColumnRule {
   readonly kind: "length" | "angle" | "number";
   readonly range: Field["range"];
-  /** Decimals that the control keeps. What is typed with more stays as it is; tables are printed and shown with these. */
+  /**
+   * Decimals that the control keeps. What is typed with more stays as it is; tables are printed and shown with these.
+   */
   readonly decimals: number;
 }
 
@@ -94,7 +104,8 @@ export const HOLDER_RULES: Readonly<Record<HolderNumber, ColumnRule>> = {
   offsetX: anyLength,
 };
 
-const isHolderNumber = (cell: NumberColumn | HolderNumber): cell is HolderNumber => HOLDER_NUMBERS.some((each) => each === cell);
+const isHolderNumber = (cell: NumberColumn | HolderNumber): cell is HolderNumber =>
+  HOLDER_NUMBERS.some((each) => each === cell);
 
 export const isToolType = (text: string): text is ToolType => TOOL_TYPES.some((type) => type === text);
 export const isDrillType = (text: string): text is DrillType => DRILL_TYPES.some((type) => type === text);

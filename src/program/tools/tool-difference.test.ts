@@ -14,8 +14,15 @@ const tool = (T: string, cells: ToolEntry["cells"] = {}): ToolEntry => ({
 const mine: ToolList = [tool("1"), tool("3"), tool("4", { RS: "0,40" }), tool("7.1")];
 
 test("rows are set beside those of their number, and differ in what their cells mean", () => {
-  const theirs = [tool("3", { RS: "3", CUTLENGTH: "9.7" }), tool("4", { RS: "0.4" }), tool("5"), tool("", { NAME: "NONE" })];
-  expect(toolsBeside(theirs, mine).map(({ number, mine: own, differs }) => [number, own?.cells.T ?? null, differs])).toEqual([
+  const theirs = [
+    tool("3", { RS: "3", CUTLENGTH: "9.7" }),
+    tool("4", { RS: "0.4" }),
+    tool("5"),
+    tool("", { NAME: "NONE" }),
+  ];
+  expect(
+    toolsBeside(theirs, mine).map(({ number, mine: own, differs }) => [number, own?.cells.T ?? null, differs]),
+  ).toEqual([
     [3, "3", ["RS", "CUTLENGTH"]],
     [4, "4", []],
     [5, null, []],
@@ -49,17 +56,24 @@ test("free numbers are taken as they are, others as it was chosen", () => {
 });
 
 test("whatever is chosen, no row of the table is lost but one that was to be replaced, and no number stands twice", () => {
-  const cells = fc.record({ RS: fc.constantFrom("0.8", "3", "-1", "x"), T: fc.constantFrom(..."0123456789".split(""), "3.1", "12") });
-  const theirs = fc.uniqueArray(cells, { maxLength: 8, selector: ({ T }) => T }).map((all) => all.map(({ T, RS }) => tool(T, { RS })));
-  fc.assert(fc.property(theirs, fc.infiniteStream(fc.constantFrom<KeepAs>("mine", "theirs", "free")), (rows, ways) => {
-    const { list, added, replaced, moved } = keptBeside(mine, rows, () => ways.next().value);
-    const numbers = list.map((entry) => readEntry(entry).number);
-    expect(new Set(numbers).size).toBe(numbers.length);
-    expect(list.length).toBe(mine.length + added);
-    expect(list.filter((row) => mine.includes(row)).length).toBe(mine.length - replaced);
-    const taken = [...mine, ...rows].map((entry) => readEntry(entry).number);
-    for (const { to } of moved) expect(taken).not.toContain(to);
-  }));
+  const cells = fc.record({
+    RS: fc.constantFrom("0.8", "3", "-1", "x"),
+    T: fc.constantFrom(..."0123456789".split(""), "3.1", "12"),
+  });
+  const theirs = fc
+    .uniqueArray(cells, { maxLength: 8, selector: ({ T }) => T })
+    .map((all) => all.map(({ T, RS }) => tool(T, { RS })));
+  fc.assert(
+    fc.property(theirs, fc.infiniteStream(fc.constantFrom<KeepAs>("mine", "theirs", "free")), (rows, ways) => {
+      const { list, added, replaced, moved } = keptBeside(mine, rows, () => ways.next().value);
+      const numbers = list.map((entry) => readEntry(entry).number);
+      expect(new Set(numbers).size).toBe(numbers.length);
+      expect(list.length).toBe(mine.length + added);
+      expect(list.filter((row) => mine.includes(row)).length).toBe(mine.length - replaced);
+      const taken = [...mine, ...rows].map((entry) => readEntry(entry).number);
+      for (const { to } of moved) expect(taken).not.toContain(to);
+    }),
+  );
 });
 
 test("keeping twice changes nothing more", () => {
@@ -71,10 +85,15 @@ test("keeping twice changes nothing more", () => {
 
 test("calls name the new numbers, an index stays, and nothing else changes", () => {
   const text =
-    '0 BEGIN PGM A MM\r\n1 TOOL CALL 3 Z S180 F0.2 ;rough\r\n2 TOOL CALL 3.2\r\n3 TOOL CALL "N3"\r\n4 TOOL CALL 30\r\n5 TOOL CALL Q3\r\n'
-    + "6 TOOL DEF 3 L+0 R+5\r\n7 END PGM A MM\r\n";
-  const { program, changed } = withCalls(parse(text), [{ from: 3, to: 21 }, { from: 21, to: 3 }]);
+    '0 BEGIN PGM A MM\r\n1 TOOL CALL 3 Z S180 F0.2 ;rough\r\n2 TOOL CALL 3.2\r\n3 TOOL CALL "N3"\r\n4 TOOL CALL 30\r\n5 TOOL CALL Q3\r\n' +
+    "6 TOOL DEF 3 L+0 R+5\r\n7 END PGM A MM\r\n";
+  const { program, changed } = withCalls(parse(text), [
+    { from: 3, to: 21 },
+    { from: 21, to: 3 },
+  ]);
   expect(changed).toBe(2);
-  expect(print(program)).toBe(text.replace("TOOL CALL 3 Z", "TOOL CALL 21 Z").replace("TOOL CALL 3.2", "TOOL CALL 21.2"));
+  expect(print(program)).toBe(
+    text.replace("TOOL CALL 3 Z", "TOOL CALL 21 Z").replace("TOOL CALL 3.2", "TOOL CALL 21.2"),
+  );
   expect(print(withCalls(parse(text), []).program)).toBe(text);
 });

@@ -5,8 +5,20 @@ import type { DrillType, Tool } from "../../kernel/plan/tool.ts";
 import { checkTool } from "./check-tool.ts";
 import { readText } from "../values/field.ts";
 import { readAxis, readHead, writeHead } from "./holder-cells.ts";
-import { applies, HOLDER_CELLS, HOLDER_NUMBERS, isDrillType, isMillType, MILL_TABLE, ruleOf, TOOL_COLUMNS, type CellName, type HolderNumber,
-  type NumberColumn, type ToolColumn } from "./tool-columns.ts";
+import {
+  applies,
+  HOLDER_CELLS,
+  HOLDER_NUMBERS,
+  isDrillType,
+  isMillType,
+  MILL_TABLE,
+  ruleOf,
+  TOOL_COLUMNS,
+  type CellName,
+  type HolderNumber,
+  type NumberColumn,
+  type ToolColumn,
+} from "./tool-columns.ts";
 
 /** A table file of the control that rows came from, kept so that it can go out again with nothing else changed. */
 export interface TableOrigin {
@@ -15,7 +27,10 @@ export interface TableOrigin {
   readonly encoding: "utf-8" | "windows-1252";
 }
 
-/** A table file, its text out of sight of whatever writes rows down one by one: it would stand there once for each of them. */
+/**
+ * A table file, its text out of sight of whatever writes rows down one by one: it would stand there once for each of
+ * them.
+ */
 export function tableOrigin(name: string, text: string, encoding: TableOrigin["encoding"]): TableOrigin {
   return Object.defineProperty({ name, text, encoding }, "text", { enumerable: false });
 }
@@ -36,7 +51,10 @@ export interface ToolEntry {
   readonly line?: TableLine;
 }
 
-/** A milling tool or a drill with all its columns, mm and degrees; a missing cell is absent, and so is the type of a mill. */
+/**
+ * A milling tool or a drill with all its columns, mm and degrees; a missing cell is absent, and so is the type of a
+ * mill.
+ */
 export type MillTool = { readonly T: number; readonly NAME: string; readonly R: number; readonly TYPE?: DrillType } & {
   readonly [C in Exclude<(typeof MILL_TABLE)[number], "R">]?: number;
 };
@@ -72,8 +90,8 @@ export function entryOf(tool: Tool, id: string): ToolEntry {
 }
 
 /**
- * Longest name of the control, and the characters it takes (TNC7, 81762x-16, topic on tool names). It turns small letters into capitals on
- * saving, as the page does while they are typed; a file may bring others.
+ * Longest name of the control, and the characters it takes (TNC7, 81762x-16, topic on tool names). It turns small
+ * letters into capitals on saving, as the page does while they are typed; a file may bring others.
  */
 const LONGEST_NAME = 32;
 const NAME = /^[A-Z0-9#$%&,\-._]*$/;
@@ -86,7 +104,9 @@ function nameIssues(text: string): Issue[] {
 /** One number: its value, null when empty, or what is wrong with it. */
 function numberOf(cell: NumberColumn | HolderNumber, text: string, type: string): number | null | Issue {
   const { value, issue: found } = readText({ ...ruleOf(cell, type), id: cell, optional: true, decimals: null }, text);
-  return found?.code === "outOfRange" ? issue("toolColumn", "error", { column: cell, ...found.data }, cell) : (found ?? value);
+  return found?.code === "outOfRange"
+    ? issue("toolColumn", "error", { column: cell, ...found.data }, cell)
+    : (found ?? value);
 }
 
 interface Numbers {
@@ -115,9 +135,9 @@ function holderIssues(entry: ToolEntry): Issue[] {
   if (!HOLDER_CELLS.some((cell) => cellOf(entry, cell).trim() !== "")) return [];
   const [axis, head] = [cellOf(entry, "axis"), cellOf(entry, "head")];
   return [
-    ...(["width", "length"] as const).filter((cell) => cellOf(entry, cell).trim() === "").map((cell) =>
-      issue("missing", "error", {}, cell)
-    ),
+    ...(["width", "length"] as const)
+      .filter((cell) => cellOf(entry, cell).trim() === "")
+      .map((cell) => issue("missing", "error", {}, cell)),
     ...(readAxis(axis) === null ? [issue("holderAxis", "error", { text: axis }, "axis")] : []),
     ...(readHead(head) === null ? [issue("holderHead", "error", { text: head }, "head")] : []),
   ];
@@ -149,13 +169,19 @@ function readMill(entry: ToolEntry): EntryReading {
   const { T, R, ...others } = values;
   const wear = values.DR ?? 0;
   const least = drill ? LEAST_DRILL : 0;
-  if (R !== undefined && R < least) found.push(issue("toolColumn", "error", { column: "R", value: R, min: least, nearest: least }, "R"));
+  if (R !== undefined && R < least)
+    found.push(issue("toolColumn", "error", { column: "R", value: R, min: least, nearest: least }, "R"));
   else if (R !== undefined && R + wear < least)
     found.push(issue("toolColumn", "error", { column: "DR", value: wear, min: least - R, nearest: least - R }, "DR"));
   const NAME = cellOf(entry, "NAME");
   const issues = firstOfEach([...found, ...nameIssues(NAME)]);
   const sound = T !== undefined && R !== undefined && issues.every((each) => each.severity !== "error");
-  return { tool: null, mill: sound ? { T, NAME, ...(drill && { TYPE: drill }), R, ...others } : null, number: T ?? null, issues };
+  return {
+    tool: null,
+    mill: sound ? { T, NAME, ...(drill && { TYPE: drill }), R, ...others } : null,
+    number: T ?? null,
+    issues,
+  };
 }
 
 /** Reads one row, of a turning tool or of a milling tool. A value that it offers for a cell has been tried there. */
@@ -175,9 +201,10 @@ function readTurning(entry: ToolEntry): EntryReading {
   const { values, issues } = numbersOf(entry);
   const { T, width, length, offsetZ = 0, offsetX = 0, ...columns } = values;
   const [axis, head] = [readAxis(cellOf(entry, "axis")), readHead(cellOf(entry, "head"))];
-  const shank = width === undefined || length === undefined
-    ? null
-    : { width, length, offsetZ, offsetX, ...(axis && { axis }), ...(head && head.length > 0 && { head }) };
+  const shank =
+    width === undefined || length === undefined
+      ? null
+      : { width, length, offsetZ, offsetX, ...(axis && { axis }), ...(head && head.length > 0 && { head }) };
   const row = {
     ...(T !== undefined && { T }),
     NAME: cellOf(entry, "NAME"),
@@ -200,7 +227,8 @@ function readTurning(entry: ToolEntry): EntryReading {
 
 /** What nobody knows of the flanks of an insert, at its column. */
 function flanks(type: string, values: Numbers["values"]): Issue[] {
-  if (type === "THREAD" && values.CUTLENGTH === undefined) return [issue("toothAssumed", "info", { height: USUAL_TOOTH }, "CUTLENGTH")];
+  if (type === "THREAD" && values.CUTLENGTH === undefined)
+    return [issue("toothAssumed", "info", { height: USUAL_TOOTH }, "CUTLENGTH")];
   if (type !== "ROUGH" && type !== "FINISH") return [];
   const empty = (["T-ANGLE", "P-ANGLE"] as const).find((column) => values[column] === undefined);
   return empty ? [issue("flanksNotChecked", "info", {}, empty)] : [];

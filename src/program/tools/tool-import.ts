@@ -43,9 +43,12 @@ function withNames(list: ToolList, names: IncomingTools["names"]): ToolList {
 
 function differencesOf(before: ToolEntry, after: ToolEntry): ImportChange["cells"] {
   const cells = [...new Set([...Object.keys(before.cells), ...Object.keys(after.cells)])] as CellName[];
-  return cells.map((cell) => ({ cell, from: cellOf(before, cell).trim(), to: cellOf(after, cell).trim() })).filter(({ from, to }) =>
-    from !== to && !(from !== "" && to !== "" && Number(from.replace(",", ".")) === Number(to.replace(",", ".")))
-  );
+  return cells
+    .map((cell) => ({ cell, from: cellOf(before, cell).trim(), to: cellOf(after, cell).trim() }))
+    .filter(
+      ({ from, to }) =>
+        from !== to && !(from !== "" && to !== "" && Number(from.replace(",", ".")) === Number(to.replace(",", "."))),
+    );
 }
 
 const isSound = (entry: ToolEntry) => {
@@ -85,5 +88,11 @@ export function planImport(list: ToolList, incoming: IncomingTools, choice: "all
   });
   const changed = pairs.filter(({ cells }) => cells.length > 0);
   const touched = [...fresh, ...pairs.map(({ tool }) => tool)];
-  return { fresh, changed, same: pairs.length - changed.length, wrong: touched.filter((entry) => !isSound(entry)), list: made };
+  return {
+    fresh,
+    changed,
+    same: pairs.length - changed.length,
+    wrong: touched.filter((entry) => !isSound(entry)),
+    list: made,
+  };
 }

@@ -3,7 +3,15 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import type { ShopTools } from "./read-tools.ts";
 import { shippedTools } from "./shipped-tools.ts";
 import { COLUMN_RULES, HOLDER_CELLS } from "./tool-columns.ts";
-import { cellOf, entryOf, readEntry, type EntryReading, type MillTool, type TableLine, type ToolEntry } from "./tool-entry.ts";
+import {
+  cellOf,
+  entryOf,
+  readEntry,
+  type EntryReading,
+  type MillTool,
+  type TableLine,
+  type ToolEntry,
+} from "./tool-entry.ts";
 
 /** All rows of the table, in its order. */
 export type ToolList = readonly ToolEntry[];
@@ -55,7 +63,9 @@ function readOnce(entry: ToolEntry): EntryReading {
   return made;
 }
 
-/** Reads every row. Of two rows with one number the first keeps it, and both say so: either may be the one to change. */
+/**
+ * Reads every row. Of two rows with one number the first keeps it, and both say so: either may be the one to change.
+ */
 export function readList(list: ToolList): ToolListReading {
   const rows = new Map<string, EntryReading>();
   const tools: Tool[] = [];
@@ -73,10 +83,15 @@ export function readList(list: ToolList): ToolListReading {
       let nearest = Math.floor(number) + 1;
       while (numbers.has(nearest)) nearest++;
       const first = !taken.has(number);
-      const twice = issue("toolNumberTwice", first ? "warning" : "error", {
-        number,
-        ...(nearest <= COLUMN_RULES.T.range[1] && { nearest }),
-      }, "T");
+      const twice = issue(
+        "toolNumberTwice",
+        first ? "warning" : "error",
+        {
+          number,
+          ...(nearest <= COLUMN_RULES.T.range[1] && { nearest }),
+        },
+        "T",
+      );
       rows.set(entry.id, { tool: first ? tool : null, mill: first ? mill : null, number, issues: [twice, ...issues] });
       if (!first) return;
     }
@@ -90,8 +105,8 @@ export function readList(list: ToolList): ToolListReading {
 }
 
 /**
- * Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow. `lines` says where
- * in a table of the control each row stands.
+ * Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow.
+ * `lines` says where in a table of the control each row stands.
  */
 export function mergedTools(
   list: ToolList,
@@ -117,7 +132,8 @@ export function mergedTools(
       if (at < list.length) replaced++;
       continue;
     }
-    do n++; while (ids.has(`r${n}`));
+    do n++;
+    while (ids.has(`r${n}`));
     if (number !== null) places.set(number, next.length);
     next.push({ id: `r${n}`, cells, ...(line && { line }) });
   }
@@ -130,27 +146,37 @@ const sameLine = ({ line: a }: ToolEntry, { line: b }: ToolEntry) =>
 
 /** The same table: the same cells in the same rows, whatever their ids. */
 export const sameList = (a: ToolList, b: ToolList): boolean =>
-  a === b || (a.length === b.length && a.every((entry, i) => {
-    const other = b[i] as ToolEntry;
-    return entry === other
-      || (sameLine(entry, other) && [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])].every((cell) =>
-        cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"])
-      ));
-  }));
+  a === b ||
+  (a.length === b.length &&
+    a.every((entry, i) => {
+      const other = b[i] as ToolEntry;
+      return (
+        entry === other ||
+        (sameLine(entry, other) &&
+          [...new Set([...Object.keys(entry.cells), ...Object.keys(other.cells)])].every(
+            (cell) =>
+              cellOf(entry, cell as keyof ToolEntry["cells"]) === cellOf(other, cell as keyof ToolEntry["cells"]),
+          ))
+      );
+    }));
 
 /** A row without the file it came from, which stays on this device. */
 const bareRow = (entry: ToolEntry): ToolEntry => (entry.line ? { id: entry.id, cells: entry.cells } : entry);
 
 /**
- * The rows that calls find, in their order: by number, the index behind the point aside, or by name. Every row where `calls` is null.
- * They go along with a work, without the files they came from.
+ * The rows that calls find, in their order: by number, the index behind the point aside, or by name. Every row where
+ * `calls` is null. They go along with a work, without the files they came from.
  */
 export function rowsCalled(list: ToolList, calls: readonly (number | string)[] | null): ToolList {
   if (calls === null) return list.map(bareRow);
-  const numbers = new Set(calls.flatMap((call) => (Number.isFinite(Number(call)) ? [Number(call), Math.floor(Number(call))] : [])));
+  const numbers = new Set(
+    calls.flatMap((call) => (Number.isFinite(Number(call)) ? [Number(call), Math.floor(Number(call))] : [])),
+  );
   const names = new Set(calls.map((call) => String(call).trim().toUpperCase()));
-  return list.filter((entry) => {
-    const { number } = readOnce(entry);
-    return (number !== null && numbers.has(number)) || names.has(cellOf(entry, "NAME").trim().toUpperCase());
-  }).map(bareRow);
+  return list
+    .filter((entry) => {
+      const { number } = readOnce(entry);
+      return (number !== null && numbers.has(number)) || names.has(cellOf(entry, "NAME").trim().toUpperCase());
+    })
+    .map(bareRow);
 }

@@ -19,7 +19,10 @@ describe("tools as a sheet", () => {
       "semicolon and decimal comma, as German spreadsheets write it",
       '\uFEFFT;NAME;TYPE;TO;RS;T-ANGLE\r\n21;"SHOP ""A""; 35";FINISH;1;0,4;93,5\r\n',
     ],
-    ["tab, another order, small letters", 'rs\tt\ttype\tname\tT-Angle\tto\n"0,4"\t21\tfinish\t"SHOP ""A""; 35"\t+93,50\t1'],
+    [
+      "tab, another order, small letters",
+      'rs\tt\ttype\tname\tT-Angle\tto\n"0,4"\t21\tfinish\t"SHOP ""A""; 35"\t+93,50\t1',
+    ],
     ["a line that names the separator", 'sep=|\nT|NAME|TYPE|TO|RS|T-ANGLE\n21|"SHOP ""A""; 35"|FINISH|1|0,4|93.5'],
   ])("%s", (_, text) => {
     const [found = {}] = read(text).rows;
@@ -29,32 +32,46 @@ describe("tools as a sheet", () => {
 
   test("columns that are not understood are named, a line break in quotes stays, empty lines are none", () => {
     expect(read('T,Price,NAME,RS,,Ort\n1,"3,50","A\nB",0.8,,x\n,,,,,\n2,,C,1,,\n')).toMatchObject({
-      rows: [{ T: "1", NAME: "A\nB", RS: "0.8" }, { T: "2", NAME: "C", RS: "1" }],
+      rows: [
+        { T: "1", NAME: "A\nB", RS: "0.8" },
+        { T: "2", NAME: "C", RS: "1" },
+      ],
       leftOut: ["Price", "Ort"],
     });
   });
 
   test("a row with a radius and no tip is a milling tool, a drill keeps its type, and a holder comes with its cells", () => {
-    const text = "T;TYPE;R;RS;TO;LCUTS;HOLDER.WIDTH;holder.length;HOLDER.HEAD\n7;;8;;;20;;;\n8;drill;4,25;;;47;;;\n"
-      + "9;ROUGH;;0,8;1;;25;114;1/1.2 9.1/6.2 32/36\n";
-    expect(read(text).rows).toEqual([{ T: "7", TYPE: "MILL", R: "8", LCUTS: "20" }, { T: "8", TYPE: "DRILL", R: "4.25", LCUTS: "47" }, {
-      T: "9",
-      TYPE: "ROUGH",
-      RS: "0.8",
-      TO: "1",
-      width: "25",
-      length: "114",
-      head: "1/1.2 9.1/6.2 32/36",
-    }]);
+    const text =
+      "T;TYPE;R;RS;TO;LCUTS;HOLDER.WIDTH;holder.length;HOLDER.HEAD\n7;;8;;;20;;;\n8;drill;4,25;;;47;;;\n" +
+      "9;ROUGH;;0,8;1;;25;114;1/1.2 9.1/6.2 32/36\n";
+    expect(read(text).rows).toEqual([
+      { T: "7", TYPE: "MILL", R: "8", LCUTS: "20" },
+      { T: "8", TYPE: "DRILL", R: "4.25", LCUTS: "47" },
+      {
+        T: "9",
+        TYPE: "ROUGH",
+        RS: "0.8",
+        TO: "1",
+        width: "25",
+        length: "114",
+        head: "1/1.2 9.1/6.2 32/36",
+      },
+    ]);
   });
 
-  test.each([["", "notATable"], ["hello, world", "notATable"], ["T", "notATable"], ["T,NAME", "noRows"], ["A;B;C\n1;2;3", "notATable"]])(
-    "%j: %s",
-    (text, problem) => expect(readTableCsv(text)).toEqual({ problem }),
-  );
+  test.each([
+    ["", "notATable"],
+    ["hello, world", "notATable"],
+    ["T", "notATable"],
+    ["T,NAME", "noRows"],
+    ["A;B;C\n1;2;3", "notATable"],
+  ])("%j: %s", (text, problem) => expect(readTableCsv(text)).toEqual({ problem }));
 
   test.each(["comma", "point"] as const)("what is written with a %s is read again, holders too", (manner) => {
-    const mills = [{ T: 40, NAME: "D8,5", R: 4.25, L: 120.125, TYPE: "DRILL" as const }, { T: 41, NAME: 'A"B', R: 8, DR: -0.02 }];
+    const mills = [
+      { T: 40, NAME: "D8,5", R: 4.25, L: 120.125, TYPE: "DRILL" as const },
+      { T: 41, NAME: 'A"B', R: 8, DR: -0.02 },
+    ];
     const { rows, leftOut } = read(writeTableCsv(shippedTools, mills, manner));
     expect(leftOut).toEqual([]);
     const found = rows.map((cells) => readEntry({ id: "r", cells }));
@@ -63,7 +80,10 @@ describe("tools as a sheet", () => {
   });
 
   test("no text makes it throw", () =>
-    fc.assert(fc.property(fc.oneof(fc.string(), fc.stringMatching(/^T[,;\t]NAME[,;\t]RS\n["A-Z0-9,;\t\n.]{0,60}$/)), (text) => {
-      for (const cells of read(text).rows) readEntry({ id: "r", cells });
-    }), { numRuns: 1000 }));
+    fc.assert(
+      fc.property(fc.oneof(fc.string(), fc.stringMatching(/^T[,;\t]NAME[,;\t]RS\n["A-Z0-9,;\t\n.]{0,60}$/)), (text) => {
+        for (const cells of read(text).rows) readEntry({ id: "r", cells });
+      }),
+      { numRuns: 1000 },
+    ));
 });

@@ -1,19 +1,29 @@
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { writeHead } from "./holder-cells.ts";
 import { TABLE_NUMBER } from "./table-layout.ts";
-import { HOLDER_CELLS, isDrillType, isMillType, isToolType, MILL, MILL_COLUMNS, MILL_TABLE, TOOL_COLUMNS,
-  type CellName } from "./tool-columns.ts";
+import {
+  HOLDER_CELLS,
+  isDrillType,
+  isMillType,
+  isToolType,
+  MILL,
+  MILL_COLUMNS,
+  MILL_TABLE,
+  TOOL_COLUMNS,
+  type CellName,
+} from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 import type { TableFile } from "./tool-table-text.ts";
 
 /*
- * Tools as a sheet: one title line, one line a tool, cells parted by comma, semicolon or tab. Columns have the names of the control, in any
- * order; the cells of a holder have `HOLDER.` in front.
+ * Tools as a sheet: one title line, one line a tool, cells parted by comma, semicolon or tab. Columns have the names of
+ * the control, in any order; the cells of a holder have `HOLDER.` in front.
  */
 
 const HOLDER = "HOLDER.";
 const COLUMNS: readonly CellName[] = [...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS];
-const titleOf = (cell: CellName): string => (HOLDER_CELLS.some((each) => each === cell) ? `${HOLDER}${cell.toUpperCase()}` : cell);
+const titleOf = (cell: CellName): string =>
+  HOLDER_CELLS.some((each) => each === cell) ? `${HOLDER}${cell.toUpperCase()}` : cell;
 const cellOfTitle = new Map(COLUMNS.map((cell) => [titleOf(cell), cell]));
 const BOM = "\uFEFF";
 
@@ -62,7 +72,9 @@ function rowOf(titles: readonly (CellName | null)[], line: readonly string[]): T
     if (cell && text !== "") cells[cell] = cell === "NAME" || cell === "head" ? text : typed(text);
   });
   const type = (cells.TYPE ?? "").toUpperCase();
-  const mill = isMillType(type) || (!isToolType(type) && cells.R !== undefined && cells.RS === undefined && cells.TO === undefined);
+  const mill =
+    isMillType(type) ||
+    (!isToolType(type) && cells.R !== undefined && cells.RS === undefined && cells.TO === undefined);
   if (mill) cells.TYPE = isDrillType(type) ? type : MILL;
   else if (type !== "") cells.TYPE = type;
   const columns: readonly CellName[] = mill ? ["T", "NAME", "TYPE", ...MILL_TABLE] : [...TOOL_COLUMNS, ...HOLDER_CELLS];
@@ -86,7 +98,12 @@ export function readTableCsv(text: string): TableFile {
   if (!titles) return { problem: "notATable" };
   if (lines.length === 0) return { problem: "noRows" };
   const leftOut = first.filter((name, i) => titles[i] === null && name !== "");
-  return { rows: lines.map((line) => rowOf(titles, line)), leftOut, cutShort: false, columns: titles.filter((title) => title !== null) };
+  return {
+    rows: lines.map((line) => rowOf(titles, line)),
+    leftOut,
+    cutShort: false,
+    columns: titles.filter((title) => title !== null),
+  };
 }
 
 /** How a sheet is written: as spreadsheets of a language with decimal comma expect it, or with point and comma. */
@@ -110,6 +127,7 @@ export function writeTableCsv(tools: readonly Tool[], mills: readonly MillTool[]
       if (name in (holder ?? {})) return holder?.[name as "width"];
       return tool[name as keyof Tool] as string | number | undefined;
     });
-  const ofMill = (mill: MillTool) => line((name) => (name === "TYPE" ? (mill.TYPE ?? MILL) : mill[name as keyof MillTool]));
+  const ofMill = (mill: MillTool) =>
+    line((name) => (name === "TYPE" ? (mill.TYPE ?? MILL) : mill[name as keyof MillTool]));
   return `${BOM}${[line(titleOf), ...tools.map(ofTool), ...mills.map(ofMill), ""].join("\r\n")}`;
 }

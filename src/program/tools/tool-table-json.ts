@@ -1,11 +1,22 @@
 import type { Holder, Tool } from "../../kernel/plan/tool.ts";
 import { writeHead } from "./holder-cells.ts";
-import { HOLDER_CELLS, isDrillType, isToolType, MILL, MILL_TABLE, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
+import {
+  HOLDER_CELLS,
+  isDrillType,
+  isToolType,
+  MILL,
+  MILL_TABLE,
+  TOOL_COLUMNS,
+  type CellName,
+} from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 import { readTableCsv } from "./tool-table-csv.ts";
 import { readTableText, type TableFile } from "./tool-table-text.ts";
 
-/** Writes tools as the tools file of the `verify` command, one tool a line, milling tools behind the others. Nothing is rounded. */
+/**
+ * Writes tools as the tools file of the `verify` command, one tool a line, milling tools behind the others. Nothing is
+ * rounded.
+ */
 export function writeTableJson(tools: readonly Tool[], mills: readonly MillTool[] = []): string {
   const lines = tools.map((tool) => {
     const columns = TOOL_COLUMNS.filter((column) => tool[column] !== undefined).map((column) => [column, tool[column]]);
@@ -19,7 +30,7 @@ const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
 /** A cell as text; what is neither text nor a number becomes text that its column complains about. */
-const asText = (value: unknown): string => (typeof value === "string" ? value : JSON.stringify(value) ?? "");
+const asText = (value: unknown): string => (typeof value === "string" ? value : (JSON.stringify(value) ?? ""));
 
 /** Corners of a head as they are typed; anything else becomes text that its cell complains about. */
 const isPair = (c: unknown) => Array.isArray(c) && c.length === 2 && c.every((n) => typeof n === "number");
@@ -39,7 +50,8 @@ function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): 
     const column = columns.find((each) => each === name);
     if (column) take(column, value);
     else if (name === "holder" && isRecord(value) && !isMill) {
-      for (const cell of HOLDER_CELLS) take(cell, cell === "head" && isHead(value[cell]) ? writeHead(value[cell]) : value[cell]);
+      for (const cell of HOLDER_CELLS)
+        take(cell, cell === "head" && isHead(value[cell]) ? writeHead(value[cell]) : value[cell]);
     } else if (!(name === "holder" && value === null) && !(isMill && name === "TYPE")) leftOut.add(name);
   }
   return cells;

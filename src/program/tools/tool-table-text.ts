@@ -1,13 +1,23 @@
 import type { Tool } from "../../kernel/plan/tool.ts";
-import { cellNameOf, knownColumns, tableLayoutOf, MILL_FILE, rowIn, shortNumber, turningNames, unknownTitles, wordOfMill,
-  type TableColumn } from "./table-layout.ts";
+import {
+  cellNameOf,
+  knownColumns,
+  tableLayoutOf,
+  MILL_FILE,
+  rowIn,
+  shortNumber,
+  turningNames,
+  unknownTitles,
+  wordOfMill,
+  type TableColumn,
+} from "./table-layout.ts";
 import { ruleOf, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 
 /*
- * The tables of turning and of milling tools as files of the control, written in one form and read in any (`table-layout.ts`).
- * Nobody has printed this file in a manual; the layout is that of the other tables of the control. Reasons: docs/decisions, the
- * tool-table layout.
+ * The tables of turning and of milling tools as files of the control, written in one form and read in any
+ * (`table-layout.ts`). Nobody has printed this file in a manual; the layout is that of the other tables of the control.
+ * Reasons: docs/decisions, the tool-table layout.
  */
 
 /** Characters of each column with the space behind it. */
@@ -43,7 +53,10 @@ const LINE_END = "\r\n";
 export function written(value: string | number | undefined, column: TableColumn): string {
   if (value === undefined) return "";
   if (typeof value === "string" || column === "NAME" || column === "TYPE" || column === "TYP") return String(value);
-  const { decimals, range: [min] } = ruleOf(column);
+  const {
+    decimals,
+    range: [min],
+  } = ruleOf(column);
   const text = decimals === 0 ? String(value) : shortNumber(value, decimals);
   return min < 0 && !text.startsWith("-") ? `+${text}` : text;
 }
@@ -54,29 +67,53 @@ function table<C extends TableColumn>(
   rows: readonly { readonly [K in C]?: string | number }[],
 ): string {
   const line = (cells: (column: C) => string) => columns.map((column) => cells(column).padEnd(WIDTHS[column])).join("");
-  return [`BEGIN ${name} MM`, line((column) => column), ...rows.map((row) => line((column) => written(row[column], column))), "[END]", ""]
-    .join(LINE_END);
+  return [
+    `BEGIN ${name} MM`,
+    line((column) => column),
+    ...rows.map((row) => line((column) => written(row[column], column))),
+    "[END]",
+    "",
+  ].join(LINE_END);
 }
 
-/** Writes tools as the control's table, in millimetres; numbers are rounded to what its columns keep. A holder has no column. */
+/**
+ * Writes tools as the control's table, in millimetres; numbers are rounded to what its columns keep. A holder has no
+ * column.
+ */
 export const writeTableText = (tools: readonly Tool[]): string => table("TOOLTURN.TRN", TOOL_COLUMNS, tools);
 
 /** Writes milling tools as the control's tool table, with the columns that count here. */
 export const writeMillText = (mills: readonly MillTool[]): string =>
-  table("TOOL.T", MILL_FILE, mills.map((mill) => ({ ...mill, TYP: wordOfMill(mill.TYPE) })));
+  table(
+    "TOOL.T",
+    MILL_FILE,
+    mills.map((mill) => ({ ...mill, TYP: wordOfMill(mill.TYPE) })),
+  );
 
 /** Rows of a file with the names of what has no place in this table; or why it is none. */
-export type TableFile = {
-  readonly rows: readonly ToolEntry["cells"][];
-  readonly leftOut: readonly string[];
-  readonly cutShort: boolean;
-  /** The cells that the file has a column for; without it there are columns for all. */
-  readonly columns?: readonly CellName[];
-  /** Of a table of the control: which one, in which line each row stands, and the turning tools that a milling table names. */
-  readonly table?: { readonly milling: boolean; readonly lines: readonly number[]; readonly turning: ReadonlyMap<number, string> };
-} | { readonly problem: "notATable" | "noRows" } | { readonly problem: "columnsMissing"; readonly columns: readonly string[] };
+export type TableFile =
+  | {
+      readonly rows: readonly ToolEntry["cells"][];
+      readonly leftOut: readonly string[];
+      readonly cutShort: boolean;
+      /** The cells that the file has a column for; without it there are columns for all. */
+      readonly columns?: readonly CellName[];
+      /**
+       * Of a table of the control: which one, in which line each row stands, and the turning tools that a milling table
+       * names.
+       */
+      readonly table?: {
+        readonly milling: boolean;
+        readonly lines: readonly number[];
+        readonly turning: ReadonlyMap<number, string>;
+      };
+    }
+  | { readonly problem: "notATable" | "noRows" }
+  | { readonly problem: "columnsMissing"; readonly columns: readonly string[] };
 
-/** Reads a table as the control keeps it, with other columns and in another order too; decimal comma and INCH included. */
+/**
+ * Reads a table as the control keeps it, with other columns and in another order too; decimal comma and INCH included.
+ */
 export function readTableText(text: string): TableFile {
   const layout = tableLayoutOf(text);
   if (!layout) return { problem: "notATable" };
@@ -89,9 +126,9 @@ export function readTableText(text: string): TableFile {
     rows: found.filter((row) => row !== null),
     leftOut: unknownTitles(layout),
     cutShort: layout.cutShort,
-    columns: layout.titles.filter(({ name }) => knownColumns(layout.milling).some((column) => column === name)).map(({ name }) =>
-      cellNameOf(name, layout.milling)
-    ),
+    columns: layout.titles
+      .filter(({ name }) => knownColumns(layout.milling).some((column) => column === name))
+      .map(({ name }) => cellNameOf(name, layout.milling)),
     table: { milling: layout.milling, lines, turning },
   };
 }

@@ -19,9 +19,15 @@ export interface ToolFit {
 const chord = ({ from, to }: Segment) => Math.hypot(to.z - from.z, to.r - from.r);
 
 /** What another tool could do better. A limit, a forbidden plunge and an oversize are the cycle's own choice. */
-const OF_TOOL: ReadonlySet<Reason | null> = new Set<Reason | null>(["mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
+const OF_TOOL: ReadonlySet<Reason | null> = new Set<Reason | null>([
+  "mainEdge",
+  "secondaryEdge",
+  "toolWidth",
+  "cutLength",
+]);
 
-const unreached = (plan: Plan) => plan.reach.reduce((sum, { path, reason }) => sum + (OF_TOOL.has(reason) ? chord(path) : 0), 0);
+const unreached = (plan: Plan) =>
+  plan.reach.reduce((sum, { path, reason }) => sum + (OF_TOOL.has(reason) ? chord(path) : 0), 0);
 
 /** Shorter stretches are no reason to change the tool, mm. */
 const NEGLIGIBLE = 0.01;
@@ -41,7 +47,9 @@ const AGAINST_TOOL = new Set([
 /** What a plan says about its tool. A notice (a reduced infeed) is no obstacle; a warning about the tool is one. */
 export function fitOf(tool: Tool, plan: Plan): ToolFit {
   const left = unreached(plan);
-  const refused = plan.issues.some(({ code, severity }) => severity === "error" || (severity === "warning" && AGAINST_TOOL.has(code)));
+  const refused = plan.issues.some(
+    ({ code, severity }) => severity === "error" || (severity === "warning" && AGAINST_TOOL.has(code)),
+  );
   const cuts = plan.moves.some((move) => move.phase !== "position");
   return { tool, makesContour: !refused && cuts && left < NEGLIGIBLE, cuts, unreached: left };
 }
@@ -77,10 +85,14 @@ export function rankTools<P extends Params>(
   setting: Omit<Setting, "tool">,
   tools: readonly Tool[],
 ): ToolFit[] {
-  return tools.filter((tool) => checkTool(tool).length === 0).map((tool) => fitOf(tool, cycle.plan(values, { ...setting, tool }, given)))
-    .sort((a, b) =>
-      Number(b.makesContour) - Number(a.makesContour) || Number(b.cuts) - Number(a.cuts)
-      || (a.makesContour ? usualRank(cycle.group, a.tool) - usualRank(cycle.group, b.tool) : a.unreached - b.unreached)
+  return tools
+    .filter((tool) => checkTool(tool).length === 0)
+    .map((tool) => fitOf(tool, cycle.plan(values, { ...setting, tool }, given)))
+    .sort(
+      (a, b) =>
+        Number(b.makesContour) - Number(a.makesContour) ||
+        Number(b.cuts) - Number(a.cuts) ||
+        (a.makesContour ? usualRank(cycle.group, a.tool) - usualRank(cycle.group, b.tool) : a.unreached - b.unreached),
     );
 }
 

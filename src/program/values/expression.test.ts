@@ -67,37 +67,54 @@ describe("readExpression", () => {
     expect(readExpression("Q1", Object.create({ Q1: 4 }) as Record<string, number>).kind).toBe("unknownParameter");
   });
 
-  const any = fc.oneof(fc.string({ maxLength: 300 }),
-    fc.string({ unit: fc.constantFrom(..."0123456789.,+-*/()Q L".split("")), maxLength: 300 }));
+  const any = fc.oneof(
+    fc.string({ maxLength: 300 }),
+    fc.string({ unit: fc.constantFrom(..."0123456789.,+-*/()Q L".split("")), maxLength: 300 }),
+  );
 
   test("law: never throws, and every number is finite", () => {
-    fc.assert(fc.property(any, (text) => {
-      const read = readExpression(text, known);
-      return read.kind !== "number" || (Number.isFinite(read.value) && !Object.is(read.value, -0));
-    }), { numRuns: 2000 });
+    fc.assert(
+      fc.property(any, (text) => {
+        const read = readExpression(text, known);
+        return read.kind !== "number" || (Number.isFinite(read.value) && !Object.is(read.value, -0));
+      }),
+      { numRuns: 2000 },
+    );
   });
 
   test("law: a written number is read back, with point or comma", () => {
-    fc.assert(fc.property(fc.integer({ min: -99_999_999, max: 99_999_999 }), (thousandths) => {
-      const number = thousandths / 1000;
-      return value(String(number)) === number && value(String(number).replace(".", ",")) === number;
-    }), { numRuns: 2000 });
+    fc.assert(
+      fc.property(fc.integer({ min: -99_999_999, max: 99_999_999 }), (thousandths) => {
+        const number = thousandths / 1000;
+        return value(String(number)) === number && value(String(number).replace(".", ",")) === number;
+      }),
+      { numRuns: 2000 },
+    );
   });
 
   test("law: brackets and order agree with arithmetic", () => {
     const whole = fc.integer({ min: -999, max: 999 });
     fc.assert(
-      fc.property(whole, whole, whole, (a, b, c) =>
-        value(`${a}+${b}*${c}`) === a + b * c + 0 && value(`(${a}+${b})*${c}`) === (a + b) * c + 0
-        && value(`${a}-${b}-${c}`) === a - b - c + 0),
+      fc.property(
+        whole,
+        whole,
+        whole,
+        (a, b, c) =>
+          value(`${a}+${b}*${c}`) === a + b * c + 0 &&
+          value(`(${a}+${b})*${c}`) === (a + b) * c + 0 &&
+          value(`${a}-${b}-${c}`) === a - b - c + 0,
+      ),
       { numRuns: 2000 },
     );
   });
 
   test("law: a sum one sign too long is refused, not read in part", () => {
     fc.assert(
-      fc.property(fc.integer({ min: 0, max: 9999 }), fc.constantFrom("+", "-", "*", "/"), (n, sign) =>
-        value(`${n}${sign}`) === "badExpression"),
+      fc.property(
+        fc.integer({ min: 0, max: 9999 }),
+        fc.constantFrom("+", "-", "*", "/"),
+        (n, sign) => value(`${n}${sign}`) === "badExpression",
+      ),
     );
   });
 });

@@ -4,10 +4,15 @@ import { NUMBER_PARAMETER } from "../../nc/value.ts";
 export type KnownParameters = Readonly<Record<string, number>>;
 
 /** What typed text is where a number is expected; `computed` where it is a sum. */
-export type Expression = { readonly kind: "number"; readonly value: number; readonly computed: boolean } | { readonly kind: "empty" } | {
-  readonly kind: "notANumber";
-  readonly text: string;
-} | { readonly kind: "badExpression"; readonly text: string } | { readonly kind: "unknownParameter"; readonly name: string };
+export type Expression =
+  | { readonly kind: "number"; readonly value: number; readonly computed: boolean }
+  | { readonly kind: "empty" }
+  | {
+      readonly kind: "notANumber";
+      readonly text: string;
+    }
+  | { readonly kind: "badExpression"; readonly text: string }
+  | { readonly kind: "unknownParameter"; readonly name: string };
 
 /** Longer texts are refused: nobody types them, and the depth of nesting stays bounded. */
 const LONGEST = 200;
@@ -64,12 +69,14 @@ function evaluate(list: readonly Token[]): number {
   };
   const product = (): number => {
     let value = factor();
-    for (let sign = take("*", "/"); sign; sign = take("*", "/")) value = sign === "*" ? value * factor() : value / factor();
+    for (let sign = take("*", "/"); sign; sign = take("*", "/"))
+      value = sign === "*" ? value * factor() : value / factor();
     return value;
   };
   const sum = (): number => {
     let value = product();
-    for (let sign = take("+", "-"); sign; sign = take("+", "-")) value = sign === "+" ? value + product() : value - product();
+    for (let sign = take("+", "-"); sign; sign = take("+", "-"))
+      value = sign === "+" ? value + product() : value - product();
     return value;
   };
   const value = sum();

@@ -22,21 +22,37 @@ describe("readText", () => {
 
   test("an optional field may stay empty, and is not 0", () => {
     expect(readText(promptField("Q500", corner), "")).toMatchObject({ value: null, empty: true, issue: null });
-    expect(readText(promptField("Q500", corner), "x")).toMatchObject({ value: null, issue: { code: "notANumber", data: { text: "x" } } });
+    expect(readText(promptField("Q500", corner), "x")).toMatchObject({
+      value: null,
+      issue: { code: "notANumber", data: { text: "x" } },
+    });
   });
 
   test("notANumber", () => {
-    expect(readText(promptField("Q491", diameter), "seventy").issue).toMatchObject({ code: "notANumber", data: { text: "seventy" } });
+    expect(readText(promptField("Q491", diameter), "seventy").issue).toMatchObject({
+      code: "notANumber",
+      data: { text: "seventy" },
+    });
     expect(readText(promptField("Q491", diameter), "70").issue).toBeNull();
   });
 
   test("badExpression", () => {
-    expect(readText(promptField("Q491", diameter), "75/").issue).toMatchObject({ code: "badExpression", data: { text: "75/" } });
-    expect(readText(promptField("Q491", diameter), "75/2+1")).toMatchObject({ value: 38.5, computed: true, issue: null });
+    expect(readText(promptField("Q491", diameter), "75/").issue).toMatchObject({
+      code: "badExpression",
+      data: { text: "75/" },
+    });
+    expect(readText(promptField("Q491", diameter), "75/2+1")).toMatchObject({
+      value: 38.5,
+      computed: true,
+      issue: null,
+    });
   });
 
   test("unknownParameter", () => {
-    expect(readText(promptField("Q491", diameter), "Q7").issue).toMatchObject({ code: "unknownParameter", data: { name: "Q7" } });
+    expect(readText(promptField("Q491", diameter), "Q7").issue).toMatchObject({
+      code: "unknownParameter",
+      data: { name: "Q7" },
+    });
     expect(readText(promptField("Q491", diameter), "Q7", { Q7: 60 })).toMatchObject({
       value: 60,
       written: { parameter: "Q7", negative: false },
@@ -44,13 +60,17 @@ describe("readText", () => {
     });
   });
 
-  test.each([["0", 0.001], ["-5", 0.001], ["0.0004", 0.001], ["1000", 999.999]])("outOfRange: %s of 0.001 to 999.999, the nearest is %d",
-    (typed, nearest) => {
-      expect(readText(promptField("Q463", infeed), typed).issue).toMatchObject({
-        code: "outOfRange",
-        data: { min: 0.001, max: 999.999, nearest },
-      });
+  test.each([
+    ["0", 0.001],
+    ["-5", 0.001],
+    ["0.0004", 0.001],
+    ["1000", 999.999],
+  ])("outOfRange: %s of 0.001 to 999.999, the nearest is %d", (typed, nearest) => {
+    expect(readText(promptField("Q463", infeed), typed).issue).toMatchObject({
+      code: "outOfRange",
+      data: { min: 0.001, max: 999.999, nearest },
     });
+  });
   test.each(["0.001", "999.999", "3", "999.9994"])("%s lies in 0.001 to 999.999", (typed) => {
     expect(readText(promptField("Q463", infeed), typed).issue).toBeNull();
   });
@@ -60,7 +80,10 @@ describe("readText", () => {
       code: "notAChoice",
       data: { value: 7, choices: [0, 1, 2, 3], nearest: 3 },
     });
-    expect(readText(promptField("Q215", kind), "1.4").issue).toMatchObject({ code: "notAChoice", data: { nearest: 1 } });
+    expect(readText(promptField("Q215", kind), "1.4").issue).toMatchObject({
+      code: "notAChoice",
+      data: { nearest: 1 },
+    });
     expect(readText(promptField("Q215", kind), "2")).toMatchObject({ value: 2, issue: null });
   });
 
@@ -83,7 +106,11 @@ describe("a word of a block", () => {
   const word: Field = { ...anyNumber, id: "X", kind: "length", increments: true, optional: false };
   const feedOfBlock: Field = { ...anyNumber, id: "F", kind: "feed", rapid: true };
 
-  test.each([["I-5", -5, true], ["i2,5", 2.5, true], ["7", 7, false]])("%s is %d, incremental: %s", (typed, value, incremental) => {
+  test.each([
+    ["I-5", -5, true],
+    ["i2,5", 2.5, true],
+    ["7", 7, false],
+  ])("%s is %d, incremental: %s", (typed, value, incremental) => {
     expect(readText(word, typed)).toMatchObject({ value, incremental, issue: null });
   });
   test("an I alone is no number, and none belongs where nothing is incremental", () => {
@@ -114,14 +141,25 @@ describe("checkNumber", () => {
     expect(checkNumber({ id: "R", range: [0, 5] }, 5)).toBeNull();
   });
   test("a count is whole", () => {
-    expect(checkNumber({ id: "Q475", kind: "count", range: [1, 500] }, 2.4)).toMatchObject({ code: "notWhole", data: { nearest: 2 } });
-    expect(checkNumber({ id: "Q475", kind: "count", range: [1, 500] }, 0.4)).toMatchObject({ code: "outOfRange", data: { nearest: 1 } });
+    expect(checkNumber({ id: "Q475", kind: "count", range: [1, 500] }, 2.4)).toMatchObject({
+      code: "notWhole",
+      data: { nearest: 2 },
+    });
+    expect(checkNumber({ id: "Q475", kind: "count", range: [1, 500] }, 0.4)).toMatchObject({
+      code: "outOfRange",
+      data: { nearest: 1 },
+    });
     expect(checkNumber({ id: "Q475", kind: "count", range: [1, 500] }, 3)).toBeNull();
     expect(readText({ ...anyNumber, kind: "count", range: [1, 500], decimals: 3 }, "1,5").issue?.code).toBe("notWhole");
   });
 });
 
-test.each([["75/2", "37.5"], ["10/3", "3.333333"], ["75", null], ["75/", null], ["", null]])("leaving a field, %j becomes %j",
-  (typed, sum) => {
-    expect(sumOf(typed)).toBe(sum);
-  });
+test.each([
+  ["75/2", "37.5"],
+  ["10/3", "3.333333"],
+  ["75", null],
+  ["75/", null],
+  ["", null],
+])("leaving a field, %j becomes %j", (typed, sum) => {
+  expect(sumOf(typed)).toBe(sum);
+});

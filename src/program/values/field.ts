@@ -4,7 +4,9 @@ import type { Value } from "../../nc/statement.ts";
 import { parameterOf } from "../../nc/value.ts";
 import { type KnownParameters, readExpression, spelling } from "./expression.ts";
 
-/** What one field takes, wherever it is typed: a prompt, a word of a block, the set-up, a row, a cell of the tool table. */
+/**
+ * What one field takes, wherever it is typed: a prompt, a word of a block, the set-up, a row, a cell of the tool table.
+ */
 export interface Field {
   /** Where its findings stand: a Q number, a word, "start.x", a column. */
   readonly id: string;
@@ -37,11 +39,24 @@ export interface FieldReading {
 }
 
 /** What a field without anything in it says. */
-export const nothing: FieldReading = { value: null, written: null, incremental: false, computed: false, empty: true, issue: null };
+export const nothing: FieldReading = {
+  value: null,
+  written: null,
+  incremental: false,
+  computed: false,
+  empty: true,
+  issue: null,
+};
 export const wrong = (found: Issue): FieldReading => ({ ...nothing, empty: false, issue: found });
 
 /** A number without bounds, which may be left out. */
-export const anyNumber: Field = { id: "", kind: "number", range: [-Infinity, Infinity], optional: true, decimals: null };
+export const anyNumber: Field = {
+  id: "",
+  kind: "number",
+  range: [-Infinity, Infinity],
+  optional: true,
+  decimals: null,
+};
 
 /** A number rounded to what a control keeps; never −0. */
 export const kept = (n: number, decimals: number): number => Number(n.toFixed(decimals)) || 0;
@@ -54,10 +69,15 @@ type Taken = Pick<Field, "id" | "range" | "choices"> & Partial<Pick<Field, "kind
 
 /** What is wrong with a number in a field, with the nearest one that it takes; null when it can be used. */
 export function checkNumber({ id, kind, range: [min, max], choices }: Taken, n: number): Issue | null {
-  if (choices) return choices.includes(n) ? null : issue("notAChoice", "error", { value: n, choices, nearest: nearestOf(choices, n) }, id);
+  if (choices)
+    return choices.includes(n)
+      ? null
+      : issue("notAChoice", "error", { value: n, choices, nearest: nearestOf(choices, n) }, id);
   const within = Math.min(max, Math.max(min, n));
   if (!(n >= min && n <= max)) return issue("outOfRange", "error", { value: n, min, max, nearest: within }, id);
-  return kind === "count" && !Number.isInteger(n) ? issue("notWhole", "error", { value: n, nearest: Math.round(n) }, id) : null;
+  return kind === "count" && !Number.isInteger(n)
+    ? issue("notWhole", "error", { value: n, nearest: Math.round(n) }, id)
+    : null;
 }
 
 /** FAUTO and FMAX as typed: with or without the F, in any case. */
@@ -80,10 +100,16 @@ export function readText(field: Field, typed: string, known: KnownParameters = {
     case "number": {
       const value = field.decimals === null ? read.value : kept(read.value, field.decimals);
       const found = checkNumber(field, value);
-      return found ? wrong(found) : { value, written: parameter ?? value, incremental, computed: read.computed, empty: false, issue: null };
+      return found
+        ? wrong(found)
+        : { value, written: parameter ?? value, incremental, computed: read.computed, empty: false, issue: null };
     }
     case "unknownParameter":
-      return { ...wrong(issue("unknownParameter", "error", { name: read.name }, field.id)), incremental, written: parameter };
+      return {
+        ...wrong(issue("unknownParameter", "error", { name: read.name }, field.id)),
+        incremental,
+        written: parameter,
+      };
     default:
       return {
         ...wrong(issue(read.kind === "badExpression" ? "badExpression" : "notANumber", "error", { text }, field.id)),
@@ -92,7 +118,10 @@ export function readText(field: Field, typed: string, known: KnownParameters = {
   }
 }
 
-/** What a typed sum comes to, as one types it; null for anything else. It takes the place of the sum when its field is left. */
+/**
+ * What a typed sum comes to, as one types it; null for anything else. It takes the place of the sum when its field is
+ * left.
+ */
 export function sumOf(typed: string): string | null {
   const { computed, value } = readText({ ...anyNumber, decimals: 6 }, typed);
   return computed && value !== null ? String(value) : null;

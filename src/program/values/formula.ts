@@ -2,7 +2,8 @@ import type { Formula, TextFormula, Value } from "../../nc/statement.ts";
 import { inDegrees, radians } from "../../kernel/units.ts";
 
 /** Why a value has no number. */
-export type Trouble = { readonly kind: "unset"; readonly name: string } | { readonly kind: "zero" } | { readonly kind: "notFinite" };
+export type Trouble =
+  { readonly kind: "unset"; readonly name: string } | { readonly kind: "zero" } | { readonly kind: "notFinite" };
 /** Q parameters while a program runs, by name. */
 export type Parameters = Map<string, number>;
 /** QS parameters while a program runs, by name. */
@@ -58,7 +59,9 @@ export function textOf(f: TextFormula, parameters: Parameters, texts: Texts): st
       const decimals = f.decimals === null ? null : valueOf(f.decimals, parameters);
       if (typeof n !== "number") return n;
       if (decimals !== null && typeof decimals !== "number") return decimals;
-      return decimals === null ? String(Number(n.toFixed(3))) : n.toFixed(Math.min(10, Math.max(0, Math.trunc(decimals))));
+      return decimals === null
+        ? String(Number(n.toFixed(3)))
+        : n.toFixed(Math.min(10, Math.max(0, Math.trunc(decimals))));
     }
     case "part": {
       const source = textOf(f.source, parameters, texts);
@@ -66,7 +69,9 @@ export function textOf(f: TextFormula, parameters: Parameters, texts: Texts): st
       const begin = f.begin === null ? 0 : valueOf(f.begin, parameters);
       const length = f.length === null ? source.length : valueOf(f.length, parameters);
       if (typeof begin !== "number") return begin;
-      return typeof length === "number" ? source.slice(Math.max(0, begin), Math.max(0, begin) + Math.max(0, length)) : length;
+      return typeof length === "number"
+        ? source.slice(Math.max(0, begin), Math.max(0, begin) + Math.max(0, length))
+        : length;
     }
   }
 }

@@ -5,7 +5,10 @@ export type UnknownReason = "unproved" | "told";
 
 /** Parameters that touch probe cycles write their results into. */
 const RESULT = /^Q(?:1(?!08|13)\d\d|9[5-9]\d)$/;
-/** Parameters that the control itself keeps: what the machine, its tool and its probes say. A program that reads them is no fault. */
+/**
+ * Parameters that the control itself keeps: what the machine, its tool and its probes say. A program that reads them is
+ * no fault.
+ */
 const KEPT_BY_CONTROL = /^Q1\d\d$/;
 /** Of those the two that a program alone can tell: radius of the tool, and unit of the program. */
 const [TOOL_RADIUS, UNIT] = ["Q108", "Q113"] as const;
@@ -18,7 +21,10 @@ export type KnownMoment = Readonly<Pick<KnownValues, "bound" | "probed" | "troub
   readonly held: Texts;
 };
 
-/** What is known of the Q parameters while a program runs: a value that nobody knows is another thing than one that was never set. */
+/**
+ * What is known of the Q parameters while a program runs: a value that nobody knows is another thing than one that was
+ * never set.
+ */
 export class KnownValues {
   private readonly forgotten: Map<string, UnknownReason>;
   private readonly held: Map<string, string>;
@@ -30,7 +36,10 @@ export class KnownValues {
   trouble: UnknownReason;
 
   /** `at`: what was known at a moment of another run. */
-  constructor(private readonly parameters: Parameters, at?: KnownMoment) {
+  constructor(
+    private readonly parameters: Parameters,
+    at?: KnownMoment,
+  ) {
     this.forgotten = new Map(at?.forgotten);
     this.held = new Map(at?.held);
     this.bound = new Set(at?.bound);
@@ -58,7 +67,9 @@ export class KnownValues {
     this.forgotten.delete(name);
   }
 
-  /** What the control keeps of the tool that is called, in the unit of the program; null when nobody knows its radius. */
+  /**
+   * What the control keeps of the tool that is called, in the unit of the program; null when nobody knows its radius.
+   */
   setToolRadius(radius: number | null): void {
     if (radius === null) this.forget(TOOL_RADIUS);
     else this.set(TOOL_RADIUS, radius);

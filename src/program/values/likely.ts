@@ -72,24 +72,27 @@ function likelyEnds(cycle: Cycle, { typed, tip, blank }: KnownSoFar): { readonly
   const [d2, z2] = [across("Q493") ?? (typed["Q493"] === 0 ? 0 : null), number(typed["Q494"])];
   const outside = blank.outside === null ? null : toDiameter(radius(blank.outside));
   const tipDiameter = tip.r === null ? null : toDiameter(radius(tip.r));
-  const first = simple ? tipDiameter ?? outside : across("Q491");
+  const first = simple ? (tipDiameter ?? outside) : across("Q491");
   const d1 = first ?? (d2 === null ? example.d1 : d2 + deep);
   const end = d2 ?? Math.max(d1 - deep, d1 * CORE);
   // A shoulder begins at the face, and so does what nobody has given a place.
-  const begins = simple ? tip.z ?? (grooves ? null : blank.front) : number(typed["Q492"]);
+  const begins = simple ? (tip.z ?? (grooves ? null : blank.front)) : number(typed["Q492"]);
   const ahead = z2 === null ? FRONT : grooves || z2 >= FRONT ? z2 + long : FRONT;
   const z1 = begins ?? ahead;
   const corner = (d: number, z: number) => at(axial(z), toRadius(diameter(d)));
   return { from: corner(d1, z1), to: corner(end, z2 ?? z1 - long) };
 }
 
-/** Whether a free contour is turned in a bore: it falls from the face on, or lies in the wall of the bore that is there. */
+/**
+ * Whether a free contour is turned in a bore: it falls from the face on, or lies in the wall of the bore that is there.
+ */
 function contourInside(points: readonly Pt[], bore: number | null): boolean {
   const [a, b] = [points[0], points.at(-1)];
   if (!a || !b) return false;
   const [front, back] = a.z >= b.z ? [a, b] : [b, a];
   const { low } = boxOf([...points]);
-  if (bore !== null && bore > 0 && low >= bore - SAME && Math.abs(front.r - back.r) < SAME && front.r < low + SAME) return true;
+  if (bore !== null && bore > 0 && low >= bore - SAME && Math.abs(front.r - back.r) < SAME && front.r < low + SAME)
+    return true;
   return front.r > back.r + SAME;
 }
 
@@ -109,9 +112,12 @@ export function likelyWork(cycle: Cycle, known: KnownSoFar): LikelyWork {
   const [from, to] = [points[0] ?? ends.from, points.at(-1) ?? ends.to];
   const { thread } = cycle;
   const position = thread && number(typed[thread.position]);
-  const falls = points.length > 0 ? !across && contourInside(points, blank.bore) : cycle.contour === "own" && !thread && from.r < to.r;
+  const falls =
+    points.length > 0
+      ? !across && contourInside(points, blank.bore)
+      : cycle.contour === "own" && !thread && from.r < to.r;
   const inside = thread ? position === 1 : falls;
-  const shape = thread ? "thread" : useOf(cycle).shapes.at(-1) ?? "free";
+  const shape = thread ? "thread" : (useOf(cycle).shapes.at(-1) ?? "free");
   const pitch = thread ? (number(typed[thread.pitch]) ?? firstValues(cycle)[thread.pitch] ?? 0) : 0;
   const corner = (p: Pt) => ({ diameter: toDiameter(p.r), z: axial(p.z) });
   const wanted: Wanted = {
@@ -126,9 +132,11 @@ export function likelyWork(cycle: Cycle, known: KnownSoFar): LikelyWork {
   };
   const read = Object.entries(typed).flatMap(([q, value]) => (typeof value === "number" ? [[q, value] as const] : []));
   const values = { ...valuesFor(cycle, wanted), ...cycle.setup.values, ...Object.fromEntries(read) };
-  const outline = cycle.contour === "own"
-    ? cycle.outline({ ...values, ...Object.fromEntries(read) } as Values<Params>, { contour: null, start: from }).contour
-    : [];
+  const outline =
+    cycle.contour === "own"
+      ? cycle.outline({ ...values, ...Object.fromEntries(read) } as Values<Params>, { contour: null, start: from })
+          .contour
+      : [];
   const corners = points.length > 0 ? points : [from, to, ...part.flattenedChain(outline, CHORD)];
   const box = boxOf([...corners]);
   return {

@@ -43,7 +43,10 @@ function told({ cycle: number, change, tool, blank, start, unit = "MM" }: Called
     "M30",
     `END PGM T ${unit}`,
   ];
-  const ran = run(parse(`${lines.map((line, i) => `${i} ${line}`).join("\n")}\n`), { tools: shippedTools, rapid: 10_000 });
+  const ran = run(parse(`${lines.map((line, i) => `${i} ${line}`).join("\n")}\n`), {
+    tools: shippedTools,
+    rapid: 10_000,
+  });
   const all = [...ran.issues, ...stockIssues(simulate(ran))].map((found) => found.issue);
   return all.filter(({ severity }) => severity !== "info");
 }
@@ -52,7 +55,16 @@ const ofType = (type: string, orientations: readonly number[]): number =>
   shippedTools.find(({ TYPE, TO }) => TYPE === type && orientations.includes(TO))?.T ?? 0;
 
 describe("a sign that is impossible is asked for, and nothing else is said of the operation", () => {
-  test.each([[812, 55], [811, 55], [813, 55], [822, 15], [831, 15], [841, 50], [852, 50], [871, 10]])("%i to Z+%d", (cycle, end) => {
+  test.each([
+    [812, 55],
+    [811, 55],
+    [813, 55],
+    [822, 15],
+    [831, 15],
+    [841, 50],
+    [852, 50],
+    [871, 10],
+  ])("%i to Z+%d", (cycle, end) => {
     const found = told({ cycle, change: { Q494: end } });
     expect(found).toMatchObject([{ code: "endInFront", at: "Q494", data: { value: end, nearest: -end } }]);
   });
@@ -75,29 +87,39 @@ describe("an order that is impossible is asked for", () => {
     ["X", 842, { Q491: 50, Q493: 75 }, "Q491", { start: 50, end: 75, other: "Q493" }],
     ["Z", 822, { Q492: -15, Q494: 0 }, "Q492", { start: -15, end: 0, other: "Q494" }],
   ])("in %s of %i", (axis, cycle, change, at, data) => {
-    expect(told({ cycle, change })).toMatchObject([{ code: "endsExchanged", severity: "error", at, data: { axis, ...data } }]);
+    expect(told({ cycle, change })).toMatchObject([
+      { code: "endsExchanged", severity: "error", at, data: { axis, ...data } },
+    ]);
   });
 });
 
 describe("what can be meant is not asked for", () => {
   test("a blank that reaches so far in front", () => {
-    expect(codes({ cycle: 812, change: { Q492: 80, Q494: 25 }, blank: "D75 L100 DIST+80", start: "X+75 Z+82" })).toEqual([]);
-    expect(codes({ cycle: 812, change: { Q492: 80, Q494: 95 }, blank: "D75 L100 DIST+80", start: "X+75 Z+82" })).not.toContain(
-      "endInFront",
-    );
+    expect(
+      codes({ cycle: 812, change: { Q492: 80, Q494: 25 }, blank: "D75 L100 DIST+80", start: "X+75 Z+82" }),
+    ).toEqual([]);
+    expect(
+      codes({ cycle: 812, change: { Q492: 80, Q494: 95 }, blank: "D75 L100 DIST+80", start: "X+75 Z+82" }),
+    ).not.toContain("endInFront");
   });
   test("a tool that works away from the chuck", () => {
     const tool = ofType("ROUGH", [3, 4, 5]);
     expect(tool).toBeGreaterThan(0);
     expect(codes({ cycle: 812, change: { Q494: 55 }, tool })).not.toContain("endInFront");
-    expect(codes({ cycle: 812, change: { Q492: -55, Q494: 0 }, tool, start: "X+85 Z-57" })).not.toContain("endsExchanged");
+    expect(codes({ cycle: 812, change: { Q492: -55, Q494: 0 }, tool, start: "X+85 Z-57" })).not.toContain(
+      "endsExchanged",
+    );
   });
   test("a bore that is there, whatever the tool", () => {
     const change = { Q491: 50, Q493: 75 };
-    expect(codes({ cycle: 812, change, blank: "D100 L100 DIST+0 DI40", start: "X+45 Z+2" })).not.toContain("endsExchanged");
+    expect(codes({ cycle: 812, change, blank: "D100 L100 DIST+0 DI40", start: "X+45 Z+2" })).not.toContain(
+      "endsExchanged",
+    );
   });
   test("the examples of the catalogue", () => {
     for (const cycle of [811, 812, 813, 814, 821, 822, 823, 824, 831, 841, 842, 851, 852, 861, 862, 871, 872])
-      expect(codes({ cycle, change: {} }).filter((code) => code === "endInFront" || code === "endsExchanged")).toEqual([]);
+      expect(codes({ cycle, change: {} }).filter((code) => code === "endInFront" || code === "endsExchanged")).toEqual(
+        [],
+      );
   });
 });

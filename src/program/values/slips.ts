@@ -31,20 +31,26 @@ export interface EndAsked {
   readonly from: number;
   readonly to: number;
   /** Null where nobody has set the blank, or nobody knows it. */
-  readonly blank: Pick<Reach, "front"> & Partial<Reach> | null;
+  readonly blank: (Pick<Reach, "front"> & Partial<Reach>) | null;
   /** Null where nobody has chosen it. */
   readonly tool: Tool | null;
 }
 
 /** The parameters that say where a contour lies in X, or in Z. */
 export const endsAlong = (cycle: Cycle, kind: "diameter" | "axial"): readonly string[] =>
-  Object.entries<Param>(cycle.params).filter(([, p]) => p.kind === kind && p.drawn && !p.incremental).map(([q]) => q);
+  Object.entries<Param>(cycle.params)
+    .filter(([, p]) => p.kind === kind && p.drawn && !p.incremental)
+    .map(([q]) => q);
 
-const endOf = (cycle: Cycle): string | undefined => Object.keys(cycle.params).find((name) => cycle.params[name]?.text === "endZ");
+const endOf = (cycle: Cycle): string | undefined =>
+  Object.keys(cycle.params).find((name) => cycle.params[name]?.text === "endZ");
 
-/** An end that lies in front of its start and of the blank, where there is no material unless its minus was forgotten. */
+/**
+ * An end that lies in front of its start and of the blank, where there is no material unless its minus was forgotten.
+ */
 export function endInFront({ cycle, values, from, to, blank, tool }: EndAsked): Issue | null {
-  const q = endOf(cycle), value = q === undefined ? undefined : values[q];
+  const q = endOf(cycle),
+    value = q === undefined ? undefined : values[q];
   if (q === undefined || typeof value !== "number" || !(value > 0) || to <= from || -value >= from) return null;
   if (endsAlong(cycle, "axial").some((name) => typeof values[name] !== "number")) return null;
   if (blank && (value <= blank.front + SAME || from > blank.front + AHEAD)) return null;
@@ -53,9 +59,13 @@ export function endInFront({ cycle, values, from, to, blank, tool }: EndAsked): 
   return issue("endInFront", "warning", { value, nearest: -value }, q);
 }
 
-/** The two parameters of an axis that can be exchanged; null where a cycle has only one of them, or takes them in any order. */
+/**
+ * The two parameters of an axis that can be exchanged; null where a cycle has only one of them, or takes them in any
+ * order.
+ */
 function endsOf(cycle: Cycle, axis: "X" | "Z"): readonly [string, string] | null {
-  const isGroove = cycle.group === "recessTurning" || cycle.group === "recessing", across = worksAcross(cycle);
+  const isGroove = cycle.group === "recessTurning" || cycle.group === "recessing",
+    across = worksAcross(cycle);
   if (cycle.thread || (isGroove && (axis === "X") === across)) return null;
   const [start, end, ...more] = endsAlong(cycle, axis === "X" ? "diameter" : "axial");
   return start !== undefined && end !== undefined && more.length === 0 ? [start, end] : null;
@@ -77,9 +87,9 @@ export interface CallAsked<P extends Params> {
 }
 
 /**
- * A dimension of the drawing whose sign, or whose order with another one, is impossible for tool and blank: it is asked for
- * only where the other sign brings no new error, or the other order none at all. It explains whatever tool and path say; behind it
- * stands what is wrong with the contour in either case. Null where the values can be meant.
+ * A dimension of the drawing whose sign, or whose order with another one, is impossible for tool and blank: it is asked
+ * for only where the other sign brings no new error, or the other order none at all. It explains whatever tool and path
+ * say; behind it stands what is wrong with the contour in either case. Null where the values can be meant.
  */
 export function slipAtCall<P extends Params>(asked: CallAsked<P>): readonly Issue[] | null {
   const { cycle, values, setting, judge, outlined } = asked;
@@ -87,31 +97,46 @@ export function slipAtCall<P extends Params>(asked: CallAsked<P>): readonly Issu
   const found = [...outlined, ...asked.planned];
   const typed = values as Readonly<Record<string, number | "auto">>;
   const numberOf = (q: string) => (typeof typed[q] === "number" ? typed[q] : 0);
-  const judged = (changed: Readonly<Record<string, number>>) => judge({ ...typed, ...changed } as unknown as Values<P>).issues;
-  const { tool, start, solid, blank: rings } = setting, box = rings ? boxAround(rings) : null;
+  const judged = (changed: Readonly<Record<string, number>>) =>
+    judge({ ...typed, ...changed } as unknown as Values<P>).issues;
+  const { tool, start, solid, blank: rings } = setting,
+    box = rings ? boxAround(rings) : null;
   const plain = cycle as unknown as Cycle;
-  const z = endsOf(plain, "Z"), q = endOf(plain);
-  const from = beginsAtTip(plain) || !endsAlong(plain, "axial")[1] ? start.z : numberOf(endsAlong(plain, "axial")[0] ?? "");
+  const z = endsOf(plain, "Z"),
+    q = endOf(plain);
+  const from =
+    beginsAtTip(plain) || !endsAlong(plain, "axial")[1] ? start.z : numberOf(endsAlong(plain, "axial")[0] ?? "");
   const reach = box && { front: box.right, back: box.left };
-  const severity = isRefused(found) ? "error" as const : "warning" as const;
-  const inFront = q === undefined ? null : endInFront({ cycle: plain, values: typed, from, to: numberOf(q), blank: reach, tool });
+  const severity = isRefused(found) ? ("error" as const) : ("warning" as const);
+  const inFront =
+    q === undefined ? null : endInFront({ cycle: plain, values: typed, from, to: numberOf(q), blank: reach, tool });
   if (inFront?.code === "endInFront" && inFront.at !== undefined) {
     const after = judged({ [inFront.at]: inFront.data.nearest });
-    if (mends(inFront, found, after)) return [{ ...inFront, severity }, ...outlined.filter((each) => after.some((a) => isSame(a, each)))];
+    if (mends(inFront, found, after))
+      return [{ ...inFront, severity }, ...outlined.filter((each) => after.some((a) => isSame(a, each)))];
   }
   // Whoever takes a tool that does it means the order.
   if (!box || severity === "warning") return null;
   const isInBlank = (axis: "X" | "Z", ...ends: readonly number[]) =>
     axis === "X" ? Math.max(...ends) <= toDiameter(radius(box.high)) + SAME : Math.min(...ends) >= box.left - SAME;
-  const exchanged = (axis: "X" | "Z", [a, b]: readonly [string, string], isImpossible: (first: number, last: number) => boolean) => {
+  const exchanged = (
+    axis: "X" | "Z",
+    [a, b]: readonly [string, string],
+    isImpossible: (first: number, last: number) => boolean,
+  ) => {
     const [first, last] = [numberOf(a), numberOf(b)];
-    if (!isInBlank(axis, first, last) || !isImpossible(first, last) || isRefused(judged({ [a]: last, [b]: first }))) return null;
+    if (!isInBlank(axis, first, last) || !isImpossible(first, last) || isRefused(judged({ [a]: last, [b]: first })))
+      return null;
     return issue("endsExchanged", "error", { axis, start: first, end: last, other: b }, a);
   };
-  const x = endsOf(plain, "X"), bore = toDiameter(radius(box.low));
-  const isSolid = bore <= SAME && (solid === null || solid === undefined || (!solid.isBored && solid.below === Infinity));
+  const x = endsOf(plain, "X"),
+    bore = toDiameter(radius(box.low));
+  const isSolid =
+    bore <= SAME && (solid === null || solid === undefined || (!solid.isBored && solid.below === Infinity));
   const order =
-    (z && !AWAY.has(tool.TO) && exchanged("Z", z, (first, last) => last > first && last >= box.right - SAME && first < box.right - SAME))
-    || (x && exchanged("X", x, (first, last) => (first < last ? isSolid : bore > SAME && last <= bore + SAME)));
+    (z &&
+      !AWAY.has(tool.TO) &&
+      exchanged("Z", z, (first, last) => last > first && last >= box.right - SAME && first < box.right - SAME)) ||
+    (x && exchanged("X", x, (first, last) => (first < last ? isSolid : bore > SAME && last <= bore + SAME)));
   return order ? [order] : null;
 }

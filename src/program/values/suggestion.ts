@@ -11,20 +11,30 @@ export interface SuggestionContext {
   readonly before?: Readonly<Partial<Record<string, number>>>;
 }
 
-/** What a turner enters where nothing else is wanted: an angle, a corner radius, an element of a corner that is not there. */
-const isPlain = ({ kind, rounds, shown }: Param) => rounds || (kind === "angle" && shown === "outline") || shown === "element";
+/**
+ * What a turner enters where nothing else is wanted: an angle, a corner radius, an element of a corner that is not
+ * there.
+ */
+const isPlain = ({ kind, rounds, shown }: Param) =>
+  rounds || (kind === "angle" && shown === "outline") || shown === "element";
 
 /** A position or a measure that the drawing gives: nobody can suggest it. */
 const isOfDrawing = ({ kind, shown, sizes, text }: Param) =>
-  sizes === undefined
-  && (kind === "diameter" || ((kind === "axial" || kind === "length") && shown === "outline") || shown === "pitch"
-    || text === "blankAllowance");
+  sizes === undefined &&
+  (kind === "diameter" ||
+    ((kind === "axial" || kind === "length") && shown === "outline") ||
+    shown === "pitch" ||
+    text === "blankAllowance");
 
 /**
- * What an unanswered prompt may be answered with, for somebody to take: the face where a start is asked for, the usual value of what is
- * no size of the drawing, or what the operation before had there. Null where only the drawing knows.
+ * What an unanswered prompt may be answered with, for somebody to take: the face where a start is asked for, the usual
+ * value of what is no size of the drawing, or what the operation before had there. Null where only the drawing knows.
  */
-export function suggestedValue(cycle: Cycle, q: string, { blank, perRevolution, before = {} }: SuggestionContext): number | null {
+export function suggestedValue(
+  cycle: Cycle,
+  q: string,
+  { blank, perRevolution, before = {} }: SuggestionContext,
+): number | null {
   const param = cycle.params[q];
   if (!param || param.reserved) return null;
   if (param.text === "startZ") return blank.front ?? 0;

@@ -16,20 +16,27 @@ const signed = (n: number) => (n < 0 ? String(n) : `+${n}`);
 const contour = "M30\nLBL 2\nL X+75 Z-20\nL X+50\nRND R2\nL X+20 Z-25\nRND R2\nL Z+0\nLBL 0";
 
 function issuesOf(cycle: number, values: Numbers, tool: number, start: readonly [number, number]): readonly Issue[] {
-  const words = Object.entries(values).map(([q, n]) => `${q}=${signed(n)}`).join(" ~\n");
-  const text = `0 BEGIN PGM T MM\nBLK FORM CYLINDER Z D100 L100 DIST+2\nFUNCTION MODE TURN\nTOOL CALL ${tool}\nFUNCTION TURNDATA SPIN `
-    + "VCONST:OFF S500\nM136\n"
-    + `L X+120 Z+50 R0 FMAX M303\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL2\nCYCL DEF ${cycle} NAME ~\n${words}\n`
-    + `L X${signed(start[0])} Z${signed(start[1])} FMAX\nCYCL CALL\n${cycle === 820 ? contour : "M30"}\nEND PGM T MM\n`;
+  const words = Object.entries(values)
+    .map(([q, n]) => `${q}=${signed(n)}`)
+    .join(" ~\n");
+  const text =
+    `0 BEGIN PGM T MM\nBLK FORM CYLINDER Z D100 L100 DIST+2\nFUNCTION MODE TURN\nTOOL CALL ${tool}\nFUNCTION TURNDATA SPIN ` +
+    "VCONST:OFF S500\nM136\n" +
+    `L X+120 Z+50 R0 FMAX M303\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 CONTOUR LABEL2\nCYCL DEF ${cycle} NAME ~\n${words}\n` +
+    `L X${signed(start[0])} Z${signed(start[1])} FMAX\nCYCL CALL\n${cycle === 820 ? contour : "M30"}\nEND PGM T MM\n`;
   return run(parse(text), { tools: shippedTools, rapid: 10_000 }).issues.map((found) => found.issue as Issue);
 }
 
 const keys = (issues: readonly Issue[]) =>
   new Set(issues.filter((each) => each.severity === "error").map((each) => `${each.code} ${each.at ?? ""}`));
-const at = (issues: readonly Issue[], code: string, q: string) => issues.find((each) => each.code === code && each.at === q);
+const at = (issues: readonly Issue[], code: string, q: string) =>
+  issues.find((each) => each.code === code && each.at === q);
 
 const mm = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
-const angle = fc.oneof(fc.integer({ min: 0, max: 899_999 }).map((n) => n / 1e4), fc.constantFrom(0, 30, 89.9999, 90, -1));
+const angle = fc.oneof(
+  fc.integer({ min: 0, max: 899_999 }).map((n) => n / 1e4),
+  fc.constantFrom(0, 30, 89.9999, 90, -1),
+);
 const size = fc.oneof(mm(0, 40), mm(-1, 2), fc.constantFrom(0, 1000));
 /** Values that often do not go together, or not with the tool. */
 const odd = {
@@ -68,24 +75,31 @@ const cases = fc.constantFrom(812, 812, 820, 852, 852).chain((cycle) => {
 describe("a value that is offered", () => {
   test("removes what it is offered for and adds no error", () => {
     let offers = 0;
-    fc.assert(fc.property(cases, ({ cycle, tool, x, z, changes }) => {
-      const values = { ...example(cycle), ...(changes as Numbers) };
-      const before = issuesOf(cycle, values, tool, [x, z]);
-      for (const found of before) {
-        const offer = offerOf(found);
-        if (offer === null || !found.at?.startsWith("Q")) continue;
-        offers += 1;
-        const after = issuesOf(cycle, { ...values, [found.at]: offer }, tool, [x, z]);
-        expect(at(after, found.code, found.at), `${found.at}=${offer} for ${found.code}`).toBeUndefined();
-        const added = [...keys(after)].filter((key) => !keys(before).has(key));
-        expect(added, `${found.at}=${offer} for ${found.code}`).toEqual([]);
-      }
-    }), { numRuns: 250 });
+    fc.assert(
+      fc.property(cases, ({ cycle, tool, x, z, changes }) => {
+        const values = { ...example(cycle), ...(changes as Numbers) };
+        const before = issuesOf(cycle, values, tool, [x, z]);
+        for (const found of before) {
+          const offer = offerOf(found);
+          if (offer === null || !found.at?.startsWith("Q")) continue;
+          offers += 1;
+          const after = issuesOf(cycle, { ...values, [found.at]: offer }, tool, [x, z]);
+          expect(at(after, found.code, found.at), `${found.at}=${offer} for ${found.code}`).toBeUndefined();
+          const added = [...keys(after)].filter((key) => !keys(before).has(key));
+          expect(added, `${found.at}=${offer} for ${found.code}`).toEqual([]);
+        }
+      }),
+      { numRuns: 250 },
+    );
     expect(offers).toBeGreaterThan(50);
   });
 
   test("is none of the drawing: it names the limit, and nothing that would change the part", () => {
-    const tooLong = at(issuesOf(812, { ...example(812), Q495: 0, Q500: 60, Q502: 0.5 }, 1, [75, 2]), "elementTooLong", "Q500");
+    const tooLong = at(
+      issuesOf(812, { ...example(812), Q495: 0, Q500: 60, Q502: 0.5 }, 1, [75, 2]),
+      "elementTooLong",
+      "Q500",
+    );
     expect(tooLong?.data).toMatchObject({ size: 60, max: expect.any(Number) });
     expect(tooLong && offerOf(tooLong)).toBeNull();
     const round = at(issuesOf(812, { ...example(812), Q500: 0.4 }, 1, [75, 2]), "cornerSmallerThanInsert", "Q500");
@@ -101,10 +115,14 @@ describe("a value that is offered", () => {
     expect(offered("Q501", "7").map((each) => offerOf(each))).toEqual([null]);
     expect(offered("Q506", "7").map((each) => offerOf(each))).toEqual([2]);
     const negative = issuesOf(831, { ...example(831), Q475: 1, Q476: 1, Q491: -100 }, 12, [110, 10]);
-    expect(negative.map((each) => [each.code, each.at, each.data])).toContainEqual(["diameterNegative", "Q491", {
-      value: -100,
-      nearest: 100,
-    }]);
+    expect(negative.map((each) => [each.code, each.at, each.data])).toContainEqual([
+      "diameterNegative",
+      "Q491",
+      {
+        value: -100,
+        nearest: 100,
+      },
+    ]);
   });
 
   test("is an infeed with which a setter gets done, and a value that he would type", () => {

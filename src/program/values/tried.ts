@@ -8,7 +8,10 @@ import { axial, diameter, toRadius } from "../../kernel/units.ts";
 import { checkNumber } from "./field.ts";
 import { LEAST_INFEED, MOST_INFEED, MOST_PASSES_OFFERED, SETTERS_INFEEDS, typable } from "./typable.ts";
 
-/** What a cycle says to values, and how many moves it took to say it. `passes`: of its roughing; null where no path was planned. */
+/**
+ * What a cycle says to values, and how many moves it took to say it. `passes`: of its roughing; null where no path was
+ * planned.
+ */
 export interface Judgement {
   readonly issues: readonly Issue[];
   readonly moves: number;
@@ -19,8 +22,8 @@ export interface Judgement {
 export type Judge<P extends Params> = (values: Values<P>, start?: Pt) => Judgement;
 
 /**
- * Asks a cycle about values: what its outline says and, with a setting, what its plan says; a contour that can not be is said
- * without a path. Null where a contour of a subprogram is missing.
+ * Asks a cycle about values: what its outline says and, with a setting, what its plan says; a contour that can not be
+ * is said without a path. Null where a contour of a subprogram is missing.
  */
 export function judgeOf<P extends Params>(cycle: Cycle<P>, setting: Setting | null, given: Given): Judge<P> | null {
   if (cycle.contour === "free" && given.contour === null) return null;
@@ -64,7 +67,9 @@ function smallestInfeed(param: Param, works: Works): number | null {
 function search(param: Param, offer: number, from: number | null, works: Works): number | null {
   const kept = gridOf(param);
   if (param.choices) {
-    const others = [...param.choices].filter((each) => each !== from).sort((a, b) => Math.abs(a - offer) - Math.abs(b - offer));
+    const others = [...param.choices]
+      .filter((each) => each !== from)
+      .sort((a, b) => Math.abs(a - offer) - Math.abs(b - offer));
     return others.find((each) => works(each) === true) ?? null;
   }
   const first = kept(offer);
@@ -72,12 +77,13 @@ function search(param: Param, offer: number, from: number | null, works: Works):
   if (DIVIDES.has(param.shown) && from !== null && from < first)
     return first >= LEAST_INFEED && works(first) ? typed(first, 1) : smallestInfeed(param, works);
   const way = Math.sign(first - (from ?? first)) || -1;
-  if (DIVIDES.has(param.shown) && first > MOST_INFEED) return SETTERS_INFEEDS.find((size) => works(size) === true) ?? null;
+  if (DIVIDES.has(param.shown) && first > MOST_INFEED)
+    return SETTERS_INFEEDS.find((size) => works(size) === true) ?? null;
   const verdict = works(first);
   if (verdict !== false) return verdict ? typed(first, way) : null;
   for (const direction of [way, -way]) {
     let bad = first;
-    for (let d = 1 / 10 ** param.decimals;; d *= STRIDE) {
+    for (let d = 1 / 10 ** param.decimals; ; d *= STRIDE) {
       const probe = kept(first + direction * d);
       if (probe === bad) break;
       const good = works(probe);
@@ -112,14 +118,17 @@ const BY_SIGN: ReadonlySet<Issue["code"]> = new Set<Issue["code"]>(["outOfRange"
 
 /** The value with the other sign, where that is what may have been meant. */
 function otherSign({ code, data }: Issue): number | null {
-  return BY_SIGN.has(code) && "value" in data && typeof data.value === "number" && data.value !== 0 ? -data.value : null;
+  return BY_SIGN.has(code) && "value" in data && typeof data.value === "number" && data.value !== 0
+    ? -data.value
+    : null;
 }
 
 /**
- * Every value that a finding offers for a parameter is tried before it is offered: rounded to what somebody would type, it must
- * remove the finding and bring no new error. Where it does not, the nearest value that does is looked for, and where there is none
- * the finding offers nothing. A dimension of the drawing is never offered, only its other sign where that of the value is impossible.
- * `kept` holds the values that can be used; while others are missing only the range can be tried.
+ * Every value that a finding offers for a parameter is tried before it is offered: rounded to what somebody would type,
+ * it must remove the finding and bring no new error. Where it does not, the nearest value that does is looked for, and
+ * where there is none the finding offers nothing. A dimension of the drawing is never offered, only its other sign
+ * where that of the value is impossible. `kept` holds the values that can be used; while others are missing only the
+ * range can be tried.
  */
 export function triedOffers<P extends Params>(
   params: P,
@@ -142,7 +151,10 @@ export function triedOffers<P extends Params>(
       if (moves > MOST_MOVES) return null;
       const judged = judge({ ...kept, [q]: value } as unknown as Values<P>);
       moves += judged.moves + 1;
-      return mends(each, found, judged.issues) && (!divides || (judged.passes !== null && judged.passes <= MOST_PASSES_OFFERED));
+      return (
+        mends(each, found, judged.issues) &&
+        (!divides || (judged.passes !== null && judged.passes <= MOST_PASSES_OFFERED))
+      );
     };
     const sign = otherSign(each);
     if (sign !== null && works(sign)) return withOffer(each, sign);
@@ -153,7 +165,8 @@ export function triedOffers<P extends Params>(
   /** A diameter or a Z of the start point. */
   const triedStart = (each: Issue, offer: number): Issue => {
     const isX = each.at === "start.x";
-    if (!judge || !start || !(isX || each.at === "start.z") || !Object.keys(params).every((name) => name in kept)) return each;
+    if (!judge || !start || !(isX || each.at === "start.z") || !Object.keys(params).every((name) => name in kept))
+      return each;
     const other = isX ? { ...start, r: toRadius(diameter(offer)) } : { ...start, z: axial(offer) };
     return withOffer(each, mends(each, found, judge(kept as unknown as Values<P>, other).issues) ? offer : null);
   };

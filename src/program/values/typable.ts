@@ -18,6 +18,6 @@ const SHARE = 0.05;
 
 /** Values near to one that works, rounded up (1) or down (-1) to what a setter would type, the roundest first. */
 export const typable = (value: number, way: number): readonly number[] =>
-  STEPS.map((step) => rounded(step * (way > 0 ? Math.ceil(value / step - DUST) : Math.floor(value / step + DUST))) + 0).filter((each) =>
-    Math.abs(each - value) <= SHARE * Math.abs(value)
-  );
+  STEPS.map(
+    (step) => rounded(step * (way > 0 ? Math.ceil(value / step - DUST) : Math.floor(value / step + DUST))) + 0,
+  ).filter((each) => Math.abs(each - value) <= SHARE * Math.abs(value));

@@ -47,7 +47,9 @@ export function feedAsTyped(feed: FeedWord | null | undefined): string {
   return (feed.unit === "F" ? "" : feed.unit) + valueAsTyped(feed.value);
 }
 
-/** A typed feed: empty, FMAX, FAUTO, a number, or with F, FU or FZ in front of it; undefined where it can not be read. */
+/**
+ * A typed feed: empty, FMAX, FAUTO, a number, or with F, FU or FZ in front of it; undefined where it can not be read.
+ */
 export function typedFeed(typed: string): FeedWord | null | undefined {
   const text = typed.trim();
   if (text === "") return null;

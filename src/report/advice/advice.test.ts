@@ -56,7 +56,8 @@ const calm: Advised = {
   material,
   table: usualTable,
 };
-const codes = (change: Partial<Advised>) => advise({ ...calm, ...change }).map(({ code, at, better }) => `${code} ${at} ${String(better)}`);
+const codes = (change: Partial<Advised>) =>
+  advise({ ...calm, ...change }).map(({ code, at, better }) => `${code} ${at} ${String(better)}`);
 
 test("calm values get no advice; each rule speaks on its own", () => {
   expect(codes({})).toEqual([]);
@@ -74,7 +75,14 @@ test("the spindle of the machine bears what its power and its torque give where 
   expect(codes({ machine: { most: 4000, power: 4.3 } })).toEqual(["power Q463 1.801"]);
   expect(codes({ machine: { most: 4000, power: 11 }, table: { ...usualTable, power: 4.3 } })).toEqual([]);
   // 187 m/min at ⌀61.3 are 971 rpm: 42.3 Nm give 4.3 kW there, 55 Nm 5.6 kW.
-  const flat = (torque: number) => ({ most: 4000, power: 11, torque: [{ speed: 0, torque }, { speed: 4000, torque }] });
+  const flat = (torque: number) => ({
+    most: 4000,
+    power: 11,
+    torque: [
+      { speed: 0, torque },
+      { speed: 4000, torque },
+    ],
+  });
   expect(codes({ machine: flat(42.3) })).toEqual(["power Q463 1.801"]);
   expect(codes({ machine: flat(55) })).toEqual([]);
   expect(codes({ machine: flat(55), largest: 97.3 })).toEqual(["power Q463 1.475"]);
@@ -85,8 +93,14 @@ test("what is not known is not judged: feeds a minute, FAUTO, a round spindle sp
   expect(codes({ values: loud, perRevolution: false, depth: 2.07 })).toEqual([]);
   expect(codes({ values: { Q463: 2.1, Q478: "auto", Q505: "auto" } })).toEqual([]);
   expect(codes({ spindle: { kind: "constant", speed: 800 }, table: { ...usualTable, power: 1 } })).toEqual([]);
-  expect(codes({ tool: { ...tool, TYPE: "RECESS", CUTWIDTH: length(3) }, values: loud, depth: 3.9, table: { ...usualTable, power: 99 } }))
-    .toEqual([]);
+  expect(
+    codes({
+      tool: { ...tool, TYPE: "RECESS", CUTWIDTH: length(3) },
+      values: loud,
+      depth: 3.9,
+      table: { ...usualTable, power: 99 },
+    }),
+  ).toEqual([]);
 });
 
 test("a shop's table is read back as it was written, and anything else is refused", () => {

@@ -39,7 +39,12 @@ interface AdviceData {
   /** kW */
   readonly power: { readonly power: number; readonly most: number; readonly speed: number };
   /** Below this diameter the speed limit ends the constant cutting speed; what is left of it at the smallest one. */
-  readonly speedLimited: { readonly limit: number; readonly heldTo: number; readonly smallest: number; readonly left: number };
+  readonly speedLimited: {
+    readonly limit: number;
+    readonly heldTo: number;
+    readonly smallest: number;
+    readonly left: number;
+  };
   readonly noLimit: { readonly speed: number };
   readonly speedFar: { readonly speed: number; readonly usual: number };
 }
@@ -47,7 +52,12 @@ export type AdviceCode = keyof AdviceData;
 
 /** One piece of advice. `at` is the Q that it stands at, or the spindle; `better` the value that would do. */
 export type Advice = {
-  [C in AdviceCode]: { readonly code: C; readonly at: string; readonly data: AdviceData[C]; readonly better: number | null };
+  [C in AdviceCode]: {
+    readonly code: C;
+    readonly at: string;
+    readonly data: AdviceData[C];
+    readonly better: number | null;
+  };
 }[AdviceCode];
 
 /** The place of advice on the spindle. */
@@ -64,32 +74,48 @@ const qOf = ({ params }: Advised["cycle"], topic: Topic): string | null =>
 const positive = (value: number | "auto" | undefined): value is number => typeof value === "number" && value > 0;
 
 function ofEdge({ cycle, tool, depth, values }: Advised): readonly Advice[] {
-  const at = qOf(cycle, "infeed"), edge = cutLength(tool);
+  const at = qOf(cycle, "infeed"),
+    edge = cutLength(tool);
   if (at === null || edge === undefined || isBar(tool) || !positive(values[at])) return [];
   const most = edge * EDGE_USED;
   return depth > most ? [{ code: "depthOverEdge", at, data: { depth, edge, most }, better: roundedDown(most) }] : [];
 }
 
 function ofFeed({ cycle, tool, values, perRevolution }: Advised): readonly Advice[] {
-  const at = qOf(cycle, "roughingFeed"), nose = noseRadius(tool), feed = at === null ? undefined : values[at];
+  const at = qOf(cycle, "roughingFeed"),
+    nose = noseRadius(tool),
+    feed = at === null ? undefined : values[at];
   if (at === null || !perRevolution || isBar(tool) || nose === 0 || !positive(feed)) return [];
   const most = nose * FEED_OF_NOSE;
   return feed > most ? [{ code: "feedOverNose", at, data: { feed, nose, most }, better: roundedDown(most) }] : [];
 }
 
 function ofSurface({ cycle, tool, values, perRevolution }: Advised): readonly Advice[] {
-  const at = qOf(cycle, "finishingFeed"), nose = noseRadius(tool), feed = at === null ? undefined : values[at];
+  const at = qOf(cycle, "finishingFeed"),
+    nose = noseRadius(tool),
+    feed = at === null ? undefined : values[at];
   if (at === null || !perRevolution || isBar(tool) || nose === 0 || !positive(feed)) return [];
   const rz = rzByRule(feed, nose);
   if (rz <= ROUGH_RZ) return [];
-  return [{ code: "rough", at, data: { rz, feed, nose, wanted: USUAL_RZ }, better: Number(feedForRz(USUAL_RZ, nose).toFixed(2)) }];
+  return [
+    {
+      code: "rough",
+      at,
+      data: { rz, feed, nose, wanted: USUAL_RZ },
+      better: Number(feedForRz(USUAL_RZ, nose).toFixed(2)),
+    },
+  ];
 }
 
 function ofPower(asked: Advised): readonly Advice[] {
   const { cycle, tool, spindle, values, perRevolution, material, table, depth, machine, largest } = asked;
-  const at = qOf(cycle, "infeed"), feedAt = qOf(cycle, "roughingFeed"), feed = feedAt === null ? undefined : values[feedAt];
-  if (at === null || !perRevolution || spindle?.kind !== "surface" || !positive(feed) || cycle.group === "thread") return [];
-  const lead = radians(isBar(tool) ? LEAD : tool["T-ANGLE"] ?? LEAD), speed = spindle.cuttingSpeed;
+  const at = qOf(cycle, "infeed"),
+    feedAt = qOf(cycle, "roughingFeed"),
+    feed = feedAt === null ? undefined : values[feedAt];
+  if (at === null || !perRevolution || spindle?.kind !== "surface" || !positive(feed) || cycle.group === "thread")
+    return [];
+  const lead = radians(isBar(tool) ? LEAD : (tool["T-ANGLE"] ?? LEAD)),
+    speed = spindle.cuttingSpeed;
   const power = cuttingPower(material, depth, feed, speed, lead);
   const slowest = machine && speedAt(withinLimit(spindle, machine.most), toRadius(diameter(largest)));
   const most = (machine && slowest !== null ? powerAt(machine, slowest) : null) ?? table.power;
@@ -104,20 +130,30 @@ function ofSpindle({ spindle, smallest, material }: Advised): readonly Advice[] 
   const far = speed > material.roughSpeed * FAR || speed * FAR < material.roughSpeed;
   const held = limit > 0 ? heldDownTo(speed, limit) : 0;
   return [
-    ...(far ? [{ code: "speedFar", at: SPINDLE, data: { speed, usual: material.roughSpeed }, better: material.roughSpeed } as const] : []),
+    ...(far
+      ? [
+          {
+            code: "speedFar",
+            at: SPINDLE,
+            data: { speed, usual: material.roughSpeed },
+            better: material.roughSpeed,
+          } as const,
+        ]
+      : []),
     ...(limit > 0 ? [] : [{ code: "noLimit", at: SPINDLE, data: { speed }, better: null } as const]),
     ...(smallest < held
       ? [
-        {
-          code: "speedLimited",
-          at: SPINDLE,
-          data: { limit, heldTo: rounded(held), smallest, left: (speed * smallest) / held },
-          better: null,
-        } as const,
-      ]
+          {
+            code: "speedLimited",
+            at: SPINDLE,
+            data: { limit, heldTo: rounded(held), smallest, left: (speed * smallest) / held },
+            better: null,
+          } as const,
+        ]
       : []),
   ];
 }
 
 /** What is risky about the values of a cycle, by rules of the trade: never more than a remark. */
-export const advise = (asked: Advised): readonly Advice[] => [ofEdge, ofFeed, ofSurface, ofPower, ofSpindle].flatMap((rule) => rule(asked));
+export const advise = (asked: Advised): readonly Advice[] =>
+  [ofEdge, ofFeed, ofSurface, ofPower, ofSpindle].flatMap((rule) => rule(asked));

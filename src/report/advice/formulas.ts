@@ -1,9 +1,12 @@
 /*
- * Rules of the trade as plain formulas (decision 0032 names their sources). What comes of them are estimates: they know neither the
- * coating of an insert nor the machine. Lengths mm, feeds mm a turn, speeds m/min, forces N, power kW.
+ * Rules of the trade as plain formulas (decision 0032 names their sources). What comes of them are estimates: they know
+ * neither the coating of an insert nor the machine. Lengths mm, feeds mm a turn, speeds m/min, forces N, power kW.
  */
 
-/** Coefficients of a material after Kienzle: force for 1 mm² of a chip 1 mm thick, N/mm², and how it grows for thin ones. */
+/**
+ * Coefficients of a material after Kienzle: force for 1 mm² of a chip 1 mm thick, N/mm², and how it grows for thin
+ * ones.
+ */
 export interface Kienzle {
   readonly kc11: number;
   readonly mc: number;
@@ -23,7 +26,10 @@ export const heldDownTo = (speed: number, limit: number): number => (MM * speed)
 /** Specific cutting force at a chip thickness, N/mm²: kc = kc1.1 · h^−mc. */
 export const specificForce = ({ kc11, mc }: Kienzle, thickness: number): number => kc11 * thickness ** -mc;
 
-/** Force along the cut, N: depth times feed times the specific force at h = f · sin κ. `lead`: angle of the edge to the path, rad. */
+/**
+ * Force along the cut, N: depth times feed times the specific force at h = f · sin κ. `lead`: angle of the edge to the
+ * path, rad.
+ */
 export const cuttingForce = (of: Kienzle, depth: number, feed: number, lead = right): number =>
   depth * feed * specificForce(of, feed * Math.sin(lead));
 

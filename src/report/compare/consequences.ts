@@ -26,10 +26,14 @@ export interface Ran {
 }
 
 /**
- * The effects of each operation that a text defines, by its place in it; -1: of what belongs to none. `file` is that of a called
- * program, null for the one that runs.
+ * The effects of each operation that a text defines, by its place in it; -1: of what belongs to none. `file` is that of
+ * a called program, null for the one that runs.
  */
-export function effectsByUnit({ run, simulation }: Ran, program: Program, file: string | null): ReadonlyMap<number, Effects> {
+export function effectsByUnit(
+  { run, simulation }: Ran,
+  program: Program,
+  file: string | null,
+): ReadonlyMap<number, Effects> {
   const lines = startLines(program);
   const all = operationsOf(program);
   const unitOf = (line: number): number => {

@@ -17,13 +17,18 @@ import type { Simulation } from "../../sim/simulation.ts";
 import { demonstrate, type Demonstrated } from "./demonstrate.ts";
 import { makesPath, type RanProgram } from "./shown-effect.ts";
 
-/** Runs of a cycle that its prompts share, by the values that stand in it: most are shown with the example itself among them. */
+/**
+ * Runs of a cycle that its prompts share, by the values that stand in it: most are shown with the example itself among
+ * them.
+ */
 const made = new Map<string, RanProgram>();
 
 /** A run whose stock is cut only where somebody looks at it: of most values plan and time say enough. */
 function ran(cycle: Cycle, values: Readonly<Record<string, number | "auto">>): RanProgram {
   const job = exampleJob(cycle);
-  const typed = Object.fromEntries(Object.entries(values).map(([q, value]) => [q, value === "auto" ? "FAUTO" : String(value)]));
+  const typed = Object.fromEntries(
+    Object.entries(values).map(([q, value]) => [q, value === "auto" ? "FAUTO" : String(value)]),
+  );
   const drafts = { [cycle.number]: { ...job.drafts[cycle.number], ...typed } };
   const text = printJob({ ...job, drafts }, ncLabels("en"));
   const known = made.get(text);
@@ -33,7 +38,7 @@ function ran(cycle: Cycle, values: Readonly<Record<string, number | "auto">>): R
   const outcome: RanProgram = {
     run: planned,
     get simulation() {
-      return cut ??= simulate(planned);
+      return (cut ??= simulate(planned));
     },
   };
   made.set(text, outcome);
@@ -42,7 +47,9 @@ function ran(cycle: Cycle, values: Readonly<Record<string, number | "auto">>): R
 
 function shown(cycle: Cycle, q: string): Promise<Demonstrated<RanProgram> | null> {
   const job = exampleJob(cycle);
-  const values = Object.fromEntries(Object.entries(job.drafts[cycle.number] ?? {}).map(([name, text]) => [name, Number(text)]));
+  const values = Object.fromEntries(
+    Object.entries(job.drafts[cycle.number] ?? {}).map(([name, text]) => [name, Number(text)]),
+  );
   const { segments } = readRows(job.contour).contour;
   const given = {
     contour: cycle.contour === "free" ? segments : null,
@@ -51,33 +58,57 @@ function shown(cycle: Cycle, q: string): Promise<Demonstrated<RanProgram> | null
   return demonstrate({ cycle, q, values, given }, (changed) => Promise.resolve(ran(cycle, changed)));
 }
 
-/** What cannot be seen in any situation of its cycle: how many of its values look like another one, and the reason its page gives. */
-const ALIKE: Readonly<Record<string, Topic>> = { "815 Q486": "cuttingLines", "840 Q499": "reverse", "850 Q499": "reverse" };
+/**
+ * What cannot be seen in any situation of its cycle: how many of its values look like another one, and the reason its
+ * page gives.
+ */
+const ALIKE: Readonly<Record<string, Topic>> = {
+  "815 Q486": "cuttingLines",
+  "840 Q499": "reverse",
+  "850 Q499": "reverse",
+};
 /** Choices that the tool or the start point of the example does not allow: their cards say what is wrong. */
-const REFUSED: readonly string[] = ["810 Q499", "815 Q499", "820 Q499", "830 Q461", "830 Q471", "831 Q471", "832 Q461", "832 Q471"];
+const REFUSED: readonly string[] = [
+  "810 Q499",
+  "815 Q499",
+  "820 Q499",
+  "830 Q461",
+  "830 Q471",
+  "831 Q471",
+  "832 Q461",
+  "832 Q471",
+];
 
-describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("the pages of cycle %i", (number, cycle) => {
-  const asked = Object.entries(cycle.params).filter(([, param]) => !param.reserved);
-  test.each(asked)("%s is shown at values that can be told from each other", async (q, param) => {
-    const found = await shown(cycle, q);
-    const name = `${number} ${q}`;
-    expect(found?.ran.length).toBe(param.choices?.length ?? 3);
-    expect(found?.ran.filter(({ isUsual }) => isUsual).length).toBe(1);
-    expect(found?.ran.every(({ outcome }) => makesPath(outcome))).toBe(!REFUSED.includes(name));
-    expect(found?.unseen).toBe(name in ALIKE ? 1 : 0);
-    const reason = ALIKE[name];
-    if (reason) expect([param.shown, guide.values.alike[reason as keyof typeof guide.values.alike]]).toEqual([reason, expect.any(String)]);
-    const values = found?.ran.map(({ value }) => Number(value)) ?? [];
-    const rising = values.toSorted((a, b) => a - b);
-    if (!param.choices) expect([rising, rising.toReversed()]).toContainEqual(values);
-  });
-});
+describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))(
+  "the pages of cycle %i",
+  (number, cycle) => {
+    const asked = Object.entries(cycle.params).filter(([, param]) => !param.reserved);
+    test.each(asked)("%s is shown at values that can be told from each other", async (q, param) => {
+      const found = await shown(cycle, q);
+      const name = `${number} ${q}`;
+      expect(found?.ran.length).toBe(param.choices?.length ?? 3);
+      expect(found?.ran.filter(({ isUsual }) => isUsual).length).toBe(1);
+      expect(found?.ran.every(({ outcome }) => makesPath(outcome))).toBe(!REFUSED.includes(name));
+      expect(found?.unseen).toBe(name in ALIKE ? 1 : 0);
+      const reason = ALIKE[name];
+      if (reason)
+        expect([param.shown, guide.values.alike[reason as keyof typeof guide.values.alike]]).toEqual([
+          reason,
+          expect.any(String),
+        ]);
+      const values = found?.ran.map(({ value }) => Number(value)) ?? [];
+      const rising = values.toSorted((a, b) => a - b);
+      if (!param.choices) expect([rising, rising.toReversed()]).toContainEqual(values);
+    });
+  },
+);
 
 test("a limit lies through the contour, from the side of the start point, and the other one out of its way", async () => {
   const found = await shown(cuttingCycles.find(({ number }) => number === 820) as Cycle, "Q480");
   // The printed contour lies between X20 and X75, its lowest point at Z-24.1; the tool stands at X75 Z2.
   expect(found?.needed).toMatchObject({ Q479: 1, Q482: expect.closeTo(-26.1, 1) as number });
-  const passes = found?.ran.map(({ outcome }) => outcome.run.steps.filter(({ move }) => move.pass !== undefined).length) ?? [];
+  const passes =
+    found?.ran.map(({ outcome }) => outcome.run.steps.filter(({ move }) => move.pass !== undefined).length) ?? [];
   expect(passes.every((count) => count > 0)).toBe(true);
   for (const { value } of found?.ran ?? []) expect(value).toSatisfy((x: number) => x > 20 && x < 75);
 });

@@ -36,7 +36,9 @@ function looksDifferent(a: RanProgram, b: RanProgram): boolean {
   if (passes(a) !== passes(b) || Math.abs(a.run.seconds - b.run.seconds) >= LEAST_SEEN.seconds) return true;
   if (waysApart(a.run, b.run) >= LEAST_SEEN.way) return true;
   const { part, residual, rz } = shownChange(a, b);
-  return part >= LEAST_SEEN.area || Math.abs(residual) >= LEAST_SEEN.area || (rz !== null && Math.abs(rz) >= LEAST_SEEN.rz);
+  return (
+    part >= LEAST_SEEN.area || Math.abs(residual) >= LEAST_SEEN.area || (rz !== null && Math.abs(rz) >= LEAST_SEEN.rz)
+  );
 }
 
 /** What is wrong with a value that makes no path. */
@@ -52,7 +54,9 @@ const differs = (a: RanProgram, b: RanProgram): boolean => {
 function between(usual: number | "auto", decimals: number, ran: readonly ValueRun<unknown>[]): readonly number[] {
   if (usual === "auto") return [];
   const others = ran.flatMap(({ value }) => (value === "auto" || value === usual ? [] : [value]));
-  return SHARES.flatMap((share) => others.map((value) => rounded(Number((usual + share * (value - usual)).toFixed(decimals)))));
+  return SHARES.flatMap((share) =>
+    others.map((value) => rounded(Number((usual + share * (value - usual)).toFixed(decimals)))),
+  );
 }
 /** Of the way from the usual value to another one. */
 const SHARES = [0.5, 1.5, 0.25, 0.1];
@@ -69,7 +73,10 @@ async function shownIn<R extends RanProgram>(
 ): Promise<Demonstrated<R> | null> {
   const param = cycle.params[q];
   if (!param) return null;
-  const { choices, range: [min, max] } = param;
+  const {
+    choices,
+    range: [min, max],
+  } = param;
   const usual = set ?? needed[q] ?? own[q] ?? param.example;
   const outcomes = new Map<number | "auto", R | null>();
   const at = async (value: number | "auto"): Promise<R | null> => {
@@ -99,23 +106,26 @@ async function shownIn<R extends RanProgram>(
   const wanted = choices ? values.length : THREE;
   if (!choices && ran.length < wanted) {
     for (const value of between(usual, finestOf(param), ran))
-      if (ran.length < wanted && value >= min && value <= max && await take([value])) unseen.shift();
+      if (ran.length < wanted && value >= min && value <= max && (await take([value]))) unseen.shift();
   }
   const missing = unseen.slice(0, wanted - ran.length);
   const order = ({ value }: ValueRun<R>) => values.findIndex(({ tried }) => tried.includes(value));
   const number = ({ value }: ValueRun<R>) => (value === "auto" ? 0 : value);
   const isFalling = typeof usual === "number" && usual < 0;
   const inOrder = [...ran, ...missing].toSorted((a, b) =>
-    choices || usual === "auto" ? order(a) - order(b) : (number(a) - number(b)) * (isFalling ? -1 : 1)
+    choices || usual === "auto" ? order(a) - order(b) : (number(a) - number(b)) * (isFalling ? -1 : 1),
   );
   return { usual, needed, ran: inOrder, unseen: missing.length };
 }
 
 /**
- * Runs a cycle with the values that show a parameter, in the first situation in which each of them can be told from the others; else in
- * the one in which most can. Null where none makes a path. `run` runs it with some values changed.
+ * Runs a cycle with the values that show a parameter, in the first situation in which each of them can be told from the
+ * others; else in the one in which most can. Null where none makes a path. `run` runs it with some values changed.
  */
-export async function demonstrate<R extends RanProgram>(asked: ShownPrompt, run: Ran<R>): Promise<Demonstrated<R> | null> {
+export async function demonstrate<R extends RanProgram>(
+  asked: ShownPrompt,
+  run: Ran<R>,
+): Promise<Demonstrated<R> | null> {
   let best: Demonstrated<R> | null = null;
   for (const situation of situationsOf(asked.cycle, asked.q, asked.values, asked.given)) {
     const shown = await shownIn(asked, situation, run);

@@ -60,9 +60,10 @@ test("what a corner radius changes is seen from near, and the rule of the nose t
   const [usual, round] = [ran(812), ran(812, { Q500: "5.3" })];
   // A fillet of r leaves (1 − π/4)·r² in a right corner; here the surface leans by 5 degrees.
   expect(shownChange(round, usual).part).toBeGreaterThan(0.8 * (1 - Math.PI / 4) * (5.3 ** 2 - 1.5 ** 2));
-  const near = shownBox([usual, round]), far = shownBox([usual, ran(812, { Q463: "1.3" })]);
+  const near = shownBox([usual, round]),
+    far = shownBox([usual, ran(812, { Q463: "1.3" })]);
   expect(near.right - near.left).toBeLessThan((far.right - far.left) / 4);
-  expect(shownEffect(ran(812, { Q505: "0.17" })).rz).toBeCloseTo(1000 * 0.17 ** 2 / (8 * 0.8), 2);
+  expect(shownEffect(ran(812, { Q505: "0.17" })).rz).toBeCloseTo((1000 * 0.17 ** 2) / (8 * 0.8), 2);
 });
 
 test("each numbered step has its piece, and the repeating one all further rounds", () => {
@@ -76,8 +77,14 @@ test("each numbered step has its piece, and the repeating one all further rounds
     if (of === "rough" && number === 5) expect(new Set(moves.map(({ pass }) => pass)).size).toBeGreaterThan(3);
     else expect(moves.every((move) => move.run === of && move.step === number)).toBe(true);
   }
-  expect(pieces.map(({ piece }) => piece?.from ?? -1)).toEqual(pieces.map(({ piece }) => piece?.from ?? -1).toSorted((a, b) => a - b));
-  expect(stepPieces(cycle(852), ran(852).run.steps, 0).filter(({ piece }) => !piece).map(({ number }) => number)).toEqual([3, 4, 5, 6]);
+  expect(pieces.map(({ piece }) => piece?.from ?? -1)).toEqual(
+    pieces.map(({ piece }) => piece?.from ?? -1).toSorted((a, b) => a - b),
+  );
+  expect(
+    stepPieces(cycle(852), ran(852).run.steps, 0)
+      .filter(({ piece }) => !piece)
+      .map(({ number }) => number),
+  ).toEqual([3, 4, 5, 6]);
 });
 
 test("a piece begins at its first move, ends behind its last one and never goes back", () => {
@@ -85,7 +92,9 @@ test("a piece begins at its first move, ends behind its last one and never goes 
   for (const { piece } of stepPieces(cycle(820), steps, 0)) {
     if (!piece) continue;
     const time = pieceTime(steps, piece);
-    const places = Array.from({ length: 24 }, (_, i) => time.at((i * time.lasts) / 23)).map(({ step, fraction }) => step + fraction);
+    const places = Array.from({ length: 24 }, (_, i) => time.at((i * time.lasts) / 23)).map(
+      ({ step, fraction }) => step + fraction,
+    );
     expect(places[0]).toBe(piece.from);
     expect(places.at(-1)).toBe(piece.to);
     expect(places).toEqual(places.toSorted((a, b) => a - b));
@@ -96,9 +105,13 @@ test("a step in which a value acts is one of its cycle, and every value that is 
   const wrong = catalogue.flatMap((each) =>
     Object.entries(each.params).flatMap(([q, param]) => {
       const { rough, finish } = actsIn(each, param);
-      const beyond = [...rough.map((n) => n > each.steps.rough), ...finish.map((n) => n > each.steps.finish)].some(Boolean);
-      return beyond || (!each.acts && !param.reserved && rough.length + finish.length === 0) ? [`${each.number} ${q}`] : [];
-    })
+      const beyond = [...rough.map((n) => n > each.steps.rough), ...finish.map((n) => n > each.steps.finish)].some(
+        Boolean,
+      );
+      return beyond || (!each.acts && !param.reserved && rough.length + finish.length === 0)
+        ? [`${each.number} ${q}`]
+        : [];
+    }),
   );
   expect(wrong).toEqual([]);
 });

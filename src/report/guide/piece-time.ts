@@ -18,19 +18,26 @@ export interface PieceTime {
 }
 
 /** Time for a piece of a run, long pieces faster than short ones. */
-export function pieceTime(steps: readonly Pick<Step, "from" | "move">[], { from, to }: NonNullable<StepPiece["piece"]>): PieceTime {
+export function pieceTime(
+  steps: readonly Pick<Step, "from" | "move">[],
+  { from, to }: NonNullable<StepPiece["piece"]>,
+): PieceTime {
   let whole = 0;
-  const ends = steps.slice(from, to).map((step) =>
-    whole += travelOf(pathOf(step.from, step.move)) / (step.move.kind === "rapid" ? SHOWN.rapid : SHOWN.feed)
-  );
+  const ends = steps
+    .slice(from, to)
+    .map(
+      (step) =>
+        (whole += travelOf(pathOf(step.from, step.move)) / (step.move.kind === "rapid" ? SHOWN.rapid : SHOWN.feed)),
+    );
   const lasts = Math.min(LONGEST, Math.max(SHORTEST, whole));
   return {
     lasts,
     at(seconds) {
-      const sought = Math.max(0, seconds) / lasts * whole;
+      const sought = (Math.max(0, seconds) / lasts) * whole;
       const index = ends.findIndex((end) => end > sought);
       if (index < 0) return { step: to, fraction: 0 };
-      const begun = ends[index - 1] ?? 0, length = (ends[index] ?? begun) - begun;
+      const begun = ends[index - 1] ?? 0,
+        length = (ends[index] ?? begun) - begun;
       return { step: from + index, fraction: length > 0 ? (sought - begun) / length : 0 };
     },
   };

@@ -49,12 +49,13 @@ const WEIGHT = { error: 0, warning: 1, info: 2 } as const;
 
 /** True when a program has a path and nothing that the control would refuse. */
 export const makesPath = ({ run }: Pick<RanProgram, "run">): boolean =>
-  run.operations.some(({ plan }) => plan.moves.length > 0) && run.issues.every(({ issue }) => issue.severity !== "error");
+  run.operations.some(({ plan }) => plan.moves.length > 0) &&
+  run.issues.every(({ issue }) => issue.severity !== "error");
 
 /** The numbers of a run. */
 export function shownEffect({ run, simulation }: RanProgram): ShownEffect {
-  const heights = roughnessOf(simulation.final, run.steps, run.spindles).flatMap(
-    ({ by, rz }) => (by === "nose" && rz !== null ? [rz] : [])
+  const heights = roughnessOf(simulation.final, run.steps, run.spindles).flatMap(({ by, rz }) =>
+    by === "nose" && rz !== null ? [rz] : [],
   );
   return {
     passes: run.operations.reduce((sum, { plan }) => sum + plan.passes, 0),
@@ -62,15 +63,19 @@ export function shownEffect({ run, simulation }: RanProgram): ShownEffect {
     seconds: run.seconds,
     residual: simulation.proof.residual.reduce((sum, { area }) => sum + area, 0),
     rz: heights.length > 0 ? Math.max(...heights) : null,
-    issues: run.issues.map(({ issue }) => issue).filter(({ severity }) => severity !== "info").sort((a, b) =>
-      WEIGHT[a.severity] - WEIGHT[b.severity]
-    ),
+    issues: run.issues
+      .map(({ issue }) => issue)
+      .filter(({ severity }) => severity !== "info")
+      .sort((a, b) => WEIGHT[a.severity] - WEIGHT[b.severity]),
   };
 }
 
 /** Where two parts differ, slivers of rounding left out. */
 export const differing = (a: RanProgram, b: RanProgram): readonly Ring[] =>
-  opened([...difference(a.simulation.final, b.simulation.final), ...difference(b.simulation.final, a.simulation.final)], SLIVER);
+  opened(
+    [...difference(a.simulation.final, b.simulation.final), ...difference(b.simulation.final, a.simulation.final)],
+    SLIVER,
+  );
 
 /** What one run changes against another. */
 export function shownChange(a: RanProgram, b: RanProgram): ShownChange {
@@ -91,18 +96,23 @@ const LEAST = 8;
 const ROUND_IT = 0.14;
 
 /**
- * The box of the part that all pictures of a parameter show: where the parts differ, or else the ways of the tool, or else where it cuts.
- * mm, half plane.
+ * The box of the part that all pictures of a parameter show: where the parts differ, or else the ways of the tool, or
+ * else where it cuts. mm, half plane.
  */
 export function shownBox(all: readonly RanProgram[]): Box {
   const [first] = all;
   const differs = first ? all.flatMap((ran) => differing(ran, first)) : [];
   const cuts = all.flatMap(({ run }) =>
-    run.steps.flatMap(({ from, move, operation }) => operation !== null && move.kind !== "rapid" ? [from, move.to] : [])
+    run.steps.flatMap(({ from, move, operation }) =>
+      operation !== null && move.kind !== "rapid" ? [from, move.to] : [],
+    ),
   );
-  const ways = first && differs.length === 0 ? all.flatMap(({ run }) => [...ownWays(run, first.run), ...ownWays(first.run, run)]) : [];
+  const ways =
+    first && differs.length === 0
+      ? all.flatMap(({ run }) => [...ownWays(run, first.run), ...ownWays(first.run, run)])
+      : [];
   const points = ways.length > 0 ? ways : cuts;
-  const rings = differs.length > 0 ? differs : points.length > 0 ? [points] : first?.run.blank ?? [];
+  const rings = differs.length > 0 ? differs : points.length > 0 ? [points] : (first?.run.blank ?? []);
   const box = boxAround(rings);
   const size = Math.max(box.right - box.left, box.high - box.low, LEAST);
   const grown = (low: number, high: number): readonly [number, number] => {

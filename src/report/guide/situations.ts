@@ -36,7 +36,11 @@ const withTopic = ({ params }: Pick<Cycle, "params">, topic: Topic) =>
 
 /** Limits across the contour of a cycle, from the side on which the tool stands at the call; null where it has none. */
 function limitsOver(cycle: Cycle, values: Known, given: Given) {
-  const [switched, across, along] = [withTopic(cycle, "limits"), withTopic(cycle, "limitDiameter"), withTopic(cycle, "limitZ")];
+  const [switched, across, along] = [
+    withTopic(cycle, "limits"),
+    withTopic(cycle, "limitDiameter"),
+    withTopic(cycle, "limitZ"),
+  ];
   const { contour } = cycle.outline({ ...values, ...(switched && { [switched]: 0 }) } as never, given);
   if (!switched || !across || !along || !given.start || contour.length === 0) return null;
   const box = boxOf(contour.flatMap(({ from, to }) => [from, to]));
@@ -65,17 +69,19 @@ function limitSituations(cycle: Cycle, q: string, values: Known, given: Given): 
   if (q !== shown.q) return [];
   const inOrder = LIMITS_AT.map((share) => shown.at(share));
   const usual = inOrder[1] ?? 0;
-  return [{
-    needed: { [switched]: 1, [other.q]: other.away },
-    usual,
-    values: inOrder.map((value) => ({ tried: [value], isUsual: value === usual })),
-  }];
+  return [
+    {
+      needed: { [switched]: 1, [other.q]: other.away },
+      usual,
+      values: inOrder.map((value) => ({ tried: [value], isUsual: value === usual })),
+    },
+  ];
 }
 
 /** What is asked for only where a choice wants it, and is empty here, is given something to say. */
 function dependents(cycle: Cycle, q: string, values: Known): readonly Readonly<Record<string, number>>[] {
-  const idle = Object.entries<Param>(cycle.params).filter(([other, param]) =>
-    param.counts?.q === q && param.kind === "angle" && values[other] === neutralOf(param)
+  const idle = Object.entries<Param>(cycle.params).filter(
+    ([other, param]) => param.counts?.q === q && param.kind === "angle" && values[other] === neutralOf(param),
   );
   return idle.length === 0 ? [] : ANGLES.map((angle) => Object.fromEntries(idle.map(([other]) => [other, angle])));
 }
@@ -85,12 +91,14 @@ function waysToCount(cycle: Cycle, q: string, values: Known): readonly Readonly<
   const first = neededFor(cycle, q, values);
   const counts = cycle.params[q]?.counts;
   if (!counts || !(counts.q in first)) return [first];
-  return counts.among.filter((value) => value !== 0 || counts.among.length === 1).map((value) => ({ ...first, [counts.q]: value }));
+  return counts.among
+    .filter((value) => value !== 0 || counts.among.length === 1)
+    .map((value) => ({ ...first, [counts.q]: value }));
 }
 
 /**
- * With which other values a parameter is shown, the best first: as they are, then so that it counts, then where it acts more than there.
- * `values` are those of its cycle, all of them, `given` what it is given beside them.
+ * With which other values a parameter is shown, the best first: as they are, then so that it counts, then where it acts
+ * more than there. `values` are those of its cycle, all of them, `given` what it is given beside them.
  */
 export function situationsOf(cycle: Cycle, q: string, values: Known, given: Given): readonly ShownWith[] {
   const param = cycle.params[q];
@@ -107,9 +115,15 @@ export function situationsOf(cycle: Cycle, q: string, values: Known, given: Give
   const otherwise = OTHERWISE[param.shown];
   const other = otherwise && withTopic(cycle, otherwise.of);
   const [first = {}] = counting;
-  const more = !otherwise || !other ? [] : otherwise.times.map((times) => {
-    const value = values[other];
-    return shownWith({ ...first, ...(typeof value === "number" && { [other]: rounded(Number((value * times).toFixed(2))) }) });
-  });
+  const more =
+    !otherwise || !other
+      ? []
+      : otherwise.times.map((times) => {
+          const value = values[other];
+          return shownWith({
+            ...first,
+            ...(typeof value === "number" && { [other]: rounded(Number((value * times).toFixed(2))) }),
+          });
+        });
   return limits.length > 0 && (isIdle || param.choices) ? [...limits, ...plain] : [...plain, ...limits, ...more];
 }

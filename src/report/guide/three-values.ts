@@ -15,11 +15,23 @@ type Shares = readonly number[];
 const LESS: Shares = [0.25, 0.4, 0.6, 0.8];
 const MORE: Shares = [4, 2.5, 1.6, 1.2];
 const SHARES: Partial<Record<Kind, readonly [less: Shares, more: Shares]>> = {
-  feed: [[0.5, 0.7, 0.85], [2, 1.5, 1.2]],
-  radial: [[1 / 3, 0.5, 0.75], [2, 1.5, 1.2]],
-  axialDepth: [[1 / 3, 0.5, 0.75], [2, 1.5, 1.2]],
+  feed: [
+    [0.5, 0.7, 0.85],
+    [2, 1.5, 1.2],
+  ],
+  radial: [
+    [1 / 3, 0.5, 0.75],
+    [2, 1.5, 1.2],
+  ],
+  axialDepth: [
+    [1 / 3, 0.5, 0.75],
+    [2, 1.5, 1.2],
+  ],
   oversizeDiameter: [[0], [5, 3, 2]],
-  factor: [[0.5, 0.75], [1.25, 1.1]],
+  factor: [
+    [0.5, 0.75],
+    [1.25, 1.1],
+  ],
   percent: [[0.5], [1.5]],
   angle: [[0], [4, 2.5, 1.6, 1.2, 1.1, 1.05]],
   count: [[0.5], [2]],
@@ -58,21 +70,24 @@ function spanOf(cycle: Pick<Cycle, "params">, q: string, values: SomeValues, usu
   const kind = cycle.params[q]?.kind;
   const others = Object.entries<Param>(cycle.params).flatMap(([other, param]) => {
     const value = values[other];
-    return other !== q && param.kind === kind && param.shown === "outline" && typeof value === "number" ? [Math.abs(value - usual)] : [];
+    return other !== q && param.kind === kind && param.shown === "outline" && typeof value === "number"
+      ? [Math.abs(value - usual)]
+      : [];
   });
   const span = Math.max(0, ...others);
   return span > 0 ? span : Math.max(LEAST_SPAN, Math.abs(usual) * ALONE);
 }
 
 /**
- * The values that show what a parameter does: a small one, the usual one and a large one, or all meanings of a choice. `values` are those
- * that its cycle has, among them the usual one; "auto" is compared with feeds.
+ * The values that show what a parameter does: a small one, the usual one and a large one, or all meanings of a choice.
+ * `values` are those that its cycle has, among them the usual one; "auto" is compared with feeds.
  */
 export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: SomeValues): readonly Candidates[] {
   const param = cycle.params[q];
   if (!param) return [];
   const usual = values[q] ?? param.example;
-  const one = (tried: readonly (number | "auto")[], isUsual = false): readonly Candidates[] => tried.length > 0 ? [{ tried, isUsual }] : [];
+  const one = (tried: readonly (number | "auto")[], isUsual = false): readonly Candidates[] =>
+    tried.length > 0 ? [{ tried, isUsual }] : [];
   if (param.choices) return param.choices.map((value) => ({ tried: [value], isUsual: value === usual }));
   if (usual === "auto") return [...one(inRange(param, [0.1])), ...one([usual], true), ...one(inRange(param, [0.5]))];
   if (param.shown === "depthCompensation") {
@@ -81,7 +96,11 @@ export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: Som
   }
   if (param.kind === "diameter" || param.kind === "axial") {
     const span = spanOf(cycle, q, values, usual);
-    const moved = (sign: number) => inRange(param, MOVED.map((share) => to(usual + sign * share * span, FINE.place)));
+    const moved = (sign: number) =>
+      inRange(
+        param,
+        MOVED.map((share) => to(usual + sign * share * span, FINE.place)),
+      );
     const inOrder = [...one(moved(-1)), ...one([usual], true), ...one(moved(1))];
     return usual < 0 ? inOrder.reverse() : inOrder;
   }
@@ -92,7 +111,14 @@ export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: Som
   }
   const [less, more] = SHARES[param.kind] ?? [LESS, MORE];
   const times = (shares: Shares) =>
-    [...new Set(inRange(param, shares.map((share) => to(usual * share, decimals))))].filter((v) => v !== usual);
+    [
+      ...new Set(
+        inRange(
+          param,
+          shares.map((share) => to(usual * share, decimals)),
+        ),
+      ),
+    ].filter((v) => v !== usual);
   return [...one(times(less)), ...one([usual], true), ...one(times(more))];
 }
 
@@ -101,7 +127,11 @@ const LEFT_BY_ROUGHING: ReadonlySet<Param["shown"]> = new Set(["oversizeDiameter
 const ROUGHING = 1;
 
 /** Other values of the cycle that a parameter needs so that its effect is seen, by Q: none where it is seen already. */
-export function neededFor(cycle: Pick<Cycle, "params">, q: string, values: SomeValues): Readonly<Record<string, number>> {
+export function neededFor(
+  cycle: Pick<Cycle, "params">,
+  q: string,
+  values: SomeValues,
+): Readonly<Record<string, number>> {
   const needed: Record<string, number> = {};
   let param = cycle.params[q];
   while (param?.counts && saysNothing({ ...param, reserved: false }, values) && !(param.counts.q in needed)) {
@@ -111,6 +141,7 @@ export function neededFor(cycle: Pick<Cycle, "params">, q: string, values: SomeV
   }
   const shown = cycle.params[q]?.shown;
   const operation = Object.entries<Param>(cycle.params).find(([, p]) => p.shown === "operation")?.[0];
-  if (shown && LEFT_BY_ROUGHING.has(shown) && operation !== undefined && values[operation] !== ROUGHING) needed[operation] = ROUGHING;
+  if (shown && LEFT_BY_ROUGHING.has(shown) && operation !== undefined && values[operation] !== ROUGHING)
+    needed[operation] = ROUGHING;
   return needed;
 }

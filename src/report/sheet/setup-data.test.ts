@@ -84,14 +84,20 @@ test("awkward numbers: start, speed, feeds, preset", () => {
     spindle: { kind: "surface", cuttingSpeed: 187, limit: 2150 },
     isOff: false,
   });
-  expect(operation?.feeds).toEqual([{ value: 0.27, unit: "mm/rev" }, { value: 0.13, unit: "mm/rev" }]);
+  expect(operation?.feeds).toEqual([
+    { value: 0.27, unit: "mm/rev" },
+    { value: 0.13, unit: "mm/rev" },
+  ]);
   expect(data.presets).toEqual(["7"]);
   expect(data.files).toEqual(["SECOND.H"]);
 });
 
 test("a tool that is called again stands once, with what it switches on; one that the table lacks is named", () => {
   const data = dataOf(PART);
-  expect(data.tools.map(({ called, tool, mill }) => [called, tool?.T ?? null, mill])).toEqual([["1", 1, null], ["977", null, null]]);
+  expect(data.tools.map(({ called, tool, mill }) => [called, tool?.T ?? null, mill])).toEqual([
+    ["1", 1, null],
+    ["977", null, null],
+  ]);
   expect(data.tools[0]).toMatchObject({ spindle: [303], coolant: [8] });
   expect(data.toolChanges).toBe(3);
 });
@@ -118,15 +124,20 @@ test("a milled program has its mill and its feeds", () => {
 6 M30
 7 END PGM PLATE MM
 `);
-  expect(data.tools).toMatchObject([{
-    called: "41",
-    tool: null,
-    mill: { NAME: "MILL-D7.5" },
-    spindle: [3],
-    defined: { length: 103.7, radius: 3.75 },
-  }]);
+  expect(data.tools).toMatchObject([
+    {
+      called: "41",
+      tool: null,
+      mill: { NAME: "MILL-D7.5" },
+      spindle: [3],
+      defined: { length: 103.7, radius: 3.75 },
+    },
+  ]);
   expect(data.operations[0]?.spindle).toEqual({ kind: "constant", speed: 3150 });
-  expect(data.operations[0]?.feeds).toEqual([{ value: 640, unit: "mm/min" }, { value: 210, unit: "mm/min" }]);
+  expect(data.operations[0]?.feeds).toEqual([
+    { value: 640, unit: "mm/min" },
+    { value: 210, unit: "mm/min" },
+  ]);
 });
 
 test("cycles that nobody here knows are named", () => {

@@ -104,17 +104,20 @@ function feedsOf(steps: readonly Step[]): readonly SheetFeed[] {
   return out;
 }
 
-const sum = (all: readonly { readonly seconds: number }[]): number => all.reduce((total, { seconds }) => total + seconds, 0);
+const sum = (all: readonly { readonly seconds: number }[]): number =>
+  all.reduce((total, { seconds }) => total + seconds, 0);
 
 const functionsIn = ({ blocks }: Program, from: number, to: number): readonly number[] =>
   blocks.slice(from, to).flatMap(({ statement }) => wordsOf(statement)?.functions ?? []);
 const once = <T>(values: readonly T[]): readonly T[] => [...new Set(values)];
 
 function fileNames({ blocks }: Program): readonly string[] {
-  return once(blocks.flatMap(({ statement: s }) => {
-    if (!("file" in s)) return [];
-    return typeof s.file === "string" && s.file.trim() !== "" ? [s.file.trim()] : [];
-  }));
+  return once(
+    blocks.flatMap(({ statement: s }) => {
+      if (!("file" in s)) return [];
+      return typeof s.file === "string" && s.file.trim() !== "" ? [s.file.trim()] : [];
+    }),
+  );
 }
 
 /** The box between the two corners of BLK FORM 0.1 and 0.2, where both are numbers. */
@@ -131,17 +134,21 @@ function boxOf({ blocks }: Program, unit: LengthUnit): SetupData["box"] {
 }
 
 function presetsOf({ blocks }: Program): readonly string[] {
-  return once(blocks.flatMap(({ statement: s }) => {
-    if (s.kind !== "cycle" || s.cycle !== PRESET) return [];
-    const value = s.parameters.find(({ q }) => q === PRESET_NUMBER)?.value;
-    return value === undefined || value === null ? [] : [typeof value === "object" ? value.parameter : String(value)];
-  }));
+  return once(
+    blocks.flatMap(({ statement: s }) => {
+      if (s.kind !== "cycle" || s.cycle !== PRESET) return [];
+      const value = s.parameters.find(({ q }) => q === PRESET_NUMBER)?.value;
+      return value === undefined || value === null ? [] : [typeof value === "object" ? value.parameter : String(value)];
+    }),
+  );
 }
 
 function shiftsOf(run: Run | null): readonly Pt[] {
   const out: Pt[] = [];
   for (const { at } of run?.datums ?? []) {
-    const known = [...out, { z: 0, r: 0 }].some((each) => Math.abs(each.z - at.z) < ONE && Math.abs(each.r - at.r) < ONE);
+    const known = [...out, { z: 0, r: 0 }].some(
+      (each) => Math.abs(each.z - at.z) < ONE && Math.abs(each.r - at.r) < ONE,
+    );
     if (!known) out.push(at);
   }
   return out;
@@ -155,17 +162,19 @@ interface Placed {
 /** What a setter has to know of a program, from its text and what came of running it. */
 export function setupData({ program, run, tools, mills }: SetupInput): SetupData {
   const all = operationsOf(program);
-  const numbers = blockNumbers(program), lines = startLines(program);
+  const numbers = blockNumbers(program),
+    lines = startLines(program);
   const calls = toolCallsOf(program, run, all.to);
   const list: SheetTool[] = [];
   const indexOf = new Map<string, number>();
   calls.forEach(({ index, called, ran, turns }, i) => {
-    const tool = turns ? tools.find(isNamed(ran ? String(ran.T) : called)) ?? ran : null;
+    const tool = turns ? (tools.find(isNamed(ran ? String(ran.T) : called)) ?? ran) : null;
     const mill = mills.find(isNamed(called)) ?? null;
     const key = `${tool ? "turn" : "mill"} ${tool?.T ?? mill?.T ?? called}`;
     const used = functionsIn(program, index, Math.max(calls[i + 1]?.index ?? all.to, index));
     const [spindle, coolant] = [SPINDLE, COOLANT].map((on = []) => once(used.filter((m) => on.includes(m))));
-    const known = indexOf.get(key), before = known === undefined ? undefined : list[known];
+    const known = indexOf.get(key),
+      before = known === undefined ? undefined : list[known];
     const next: SheetTool = {
       called,
       tool,
@@ -196,11 +205,14 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
     const steps = stepsIn(from, to);
     const plane = run?.plane.filter(({ index }) => index >= from && index < to) ?? [];
     const [low, high] = [lines[from] ?? 0, lines[to] ?? Infinity];
-    const ran = run?.operations.filter((o) => o.definedFile === undefined && o.definedLine >= low && o.definedLine < high) ?? [];
+    const ran =
+      run?.operations.filter((o) => o.definedFile === undefined && o.definedLine >= low && o.definedLine < high) ?? [];
     for (const each of ran) taken.add(each);
     const called = own.toolCall === null ? undefined : program.blocks[own.toolCall]?.statement;
     const first = ran[0];
-    const planeFeeds = plane.flatMap(({ feed, feedUnit }) => (feed === undefined ? [] : [{ value: feed, unit: feedUnit ?? "mm/min" }]));
+    const planeFeeds = plane.flatMap(({ feed, feedUnit }) =>
+      feed === undefined ? [] : [{ value: feed, unit: feedUnit ?? "mm/min" }],
+    );
     const cut = ran.length > 0 ? ran.flatMap((o) => run?.steps.slice(o.firstStep, o.lastStep + 1) ?? []) : steps;
     return {
       order: from,
@@ -224,23 +236,26 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
       },
     };
   });
-  const apart = (run?.operations ?? []).filter((o) => !taken.has(o)).map((o): Placed => ({
-    order: Math.max(0, (run?.stepBlocks ?? []).slice(0, o.firstStep).findLast((block) => block < all.to) ?? 0) + 0.5,
-    operation: {
-      title: null,
-      cycles: [o.cycle],
-      block: null,
-      tool: toolIndex(null, o.tool),
-      start: o.start,
-      spindle: o.spindle,
-      feeds: feedsOf(run?.steps.slice(o.firstStep, o.lastStep + 1) ?? []),
-      passes: o.plan.passes,
-      seconds: o.seconds,
-      isOff: false,
-    },
-  }));
+  const apart = (run?.operations ?? [])
+    .filter((o) => !taken.has(o))
+    .map((o): Placed => ({
+      order: Math.max(0, (run?.stepBlocks ?? []).slice(0, o.firstStep).findLast((block) => block < all.to) ?? 0) + 0.5,
+      operation: {
+        title: null,
+        cycles: [o.cycle],
+        block: null,
+        tool: toolIndex(null, o.tool),
+        start: o.start,
+        spindle: o.spindle,
+        feeds: feedsOf(run?.steps.slice(o.firstStep, o.lastStep + 1) ?? []),
+        passes: o.plan.passes,
+        seconds: o.seconds,
+        isOff: false,
+      },
+    }));
   const cycles = program.blocks.flatMap(({ statement: s }) => (s.kind === "cycle" ? [s.cycle] : []));
-  const begin = beginOf(program), unit = run?.program.unit ?? (begin?.unit === "INCH" ? "inch" : "mm");
+  const begin = beginOf(program),
+    unit = run?.program.unit ?? (begin?.unit === "INCH" ? "inch" : "mm");
   return {
     name: run?.program.name || begin?.name || "",
     unit,

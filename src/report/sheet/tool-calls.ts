@@ -19,8 +19,10 @@ export const calledName = (s: Statement): string | null => {
   return typeof s.tool === "object" ? s.tool.parameter : String(s.tool);
 };
 
-export const isNamed = (called: string) => ({ T, NAME }: { readonly T: number; readonly NAME: string }): boolean =>
-  String(T) === called || NAME === called;
+export const isNamed =
+  (called: string) =>
+  ({ T, NAME }: { readonly T: number; readonly NAME: string }): boolean =>
+    String(T) === called || NAME === called;
 
 /** A parameter says only while it runs which tool it calls. */
 export const isParameter = (called: string): boolean => /^Q[LRS]?\d+$/.test(called);
@@ -29,7 +31,10 @@ export const isParameter = (called: string): boolean => /^Q[LRS]?\d+$/.test(call
 export const speedOf = (s: Statement | undefined): Spindle | null =>
   s?.kind === "toolCall" && typeof s.speed === "number" && s.speed > 0 ? { kind: "constant", speed: s.speed } : null;
 
-/** The tool calls of a program in their order, each with what ran behind it; tools of called programs where they are first used. */
+/**
+ * The tool calls of a program in their order, each with what ran behind it; tools of called programs where they are
+ * first used.
+ */
 export function toolCallsOf({ blocks }: Program, run: Run | null, end: number): readonly SheetCall[] {
   const at = blocks.flatMap(({ statement }, index) => {
     const called = index < end ? calledName(statement) : null;
@@ -37,7 +42,7 @@ export function toolCallsOf({ blocks }: Program, run: Run | null, end: number): 
   });
   const ranIn = (called: string, from: number, to: number): Tool | null => {
     const found = run?.stepBlocks.findIndex((block) => block >= from && block < to) ?? -1;
-    const tool = found < 0 ? null : run?.steps[found]?.tool ?? null;
+    const tool = found < 0 ? null : (run?.steps[found]?.tool ?? null);
     // A tool that nobody has is stood in for by another one.
     return tool && (isParameter(called) || isNamed(called)(tool)) ? tool : null;
   };
@@ -63,7 +68,10 @@ export function toolCallsOf({ blocks }: Program, run: Run | null, end: number): 
 }
 
 /** What TOOL DEF states of a tool, where it is a number. */
-export function definedIn({ blocks }: Program, called: string): { readonly length: number | null; readonly radius: number | null } | null {
+export function definedIn(
+  { blocks }: Program,
+  called: string,
+): { readonly length: number | null; readonly radius: number | null } | null {
   const found = blocks.find(({ statement: s }) => s.kind === "toolDefinition" && String(s.tool) === called)?.statement;
   if (found?.kind !== "toolDefinition") return null;
   const known = (value: Value | null) => (typeof value === "number" ? value : null);

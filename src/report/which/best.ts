@@ -13,7 +13,9 @@ export const bestFirst = (tried: readonly Tried[]): readonly Tried[] =>
   tried.toSorted((a, b) => Number(b.works) - Number(a.works) || apart(a, b) || a.seconds - b.seconds);
 
 /** The best way and what speaks for it; null where none works. */
-export function bestOf(tried: readonly Tried[]): { readonly id: string; readonly because: "only" | "least" | "fast" } | null {
+export function bestOf(
+  tried: readonly Tried[],
+): { readonly id: string; readonly because: "only" | "least" | "fast" } | null {
   const [best, second] = bestFirst(tried.filter((t) => t.works));
   if (!best) return null;
   if (!second) return { id: best.id, because: "only" };

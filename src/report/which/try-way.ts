@@ -44,16 +44,20 @@ function summed(residual: readonly { readonly reason: Reason; readonly area: num
   return [...sums].map(([reason, area]) => ({ reason, area })).sort((a, b) => b.area - a.area);
 }
 
-/** Runs the program of one way and looks at what it leaves; `stock` is what stands in the chuck, where that is no plain blank. */
+/**
+ * Runs the program of one way and looks at what it leaves; `stock` is what stands in the chuck, where that is no plain
+ * blank.
+ */
 export function tryWay({ id, job }: Proposal, wanted: Wanted, stock: readonly Ring[] | null, shop: Shop): Tried {
   const made = run(parse(wantedText(job, wanted, ncLabels(job.ncLanguage))), shop);
   const simulation = simulate(stock ? { ...made, blank: stock } : made);
   const judged = verdictOf(made, simulation);
   const target = wantedArea(wanted);
   const [operation] = made.operations;
-  const issues = made.issues.map((f) => f.issue).filter((i) => i.severity !== "info").sort((a, b) =>
-    WEIGHT[a.severity] - WEIGHT[b.severity]
-  );
+  const issues = made.issues
+    .map((f) => f.issue)
+    .filter((i) => i.severity !== "info")
+    .sort((a, b) => WEIGHT[a.severity] - WEIGHT[b.severity]);
   const stays = target ? areaOf(opened(intersection(simulation.final, [target]), SLIVER)) : null;
   const all = target ? areaOf(intersection(simulation.blank, [target])) : 0;
   const leavesMost = stays !== null && stays > all * MOST_LEFT;

@@ -46,7 +46,9 @@ function isOpenTo(cycle: Cycle, { site, shape }: Wanted): boolean {
 
 /** Cycles that make what is wanted, the simplest of each kind, the likeliest first. */
 export function cyclesFor(wanted: Wanted): readonly Cycle[] {
-  const able = catalogue.filter((c) => useOf(c).shapes.includes(wanted.shape) && isOpenTo(c, wanted) && canLean(c, wanted));
+  const able = catalogue.filter(
+    (c) => useOf(c).shapes.includes(wanted.shape) && isOpenTo(c, wanted) && canLean(c, wanted),
+  );
   const kind = (c: Cycle) => `${c.group} ${c.contour} ${useOf(c).preTurned === true}`;
   const simplest = able.filter((c, i) => able.findIndex((other) => kind(other) === kind(c)) === i);
   const follows = (c: Cycle) => Number(wanted.allowance > 0 && useOf(c).preTurned === true);
@@ -57,7 +59,10 @@ export function cyclesFor(wanted: Wanted): readonly Cycle[] {
 /** What of an insert decides what it leaves. */
 const sizeOf = (tool: Tool) => (isBar(tool) ? cuttingWidth(tool) : noseRadius(tool));
 
-/** The tool that fits a work best, and the next one with an insert of another size. Where none makes it, the usual kind says why. */
+/**
+ * The tool that fits a work best, and the next one with an insert of another size. Where none makes it, the usual kind
+ * says why.
+ */
 function toolsFor(cycle: Cycle, job: SetJob, tools: readonly Tool[]): readonly Tool[] {
   const { values } = readDraft(cycle, job.drafts[job.cycle] ?? {});
   const start = tipAtCall(job);
@@ -65,8 +70,11 @@ function toolsFor(cycle: Cycle, job: SetJob, tools: readonly Tool[]): readonly T
   const given = { contour: cycle.contour === "free" ? readRows(job.contour).contour.segments : null, start };
   const setting = { start, feedUnit: "mm/rev", autoFeed: null, stock: null } as const;
   const fits = rankTools(cycle, values, given, setting, tools);
-  const stands = (tool: Tool) => !cycle.plan(values, { ...setting, tool }, given).issues.some((i) => i.code === "toolUnfit");
-  const usual = fits.filter(({ tool }) => isUsualTool(cycle.group, tool)).toSorted((a, b) => sizeOf(a.tool) - sizeOf(b.tool));
+  const stands = (tool: Tool) =>
+    !cycle.plan(values, { ...setting, tool }, given).issues.some((i) => i.code === "toolUnfit");
+  const usual = fits
+    .filter(({ tool }) => isUsualTool(cycle.group, tool))
+    .toSorted((a, b) => sizeOf(a.tool) - sizeOf(b.tool));
   const best = fits[0]?.makesContour ? fits[0] : (usual.find(({ tool }) => stands(tool)) ?? fits[0]);
   if (!best) return [];
   const other = fits.find((f) => f.makesContour && f.cuts && sizeOf(f.tool) !== sizeOf(best.tool));
@@ -81,8 +89,8 @@ const choicesOf = (cycle: Cycle) =>
   });
 
 /**
- * The ways to compare, without repetition, at most eight: each cycle with the tool that fits best; then, beginning with the likeliest
- * cycle, its other choices and another tool.
+ * The ways to compare, without repetition, at most eight: each cycle with the tool that fits best; then, beginning with
+ * the likeliest cycle, its other choices and another tool.
  */
 export function waysFor(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
   const made = cyclesFor(wanted).map((cycle) => {

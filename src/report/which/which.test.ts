@@ -91,7 +91,8 @@ test("a part that has its shape is turned faster by passes that follow it, in a 
     const cycle = cycleByNumber(ways.find((way) => way.id === id)?.job.cycle ?? 0);
     return cycle !== undefined && useOf(cycle).preTurned === true;
   };
-  const fastest = (ids: readonly string[]) => Math.min(...tried.filter((t) => t.works && ids.includes(t.id)).map((t) => t.seconds));
+  const fastest = (ids: readonly string[]) =>
+    Math.min(...tried.filter((t) => t.works && ids.includes(t.id)).map((t) => t.seconds));
   const ids = ways.map((way) => way.id);
   expect(fastest(ids.filter(follows))).toBeLessThan(fastest(ids.filter((id) => !follows(id))));
   const solid = compared(wanted({ to: corner(58.71, -41.237) })).tried;

@@ -53,7 +53,8 @@ test("a pass outside takes depth times feed, as thick as the entering angle says
   expect(chip?.feed).toBe(0.317);
   expect(chip?.depth).toBeCloseTo(2.13, 3);
   expect(chip?.area).toBeCloseTo(areaAt(2.13, 0.317), 4);
-  // 95° between edge and feed: f · sin κ, and ap / sin κ along the main edge; the other one cuts along the last mark of the feed.
+  // 95° between edge and feed: f · sin κ, and ap / sin κ along the main edge; the other one cuts along the last mark of
+  // the feed.
   expect(chip?.thickest.size).toBeCloseTo(0.317 * Math.sin((95 * Math.PI) / 180), 3);
   const [sin95, sin80] = [95, 80].map((angle) => Math.sin((angle * Math.PI) / 180)) as [number, number];
   expect(chip?.width).toBeCloseTo(2.13 / sin95 + (0.317 * sin95) / sin80, 3);
@@ -91,7 +92,11 @@ test("the first turn in the stock takes what has come in, and the turn reaches b
   const begun = whole(0, inside(0.1));
   // The edge leans back by 5°: of the depth only the lower end has come in.
   expect(begun?.area).toBeCloseTo(0.1 ** 2 / (2 * Math.tan(Math.PI / 36)) - MARK * 0.1 ** 2, 4);
-  const parted = work(sharp, at(3, 22.24), [cut(at(-9.9, 22.24), 0.317), cut(at(-10, 22.24), 0.317), cut(at(-20, 22.24), 0.317)]);
+  const parted = work(sharp, at(3, 22.24), [
+    cut(at(-9.9, 22.24), 0.317),
+    cut(at(-10, 22.24), 0.317),
+    cut(at(-20, 22.24), 0.317),
+  ]);
   const [one, three] = [whole(0, 13.11 / 23), parted(2, 0.011)];
   expect(three?.area).toBeCloseTo(one?.area ?? NaN, 4);
   expect(sameChip(one, three)).toBe(true);
@@ -114,13 +119,19 @@ test("a blade that plunges takes its width times its feed, and all of its edge c
 
 test("a boring bar cuts on the side of the wall", () => {
   const tube: Ring[] = [[at(-61, 11.5), at(0, 11.5), at(0, 24.37), at(-61, 24.37)]];
-  const chip = work({ ...tools[5] as Tool, RS: length(0) }, at(2, 12.63), [cut(at(-30, 12.63), 0.21)], 900, tube)(0, 0.5);
+  const chip = work(
+    { ...(tools[5] as Tool), RS: length(0) },
+    at(2, 12.63),
+    [cut(at(-30, 12.63), 0.21)],
+    900,
+    tube,
+  )(0, 0.5);
   expect(chip?.depth).toBeCloseTo(1.13, 3);
   expect(chip?.area).toBeCloseTo(areaAt(1.13, 0.21), 4);
 });
 
 test("a thread takes its infeed on both flanks, once a turn", () => {
-  const sharp60 = { ...tools[12] as Tool, RS: length(0) };
+  const sharp60 = { ...(tools[12] as Tool), RS: length(0) };
   const turn = (r: number): Step["move"] => ({
     kind: "thread",
     to: at(-29.3, r),
@@ -160,7 +171,10 @@ test("seeking back and forth gives the same chip as going on", () => {
   const seek = seeking(5, 0.005);
   seeking(0, 0.4);
   const again = seeking(5, 0.005);
-  const gone = [0.1, 0.5, 0.9].map((fraction) => forward(3, fraction)).concat(forward(5, 0.005)).at(-1);
+  const gone = [0.1, 0.5, 0.9]
+    .map((fraction) => forward(3, fraction))
+    .concat(forward(5, 0.005))
+    .at(-1);
   expect(seek?.area).toBeCloseTo(0.317 * 0.86, 1);
   expect(again).toEqual(seek);
   expect(gone).toEqual(seek);

@@ -16,8 +16,9 @@ import { boundsOfChip, contactLength, reachAlong, thickestOf, type Thickness } f
 import { oneTurnBack } from "./one-turn.ts";
 
 /**
- * The chip of a moment in the half plane: what the insert covers now and did not one turn of the spindle earlier, of the stock that
- * stood there. All places are relative to the tip, so that the chip of an even cut does not change while the tool moves. mm.
+ * The chip of a moment in the half plane: what the insert covers now and did not one turn of the spindle earlier, of
+ * the stock that stood there. All places are relative to the tip, so that the chip of an even cut does not change while
+ * the tool moves. mm.
  */
 export interface Chip {
   readonly rings: readonly Ring[];
@@ -71,7 +72,9 @@ function extentAlong(rings: readonly Ring[], way: Pt): number {
 
 /** Rings without those that are nowhere thicker than chords and grid leave them. */
 const thick = (rings: readonly Ring[]): Ring[] =>
-  rings.filter((ring) => areaOf([ring]) > SLIVER * SLIVER && areaOf([ring]) > (SLIVER * part.apart(...diagonal(ring))) / 2);
+  rings.filter(
+    (ring) => areaOf([ring]) > SLIVER * SLIVER && areaOf([ring]) > (SLIVER * part.apart(...diagonal(ring))) / 2,
+  );
 
 function diagonal(ring: Ring): [Pt, Pt] {
   const { left, right, low, high } = boxAround([ring]);
@@ -89,7 +92,8 @@ function chipOf(
   const cut = thick(found);
   if (cut.length === 0) return null;
   const rings = cut.map((ring) => movedBy(ring, -tip.z, -tip.r));
-  const bounded = boundsOfChip(rings, outline), thickest = thickestOf(bounded);
+  const bounded = boundsOfChip(rings, outline),
+    thickest = thickestOf(bounded);
   if (!thickest || thickest.size < SLIVER) return null;
   const across = part.leftOf(path.along);
   return {
@@ -107,17 +111,30 @@ function chipOf(
 export function chipAt({ steps, outlineOf, spindles, before }: ChipWork, position: PlayPosition): Chip | null {
   const step = steps[position.step];
   if (!step || step.move.kind === "rapid") return null;
-  const path = pathOf(step.from, step.move), outline = outlineOf(step.tool);
+  const path = pathOf(step.from, step.move),
+    outline = outlineOf(step.tool);
   if (outline.length < 3) return null;
   if (step.move.kind === "thread") {
-    const passed = stampsOf(step.from, step.move).filter(({ fraction }) => fraction <= position.fraction), last = passed.at(-1);
+    const passed = stampsOf(step.from, step.move).filter(({ fraction }) => fraction <= position.fraction),
+      last = passed.at(-1);
     if (!last) return null;
-    const found = taken(movedBy(outline, last.at.z, last.at.r), before(position.step), step, outline, passed.at(-2)?.fraction ?? 0);
-    return chipOf(found, outline, last.at, step, { feed: Math.abs(step.move.pitch), along: part.direction(path, last.at) });
+    const found = taken(
+      movedBy(outline, last.at.z, last.at.r),
+      before(position.step),
+      step,
+      outline,
+      passed.at(-2)?.fraction ?? 0,
+    );
+    return chipOf(found, outline, last.at, step, {
+      feed: Math.abs(step.move.pitch),
+      along: part.direction(path, last.at),
+    });
   }
-  const tip = part.pointOn(path, position.fraction), feed = feedPerTurn(step.move, rpmAt(spindleAt(spindles, position.step), tip.r));
+  const tip = part.pointOn(path, position.fraction),
+    feed = feedPerTurn(step.move, rpmAt(spindleAt(spindles, position.step), tip.r));
   const stands = step.move.kind === "feed" && step.move.dwell !== undefined;
-  const back = stands ? null : oneTurnBack(steps, position, spindles), earlier = back && steps[back.step];
+  const back = stands ? null : oneTurnBack(steps, position, spindles),
+    earlier = back && steps[back.step];
   if (!earlier) return null;
   const found = taken(movedBy(outline, tip.z, tip.r), before(back.step), earlier, outline, back.fraction);
   return chipOf(found, outline, tip, step, { feed, along: part.direction(path, tip) });
@@ -130,10 +147,18 @@ const ALIKE = 5e-4;
 export function sameChip(a: Chip | null, b: Chip | null): boolean {
   if (!a || !b) return a === b;
   const near = (p: number, q: number) => Math.abs(p - q) <= ALIKE;
-  return near(a.area, b.area) && near(a.width, b.width) && near(a.depth, b.depth) && near(a.feed, b.feed)
-    && a.rings.length === b.rings.length
-    && a.rings.every((ring, i) => {
+  return (
+    near(a.area, b.area) &&
+    near(a.width, b.width) &&
+    near(a.depth, b.depth) &&
+    near(a.feed, b.feed) &&
+    a.rings.length === b.rings.length &&
+    a.rings.every((ring, i) => {
       const other = b.rings[i];
-      return other?.length === ring.length && ring.every((p, k) => near(p.z, other[k]?.z ?? NaN) && near(p.r, other[k]?.r ?? NaN));
-    });
+      return (
+        other?.length === ring.length &&
+        ring.every((p, k) => near(p.z, other[k]?.z ?? NaN) && near(p.r, other[k]?.r ?? NaN))
+      );
+    })
+  );
 }

@@ -5,7 +5,9 @@ import type { PlayPosition } from "../simulation.ts";
 import type { Player } from "../stock.ts";
 import { chipAt, type Chip } from "./chip.ts";
 
-/** Gives the chip at any moment of a run. The one that was asked for last is kept: picture and readout ask for the same. */
+/**
+ * Gives the chip at any moment of a run. The one that was asked for last is kept: picture and readout ask for the same.
+ */
 export function chipsOf(
   steps: readonly Step[],
   spindles: readonly SpindleFrom[],
@@ -13,9 +15,11 @@ export function chipsOf(
 ): (position: PlayPosition) => Chip | null {
   const outlines = outlinesOf();
   const work = { steps, spindles, before, outlineOf: (tool: Step["tool"]) => outlines(tool).insert };
-  let asked: PlayPosition = { step: -1, fraction: 0 }, chip: Chip | null = null;
+  let asked: PlayPosition = { step: -1, fraction: 0 },
+    chip: Chip | null = null;
   return (position) => {
-    if (position.step !== asked.step || position.fraction !== asked.fraction) [asked, chip] = [position, chipAt(work, position)];
+    if (position.step !== asked.step || position.fraction !== asked.fraction)
+      [asked, chip] = [position, chipAt(work, position)];
     return chip;
   };
 }

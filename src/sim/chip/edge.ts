@@ -4,7 +4,10 @@ import { GRID } from "../../kernel/tolerance.ts";
 
 /** Two places on the grid of the polygon engine are on one straight side when they are this near to it, mm. */
 const ON_SIDE = 3 * GRID;
-/** The free side of a chip is looked at every so many mm for how far it is from the edge, about so many times in all at most. */
+/**
+ * The free side of a chip is looked at every so many mm for how far it is from the edge, about so many times in all at
+ * most.
+ */
 const EVERY = 0.25;
 const MOST = 64;
 
@@ -18,19 +21,27 @@ const sidesOf = (ring: Ring): OutlineSide[] => ring.map((from, i) => ({ from, to
 
 /** Tells which sides of a ring a place lies on. */
 function onSides(ring: Ring): (p: Pt) => number[] {
-  const lines = sidesOf(ring).map(({ from, to }) => ({ from, way: part.unit(part.difference(to, from)), long: part.apart(from, to) }));
+  const lines = sidesOf(ring).map(({ from, to }) => ({
+    from,
+    way: part.unit(part.difference(to, from)),
+    long: part.apart(from, to),
+  }));
   return ({ z, r }) => {
     const out: number[] = [];
     for (let i = 0; i < lines.length; i += 1) {
       const { from, way, long } = lines[i] as (typeof lines)[number];
-      const [dz, dr] = [z - from.z, r - from.r], along = dz * way.z + dr * way.r;
+      const [dz, dr] = [z - from.z, r - from.r],
+        along = dz * way.z + dr * way.r;
       if (Math.abs(way.z * dr - way.r * dz) < ON_SIDE && along > -ON_SIDE && along < long + ON_SIDE) out.push(i);
     }
     return out;
   };
 }
 
-/** The outline of a chip in two: lines from point to point where it bounds on the insert, and the sides where it does not. */
+/**
+ * The outline of a chip in two: lines from point to point where it bounds on the insert, and the sides where it does
+ * not.
+ */
 export interface Bounded {
   /** The parts of the insert's outline that bound the chip. */
   readonly contact: readonly (readonly Pt[])[];
@@ -39,14 +50,18 @@ export interface Bounded {
 
 /** Tells the cutting edge in contact from what the chip has in common with the stock before. */
 export function boundsOfChip(chip: readonly Ring[], insert: Ring): Bounded {
-  const touching = onSides(insert), contact: Pt[][] = [], free: OutlineSide[] = [];
+  const touching = onSides(insert),
+    contact: Pt[][] = [],
+    free: OutlineSide[] = [];
   for (const ring of chip) {
-    const near = ring.map(touching), sides = sidesOf(ring);
+    const near = ring.map(touching),
+      sides = sidesOf(ring);
     const cuts = sides.map((_, i) => (near[i] ?? []).some((side) => near[(i + 1) % ring.length]?.includes(side)));
     const first = cuts.indexOf(false);
     let line: Pt[] = [];
     for (let k = 1; k <= ring.length; k += 1) {
-      const i = (first + k) % ring.length, { from, to } = sides[i] as OutlineSide;
+      const i = (first + k) % ring.length,
+        { from, to } = sides[i] as OutlineSide;
       if (cuts[i]) line.push(...(line.length === 0 ? [from, to] : [to]));
       else free.push({ from, to });
       if (line.length > 0 && (!cuts[i] || k === ring.length)) {
@@ -71,19 +86,22 @@ const linesIn = (contact: Bounded["contact"]): OutlineSide[] =>
   contact.flatMap((line) => line.slice(1).map((to, i) => ({ from: line[i] as Pt, to })));
 
 /**
- * Where a chip is thickest: the place on its free side that is farthest from the edge in contact, square to it; beside the ends of the
- * edge there is nothing to be square to. Null where no edge is in contact.
+ * Where a chip is thickest: the place on its free side that is farthest from the edge in contact, square to it; beside
+ * the ends of the edge there is nothing to be square to. Null where no edge is in contact.
  */
 export function thickestOf({ contact, free }: Bounded): Thickness | null {
-  const edge = linesIn(contact), ends = contact.flatMap((line) => [line[0] as Pt, line[line.length - 1] as Pt]);
+  const edge = linesIn(contact),
+    ends = contact.flatMap((line) => [line[0] as Pt, line[line.length - 1] as Pt]);
   const every = Math.max(EVERY, free.reduce((sum, { from, to }) => sum + part.apart(from, to), 0) / MOST);
   let best: Thickness | null = null;
   const look = (p: Pt) => {
     let [size, found] = [Infinity, p];
     for (const { from, to } of edge) {
-      const [dz, dr] = [to.z - from.z, to.r - from.r], long = dz * dz + dr * dr;
+      const [dz, dr] = [to.z - from.z, to.r - from.r],
+        long = dz * dz + dr * dr;
       const on = long > 0 ? Math.min(1, Math.max(0, ((p.z - from.z) * dz + (p.r - from.r) * dr) / long)) : 0;
-      const [z, r] = [from.z + dz * on, from.r + dr * on], far = hypotenuse(p.z - z, p.r - r);
+      const [z, r] = [from.z + dz * on, from.r + dr * on],
+        far = hypotenuse(p.z - z, p.r - r);
       if (far < size) [size, found] = [far, at(z, r)];
     }
     if (size > (best?.size ?? 0) && Number.isFinite(size) && ends.every((end) => part.apart(end, found) > ON_SIDE))
@@ -109,14 +127,18 @@ export function reachAlong({ contact, free }: Bounded, way: Pt): number {
   return most;
 }
 
-/** How far a straight line from a place goes before it meets a side, in lengths of `way`; Infinity where it meets none. */
+/**
+ * How far a straight line from a place goes before it meets a side, in lengths of `way`; Infinity where it meets none.
+ */
 function farAlong(p: Pt, way: Pt, sides: readonly OutlineSide[]): number {
   let nearest = Infinity;
   for (const { from, to } of sides) {
-    const [dz, dr] = [to.z - from.z, to.r - from.r], [ez, er] = [from.z - p.z, from.r - p.r];
+    const [dz, dr] = [to.z - from.z, to.r - from.r],
+      [ez, er] = [from.z - p.z, from.r - p.r];
     const across = way.z * dr - way.r * dz;
     if (across === 0) continue;
-    const far = (ez * dr - er * dz) / across, on = (ez * way.r - er * way.z) / across;
+    const far = (ez * dr - er * dz) / across,
+      on = (ez * way.r - er * way.z) / across;
     if (on >= 0 && on <= 1 && far > ON_SIDE && far < nearest) nearest = far;
   }
   return nearest;

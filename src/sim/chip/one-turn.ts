@@ -15,8 +15,8 @@ function turnsOf({ from, move }: Step, spindle: ReturnType<typeof spindleAt>): n
 }
 
 /**
- * The moment one turn of the spindle earlier, over the cuts of the same tool that lead to this one; where they began less than a turn
- * ago, the beginning of the first of them. Null where the feed of a turn is not known.
+ * The moment one turn of the spindle earlier, over the cuts of the same tool that lead to this one; where they began
+ * less than a turn ago, the beginning of the first of them. Null where the feed of a turn is not known.
  */
 export function oneTurnBack(
   steps: readonly Step[],
@@ -24,13 +24,15 @@ export function oneTurnBack(
   spindles: readonly SpindleFrom[],
 ): PlayPosition | null {
   let left = 1;
-  for (let s = step, done = fraction;; s -= 1, done = 1) {
-    const running = steps[s], turns = running ? turnsOf(running, spindleAt(spindles, s)) : NaN;
+  for (let s = step, done = fraction; ; s -= 1, done = 1) {
+    const running = steps[s],
+      turns = running ? turnsOf(running, spindleAt(spindles, s)) : NaN;
     if (!running || !Number.isFinite(turns)) return s === step ? null : { step: s + 1, fraction: 0 };
     if (turns * done >= left) return { step: s, fraction: Math.max(0, done - left / turns) };
     left -= turns * done;
     const before = steps[s - 1];
-    const joins = before && before.tool === running.tool && before.move.kind !== "rapid" && before.move.kind !== "thread";
+    const joins =
+      before && before.tool === running.tool && before.move.kind !== "rapid" && before.move.kind !== "thread";
     if (!joins || step - s >= MOST) return { step: s, fraction: 0 };
   }
 }

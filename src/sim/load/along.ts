@@ -20,8 +20,8 @@ export interface LoadInput {
 }
 
 /**
- * What a tool bears along its feeds, in columns: one row for each stretch of a move where little changes, in the order of the path.
- * Not a number where something is not known.
+ * What a tool bears along its feeds, in columns: one row for each stretch of a move where little changes, in the order
+ * of the path. Not a number where something is not known.
  */
 export interface PathLoad {
   readonly count: number;
@@ -68,9 +68,12 @@ interface Row {
 const isNear = (a: number, b: number, least = 0) =>
   Object.is(a, b) || Math.abs(a - b) <= Math.max(least, SAME_SHARE * Math.max(Math.abs(a), Math.abs(b)));
 const areAlike = (a: Row, b: Row) =>
-  a.limited === b.limited && isNear(a.speed, b.speed) && isNear(a.rpm, b.rpm) && isNear(a.feed, b.feed)
-  && isNear(a.depth, b.depth, SAME_DEPTH)
-  && a.depth > 0 === b.depth > 0;
+  a.limited === b.limited &&
+  isNear(a.speed, b.speed) &&
+  isNear(a.rpm, b.rpm) &&
+  isNear(a.feed, b.feed) &&
+  isNear(a.depth, b.depth, SAME_DEPTH) &&
+  a.depth > 0 === b.depth > 0;
 
 const cuts = ({ move, from }: Step) => {
   if (move.kind === "rapid" || (move.kind === "feed" && move.dwell !== undefined)) return 0;
@@ -81,12 +84,15 @@ const cuts = ({ move, from }: Step) => {
 /** The stretches of one feed, each with what it takes, square to the path; neighbours that are alike in one. */
 function rowsOf(step: Step, index: number, depths: Float64Array, spindle: ReturnType<typeof spindleAt>): Row[] {
   const rows: Row[] = [];
-  const point = part.pointsOn(pathOf(step.from, step.move)), count = depths.length;
+  const point = part.pointsOn(pathOf(step.from, step.move)),
+    count = depths.length;
   let joined = 1;
   depths.forEach((depth, i) => {
     const { r } = step.move.kind === "thread" ? step.from : point((i + 0.5) / count);
-    const rpm = rpmAt(spindle, r), limited = spindle !== null && isAtLimit(spindle, r);
-    const feed = feedPerTurn(step.move, rpm), speed = cuttingSpeedAt(rpm, r);
+    const rpm = rpmAt(spindle, r),
+      limited = spindle !== null && isAtLimit(spindle, r);
+    const feed = feedPerTurn(step.move, rpm),
+      speed = cuttingSpeedAt(rpm, r);
     const row: Row = { step: index, from: i / count, to: (i + 1) / count, depth, feed, speed, rpm, limited };
     const last = rows.at(-1);
     if (!last || !areAlike(last, row)) {
@@ -117,22 +123,29 @@ function columnsOf(rows: readonly Row[]): PathLoad {
 }
 
 /**
- * Cuts the stock once more and measures what each stretch of each feed takes from it. It takes as long as a simulation; between two
- * rests of the generator a few moves are cut, so that whoever runs it can do something else meanwhile, or stop. Threads have no depth.
+ * Cuts the stock once more and measures what each stretch of each feed takes from it. It takes as long as a simulation;
+ * between two rests of the generator a few moves are cut, so that whoever runs it can do something else meanwhile, or
+ * stop. Threads have no depth.
  */
 export function* loadAlong({ blank, stated = [], steps, spindles }: LoadInput): Generator<void, PathLoad, void> {
-  const outlines = outlinesOf(), statements = statedBlanks(stated);
+  const outlines = outlinesOf(),
+    statements = statedBlanks(stated);
   const size = Math.max(STRETCH, steps.reduce((sum, step) => sum + cuts(step), 0) / MOST_STRETCHES);
   const rows: Row[] = [];
-  let cut = cutting(blank), marked = 0;
+  let cut = cutting(blank),
+    marked = 0;
   for (const [index, step] of steps.entries()) {
     const now = statements.at(index, cut);
-    if (now || index - marked >= CHECKPOINT_STEPS || cut.pieces >= CHECKPOINT_PIECES) [cut, marked] = [cutting(now ?? cut.stock()), index];
-    const { insert } = outlines(step.tool), sweep = sweptBy(insert, step), travel = cuts(step);
+    if (now || index - marked >= CHECKPOINT_STEPS || cut.pieces >= CHECKPOINT_PIECES)
+      [cut, marked] = [cutting(now ?? cut.stock()), index];
+    const { insert } = outlines(step.tool),
+      sweep = sweptBy(insert, step),
+      travel = cuts(step);
     if (travel > 0) {
       const most = step.move.kind === "arc" ? MOST_ROUND : MOST_STRAIGHT;
       const count = step.move.kind === "thread" ? 1 : Math.max(1, Math.min(most, Math.ceil(travel / size)));
-      const taken = step.move.kind === "thread" ? Float64Array.of(NaN) : takenBy(step, insert, sweep, cut.present(), count);
+      const taken =
+        step.move.kind === "thread" ? Float64Array.of(NaN) : takenBy(step, insert, sweep, cut.present(), count);
       const depths = taken.map((area) => {
         const depth = (area * count) / travel;
         return depth < SLIVER ? 0 : depth;

@@ -15,9 +15,18 @@ const insert = (RS: number, T: number, P: number): Tool => ({
   "P-ANGLE": degrees(P),
   CUTLENGTH: length(12),
 });
-const bar: Tool = { T: 9, NAME: "BAR-3", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(30) };
+const bar: Tool = {
+  T: 9,
+  NAME: "BAR-3",
+  TYPE: "RECTURN",
+  TO: 2,
+  RS: length(0.2),
+  CUTWIDTH: length(3),
+  CUTLENGTH: length(30),
+};
 const outwards = flat.heading(Math.PI / 2);
-const microns = (tool: Tool, feed: number, out = outwards) => 1000 * (cuspOf(insertShape(tool), out, feed)?.height ?? NaN);
+const microns = (tool: Tool, feed: number, out = outwards) =>
+  1000 * (cuspOf(insertShape(tool), out, feed)?.height ?? NaN);
 
 test("the rule and the circle: f²/8r, and what the rule leaves out", () => {
   expect(rzByRule(0.23, 0.8)).toBeCloseTo(8.265625, 9);
@@ -26,13 +35,16 @@ test("the rule and the circle: f²/8r, and what the rule leaves out", () => {
   expect(rzOfCircle(0.81, 0.4)).toBeNaN();
 });
 
-test.each([[0.08, 0.4], [0.137, 0.4], [0.31, 1.2]])("feed %f with a nose of %f: the outline of the insert leaves the cusp of its circle",
-  (feed, nose) => {
-    const cusp = cuspOf(insertShape(insert(nose, 93, 35)), outwards, feed);
-    expect(cusp?.by).toBe("nose");
-    expect(cusp?.nose).toBe(nose);
-    expect(1000 * (cusp?.height ?? 0)).toBeCloseTo(rzOfCircle(feed, nose), 6);
-  });
+test.each([
+  [0.08, 0.4],
+  [0.137, 0.4],
+  [0.31, 1.2],
+])("feed %f with a nose of %f: the outline of the insert leaves the cusp of its circle", (feed, nose) => {
+  const cusp = cuspOf(insertShape(insert(nose, 93, 35)), outwards, feed);
+  expect(cusp?.by).toBe("nose");
+  expect(cusp?.nose).toBe(nose);
+  expect(1000 * (cusp?.height ?? 0)).toBeCloseTo(rzOfCircle(feed, nose), 6);
+});
 
 test("a sharp insert leaves a saw tooth: f / (cot κ + cot κ')", () => {
   const cot = (angle: number) => 1 / Math.tan(radians(angle));

@@ -10,24 +10,28 @@ const { angleOf, dot, scaled, sum } = flat;
 const MICRONS = 1000;
 
 /**
- * The height that a nose leaves between two turns, µm, by the rule of thumb of the trade: Rz ≈ f²/(8·r). It holds while the feed is well
- * below twice the radius and the nose alone forms the surface. Feed in mm a turn, radius in mm.
+ * The height that a nose leaves between two turns, µm, by the rule of thumb of the trade: Rz ≈ f²/(8·r). It holds while
+ * the feed is well below twice the radius and the nose alone forms the surface. Feed in mm a turn, radius in mm.
  */
 export const rzByRule = (feed: number, nose: number): number => (MICRONS * feed * feed) / (8 * nose);
 
 /** Theoretical roughness from which on a surface is rough, not finished, µm. */
 export const ROUGH_RZ = 10;
 
-/** The same of the circle itself, µm: r − √(r² − f²/4); not a number beyond f = 2r, where neighbouring turns no longer meet on the nose. */
-export const rzOfCircle = (feed: number, nose: number): number => MICRONS * (nose - Math.sqrt(nose * nose - (feed * feed) / 4));
+/**
+ * The same of the circle itself, µm: r − √(r² − f²/4); not a number beyond f = 2r, where neighbouring turns no longer
+ * meet on the nose.
+ */
+export const rzOfCircle = (feed: number, nose: number): number =>
+  MICRONS * (nose - Math.sqrt(nose * nose - (feed * feed) / 4));
 
 /** What stays between two turns of a tool that goes along a straight surface. */
 export interface Cusp {
   /** Of the outline of the insert itself, mm. */
   readonly height: number;
   /**
-   * What forms the surface: the nose alone; the nose and an edge beside it, or both flanks, which leaves less than the rule says;
-   * or a straight edge that lies along the surface.
+   * What forms the surface: the nose alone; the nose and an edge beside it, or both flanks, which leaves less than the
+   * rule says; or a straight edge that lies along the surface.
    */
   readonly by: "nose" | "partly" | "edge";
   /** Radius of the nose where it takes part, mm. */
@@ -49,7 +53,8 @@ function crossings(shape: Convex, out: Flat, level: number): End[] {
       const t = from / (from - to);
       return [{ along: dot(edge.from, along) * (1 - t) + dot(edge.to, along) * t, edge }];
     }
-    const rise = level - dot(edge.centre, out), half = Math.sqrt(edge.radius * edge.radius - rise * rise);
+    const rise = level - dot(edge.centre, out),
+      half = Math.sqrt(edge.radius * edge.radius - rise * rise);
     if (!Number.isFinite(half)) return [];
     return [-half, half].flatMap((side) => {
       const angle = angleOf(sum(scaled(along, side), scaled(out, rise)));
@@ -60,7 +65,11 @@ function crossings(shape: Convex, out: Flat, level: number): End[] {
 }
 
 /** The two ends of an insert on a line along the surface; null where it does not cross. */
-function widest(shape: Convex, out: Flat, level: number): { readonly width: number; readonly ends: readonly [Edge, Edge] } | null {
+function widest(
+  shape: Convex,
+  out: Flat,
+  level: number,
+): { readonly width: number; readonly ends: readonly [Edge, Edge] } | null {
   const ends = crossings(shape, out, level).sort((a, b) => a.along - b.along);
   const [first, last] = [ends[0], ends.at(-1)];
   return first && last ? { width: last.along - first.along, ends: [first.edge, last.edge] } : null;
@@ -71,8 +80,9 @@ const LOWEST = 1e-6;
 const HALVINGS = 40;
 
 /**
- * What stays between two turns: the height at which the insert is as wide as the feed, seen along the surface. `out` points from the
- * work into the open (length 1), `feed` in mm a turn. Null where there is no feed, or the insert is narrower than it everywhere.
+ * What stays between two turns: the height at which the insert is as wide as the feed, seen along the surface. `out`
+ * points from the work into the open (length 1), `feed` in mm a turn. Null where there is no feed, or the insert is
+ * narrower than it everywhere.
  */
 export function cuspOf(shape: Convex, out: Flat, feed: number): Cusp | null {
   if (!(feed > 0) || !Number.isFinite(feed)) return null;

@@ -20,9 +20,9 @@ function seenAlong(ring: Ring, from: Pt, way: Pt): Ring {
 }
 
 /**
- * What of an area a tool takes in each of `count` equal parts of a straight way, mm². Each point is taken when the front of the tool
- * comes to it; so what lies side by side on a line along the way is counted where the front is by then. What the tool stands in when it
- * sets out is no chip, and is left out.
+ * What of an area a tool takes in each of `count` equal parts of a straight way, mm². Each point is taken when the
+ * front of the tool comes to it; so what lies side by side on a line along the way is counted where the front is by
+ * then. What the tool stands in when it sets out is no chip, and is left out.
  */
 export function takenAlong(area: readonly Ring[], outline: Ring, from: Pt, to: Pt, count: number): Float64Array {
   const parts = new Float64Array(count);
@@ -31,13 +31,16 @@ export function takenAlong(area: readonly Ring[], outline: Ring, from: Pt, to: P
   const way = part.unit(part.difference(to, from));
   const seen = area.map((ring) => seenAlong(ring, from, way));
   const tool = seenAlong(outline, at(0, 0), way);
-  const { low, high } = boxAround(seen), line = (high - low) / LINES;
+  const { low, high } = boxAround(seen),
+    line = (high - low) / LINES;
   const heights = Array.from({ length: LINES }, (_, i) => low + (i + 0.5) * line);
-  const inside = scanCrossings(seen, "z", heights), front = scanCrossings([tool], "z", heights);
+  const inside = scanCrossings(seen, "z", heights),
+    front = scanCrossings([tool], "z", heights);
   const size = long / count;
   let scanned = 0;
   heights.forEach((_, i) => {
-    const reach = front[i]?.at(-1), crossings = inside[i] ?? [];
+    const reach = front[i]?.at(-1),
+      crossings = inside[i] ?? [];
     for (let k = 0; k + 1 < crossings.length; k += 2) {
       const [a, b] = [crossings[k] as number, crossings[k + 1] as number];
       scanned += (b - a) * line;

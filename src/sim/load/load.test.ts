@@ -20,8 +20,23 @@ const rougher: Tool = {
   "P-ANGLE": degrees(80),
   CUTLENGTH: length(12),
 };
-const copier: Tool = { ...rougher, T: 4, NAME: "VNMG", "P-ANGLE": degrees(35), "T-ANGLE": degrees(100), RS: length(0.4) };
-const bar: Tool = { T: 9, NAME: "BAR-3", TYPE: "RECTURN", TO: 2, RS: length(0.2), CUTWIDTH: length(3), CUTLENGTH: length(30) };
+const copier: Tool = {
+  ...rougher,
+  T: 4,
+  NAME: "VNMG",
+  "P-ANGLE": degrees(35),
+  "T-ANGLE": degrees(100),
+  RS: length(0.4),
+};
+const bar: Tool = {
+  T: 9,
+  NAME: "BAR-3",
+  TYPE: "RECTURN",
+  TO: 2,
+  RS: length(0.2),
+  CUTWIDTH: length(3),
+  CUTLENGTH: length(30),
+};
 const button: Tool = { T: 11, NAME: "BUTTON", TYPE: "BUTTON", TO: 9, RS: length(2) };
 
 const purpose = { phase: "rough", run: "rough", step: 1 } as const;
@@ -52,9 +67,18 @@ function loadOf(blank: readonly Ring[], steps: readonly Step[], spindle: Spindle
 }
 /** The row that covers a moment of a step. */
 function rowAt(load: PathLoad, step: number, fraction: number) {
-  const k = load.step.findIndex((of, i) => of === step && (load.from[i] ?? 0) <= fraction && (load.to[i] ?? 0) >= fraction);
+  const k = load.step.findIndex(
+    (of, i) => of === step && (load.from[i] ?? 0) <= fraction && (load.to[i] ?? 0) >= fraction,
+  );
   const pick = (name: "depth" | "chip" | "feed" | "speed" | "rpm") => load[name][k] ?? NaN;
-  return { depth: pick("depth"), chip: pick("chip"), feed: pick("feed"), speed: pick("speed"), rpm: pick("rpm"), limited: load.limited[k] };
+  return {
+    depth: pick("depth"),
+    chip: pick("chip"),
+    feed: pick("feed"),
+    speed: pick("speed"),
+    rpm: pick("rpm"),
+    limited: load.limited[k],
+  };
 }
 
 describe("what is taken along the path", () => {
@@ -69,14 +93,26 @@ describe("what is taken along the path", () => {
   });
 
   test("the second of two passes is measured in what the first has left, not from its infeed", () => {
-    const steps = stepsOf(rougher, at(2, 30), [cut(-41, 30), rapid(-40, 33), rapid(2, 33), rapid(2, 27.1), cut(-50, 27.1)]);
+    const steps = stepsOf(rougher, at(2, 30), [
+      cut(-41, 30),
+      rapid(-40, 33),
+      rapid(2, 33),
+      rapid(2, 27.1),
+      cut(-50, 27.1),
+    ]);
     const load = loadOf(blank, steps);
     expect(Math.abs(rowAt(load, 4, 0.4).depth - 2.9)).toBeLessThan(0.02);
     expect(Math.abs(rowAt(load, 4, 0.95).depth - 4.27)).toBeLessThan(0.02);
   });
 
   test("air is no depth, and the same again finds nothing left", () => {
-    const steps = stepsOf(rougher, at(2, 30), [cut(-41, 30), rapid(-40, 33), rapid(2, 33), rapid(2, 30), cut(-40, 30, 0.11)]);
+    const steps = stepsOf(rougher, at(2, 30), [
+      cut(-41, 30),
+      rapid(-40, 33),
+      rapid(2, 33),
+      rapid(2, 30),
+      cut(-40, 30, 0.11),
+    ]);
     const load = loadOf(blank, steps);
     expect(rowAt(load, 4, 0.5)).toMatchObject({ depth: 0, chip: 0, feed: 0.11 });
     expect(load.step).not.toContain(1);
@@ -84,9 +120,11 @@ describe("what is taken along the path", () => {
 
   test("a cone: square to the path, however the infeed was given", () => {
     // Twice the same taper of 17 degrees, the second 1.1 mm deeper along the normal.
-    const slope = radians(17), [sin, cos] = [Math.sin(slope), Math.cos(slope)];
+    const slope = radians(17),
+      [sin, cos] = [Math.sin(slope), Math.cos(slope)];
     const on = (s: number, deeper: number) => at(3 - s * cos - deeper * sin, 24 + s * sin - deeper * cos);
-    const first = [on(0, 0), on(40, 0)] as const, second = [on(0, 1.1), on(40, 1.1)] as const;
+    const first = [on(0, 0), on(40, 0)] as const,
+      second = [on(0, 1.1), on(40, 1.1)] as const;
     const steps = stepsOf(copier, first[0], [
       cut(first[1].z, first[1].r),
       rapid(first[1].z, 60),
@@ -109,7 +147,13 @@ describe("what is taken along the path", () => {
       feedUnit: "mm/rev",
       ...purpose,
     });
-    const steps = stepsOf(button, at(0, 40 - 15), [arc(15), rapid(-15, 60), rapid(0, 60), rapid(0, 40 - 15.7), arc(15.7)]);
+    const steps = stepsOf(button, at(0, 40 - 15), [
+      arc(15),
+      rapid(-15, 60),
+      rapid(0, 60),
+      rapid(0, 40 - 15.7),
+      arc(15.7),
+    ]);
     const load = loadOf([box(-60, 0, 0, 38)], steps);
     const { depth, chip } = rowAt(load, 4, 0.45);
     expect(depth).toBeCloseTo((17.7 ** 2 - 17 ** 2) / 2 / 15.7, 2);
@@ -146,10 +190,14 @@ describe("what is taken along the path", () => {
 
   test("facing without a limit: speed, feed and depth stay, and the spindle turns ever faster", () => {
     const spindle: Spindle = { kind: "surface", cuttingSpeed: 183, limit: 0 };
-    const load = loadOf([box(-60, 0, 1.3, 30.5)], stepsOf({ ...copier, "T-ANGLE": degrees(120) }, at(0, 33), [cut(0, -0.8, 0.17)]),
-      spindle);
+    const load = loadOf(
+      [box(-60, 0, 1.3, 30.5)],
+      stepsOf({ ...copier, "T-ANGLE": degrees(120) }, at(0, 33), [cut(0, -0.8, 0.17)]),
+      spindle,
+    );
     for (const r of [27.1, 14.3, 6.9]) {
-      const row = rowAt(load, 0, (33 - r) / 33.8), rpm = 183_000 / (2 * Math.PI * r);
+      const row = rowAt(load, 0, (33 - r) / 33.8),
+        rpm = 183_000 / (2 * Math.PI * r);
       expect([row.speed, row.feed]).toEqual([expect.closeTo(183, 9), 0.17]);
       expect(row.depth).toBeCloseTo(1.3, 2);
       // A stretch is 0.75 mm, within which the speed is told once.
@@ -158,7 +206,15 @@ describe("what is taken along the path", () => {
   });
 
   test("a thread has a feed by its lead and no depth", () => {
-    const thread: Move = { kind: "thread", to: at(-20, 30), pitch: length(1.75), axis: "z", angle: degrees(0), stops: false, ...purpose };
+    const thread: Move = {
+      kind: "thread",
+      to: at(-20, 30),
+      pitch: length(1.75),
+      axis: "z",
+      angle: degrees(0),
+      stops: false,
+      ...purpose,
+    };
     const { depth, feed } = rowAt(loadOf(blank, stepsOf(copier, at(4, 30), [thread])), 0, 0.5);
     expect([depth, feed]).toEqual([NaN, 1.75]);
   });
@@ -185,24 +241,38 @@ describe("the roughness of what is left", () => {
   /** The stretch of the surface that goes through a place. */
   const through = (stretches: ReturnType<typeof roughOf>, z: number, r: number) =>
     stretches.find(({ points }) =>
-      points.slice(1).some((to, i) => part.distanceTo({ kind: "line", from: points[i] as Pt, to }, at(z, r)) < 0.01)
+      points.slice(1).some((to, i) => part.distanceTo({ kind: "line", from: points[i] as Pt, to }, at(z, r)) < 0.01),
     );
 
   const blank = [box(-60, 0, 0, 31.37)];
 
   test("the last feed along it says it, with its own feed; what was never turned has none", () => {
-    const steps = stepsOf(copier, at(2, 30), [cut(-41, 30), rapid(-40, 33), rapid(2, 33), rapid(2, 30), cut(-17.3, 30, 0.117)]);
+    const steps = stepsOf(copier, at(2, 30), [
+      cut(-41, 30),
+      rapid(-40, 33),
+      rapid(2, 33),
+      rapid(2, 30),
+      cut(-17.3, 30, 0.117),
+    ]);
     const found = roughOf(blank, steps);
     expect(through(found, -9, 30)).toMatchObject({ by: "nose", rz: rzByRule(0.117, 0.4), nose: 0.4, block: 14 });
     expect(through(found, -30, 30)).toMatchObject({ by: "nose", rz: rzByRule(0.23, 0.4), block: 10 });
     expect(through(found, -55, 31.37)).toBeUndefined();
     const { position } = through(found, -30, 30) ?? {};
     expect(position?.step).toBe(0);
-    expect(part.pointOn({ kind: "line", from: at(2, 30), to: at(-41, 30) }, position?.fraction ?? 0).z).toBeLessThan(-17);
+    expect(part.pointOn({ kind: "line", from: at(2, 30), to: at(-41, 30) }, position?.fraction ?? 0).z).toBeLessThan(
+      -17,
+    );
   });
 
   test("cones and arcs are seen as what they are", () => {
-    const round: Move = { ...cut(0, 0, 0.141), kind: "arc", to: at(-14.4, 30.6), centre: at(-14.4, 36.6), turn: "cw" } as Move;
+    const round: Move = {
+      ...cut(0, 0, 0.141),
+      kind: "arc",
+      to: at(-14.4, 30.6),
+      centre: at(-14.4, 36.6),
+      turn: "cw",
+    } as Move;
     const steps = stepsOf(copier, at(2, 20), [
       cut(-8.4, 22.63, 0.083),
       rapid(-8.4, 36.6),
@@ -218,8 +288,11 @@ describe("the roughness of what is left", () => {
 
   test("a face at constant cutting speed with a feed in mm/min: coarser outside, where the spindle turns slower", () => {
     const surface = [{ step: 0, spindle: { kind: "surface", cuttingSpeed: 187, limit: 1900 } as const }];
-    const found = roughOf([box(-60, 0, 1.3, 31)], stepsOf({ ...copier, "T-ANGLE": degrees(120) }, at(0, 33), [cut(0, -0.4, 211, "mm/min")]),
-      surface);
+    const found = roughOf(
+      [box(-60, 0, 1.3, 31)],
+      stepsOf({ ...copier, "T-ANGLE": degrees(120) }, at(0, 33), [cut(0, -0.4, 211, "mm/min")]),
+      surface,
+    );
     const rzAt = (r: number) => through(found, 0, r)?.rz ?? NaN;
     const perTurn = (r: number) => 211 / Math.min(1900, 187_000 / (2 * Math.PI * r));
     expect(rzAt(28)).toBeGreaterThan(rzAt(20));
@@ -231,7 +304,15 @@ describe("the roughness of what is left", () => {
     const found = roughOf(blank, stepsOf(bar, at(-20, 33), [cut(-20, 24.2), rapid(-20, 33)]));
     expect(through(found, -20, 24.2)).toMatchObject({ by: "shape", rz: null });
     expect(through(found, -21.5, 28)).toMatchObject({ by: "edge", rz: null });
-    const thread: Move = { kind: "thread", to: at(-20, 30.9), pitch: length(1.75), axis: "z", angle: degrees(0), stops: false, ...purpose };
+    const thread: Move = {
+      kind: "thread",
+      to: at(-20, 30.9),
+      pitch: length(1.75),
+      axis: "z",
+      angle: degrees(0),
+      stops: false,
+      ...purpose,
+    };
     expect(roughOf(blank, stepsOf(copier, at(4, 30.9), [thread])).map(({ by }) => by)).toContain("thread");
   });
 

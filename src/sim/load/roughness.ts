@@ -13,8 +13,9 @@ import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "./spindles.ts";
 import { madeBy, surfaceOf, type Made } from "./surface.ts";
 
 /**
- * What forms a stretch of the finished surface: the nose alone, or with an edge beside it ("partly"); a straight edge along the surface;
- * the shape of the tool where it only stood; a thread; a drill; nothing that is known, because there is no feed a turn.
+ * What forms a stretch of the finished surface: the nose alone, or with an edge beside it ("partly"); a straight edge
+ * along the surface; the shape of the tool where it only stood; a thread; a drill; nothing that is known, because there
+ * is no feed a turn.
  */
 export type FormedBy = Cusp["by"] | "shape" | "thread" | "drill" | "unknown";
 
@@ -26,7 +27,10 @@ export interface RoughStretch {
   readonly block: number;
   readonly operation: number | null;
   readonly by: FormedBy;
-  /** Theoretical Rz, µm: f²/(8·r) of the nose alone, the height of the outline where an edge takes part; null where neither says it. */
+  /**
+   * Theoretical Rz, µm: f²/(8·r) of the nose alone, the height of the outline where an edge takes part; null where
+   * neither says it.
+   */
   readonly rz: number | null;
   /** Of the circle of the nose, or of the outline of the insert, µm. */
   readonly exact: number | null;
@@ -35,7 +39,10 @@ export interface RoughStretch {
   readonly nose: number | null;
 }
 
-/** Feeds and directions that differ by less are the same for a height, and it is worked out once: mm, and parts of a direction. */
+/**
+ * Feeds and directions that differ by less are the same for a height, and it is worked out once: mm, and parts of a
+ * direction.
+ */
 const ALIKE = 1e4;
 
 type Formed = Pick<RoughStretch, "by" | "rz" | "exact" | "feed" | "nose">;
@@ -80,27 +87,40 @@ const joins = (a: Pt, b: Pt) => part.apart(a, b) <= SAME;
 
 /** How much of a move is done when its tip stands at a place of its path. */
 function fractionOf(step: Step, tip: Pt): number {
-  const path = pathOf(step.from, step.move), long = part.lengthOf(path);
+  const path = pathOf(step.from, step.move),
+    long = part.lengthOf(path);
   return long > SAME ? Math.min(1, Math.max(0, part.along(path, tip) / long)) : 0;
 }
 
 /**
- * The theoretical roughness of a finished surface: each stretch of it with the move that made it. What no move has made is left out.
- * `first` is the first step since the work is held as it is.
+ * The theoretical roughness of a finished surface: each stretch of it with the move that made it. What no move has made
+ * is left out. `first` is the first step since the work is held as it is.
  */
-export function roughnessOf(stock: readonly Ring[], steps: readonly Step[], spindles: readonly SpindleFrom[], first = 0): RoughStretch[] {
+export function roughnessOf(
+  stock: readonly Ring[],
+  steps: readonly Step[],
+  spindles: readonly SpindleFrom[],
+  first = 0,
+): RoughStretch[] {
   const form = forming(spindles);
   const stretches: (Omit<RoughStretch, "points"> & { readonly points: Pt[] })[] = [];
   for (const made of madeBy(surfaceOf(stock), steps, first)) {
     const step = made.step === null ? undefined : steps[made.step];
     if (made.step === null || !step) continue;
-    const formed = form(made, made.step, step), last = stretches.at(-1);
+    const formed = form(made, made.step, step),
+      last = stretches.at(-1);
     const end = last?.points.at(-1);
     const isSame = (last?.by === formed.by && last.rz === formed.rz) || part.apart(made.from, made.to) < NO_PIECE;
     if (last && end && isSame && last.position.step === made.step && joins(end, made.from)) last.points.push(made.to);
     else {
       const position = { step: made.step, fraction: fractionOf(step, made.tip) };
-      stretches.push({ ...formed, position, block: step.block, operation: step.operation, points: [made.from, made.to] });
+      stretches.push({
+        ...formed,
+        position,
+        block: step.block,
+        operation: step.operation,
+        points: [made.from, made.to],
+      });
     }
   }
   return stretches;

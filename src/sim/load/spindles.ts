@@ -21,10 +21,12 @@ function entryAt(spindles: readonly SpindleFrom[], step: number): SpindleFrom | 
 }
 
 /** How the spindle turns at a step. */
-export const spindleAt = (spindles: readonly SpindleFrom[], step: number): Spindle | null => entryAt(spindles, step)?.spindle ?? null;
+export const spindleAt = (spindles: readonly SpindleFrom[], step: number): Spindle | null =>
+  entryAt(spindles, step)?.spindle ?? null;
 
 /** Whether it turns the other way round than M3 turns it. */
-export const turnsBack = (spindles: readonly SpindleFrom[], step: number): boolean => entryAt(spindles, step)?.backwards ?? false;
+export const turnsBack = (spindles: readonly SpindleFrom[], step: number): boolean =>
+  entryAt(spindles, step)?.backwards ?? false;
 
 /** Spindle speed, rpm, at `r` mm from the axis; not a number where none is known, or none is fast enough. */
 export function rpmAt(spindle: Spindle | null, r: number): number {
@@ -32,7 +34,9 @@ export function rpmAt(spindle: Spindle | null, r: number): number {
   return rpm > 0 && Number.isFinite(rpm) ? rpm : NaN;
 }
 
-/** Feed in mm a turn of a move at a spindle speed in rpm; not a number for a rapid, and where the speed is not known. */
+/**
+ * Feed in mm a turn of a move at a spindle speed in rpm; not a number for a rapid, and where the speed is not known.
+ */
 export function feedPerTurn(move: Move, rpm: number): number {
   if (move.kind === "rapid") return NaN;
   if (move.kind === "thread") return Math.abs(move.pitch);

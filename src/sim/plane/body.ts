@@ -30,13 +30,16 @@ const HIGH = 1e5;
 
 /** From which radius to which a turned body has material above a height, joined and in order. */
 function spansAbove(section: readonly Ring[], height: number): readonly (readonly [number, number])[] {
-  const above = height === -Infinity
-    ? section
-    : intersection(section, [[at(height, -HIGH), at(HIGH, -HIGH), at(HIGH, HIGH), at(height, HIGH)]]);
-  const spans = above.map((ring) => {
-    const { low, high } = boxAround([ring]);
-    return [Math.max(0, low), high] as const;
-  }).sort(([a], [b]) => a - b);
+  const above =
+    height === -Infinity
+      ? section
+      : intersection(section, [[at(height, -HIGH), at(HIGH, -HIGH), at(HIGH, HIGH), at(height, HIGH)]]);
+  const spans = above
+    .map((ring) => {
+      const { low, high } = boxAround([ring]);
+      return [Math.max(0, low), high] as const;
+    })
+    .sort(([a], [b]) => a - b);
   const joined: [number, number][] = [];
   for (const [from, to] of spans) {
     const last = joined.at(-1);
@@ -69,12 +72,13 @@ const facesOf = (section: readonly Ring[]): readonly number[] =>
     ring.flatMap((to, i) => {
       const from = ring[(i + ring.length - 1) % ring.length];
       return from && Math.abs(from.z - to.z) <= SAME && to.r - from.r > SAME ? [to.z] : [];
-    })
+    }),
   );
 
 /** Between which heights a body stands, and those of its flat shoulders; null where there is none. */
 export function heightsOf(body: MilledBody): BodyHeights | null {
-  const { block, turned } = body, section = turned && turned.length > 0 ? boxAround(turned) : null;
+  const { block, turned } = body,
+    section = turned && turned.length > 0 ? boxAround(turned) : null;
   if (!block && !section) return null;
   const bottom = Math.max(block?.bottom ?? -Infinity, section?.left ?? -Infinity);
   const top = Math.min(block?.top ?? Infinity, section?.right ?? Infinity);

@@ -6,7 +6,10 @@ import { at, type Ring } from "../../kernel/geometry/point.ts";
 import type { MilledBody } from "./body.ts";
 import { milledStock, type MilledMoment } from "./milled.ts";
 
-const BLOCK: MilledBody = { block: { left: -3.7, right: 81.9, low: 1.3, high: 47.2, bottom: -19.4, top: 0.6 }, turned: null };
+const BLOCK: MilledBody = {
+  block: { left: -3.7, right: 81.9, low: 1.3, high: 47.2, bottom: -19.4, top: 0.6 },
+  turned: null,
+};
 const WHOLE = 85.6 * 45.9;
 type Spot = readonly [x: number, y: number, z: number | null];
 const spot = ([x, y, z]: Spot) => ({ x, y, z });
@@ -18,7 +21,13 @@ const feed = (from: Spot, to: Spot, radius = 4.3): MillMotion => ({
   radius,
   index: 0,
 });
-const rapid = (from: Spot, to: Spot, radius = 4.3): MillMotion => ({ kind: "rapid", from: spot(from), to: spot(to), radius, index: 0 });
+const rapid = (from: Spot, to: Spot, radius = 4.3): MillMotion => ({
+  kind: "rapid",
+  from: spot(from),
+  to: spot(to),
+  radius,
+  index: 0,
+});
 
 function milled(motions: readonly MillMotion[], body: MilledBody = BLOCK) {
   const stock = milledStock({ motions, bodies: [{ step: 0, body }] });
@@ -27,8 +36,10 @@ function milled(motions: readonly MillMotion[], body: MilledBody = BLOCK) {
   return stock;
 }
 /** What stands above each limit, what the running motion has swept taken away. */
-const areas = ({ standing, swept }: MilledMoment) => standing.map((rings, i) => areaOf(difference(rings, swept[i] ?? [])));
-const atEnd = (motions: readonly MillMotion[], body?: MilledBody) => areas(milled(motions, body).at({ step: motions.length, fraction: 0 }));
+const areas = ({ standing, swept }: MilledMoment) =>
+  standing.map((rings, i) => areaOf(difference(rings, swept[i] ?? [])));
+const atEnd = (motions: readonly MillMotion[], body?: MilledBody) =>
+  areas(milled(motions, body).at({ step: motions.length, fraction: 0 }));
 /** Round tools and blanks are polygons, a little smaller than their circles. */
 const near = (area: number | false | null | undefined, expected: number) =>
   expect(Math.abs((area || 0) - expected) / expected).toBeLessThan(0.004);
@@ -43,7 +54,12 @@ describe("what a round tool takes of a block", () => {
   });
   test("is a band along an arc, and a ring where that closes", () => {
     const centre = { x: 40.3, y: 24.6 };
-    const arc = (to: Spot): MillMotion => ({ ...feed([40.3 + 11.7, 24.6, -2.9], to), kind: "arc", centre, turn: "ccw" });
+    const arc = (to: Spot): MillMotion => ({
+      ...feed([40.3 + 11.7, 24.6, -2.9], to),
+      kind: "arc",
+      centre,
+      turn: "ccw",
+    });
     const [quarter] = atEnd([arc([40.3, 24.6 + 11.7, -2.9])]);
     near(WHOLE - (quarter ?? 0), (Math.PI / 2) * 11.7 * 2 * 4.3 + Math.PI * 4.3 ** 2);
     const [round] = atEnd([arc([40.3 + 11.7, 24.6, -2.9])]);
@@ -64,10 +80,14 @@ describe("what a round tool takes of a block", () => {
     near(WHOLE - (above ?? 0), 85.6 * 8.6);
   });
   test("is told by its depth: the deepest pass counts, and what goes through the bottom is gone", () => {
-    const shallow = feed([0, 24, -2.2], [80, 24, -2.2]), deep = feed([30.4, 24, -7.7], [49.1, 24, -7.7]);
+    const shallow = feed([0, 24, -2.2], [80, 24, -2.2]),
+      deep = feed([30.4, 24, -7.7], [49.1, 24, -7.7]);
     const through = feed([40, 24, -19.4], [40, 24, -19.4], 2.1);
     const stock = milled([deep, shallow, through]);
-    expect([stock.depths, stock.limits]).toEqual([[-2.2, -7.7], [0.6, -2.2, -19.4]]);
+    expect([stock.depths, stock.limits]).toEqual([
+      [-2.2, -7.7],
+      [0.6, -2.2, -19.4],
+    ]);
     const [untouched, first, second] = areas(stock.at({ step: 3, fraction: 0 }));
     // The shallow one runs out over the left side, X-3.7.
     const over = 4.3 ** 2 * Math.acos(3.7 / 4.3) - 3.7 * Math.sqrt(4.3 ** 2 - 3.7 ** 2);
@@ -97,8 +117,9 @@ describe("what a round tool takes of a block", () => {
 });
 
 test("at any moment it is what was swept until then, in whatever order moments are asked for", () => {
-  const zigzag = Array.from({ length: 130 },
-    (_, i) => feed([2 + i * 0.55, i % 2 ? 44.1 : 6.3, -1.7 - (i % 3)], [2 + (i + 1) * 0.55, i % 2 ? 6.3 : 44.1, -1.7 - (i % 3)]));
+  const zigzag = Array.from({ length: 130 }, (_, i) =>
+    feed([2 + i * 0.55, i % 2 ? 44.1 : 6.3, -1.7 - (i % 3)], [2 + (i + 1) * 0.55, i % 2 ? 6.3 : 44.1, -1.7 - (i % 3)]),
+  );
   const stock = milled(zigzag);
   const moments = [130, 7, 88, 0, 41, 40, 129, 12].map((step) => ({ step, fraction: step === 88 ? 0.37 : 0 }));
   const asked = moments.map((m) => areas(stock.at(m)));
@@ -112,7 +133,8 @@ test("at any moment it is what was swept until then, in whatever order moments a
 const side: Ring = [at(-3.7, 1.3), at(81.9, 1.3), at(81.9, 47.2), at(-3.7, 47.2)];
 /** A slot without its round ends. */
 function slot(x: number, y: number, toX: number, toY: number): Ring {
-  const long = Math.hypot(toX - x, toY - y), [dx, dy] = [(-(toY - y) / long) * 4.3, ((toX - x) / long) * 4.3];
+  const long = Math.hypot(toX - x, toY - y),
+    [dx, dy] = [(-(toY - y) / long) * 4.3, ((toX - x) / long) * 4.3];
   return [at(x - dx, y - dy), at(toX - dx, toY - dy), at(toX + dx, toY + dy), at(x + dx, y + dy)];
 }
 
@@ -129,26 +151,30 @@ test("is cut a bit at a time, and shown as far as it is", () => {
 describe("a round body", () => {
   const shaft: readonly Ring[] = [[at(-40, 0), at(0, 0), at(0, 12.4), at(-15.3, 12.4), at(-15.3, 21.7), at(-40, 21.7)]];
   test("stands over a circle; what is above a shoulder is air, and what is milled of the shoulder is told from the rest of it", () => {
-    const across = feed([-30, 17.2, -8.1], [30, 17.2, -8.1], 1.6), deep = feed([-30, 17.2, -16.9], [30, 17.2, -16.9], 1.6);
+    const across = feed([-30, 17.2, -8.1], [30, 17.2, -8.1], 1.6),
+      deep = feed([-30, 17.2, -16.9], [30, 17.2, -16.9], 1.6);
     const stock = milled([across, deep, feed([0, 0, -24.6], [0, 0, -24.6], 3.3)], { block: null, turned: shaft });
     expect(stock.limits).toEqual([0, -8.1, -15.3, -16.9, -40]);
     expect([stock.depths, stock.shoulders, stock.hasLower]).toEqual([[-8.1, -16.9, -24.6], [-15.3], false]);
     const at = (step: number) => areas(stock.at({ step, fraction: 0 }));
-    const [small, large] = [Math.PI * 12.4 ** 2, Math.PI * 21.7 ** 2], hole = Math.PI * 3.3 ** 2;
-    const above = (y: number) => 21.7 ** 2 * Math.acos(y / 21.7) - y * Math.sqrt(21.7 ** 2 - y * y), flat = above(15.6) - above(18.8);
-    for (const [step, expected] of [[1, [small, small, large, large, large]], [2, [small, small, large - flat, large, large]], [3, [
-      small - hole,
-      small - hole,
-      large - flat - hole,
-      large - hole,
-      large,
-    ]]] as const)
+    const [small, large] = [Math.PI * 12.4 ** 2, Math.PI * 21.7 ** 2],
+      hole = Math.PI * 3.3 ** 2;
+    const above = (y: number) => 21.7 ** 2 * Math.acos(y / 21.7) - y * Math.sqrt(21.7 ** 2 - y * y),
+      flat = above(15.6) - above(18.8);
+    for (const [step, expected] of [
+      [1, [small, small, large, large, large]],
+      [2, [small, small, large - flat, large, large]],
+      [3, [small - hole, small - hole, large - flat - hole, large - hole, large]],
+    ] as const)
       at(step).forEach((area, i) => near(area, expected[i] ?? 0));
     // Between the shoulder and what was asked for lie 1.6 mm of air, then 0.2 of material.
-    const [, , shoulder] = atEnd([across, feed([-30, 17.2, -15.5], [30, 17.2, -15.5], 1.6), feed([0, 0, -24.6], [0, 0, -24.6], 3.3)], {
-      block: null,
-      turned: shaft,
-    });
+    const [, , shoulder] = atEnd(
+      [across, feed([-30, 17.2, -15.5], [30, 17.2, -15.5], 1.6), feed([0, 0, -24.6], [0, 0, -24.6], 3.3)],
+      {
+        block: null,
+        turned: shaft,
+      },
+    );
     near(shoulder, large - flat - hole);
     const came = stock.at({ step: 3, fraction: 0 }).came.map((rings) => areaOf(rings));
     [small, 0, large - small, 0, 0].forEach((area, i) => (area === 0 ? expect(came[i]).toBe(0) : near(came[i], area)));
@@ -165,7 +191,10 @@ describe("a round body", () => {
     const motions = [feed([-40, 0, -3], [40, 0, -3], 5), feed([-40, 40, -3], [40, 40, -3], 5)];
     const stock = milledStock({
       motions,
-      bodies: [{ step: 0, body: { block: null, turned: full } }, { step: 1, body: { block: null, turned: thin } }],
+      bodies: [
+        { step: 0, body: { block: null, turned: full } },
+        { step: 1, body: { block: null, turned: thin } },
+      ],
     });
     stock?.advance(9);
     const slotIn = (r: number) => 2 * (r * r * Math.asin(5 / r) + 5 * Math.sqrt(r * r - 25));
@@ -188,8 +217,12 @@ describe("a rapid", () => {
   });
   test("in its own slot, above the top, or deeper than nothing is none", () => {
     expect(
-      milled([slotted, rapid([70, 24, -4.4], [10, 24, -4.4]), rapid([10, 24, -4.4], [10, 24, 30]), rapid([10, 24, 30], [70, 40, 30])])
-        .rapids(),
+      milled([
+        slotted,
+        rapid([70, 24, -4.4], [10, 24, -4.4]),
+        rapid([10, 24, -4.4], [10, 24, 30]),
+        rapid([10, 24, 30], [70, 40, 30]),
+      ]).rapids(),
     ).toEqual([]);
   });
   test("deeper than the slot it runs in is one", () => {

@@ -12,7 +12,9 @@ import { heightsOf, standingAbove, type MilledBody } from "./body.ts";
 import { heightLimits, toldHeights, type ToldHeights } from "./depths.ts";
 import { sweeper, type Sweeper } from "./swept-below.ts";
 
-/** What is milled: motions of round flat tools, and the body from each of some motions on, the first from the beginning. */
+/**
+ * What is milled: motions of round flat tools, and the body from each of some motions on, the first from the beginning.
+ */
 export interface MilledInput {
   readonly motions: readonly MillMotion[];
   readonly bodies: readonly { readonly step: number; readonly body: MilledBody }[];
@@ -20,11 +22,17 @@ export interface MilledInput {
 
 /** A body as it stands at a moment. */
 export interface MilledMoment {
-  /** Where it stands above each limit, as it was when the running motion began. Never changed: the same array is the same area. */
+  /**
+   * Where it stands above each limit, as it was when the running motion began. Never changed: the same array is the
+   * same area.
+   */
   readonly standing: readonly (readonly Ring[])[];
   /** What the running motion has swept below each limit since, by the non-zero rule; empty where it meets nothing. */
   readonly swept: readonly (readonly Ring[])[];
-  /** Where the body came from under the mill between each limit and the one before it: what still stands there is not milled. */
+  /**
+   * Where the body came from under the mill between each limit and the one before it: what still stands there is not
+   * milled.
+   */
   readonly came: readonly (readonly Ring[])[];
 }
 
@@ -39,8 +47,9 @@ export interface RapidThrough {
 }
 
 /**
- * A body that is milled, in the plane: for each limit the area over which it stands above. It is told from above only: no overhang, no rest
- * of a ball or a point. Cutting it takes time, so it is cut a bit at a time; a moment that is not reached yet is shown as far as it is.
+ * A body that is milled, in the plane: for each limit the area over which it stands above. It is told from above only:
+ * no overhang, no rest of a ball or a point. Cutting it takes time, so it is cut a bit at a time; a moment that is not
+ * reached yet is shown as far as it is.
  */
 export interface MilledStock extends ToldHeights {
   readonly bottom: number;
@@ -76,30 +85,43 @@ function standingOn(body: MilledBody, limit: number, { bottom, top }: Pick<Mille
 }
 
 /** Between each limit and the one before it the area over which a body reaches that high and no higher. */
-function cameFrom(body: MilledBody, limits: readonly number[], heights: Pick<MilledStock, "bottom" | "top">): readonly (readonly Ring[])[] {
+function cameFrom(
+  body: MilledBody,
+  limits: readonly number[],
+  heights: Pick<MilledStock, "bottom" | "top">,
+): readonly (readonly Ring[])[] {
   const areas = limits.map((limit) => standingOn(body, limit, heights));
   return areas.map((area, i) => (i === 0 ? area : real(difference(area, areas[i - 1] ?? []))));
 }
 
 /** Begins to cut; null where there is no body. */
 export function milledStock({ motions, bodies }: MilledInput): MilledStock | null {
-  const first = bodies[0], heights = first && heightsOf(first.body);
+  const first = bodies[0],
+    heights = first && heightsOf(first.body);
   if (!heights) return null;
   const { bottom, top } = heights;
-  const told = toldHeights(motions, { bottom, top, shoulders: bodies.flatMap(({ body }) => heightsOf(body)?.shoulders ?? []) });
-  const lowest = told.heights.at(-1) ?? top, area = (body: MilledBody, height: number) => areaOf(standingAbove(body, height));
+  const told = toldHeights(motions, {
+    bottom,
+    top,
+    shoulders: bodies.flatMap(({ body }) => heightsOf(body)?.shoulders ?? []),
+  });
+  const lowest = told.heights.at(-1) ?? top,
+    area = (body: MilledBody, height: number) => areaOf(standingAbove(body, height));
   const hasLower = bodies.some(({ body }) => area(body, -Infinity) > area(body, lowest - SAME) + SAME);
   const limits = heightLimits(told.heights, heights, hasLower);
   const bodyAt = new Map(bodies.map((each) => [each.step, each]));
   const layers = limits.map((limit): Layer => ({ limit, marks: marksOf() }));
   const rapids: RapidThrough[] = [];
-  let cuts: readonly Cutting[] = [], next = 0, marked = 0;
+  let cuts: readonly Cutting[] = [],
+    next = 0,
+    marked = 0;
 
   const came = bodies.map(({ step, body }) => ({ step, areas: cameFrom(body, limits, heights) }));
   /** What another body leaves of areas: turning takes material away between two cuts of a mill. */
   const taken = (body: MilledBody, before: readonly (readonly Ring[])[] | null) =>
     limits.map((limit, i) => {
-      const own = standingOn(body, limit, heights), had = before?.[i];
+      const own = standingOn(body, limit, heights),
+        had = before?.[i];
       return had ? intersection(had, own) : own;
     });
   const begin = (areas: readonly (readonly Ring[])[], step: number, given?: "isStated") => {
@@ -110,22 +132,31 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
 
   const sweeps = sweeper();
   /** A cut as deep as a limit leaves what it is the height of, but for the bottom: that is milled through. */
-  const swept = (m: MillMotion, limit: number, fraction?: number) => sweeps(m, limit + (limit <= bottom ? SAME : -SAME), fraction);
+  const swept = (m: MillMotion, limit: number, fraction?: number) =>
+    sweeps(m, limit + (limit <= bottom ? SAME : -SAME), fraction);
 
   function look(m: MillMotion, step: number): void {
     if (!isRapid(m) || rapids.length >= MOST_RAPIDS) return;
-    const rings = real(union(limits.flatMap((limit, i) => {
-      const now = cuts[i]?.present();
-      return now ? inStock(swept(m, limit), now) : [];
-    })));
+    const rings = real(
+      union(
+        limits.flatMap((limit, i) => {
+          const now = cuts[i]?.present();
+          return now ? inStock(swept(m, limit), now) : [];
+        }),
+      ),
+    );
     if (rings.length > 0) rapids.push({ step, rings });
   }
 
   function cut(): void {
-    const body = bodyAt.get(next), m = motions[next];
+    const body = bodyAt.get(next),
+      m = motions[next];
     if (body) cuts = begin(taken(body.body, next === 0 ? null : cuts.map((c) => c.stock())), next, "isStated");
     else if (next - marked >= MARK.motions || cuts.some((c) => c.pieces >= MARK.pieces))
-      cuts = begin(cuts.map((c) => c.stock()), next);
+      cuts = begin(
+        cuts.map((c) => c.stock()),
+        next,
+      );
     if (m) {
       look(m, next);
       limits.forEach((limit, i) => {
@@ -149,11 +180,14 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
       return next >= motions.length;
     },
     at({ step, fraction }) {
-      const whole = Math.max(0, Math.min(step, next)), running = whole < step || fraction <= 0 ? undefined : motions[whole];
+      const whole = Math.max(0, Math.min(step, next)),
+        running = whole < step || fraction <= 0 ? undefined : motions[whole];
       const standing = players.map((player) => player(whole));
       return {
         standing,
-        swept: limits.map((limit) => (running ? swept(running, limit, fraction).flatMap(({ rings }) => [...rings]) : [])),
+        swept: limits.map((limit) =>
+          running ? swept(running, limit, fraction).flatMap(({ rings }) => [...rings]) : [],
+        ),
         came: came.findLast((each) => each.step <= whole)?.areas ?? [],
       };
     },
@@ -162,7 +196,10 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
   };
 }
 
-/** The area of one layer at the beginning of any motion: from the nearest mark before it, or on from where it was asked last. */
+/**
+ * The area of one layer at the beginning of any motion: from the nearest mark before it, or on from where it was asked
+ * last.
+ */
 function layerPlayer(
   motions: readonly MillMotion[],
   marks: readonly Checkpoint[],
@@ -186,7 +223,11 @@ function layerPlayer(
       now.next += 1;
       const begun: Checkpoint | undefined = marks[now.mark + 1];
       if (begun?.step === now.next)
-        now = { mark: now.mark + 1, next: now.next, cut: cutting(isGiven(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()) };
+        now = {
+          mark: now.mark + 1,
+          next: now.next,
+          cut: cutting(isGiven(begun) ? unpacked(begun.stock ?? []) : now.cut.stock()),
+        };
     }
     return areaOf(now.cut);
   };

@@ -11,7 +11,10 @@ const SIDE_PIECES = 48;
 /** Part of a motion by fractions of its way. */
 type Span = readonly [from: number, to: number];
 
-/** Where on its way a motion with an even slope is below a height or a hair above it, up to `fraction`; null where it never is. */
+/**
+ * Where on its way a motion with an even slope is below a height or a hair above it, up to `fraction`; null where it
+ * never is.
+ */
 function spanBelow({ z: from }: MillSpot, { z: to }: MillSpot, height: number, fraction: number): Span | null {
   const [a, b] = [from ?? to, to ?? from];
   if (a === null || b === null) return null;

@@ -16,15 +16,23 @@ export interface DepthStrip {
 
 const n = (v: number) => String(Math.round(v * 1e4) / 1e4 + 0);
 
-/** A strip of more motions is drawn by columns: finer than a picture has points, each from its highest to its lowest place. */
+/**
+ * A strip of more motions is drawn by columns: finer than a picture has points, each from its highest to its lowest
+ * place.
+ */
 const COLUMNS = 6000;
 
 /** Lines from one place of the strip to the next, as one path for each way of moving. */
-function drawn(motions: readonly MillMotion[], begins: readonly number[], y: (z: number) => number): Pick<DepthStrip, "rapid" | "feed"> {
+function drawn(
+  motions: readonly MillMotion[],
+  begins: readonly number[],
+  y: (z: number) => number,
+): Pick<DepthStrip, "rapid" | "feed"> {
   const paths = { rapid: "", feed: "" };
   motions.forEach((m, i) => {
     if (m.from.z === null || m.to.z === null) return;
-    paths[isRapid(m) ? "rapid" : "feed"] += `M${n(begins[i] ?? 0)} ${n(y(m.from.z))}L${n(begins[i + 1] ?? 1)} ${n(y(m.to.z))}`;
+    paths[isRapid(m) ? "rapid" : "feed"] +=
+      `M${n(begins[i] ?? 0)} ${n(y(m.from.z))}L${n(begins[i + 1] ?? 1)} ${n(y(m.to.z))}`;
   });
   return paths;
 }
@@ -35,7 +43,10 @@ function drawnByColumns(
   begins: readonly number[],
   y: (z: number) => number,
 ): Pick<DepthStrip, "rapid" | "feed"> {
-  const made = () => ({ top: new Float64Array(COLUMNS + 1).fill(Infinity), foot: new Float64Array(COLUMNS + 1).fill(-Infinity) });
+  const made = () => ({
+    top: new Float64Array(COLUMNS + 1).fill(Infinity),
+    foot: new Float64Array(COLUMNS + 1).fill(-Infinity),
+  });
   const columns = { rapid: made(), feed: made() };
   motions.forEach((m, i) => {
     if (m.from.z === null || m.to.z === null) return;

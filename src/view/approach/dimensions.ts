@@ -20,7 +20,12 @@ function lengthItem(tag: Tag, text: string, a: Place, b: Place): Item {
   const [nx, ny] = [-(b.y - a.y) / long, (b.x - a.x) / long];
   const candidates = [1, -1, 2, -2].map((k): Candidate => {
     const [c, d] = [moved(a, nx, ny, ASIDE * k), moved(b, nx, ny, ASIDE * k)];
-    const middle = moved({ x: (c.x + d.x) / 2, y: (c.y + d.y) / 2 }, nx, ny, Math.sign(k) * (Math.abs(nx) > 0.7 ? 22 : 11));
+    const middle = moved(
+      { x: (c.x + d.x) / 2, y: (c.y + d.y) / 2 },
+      nx,
+      ny,
+      Math.sign(k) * (Math.abs(nx) > 0.7 ? 22 : 11),
+    );
     return {
       marks: [...extension(tag, a, c), ...extension(tag, b, d), ...between(tag, c, d), value(tag, middle, text)],
       label: textBox(middle, text, 0),
@@ -68,7 +73,8 @@ function angleItem(tag: Tag, text: string, arc: Arc): Item {
   const ray = (angle: number, k: number) => moved(arc.centre, Math.cos(angle), -Math.sin(angle), k);
   const whole = Math.abs(arc.sweep) >= 2 * Math.PI - ROUND;
   const drawn = whole
-    ? arcPath(arc.centre, size, arc.from, arc.from + arc.sweep * 0.5) + arcPath(arc.centre, size, arc.from + arc.sweep * 0.5, to)
+    ? arcPath(arc.centre, size, arc.from, arc.from + arc.sweep * 0.5) +
+      arcPath(arc.centre, size, arc.from + arc.sweep * 0.5, to)
     : arcPath(arc.centre, size, arc.from, to);
   const spokes = [arc.from, to].map((angle) => {
     const end = ray(angle, arc.radius);
@@ -86,13 +92,18 @@ function angleItem(tag: Tag, text: string, arc: Arc): Item {
         lines: [],
         cost: i + Math.abs(part - 0.35),
       };
-    })
+    }),
   );
   return { q: "CCA", candidates };
 }
 
 /** LEN, or R and the centre angle, at the element they measure. `active` is the word that is being asked for. */
-export function dimensionItems(result: Approach, camera: Camera, speech: ApproachSpeech, active: string | null): readonly Item[] {
+export function dimensionItems(
+  result: Approach,
+  camera: Camera,
+  speech: ApproachSpeech,
+  active: string | null,
+): readonly Item[] {
   const tag = (q: string): Tag => ({ q, active: q === active });
   const place = (p: PlanePoint) => onScreen(camera, p);
   const { arc, points } = result;

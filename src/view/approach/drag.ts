@@ -8,8 +8,9 @@ const { cross, difference, dot, leftOf, scaled } = plane;
 export type Handle = PointName | "centre";
 
 /** What dragging a handle changes: one word, or the point that the block names. */
-export type Dragged = { readonly word: "LEN" | "R" | "CCA"; readonly value: number } | { readonly word: "point";
-  readonly point: PlanePoint };
+export type Dragged =
+  | { readonly word: "LEN" | "R" | "CCA"; readonly value: number }
+  | { readonly word: "point"; readonly point: PlanePoint };
 
 /** Which handles of a form change something in the block. */
 export function handlesOf({ shape, departing, arc }: Approach, polarWithoutPole: boolean): readonly Handle[] {
@@ -29,10 +30,16 @@ function angleTo(contact: PlanePoint, p: PlanePoint, turn: "cw" | "ccw"): number
 }
 
 /**
- * The value that brings a handle to a place; the programmed point is the handle without `offset`. Null where the handle changes
- * nothing.
+ * The value that brings a handle to a place; the programmed point is the handle without `offset`. Null where the handle
+ * changes nothing.
  */
-export function dragged(result: Approach, handle: Handle, to: PlanePoint, grid: number, offset: PlanePoint): Dragged | null {
+export function dragged(
+  result: Approach,
+  handle: Handle,
+  to: PlanePoint,
+  grid: number,
+  offset: PlanePoint,
+): Dragged | null {
   const contact = result.departing ? result.points.PE : result.points.PA;
   if (!contact) return null;
   const { tangent, shape, departing } = result;

@@ -49,8 +49,11 @@ const SMALL = { left: 20, right: 20, top: 22, bottom: 22 };
 function tangentLine(scene: ApproachScene, camera: Camera, contact: PlanePoint): Mark {
   const far = Math.max(scene.toolRadius * 1.25, 34 / camera.scale);
   const { tangent } = scene.result;
-  return stroke(quiet, "axis",
-    polyline([onScreen(camera, beyond(contact, tangent, -far)), onScreen(camera, beyond(contact, tangent, far))]));
+  return stroke(
+    quiet,
+    "axis",
+    polyline([onScreen(camera, beyond(contact, tangent, -far)), onScreen(camera, beyond(contact, tangent, far))]),
+  );
 }
 
 /** The right angle between contour and way of the perpendicular forms. */
@@ -73,8 +76,13 @@ function legArrow(tag: Tag, leg: PlaneSegment, camera: Camera): Mark[] {
 /** The picture of one approach: contour, compensated path, tool at its points, tangent, dimensions and names. */
 export function approachDrawing(scene: ApproachScene): ApproachDrawing {
   const { result, contour, toolRadius, size, active } = scene;
-  const element = (result.departing ? contour.at(-1) : contour[0]) ?? { kind: "line", from: { x: 0, y: 0 }, to: { x: 1, y: 0 } };
-  const camera = scene.camera ?? cameraFor(planeFrameOf(result, element, toolRadius), size, scene.small ? SMALL : LARGE);
+  const element = (result.departing ? contour.at(-1) : contour[0]) ?? {
+    kind: "line",
+    from: { x: 0, y: 0 },
+    to: { x: 1, y: 0 },
+  };
+  const camera =
+    scene.camera ?? cameraFor(planeFrameOf(result, element, toolRadius), size, scene.small ? SMALL : LARGE);
   const path = (segments: readonly PlaneSegment[]) => segmentPath(segments.map(partSegment), camera);
   const points = shownPoints(result, camera);
   const contact = result.departing ? result.points.PE : result.points.PA;
@@ -82,7 +90,8 @@ export function approachDrawing(scene: ApproachScene): ApproachDrawing {
   const side: Tag = { q: "SIDE", active: active === "SIDE" };
   const feed: Tag = { q: "F", active: active === "F" };
 
-  const tools = toolRadius > 0 ? points.map((p) => stroke(quiet, "edge", circle(p.place, toolRadius * camera.scale))) : [];
+  const tools =
+    toolRadius > 0 ? points.map((p) => stroke(quiet, "edge", circle(p.place, toolRadius * camera.scale))) : [];
   const marks: Mark[] = [
     stroke(side, "pass", path(scene.centre)),
     ...tools,
@@ -91,17 +100,23 @@ export function approachDrawing(scene: ApproachScene): ApproachDrawing {
     ...(contact && auxiliary && result.shape === "LN" ? [squareMark(scene, camera, contact, auxiliary)] : []),
     ...result.legs.flatMap(({ segment, feed: at }) => {
       const rapid = at === "before" && scene.rapidBefore;
-      return [stroke(rapid ? quiet : feed, rapid ? "rapid" : "path", path([segment])), ...legArrow(rapid ? quiet : feed, segment, camera)];
+      return [
+        stroke(rapid ? quiet : feed, rapid ? "rapid" : "path", path([segment])),
+        ...legArrow(rapid ? quiet : feed, segment, camera),
+      ];
     }),
   ];
   const middle = { x: size.width / 2, y: size.height / 2 };
   const lit = (p: ShownPoint) =>
-    (active === "X" || active === "Y" || active === "PR" || active === "PA") && p.names.includes(result.departing ? "PN" : "PA");
+    (active === "X" || active === "Y" || active === "PR" || active === "PA") &&
+    p.names.includes(result.departing ? "PN" : "PA");
   const items = [
     ...points.map((p) => pointItem(p, scene.speech, middle, lit(p), !scene.small)),
     ...(scene.small ? [] : dimensionItems(result, camera, scene.speech, active)),
   ];
-  const lines = [...along([...contour, ...scene.centre, ...result.legs.map((leg) => leg.segment)], 40)].map((p) => onScreen(camera, p));
+  const lines = [...along([...contour, ...scene.centre, ...result.legs.map((leg) => leg.segment)], 40)].map((p) =>
+    onScreen(camera, p),
+  );
   const kept = points.map((p) => ({ x: p.place.x - 7, y: p.place.y - 7, width: 14, height: 14 }));
   const placed = arrange(items, { ...size, avoid: scene.small ? [] : lines, kept });
   return {

@@ -36,7 +36,11 @@ export function outsidePoint({ contour, side, toolRadius }: FormPlace, departing
   const way = direction(element, corner);
   const far = atLeast(toolRadius * 1.5 + 5);
   return rounded(
-    beyond(beyond(corner, towardsTool(way, side === "none" ? "left" : side), toolRadius + far * 1.4), way, (departing ? 1.6 : -1.6) * far),
+    beyond(
+      beyond(corner, towardsTool(way, side === "none" ? "left" : side), toolRadius + far * 1.4),
+      way,
+      (departing ? 1.6 : -1.6) * far,
+    ),
   );
 }
 
@@ -49,12 +53,20 @@ export function suggestedForms(place: FormPlace, departing: boolean): readonly S
   const size = atLeast(Math.max(5, toolRadius));
   return SHAPES.map((shape) => {
     const sideOfForm = shape === "CT" && side === "none" ? "left" : side;
-    const common = { shape, departing, side: sideOfForm, toolRadius, element, outside: departing && shape !== "LCT" ? null : outside };
-    const own = shape === "CT"
-      ? { radius: size, centreAngle: 90 }
-      : shape === "LCT"
-      ? { radius: size }
-      : { length: atLeast(Math.max(5, toolRadius * 1.2)) };
+    const common = {
+      shape,
+      departing,
+      side: sideOfForm,
+      toolRadius,
+      element,
+      outside: departing && shape !== "LCT" ? null : outside,
+    };
+    const own =
+      shape === "CT"
+        ? { radius: size, centreAngle: 90 }
+        : shape === "LCT"
+          ? { radius: size }
+          : { length: atLeast(Math.max(5, toolRadius * 1.2)) };
     const request: ApproachRequest = { ...common, ...own };
     const result = approach(request);
     const inside = result.issues.find((found) => found.code === "approachInsideCircle");

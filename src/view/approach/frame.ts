@@ -19,7 +19,9 @@ export function nearPiece(element: PlaneSegment, departing: boolean, reach: numb
   if (long <= reach) return element;
   if (element.kind === "line") {
     const way = direction(element, element.from);
-    return departing ? { ...element, from: beyond(element.to, way, -reach) } : { ...element, to: beyond(element.from, way, reach) };
+    return departing
+      ? { ...element, from: beyond(element.to, way, -reach) }
+      : { ...element, to: beyond(element.from, way, reach) };
   }
   const at = pointOn(element, departing ? 1 - reach / long : reach / long);
   return plane.along(element, at) > 0 ? (departing ? { ...element, from: at } : { ...element, to: at }) : element;
@@ -31,8 +33,18 @@ export function planeFrameOf(result: Approach, element: PlaneSegment, toolRadius
   const [first] = points;
   const extent = first ? Math.max(...points.map((p) => apart(p, first))) : 0;
   const reach = Math.max(extent * 0.8, toolRadius * 1.5, 2);
-  const round = points.flatMap((p) => [{ x: p.x - toolRadius, y: p.y - toolRadius }, { x: p.x + toolRadius, y: p.y + toolRadius }]);
-  const all = [...round, ...along(result.legs.map((leg) => leg.segment), 24), ...along([nearPiece(element, result.departing, reach)], 8)];
+  const round = points.flatMap((p) => [
+    { x: p.x - toolRadius, y: p.y - toolRadius },
+    { x: p.x + toolRadius, y: p.y + toolRadius },
+  ]);
+  const all = [
+    ...round,
+    ...along(
+      result.legs.map((leg) => leg.segment),
+      24,
+    ),
+    ...along([nearPiece(element, result.departing, reach)], 8),
+  ];
   return boundsOf(all.map(partPoint)) ?? { left: -10, right: 10, low: -10, high: 10 };
 }
 

@@ -4,18 +4,20 @@ import type { MilledMoment } from "../../sim/plane/milled.ts";
 import type { Pen } from "../material/pen.ts";
 import { paintMilled, toneOfDepth } from "./milled-paint.ts";
 
-const square = (
-  left: number,
-  low: number,
-  size: number,
-): Ring => [at(left, low), at(left + size, low), at(left + size, low + size), at(left, low + size)];
+const square = (left: number, low: number, size: number): Ring => [
+  at(left, low),
+  at(left + size, low),
+  at(left + size, low + size),
+  at(left, low + size),
+];
 const COLOURS = { ground: "ground", hatch: "hatch", edge: "edge", step: "step" };
 const CAMERA = { scale: 3.5, zero: { x: 21, y: 402 }, xUp: true };
 
 /** A pen that notes fills with the boxes of what they fill, and what is taken away. */
 function noting() {
   const said: string[] = [];
-  let spots: (readonly [number, number])[] = [], clips = 0;
+  let spots: (readonly [number, number])[] = [],
+    clips = 0;
   const around = () => {
     const [xs, ys] = [spots.map(([x]) => x), spots.map(([, y]) => y)];
     return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)].map((n) => Math.round(n)).join(" ");
@@ -37,7 +39,8 @@ function noting() {
           return () => said.push(`clear within ${clips}`);
         case "stroke":
           return () =>
-            (of.strokeStyle === "hatch" || (of.strokeStyle === "step" && spots.length > 99)) && said.push(`hatch within ${clips}`);
+            (of.strokeStyle === "hatch" || (of.strokeStyle === "step" && spots.length > 99)) &&
+            said.push(`hatch within ${clips}`);
         default:
           return () => undefined;
       }
@@ -73,7 +76,11 @@ test("what is deepest is painted first, then what stands higher, then what the r
 });
 
 test("a shoulder that is not milled is hatched in the tone of its height", () => {
-  const shouldered: MilledMoment = { ...moment, swept: [[], [], []], came: [[square(20, 20, 30)], [square(10, 10, 60)], []] };
+  const shouldered: MilledMoment = {
+    ...moment,
+    swept: [[], [], []],
+    came: [[square(20, 20, 30)], [square(10, 10, 60)], []],
+  };
   expect(painted({ x: 0, y: 0, width: 600, height: 500 }, shouldered)).toEqual([
     "clear within 1",
     "deep 21 52 371 402",
@@ -97,11 +104,10 @@ test("rings that do not come near the patch are left out", () => {
 });
 
 test("few depths are as far apart as can be", () => {
-  expect([1, 2, 3, 5].map((depths) => Array.from({ length: depths }, (_, i) => toneOfDepth(i, depths)))).toEqual([[2], [0, 4], [0, 2, 4], [
-    0,
-    1,
-    2,
-    3,
-    4,
-  ]]);
+  expect([1, 2, 3, 5].map((depths) => Array.from({ length: depths }, (_, i) => toneOfDepth(i, depths)))).toEqual([
+    [2],
+    [0, 4],
+    [0, 2, 4],
+    [0, 1, 2, 3, 4],
+  ]);
 });

@@ -46,7 +46,9 @@ function trace({ pen, camera: { scale, zero }, seen }: Sheet, rings: readonly Ri
     const { left, right, low, high } = known(ring);
     if (left > seen.right || right < seen.left || low > seen.high || high < seen.low) continue;
     for (let i = 0; i < ring.length; i += 1) {
-      const p = ring[i] as Ring[number], x = zero.x + p.z * scale, y = zero.y - p.r * scale;
+      const p = ring[i] as Ring[number],
+        x = zero.x + p.z * scale,
+        y = zero.y - p.r * scale;
       if (i === 0) pen.moveTo(x, y);
       else pen.lineTo(x, y);
     }
@@ -73,11 +75,21 @@ export interface Milled {
 }
 
 /**
- * Paints a patch of milled stock anew, seen from above with X to the right and Y upwards: first what is deepest, over it what stands
- * higher, hatched what is not milled, however high it came. Nothing outside the patch is touched; what is milled through stays empty.
+ * Paints a patch of milled stock anew, seen from above with X to the right and Y upwards: first what is deepest, over
+ * it what stands higher, hatched what is not milled, however high it came. Nothing outside the patch is touched; what
+ * is milled through stays empty.
  */
-export function paintMilled(pen: Pen, { moment, tones }: Milled, camera: Camera, colours: MilledColours, patch: Patch): void {
-  const { standing, swept, came } = moment, { x, y, width, height } = patch, { scale, zero } = camera, last = standing.length - 1;
+export function paintMilled(
+  pen: Pen,
+  { moment, tones }: Milled,
+  camera: Camera,
+  colours: MilledColours,
+  patch: Patch,
+): void {
+  const { standing, swept, came } = moment,
+    { x, y, width, height } = patch,
+    { scale, zero } = camera,
+    last = standing.length - 1;
   const seen = {
     left: (x - zero.x) / scale,
     right: (x + width - zero.x) / scale,

@@ -30,8 +30,13 @@ export interface MilledPainter {
 }
 
 /** A painter that stands at the start of a run. */
-export function milledPainter(motions: readonly MillMotion[], stock: Pick<MilledStock, "at" | "isSameBody" | "reached">): MilledPainter {
-  let now: PlayPosition = { step: 0, fraction: 0 }, moment: MilledMoment | null = null, reached = 0;
+export function milledPainter(
+  motions: readonly MillMotion[],
+  stock: Pick<MilledStock, "at" | "isSameBody" | "reached">,
+): MilledPainter {
+  let now: PlayPosition = { step: 0, fraction: 0 },
+    moment: MilledMoment | null = null,
+    reached = 0;
   const goTo = (position: PlayPosition) => {
     [now, moment, reached] = [position, null, stock.reached()];
   };
@@ -45,12 +50,16 @@ export function milledPainter(motions: readonly MillMotion[], stock: Pick<Milled
     at: () => now,
     all: (pen, look) => paint(pen, look, look.origin),
     follow(pen, look, position) {
-      const before = now, was = reached;
+      const before = now,
+        was = reached;
       goTo(position);
       // What was painted before it was cut as far is another stock than that of its moment.
       const isWhole = was >= before.step && stock.isSameBody(before.step, now.step);
       const touched = isWhole ? milledBetween(motions, before, now) : "all";
-      const patch = touched === "all" ? look.origin : touched && patchWithin(patchOf(touched, look.camera, look.ratio), look.origin);
+      const patch =
+        touched === "all"
+          ? look.origin
+          : touched && patchWithin(patchOf(touched, look.camera, look.ratio), look.origin);
       if (patch) paint(pen, look, patch);
       return patch !== null;
     },

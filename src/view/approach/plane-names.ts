@@ -38,9 +38,9 @@ export function planeNames(
       else if (!same.names.includes(name)) same.names.push(name);
     }
   }
-  const points = shown.map((p): ShownPoint => ({ ...p, place: onScreen(camera, p.at) })).filter(({ place }) =>
-    place.x > 0 && place.y > 0 && place.x < size.width && place.y < size.height
-  );
+  const points = shown
+    .map((p): ShownPoint => ({ ...p, place: onScreen(camera, p.at) }))
+    .filter(({ place }) => place.x > 0 && place.y > 0 && place.x < size.width && place.y < size.height);
   const few = approaches.length <= FEW && size.width > 420;
   const middle = { x: size.width / 2, y: size.height / 2 };
   const kept = [

@@ -4,7 +4,12 @@ import { at } from "../../kernel/geometry/point.ts";
 import { motionAt, type NamedLead } from "./plane-pick.ts";
 import { milledBetween } from "./touched-plane.ts";
 
-const motion = (from: readonly [number, number], to: readonly [number, number], index: number, feed?: number): MillMotion => ({
+const motion = (
+  from: readonly [number, number],
+  to: readonly [number, number],
+  index: number,
+  feed?: number,
+): MillMotion => ({
   kind: feed === undefined ? "rapid" : "feed",
   from: { x: from[0], y: from[1], z: -3 },
   to: { x: to[0], y: to[1], z: -3 },
@@ -22,8 +27,14 @@ const leads: readonly NamedLead[] = [{ index: 4, points: { PS: { x: -8.5, y: -11
 
 describe("pointing in the working plane", () => {
   test("means the nearest motion and its moment there", () => {
-    expect(motionAt(motions, [], at(-9.1, 20), 2)).toEqual({ step: 2, fraction: expect.closeTo((20 - 6.4) / 54.9, 6) as number });
-    expect(motionAt(motions, [], at(6.4, 76.1), 2)).toMatchObject({ step: 3, fraction: expect.closeTo(0.5, 1) as number });
+    expect(motionAt(motions, [], at(-9.1, 20), 2)).toEqual({
+      step: 2,
+      fraction: expect.closeTo((20 - 6.4) / 54.9, 6) as number,
+    });
+    expect(motionAt(motions, [], at(6.4, 76.1), 2)).toMatchObject({
+      step: 3,
+      fraction: expect.closeTo(0.5, 1) as number,
+    });
     expect(motionAt(motions, [], at(6.6, 61.3), 2)).toBeNull();
   });
   test("a named point means its approach, though the contour begins there too", () => {
@@ -42,7 +53,12 @@ describe("what two moments of the stock differ in", () => {
       high: -6.5,
     });
     const both = milledBetween(motions, { step: 1, fraction: 0.5 }, { step: 0, fraction: 0.75 });
-    expect(both).toEqual({ left: -24.5, right: -4, low: -15.5, high: expect.closeTo(-11 + 17.4 / 2 + 4.5, 9) as number });
+    expect(both).toEqual({
+      left: -24.5,
+      right: -4,
+      low: -15.5,
+      high: expect.closeTo(-11 + 17.4 / 2 + 4.5, 9) as number,
+    });
   });
   test("is nothing where no time goes by, and all where too much does", () => {
     expect(milledBetween(motions, { step: 4, fraction: 0 }, { step: 4, fraction: 0 })).toBeNull();

@@ -13,8 +13,15 @@ export interface NamedLead {
   readonly points: NamedPoints;
 }
 
-/** The approach or departure that has a named point within `reach` mm of a place, and that point; the last one where several have. */
-function leadAt(leads: readonly NamedLead[], place: PlanePoint, reach: number): { readonly index: number; readonly at: PlanePoint } | null {
+/**
+ * The approach or departure that has a named point within `reach` mm of a place, and that point; the last one where
+ * several have.
+ */
+function leadAt(
+  leads: readonly NamedLead[],
+  place: PlanePoint,
+  reach: number,
+): { readonly index: number; readonly at: PlanePoint } | null {
   let best: { readonly index: number; readonly at: PlanePoint } | null = null;
   let nearest = reach;
   for (const { index, points } of leads)
@@ -27,14 +34,23 @@ function leadAt(leads: readonly NamedLead[], place: PlanePoint, reach: number): 
   return best;
 }
 
-const ofBlock = (motions: readonly MillMotion[], index: number) => (step: number): boolean => motions[step]?.index === index;
+const ofBlock =
+  (motions: readonly MillMotion[], index: number) =>
+  (step: number): boolean =>
+    motions[step]?.index === index;
 
 /**
- * The motion that is meant by a place, within `reach` mm, and its moment that is nearest: by a named point a motion of its approach or
- * departure, else the nearest one. Null where none is near.
+ * The motion that is meant by a place, within `reach` mm, and its moment that is nearest: by a named point a motion of
+ * its approach or departure, else the nearest one. Null where none is near.
  */
-export function motionAt(motions: readonly MillMotion[], leads: readonly NamedLead[], place: Pt, reach: number): PlayPosition | null {
-  const lead = leadAt(leads, planePoint(place), reach), at = lead ? partPoint(lead.at) : place;
+export function motionAt(
+  motions: readonly MillMotion[],
+  leads: readonly NamedLead[],
+  place: Pt,
+  reach: number,
+): PlayPosition | null {
+  const lead = leadAt(leads, planePoint(place), reach),
+    at = lead ? partPoint(lead.at) : place;
   const own = lead && nearestStep(motions, MILLED, at, reach, ofBlock(motions, lead.index));
   const step = own ?? nearestStep(motions, MILLED, place, reach);
   const motion = step === null ? undefined : motions[step];

@@ -31,7 +31,10 @@ const ARC_PARTS = [0.25, 0.5, 0.75];
 
 /** Box round what the tool reaches on all motions; null without one. */
 function reachOf(motions: readonly MillMotion[]): Bounds | null {
-  let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
+  let left = Infinity,
+    right = -Infinity,
+    low = Infinity,
+    high = -Infinity;
   const reach = ({ x, y }: MillSpot, radius: number) => {
     left = Math.min(left, x - radius);
     right = Math.max(right, x + radius);
@@ -41,12 +44,17 @@ function reachOf(motions: readonly MillMotion[]): Bounds | null {
   for (const m of motions) {
     reach(m.from, m.radius);
     reach(m.to, m.radius);
-    if (m.centre) { for (const part of ARC_PARTS) reach(spotOn(m, part), m.radius); }
+    if (m.centre) {
+      for (const part of ARC_PARTS) reach(spotOn(m, part), m.radius);
+    }
   }
   return left <= right && low <= high ? { left, right, low, high } : null;
 }
 
-/** The still part of the picture: contours, and the path told apart by what it is. `leads` are the blocks of APPR and DEP. */
+/**
+ * The still part of the picture: contours, and the path told apart by what it is. `leads` are the blocks of APPR and
+ * DEP.
+ */
 export function planeScene(
   motions: readonly MillMotion[],
   contours: readonly (readonly PlaneSegment[])[],
@@ -59,7 +67,9 @@ export function planeScene(
   const drawn = boundsOf(ways.contour.flatMap((s) => [s.from, s.to]).map(partPoint));
   const all = joined(box, drawn) ?? EMPTY;
   return {
-    shapes: PLANE_ROLES.flatMap((role) => (ways[role].length > 0 ? [{ role, d: segmentData(ways[role].map(partSegment)) }] : [])),
+    shapes: PLANE_ROLES.flatMap((role) =>
+      ways[role].length > 0 ? [{ role, d: segmentData(ways[role].map(partSegment)) }] : [],
+    ),
     bounds: grownBounds(all, AIR * Math.max(all.right - all.left, all.high - all.low)),
   };
 }

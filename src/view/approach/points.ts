@@ -35,7 +35,13 @@ const LINE = 15;
 const AWAY = 13;
 
 /** The text beside a point, with eight places to stand; those away from the middle of the picture first. */
-export function pointItem(p: ShownPoint, speech: ApproachSpeech, middle: Place, active: boolean, coordinates: boolean): Item {
+export function pointItem(
+  p: ShownPoint,
+  speech: ApproachSpeech,
+  middle: Place,
+  active: boolean,
+  coordinates: boolean,
+): Item {
   const name = p.names.join(" = ");
   const where = coordinates ? speech.point(p.at) : "";
   const width = Math.max(textWidth(name, SIZE.strong), textWidth(where, SIZE.quiet)) + 6;
@@ -61,7 +67,7 @@ export function pointItem(p: ShownPoint, speech: ApproachSpeech, middle: Place, 
       const marks: Mark[] = [text(0, name, SIZE.strong), ...(coordinates ? [text(1, where, SIZE.quiet)] : [])];
       const label = { x: centre.x - width / 2, y: centre.y - height / 2, width, height };
       return { marks, label, lines: [], cost: (1 - Math.cos(angle - out)) * 2 + (eighth % 2) * 0.3 + (ring - 1) * 4 };
-    })
+    }),
   );
   return { q: name, candidates };
 }

@@ -9,8 +9,13 @@ const { apart } = plane;
 const NEAREST = 9;
 
 /** Approaches whose different points stand apart at this zoom; from farther away none of their points is told. */
-export const withRoom = <A extends { readonly points: NamedPoints }>(approaches: readonly A[], camera: Camera): readonly A[] =>
+export const withRoom = <A extends { readonly points: NamedPoints }>(
+  approaches: readonly A[],
+  camera: Camera,
+): readonly A[] =>
   approaches.filter(({ points }) => {
     const all: readonly PlanePoint[] = Object.values(points);
-    return all.every((p, i) => all.slice(0, i).every((q) => apart(p, q) <= SAME || apart(p, q) * camera.scale >= NEAREST));
+    return all.every((p, i) =>
+      all.slice(0, i).every((q) => apart(p, q) <= SAME || apart(p, q) * camera.scale >= NEAREST),
+    );
   });

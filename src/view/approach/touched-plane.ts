@@ -16,16 +16,22 @@ function reachFrom(m: MillMotion, begin: number, end: number): Bounds {
 }
 
 /**
- * The box in which the milled stock of two moments may differ, mm: where tools went between them; null when that is nowhere, "all" when it
- * is too much to be worth a look. A motion that ended between them counts whole: its edges are drawn when it is done.
+ * The box in which the milled stock of two moments may differ, mm: where tools went between them; null when that is
+ * nowhere, "all" when it is too much to be worth a look. A motion that ended between them counts whole: its edges are
+ * drawn when it is done.
  */
-export function milledBetween(motions: readonly MillMotion[], one: PlayPosition, other: PlayPosition): Bounds | "all" | null {
+export function milledBetween(
+  motions: readonly MillMotion[],
+  one: PlayPosition,
+  other: PlayPosition,
+): Bounds | "all" | null {
   const swap = other.step < one.step || (other.step === one.step && other.fraction < one.fraction);
   const [a, b] = swap ? [other, one] : [one, other];
   if (b.step - a.step > MOST_MOTIONS) return "all";
   let box: Bounds | null = null;
   for (let i = a.step; i <= b.step; i += 1) {
-    const m = motions[i], end = i < b.step ? 1 : b.fraction;
+    const m = motions[i],
+      end = i < b.step ? 1 : b.fraction;
     if (m && end > 0) box = joined(box, reachFrom(m, i === a.step && i === b.step ? a.fraction : 0, end));
   }
   return box;

@@ -8,7 +8,12 @@ import { placedDimensions, type AskedDimension, type DimensionSheet } from "./di
 const size = { width: 713, height: 431 };
 const sheet: DimensionSheet = {
   size,
-  camera: fitted({ left: -63.4, right: 3.7, low: 0, high: 31.9 }, size, { left: 60, right: 90, top: 30, bottom: 70 }, true),
+  camera: fitted(
+    { left: -63.4, right: 3.7, low: 0, high: 31.9 },
+    size,
+    { left: 60, right: 90, top: 30, bottom: 70 },
+    true,
+  ),
   scales: { left: 46, below: 22 },
   target: { width: 40, height: 22 },
   kept: [],
@@ -23,10 +28,12 @@ const asked = (key: string, measured: AskedDimension["measured"], needed = false
   needed,
 });
 /** The places that a path goes through. */
-const places = (d: string) => [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map((m) => ({ x: Number(m[1]), y: Number(m[2]) }));
+const places = (d: string) =>
+  [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map((m) => ({ x: Number(m[1]), y: Number(m[2]) }));
 
 test("a diameter stands at the right edge at the height of its point, Z under its point above the scale", () => {
-  const at = point(-23.617, 8.715), screen = toScreen(sheet.camera, at);
+  const at = point(-23.617, 8.715),
+    screen = toScreen(sheet.camera, at);
   const [x, z] = placedDimensions(sheet, [asked("x", { kind: "diameter", at }), asked("z", { kind: "axial", at })]);
   expect(x?.box.y).toBeCloseTo(screen.y - 11, 6);
   expect((x?.box.x ?? 0) + (x?.box.width ?? 0)).toBeLessThan(size.width);
@@ -49,23 +56,33 @@ test("two diameters that are nearly the same are moved apart; one too many is le
   const near = [8.715, 8.9, 9.1, 9.35].map((r, i) => asked(`x${i}`, { kind: "diameter", at: point(-10, r) }));
   const placed = placedDimensions(sheet, near);
   expect(placed).toHaveLength(4);
-  for (const [i, a] of placed.entries()) for (const b of placed.slice(i + 1)) expect(labelsOverlap(a.box, b.box)).toBe(false);
-  const many = Array.from({ length: 40 }, (_, i) => asked(`x${i}`, { kind: "diameter", at: point(-10, 9 + i / 100) }, i === 39));
+  for (const [i, a] of placed.entries())
+    for (const b of placed.slice(i + 1)) expect(labelsOverlap(a.box, b.box)).toBe(false);
+  const many = Array.from({ length: 40 }, (_, i) =>
+    asked(`x${i}`, { kind: "diameter", at: point(-10, 9 + i / 100) }, i === 39),
+  );
   const kept = placedDimensions(sheet, many).map((p) => p.key);
   expect(kept.length).toBeLessThan(40);
   expect(kept[0]).toBe("x39");
 });
 
 test("a length runs beside its element with an arrowhead at each end", () => {
-  const from = point(-40.3, 12.2), to = point(-11.9, 20.7), [a, b] = [toScreen(sheet.camera, from), toScreen(sheet.camera, to)];
+  const from = point(-40.3, 12.2),
+    to = point(-11.9, 20.7),
+    [a, b] = [toScreen(sheet.camera, from), toScreen(sheet.camera, to)];
   const [one] = placedDimensions(sheet, [asked("l", { kind: "length", from, to }, true)]);
   const heads = places(one?.arrows ?? "");
   const [tipA, tipB] = [heads[0], heads[3]];
-  expect(Math.hypot((tipB?.x ?? 0) - (tipA?.x ?? 0), (tipB?.y ?? 0) - (tipA?.y ?? 0))).toBeCloseTo(Math.hypot(b.x - a.x, b.y - a.y), 0);
+  expect(Math.hypot((tipB?.x ?? 0) - (tipA?.x ?? 0), (tipB?.y ?? 0) - (tipA?.y ?? 0))).toBeCloseTo(
+    Math.hypot(b.x - a.x, b.y - a.y),
+    0,
+  );
 });
 
 test("a text rather stands on the other side than on the contour", () => {
-  const from = point(-40.3, 15), to = point(-11.9, 15), [a] = [toScreen(sheet.camera, point(-26.1, 15))];
+  const from = point(-40.3, 15),
+    to = point(-11.9, 15),
+    [a] = [toScreen(sheet.camera, point(-26.1, 15))];
   const [up] = placedDimensions(sheet, [asked("l", { kind: "length", from, to })]);
   const avoid = Array.from({ length: 30 }, (_, i) => ({ x: a.x - 15 + i, y: a.y - 30 }));
   const [down] = placedDimensions({ ...sheet, avoid }, [asked("l", { kind: "length", from, to })]);
@@ -82,20 +99,28 @@ test("what lies outside the picture has no dimension unless it is chosen", () =>
 test("every text lies whole on the sheet, clear of the scales and of all others that are not chosen", () => {
   const number = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
   const at = fc.record({ z: number(-60, 3), r: number(0.3, 31) }).map(({ z, r }) => point(z, r));
-  const measured = fc.oneof(at.map((p): AskedDimension["measured"] => ({ kind: "diameter", at: p })),
+  const measured = fc.oneof(
+    at.map((p): AskedDimension["measured"] => ({ kind: "diameter", at: p })),
     at.map((p): AskedDimension["measured"] => ({ kind: "axial", at: p })),
     fc.tuple(at, at).map(([from, to]): AskedDimension["measured"] => ({ kind: "length", from, to })),
     fc.tuple(at, number(-179, 179)).map(([p, angle]): AskedDimension["measured"] => ({ kind: "angle", at: p, angle })),
-    fc.tuple(at, at).map(([from, to]): AskedDimension["measured"] => ({ kind: "size", on: part.line(from, to) })));
-  fc.assert(fc.property(fc.array(measured, { maxLength: 14 }), fc.boolean(), (all, fingers) => {
-    const target = fingers ? { width: 56, height: 48 } : sheet.target;
-    const placed = placedDimensions({ ...sheet, target }, all.map((m, i) => asked(String(i), m)));
-    for (const [i, { box }] of placed.entries()) {
-      expect(box.x).toBeGreaterThanOrEqual(46);
-      expect(box.y).toBeGreaterThanOrEqual(0);
-      expect(box.x + box.width).toBeLessThanOrEqual(size.width);
-      expect(box.y + box.height).toBeLessThanOrEqual(size.height - 22);
-      for (const other of placed.slice(i + 1)) expect(labelsOverlap(box, other.box)).toBe(false);
-    }
-  }), { numRuns: 150 });
+    fc.tuple(at, at).map(([from, to]): AskedDimension["measured"] => ({ kind: "size", on: part.line(from, to) })),
+  );
+  fc.assert(
+    fc.property(fc.array(measured, { maxLength: 14 }), fc.boolean(), (all, fingers) => {
+      const target = fingers ? { width: 56, height: 48 } : sheet.target;
+      const placed = placedDimensions(
+        { ...sheet, target },
+        all.map((m, i) => asked(String(i), m)),
+      );
+      for (const [i, { box }] of placed.entries()) {
+        expect(box.x).toBeGreaterThanOrEqual(46);
+        expect(box.y).toBeGreaterThanOrEqual(0);
+        expect(box.x + box.width).toBeLessThanOrEqual(size.width);
+        expect(box.y + box.height).toBeLessThanOrEqual(size.height - 22);
+        for (const other of placed.slice(i + 1)) expect(labelsOverlap(box, other.box)).toBe(false);
+      }
+    }),
+    { numRuns: 150 },
+  );
 });

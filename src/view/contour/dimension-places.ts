@@ -6,8 +6,11 @@ import { arcPath, arrowHead, polyline } from "../help/marks.ts";
 import { boxesOn, placesOn } from "../help/sheet-grid.ts";
 
 /** What a dimension measures, and where on the part. Angles are degrees, counter-clockwise from +Z. */
-export type Measured = { readonly kind: "diameter" | "axial"; readonly at: Pt } | { readonly kind: "length"; readonly from: Pt;
-  readonly to: Pt } | { readonly kind: "angle"; readonly at: Pt; readonly angle: number } | { readonly kind: "size"; readonly on: Segment };
+export type Measured =
+  | { readonly kind: "diameter" | "axial"; readonly at: Pt }
+  | { readonly kind: "length"; readonly from: Pt; readonly to: Pt }
+  | { readonly kind: "angle"; readonly at: Pt; readonly angle: number }
+  | { readonly kind: "size"; readonly on: Segment };
 
 export interface AskedDimension {
   readonly key: string;
@@ -45,7 +48,8 @@ export interface DimensionSheet {
 export const DIMENSION_TEXT = 13;
 const PAD = 14;
 /** Gap between the point and its extension line, and room between the line and the text, pixels. */
-const GAP = 6, AIR = 4;
+const GAP = 6,
+  AIR = 4;
 /** Distances at which a dimension line may run beside its element, pixels. */
 const OFFSETS = [30, 52, 76, 104] as const;
 const ARC = 38;
@@ -56,7 +60,8 @@ interface Candidate extends Pick<PlacedDimension, "box"> {
 }
 
 const boxAt = ({ target }: DimensionSheet, text: string, middle: Place): LabelBox => {
-  const width = Math.max(target.width, Math.ceil(textWidth(text, DIMENSION_TEXT)) + PAD), { height } = target;
+  const width = Math.max(target.width, Math.ceil(textWidth(text, DIMENSION_TEXT)) + PAD),
+    { height } = target;
   return { x: middle.x - width / 2, y: middle.y - height / 2, width, height };
 };
 
@@ -71,24 +76,49 @@ const shifts = (by: number): readonly number[] => [0, 0.5, -0.5, 1, -1, 1.5, -1.
 
 /** ⌀: a text at the right edge, a thin line from the point to it. */
 function diameters(sheet: DimensionSheet, text: string, at: Place): Candidate[] {
-  const free = boxAt(sheet, text, at), x = Math.max(at.x + 2 * GAP, Math.min(sheet.size.width - free.width - AIR, sheet.free.x));
+  const free = boxAt(sheet, text, at),
+    x = Math.max(at.x + 2 * GAP, Math.min(sheet.size.width - free.width - AIR, sheet.free.x));
   return shifts(free.height + 1).map((by) => {
-    const box = inside({ ...free, x, y: free.y + by }, sheet), y = box.y + box.height / 2;
+    const box = inside({ ...free, x, y: free.y + by }, sheet),
+      y = box.y + box.height / 2;
     const knee = Math.max(at.x + GAP, x - 16);
-    return { box, draw: () => ({ lines: polyline([{ x: at.x + GAP, y: at.y }, { x: knee, y: at.y }, { x, y }]), arrows: "" }) };
+    return {
+      box,
+      draw: () => ({
+        lines: polyline([
+          { x: at.x + GAP, y: at.y },
+          { x: knee, y: at.y },
+          { x, y },
+        ]),
+        arrows: "",
+      }),
+    };
   });
 }
 
 /** Z: a text at the lower edge, in one of two rows, a thin line from the point down to it. */
 function positions(sheet: DimensionSheet, text: string, at: Place): Candidate[] {
-  const free = boxAt(sheet, text, at), floor = sheet.size.height - sheet.scales.below - AIR;
-  const top = Math.min(sheet.free.y, floor - free.height), two = top + 2 * free.height + 1 <= floor;
+  const free = boxAt(sheet, text, at),
+    floor = sheet.size.height - sheet.scales.below - AIR;
+  const top = Math.min(sheet.free.y, floor - free.height),
+    two = top + 2 * free.height + 1 <= floor;
   return (two ? [0, 1] : [0]).flatMap((row) => {
     const y = top + row * (free.height + 1);
     return shifts(free.width + 2).map((by) => {
-      const box = inside({ ...free, x: free.x + by, y }, sheet), x = box.x + box.width / 2;
+      const box = inside({ ...free, x: free.x + by, y }, sheet),
+        x = box.x + box.width / 2;
       const knee = Math.max(at.y + GAP, y - 14);
-      return { box, draw: () => ({ lines: polyline([{ x: at.x, y: at.y + GAP }, { x: at.x, y: knee }, { x, y }]), arrows: "" }) };
+      return {
+        box,
+        draw: () => ({
+          lines: polyline([
+            { x: at.x, y: at.y + GAP },
+            { x: at.x, y: knee },
+            { x, y },
+          ]),
+          arrows: "",
+        }),
+      };
     });
   });
 }
@@ -113,28 +143,35 @@ function lengths(sheet: DimensionSheet, text: string, a: Place, b: Place): Candi
           arrows: arrowHead(from, -along.x, -along.y) + arrowHead(to, along.x, along.y),
         }),
       };
-    })
+    }),
   );
 }
 
 /** An angle: a thin line along +Z, an arc from it to the element, the text beside its middle. */
 function angles(sheet: DimensionSheet, text: string, at: Place, angle: number): Candidate[] {
-  const up = sheet.camera.xUp ? 1 : -1, turn = up * radians(angle);
+  const up = sheet.camera.xUp ? 1 : -1,
+    turn = up * radians(angle);
   const onArc = (way: number, far: number): Place => ({ x: at.x + far * Math.cos(way), y: at.y - far * Math.sin(way) });
-  const lines = polyline([{ x: at.x + GAP, y: at.y }, { x: at.x + ARC + 10, y: at.y }]) + arcPath(at, ARC, 0, turn);
+  const lines =
+    polyline([
+      { x: at.x + GAP, y: at.y },
+      { x: at.x + ARC + 10, y: at.y },
+    ]) + arcPath(at, ARC, 0, turn);
   const head = arrowHead(onArc(turn, ARC), -Math.sin(turn) * Math.sign(turn), -Math.cos(turn) * Math.sign(turn));
   return [ARC + 26, ARC + 44, ARC + 66].flatMap((far) =>
     [0.5, 0.3, 0.7, 0.1].map((share) => ({
       box: inside(boxAt(sheet, text, onArc(turn * share, far)), sheet),
       draw: () => ({ lines, arrows: head }),
-    }))
+    })),
   );
 }
 
 /** A radius or a chamfer: a leader with its arrowhead on the middle of the element. */
 function sizes(sheet: DimensionSheet, text: string, on: Segment): Candidate[] {
-  const { pointOn } = part, tip = toScreen(sheet.camera, pointOn(on, 0.5));
-  const [a, b] = [toScreen(sheet.camera, on.from), toScreen(sheet.camera, on.to)], long = Math.hypot(b.x - a.x, b.y - a.y) || 1;
+  const { pointOn } = part,
+    tip = toScreen(sheet.camera, pointOn(on, 0.5));
+  const [a, b] = [toScreen(sheet.camera, on.from), toScreen(sheet.camera, on.to)],
+    long = Math.hypot(b.x - a.x, b.y - a.y) || 1;
   const across = { x: (b.y - a.y) / long, y: -(b.x - a.x) / long };
   return OFFSETS.flatMap((far) =>
     [1, -1].flatMap((side) =>
@@ -145,9 +182,12 @@ function sizes(sheet: DimensionSheet, text: string, on: Segment): Candidate[] {
         };
         const box = inside(boxAt(sheet, text, { x: tip.x + way.x * far, y: tip.y + way.y * far }), sheet);
         const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-        return { box, draw: () => ({ lines: polyline([tip, middle]), arrows: arrowHead(tip, tip.x - middle.x, tip.y - middle.y) }) };
-      })
-    )
+        return {
+          box,
+          draw: () => ({ lines: polyline([tip, middle]), arrows: arrowHead(tip, tip.x - middle.x, tip.y - middle.y) }),
+        };
+      }),
+    ),
   );
 }
 
@@ -169,11 +209,12 @@ function candidates(sheet: DimensionSheet, { text, measured }: AskedDimension): 
 
 /** Whether what is measured is in sight: dimensions of points outside the picture would lie at its edges. */
 function inSight({ camera, size }: DimensionSheet, { measured }: AskedDimension): boolean {
-  const points = measured.kind === "length"
-    ? [measured.from, measured.to]
-    : measured.kind === "size"
-    ? [part.pointOn(measured.on, 0.5)]
-    : [measured.at];
+  const points =
+    measured.kind === "length"
+      ? [measured.from, measured.to]
+      : measured.kind === "size"
+        ? [part.pointOn(measured.on, 0.5)]
+        : [measured.at];
   return points.some((p) => {
     const { x, y } = toScreen(camera, p);
     return x >= 0 && y >= 0 && x <= size.width && y <= size.height;
@@ -181,8 +222,8 @@ function inSight({ camera, size }: DimensionSheet, { measured }: AskedDimension)
 }
 
 const shared = (a: LabelBox, b: LabelBox): number =>
-  Math.max(0, Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x))
-  * Math.max(0, Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y));
+  Math.max(0, Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x)) *
+  Math.max(0, Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y));
 
 /** What covering one place of the contour counts, in steps to the next candidate. */
 const COVERING = 2;
@@ -194,16 +235,21 @@ function clearest(covered: (box: LabelBox) => number, possible: readonly Candida
 }
 
 /**
- * Puts dimensions on the drawing, those of the chosen element first: each where its text covers no other. One of the chosen element
- * that finds no free place takes the one that covers least; of the others it is left out.
+ * Puts dimensions on the drawing, those of the chosen element first: each where its text covers no other. One of the
+ * chosen element that finds no free place takes the one that covers least; of the others it is left out.
  */
 export function placedDimensions(sheet: DimensionSheet, asked: readonly AskedDimension[]): PlacedDimension[] {
-  const taken: LabelBox[] = [...sheet.kept], out: PlacedDimension[] = [];
-  const texts = boxesOn(sheet.size, sheet.kept), covered = placesOn(sheet.size, sheet.avoid);
+  const taken: LabelBox[] = [...sheet.kept],
+    out: PlacedDimension[] = [];
+  const texts = boxesOn(sheet.size, sheet.kept),
+    covered = placesOn(sheet.size, sheet.avoid);
   for (const one of [...asked].sort((a, b) => Number(b.needed) - Number(a.needed))) {
     if (!one.needed && !inSight(sheet, one)) continue;
     const possible = candidates(sheet, one);
-    const free = clearest(covered, possible.filter(({ box }) => !texts.isTaken(box)));
+    const free = clearest(
+      covered,
+      possible.filter(({ box }) => !texts.isTaken(box)),
+    );
     const covers = (box: LabelBox) => taken.reduce((sum, t) => sum + shared(t, box), 0);
     const least = free ?? (one.needed ? possible.toSorted((a, b) => covers(a.box) - covers(b.box))[0] : undefined);
     if (!least) continue;

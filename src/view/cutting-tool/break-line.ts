@@ -5,7 +5,10 @@ import { boundsOf } from "../bounds.ts";
 import { toScreen, type Bounds, type Camera, type Place } from "../camera.ts";
 import type { Seen } from "../edge-mark.ts";
 
-/** Where a shank leaves the picture: the middle of the break, which way the shank goes on there, and how wide it is, pixels. */
+/**
+ * Where a shank leaves the picture: the middle of the break, which way the shank goes on there, and how wide it is,
+ * pixels.
+ */
 export interface Broken {
   readonly at: Place;
   /** Degrees clockwise from right. */
@@ -24,7 +27,9 @@ function shankOf(tool: Tool): Bounds | null {
   return box;
 }
 
-/** Where the shank of a tool leaves what is seen, its tip at a place; null where its end is in sight, or nothing of it. */
+/**
+ * Where the shank of a tool leaves what is seen, its tip at a place; null where its end is in sight, or nothing of it.
+ */
 export function breakOf(tool: Tool, tip: Pt, camera: Camera, seen: Seen): Broken | null {
   const shank = shankOf(tool);
   if (!tool.holder || !shank) return null;
@@ -33,22 +38,33 @@ export function breakOf(tool: Tool, tip: Pt, camera: Camera, seen: Seen): Broken
   const [left, right, top, bottom] = [Math.min(a.x, b.x), Math.max(a.x, b.x), Math.min(a.y, b.y), Math.max(a.y, b.y)];
   if (shankAxis(tool.TO, tool.holder.axis) === "Z") {
     if (bottom < seen.top || top > seen.bottom) return null;
-    const y = (top + bottom) / 2, width = bottom - top;
-    if (left < seen.right && right > seen.right && left > seen.left) return { at: { x: seen.right, y }, turn: 0, width };
-    return right > seen.left && left < seen.left && right < seen.right ? { at: { x: seen.left, y }, turn: 180, width } : null;
+    const y = (top + bottom) / 2,
+      width = bottom - top;
+    if (left < seen.right && right > seen.right && left > seen.left)
+      return { at: { x: seen.right, y }, turn: 0, width };
+    return right > seen.left && left < seen.left && right < seen.right
+      ? { at: { x: seen.left, y }, turn: 180, width }
+      : null;
   }
   if (right < seen.left || left > seen.right) return null;
-  const x = (left + right) / 2, width = right - left;
+  const x = (left + right) / 2,
+    width = right - left;
   if (top < seen.top && bottom > seen.top && bottom < seen.bottom) return { at: { x, y: seen.top }, turn: 270, width };
-  return bottom > seen.bottom && top < seen.bottom && top > seen.top ? { at: { x, y: seen.bottom }, turn: 90, width } : null;
+  return bottom > seen.bottom && top < seen.bottom && top > seen.top
+    ? { at: { x, y: seen.bottom }, turn: 90, width }
+    : null;
 }
 
 /** Half the height of the wave, and how far the cut reaches beyond the shank on each side, pixels. */
 const [WAVE, OVER] = [4, 3];
 const n = (v: number) => Math.round(v * 10) / 10;
 
-/** A break drawn for a shank that goes on to the right: the line, and the ground of `deep` pixels that hides what lies behind it. */
+/**
+ * A break drawn for a shank that goes on to the right: the line, and the ground of `deep` pixels that hides what lies
+ * behind it.
+ */
 export function breakData(width: number, deep: number): { readonly line: string; readonly ground: string } {
-  const half = n(width / 2 + OVER), line = `M0 ${-half}C${WAVE * 2} ${n(-half / 2)} ${-WAVE * 2} ${n(half / 2)} 0 ${half}`;
+  const half = n(width / 2 + OVER),
+    line = `M0 ${-half}C${WAVE * 2} ${n(-half / 2)} ${-WAVE * 2} ${n(half / 2)} 0 ${half}`;
   return { line, ground: `${line}H${deep}V${-half}Z` };
 }

@@ -20,24 +20,31 @@ const player = playerOf(simulate(work));
 const chips = chipsOf(work.steps, work.spindles, player);
 /** The longest roughing cut, a good way along it. */
 const longest = work.steps.reduce(
-  (
-    best,
-    step,
-    i,
-  ) => (step.move.phase === "rough" && step.move.kind === "feed" && step.seconds > (work.steps[best]?.seconds ?? 0) ? i : best),
+  (best, step, i) =>
+    step.move.phase === "rough" && step.move.kind === "feed" && step.seconds > (work.steps[best]?.seconds ?? 0)
+      ? i
+      : best,
   0,
 );
 const moment: PlayPosition = { step: longest, fraction: 0.437 };
 
 test("a moment of contact, as it is drawn", async () => {
-  const chip = chips(moment), tip = tipAt(work.steps, moment), tool = work.steps[longest]?.tool;
+  const chip = chips(moment),
+    tip = tipAt(work.steps, moment),
+    tool = work.steps[longest]?.tool;
   if (!chip || !tip || !tool) throw new Error("nothing is cut");
   const beside = (ring: Ring): Ring => ring.map((p) => at(p.z - tip.z, p.r - tip.r));
-  const { area, edge } = drawnChip(chip), size = { width: 480, height: 360 };
-  const shapes = [{ role: "stock", d: ringData(player.at(moment).map(beside)) }, ...toolShapes(tool), { role: "chip-area", d: area }, {
-    role: "chip-edge",
-    d: edge,
-  }];
+  const { area, edge } = drawnChip(chip),
+    size = { width: 480, height: 360 };
+  const shapes = [
+    { role: "stock", d: ringData(player.at(moment).map(beside)) },
+    ...toolShapes(tool),
+    { role: "chip-area", d: area },
+    {
+      role: "chip-edge",
+      d: edge,
+    },
+  ];
   const camera = fitted({ left: -4, right: 4, low: -2, high: 4 }, size, { left: 0, right: 0, top: 0, bottom: 0 }, true);
   await expect(svgText(shapes, camera, size)).toMatchFileSnapshot("../goldens/contact.svg");
 });

@@ -12,7 +12,8 @@ export interface DrawnChip {
 
 const NO_CHIP: DrawnChip = { area: "", edge: "" };
 
-const lineData = (line: readonly Pt[]) => segmentData(line.slice(1).map((to, i) => ({ kind: "line", from: line[i] as Pt, to })));
+const lineData = (line: readonly Pt[]) =>
+  segmentData(line.slice(1).map((to, i) => ({ kind: "line", from: line[i] as Pt, to })));
 
 /** The shapes of a chip; empty without one. */
 export const drawnChip = (chip: Chip | null): DrawnChip =>
@@ -37,10 +38,12 @@ const n = (v: number) => Math.round(v * 10) / 10;
 export function chipMeasure({ thickest: { from, to, size } }: Chip, scale: number, xUp: boolean): ChipMeasure | null {
   if (size * scale < LEAST) return null;
   const place = (p: Pt): Place => ({ x: p.z * scale, y: (xUp ? -1 : 1) * p.r * scale });
-  const [edge, back] = [place(from), place(to)], long = Math.hypot(edge.x - back.x, edge.y - back.y);
+  const [edge, back] = [place(from), place(to)],
+    long = Math.hypot(edge.x - back.x, edge.y - back.y);
   const out = { x: (edge.x - back.x) / long, y: (edge.y - back.y) / long };
   const end = { x: edge.x + out.x * BESIDE, y: edge.y + out.y * BESIDE };
-  const tick = ({ x, y }: Place) => `M${n(x - out.y * TICK)} ${n(y + out.x * TICK)}L${n(x + out.y * TICK)} ${n(y - out.x * TICK)}`;
+  const tick = ({ x, y }: Place) =>
+    `M${n(x - out.y * TICK)} ${n(y + out.x * TICK)}L${n(x + out.y * TICK)} ${n(y - out.x * TICK)}`;
   return {
     line: `M${n(back.x)} ${n(back.y)}L${n(end.x)} ${n(end.y)}${tick(edge)}${tick(back)}`,
     text: { x: n(end.x + Math.sign(out.x || 1) * 4), y: n(end.y + (out.y > 0 ? 12 : 0)) },

@@ -5,20 +5,32 @@ import { toScreen, type Camera, type Place } from "../camera.ts";
 import { liesInward, windowsOf } from "./covered.ts";
 import { silhouetteOf } from "./silhouette.ts";
 
-const size = { width: 730, height: 411 }, camera: Camera = { scale: 3.7, zero: { x: 512.5, y: 203 }, xUp: true };
+const size = { width: 730, height: 411 },
+  camera: Camera = { scale: 3.7, zero: { x: 512.5, y: 203 }, xUp: true };
 /** A shaft of two diameters, with a bore. */
-const work = silhouetteOf([[at(-63.7, 4.1), at(0.7, 4.1), at(0.7, 25.3), at(-31.2, 25.3), at(-31.2, 38.5), at(-63.7, 38.5)]]);
+const work = silhouetteOf([
+  [at(-63.7, 4.1), at(0.7, 4.1), at(0.7, 25.3), at(-31.2, 25.3), at(-31.2, 38.5), at(-63.7, 38.5)],
+]);
 
 /** Whether a place is shown by a value of `clip-path`: on how many lines of its polygon it looks. */
 function shows(clip: string, { x, y }: Place): boolean {
-  const corners = clip.replace("polygon(evenodd, ", "").replaceAll(/px|[)]/g, "").split(", ").map((pair) => pair.split(" ").map(Number));
-  return corners.filter(([x0 = 0, y0 = 0], i) => {
-        const [x1 = 0, y1 = 0] = corners[(i + 1) % corners.length] ?? [];
-        return y0 > y !== y1 > y && x < x0 + ((x1 - x0) * (y - y0)) / (y1 - y0);
-      }).length % 2 === 1;
+  const corners = clip
+    .replace("polygon(evenodd, ", "")
+    .replaceAll(/px|[)]/g, "")
+    .split(", ")
+    .map((pair) => pair.split(" ").map(Number));
+  return (
+    corners.filter(([x0 = 0, y0 = 0], i) => {
+      const [x1 = 0, y1 = 0] = corners[(i + 1) % corners.length] ?? [];
+      return y0 > y !== y1 > y && x < x0 + ((x1 - x0) * (y - y0)) / (y1 - y0);
+    }).length %
+      2 ===
+    1
+  );
 }
 const seenOf = (section: "half" | "outside", p: Pt, look: Camera = camera) => {
-  const { seen, other } = windowsOf(section, look, size, work) ?? expect.fail("something is covered"), place = toScreen(look, p);
+  const { seen, other } = windowsOf(section, look, size, work) ?? expect.fail("something is covered"),
+    place = toScreen(look, p);
   return [shows(seen, place), shows(other, place)];
 };
 
@@ -41,13 +53,15 @@ test("from outside the work hides what is nearer to the axis than its edge, on b
   expect(seenOf("outside", at(4.2, 1.5))).toEqual([true, false]);
 });
 
-test.each([["up", camera], ["down", { ...camera, xUp: false }]])("half section, X %s: open on the tool's side, covered beyond the axis",
-  (_, look) => {
-    expect(seenOf("half", at(-47.3, 33), look)).toEqual([true, false]);
-    expect(seenOf("half", at(-12.4, -21), look)).toEqual([false, false]);
-    expect(seenOf("half", at(-12.4, -33), look)).toEqual([false, true]);
-    expect(seenOf("half", at(4.2, -1.5), look)).toEqual([false, true]);
-  });
+test.each([
+  ["up", camera],
+  ["down", { ...camera, xUp: false }],
+])("half section, X %s: open on the tool's side, covered beyond the axis", (_, look) => {
+  expect(seenOf("half", at(-47.3, 33), look)).toEqual([true, false]);
+  expect(seenOf("half", at(-12.4, -21), look)).toEqual([false, false]);
+  expect(seenOf("half", at(-12.4, -33), look)).toEqual([false, true]);
+  expect(seenOf("half", at(4.2, -1.5), look)).toEqual([false, true]);
+});
 
 test("a full section hides nothing, nor does a place without work", () => {
   expect(windowsOf("full", camera, size, work)).toBeNull();

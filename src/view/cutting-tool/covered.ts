@@ -18,32 +18,42 @@ export function liesInward(tool: Tool): boolean {
   return box !== null && -box.low >= box.high;
 }
 
-const boxOf = (
-  width: number,
-  top: number,
-  bottom: number,
-): Place[] => [{ x: 0, y: top }, { x: width, y: top }, { x: width, y: bottom }, { x: 0, y: bottom }];
+const boxOf = (width: number, top: number, bottom: number): Place[] => [
+  { x: 0, y: top },
+  { x: width, y: top },
+  { x: width, y: bottom },
+  { x: 0, y: bottom },
+];
 
 /** What lies in an odd number of areas, each of them going back to its first place and that of the first area. */
 function inOne(areas: readonly (readonly Place[])[]): string {
-  const [first] = areas[0] ?? [], round = areas.flatMap((area) => [...area, ...area.slice(0, 1), ...(first ? [first] : [])]);
+  const [first] = areas[0] ?? [],
+    round = areas.flatMap((area) => [...area, ...area.slice(0, 1), ...(first ? [first] : [])]);
   const n = (v: number) => Math.round(v * 10) / 10;
   return `polygon(evenodd, ${round.map(({ x, y }) => `${n(x)}px ${n(y)}px`).join(", ")})`;
 }
 
 /**
- * The windows through which a tool is seen that the work may cover. A half section is open on the tool's side of the axis; on the other
- * side, and in a view from outside on both, the work covers what lies nearer to the axis than its edge. Null where all of the tool is seen.
+ * The windows through which a tool is seen that the work may cover. A half section is open on the tool's side of the
+ * axis; on the other side, and in a view from outside on both, the work covers what lies nearer to the axis than its
+ * edge. Null where all of the tool is seen.
  */
-export function windowsOf(section: SectionKind, camera: Camera, { width, height }: Size, silhouette: Silhouette): Windows | null {
+export function windowsOf(
+  section: SectionKind,
+  camera: Camera,
+  { width, height }: Size,
+  silhouette: Silhouette,
+): Windows | null {
   if (section === "full" || silhouette.length === 0) return null;
-  const { zero, xUp } = camera, onTools = silhouette.map((p) => toScreen(camera, p));
+  const { zero, xUp } = camera,
+    onTools = silhouette.map((p) => toScreen(camera, p));
   const beyond = silhouette.map((p) => toScreen(camera, at(p.z, -p.r)));
   if (section === "outside") {
     const covered = [...onTools, ...beyond.toReversed()];
     return { seen: inOne([boxOf(width, 0, height), covered]), other: inOne([covered]) };
   }
-  const [above, below] = [boxOf(width, 0, zero.y), boxOf(width, zero.y, height)], [open, closed] = xUp ? [above, below] : [below, above];
-  const onAxis = [beyond.at(-1), beyond[0]].flatMap((place) => place ? [{ x: place.x, y: zero.y }] : []);
+  const [above, below] = [boxOf(width, 0, zero.y), boxOf(width, zero.y, height)],
+    [open, closed] = xUp ? [above, below] : [below, above];
+  const onAxis = [beyond.at(-1), beyond[0]].flatMap((place) => (place ? [{ x: place.x, y: zero.y }] : []));
   return { seen: inOne([open]), other: inOne([closed, [...beyond, ...onAxis]]) };
 }

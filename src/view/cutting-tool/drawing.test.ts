@@ -17,20 +17,24 @@ const dataOf = (tool: Tool, role: ToolRole) => toolShapes(tool).find((shape) => 
 
 describe("tools of the table as drawings", () => {
   test.each(tools)("tool %i", async (T, tool) => {
-    const box = toolBox(tool), size = { width: 320, height: 240 };
+    const box = toolBox(tool),
+      size = { width: 320, height: 240 };
     if (!box) throw new Error("no outline");
     const picture = svgText(toolShapes(tool), fitted(box, size, { left: 8, right: 8, top: 8, bottom: 8 }, true), size);
     await expect(picture).toMatchFileSnapshot(`../goldens/tools/${T}-${tool.NAME.toLowerCase()}.svg`);
   });
 });
 
-test.each(tools)("tool %i is drawn with the outline that is simulated, its land inside and its pocket under it", (_, tool) => {
-  const roles = rolesOf(tool);
-  expect(roles.indexOf("holder")).toBe(0);
-  expect(roles.indexOf("pocket")).toBeLessThan(roles.indexOf("insert"));
-  expect(roles.indexOf("relief")).toBeGreaterThan(roles.indexOf("insert"));
-  expect(dataOf(tool, isBar(tool) ? "rest" : "insert")).toBe(ringData([insertOutline(tool, CHORD)]));
-});
+test.each(tools)(
+  "tool %i is drawn with the outline that is simulated, its land inside and its pocket under it",
+  (_, tool) => {
+    const roles = rolesOf(tool);
+    expect(roles.indexOf("holder")).toBe(0);
+    expect(roles.indexOf("pocket")).toBeLessThan(roles.indexOf("insert"));
+    expect(roles.indexOf("relief")).toBeGreaterThan(roles.indexOf("insert"));
+    expect(dataOf(tool, isBar(tool) ? "rest" : "insert")).toBe(ringData([insertOutline(tool, CHORD)]));
+  },
+);
 
 test("a tool without a holder has none drawn, and no pocket", () => {
   const { holder: _, ...bare } = cnmg;
@@ -54,7 +58,8 @@ test("an insert whose flanks nobody knows is a guess behind its nose", () => {
 });
 
 test("a correction moves all of it", () => {
-  const moved = toolBox({ ...cnmg, correction: { z: length(0.31), r: length(-0.17) } }), there = toolBox(cnmg);
+  const moved = toolBox({ ...cnmg, correction: { z: length(0.31), r: length(-0.17) } }),
+    there = toolBox(cnmg);
   expect((moved?.left ?? 0) - (there?.left ?? 0)).toBeCloseTo(0.31, 9);
   expect((moved?.high ?? 0) - (there?.high ?? 0)).toBeCloseTo(-0.17, 9);
 });

@@ -11,7 +11,8 @@ import { rightOf } from "../../sim/sweep.ts";
 import { ringData, startData } from "../path.ts";
 
 /** What a line or an area of a drawn tool stands for; how it looks belongs to whoever paints it. */
-export type ToolRole = "holder" | "seam" | "centre" | "pocket" | "rest" | "insert" | "guess" | "relief" | "screw" | "drive";
+export type ToolRole =
+  "holder" | "seam" | "centre" | "pocket" | "rest" | "insert" | "guess" | "relief" | "screw" | "drive";
 
 /** One shape of a tool: path data relative to the theoretical tip (x = z, y = r, mm). */
 export interface ToolShape {
@@ -36,7 +37,8 @@ const LEAD = 3.2;
 function centreOf(ring: Ring): Pt {
   let [z, r] = [0, 0];
   ring.forEach((p, i) => {
-    const q = ring[(i + 1) % ring.length] as Pt, twice = p.z * q.r - q.z * p.r;
+    const q = ring[(i + 1) % ring.length] as Pt,
+      twice = p.z * q.r - q.z * p.r;
     z += (p.z + q.z) * twice;
     r += (p.r + q.r) * twice;
   });
@@ -64,9 +66,12 @@ const lineData = (from: Pt, to: Pt) => `${startData(from)}L${startData(to).slice
 export function outOfBlade(tool: Tool, ring: Ring): Ring {
   const edge = insertShape(tool).find((e) => e.feature === "width");
   if (!isBar(tool) || !tool.holder || edge?.kind !== "line") return ring;
-  const shift = shiftOf(tool), on = (p: { readonly u: number; readonly v: number }) => at(p.u + shift.u, p.v + shift.v);
-  const [from, to] = [on(edge.from), on(edge.to)], inwards = part.leftOf(part.direction({ kind: "line", from, to }, from));
-  const { left, right, low, high } = boxOf(ring), deep = Math.min(right - left, high - low) * OUT_OF_BLADE;
+  const shift = shiftOf(tool),
+    on = (p: { readonly u: number; readonly v: number }) => at(p.u + shift.u, p.v + shift.v);
+  const [from, to] = [on(edge.from), on(edge.to)],
+    inwards = part.leftOf(part.direction({ kind: "line", from, to }, from));
+  const { left, right, low, high } = boxOf(ring),
+    deep = Math.min(right - left, high - low) * OUT_OF_BLADE;
   // The part towards the edge lies to the right of the same line drawn deeper in.
   const front = rightOf(ring, part.beyond(from, inwards, deep), part.beyond(to, inwards, deep));
   return front.length > 2 ? front : ring;
@@ -74,26 +79,41 @@ export function outOfBlade(tool: Tool, ring: Ring): Ring {
 
 /** Hole and clamp of an insert: a screw or a lever, which the table does not say. */
 function clampOf(ring: Ring): ToolShape[] {
-  const centre = centreOf(ring), room = depthIn(ring, centre);
-  return [{ role: "screw", d: circleData(centre, room * HOLE) }, { role: "screw", d: circleData(centre, room * SCREW) }, {
-    role: "drive",
-    d: ringData([polygon(centre, (room * SCREW) / 2, CORNERS)]),
-  }];
+  const centre = centreOf(ring),
+    room = depthIn(ring, centre);
+  return [
+    { role: "screw", d: circleData(centre, room * HOLE) },
+    { role: "screw", d: circleData(centre, room * SCREW) },
+    {
+      role: "drive",
+      d: ringData([polygon(centre, (room * SCREW) / 2, CORNERS)]),
+    },
+  ];
 }
 
 /** The grooves of a drill from the side, and its axis. */
 function groovesOf(ring: Ring): ToolShape[] {
-  const { left, right, low, high } = boxOf(ring), size = high - low, middle = (low + high) / 2, over = size / 4, way = (size * LEAD) / 2;
+  const { left, right, low, high } = boxOf(ring),
+    size = high - low,
+    middle = (low + high) / 2,
+    over = size / 4,
+    way = (size * LEAD) / 2;
   const grooves: string[] = [];
-  for (let z = left + size / 2; size > 0 && z + way / 2 < right; z += way) grooves.push(lineData(at(z, low), at(z + way / 2, high)));
-  return [{ role: "relief", d: grooves.join("") }, { role: "centre", d: lineData(at(left - over, middle), at(right + over, middle)) }];
+  for (let z = left + size / 2; size > 0 && z + way / 2 < right; z += way)
+    grooves.push(lineData(at(z, low), at(z + way / 2, high)));
+  return [
+    { role: "relief", d: grooves.join("") },
+    { role: "centre", d: lineData(at(left - over, middle), at(right + over, middle)) },
+  ];
 }
 
 /** The axis of a boring bar, which is round, where its shank lies along Z and it cuts outwards. */
 function axisOf(tool: Tool): ToolShape[] {
-  const shank = holderOutlines(tool).at(-1), { u, v } = tipDirection(tool.TO);
+  const shank = holderOutlines(tool).at(-1),
+    { u, v } = tipDirection(tool.TO);
   if (!shank || !tool.holder || shankAxis(tool.TO, tool.holder.axis) !== "Z" || v <= 0 || u > 0) return [];
-  const { left, right, low, high } = boxOf(shank), over = (high - low) / 4;
+  const { left, right, low, high } = boxOf(shank),
+    over = (high - low) / 4;
   return [{ role: "centre", d: lineData(at(left - over, (low + high) / 2), at(right + over, (low + high) / 2)) }];
 }
 
@@ -101,27 +121,41 @@ function axisOf(tool: Tool): ToolShape[] {
 function seamOf(tool: Tool, whole: readonly Ring[]): ToolShape[] {
   const shank = holderOutlines(tool).at(-1);
   if (!shank || !tool.holder?.head?.length) return [];
-  const { left, right, low, high } = boxOf(shank), { u, v } = tipDirection(tool.TO), thin = Math.min(right - left, high - low) / 100;
+  const { left, right, low, high } = boxOf(shank),
+    { u, v } = tipDirection(tool.TO),
+    thin = Math.min(right - left, high - low) / 100;
   const along = shankAxis(tool.TO, tool.holder.axis) === "Z";
-  const z = u > 0 ? right : left, r = v > 0 ? high : low;
+  const z = u > 0 ? right : left,
+    r = v > 0 ? high : low;
   const [from, to] = along ? [at(z, low), at(z, high)] : [at(left, r), at(right, r)];
   const inside = part.pointOn({ kind: "line", from, to }, 0.5);
-  const beyond = along ? at(inside.z + (u > 0 ? thin : -thin), inside.r) : at(inside.z, inside.r + (v > 0 ? thin : -thin));
-  return areaOf(intersection(whole, [polygon(beyond, thin / 2, CORNERS)])) > 0 ? [{ role: "seam", d: lineData(from, to) }] : [];
+  const beyond = along
+    ? at(inside.z + (u > 0 ? thin : -thin), inside.r)
+    : at(inside.z, inside.r + (v > 0 ? thin : -thin));
+  return areaOf(intersection(whole, [polygon(beyond, thin / 2, CORNERS)])) > 0
+    ? [{ role: "seam", d: lineData(from, to) }]
+    : [];
 }
 
 /**
- * A tool as the shapes that draw it, from back to front: its holder in one piece, the pocket, the insert with its land, and how it is
- * held. The outlines are those that are simulated; a tool without a holder has none drawn. Lengths of a shank are those of the table.
+ * A tool as the shapes that draw it, from back to front: its holder in one piece, the pocket, the insert with its land,
+ * and how it is held. The outlines are those that are simulated; a tool without a holder has none drawn. Lengths of a
+ * shank are those of the table.
  */
 export function toolShapes(tool: Tool): readonly ToolShape[] {
-  const ring = insertOutline(tool, CHORD), front = outOfBlade(tool, ring), holder = union(holderOutlines(tool));
+  const ring = insertOutline(tool, CHORD),
+    front = outOfBlade(tool, ring),
+    holder = union(holderOutlines(tool));
   if (ring.length < 3) return [];
   if (isDrill(tool)) return [{ role: "insert", d: ringData([ring]) }, ...groovesOf(ring)];
-  const room = depthIn(front, centreOf(front)), shapes: ToolShape[] = [];
+  const room = depthIn(front, centreOf(front)),
+    shapes: ToolShape[] = [];
   if (holder.length > 0) {
     const pocket = intersection(holder, offset([front], room * CLEAR + CLEAR));
-    shapes.push({ role: "holder", d: ringData(holder) }, ...seamOf(tool, holder), ...axisOf(tool), { role: "pocket", d: ringData(pocket) });
+    shapes.push({ role: "holder", d: ringData(holder) }, ...seamOf(tool, holder), ...axisOf(tool), {
+      role: "pocket",
+      d: ringData(pocket),
+    });
   }
   if (front !== ring) shapes.push({ role: "rest", d: ringData([ring]) });
   shapes.push({ role: flanksUnknown(tool) ? "guess" : "insert", d: ringData([front]) });

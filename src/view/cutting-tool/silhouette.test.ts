@@ -34,12 +34,16 @@ test("the silhouette is the outer edge: hollows do not show, gaps between two pi
 });
 
 test("the bore of a tube does not show either", () => {
-  const [outer, bore] = [[at(-40, 30), at(0, 30), at(0, 45), at(-40, 45)], [at(-12, 33), at(-12, 40), at(-6, 40), at(-6, 33)]];
+  const [outer, bore] = [
+    [at(-40, 30), at(0, 30), at(0, 45), at(-40, 45)],
+    [at(-12, 33), at(-12, 40), at(-6, 40), at(-6, 33)],
+  ];
   expect(silhouetteOf([outer, bore]).every((p) => p.r === 45)).toBe(true);
 });
 
 test("a face grooving blade is behind the work in its groove, and before it over the boss", () => {
-  const blade = named("FACE-RECTURN-3"), silhouette = silhouetteOf([disc]);
+  const blade = named("FACE-RECTURN-3"),
+    silhouette = silhouetteOf([disc]);
   expect(liesBehind(blade, [at(-20.1, 36)], silhouette)).toBe(false);
   expect(liesBehind(blade, [at(-27.5, 36)], silhouette)).toBe(true);
   expect(liesBehind(blade, [at(3, 36), at(-27.5, 36)], silhouette)).toBe(true);

@@ -8,8 +8,8 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { toolBox } from "./drawing.ts";
 
 /**
- * The upper edge of the work as it is seen from the side, from left to right: at each Z the largest radius that it has there, 0 where it
- * has none.
+ * The upper edge of the work as it is seen from the side, from left to right: at each Z the largest radius that it has
+ * there, 0 where it has none.
  */
 export type Silhouette = readonly Pt[];
 
@@ -22,7 +22,7 @@ const edgesOf = (rings: readonly Ring[]): Edge[] =>
       const q = ring[(i + 1) % ring.length] as Pt;
       if (Math.abs(p.z - q.z) <= SAME) return [];
       return [p.z < q.z ? [p, q] : [q, p]];
-    })
+    }),
   );
 
 const radiusAt = ([a, b]: Edge, z: number): number => a.r + ((b.r - a.r) * (z - a.z)) / (b.z - a.z);
@@ -38,10 +38,14 @@ function firstFrom(ascending: readonly number[], least: number): number {
   return low;
 }
 
-/** The silhouette of work whose section is given, outlines that do not cross one another, mm. Without work it is empty. */
+/**
+ * The silhouette of work whose section is given, outlines that do not cross one another, mm. Without work it is empty.
+ */
 export function silhouetteOf(rings: readonly Ring[]): Silhouette {
-  const edges = edgesOf(rings), marks = [...new Set(edges.flatMap(([a, b]) => [a.z, b.z]))].sort((a, b) => a - b);
-  const top: (Edge | null)[] = marks.slice(1).map(() => null), high = top.map(() => 0);
+  const edges = edgesOf(rings),
+    marks = [...new Set(edges.flatMap(([a, b]) => [a.z, b.z]))].sort((a, b) => a - b);
+  const top: (Edge | null)[] = marks.slice(1).map(() => null),
+    high = top.map(() => 0);
   // Outlines do not cross: between two corners the edge that is farthest out in the middle is so everywhere.
   for (const edge of edges) {
     for (let i = firstFrom(marks, edge[0].z); (marks[i + 1] ?? Infinity) <= edge[1].z; i += 1) {
@@ -63,15 +67,23 @@ export function silhouetteOf(rings: readonly Ring[]): Silhouette {
 /** A tool that only touches the work shares less with it than this, mm². */
 const TOUCHED = 0.1;
 
-/** Whether some of a tool with its tip at one of the places lies behind the work: nearer to the axis than the work's edge there. */
+/**
+ * Whether some of a tool with its tip at one of the places lies behind the work: nearer to the axis than the work's
+ * edge there.
+ */
 export function liesBehind(tool: Tool, tips: readonly Pt[], silhouette: Silhouette): boolean {
-  const [first, last] = [silhouette[0], silhouette.at(-1)], box = toolBox(tool);
+  const [first, last] = [silhouette[0], silhouette.at(-1)],
+    box = toolBox(tool);
   if (!first || !last || !box) return false;
   const outer = Math.max(...silhouette.map((p) => p.r));
   const reached = tips.filter((tip) => tip.z + box.left < last.z && tip.r + box.low < outer);
   if (reached.length === 0) return false;
   const under = [at(first.z, 0), at(last.z, 0), ...silhouette.toReversed()];
   const rings = [insertOutline(tool, CHORD), ...holderOutlines(tool)].filter((ring) => ring.length > 2);
-  const shared = (tip: Pt) => intersection(rings.map((ring) => ring.map((p) => at(p.z + tip.z, p.r + tip.r))), [under]);
+  const shared = (tip: Pt) =>
+    intersection(
+      rings.map((ring) => ring.map((p) => at(p.z + tip.z, p.r + tip.r))),
+      [under],
+    );
   return reached.some((tip) => areaOf(shared(tip)) > TOUCHED);
 }

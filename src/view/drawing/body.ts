@@ -42,16 +42,19 @@ export function spanAt(rings: readonly Ring[], z: number): { readonly high: numb
 }
 
 /** Whether something of a part is not seen from outside: a bore, or a recess in a face. */
-export const isHollow = (body: readonly Ring[]): boolean => body.some((ring) => ring.some((p) => p.r > ON && !isOutmost(body, p)));
+export const isHollow = (body: readonly Ring[]): boolean =>
+  body.some((ring) => ring.some((p) => p.r > ON && !isOutmost(body, p)));
 
 /** Lines of rings without what lies on the axis or on the break. */
 function drawnEdges(ring: Ring, broken: number | null): Pt[][] {
   const hidden = (a: Pt, b: Pt) =>
-    (Math.abs(a.r) < ON && Math.abs(b.r) < ON) || (broken !== null && Math.abs(a.z - broken) < ON && Math.abs(b.z - broken) < ON);
+    (Math.abs(a.r) < ON && Math.abs(b.r) < ON) ||
+    (broken !== null && Math.abs(a.z - broken) < ON && Math.abs(b.z - broken) < ON);
   const lines: Pt[][] = [];
   const start = Math.max(0, ring.findIndex((p, i) => hidden(p, ring[(i + 1) % ring.length] ?? p)) + 1);
   for (let k = 0; k < ring.length; k += 1) {
-    const a = ring[(start + k) % ring.length], b = ring[(start + k + 1) % ring.length];
+    const a = ring[(start + k) % ring.length],
+      b = ring[(start + k + 1) % ring.length];
     if (!a || !b || hidden(a, b)) continue;
     const last = lines.at(-1);
     if (last?.at(-1) === a) last.push(b);
@@ -62,9 +65,11 @@ function drawnEdges(ring: Ring, broken: number | null): Pt[][] {
 
 /** A line by hand where the blank goes on. */
 function breakLine(x: number, top: number, bottom: number): string {
-  const step = (bottom - top) / 4, by = 1.1;
-  const curve = [1, -1, 1, -1].map((side, i) =>
-    `Q${onPaperGrid(x + side * by)} ${onPaperGrid(top + (i + 0.5) * step)} ${onPaperGrid(x)} ${onPaperGrid(top + (i + 1) * step)}`
+  const step = (bottom - top) / 4,
+    by = 1.1;
+  const curve = [1, -1, 1, -1].map(
+    (side, i) =>
+      `Q${onPaperGrid(x + side * by)} ${onPaperGrid(top + (i + 0.5) * step)} ${onPaperGrid(x)} ${onPaperGrid(top + (i + 1) * step)}`,
   );
   return `M${onPaperGrid(x)} ${onPaperGrid(top)}${curve.join("")}`;
 }
@@ -73,7 +78,9 @@ function breakLine(x: number, top: number, bottom: number): string {
 function within(body: readonly Ring[], ends: readonly [Pt, Pt]): readonly [Pt, Pt] {
   const { left, right } = boxAround([...body]);
   const [a, b] = ends.map(({ z, r }) => at(Math.min(right, Math.max(left, z)), r)) as [Pt, Pt];
-  const long = Math.abs(b.z - a.z), step = Math.max(STEP_IN, long / MOST_STEPS), steps = Math.ceil(long / step);
+  const long = Math.abs(b.z - a.z),
+    step = Math.max(STEP_IN, long / MOST_STEPS),
+    steps = Math.ceil(long / step);
   const way = Math.sign(b.z - a.z) * step;
   const isIn = (z: number) => {
     const span = spanAt(body, z);
@@ -93,17 +100,22 @@ interface BodyView {
 }
 
 /** The part itself: hatch above the axis where it is hollow, its outline, and the edges that one sees. */
-export function bodyShapes(body: readonly Ring[], { broken, isHollow: hollow, onPaper, scale, threads }: BodyView): PrintShape[] {
+export function bodyShapes(
+  body: readonly Ring[],
+  { broken, isHollow: hollow, onPaper, scale, threads }: BodyView,
+): PrintShape[] {
   const fine = simplified([...body], FINE / scale);
   const shapes: PrintShape[] = [];
   if (hollow) shapes.push({ role: "section", d: fine.map((ring) => `${lineThrough(ring.map(onPaper))}Z`).join("") });
   const edges = fine.flatMap((ring) => drawnEdges(ring, broken));
   // From outside the bore is not seen: below the axis only what no material lies above.
   const isSilhouette = (line: readonly Pt[]) => line.filter((p) => isOutmost(body, p));
-  const lower = edges.map((line) => (hollow ? isSilhouette(line) : line).map(mirroredAt)).filter((line) => line.length > 1);
+  const lower = edges
+    .map((line) => (hollow ? isSilhouette(line) : line).map(mirroredAt))
+    .filter((line) => line.length > 1);
   shapes.push({ role: "outline", d: [...edges, ...lower].map((line) => lineThrough(line.map(onPaper))).join("") });
   const corners = edges.flatMap((line) =>
-    line.filter((p, i) => isSharp(line[i - 1], p, line[i + 1]) && !(broken !== null && Math.abs(p.z - broken) < ON))
+    line.filter((p, i) => isSharp(line[i - 1], p, line[i + 1]) && !(broken !== null && Math.abs(p.z - broken) < ON)),
   );
   const across = (p: Pt, ends: readonly [number, number]) => lineThrough(ends.map((r) => onPaper(at(p.z, r))));
   const seen = corners.flatMap((p) => {
@@ -120,7 +132,8 @@ export function bodyShapes(body: readonly Ring[], { broken, isHollow: hollow, on
     shapes.push({ role: "thin", d: lineThrough(line.map(onPaper)) + below });
   }
   if (broken !== null) {
-    const high = onPaper(at(broken, spanAt(body, broken + BESIDE)?.high ?? 0)), low = onPaper(at(broken, 0));
+    const high = onPaper(at(broken, spanAt(body, broken + BESIDE)?.high ?? 0)),
+      low = onPaper(at(broken, 0));
     shapes.push({ role: "break", d: breakLine(high.x, high.y, low.y + (low.y - high.y)) });
   }
   return shapes;

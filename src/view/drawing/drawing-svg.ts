@@ -17,12 +17,17 @@ export interface SheetTitle {
 }
 
 /** Letters of labels and notes, and of the name, mm on paper; those of facts are as large as figures. */
-const LABEL = 2.4, NAME = 4.2;
+const LABEL = 2.4,
+  NAME = 4.2;
 /** Height of a row of the title block and of a line of notes; air in a cell; edge of the paper round the frame, mm. */
-const ROW = 9, LINE = 4, PAD = 2, EDGE = 10;
+const ROW = 9,
+  LINE = 4,
+  PAD = 2,
+  EDGE = 10;
 
 const escaped = (text: string) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
-const needs = ({ label, text }: TitleCell, size: number) => Math.max(textWidth(label, LABEL), textWidth(text, size)) + PAD + PAD;
+const needs = ({ label, text }: TitleCell, size: number) =>
+  Math.max(textWidth(label, LABEL), textWidth(text, size)) + PAD + PAD;
 
 /** Things one after the other in rows that are no wider than there is room; each has one at least. */
 function inRows<T>(all: readonly T[], wide: (each: T) => number, room: number): T[][] {
@@ -60,8 +65,15 @@ export function titleBlock(
     let x = 0;
     // What is over is the name's; in a row without it each has its share.
     return row.map(({ cell, size }): PlacedCell => {
-      const extra = i > 0 ? free / row.length : cell === name ? free : 0, own = Math.min(width, needs(cell, size)) + extra;
-      const placed = { cell, size: Math.min(size, (size * (width - PAD - PAD)) / textWidth(cell.text, size)), x, y: i * ROW, width: own };
+      const extra = i > 0 ? free / row.length : cell === name ? free : 0,
+        own = Math.min(width, needs(cell, size)) + extra;
+      const placed = {
+        cell,
+        size: Math.min(size, (size * (width - PAD - PAD)) / textWidth(cell.text, size)),
+        x,
+        y: i * ROW,
+        width: own,
+      };
       x += own;
       return placed;
     });
@@ -84,30 +96,45 @@ const textAt = (text: string, x: number, y: number, size: number) =>
   `<text x="${n(x)}" y="${n(y)}" font-size="${n(size)}">${escaped(text)}</text>`;
 
 function written(text: PrintText): string {
-  const { at: { x, y }, turned } = text, start = x - widthOf(text) / 2, next = start + nominalWidth(text) + NEXT, small = FIGURES * SMALL;
-  return `<g class="figure"${turned ? ` transform="rotate(-90 ${n(x)} ${n(y)})"` : ""}>${textAt(text.text, start, y, FIGURES)}`
-    + (text.upper === undefined ? "" : textAt(text.upper, next, y - STACKED, small))
-    + `${text.lower === undefined ? "" : textAt(text.lower, next, y + STACKED, small)}</g>`;
+  const {
+      at: { x, y },
+      turned,
+    } = text,
+    start = x - widthOf(text) / 2,
+    next = start + nominalWidth(text) + NEXT,
+    small = FIGURES * SMALL;
+  return (
+    `<g class="figure"${turned ? ` transform="rotate(-90 ${n(x)} ${n(y)})"` : ""}>${textAt(text.text, start, y, FIGURES)}` +
+    (text.upper === undefined ? "" : textAt(text.upper, next, y - STACKED, small)) +
+    `${text.lower === undefined ? "" : textAt(text.lower, next, y + STACKED, small)}</g>`
+  );
 }
 
-/** A drawing on its sheet as a file that needs no other: one unit is a millimetre, black on white; `frame`: inside of its frame, mm. */
-export function drawingSvg(print: WorkshopPrint, title: SheetTitle, frame: { readonly width: number; readonly height: number }): string {
-  const { width, height } = frame, block = titleBlock(title, width), top = height - block.height;
-  const cells = block.cells.flatMap(
-    ({ cell: { label, text }, size, x, y, width: wide }) => [
-      `<path class="cell" d="M${n(x)} ${n(top + y)}h${n(wide)}v${ROW}h${n(-wide)}z"/>`,
-      textAt(label, x + PAD, top + y + 2.6, LABEL),
-      textAt(text, x + PAD, top + y + 6.2, size),
-    ]
-  );
+/**
+ * A drawing on its sheet as a file that needs no other: one unit is a millimetre, black on white; `frame`: inside of
+ * its frame, mm.
+ */
+export function drawingSvg(
+  print: WorkshopPrint,
+  title: SheetTitle,
+  frame: { readonly width: number; readonly height: number },
+): string {
+  const { width, height } = frame,
+    block = titleBlock(title, width),
+    top = height - block.height;
+  const cells = block.cells.flatMap(({ cell: { label, text }, size, x, y, width: wide }) => [
+    `<path class="cell" d="M${n(x)} ${n(top + y)}h${n(wide)}v${ROW}h${n(-wide)}z"/>`,
+    textAt(label, x + PAD, top + y + 2.6, LABEL),
+    textAt(text, x + PAD, top + y + 6.2, size),
+  ]);
   const foot = height - block.lines.length * LINE;
   const [wide, tall] = [n(width + EDGE + EDGE), n(height + EDGE + EDGE)];
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${wide}mm" height="${tall}mm" viewBox="${-EDGE} ${-EDGE} ${wide} ${tall}">`,
     ` <title>${escaped(title.name.text)}</title>`,
     ` <style>${STYLE}</style>`,
-    ` <pattern id="hatch" width="1.8" height="1.8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">`
-    + `<path class="hatch" d="M0 0V1.8"/></pattern>`,
+    ` <pattern id="hatch" width="1.8" height="1.8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">` +
+      `<path class="hatch" d="M0 0V1.8"/></pattern>`,
     ` <rect x="${-EDGE}" y="${-EDGE}" width="${wide}" height="${tall}" fill="#fff"/>`,
     ` <path class="frame" d="M0 0H${n(width)}V${n(height)}H0z"/>`,
     ` <g transform="translate(${n((width - print.width) / 2)} ${n((top - print.height) / 2)})">`,

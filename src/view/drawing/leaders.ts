@@ -1,7 +1,17 @@
 import type { Place } from "../camera.ts";
 import { FIGURES } from "../sheet/sizes.ts";
 import { spread } from "../sheet/spread.ts";
-import { arrow, tallOf, lineThrough, onPaperGrid, widthOf, writtenAt, type PrintShape, type PrintSize, type PrintText } from "./paper.ts";
+import {
+  arrow,
+  tallOf,
+  lineThrough,
+  onPaperGrid,
+  widthOf,
+  writtenAt,
+  type PrintShape,
+  type PrintSize,
+  type PrintText,
+} from "./paper.ts";
 
 /** A note that a leader joins to a place of the part. */
 export interface Leader {
@@ -12,8 +22,14 @@ export interface Leader {
   readonly isMark: boolean;
 }
 
-/** Gap between notes, and between shafts and texts below them; room of a shaft that goes by; the sign for surfaces; mm on paper. */
-const GAP = 2.5, NEAR = 0.3, SHAFT = 1.2, SIGN = 2.1;
+/**
+ * Gap between notes, and between shafts and texts below them; room of a shaft that goes by; the sign for surfaces; mm
+ * on paper.
+ */
+const GAP = 2.5,
+  NEAR = 0.3,
+  SHAFT = 1.2,
+  SIGN = 2.1;
 /** Height of a row of notes, and how far above the part the first one stands, mm on paper. */
 export const ROW = 8;
 const MOST_ROWS = 4;
@@ -23,10 +39,14 @@ const wide = ({ size, isMark }: Leader): number => widthOf(size) + (isMark ? 2.2
 
 /** The sign of a turned surface: a tick, closed because material is taken away, with its line over the value. */
 export function surfaceSign(apex: Place, width: number): string {
-  const [x, y] = [apex.x, apex.y], half = SIGN / 2, high = SIGN * 0.866;
+  const [x, y] = [apex.x, apex.y],
+    half = SIGN / 2,
+    high = SIGN * 0.866;
   const far = { x: x + 2 * half, y: y - 2 * high };
-  return lineThrough([{ x: x - half, y: y - high }, { x, y }, far, { x: far.x + width, y: far.y }])
-    + `M${onPaperGrid(x - half)} ${onPaperGrid(y - high)}H${onPaperGrid(x + half)}`;
+  return (
+    lineThrough([{ x: x - half, y: y - high }, { x, y }, far, { x: far.x + width, y: far.y }]) +
+    `M${onPaperGrid(x - half)} ${onPaperGrid(y - high)}H${onPaperGrid(x + half)}`
+  );
 }
 
 interface Row {
@@ -72,7 +92,12 @@ function inRows(leaders: readonly Leader[], rows: number, width: number, below: 
   }
   for (let row = 0; row < rows; row += 1) {
     const here = placed.filter((p) => p.row >= row).sort((a, b) => a.at - b.at);
-    const middles = spread(here.map((p) => ({ at: p.at, size: p.row === row ? wide(p.leader) : SHAFT })), 1, width - 1, GAP);
+    const middles = spread(
+      here.map((p) => ({ at: p.at, size: p.row === row ? wide(p.leader) : SHAFT })),
+      1,
+      width - 1,
+      GAP,
+    );
     if (!middles) return null;
     here.forEach((p, i) => {
       p.at = middles[i] ?? p.at;
@@ -99,24 +124,50 @@ export function drawnLeaders(
   rows: readonly Row[],
   bottom: number,
   band: readonly [number, number],
-): { readonly shapes: readonly PrintShape[]; readonly texts: readonly PrintText[]; readonly lines: readonly (readonly Place[])[] } {
+): {
+  readonly shapes: readonly PrintShape[];
+  readonly texts: readonly PrintText[];
+  readonly lines: readonly (readonly Place[])[];
+} {
   const shapes: PrintShape[] = [];
   const lines: (readonly Place[])[] = [];
   const texts: PrintText[] = [];
   for (const { leader, row, between, ways } of rows) {
-    const { to, size, isMark } = leader, level = (k: number) => bottom - k * ROW;
-    const shelf = ways.at(-1) ?? to.x, y = level(row), width = wide(leader);
+    const { to, size, isMark } = leader,
+      level = (k: number) => bottom - k * ROW;
+    const shelf = ways.at(-1) ?? to.x,
+      y = level(row),
+      width = wide(leader);
     // Through each row below its own the leader rises straight, and turns between them.
-    const knees = ways.slice(0, row).flatMap((x, k) => [{ x, y: level(k) + SHORT }, { x, y: level(k) - tallOf(size) - SHORT }]);
+    const knees = ways.slice(0, row).flatMap((x, k) => [
+      { x, y: level(k) + SHORT },
+      { x, y: level(k) - tallOf(size) - SHORT },
+    ]);
     const end = { x: shelf, y };
-    const passes = between === null ? [] : [{ x: between, y: band[1] }, { x: between, y: band[0] }];
+    const passes =
+      between === null
+        ? []
+        : [
+            { x: between, y: band[1] },
+            { x: between, y: band[0] },
+          ];
     const line = [to, ...passes, ...knees, end];
     lines.push(line);
-    const first = line[1] ?? end, length = Math.hypot(first.x - to.x, first.y - to.y) || 1;
-    shapes.push({ role: "thin", d: lineThrough(line) + lineThrough([{ x: shelf - width / 2, y }, { x: shelf + width / 2, y }]) });
+    const first = line[1] ?? end,
+      length = Math.hypot(first.x - to.x, first.y - to.y) || 1;
+    shapes.push({
+      role: "thin",
+      d:
+        lineThrough(line) +
+        lineThrough([
+          { x: shelf - width / 2, y },
+          { x: shelf + width / 2, y },
+        ]),
+    });
     shapes.push({ role: "arrow", d: arrow(to, (to.x - first.x) / length, (to.y - first.y) / length) });
     if (isMark) {
-      const textWide = widthOf(size), apex = { x: shelf - width / 2 + SIGN / 2 + 0.3, y };
+      const textWide = widthOf(size),
+        apex = { x: shelf - width / 2 + SIGN / 2 + 0.3, y };
       shapes.push({ role: "mark", d: surfaceSign(apex, textWide + 0.6) });
       texts.push(writtenAt(size, { x: apex.x + SIGN * 0.75 + textWide / 2 + 0.4, y: y - FIGURES / 2 - 0.2 }, false));
     } else texts.push(writtenAt(size, { x: shelf, y: y - tallOf(size) / 2 - 0.1 }, false));

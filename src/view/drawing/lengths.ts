@@ -1,7 +1,20 @@
 import type { Place } from "../camera.ts";
 import { spread } from "../sheet/spread.ts";
-import { arrow, ARROW, dimensionLine, isCrossed, tallOf, LINE, lineThrough, onPaperGrid, widthOf, writtenAt, type PrintShape,
-  type PrintSize, type PrintText } from "./paper.ts";
+import {
+  arrow,
+  ARROW,
+  dimensionLine,
+  isCrossed,
+  tallOf,
+  LINE,
+  lineThrough,
+  onPaperGrid,
+  widthOf,
+  writtenAt,
+  type PrintShape,
+  type PrintSize,
+  type PrintText,
+} from "./paper.ts";
 
 /** A length from Z0: where its dimension begins on the part, mm on paper. */
 export interface PrintLength {
@@ -13,7 +26,8 @@ export interface PrintLength {
 const MOST_LINES = 4;
 /** Air between part and extension line; an extension line goes on past its dimension line; mm on paper. */
 export const AIR = 0.8;
-const PAST = 1.2, FIRST = 7;
+const PAST = 1.2,
+  FIRST = 7;
 const ORIGIN = 0.8;
 
 export interface DrawnLengths {
@@ -43,18 +57,21 @@ const through = (lines: readonly (readonly Place[])[], y: number): number[] =>
     line.slice(1).flatMap((b, i) => {
       const a = line[i] ?? b;
       return (a.y - y) * (b.y - y) > 0 || a.y === b.y ? [] : [a.x + ((y - a.y) / (b.y - a.y)) * (b.x - a.x)];
-    })
+    }),
   );
 
 /** How finely a place for a text is looked for, and how far beside its line, mm on paper. */
-const FINE = 0.5, FAR = 30;
+const FINE = 0.5,
+  FAR = 30;
 
 /**
- * The middle of a text for a line between two places: that of the line, or the nearest to it where no other line goes through the text, or
- * beside the line, behind its arrows; on paper of a width.
+ * The middle of a text for a line between two places: that of the line, or the nearest to it where no other line goes
+ * through the text, or beside the line, behind its arrows; on paper of a width.
  */
 function clearMiddle([a, b]: readonly [number, number], wide: number, stops: readonly number[], width: number): number {
-  const middle = (a + b) / 2, free = (b - a - wide) / 2, out = 2 * ARROW.long + wide / 2;
+  const middle = (a + b) / 2,
+    free = (b - a - wide) / 2,
+    out = 2 * ARROW.long + wide / 2;
   const steps = Array.from({ length: FAR / FINE }, (_, i) => i * FINE);
   const along = steps.filter((by) => by <= free).flatMap((by) => [middle + by, middle - by]);
   const beside = steps.flatMap((by) => [b + out + by, a - out - by]);
@@ -69,7 +86,9 @@ function clearMiddle([a, b]: readonly [number, number], wide: number, stops: rea
 /** Lengths from the zero edge; the shortest stands nearest. */
 export function drawnLengths(lengths: readonly PrintLength[], room: LengthRoom): DrawnLengths {
   if (lengths.length === 0) return { shapes: [], texts: [], reach: 0, isCrossed: false };
-  const { zero: { x: from } } = room;
+  const {
+    zero: { x: from },
+  } = room;
   const sorted = [...lengths].sort((a, b) => Math.abs(a.from.x - from) - Math.abs(b.from.x - from));
   return sorted.length <= MOST_LINES && !room.middles ? inParallel(sorted, room) : addingUp(sorted, room);
 }
@@ -82,7 +101,10 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side, width, 
   for (const [i, { size, from }] of lengths.entries()) {
     reach += tallOf(size) + 0.6;
     const y = edge + down * reach;
-    const [a, b] = [{ x: Math.min(from.x, zero.x), y }, { x: Math.max(from.x, zero.x), y }];
+    const [a, b] = [
+      { x: Math.min(from.x, zero.x), y },
+      { x: Math.max(from.x, zero.x), y },
+    ];
     shapes.push(...dimensionLine(a, b), extension(from, down, y));
     const wide = widthOf(size) + 1;
     // Lines that go by, and the extension lines of those that stand farther out.
@@ -103,37 +125,65 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side, width, 
 
 const extension = ({ x, y }: Place, down: number, end: number): PrintShape => ({
   role: "thin",
-  d: lineThrough([{ x, y: y + down * AIR }, { x, y: end + down * PAST }]),
+  d: lineThrough([
+    { x, y: y + down * AIR },
+    { x, y: end + down * PAST },
+  ]),
 });
 
 /** From the part to the feet of turned texts, mm on paper. */
 export const TO_FEET = FIRST + 5;
 
-/** The turned texts that lengths have where they add up, from the left; none where each stands on a line of its own unless they must. */
-export const turnedTexts = (lengths: readonly PrintLength[], must: boolean): readonly { readonly at: number; readonly size: number }[] =>
-  lengths.length <= MOST_LINES && !must ? [] : fromLeft(lengths).map(({ size, from }) => ({ at: from.x, size: tallOf(size) }));
+/**
+ * The turned texts that lengths have where they add up, from the left; none where each stands on a line of its own
+ * unless they must.
+ */
+export const turnedTexts = (
+  lengths: readonly PrintLength[],
+  must: boolean,
+): readonly { readonly at: number; readonly size: number }[] =>
+  lengths.length <= MOST_LINES && !must
+    ? []
+    : fromLeft(lengths).map(({ size, from }) => ({ at: from.x, size: tallOf(size) }));
 
 const fromLeft = (lengths: readonly PrintLength[]) => [...lengths].sort((a, b) => a.from.x - b.from.x);
 
-function addingUp(lengths: readonly PrintLength[], { zero, edge, side, width, middles: given }: LengthRoom): DrawnLengths {
-  const down = side === "below" ? 1 : -1, y = edge + down * FIRST, foot = edge + down * TO_FEET;
-  const sorted = fromLeft(lengths), far = lengths.at(-1);
+function addingUp(
+  lengths: readonly PrintLength[],
+  { zero, edge, side, width, middles: given }: LengthRoom,
+): DrawnLengths {
+  const down = side === "below" ? 1 : -1,
+    y = edge + down * FIRST,
+    foot = edge + down * TO_FEET;
+  const sorted = fromLeft(lengths),
+    far = lengths.at(-1);
   const middles = given ?? spread(turnedTexts(lengths, true), 1, width - 1, 0.3);
   const long = Math.max(...lengths.map(({ size }) => widthOf(size)));
-  const shapes: PrintShape[] = [extension(zero, down, y), {
-    role: "thin",
-    d: lineThrough([{ x: zero.x, y }, { x: far?.from.x ?? zero.x, y }]),
-  }, {
-    role: "origin",
-    d: `M${onPaperGrid(zero.x - ORIGIN)} ${onPaperGrid(y)}a${ORIGIN} ${ORIGIN} 0 1 1 ${ORIGIN + ORIGIN} 0a${ORIGIN} ${ORIGIN} 0 1 1 ${
-      -ORIGIN - ORIGIN
-    } 0Z`,
-  }];
+  const shapes: PrintShape[] = [
+    extension(zero, down, y),
+    {
+      role: "thin",
+      d: lineThrough([
+        { x: zero.x, y },
+        { x: far?.from.x ?? zero.x, y },
+      ]),
+    },
+    {
+      role: "origin",
+      d: `M${onPaperGrid(zero.x - ORIGIN)} ${onPaperGrid(y)}a${ORIGIN} ${ORIGIN} 0 1 1 ${ORIGIN + ORIGIN} 0a${ORIGIN} ${ORIGIN} 0 1 1 ${
+        -ORIGIN - ORIGIN
+      } 0Z`,
+    },
+  ];
   const texts = sorted.map(({ size, from }, i) => {
     const x = middles?.[i] ?? from.x;
     shapes.push({
       role: "thin",
-      d: lineThrough([{ x: from.x, y: from.y + down * AIR }, { x: from.x, y: y + down * PAST }, { x, y: foot }]),
+      d: lineThrough([
+        { x: from.x, y: from.y + down * AIR },
+        { x: from.x, y: y + down * PAST },
+        { x, y: foot },
+      ]),
     });
     shapes.push({ role: "arrow", d: arrow({ x: from.x, y }, Math.sign(from.x - zero.x), 0) });
     return writtenAt(size, { x, y: foot + down * (widthOf(size) / 2 + 0.8) }, true);

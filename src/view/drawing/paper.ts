@@ -28,7 +28,8 @@ export interface PrintText extends PrintSize {
 /** Deviations are this much smaller than the nominal. */
 export const SMALL = 0.72;
 /** Gap between nominal and deviations, and how far these stand above and below its middle, mm on paper. */
-export const NEXT = 0.6, STACKED = 1.25;
+export const NEXT = 0.6,
+  STACKED = 1.25;
 /** Heights of a line of text, alone and with stacked deviations, mm on paper. */
 export const LINE = { plain: 4, stacked: 5.4 } as const;
 export const ARROW = { long: 2.4, wide: 0.5 } as const;
@@ -65,7 +66,10 @@ export function isCrossed(lines: readonly (readonly Place[])[], { x, y, width, h
       const a = line[i] ?? b;
       // The share of the line that lies within the box, axis by axis.
       let [from, to] = [0, 1];
-      for (const [start, way, low, high] of [[a.x, b.x - a.x, left, right], [a.y, b.y - a.y, top, bottom]] as const) {
+      for (const [start, way, low, high] of [
+        [a.x, b.x - a.x, left, right],
+        [a.y, b.y - a.y, top, bottom],
+      ] as const) {
         if (way === 0) {
           if (start <= low || start >= high) return false;
         } else {
@@ -75,7 +79,7 @@ export function isCrossed(lines: readonly (readonly Place[])[], { x, y, width, h
         }
       }
       return from < to;
-    })
+    }),
   );
 }
 
@@ -87,21 +91,32 @@ export function writtenAt(size: PrintSize, at: Place, turned: boolean): PrintTex
 }
 
 /**
- * A dimension line between two places with arrows, on a level (`across` false) or upright line. Where it is too short for them, they point
- * inwards from outside.
+ * A dimension line between two places with arrows, on a level (`across` false) or upright line. Where it is too short
+ * for them, they point inwards from outside.
  */
 export function dimensionLine(a: Place, b: Place): readonly PrintShape[] {
-  const length = Math.hypot(b.x - a.x, b.y - a.y) || 1, [dx, dy] = [(b.x - a.x) / length, (b.y - a.y) / length];
+  const length = Math.hypot(b.x - a.x, b.y - a.y) || 1,
+    [dx, dy] = [(b.x - a.x) / length, (b.y - a.y) / length];
   const isShort = length < 3 * ARROW.long;
   const beyond = (p: Place, by: number): Place => ({ x: p.x + dx * by, y: p.y + dy * by });
   const line = isShort ? [beyond(a, -2 * ARROW.long), beyond(b, 2 * ARROW.long)] : [a, b];
   const arrows = isShort ? arrow(a, dx, dy) + arrow(b, -dx, -dy) : arrow(a, -dx, -dy) + arrow(b, dx, dy);
-  return [{ role: "thin", d: lineThrough(line) }, { role: "arrow", d: arrows }];
+  return [
+    { role: "thin", d: lineThrough(line) },
+    { role: "arrow", d: arrows },
+  ];
 }
 
-/** A dimension line whose other end is not shown: from its arrow to where it breaks off. Where it is too short the arrow stands outside. */
+/**
+ * A dimension line whose other end is not shown: from its arrow to where it breaks off. Where it is too short the arrow
+ * stands outside.
+ */
 export function halfDimensionLine(tip: Place, end: Place): readonly PrintShape[] {
-  const way = Math.sign(end.y - tip.y) || 1, isShort = Math.abs(end.y - tip.y) < 2 * ARROW.long;
+  const way = Math.sign(end.y - tip.y) || 1,
+    isShort = Math.abs(end.y - tip.y) < 2 * ARROW.long;
   const start = isShort ? { x: tip.x, y: tip.y - way * 2 * ARROW.long } : tip;
-  return [{ role: "thin", d: lineThrough([start, end]) }, { role: "arrow", d: arrow(tip, 0, isShort ? way : -way) }];
+  return [
+    { role: "thin", d: lineThrough([start, end]) },
+    { role: "arrow", d: arrow(tip, 0, isShort ? way : -way) },
+  ];
 }

@@ -9,18 +9,25 @@ test("bevels at both ends of an outline are chamfers, and corners count as if th
   const { corners, cylinders, positions } = printFeatures(
     chain(at(0, 20.8), at(-0.7, 20.1), at(-31.3, 20.1), at(-31.3, 12.4), at(-31.7, 12)),
   );
-  expect(corners.map((c) => [c.kind, Number(c.size.toFixed(6))])).toEqual([["chamfer", 0.7], ["chamfer", 0.4]]);
+  expect(corners.map((c) => [c.kind, Number(c.size.toFixed(6))])).toEqual([
+    ["chamfer", 0.7],
+    ["chamfer", 0.4],
+  ]);
   expect(cylinders.map(({ r }) => r)).toEqual([20.1]);
   expect(positions.map(({ z }) => z)).toEqual([-31.3]);
 });
 
 test("an end of a cone is the hundredth that it lies at but for what was rounded off", () => {
-  const { cylinders } = printFeatures(chain(at(0, 0), at(0, 14.2), at(-9.1, 15.0509), at(-20, 17.2541), at(-31.3, 17.2573), at(-31.3, 30)));
+  const { cylinders } = printFeatures(
+    chain(at(0, 0), at(0, 14.2), at(-9.1, 15.0509), at(-20, 17.2541), at(-31.3, 17.2573), at(-31.3, 30)),
+  );
   expect(cylinders.map(({ r }) => Number(r.toFixed(4)))).toEqual([14.2, 15.05, 17.255, 17.2573]);
 });
 
 test("a cone is no chamfer, however it stands between two cylinders", () => {
-  const { corners, cylinders } = printFeatures(chain(at(0, 0), at(0, 14.2), at(-11.7, 14.2), at(-19.9, 18.3), at(-30, 18.3)));
+  const { corners, cylinders } = printFeatures(
+    chain(at(0, 0), at(0, 14.2), at(-11.7, 14.2), at(-19.9, 18.3), at(-30, 18.3)),
+  );
   expect(corners).toEqual([]);
   expect(cylinders.map(({ r }) => r)).toEqual([14.2, 18.3]);
 });

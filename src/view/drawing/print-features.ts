@@ -8,11 +8,13 @@ export interface PrintCylinder {
 }
 
 /** A corner that is broken, with the place that its leader shows. Size mm, angle degrees from the axis. */
-export type PrintCorner = { readonly kind: "chamfer"; readonly at: Pt; readonly size: number; readonly angle: number } | {
-  readonly kind: "radius";
-  readonly at: Pt;
-  readonly size: number;
-};
+export type PrintCorner =
+  | { readonly kind: "chamfer"; readonly at: Pt; readonly size: number; readonly angle: number }
+  | {
+      readonly kind: "radius";
+      readonly at: Pt;
+      readonly size: number;
+    };
 
 /** What a print gives sizes to, of one outline. */
 export interface PrintFeatures {
@@ -23,7 +25,8 @@ export interface PrintFeatures {
 }
 
 /** Straight along an axis within this, mm; nearer values are one size, mm. */
-const LEVEL = 0.001, ONE = 0.005;
+const LEVEL = 0.001,
+  ONE = 0.005;
 /** A corner that is broken by at most this share of the outline's extent, and by this many mm whatever that is. */
 const BROKEN = { share: 0.12, most: 6 } as const;
 /** Sides of a broken corner leave it, and each other, by more than this: the sine. */
@@ -53,7 +56,12 @@ function runsInto(a: Segment | undefined, b: Segment | undefined): boolean {
 }
 
 /** The broken corner that a segment between two others is. */
-function cornerOf(before: Segment | undefined, s: Segment, after: Segment | undefined, most: number): PrintCorner | null {
+function cornerOf(
+  before: Segment | undefined,
+  s: Segment,
+  after: Segment | undefined,
+  most: number,
+): PrintCorner | null {
   const middle = part.pointOn(s, 1 / 2);
   if (s.kind === "arc") {
     const size = part.radiusOf(s);
@@ -70,7 +78,8 @@ function cornerOf(before: Segment | undefined, s: Segment, after: Segment | unde
 }
 
 /** Hundredths of a length and of a ⌀; an end of a cone is the next of them where it is this near, mm. */
-const GRID = { z: 100, r: 200 } as const, AS_NEAR = 0.0012;
+const GRID = { z: 100, r: 200 } as const,
+  AS_NEAR = 0.0012;
 const tidied = (value: number, grid: number): number => {
   const round = Math.round(value * grid) / grid;
   return Math.abs(round - value) < AS_NEAR ? round : value;
@@ -85,9 +94,10 @@ function sharpened(pieces: readonly Piece[]): Segment[] {
     if (corner) broken = true;
     else {
       const last = main.at(-1);
-      const meeting = broken && last?.segment.kind === "line" && segment.kind === "line"
-        ? part.meetings(last.segment, segment)[0]
-        : undefined;
+      const meeting =
+        broken && last?.segment.kind === "line" && segment.kind === "line"
+          ? part.meetings(last.segment, segment)[0]
+          : undefined;
       if (last && meeting) {
         main[main.length - 1] = { ...last, segment: part.line(last.segment.from, meeting) };
         main.push({ segment: part.line(meeting, segment.to), broken });
@@ -98,22 +108,32 @@ function sharpened(pieces: readonly Piece[]): Segment[] {
   return main.map(({ segment }) => segment);
 }
 
-/** The sizes that one outline of a turned part needs: its diameters, its positions along the axis, and its broken corners. */
+/**
+ * The sizes that one outline of a turned part needs: its diameters, its positions along the axis, and its broken
+ * corners.
+ */
 export function printFeatures(outline: readonly Segment[]): PrintFeatures {
-  const extent = Math.max(0, ...outline.flatMap((s) => [s.from, s.to].map((p) => Math.hypot(p.z - (outline[0]?.from.z ?? 0), p.r))));
+  const extent = Math.max(
+    0,
+    ...outline.flatMap((s) => [s.from, s.to].map((p) => Math.hypot(p.z - (outline[0]?.from.z ?? 0), p.r))),
+  );
   const most = Math.min(BROKEN.most, BROKEN.share * extent);
-  const pieces = outline.map((segment, i): Piece => ({ segment, corner: cornerOf(outline[i - 1], segment, outline[i + 1], most) }));
+  const pieces = outline.map((segment, i): Piece => ({
+    segment,
+    corner: cornerOf(outline[i - 1], segment, outline[i + 1], most),
+  }));
   const cylinders: PrintCylinder[] = [];
   const positions: Pt[] = [];
   const corners = pieces.flatMap(({ corner }) => (corner ? [corner] : []));
   const addPosition = (p: Pt) => {
-    const i = positions.findIndex(({ z }) => Math.abs(z - p.z) < ONE), known = positions[i];
+    const i = positions.findIndex(({ z }) => Math.abs(z - p.z) < ONE),
+      known = positions[i];
     if (!known) positions.push(p);
     else if (p.r > known.r) positions[i] = p;
   };
   const addDiameter = (left: number, right: number, r: number) => {
-    const known = cylinders.some((c) =>
-      Math.abs(c.r - r) < ONE && (left === right ? c.left - ONE <= left && right <= c.right + ONE : false)
+    const known = cylinders.some(
+      (c) => Math.abs(c.r - r) < ONE && (left === right ? c.left - ONE <= left && right <= c.right + ONE : false),
     );
     if (r > ONE && !known) cylinders.push({ r, left, right });
   };

@@ -4,7 +4,10 @@ import { BESIDE, spanAt, type PrintThread } from "./body.ts";
 import type { PrintSize } from "./paper.ts";
 import type { PrintCorner, PrintFeatures } from "./print-features.ts";
 
-/** A size with deviations. "diameter" outside and "bore" inside at Z = at; "face": the first material from the free end at ⌀ = at. mm. */
+/**
+ * A size with deviations. "diameter" outside and "bore" inside at Z = at; "face": the first material from the free end
+ * at ⌀ = at. mm.
+ */
 export interface TolerancedSize {
   readonly kind: "diameter" | "bore" | "face";
   readonly at: number;
@@ -64,13 +67,23 @@ function toleranced(text: string, found: TolerancedSize | undefined, words: Prin
 const spelled = ({ text, upper = "", lower = "" }: PrintSize) => [text, upper, lower].join(" ");
 
 /** The deviations of a diameter: those of a size at a place of its stretch. */
-const sizeAcross = (sizes: readonly TolerancedSize[], kind: "diameter" | "bore", r: number, stretch: { left: number; right: number }) =>
-  sizes.find((s) =>
-    s.kind === kind && s.at >= stretch.left - ONE && s.at <= stretch.right + ONE && Math.abs(s.nominal - toDiameter(at(0, r).r)) < BELONGS
+const sizeAcross = (
+  sizes: readonly TolerancedSize[],
+  kind: "diameter" | "bore",
+  r: number,
+  stretch: { left: number; right: number },
+) =>
+  sizes.find(
+    (s) =>
+      s.kind === kind &&
+      s.at >= stretch.left - ONE &&
+      s.at <= stretch.right + ONE &&
+      Math.abs(s.nominal - toDiameter(at(0, r).r)) < BELONGS,
   );
 
 export function diametersOf(work: PrintedPart, features: PrintFeatures, isBore: boolean, words: PrintWords): Across[] {
-  const kind = isBore ? "bore" : "diameter", made: Across[] = [];
+  const kind = isBore ? "bore" : "diameter",
+    made: Across[] = [];
   for (const { r, left, right } of features.cylinders) {
     const found = sizeAcross(work.sizes, kind, r, { left, right });
     const size = toleranced(words.diameter(found ? diameter(found.nominal) : toDiameter(at(0, r).r)), found, words);
@@ -92,11 +105,16 @@ export function cornersOf(
 ): { readonly corner: PrintCorner; readonly size: PrintSize; readonly all: readonly number[] }[] {
   const made = new Map<string, { corner: PrintCorner; all: number[] }>();
   for (const corner of [...corners].sort((a, b) => b.at.z - a.at.z)) {
-    const { text } = cornerSize(corner, words), known = made.get(text);
+    const { text } = cornerSize(corner, words),
+      known = made.get(text);
     if (known) known.all.push(corner.at.z);
     else made.set(text, { corner, all: [corner.at.z] });
   }
-  return [...made].map(([text, { corner, all }]) => ({ corner, all, size: { text: all.length > 1 ? `${all.length}× ${text}` : text } }));
+  return [...made].map(([text, { corner, all }]) => ({
+    corner,
+    all,
+    size: { text: all.length > 1 ? `${all.length}× ${text}` : text },
+  }));
 }
 
 /** Where a thread ends on its own surface, which no edge shows: not where it runs out in a groove. */
@@ -106,14 +124,28 @@ const runOut = (rings: readonly Ring[], { from, to }: PrintThread): readonly Pt[
     return span !== null && [span.high, span.low].some((r) => Math.abs(r - p.r) < ONE);
   });
 
-/** The positions that need a length from Z0, with their deviations; `end`: that of the part, where it is drawn to its end. */
-export function positionsOf(work: PrintedPart, features: readonly PrintFeatures[], words: PrintWords, end: number | null) {
+/**
+ * The positions that need a length from Z0, with their deviations; `end`: that of the part, where it is drawn to its
+ * end.
+ */
+export function positionsOf(
+  work: PrintedPart,
+  features: readonly PrintFeatures[],
+  words: PrintWords,
+  end: number | null,
+) {
   const made: { from: Pt; size: PrintSize }[] = [];
-  const all = [...features.flatMap(({ positions }) => positions), ...work.threads.flatMap((thread) => runOut(work.rings, thread))];
+  const all = [
+    ...features.flatMap(({ positions }) => positions),
+    ...work.threads.flatMap((thread) => runOut(work.rings, thread)),
+  ];
   for (const p of all) {
     if (Math.abs(p.z) < ONE || made.some(({ from }) => Math.abs(from.z - p.z) < ONE)) continue;
     const found = work.sizes.find((s) => s.kind === "face" && Math.abs(s.nominal - p.z) < BELONGS && s.nominal !== 0);
-    made.push({ from: p, size: toleranced(words.length(Math.abs(found?.nominal ?? p.z)), found && outwards(found), words) });
+    made.push({
+      from: p,
+      size: toleranced(words.length(Math.abs(found?.nominal ?? p.z)), found && outwards(found), words),
+    });
   }
   const last = spanAt(work.rings, (end ?? 0) + BESIDE);
   if (end !== null && last && !made.some(({ from }) => Math.abs(from.z - end) < ONE))

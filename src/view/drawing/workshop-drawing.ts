@@ -7,10 +7,28 @@ import { DRAWING_SCALES, factorOf, usualScale, type DrawingScale } from "../shee
 import { BESIDE, bodyShapes, isHollow, isOutmost, spanAt } from "./body.ts";
 import { AIR, drawnLengths, TO_FEET, turnedTexts, type PrintLength } from "./lengths.ts";
 import { drawnLeaders, leaderRows, ROW, type Leader } from "./leaders.ts";
-import { dimensionLine, halfDimensionLine, isCrossed, tallOf, lineThrough, widthOf, writtenAt, type PrintShape, type PrintSize,
-  type PrintText } from "./paper.ts";
+import {
+  dimensionLine,
+  halfDimensionLine,
+  isCrossed,
+  tallOf,
+  lineThrough,
+  widthOf,
+  writtenAt,
+  type PrintShape,
+  type PrintSize,
+  type PrintText,
+} from "./paper.ts";
 import { printFeatures } from "./print-features.ts";
-import { cornersOf, diametersOf, surfaceMarks, positionsOf, type Across, type PrintedPart, type PrintWords } from "./print-sizes.ts";
+import {
+  cornersOf,
+  diametersOf,
+  surfaceMarks,
+  positionsOf,
+  type Across,
+  type PrintedPart,
+  type PrintWords,
+} from "./print-sizes.ts";
 
 /** A size of the drawing as data, for a list beside it. */
 export interface ListedSize {
@@ -39,19 +57,22 @@ const ONE = 0.005;
 /** The stub of the blank that is drawn behind the part, as a share of its length, and at least so much, mm. */
 const STUB = { share: 0.14, least: 4 } as const;
 /** Edges of the paper; from the part to the first dimension, and from one to the next beside the part, mm on paper. */
-const EDGE = 3, FIRST = 6, NEXT_TO = 1.6;
+const EDGE = 3,
+  FIRST = 6,
+  NEXT_TO = 1.6;
 /** Least width of the part itself, with which a drawing of many diameters grows wider than its room, mm on paper. */
 const LEAST = 72;
 /** How far the line of a bore goes on behind its text, mm on paper. */
 const PAST_TEXT = 2;
 /** How far a leader stands above the part, and the centre line goes past it, mm on paper. */
-const ABOVE = 6, AXIS_PAST = 4;
+const ABOVE = 6,
+  AXIS_PAST = 4;
 
 /** Whether a level line at a radius from `z` to `end` stays clear of material, outside of the part or in its bore. */
 function isFree(rings: readonly Ring[], r: number, z: number, end: number, isBore: boolean): boolean {
-  const stops = [z, end, ...rings.flat().map((p) => p.z)].filter((v) => v >= Math.min(z, end) && v <= Math.max(z, end)).sort((a, b) =>
-    a - b
-  );
+  const stops = [z, end, ...rings.flat().map((p) => p.z)]
+    .filter((v) => v >= Math.min(z, end) && v <= Math.max(z, end))
+    .sort((a, b) => a - b);
   return stops.every((stop, i) => {
     const next = stops[i + 1];
     if (next === undefined || next - stop < ONE) return true;
@@ -65,7 +86,8 @@ function shownFrom(work: PrintedPart): number {
   const box = boxAround([...work.blank]);
   const turned = [...work.outside, ...work.bore].flatMap((s) => [s.from.z, s.to.z]);
   if (turned.length === 0) return box.left;
-  const end = Math.min(...turned), front = Math.max(...turned);
+  const end = Math.min(...turned),
+    front = Math.max(...turned);
   const stub = end - Math.max(STUB.least, STUB.share * (front - end));
   return box.left < stub - STUB.least ? stub : box.left;
 }
@@ -80,8 +102,15 @@ export interface PrintRoom {
 /** So much more height is tried at first: few parts need all rows of notes and lengths. */
 const HOPED = 40;
 
-/** The same for a sheet that it may not leave: at the largest usual scale at which all of it has room. Sizes in mm on paper. */
-export function drawingOnSheet(work: PrintedPart, words: PrintWords, { width, height }: PrintRoom): WorkshopPrint | null {
+/**
+ * The same for a sheet that it may not leave: at the largest usual scale at which all of it has room. Sizes in mm on
+ * paper.
+ */
+export function drawingOnSheet(
+  work: PrintedPart,
+  words: PrintWords,
+  { width, height }: PrintRoom,
+): WorkshopPrint | null {
   const first = workshopDrawing(work, words, { width, height: height + HOPED });
   const smaller = DRAWING_SCALES.filter((scale) => first && factorOf(scale) < factorOf(first.scale));
   let print = first;
@@ -93,8 +122,9 @@ export function drawingOnSheet(work: PrintedPart, words: PrintWords, { width, he
 }
 
 /**
- * The wanted part of a task as on a shop print, for a width and a greatest height, mm on paper: above the axis in section where it is
- * hollow, below it from outside; diameters beside it, lengths from Z0 below, notes with leaders above. Null where there is no part.
+ * The wanted part of a task as on a shop print, for a width and a greatest height, mm on paper: above the axis in
+ * section where it is hollow, below it from outside; diameters beside it, lengths from Z0 below, notes with leaders
+ * above. Null where there is no part.
  */
 export function workshopDrawing(work: PrintedPart, words: PrintWords, room: PrintRoom): WorkshopPrint | null {
   if (work.rings.length === 0) return null;
@@ -110,26 +140,48 @@ function laidOut(
   room: PrintRoom,
   upright: boolean,
 ): { readonly print: WorkshopPrint; readonly isCrossed: boolean } {
-  const whole = boxAround([...work.rings]), from = shownFrom(work);
+  const whole = boxAround([...work.rings]),
+    from = shownFrom(work);
   const broken = from > whole.left + ONE ? from : null;
-  const frame: Ring = [at(from, -1), at(whole.right + 1, -1), at(whole.right + 1, whole.high + 1), at(from, whole.high + 1)];
+  const frame: Ring = [
+    at(from, -1),
+    at(whole.right + 1, -1),
+    at(whole.right + 1, whole.high + 1),
+    at(from, whole.high + 1),
+  ];
   const body = broken === null ? work.rings : intersection(work.rings, [frame]);
   const box = boxAround([...body]);
-  const outer = printFeatures(work.outside), inner = printFeatures(work.bore);
+  const outer = printFeatures(work.outside),
+    inner = printFeatures(work.bore);
   const blank = boxAround([...work.blank]);
-  const ends = work.outside.flatMap((each) => [each.from.z, each.to.z]), endsInside = work.bore.flatMap((each) => [each.from.z, each.to.z]);
+  const ends = work.outside.flatMap((each) => [each.from.z, each.to.z]),
+    endsInside = work.bore.flatMap((each) => [each.from.z, each.to.z]);
   const ofBlank = (r: number, until: readonly number[], isBore: boolean): Across[] => {
     const right = Math.min(...until, blank.right);
     return r > ONE && right > box.left + ONE
-      ? [{ r, left: box.left, right, isBore, isBlank: true, size: { text: `(${words.diameter(toDiameter(at(0, r).r))})` } }]
+      ? [
+          {
+            r,
+            left: box.left,
+            right,
+            isBore,
+            isBlank: true,
+            size: { text: `(${words.diameter(toDiameter(at(0, r).r))})` },
+          },
+        ]
       : [];
   };
   const blankSize = [...ofBlank(blank.high, ends, false), ...ofBlank(blank.low, endsInside, true)];
   const turned = [...diametersOf(work, outer, false, words), ...diametersOf(work, inner, true, words)];
-  const across = [...turned, ...blankSize.filter(({ r, isBore }) => !turned.some((t) => t.isBore === isBore && Math.abs(t.r - r) < ONE))];
+  const across = [
+    ...turned,
+    ...blankSize.filter(({ r, isBore }) => !turned.some((t) => t.isBore === isBore && Math.abs(t.r - r) < ONE)),
+  ];
   const threads = work.threads.map((thread) => ({ thread, size: { text: thread.name } }));
   const onThread = ({ r, left, right }: Across) =>
-    work.threads.some((t) => Math.abs(t.from.r - r) < ONE && [t.from.z, t.to.z].some((z) => z > left - ONE && z < right + 1));
+    work.threads.some(
+      (t) => Math.abs(t.from.r - r) < ONE && [t.from.z, t.to.z].some((z) => z > left - ONE && z < right + 1),
+    );
 
   const sideOf = (a: Across): "right" | "left" | "above" => {
     if (isFree(body, a.r, a.right, box.right, a.isBore)) return "right";
@@ -143,11 +195,18 @@ function laidOut(
 
   const highest = Math.max(...body.flat().map((p) => p.r));
   const scaled = (factor: number) => {
-    const columns = (side: "right" | "left") => shown.filter((a) => !isShort(a, factor) && sideOf(a) === side).sort((a, b) => a.r - b.r);
+    const columns = (side: "right" | "left") =>
+      shown.filter((a) => !isShort(a, factor) && sideOf(a) === side).sort((a, b) => a.r - b.r);
     const [right, left] = [columns("right"), columns("left")];
     const width = Math.max(room.width, besides(right) + besides(left) + LEAST);
     const roomed = { wide: width - besides(right) - besides(left), tall: room.height - 2 * ROW - ABOVE - 26 };
-    return { right, left, width, roomed, scale: room.scale ?? usualScale({ wide: box.right - box.left, tall: highest + highest }, roomed) };
+    return {
+      right,
+      left,
+      width,
+      roomed,
+      scale: room.scale ?? usualScale({ wide: box.right - box.left, tall: highest + highest }, roomed),
+    };
   };
   const { right, left, width, roomed, scale } = scaled(factorOf(scaled(Infinity).scale));
   const positions = positionsOf(work, [outer, inner], words, broken === null ? box.left : null);
@@ -157,7 +216,8 @@ function laidOut(
   const place = (p: Pt): Place => ({ x: x0 + p.z * k, y: -p.r * k });
   const listed: ListedSize[] = [];
   const addNote = (size: PrintSize, p: Pt, isMark = false) => notes.push({ size, to: place(p), isMark });
-  for (const a of shown.filter((each) => !right.includes(each) && !left.includes(each))) addNote(a.size, at((a.left + a.right) / 2, a.r));
+  for (const a of shown.filter((each) => !right.includes(each) && !left.includes(each)))
+    addNote(a.size, at((a.left + a.right) / 2, a.r));
   for (const { thread, size } of threads) addNote(size, part.pointOn(part.line(thread.from, thread.to), 1 / 2));
   const corners = [...cornersOf(outer.corners, words), ...cornersOf(inner.corners, words)];
   for (const { corner, size } of corners) addNote(size, corner.at);
@@ -171,23 +231,38 @@ function laidOut(
   for (const { thread, size } of threads) listed.push({ kind: "thread", size, at: [thread.from.z, thread.to.z] });
   for (const { size, from: p } of positions) listed.push({ kind: "length", size, at: [p.z] });
   for (const { corner, size, all } of corners) listed.push({ kind: corner.kind, size, at: all });
-  for (const { most, stretch } of marks.single) listed.push({ kind: "mark", size: { text: words.roughness(most) }, at: stretch });
+  for (const { most, stretch } of marks.single)
+    listed.push({ kind: "mark", size: { text: words.roughness(most) }, at: stretch });
 
   const half = Math.max(highest * k, ...[...right, ...left].map(({ size }) => widthOf(size) / 2));
   // What is not seen from outside gets its lengths above, where it is cut.
   const breaks = [0, ...outer.corners.map(({ size }) => size)];
   // Where a corner is broken the edge itself is within the material: it is seen as far on as the break goes.
-  const isSeen = (p: Pt) => breaks.some((by) => isOutmost(body, at(p.z - by, p.r)) || isOutmost(body, at(p.z + by, p.r)));
+  const isSeen = (p: Pt) =>
+    breaks.some((by) => isOutmost(body, at(p.z - by, p.r)) || isOutmost(body, at(p.z + by, p.r)));
   const inside = positions.filter(({ from: p }) => !isSeen(p));
   // An outline may run out beside the blank: a length begins at the part.
-  const seen = positions.filter(({ from: p }) => isSeen(p)).map(({ size, from: p }) => {
-    const near = breaks.flatMap((by) => [p.z - by - BESIDE, p.z + by + BESIDE]);
-    const high = Math.max(...near.map((z) => spanAt(body, z)?.high ?? 0));
-    return { size, from: at(p.z, high > 0 ? Math.min(high, p.r) : p.r) };
-  });
-  const { rows, count, middles } = leaderRows(notes, width,
-    turnedTexts(inside.map(({ size, from: p }) => ({ size, from: place(p) })), upright));
-  const lengthsOf = (list: typeof positions, axis: number, side: "below" | "above", clear: readonly (readonly Place[])[] = []) => {
+  const seen = positions
+    .filter(({ from: p }) => isSeen(p))
+    .map(({ size, from: p }) => {
+      const near = breaks.flatMap((by) => [p.z - by - BESIDE, p.z + by + BESIDE]);
+      const high = Math.max(...near.map((z) => spanAt(body, z)?.high ?? 0));
+      return { size, from: at(p.z, high > 0 ? Math.min(high, p.r) : p.r) };
+    });
+  const { rows, count, middles } = leaderRows(
+    notes,
+    width,
+    turnedTexts(
+      inside.map(({ size, from: p }) => ({ size, from: place(p) })),
+      upright,
+    ),
+  );
+  const lengthsOf = (
+    list: typeof positions,
+    axis: number,
+    side: "below" | "above",
+    clear: readonly (readonly Place[])[] = [],
+  ) => {
     const sign = side === "below" ? -1 : 1;
     const at0 = (p: Pt): Place => ({ x: x0 + p.z * k, y: axis - sign * p.r * k });
     const zero = at0(at(0, spanAt(body, -BESIDE)?.high ?? 0));
@@ -202,7 +277,8 @@ function laidOut(
     });
   };
   const above = lengthsOf(inside, 0, "above").reach;
-  const shelf = EDGE + Math.max(0, count - 1) * ROW + 6, axis = (count > 0 ? shelf + ABOVE : EDGE) + above + half;
+  const shelf = EDGE + Math.max(0, count - 1) * ROW + 6,
+    axis = (count > 0 ? shelf + ABOVE : EDGE) + above + half;
   const onPaper = (p: Pt): Place => ({ x: x0 + p.z * k, y: axis - p.r * k });
   const lowered: readonly Row[] = rows.map((row) => ({
     ...row,
@@ -213,7 +289,13 @@ function laidOut(
   const texts: PrintText[] = [];
   shapes.push(...bodyShapes(body, { broken, isHollow: isHollow(body), onPaper, scale: k, threads: work.threads }));
   const [axisLeft, axisRight] = [onPaper(at(box.left, 0)).x - AXIS_PAST, onPaper(at(box.right, 0)).x + AXIS_PAST];
-  shapes.push({ role: "axis", d: lineThrough([{ x: axisLeft, y: axis }, { x: axisRight, y: axis }]) });
+  shapes.push({
+    role: "axis",
+    d: lineThrough([
+      { x: axisLeft, y: axis },
+      { x: axisRight, y: axis },
+    ]),
+  });
   const drawnNotes = drawnLeaders(lowered, shelf, [axis - half - above, axis - half - TO_FEET]);
   const beside = (list: readonly Across[], side: 1 | -1) => {
     let x = onPaper(at(side > 0 ? box.right : box.left, 0)).x + side * (FIRST - NEXT_TO);
@@ -224,10 +306,20 @@ function laidOut(
       const [upper, lower] = [at(side > 0 ? b : a, r), at(side > 0 ? b : a, -r)].map(onPaper) as [Place, Place];
       // The lower half shows the outside: the line of a bore ends behind the centre line, with one arrow.
       for (const { x: start, y } of isBore ? [upper] : [upper, lower])
-        shapes.push({ role: "thin", d: lineThrough([{ x: start + side * AIR, y }, { x: at0 + side * 1.2, y }]) });
-      const top = { x: at0, y: upper.y }, text = (y: number) => writtenAt(size, { x: at0 - tall / 2 - 0.4, y }, true);
+        shapes.push({
+          role: "thin",
+          d: lineThrough([
+            { x: start + side * AIR, y },
+            { x: at0 + side * 1.2, y },
+          ]),
+        });
+      const top = { x: at0, y: upper.y },
+        text = (y: number) => writtenAt(size, { x: at0 - tall / 2 - 0.4, y }, true);
       // Leaders come from above: a text that one would cross stands lower.
-      const down = Array.from({ length: Math.max(1, Math.floor(lower.y - axis - widthOf(size) / 2)) }, (_, by) => axis + by);
+      const down = Array.from(
+        { length: Math.max(1, Math.floor(lower.y - axis - widthOf(size) / 2)) },
+        (_, by) => axis + by,
+      );
       const middle = down.find((y) => !isCrossed(drawnNotes.lines, text(y).box)) ?? axis;
       shapes.push(
         ...(isBore
@@ -243,7 +335,8 @@ function laidOut(
   shapes.push(...drawnNotes.shapes);
   texts.push(...drawnNotes.texts);
 
-  const below = lengthsOf(seen, axis, "below"), insides = lengthsOf(inside, axis, "above", drawnNotes.lines);
+  const below = lengthsOf(seen, axis, "below"),
+    insides = lengthsOf(inside, axis, "above", drawnNotes.lines);
   for (const drawn of [below, insides]) {
     shapes.push(...drawn.shapes);
     texts.push(...drawn.texts);

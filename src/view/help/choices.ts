@@ -11,7 +11,8 @@ import { qOf } from "./topics.ts";
 
 const only = (under: readonly Mark[]): Explanation => ({ under, item: null });
 const screen = (c: Context, points: readonly Pt[]) => points.map((p) => toScreen(c.layout.camera, p));
-const passMarks = (c: Context, l: Lettering): Mark[] => c.passes.map((p) => stroke(l, "pass", polyline(screen(c, p.line))));
+const passMarks = (c: Context, l: Lettering): Mark[] =>
+  c.passes.map((p) => stroke(l, "pass", polyline(screen(c, p.line))));
 
 /** Passes that stand for all, evenly spread, so that their ends can be told apart. */
 const some = (c: Context, every: number): Context["passes"] => c.passes.filter((_, i) => i % every === 0);
@@ -29,8 +30,8 @@ export function operation(c: Context, l: Lettering): Explanation {
 }
 
 /**
- * Which way the contour is run through (the outline is already in machining direction); the mirrored tool is a small insert at
- * the beginning of the cut.
+ * Which way the contour is run through (the outline is already in machining direction); the mirrored tool is a small
+ * insert at the beginning of the cut.
  */
 export function reverse(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
@@ -41,8 +42,16 @@ export function reverse(c: Context, l: Lettering): Explanation {
     const p = toScreen(c.layout.camera, at);
     const side = c.frame.transverse ? 1 : c.frame.signU;
     tool.push(
-      filled(l, "tool",
-        polygon([p, { x: p.x - side * 4, y: p.y - 15 }, { x: p.x - side * 17, y: p.y - 12 }, { x: p.x - side * 13, y: p.y + 3 }])),
+      filled(
+        l,
+        "tool",
+        polygon([
+          p,
+          { x: p.x - side * 4, y: p.y - 15 },
+          { x: p.x - side * 17, y: p.y - 12 },
+          { x: p.x - side * 13, y: p.y + 3 },
+        ]),
+      ),
     );
   }
   return only([...pathMarks(c, l, path), ...tool]);
@@ -68,9 +77,10 @@ export function smoothing(c: Context, l: Lettering): Explanation {
 /** Falling elements: machined, or bridged at the level where they begin. */
 export function plunging(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
-  const paths = value === 1
-    ? falling(c).map((run) => besides(c, run))
-    : c.plan.reach.flatMap(({ path, reason }) => (reason === "plunging" ? [[path.from, path.to]] : []));
+  const paths =
+    value === 1
+      ? falling(c).map((run) => besides(c, run))
+      : c.plan.reach.flatMap(({ path, reason }) => (reason === "plunging" ? [[path.from, path.to]] : []));
   return only((paths.length > 0 ? paths : [besides(c, c.outline.contour)]).flatMap((path) => pathMarks(c, l, path)));
 }
 
@@ -79,7 +89,10 @@ export function limits(c: Context, l: Lettering): Explanation {
   const tag = { ...l, active: true };
   const [x, z] = [qOf(c.params, "limitDiameter"), qOf(c.params, "limitZ")];
   return only(
-    [...(x ? limit(c, { ...tag, q: x }, "diameter").under : []), ...(z ? limit(c, { ...tag, q: z }, "z").under : [])].map((m) => ({
+    [
+      ...(x ? limit(c, { ...tag, q: x }, "diameter").under : []),
+      ...(z ? limit(c, { ...tag, q: z }, "z").under : []),
+    ].map((m) => ({
       ...m,
       q: l.q,
     })),

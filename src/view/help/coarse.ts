@@ -3,7 +3,10 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { coarsened } from "../../kernel/area/clip.ts";
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 
-/** A contour with more elements is drawn by fewer: planning it as it is takes longer than anybody waits for a help picture. */
+/**
+ * A contour with more elements is drawn by fewer: planning it as it is takes longer than anybody waits for a help
+ * picture.
+ */
 const MANY = 150;
 /** What no help picture shows, of the size of the contour. */
 const FINE = 1 / 1200;
@@ -12,6 +15,7 @@ const FINE = 1 / 1200;
 export function coarseContour(contour: Given["contour"]): Given["contour"] {
   if (!contour || contour.length <= MANY) return contour;
   const { left, right, low, high } = boxAround([contour.flatMap((s) => [s.from, s.to])]);
-  const fine = FINE * Math.max(right - left, high - low), points = coarsened(part.flattenedChain(contour, fine), fine);
+  const fine = FINE * Math.max(right - left, high - low),
+    points = coarsened(part.flattenedChain(contour, fine), fine);
   return points.slice(1).map((to, i): Segment => part.line(points[i] ?? to, to));
 }

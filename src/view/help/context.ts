@@ -42,14 +42,16 @@ export function startPoint(f: HelpFrame, corner: Pt, clearance: number): Pt {
     : pointAt(f, along(f, corner), outward(f, corner) + clearance);
 }
 
-/** The longest element of the contour that a test accepts, or the longest of all when it accepts none; and its middle. */
+/**
+ * The longest element of the contour that a test accepts, or the longest of all when it accepts none; and its middle.
+ */
 export function longest(
   context: Context,
   accepts: (dz: number, dr: number) => boolean,
 ): { readonly element: Segment | null; readonly at: Pt } {
-  const sized = context.outline.contour.map((s) => ({ s, dz: Math.abs(s.to.z - s.from.z), dr: Math.abs(s.to.r - s.from.r) })).sort((a, b) =>
-    Math.hypot(b.dz, b.dr) - Math.hypot(a.dz, a.dr)
-  );
+  const sized = context.outline.contour
+    .map((s) => ({ s, dz: Math.abs(s.to.z - s.from.z), dr: Math.abs(s.to.r - s.from.r) }))
+    .sort((a, b) => Math.hypot(b.dz, b.dr) - Math.hypot(a.dz, a.dr));
   const element = (sized.find(({ dz, dr }) => accepts(dz, dr)) ?? sized[0])?.s ?? null;
   return { element, at: element ? part.pointOn(element, 0.5) : context.section.corner };
 }

@@ -36,8 +36,15 @@ export interface ContourPicture {
   readonly grid: string;
   readonly axis: string;
   readonly elements: readonly { readonly row: number; readonly d: string; readonly faulty: boolean }[];
-  readonly points: readonly { readonly row: number; readonly place: Place; readonly label: Place | null; readonly faulty: boolean }[];
-  /** Places along the contour, which other texts should not cover, and the boxes of the numbers, which they must not. */
+  readonly points: readonly {
+    readonly row: number;
+    readonly place: Place;
+    readonly label: Place | null;
+    readonly faulty: boolean;
+  }[];
+  /**
+   * Places along the contour, which other texts should not cover, and the boxes of the numbers, which they must not.
+   */
   readonly avoid: readonly Place[];
   readonly kept: readonly LabelBox[];
 }
@@ -50,9 +57,10 @@ function cameraFor(points: readonly Pt[], size: Size, margin: Margin, xUp: boole
   const all = boundsOf(points) ?? { left: -50, right: 5, low: 0, high: 40 };
   const span = Math.max(all.right - all.left, all.high - all.low, 1);
   const low = all.low < NEAR_AXIS * span ? Math.min(0, all.low) : all.low;
-  const box = all.right - all.left + all.high - low < SAME
-    ? { left: all.left - 10, right: all.right + 10, low: 0, high: all.high + 10 }
-    : { ...all, low };
+  const box =
+    all.right - all.left + all.high - low < SAME
+      ? { left: all.left - 10, right: all.right + 10, low: 0, high: all.high + 10 }
+      : { ...all, low };
   return fitted(box, size, margin, xUp);
 }
 
@@ -68,7 +76,9 @@ function nearby(points: readonly Pt[], beside: readonly Pt[]): readonly Pt[] {
   if (!own || points.length < FEW) return beside;
   const by = ROUND_ABOUT * Math.max(own.right - own.left, own.high - own.low);
   const between = (low: number, n: number, high: number) => Math.max(low, Math.min(n, high));
-  return beside.map((p) => part.point(between(own.left - by, p.z, own.right + by), between(own.low - by, p.r, own.high + by)));
+  return beside.map((p) =>
+    part.point(between(own.left - by, p.z, own.right + by), between(own.low - by, p.r, own.high + by)),
+  );
 }
 
 /** A place for a number beside its point that covers no other number and as little of the line as can be. */
@@ -88,8 +98,16 @@ function labelPlace(
         x: at.x + reach * Math.cos((k * Math.PI) / 4 - Math.PI / 4),
         y: at.y + reach * Math.sin((k * Math.PI) / 4 - Math.PI / 4),
       };
-      const box = textBox(p, text, 0, 12), far = reach / 10 + k / 10;
-      if (far >= least || box.x < 0 || box.y < 0 || box.x + box.width > size.width || box.y + box.height > size.height || isTaken(box))
+      const box = textBox(p, text, 0, 12),
+        far = reach / 10 + k / 10;
+      if (
+        far >= least ||
+        box.x < 0 ||
+        box.y < 0 ||
+        box.x + box.width > size.width ||
+        box.y + box.height > size.height ||
+        isTaken(box)
+      )
         continue;
       const cost = far + covered(box) * 3;
       if (cost < least) [best, least] = [p, cost];
@@ -103,28 +121,50 @@ const MOST_LINES = 300;
 /** Grid lines at whole multiples of a distance, over the whole drawing. */
 function gridPath(camera: Camera, size: Size, step: { readonly z: number; readonly r: number }): string {
   const [left, right] = [toPlace(camera, { x: 0, y: size.height }), toPlace(camera, { x: size.width, y: 0 })];
-  const [low, high] = [{ z: left.z, r: Math.min(left.r, right.r) }, { z: right.z, r: Math.max(left.r, right.r) }];
+  const [low, high] = [
+    { z: left.z, r: Math.min(left.r, right.r) },
+    { z: right.z, r: Math.max(left.r, right.r) },
+  ];
   const multiples = (from: number, to: number, by: number) => {
-    const first = Math.ceil(from / by), count = Math.floor(to / by) - first + 1;
+    const first = Math.ceil(from / by),
+      count = Math.floor(to / by) - first + 1;
     return count > MOST_LINES ? [] : Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * by);
   };
   const upright = multiples(low.z, high.z, step.z).map((z) => toScreen(camera, part.point(z, 0)).x);
   const level = multiples(low.r, high.r, step.r).map((r) => toScreen(camera, part.point(0, r)).y);
-  return [...upright.map((x) => `M${px(x)} 0V${px(size.height)}`), ...level.map((y) => `M0 ${px(y)}H${px(size.width)}`)].join("");
+  return [
+    ...upright.map((x) => `M${px(x)} 0V${px(size.height)}`),
+    ...level.map((y) => `M0 ${px(y)}H${px(size.width)}`),
+  ].join("");
 }
 
-/** Places along the contour that texts keep clear of, about: the many elements of a long one are short on the screen. */
+/**
+ * Places along the contour that texts keep clear of, about: the many elements of a long one are short on the screen.
+ */
 const MOST_PLACES = 4800;
 
 /** Draws the contour of a table as data. */
 export function contourDrawing(request: ContourRequest): ContourPicture {
-  const { contour, rowOfSegment, ends, faulty, active, size, camera: given, grid, margin = MARGIN, xUp = true, beside = [] } = request;
+  const {
+    contour,
+    rowOfSegment,
+    ends,
+    faulty,
+    active,
+    size,
+    camera: given,
+    grid,
+    margin = MARGIN,
+    xUp = true,
+    beside = [],
+  } = request;
   const stops = ends.flatMap((e, row) => (e ? [{ row, at: { z: axial(e.z), r: toRadius(diameter(e.x)) } }] : []));
   const shown = [...drawnLine(contour), ...stops.map((s) => s.at)];
   const camera = given ?? cameraFor([...shown, ...nearby(shown, beside)], size, margin, xUp);
   const rows = new Map<number, { readonly first: number; readonly own: Segment[] }>();
   contour.forEach((s, i) => {
-    const row = rowOfSegment[i] ?? 0, known = rows.get(row);
+    const row = rowOfSegment[i] ?? 0,
+      known = rows.get(row);
     if (known) known.own.push(s);
     else rows.set(row, { first: i, own: [s] });
   });
@@ -135,14 +175,20 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
     return ends[row] === null && rows.get(row)?.first === i ? [{ row, at: pointOn(s, 0.5) }] : [];
   });
   const drawnRows = new Set([...stops, ...corners].map((s) => s.row));
-  const missing = [...faulty].filter((row) => !drawnRows.has(row)).flatMap((row) => {
-    const before = stops.filter((s) => s.row < row).at(-1) ?? stops[0];
-    return before ? [{ row, at: before.at }] : [];
-  });
+  const missing = [...faulty]
+    .filter((row) => !drawnRows.has(row))
+    .flatMap((row) => {
+      const before = stops.filter((s) => s.row < row).at(-1) ?? stops[0];
+      return before ? [{ row, at: before.at }] : [];
+    });
   const each = Math.max(2, Math.min(24, Math.ceil(MOST_PLACES / contour.length)));
   const avoid = contour.flatMap((s) => Array.from({ length: each }, (_, k) => toScreen(camera, pointOn(s, k / each))));
-  const covered = placesOn(size, avoid), numbers = boxesOn(size), kept: LabelBox[] = [];
-  const marks = [...stops, ...corners, ...missing].sort((a, b) => Number(b.row === active) - Number(a.row === active) || a.row - b.row);
+  const covered = placesOn(size, avoid),
+    numbers = boxesOn(size),
+    kept: LabelBox[] = [];
+  const marks = [...stops, ...corners, ...missing].sort(
+    (a, b) => Number(b.row === active) - Number(a.row === active) || a.row - b.row,
+  );
   const points = marks.map(({ row, at }) => {
     const place = toScreen(camera, at);
     const text = faulty.has(row) ? `${row + 1}!` : String(row + 1);
@@ -158,7 +204,13 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
   return {
     camera,
     grid: grid ? gridPath(camera, size, grid(camera.scale)) : "",
-    axis: y > 0 && y < size.height ? polyline([{ x: 4, y }, { x: size.width - 4, y }]) : "",
+    axis:
+      y > 0 && y < size.height
+        ? polyline([
+            { x: 4, y },
+            { x: size.width - 4, y },
+          ])
+        : "",
     elements,
     points,
     avoid,

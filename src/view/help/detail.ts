@@ -17,7 +17,14 @@ const SHARE = 0.75;
 export const isSmall = (c: Context, mm: number): boolean => mm > 0 && mm * c.layout.camera.scale < SMALL;
 
 /** Where the lens covers least: over no text, off the contour, and not far from the element. */
-function lensPlace(c: Context, radius: number, text: LabelBox, at: Place, placed: readonly Placed[], kept: readonly LabelBox[]): Place {
+function lensPlace(
+  c: Context,
+  radius: number,
+  text: LabelBox,
+  at: Place,
+  placed: readonly Placed[],
+  kept: readonly LabelBox[],
+): Place {
   const { width, height } = c.layout.size;
   const line = dense(c.section.line.map((p) => toScreen(c.layout.camera, p)));
   const blank = c.section.blank.map((p) => toScreen(c.layout.camera, p));
@@ -26,13 +33,22 @@ function lensPlace(c: Context, radius: number, text: LabelBox, at: Place, placed
   for (let x = radius + 3; x <= width - radius - 3; x += 8)
     for (let y = radius + 3; y <= height - radius - text.height - 5; y += 8) {
       const hit = (b: LabelBox) =>
-        b.x < x + radius && b.x + b.width > x - radius && b.y < y + radius + text.height + 4 && b.y + b.height > y - radius;
+        b.x < x + radius &&
+        b.x + b.width > x - radius &&
+        b.y < y + radius + text.height + 4 &&
+        b.y + b.height > y - radius;
       const over = (p: Place) => Math.hypot(p.x - x, p.y - y) < radius + 3;
       const gap = Math.hypot(at.x - x, at.y - y);
-      const hidden = Math.abs(at.x - x) < text.width / 2 + 9 && Math.abs(at.y - (y + radius + text.height / 2 + 2)) < text.height / 2 + 9;
-      const cost = placed.filter((p) => hit(p.label) || p.lines.some(hit)).length * 6 + line.filter(over).length * 1.2
-        + blank.filter(over).length * 3
-        + gap / 7 + (gap < radius + 14 || hidden ? 60 : 0) + (kept.some(hit) ? 500 : 0);
+      const hidden =
+        Math.abs(at.x - x) < text.width / 2 + 9 &&
+        Math.abs(at.y - (y + radius + text.height / 2 + 2)) < text.height / 2 + 9;
+      const cost =
+        placed.filter((p) => hit(p.label) || p.lines.some(hit)).length * 6 +
+        line.filter(over).length * 1.2 +
+        blank.filter(over).length * 3 +
+        gap / 7 +
+        (gap < radius + 14 || hidden ? 60 : 0) +
+        (kept.some(hit) ? 500 : 0);
       if (cost < least) [best, least] = [{ x, y }, cost];
     }
   return best;
@@ -48,7 +64,10 @@ function measure(c: Context, l: Lettering, element: Segment, camera: Camera): Ma
   }
   const middle = toScreen(camera, part.pointOn(element, 0.5));
   const centre = toScreen(camera, element.centre);
-  return [stroke(l, "thin", polyline([centre, middle])), filled(l, "arrow", arrowHead(middle, middle.x - centre.x, middle.y - centre.y))];
+  return [
+    stroke(l, "thin", polyline([centre, middle])),
+    filled(l, "arrow", arrowHead(middle, middle.x - centre.x, middle.y - centre.y)),
+  ];
 }
 
 /** A lens over a small element, with its value below, and the boxes that nothing else may cover. */
@@ -82,8 +101,14 @@ export function detail(
   return {
     marks: [
       stroke(l, "thin", circle(spot, 7)),
-      stroke(l, "thin",
-        polyline([{ x: spot.x + u.x * 7, y: spot.y + u.y * 7 }, { x: centre.x - u.x * radius, y: centre.y - u.y * radius }])),
+      stroke(
+        l,
+        "thin",
+        polyline([
+          { x: spot.x + u.x * 7, y: spot.y + u.y * 7 },
+          { x: centre.x - u.x * radius, y: centre.y - u.y * radius },
+        ]),
+      ),
       {
         kind: "detail",
         q: l.q,

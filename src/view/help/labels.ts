@@ -35,7 +35,10 @@ export interface Placed {
   readonly lines: readonly LabelBox[];
 }
 
-/** Text sizes, pixels: grey and active. Boxes are counted with the larger, so that nothing moves when one becomes active. */
+/**
+ * Text sizes, pixels: grey and active. Boxes are counted with the larger, so that nothing moves when one becomes
+ * active.
+ */
 export const SIZE = { quiet: 12, strong: 14, caption: 12 } as const;
 
 /** Width of a text in the figures' font (every letter 0.6 of its size; signs from other fonts a whole). */
@@ -44,7 +47,8 @@ export const textWidth = (text: string, size: number): number =>
 
 /** The box of a text about its middle, with a pixel of air. */
 export function textBox(middle: Place, text: string, turn: 0 | -90, size: number = SIZE.strong): LabelBox {
-  const long = textWidth(text, size) + 4, tall = size + 2;
+  const long = textWidth(text, size) + 4,
+    tall = size + 2;
   const [width, height] = turn === 0 ? [long, tall] : [tall, long];
   return { x: middle.x - width / 2, y: middle.y - height / 2, width, height };
 }
@@ -61,7 +65,8 @@ export const lineBox = (a: Place, b: Place): LabelBox => ({
   height: Math.abs(a.y - b.y) + 1,
 });
 
-const within = (b: LabelBox, width: number, height: number) => b.x >= 0 && b.y >= 0 && b.x + b.width <= width && b.y + b.height <= height;
+const within = (b: LabelBox, width: number, height: number) =>
+  b.x >= 0 && b.y >= 0 && b.x + b.width <= width && b.y + b.height <= height;
 
 /** Strong lines of the drawing that a text should rather not cover, and the picture they are in. */
 export interface Sheet {
@@ -77,7 +82,10 @@ export interface Sheet {
 const covered = (b: LabelBox, places: readonly Place[]) =>
   places.reduce((n, p) => n + (p.x > b.x && p.x < b.x + b.width && p.y > b.y && p.y < b.y + b.height ? 1 : 0), 0);
 
-/** How much two lines disturb each other: not at all, by crossing once, or by running on top of each other like four crossings. */
+/**
+ * How much two lines disturb each other: not at all, by crossing once, or by running on top of each other like four
+ * crossings.
+ */
 function met(a: LabelBox, b: LabelBox): 0 | 1 | 4 {
   if (!labelsOverlap(a, b)) return 0;
   const upright = a.width <= 2 && b.width <= 2 && Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 6;
@@ -89,13 +97,20 @@ function met(a: LabelBox, b: LabelBox): 0 | 1 | 4 {
 function movedInside(c: Candidate, left: number, { width, height }: Sheet): Candidate {
   const inside = (at: number, long: number, low: number, high: number) => Math.max(low, Math.min(at, high - long)) - at;
   const [dx, dy] = [inside(c.label.x, c.label.width, left, width), inside(c.label.y, c.label.height, 0, height)];
-  const marks = c.marks.map((m): Mark => (m.kind === "text" ? { ...m, place: { x: m.place.x + dx, y: m.place.y + dy } } : m));
-  return { ...c, marks, label: { ...c.label, x: c.label.x + dx, y: c.label.y + dy }, cost: c.cost + Math.hypot(dx, dy) };
+  const marks = c.marks.map((m): Mark =>
+    m.kind === "text" ? { ...m, place: { x: m.place.x + dx, y: m.place.y + dy } } : m,
+  );
+  return {
+    ...c,
+    marks,
+    label: { ...c.label, x: c.label.x + dx, y: c.label.y + dy },
+    cost: c.cost + Math.hypot(dx, dy),
+  };
 }
 
 /**
- * The place of a dimension that must show although it fits nowhere: its text is moved onto the sheet, off the areas kept free
- * on its left.
+ * The place of a dimension that must show although it fits nowhere: its text is moved onto the sheet, off the areas
+ * kept free on its left.
  */
 export function forced(item: Item, sheet: Sheet): Placed | null {
   const left = Math.max(0, ...sheet.kept.filter((b) => b.x <= 0).map((b) => b.x + b.width));
@@ -104,8 +119,8 @@ export function forced(item: Item, sheet: Sheet): Placed | null {
 }
 
 /**
- * Places dimensions in order, each where its text covers no other text nor dimension line; what finds no place is left out.
- * Those that stand already stay.
+ * Places dimensions in order, each where its text covers no other text nor dimension line; what finds no place is left
+ * out. Those that stand already stay.
  */
 export function arrange(items: readonly Item[], sheet: Sheet, standing: readonly Placed[] = []): Placed[] {
   const out: Placed[] = [...standing];
@@ -118,8 +133,11 @@ export function arrange(items: readonly Item[], sheet: Sheet, standing: readonly
       if (c.cost >= least || !within(c.label, sheet.width, sheet.height)) continue;
       if (labels.some((l) => labelsOverlap(l, c.label)) || lines.some((l) => labelsOverlap(l, c.label))) continue;
       if (c.lines.some((line) => labels.some((l) => labelsOverlap(l, line)))) continue;
-      const crossed = sheet.crossing ? lines.reduce((n, l) => n + Math.max(0, ...c.lines.map((line) => met(l, line))), 0) : 0;
-      const cost = c.cost + Math.min(6, covered(c.label, sheet.avoid)) * 6 + Math.min(8, crossed) * (sheet.crossing ?? 0);
+      const crossed = sheet.crossing
+        ? lines.reduce((n, l) => n + Math.max(0, ...c.lines.map((line) => met(l, line))), 0)
+        : 0;
+      const cost =
+        c.cost + Math.min(6, covered(c.label, sheet.avoid)) * 6 + Math.min(8, crossed) * (sheet.crossing ?? 0);
       if (cost < least) [best, least] = [c, cost];
     }
     if (!best) continue;

@@ -29,7 +29,9 @@ export const FIRST = 15;
 
 /** The axis is drawn where it is as long as it lies nearer to the contour than this many contour sizes. */
 const NEAR_AXIS = 1.6;
-/** It may be drawn nearer from this many contour sizes on, where that makes the drawing larger by at least this factor. */
+/**
+ * It may be drawn nearer from this many contour sizes on, where that makes the drawing larger by at least this factor.
+ */
 const WORTH = { distance: 0.45, factor: 1.3 } as const;
 /** How far below the contour a nearer axis and the end of the part stand, in contour sizes. */
 const NEARER = { axis: 0.36, part: 0.22 } as const;
@@ -42,9 +44,9 @@ const NEAR_DATUM = 0.9;
 function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { core: Bounds; span: number } {
   const core = boundsOf(points) ?? { left: -50, right: 0, low: 0, high: 25 };
   const span = Math.max(core.right - core.left, core.high - core.low, STEP);
-  const near = dimensions.flatMap((d) => (d.form === "z" ? [d.from, d.to] : [])).filter((p) =>
-    p.z > core.left - NEAR_DATUM * span && p.z < core.right + NEAR_DATUM * span
-  );
+  const near = dimensions
+    .flatMap((d) => (d.form === "z" ? [d.from, d.to] : []))
+    .filter((p) => p.z > core.left - NEAR_DATUM * span && p.z < core.right + NEAR_DATUM * span);
   const wide = boundsOf([...points, ...near.map((p) => ({ ...p, r: points[0]?.r ?? p.r }))]) ?? core;
   return { core: wide, span };
 }
@@ -63,16 +65,27 @@ function reachOf(
     ...(ends.last === "feed" ? [pointAt(f, 1, 0)] : []),
     ...(ends.first === "back" ? [pointAt(f, -1, 0)] : []),
   ];
-  const more = (z: number, r: number) => (ways.some((w) => Math.abs(w.z - z) + Math.abs(w.r - r) < 0.5) ? BEHIND * span : 0.02 * span);
+  const more = (z: number, r: number) =>
+    ways.some((w) => Math.abs(w.z - z) + Math.abs(w.r - r) < 0.5) ? BEHIND * span : 0.02 * span;
   const axis = nearer ? core.low - NEARER.axis * span : 0;
   const low = nearer ? core.low - NEARER.part * span : Math.min(0, core.low);
-  return { left: core.left - more(-1, 0), right: core.right + more(1, 0), low, high: core.high + more(0, 1), axis, broken: nearer };
+  return {
+    left: core.left - more(-1, 0),
+    right: core.right + more(1, 0),
+    low,
+    high: core.high + more(0, 1),
+    axis,
+    broken: nearer,
+  };
 }
 
 /** How many dimension lines each side of the drawing will need, from the forms of the dimensions. */
 function tracks(dimensions: readonly Dimension[], more: { readonly top: number; readonly right: number }) {
   const count = (form: Dimension["form"]) => dimensions.filter((d) => d.form === form).length;
-  return { top: Math.min(3, Math.max(1, count("z") + more.top)), right: Math.min(3, Math.max(1, count("diameter") + more.right)) };
+  return {
+    top: Math.min(3, Math.max(1, count("z") + more.top)),
+    right: Math.min(3, Math.max(1, count("diameter") + more.right)),
+  };
 }
 
 /** Fits contour, part and dimension lines into a picture; the scale is the same both ways. */
@@ -112,7 +125,8 @@ function fitting(
     right: Math.min(FIRST + TRACK * lines.right, size.width * 0.25),
   };
   const low = Math.min(reach.axis, reach.low);
-  const wide = Math.max(1, size.width - margin.left - margin.right), tall = Math.max(1, size.height - margin.top - margin.bottom);
+  const wide = Math.max(1, size.width - margin.left - margin.right),
+    tall = Math.max(1, size.height - margin.top - margin.bottom);
   const scale = Math.min(wide / (reach.right - reach.left), tall / (reach.high - low));
   const spare = { x: wide - scale * (reach.right - reach.left), y: tall - scale * (reach.high - low) };
   const camera: Camera = {

@@ -50,7 +50,8 @@ export const positionText = (kind: "diameter" | "axial", value: number, speech: 
 
 /** The short text of a value on the drawing: ⌀75, Z−55, 5°, R1.5, 0.5×45°, ≤3, F0.3. */
 export function letteringOf(params: Params, q: string, values: Numbers, speech: Speech, square: boolean): string {
-  const p = params[q], value = values[q];
+  const p = params[q],
+    value = values[q];
   if (!p || value === undefined) return "";
   if (value === "auto") return "FAUTO";
   const number = (v: number) => signed(speech.number(v, p.decimals));

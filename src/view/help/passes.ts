@@ -7,7 +7,10 @@ import { pathOf } from "../../kernel/time/time.ts";
 import { outward } from "./frame.ts";
 import { drawnLine } from "./section.ts";
 
-/** One cut at one level, or of a cycle that runs along the contour one pass: where it begins and where it ends, part space. */
+/**
+ * One cut at one level, or of a cycle that runs along the contour one pass: where it begins and where it ends, part
+ * space.
+ */
 export interface Pass {
   readonly pass: number;
   readonly level: number;
@@ -56,7 +59,10 @@ function levels(f: Frame, moves: readonly Move[]): Pass[] {
   return level.filter((p) => p.level < (depths.get(p.pass) ?? p.level) + SAME);
 }
 
-/** The cuts of roughing that go straight into the material, each from where it begins to its ground: in the order they are made. */
+/**
+ * The cuts of roughing that go straight into the material, each from where it begins to its ground: in the order they
+ * are made.
+ */
 export function plungesOf(f: Frame, moves: readonly Move[]): Pass[] {
   const found: Pass[] = [];
   let [begin, last]: [Pt | null, number] = [null, -1];

@@ -8,7 +8,17 @@ import { numberOf, startPoint, type Context } from "./context.ts";
 import { detail, isSmall } from "./detail.ts";
 import type { Lettering } from "./dimensions.ts";
 import { outward, type HelpFrame } from "./frame.ts";
-import { arrange, forced, labelsOverlap, SIZE, textBox, type LabelBox, type Item, type Placed, type Sheet } from "./labels.ts";
+import {
+  arrange,
+  forced,
+  labelsOverlap,
+  SIZE,
+  textBox,
+  type LabelBox,
+  type Item,
+  type Placed,
+  type Sheet,
+} from "./labels.ts";
 import { FIRST, layoutOf } from "./layout.ts";
 import { letteringOf, positionText, type Numbers, type Speech } from "./lettering.ts";
 import { dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
@@ -26,7 +36,10 @@ import { SAME } from "../../kernel/tolerance.ts";
 export interface HelpRequest {
   readonly params: Params;
   readonly values: Numbers;
-  /** Those of the values that somebody typed; the others are there to draw with, and only their Q is written. All of them when left out. */
+  /**
+   * Those of the values that somebody typed; the others are there to draw with, and only their Q is written. All of
+   * them when left out.
+   */
   readonly typed?: Numbers;
   /** The contour is not the operator's own: none of its numbers is written. */
   readonly isBorrowed?: boolean;
@@ -116,7 +129,11 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   const allowed = numberOf(values, qOf(params, "allowance"));
   const outer = allowed > 0 && allowed < span * 0.4 ? plan.area : [];
   const along = frame.transverse ? 2 : 1;
-  const layout = layoutOf(frame, line, [...line, ...blank, ...near, ...outer], outline.dimensions, size, { top: along, right: 0, indent });
+  const layout = layoutOf(frame, line, [...line, ...blank, ...near, ...outer], outline.dimensions, size, {
+    top: along,
+    right: 0,
+    indent,
+  });
   const passes = passesOf(frame, plan);
   const top = passes[0] ? passes[0].level + plan.infeed : outward(frame, corner);
   const square = (q: string) => {
@@ -135,8 +152,16 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
     step: plan.infeed > 0 ? plan.infeed : plan.most,
     top,
     section: sectionOf(frame, line, layout.reach),
-    letter: (q) => ({ q, active: q === active, text: typed[q] === undefined ? q : letteringOf(params, q, typed, speech, square(q)) }),
-    plain: (kind, at) => ({ q: "", active: false, text: positionText(kind, kind === "axial" ? at.z : toDiameter(at.r), speech) }),
+    letter: (q) => ({
+      q,
+      active: q === active,
+      text: typed[q] === undefined ? q : letteringOf(params, q, typed, speech, square(q)),
+    }),
+    plain: (kind, at) => ({
+      q: "",
+      active: false,
+      text: positionText(kind, kind === "axial" ? at.z : toDiameter(at.r), speech),
+    }),
   };
 }
 
@@ -147,7 +172,9 @@ function besideTiles(request: HelpRequest, count: number): { readonly c: Context
   const beside = columnsFor(count, height);
   if (beside.width > width * 0.45) return { c: row, column: 0 };
   const column = contextOf(request, request.size, beside.width);
-  return column.layout.camera.scale > row.layout.camera.scale ? { c: column, column: beside.width } : { c: row, column: 0 };
+  return column.layout.camera.scale > row.layout.camera.scale
+    ? { c: column, column: beside.width }
+    : { c: row, column: 0 };
 }
 
 /** Part, contour, blank and axis: what is there whatever is asked. */
@@ -155,20 +182,33 @@ function ground(c: Context): Mark[] {
   const none = { q: null, active: false };
   const at = (p: Parameters<typeof toScreen>[1]) => toScreen(c.layout.camera, p);
   const { section, layout } = c;
-  const [left, right] = [Math.max(2, layout.box.x - 8), Math.min(layout.size.width - 2, layout.box.x + layout.box.width + 12)];
+  const [left, right] = [
+    Math.max(2, layout.box.x - 8),
+    Math.min(layout.size.width - 2, layout.box.x + layout.box.width + 12),
+  ];
   return [
     filled(none, "part", polygon(section.part.map(at))),
     ...section.edges.map(([a, b]) => stroke(none, "edge", polyline([at(a), at(b)]))),
     ...section.breaks.map(([a, b]) => stroke(none, "break", polyline([at(a), at(b)]))),
     stroke(none, "area", polyline(section.blank.map(at))),
-    stroke(none, "axis", polyline([{ x: left, y: layout.axisY }, { x: right, y: layout.axisY }])),
+    stroke(
+      none,
+      "axis",
+      polyline([
+        { x: left, y: layout.axisY },
+        { x: right, y: layout.axisY },
+      ]),
+    ),
   ];
 }
 
 /** Places on the drawing's strong lines and below the axis, a few pixels apart, for texts to keep away from. */
 function strongPlaces(c: Context): Place[] {
   const at = (p: Parameters<typeof toScreen>[1]) => toScreen(c.layout.camera, p);
-  const axis = dense([{ x: c.layout.box.x, y: c.layout.axisY }, { x: c.layout.box.x + c.layout.box.width, y: c.layout.axisY }]);
+  const axis = dense([
+    { x: c.layout.box.x, y: c.layout.axisY },
+    { x: c.layout.box.x + c.layout.box.width, y: c.layout.axisY },
+  ]);
   const edges = c.section.edges.flatMap(([a, b]) => dense([at(a), at(b)]));
   const below: Place[] = [];
   for (let y = c.layout.axisY; y < c.layout.size.height; y += 6)
@@ -176,7 +216,10 @@ function strongPlaces(c: Context): Place[] {
   return [...dense(c.section.line.map(at)), ...dense(c.section.blank.map(at)), ...edges, ...axis, ...below];
 }
 
-/** When a dimension of the outline gets its place, 0 … 3: short lengths stand nearer to the part, leaders find a place almost anywhere. */
+/**
+ * When a dimension of the outline gets its place, 0 … 3: short lengths stand nearer to the part, leaders find a place
+ * almost anywhere.
+ */
 function turnOf(d: Dimension): number {
   switch (d.form) {
     case "diameter":
@@ -192,7 +235,9 @@ function turnOf(d: Dimension): number {
   }
 }
 
-/** Quiet dimensions keep their places; the active one comes first where it would otherwise find none, and always shows. */
+/**
+ * Quiet dimensions keep their places; the active one comes first where it would otherwise find none, and always shows.
+ */
 function arranged(items: readonly Item[], active: string | null, sheet: Sheet): Placed[] {
   const placed = arrange(items, sheet);
   const own = items.find((i) => i.q === active);
@@ -205,7 +250,12 @@ function arranged(items: readonly Item[], active: string | null, sheet: Sheet): 
 }
 
 /** What the lens covers moves, everything else stays. */
-function besideLens(items: readonly Item[], placed: readonly Placed[], lens: readonly LabelBox[], sheet: Sheet): Placed[] {
+function besideLens(
+  items: readonly Item[],
+  placed: readonly Placed[],
+  lens: readonly LabelBox[],
+  sheet: Sheet,
+): Placed[] {
   const standing = placed.filter((p) => ![p.label, ...p.lines].some((b) => lens.some((l) => labelsOverlap(b, l))));
   const moved = items.filter((i) => placed.some((p) => p.item === i) && !standing.some((p) => p.item === i));
   return arrange(moved, { ...sheet, kept: [...sheet.kept, ...lens] }, standing);
@@ -230,8 +280,8 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const sheet = { width: c.layout.size.width, height: c.layout.size.height, avoid: strong, kept, crossing: CROSSING };
   const small = active === null ? null : smallFeature(c, active);
   const own = parts.flatMap((p) => (p.item && !(small && p.q === active) ? [p.item] : []));
-  const items = [...own, ...(isBorrowed ? [] : explain.plainDimensions(c))].map(
-    (i): Item => (i.q === active ? i : { ...i, most: i.most ?? QUIET_MOST })
+  const items = [...own, ...(isBorrowed ? [] : explain.plainDimensions(c))].map((i): Item =>
+    i.q === active ? i : { ...i, most: i.most ?? QUIET_MOST },
   );
   let placed: readonly Placed[] = arranged(items, active, sheet);
   const lens = small && active ? detail(c, c.letter(active), small, placed, kept) : null;
@@ -250,10 +300,17 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   const labels = [...placed.map((p) => p.label), ...(lens ? [lens.label] : [])];
   const scaled = marks.some((m) => m.kind === "text" && m.active && m.underlined);
   const note = textBox({ x: 0, y: 0 }, speech.notToScale, 0, SIZE.caption);
-  const corner = [[1, 1], [1, 0], [0, 1], [0, 0]].map(([right, low]) => ({
-    x: right ? size.width - note.width / 2 - 2 : note.width / 2 + 2,
-    y: low ? c.layout.size.height - FIRST / 2 - 1 : FIRST / 2 + 1,
-  })).find((p) => !labels.some((b) => labelsOverlap(b, textBox(p, speech.notToScale, 0, SIZE.caption))));
+  const corner = [
+    [1, 1],
+    [1, 0],
+    [0, 1],
+    [0, 0],
+  ]
+    .map(([right, low]) => ({
+      x: right ? size.width - note.width / 2 - 2 : note.width / 2 + 2,
+      y: low ? c.layout.size.height - FIRST / 2 - 1 : FIRST / 2 + 1,
+    }))
+    .find((p) => !labels.some((b) => labelsOverlap(b, textBox(p, speech.notToScale, 0, SIZE.caption))));
   const noted = scaled && active !== null && corner;
   return {
     size,

@@ -44,7 +44,10 @@ export function sideStep(c: Context, l: Lettering): Explanation {
   const form = c.frame.transverse ? "r" : "z";
   const level = (a.level + outward(c.frame, a.from)) / 2;
   const [from, to] = [a, b].map((p) => pointAt(c.frame, along(c.frame, p.to), level)) as [Pt, Pt];
-  return { under: lines(c, l, plunges(c)), item: dimensionItem(c.layout, { q: l.q, form, from, to }, { ...l, underlined: true }) };
+  return {
+    under: lines(c, l, plunges(c)),
+    item: dimensionItem(c.layout, { q: l.q, form, from, to }, { ...l, underlined: true }),
+  };
 }
 
 /** The first plunge, into the solid. */
@@ -75,8 +78,11 @@ export function depthLimit(c: Context, l: Lettering): Explanation {
   const limit = numberOf(c.values, l.q);
   const bites = limit > 0 && limit < depth ? Math.ceil(depth / limit) : 1;
   const back = Math.max(CHIP_BREAK, mm(c, 4));
-  const path = Array.from({ length: Math.min(bites, 12) }, (_, k) => high - (depth * (k + 1)) / bites).flatMap((v, k, all) =>
-    k < all.length - 1 && depth / bites > 2 * back ? [pointAt(c.frame, u, v), pointAt(c.frame, u, v + back)] : [pointAt(c.frame, u, v)]
+  const path = Array.from({ length: Math.min(bites, 12) }, (_, k) => high - (depth * (k + 1)) / bites).flatMap(
+    (v, k, all) =>
+      k < all.length - 1 && depth / bites > 2 * back
+        ? [pointAt(c.frame, u, v), pointAt(c.frame, u, v + back)]
+        : [pointAt(c.frame, u, v)],
   );
   const to = pointAt(c.frame, u, high - depth / bites);
   return {
@@ -94,7 +100,8 @@ export function retraction(c: Context, l: Lettering): Explanation {
   const by = a && b ? along(c.frame, a.to) - u : 0;
   const top = outward(c.frame, from.from);
   const up = Math.min(Math.abs(by), top - from.level);
-  const lean = numberOf(c.values, l.q) === 1 && up > 0 ? [pointAt(c.frame, u + Math.sign(by) * up, from.level + up)] : [];
+  const lean =
+    numberOf(c.values, l.q) === 1 && up > 0 ? [pointAt(c.frame, u + Math.sign(by) * up, from.level + up)] : [];
   const out = pointAt(c.frame, u + (lean.length > 0 ? Math.sign(by) * up : 0), top + mm(c, 12));
   return { under: [...lines(c, l, [from]), ...pathMarks(c, l, [from.to, ...lean, out])], item: null };
 }

@@ -44,7 +44,10 @@ export function pathMarks(c: Context, tag: Tag, points: readonly Pt[]): Mark[] {
     [...places].reverse().find((p) => Math.hypot(p.x - (places.at(-1)?.x ?? 0), p.y - (places.at(-1)?.y ?? 0)) > 3),
   ];
   if (!tip || !before) return [];
-  return [stroke(tag, "path", polyline(places)), filled(tag, "arrow", arrowHead(tip, tip.x - before.x, tip.y - before.y, 9))];
+  return [
+    stroke(tag, "path", polyline(places)),
+    filled(tag, "arrow", arrowHead(tip, tip.x - before.x, tip.y - before.y, 9)),
+  ];
 }
 
 /** The contour with an oversize of so many pixels. */
@@ -57,7 +60,9 @@ export const besides = (c: Context, contour: readonly Segment[], pixels: number 
 
 /** The elements of the contour that fall in machining direction, as they follow each other. */
 export const falling = (c: Context): Segment[][] =>
-  fallingRuns(c.outline.contour.map((s) => segmentToFlat(c.frame, s))).map((run) => run.map((s) => segmentToPart(c.frame, s)));
+  fallingRuns(c.outline.contour.map((s) => segmentToFlat(c.frame, s))).map((run) =>
+    run.map((s) => segmentToPart(c.frame, s)),
+  );
 
 /** The band that oversize leaves, drawn wider than it is; both components, or only the one asked for. */
 export function bandMarks(c: Context, tag: Tag, which: "diameter" | "z" | "both", pixels: number): Mark[] {
@@ -70,12 +75,22 @@ export function clearance(c: Context, l: Lettering): Explanation {
   const value = Math.max(numberOf(c.values, l.q), mm(c, 1));
   const s = startPoint(c.frame, c.section.corner, value);
   const centre = toScreen(c.layout.camera, s);
-  const cross = `${polyline([{ x: centre.x - 6, y: centre.y }, { x: centre.x + 6, y: centre.y }])}`
-    + `${polyline([{ x: centre.x, y: centre.y - 6 }, { x: centre.x, y: centre.y + 6 }])}`;
+  const cross =
+    `${polyline([
+      { x: centre.x - 6, y: centre.y },
+      { x: centre.x + 6, y: centre.y },
+    ])}` +
+    `${polyline([
+      { x: centre.x, y: centre.y - 6 },
+      { x: centre.x, y: centre.y + 6 },
+    ])}`;
   const form = c.frame.sunk ? infeedForm(c.frame) : "z";
   return {
     under: [stroke(l, "frame", circle(centre, 3.5) + cross)],
-    item: c.params[l.q]?.reserved && !l.active ? null : dimensionItem(c.layout, { q: l.q, form, from: c.section.corner, to: s }, l),
+    item:
+      c.params[l.q]?.reserved && !l.active
+        ? null
+        : dimensionItem(c.layout, { q: l.q, form, from: c.section.corner, to: s }, l),
   };
 }
 
@@ -129,7 +144,11 @@ export function oversize(c: Context, l: Lettering, which: "diameter" | "z"): Exp
   return {
     under: l.active ? bandMarks(c, l, which, pixels) : [],
     item: l.active
-      ? dimensionItem(c.layout, { q: l.q, form: which === "z" ? "z" : "r", from: at, to: off }, { ...l, underlined: true })
+      ? dimensionItem(
+          c.layout,
+          { q: l.q, form: which === "z" ? "z" : "r", from: at, to: off },
+          { ...l, underlined: true },
+        )
       : { ...pointed(c, l, at, outside(c, at)), most: 7 },
   };
 }
@@ -143,25 +162,38 @@ export function roughingFeed(c: Context, l: Lettering): Explanation {
     const middle = pass.line[Math.floor(pass.line.length / 2)] ?? pass.from;
     return { under: [...lines, ...pathMarks(c, l, pass.line)], item: pointed(c, l, middle, outside(c, middle)) };
   }
-  return { under: [...lines, ...pathMarks(c, l, [at(0.25), at(0.7)])], item: pointed(c, l, at(0.5), outside(c, at(0.5))) };
+  return {
+    under: [...lines, ...pathMarks(c, l, [at(0.25), at(0.7)])],
+    item: pointed(c, l, at(0.5), outside(c, at(0.5))),
+  };
 }
 
 export function finishingFeed(c: Context, l: Lettering): Explanation {
   const { at } = longest(c, () => true);
   const found = kept(c, c.outline.contour, BESIDE, BESIDE).map((s) => part.nearestOn(s, at));
-  const middle = found.reduce((best, p) => (part.apart(p, at) < part.apart(best, at) ? p : best), found[0] ?? c.section.corner);
-  return { under: l.active ? pathMarks(c, l, besides(c, c.outline.contour)) : [], item: pointed(c, l, middle, outside(c, middle)) };
+  const middle = found.reduce(
+    (best, p) => (part.apart(p, at) < part.apart(best, at) ? p : best),
+    found[0] ?? c.section.corner,
+  );
+  return {
+    under: l.active ? pathMarks(c, l, besides(c, c.outline.contour)) : [],
+    item: pointed(c, l, middle, outside(c, middle)),
+  };
 }
 
 export function plungingFeed(c: Context, l: Lettering): Explanation {
   const found = falling(c);
   const u = along(c.frame, c.section.corner);
-  const runs = found.length > 0
-    ? found.map((run) => besides(c, run))
-    : [[pointAt(c.frame, u, c.top + mm(c, 14)), pointAt(c.frame, u, c.top - c.step)]];
+  const runs =
+    found.length > 0
+      ? found.map((run) => besides(c, run))
+      : [[pointAt(c.frame, u, c.top + mm(c, 14)), pointAt(c.frame, u, c.top - c.step)]];
   const first = runs[0] ?? [];
   const middle = first[Math.floor(first.length / 2)] ?? c.section.corner;
-  return { under: l.active ? runs.flatMap((run) => pathMarks(c, l, run)) : [], item: pointed(c, l, middle, outside(c, middle)) };
+  return {
+    under: l.active ? runs.flatMap((run) => pathMarks(c, l, run)) : [],
+    item: pointed(c, l, middle, outside(c, middle)),
+  };
 }
 
 /** A limit goes across the whole drawing; it is dashed while the limits are off. */
@@ -173,9 +205,10 @@ export function limit(c: Context, l: Lettering, which: "diameter" | "z"): Explan
   const at: Pt = which === "z" ? part.point(value, reach.high) : part.point(reach.right, toRadius(diameter(value)));
   const far: Pt = which === "z" ? part.point(value, reach.low) : part.point(reach.left, at.r);
   const line = stroke(l, on ? "limit" : "break", polyline([spot(c.layout, at), spot(c.layout, far)]));
-  const form = which === "z"
-    ? dimensionItem(c.layout, { q: l.q, form: "z", from: at, to: at }, l)
-    : dimensionItem(c.layout, { q: l.q, form: "diameter", at }, l);
+  const form =
+    which === "z"
+      ? dimensionItem(c.layout, { q: l.q, form: "z", from: at, to: at }, l)
+      : dimensionItem(c.layout, { q: l.q, form: "diameter", at }, l);
   return { under: [line], item: form };
 }
 
@@ -195,7 +228,8 @@ export function offsetWidth(c: Context, l: Lettering): Explanation {
 
 export function depthCompensation(c: Context, l: Lettering): Explanation {
   if (!l.active) return { under: [], item: null };
-  const line = c.section.line, f = c.frame;
+  const line = c.section.line,
+    f = c.frame;
   const low = Math.min(...line.map((p) => outward(f, p)));
   const floor = line.filter((p) => outward(f, p) < low + SAME).map((p) => along(f, p));
   const [a, b] = [Math.min(...floor), Math.max(...floor)];
@@ -204,37 +238,42 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
   const shift = c.values[l.q] === 0 ? 0 : by;
   return {
     under: pathMarks(c, l, [pointAt(f, a, low + shift), pointAt(f, b, low + shift)]),
-    item: dimensionItem(c.layout, {
-      q: l.q,
-      form: infeedForm(f),
-      from: pointAt(f, (a + b) / 2, low),
-      to: pointAt(f, (a + b) / 2, low + by),
-    }, {
-      ...l,
-      underlined: true,
-    }),
+    item: dimensionItem(
+      c.layout,
+      {
+        q: l.q,
+        form: infeedForm(f),
+        from: pointAt(f, (a + b) / 2, low),
+        to: pointAt(f, (a + b) / 2, low + by),
+      },
+      {
+        ...l,
+        underlined: true,
+      },
+    ),
   };
 }
 
 /** Dearer places of a quiet diameter lie in the middle of the contour. */
 const OUTSIDE = 19;
 
-/** Where a free contour begins and ends: not values of the cycle, so they belong to no parameter. What both ends share is said once. */
+/**
+ * Where a free contour begins and ends: not values of the cycle, so they belong to no parameter. What both ends share
+ * is said once.
+ */
 export function plainDimensions(c: Context): Item[] {
   if (c.outline.dimensions.some((d) => shownAs(c.params, d.q) === "outline")) return [];
   const [start, end] = [c.section.line[0], c.section.line.at(-1)];
   const ends = [start, end].flatMap((p) => (p ? [p] : []));
   const isNew = (at: Pt, one: (p: Pt) => number) => at === start || !start || Math.abs(one(at) - one(start)) > SAME;
-  return ends.flatMap(
-    (at) => [
-      ...(isNew(at, (p) => p.r)
-        ? [{ ...dimensionItem(c.layout, { q: "", form: "diameter", at }, c.plain("diameter", at)), most: OUTSIDE }]
-        : []),
-      ...(isNew(at, (p) => p.z)
-        ? [dimensionItem(c.layout, { q: "", form: "z", from: part.point(0, at.r), to: at }, c.plain("axial", at))]
-        : []),
-    ]
-  );
+  return ends.flatMap((at) => [
+    ...(isNew(at, (p) => p.r)
+      ? [{ ...dimensionItem(c.layout, { q: "", form: "diameter", at }, c.plain("diameter", at)), most: OUTSIDE }]
+      : []),
+    ...(isNew(at, (p) => p.z)
+      ? [dimensionItem(c.layout, { q: "", form: "z", from: part.point(0, at.r), to: at }, c.plain("axial", at))]
+      : []),
+  ]);
 }
 
 /** A dimension of the outline; a parameter that has none on this contour points at the end it belongs to. */
@@ -261,7 +300,10 @@ function elementMarks(c: Context, l: Lettering, d: Dimension): Mark[] {
 }
 
 /** The element whose middle lies nearest to a point, and that middle. */
-export function nearestElement(contour: readonly Segment[], at: Pt): { readonly element: Segment; readonly at: Pt } | null {
+export function nearestElement(
+  contour: readonly Segment[],
+  at: Pt,
+): { readonly element: Segment; readonly at: Pt } | null {
   let best: { element: Segment; at: Pt } | null = null;
   let least = Infinity;
   for (const element of contour) {

@@ -35,13 +35,16 @@ const FINE = 1e-3;
 export function drawnLine(contour: readonly Segment[]): Pt[] {
   let size = FINE;
   const first = contour[0]?.from;
-  if (first) { for (const s of contour) size = Math.max(size, Math.abs(s.to.z - first.z), Math.abs(s.to.r - first.r)); }
+  if (first) {
+    for (const s of contour) size = Math.max(size, Math.abs(s.to.z - first.z), Math.abs(s.to.r - first.r));
+  }
   return flattenedChain(contour, size * FINE);
 }
 
 /** What closes the area over a contour, from its end up to its highest point and back to its start. */
 export function blankOver(f: HelpFrame, line: readonly Pt[]): { readonly blank: Pt[]; readonly corner: Pt } {
-  const start = line[0], end = line.at(-1);
+  const start = line[0],
+    end = line.at(-1);
   if (!start || !end) return { blank: [], corner: pointAt(f, 0, 0) };
   const top = Math.max(...line.map((p) => outward(f, p)));
   const corner = pointAt(f, along(f, start), top);
@@ -52,18 +55,27 @@ export function blankOver(f: HelpFrame, line: readonly Pt[]): { readonly blank: 
   return { blank, corner };
 }
 
-/** Which way the part goes on behind the ends of a contour: the deeper end falls away from the open side, others go on along the cut. */
-export function endWays(f: HelpFrame, line: readonly Pt[]): { readonly first: "back" | "in"; readonly last: "feed" | "in" } {
-  const start = line[0], end = line.at(-1);
+/**
+ * Which way the part goes on behind the ends of a contour: the deeper end falls away from the open side, others go on
+ * along the cut.
+ */
+export function endWays(
+  f: HelpFrame,
+  line: readonly Pt[],
+): { readonly first: "back" | "in"; readonly last: "feed" | "in" } {
+  const start = line[0],
+    end = line.at(-1);
   const rise = start && end ? outward(f, end) - outward(f, start) : 0;
   return { first: !f.sunk && rise > SAME ? "in" : "back", last: !f.sunk && rise < -SAME ? "in" : "feed" };
 }
 
 /** How far the part reaches from a point in a direction of the frame, to the edge of the drawing. */
 function toEdge(f: HelpFrame, p: Pt, way: "feed" | "back" | "in", reach: DrawnExtent): Pt {
-  const u = along(f, p), v = outward(f, p);
+  const u = along(f, p),
+    v = outward(f, p);
   const box = [reach.left, reach.right].flatMap((z) => [reach.low, reach.high].map((r) => ({ z, r }) as Pt));
-  const us = box.map((c) => along(f, c)), vs = box.map((c) => outward(f, c));
+  const us = box.map((c) => along(f, c)),
+    vs = box.map((c) => outward(f, c));
   if (way === "in") return pointAt(f, u, Math.min(...vs, v));
   return way === "feed" ? pointAt(f, Math.max(...us, u), v) : pointAt(f, Math.min(...us, u), v);
 }
@@ -71,7 +83,8 @@ function toEdge(f: HelpFrame, p: Pt, way: "feed" | "back" | "in", reach: DrawnEx
 /** The section of a contour inside a drawing. The part goes on behind it: to the axis, or to a break line. */
 export function sectionOf(f: HelpFrame, line: readonly Pt[], reach: DrawnExtent): Section {
   const { blank, corner } = blankOver(f, line);
-  const start = line[0], end = line.at(-1);
+  const start = line[0],
+    end = line.at(-1);
   if (!start || !end) return { line, part: [], edges: [], breaks: [], blank, corner };
   const ways = endWays(f, line);
   const first = toEdge(f, start, ways.first, reach);
@@ -85,5 +98,15 @@ export function sectionOf(f: HelpFrame, line: readonly Pt[], reach: DrawnExtent)
     const a = loop[i];
     return a && Math.hypot(a.z - b.z, a.r - b.r) > SAME && !onAxis(a, b) ? [[a, b] as const] : [];
   });
-  return { line, part, edges: [[first, start], [end, last]], breaks, blank, corner };
+  return {
+    line,
+    part,
+    edges: [
+      [first, start],
+      [end, last],
+    ],
+    breaks,
+    blank,
+    corner,
+  };
 }

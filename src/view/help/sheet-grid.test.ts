@@ -5,7 +5,10 @@ import { boxesOn, placesOn } from "./sheet-grid.ts";
 
 const SHEET = { width: 321.5, height: 97.25 };
 const along = (long: number) =>
-  fc.oneof(fc.double({ min: -0.4 * long, max: 1.4 * long, noNaN: true }), fc.integer({ min: -2, max: 24 }).map((n) => n * 16));
+  fc.oneof(
+    fc.double({ min: -0.4 * long, max: 1.4 * long, noNaN: true }),
+    fc.integer({ min: -2, max: 24 }).map((n) => n * 16),
+  );
 const place = fc.record({ x: along(SHEET.width), y: along(SHEET.height) });
 const box: fc.Arbitrary<LabelBox> = fc.record({
   x: along(SHEET.width),
@@ -15,17 +18,23 @@ const box: fc.Arbitrary<LabelBox> = fc.record({
 });
 
 test("places are counted as if all of them were looked at", () => {
-  fc.assert(fc.property(fc.array(place, { maxLength: 80 }), fc.array(box, { minLength: 1, maxLength: 20 }), (places, boxes) => {
-    const count = placesOn(SHEET, places);
-    for (const b of boxes)
-      expect(count(b)).toBe(places.filter((p) => p.x > b.x && p.x < b.x + b.width && p.y > b.y && p.y < b.y + b.height).length);
-  }));
+  fc.assert(
+    fc.property(fc.array(place, { maxLength: 80 }), fc.array(box, { minLength: 1, maxLength: 20 }), (places, boxes) => {
+      const count = placesOn(SHEET, places);
+      for (const b of boxes)
+        expect(count(b)).toBe(
+          places.filter((p) => p.x > b.x && p.x < b.x + b.width && p.y > b.y && p.y < b.y + b.height).length,
+        );
+    }),
+  );
 });
 
 test("a box is taken where it covers any of those that stand", () => {
-  fc.assert(fc.property(fc.array(box, { maxLength: 20 }), fc.array(box, { minLength: 1, maxLength: 20 }), (standing, boxes) => {
-    const taken = boxesOn(SHEET, standing.slice(0, 5));
-    standing.slice(5).forEach(taken.take);
-    for (const b of boxes) expect(taken.isTaken(b)).toBe(standing.some((s) => labelsOverlap(s, b)));
-  }));
+  fc.assert(
+    fc.property(fc.array(box, { maxLength: 20 }), fc.array(box, { minLength: 1, maxLength: 20 }), (standing, boxes) => {
+      const taken = boxesOn(SHEET, standing.slice(0, 5));
+      standing.slice(5).forEach(taken.take);
+      for (const b of boxes) expect(taken.isTaken(b)).toBe(standing.some((s) => labelsOverlap(s, b)));
+    }),
+  );
 });

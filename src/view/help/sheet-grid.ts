@@ -7,7 +7,8 @@ const CELL = 16;
 
 /** The cells of a sheet. What lies outside counts to the cells along its edges. */
 function cellsOf({ width, height }: Size) {
-  const columns = Math.max(1, Math.ceil(width / CELL)), rows = Math.max(1, Math.ceil(height / CELL));
+  const columns = Math.max(1, Math.ceil(width / CELL)),
+    rows = Math.max(1, Math.ceil(height / CELL));
   const between = (at: number, count: number) => Math.max(0, Math.min(count - 1, Math.floor(at / CELL)));
   return {
     count: columns * rows,
@@ -20,15 +21,20 @@ function cellsOf({ width, height }: Size) {
   };
 }
 
-/** Counts places of a sheet inside a box, its edges left out. Only those of the cells that the box covers are looked at. */
+/**
+ * Counts places of a sheet inside a box, its edges left out. Only those of the cells that the box covers are looked at.
+ */
 export function placesOn(size: Size, places: readonly Place[]): (box: LabelBox) => number {
-  const cells = cellsOf(size), ends = new Uint32Array(cells.count + 1);
+  const cells = cellsOf(size),
+    ends = new Uint32Array(cells.count + 1);
   const cell = places.map(cells.cellOf);
   for (const each of cell) ends[each + 1] = (ends[each + 1] ?? 0) + 1;
   for (let i = 0; i < cells.count; i += 1) ends[i + 1] = (ends[i + 1] ?? 0) + (ends[i] ?? 0);
-  const next = ends.slice(), ordered = new Array<Place>(places.length);
+  const next = ends.slice(),
+    ordered = new Array<Place>(places.length);
   for (const [i, place] of places.entries()) {
-    const at = cell[i] ?? 0, to = next[at] ?? 0;
+    const at = cell[i] ?? 0,
+      to = next[at] ?? 0;
     ordered[to] = place;
     next[at] = to + 1;
   }
@@ -52,7 +58,8 @@ export interface TakenBoxes {
 
 /** Keeps boxes by the cells that they cover: only neighbours are asked for each other. */
 export function boxesOn(size: Size, standing: readonly LabelBox[] = []): TakenBoxes {
-  const cells = cellsOf(size), byCell = new Map<number, LabelBox[]>();
+  const cells = cellsOf(size),
+    byCell = new Map<number, LabelBox[]>();
   const take = (box: LabelBox) => {
     for (const [first, last] of cells.spansOf(box))
       for (let i = first; i <= last; i += 1) {

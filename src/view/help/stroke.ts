@@ -64,5 +64,14 @@ export function extension(tag: Tag, from: Place, to: Place): Mark[] {
   const long = Math.hypot(to.x - from.x, to.y - from.y);
   if (long < 5) return [];
   const u = { x: (to.x - from.x) / long, y: (to.y - from.y) / long };
-  return [stroke(tag, "thin", polyline([{ x: from.x + u.x * 2, y: from.y + u.y * 2 }, { x: to.x + u.x * 4, y: to.y + u.y * 4 }]))];
+  return [
+    stroke(
+      tag,
+      "thin",
+      polyline([
+        { x: from.x + u.x * 2, y: from.y + u.y * 2 },
+        { x: to.x + u.x * 4, y: to.y + u.y * 4 },
+      ]),
+    ),
+  ];
 }

@@ -30,8 +30,10 @@ function element(m: Mark, indent: string): string {
     case "text": {
       const turn = m.turn === 0 ? "" : ` transform="rotate(${m.turn} ${px(m.place.x)} ${px(m.place.y)})"`;
       const line = m.underlined ? ` text-decoration="underline"` : "";
-      return `${indent}<text ${own} x="${px(m.place.x)}" y="${px(m.place.y)}" font-size="${m.size}"${turn}${line}>`
-        + `${escaped(m.text)}</text>`;
+      return (
+        `${indent}<text ${own} x="${px(m.place.x)}" y="${px(m.place.y)}" font-size="${m.size}"${turn}${line}>` +
+        `${escaped(m.text)}</text>`
+      );
     }
     case "detail":
       return [

@@ -30,22 +30,25 @@ interface Drawn {
 }
 
 /** The paths of segments, the strongest last, so that it lies on top. */
-function linesOf(items: Iterable<
-  { readonly tone: number | null; readonly limited: boolean; readonly segments: readonly Segment[] }
->): LoadLine[] {
+function linesOf(
+  items: Iterable<{ readonly tone: number | null; readonly limited: boolean; readonly segments: readonly Segment[] }>,
+): LoadLine[] {
   const drawn = new Map<string, Drawn>();
   for (const { tone, limited, segments } of items) {
-    const key = `${tone} ${limited}`, line = drawn.get(key) ?? { tone, limited, segments: [] };
+    const key = `${tone} ${limited}`,
+      line = drawn.get(key) ?? { tone, limited, segments: [] };
     drawn.set(key, line);
     line.segments.push(...segments);
   }
   const order = (line: Drawn) => (line.tone ?? -1) + (line.limited ? 0.5 : 0);
-  return [...drawn.values()].sort((a, b) => order(a) - order(b)).map(({ tone, limited, segments }) => ({
-    tone,
-    limited,
-    segments,
-    d: segmentData(segments),
-  }));
+  return [...drawn.values()]
+    .sort((a, b) => order(a) - order(b))
+    .map(({ tone, limited, segments }) => ({
+      tone,
+      limited,
+      segments,
+      d: segmentData(segments),
+    }));
 }
 
 /** The part of a path between two fractions of its way. */
@@ -55,8 +58,8 @@ function between(path: Segment, from: number, to: number): Segment {
 }
 
 /**
- * A value along the path, of the moves that are shown. Depth, chip and feed begin at nothing, the cutting speed where it is least.
- * `size`: one of what it is told in.
+ * A value along the path, of the moves that are shown. Depth, chip and feed begin at nothing, the cutting speed where
+ * it is least. `size`: one of what it is told in.
  */
 export function drawingAlong(
   load: PathLoad,
@@ -69,25 +72,41 @@ export function drawingAlong(
   const value = (row: number) => load[of][row] ?? 0;
   const most = rows.reduce((high, row) => Math.max(high, value(row)), 0);
   const scale = scaleOf(of === "speed" ? rows.reduce((low, row) => Math.min(low, value(row)), most) : 0, most, size);
-  const lines = linesOf(function*() {
-    for (const row of rows) {
-      const index = load.step[row] ?? -1, step = steps[index];
-      if (!step || !shown(index)) continue;
-      const segments = [between(pathOf(step.from, step.move), load.from[row] ?? 0, load.to[row] ?? 1)];
-      yield { tone: classTone(scale, classAt(scale, value(row))), limited: of === "speed" && load.limited[row] === 1, segments };
-    }
-  }());
+  const lines = linesOf(
+    (function* () {
+      for (const row of rows) {
+        const index = load.step[row] ?? -1,
+          step = steps[index];
+        if (!step || !shown(index)) continue;
+        const segments = [between(pathOf(step.from, step.move), load.from[row] ?? 0, load.to[row] ?? 1)];
+        yield {
+          tone: classTone(scale, classAt(scale, value(row))),
+          limited: of === "speed" && load.limited[row] === 1,
+          segments,
+        };
+      }
+    })(),
+  );
   return { scale, lines };
 }
 
-/** The roughness of the finished surface; where the nose does not tell it, the line has no tone. `size`: one of what it is told in, µm. */
+/**
+ * The roughness of the finished surface; where the nose does not tell it, the line has no tone. `size`: one of what it
+ * is told in, µm.
+ */
 export function drawingOfSurface(stretches: readonly RoughStretch[], size = 1): LoadDrawing {
-  const scale = scaleOf(0, stretches.reduce((high, { rz }) => Math.max(high, rz ?? 0), 0), size);
-  const lines = linesOf(function*() {
-    for (const { points, rz } of stretches) {
-      const segments = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] ?? to, to }));
-      yield { tone: rz === null ? null : classTone(scale, classAt(scale, rz)), limited: false, segments };
-    }
-  }());
+  const scale = scaleOf(
+    0,
+    stretches.reduce((high, { rz }) => Math.max(high, rz ?? 0), 0),
+    size,
+  );
+  const lines = linesOf(
+    (function* () {
+      for (const { points, rz } of stretches) {
+        const segments = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] ?? to, to }));
+        yield { tone: rz === null ? null : classTone(scale, classAt(scale, rz)), limited: false, segments };
+      }
+    })(),
+  );
   return { scale, lines };
 }

@@ -12,12 +12,13 @@ import { classAt, classesOf, classTone, scaleOf } from "./scale.ts";
 import { greatestAlong, roughestOf, rowAt, worstOf } from "./values.ts";
 
 describe("classes by round numbers", () => {
-  test.each([[0, 3.02, [0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5]], [0, 0.23, [0, 0.05, 0.1, 0.15, 0.2, 0.25]], [0, 7.03, [0, 2, 4, 6, 8]], [
-    137,
-    262,
-    [125, 150, 175, 200, 225, 250, 275],
-  ], [0, 0.00041, [0, 0.0001, 0.0002, 0.0003, 0.0004, 0.0005]]])("%f to %f",
-    (low, high, bounds) => expect(scaleOf(low, high).bounds).toEqual(bounds));
+  test.each([
+    [0, 3.02, [0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5]],
+    [0, 0.23, [0, 0.05, 0.1, 0.15, 0.2, 0.25]],
+    [0, 7.03, [0, 2, 4, 6, 8]],
+    [137, 262, [125, 150, 175, 200, 225, 250, 275]],
+    [0, 0.00041, [0, 0.0001, 0.0002, 0.0003, 0.0004, 0.0005]],
+  ])("%f to %f", (low, high, bounds) => expect(scaleOf(low, high).bounds).toEqual(bounds));
 
   test("what is the same everywhere is one class in the middle tone; nothing at all too", () => {
     expect(scaleOf(187, 187.4).bounds).toEqual([187, 187.4]);
@@ -27,7 +28,8 @@ describe("classes by round numbers", () => {
 
   test("never more than seven classes, every value in its own, the last always in the strongest tone", () => {
     for (let high = 0.0137; high < 9000; high *= 1.317) {
-      const scale = scaleOf(0, high), last = classesOf(scale) - 1;
+      const scale = scaleOf(0, high),
+        last = classesOf(scale) - 1;
       expect(last).toBeLessThan(7);
       expect(last).toBeGreaterThan(2);
       expect(classAt(scale, high)).toBe(last);
@@ -43,14 +45,28 @@ describe("classes by round numbers", () => {
 
 const tool: Tool = { T: 1, NAME: "ROUND", TYPE: "BUTTON", TO: 9, RS: length(2) };
 const purpose = { phase: "rough", run: "rough", step: 1 } as const;
-const to = (z: number, r: number): Move => ({ kind: "feed", to: at(z, r), feed: feed(0.21), feedUnit: "mm/rev", ...purpose });
+const to = (z: number, r: number): Move => ({
+  kind: "feed",
+  to: at(z, r),
+  feed: feed(0.21),
+  feedUnit: "mm/rev",
+  ...purpose,
+});
 const round: Move = { ...to(-14, 26), kind: "arc", centre: at(-10, 26), turn: "ccw" } as Move;
-const moves: readonly (readonly [Pt, Move, number | null])[] = [[at(2, 30), to(-10, 30), 0], [at(-10, 30), round, 0], [
-  at(-14, 26),
-  to(-14, 9),
-  1,
-], [at(-14, 9), to(-20, 9), null]];
-const steps: Step[] = moves.map(([from, move, operation], i) => ({ from, move, tool, block: 20 + i, operation, seconds: 1 }));
+const moves: readonly (readonly [Pt, Move, number | null])[] = [
+  [at(2, 30), to(-10, 30), 0],
+  [at(-10, 30), round, 0],
+  [at(-14, 26), to(-14, 9), 1],
+  [at(-14, 9), to(-20, 9), null],
+];
+const steps: Step[] = moves.map(([from, move, operation], i) => ({
+  from,
+  move,
+  tool,
+  block: 20 + i,
+  operation,
+  seconds: 1,
+}));
 
 /** Columns from rows: step, from, to, depth, speed, limited. */
 const loadOf = (rows: readonly (readonly [number, number, number, number, number, number])[]): PathLoad => {
@@ -68,14 +84,14 @@ const loadOf = (rows: readonly (readonly [number, number, number, number, number
     limited: Uint8Array.from(rows, (row) => row[5]),
   };
 };
-const load = loadOf([[0, 0, 0.25, 0, 187, 0], [0, 0.25, 1, 1.37, 187, 0], [1, 0, 1, 2.61, 187, 0], [2, 0, 0.4, 1.9, 187, 0], [
-  2,
-  0.4,
-  1,
-  0.7,
-  93,
-  1,
-], [3, 0, 1, NaN, 93, 0]]);
+const load = loadOf([
+  [0, 0, 0.25, 0, 187, 0],
+  [0, 0.25, 1, 1.37, 187, 0],
+  [1, 0, 1, 2.61, 187, 0],
+  [2, 0, 0.4, 1.9, 187, 0],
+  [2, 0.4, 1, 0.7, 93, 1],
+  [3, 0, 1, NaN, 93, 0],
+]);
 
 describe("values along the path", () => {
   test("the row of a moment, and none where nothing is fed", () => {
@@ -87,7 +103,10 @@ describe("values along the path", () => {
 
   test("the greatest of each operation with its block and place, and the worst of all", () => {
     const each = greatestAlong(load, "depth", steps);
-    expect(each.map(({ operation, value, block }) => [operation, value, block])).toEqual([[0, 2.61, 21], [1, 1.9, 22]]);
+    expect(each.map(({ operation, value, block }) => [operation, value, block])).toEqual([
+      [0, 2.61, 21],
+      [1, 1.9, 22],
+    ]);
     expect(each[1]?.position).toEqual({ step: 2, fraction: 0.2 });
     expect(each[1]?.place.r).toBeCloseTo(26 - 0.2 * 17, 9);
     expect(worstOf(each)?.block).toBe(21);
@@ -96,7 +115,11 @@ describe("values along the path", () => {
 
   test("at a limit the least cutting speed is the worst, whatever is greater elsewhere", () => {
     const each = greatestAlong(load, "speed", steps);
-    expect(each.map(({ value, limited }) => [value, limited])).toEqual([[187, false], [93, true], [93, false]]);
+    expect(each.map(({ value, limited }) => [value, limited])).toEqual([
+      [187, false],
+      [93, true],
+      [93, false],
+    ]);
     expect(worstOf(each)).toMatchObject({ value: 93, block: 22 });
   });
 
@@ -116,7 +139,13 @@ describe("values along the path", () => {
 });
 
 describe("values of the surface", () => {
-  const stretch = (points: readonly Pt[], rz: number | null, step: number, fraction: number, operation: number): RoughStretch => ({
+  const stretch = (
+    points: readonly Pt[],
+    rz: number | null,
+    step: number,
+    fraction: number,
+    operation: number,
+  ): RoughStretch => ({
     points,
     rz,
     exact: rz,
@@ -135,7 +164,10 @@ describe("values of the surface", () => {
   ];
 
   test("of stretches that are as rough the longest is named", () => {
-    expect(roughestOf(stretches).map(({ value, operation }) => [value, operation])).toEqual([[6.26, 0], [1.13, 1]]);
+    expect(roughestOf(stretches).map(({ value, operation }) => [value, operation])).toEqual([
+      [6.26, 0],
+      [1.13, 1],
+    ]);
     expect(roughestOf(stretches)[0]?.place).toEqual(at(-31, 21.5));
   });
 

@@ -4,9 +4,16 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 
 /** How far a place is from a stretch, mm. */
 const apartFrom = ({ points }: RoughStretch, place: Pt): number =>
-  points.slice(1).reduce((least, to, i) => Math.min(least, part.distanceTo({ kind: "line", from: points[i] ?? to, to }, place)), Infinity);
+  points
+    .slice(1)
+    .reduce(
+      (least, to, i) => Math.min(least, part.distanceTo({ kind: "line", from: points[i] ?? to, to }, place)),
+      Infinity,
+    );
 
-/** The stretch of a surface nearest to a place, within `reach` mm; on the other side of the axis it is the same surface. */
+/**
+ * The stretch of a surface nearest to a place, within `reach` mm; on the other side of the axis it is the same surface.
+ */
 export function stretchNear(stretches: readonly RoughStretch[], { z, r }: Pt, reach: number): RoughStretch | null {
   const place = part.point(z, Math.abs(r));
   let [best, nearest]: [RoughStretch | null, number] = [null, reach];
@@ -18,9 +25,13 @@ export function stretchNear(stretches: readonly RoughStretch[], { z, r }: Pt, re
 }
 
 /** The stretch that is being made at a moment: of those of its move the one whose middle is nearest in time. */
-export function stretchOfStep(stretches: readonly RoughStretch[], { step, fraction }: PlayPosition): RoughStretch | null {
+export function stretchOfStep(
+  stretches: readonly RoughStretch[],
+  { step, fraction }: PlayPosition,
+): RoughStretch | null {
   let best: RoughStretch | null = null;
   const late = (each: RoughStretch) => Math.abs(each.position.fraction - fraction);
-  for (const each of stretches) if (each.position.step === step && (best === null || late(each) < late(best))) best = each;
+  for (const each of stretches)
+    if (each.position.step === step && (best === null || late(each) < late(best))) best = each;
   return best;
 }

@@ -16,20 +16,23 @@ export interface Scale {
 const clean = (value: number) => Number(value.toPrecision(12));
 
 /**
- * At most seven classes of the same size that hold all from `low` to `high`; one class where all is the same. The bounds are round when
- * they are told in units of `unit`.
+ * At most seven classes of the same size that hold all from `low` to `high`; one class where all is the same. The
+ * bounds are round when they are told in units of `unit`.
  */
 export function scaleOf(low: number, high: number, unit = 1): Scale {
-  return unit === 1 ? roundScale(low, high) : { bounds: roundScale(low / unit, high / unit).bounds.map((each) => each * unit) };
+  return unit === 1
+    ? roundScale(low, high)
+    : { bounds: roundScale(low / unit, high / unit).bounds.map((each) => each * unit) };
 }
 
 function roundScale(low: number, high: number): Scale {
   if (!(high > low * (1 + ALIKE)) || !(high > 0)) return { bounds: [clean(low), clean(high)] };
-  for (let power = Math.floor(Math.log10((high - low) / SCALE_TONES));; power += 1) {
+  for (let power = Math.floor(Math.log10((high - low) / SCALE_TONES)); ; power += 1) {
     for (const nice of NICE) {
       const size = nice * 10 ** power;
       const [first, last] = [Math.floor(low / size + ROUND), Math.ceil(high / size - ROUND)];
-      if (last - first <= SCALE_TONES) return { bounds: Array.from({ length: last - first + 1 }, (_, i) => clean((first + i) * size)) };
+      if (last - first <= SCALE_TONES)
+        return { bounds: Array.from({ length: last - first + 1 }, (_, i) => clean((first + i) * size)) };
     }
   }
 }
@@ -42,7 +45,9 @@ export function classAt(scale: Scale, value: number): number {
   return Math.min(classesOf(scale) - 1, Math.max(0, (above < 0 ? scale.bounds.length : above) - 1));
 }
 
-/** The tone of a class, 0 to SCALE_TONES − 1: the last class always has the strongest, a single one that of the middle. */
+/**
+ * The tone of a class, 0 to SCALE_TONES − 1: the last class always has the strongest, a single one that of the middle.
+ */
 export function classTone(scale: Scale, index: number): number {
   const last = classesOf(scale) - 1;
   return last === 0 ? (SCALE_TONES - 1) / 2 : Math.round((index * (SCALE_TONES - 1)) / last);

@@ -20,17 +20,22 @@ export interface LoadPlace {
   readonly limited: boolean;
 }
 
-/** Whether a tool cuts in a row: it takes something, or threads, of which no depth is told. What it does in the air is no load. */
+/**
+ * Whether a tool cuts in a row: it takes something, or threads, of which no depth is told. What it does in the air is
+ * no load.
+ */
 export const isCutting = (load: PathLoad, row: number): boolean => !((load.depth[row] ?? 0) <= 0);
 
 /** Whether a row has something to show. */
-export const hasLoad = (load: PathLoad, of: AlongPath, row: number): boolean => isCutting(load, row) && Number.isFinite(load[of][row]);
+export const hasLoad = (load: PathLoad, of: AlongPath, row: number): boolean =>
+  isCutting(load, row) && Number.isFinite(load[of][row]);
 
 /** The row that covers a moment; null where the tool feeds nothing. */
 export function rowAt({ count, step, from, to }: PathLoad, position: PlayPosition): number | null {
   let [low, high] = [0, count];
   while (low < high) {
-    const middle = (low + high) >> 1, at = step[middle] ?? 0;
+    const middle = (low + high) >> 1,
+      at = step[middle] ?? 0;
     if (at < position.step || (at === position.step && (from[middle] ?? 0) <= position.fraction)) low = middle + 1;
     else high = middle;
   }
@@ -40,10 +45,12 @@ export function rowAt({ count, step, from, to }: PathLoad, position: PlayPositio
 
 /** A row as a place: its middle. */
 export function placeOfRow(load: PathLoad, of: AlongPath, row: number, steps: readonly Step[]): LoadPlace | null {
-  const index = load.step[row] ?? -1, step = steps[index];
+  const index = load.step[row] ?? -1,
+    step = steps[index];
   if (!step) return null;
   const fraction = ((load.from[row] ?? 0) + (load.to[row] ?? 0)) / 2;
-  const place = part.pointOn(pathOf(step.from, step.move), fraction), value = load[of][row] ?? NaN;
+  const place = part.pointOn(pathOf(step.from, step.move), fraction),
+    value = load[of][row] ?? NaN;
   const { block, operation } = step;
   return { value, place, position: { step: index, fraction }, block, operation, limited: load.limited[row] === 1 };
 }
@@ -56,8 +63,8 @@ export function placeOfStretch({ points, position, block, operation, rz }: Rough
 }
 
 /**
- * The place of the greatest value of each operation, in their order, and null for moves outside them. Where a spindle comes to its
- * limit, that of the least cutting speed instead: there it is missed by most.
+ * The place of the greatest value of each operation, in their order, and null for moves outside them. Where a spindle
+ * comes to its limit, that of the least cutting speed instead: there it is missed by most.
  */
 export function greatestAlong(load: PathLoad, of: AlongPath, steps: readonly Step[]): LoadPlace[] {
   const best = new Map<number | null, number>();
@@ -68,7 +75,8 @@ export function greatestAlong(load: PathLoad, of: AlongPath, steps: readonly Ste
   };
   for (let row = 0; row < load.count; row += 1) {
     if (!hasLoad(load, of, row)) continue;
-    const operation = steps[load.step[row] ?? -1]?.operation ?? null, known = best.get(operation);
+    const operation = steps[load.step[row] ?? -1]?.operation ?? null,
+      known = best.get(operation);
     if (known === undefined || beats(row, known)) best.set(operation, row);
   }
   return inOrder([...best.values()].flatMap((row) => placeOfRow(load, of, row, steps) ?? []));
@@ -79,11 +87,15 @@ const AS_ROUGH = 0.005;
 const wayOf = ({ points: [first, ...others] }: RoughStretch): number =>
   others.reduce((sum, p, i) => sum + part.apart(others[i - 1] ?? first ?? p, p), 0);
 
-/** The roughest place of each operation that made a piece of the finished surface: of stretches that are as rough the longest. */
+/**
+ * The roughest place of each operation that made a piece of the finished surface: of stretches that are as rough the
+ * longest.
+ */
 export function roughestOf(stretches: readonly RoughStretch[]): LoadPlace[] {
   const best = new Map<number | null, RoughStretch>();
   for (const each of stretches) {
-    const known = best.get(each.operation), [a, b] = [each.rz, known?.rz ?? 0];
+    const known = best.get(each.operation),
+      [a, b] = [each.rz, known?.rz ?? 0];
     if (a === null) continue;
     const isAsRough = Math.abs(a - b) <= AS_ROUGH * b;
     if (!known || (isAsRough ? wayOf(each) > wayOf(known) : a > b)) best.set(each.operation, each);
@@ -93,7 +105,9 @@ export function roughestOf(stretches: readonly RoughStretch[]): LoadPlace[] {
 
 const inOrder = (places: readonly LoadPlace[]) => [...places].sort((a, b) => a.position.step - b.position.step);
 
-/** The worst of several: the greatest, or for the cutting speed the least that a limit holds down, where there is one. */
+/**
+ * The worst of several: the greatest, or for the cutting speed the least that a limit holds down, where there is one.
+ */
 export function worstOf(places: readonly LoadPlace[]): LoadPlace | null {
   const held = places.filter(({ limited }) => limited);
   if (held.length > 0) return held.reduce((a, b) => (b.value < a.value ? b : a));

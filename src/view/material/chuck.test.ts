@@ -3,7 +3,8 @@ import { clampingBodies, type Clamping } from "../../kernel/area/clamping.ts";
 import { at } from "../../kernel/geometry/point.ts";
 import { chuckDrawing } from "./chuck.ts";
 
-const blank = [[at(-73.4, 0), at(1.2, 0), at(1.2, 31.7), at(-73.4, 31.7)]], material = { left: -73.4, right: 1.2, low: 0, high: 31.7 };
+const blank = [[at(-73.4, 0), at(1.2, 0), at(1.2, 31.7), at(-73.4, 31.7)]],
+  material = { left: -73.4, right: 1.2, low: 0, high: 31.7 };
 const clamping: Clamping = { kind: "chuckOutside", diameter: 63.4, length: 21, face: -52.4, size: 200 };
 const stated = { clamping, bodies: clampingBodies(clamping, blank) };
 const chuck = chuckDrawing(blank, material, stated);
@@ -32,7 +33,8 @@ test("what is stated is drawn where it is checked", () => {
 });
 
 test("the jaw to the viewer is a third of a turn on: on the other side, half as far out", () => {
-  const middle = (points: readonly (readonly [number, number])[]) => points.reduce((sum, [, r]) => sum + r, 0) / points.length;
+  const middle = (points: readonly (readonly [number, number])[]) =>
+    points.reduce((sum, [, r]) => sum + r, 0) / points.length;
   const outer = Math.max(...chuck.jaws.flat().map(([, r]) => r));
   expect(Math.min(...chuck.backs.map(middle))).toBeCloseTo(-0.5 * outer, 6);
   expect(chuck.backs).toHaveLength(3);

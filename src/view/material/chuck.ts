@@ -8,7 +8,10 @@ import { heldPlane, type HeldPlane } from "../held-plane.ts";
 /** A place beside the axis: r is positive on the tool's side, negative on the other, mm. */
 export type ChuckPoint = readonly [z: number, r: number];
 
-/** What holds the work as it is seen from the side, with one jaw in the plane of the cut: what is stated, to scale, and nothing else. */
+/**
+ * What holds the work as it is seen from the side, with one jaw in the plane of the cut: what is stated, to scale, and
+ * nothing else.
+ */
 export interface ChuckDrawing {
   /** Where nothing is stated: the plane at the rear end. */
   readonly unstated: HeldPlane | null;
@@ -16,7 +19,9 @@ export interface ChuckDrawing {
   readonly turned: readonly (readonly ChuckPoint[])[];
   /** The jaw on the tool's side. */
   readonly jaws: readonly (readonly ChuckPoint[])[];
-  /** The jaw that stands to the viewer, a third of a turn on: its flank, and its stepped back from the work outwards. */
+  /**
+   * The jaw that stands to the viewer, a third of a turn on: its flank, and its stepped back from the work outwards.
+   */
   readonly flanks: readonly (readonly ChuckPoint[])[];
   readonly backs: readonly (readonly ChuckPoint[])[];
   /** What no tool goes beyond. */
@@ -41,26 +46,40 @@ export function chuckDrawing(blank: readonly Ring[], material: Bounds, clamped: 
     const all = joined(material, boundsOf([...unstated.plane, ...unstated.hatch.flat()])) ?? material;
     return { unstated, turned: [], jaws: [], flanks: [], backs: [], limit: null, all, seen: all };
   }
-  const { clamping: { kind, face, length, size = 0, tailstock, limit }, bodies } = clamped;
-  const rings = bodies.flatMap(({ part, rings }) => (part === "limit" ? [] : rings.map((ring) => ({ isJaw: part === "jaws", ring }))));
+  const {
+    clamping: { kind, face, length, size = 0, tailstock, limit },
+    bodies,
+  } = clamped;
+  const rings = bodies.flatMap(({ part, rings }) =>
+    part === "limit" ? [] : rings.map((ring) => ({ isJaw: part === "jaws", ring })),
+  );
   const jaws = rings.flatMap(({ isJaw, ring }) => (isJaw ? [ring] : []));
-  const half = (jawWidth(size) / 2) * WIDE, turned = (z: number, r: number, to: number): ChuckPoint => [z, -r * SHORT + to];
+  const half = (jawWidth(size) / 2) * WIDE,
+    turned = (z: number, r: number, to: number): ChuckPoint => [z, -r * SHORT + to];
   // What of a jaw looks outwards is seen from the side of the next one.
   const outwards = jaws.flatMap((ring) =>
     ring.flatMap((p, i) => {
       const q = ring[(i + 1) % ring.length] ?? p;
       return p.r === q.r && q.z < p.z ? [[p, q] as const] : [];
-    })
+    }),
   );
   const all = joined(material, boundsOf(rings.flatMap(({ ring }) => ring))) ?? material;
-  const by = material.high * BEHIND, tip = kind === "centres" ? face : face - length;
+  const by = material.high * BEHIND,
+    tip = kind === "centres" ? face : face - length;
   return {
     unstated: null,
     turned: rings.flatMap(({ isJaw, ring }) => (isJaw ? [] : [placesOf(ring)])),
     jaws: jaws.map(placesOf),
     flanks: jaws.map((ring) => ring.map(({ z, r }) => turned(z, r, half))),
-    backs: outwards.map(([p, q]) => [turned(q.z, p.r, half), turned(p.z, p.r, half), turned(p.z, p.r, -half), turned(q.z, p.r, -half)]),
-    limit: limit ? { ...(limit.z !== undefined && { z: limit.z }), ...(limit.x !== undefined && { r: radiusOf(limit.x) }) } : null,
+    backs: outwards.map(([p, q]) => [
+      turned(q.z, p.r, half),
+      turned(p.z, p.r, half),
+      turned(p.z, p.r, -half),
+      turned(q.z, p.r, -half),
+    ]),
+    limit: limit
+      ? { ...(limit.z !== undefined && { z: limit.z }), ...(limit.x !== undefined && { r: radiusOf(limit.x) }) }
+      : null,
     all,
     seen: {
       left: Math.min(material.left, tip) - by,

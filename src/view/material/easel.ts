@@ -3,7 +3,10 @@ import type { Pen } from "./pen.ts";
 import { shadeStops, slopeNumber, slopeOf, type Facing } from "./shade.ts";
 import type { Texture } from "./surfaces.ts";
 
-/** How the work is looked at: cut above the axis and whole below it, cut on both sides, or whole. The cut lies on the tool's side. */
+/**
+ * How the work is looked at: cut above the axis and whole below it, cut on both sides, or whole. The cut lies on the
+ * tool's side.
+ */
 export type SectionKind = "half" | "full" | "outside";
 
 /** What the material is painted with, as CSS colours; those of steel and chuck as `#rrggbb`. */
@@ -39,16 +42,21 @@ export interface Half {
 
 /** Both halves, the one on the tool's side first. */
 export function halvesOf(section: SectionKind, xUp: boolean): readonly [Half, Half] {
-  const tool = xUp ? -1 : 1, other = xUp ? 1 : -1;
+  const tool = xUp ? -1 : 1,
+    other = xUp ? 1 : -1;
   if (section === "outside") {
     const lit = (down: 1 | -1): Half => ({ down, isCut: false, facing: down < 0 ? "lit" : "away" });
     return [lit(tool), lit(other)];
   }
-  return [{ down: tool, isCut: true, facing: "away" }, { down: other, isCut: section === "full", facing: "lit" }];
+  return [
+    { down: tool, isCut: true, facing: "away" },
+    { down: other, isCut: section === "full", facing: "lit" },
+  ];
 }
 
 /** Back to the pixels of the page. */
-export const asPage = ({ pen, ratio, origin: { x, y } }: Easel): void => pen.setTransform(ratio, 0, 0, ratio, -x * ratio, -y * ratio);
+export const asPage = ({ pen, ratio, origin: { x, y } }: Easel): void =>
+  pen.setTransform(ratio, 0, 0, ratio, -x * ratio, -y * ratio);
 
 /** What is shaded: steel that is worked on, or the chuck. */
 export type Body = "steel" | "chuck";
@@ -63,13 +71,15 @@ export function brush({ pen, colours }: Easel, body: Body, slope: number, textur
     own = { colours, made: new Map() };
     brushes.set(pen, own);
   }
-  const number = slopeNumber(slope), key = `${body} ${number} ${texture} ${facing}`;
+  const number = slopeNumber(slope),
+    key = `${body} ${number} ${texture} ${facing}`;
   const have = own.made.get(key);
   if (have) return have;
   const gradient = pen.createLinearGradient(0, 0, 0, 1);
-  const steel = body === "steel"
-    ? { dark: colours.steelDark, base: colours.steel, light: colours.steelLight }
-    : { dark: colours.chuckDark, base: colours.chuck, light: colours.chuckLight };
+  const steel =
+    body === "steel"
+      ? { dark: colours.steelDark, base: colours.steel, light: colours.steelLight }
+      : { dark: colours.chuckDark, base: colours.chuck, light: colours.chuckLight };
   for (const [at, colour] of shadeStops(steel, slopeOf(number), texture, facing)) gradient.addColorStop(at, colour);
   own.made.set(key, gradient);
   return gradient;
@@ -81,7 +91,11 @@ export function acrossRadius({ pen, camera, ratio, origin }: Easel, down: 1 | -1
 }
 
 /** Begins a way through places of one half, mm, distances from the axis positive. */
-export function trace({ pen, camera: { scale, zero } }: Easel, down: 1 | -1, places: readonly (readonly [z: number, r: number])[]): void {
+export function trace(
+  { pen, camera: { scale, zero } }: Easel,
+  down: 1 | -1,
+  places: readonly (readonly [z: number, r: number])[],
+): void {
   places.forEach(([z, r], i) => {
     const [x, y] = [zero.x + z * scale, zero.y + down * r * scale];
     if (i === 0) pen.moveTo(x, y);

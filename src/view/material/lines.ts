@@ -16,14 +16,25 @@ export interface SeenEdge extends DrawnLine {
   readonly low: number;
 }
 
-/** An edge as far as it is seen from column `from` to column `to` (not included); it goes on to its end where that is near. */
-function stretch({ edges }: Boundary, { left, width }: Columns, edge: number, from: number, to: number, low: number): SeenEdge | null {
+/**
+ * An edge as far as it is seen from column `from` to column `to` (not included); it goes on to its end where that is
+ * near.
+ */
+function stretch(
+  { edges }: Boundary,
+  { left, width }: Columns,
+  edge: number,
+  from: number,
+  to: number,
+  low: number,
+): SeenEdge | null {
   const e = edges[edge];
   if (!e) return null;
   const ends = { z0: Math.min(e.z0, e.z1), z1: Math.max(e.z0, e.z1) };
   const rAt = (z: number) => e.r0 + ((z - e.z0) * (e.r1 - e.r0)) / (e.z1 - e.z0);
   const [begin, end] = [left + from * width, left + to * width];
-  const z0 = begin - ends.z0 < 1.5 * width ? ends.z0 : begin, z1 = ends.z1 - end < 1.5 * width ? ends.z1 : end;
+  const z0 = begin - ends.z0 < 1.5 * width ? ends.z0 : begin,
+    z1 = ends.z1 - end < 1.5 * width ? ends.z1 : end;
   return { edge, z0, z1, r0: rAt(z0), r1: rAt(z1), low };
 }
 
@@ -63,7 +74,7 @@ export function turnsOutside({ corners }: Boundary, { left, width, count, edge }
   return corners.flatMap(({ z, r, before, after }) => {
     const j = Math.floor((z - left) / width);
     const isSeen = [j - 2, j - 1, j, j + 1, j + 2].some((k) => {
-      const seen = k >= 0 && k < count ? edge[k] as number : -1;
+      const seen = k >= 0 && k < count ? (edge[k] as number) : -1;
       return seen >= 0 && (seen === before || seen === after);
     });
     return isSeen ? [{ z0: z, r0: 0, z1: z, r1: r }] : [];
@@ -74,7 +85,9 @@ export function turnsOutside({ corners }: Boundary, { left, width, count, edge }
 export function turnsInside({ corners }: Boundary, { left, width, gaps }: Columns): readonly DrawnLine[] {
   return corners.flatMap(({ z, r, before, after }) => {
     const j = Math.floor((z - left) / width);
-    const gap = [j - 2, j - 1, j, j + 1, j + 2].flatMap((k) => gaps[k] ?? []).find((g) => g.edge === before || g.edge === after);
+    const gap = [j - 2, j - 1, j, j + 1, j + 2]
+      .flatMap((k) => gaps[k] ?? [])
+      .find((g) => g.edge === before || g.edge === after);
     return gap && gap.low < r ? [{ z0: z, r0: gap.low, z1: z, r1: r }] : [];
   });
 }
@@ -92,8 +105,8 @@ export interface FeedLines {
 }
 
 /**
- * The marks of the feed on what is seen of rough surfaces, one a turn of the work, where they began to be cut; none where the scale
- * (pixels per mm) brings them too close together to be told apart.
+ * The marks of the feed on what is seen of rough surfaces, one a turn of the work, where they began to be cut; none
+ * where the scale (pixels per mm) brings them too close together to be told apart.
  */
 export function feedLines({ edges }: Boundary, seen: readonly SeenEdge[], scale: number): readonly FeedLines[] {
   return seen.flatMap(({ edge, z0, r0, z1, r1, low }) => {

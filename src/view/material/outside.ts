@@ -9,12 +9,17 @@ const COLUMNS = 4096;
 
 const START = { step: 0, fraction: 0 };
 
-/** What is seen of a stock from outside, as SVG path data in part space: from the axis along the upper outline and back to the axis. */
+/**
+ * What is seen of a stock from outside, as SVG path data in part space: from the axis along the upper outline and back
+ * to the axis.
+ */
 export function outsideData(rings: readonly Ring[]): string {
   const box = boundsOf(rings.flat());
   if (!box) return "";
-  const width = (box.right - box.left) / COLUMNS, boundary = boundaryIn(rings, UNTOUCHED, START, box.left, box.right);
-  let data = "", last: DrawnLine | null = null;
+  const width = (box.right - box.left) / COLUMNS,
+    boundary = boundaryIn(rings, UNTOUCHED, START, box.left, box.right);
+  let data = "",
+    last: DrawnLine | null = null;
   for (const line of seenOutside(boundary, columnsOf(boundary.edges, box.left, width, COLUMNS))) {
     const joins = last && line.z0 - last.z1 < 2 * width;
     if (!joins) data += `${last ? `L${last.z1} 0` : ""}M${line.z0} 0`;

@@ -44,13 +44,27 @@ function plane(easel: Easel, down: 1 | -1, { plane, hatch }: NonNullable<ChuckDr
   const { pen, colours } = easel;
   pen.strokeStyle = colours.edge;
   pen.lineWidth = 2;
-  line(easel, down, plane.map(({ z, r }) => [z, r]));
+  line(
+    easel,
+    down,
+    plane.map(({ z, r }) => [z, r]),
+  );
   pen.lineWidth = 1;
-  for (const each of hatch) line(easel, down, each.map(({ z, r }) => [z, r]));
+  for (const each of hatch)
+    line(
+      easel,
+      down,
+      each.map(({ z, r }) => [z, r]),
+    );
 }
 
 /** What holds the work, behind it. */
-export function paintChuck(easel: Easel, halves: readonly [Half, Half], section: SectionKind, chuck: ChuckDrawing): void {
+export function paintChuck(
+  easel: Easel,
+  halves: readonly [Half, Half],
+  section: SectionKind,
+  chuck: ChuckDrawing,
+): void {
   const { pen, colours } = easel;
   pen.lineWidth = 1;
   for (const half of halves) for (const places of chuck.turned) turned(easel, half, places);
@@ -62,19 +76,38 @@ export function paintChuck(easel: Easel, halves: readonly [Half, Half], section:
 /** The limit that is stated, dashed across the picture. */
 function limits(easel: Easel, halves: readonly [Half, Half], { limit, all }: ChuckDrawing): void {
   if (!limit) return;
-  const { pen, colours } = easel, { z = all.right, r = all.high * 1.5 } = limit;
+  const { pen, colours } = easel,
+    { z = all.right, r = all.high * 1.5 } = limit;
   pen.strokeStyle = colours.edge;
   pen.setLineDash([8, 4]);
   for (const { down } of halves) {
-    if (limit.z !== undefined) line(easel, down, [[z, 0], [z, r]]);
-    if (limit.r !== undefined) line(easel, down, [[all.left, r], [z, r]]);
+    if (limit.z !== undefined)
+      line(easel, down, [
+        [z, 0],
+        [z, r],
+      ]);
+    if (limit.r !== undefined)
+      line(easel, down, [
+        [all.left, r],
+        [z, r],
+      ]);
   }
   pen.setLineDash([]);
 }
 
 /** The jaw before the work: a full section has cut it away, a half section what of it reaches over the axis. */
-export function paintFrontJaw(easel: Easel, halves: readonly [Half, Half], section: SectionKind, chuck: ChuckDrawing): void {
-  const { pen, colours, camera: { zero, scale } } = easel, [{ down }, other] = halves;
+export function paintFrontJaw(
+  easel: Easel,
+  halves: readonly [Half, Half],
+  section: SectionKind,
+  chuck: ChuckDrawing,
+): void {
+  const {
+      pen,
+      colours,
+      camera: { zero, scale },
+    } = easel,
+    [{ down }, other] = halves;
   pen.lineWidth = 1;
   limits(easel, halves, chuck);
   if (section === "full" || chuck.flanks.length === 0) return;

@@ -17,10 +17,14 @@ const turnsOf = (isToolSide: boolean): HalfTurn => (isToolSide ? [0, 0.5] : [0.5
 
 /** A thread on the outside of a half, or on the wall of a hollow behind the cut. */
 export function paintThread(easel: Easel, half: Half, zone: ThreadZone): void {
-  const { pen, camera, colours } = easel, { scale, zero, xUp } = camera;
-  const isToolSide = half.down === (xUp ? -1 : 1), turns = turnsOf(isToolSide), edge = silhouette(camera, zone, isToolSide ? 0 : 1);
+  const { pen, camera, colours } = easel,
+    { scale, zero, xUp } = camera;
+  const isToolSide = half.down === (xUp ? -1 : 1),
+    turns = turnsOf(isToolSide),
+    edge = silhouette(camera, zone, isToolSide ? 0 : 1);
   const [begin, end] = [zero.x + zone.left * scale, zero.x + zone.right * scale];
-  const far = zone.profile.reduce((most, p) => Math.max(most, p.r), 0), reach = far * scale + 2;
+  const far = zone.profile.reduce((most, p) => Math.max(most, p.r), 0),
+    reach = far * scale + 2;
   pen.save();
   pen.beginPath();
   pen.rect(begin, half.down > 0 ? zero.y - 1 : zero.y - reach, end - begin, reach + 1);

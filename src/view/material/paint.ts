@@ -2,7 +2,15 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Camera } from "../camera.ts";
 import type { ChuckDrawing } from "./chuck.ts";
-import { feedLines, seenInside, seenOutside, turnsInside, turnsOutside, type DrawnLine, type SeenEdge } from "./lines.ts";
+import {
+  feedLines,
+  seenInside,
+  seenOutside,
+  turnsInside,
+  turnsOutside,
+  type DrawnLine,
+  type SeenEdge,
+} from "./lines.ts";
 import { paintChuck, paintFrontJaw } from "./paint-chuck.ts";
 import { paintThread } from "./paint-thread.ts";
 import type { Pen, Patch } from "./pen.ts";
@@ -31,14 +39,19 @@ const LEVEL = 0.2;
 
 /** Columns of a patch, one a pixel of the device, with the boundary in and beside them. */
 function columnsIn({ rings, surfaces, now }: Material, { camera, ratio }: Easel, { x, width }: Patch) {
-  const first = Math.floor(x * ratio) - BESIDE, count = Math.ceil((x + width) * ratio) + BESIDE - first;
-  const perColumn = 1 / (camera.scale * ratio), left = (first / ratio - camera.zero.x) / camera.scale;
+  const first = Math.floor(x * ratio) - BESIDE,
+    count = Math.ceil((x + width) * ratio) + BESIDE - first;
+  const perColumn = 1 / (camera.scale * ratio),
+    left = (first / ratio - camera.zero.x) / camera.scale;
   const more = 1.5 * surfaces.lead(now) + perColumn;
   const boundary = boundaryIn(rings, surfaces, now, left - more, left + count * perColumn + more);
   return { first, boundary, columns: columnsOf(boundary.edges, left, perColumn, count) };
 }
 
-/** The angle of an edge to the axis, positive where it looks at the free end. Outside, rings run to the left; inside, to the right. */
+/**
+ * The angle of an edge to the axis, positive where it looks at the free end. Outside, rings run to the left; inside, to
+ * the right.
+ */
 function slopeAt({ edges }: Boundary, e: number, isInside: boolean): number {
   const edge = edges[e];
   return edge ? Math.atan2(edge.r1 - edge.r0, isInside ? edge.z1 - edge.z0 : edge.z0 - edge.z1) : 0;
@@ -51,7 +64,8 @@ type FillColumns = (edge: number, columns: readonly [from: number, to: number], 
 function runsOutside({ count, top, edge }: Columns, level: number, fill: FillColumns): void {
   let from = 0;
   for (let j = 1; j <= count; j += 1) {
-    const e = edge[from] as number, r = top[from] as number;
+    const e = edge[from] as number,
+      r = top[from] as number;
     if (j < count && edge[j] === e && Math.abs((top[j] as number) - r) < level) continue;
     if (e >= 0) fill(e, [from, j], r, 0);
     from = j;
@@ -75,12 +89,21 @@ function runsInside({ count, gaps }: Columns, level: number, fill: FillColumns):
 
 const isIn = (zones: readonly ThreadZone[], z: number) => zones.some((zone) => z >= zone.left && z < zone.right);
 
-function shades(easel: Easel, half: Half, first: number, boundary: Boundary, columns: Columns, zones: readonly ThreadZone[]): void {
-  const { pen, camera, ratio } = easel, level = LEVEL / (camera.scale * ratio);
+function shades(
+  easel: Easel,
+  half: Half,
+  first: number,
+  boundary: Boundary,
+  columns: Columns,
+  zones: readonly ThreadZone[],
+): void {
+  const { pen, camera, ratio } = easel,
+    level = LEVEL / (camera.scale * ratio);
   const own = zones.filter((zone) => zone.isInside === half.isCut);
   const fill: FillColumns = (edge, [from, to], r, low) => {
     if (own.length > 0 && isIn(own, columns.left + (from + to) * 0.5 * columns.width)) return;
-    const texture = boundary.edges[edge]?.made.texture ?? "raw", slope = slopeAt(boundary, edge, half.isCut);
+    const texture = boundary.edges[edge]?.made.texture ?? "raw",
+      slope = slopeAt(boundary, edge, half.isCut);
     pen.fillStyle = brush(easel, "steel", slope, texture, half.isCut ? "hole" : half.facing);
     acrossRadius(easel, half.down, r);
     // A pixel more over the axis leaves no seam between the halves.
@@ -95,12 +118,22 @@ function shades(easel: Easel, half: Half, first: number, boundary: Boundary, col
 function strokes(easel: Easel, down: 1 | -1, lines: readonly DrawnLine[]): void {
   if (lines.length === 0) return;
   easel.pen.beginPath();
-  for (const { z0, r0, z1, r1 } of lines) trace(easel, down, [[z0, r0], [z1, r1]]);
+  for (const { z0, r0, z1, r1 } of lines)
+    trace(easel, down, [
+      [z0, r0],
+      [z1, r1],
+    ]);
   easel.pen.stroke();
 }
 
 /** Marks of the feed, edges across, and the outline where it is no cut. */
-function drawing(easel: Easel, { down, isCut }: Half, boundary: Boundary, columns: Columns, zones: readonly ThreadZone[]): void {
+function drawing(
+  easel: Easel,
+  { down, isCut }: Half,
+  boundary: Boundary,
+  columns: Columns,
+  zones: readonly ThreadZone[],
+): void {
   const { pen, colours, camera } = easel;
   const free = <L extends DrawnLine>(lines: readonly L[]) => {
     const own = zones.filter((zone) => zone.isInside === isCut);
@@ -124,17 +157,26 @@ function traceNear(easel: Easel, down: 1 | -1, rings: readonly Ring[], left: num
   const beyond = (z: number) => (z < left ? -1 : Number(z > right));
   for (const ring of rings) {
     const places = ring.filter((p, i) => {
-      const side = beyond(p.z), [a, b] = [ring[(i + ring.length - 1) % ring.length], ring[(i + 1) % ring.length]];
+      const side = beyond(p.z),
+        [a, b] = [ring[(i + ring.length - 1) % ring.length], ring[(i + 1) % ring.length]];
       return side === 0 || beyond(a?.z ?? 0) !== side || beyond(b?.z ?? 0) !== side;
     });
     if (places.length < 3) continue;
-    trace(easel, down, places.map((p) => [p.z, p.r] as const));
+    trace(
+      easel,
+      down,
+      places.map((p) => [p.z, p.r] as const),
+    );
     easel.pen.closePath();
   }
 }
 
 function cutFace(easel: Easel, down: 1 | -1, rings: readonly Ring[], { x, y, width, height }: Patch): void {
-  const { pen, colours, camera: { zero, scale } } = easel;
+  const {
+    pen,
+    colours,
+    camera: { zero, scale },
+  } = easel;
   const near = () => {
     pen.beginPath();
     traceNear(easel, down, rings, (x - 4 - zero.x) / scale, (x + width + 4 - zero.x) / scale);
@@ -176,8 +218,10 @@ export function paintMaterial(
   look: Pick<Easel, "colours" | "ratio" | "origin">,
   patch: Patch,
 ): void {
-  const easel: Easel = { pen, camera, ...look }, { rings, section, chuck } = material;
-  const halves = halvesOf(section, camera.xUp), near = chuck && isNear(chuck, camera, patch) ? chuck : null;
+  const easel: Easel = { pen, camera, ...look },
+    { rings, section, chuck } = material;
+  const halves = halvesOf(section, camera.xUp),
+    near = chuck && isNear(chuck, camera, patch) ? chuck : null;
   const { first, boundary, columns } = columnsIn(material, easel, patch);
   const zones = threadZones(boundary);
   pen.save();

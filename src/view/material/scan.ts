@@ -22,7 +22,9 @@ export interface Boundary {
   readonly corners: readonly Bend[];
 }
 
-/** Turns smaller than this belong to one round surface, radians; between short chords of small radii they may be larger. */
+/**
+ * Turns smaller than this belong to one round surface, radians; between short chords of small radii they may be larger.
+ */
 const TURN = 0.21;
 const SHORT_TURN = 0.65;
 /** Shorter chords belong to a radius, mm. */
@@ -38,26 +40,39 @@ function isSharp(a: StockSide, b: StockSide): boolean {
 const leftmost = (ring: Ring) => ring.reduce((best, p, i) => (p.z < (ring[best]?.z ?? Infinity) ? i : best), 0);
 
 /** The edges between two places on Z, each with what made it. */
-export function boundaryIn(rings: readonly Ring[], surfaces: Surfaces, now: PlayPosition, left: number, right: number): Boundary {
-  const edges: SurfaceEdge[] = [], corners: Bend[] = [];
+export function boundaryIn(
+  rings: readonly Ring[],
+  surfaces: Surfaces,
+  now: PlayPosition,
+  left: number,
+  right: number,
+): Boundary {
+  const edges: SurfaceEdge[] = [],
+    corners: Bend[] = [];
   for (const ring of rings) {
-    const count = ring.length, start = leftmost(ring);
+    const count = ring.length,
+      start = leftmost(ring);
     const vertex = (i: number) => ring[(start + i + count) % count];
     const sideAt = (i: number): StockSide | null => {
-      const p = vertex(i), q = vertex(i + 1);
+      const p = vertex(i),
+        q = vertex(i + 1);
       return p && q ? { z0: p.z, r0: p.r, z1: q.z, r1: q.r } : null;
     };
     /** Index of the first and the last edge of the side before, and of the first side. */
-    let before = -1, first = -1, sideBefore: StockSide | null = null;
+    let before = -1,
+      first = -1,
+      sideBefore: StockSide | null = null;
     for (let i = 0; i < count; i += 1) {
-      const p = vertex(i), q = vertex(i + 1);
+      const p = vertex(i),
+        q = vertex(i + 1);
       if (!p || !q || (p.z < left && q.z < left) || (p.z > right && q.z > right)) {
         [before, sideBefore] = [-1, null];
         continue;
       }
       const side: StockSide = { z0: p.z, r0: p.r, z1: q.z, r1: q.r };
       const begin = edges.length;
-      for (const { begin: from, end: to, made } of surfaces.of(side, now)) edges.push({ ...part(side, from, to), made });
+      for (const { begin: from, end: to, made } of surfaces.of(side, now))
+        edges.push({ ...part(side, from, to), made });
       if (i === 0) first = begin;
       const previous = sideBefore ?? sideAt(i - 1);
       if (i > 0 && previous && isSharp(previous, side)) corners.push({ z: side.z0, r: side.r0, before, after: begin });
@@ -78,7 +93,9 @@ const part = (s: StockSide, from: number, to: number): StockSide => ({
   r1: to === 1 ? s.r1 : s.r0 + (s.r1 - s.r0) * to,
 });
 
-/** Air between the axis and the material, or between two parts of it, with the edge of the wall that closes it outwards. */
+/**
+ * Air between the axis and the material, or between two parts of it, with the edge of the wall that closes it outwards.
+ */
 export interface Gap {
   readonly low: number;
   readonly high: number;
@@ -117,7 +134,8 @@ function gapsOf(crossings: readonly number[]): readonly Gap[] {
 
 /** Cuts a boundary into columns from `left` on. */
 export function columnsOf(edges: readonly SurfaceEdge[], left: number, width: number, count: number): Columns {
-  const top = new Float64Array(count), edge = new Int32Array(count).fill(-1);
+  const top = new Float64Array(count),
+    edge = new Int32Array(count).fill(-1);
   const crossings: number[][] = Array.from({ length: count }, () => []);
   edges.forEach(({ z0, r0, z1, r1 }, e) => {
     const [low, high] = z0 < z1 ? [z0, z1] : [z1, z0];

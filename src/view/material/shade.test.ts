@@ -15,8 +15,9 @@ test("a cylinder is darkest at its edge, and brightest at a third", () => {
 
 test("what is finished is lighter than what is rough, and that than what came from the mill", () => {
   for (const u of [0.02, 0.33, 0.71]) {
-    const [raw, rough, finished] = (["raw", "rough", "finished"] as const).map((texture) => lightness(u, 0, texture, "lit")) as [number,
-      number, number];
+    const [raw, rough, finished] = (["raw", "rough", "finished"] as const).map((texture) =>
+      lightness(u, 0, texture, "lit"),
+    ) as [number, number, number];
     expect(raw).toBeLessThan(rough);
     expect(rough).toBeLessThan(finished);
   }

@@ -1,8 +1,9 @@
 import type { Texture } from "./surfaces.ts";
 
 /**
- * How light round steel is. The work is seen square to its axis; a place on it is told by `u`, its distance from the axis as a share of
- * the radius there (0: it looks at the viewer, 1: the edge), and by how its surface leans along the axis.
+ * How light round steel is. The work is seen square to its axis; a place on it is told by `u`, its distance from the
+ * axis as a share of the radius there (0: it looks at the viewer, 1: the edge), and by how its surface leans along the
+ * axis.
  */
 
 /** What a shade is mixed from, as `#rrggbb`. */
@@ -33,25 +34,37 @@ const GLOSS: Readonly<Record<Texture, Gloss>> = {
   finished: { ground: 0.6, shine: 0.34, sharp: 26 },
 };
 
-/** Lightness 0 … 1 of a place: `slope` is the angle of the surface to the axis, radians, positive where it looks at the free end. */
+/**
+ * Lightness 0 … 1 of a place: `slope` is the angle of the surface to the axis, radians, positive where it looks at the
+ * free end.
+ */
 export function lightness(u: number, slope: number, texture: Texture, facing: Facing): number {
   const { ground, shine, sharp } = GLOSS[texture];
   const around = Math.asin(Math.min(1, Math.max(0, u)));
   // A hole is seen from within: dark where it is deepest, lighter towards its edge.
-  if (facing === "hole") return clamped(0.12 + 0.32 * u * u + 0.12 * Math.sin(slope) + (texture === "finished" ? 0.07 : 0));
-  const off = facing === "lit" ? around - LIGHT : around + LIGHT, towards = Math.max(0, Math.cos(off));
+  if (facing === "hole")
+    return clamped(0.12 + 0.32 * u * u + 0.12 * Math.sin(slope) + (texture === "finished" ? 0.07 : 0));
+  const off = facing === "lit" ? around - LIGHT : around + LIGHT,
+    towards = Math.max(0, Math.cos(off));
   const diffuse = (towards * Math.cos(slope) + ALONG * Math.sin(slope)) / Math.hypot(1, ALONG);
   return clamped(0.05 + ground * Math.max(0, diffuse) ** 1.4 * 1.15 + shine * towards ** sharp * Math.cos(slope) ** 2);
 }
 
 const clamped = (v: number) => Math.min(1, Math.max(0, v));
 
-const channels = (colour: string): readonly number[] => [1, 3, 5].map((i) => Number.parseInt(colour.slice(i, i + 2), 16));
+const channels = (colour: string): readonly number[] =>
+  [1, 3, 5].map((i) => Number.parseInt(colour.slice(i, i + 2), 16));
 
 /** A colour between two, `#rrggbb`. */
 export function mixed(a: string, b: string, share: number): string {
   const [from, to] = [channels(a), channels(b)];
-  return `#${from.map((v, i) => Math.round(v + ((to[i] ?? v) - v) * share).toString(16).padStart(2, "0")).join("")}`;
+  return `#${from
+    .map((v, i) =>
+      Math.round(v + ((to[i] ?? v) - v) * share)
+        .toString(16)
+        .padStart(2, "0"),
+    )
+    .join("")}`;
 }
 
 /** The colour of a lightness. */
@@ -62,7 +75,12 @@ export const steelAt = ({ dark, base, light }: Steel, value: number): string =>
 const STOPS = [0, 0.08, 0.16, 0.24, 0.3, 0.34, 0.4, 0.48, 0.58, 0.68, 0.77, 0.85, 0.91, 0.955, 0.985, 1] as const;
 
 /** The shade across the radius, from the axis to the edge, as stops of a gradient. */
-export const shadeStops = (steel: Steel, slope: number, texture: Texture, facing: Facing): readonly (readonly [number, string])[] =>
+export const shadeStops = (
+  steel: Steel,
+  slope: number,
+  texture: Texture,
+  facing: Facing,
+): readonly (readonly [number, string])[] =>
   STOPS.map((u) => [u, steelAt(steel, lightness(u, slope, texture, facing))] as const);
 
 /** Surfaces whose slopes differ by less than this have one shade, radians. */

@@ -20,8 +20,8 @@ export interface PaintedRun {
 }
 
 /**
- * How a stock is looked at: `origin` is the part of the picture that is painted on, `ground` the one that shows what stands there without
- * the work, `room` all of it that can be seen.
+ * How a stock is looked at: `origin` is the part of the picture that is painted on, `ground` the one that shows what
+ * stands there without the work, `room` all of it that can be seen.
  */
 export interface StockLook extends Pick<Material, "section" | "chuck">, Pick<Easel, "colours" | "ratio"> {
   readonly camera: Camera;
@@ -51,9 +51,13 @@ export const untouchedRun = (blank: readonly Ring[]): PaintedRun => ({
   surfaces: UNTOUCHED,
 });
 
-/** Paints what stands there without the work on a pen for the ground of a look, and leaves out where the work is painted. */
+/**
+ * Paints what stands there without the work on a pen for the ground of a look, and leaves out where the work is
+ * painted.
+ */
 export function paintShop(pen: Pen, look: StockLook): void {
-  const onGround = { ...look, origin: look.ground }, { x, y, width, height } = look.origin;
+  const onGround = { ...look, origin: look.ground },
+    { x, y, width, height } = look.origin;
   stockPainter(untouchedRun([])).all(pen, onGround);
   asPage({ pen, ...onGround });
   pen.clearRect(x, y, width, height);
@@ -65,7 +69,9 @@ export const farthest = (rings: readonly Ring[]): number =>
 
 /** Whether nothing but rapids runs between two positions: they leave surfaces as they are. */
 const onlyRapids = (steps: readonly Step[], one: PlayPosition, other: PlayPosition) =>
-  steps.slice(Math.min(one.step, other.step), Math.max(one.step, other.step) + 1).every((step) => step.move.kind === "rapid");
+  steps
+    .slice(Math.min(one.step, other.step), Math.max(one.step, other.step) + 1)
+    .every((step) => step.move.kind === "rapid");
 
 /** A painter that stands at the start of a run. */
 export function stockPainter({ steps, stockAt, isSameBlank, surfaces }: PaintedRun): StockPainter {

@@ -42,13 +42,20 @@ export interface SurfaceStretch {
   readonly made: Maker;
 }
 
-/** Tells what made the boundary of the stock of a run. Answers depend on the question alone; what was asked before is only found faster. */
+/**
+ * Tells what made the boundary of the stock of a run. Answers depend on the question alone; what was asked before is
+ * only found faster.
+ */
 export interface Surfaces {
   readonly of: (side: StockSide, now: PlayPosition) => readonly SurfaceStretch[];
   /** The greatest lead of the threads that have been begun, mm; 0 where there is none. */
   readonly lead: (now: PlayPosition) => number;
   /** Those of another run, which are sooner told where it begins as this one does. */
-  readonly again: (steps: readonly Step[], spindleOf: (step: number) => Spindle | null, isBackwards: (step: number) => boolean) => Surfaces;
+  readonly again: (
+    steps: readonly Step[],
+    spindleOf: (step: number) => Spindle | null,
+    isBackwards: (step: number) => boolean,
+  ) => Surfaces;
 }
 
 const RAW: Maker = { texture: "raw", step: -1, pitch: 0, from: 0, way: [0, 0], hand: 1 };
@@ -74,8 +81,8 @@ function wayOf({ from, move: { to } }: Step): readonly [number, number] {
 }
 
 /**
- * Whether a cut finishes. A cycle says what its cuts are for; a path block does not, and is held to the height that its feed and the nose
- * of its tool leave between two turns.
+ * Whether a cut finishes. A cycle says what its cuts are for; a path block does not, and is held to the height that its
+ * feed and the nose of its tool leave between two turns.
  */
 function finishes({ move, tool, operation }: Step, perTurn: number): boolean {
   if (operation !== null || move.phase !== "position") return move.phase === "finish";
@@ -105,12 +112,13 @@ const keyOf = ({ z0, r0, z1, r1 }: StockSide): number => {
 };
 const isSame = (a: StockSide, b: StockSide) => a.z0 === b.z0 && a.r0 === b.r0 && a.z1 === b.z1 && a.r1 === b.r1;
 
-const handOfStep = ({ move, from }: Step, backwards: boolean): ThreadHand => (move.kind === "thread" ? handOf(from, move, backwards) : 1);
+const handOfStep = ({ move, from }: Step, backwards: boolean): ThreadHand =>
+  move.kind === "thread" ? handOf(from, move, backwards) : 1;
 
 /**
- * Builds what tells the surfaces of a run. A stretch was made by the latest cutting move whose sweep has it on its edge: what a finishing
- * cut runs along is finished, though it took nothing there. `spindleOf` turns feeds per minute into feeds per turn,
- * `isBackwards` tells the hand of threads.
+ * Builds what tells the surfaces of a run. A stretch was made by the latest cutting move whose sweep has it on its
+ * edge: what a finishing cut runs along is finished, though it took nothing there. `spindleOf` turns feeds per minute
+ * into feeds per turn, `isBackwards` tells the hand of threads.
  */
 export const surfacesOf = (
   steps: readonly Step[],
@@ -119,7 +127,8 @@ export const surfacesOf = (
 ): Surfaces => surfacesBy(touchIndex(steps), steps, spindleOf, isBackwards);
 
 /** Steps of calls that stay the same are the very same; between them there are rapids, which make no surface. */
-const isAlike = (a: Step, b: Step | undefined): boolean => a === b || (a.move.kind === "rapid" && b?.move.kind === "rapid");
+const isAlike = (a: Step, b: Step | undefined): boolean =>
+  a === b || (a.move.kind === "rapid" && b?.move.kind === "rapid");
 
 /** What was told of the sides of a run. */
 interface Former {
@@ -143,10 +152,12 @@ function surfacesBy(
     const last = steps.findIndex((step, i) => !isAlike(step, others[i])) - 1;
     const common = last < -1 ? steps.length - 1 : last;
     for (const side of sides) {
-      const isTrue = side.newest <= common && side.stretches.every(({ made: { step, pitch, texture, hand } }) => {
-        const own = madeBy(step);
-        return own.pitch === pitch && own.texture === texture && own.hand === hand;
-      });
+      const isTrue =
+        side.newest <= common &&
+        side.stretches.every(({ made: { step, pitch, texture, hand } }) => {
+          const own = madeBy(step);
+          return own.pitch === pitch && own.texture === texture && own.hand === hand;
+        });
       if (isTrue) known.set(keyOf(side), side.last <= common ? { ...side } : { ...side, last: common, fraction: 0 });
     }
   }
@@ -203,7 +214,9 @@ function surfacesBy(
     return true;
   }
 
-  const threads = steps.flatMap(({ move }, step) => (move.kind === "thread" ? [{ step, lead: Math.abs(move.pitch) }] : []));
+  const threads = steps.flatMap(({ move }, step) =>
+    move.kind === "thread" ? [{ step, lead: Math.abs(move.pitch) }] : [],
+  );
 
   return {
     lead: (now) => threads.reduce((most, t) => (t.step <= now.step ? Math.max(most, t.lead) : most), 0),
@@ -211,7 +224,8 @@ function surfacesBy(
       if (former) remember(former);
       former = null;
       const last = now.fraction > 0 ? now.step : now.step - 1;
-      const key = keyOf(side), have = known.get(key);
+      const key = keyOf(side),
+        have = known.get(key);
       if (have && isSame(have, side) && stillTrue(have, last, now)) return have.stretches;
       const length = hypotenuse(side.z1 - side.z0, side.r1 - side.r0);
       const stretches = length < SAME ? [{ begin: 0, end: 1, made: RAW }] : split(side, length, now);

@@ -15,16 +15,21 @@ interface State {
   groups: number;
 }
 
-/** A pen whose strokes become SVG text: what a painter paints, to be kept and compared. It counts in pixels of the page. */
+/**
+ * A pen whose strokes become SVG text: what a painter paints, to be kept and compared. It counts in pixels of the page.
+ */
 export function svgPen(size: Size): { readonly pen: Pen; readonly text: () => string } {
-  const defs: string[] = [], body: string[] = [], named = new Map<string, string>();
+  const defs: string[] = [],
+    body: string[] = [],
+    named = new Map<string, string>();
   const stops = new Map<object, { readonly line: readonly number[]; readonly list: string[] }>();
   let state: State = { fillStyle: "#000", strokeStyle: "#000", lineWidth: 1, globalAlpha: 1, dashes: [], groups: 0 };
   const kept: State[] = [];
   let matrix: Matrix = [1, 0, 0, 1, 0, 0];
   let path: string[] = [];
 
-  const place = (x: number, y: number) => `${n(matrix[0] * x + matrix[2] * y + matrix[4])} ${n(matrix[1] * x + matrix[3] * y + matrix[5])}`;
+  const place = (x: number, y: number) =>
+    `${n(matrix[0] * x + matrix[2] * y + matrix[4])} ${n(matrix[1] * x + matrix[3] * y + matrix[5])}`;
   function define(prefix: string, content: (id: string) => string): string {
     const key = content("");
     const id = named.get(key) ?? `${prefix}${named.size}`;
@@ -40,10 +45,12 @@ export function svgPen(size: Size): { readonly pen: Pen; readonly text: () => st
     if (!gradient) return "none";
     const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = gradient.line;
     const plain = define("shade", (id) => `<linearGradient id="${id}">${gradient.list.join("")}</linearGradient>`);
-    const laid = define("laid",
+    const laid = define(
+      "laid",
       (id) =>
-        `<linearGradient id="${id}" href="#${plain}" gradientUnits="userSpaceOnUse" x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}" `
-        + `gradientTransform="matrix(${matrix.map(n).join(" ")})"/>`);
+        `<linearGradient id="${id}" href="#${plain}" gradientUnits="userSpaceOnUse" x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}" ` +
+        `gradientTransform="matrix(${matrix.map(n).join(" ")})"/>`,
+    );
     return `url(#${laid})`;
   }
   const alpha = () => (state.globalAlpha === 1 ? "" : ` opacity="${n(state.globalAlpha)}"`);
@@ -94,7 +101,9 @@ export function svgPen(size: Size): { readonly pen: Pen; readonly text: () => st
     fillRect: (x, y, width, height) => fill(box(x, y, width, height)),
     createLinearGradient(...line) {
       const list: string[] = [];
-      const gradient: PenGradient = { addColorStop: (at, colour) => void list.push(`<stop offset="${at}" stop-color="${colour}"/>`) };
+      const gradient: PenGradient = {
+        addColorStop: (at, colour) => void list.push(`<stop offset="${at}" stop-color="${colour}"/>`),
+      };
       stops.set(gradient, { line, list });
       return gradient;
     },
@@ -110,8 +119,10 @@ export function svgPen(size: Size): { readonly pen: Pen; readonly text: () => st
     rect: (x, y, width, height) => void path.push(box(x, y, width, height)),
     clip(r) {
       const d = path.join("");
-      const id = define("clip",
-        (name) => `<clipPath id="${name}"><path d="${d}"${r === "evenodd" ? ` clip-rule="evenodd"` : ""}/></clipPath>`);
+      const id = define(
+        "clip",
+        (name) => `<clipPath id="${name}"><path d="${d}"${r === "evenodd" ? ` clip-rule="evenodd"` : ""}/></clipPath>`,
+      );
       body.push(`<g clip-path="url(#${id})">`);
       state.groups += 1;
     },
@@ -120,9 +131,9 @@ export function svgPen(size: Size): { readonly pen: Pen; readonly text: () => st
       const dashes = state.dashes.length > 0 ? ` stroke-dasharray="${state.dashes.join(" ")}"` : "";
       if (path.length > 0)
         body.push(
-          `<path d="${path.join("")}" fill="none" stroke="${paint(state.strokeStyle)}" stroke-width="${
-            n(state.lineWidth)
-          }"${dashes}${alpha()}/>`,
+          `<path d="${path.join("")}" fill="none" stroke="${paint(state.strokeStyle)}" stroke-width="${n(
+            state.lineWidth,
+          )}"${dashes}${alpha()}/>`,
         );
     },
   };

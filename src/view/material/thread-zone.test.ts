@@ -22,7 +22,8 @@ function grooves(count: number, begin: number, r: number): SurfaceEdge[] {
 const camera: Camera = { scale: 10, zero: { x: 300, y: 200 }, xUp: true };
 
 test("grooves within a lead are one zone, those far away another one", () => {
-  const near = grooves(5, -1.1, 13.2), far = grooves(3, -31.4, 13.2);
+  const near = grooves(5, -1.1, 13.2),
+    far = grooves(3, -31.4, 13.2);
   const link: SurfaceEdge = { z0: near.at(-1)?.z1 ?? 0, r0: 13.2, z1: -31.4, r1: 13.2, made: turned };
   const [first, second, ...more] = threadZones({ edges: [...near, link, ...far], corners: [] });
   expect(more).toEqual([]);
@@ -36,7 +37,8 @@ test("a point of the profile comes back half a lead on at the other side, to the
   const [zone] = threadZones({ edges: grooves(4, -1.1, 13.2), corners: [] });
   if (!zone) return expect.fail();
   for (const xUp of [true, false]) {
-    const curve = helix({ ...camera, xUp }, zone, { z: -3.3, r: 12.1 }, [0, 1]), down = [...curve].sort((a, b) => a[1] - b[1]);
+    const curve = helix({ ...camera, xUp }, zone, { z: -3.3, r: 12.1 }, [0, 1]),
+      down = [...curve].sort((a, b) => a[1] - b[1]);
     expect(down.map(([x]) => x)).toEqual([...curve].map(([x]) => x).sort((a, b) => a - b));
     expect(Math.abs((curve.at(-1)?.[0] ?? 0) - (curve[0]?.[0] ?? 0))).toBeCloseTo((PITCH / 2) * 10, 9);
     expect(Math.abs((curve.at(-1)?.[1] ?? 0) - (curve[0]?.[1] ?? 0))).toBeCloseTo(2 * 12.1 * 10, 9);

@@ -21,7 +21,14 @@ const runsLeft = (edges: readonly SurfaceEdge[]) => edges.reduce((sum, e) => sum
 
 function zoneOf(edges: readonly SurfaceEdge[]): ThreadZone {
   const isOutside = runsLeft(edges);
-  const forward = edges.flatMap((e, i) => (i === 0 ? [{ z: e.z0, r: e.r0 }, { z: e.z1, r: e.r1 }] : [{ z: e.z1, r: e.r1 }]));
+  const forward = edges.flatMap((e, i) =>
+    i === 0
+      ? [
+          { z: e.z0, r: e.r0 },
+          { z: e.z1, r: e.r1 },
+        ]
+      : [{ z: e.z1, r: e.r1 }],
+  );
   const profile = isOutside ? forward.reverse() : forward;
   const lead = Math.max(...edges.map((e) => (e.made.texture === "thread" ? e.made.pitch : 0)));
   const hand = edges.find((e) => e.made.texture === "thread")?.made.hand ?? 1;
@@ -32,13 +39,15 @@ function zoneOf(edges: readonly SurfaceEdge[]): ThreadZone {
 /** The threads in a boundary: runs of edges in which grooves follow each other within a lead. */
 export function threadZones({ edges }: Boundary): readonly ThreadZone[] {
   const out: ThreadZone[] = [];
-  let first = -1, last = -1;
+  let first = -1,
+    last = -1;
   const close = () => {
     if (first >= 0) out.push(zoneOf(edges.slice(first, last + 1)));
     first = -1;
   };
   edges.forEach((e, i) => {
-    const before = edges[i - 1], begun = edges[first];
+    const before = edges[i - 1],
+      begun = edges[first];
     const follows = before && before.z1 === e.z0 && before.r1 === e.r0;
     // Round the end of the work another thread may begin.
     const turnsBack = begun && (e.z1 - e.z0) * (begun.z1 - begun.z0) < 0;
@@ -63,8 +72,9 @@ export type HalfTurn = readonly [from: number, to: number];
 export type ScreenPoint = readonly [x: number, y: number];
 
 /**
- * The curve that a point of the profile draws on the body. Of a right-handed thread the front, seen from the side, runs away to the
- * right on its way down, whichever side the tool is on; the far wall of a hole shows the other half of the turn.
+ * The curve that a point of the profile draws on the body. Of a right-handed thread the front, seen from the side, runs
+ * away to the right on its way down, whichever side the tool is on; the far wall of a hole shows the other half of the
+ * turn.
  */
 export function helix(
   camera: Camera,
@@ -72,7 +82,9 @@ export function helix(
   p: { readonly z: number; readonly r: number },
   [from, to]: HalfTurn,
 ) {
-  const { scale, zero, xUp } = camera, side = xUp ? -1 : 1, along = ((hand * lead) / 2) * (xUp ? 1 : -1) * (isInside ? -1 : 1);
+  const { scale, zero, xUp } = camera,
+    side = xUp ? -1 : 1,
+    along = ((hand * lead) / 2) * (xUp ? 1 : -1) * (isInside ? -1 : 1);
   return Array.from({ length: PIECES + 1 }, (_, i): ScreenPoint => {
     const turn = from + ((to - from) * i) / PIECES;
     return [zero.x + (p.z + along * turn) * scale, zero.y + side * Math.cos(turn * Math.PI) * p.r * scale];
@@ -91,7 +103,8 @@ export function flanksOf(
   zone: ThreadZone,
   seen: HalfTurn,
 ): { readonly flanks: readonly Flank[]; readonly crests: readonly (readonly ScreenPoint[])[] } {
-  const flanks: Flank[] = [], crests: (readonly ScreenPoint[])[] = [];
+  const flanks: Flank[] = [],
+    crests: (readonly ScreenPoint[])[] = [];
   const { profile, isInside } = zone;
   let i = 0;
   while (i + 1 < profile.length) {
@@ -116,9 +129,13 @@ function directionAt(profile: ThreadZone["profile"], i: number): number {
 
 /** The edge of the body at one end of the half turn, as a line from left to right; it goes on level beyond the zone. */
 export function silhouette(camera: Camera, zone: ThreadZone, turn: 0 | 1): readonly ScreenPoint[] {
-  const { profile, lead } = zone, [first, last] = [profile[0], profile.at(-1)];
+  const { profile, lead } = zone,
+    [first, last] = [profile[0], profile.at(-1)];
   const places = first && last ? [{ z: first.z - lead, r: first.r }, ...profile, { z: last.z + lead, r: last.r }] : [];
-  const { scale, zero, xUp } = camera, side = xUp ? -1 : 1,
+  const { scale, zero, xUp } = camera,
+    side = xUp ? -1 : 1,
     along = (turn * zone.hand * lead * (xUp ? 1 : -1) * (zone.isInside ? -1 : 1)) / 2;
-  return places.map((p) => [zero.x + (p.z + along) * scale, zero.y + (turn === 0 ? side : -side) * p.r * scale] as const);
+  return places.map(
+    (p) => [zero.x + (p.z + along) * scale, zero.y + (turn === 0 ? side : -side) * p.r * scale] as const,
+  );
 }

@@ -16,27 +16,46 @@ import { patchOf, patchWithin, touchedBetween, turnedPatchOf } from "./touched.t
 
 const made = run(parse(flange), { tools: shippedTools, rapid: 10_000 });
 const simulation = simulate(made);
-const moment = fc.record({ step: fc.nat({ max: made.steps.length }), fraction: fc.double({ min: 0, max: 1, noNaN: true }) });
+const moment = fc.record({
+  step: fc.nat({ max: made.steps.length }),
+  fraction: fc.double({ min: 0, max: 1, noNaN: true }),
+});
 /**
- * What rounding to the grid of the polygon engine leaves: where a cut ends on a long edge, all of that edge turns by part of a grid line,
- * so a sliver as long as the edge and thinner than two grid lines differs.
+ * What rounding to the grid of the polygon engine leaves: where a cut ends on a long edge, all of that edge turns by
+ * part of a grid line, so a sliver as long as the edge and thinner than two grid lines differs.
  */
 const isSliver = (ring: Ring) => Math.abs(areaOfRing(ring)) < GRID * aroundOf(ring);
 const aroundOf = (ring: Ring) => ring.reduce((sum, p, i) => sum + sizeBetween(p, ring[(i + 1) % ring.length] as Pt), 0);
 const sizeBetween = (p: Pt, q: Pt) => Math.hypot(q.z - p.z, q.r - p.r);
-const ringOf = ({ left, right, low, high }: Bounds): Ring => [at(left, low), at(right, low), at(right, high), at(left, high)];
+const ringOf = ({ left, right, low, high }: Bounds): Ring => [
+  at(left, low),
+  at(right, low),
+  at(right, high),
+  at(left, high),
+];
 
 test("what differs between two moments lies in the box that was touched", () => {
   let compared = 0;
-  fc.assert(fc.property(moment, moment, (one, other) => {
-    const box = touchedBetween(made.steps, one, other);
-    if (box === "all") return;
-    const [a, b] = [stockAt(simulation, one), stockAt(simulation, other)];
-    const differs = [...difference(a, b), ...difference(b, a)];
-    const outside = box ? difference(differs, [ringOf(box)]) : differs;
-    expect(outside.filter((ring) => !isSliver(ring))).toEqual([]);
-    compared += differs.filter((ring) => !isSliver(ring)).length;
-  }), { numRuns: 60, examples: [[{ step: 257, fraction: 0 }, { step: 256, fraction: 0 }]] });
+  fc.assert(
+    fc.property(moment, moment, (one, other) => {
+      const box = touchedBetween(made.steps, one, other);
+      if (box === "all") return;
+      const [a, b] = [stockAt(simulation, one), stockAt(simulation, other)];
+      const differs = [...difference(a, b), ...difference(b, a)];
+      const outside = box ? difference(differs, [ringOf(box)]) : differs;
+      expect(outside.filter((ring) => !isSliver(ring))).toEqual([]);
+      compared += differs.filter((ring) => !isSliver(ring)).length;
+    }),
+    {
+      numRuns: 60,
+      examples: [
+        [
+          { step: 257, fraction: 0 },
+          { step: 256, fraction: 0 },
+        ],
+      ],
+    },
+  );
   expect(compared).toBeGreaterThan(20);
 });
 
@@ -47,14 +66,20 @@ test("moments far apart are not looked at one by one, and the same moment touche
 });
 
 test("a patch covers its box on whole pixels of the device, whichever way X grows", () => {
-  const box = { left: -21.37, right: -4.81, low: 17.03, high: 22.9 }, ratio = 1.5;
+  const box = { left: -21.37, right: -4.81, low: 17.03, high: 22.9 },
+    ratio = 1.5;
   for (const xUp of [true, false]) {
-    const camera = fitted({ left: -63.7, right: 11.3, low: 0, high: 41.9 }, { width: 731, height: 433 }, {
-      left: 0,
-      right: 0,
-      top: 0,
-      bottom: 0,
-    }, xUp);
+    const camera = fitted(
+      { left: -63.7, right: 11.3, low: 0, high: 41.9 },
+      { width: 731, height: 433 },
+      {
+        left: 0,
+        right: 0,
+        top: 0,
+        bottom: 0,
+      },
+      xUp,
+    );
     const { x, y, width, height } = patchOf(box, camera, ratio);
     for (const edge of [x, y, width, height]) expect(edge * ratio).toBeCloseTo(Math.round(edge * ratio), 9);
     const [top, floor] = xUp
@@ -75,14 +100,23 @@ test("a patch covers its box on whole pixels of the device, whichever way X grow
 });
 
 test("a patch covers what looks different on both sides, on whole pixels of the device", () => {
-  const camera = fitted({ left: -63.7, right: 11.3, low: 0, high: 41.9 }, { width: 731, height: 433 }, {
-    left: 0,
-    right: 0,
-    top: 0,
-    bottom: 0,
-  }, true);
-  const box = { left: -21.37, right: -4.81, low: 17.03, high: 22.9 }, ratio = 1.5;
-  for (const [outer, along] of [[31.7, 0], [21.3, 1.7]] as const) {
+  const camera = fitted(
+    { left: -63.7, right: 11.3, low: 0, high: 41.9 },
+    { width: 731, height: 433 },
+    {
+      left: 0,
+      right: 0,
+      top: 0,
+      bottom: 0,
+    },
+    true,
+  );
+  const box = { left: -21.37, right: -4.81, low: 17.03, high: 22.9 },
+    ratio = 1.5;
+  for (const [outer, along] of [
+    [31.7, 0],
+    [21.3, 1.7],
+  ] as const) {
     const { x, y, width, height } = turnedPatchOf(box, camera, { outer, along }, ratio);
     const far = outer > box.high ? box.high : outer;
     for (const edge of [x, y, width, height]) expect(edge * ratio).toBeCloseTo(Math.round(edge * ratio), 9);
@@ -95,26 +129,46 @@ test("a patch covers what looks different on both sides, on whole pixels of the 
   }
 });
 
-test.each([[1, 1], [2, 1], [3, 1], [1.5, 2], [1.25, 4], [1.1, 10], [4 / 3, 3]])(
-  "where %s pixels of a device are one of the page, a patch lies on whole ones of both",
-  (ratio, whole) => {
-    const camera = { scale: 3.713, zero: { x: 211.37, y: 97.81 }, xUp: true };
-    const { x, y, width, height } = turnedPatchOf({ left: -21.37, right: -4.81, low: 17.03, high: 22.9 }, camera, {
+test.each([
+  [1, 1],
+  [2, 1],
+  [3, 1],
+  [1.5, 2],
+  [1.25, 4],
+  [1.1, 10],
+  [4 / 3, 3],
+])("where %s pixels of a device are one of the page, a patch lies on whole ones of both", (ratio, whole) => {
+  const camera = { scale: 3.713, zero: { x: 211.37, y: 97.81 }, xUp: true };
+  const { x, y, width, height } = turnedPatchOf(
+    { left: -21.37, right: -4.81, low: 17.03, high: 22.9 },
+    camera,
+    {
       outer: 30,
       along: 0,
-    }, ratio);
-    for (const edge of [x, y, width, height]) expect(edge / whole).toBeCloseTo(Math.round(edge / whole), 9);
-    expect(camera.zero.x - 21.37 * camera.scale - x).toBeLessThanOrEqual(3 + whole);
-  },
-);
+    },
+    ratio,
+  );
+  for (const edge of [x, y, width, height]) expect(edge / whole).toBeCloseTo(Math.round(edge / whole), 9);
+  expect(camera.zero.x - 21.37 * camera.scale - x).toBeLessThanOrEqual(3 + whole);
+});
 test("on a device without such pixels it lies on its own", () => {
   const camera = { scale: 3.7, zero: { x: 211.3, y: 97 }, xUp: true };
-  const { x } = turnedPatchOf({ left: -21.37, right: 0, low: 0, high: 22.9 }, camera, { outer: 30, along: 0 }, Math.SQRT2);
+  const { x } = turnedPatchOf(
+    { left: -21.37, right: 0, low: 0, high: 22.9 },
+    camera,
+    { outer: 30, along: 0 },
+    Math.SQRT2,
+  );
   expect(x * Math.SQRT2).toBeCloseTo(Math.round(x * Math.SQRT2), 9);
 });
 
 test("a blank that is stated parts what lies before it from what lies behind", () => {
-  const marks = sameBlank({ checkpoints: [{ step: 0, stock: null }, { step: 9, stock: null, isStated: true }] });
+  const marks = sameBlank({
+    checkpoints: [
+      { step: 0, stock: null },
+      { step: 9, stock: null, isStated: true },
+    ],
+  });
   expect(marks({ step: 3, fraction: 0.2 }, { step: 8, fraction: 0.9 })).toBe(true);
   expect(marks({ step: 3, fraction: 0.2 }, { step: 9, fraction: 0 })).toBe(false);
   expect(marks({ step: 9, fraction: 0 }, { step: 41, fraction: 0.7 })).toBe(true);

@@ -30,7 +30,9 @@ const BULGE = 0.05;
 function wayBox({ from, move }: Step, begin: number, end: number): Bounds | null {
   const path = pathOf(from, move);
   if (path.kind !== "arc") return boundsOf([part.pointOn(path, begin), part.pointOn(path, end)]);
-  const looks = Array.from({ length: ARC_LOOKS + 1 }, (_, i) => part.pointOn(path, begin + ((end - begin) * i) / ARC_LOOKS));
+  const looks = Array.from({ length: ARC_LOOKS + 1 }, (_, i) =>
+    part.pointOn(path, begin + ((end - begin) * i) / ARC_LOOKS),
+  );
   const box = boundsOf(looks);
   return box && grownBounds(box, BULGE * Math.max(box.right - box.left, box.high - box.low));
 }
@@ -39,8 +41,8 @@ function wayBox({ from, move }: Step, begin: number, end: number): Bounds | null
 const MOST_STEPS = 400;
 
 /**
- * The box in which the stock of two moments of a run may differ, mm: where inserts went between them; null when that is nowhere, "all" when
- * it lies too far apart to be worth a look.
+ * The box in which the stock of two moments of a run may differ, mm: where inserts went between them; null when that is
+ * nowhere, "all" when it lies too far apart to be worth a look.
  */
 export function touchedBetween(steps: readonly Step[], one: PlayPosition, other: PlayPosition): Bounds | "all" | null {
   const swap = other.step < one.step || (other.step === one.step && other.fraction < one.fraction);
@@ -69,11 +71,12 @@ export function touchedBetween(steps: readonly Step[], one: PlayPosition, other:
 const EDGE = 3;
 
 /** More pixels of the page than this do not become whole ones of a device together; by this they may miss it. */
-const MOST_WHOLE = 20, MISSES = 1 / 1000;
+const MOST_WHOLE = 20,
+  MISSES = 1 / 1000;
 
 /**
- * The fewest pixels of the page that are whole ones of a device with `ratio` to one: a canvas that begins between two pixels of either is
- * drawn beside its place, and leaves a seam to the one under it.
+ * The fewest pixels of the page that are whole ones of a device with `ratio` to one: a canvas that begins between two
+ * pixels of either is drawn beside its place, and leaves a seam to the one under it.
  */
 function wholePixels(ratio: number): number {
   for (let n = 1; n <= MOST_WHOLE; n += 1) if (Math.abs(n * ratio - Math.round(n * ratio)) < MISSES) return n;
@@ -81,20 +84,21 @@ function wholePixels(ratio: number): number {
 }
 
 /**
- * The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to one of the page, or
- * on every so many of the page.
+ * The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to
+ * one of the page, or on every so many of the page.
  */
 export function patchOf({ left, right, low, high }: Bounds, camera: Camera, ratio: number, whole = 1 / ratio): Patch {
   const [a, b] = [toScreen(camera, at(left, low)), toScreen(camera, at(right, high))];
   const before = (v: number) => Math.floor((v - EDGE) / whole) * whole;
   const after = (v: number) => Math.ceil((v + EDGE) / whole) * whole;
-  const x = before(Math.min(a.x, b.x)), y = before(Math.min(a.y, b.y));
+  const x = before(Math.min(a.x, b.x)),
+    y = before(Math.min(a.y, b.y));
   return { x, y, width: after(Math.max(a.x, b.x)) - x, height: after(Math.max(a.y, b.y)) - y };
 }
 
 /**
- * The patch that looks different when the stock differs in a box. Round steel is shaded from the axis to its edge on both sides, no farther
- * out than `outer` mm, and a thread shows on its other side as much as `along` mm away.
+ * The patch that looks different when the stock differs in a box. Round steel is shaded from the axis to its edge on
+ * both sides, no farther out than `outer` mm, and a thread shows on its other side as much as `along` mm away.
  */
 export function turnedPatchOf(
   { left, right, high }: Bounds,
@@ -108,13 +112,20 @@ export function turnedPatchOf(
 
 /** The patch that shows what holds the work. */
 export const chuckPatch = ({ all, limit }: ChuckDrawing, camera: Camera, ratio: number): Patch => {
-  const far = limit ? all.high * 1.5 : all.high, right = Math.max(all.right, limit?.z ?? all.right);
-  return patchOf({ left: Math.min(all.left, limit?.z ?? all.left), right, low: -far, high: far }, camera, ratio, wholePixels(ratio));
+  const far = limit ? all.high * 1.5 : all.high,
+    right = Math.max(all.right, limit?.z ?? all.right);
+  return patchOf(
+    { left: Math.min(all.left, limit?.z ?? all.left), right, low: -far, high: far },
+    camera,
+    ratio,
+    wholePixels(ratio),
+  );
 };
 
 /** What of a patch lies in another one; null when nothing does. */
 export function patchWithin(patch: Patch, room: Patch): Patch | null {
-  const x = Math.max(room.x, patch.x), y = Math.max(room.y, patch.y);
+  const x = Math.max(room.x, patch.x),
+    y = Math.max(room.y, patch.y);
   const width = Math.min(room.x + room.width, patch.x + patch.width) - x;
   const height = Math.min(room.y + room.height, patch.y + patch.height) - y;
   return width > 0 && height > 0 ? { x, y, width, height } : null;

@@ -16,7 +16,8 @@ export interface DimensionLines {
 }
 
 /** Gap between a place and its extension line, and how far that runs past the dimension line; pixels. */
-const GAP = 3, PAST = 5;
+const GAP = 3,
+  PAST = 5;
 const ARROW = { long: 9, half: 1.9 } as const;
 /** An arrow that points inwards has a tail this long behind it. */
 const TAIL = 8;
@@ -35,14 +36,20 @@ const dot = (a: Place, b: Place): number => a.x * b.x + a.y * b.y;
 const minus = (a: Place, b: Place): Place => ({ x: a.x - b.x, y: a.y - b.y });
 
 function arrow(tip: Place, way: Place, unit: number): string {
-  const back = from(tip, way, -ARROW.long * unit), across = { x: -way.y, y: way.x };
+  const back = from(tip, way, -ARROW.long * unit),
+    across = { x: -way.y, y: way.x };
   return `M${spot(tip)}L${spot(from(back, across, ARROW.half * unit))}L${spot(from(back, across, -ARROW.half * unit))}Z`;
 }
 
-/** A dimension line between two ends with its arrows, inside where they have room and else outside, drawn on to the text. */
+/**
+ * A dimension line between two ends with its arrows, inside where they have room and else outside, drawn on to the
+ * text.
+ */
 function spanned(a: Place, b: Place, text: Place, unit: number): DimensionLines {
-  const { way, long } = to(a, b), at_ = dot(minus(text, a), way);
-  const isWide = long > (2 * ARROW.long + 4) * unit, back = { x: -way.x, y: -way.y };
+  const { way, long } = to(a, b),
+    at_ = dot(minus(text, a), way);
+  const isWide = long > (2 * ARROW.long + 4) * unit,
+    back = { x: -way.x, y: -way.y };
   const tail = isWide ? 0 : (ARROW.long + TAIL) * unit;
   return {
     lines: line(from(a, way, Math.min(-tail, at_)), from(a, way, Math.max(long + tail, at_))),
@@ -57,34 +64,55 @@ function extension(place: Place, foot: Place, unit: number): string {
 }
 
 const onto = (place: Place, text: Place, way: Place): Place => from(place, way, dot(minus(text, place), way));
-const RIGHT: Place = { x: 1, y: 0 }, DOWN: Place = { x: 0, y: 1 };
+const RIGHT: Place = { x: 1, y: 0 },
+  DOWN: Place = { x: 0, y: 1 };
 
 /** A dimension between two places whose line runs through its text in a direction. */
 function between(a: Place, b: Place, text: Place, across: Place, unit: number): DimensionLines {
-  const [p, q] = [onto(a, text, across), onto(b, text, across)], own = spanned(p, q, text, unit);
+  const [p, q] = [onto(a, text, across), onto(b, text, across)],
+    own = spanned(p, q, text, unit);
   return { lines: extension(a, p, unit) + extension(b, q, unit) + own.lines, arrows: own.arrows };
 }
 
 /** Right across the axis, from a surface to the same one below. */
-function diameter({ camera, unit }: DimensionPaper, { at: { z, r } }: Figure & { readonly kind: "diameter" }, text: Place): DimensionLines {
+function diameter(
+  { camera, unit }: DimensionPaper,
+  { at: { z, r } }: Figure & { readonly kind: "diameter" },
+  text: Place,
+): DimensionLines {
   return between(toScreen(camera, at(z, r)), toScreen(camera, at(z, -r)), text, RIGHT, unit);
 }
 
 /** Right across a circle, through its middle. */
-function circle({ camera, unit }: DimensionPaper, figure: Figure & { readonly kind: "circle" }, text: Place): DimensionLines {
-  const tip = toScreen(camera, figure.at), middle = toScreen(camera, figure.centre);
+function circle(
+  { camera, unit }: DimensionPaper,
+  figure: Figure & { readonly kind: "circle" },
+  text: Place,
+): DimensionLines {
+  const tip = toScreen(camera, figure.at),
+    middle = toScreen(camera, figure.centre);
   const other = { x: 2 * middle.x - tip.x, y: 2 * middle.y - tip.y };
-  const { way, long } = to(other, tip), at_ = dot(minus(text, other), way), knee = from(other, way, Math.max(0, Math.min(at_, long)));
+  const { way, long } = to(other, tip),
+    at_ = dot(minus(text, other), way),
+    knee = from(other, way, Math.max(0, Math.min(at_, long)));
   const own = spanned(other, tip, knee, unit);
   return { lines: own.lines + line(knee, text), arrows: own.arrows };
 }
 
 /** A leader from the text to the arc, and a mark at its centre. */
-function radius({ camera, unit }: DimensionPaper, { tip, centre }: Figure & { readonly kind: "radius" }, text: Place): DimensionLines {
-  const end = toScreen(camera, tip), c = toScreen(camera, centre), size = CENTRE * unit;
+function radius(
+  { camera, unit }: DimensionPaper,
+  { tip, centre }: Figure & { readonly kind: "radius" },
+  text: Place,
+): DimensionLines {
+  const end = toScreen(camera, tip),
+    c = toScreen(camera, centre),
+    size = CENTRE * unit;
   return {
-    lines: line(text, end) + line({ x: c.x - size, y: c.y }, { x: c.x + size, y: c.y })
-      + line({ x: c.x, y: c.y - size }, { x: c.x, y: c.y + size }),
+    lines:
+      line(text, end) +
+      line({ x: c.x - size, y: c.y }, { x: c.x + size, y: c.y }) +
+      line({ x: c.x, y: c.y - size }, { x: c.x, y: c.y + size }),
     arrows: arrow(end, to(text, end).way, unit),
   };
 }
@@ -99,7 +127,10 @@ function arcLine(centre: Place, far: number, start: number, sweep: number): stri
   return `M${spot(a)}A${n(far)} ${n(far)} 0 ${Math.abs(sweep) > Math.PI ? 1 : 0} ${sweep > 0 ? 0 : 1} ${spot(b)}`;
 }
 
-/** The directions of an angle on the paper: where the first one points, and how far it is to the second, radians with sign. */
+/**
+ * The directions of an angle on the paper: where the first one points, and how far it is to the second, radians with
+ * sign.
+ */
 export function opening({ camera }: DimensionPaper, { vertex, ways }: Figure & { readonly kind: "angle" }) {
   const centre = toScreen(camera, vertex);
   const turned = (way: Pt): number => bearing(minus(toScreen(camera, part.sum(vertex, way)), centre));
@@ -108,23 +139,34 @@ export function opening({ camera }: DimensionPaper, { vertex, ways }: Figure & {
 }
 
 function angle(paper: DimensionPaper, figure: Figure & { readonly kind: "angle" }, text: Place): DimensionLines {
-  const { camera: { scale }, unit } = paper, { centre, start, sweep } = opening(paper, figure);
-  const far = Math.max(4 * ARROW.long * unit / 3, Math.hypot(text.x - centre.x, text.y - centre.y));
-  const off = short(bearing(minus(text, centre)) - start), share = sweep === 0 ? 0 : off / sweep;
+  const {
+      camera: { scale },
+      unit,
+    } = paper,
+    { centre, start, sweep } = opening(paper, figure);
+  const far = Math.max((4 * ARROW.long * unit) / 3, Math.hypot(text.x - centre.x, text.y - centre.y));
+  const off = short(bearing(minus(text, centre)) - start),
+    share = sweep === 0 ? 0 : off / sweep;
   const leg = (bear: number, reach: number) => {
     const [a, b] = [reach * scale + GAP * unit, far + PAST * unit];
     return b > a ? line(from(centre, heading(bear), a), from(centre, heading(bear), b)) : "";
   };
-  const isWide = Math.abs(sweep) * far > (2 * ARROW.long + 4) * unit, sense = Math.sign(sweep) || 1;
-  const tail = isWide ? 0 : sense * (ARROW.long + TAIL) * unit / far;
-  const [low, high] = [Math.min(-tail * sense, share < 0 ? off * sense : 0), Math.max((sweep + tail) * sense, share > 1 ? off * sense : 0)];
+  const isWide = Math.abs(sweep) * far > (2 * ARROW.long + 4) * unit,
+    sense = Math.sign(sweep) || 1;
+  const tail = isWide ? 0 : (sense * (ARROW.long + TAIL) * unit) / far;
+  const [low, high] = [
+    Math.min(-tail * sense, share < 0 ? off * sense : 0),
+    Math.max((sweep + tail) * sense, share > 1 ? off * sense : 0),
+  ];
   /** The tangent of the arc at an end, leading out of the angle. */
   const out = (bear: number, way: number): Place => ({ x: -Math.sin(bear) * way, y: -Math.cos(bear) * way });
   const [a, b] = [from(centre, heading(start), far), from(centre, heading(start + sweep), far)];
   const inward = isWide ? 1 : -1;
   return {
-    lines: leg(start, figure.reach[0]) + leg(start + sweep, figure.reach[1])
-      + arcLine(centre, far, start + low * sense, (high - low) * sense),
+    lines:
+      leg(start, figure.reach[0]) +
+      leg(start + sweep, figure.reach[1]) +
+      arcLine(centre, far, start + low * sense, (high - low) * sense),
     arrows: arrow(a, out(start, -sense * inward), unit) + arrow(b, out(start + sweep, sense * inward), unit),
   };
 }
@@ -146,7 +188,8 @@ export function dimensionLines(paper: DimensionPaper, figure: Figure, text: Plac
     case "across":
       return between(toScreen(camera, figure.from), toScreen(camera, figure.to), text, RIGHT, unit);
     case "straight": {
-      const [a, b] = [toScreen(camera, figure.from), toScreen(camera, figure.to)], { way } = to(a, b);
+      const [a, b] = [toScreen(camera, figure.from), toScreen(camera, figure.to)],
+        { way } = to(a, b);
       return between(a, b, text, { x: -way.y, y: way.x }, unit);
     }
   }

@@ -15,12 +15,15 @@ test("ΔX is a diameter, the distance is not", () => {
 });
 
 test("measured back, the differences change their sign only", () => {
-  fc.assert(fc.property(point, point, (a, b) => {
-    const there = measure(a, b), back = measure(b, a);
-    expect(back.dx).toBeCloseTo(-there.dx, 9);
-    expect(back.dz).toBeCloseTo(-there.dz, 9);
-    expect(back.distance).toBe(there.distance);
-  }));
+  fc.assert(
+    fc.property(point, point, (a, b) => {
+      const there = measure(a, b),
+        back = measure(b, a);
+      expect(back.dx).toBeCloseTo(-there.dx, 9);
+      expect(back.dz).toBeCloseTo(-there.dz, 9);
+      expect(back.distance).toBe(there.distance);
+    }),
+  );
 });
 
 test("nudging stays on whole thousandths", () => {

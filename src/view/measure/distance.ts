@@ -1,7 +1,16 @@
 import type { Kind } from "../../cycles/params.ts";
 import type { MeasuredKind } from "../../kernel/plan/measured.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
-import { axial, type Diameter, radius, rounded, roundedAngle, roundedInch, toDiameter, toRadius } from "../../kernel/units.ts";
+import {
+  axial,
+  type Diameter,
+  radius,
+  rounded,
+  roundedAngle,
+  roundedInch,
+  toDiameter,
+  toRadius,
+} from "../../kernel/units.ts";
 
 /** What lies between two places. */
 export interface Distance {
@@ -20,7 +29,10 @@ export const measure = (from: Pt, to: Pt): Distance => ({
   distance: Math.hypot(to.z - from.z, to.r - from.r),
 });
 
-/** What a ruler reads for a value of a kind: a place for positions, the way between two places for sizes; null where it reads none. */
+/**
+ * What a ruler reads for a value of a kind: a place for positions, the way between two places for sizes; null where it
+ * reads none.
+ */
 export function measuredFor(kind: Kind, place: Pt | null, between: Distance | null): number | null {
   switch (kind) {
     case "diameter":

@@ -6,8 +6,9 @@ import { CHORD, SAME } from "../../kernel/tolerance.ts";
 export type Chain = readonly Segment[];
 
 /**
- * What a picture has to measure, in the two axes of the picture: z to the right and r upwards. A milled plane says X as z and Y as r
- * (`partPoint` of `kernel/plane.ts`) and is not turned. Everything in `view/measure` works in these, whatever they are called.
+ * What a picture has to measure, in the two axes of the picture: z to the right and r upwards. A milled plane says X as
+ * z and Y as r (`partPoint` of `kernel/plane.ts`) and is not turned. Everything in `view/measure` works in these,
+ * whatever they are called.
  */
 export interface Measurable {
   /** r counts from a spindle axis: diameters can be measured, and there is nothing on the axis. */
@@ -24,10 +25,12 @@ export const NOTHING_MEASURABLE: Measurable = { isTurned: true, contours: [], bl
 
 /** In the order in which they are preferred. */
 const OWNERS = ["contour", "blank", "stock"] as const;
-const chainsOf = (drawing: Measurable, of: MeasuredEdge["of"]): readonly Chain[] => (of === "contour" ? drawing.contours : drawing[of]);
+const chainsOf = (drawing: Measurable, of: MeasuredEdge["of"]): readonly Chain[] =>
+  of === "contour" ? drawing.contours : drawing[of];
 
 /** Both ends on the spindle axis: where two halves meet there is no surface. */
-const onAxis = ({ kind, from, to }: Segment): boolean => kind === "line" && Math.abs(from.r) < SAME && Math.abs(to.r) < SAME;
+const onAxis = ({ kind, from, to }: Segment): boolean =>
+  kind === "line" && Math.abs(from.r) < SAME && Math.abs(to.r) < SAME;
 
 /** The elements of a drawing that a tool of measuring takes hold of: of contours, blank, stock. */
 export const measurableEdges = (drawing: Measurable): readonly MeasuredEdge[] =>
@@ -35,27 +38,39 @@ export const measurableEdges = (drawing: Measurable): readonly MeasuredEdge[] =>
     chainsOf(drawing, of).flatMap((segments, chain) => {
       const shape = shapeOf(drawing, { of, chain });
       return segments.flatMap((segment, element) =>
-        (drawing.isTurned && onAxis(segment)) || part.lengthOf(segment) < SAME ? [] : [{ of, chain, element, shape, segment }]
+        (drawing.isTurned && onAxis(segment)) || part.lengthOf(segment) < SAME
+          ? []
+          : [{ of, chain, element, shape, segment }],
       );
-    })
+    }),
   );
 
-/** The segment that a measured edge is now; undefined where its contour does not consist of the same elements any more. */
+/**
+ * The segment that a measured edge is now; undefined where its contour does not consist of the same elements any more.
+ */
 export function segmentNow(drawing: Measurable, edge: MeasuredEdge): Segment | undefined {
   const segment = chainsOf(drawing, edge.of)[edge.chain]?.[edge.element];
   return segment?.kind === edge.segment.kind && shapeOf(drawing, edge) === edge.shape ? segment : undefined;
 }
 
-const PRIME = 31, MANY = 0x7fffffff;
+const PRIME = 31,
+  MANY = 0x7fffffff;
 
-/** What the contours of an owner consist of: another number of them, or of lines and arcs in this one, gives another text. */
+/**
+ * What the contours of an owner consist of: another number of them, or of lines and arcs in this one, gives another
+ * text.
+ */
 function shapeOf(drawing: Measurable, { of, chain }: Pick<MeasuredEdge, "of" | "chain">): string {
-  const chains = chainsOf(drawing, of), own = chains[chain] ?? [];
+  const chains = chainsOf(drawing, of),
+    own = chains[chain] ?? [];
   const kinds = own.reduce((sum, { kind }, i) => (sum * PRIME + (kind === "arc" ? i + 2 : 1)) % MANY, 0);
   return [chains.length, own.length, kinds].join("/");
 }
 
-/** Points of a flattened arc lie this near to its circle, mm: rounded to the grid of the polygon engine, and a little more. */
+/**
+ * Points of a flattened arc lie this near to its circle, mm: rounded to the grid of the polygon engine, and a little
+ * more.
+ */
 const ON_ARC = 0.0004;
 /** Fewer chords than this are corners of their own. */
 const FEWEST = 4;
@@ -71,7 +86,9 @@ interface Circle {
 
 /** The circle through three points; null where they lie on a line. */
 function circleThrough(a: Pt, b: Pt, c: Pt): Circle | null {
-  const ab = part.difference(b, a), ac = part.difference(c, a), bend = part.cross(ab, ac) * 2;
+  const ab = part.difference(b, a),
+    ac = part.difference(c, a),
+    bend = part.cross(ab, ac) * 2;
   if (Math.abs(bend) < SAME * SAME) return null;
   const [p, q] = [part.dot(ab, ab), part.dot(ac, ac)];
   const centre = part.point(a.z + (ac.r * p - ab.r * q) / bend, a.r + (ab.z * q - ac.z * p) / bend);
@@ -88,13 +105,16 @@ interface Found extends Circle {
   readonly turn: number;
 }
 
-/** The circle of the points from one to another; the ends may be cut within their chord. Null where they lie on none. */
+/**
+ * The circle of the points from one to another; the ends may be cut within their chord. Null where they lie on none.
+ */
 function circleOf(points: readonly Pt[], first: number, last: number): Circle | null {
   const [a, b, c] = [points[first + 1], points[(first + last) >> 1], points[last - 1]];
   const circle = a && b && c ? circleThrough(a, b, c) : null;
   if (!circle) return null;
   const isOn = (i: number) => {
-    const p = points[i], allowed = i === first || i === last ? CHORD + ON_ARC : ON_ARC;
+    const p = points[i],
+      allowed = i === first || i === last ? CHORD + ON_ARC : ON_ARC;
     return p !== undefined && Math.abs(part.apart(p, circle.centre) - circle.size) < allowed;
   };
   for (let i = first; i <= last; i += 1) if (!isOn(i)) return null;
@@ -105,12 +125,14 @@ function circleOf(points: readonly Pt[], first: number, last: number): Circle | 
 function turningUntil(points: readonly Pt[], first: number): { readonly last: number; readonly turn: number } {
   const [a, b, c] = [points[first], points[first + 1], points[first + 2]];
   if (!a || !b || !c) return { last: first, turn: 0 };
-  const turn = turnAt(a, b, c), long = part.apart(b, c);
+  const turn = turnAt(a, b, c),
+    long = part.apart(b, c);
   let last = first + 1;
   for (let i = first + 2; i < points.length; i += 1) {
     const [o, p, q] = [points[i - 2], points[i - 1], points[i]];
     const bent = o && p && q ? turnAt(o, p, q) : 0;
-    if (!p || !q || Math.sign(bent) !== Math.sign(turn) || Math.abs(bent) > BEND || part.apart(p, q) > ALIKE * long) break;
+    if (!p || !q || Math.sign(bent) !== Math.sign(turn) || Math.abs(bent) > BEND || part.apart(p, q) > ALIKE * long)
+      break;
     last = i;
   }
   return { last, turn };
@@ -137,22 +159,28 @@ function withoutFlat(ring: Ring): Pt[] {
 const ROUNDED = 0.00002;
 
 /**
- * The outline of a polygon as lines and arcs: chords that lie on one circle, as material removal makes them of the arcs of tools and
- * contours, become that arc again. It begins at the sharpest corner, so that no arc is cut in two.
+ * The outline of a polygon as lines and arcs: chords that lie on one circle, as material removal makes them of the arcs
+ * of tools and contours, become that arc again. It begins at the sharpest corner, so that no arc is cut in two.
  */
 export function chainOfRing(ring: Ring): Chain {
   const clean = withoutFlat(ring);
   if (clean.length < 3) return [];
   const sharp = clean.map((p, i) =>
-    Math.abs(turnAt(clean[(i + clean.length - 1) % clean.length] ?? p, p, clean[(i + 1) % clean.length] ?? p))
+    Math.abs(turnAt(clean[(i + clean.length - 1) % clean.length] ?? p, p, clean[(i + 1) % clean.length] ?? p)),
   );
   const begin = sharp.indexOf(Math.max(...sharp));
   const points = [...clean.slice(begin), ...clean.slice(0, begin + 1)];
   const chain: Segment[] = [];
   for (let i = 0; i + 1 < points.length;) {
-    const arc = arcFrom(points, i), from = points[i], to = points[arc?.last ?? i + 1];
+    const arc = arcFrom(points, i),
+      from = points[i],
+      to = points[arc?.last ?? i + 1];
     if (!from || !to) break;
-    chain.push(arc ? { kind: "arc", from, to, centre: arc.centre, turn: arc.turn > 0 ? "ccw" : "cw" } : { kind: "line", from, to });
+    chain.push(
+      arc
+        ? { kind: "arc", from, to, centre: arc.centre, turn: arc.turn > 0 ? "ccw" : "cw" }
+        : { kind: "line", from, to },
+    );
     i = arc?.last ?? i + 1;
   }
   return chain;

@@ -14,7 +14,12 @@ export type Figure =
   | { readonly kind: "along" | "across" | "straight"; readonly from: Pt; readonly to: Pt }
   | { readonly kind: "radius"; readonly tip: Pt; readonly centre: Pt }
   /** Between two directions of length 1. */
-  | { readonly kind: "angle"; readonly vertex: Pt; readonly ways: readonly [Pt, Pt]; readonly reach: readonly [number, number] };
+  | {
+      readonly kind: "angle";
+      readonly vertex: Pt;
+      readonly ways: readonly [Pt, Pt];
+      readonly reach: readonly [number, number];
+    };
 
 /** A value with its figure; mm or degrees. */
 export interface Gauged {
@@ -36,8 +41,13 @@ function toAxis(place: MeasuredPlace, isTurned: boolean): Gauged | null {
   const line = lineOf(place, isTurned);
   if (!line) return null;
   const [near, far] = Math.abs(line[0].r) <= Math.abs(line[1].r) ? line : [line[1], line[0]];
-  const way = part.unit(part.difference(far, near)), axis = at(way.z < 0 ? -1 : 1, 0), long = part.apart(near, far);
-  return { value: angleBetween(axis, way), figure: { kind: "angle", vertex: near, ways: [axis, way], reach: [0, long] } };
+  const way = part.unit(part.difference(far, near)),
+    axis = at(way.z < 0 ? -1 : 1, 0),
+    long = part.apart(near, far);
+  return {
+    value: angleBetween(axis, way),
+    figure: { kind: "angle", vertex: near, ways: [axis, way], reach: [0, long] },
+  };
 }
 
 /** From where two lines meet towards a place on one of them. */
@@ -47,7 +57,9 @@ function armOf([from, to]: readonly [Pt, Pt], place: Pt, vertex: Pt): { readonly
   return { way, long: Math.max(0, ...[from, to].map((p) => part.dot(part.difference(p, vertex), way))) };
 }
 
-/** The angle between two edges, on the sides where they were pointed at; nothing between edges that run side by side. */
+/**
+ * The angle between two edges, on the sides where they were pointed at; nothing between edges that run side by side.
+ */
 function between(first: MeasuredPlace, second: MeasuredPlace, isTurned: boolean): Gauged | null {
   const [one, two] = [lineOf(first, isTurned), lineOf(second, isTurned)];
   if (!one || !two) return null;
@@ -55,7 +67,10 @@ function between(first: MeasuredPlace, second: MeasuredPlace, isTurned: boolean)
   const vertex = part.meet({ point: one[0], along: a }, { point: two[0], along: b })[0];
   if (!vertex || Math.abs(part.cross(a, b)) < ROUND) return null;
   const [u, v] = [armOf(one, first.at, vertex), armOf(two, second.at, vertex)];
-  return { value: angleBetween(u.way, v.way), figure: { kind: "angle", vertex, ways: [u.way, v.way], reach: [u.long, v.long] } };
+  return {
+    value: angleBetween(u.way, v.way),
+    figure: { kind: "angle", vertex, ways: [u.way, v.way], reach: [u.long, v.long] },
+  };
 }
 
 const arcOf = (place: MeasuredPlace, isTurned: boolean): { readonly centre: Pt; readonly size: number } | null => {
@@ -65,8 +80,8 @@ const arcOf = (place: MeasuredPlace, isTurned: boolean): { readonly centre: Pt; 
 };
 
 /**
- * What a tool of measuring reads from its places; null where they make none, as two edges that run side by side make no angle.
- * `isTurned`: the second axis counts from a spindle axis.
+ * What a tool of measuring reads from its places; null where they make none, as two edges that run side by side make no
+ * angle. `isTurned`: the second axis counts from a spindle axis.
  */
 export function gauged(kind: MeasuredKind, places: readonly MeasuredPlace[], isTurned: boolean): Gauged | null {
   const [first, second] = places;
@@ -81,11 +96,17 @@ export function gauged(kind: MeasuredKind, places: readonly MeasuredPlace[], isT
     case "angle":
       return second ? between(first, second, isTurned) : toAxis(first, isTurned);
     case "length":
-      return second ? { value: Math.abs(second.at.z - first.at.z), figure: { kind: "along", from: first.at, to: second.at } } : null;
+      return second
+        ? { value: Math.abs(second.at.z - first.at.z), figure: { kind: "along", from: first.at, to: second.at } }
+        : null;
     case "depth":
-      return second ? { value: Math.abs(second.at.r - first.at.r), figure: { kind: "across", from: first.at, to: second.at } } : null;
+      return second
+        ? { value: Math.abs(second.at.r - first.at.r), figure: { kind: "across", from: first.at, to: second.at } }
+        : null;
     case "distance":
     case "wall":
-      return second ? { value: part.apart(first.at, second.at), figure: { kind: "straight", from: first.at, to: second.at } } : null;
+      return second
+        ? { value: part.apart(first.at, second.at), figure: { kind: "straight", from: first.at, to: second.at } }
+        : null;
   }
 }

@@ -30,7 +30,8 @@ const some: readonly AskedMeasurement[] = [
 /** All pairs of numbers of path data. */
 const numbers = (d: string): number[] => (d.match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
 /** Both ends of the straight lines of path data. */
-const ends = (d: string) => [...d.matchAll(/M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)/g)].map((m) => m.slice(1).map(Number));
+const ends = (d: string) =>
+  [...d.matchAll(/M([-\d.]+) ([-\d.]+)L([-\d.]+) ([-\d.]+)/g)].map((m) => m.slice(1).map(Number));
 
 describe("dimensions over the picture", () => {
   const standing = standingMeasurements(paper, some);
@@ -49,24 +50,31 @@ describe("dimensions over the picture", () => {
 
   test("as long as there is room no line runs through a text, and none strikes one that the drawing has", () => {
     const through = ({ id, lines }: (typeof standing)[number]) =>
-      standing.filter(({ id: other, box }) =>
-        other !== id && ends(lines).some(([x = 0, y = 0, x2 = 0, y2 = 0]) =>
-          Array.from({ length: 401 }, (_, i) => i / 400).some((k) => {
-            const [px, py] = [x + (x2 - x) * k, y + (y2 - y) * k];
-            return px > box.x && px < box.x + box.width && py > box.y && py < box.y + box.height;
-          })
+      standing
+        .filter(
+          ({ id: other, box }) =>
+            other !== id &&
+            ends(lines).some(([x = 0, y = 0, x2 = 0, y2 = 0]) =>
+              Array.from({ length: 401 }, (_, i) => i / 400).some((k) => {
+                const [px, py] = [x + (x2 - x) * k, y + (y2 - y) * k];
+                return px > box.x && px < box.x + box.width && py > box.y && py < box.y + box.height;
+              }),
+            ),
         )
-      ).map(({ id: other }) => `${id} through ${other}`);
+        .map(({ id: other }) => `${id} through ${other}`);
     expect(standing.flatMap(through)).toEqual([]);
     // The first place of a length is in line with a text of the drawing, which its line would strike.
     const length = asked("1", { kind: "along", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.720");
-    const [plain] = standingMeasurements({ ...paper, kept: [] }, [length]), y = plain?.middle.y ?? 0;
-    const kept = [{ x: 420, y: y - 8, width: 30, height: 16 }], [clear] = standingMeasurements({ ...paper, kept }, [length]);
+    const [plain] = standingMeasurements({ ...paper, kept: [] }, [length]),
+      y = plain?.middle.y ?? 0;
+    const kept = [{ x: 420, y: y - 8, width: 30, height: 16 }],
+      [clear] = standingMeasurements({ ...paper, kept }, [length]);
     expect(Math.abs((clear?.middle.y ?? y) - y)).toBeGreaterThan(8);
   });
 
   test("a text that was put by hand stands there, whatever lies there, and its dimension goes with it", () => {
-    const put = at(-37.3, 31.9), [one] = standingMeasurements(paper, [{ ...some[2]!, put }]);
+    const put = at(-37.3, 31.9),
+      [one] = standingMeasurements(paper, [{ ...some[2]!, put }]);
     expect(one?.middle).toEqual(toScreen(camera, put));
     const level = ends(one?.lines ?? "").filter(([, y, , y2]) => y === y2);
     // The dimension line runs at the height of the text, between what is measured.
@@ -86,7 +94,10 @@ describe("dimensions over the picture", () => {
   test("arrows stand outside where a length is too short for them", () => {
     const short = { kind: "along", from: at(-3.31, 9.1), to: at(-1.15, 9.1) } as const,
       [one] = standingMeasurements(paper, [asked("1", short, "2.16")]);
-    const tips = [...(one?.arrows ?? "").matchAll(/M([-\d.]+) [-\d.]+L([-\d.]+)/g)].map(([, tip, back]) => [Number(tip), Number(back)]);
+    const tips = [...(one?.arrows ?? "").matchAll(/M([-\d.]+) [-\d.]+L([-\d.]+)/g)].map(([, tip, back]) => [
+      Number(tip),
+      Number(back),
+    ]);
     const [left, right] = [613.5 - 3.31 * 4.37, 613.5 - 1.15 * 4.37];
     expect(tips[0]?.[0]).toBeCloseTo(left, 1);
     expect(tips[0]?.[1]).toBeLessThan(left);
@@ -96,19 +107,32 @@ describe("dimensions over the picture", () => {
 
   test("whatever is measured and wherever its text is put, all lines are drawn with numbers", () =>
     fc.assert(
-      fc.property(fc.constantFrom(...some), fc.double({ min: -200, max: 200, noNaN: true }),
-        fc.double({ min: -200, max: 200, noNaN: true }), fc.constantFrom(0.05, 3.1, 1999), fc.boolean(), (one, z, r, scale, xUp) => {
-        const [drawn] = standingMeasurements({ ...paper, camera: { ...camera, scale, xUp } }, [{ ...one, put: at(z, r) }]);
-        const all = numbers(`${drawn?.lines}${drawn?.arrows}`);
-        expect(all.length).toBeGreaterThan(3);
-        expect(`${drawn?.lines}${drawn?.arrows}`).not.toMatch(/NaN|Infinity|undefined/);
-      }),
+      fc.property(
+        fc.constantFrom(...some),
+        fc.double({ min: -200, max: 200, noNaN: true }),
+        fc.double({ min: -200, max: 200, noNaN: true }),
+        fc.constantFrom(0.05, 3.1, 1999),
+        fc.boolean(),
+        (one, z, r, scale, xUp) => {
+          const [drawn] = standingMeasurements({ ...paper, camera: { ...camera, scale, xUp } }, [
+            { ...one, put: at(z, r) },
+          ]);
+          const all = numbers(`${drawn?.lines}${drawn?.arrows}`);
+          expect(all.length).toBeGreaterThan(3);
+          expect(`${drawn?.lines}${drawn?.arrows}`).not.toMatch(/NaN|Infinity|undefined/);
+        },
+      ),
     ));
 });
 
 test("on the sheet they are as large as its figures, in frames with round ends, clear of the dimensions that it has", () => {
   const kept = [{ x: 80, y: 20, width: 20, height: 60 }];
-  const made = measuredOnPaper(some, { camera: { scale: 0.83, zero: { x: 71.3, y: 44.1 }, xUp: true }, width: 124, height: 96, kept });
+  const made = measuredOnPaper(some, {
+    camera: { scale: 0.83, zero: { x: 71.3, y: 44.1 }, xUp: true },
+    width: 124,
+    height: 96,
+    kept,
+  });
   expect(made).toHaveLength(some.length);
   for (const { box, frame } of made) {
     expect(box.height).toBeCloseTo((20 * 3) / 13, 9);

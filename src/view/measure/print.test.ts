@@ -18,7 +18,8 @@ const blank = [[at(-60.1, 0), at(1.2, 0), at(1.2, 25.3), at(-60.1, 25.3)]];
 const steps = [step(-3.1, 24), step(-9.7, 22.5), step(-15.2, 21)];
 const made = { blank, stated: [], steps };
 const moment = (index: number, fraction = 0) => ({ step: index, fraction, block: 12 });
-const print = (of: Parameters<typeof printsOf>[0], ...asked: Parameters<ReturnType<typeof printsOf>>) => printsOf(of)(...asked);
+const print = (of: Parameters<typeof printsOf>[0], ...asked: Parameters<ReturnType<typeof printsOf>>) =>
+  printsOf(of)(...asked);
 
 test("what comes after a moment changes nothing of its stock; what was before it does", () => {
   const later = { ...made, steps: [...steps.slice(0, 2), step(-15.2, 20.999)] };
@@ -32,16 +33,23 @@ test("what comes after a moment changes nothing of its stock; what was before it
 test("another nose is another stock, another name or holder is not", () => {
   const other = (own: Partial<Tool>) => ({ ...made, steps: steps.map((s) => ({ ...s, tool: { ...tool, ...own } })) });
   expect(print(other({ RS: length(0.4) }), moment(1))).not.toBe(print(made, moment(1)));
-  expect(print(other({ NAME: "B", holder: { width: length(25), length: length(80), offsetX: length(1), offsetZ: length(2) } }), moment(1)))
-    .toBe(print(made, moment(1)));
+  expect(
+    print(
+      other({ NAME: "B", holder: { width: length(25), length: length(80), offsetX: length(1), offsetZ: length(2) } }),
+      moment(1),
+    ),
+  ).toBe(print(made, moment(1)));
 });
 
 test("the end is the end of whatever there is; a moment that is no more has no print; the order of asking changes nothing", () => {
-  const longer = { ...made, steps: [...steps, step(-20, 19)] }, end = { step: 3, fraction: 0 };
+  const longer = { ...made, steps: [...steps, step(-20, 19)] },
+    end = { step: 3, fraction: 0 };
   expect(print(longer, end)).not.toBe(print(made, end));
   expect(print(made, end)).toBe(print(made, { step: 77, fraction: 0 }));
   expect(print(made, moment(4))).toBeNull();
-  const asked = printsOf(made), last = asked(moment(3)), first = asked(moment(1));
+  const asked = printsOf(made),
+    last = asked(moment(3)),
+    first = asked(moment(1));
   expect([first, last]).toEqual([print(made, moment(1)), print(made, moment(3))]);
 });
 
@@ -53,12 +61,21 @@ test("a blank that is stated on the way counts from its step on", () => {
 
 test("milled stock is another one after another way, from another body, and not for what is turned later", () => {
   const spot = (x: number, y: number) => ({ x, y, z: -2.7 });
-  const motion = { kind: "feed", from: spot(20.3, 0), to: spot(0, -20.3), feed: 200, radius: 3.1, index: 4, turned: 2 } as const;
+  const motion = {
+    kind: "feed",
+    from: spot(20.3, 0),
+    to: spot(0, -20.3),
+    feed: 200,
+    radius: 3.1,
+    index: 4,
+    turned: 2,
+  } as const;
   const arc = { ...motion, kind: "arc", centre: { x: 0, y: 0 }, turn: "ccw" } as const;
   const side = { ...motion, kind: "arc", side: { plane: "ZX", centre: { x: 4.2, z: 1.3 }, turn: "cw" } } as const;
-  const none = { blank: [], stated: [], steps: [] }, end = { step: 1, fraction: 0 };
+  const none = { blank: [], stated: [], steps: [] },
+    end = { step: 1, fraction: 0 };
   const prints = [motion, arc, { ...arc, turn: "cw" as const }, side, { ...motion, radius: 3.2 }].map((m) =>
-    printsOfMilled(blank, [m], none)(end)
+    printsOfMilled(blank, [m], none)(end),
   );
   expect(new Set(prints).size).toBe(5);
   const on = (turned: StockMaker) => printsOfMilled(blank, [motion], turned)(end);

@@ -11,7 +11,9 @@ export interface StockMaker {
   readonly steps: readonly Step[];
 }
 
-const BASIS = 2_166_136_261, PRIME = 16_777_619, FINE = 1e4;
+const BASIS = 2_166_136_261,
+  PRIME = 16_777_619,
+  FINE = 1e4;
 
 /** One number more in a print. */
 const added = (print: number, value: number): number => Math.imul(print ^ Math.round(value * FINE), PRIME) >>> 0;
@@ -44,7 +46,8 @@ function printsAlong<S>(
     if (last > steps.length) return null;
     const wanted = Math.min(steps.length, fraction > 0 ? last + 1 : last);
     for (let i = until.length; i <= wanted; i += 1) {
-      const done = steps[i - 1], print = until[i - 1] ?? BASIS;
+      const done = steps[i - 1],
+        print = until[i - 1] ?? BASIS;
       until.push(done ? withStep(print, done) : print);
     }
     return added(begun(until[wanted] ?? BASIS, last), block === undefined ? 0 : fraction).toString(36);
@@ -52,8 +55,9 @@ function printsAlong<S>(
 }
 
 /**
- * Prints of the stock at moments of a program: two moments with the same print have the same stock, since all that was done until then
- * is the same. A moment without a block is the end, however many steps there are. Asked for again, nothing is counted twice.
+ * Prints of the stock at moments of a program: two moments with the same print have the same stock, since all that was
+ * done until then is the same. A moment without a block is the end, however many steps there are. Asked for again,
+ * nothing is counted twice.
  */
 export function printsOf({ blank, stated, steps }: StockMaker): PrintOf {
   const tools = new Map<Tool, number>();
@@ -62,8 +66,13 @@ export function printsOf({ blank, stated, steps }: StockMaker): PrintOf {
     tools.set(tool, known);
     return known;
   };
-  return printsAlong(steps, withRings(BASIS, blank), (print, step) => added(withMove(print, step), toolOf(step.tool)),
-    (print, last) => stated.filter((each) => each.step <= last).reduce((sum, { rings }) => withRings(sum, rings), print));
+  return printsAlong(
+    steps,
+    withRings(BASIS, blank),
+    (print, step) => added(withMove(print, step), toolOf(step.tool)),
+    (print, last) =>
+      stated.filter((each) => each.step <= last).reduce((sum, { rings }) => withRings(sum, rings), print),
+  );
 }
 
 /** A height that nobody knows, in a print: no program goes there, mm. */
@@ -73,24 +82,38 @@ const turnPrint = (turn: MillMotion["turn"]): number => (turn === "cw" ? 1 : 2);
 /** A line adds nothing for its way, so that no arc is taken for one. */
 function wayPrint({ centre, turn, side }: MillMotion): readonly number[] {
   if (side)
-    return [3, "XYZ".indexOf(side.plane[0] ?? ""), side.centre.x ?? 0, side.centre.y ?? 0, side.centre.z ?? 0, turnPrint(side.turn)];
+    return [
+      3,
+      "XYZ".indexOf(side.plane[0] ?? ""),
+      side.centre.x ?? 0,
+      side.centre.y ?? 0,
+      side.centre.z ?? 0,
+      turnPrint(side.turn),
+    ];
   return centre ? [4, centre.x, centre.y, turnPrint(turn)] : [];
 }
 
 function withMotion(print: number, m: MillMotion): number {
   const { from, to, radius } = m;
-  return [from.x, from.y, from.z ?? NO_HEIGHT, to.x, to.y, to.z ?? NO_HEIGHT, ...wayPrint(m), radius].reduce(added, print);
+  return [from.x, from.y, from.z ?? NO_HEIGHT, to.x, to.y, to.z ?? NO_HEIGHT, ...wayPrint(m), radius].reduce(
+    added,
+    print,
+  );
 }
 
 /** A motion of a program that may turn as well: after which of its steps. */
 type MilledMotion = MillMotion & { readonly turned: number };
 
-/** The same of milled stock: `blank` are its outlines in the plane, those of each height; `turned` makes the body that is milled. */
+/**
+ * The same of milled stock: `blank` are its outlines in the plane, those of each height; `turned` makes the body that
+ * is milled.
+ */
 export function printsOfMilled(blank: readonly Ring[], motions: readonly MilledMotion[], turned: StockMaker): PrintOf {
   const milled = printsAlong(motions, withRings(BASIS, blank), withMotion, (print) => print);
   const before = turned.steps.length > 0 ? printsOf(turned) : null;
   return (moment) => {
-    const own = milled(moment), last = motions[moment.block === undefined ? motions.length - 1 : Math.min(moment.step, motions.length - 1)];
+    const own = milled(moment),
+      last = motions[moment.block === undefined ? motions.length - 1 : Math.min(moment.step, motions.length - 1)];
     if (own === null || !before) return own;
     const body = before({ step: last?.turned ?? 0, fraction: 0, block: 0 });
     return body && `${own} ${body}`;

@@ -18,7 +18,10 @@ export interface MeasurementNow extends Gauged {
   readonly isOld: boolean;
 }
 
-/** Where a place of a segment lies on the one that this became: an end at that end, the rest at the same share of the way. */
+/**
+ * Where a place of a segment lies on the one that this became: an end at that end, the rest at the same share of the
+ * way.
+ */
 function carried(was: Segment, is: Segment, p: Pt, spot: MeasuredPlace["spot"]): Pt | null {
   if (spot === "centre") return is.kind === "arc" ? is.centre : null;
   if (part.apart(p, was.from) < SAME) return is.from;
@@ -30,7 +33,12 @@ function carried(was: Segment, is: Segment, p: Pt, spot: MeasuredPlace["spot"]):
 const isAt = (a: Pt, b: Pt): boolean => part.apart(a, b) < SAME;
 
 /** An edge of the drawing that still holds the place in the same way, whatever became of the rest. */
-function heldBy(drawing: Measurable, { of, segment: was }: MeasuredEdge, p: Pt, spot: MeasuredPlace["spot"]): Segment | null {
+function heldBy(
+  drawing: Measurable,
+  { of, segment: was }: MeasuredEdge,
+  p: Pt,
+  spot: MeasuredPlace["spot"],
+): Segment | null {
   const chains = of === "contour" ? drawing.contours : drawing.blank;
   const holds = (is: Segment): boolean => {
     if (is.kind !== was.kind) return false;
@@ -51,16 +59,19 @@ function placeNow(measured: MeasuredWork, place: MeasuredPlace): MeasuredPlace |
   if (spot === "free") return place;
   if (spot === "path") return measured.path.some((end) => isAt(end, p)) ? place : null;
   if (!edge || edge.of === "stock") return place;
-  const side = halfOf(measured, p), on = onSide(p, side);
-  const own = segmentNow(measured, edge), now = own ? carried(edge.segment, own, on, spot) : null;
+  const side = halfOf(measured, p),
+    on = onSide(p, side);
+  const own = segmentNow(measured, edge),
+    now = own ? carried(edge.segment, own, on, spot) : null;
   if (own && now) return { ...place, at: onSide(now, side), edge: { ...edge, segment: own } };
   const segment = heldBy(measured, edge, on, spot);
   return segment && { ...place, edge: { ...edge, segment } };
 }
 
 /**
- * A measurement as it is now. Places on the contour or the blank go with the element that they were taken from; stock of a moment is
- * the same as long as all that made it is. What is gone is read as it was, and said to be old. Null where it never made a value.
+ * A measurement as it is now. Places on the contour or the blank go with the element that they were taken from; stock
+ * of a moment is the same as long as all that made it is. What is gone is read as it was, and said to be old. Null
+ * where it never made a value.
  */
 export function readMeasurement(measurement: Measurement, measured: MeasuredWork): MeasurementNow | null {
   const { kind, places, moment } = measurement;
@@ -68,7 +79,14 @@ export function readMeasurement(measurement: Measurement, measured: MeasuredWork
   const now = places.map((place) => placeNow(measured, place));
   const isThere = now.every((place) => place !== null);
   const isSame = !moment || measured.printOf(moment) === moment.print;
-  const fresh = isThere && isSame ? gauged(kind, now.filter((place) => place !== null), isTurned) : null;
+  const fresh =
+    isThere && isSame
+      ? gauged(
+          kind,
+          now.filter((place) => place !== null),
+          isTurned,
+        )
+      : null;
   const read = fresh ?? gauged(kind, places, isTurned);
   return read && { ...read, measurement, isOld: fresh === null };
 }

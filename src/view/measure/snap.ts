@@ -18,7 +18,10 @@ const GRIPS: Readonly<Record<MeasuredKind, Grip>> = {
 export const gripOf = (kind: MeasuredKind, { isTurned }: Pick<Measurable, "isTurned">): Grip =>
   kind === "diameter" && !isTurned ? "arc" : GRIPS[kind];
 
-/** Of edges that lie on one another the finished contour is meant, then the blank: what this share of the reach makes of them. */
+/**
+ * Of edges that lie on one another the finished contour is meant, then the blank: what this share of the reach makes of
+ * them.
+ */
 const BEHIND = { contour: 0, blank: 0.06, stock: 0.12 } as const;
 /** How much farther than a corner an arc or a line may be when nothing else is asked for. */
 const FAR = 2.5;
@@ -47,23 +50,39 @@ function nearest(reach: number) {
 }
 
 /** What lies within reach of a place, the sort that is meant most first: corners, centres, ends of moves, edges. */
-function snappedAbove(drawing: Measurable, edges: readonly MeasuredEdge[], p: Pt, reach: number, grip: Grip): MeasuredPlace | null {
-  const corner = nearest(reach), centre = nearest(reach), path = nearest(reach);
+function snappedAbove(
+  drawing: Measurable,
+  edges: readonly MeasuredEdge[],
+  p: Pt,
+  reach: number,
+  grip: Grip,
+): MeasuredPlace | null {
+  const corner = nearest(reach),
+    centre = nearest(reach),
+    path = nearest(reach);
   const edge = nearest(grip === "point" || grip === "surface" ? reach : FAR * reach);
   const points = grip === "point" || grip === "surface";
   for (const each of edges) {
-    const { segment, of } = each, behind = BEHIND[of] * reach;
-    if ((grip === "arc" && segment.kind !== "arc") || (grip === "line" && segment.kind !== "line") || (grip === "wall" && of !== "stock"))
+    const { segment, of } = each,
+      behind = BEHIND[of] * reach;
+    if (
+      (grip === "arc" && segment.kind !== "arc") ||
+      (grip === "line" && segment.kind !== "line") ||
+      (grip === "wall" && of !== "stock")
+    )
       continue;
     if (points) {
-      for (const end of [segment.from, segment.to]) corner.offer(part.apart(end, p) + behind, () => taken(each, end, "corner"));
+      for (const end of [segment.from, segment.to])
+        corner.offer(part.apart(end, p) + behind, () => taken(each, end, "corner"));
       if (segment.kind === "arc" && grip === "point")
         centre.offer(part.apart(segment.centre, p) + behind, () => taken(each, segment.centre, "centre"));
     }
     const on = part.nearestOn(segment, p);
     edge.offer(part.apart(on, p) + behind, () => taken(each, on, "edge"));
   }
-  if (grip === "point") { for (const end of drawing.path) path.offer(part.apart(end, p), () => ({ at: end, spot: "path" })); }
+  if (grip === "point") {
+    for (const end of drawing.path) path.offer(part.apart(end, p), () => ({ at: end, spot: "path" }));
+  }
   return corner.get() ?? centre.get() ?? path.get() ?? edge.get();
 }
 
@@ -75,8 +94,8 @@ export interface Snapping {
 export const snappingOf = (drawing: Measurable): Snapping => ({ drawing, edges: measurableEdges(drawing) });
 
 /**
- * What a tool of measuring takes hold of at a place, within `reach` mm: a corner before the centre of an arc, that before the end of
- * a move, that before the nearest point of an edge. Where there is nothing, the place itself.
+ * What a tool of measuring takes hold of at a place, within `reach` mm: a corner before the centre of an arc, that
+ * before the end of a move, that before the nearest point of an edge. Where there is nothing, the place itself.
  */
 export function snapAt({ drawing, edges }: Snapping, place: Pt, reach: number, grip: Grip): MeasuredPlace {
   const side = halfOf(drawing, place);
@@ -89,7 +108,8 @@ const middleOf = (each: MeasuredEdge): MeasuredPlace => taken(each, part.pointOn
 
 /** The places that a tool takes hold of, in the order in which keys walk them; each once. */
 export function stopsOf({ drawing, edges }: Snapping, grip: Grip): readonly MeasuredPlace[] {
-  const seen = new Set<string>(), stops: MeasuredPlace[] = [];
+  const seen = new Set<string>(),
+    stops: MeasuredPlace[] = [];
   const add = (stop: MeasuredPlace) => {
     const key = `${Math.round(stop.at.z * 1e3)},${Math.round(stop.at.r * 1e3)}`;
     if (seen.has(key)) return;
@@ -109,7 +129,9 @@ export function stopsOf({ drawing, edges }: Snapping, grip: Grip): readonly Meas
       if (segment.kind === "arc" && grip === "point") add(taken(each, segment.centre, "centre"));
     }
   }
-  if (grip === "point") { for (const end of drawing.path) add({ at: end, spot: "path" }); }
+  if (grip === "point") {
+    for (const end of drawing.path) add({ at: end, spot: "path" });
+  }
   return stops;
 }
 

@@ -22,13 +22,18 @@ function hit(edges: readonly MeasuredEdge[], from: Pt, way: Pt): MeasuredPlace |
 }
 
 /**
- * The thickness of the material under a place of its outline, square to it: that place and the one across. Outer outlines run
- * counter-clockwise, so that material lies on their left. Null where the material goes on to the spindle axis.
+ * The thickness of the material under a place of its outline, square to it: that place and the one across. Outer
+ * outlines run counter-clockwise, so that material lies on their left. Null where the material goes on to the spindle
+ * axis.
  */
-export function wallAt({ drawing, edges }: Snapping, place: MeasuredPlace): readonly [MeasuredPlace, MeasuredPlace] | null {
+export function wallAt(
+  { drawing, edges }: Snapping,
+  place: MeasuredPlace,
+): readonly [MeasuredPlace, MeasuredPlace] | null {
   const { edge } = place;
   if (edge?.of !== "stock") return null;
-  const side = halfOf(drawing, place.at), from = onSide(place.at, side);
+  const side = halfOf(drawing, place.at),
+    from = onSide(place.at, side);
   const across = hit(edges, from, part.leftOf(part.direction(edge.segment, from)));
   return across && [place, { ...across, at: onSide(across.at, side) }];
 }

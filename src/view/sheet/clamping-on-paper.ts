@@ -13,13 +13,22 @@ export interface ClampingNear {
   readonly edges: readonly (readonly [Pt, Pt])[];
 }
 
-/** What holds a blank, cut off not far from it: a chuck is far larger than most parts. No edge is drawn where it goes on. */
-export function clampingNear({ clamping: { face, length, tailstock }, bodies }: Clamped, { left, right, high }: Bounds): ClampingNear {
-  const back = Math.min(left, face - length) - ALONG * high, front = Math.max(right, tailstock?.tip ?? right) + ALONG * high;
-  const out = (1 + OUT) * high, near = [at(back, 0), at(front, 0), at(front, out), at(back, out)];
+/**
+ * What holds a blank, cut off not far from it: a chuck is far larger than most parts. No edge is drawn where it goes
+ * on.
+ */
+export function clampingNear(
+  { clamping: { face, length, tailstock }, bodies }: Clamped,
+  { left, right, high }: Bounds,
+): ClampingNear {
+  const back = Math.min(left, face - length) - ALONG * high,
+    front = Math.max(right, tailstock?.tip ?? right) + ALONG * high;
+  const out = (1 + OUT) * high,
+    near = [at(back, 0), at(front, 0), at(front, out), at(back, out)];
   const areas = bodies.flatMap(({ part, rings }) => (part === "limit" ? [] : intersection(rings, [near])));
   const same = (a: number, b: number, place: number) => Math.abs(a - place) < SAME && Math.abs(b - place) < SAME;
-  const isCut = (p: Pt, q: Pt) => same(p.z, q.z, back) || same(p.z, q.z, front) || same(p.r, q.r, out) || same(p.r, q.r, 0);
+  const isCut = (p: Pt, q: Pt) =>
+    same(p.z, q.z, back) || same(p.z, q.z, front) || same(p.r, q.r, out) || same(p.r, q.r, 0);
   const sides = areas.flatMap((ring) => ring.map((p, i) => [p, ring[(i + 1) % ring.length] ?? p] as const));
   return { areas, edges: sides.filter(([p, q]) => !isCut(p, q)) };
 }

@@ -40,27 +40,40 @@ const LEVEL = 0.001;
 const NEAR = 0.8;
 /** Looks to either side of a surface for material, mm. */
 const ASIDE = 1;
-/** Cones and arcs shorter than this share of the part's size are edges that are broken, no features; nor are shorter sides of grooves. */
-const SHORT = 0.05, SIDE = 0.02;
+/**
+ * Cones and arcs shorter than this share of the part's size are edges that are broken, no features; nor are shorter
+ * sides of grooves.
+ */
+const SHORT = 0.05,
+  SIDE = 0.02;
 /** The side of a groove leaves its axis by less than this share of its length. */
 const STEEP = 0.27;
 
-const inMaterial = (rings: readonly Ring[], p: Pt): boolean => rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
+const inMaterial = (rings: readonly Ring[], p: Pt): boolean =>
+  rings.filter((ring) => isInside(ring, p)).length % 2 === 1;
 
 function edgesOf(rings: readonly Ring[]): readonly Segment[] {
-  return rings.flatMap((ring) => ring.map((from, i): Segment => ({ kind: "line", from, to: ring[(i + 1) % ring.length] ?? from })));
+  return rings.flatMap((ring) =>
+    ring.map((from, i): Segment => ({ kind: "line", from, to: ring[(i + 1) % ring.length] ?? from })),
+  );
 }
 
 const middleOf = (from: Pt, to: Pt): Pt => part.pointOn({ kind: "line", from, to }, 0.5);
 const rightEnd = (a: Pt, b: Pt): Pt => (a.z >= b.z ? a : b);
 
 /** The features of the contours that the finished part has; where the program turns none, those of the part itself. */
-export function featuresOf(contours: readonly TurnedContour[], finished: readonly Ring[], blank: readonly Ring[]): Features {
+export function featuresOf(
+  contours: readonly TurnedContour[],
+  finished: readonly Ring[],
+  blank: readonly Ring[],
+): Features {
   const edges = edgesOf(finished);
   const onPart = (p: Pt) => edges.length === 0 || edges.some((edge) => part.distanceTo(edge, p) < NEAR);
   const turned = contours.flatMap(({ segments, thread }) => segments.map((segment) => ({ segment, thread })));
   const ofBlank = edgesOf(blank);
-  const own = edges.filter((edge) => !ofBlank.some((side) => part.distanceTo(side, middleOf(edge.from, edge.to)) < LEVEL));
+  const own = edges.filter(
+    (edge) => !ofBlank.some((side) => part.distanceTo(side, middleOf(edge.from, edge.to)) < LEVEL),
+  );
   const all = turned.length > 0 ? turned : own.map((segment) => ({ segment, thread: undefined }));
   const box = boxAround([...finished]);
   const size = finished.length > 0 ? Math.hypot(box.right - box.left, box.high - box.low) : 0;
@@ -68,7 +81,8 @@ export function featuresOf(contours: readonly TurnedContour[], finished: readonl
   const positions: PositionFeature[] = [];
   const addDiameter = (p: Pt, extent: number, thread?: TurnedContour["thread"]) => {
     if (p.r < ONE || !onPart(p)) return;
-    const outside = inMaterial(finished, at(p.z, Math.max(0, p.r - ASIDE))) || !inMaterial(finished, at(p.z, p.r + ASIDE));
+    const outside =
+      inMaterial(finished, at(p.z, Math.max(0, p.r - ASIDE))) || !inMaterial(finished, at(p.z, p.r + ASIDE));
     const i = diameters.findIndex((d) => d.outside === outside && Math.abs(d.at.r - p.r) < ONE);
     const known = diameters[i];
     const carried = thread ?? known?.thread;
@@ -90,10 +104,12 @@ export function featuresOf(contours: readonly TurnedContour[], finished: readonl
     else positions.push(next);
   };
   for (const { segment, thread } of all) {
-    const { from, to } = segment, [long, tall] = [Math.abs(to.z - from.z), Math.abs(to.r - from.r)];
+    const { from, to } = segment,
+      [long, tall] = [Math.abs(to.z - from.z), Math.abs(to.r - from.r)];
     const isLine = segment.kind === "line";
     if (isLine && tall < LEVEL) {
-      const middle = middleOf(from, to), seen = [rightEnd(from, to), middle, from, to].find(onPart);
+      const middle = middleOf(from, to),
+        seen = [rightEnd(from, to), middle, from, to].find(onPart);
       if (long > LEVEL && seen) addDiameter(at(seen.z, from.r), long, thread);
     } else if (isLine && long < LEVEL) {
       const seen = [middleOf(from, to), from, to].find(onPart);
@@ -120,19 +136,23 @@ function withBlank({ diameters, positions }: Features, blank: readonly Ring[]): 
   return {
     diameters: [
       ...diameters,
-      ...across.filter((own) => !diameters.some((d) => d.outside === own.outside && Math.abs(d.at.r - own.at.r) < ONE)).map((own) => ({
-        ...own,
-        ofBlank: true as const,
-        extent: Infinity,
-      })),
+      ...across
+        .filter((own) => !diameters.some((d) => d.outside === own.outside && Math.abs(d.at.r - own.at.r) < ONE))
+        .map((own) => ({
+          ...own,
+          ofBlank: true as const,
+          extent: Infinity,
+        })),
     ],
     positions: [
       ...positions,
-      ...[left, right].filter((z) => !positions.some((p) => Math.abs(p.at.z - z) < ONE)).map((z) => ({
-        at: at(z, high),
-        ofBlank: true as const,
-        extent: Infinity,
-      })),
+      ...[left, right]
+        .filter((z) => !positions.some((p) => Math.abs(p.at.z - z) < ONE))
+        .map((z) => ({
+          at: at(z, high),
+          ofBlank: true as const,
+          extent: Infinity,
+        })),
     ],
   };
 }

@@ -11,7 +11,10 @@ export interface SheetMeasurement {
   readonly text: string;
 }
 
-/** What a measurement is on paper: its lines, its arrows, a frame with round ends, as prints give what was checked, and its text in it. */
+/**
+ * What a measurement is on paper: its lines, its arrows, a frame with round ends, as prints give what was checked, and
+ * its text in it.
+ */
 export interface PaperMeasurement {
   readonly lines: string;
   readonly arrows: string;
@@ -23,10 +26,11 @@ export interface PaperMeasurement {
 const mm = (v: number): string => String(Math.round(v * 100) / 100 + 0);
 
 function frameOf({ x, y, width, height }: LabelBox): string {
-  const r = height / 2, long = width - height;
-  return `M${mm(x + r)} ${mm(y)}h${mm(long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${mm(height)}h${mm(-long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${
-    mm(-height)
-  }Z`;
+  const r = height / 2,
+    long = width - height;
+  return `M${mm(x + r)} ${mm(y)}h${mm(long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${mm(height)}h${mm(-long)}a${mm(r)} ${mm(r)} 0 0 1 0 ${mm(
+    -height,
+  )}Z`;
 }
 
 /** Free edge of the drawing, mm on paper. */
@@ -35,12 +39,20 @@ const EDGE = 1;
 /** Measurements on a drawing of both halves of a part, clear of the texts that it has. Lengths in mm on paper. */
 export function measuredOnPaper(
   measured: readonly SheetMeasurement[],
-  paper: { readonly camera: Camera; readonly width: number; readonly height: number; readonly kept: readonly LabelBox[] },
+  paper: {
+    readonly camera: Camera;
+    readonly width: number;
+    readonly height: number;
+    readonly kept: readonly LabelBox[];
+  },
 ): readonly PaperMeasurement[] {
   const { camera, width, height, kept } = paper;
   const edges = { left: EDGE, right: EDGE, top: EDGE, bottom: EDGE };
   const sheet = { camera, unit: FIGURES / MEASURED_TEXT, size: { width, height }, edges, kept };
-  return standingMeasurements(sheet, measured.map((each) => ({ ...each, caption: "" }))).map(({ lines, arrows, box, text }) => ({
+  return standingMeasurements(
+    sheet,
+    measured.map((each) => ({ ...each, caption: "" })),
+  ).map(({ lines, arrows, box, text }) => ({
     lines,
     arrows,
     frame: frameOf(box),

@@ -35,8 +35,19 @@ export interface DrawingWords {
 }
 
 /** What a line or an area of the drawing stands for; its weight and dashes belong to whoever paints it. */
-export type DrawingRole = "chuck" | "chuckEdge" | "blank" | "section" | "outline" | "edge" | "axis" | "thin" | "arrow" | "zero"
-  | "zeroFilled" | "measured";
+export type DrawingRole =
+  | "chuck"
+  | "chuckEdge"
+  | "blank"
+  | "section"
+  | "outline"
+  | "edge"
+  | "axis"
+  | "thin"
+  | "arrow"
+  | "zero"
+  | "zeroFilled"
+  | "measured";
 
 export interface DrawnShape {
   readonly role: DrawingRole;
@@ -66,8 +77,12 @@ export interface PartDrawing {
 
 /** The height that a figure takes, mm on paper. */
 const LINE = 3.9;
-/** Least gap between two labels; from a part to the first dimension; from the knee of a leader to its text, mm on paper. */
-const GAP = 0.5, OFF = 6, KNEE = 5;
+/**
+ * Least gap between two labels; from a part to the first dimension; from the knee of a leader to its text, mm on paper.
+ */
+const GAP = 0.5,
+  OFF = 6,
+  KNEE = 5;
 const ARROW = { long: 2.4, wide: 0.75 } as const;
 const EDGE = 2;
 /** Radius of the sign at the workpiece zero, and how far its axes point, mm on paper. */
@@ -88,8 +103,14 @@ const wide = (text: string): number => textWidth(text, FIGURES) + 1;
 
 /** Without what lies so near to a larger feature that no line between them shows on paper, mm. */
 const APART = 0.35;
-const distinct = <F extends { readonly extent: number }>(features: readonly F[], along: (feature: F) => number): readonly F[] =>
-  features.filter((f) => !features.some((other) => other.extent > f.extent && f.extent === 0 && Math.abs(along(other) - along(f)) < APART));
+const distinct = <F extends { readonly extent: number }>(
+  features: readonly F[],
+  along: (feature: F) => number,
+): readonly F[] =>
+  features.filter(
+    (f) =>
+      !features.some((other) => other.extent > f.extent && f.extent === 0 && Math.abs(along(other) - along(f)) < APART),
+  );
 
 /** Those that show most, in the order of the paper, as many as have room. */
 function placed<F extends { readonly extent: number }>(
@@ -101,7 +122,12 @@ function placed<F extends { readonly extent: number }>(
   const shown = [...features].sort((a, b) => b.extent - a.extent);
   for (let n = shown.length; n > 0; n -= 1) {
     const some = shown.slice(0, n).sort((a, b) => along(a) - along(b));
-    const middles = spread(some.map((f) => ({ at: along(f), size: size(f) })), low, high, GAP);
+    const middles = spread(
+      some.map((f) => ({ at: along(f), size: size(f) })),
+      low,
+      high,
+      GAP,
+    );
     if (middles) return some.map((feature, i) => ({ feature, middle: middles[i] ?? 0 }));
   }
   return [];
@@ -112,13 +138,15 @@ const ON_AXIS = 0.0005;
 
 /** A ring as lines that leave out what lies on the axis, where two halves meet. */
 function offAxis(ring: Ring): readonly (readonly Pt[])[] {
-  const isOn = (i: number) => [ring[i], ring[(i + 1) % ring.length]].every((p) => p !== undefined && Math.abs(p.r) < ON_AXIS);
+  const isOn = (i: number) =>
+    [ring[i], ring[(i + 1) % ring.length]].every((p) => p !== undefined && Math.abs(p.r) < ON_AXIS);
   const first = ring.findIndex((_, i) => isOn(i));
   if (first < 0) return ring.length > 1 ? [[...ring, ...ring.slice(0, 1)]] : [];
   const lines: Pt[][] = [];
   let line: Pt[] = [];
   for (let k = 1; k <= ring.length; k += 1) {
-    const i = (first + k) % ring.length, p = ring[i];
+    const i = (first + k) % ring.length,
+      p = ring[i];
     if (p) line.push(p);
     if (!isOn(i)) continue;
     if (line.length > 1) lines.push(line);
@@ -128,9 +156,13 @@ function offAxis(ring: Ring): readonly (readonly Pt[])[] {
 }
 
 /** Lines across the bore at its shoulders, which one sees behind the cut. */
-function boreEdges(finished: readonly Ring[], positions: readonly PositionFeature[], onPaper: (p: Pt) => Place): string {
+function boreEdges(
+  finished: readonly Ring[],
+  positions: readonly PositionFeature[],
+  onPaper: (p: Pt) => Place,
+): string {
   const corners = finished.flatMap((ring) =>
-    ring.filter((p, i) => isCorner(ring, i) && positions.some(({ at: { z } }) => Math.abs(z - p.z) < SHOULDER))
+    ring.filter((p, i) => isCorner(ring, i) && positions.some(({ at: { z } }) => Math.abs(z - p.z) < SHOULDER)),
   );
   const free = corners.filter((p) => p.r > SHOULDER && !finished.some((ring) => standsBelow(ring, p)));
   return free.map((p) => lineThrough([onPaper(p), onPaper(mirror(p))])).join("");
@@ -145,8 +177,8 @@ const mirror = (p: Pt): Pt => at(p.z, -p.r);
 const standsBelow = (ring: Ring, p: Pt): boolean =>
   ring.some((a, i) => {
     const b = ring[(i + 1) % ring.length] ?? a;
-    return [p.z - BESIDE, p.z + BESIDE].some((z) =>
-      (a.z > z) !== (b.z > z) && a.r + ((z - a.z) / (b.z - a.z)) * (b.r - a.r) < p.r - SHOULDER
+    return [p.z - BESIDE, p.z + BESIDE].some(
+      (z) => a.z > z !== b.z > z && a.r + ((z - a.z) / (b.z - a.z)) * (b.r - a.r) < p.r - SHOULDER,
     );
   });
 
@@ -170,14 +202,18 @@ function zeroSign({ x, y }: Place): readonly DrawnShape[] {
   const quarter = (fx: number, fy: number) =>
     `M${mm(x)} ${mm(y)}L${mm(x + fx * ZERO)} ${mm(y)}A${ZERO} ${ZERO} 0 0 ${fx * fy > 0 ? 1 : 0} ${mm(x)} ${mm(y + fy * ZERO)}Z`;
   return [
-    { role: "zero", d: `M${mm(x - ZERO)} ${mm(y)}a${ZERO} ${ZERO} 0 1 1 ${ZERO + ZERO} 0a${ZERO} ${ZERO} 0 1 1 ${-ZERO - ZERO} 0Z` },
+    {
+      role: "zero",
+      d: `M${mm(x - ZERO)} ${mm(y)}a${ZERO} ${ZERO} 0 1 1 ${ZERO + ZERO} 0a${ZERO} ${ZERO} 0 1 1 ${-ZERO - ZERO} 0Z`,
+    },
     { role: "zeroFilled", d: quarter(1, -1) + quarter(-1, 1) },
   ];
 }
 
 /**
- * A set-up to scale within a width and a greatest height, mm on paper: blank, chuck, finished part in section, zero, with diameters in a
- * column on the right and positions in a row below, none over another. Null where there is nothing to draw.
+ * A set-up to scale within a width and a greatest height, mm on paper: blank, chuck, finished part in section, zero,
+ * with diameters in a column on the right and positions in a row below, none over another. Null where there is nothing
+ * to draw.
  */
 export function partDrawing(
   work: DrawnWork,
@@ -201,7 +237,8 @@ export function partDrawing(
   const marks: readonly PositionFeature[] = positions.some(({ at: { z } }) => Math.abs(z) < SHOULDER)
     ? positions
     : [{ at: at(0, 0), extent: Infinity }, ...positions];
-  const saidPosition = ({ at: { z }, ofBlank }: PositionFeature) => (ofBlank ? `(${words.position(z)})` : words.position(z));
+  const saidPosition = ({ at: { z }, ofBlank }: PositionFeature) =>
+    ofBlank ? `(${words.position(z)})` : words.position(z);
   const column = diameters.length > 0 ? Math.max(...diameters.map((d) => wide(saidDiameter(d)))) + OFF + KNEE : OFF;
   const row = Math.max(...marks.map((p) => wide(saidPosition(p)))) + KNEE + 2;
   const top = LINE + OFF;
@@ -215,10 +252,12 @@ export function partDrawing(
   const zero: Place = { x: left - all.left * k, y: top + (height - top - row) / 2 };
   const onPaper = (p: Pt): Place => ({ x: zero.x + p.z * k, y: zero.y - p.r * k });
   const ringsOnPaper = (rings: readonly Ring[]) =>
-    rings.filter((ring) => ring.length > 2).map((ring) =>
-      `${lineThrough(ring.map(onPaper))}Z${lineThrough(ring.map((p) => onPaper(mirror(p))))}Z`
-    ).join("");
-  const bothHalves = (line: readonly Pt[]) => lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirror(p))));
+    rings
+      .filter((ring) => ring.length > 2)
+      .map((ring) => `${lineThrough(ring.map(onPaper))}Z${lineThrough(ring.map((p) => onPaper(mirror(p))))}Z`)
+      .join("");
+  const bothHalves = (line: readonly Pt[]) =>
+    lineThrough(line.map(onPaper)) + lineThrough(line.map((p) => onPaper(mirror(p))));
   const shapes: DrawnShape[] = [];
   const texts: DrawnText[] = [];
   if (clamping.areas.length > 0) {
@@ -227,16 +266,29 @@ export function partDrawing(
   }
   if (held) shapes.push({ role: "edge", d: [held.plane, ...held.hatch].map(bothHalves).join("") });
   shapes.push({ role: "section", d: ringsOnPaper(work.finished) });
-  shapes.push({ role: "outline", d: work.finished.flatMap(offAxis).map((line) => bothHalves(line)).join("") });
+  shapes.push({
+    role: "outline",
+    d: work.finished
+      .flatMap(offAxis)
+      .map((line) => bothHalves(line))
+      .join(""),
+  });
   shapes.push({ role: "edge", d: boreEdges(work.finished, positions, onPaper) });
   if (work.blank.length > 0) shapes.push({ role: "blank", d: ringsOnPaper(work.blank) });
   const contourLine = (segments: readonly Segment[]) => {
     const line = part.flattenedChain(segments, CHORD_ON_PAPER / k);
     return line.length < 2 ? "" : bothHalves(line);
   };
-  const unfinished = work.finished.length === 0 ? work.contours.map(({ segments }) => contourLine(segments)).join("") : "";
+  const unfinished =
+    work.finished.length === 0 ? work.contours.map(({ segments }) => contourLine(segments)).join("") : "";
   if (unfinished) shapes.push({ role: "edge", d: unfinished });
-  shapes.push({ role: "axis", d: lineThrough([{ x: left - EDGE, y: zero.y }, { x: left + long + EDGE, y: zero.y }]) });
+  shapes.push({
+    role: "axis",
+    d: lineThrough([
+      { x: left - EDGE, y: zero.y },
+      { x: left + long + EDGE, y: zero.y },
+    ]),
+  });
 
   const writeAt = (text: string, middle: Place, turned: boolean) => {
     const size = wide(text),
@@ -247,38 +299,74 @@ export function partDrawing(
   };
   const right = left + long + OFF;
   const seen = ({ at: p, outside }: DiameterFeature) => onPaper(outside ? p : mirror(p));
-  const shownDiameters = placed(distinct(diameters, (d) => seen(d).y), (d) => seen(d).y, () => LINE, [0, height - row]);
+  const shownDiameters = placed(
+    distinct(diameters, (d) => seen(d).y),
+    (d) => seen(d).y,
+    () => LINE,
+    [0, height - row],
+  );
   for (const { feature, middle } of shownDiameters) {
-    const from = seen(feature), text = saidDiameter(feature), x = right + KNEE;
+    const from = seen(feature),
+      text = saidDiameter(feature),
+      x = right + KNEE;
     shapes.push({ role: "thin", d: lineThrough([from, { x: Math.max(right, from.x), y: from.y }, { x, y: middle }]) });
     shapes.push({ role: "arrow", d: dot(from) });
     writeAt(text, { x: x + GAP + wide(text) / 2, y: middle }, false);
   }
   const floor = height - row;
-  const shownPositions = placed(distinct(marks, (p) => onPaper(p.at).x), (p) => onPaper(p.at).x, () => LINE, [0, room.width - column]);
+  const shownPositions = placed(
+    distinct(marks, (p) => onPaper(p.at).x),
+    (p) => onPaper(p.at).x,
+    () => LINE,
+    [0, room.width - column],
+  );
   for (const { feature, middle } of shownPositions) {
-    const from = onPaper(mirror(feature.at)), text = saidPosition(feature);
-    const until = Math.max(floor, from.y), y = until + KNEE;
+    const from = onPaper(mirror(feature.at)),
+      text = saidPosition(feature);
+    const until = Math.max(floor, from.y),
+      y = until + KNEE;
     shapes.push({ role: "thin", d: lineThrough([from, { x: from.x, y: until }, { x: middle, y }]) });
     writeAt(text, { x: middle, y: y + GAP + wide(text) / 2 }, true);
   }
   if (material) {
-    const [a, b] = [zero.x + material.left * k, zero.x + material.right * k], y = zero.y - all.high * k - OFF / 2;
+    const [a, b] = [zero.x + material.left * k, zero.x + material.right * k],
+      y = zero.y - all.high * k - OFF / 2;
     const outer = zero.y - material.high * k;
     shapes.push({
       role: "thin",
-      d: lineThrough([{ x: a, y: outer }, { x: a, y: y - 1 }]) + lineThrough([{ x: b, y: outer }, { x: b, y: y - 1 }])
-        + lineThrough([{ x: a, y }, { x: b, y }]),
+      d:
+        lineThrough([
+          { x: a, y: outer },
+          { x: a, y: y - 1 },
+        ]) +
+        lineThrough([
+          { x: b, y: outer },
+          { x: b, y: y - 1 },
+        ]) +
+        lineThrough([
+          { x: a, y },
+          { x: b, y },
+        ]),
     });
     shapes.push({ role: "arrow", d: arrow({ x: a, y }, -1, 0) + arrow({ x: b, y }, 1, 0) });
-    const text = words.blankLength(material.right - material.left), half = wide(text) / 2;
+    const text = words.blankLength(material.right - material.left),
+      half = wide(text) / 2;
     writeAt(text, { x: Math.max(half, Math.min((a + b) / 2, right + KNEE - half)), y: y - LINE / 2 - 0.4 }, false);
   }
   shapes.push(...zeroSign(zero));
   const camera = { scale: k, zero, xUp: true };
-  for (const each of measuredOnPaper(work.measured ?? [], { camera, width: room.width, height, kept: texts.map(({ box }) => box) })) {
+  for (const each of measuredOnPaper(work.measured ?? [], {
+    camera,
+    width: room.width,
+    height,
+    kept: texts.map(({ box }) => box),
+  })) {
     const { x, y, width, height: tall } = each.box;
-    shapes.push({ role: "thin", d: each.lines }, { role: "arrow", d: each.arrows }, { role: "measured", d: each.frame });
+    shapes.push(
+      { role: "thin", d: each.lines },
+      { role: "arrow", d: each.arrows },
+      { role: "measured", d: each.frame },
+    );
     texts.push({ text: each.text, at: { x: x + width / 2, y: y + tall / 2 }, turned: false, box: each.box });
   }
   const wanted = distinct(diameters, (d) => seen(d).y).length + distinct(marks, (p) => onPaper(p.at).x).length;
@@ -288,4 +376,5 @@ export function partDrawing(
 
 /** The end of a leader on a surface. */
 const DOT = 0.45;
-const dot = ({ x, y }: Place): string => `M${mm(x - DOT)} ${mm(y)}a${DOT} ${DOT} 0 1 1 ${DOT + DOT} 0a${DOT} ${DOT} 0 1 1 ${-DOT - DOT} 0Z`;
+const dot = ({ x, y }: Place): string =>
+  `M${mm(x - DOT)} ${mm(y)}a${DOT} ${DOT} 0 1 1 ${DOT + DOT} 0a${DOT} ${DOT} 0 1 1 ${-DOT - DOT} 0Z`;

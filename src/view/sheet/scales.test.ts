@@ -4,20 +4,31 @@ import { DRAWING_SCALES, factorOf, usualScale } from "./scales.ts";
 
 const room = { wide: 101.5, tall: 63.2 };
 
-test.each([[{ wide: 137, tall: 122 }, "1:2"], [{ wide: 100.9, tall: 63.1 }, "1:1"], [{ wide: 101.6, tall: 12 }, "1:2"], [{
-  wide: 9.7,
-  tall: 12.6,
-}, "5:1"], [{ wide: 1730, tall: 88 }, "1:20"]])("%o is drawn %s", (thing, name) => {
+test.each([
+  [{ wide: 137, tall: 122 }, "1:2"],
+  [{ wide: 100.9, tall: 63.1 }, "1:1"],
+  [{ wide: 101.6, tall: 12 }, "1:2"],
+  [
+    {
+      wide: 9.7,
+      tall: 12.6,
+    },
+    "5:1",
+  ],
+  [{ wide: 1730, tall: 88 }, "1:20"],
+])("%o is drawn %s", (thing, name) => {
   const { paper, part } = usualScale(thing, room);
   expect(`${paper}:${part}`).toBe(name);
 });
 
 test("every size is drawn as large as a usual scale allows", () => {
   const size = fc.double({ min: 0.9, max: 20_000, noNaN: true });
-  fc.assert(fc.property(size, size, (wide, tall) => {
-    const scale = usualScale({ wide, tall }, room);
-    const fits = (factor: number) => wide * factor <= room.wide && tall * factor <= room.tall;
-    const larger = DRAWING_SCALES.filter((other) => factorOf(other) > factorOf(scale));
-    return fits(factorOf(scale)) && !larger.some((other) => fits(factorOf(other)));
-  }));
+  fc.assert(
+    fc.property(size, size, (wide, tall) => {
+      const scale = usualScale({ wide, tall }, room);
+      const fits = (factor: number) => wide * factor <= room.wide && tall * factor <= room.tall;
+      const larger = DRAWING_SCALES.filter((other) => factorOf(other) > factorOf(scale));
+      return fits(factorOf(scale)) && !larger.some((other) => fits(factorOf(other)));
+    }),
+  );
 });

@@ -8,8 +8,9 @@ export interface OnLine {
 const SUM = 1e-9;
 
 /**
- * The middles of labels between `low` and `high`, in their order (rising), none nearer to the next than `gap`, and each as near to where it
- * would stand best as the others let it; null where they have no room. Neighbours that push each other share the way.
+ * The middles of labels between `low` and `high`, in their order (rising), none nearer to the next than `gap`, and each
+ * as near to where it would stand best as the others let it; null where they have no room. Neighbours that push each
+ * other share the way.
  */
 export function spread(labels: readonly OnLine[], low: number, high: number, gap: number): readonly number[] | null {
   const [first, last] = [labels[0], labels.at(-1)];
@@ -32,6 +33,8 @@ export function spread(labels: readonly OnLine[], low: number, high: number, gap
     }
     blocks.push(block);
   }
-  const level = blocks.flatMap(({ sum, count }) => Array.from({ length: count }, () => Math.min(Math.max(sum / count, least), most)));
+  const level = blocks.flatMap(({ sum, count }) =>
+    Array.from({ length: count }, () => Math.min(Math.max(sum / count, least), most)),
+  );
   return level.map((value, i) => value + (before[i] ?? 0));
 }

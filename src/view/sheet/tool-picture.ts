@@ -30,23 +30,33 @@ interface Room {
 }
 
 function pictured(insert: readonly Ring[], held: readonly Ring[], box: Bounds, { wide, tall }: Room): ToolPicture {
-  const scale = usualScale({ wide: box.right - box.left, tall: box.high - box.low }, { wide: wide - AIR - AIR, tall: tall - AIR - AIR });
+  const scale = usualScale(
+    { wide: box.right - box.left, tall: box.high - box.low },
+    { wide: wide - AIR - AIR, tall: tall - AIR - AIR },
+  );
   const k = factorOf(scale);
   // The picture stands about the middle of the insert; the holder is cut off at its edge.
   const middle = { z: (box.left + box.right) / 2, x: (box.low + box.high) / 2 };
   const tip = { x: wide / 2 - middle.z * k, y: tall / 2 + middle.x * k };
-  const onPaper = (rings: readonly Ring[]) => ringData(rings.map((ring) => ring.map((p) => at(tip.x + p.z * k, tip.y - p.r * k))));
+  const onPaper = (rings: readonly Ring[]) =>
+    ringData(rings.map((ring) => ring.map((p) => at(tip.x + p.z * k, tip.y - p.r * k))));
   return { scale, insert: onPaper(insert), holder: onPaper(held), tip };
 }
 
-/** The insert of a turning tool, or the point of a drill, with the near end of its holder, in a picture of so many mm. */
+/**
+ * The insert of a turning tool, or the point of a drill, with the near end of its holder, in a picture of so many mm.
+ */
 export function toolPicture(tool: Tool, room: Room): ToolPicture | null {
-  const ring = insertOutline(tool, CHORD), box = boundsOf(ring);
+  const ring = insertOutline(tool, CHORD),
+    box = boundsOf(ring);
   return box && pictured([outOfBlade(tool, ring)], union(holderOutlines(tool)), box, room);
 }
 
 /** A mill from the side: its edges, as wide as it is. */
-export function millPicture({ R, LCUTS }: { readonly R: number; readonly LCUTS?: number }, room: Room): ToolPicture | null {
+export function millPicture(
+  { R, LCUTS }: { readonly R: number; readonly LCUTS?: number },
+  room: Room,
+): ToolPicture | null {
   if (R <= 0) return null;
   const long = LCUTS !== undefined && LCUTS > 0 ? LCUTS : R * 3;
   const ring = [at(-R, 0), at(R, 0), at(R, long), at(-R, long)];

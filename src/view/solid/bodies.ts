@@ -23,21 +23,33 @@ const OVER = 0.02;
 const SHOWN = 0.004;
 
 /** The stock of a moment, divided by what is to be seen on it. Places of faults count from the move that made them. */
-export function colouredBodies(stock: readonly Ring[], simulation: Simulation, position: PlayPosition, size: number): ColouredBodies {
+export function colouredBodies(
+  stock: readonly Ring[],
+  simulation: Simulation,
+  position: PlayPosition,
+  size: number,
+): ColouredBodies {
   const { findings, proof, steps } = simulation;
   const rest = position.step >= steps.length ? proof.residual.map((each) => each.ring) : [];
-  const faults = findings.filter(({ step }) => step < position.step || (step === position.step && position.fraction > 0));
+  const faults = findings.filter(
+    ({ step }) => step < position.step || (step === position.step && position.fraction > 0),
+  );
   const plain = (rings: readonly Ring[]) => simplified(rings, SHOWN);
   if (rest.length === 0 && faults.length === 0) return { steel: plain(stock), residual: [], gouge: [] };
   const skin = Math.max(SKIN.least, SKIN.share * size);
-  const [gouge, sound] = dividedBy(stock, faults.flatMap((f) => [...f.rings]), skin);
+  const [gouge, sound] = dividedBy(
+    stock,
+    faults.flatMap((f) => [...f.rings]),
+    skin,
+  );
   const [residual, steel] = dividedBy(sound, rest, OVER);
   return { steel: plain(steel), residual: plain(residual), gouge: plain(gouge) };
 }
 
 /**
- * What of the stock lies in areas made so much wider (mm), and the rest of it. Both are cut along the same line, which runs on beyond the
- * stock: were one taken off the other along the boundary of the stock, a skin without thickness would be left over it.
+ * What of the stock lies in areas made so much wider (mm), and the rest of it. Both are cut along the same line, which
+ * runs on beyond the stock: were one taken off the other along the boundary of the stock, a skin without thickness
+ * would be left over it.
  */
 function dividedBy(
   stock: readonly Ring[],
@@ -54,8 +66,9 @@ export const statedSteps = ({ checkpoints }: Pick<Simulation, "checkpoints">): r
   checkpoints.flatMap(({ isStated, step }) => (isStated ? [step] : []));
 
 /**
- * The finished part as it should come off the machine: the blank less what the operations together take away, and less what moves outside
- * of them took. A blank that is stated later counts from its step on. Empty where there is no blank or nothing takes anything away.
+ * The finished part as it should come off the machine: the blank less what the operations together take away, and less
+ * what moves outside of them took. A blank that is stated later counts from its step on. Empty where there is no blank
+ * or nothing takes anything away.
  */
 export function finishedBody(simulation: Simulation, operations: readonly SimulatedOperation[]): readonly Ring[] {
   const { blank, last } = lastHeld(simulation, operations);
@@ -64,8 +77,8 @@ export function finishedBody(simulation: Simulation, operations: readonly Simula
 }
 
 /**
- * The part of a program that states no contour: what its moves leave of the blank that is in the chuck at the end. Empty where they take
- * nothing away.
+ * The part of a program that states no contour: what its moves leave of the blank that is in the chuck at the end.
+ * Empty where they take nothing away.
  */
 export function leftBody(simulation: Simulation): readonly Ring[] {
   const { blank } = lastHeld(simulation, []);
@@ -75,12 +88,15 @@ export function leftBody(simulation: Simulation): readonly Ring[] {
 
 /** The blank that is in the chuck at the end, and what is done to it. */
 function lastHeld(simulation: Simulation, operations: readonly SimulatedOperation[]) {
-  const stated = simulation.checkpoints.findLast((mark) => mark.isStated), first = stated?.step ?? 0;
+  const stated = simulation.checkpoints.findLast((mark) => mark.isStated),
+    first = stated?.step ?? 0;
   const last = operations.filter((o) => o.firstStep >= first && o.plan.area.length > 2);
   return { last, blank: stated ? statedBlank(simulation, first) : simulation.blank };
 }
 
-/** The blank less what all operations but threads take away: no thread of the finished part is in what lies beyond it. */
+/**
+ * The blank less what all operations but threads take away: no thread of the finished part is in what lies beyond it.
+ */
 export function withoutThreads(simulation: Simulation, operations: readonly SimulatedOperation[]): readonly Ring[] {
   const { blank, last } = lastHeld(simulation, operations);
   return difference(blank, machiningArea(last.filter(({ plan }) => !plan.thread)));

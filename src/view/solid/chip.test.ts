@@ -4,7 +4,10 @@ import { chipInSpace } from "./chip.ts";
 
 test("a chip is filled with its area, and its edge runs from place to place of it", () => {
   const ring = [at(0.13, 0), at(0.41, 0.02), at(0.37, 1.9), at(0.09, 1.7)];
-  const { positions, index, contact } = chipInSpace({ rings: [ring], contact: [[at(0.13, 0), at(0.09, 1.7)], [at(0.41, 0.02)]] });
+  const { positions, index, contact } = chipInSpace({
+    rings: [ring],
+    contact: [[at(0.13, 0), at(0.09, 1.7)], [at(0.41, 0.02)]],
+  });
   let area = 0;
   for (let t = 0; t < index.length; t += 3) {
     const [a, b, c] = [0, 1, 2].map((k) => positions.subarray(3 * (index[t + k] ?? 0)));
@@ -13,5 +16,7 @@ test("a chip is filled with its area, and its edge runs from place to place of i
   // By the rule of the surveyor, from the corners above.
   expect(area).toBeCloseTo(0.5056, 4);
   expect(contact.length).toBe(6);
-  expect([contact[0], contact[2], contact[3], contact[5]].map((n) => Number(n?.toFixed(4)))).toEqual([0, 0.13, 1.7, 0.09]);
+  expect([contact[0], contact[2], contact[3], contact[5]].map((n) => Number(n?.toFixed(4)))).toEqual([
+    0, 0.13, 1.7, 0.09,
+  ]);
 });

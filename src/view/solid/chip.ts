@@ -4,7 +4,10 @@ import { trianglesOf } from "./fill.ts";
 /** A chip lies over the face of the insert, mm, so that the two are told apart. */
 const OVER = 0.02;
 
-/** A chip as a filled area in the plane in which the tool works, relative to the tip, and the edge that cuts it as pieces. mm. */
+/**
+ * A chip as a filled area in the plane in which the tool works, relative to the tip, and the edge that cuts it as
+ * pieces. mm.
+ */
 export interface ChipInSpace {
   readonly positions: Float32Array;
   readonly index: Uint32Array;
@@ -17,11 +20,13 @@ export function chipInSpace({ rings, contact }: Pick<Chip, "rings" | "contact">)
   return {
     positions: Float32Array.from(rings.flat().flatMap(({ z, r }) => [r, OVER, z])),
     index: Uint32Array.from(trianglesOf(rings)),
-    contact: Float32Array.from(contact.flatMap((line) =>
-      line.slice(1).flatMap((to, i) => {
-        const from = line[i] ?? to;
-        return [from.r, OVER, from.z, to.r, OVER, to.z];
-      })
-    )),
+    contact: Float32Array.from(
+      contact.flatMap((line) =>
+        line.slice(1).flatMap((to, i) => {
+          const from = line[i] ?? to;
+          return [from.r, OVER, from.z, to.r, OVER, to.z];
+        }),
+      ),
+    ),
   };
 }

@@ -20,18 +20,29 @@ export interface WrittenBody {
 }
 
 /**
- * A body as it is written: its surface within SOLID_CHORD of the true one, closed. `hasRings`: threads are rings, because they could not
- * be made helices.
+ * A body as it is written: its surface within SOLID_CHORD of the true one, closed. `hasRings`: threads are rings,
+ * because they could not be made helices.
  */
 export function bodyMesh({ rings, threads }: WrittenBody): { readonly mesh: Mesh; readonly hasRings: boolean } {
-  const plain = simplified(rings, CHORD), chords = Math.max(LEAST_CHORDS, chordsFor(boxAround(plain).high)), quarterCut = false;
-  const helices = threads && threaded(plain, { ...threads, base: simplified(threads.base, CHORD) }, {
-    chords,
-    quarterCut,
-    hand: 1,
-    ...THREAD_FINENESS.file,
-  });
-  return { mesh: wholeMesh(helices ?? revolved(plain, { chords, quarterCut })), hasRings: threads !== null && !helices };
+  const plain = simplified(rings, CHORD),
+    chords = Math.max(LEAST_CHORDS, chordsFor(boxAround(plain).high)),
+    quarterCut = false;
+  const helices =
+    threads &&
+    threaded(
+      plain,
+      { ...threads, base: simplified(threads.base, CHORD) },
+      {
+        chords,
+        quarterCut,
+        hand: 1,
+        ...THREAD_FINENESS.file,
+      },
+    );
+  return {
+    mesh: wholeMesh(helices ?? revolved(plain, { chords, quarterCut })),
+    hasRings: threads !== null && !helices,
+  };
 }
 
 /** A body, or the block of a milled one, as a binary STL file with its volume, cm³. */

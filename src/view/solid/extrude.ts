@@ -6,8 +6,12 @@ import { MeshBuilder, type Mesh } from "./mesh.ts";
 /** A plate: an outline of the half plane drawn out square to it, from `back` to `front` (mm towards the operator). */
 export function extruded(outline: Ring, back: number, front: number): Mesh {
   const ring = areaOfRing(outline) < 0 ? [...outline].reverse() : outline;
-  const build = new MeshBuilder(), triangles = trianglesOf([ring]);
-  for (const [y, side] of [[front, 1], [back, -1]] as const) {
+  const build = new MeshBuilder(),
+    triangles = trianglesOf([ring]);
+  for (const [y, side] of [
+    [front, 1],
+    [back, -1],
+  ] as const) {
     const corners = ring.map((p) => build.corner(p.r, y, p.z, 0, side, 0));
     for (let i = 0; i < triangles.length; i += 3) {
       const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => corners[triangles[i + k] ?? 0]);
@@ -17,7 +21,8 @@ export function extruded(outline: Ring, back: number, front: number): Mesh {
   }
   ring.forEach((p, i) => {
     const q = ring[(i + 1) % ring.length] ?? p;
-    const [dz, dr] = [q.z - p.z, q.r - p.r], long = Math.hypot(dz, dr);
+    const [dz, dr] = [q.z - p.z, q.r - p.r],
+      long = Math.hypot(dz, dr);
     if (long === 0) return;
     const [nz, nr] = [dr / long, -dz / long];
     const [a, b, c, d] = [

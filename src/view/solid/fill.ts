@@ -2,8 +2,9 @@ import { areaOfRing } from "../../kernel/area/area.ts";
 import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 
 /*
- * Triangles that fill an area. Holes are joined to the outline round them by a cut, then corners whose triangle holds no other corner
- * are taken off one by one. No corner is added, so what is built on both sides of an outline fits together.
+ * Triangles that fill an area. Holes are joined to the outline round them by a cut, then corners whose triangle holds
+ * no other corner are taken off one by one. No corner is added, so what is built on both sides of an outline fits
+ * together.
  */
 
 /** A corner in the outline that is left. */
@@ -57,7 +58,9 @@ const within = (a: Pt, b: Pt, c: Pt, p: Pt) => turn(a, b, p) >= 0 && turn(b, c, 
 
 /** Whether the way from a corner to a point begins inside the area. */
 const looksInside = ({ prev, p, next }: Corner, to: Pt) =>
-  turn(prev.p, p, next.p) > 0 ? turn(p, next.p, to) >= 0 && turn(prev.p, p, to) >= 0 : turn(p, next.p, to) >= 0 || turn(prev.p, p, to) >= 0;
+  turn(prev.p, p, next.p) > 0
+    ? turn(p, next.p, to) >= 0 && turn(prev.p, p, to) >= 0
+    : turn(p, next.p, to) >= 0 || turn(prev.p, p, to) >= 0;
 
 /** The corner of an outline that is seen from a point inside it, straight towards +Z or as near to that as may be. */
 function seenFrom(p: Pt, outline: Corner): Corner | null {
@@ -100,7 +103,10 @@ function joinHole(outline: Corner, hole: Corner): void {
   back.prev = away;
 }
 
-/** Takes corners off until nothing is left. An outline that touches itself may have no true ear: then the next convex corner goes. */
+/**
+ * Takes corners off until nothing is left. An outline that touches itself may have no true ear: then the next convex
+ * corner goes.
+ */
 function clipEars(start: Corner, out: number[]): void {
   let count = [...around(start)].length;
   let c = start;
@@ -131,7 +137,12 @@ function clipEars(start: Corner, out: number[]): void {
 
 function isEar({ prev, p, next }: Corner): boolean {
   const [a, b] = [prev.p, next.p];
-  const [left, right, low, high] = [Math.min(a.z, p.z, b.z), Math.max(a.z, p.z, b.z), Math.min(a.r, p.r, b.r), Math.max(a.r, p.r, b.r)];
+  const [left, right, low, high] = [
+    Math.min(a.z, p.z, b.z),
+    Math.max(a.z, p.z, b.z),
+    Math.min(a.r, p.r, b.r),
+    Math.max(a.r, p.r, b.r),
+  ];
   for (let c = next.next; c !== prev; c = c.next) {
     const q = c.p;
     if (q.z < left || q.z > right || q.r < low || q.r > high) continue;
@@ -142,7 +153,10 @@ function isEar({ prev, p, next }: Corner): boolean {
 }
 const same = (a: Pt, b: Pt) => a.z === b.z && a.r === b.r;
 
-/** Triangles, counter-clockwise, that fill outer rings (counter-clockwise) less holes (clockwise), by their places among all points. */
+/**
+ * Triangles, counter-clockwise, that fill outer rings (counter-clockwise) less holes (clockwise), by their places among
+ * all points.
+ */
 export function trianglesOf(rings: readonly Ring[]): number[] {
   const out: number[] = [];
   let first = 0;
@@ -153,11 +167,14 @@ export function trianglesOf(rings: readonly Ring[]): number[] {
   });
   const outers = all.filter((x) => x.area > 0).sort((a, b) => a.area - b.area);
   const rightmost = (corner: Corner) => [...around(corner)].reduce((most, c) => (c.p.z > most.p.z ? c : most));
-  const holes = all.filter((x) => x.area < 0).map((x) => {
-    const corner = rightmost(loop(x.ring, x.begin));
-    const inside = (outer: Ring) => x.ring.filter((p) => holds(outer, p)).length;
-    return { corner, of: outers.find(({ ring }) => 2 * inside(ring) > x.ring.length) };
-  }).sort((a, b) => b.corner.p.z - a.corner.p.z);
+  const holes = all
+    .filter((x) => x.area < 0)
+    .map((x) => {
+      const corner = rightmost(loop(x.ring, x.begin));
+      const inside = (outer: Ring) => x.ring.filter((p) => holds(outer, p)).length;
+      return { corner, of: outers.find(({ ring }) => 2 * inside(ring) > x.ring.length) };
+    })
+    .sort((a, b) => b.corner.p.z - a.corner.p.z);
   for (const outer of outers) {
     const outline = loop(outer.ring, outer.begin);
     for (const { corner, of } of holes) {

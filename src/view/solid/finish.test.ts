@@ -12,7 +12,8 @@ import { revolved } from "./revolve.ts";
 import type { TonedSide } from "./tones.ts";
 
 const tool = shippedTools[0] ?? expect.fail("there are tools");
-const rough = { phase: "rough", run: "rough", step: 2, pass: 1 } as const, finish = { phase: "finish", run: "finish", step: 2 } as const;
+const rough = { phase: "rough", run: "rough", step: 2, pass: 1 } as const,
+  finish = { phase: "finish", run: "finish", step: 2 } as const;
 const BLANK: Ring = [at(-63.7, 0), at(0.8, 0), at(0.8, 25.3), at(-63.7, 25.3)];
 const PITCH = 0.31;
 const moves: readonly Move[] = [
@@ -35,25 +36,37 @@ const steps = moves.map((move, i) => ({
   operation: 0,
   seconds: 1,
 }));
-const player = playerOf(simulate({ blank: [BLANK], steps, operations: [], unproved: [] })), surfaces = surfacesOf(steps);
+const player = playerOf(simulate({ blank: [BLANK], steps, operations: [], unproved: [] })),
+  surfaces = surfacesOf(steps);
 
 /** The level sides of what is turned, by radius: from where to where they look how, and the turns told at both ends. */
 function level(step: number, tones: readonly TonedSide[] = []) {
-  const now = { step, fraction: 0 }, rings = player.at(now), told = finishOf(rings, surfaces, now, tones);
+  const now = { step, fraction: 0 },
+    rings = player.at(now),
+    told = finishOf(rings, surfaces, now, tones);
   const { positions, looks, index } = revolved(rings, { chords: 32, quarterCut: true, finish: told }).surface;
   const out = new Map<string, readonly [number, number, number, number]>();
   for (let i = 0; i < index.length; i += 3) {
-    const ends = [0, 1, 2].map((k) => index[i + k] ?? 0).map((c) => ({
-      z: positions[3 * c + 2] ?? 0,
-      r: Math.hypot(positions[3 * c] ?? 0, positions[3 * c + 1] ?? 0),
-      texture: looks?.[2 * c] ?? -1,
-      turn: looks?.[2 * c + 1] ?? -1,
-    })).sort((a, b) => a.z - b.z);
+    const ends = [0, 1, 2]
+      .map((k) => index[i + k] ?? 0)
+      .map((c) => ({
+        z: positions[3 * c + 2] ?? 0,
+        r: Math.hypot(positions[3 * c] ?? 0, positions[3 * c + 1] ?? 0),
+        texture: looks?.[2 * c] ?? -1,
+        turn: looks?.[2 * c + 1] ?? -1,
+      }))
+      .sort((a, b) => a.z - b.z);
     const [p, , q] = ends;
     if (!p || !q || q.z - p.z < 1 || Math.abs(p.r - q.r) > 0.001) continue;
     expect(ends.every(({ texture }) => texture === p.texture)).toBe(true);
-    const tone = Math.floor(p.texture / LOOKS.length) - 1, texture = LOOKS[p.texture % LOOKS.length] ?? "?";
-    out.set(`${texture}${tone < 0 ? "" : ` (${tone})`} ${p.r.toFixed(2)} ${p.z.toFixed(1)}`, [p.z, q.z, p.turn, q.turn]);
+    const tone = Math.floor(p.texture / LOOKS.length) - 1,
+      texture = LOOKS[p.texture % LOOKS.length] ?? "?";
+    out.set(`${texture}${tone < 0 ? "" : ` (${tone})`} ${p.r.toFixed(2)} ${p.z.toFixed(1)}`, [
+      p.z,
+      q.z,
+      p.turn,
+      q.turn,
+    ]);
   }
   return { of: [...out.keys()].sort(), out, textures: told.textures };
 }
@@ -72,7 +85,8 @@ test("what came, what was roughed and what was finished is told at every corner,
 });
 
 test("marks of the feed lie one turn of the work apart, on rough surfaces only", () => {
-  const { out } = level(3), [from, to, first, last] = out.get("rough 22.37 -29.0") ?? expect.fail("it was roughed");
+  const { out } = level(3),
+    [from, to, first, last] = out.get("rough 22.37 -29.0") ?? expect.fail("it was roughed");
   expect(Math.abs(last - first)).toBeCloseTo((to - from) / PITCH, 3);
   // The first turn is counted from where the move begins.
   expect(Math.abs(last)).toBeCloseTo((2.3 - to) / PITCH, 3);
@@ -80,14 +94,21 @@ test("marks of the feed lie one turn of the work apart, on rough surfaces only",
   expect([finished[2], finished[3]]).toEqual([0, 0]);
 });
 
-/** What is told of the finished surface: the finest cut in two tones, the level that was run over again in one from its middle on. */
-const TONES: readonly TonedSide[] = [{ z0: -0.42, r0: 21.13, z1: -4.7, r1: 21.13, tone: 0 }, {
-  z0: -4.7,
-  r0: 21.13,
-  z1: -10.517,
-  r1: 21.13,
-  tone: 6,
-}, { z0: -19.35, r0: 22.37, z1: -29.03, r1: 22.37, tone: 3 }];
+/**
+ * What is told of the finished surface: the finest cut in two tones, the level that was run over again in one from its
+ * middle on.
+ */
+const TONES: readonly TonedSide[] = [
+  { z0: -0.42, r0: 21.13, z1: -4.7, r1: 21.13, tone: 0 },
+  {
+    z0: -4.7,
+    r0: 21.13,
+    z1: -10.517,
+    r1: 21.13,
+    tone: 6,
+  },
+  { z0: -19.35, r0: 22.37, z1: -29.03, r1: 22.37, tone: 3 },
+];
 
 test("a surface has the tone of what is told of it where it is as it will stay, and is parted where that changes", () => {
   // Marks of the feed stay where a tone is.
@@ -101,21 +122,32 @@ test("a surface has the tone of what is told of it where it is as it will stay, 
     "rough (3) 22.37 -29.0",
     "rough 22.37 -14.5",
   ]);
-  const { out } = level(steps.length, TONES), [, , first, last] = out.get("rough (3) 22.37 -29.0") ?? expect.fail("it has a tone");
+  const { out } = level(steps.length, TONES),
+    [, , first, last] = out.get("rough (3) 22.37 -29.0") ?? expect.fail("it has a tone");
   expect(Math.abs(last - first)).toBeGreaterThan(10);
   // Before the last cuts nothing lies where the finest one will be.
   expect(level(3, TONES).of).toEqual(["raw 25.30 -63.7", "rough (3) 22.37 -29.0", "rough 22.37 -19.4"]);
 });
 
 test("what runs back along a surface, or lies beside it, tells nothing of it", () => {
-  const aside = TONES.flatMap(
-    ({ z0, r0, z1, r1, tone }) => [{ z0: z1, r0: r1, z1: z0, r1: r0, tone }, { z0, r0: r0 + 0.05, z1, r1: r1 + 0.05, tone }]
-  );
+  const aside = TONES.flatMap(({ z0, r0, z1, r1, tone }) => [
+    { z0: z1, r0: r1, z1: z0, r1: r0, tone },
+    { z0, r0: r0 + 0.05, z1, r1: r1 + 0.05, tone },
+  ]);
   expect(level(steps.length, aside).of).toEqual(level(steps.length).of);
 });
 
 test("a side too short to be seen between two tones is no speck without one; at the end of a tone it has none", () => {
-  const outline: Ring = [at(0, 5), at(-4.1, 5), at(-4.2, 5.02), at(-9.3, 5.6), at(-9.4, 5.7), at(-12, 5.7), at(-12, 9), at(0, 9)];
+  const outline: Ring = [
+    at(0, 5),
+    at(-4.1, 5),
+    at(-4.2, 5.02),
+    at(-9.3, 5.6),
+    at(-9.4, 5.7),
+    at(-12, 5.7),
+    at(-12, 9),
+    at(0, 9),
+  ];
   const looks = profileOf(outline, {
     textures: ["finished"],
     changes: () => [],

@@ -35,20 +35,31 @@ const CORNER = 0.02;
 /** Slices along Z in which pieces are looked for. */
 const SLICES = 128;
 
-/** What is said of a place on a surface, as two numbers for each corner: a look is its texture, and all textures more for each tone. */
+/**
+ * What is said of a place on a surface, as two numbers for each corner: a look is its texture, and all textures more
+ * for each tone.
+ */
 export const lookAt = (look: SideLook | null | undefined, p: Pt): readonly [look: number, turn: number] =>
-  look ? [LOOKS.indexOf(look.texture) + LOOKS.length * (look.tone === null ? 0 : look.tone + 1), look.turnAt?.(p) ?? 0] : [0, 0];
+  look
+    ? [LOOKS.indexOf(look.texture) + LOOKS.length * (look.tone === null ? 0 : look.tone + 1), look.turnAt?.(p) ?? 0]
+    : [0, 0];
 
 const isAlong = ({ way, pitch }: Maker, dz: number, dr: number, long: number) =>
   pitch > 0 && Math.abs(way[0] * dr - way[1] * dz) <= FEED_ALONG * long;
 
 /** A move that runs along a face counts its turns from the axis, another one from where it began. */
-const turnsOf = ({ pitch, way, from }: Maker) => (p: Pt): number =>
-  Math.abs(way[0]) < FEED_ALONG ? p.r / (pitch * Math.abs(way[1])) : (p.z - from) / (pitch * way[0]);
+const turnsOf =
+  ({ pitch, way, from }: Maker) =>
+  (p: Pt): number =>
+    Math.abs(way[0]) < FEED_ALONG ? p.r / (pitch * Math.abs(way[1])) : (p.z - from) / (pitch * way[0]);
 
-/** Where on the piece from `p` to `q` an edge of the stock lies, as shares of it; null where it lies beside it or runs back. */
+/**
+ * Where on the piece from `p` to `q` an edge of the stock lies, as shares of it; null where it lies beside it or runs
+ * back.
+ */
 function shareOn(p: Pt, q: Pt, { z0, r0, z1, r1 }: StockSide): readonly [number, number] | null {
-  const [dz, dr] = [q.z - p.z, q.r - p.r], long = Math.hypot(dz, dr);
+  const [dz, dr] = [q.z - p.z, q.r - p.r],
+    long = Math.hypot(dz, dr);
   if ((z1 - z0) * dz + (r1 - r0) * dr <= 0) return null;
   const away = (z: number, r: number) => Math.abs((z - p.z) * dr - (r - p.r) * dz) / long;
   if (away(z0, r0) > BESIDE || away(z1, r1) > BESIDE) return null;
@@ -72,67 +83,100 @@ interface Stretch<Edge> {
 
 /** Finds which edges lie on a piece of an outline, stretch by stretch along it. */
 function stretchesOf<Edge extends StockSide>(edges: readonly Edge[]): (p: Pt, q: Pt) => readonly Stretch<Edge>[] {
-  const [left, right] = edges.reduce(([l, h], e) => [Math.min(l, e.z0, e.z1), Math.max(h, e.z0, e.z1)], [Infinity, -Infinity]);
+  const [left, right] = edges.reduce(
+    ([l, h], e) => [Math.min(l, e.z0, e.z1), Math.max(h, e.z0, e.z1)],
+    [Infinity, -Infinity],
+  );
   const slices: Edge[][] = Array.from({ length: SLICES }, () => []);
   const sliceOf = (z: number) => Math.min(SLICES - 1, Math.max(0, Math.floor(((z - left) * SLICES) / (right - left))));
-  const between = (a: number, b: number) => [sliceOf(Math.min(a, b) - BESIDE), sliceOf(Math.max(a, b) + BESIDE)] as const;
+  const between = (a: number, b: number) =>
+    [sliceOf(Math.min(a, b) - BESIDE), sliceOf(Math.max(a, b) + BESIDE)] as const;
   for (const edge of edges) {
     const [first, last] = between(edge.z0, edge.z1);
     for (let s = first; s <= last; s += 1) slices[s]?.push(edge);
   }
   return (p, q) => {
     if (edges.length === 0 || part.apart(p, q) < SAME) return [];
-    const [first, last] = between(p.z, q.z), near = new Set(slices.slice(first, last + 1).flat());
-    return [...near].flatMap((edge) => {
-      const share = shareOn(p, q, edge);
-      return share ? [{ from: share[0], to: share[1], edge }] : [];
-    }).sort((a, b) => a.from - b.from);
+    const [first, last] = between(p.z, q.z),
+      near = new Set(slices.slice(first, last + 1).flat());
+    return [...near]
+      .flatMap((edge) => {
+        const share = shareOn(p, q, edge);
+        return share ? [{ from: share[0], to: share[1], edge }] : [];
+      })
+      .sort((a, b) => a.from - b.from);
   };
 }
 
 /** The longest of some stretches; null where there is none. */
 const longest = <Edge>(all: readonly Stretch<Edge>[]) =>
-  all.reduce((best: Stretch<Edge> | null, each) => best && best.to - best.from >= each.to - each.from ? best : each, null);
+  all.reduce(
+    (best: Stretch<Edge> | null, each) => (best && best.to - best.from >= each.to - each.from ? best : each),
+    null,
+  );
 
 /** The tone of most of a piece; null where less than half of it has one. */
 function toneOf(stretches: readonly Stretch<TonedSide>[]): number | null {
   const total = new Map<number, number>();
-  for (const { from, to, edge: { tone } } of stretches) total.set(tone, (total.get(tone) ?? 0) + to - from);
+  for (const {
+    from,
+    to,
+    edge: { tone },
+  } of stretches)
+    total.set(tone, (total.get(tone) ?? 0) + to - from);
   const [most] = [...total].sort(([, a], [, b]) => b - a);
   return most && most[1] > 0.5 ? most[0] : null;
 }
 
-/** Where along a piece its tone changes, also to none: shares of it. `near`: stretches no farther apart follow each other. */
+/**
+ * Where along a piece its tone changes, also to none: shares of it. `near`: stretches no farther apart follow each
+ * other.
+ */
 function toneChanges(stretches: readonly Stretch<TonedSide>[], near: number): readonly number[] {
   return stretches.flatMap(({ from, to, edge }, k) => {
     const [before, after] = [stretches[k - 1], stretches[k + 1]];
-    const begins = before?.edge.tone !== edge.tone || from - before.to > near, ends = !after || after.from - to > near;
+    const begins = before?.edge.tone !== edge.tone || from - before.to > near,
+      ends = !after || after.from - to > near;
     return [...(begins ? [from] : []), ...(ends ? [to] : [])];
   });
 }
 
-/** The looks of a stock at a moment, told by what made it as in the section, and in tones what else is told of its surface. */
-export function finishOf(stock: readonly Ring[], surfaces: Surfaces, now: PlayPosition, tones: readonly TonedSide[] = []): StockLooks {
+/**
+ * The looks of a stock at a moment, told by what made it as in the section, and in tones what else is told of its
+ * surface.
+ */
+export function finishOf(
+  stock: readonly Ring[],
+  surfaces: Surfaces,
+  now: PlayPosition,
+  tones: readonly TonedSide[] = [],
+): StockLooks {
   const { edges } = boundaryIn(stock, surfaces, now, -Infinity, Infinity);
-  const makersOn = stretchesOf(edges), tonesOn = stretchesOf(tones);
+  const makersOn = stretchesOf(edges),
+    tonesOn = stretchesOf(tones);
   const there = new Set(edges.map(({ made }) => made.texture));
   return {
     textures: LOOKS.flatMap((texture) => (texture && there.has(texture) ? [texture] : [])),
     changes(p, q) {
-      const long = part.apart(p, q), makers = makersOn(p, q), near = CORNER / long;
+      const long = part.apart(p, q),
+        makers = makersOn(p, q),
+        near = CORNER / long;
       const made = makers.flatMap(({ from, edge }, k) => {
         const before = makers[k - 1];
         return before && !looksLike(before.edge.made, edge.made) ? [from] : [];
       });
-      const shares = [...made, ...toneChanges(tonesOn(p, q), near)].filter((from) => from > near && 1 - from > near).sort((a, b) => a - b);
-      return shares.filter((from, k) => from - (shares[k - 1] ?? -1) > near).map((from) =>
-        part.pointOn({ kind: "line", from: p, to: q }, from)
-      );
+      const shares = [...made, ...toneChanges(tonesOn(p, q), near)]
+        .filter((from) => from > near && 1 - from > near)
+        .sort((a, b) => a - b);
+      return shares
+        .filter((from, k) => from - (shares[k - 1] ?? -1) > near)
+        .map((from) => part.pointOn({ kind: "line", from: p, to: q }, from));
     },
     of(p, q) {
       const most = longest(makersOn(p, q));
       if (!most) return null;
-      const { made } = most.edge, marks = made.texture === "rough" && isAlong(made, q.z - p.z, q.r - p.r, part.apart(p, q));
+      const { made } = most.edge,
+        marks = made.texture === "rough" && isAlong(made, q.z - p.z, q.r - p.r, part.apart(p, q));
       return { texture: made.texture, turnAt: marks ? turnsOf(made) : null, tone: toneOf(tonesOn(p, q)) };
     },
   };

@@ -30,7 +30,8 @@ const THICK = { share: 0.3, least: 1.5, most: 6 } as const;
 
 /** Coordinates turned round the spindle axis by an angle in radians. */
 function turnedRound(list: Float32Array, angle: number): Float32Array {
-  const [c, s] = [Math.cos(angle), Math.sin(angle)], out = new Float32Array(list);
+  const [c, s] = [Math.cos(angle), Math.sin(angle)],
+    out = new Float32Array(list);
   for (let i = 0; i < out.length; i += 3) {
     const [x, y] = [list[i] ?? 0, list[i + 1] ?? 0];
     out[i] = c * x - s * y;
@@ -47,7 +48,10 @@ const turnedMesh = ({ positions, normals, index }: Mesh, angle: number): Mesh =>
 
 /** Where the three jaws stand, from X up over the operator: none in the quarter that may be cut away. Radians. */
 export const JAWS = [-15, 105, 225].map((degrees) => (degrees * Math.PI) / 180);
-/** The bodies that hold a blank, three jaws or others, and what of them should be seen; none of them where nothing is stated. */
+/**
+ * The bodies that hold a blank, three jaws or others, and what of them should be seen; none of them where nothing is
+ * stated.
+ */
 export function chuckParts(
   blank: readonly Ring[],
   clamped: Clamped | null,
@@ -58,9 +62,15 @@ export function chuckParts(
   const parts = clamped.bodies.flatMap(({ part, rings }): readonly DrawnPart[] => {
     if (part === "limit") return [];
     if (part === "jaws")
-      return rings.map((ring) => jawOf(ring, half)).flatMap(({ mesh, edges }) =>
-        JAWS.map((angle): DrawnPart => ({ role: "jaw", mesh: turnedMesh(mesh, angle), edges: turnedRound(edges, angle) }))
-      );
+      return rings
+        .map((ring) => jawOf(ring, half))
+        .flatMap(({ mesh, edges }) =>
+          JAWS.map((angle): DrawnPart => ({
+            role: "jaw",
+            mesh: turnedMesh(mesh, angle),
+            edges: turnedRound(edges, angle),
+          })),
+        );
     const solid = revolved(rings, { chords: chordsFor(boxAround(rings).high), quarterCut: false });
     return [{ role: "chuck", mesh: wholeMesh(solid), edges: solid.edges }];
   });
@@ -74,25 +84,29 @@ function upperHalf(ring: Ring): readonly Ring[] {
 }
 
 /**
- * A tool with its tip in the zero point: the insert as a plate whose face lies in the plane of the spindle, the holder below it; a drill
- * as a body of revolution. The outlines are those that the simulation cuts and checks with; how thick they are is not known and for the
- * eye only.
+ * A tool with its tip in the zero point: the insert as a plate whose face lies in the plane of the spindle, the holder
+ * below it; a drill as a body of revolution. The outlines are those that the simulation cuts and checks with; how thick
+ * they are is not known and for the eye only.
  */
 export function toolParts(tool: Tool): DrawnPart[] {
-  const insert = insertOutline(tool, FINE), holders = union(holderOutlines(tool));
+  const insert = insertOutline(tool, FINE),
+    holders = union(holderOutlines(tool));
   if (isDrill(tool)) {
-    const solid = (rings: readonly Ring[]) => revolved(rings, { chords: chordsFor(boxAround(rings).high), quarterCut: false });
+    const solid = (rings: readonly Ring[]) =>
+      revolved(rings, { chords: chordsFor(boxAround(rings).high), quarterCut: false });
     const body = solid(upperHalf(insert));
     return [{ role: "insert", mesh: wholeMesh(body), edges: body.edges }];
   }
-  const box = boxOf(insert), size = Math.min(box.right - box.left, box.high - box.low);
+  const box = boxOf(insert),
+    size = Math.min(box.right - box.left, box.high - box.low);
   const thick = Math.min(THICK.most, Math.max(THICK.least, THICK.share * size));
   const plate = (role: DrawnPart["role"], ring: Ring, back: number, front: number): DrawnPart => ({
     role,
     mesh: extruded(ring, back, front),
     edges: plateEdges(ring, back, front),
   });
-  const wide = tool.holder?.width ?? 0, lies = tool.holder ? shankAxis(tool.TO, tool.holder.axis) : "X";
+  const wide = tool.holder?.width ?? 0,
+    lies = tool.holder ? shankAxis(tool.TO, tool.holder.axis) : "X";
   // A bar along the spindle works in bores: its middle is as high as the spindle. A shank across it lies below.
   const deep = Math.max(2 * thick, lies === "Z" ? 0.5 * wide : wide);
   return [plate("insert", insert, -thick, 0), ...holders.map((ring) => plate("holder", ring, -deep, -LOWER * thick))];

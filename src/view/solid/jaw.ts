@@ -10,7 +10,9 @@ export interface Jaw {
   readonly edges: Float32Array;
 }
 
-/** A jaw is no wider to each side than its radius times this: at the tangent of 60° it would meet the next one of three. */
+/**
+ * A jaw is no wider to each side than its radius times this: at the tangent of 60° it would meet the next one of three.
+ */
 const SPREAD = 1.4;
 /** Length of a normal of the sides that run together. */
 const SLANT = Math.hypot(1, SPREAD);
@@ -31,16 +33,20 @@ function between(ring: Ring, low: number, high: number): readonly Ring[] {
 }
 
 /**
- * A jaw of an outline (counter-clockwise), half its width to each side, mm. Near the axis its sides run together, so that three of them
- * never meet however small the work is.
+ * A jaw of an outline (counter-clockwise), half its width to each side, mm. Near the axis its sides run together, so
+ * that three of them never meet however small the work is.
  */
 export function jawOf(outline: Ring, half: number): Jaw {
-  const { high } = boxOf(outline), above = boxOf(outline).low < 0 ? between(outline, 0, high)[0] ?? outline : outline;
-  const { low } = boxOf(above), full = Math.max(low, half / SPREAD), ring = cornered(above, full);
+  const { high } = boxOf(outline),
+    above = boxOf(outline).low < 0 ? (between(outline, 0, high)[0] ?? outline) : outline;
+  const { low } = boxOf(above),
+    full = Math.max(low, half / SPREAD),
+    ring = cornered(above, full);
   const wide = ({ r }: Pt) => Math.min(half, SPREAD * r);
   const build = new MeshBuilder();
   const side = (rings: readonly Ring[], way: 1 | -1, [nr, ny]: readonly [number, number]) => {
-    const triangles = trianglesOf(rings), corners = rings.flat().map((p) => build.corner(p.r, way * wide(p), p.z, nr, way * ny, 0));
+    const triangles = trianglesOf(rings),
+      corners = rings.flat().map((p) => build.corner(p.r, way * wide(p), p.z, nr, way * ny, 0));
     for (let i = 0; i < triangles.length; i += 3) {
       const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => corners[triangles[i + k] ?? 0]);
       if (way > 0) build.triangle(a, b, c);
@@ -57,7 +63,8 @@ export function jawOf(outline: Ring, half: number): Jaw {
 
 /** The face that a piece of the outline makes across the jaw. */
 function wall(build: MeshBuilder, [p, q]: readonly [Pt, Pt], wide: (p: Pt) => number): void {
-  const [dz, dr] = [q.z - p.z, q.r - p.r], long = Math.hypot(dz, dr);
+  const [dz, dr] = [q.z - p.z, q.r - p.r],
+    long = Math.hypot(dz, dr);
   if (long === 0) return;
   const corner = (of: Pt, way: number) => build.corner(of.r, way * wide(of), of.z, -dz / long, 0, dr / long);
   const [a, b, c, d] = [corner(p, 1), corner(p, -1), corner(q, -1), corner(q, 1)];
@@ -74,11 +81,14 @@ function edgesOf(ring: Ring, wide: (p: Pt) => number, full: number): Float32Arra
     for (const way of [1, -1]) line(p, way * wide(p), q, way * wide(q));
     if (p.r !== full) line(p, -wide(p), p, wide(p));
   });
-  const bends = ring.filter(({ r }) => r === full).sort((a, b) => a.z - b.z), { low } = boxOf(ring);
+  const bends = ring.filter(({ r }) => r === full).sort((a, b) => a.z - b.z),
+    { low } = boxOf(ring);
   if (full > low) {
     for (let i = 0; i + 1 < bends.length; i += 2) {
       const [p, q] = [bends[i], bends[i + 1]];
-      if (p && q) { for (const way of [1, -1]) line(p, way * wide(p), q, way * wide(q)); }
+      if (p && q) {
+        for (const way of [1, -1]) line(p, way * wide(p), q, way * wide(q));
+      }
     }
   }
   return Float32Array.from(out);

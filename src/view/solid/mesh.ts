@@ -1,6 +1,6 @@
 /**
- * Triangles of a closed surface in space, mm. The axes are those of the machine: x along X as a radius, y towards the operator, z along
- * the spindle. Triangles run counter-clockwise seen from outside.
+ * Triangles of a closed surface in space, mm. The axes are those of the machine: x along X as a radius, y towards the
+ * operator, z along the spindle. Triangles run counter-clockwise seen from outside.
  */
 export interface Mesh {
   /** x, y, z of each corner. */
@@ -9,7 +9,9 @@ export interface Mesh {
   readonly normals: Float32Array;
   /** Three corners for each triangle. */
   readonly index: Uint32Array;
-  /** How the surface looks at each corner, where that is known: as `lookAt` says it, and the turn that left it, or 0. */
+  /**
+   * How the surface looks at each corner, where that is known: as `lookAt` says it, and the turn that left it, or 0.
+   */
   readonly looks?: Float32Array;
 }
 
@@ -18,7 +20,8 @@ export const NO_MESH: Mesh = { positions: new Float32Array(), normals: new Float
 /** Several surfaces as one. */
 export function joinedMeshes(meshes: readonly Mesh[]): Mesh {
   const total = (pick: (m: Mesh) => number) => meshes.reduce((sum, m) => sum + pick(m), 0);
-  const positions = new Float32Array(total((m) => m.positions.length)), normals = new Float32Array(positions.length);
+  const positions = new Float32Array(total((m) => m.positions.length)),
+    normals = new Float32Array(positions.length);
   const index = new Uint32Array(total((m) => m.index.length));
   const looks = meshes.some((m) => m.looks) ? new Float32Array((2 * positions.length) / 3) : null;
   let [corner, place] = [0, 0];
@@ -53,7 +56,10 @@ export class MeshBuilder {
   private readonly normals: number[] = [];
   private readonly index: number[] = [];
 
-  /** A corner with its direction outwards; returns its number. Zero is never negative, so that equal corners are equal to the bit. */
+  /**
+   * A corner with its direction outwards; returns its number. Zero is never negative, so that equal corners are equal
+   * to the bit.
+   */
   corner(x: number, y: number, z: number, nx: number, ny: number, nz: number): number {
     this.positions.push(x + 0, y + 0, z + 0);
     this.normals.push(nx, ny, nz);

@@ -16,18 +16,26 @@ const fine: ThreadTurning = { chords: 32, quarterCut: true, hand: 1, within: 0.0
 
 function moments(text: string) {
   const { blank, stated, steps, operations, unproved } = run(parse(text), { tools: shippedTools, rapid: 8000 });
-  const simulation = simulate({ blank, stated, steps, operations, unproved }), player = playerOf(simulation);
+  const simulation = simulate({ blank, stated, steps, operations, unproved }),
+    player = playerOf(simulation);
   const threads = runThreads(steps, player.at, { stated: statedSteps(simulation) });
-  const at = (position: PlayPosition) => bodiesAt({ stock: player.at(position), simulation, threads, position, size: 60 }, fine);
+  const at = (position: PlayPosition) =>
+    bodiesAt({ stock: player.at(position), simulation, threads, position, size: 60 }, fine);
   const leftAt = (position: PlayPosition) => colouredBodies(player.at(position), simulation, position, 60).residual;
   return { steps, at, threads, leftAt, residual: simulation.proof.residual };
 }
 const printed = readFileSync("tests/programs/cycle-831.h", "utf8");
 
 test("whichever way a moment is come to, its body is the same, and a thread in it is a helix from its first cut on", () => {
-  const { steps, at } = moments(printed), first = steps.findIndex(({ move }) => move.kind === "thread");
-  const places = [first + 0.6, first + 8.31, steps.length, first + 3, first + 0.6].map((n) => ({ step: Math.floor(n), fraction: n % 1 }));
-  const sizes = places.map((place) => at(place)).map(({ bodies, hasRings }) => [hasRings, bodies[0]?.solid.surface.index.length]);
+  const { steps, at } = moments(printed),
+    first = steps.findIndex(({ move }) => move.kind === "thread");
+  const places = [first + 0.6, first + 8.31, steps.length, first + 3, first + 0.6].map((n) => ({
+    step: Math.floor(n),
+    fraction: n % 1,
+  }));
+  const sizes = places
+    .map((place) => at(place))
+    .map(({ bodies, hasRings }) => [hasRings, bodies[0]?.solid.surface.index.length]);
   expect(sizes.every(([rings]) => rings === false)).toBe(true);
   expect(sizes[0]).toEqual(sizes.at(-1));
   expect(at({ step: first, fraction: 0 }).hasRings).toBe(false);
@@ -50,27 +58,29 @@ test("a program without threads has none", () => {
   expect(moments(readFileSync("src/examples/flange.h", "utf8")).threads).toBeNull();
 });
 
-test.each([["830", 11, 1000], ["832", 1, 0]])("what should have been taken between the grooves of cycle %s is told where it was left",
-  (cycle, least, corners) => {
-    const { steps, at, residual, leftAt } = moments(readFileSync(`tests/programs/cycle-${cycle}.h`, "utf8"));
-    const { bodies, hasRings } = at({ step: steps.length, fraction: 0 });
-    expect(hasRings).toBe(false);
-    const left = leftAt({ step: steps.length, fraction: 0 });
-    expect(residual.length).toBeGreaterThanOrEqual(least);
-    const told = bodies.filter(({ role }) => role === "residual").map(({ solid }) => solid);
-    // In the half plane of the stock, with x upwards and y = 0, as much is told as was left.
-    const area = told.reduce((sum, { section: { positions: p, index, normals } }) => {
-      let all = sum;
-      for (let t = 0; t < index.length; t += 3) {
-        const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => 3 * (index[t + k] ?? 0));
-        if (normals[a + 1] !== 1) continue;
-        const [x, z] = [(i: number) => p[i] ?? 0, (i: number) => p[i + 2] ?? 0];
-        all += Math.abs((x(b) - x(a)) * (z(c) - z(a)) - (z(b) - z(a)) * (x(c) - x(a))) / 2;
-      }
-      return all;
-    }, 0);
-    // The fine lines of the helix lie beside the corners of the stock by as much as is asked for.
-    expect(Math.abs(area / areaOf(left) - 1)).toBeLessThan(0.08);
-    const cut = Math.max(...told.map(({ surface }) => surface.index.length));
-    expect(cut).toBeGreaterThanOrEqual(corners);
-  });
+test.each([
+  ["830", 11, 1000],
+  ["832", 1, 0],
+])("what should have been taken between the grooves of cycle %s is told where it was left", (cycle, least, corners) => {
+  const { steps, at, residual, leftAt } = moments(readFileSync(`tests/programs/cycle-${cycle}.h`, "utf8"));
+  const { bodies, hasRings } = at({ step: steps.length, fraction: 0 });
+  expect(hasRings).toBe(false);
+  const left = leftAt({ step: steps.length, fraction: 0 });
+  expect(residual.length).toBeGreaterThanOrEqual(least);
+  const told = bodies.filter(({ role }) => role === "residual").map(({ solid }) => solid);
+  // In the half plane of the stock, with x upwards and y = 0, as much is told as was left.
+  const area = told.reduce((sum, { section: { positions: p, index, normals } }) => {
+    let all = sum;
+    for (let t = 0; t < index.length; t += 3) {
+      const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => 3 * (index[t + k] ?? 0));
+      if (normals[a + 1] !== 1) continue;
+      const [x, z] = [(i: number) => p[i] ?? 0, (i: number) => p[i + 2] ?? 0];
+      all += Math.abs((x(b) - x(a)) * (z(c) - z(a)) - (z(b) - z(a)) * (x(c) - x(a))) / 2;
+    }
+    return all;
+  }, 0);
+  // The fine lines of the helix lie beside the corners of the stock by as much as is asked for.
+  expect(Math.abs(area / areaOf(left) - 1)).toBeLessThan(0.08);
+  const cut = Math.max(...told.map(({ surface }) => surface.index.length));
+  expect(cut).toBeGreaterThanOrEqual(corners);
+});

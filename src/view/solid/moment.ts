@@ -27,19 +27,27 @@ export interface Moment {
 /** What is told by colour lies in no groove when it is farther from all of them, mm. */
 const APART = 0.05;
 
-/** The steel of a moment with its threads, and what of them should have been taken; null where they can be rings only. */
+/**
+ * The steel of a moment with its threads, and what of them should have been taken; null where they can be rings only.
+ */
 function withThreads(
   all: ColouredBodies,
   { stock, base, cuts }: ThreadedStock & Pick<Moment, "stock">,
   coloured: (rings: readonly Ring[]) => ColouredBodies,
   turning: ThreadTurning,
 ) {
-  const grooves = boxAround(difference(base, stock)), near = (ring: Ring) => gapBetween(boxAround([ring]), grooves) <= APART;
+  const grooves = boxAround(difference(base, stock)),
+    near = (ring: Ring) => gapBetween(boxAround([ring]), grooves) <= APART;
   // A gouge is a skin, and a groove goes through it.
   if (all.gouge.some(near)) return null;
-  const between = all.residual.filter(near), whole = coloured(base).steel;
-  const body = threadedBody(union(all.steel, between), { base: union(whole, intersection(offset(between, GAP), base)), cuts }, turning,
-    between);
+  const between = all.residual.filter(near),
+    whole = coloured(base).steel;
+  const body = threadedBody(
+    union(all.steel, between),
+    { base: union(whole, intersection(offset(between, GAP), base)), cuts },
+    turning,
+    between,
+  );
   return body && { ...body, rest: all.residual.filter((ring) => !near(ring)) };
 }
 /** What was left between grooves is joined to what fills them, mm. */
@@ -58,13 +66,23 @@ export interface MomentBodies {
 export function bodiesAt({ stock, simulation, threads, position, size }: Moment, turning: ThreadTurning): MomentBodies {
   const coloured = (rings: readonly Ring[]): ColouredBodies =>
     simulation ? colouredBodies(rings, simulation, position, size) : { steel: rings, residual: [], gouge: [] };
-  const all = coloured(stock), apart = threads?.of(stock, position) ?? null;
+  const all = coloured(stock),
+    apart = threads?.of(stock, position) ?? null;
   const helices = apart && withThreads(all, { stock, ...apart }, coloured, turning);
-  const { finish, ...plain } = turning, turned = (rings: readonly Ring[]) => revolved(rings, plain);
-  const bodies: MomentBody[] = [{ role: "steel", solid: helices?.plain ?? revolved(all.steel, turning) }, {
-    role: "residual",
-    solid: turned(helices?.rest ?? all.residual),
-  }, { role: "gouge", solid: turned(all.gouge) }];
+  const { finish, ...plain } = turning,
+    turned = (rings: readonly Ring[]) => revolved(rings, plain);
+  const bodies: MomentBody[] = [
+    { role: "steel", solid: helices?.plain ?? revolved(all.steel, turning) },
+    {
+      role: "residual",
+      solid: turned(helices?.rest ?? all.residual),
+    },
+    { role: "gouge", solid: turned(all.gouge) },
+  ];
   if (helices?.told) bodies.push({ role: "residual", solid: helices.told });
-  return { bodies, hasRings: apart !== null && helices === null, hasLeft: apart?.cuts.some(({ hand }) => hand < 0) ?? false };
+  return {
+    bodies,
+    hasRings: apart !== null && helices === null,
+    hasLeft: apart?.cuts.some(({ hand }) => hand < 0) ?? false,
+  };
 }

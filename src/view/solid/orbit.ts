@@ -32,16 +32,19 @@ const HIGHEST = Math.PI / 2 - 0.02;
 const clamped = (n: number, low: number, high: number) => Math.min(high, Math.max(low, n));
 
 /** Direction from the centre to the eye, to the right and upwards on the screen; each of length 1. */
-export function axesOf({ turn, rise }: Pick<Orbit, "turn" | "rise">): { readonly eye: SpacePoint; readonly right: SpacePoint;
-  readonly up: SpacePoint }
-{
+export function axesOf({ turn, rise }: Pick<Orbit, "turn" | "rise">): {
+  readonly eye: SpacePoint;
+  readonly right: SpacePoint;
+  readonly up: SpacePoint;
+} {
   const [c, s, ct, st] = [Math.cos(rise), Math.sin(rise), Math.cos(turn), Math.sin(turn)];
   return { eye: [s, c * ct, c * st], right: [0, -st, ct], up: [c, -s * ct, -s * st] };
 }
 
 /** Where the eye is. */
 export function eyeOf(orbit: Orbit): SpacePoint {
-  const { eye } = axesOf(orbit), { centre, distance } = orbit;
+  const { eye } = axesOf(orbit),
+    { centre, distance } = orbit;
   return [centre[0] + eye[0] * distance, centre[1] + eye[1] * distance, centre[2] + eye[2] * distance];
 }
 
@@ -62,12 +65,17 @@ export const approached = (orbit: Orbit, factor: number): Orbit => ({
 });
 
 /** What one pixel shows at the centre, mm. */
-export const pixelAt = ({ distance }: Orbit, size: Size): number => (2 * distance * Math.tan(FIELD / 2)) / Math.max(1, size.height);
+export const pixelAt = ({ distance }: Orbit, size: Size): number =>
+  (2 * distance * Math.tan(FIELD / 2)) / Math.max(1, size.height);
 
-/** Where a place is seen in a picture, pixels from its upper left corner; null for what lies beside or behind the eye. */
+/**
+ * Where a place is seen in a picture, pixels from its upper left corner; null for what lies beside or behind the eye.
+ */
 export function projected(orbit: Orbit, size: Size, place: SpacePoint): Place | null {
-  const { eye, right, up } = axesOf(orbit), { centre, distance } = orbit;
-  const along = (way: SpacePoint) => way[0] * (place[0] - centre[0]) + way[1] * (place[1] - centre[1]) + way[2] * (place[2] - centre[2]);
+  const { eye, right, up } = axesOf(orbit),
+    { centre, distance } = orbit;
+  const along = (way: SpacePoint) =>
+    way[0] * (place[0] - centre[0]) + way[1] * (place[1] - centre[1]) + way[2] * (place[2] - centre[2]);
   const away = distance - along(eye);
   if (away <= 0) return null;
   const perMm = size.height / (2 * away * Math.tan(FIELD / 2));
@@ -76,14 +84,17 @@ export function projected(orbit: Orbit, size: Size, place: SpacePoint): Place | 
 
 /** From the same side, but near a box of the half plane: the body round it is seen as well. */
 export function nearTo(orbit: Orbit, { left, right, low, high }: Bounds, down: boolean): Orbit {
-  const size = Math.max(right - left, high - low), far = size * NEAR + NEAREST;
+  const size = Math.max(right - left, high - low),
+    far = size * NEAR + NEAREST;
   const middle = (low + high) / 2;
   return { ...orbit, centre: [down ? -middle : middle, 0, (left + right) / 2], distance: far };
 }
 
 /** What is seen moves along by so many pixels. */
 export function slid(orbit: Orbit, dx: number, dy: number, size: Size): Orbit {
-  const { right, up } = axesOf(orbit), mm = pixelAt(orbit, size), { centre } = orbit;
+  const { right, up } = axesOf(orbit),
+    mm = pixelAt(orbit, size),
+    { centre } = orbit;
   const moved = (k: 0 | 1 | 2) => centre[k] - right[k] * dx * mm + up[k] * dy * mm;
   return { ...orbit, centre: [moved(0), moved(1), moved(2)] };
 }
@@ -105,23 +116,37 @@ const AIR = 1.12;
 /** How often a view is centred anew: moving it sideways changes a little of what is near and what is far. */
 const CENTRED = 3;
 
-/** A named view that shows all of a body of revolution, or of a flat thing, as large as the picture allows and in its middle. */
+/**
+ * A named view that shows all of a body of revolution, or of a flat thing, as large as the picture allows and in its
+ * middle.
+ */
 export function namedView(view: NamedView, bounds: Bounds, size: Size, isFlat = false): Orbit {
-  const { eye, right, up } = axesOf(ANGLES[view]), corners = cornersOf(bounds, isFlat);
-  const tall = Math.tan(FIELD / 2) / AIR, wide = tall * Math.max(0.01, size.width / Math.max(1, size.height));
+  const { eye, right, up } = axesOf(ANGLES[view]),
+    corners = cornersOf(bounds, isFlat);
+  const tall = Math.tan(FIELD / 2) / AIR,
+    wide = tall * Math.max(0.01, size.width / Math.max(1, size.height));
   let centre: SpacePoint = [0, 0, (bounds.left + bounds.right) / 2];
   let distance: number = DISTANCE.nearest;
   for (let i = 0; i < CENTRED; i += 1) {
     const seen = corners.map((p) => {
-      const along = (way: SpacePoint) => way[0] * (p[0] - centre[0]) + way[1] * (p[1] - centre[1]) + way[2] * (p[2] - centre[2]);
+      const along = (way: SpacePoint) =>
+        way[0] * (p[0] - centre[0]) + way[1] * (p[1] - centre[1]) + way[2] * (p[2] - centre[2]);
       return { near: along(eye), x: along(right), y: along(up) };
     });
-    const far = seen.reduce((most, p) => Math.max(most, p.near + Math.abs(p.x) / wide, p.near + Math.abs(p.y) / tall), distance);
+    const far = seen.reduce(
+      (most, p) => Math.max(most, p.near + Math.abs(p.x) / wide, p.near + Math.abs(p.y) / tall),
+      distance,
+    );
     if (i === CENTRED - 1) distance = far;
     else {
       const middle = (list: readonly number[]) => (Math.min(...list) + Math.max(...list)) / 2;
-      const dx = middle(seen.map((p) => p.x / (far - p.near))) * far, dy = middle(seen.map((p) => p.y / (far - p.near))) * far;
-      centre = [centre[0] + right[0] * dx + up[0] * dy, centre[1] + right[1] * dx + up[1] * dy, centre[2] + right[2] * dx + up[2] * dy];
+      const dx = middle(seen.map((p) => p.x / (far - p.near))) * far,
+        dy = middle(seen.map((p) => p.y / (far - p.near))) * far;
+      centre = [
+        centre[0] + right[0] * dx + up[0] * dy,
+        centre[1] + right[1] * dx + up[1] * dy,
+        centre[2] + right[2] * dx + up[2] * dy,
+      ];
     }
   }
   return { centre, ...ANGLES[view], distance };
@@ -132,7 +157,9 @@ const nearAngle = (angle: number, other: number) => angle - 2 * Math.PI * Math.r
 
 /** On the way from one view to another, 0 … 1; it begins and ends gently and turns the shorter way round. */
 export function viewBetween(from: Orbit, to: Orbit, share: number): Orbit {
-  const k = clamped(share, 0, 1), eased = k * k * (3 - 2 * k), mix = (a: number, b: number) => a + (b - a) * eased;
+  const k = clamped(share, 0, 1),
+    eased = k * k * (3 - 2 * k),
+    mix = (a: number, b: number) => a + (b - a) * eased;
   if (k >= 1) return to;
   const centre = (i: 0 | 1 | 2) => mix(from.centre[i], to.centre[i]);
   return {

@@ -16,9 +16,11 @@ export interface SpaceLines {
 
 /** Paths as pieces in space. From the last to the first: so what is still to come is always at the beginning. */
 function linesOf(paths: readonly { readonly path: Segment; readonly source: number }[]): SpaceLines {
-  const places: number[] = [], sources: number[] = [];
+  const places: number[] = [],
+    sources: number[] = [];
   for (let i = paths.length - 1; i >= 0; i -= 1) {
-    const { path, source } = paths[i] as (typeof paths)[number], points = part.flattened(path, FLAT);
+    const { path, source } = paths[i] as (typeof paths)[number],
+      points = part.flattened(path, FLAT);
     for (let k = points.length - 1; k > 0; k -= 1) {
       const [from, to] = [points[k - 1], points[k]];
       if (!from || !to || (from.z === to.z && from.r === to.r)) continue;
@@ -37,15 +39,19 @@ export function pathInSpace(
   const paths = new Map<PathRole, { path: Segment; source: number }[]>();
   steps.forEach(({ from, move }, source) => {
     if (!shown(source)) return;
-    const role = pathRole(move), list = paths.get(role) ?? [];
+    const role = pathRole(move),
+      list = paths.get(role) ?? [];
     paths.set(role, list);
     list.push({ path: pathOf(from, move), source });
   });
-  return PATH_ROLES.flatMap((role) => ({ role, ...linesOf(paths.get(role) ?? []) })).filter(({ sources }) => sources.length > 0);
+  return PATH_ROLES.flatMap((role) => ({ role, ...linesOf(paths.get(role) ?? []) })).filter(
+    ({ sources }) => sources.length > 0,
+  );
 }
 
 /** Any lines and arcs of the half plane; sources are their places in the list. */
-export const segmentsInSpace = (segments: readonly Segment[]): SpaceLines => linesOf(segments.map((path, source) => ({ path, source })));
+export const segmentsInSpace = (segments: readonly Segment[]): SpaceLines =>
+  linesOf(segments.map((path, source) => ({ path, source })));
 
 /** How many of the pieces belong to a step or a later one: they are the first ones. */
 export function piecesFrom({ sources }: SpaceLines, step: number): number {
@@ -62,17 +68,21 @@ export function piecesFrom({ sources }: SpaceLines, step: number): number {
 const CELLS = 2 ** 13;
 
 /**
- * Only those pieces that can be told apart where ends in the same square of `fine` mm are one place; of several that cannot, the one that
- * is made last. All of them where they reach over too many such squares.
+ * Only those pieces that can be told apart where ends in the same square of `fine` mm are one place; of several that
+ * cannot, the one that is made last. All of them where they reach over too many such squares.
  */
 export function thinned(lines: SpaceLines, fine: number): SpaceLines {
   const { places, sources } = lines;
   let [least, most] = [Infinity, -Infinity];
   for (const place of places) [least, most] = [Math.min(least, place), Math.max(most, place)];
   if (!(most - least < fine * CELLS)) return lines;
-  const cell = (place = 0): number => Math.floor((place - least) / fine), seen = new Set<number>(), kept: number[] = [];
+  const cell = (place = 0): number => Math.floor((place - least) / fine),
+    seen = new Set<number>(),
+    kept: number[] = [];
   for (let i = 0; i < sources.length; i += 1) {
-    const at = 6 * i, from = cell(places[at]) * CELLS + cell(places[at + 2]), to = cell(places[at + 3]) * CELLS + cell(places[at + 5]);
+    const at = 6 * i,
+      from = cell(places[at]) * CELLS + cell(places[at + 2]),
+      to = cell(places[at + 3]) * CELLS + cell(places[at + 5]);
     const key = Math.min(from, to) * CELLS * CELLS + Math.max(from, to);
     if (!seen.has(key)) kept.push(i);
     seen.add(key);

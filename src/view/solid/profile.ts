@@ -2,7 +2,10 @@ import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { StockLooks, SideLook } from "./finish.ts";
 
-/** A place of an outline with the direction out of the material there, length 1. A sharp corner has two, one for each side. */
+/**
+ * A place of an outline with the direction out of the material there, length 1. A sharp corner has two, one for each
+ * side.
+ */
 export interface TurnedPoint {
   readonly p: Pt;
   readonly nz: number;
@@ -49,13 +52,16 @@ const SPECK = 0.15;
 /** The looks of sides, one after the other round an outline, without specks. */
 function unspecked(looks: readonly (SideLook | null)[], sides: readonly Side[]): readonly (SideLook | null)[] {
   return looks.map((look, i) => {
-    const before = looks.at(i - 1)?.tone ?? null, after = looks[(i + 1) % looks.length]?.tone ?? null;
+    const before = looks.at(i - 1)?.tone ?? null,
+      after = looks[(i + 1) % looks.length]?.tone ?? null;
     const isSpeck = look?.tone === null && (sides[i]?.long ?? 0) < SPECK && after !== null;
     return isSpeck && before !== null ? { ...look, tone: before } : look;
   });
 }
 
-/** An outline (material to the left) as smooth and sharp places; null when it encloses nothing. `finish` has parted it. */
+/**
+ * An outline (material to the left) as smooth and sharp places; null when it encloses nothing. `finish` has parted it.
+ */
 export function profileOf(ring: Ring, finish?: StockLooks): Profile | null {
   const corners = ring.map(settled).filter((p, i, all) => {
     const before = all[(i + all.length - 1) % all.length];
@@ -64,13 +70,19 @@ export function profileOf(ring: Ring, finish?: StockLooks): Profile | null {
   if (corners.length < 3) return null;
   const sides = corners.map((p, i): Side => {
     const to = corners[(i + 1) % corners.length] ?? p;
-    const [dz, dr] = [to.z - p.z, to.r - p.r], long = Math.hypot(dz, dr) || 1;
+    const [dz, dr] = [to.z - p.z, to.r - p.r],
+      long = Math.hypot(dz, dr) || 1;
     return { nz: dr / long, nr: -dz / long, long };
   });
-  const looks = unspecked(corners.map((p, i) => finish?.of(p, corners[(i + 1) % corners.length] ?? p) ?? null), sides);
-  const points: TurnedPoint[] = [], sharp: number[] = [];
+  const looks = unspecked(
+    corners.map((p, i) => finish?.of(p, corners[(i + 1) % corners.length] ?? p) ?? null),
+    sides,
+  );
+  const points: TurnedPoint[] = [],
+    sharp: number[] = [];
   const ends = corners.map((p, i) => {
-    const before = sides[(i + sides.length - 1) % sides.length], after = sides[i];
+    const before = sides[(i + sides.length - 1) % sides.length],
+      after = sides[i];
     if (!before || !after) return [0, 0] as const;
     const first = points.length;
     if (!isSmooth(before, after)) {
@@ -80,11 +92,17 @@ export function profileOf(ring: Ring, finish?: StockLooks): Profile | null {
     }
     // The longer side is nearer to the true direction: a line that runs into a rounding keeps its own.
     const [nz, nr] = [before.nz * before.long + after.nz * after.long, before.nr * before.long + after.nr * after.long];
-    const size = Math.hypot(nz, nr) || 1, point = { p, nz: nz / size, nr: nr / size };
+    const size = Math.hypot(nz, nr) || 1,
+      point = { p, nz: nz / size, nr: nr / size };
     points.push(point);
     if (isAlike(looks[(i + looks.length - 1) % looks.length], looks[i])) return [first, first] as const;
     points.push(point);
     return [first, first + 1] as const;
   });
-  return { points, sides: ends.map(([, out], i) => [out, ends[(i + 1) % ends.length]?.[0] ?? out] as const), sharp, looks };
+  return {
+    points,
+    sides: ends.map(([, out], i) => [out, ends[(i + 1) % ends.length]?.[0] ?? out] as const),
+    sharp,
+    looks,
+  };
 }

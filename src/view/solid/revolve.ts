@@ -29,7 +29,9 @@ export const SOLID_CHORD = 0.02;
 /** Fewest and most chords of a full turn. */
 const CHORDS = { least: 32, most: 720 } as const;
 
-/** Chords of a full turn that stay within a length (mm) of a circle: a multiple of four, so that quarters end on one. */
+/**
+ * Chords of a full turn that stay within a length (mm) of a circle: a multiple of four, so that quarters end on one.
+ */
 export function chordsFor(size: number, chord: number = SOLID_CHORD): number {
   const half = Math.acos(Math.max(0, 1 - chord / Math.max(size, chord)));
   const needed = 4 * Math.ceil(Math.PI / half / 4);
@@ -41,10 +43,11 @@ export function directionsOf(chords: number): readonly (readonly [number, number
   const quarter = chords / 4;
   const first = Array.from({ length: quarter }, (_, i) => {
     const a = (i / chords) * 2 * Math.PI;
-    return i === 0 ? [1, 0] as const : [Math.cos(a), Math.sin(a)] as const;
+    return i === 0 ? ([1, 0] as const) : ([Math.cos(a), Math.sin(a)] as const);
   });
   const turned = (list: readonly (readonly [number, number])[]) => list.map(([x, y]) => [-y, x] as const);
-  const second = turned(first), third = turned(second);
+  const second = turned(first),
+    third = turned(second);
   return [...first, ...second, ...third, ...turned(third)];
 }
 
@@ -52,13 +55,15 @@ const UP = [1, 0] as const;
 const AXIS = at(0, 0);
 
 /** Where the turn begins and over how many chords it goes. */
-export const spanOf =
-  ({ chords, quarterCut }: Turning) => (quarterCut ? { first: chords / 4, count: (3 * chords) / 4 } : { first: 0, count: chords });
+export const spanOf = ({ chords, quarterCut }: Turning) =>
+  quarterCut ? { first: chords / 4, count: (3 * chords) / 4 } : { first: 0, count: chords };
 
 function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<typeof directionsOf>): Mesh {
-  const { first, count } = spanOf(turning), { points, sides, looks: known } = profile;
+  const { first, count } = spanOf(turning),
+    { points, sides, looks: known } = profile;
   const rows = turning.quarterCut ? count + 1 : count;
-  const positions = new Float32Array(3 * points.length * rows), normals = new Float32Array(positions.length);
+  const positions = new Float32Array(3 * points.length * rows),
+    normals = new Float32Array(positions.length);
   const ways = Array.from({ length: rows }, (_, row) => directions[(first + row) % turning.chords] ?? UP);
   let place = 0;
   for (const { p, nz, nr } of points) {
@@ -79,7 +84,10 @@ function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<ty
     if (fromAxis && toAxis) continue;
     for (let row = 0; row < count; row += 1) {
       const next = (row + 1) % rows;
-      const p = a * rows + row, q = b * rows + row, far = b * rows + next, over = a * rows + next;
+      const p = a * rows + row,
+        q = b * rows + row,
+        far = b * rows + next,
+        over = a * rows + next;
       // A triangle of which two corners lie in one place on the axis is none.
       if (!toAxis) {
         index[n++] = p;
@@ -108,9 +116,15 @@ function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<ty
 /** Both faces of the cut: outlines of the one that stands upright, and of the one that lies towards the operator. */
 export function cutFaces(standing: readonly Ring[], lying: readonly Ring[]): Mesh {
   const build = new MeshBuilder();
-  for (const [rings, upright] of [[standing, true], [lying, false]] as const) {
-    const triangles = trianglesOf(rings), points = rings.flat();
-    const corners = points.map((p) => upright ? build.corner(p.r, 0, p.z, 0, 1, 0) : build.corner(0, p.r, p.z, 1, 0, 0));
+  for (const [rings, upright] of [
+    [standing, true],
+    [lying, false],
+  ] as const) {
+    const triangles = trianglesOf(rings),
+      points = rings.flat();
+    const corners = points.map((p) =>
+      upright ? build.corner(p.r, 0, p.z, 0, 1, 0) : build.corner(0, p.r, p.z, 1, 0, 0),
+    );
     for (let i = 0; i < triangles.length; i += 3) {
       const [a = 0, b = 0, c = 0] = [0, 1, 2].map((k) => corners[triangles[i + k] ?? 0]);
       if (upright) build.triangle(a, b, c);
@@ -120,8 +134,13 @@ export function cutFaces(standing: readonly Ring[], lying: readonly Ring[]): Mes
   return build.mesh();
 }
 
-function edgesOf(profiles: readonly Profile[], turning: Turning, directions: ReturnType<typeof directionsOf>): Float32Array {
-  const { first, count } = spanOf(turning), out: number[] = [];
+function edgesOf(
+  profiles: readonly Profile[],
+  turning: Turning,
+  directions: ReturnType<typeof directionsOf>,
+): Float32Array {
+  const { first, count } = spanOf(turning),
+    out: number[] = [];
   const piece = (a: readonly [number, number, number], b: readonly [number, number, number]) => out.push(...a, ...b);
   const on = ({ r, z }: Pt, row: number) => {
     const [x, y] = directions[row % turning.chords] ?? UP;
@@ -135,21 +154,26 @@ function edgesOf(profiles: readonly Profile[], turning: Turning, directions: Ret
     if (!turning.quarterCut) continue;
     for (const [a, b] of sides) {
       const [p, q] = [points[a]?.p, points[b]?.p];
-      if (p && q) { for (const row of [0, first]) piece(on(p, row), on(q, row)); }
+      if (p && q) {
+        for (const row of [0, first]) piece(on(p, row), on(q, row));
+      }
     }
   }
   return Float32Array.from(out);
 }
 
 /**
- * The body that rings of the half plane make when they turn round the spindle axis: outer rings counter-clockwise, holes clockwise,
- * several rings several bodies. What lies on the axis is closed there; what would lie beyond it is taken for lying on it.
+ * The body that rings of the half plane make when they turn round the spindle axis: outer rings counter-clockwise,
+ * holes clockwise, several rings several bodies. What lies on the axis is closed there; what would lie beyond it is
+ * taken for lying on it.
  */
 export function revolved(rings: readonly Ring[], turning: Turning): Solid {
-  const profiles = rings.flatMap((ring) => profileOf(turning.finish ? partedBy(turning.finish, ring) : ring, turning.finish) ?? []);
+  const profiles = rings.flatMap(
+    (ring) => profileOf(turning.finish ? partedBy(turning.finish, ring) : ring, turning.finish) ?? [],
+  );
   if (profiles.length === 0) return { surface: NO_MESH, section: NO_MESH, edges: new Float32Array() };
   const directions = directionsOf(turning.chords);
-  const outlines = profiles.map(({ points, sides }) => sides.flatMap(([a]): Pt[] => points[a] ? [points[a].p] : []));
+  const outlines = profiles.map(({ points, sides }) => sides.flatMap(([a]): Pt[] => (points[a] ? [points[a].p] : [])));
   return {
     surface: joinedMeshes(profiles.map((p) => surfaceOf(p, turning, directions))),
     section: turning.quarterCut ? cutFaces(outlines, outlines) : NO_MESH,

@@ -10,17 +10,26 @@ import { shownBodies } from "./shown-bodies.ts";
 
 const printed = (cycle: string) => readFileSync(`tests/programs/cycle-${cycle}.h`, "utf8");
 /** Cuts into the part once the cycle is done. */
-const gouging = printed("810").replace("12 L Z+52 R0 FMAX", "12 L X+30 Z-30 F0.2\n12.1 L X+90 FMAX\n12.2 L Z+52 R0 FMAX");
+const gouging = printed("810").replace(
+  "12 L Z+52 R0 FMAX",
+  "12 L X+30 Z-30 F0.2\n12.1 L X+90 FMAX\n12.2 L Z+52 R0 FMAX",
+);
 
 /** What is told of a program, after a share of its steps. */
 function toldOf(text: string, share: number) {
-  const made = run(parse(text), { tools: shippedTools, rapid: 8000 }), simulation = simulate(made), { steps } = made;
+  const made = run(parse(text), { tools: shippedTools, rapid: 8000 }),
+    simulation = simulate(made),
+    { steps } = made;
   const position = { step: Math.floor(share * steps.length), fraction: 0 };
-  return shownBodies(playerOf(simulation).at(position), { simulation, threads: null, surfaces: surfacesOf(steps) }, {
-    position,
-    size: 60,
-    turning: { chords: 32, quarterCut: true, hand: 1, within: 0.02, most: 20_000 },
-  }).told;
+  return shownBodies(
+    playerOf(simulation).at(position),
+    { simulation, threads: null, surfaces: surfacesOf(steps) },
+    {
+      position,
+      size: 60,
+      turning: { chords: 32, quarterCut: true, hand: 1, within: 0.02, most: 20_000 },
+    },
+  ).told;
 }
 
 test.each([
@@ -30,4 +39,6 @@ test.each([
   ["before the gouge", printed("814"), 0, []],
   ["both", gouging, 1, ["residual", "gouge"]],
   ["nothing", printed("822"), 1, []],
-])("%s is named when it is in the picture, and no sooner", (_, text, share, marked) => expect(toldOf(text, share).marked).toEqual(marked));
+])("%s is named when it is in the picture, and no sooner", (_, text, share, marked) =>
+  expect(toldOf(text, share).marked).toEqual(marked),
+);

@@ -54,18 +54,27 @@ export function shownBodies(
   { position, size, turning, tones }: BodiesAsked,
 ): ShownBodies {
   const finish = finishOf(stock, surfaces, position, tones);
-  const { bodies, hasRings, hasLeft } = bodiesAt({ stock, simulation, threads, position, size }, { ...turning, finish });
+  const { bodies, hasRings, hasLeft } = bodiesAt(
+    { stock, simulation, threads, position, size },
+    { ...turning, finish },
+  );
   const marked = MARKED.filter((role) => bodies.some((body) => body.role === role && isSeen(body)));
   return { bodies, told: { rings: hasRings, leftHanded: hasLeft, textures: finish.textures, marked } };
 }
 
 /** What can be handed from one thread to the other without a copy. */
-export const buffersOf =
-  ({ bodies }: ShownBodies): ArrayBuffer[] => [
-    ...new Set(bodies.flatMap(({ solid: { surface, section, edges } }) =>
+export const buffersOf = ({ bodies }: ShownBodies): ArrayBuffer[] => [
+  ...new Set(
+    bodies.flatMap(({ solid: { surface, section, edges } }) =>
       [
         edges,
-        ...[surface, section].flatMap(({ positions, normals, index, looks }) => [positions, normals, index, ...(looks ? [looks] : [])]),
-      ].flatMap(({ buffer, byteLength }) => (byteLength > 0 && buffer instanceof ArrayBuffer ? [buffer] : []))
-    )),
-  ];
+        ...[surface, section].flatMap(({ positions, normals, index, looks }) => [
+          positions,
+          normals,
+          index,
+          ...(looks ? [looks] : []),
+        ]),
+      ].flatMap(({ buffer, byteLength }) => (byteLength > 0 && buffer instanceof ArrayBuffer ? [buffer] : [])),
+    ),
+  ),
+];

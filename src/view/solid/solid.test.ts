@@ -13,16 +13,22 @@ const ring = (...points: readonly (readonly [z: number, r: number])[]): Ring => 
 const bar = ring([-61.3, 0], [1.7, 0], [1.7, 24.85], [-61.3, 24.85]);
 const tube = ring([-40.2, 11.15], [0.6, 11.15], [0.6, 19.9], [-40.2, 19.9]);
 const cavity = [...ring([-30.1, 13.3], [-9.7, 13.9], [-11.2, 17.45], [-28.8, 16.2])].reverse();
-const round = Array.from({ length: 80 }, (_, i) => at(-20 + 7.3 * Math.cos((i * Math.PI) / 40), 9.1 + 7.3 * Math.sin((i * Math.PI) / 40)));
+const round = Array.from({ length: 80 }, (_, i) =>
+  at(-20 + 7.3 * Math.cos((i * Math.PI) / 40), 9.1 + 7.3 * Math.sin((i * Math.PI) / 40)),
+);
 
-/** For every edge how often it is run through in one way less how often in the other, and how many triangles have it. */
+/**
+ * For every edge how often it is run through in one way less how often in the other, and how many triangles have it.
+ */
 function edgeBook(mesh: Mesh) {
-  const p = mesh.positions, book = new Map<string, { sum: number; count: number }>();
+  const p = mesh.positions,
+    book = new Map<string, { sum: number; count: number }>();
   const name = (i: number) => `${p[3 * i]} ${p[3 * i + 1]} ${p[3 * i + 2]}`;
   for (let t = 0; t < mesh.index.length; t += 3)
     for (let k = 0; k < 3; k += 1) {
       const [a, b] = [name(mesh.index[t + k] ?? -1), name(mesh.index[t + ((k + 1) % 3)] ?? -1)];
-      const key = a < b ? `${a}|${b}` : `${b}|${a}`, entry = book.get(key) ?? { sum: 0, count: 0 };
+      const key = a < b ? `${a}|${b}` : `${b}|${a}`,
+        entry = book.get(key) ?? { sum: 0, count: 0 };
       book.set(key, { sum: entry.sum + (a < b ? 1 : -1), count: entry.count + 1 });
     }
   return [...book.values()];
@@ -31,18 +37,29 @@ const isWatertight = (mesh: Mesh) => edgeBook(mesh).every(({ sum, count }) => su
 
 /** 2π · area · distance of the centroid, exact for polygons: the first moment about the axis. */
 const volumeTurned = (rings: readonly Ring[]) =>
-  rings.reduce((sum, points) =>
-    sum + points.reduce((s, p, i) => {
+  rings.reduce(
+    (sum, points) =>
+      sum +
+      points.reduce((s, p, i) => {
         const q = points[(i + 1) % points.length] ?? p;
         return s + (p.z * q.r - q.z * p.r) * (p.r + q.r);
-      }, 0) / 6, 0) * 2 * Math.PI;
+      }, 0) /
+        6,
+    0,
+  ) *
+  2 *
+  Math.PI;
 /** 2π · length · distance of the middle from the axis, mm². */
 const surfaceTurned = (rings: readonly Ring[]) =>
-  rings.reduce((sum, points) =>
-    sum + points.reduce((s, p, i) => {
-      const q = points[(i + 1) % points.length] ?? p;
-      return s + Math.PI * (p.r + q.r) * Math.hypot(q.z - p.z, q.r - p.r);
-    }, 0), 0);
+  rings.reduce(
+    (sum, points) =>
+      sum +
+      points.reduce((s, p, i) => {
+        const q = points[(i + 1) % points.length] ?? p;
+        return s + Math.PI * (p.r + q.r) * Math.hypot(q.z - p.z, q.r - p.r);
+      }, 0),
+    0,
+  );
 /** Farther than any corner of the bodies here, a power of two, mm. */
 const SIZE = 128;
 /** What a polygon with so many corners has of its circle. */
@@ -60,7 +77,8 @@ const bodies: readonly (readonly [string, readonly Ring[]])[] = [
 describe("a revolved body", () => {
   test.each(bodies)("%s is closed, shows outwards and has its volume, whole and cut", (_, rings) => {
     const chords = 116;
-    const whole = wholeMesh(revolved(rings, { chords, quarterCut: false })), cut = wholeMesh(revolved(rings, { chords, quarterCut: true }));
+    const whole = wholeMesh(revolved(rings, { chords, quarterCut: false })),
+      cut = wholeMesh(revolved(rings, { chords, quarterCut: true }));
     expect(isWatertight(whole)).toBe(true);
     expect(isWatertight(cut)).toBe(true);
     const expected = volumeTurned(rings) * polygonShare(chords);
@@ -70,18 +88,23 @@ describe("a revolved body", () => {
 
   test("any stock of overlapping bars and grooves is closed and has its volume", () => {
     const size = fc.integer({ min: 1, max: 3999 }).map((n) => n / 100);
-    const box = fc.tuple(size, size, size, size).map(([z, dz, r, dr]) => ring([z, r], [z + dz, r], [z + dz, r + dr], [z, r + dr]));
-    fc.assert(fc.property(fc.array(box, { minLength: 1, maxLength: 4 }), fc.array(box, { maxLength: 4 }), (solid, gone) => {
-      const rings = difference(union(solid), gone), chords = 44;
-      for (const quarterCut of [false, true]) {
-        const mesh = wholeMesh(revolved(rings, { chords, quarterCut }));
-        expect(edgeBook(mesh).every(({ sum }) => sum === 0)).toBe(true);
-        const expected = volumeTurned(rings) * polygonShare(chords) * (quarterCut ? 0.75 : 1);
-        // Corners are kept as numbers of 24 bits: a thin disc of a large area may be off by that much on both faces.
-        const rounded = 2 * SIZE * 2 ** -24 * surfaceTurned(rings);
-        expect(Math.abs(volumeOf(mesh) - expected)).toBeLessThan(1e-4 * Math.max(1, expected) + rounded);
-      }
-    }));
+    const box = fc
+      .tuple(size, size, size, size)
+      .map(([z, dz, r, dr]) => ring([z, r], [z + dz, r], [z + dz, r + dr], [z, r + dr]));
+    fc.assert(
+      fc.property(fc.array(box, { minLength: 1, maxLength: 4 }), fc.array(box, { maxLength: 4 }), (solid, gone) => {
+        const rings = difference(union(solid), gone),
+          chords = 44;
+        for (const quarterCut of [false, true]) {
+          const mesh = wholeMesh(revolved(rings, { chords, quarterCut }));
+          expect(edgeBook(mesh).every(({ sum }) => sum === 0)).toBe(true);
+          const expected = volumeTurned(rings) * polygonShare(chords) * (quarterCut ? 0.75 : 1);
+          // Corners are kept as numbers of 24 bits: a thin disc of a large area may be off by that much on both faces.
+          const rounded = 2 * SIZE * 2 ** -24 * surfaceTurned(rings);
+          expect(Math.abs(volumeOf(mesh) - expected)).toBeLessThan(1e-4 * Math.max(1, expected) + rounded);
+        }
+      }),
+    );
   });
 
   test("corners are sharp and roundings smooth, and every normal shows out of the material", () => {
@@ -93,7 +116,8 @@ describe("a revolved body", () => {
     for (let i = 0; i < torus.surface.normals.length; i += 3) {
       const [x = 0, y = 0, z = 0] = torus.surface.positions.subarray(i, i + 3),
         [nx = 0, ny = 0, nz = 0] = torus.surface.normals.subarray(i, i + 3);
-      const r = Math.hypot(x, y), out = ((r - 9.1) * (x * nx + y * ny)) / r + (z + 20) * nz;
+      const r = Math.hypot(x, y),
+        out = ((r - 9.1) * (x * nx + y * ny)) / r + (z + 20) * nz;
       expect(out / 7.3).toBeGreaterThan(0.999);
     }
   });
@@ -116,7 +140,8 @@ describe("a revolved body", () => {
 
 describe("the section", () => {
   const areaFilled = (rings: readonly Ring[]) => {
-    const points = rings.flat(), triangles = trianglesOf(rings);
+    const points = rings.flat(),
+      triangles = trianglesOf(rings);
     let sum = 0;
     for (let i = 0; i < triangles.length; i += 3) {
       const area = areaOfRing([0, 1, 2].flatMap((k) => points[triangles[i + k] ?? -1] ?? []));
@@ -134,7 +159,9 @@ describe("the section", () => {
   });
 
   test("a comb of grooves is filled exactly", () => {
-    const teeth = Array.from({ length: 25 }, (_, i) => ring([-2.4 * i - 1.3, 14.2], [-2.4 * i, 14.2], [-2.4 * i - 0.6, 30]));
+    const teeth = Array.from({ length: 25 }, (_, i) =>
+      ring([-2.4 * i - 1.3, 14.2], [-2.4 * i, 14.2], [-2.4 * i - 0.6, 30]),
+    );
     const rings = difference([bar], teeth);
     expect(areaFilled(rings)).toBeCloseTo(areaOf(rings), 6);
     expect(areaOf(intersection([bar], teeth))).toBeGreaterThan(100);
@@ -142,7 +169,8 @@ describe("the section", () => {
 });
 
 test("a plate is closed and has its volume, whichever way its outline runs", () => {
-  const outline = ring([0.4, 0.1], [9.3, 3.3], [4.2, 11.9]), volume = areaOfRing(outline) * 4.76;
+  const outline = ring([0.4, 0.1], [9.3, 3.3], [4.2, 11.9]),
+    volume = areaOfRing(outline) * 4.76;
   for (const each of [outline, [...outline].reverse()]) {
     const mesh = extruded(each, -4.76, 0);
     expect(isWatertight(mesh)).toBe(true);
@@ -152,7 +180,9 @@ test("a plate is closed and has its volume, whichever way its outline runs", () 
 
 test("an STL file gives the same closed body back", () => {
   const mesh = joinedMeshes([wholeMesh(revolved([tube, cavity], { chords: 48, quarterCut: false }))]);
-  const bytes = stlOf(mesh, "BÜCHSE"), view = new DataView(bytes.buffer), count = view.getUint32(80, true);
+  const bytes = stlOf(mesh, "BÜCHSE"),
+    view = new DataView(bytes.buffer),
+    count = view.getUint32(80, true);
   expect(bytes.length).toBe(84 + 50 * count);
   expect(new TextDecoder().decode(bytes.subarray(0, 5))).not.toBe("solid");
   expect(new TextDecoder().decode(bytes.subarray(0, 80))).toContain("B_CHSE");
@@ -161,9 +191,10 @@ test("an STL file gives the same closed body back", () => {
     const number = (k: number) => view.getFloat32(84 + 50 * t + 4 * k, true);
     for (let k = 0; k < 9; k += 1) positions[9 * t + k] = number(3 + k);
     const corner = (k: number) => [number(3 + 3 * k), number(4 + 3 * k), number(5 + 3 * k)] as const;
-    const [a, b, c] = [corner(0), corner(1), corner(2)], [u, v] = [b, c].map((q) => q.map((n, i) => n - (a[i] ?? 0)));
-    const cross = [0, 1, 2].map((i) =>
-      (u?.[(i + 1) % 3] ?? 0) * (v?.[(i + 2) % 3] ?? 0) - (u?.[(i + 2) % 3] ?? 0) * (v?.[(i + 1) % 3] ?? 0)
+    const [a, b, c] = [corner(0), corner(1), corner(2)],
+      [u, v] = [b, c].map((q) => q.map((n, i) => n - (a[i] ?? 0)));
+    const cross = [0, 1, 2].map(
+      (i) => (u?.[(i + 1) % 3] ?? 0) * (v?.[(i + 2) % 3] ?? 0) - (u?.[(i + 2) % 3] ?? 0) * (v?.[(i + 1) % 3] ?? 0),
     );
     const along = cross.reduce((sum, n, i) => sum + n * number(i), 0);
     expect(along / Math.hypot(...cross)).toBeCloseTo(1, 3);

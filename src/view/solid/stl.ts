@@ -5,12 +5,14 @@ const HEAD = 80;
 const EACH = 50;
 
 /**
- * A closed surface as a binary STL file: mm, Z along the spindle, X up, one after the other its triangles with the direction they show
- * to. The name stands in the head, as far as it is plain letters. Format: the facets of the original StereoLithography interface.
+ * A closed surface as a binary STL file: mm, Z along the spindle, X up, one after the other its triangles with the
+ * direction they show to. The name stands in the head, as far as it is plain letters. Format: the facets of the
+ * original StereoLithography interface.
  */
 export function stlOf({ positions, index }: Mesh, name: string): Uint8Array<ArrayBuffer> {
   const count = index.length / 3;
-  const bytes = new Uint8Array(HEAD + 4 + EACH * count), view = new DataView(bytes.buffer);
+  const bytes = new Uint8Array(HEAD + 4 + EACH * count),
+    view = new DataView(bytes.buffer);
   // A head that began with "solid" would be taken for the form in letters.
   const head = `binary STL, mm, Z along the spindle: ${name}`.replace(/[^\x20-\x7e]/g, "_").slice(0, HEAD);
   for (let i = 0; i < head.length; i += 1) bytes[i] = head.charCodeAt(i);
@@ -20,8 +22,13 @@ export function stlOf({ positions, index }: Mesh, name: string): Uint8Array<Arra
       const at = 3 * (index[3 * t + k] ?? 0);
       return [positions[at] ?? 0, positions[at + 1] ?? 0, positions[at + 2] ?? 0] as const;
     });
-    const [a, b, c] = corners as [readonly [number, number, number], readonly [number, number, number], readonly [number, number, number]];
-    const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]], [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+    const [a, b, c] = corners as [
+      readonly [number, number, number],
+      readonly [number, number, number],
+      readonly [number, number, number],
+    ];
+    const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]],
+      [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
     const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx] as const;
     const long = Math.hypot(...normal) || 1;
     const start = HEAD + 4 + EACH * t;

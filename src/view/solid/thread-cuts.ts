@@ -32,8 +32,8 @@ export interface ThreadedStock {
 /** The threads of a run. */
 export interface RunThreads {
   /**
-   * A stock of a moment, taken apart into what was turned and the grooves in it; null where no groove has been begun. `within`: nothing is
-   * filled beyond it.
+   * A stock of a moment, taken apart into what was turned and the grooves in it; null where no groove has been begun.
+   * `within`: nothing is filled beyond it.
    */
   readonly of: (stock: readonly Ring[], now: PlayPosition, within?: readonly Ring[]) => ThreadedStock | null;
 }
@@ -71,7 +71,8 @@ function groupsOf(steps: readonly Step[]): readonly Group[] {
       if (isCut(step)) open = undefined;
       return;
     }
-    if (!open || before?.tool !== step.tool || before.operation !== step.operation) groups.push(open = { first: i, last: i, steps: [] });
+    if (!open || before?.tool !== step.tool || before.operation !== step.operation)
+      groups.push((open = { first: i, last: i, steps: [] }));
     open.last = i;
     open.steps.push(i);
   });
@@ -79,7 +80,8 @@ function groupsOf(steps: readonly Step[]): readonly Group[] {
 }
 
 /**
- * The threads of a run; null where it has none. `stockAt` is asked once for each of them, for what stood there before its first cut.
+ * The threads of a run; null where it has none. `stockAt` is asked once for each of them, for what stood there before
+ * its first cut.
  */
 export function runThreads(
   steps: readonly Step[],
@@ -98,10 +100,12 @@ export function runThreads(
   const fillOf = (group: Group): readonly Ring[] => {
     const have = filled.get(group);
     if (have) return have;
-    const swept = union(group.steps.flatMap((i) => {
-      const step = steps[i];
-      return step ? [...sweptBy(outlineOf(step), step).rings] : [];
-    }));
+    const swept = union(
+      group.steps.flatMap((i) => {
+        const step = steps[i];
+        return step ? [...sweptBy(outlineOf(step), step).rings] : [];
+      }),
+    );
     const fill = intersection(stockAt({ step: group.first, fraction: 0 }), offset(swept, JOIN));
     filled.set(group, fill);
     return fill;
@@ -110,20 +114,27 @@ export function runThreads(
   /** What of a filling nobody has turned away since. */
   function stillThere(fill: readonly Ring[], from: number, now: PlayPosition): readonly Ring[] {
     if (fill.length === 0) return fill;
-    const box = boxAround(fill), gone: Ring[] = [];
+    const box = boxAround(fill),
+      gone: Ring[] = [];
     for (let i = from; i <= Math.min(now.step, steps.length - 1); i += 1) {
-      const step = steps[i] as Step, fraction = i < now.step ? 1 : now.fraction;
+      const step = steps[i] as Step,
+        fraction = i < now.step ? 1 : now.fraction;
       if (!isCut(step) || fraction === 0) continue;
-      const way = part.boxOf(pathOf(step.from, step.move)), tool = boxOf(outlineOf(step));
-      const isAway = way.right + tool.right < box.left || way.left + tool.left > box.right || way.high + tool.high < box.low
-        || way.low + tool.low > box.high;
+      const way = part.boxOf(pathOf(step.from, step.move)),
+        tool = boxOf(outlineOf(step));
+      const isAway =
+        way.right + tool.right < box.left ||
+        way.left + tool.left > box.right ||
+        way.high + tool.high < box.low ||
+        way.low + tool.low > box.high;
       if (!isAway) gone.push(...sweptBy(outlineOf(step), step, fraction).rings);
     }
     return gone.length > 0 ? difference(fill, union(gone)) : fill;
   }
 
   const cutOf = (i: number, now: PlayPosition): ThreadCut[] => {
-    const step = steps[i], fraction = i < now.step ? 1 : now.fraction;
+    const step = steps[i],
+      fraction = i < now.step ? 1 : now.fraction;
     if (!isThread(step) || i > now.step || fraction === 0) return [];
     const turns = turnsIn(step.from, step.move);
     const hand = handOf(step.from, step.move, turnsBack(spindles, i));
@@ -133,10 +144,13 @@ export function runThreads(
   return {
     of(stock, now, within) {
       const since = stated.findLast((step) => step <= now.step) ?? 0;
-      const begun = groups.filter(({ first }) => first >= since && (first < now.step || (first === now.step && now.fraction > 0)));
+      const begun = groups.filter(
+        ({ first }) => first >= since && (first < now.step || (first === now.step && now.fraction > 0)),
+      );
       if (begun.length === 0) return null;
       const filling = begun.flatMap((group) => [...stillThere(fillOf(group), group.first + 1, now)]);
-      // What is filled up to another outline than that of the stock leaves hairs of air along it, in which a surface would lie double.
+      // What is filled up to another outline than that of the stock leaves hairs of air along it, in which a surface
+      // would lie double.
       const base = within ? joinedUp(union(stock, intersection(filling, within))) : union(stock, filling);
       return { base, cuts: begun.flatMap(({ steps: all }) => all.flatMap((i) => cutOf(i, now))) };
     },

@@ -4,8 +4,9 @@ import type { ThreadHand } from "../../kernel/time/thread-turns.ts";
 import type { ThreadCut } from "./thread-cuts.ts";
 
 /*
- * How deep threads reach. A height is a radius outside and a radius taken negative in a bore, so that a groove always goes down. The
- * half plane of the stock is at 0; a share of a turn leads on over the operator. Every cut passes every half plane once a turn.
+ * How deep threads reach. A height is a radius outside and a radius taken negative in a bore, so that a groove always
+ * goes down. The half plane of the stock is at 0; a share of a turn leads on over the operator. Every cut passes every
+ * half plane once a turn.
  */
 
 /** Outside, or on the wall of a bore. */
@@ -45,7 +46,10 @@ export interface ThreadFloor {
   readonly at: (z: number, share: number) => number;
   /** Height of what tools have cut all round where they stood still at the end of the thread; Infinity beside it. */
   readonly stopsAt: (z: number) => number;
-  /** What crosses a helix that is at `z` in the half plane of the stock: one height for each turn of each cut that reaches it. */
+  /**
+   * What crosses a helix that is at `z` in the half plane of the stock: one height for each turn of each cut that
+   * reaches it.
+   */
   readonly tracks: (z: number) => readonly HelixTrack[];
   /** Places within one lead at which grooves bend, for a surface of a height: there and a lead farther on. */
   readonly bends: (z: number, height: number) => readonly number[];
@@ -55,7 +59,10 @@ export interface ThreadFloor {
   readonly reach: (height: number) => readonly [left: number, right: number] | null;
   /** Middle of what was cut. */
   readonly middle: number;
-  /** By how much grooves rise to the right, as a part of the way; null where they do not agree, as where a thread runs out. */
+  /**
+   * By how much grooves rise to the right, as a part of the way; null where they do not agree, as where a thread runs
+   * out.
+   */
   readonly slope: number | null;
 }
 
@@ -64,11 +71,13 @@ function edgeOf(outline: Ring, side: ThreadSide): Pass["edge"] {
   const points = outline.map((p) => [p.z, side * p.r] as const);
   // Counter-clockwise, the lower edge runs from left to right; turned over it runs back.
   const list = side === 1 ? points : [...points].reverse();
-  const count = list.length, out: (readonly [number, number])[] = [];
+  const count = list.length,
+    out: (readonly [number, number])[] = [];
   const left = list.reduce((best, p, i) => (p[0] < (list[best]?.[0] ?? 0) ? i : best), 0);
   const right = Math.max(...list.map((p) => p[0]));
   for (let k = 0; k < count; k += 1) {
-    const p = list[(left + k) % count] as readonly [number, number], last = out.at(-1);
+    const p = list[(left + k) % count] as readonly [number, number],
+      last = out.at(-1);
     if (last && p[0] <= last[0]) {
       // A wall straight up: its foot is what cuts.
       if (p[0] === last[0] && p[1] < last[1]) out[out.length - 1] = p;
@@ -81,7 +90,8 @@ function edgeOf(outline: Ring, side: ThreadSide): Pass["edge"] {
 
 /** Height of an edge over its tip at a place beside it; Infinity beyond its ends. */
 function edgeAt(edge: Pass["edge"], z: number): number {
-  const first = edge[0], last = edge.at(-1);
+  const first = edge[0],
+    last = edge.at(-1);
   if (!first || !last || z < first[0] || z > last[0]) return Infinity;
   let [low, high] = [0, edge.length - 1];
   while (high - low > 1) {
@@ -89,7 +99,8 @@ function edgeAt(edge: Pass["edge"], z: number): number {
     if ((edge[middle] as readonly [number, number])[0] <= z) low = middle;
     else high = middle;
   }
-  const [a, b] = [edge[low] ?? first, edge[high] ?? last], wide = b[0] - a[0];
+  const [a, b] = [edge[low] ?? first, edge[high] ?? last],
+    wide = b[0] - a[0];
   return wide > 0 ? a[1] + ((b[1] - a[1]) * (z - a[0])) / wide : Math.min(a[1], b[1]);
 }
 
@@ -130,13 +141,18 @@ export const threadSide = ({ outline }: ThreadCut): ThreadSide => {
 function isOneThread(a: ThreadCut, b: ThreadCut): boolean {
   const ends = ({ from, move: { to } }: ThreadCut) => [Math.min(from.z, to.z), Math.max(from.z, to.z)] as const;
   const [[left, right], [from, to]] = [ends(a), ends(b)];
-  return threadSide(a) === threadSide(b) && a.hand === b.hand && Math.abs(a.move.pitch - b.move.pitch) <= ROUND
-    && left < to + SAME && from < right + SAME;
+  return (
+    threadSide(a) === threadSide(b) &&
+    a.hand === b.hand &&
+    Math.abs(a.move.pitch - b.move.pitch) <= ROUND &&
+    left < to + SAME &&
+    from < right + SAME
+  );
 }
 
 /**
- * The threads that cuts make; null where some of them run across the spindle, and cannot be drawn. `mirrored`: −1 where the picture is a
- * mirror image, in which a right-handed thread is made left-handed.
+ * The threads that cuts make; null where some of them run across the spindle, and cannot be drawn. `mirrored`: −1 where
+ * the picture is a mirror image, in which a right-handed thread is made left-handed.
  */
 export function threadFloors(cuts: readonly ThreadCut[], mirrored: ThreadHand): readonly ThreadFloor[] | null {
   const own = cuts.filter((cut) => cut.turns > 0 && Number.isFinite(cut.turns));
@@ -151,12 +167,16 @@ export function threadFloors(cuts: readonly ThreadCut[], mirrored: ThreadHand): 
 function floorOf(own: readonly ThreadCut[], mirrored: ThreadHand): ThreadFloor | null {
   const first = own[0];
   if (!first) return null;
-  const side = threadSide(first), hand: ThreadHand = first.hand === mirrored ? 1 : -1;
-  const lead = first.move.pitch, passes = own.map((cut) => passOf(cut, side));
+  const side = threadSide(first),
+    hand: ThreadHand = first.hand === mirrored ? 1 : -1;
+  const lead = first.move.pitch,
+    passes = own.map((cut) => passOf(cut, side));
   // What runs out at the end is another cut, and short.
-  const longest = Math.max(...passes.map((p) => p.turns)), main = passes.filter((p) => p.turns > longest / 2);
+  const longest = Math.max(...passes.map((p) => p.turns)),
+    main = passes.filter((p) => p.turns > longest / 2);
   const ends = main.flatMap((p) => [p.z, p.z + p.along * p.turns]);
-  const slopes = passes.map((p) => p.rise / p.along), [slope = 0] = slopes;
+  const slopes = passes.map((p) => p.rise / p.along),
+    [slope = 0] = slopes;
   /** How far the turn in which a pass is counts on in one turn of the work. */
   const senseOf = ({ along }: Pass) => (along * hand > 0 ? 1 : -1);
   /** The first and last turn whose insert may lie over a place in the half plane of the stock. */
@@ -167,13 +187,19 @@ function floorOf(own: readonly ThreadCut[], mirrored: ThreadHand): ThreadFloor |
   const over = (p: Pass, at: number, turn: number) => edgeAt(p.edge, at - p.z - p.along * (turn - p.begun));
   const stopped = passes.filter((p) => p.stops && p.done >= p.turns);
   const stopsAt = (z: number) =>
-    stopped.reduce((least, p) => Math.min(least, p.height + p.rise * p.turns + edgeAt(p.edge, z - p.z - p.along * p.turns)), Infinity);
+    stopped.reduce(
+      (least, p) => Math.min(least, p.height + p.rise * p.turns + edgeAt(p.edge, z - p.z - p.along * p.turns)),
+      Infinity,
+    );
 
   const tracksOf = (z: number): HelixTrack[] =>
     passes.flatMap((p) => {
-      const [from, to] = turnsOver(p, z), sense = senseOf(p), out: HelixTrack[] = [];
+      const [from, to] = turnsOver(p, z),
+        sense = senseOf(p),
+        out: HelixTrack[] = [];
       for (let turn = from; turn <= to; turn += 1) {
-        const height = p.height + over(p, z, turn), gone = turn - p.begun;
+        const height = p.height + over(p, z, turn),
+          gone = turn - p.begun;
         if (!Number.isFinite(height)) continue;
         // Turns done at a share t of the turn: gone + sense·t, from 0 up to `done`.
         const [a, b] = [-sense * gone, sense * (p.done - gone)];
@@ -201,13 +227,15 @@ function floorOf(own: readonly ThreadCut[], mirrored: ThreadHand): ThreadFloor |
       main.reduce((least, p) => {
         const [from, to] = turnsOver(p, z);
         let low = least;
-        for (let turn = from; turn <= to; turn += 1) low = Math.min(low, p.height + p.rise * (turn - p.begun) + over(p, z, turn));
+        for (let turn = from; turn <= to; turn += 1)
+          low = Math.min(low, p.height + p.rise * (turn - p.begun) + over(p, z, turn));
         return low;
       }, Infinity),
     bends: (z, height) =>
       main.flatMap((p) => {
         // Heights count where the pass is, which on a cone is not where it began.
-        const there = p.height + p.rise * ((z - p.z) / p.along), cut = edgeWithin(p.edge, height - there);
+        const there = p.height + p.rise * ((z - p.z) / p.along),
+          cut = edgeWithin(p.edge, height - there);
         if (!cut) return [];
         return [...cut, ...p.edge.flatMap(([at]) => (at > cut[0] && at < cut[1] ? [at] : []))].map((at) => {
           const place = p.z - p.along * p.begun + at;
@@ -217,7 +245,8 @@ function floorOf(own: readonly ThreadCut[], mirrored: ThreadHand): ThreadFloor |
     reach(height) {
       let [left, right] = [Infinity, -Infinity];
       for (const p of passes) {
-        const lowest = Math.min(p.height, p.height + p.rise * p.turns), within = edgeWithin(p.edge, height - lowest);
+        const lowest = Math.min(p.height, p.height + p.rise * p.turns),
+          within = edgeWithin(p.edge, height - lowest);
         if (!within || p.done < NOTHING) continue;
         left = Math.min(left, Math.min(p.z, p.z + p.along * p.done) + within[0]);
         right = Math.max(right, Math.max(p.z, p.z + p.along * p.done) + within[1]);

@@ -14,24 +14,42 @@ export interface Strip {
 }
 
 /** Strips as a surface; the same places have the same coordinates to the bit. */
-export function stripMesh(strips: readonly Strip[], turning: Turning, directions: ReturnType<typeof directionsOf>): Mesh {
-  const { first, count } = spanOf(turning), rows = count + 1, { chords } = turning;
-  const positions = new Float32Array(6 * strips.length * rows), normals = new Float32Array(positions.length);
-  const index = new Uint32Array(6 * strips.length * count), looks = turning.finish && new Float32Array(4 * strips.length * rows);
+export function stripMesh(
+  strips: readonly Strip[],
+  turning: Turning,
+  directions: ReturnType<typeof directionsOf>,
+): Mesh {
+  const { first, count } = spanOf(turning),
+    rows = count + 1,
+    { chords } = turning;
+  const positions = new Float32Array(6 * strips.length * rows),
+    normals = new Float32Array(positions.length);
+  const index = new Uint32Array(6 * strips.length * count),
+    looks = turning.finish && new Float32Array(4 * strips.length * rows);
   let [place, n] = [0, 0];
   const equal = (a: number, b: number) => [0, 1, 2].every((k) => positions[3 * a + k] === positions[3 * b + k]);
-  for (const { z, r, smooth, looks: [look, end] } of strips) {
+  for (const {
+    z,
+    r,
+    smooth,
+    looks: [look, end],
+  } of strips) {
     const begin = place / 3;
     let [nz, nr] = [0, 1];
     const own = (column: number) => {
-      const [dz, dr] = [(z[1][column] ?? 0) - (z[0][column] ?? 0), (r[1][column] ?? 0) - (r[0][column] ?? 0)], long = Math.hypot(dz, dr);
+      const [dz, dr] = [(z[1][column] ?? 0) - (z[0][column] ?? 0), (r[1][column] ?? 0) - (r[0][column] ?? 0)],
+        long = Math.hypot(dz, dr);
       if (long > SAME) [nz, nr] = [dr / long, -dz / long];
     };
     // A strip that begins without width has the direction that it takes on.
-    if (!smooth) { for (let column = first + count; column >= first; column -= 1) own(column); }
+    if (!smooth) {
+      for (let column = first + count; column >= first; column -= 1) own(column);
+    }
     for (const k of [0, 1] as const) {
       for (let row = 0; row < rows; row += 1) {
-        const column = first + row, [x, y] = directions[column % chords] ?? [1, 0], radius = Math.fround(r[k][column] ?? 0);
+        const column = first + row,
+          [x, y] = directions[column % chords] ?? [1, 0],
+          radius = Math.fround(r[k][column] ?? 0);
         if (smooth) [nz, nr] = smooth[k];
         else own(column);
         looks?.set(k === 0 ? look : end, (2 * place) / 3);
@@ -44,7 +62,10 @@ export function stripMesh(strips: readonly Strip[], turning: Turning, directions
       }
     }
     for (let row = 0; row < count; row += 1) {
-      const p = begin + row, q = p + rows, far = q + 1, over = p + 1;
+      const p = begin + row,
+        q = p + rows,
+        far = q + 1,
+        over = p + 1;
       // Where rows end at one place, and on the axis, a triangle may be none.
       if (!equal(p, q) && !equal(q, far) && !equal(p, far)) {
         index[n++] = p;

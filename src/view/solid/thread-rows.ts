@@ -9,7 +9,9 @@ export interface ThreadedSide {
   readonly heights: readonly [number, number];
 }
 
-/** A surface in rows that follow the thread: place along Z and height of each row at each chord of a turn, row by row. */
+/**
+ * A surface in rows that follow the thread: place along Z and height of each row at each chord of a turn, row by row.
+ */
 export interface ThreadRows {
   readonly count: number;
   readonly columns: number;
@@ -43,10 +45,13 @@ interface Place {
 
 /** The places of a line without which it would be farther from itself than `within`. */
 function needed(line: readonly Place[], within: number): readonly Place[] {
-  const first = line[0], last = line.at(-1);
+  const first = line[0],
+    last = line.at(-1);
   if (!first || !last || line.length < 3) return line;
-  let far = within, at = 0;
-  const [dz, dh] = [last.z - first.z, last.height - first.height], long = Math.hypot(dz, dh) || 1;
+  let far = within,
+    at = 0;
+  const [dz, dh] = [last.z - first.z, last.height - first.height],
+    long = Math.hypot(dz, dh) || 1;
   line.forEach((p, i) => {
     const away = Math.abs(dz * (p.height - first.height) - dh * (p.z - first.z)) / long;
     if (away > far) [far, at] = [away, i];
@@ -58,20 +63,30 @@ function needed(line: readonly Place[], within: number): readonly Place[] {
 type Places = readonly Place[];
 
 /** One lead of a surface from a place on; `floorAt`: the grooves in it. */
-function leadFrom(floor: ThreadFloor, begin: number, surface: (z: number) => number, floorAt: (z: number) => number): Places {
+function leadFrom(
+  floor: ThreadFloor,
+  begin: number,
+  surface: (z: number) => number,
+  floorAt: (z: number) => number,
+): Places {
   const { lead } = floor;
   const looks = Array.from({ length: LOOKS }, (_, i) => begin + (i * lead) / LOOKS);
-  const all = [...looks, ...floor.bends(begin, surface(begin + lead / 2))].sort((p, q) => p - q).filter((z, i, list) =>
-    i === 0 || z - (list[i - 1] ?? 0) > CLOSEST * lead
-  );
+  const all = [...looks, ...floor.bends(begin, surface(begin + lead / 2))]
+    .sort((p, q) => p - q)
+    .filter((z, i, list) => i === 0 || z - (list[i - 1] ?? 0) > CLOSEST * lead);
   return [...all, begin + lead].map((z): Place => ({ z, height: Math.min(surface(z), floorAt(z)) }));
 }
 
-/** One lead of the thread in the surface of a side, as places that are needed to show it; the last one is the first of the next lead. */
+/**
+ * One lead of the thread in the surface of a side, as places that are needed to show it; the last one is the first of
+ * the next lead.
+ */
 function period(floor: ThreadFloor, { left, right, heights: [a, b] }: ThreadedSide, within: number): Places {
-  const { lead } = floor, slope = (b - a) / (right - left);
+  const { lead } = floor,
+    slope = (b - a) / (right - left);
   const begin = Math.min(Math.max(floor.middle, left), Math.max(left, right - lead));
-  const surface = (z: number) => a + slope * (z - left), over = (p: Place | undefined) => (p ? p.height - surface(p.z) : -Infinity);
+  const surface = (z: number) => a + slope * (z - left),
+    over = (p: Place | undefined) => (p ? p.height - surface(p.z) : -Infinity);
   const line = leadFrom(floor, begin, surface, floor.endless);
   // It begins at its highest place, so that a crest is not lost between two leads.
   const top = line.slice(0, -1).reduce((best, p, i) => (over(p) > over(line[best]) ? i : best), 0);
@@ -88,27 +103,55 @@ const WINDOWS = 8;
 function besides(
   first: Places,
   floor: ThreadFloor,
-  { left, right, surface, within }: { readonly left: number; readonly right: number; readonly surface: (z: number) => number;
-    readonly within: number },
+  {
+    left,
+    right,
+    surface,
+    within,
+  }: {
+    readonly left: number;
+    readonly right: number;
+    readonly surface: (z: number) => number;
+    readonly within: number;
+  },
 ): Places {
-  const { lead } = floor, begin = first[0]?.z ?? left, count = Math.max(1, Math.min(WINDOWS, Math.floor((right - left) / lead)));
-  const more = Array.from({ length: count }, (_, i) => left + ((right - lead - left) * i) / Math.max(1, count - 1)).flatMap((from) =>
-    needed(leadFrom(floor, from, surface, (z) => floor.at(z, 0)), within).map(({ z }) => z - lead * Math.floor((z - begin) / lead))
+  const { lead } = floor,
+    begin = first[0]?.z ?? left,
+    count = Math.max(1, Math.min(WINDOWS, Math.floor((right - left) / lead)));
+  const more = Array.from(
+    { length: count },
+    (_, i) => left + ((right - lead - left) * i) / Math.max(1, count - 1),
+  ).flatMap((from) =>
+    needed(
+      leadFrom(floor, from, surface, (z) => floor.at(z, 0)),
+      within,
+    ).map(({ z }) => z - lead * Math.floor((z - begin) / lead)),
   );
-  const own = first.slice(0, -1), near = (z: number, list: Places) => list.some((p) => Math.abs(p.z - z) < 2 * CLOSEST * lead);
-  const added = more.reduce((list: Places, z) => (near(z, list) || near(z, first) ? list : [...list, {
-    z,
-    height: Math.min(surface(z), floor.endless(z)),
-  }]), []);
+  const own = first.slice(0, -1),
+    near = (z: number, list: Places) => list.some((p) => Math.abs(p.z - z) < 2 * CLOSEST * lead);
+  const added = more.reduce(
+    (list: Places, z) =>
+      near(z, list) || near(z, first)
+        ? list
+        : [
+            ...list,
+            {
+              z,
+              height: Math.min(surface(z), floor.endless(z)),
+            },
+          ],
+    [],
+  );
   return [...[...own, ...added].sort((p, q) => p.z - q.z), ...first.slice(-1)];
 }
 
 /** Which places of a period stand out as edges. */
 function crestsOf(line: readonly Place[]): readonly boolean[] {
-  const count = line.length - 1, way = (i: number) => {
-    const [p, q] = [line[(i + count) % count], line[((i + count) % count) + 1]];
-    return p && q ? Math.atan2(q.height - p.height, q.z - p.z) : 0;
-  };
+  const count = line.length - 1,
+    way = (i: number) => {
+      const [p, q] = [line[(i + count) % count], line[((i + count) % count) + 1]];
+      return p && q ? Math.atan2(q.height - p.height, q.z - p.z) : 0;
+    };
   return Array.from({ length: count }, (_, i) => way(i - 1) - way(i) > EDGE);
 }
 
@@ -124,11 +167,13 @@ function lowest(tracks: readonly HelixTrack[], share: number, most: number): num
 
 /** Of tracks that go all round and rise alike the lowest one is enough. */
 function fewer(tracks: readonly HelixTrack[]): readonly HelixTrack[] {
-  const whole: HelixTrack[] = [], rest: HelixTrack[] = [];
+  const whole: HelixTrack[] = [],
+    rest: HelixTrack[] = [];
   for (const t of tracks) {
     if (t.from > 0 || t.to < 1) rest.push(t);
     else {
-      const i = whole.findIndex((w) => Math.abs(w.rise - t.rise) < NOTHING), same = whole[i];
+      const i = whole.findIndex((w) => Math.abs(w.rise - t.rise) < NOTHING),
+        same = whole[i];
       if (!same) whole.push(t);
       else if (t.height < same.height) whole[i] = t;
     }
@@ -141,31 +186,49 @@ const LEAST_ROWS = 2;
 
 /** The surface of a side with its grooves; null where that would be too many rows. */
 export function threadRows(floor: ThreadFloor, side: ThreadedSide, fine: ThreadFineness): ThreadRows | null {
-  const { left, right, heights: [a, b] } = side, { lead, hand } = floor, { chords } = fine;
-  const slope = (b - a) / (right - left), leads = (right - left) / lead + 1;
+  const {
+      left,
+      right,
+      heights: [a, b],
+    } = side,
+    { lead, hand } = floor,
+    { chords } = fine;
+  const slope = (b - a) / (right - left),
+    leads = (right - left) / lead + 1;
   let line = period(floor, side, fine.within);
   for (let coarse = fine.within * 2; leads * (line.length - 1) * chords > fine.most; coarse *= 2) {
     const next = period(floor, side, coarse);
     if (next.length - 1 < LEAST_ROWS || coarse > lead) return null;
     line = next;
   }
-  const each = line.length - 1, crest = crestsOf(line), offset = line[0]?.z ?? 0;
-  const first = Math.floor((left - offset) / lead) - 2, last = Math.ceil((right - offset) / lead) + 1;
-  const count = (last - first + 1) * each + 2, columns = chords + 1;
-  const z = new Float64Array(count * columns), height = new Float64Array(count * columns);
-  const ends = Array.from({ length: chords },
-    (_, c) => [Math.min(a, floor.at(left, c / chords)), Math.min(b, floor.at(right, c / chords))] as const);
+  const each = line.length - 1,
+    crest = crestsOf(line),
+    offset = line[0]?.z ?? 0;
+  const first = Math.floor((left - offset) / lead) - 2,
+    last = Math.ceil((right - offset) / lead) + 1;
+  const count = (last - first + 1) * each + 2,
+    columns = chords + 1;
+  const z = new Float64Array(count * columns),
+    height = new Float64Array(count * columns);
+  const ends = Array.from(
+    { length: chords },
+    (_, c) => [Math.min(a, floor.at(left, c / chords)), Math.min(b, floor.at(right, c / chords))] as const,
+  );
   const put = (row: number, column: number, place: number, high: number) => {
     z[row * columns + column] = place;
     height[row * columns + column] = high;
   };
   for (let row = 0; row < count; row += 1) {
-    const k = first + Math.floor((row - 1) / each), own = line[(row - 1 + each) % each]?.z ?? offset;
-    const isEnd = row === 0 || row === count - 1, flat = own + k * lead;
+    const k = first + Math.floor((row - 1) / each),
+      own = line[(row - 1 + each) % each]?.z ?? offset;
+    const isEnd = row === 0 || row === count - 1,
+      flat = own + k * lead;
     const away = Math.max(flat, flat + hand * lead) < left || Math.min(flat, flat + hand * lead) > right;
     const tracks = isEnd || away ? [] : fewer(floor.tracks(flat));
     for (let c = 0; c < chords; c += 1) {
-      const share = c / chords, there = own + (k + hand * share) * lead, [low, high] = ends[c] ?? [a, b];
+      const share = c / chords,
+        there = own + (k + hand * share) * lead,
+        [low, high] = ends[c] ?? [a, b];
       if (row === 0 || (row < count - 1 && there <= left + SAME)) put(row, c, left, low);
       else if (row === count - 1 || there >= right - SAME) put(row, c, right, high);
       else {
@@ -176,8 +239,15 @@ export function threadRows(floor: ThreadFloor, side: ThreadedSide, fine: ThreadF
   }
   // After a whole turn every row has become the next one of its kind.
   for (let row = 0; row < count; row += 1) {
-    const isEnd = row === 0 || row === count - 1, next = isEnd ? row : Math.min(count - 1, Math.max(0, row + hand * each));
+    const isEnd = row === 0 || row === count - 1,
+      next = isEnd ? row : Math.min(count - 1, Math.max(0, row + hand * each));
     put(row, chords, z[next * columns] ?? left, height[next * columns] ?? a);
   }
-  return { count, columns, z, height, crests: Array.from({ length: count }, (_, row) => crest[(row - 1 + each) % each] ?? false) };
+  return {
+    count,
+    columns,
+    z,
+    height,
+    crests: Array.from({ length: count }, (_, row) => crest[(row - 1 + each) % each] ?? false),
+  };
 }

@@ -15,7 +15,9 @@ import { threadRows, type ThreadRows } from "./thread-rows.ts";
 
 /** How a body with threads is made. */
 export interface ThreadTurning extends Turning {
-  /** 1: as they were cut; −1 where the picture is a mirror image, so that threads in it are made the other way round. */
+  /**
+   * 1: as they were cut; −1 where the picture is a mirror image, so that threads in it are made the other way round.
+   */
   readonly hand: ThreadHand;
   /** How far a flank may lie from the true one, mm. */
   readonly within: number;
@@ -24,8 +26,8 @@ export interface ThreadTurning extends Turning {
 }
 
 /**
- * How finely threads are followed, on the screen as in a file: how far flanks may lie from the true ones, mm, and the most corners of all
- * of them.
+ * How finely threads are followed, on the screen as in a file: how far flanks may lie from the true ones, mm, and the
+ * most corners of all of them.
  */
 export const THREAD_FINENESS = {
   resting: { within: 0.015, most: 90_000 },
@@ -33,10 +35,14 @@ export const THREAD_FINENESS = {
   file: { within: 0.01, most: 1_000_000 },
 } as const;
 
-/** The section of a threaded body may miss that of the stock by this much of the grooves, or by what flanks may lie beside all along it. */
+/**
+ * The section of a threaded body may miss that of the stock by this much of the grooves, or by what flanks may lie
+ * beside all along it.
+ */
 const AMISS = 0.03;
 const isAmiss = (area: number, grooves: number, cuts: ThreadedStock["cuts"], within: number) =>
-  Math.abs(area) > Math.max(AMISS * grooves, within * Math.max(...cuts.map(({ from, move }) => Math.abs(move.to.z - from.z)))) + SAME;
+  Math.abs(area) >
+  Math.max(AMISS * grooves, within * Math.max(...cuts.map(({ from, move }) => Math.abs(move.to.z - from.z)))) + SAME;
 
 type Floors = readonly ThreadFloor[];
 
@@ -52,7 +58,8 @@ function reachesOn(p: Pt, q: Pt, floors: Floors) {
   return floors.flatMap((floor) => {
     const reach = side === floor.side ? floor.reach(Math.max(floor.side * p.r, floor.side * q.r)) : null;
     if (!reach) return [];
-    const left = Math.max(reach[0], Math.min(p.z, q.z)), right = Math.min(reach[1], Math.max(p.z, q.z));
+    const left = Math.max(reach[0], Math.min(p.z, q.z)),
+      right = Math.min(reach[1], Math.max(p.z, q.z));
     return right - left > 2 * SAME ? [{ floor, left, right }] : [];
   });
 }
@@ -60,12 +67,20 @@ function reachesOn(p: Pt, q: Pt, floors: Floors) {
 /** An outline with corners where grooves begin and end, and where the look of what lies beside them changes. */
 function parted(ring: Ring, floors: Floors, finish: StockLooks | undefined): Ring {
   return ring.flatMap((p, i) => {
-    const q = ring[(i + 1) % ring.length] ?? p, found = reachesOn(p, q, floors), changes = finish?.changes(p, q) ?? [];
+    const q = ring[(i + 1) % ring.length] ?? p,
+      found = reachesOn(p, q, floors),
+      changes = finish?.changes(p, q) ?? [];
     if (found.length === 0) return [p, ...changes];
-    const way = Math.sign(q.z - p.z), ends = found.flatMap(({ left, right }) => [left, right]);
-    const beside = changes.flatMap(({ z }) => (found.every(({ left, right }) => z < left - SAME || z > right + SAME) ? [z] : []));
+    const way = Math.sign(q.z - p.z),
+      ends = found.flatMap(({ left, right }) => [left, right]);
+    const beside = changes.flatMap(({ z }) =>
+      found.every(({ left, right }) => z < left - SAME || z > right + SAME) ? [z] : [],
+    );
     const inside = [...beside, ...ends].filter((z) => Math.abs(z - p.z) > SAME && Math.abs(z - q.z) > SAME);
-    return [p, ...inside.sort((a, b) => way * (a - b)).map((z) => at(z, p.r + ((q.r - p.r) * (z - p.z)) / (q.z - p.z)))];
+    return [
+      p,
+      ...inside.sort((a, b) => way * (a - b)).map((z) => at(z, p.r + ((q.r - p.r) * (z - p.z)) / (q.z - p.z))),
+    ];
   });
 }
 
@@ -74,7 +89,11 @@ interface Surfaces {
   /** Of those the ones between rows of a thread, with places of each in the half plane of the stock. */
   readonly told: ReadonlyMap<Strip, readonly Pt[]>;
   /** Rows that are seen as lines, with the columns between which they are. */
-  readonly lines: readonly { readonly z: Float64Array; readonly r: Float64Array; readonly shown: (column: number) => boolean }[];
+  readonly lines: readonly {
+    readonly z: Float64Array;
+    readonly r: Float64Array;
+    readonly shown: (column: number) => boolean;
+  }[];
   /** The outline of a column. */
   readonly outline: (column: number) => Pt[];
 }
@@ -82,10 +101,19 @@ interface Surfaces {
 function rowsOn(profile: Profile, floors: Floors, { chords, within, most }: ThreadTurning) {
   let failed = false;
   const rows = profile.sides.map(([a, b]) => {
-    const [p, q] = [profile.points[a]?.p, profile.points[b]?.p], [found, other] = p && q ? reachesOn(p, q, floors) : [];
+    const [p, q] = [profile.points[a]?.p, profile.points[b]?.p],
+      [found, other] = p && q ? reachesOn(p, q, floors) : [];
     if (!p || !q || !found) return null;
-    const { floor, floor: { side } } = found, [low, high] = p.z < q.z ? [p, q] : [q, p];
-    const made = threadRows(floor, { left: low.z, right: high.z, heights: [side * low.r, side * high.r] }, { chords, within, most });
+    const {
+        floor,
+        floor: { side },
+      } = found,
+      [low, high] = p.z < q.z ? [p, q] : [q, p];
+    const made = threadRows(
+      floor,
+      { left: low.z, right: high.z, heights: [side * low.r, side * high.r] },
+      { chords, within, most },
+    );
     // Two threads in one place are none that can be drawn.
     failed ||= made === null || other !== undefined;
     return made && { side, rows: made, lead: floor.hand * floor.lead };
@@ -95,9 +123,14 @@ function rowsOn(profile: Profile, floors: Floors, { chords, within, most }: Thre
 
 /** One row of a side, in the direction of the outline. */
 function rowOf({ side, rows }: { readonly side: ThreadSide; readonly rows: ThreadRows }, index: number) {
-  const { count, columns } = rows, own = side === 1 ? count - 1 - index : index;
+  const { count, columns } = rows,
+    own = side === 1 ? count - 1 - index : index;
   const z = rows.z.subarray(own * columns, (own + 1) * columns);
-  return { z, r: rows.height.subarray(own * columns, (own + 1) * columns).map((h) => side * h), crest: rows.crests[own] ?? false };
+  return {
+    z,
+    r: rows.height.subarray(own * columns, (own + 1) * columns).map((h) => side * h),
+    crest: rows.crests[own] ?? false,
+  };
 }
 
 const THREAD = lookAt({ texture: "thread", turnAt: null, tone: null }, at(0, 0));
@@ -112,38 +145,50 @@ function placesOf({ z, r }: Strip, chords: number, lead: number): readonly Pt[] 
   for (const quarter of [0, 0.25, 0.5, 0.75]) {
     const column = Math.round(quarter * chords),
       [za = 0, zb = 0, ra = 0, rb = 0] = [z[0][column], z[1][column], r[0][column], r[1][column]];
-    if (Math.hypot(zb - za, rb - ra) > SAME) return LOOKS.map((k) => at(za + (zb - za) * k - lead * quarter, ra + (rb - ra) * k));
+    if (Math.hypot(zb - za, rb - ra) > SAME)
+      return LOOKS.map((k) => at(za + (zb - za) * k - lead * quarter, ra + (rb - ra) * k));
   }
   return [];
 }
 
 /** What an outline sweeps, with its grooves; null where they are too many. */
 function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning): Surfaces | null {
-  const { points, sides } = profile, columns = threading.chords + 1, threaded = rowsOn(profile, floors, threading);
+  const { points, sides } = profile,
+    columns = threading.chords + 1,
+    threaded = rowsOn(profile, floors, threading);
   if (!threaded) return null;
-  const ends = threaded.map((each) => each && [rowOf(each, 0), rowOf(each, each.rows.count - 1)] as const);
+  const ends = threaded.map((each) => each && ([rowOf(each, 0), rowOf(each, each.rows.count - 1)] as const));
   /** A corner is as low as the grooves beside it. */
-  const cornerOf = (i: number, p: Pt) => ends[i]?.[0].r ?? ends[(i + sides.length - 1) % sides.length]?.[1].r ?? same(p.r, columns);
+  const cornerOf = (i: number, p: Pt) =>
+    ends[i]?.[0].r ?? ends[(i + sides.length - 1) % sides.length]?.[1].r ?? same(p.r, columns);
   const corners = sides.map(([a], i) => cornerOf(i, points[a]?.p ?? at(0, 0)));
   const told = new Map<Strip, readonly Pt[]>();
-  const strips: Strip[] = [], lines: Surfaces["lines"][number][] = [];
+  const strips: Strip[] = [],
+    lines: Surfaces["lines"][number][] = [];
   const outlines = sides.map(([a, b], i) => {
-    const [from, to] = [points[a], points[b]], next = (i + 1) % sides.length, each = threaded[i];
+    const [from, to] = [points[a], points[b]],
+      next = (i + 1) % sides.length,
+      each = threaded[i];
     if (!from || !to) return [];
     if (!each) {
       const z = [same(from.p.z, columns), same(to.p.z, columns)] as const;
-      const look = profile.looks[i], looks = [lookAt(look, from.p), lookAt(look, to.p)] as const;
+      const look = profile.looks[i],
+        looks = [lookAt(look, from.p), lookAt(look, to.p)] as const;
       strips.push({
         z,
         r: [corners[i] as Float64Array, corners[next] as Float64Array],
-        smooth: [[from.nz, from.nr], [to.nz, to.nr]],
+        smooth: [
+          [from.nz, from.nr],
+          [to.nz, to.nr],
+        ],
         looks,
       });
       return [{ z: z[0], r: corners[i] as Float64Array }];
     }
     const rows = Array.from({ length: each.rows.count }, (_, row) => rowOf(each, row));
     rows.slice(1).forEach((row, k) => {
-      const before = rows[k] as (typeof rows)[number], after = rows[k + 2];
+      const before = rows[k] as (typeof rows)[number],
+        after = rows[k + 2];
       const strip: Strip = { z: [before.z, row.z], r: [before.r, row.r], smooth: null, looks: [THREAD, THREAD] };
       strips.push(strip);
       told.set(strip, placesOf(strip, threading.chords, each.lead));
@@ -154,7 +199,8 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
     return rows.slice(0, -1);
   });
   for (const place of profile.sharp) {
-    const p = points[place]?.p, i = sides.findIndex(([a]) => a === place || a === place + 1);
+    const p = points[place]?.p,
+      i = sides.findIndex(([a]) => a === place || a === place + 1);
     const r = corners[i];
     if (p && r) lines.push({ z: same(p.z, columns), r, shown: () => true });
   }
@@ -168,19 +214,28 @@ function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning):
   return { strips, told, lines, outline };
 }
 
-function linesOf(all: readonly Surfaces[], turning: Turning, directions: ReturnType<typeof directionsOf>): Float32Array {
-  const { first, count } = spanOf(turning), { chords } = turning, out: number[] = [];
+function linesOf(
+  all: readonly Surfaces[],
+  turning: Turning,
+  directions: ReturnType<typeof directionsOf>,
+): Float32Array {
+  const { first, count } = spanOf(turning),
+    { chords } = turning,
+    out: number[] = [];
   for (const { lines, outline } of all) {
     for (const { z, r, shown } of lines) {
       for (let c = first; c < first + count; c += 1) {
-        const [x0, y0] = directions[c % chords] ?? [1, 0], [x1, y1] = directions[(c + 1) % chords] ?? [1, 0];
+        const [x0, y0] = directions[c % chords] ?? [1, 0],
+          [x1, y1] = directions[(c + 1) % chords] ?? [1, 0];
         const [za = 0, zb = 0, ra = 0, rb = 0] = [z[c], z[c + 1], r[c], r[c + 1]];
-        if (ra > 0 && (za !== zb || z[0] === z[1]) && shown(c) && shown(c + 1)) out.push(ra * x0, ra * y0, za, rb * x1, rb * y1, zb);
+        if (ra > 0 && (za !== zb || z[0] === z[1]) && shown(c) && shown(c + 1))
+          out.push(ra * x0, ra * y0, za, rb * x1, rb * y1, zb);
       }
     }
     if (!turning.quarterCut) continue;
     for (const column of [chords, first]) {
-      const points = outline(column), [x, y] = directions[column % chords] ?? [1, 0];
+      const points = outline(column),
+        [x, y] = directions[column % chords] ?? [1, 0];
       points.forEach((p, i) => {
         const q = points[(i + 1) % points.length] ?? p;
         out.push(p.r * x, p.r * y, p.z, q.r * x, q.r * y, q.z);
@@ -199,23 +254,46 @@ export interface ThreadedBody {
   readonly told: Solid | null;
 }
 
-/** Takes what lies in `rings`, areas of the half plane of the stock between the grooves, apart from the rest; for the screen only. */
-function toldApart(all: readonly Surfaces[], rings: readonly Ring[], floors: Floors, threading: ThreadTurning): ThreadedBody {
-  const wide = offset(union(rings), EDGE), directions = directionsOf(threading.chords), { first } = spanOf(threading);
+/**
+ * Takes what lies in `rings`, areas of the half plane of the stock between the grooves, apart from the rest; for the
+ * screen only.
+ */
+function toldApart(
+  all: readonly Surfaces[],
+  rings: readonly Ring[],
+  floors: Floors,
+  threading: ThreadTurning,
+): ThreadedBody {
+  const wide = offset(union(rings), EDGE),
+    directions = directionsOf(threading.chords),
+    { first } = spanOf(threading);
   const isTold = ({ told }: Surfaces, strip: Strip) =>
     told.get(strip)?.some((place) => wide.some((ring) => isInside(ring, place))) ?? false;
   const surface = (which: boolean) =>
-    joinedMeshes(all.map((each) => stripMesh(each.strips.filter((s) => isTold(each, s) === which), threading, directions)));
-  const [standing, lying] = [all.map(({ outline }) => outline(threading.chords)), all.map(({ outline }) => outline(first))];
+    joinedMeshes(
+      all.map((each) =>
+        stripMesh(
+          each.strips.filter((s) => isTold(each, s) === which),
+          threading,
+          directions,
+        ),
+      ),
+    );
+  const [standing, lying] = [
+    all.map(({ outline }) => outline(threading.chords)),
+    all.map(({ outline }) => outline(first)),
+  ];
   const on = rings.map((ring) => {
     const { left, right, low, high } = boxAround([ring]);
-    const { lead = 0, hand = 1 } = floors.find(({ side, reach }) => {
-      const ends = reach(side === 1 ? high : -low);
-      return ends && ends[0] < right && ends[1] > left;
-    }) ?? {};
+    const { lead = 0, hand = 1 } =
+      floors.find(({ side, reach }) => {
+        const ends = reach(side === 1 ? high : -low);
+        return ends && ends[0] < right && ends[1] > left;
+      }) ?? {};
     return ring.map((p) => at(p.z + (hand * lead) / 4, p.r));
   });
-  const faces = (of: typeof intersection) => threading.quarterCut ? cutFaces(of(standing, rings), of(lying, on)) : NO_MESH;
+  const faces = (of: typeof intersection) =>
+    threading.quarterCut ? cutFaces(of(standing, rings), of(lying, on)) : NO_MESH;
   return {
     plain: { surface: surface(false), section: faces(difference), edges: linesOf(all, threading, directions) },
     told: { surface: surface(true), section: faces(intersection), edges: new Float32Array() },
@@ -223,8 +301,9 @@ function toldApart(all: readonly Surfaces[], rings: readonly Ring[], floors: Flo
 }
 
 /**
- * A stock with its threads as helices, as they lie in its section. Null where that is not to be had, and the rings of the section have to
- * do: leads that cross each other, threads along a face, too many turns, or a section that would not be that of the stock.
+ * A stock with its threads as helices, as they lie in its section. Null where that is not to be had, and the rings of
+ * the section have to do: leads that cross each other, threads along a face, too many turns, or a section that would
+ * not be that of the stock.
  */
 export function threaded(stock: readonly Ring[], threads: ThreadedStock, threading: ThreadTurning): Solid | null {
   return threadedBody(stock, threads, threading)?.plain ?? null;
@@ -243,13 +322,20 @@ export function threadedBody(
   const surfaces = profiles.map((profile) => surfacesOf(profile, floors, threading));
   const all = surfaces.flatMap((each) => each ?? []);
   if (all.length < surfaces.length || all.length === 0) return null;
-  const upright = all.map(({ outline }) => outline(threading.chords)), [wanted, full] = [areaOf(stock), areaOf(base)];
+  const upright = all.map(({ outline }) => outline(threading.chords)),
+    [wanted, full] = [areaOf(stock), areaOf(base)];
   if (isAmiss(areaOf(upright) - wanted, full - wanted, cuts, threading.within)) return null;
   if (rings.length > 0) return toldApart(all, rings, floors, threading);
-  const directions = directionsOf(threading.chords), { first } = spanOf(threading);
+  const directions = directionsOf(threading.chords),
+    { first } = spanOf(threading);
   const plain: Solid = {
     surface: joinedMeshes(all.map(({ strips }) => stripMesh(strips, threading, directions))),
-    section: threading.quarterCut ? cutFaces(upright, all.map(({ outline }) => outline(first))) : NO_MESH,
+    section: threading.quarterCut
+      ? cutFaces(
+          upright,
+          all.map(({ outline }) => outline(first)),
+        )
+      : NO_MESH,
     edges: linesOf(all, threading, directions),
   };
   return { plain, told: null };

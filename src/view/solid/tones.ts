@@ -13,23 +13,35 @@ const STRAIGHT = 0.0005;
 
 /** Whether a piece goes straight on where another one ends. */
 function goesOn({ z0, r0, z1, r1 }: StockSide, from: Pt, to: Pt): boolean {
-  const [dz, dr] = [to.z - z0, to.r - r0], away = Math.abs((z1 - z0) * dr - (r1 - r0) * dz);
-  return z1 === from.z && r1 === from.r && away <= STRAIGHT * Math.hypot(dz, dr)
-    && (z1 - z0) * (to.z - from.z) + (r1 - r0) * (to.r - from.r) > 0;
+  const [dz, dr] = [to.z - z0, to.r - r0],
+    away = Math.abs((z1 - z0) * dr - (r1 - r0) * dz);
+  return (
+    z1 === from.z &&
+    r1 === from.r &&
+    away <= STRAIGHT * Math.hypot(dz, dr) &&
+    (z1 - z0) * (to.z - from.z) + (r1 - r0) * (to.r - from.r) > 0
+  );
 }
 
-/** A flat between two flanks of a thread: it winds round the body, and before the thread is cut it would be a ring of many. */
+/**
+ * A flat between two flanks of a thread: it winds round the body, and before the thread is cut it would be a ring of
+ * many.
+ */
 const isLand = (stretches: readonly RoughStretch[], i: number): boolean =>
   stretches[i - 1]?.by === "thread" && stretches[i + 1]?.by === "thread";
 
-/** What is told by tones of a surface, in as few straight pieces as it has; where no number is told, and in threads, there are none. */
+/**
+ * What is told by tones of a surface, in as few straight pieces as it has; where no number is told, and in threads,
+ * there are none.
+ */
 export function tonedSides(stretches: readonly RoughStretch[], scale: Scale): readonly TonedSide[] {
   const sides: TonedSide[] = [];
   stretches.forEach(({ points, rz }, i) => {
     if (rz === null || isLand(stretches, i)) return;
     const tone = classTone(scale, classAt(scale, rz));
     points.slice(1).forEach((to, k) => {
-      const last = sides.at(-1), from = points[k] ?? to;
+      const last = sides.at(-1),
+        from = points[k] ?? to;
       if (part.apart(from, to) === 0) return;
       if (last?.tone === tone && goesOn(last, from, to)) sides[sides.length - 1] = { ...last, z1: to.z, r1: to.r };
       else sides.push({ z0: from.z, r0: from.r, z1: to.z, r1: to.r, tone });

@@ -19,7 +19,8 @@ export interface ByLanguage<T> {
 }
 
 /** What has come is used without another wait. */
-export const atOnce = <T>(coming: Promise<T>): void => void coming.then((value) => Object.assign(coming, { status: "fulfilled", value }));
+export const atOnce = <T>(coming: Promise<T>): void =>
+  void coming.then((value) => Object.assign(coming, { status: "fulfilled", value }));
 
 /** Everything that was asked for so far, in any language. */
 const asked = new Set<Pick<ByLanguage<unknown>, "here" | "fetch">>();
@@ -66,8 +67,13 @@ export async function fetchAsked(language: Language): Promise<void> {
   }
 }
 
-/** What a part says on the page: the first screen also has the names of the cycles, which the build takes out of the other parts. */
-export type Said<N extends PartName> = N extends "first" ? PartTexts<"first"> & { readonly menu: MenuWords } : PartTexts<N>;
+/**
+ * What a part says on the page: the first screen also has the names of the cycles, which the build takes out of the
+ * other parts.
+ */
+export type Said<N extends PartName> = N extends "first"
+  ? PartTexts<"first"> & { readonly menu: MenuWords }
+  : PartTexts<N>;
 
 const loaders: { readonly [N in PartName]?: (language: Language) => Promise<Said<N>> } = {
   async first(language) {
@@ -85,8 +91,10 @@ export function partOf<N extends PartName>(name: N): ByLanguage<Said<N>> {
 }
 
 /** Fetches a part in a language; afterwards `texts` has it. */
-export const fetchTexts = <N extends PartName = "workplace">(language: Language, name = "workplace" as N): Promise<Said<N>> =>
-  partOf(name).fetch(language);
+export const fetchTexts = <N extends PartName = "workplace">(
+  language: Language,
+  name = "workplace" as N,
+): Promise<Said<N>> => partOf(name).fetch(language);
 
 /** A part in a language that has been fetched: the settings change their language only after that. */
 export const texts = <N extends PartName = "workplace">(language: Language, name = "workplace" as N): Said<N> =>

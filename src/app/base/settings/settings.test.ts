@@ -19,7 +19,12 @@ test.each([undefined, null, [], 7])("damaged settings %j are none", (raw) => exp
 test("the largest cutting data that are taken are kept as well", () => {
   // Names in characters that JSON writes with six, and numbers with all their digits.
   const name = "\u0001".repeat(80);
-  const numbers = { kc11: 2217.123456789123, mc: 0.1234567890123456, roughSpeed: 143.1234567890123, roughFeed: 0.2712345678901234 };
+  const numbers = {
+    kc11: 2217.123456789123,
+    mc: 0.1234567890123456,
+    roughSpeed: 143.1234567890123,
+    roughFeed: 0.2712345678901234,
+  };
   const materials = Array.from({ length: 100 }, (_, i) => ({
     id: `${name.slice(0, 77)}${i}`,
     name,

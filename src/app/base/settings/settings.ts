@@ -25,7 +25,7 @@ const CONTROLS: readonly Control[] = ["TNC 640", "TNC7"];
 
 /** The first screen language that the browser asks for and that we have. */
 function browserLanguage(): Language {
-  const asked = typeof navigator === "undefined" ? [] : navigator.languages ?? [];
+  const asked = typeof navigator === "undefined" ? [] : (navigator.languages ?? []);
   for (const tag of asked) {
     const name = tag.slice(0, 2).toLowerCase();
     if (isLanguage(name)) return name;
@@ -34,7 +34,8 @@ function browserLanguage(): Language {
 }
 
 /** Letter where the browser's first language is that of a country that prints on it. */
-const usualPaper = () => (typeof navigator !== "undefined" && /-(?:US|CA|MX)$/.test(navigator.language) ? "letter" : "a4");
+const usualPaper = () =>
+  typeof navigator !== "undefined" && /-(?:US|CA|MX)$/.test(navigator.language) ? "letter" : "a4";
 
 /** A choice, a switch and a text; what does not fit keeps its first value. */
 const oneOf = <T extends string>(all: readonly T[], first: NoInfer<T> | (() => NoInfer<T>)) =>
@@ -90,12 +91,15 @@ export type Settings = Readonly<z.output<typeof shape>>;
 /** Until the work could be seen from outside there was a switch for its full section. */
 const kept = z.pipe(
   z.transform((raw: unknown) =>
-    z.object({ fullSection: z.literal(true) }).safeParse(raw).success ? { ...(raw as object), section: "full" } : raw
+    z.object({ fullSection: z.literal(true) }).safeParse(raw).success ? { ...(raw as object), section: "full" } : raw,
   ),
   shape,
 );
 
-/** Settings from data that anybody may have written: what does not fit keeps its first value. Null where they are no settings at all. */
+/**
+ * Settings from data that anybody may have written: what does not fit keeps its first value. Null where they are no
+ * settings at all.
+ */
 export const readSettings = (raw: unknown): Settings | null => kept.safeParse(raw).data ?? null;
 
 /** What is set before anybody chooses. */
@@ -105,7 +109,10 @@ const KEPT = keptData<Settings>("settings", kept);
 
 export const useSettings = create<Settings>(() => KEPT.get() ?? firstSettings());
 
-/** Changes the screen language once its texts are here; where they cannot be fetched it stays as it is, and that is said. */
+/**
+ * Changes the screen language once its texts are here; where they cannot be fetched it stays as it is, and that is
+ * said.
+ */
 export async function changeLanguage(language: Language): Promise<void> {
   await fetchAsked(language);
   changeSettings({ language });

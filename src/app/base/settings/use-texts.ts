@@ -6,19 +6,25 @@ import { useSettings } from "./settings.ts";
 /** Something in the screen language, following the language switch. What uses it is not shown before it is here. */
 export function useByLanguage<T>(of: ByLanguage<T>): T {
   const language = useSettings((s) => s.language);
-  // A component that has waited is rendered once more and must ask the same promise: React fails over its further hooks otherwise.
+  // A component that has waited is rendered once more and must ask the same promise: React fails over its further hooks
+  // otherwise.
   const waited = of.waited(language);
-  return waited ? use(waited) : of.here(language) ?? use(of.wait(language));
+  return waited ? use(waited) : (of.here(language) ?? use(of.wait(language)));
 }
 
-/** A part of the texts in the screen language; without a name the one of the workplaces. What uses it is not shown before it is here. */
-export const useTexts = <N extends PartName = "workplace">(name = "workplace" as N): Said<N> => useByLanguage(partOf(name));
+/**
+ * A part of the texts in the screen language; without a name the one of the workplaces. What uses it is not shown
+ * before it is here.
+ */
+export const useTexts = <N extends PartName = "workplace">(name = "workplace" as N): Said<N> =>
+  useByLanguage(partOf(name));
 
 /** The same, null until it is here: where something is shown without it. */
 export function useTextsSoon<N extends PartName>(name: N): Said<N> | null {
   const language = useSettings((s) => s.language);
   const [, showAgain] = useReducer((n: number) => n + 1, 0);
-  const part = partOf(name), texts = part.here(language);
+  const part = partOf(name),
+    texts = part.here(language);
   const isHere = texts !== undefined;
   useEffect(() => {
     if (isHere) return undefined;

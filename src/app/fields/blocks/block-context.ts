@@ -14,7 +14,8 @@ export function parametersBefore(program: Program, index: number): KnownParamete
   return Object.fromEntries(known);
 }
 
-const functionsOf = (s: Statement): readonly number[] => ("words" in s && "functions" in s.words ? s.words.functions : []);
+const functionsOf = (s: Statement): readonly number[] =>
+  "words" in s && "functions" in s.words ? s.words.functions : [];
 
 /** True when feeds in front of a block count per revolution. */
 export function perRevolutionBefore(program: Program, index: number): boolean {

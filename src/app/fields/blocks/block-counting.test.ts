@@ -22,8 +22,8 @@ const CYCLE = [
 ].join(" ~\n");
 const made = (unit: string, shift: string) => {
   const program = parse(
-    `BEGIN PGM U ${unit}\nBLK FORM CYLINDER Z D3 L4\nFUNCTION MODE TURN\nTOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:OFF S700\nM136\n`
-      + `${shift}\n${CYCLE}\nL X+3.3 Z+0.2 R0 FMAX M99\nM30\nEND PGM U ${unit}\n`,
+    `BEGIN PGM U ${unit}\nBLK FORM CYLINDER Z D3 L4\nFUNCTION MODE TURN\nTOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:OFF S700\nM136\n` +
+      `${shift}\n${CYCLE}\nL X+3.3 Z+0.2 R0 FMAX M99\nM30\nEND PGM U ${unit}\n`,
   );
   const index = program.blocks.findIndex(({ statement }) => statement.kind === "cycle");
   return { ...countingOf(program, index, run(program, { tools: shippedTools, rapid: 9_000 }), null), program, index };

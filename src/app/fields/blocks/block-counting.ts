@@ -11,7 +11,9 @@ import { useSession } from "./session.ts";
 /** How a cycle block counts: in the unit of its program, from the zero that holds where it is called first. */
 export function countingOf(program: Program, index: number, run: Run | null, file: string | null): Counting {
   const line = startLines(program)[index];
-  const call = run?.operations.find(({ definedLine, definedFile }) => definedLine === line && (definedFile ?? null) === file);
+  const call = run?.operations.find(
+    ({ definedLine, definedFile }) => definedLine === line && (definedFile ?? null) === file,
+  );
   const datums = run?.datums ?? [];
   return {
     unit: countsInches(program) ? INCH : 1,
@@ -21,6 +23,8 @@ export function countingOf(program: Program, index: number, run: Run | null, fil
 
 /** The same of the open block, followed by a component. */
 export function useBlockCounting(run: Run | null): Counting {
-  const program = useSession((s) => s.reading.program), index = useSession((s) => s.index), file = useShownBeside();
+  const program = useSession((s) => s.reading.program),
+    index = useSession((s) => s.index),
+    file = useShownBeside();
   return useMemo(() => countingOf(program, index, run, file), [program, index, run, file]);
 }

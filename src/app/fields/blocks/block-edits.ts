@@ -13,10 +13,8 @@ export interface TextChange {
 const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
 const withoutEnd = (raw: string) => raw.slice(0, raw.length - lineEndOf(raw).length);
 /** The block with another number, where it has one. */
-const numbered = (
-  raw: string,
-  number: number | null,
-) => (number === null ? raw : raw.replace(/^([^\S\r\n]*\/?[^\S\r\n]*)\d+/, `$1${number}`));
+const numbered = (raw: string, number: number | null) =>
+  number === null ? raw : raw.replace(/^([^\S\r\n]*\/?[^\S\r\n]*)\d+/, `$1${number}`);
 
 /** Only what differs between two texts, ends alike left out; null where nothing differs. */
 function difference(before: string, after: string, offset: number): TextChange | null {
@@ -36,7 +34,11 @@ export function changesBetween(before: Program, after: Program): readonly TextCh
   let offset = 0;
   for (; front < a.length && front < b.length && a[front] === b[front]; front += 1) offset += a[front]?.raw.length ?? 0;
   const by = b.length - a.length;
-  const raw = (blocks: readonly Block[], from: number, to: number) => blocks.slice(from, to).map((each) => each.raw).join("");
+  const raw = (blocks: readonly Block[], from: number, to: number) =>
+    blocks
+      .slice(from, to)
+      .map((each) => each.raw)
+      .join("");
   const changes: TextChange[] = [];
   const put = (old: string, fresh: string) => {
     const change = difference(old, fresh, offset);
@@ -49,7 +51,8 @@ export function changesBetween(before: Program, after: Program): readonly TextCh
 }
 
 /** A block put in behind another one, in the style of its surroundings. */
-export const inserted = (program: Program, index: number, statement: Statement): Program => withInserted(program, index, statement);
+export const inserted = (program: Program, index: number, statement: Statement): Program =>
+  withInserted(program, index, statement);
 
 export const removed = (program: Program, index: number): Program => withoutBlocks(program, index);
 

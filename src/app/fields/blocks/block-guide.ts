@@ -18,7 +18,10 @@ const HALF_AND_DOUBLE: Spread = { times: [0.5, 2] };
 const PLACE: Spread = { plus: [-4, 4] };
 const TURN: Spread = { plus: [-20, 20] };
 
-/** Words that make another path or part, by the id of their field; where a kind of block has one of its own: kind and field. */
+/**
+ * Words that make another path or part, by the id of their field; where a kind of block has one of its own: kind and
+ * field.
+ */
 const SPREADS: Readonly<Record<string, Spread>> = {
   X: PLACE,
   Z: { plus: [-6, 6] },
@@ -66,7 +69,16 @@ const SPREADS: Readonly<Record<string, Spread>> = {
 };
 
 /** Choices that change neither path nor part here: what they mean is said in words. */
-const QUIET: ReadonlySet<string> = new Set(["unit", "toolAxis", "mode", "how", "blankSource", "system", "CLSD", "groove.form"]);
+const QUIET: ReadonlySet<string> = new Set([
+  "unit",
+  "toolAxis",
+  "mode",
+  "how",
+  "blankSource",
+  "system",
+  "CLSD",
+  "groove.form",
+]);
 /** The only kind of block that compensation is shown at: it begins and ends there. */
 const COMPENSATES: BlockKind = "L";
 
@@ -79,19 +91,23 @@ export function spreadOf(kind: BlockKind, field: Pick<WordField, "id" | "choices
   const spread = SPREADS[`${kind}.${word}`] ?? SPREADS[word];
   const isQuiet = QUIET.has(word) || QUIET.has(`${kind}.${word}`) || (word === "compensation" && kind !== COMPENSATES);
   const choices = isQuiet ? [] : (field.choices ?? []).filter((choice) => choice !== "");
-  const found: Spread = field.choices && !(spread && !isQuiet) ? { choices } : spread ?? { choices: [] };
+  const found: Spread = field.choices && !(spread && !isQuiet) ? { choices } : (spread ?? { choices: [] });
   return "choices" in found && found.choices.length === 0 ? null : found;
 }
 
 const PLACES = 3;
 const rounded = (n: number): string => String(Number(n.toFixed(PLACES)));
 
-/** The texts that a word is shown with, the usual one among them, in their order; only that one where it is no plain number. */
+/**
+ * The texts that a word is shown with, the usual one among them, in their order; only that one where it is no plain
+ * number.
+ */
 export function textsBeside(spread: Spread, usual: string): readonly string[] {
   if ("choices" in spread) return spread.choices.includes(usual) ? spread.choices : [usual, ...spread.choices];
   if ("tools" in spread) return [usual];
   if ("swap" in spread) {
-    const [a, b] = spread.swap, other = usual.includes(a) ? usual.replace(a, b) : usual.replace(b, a);
+    const [a, b] = spread.swap,
+      other = usual.includes(a) ? usual.replace(a, b) : usual.replace(b, a);
     return [...new Set([usual, other])];
   }
   const value = usual.trim() === "" ? NaN : Number(usual);

@@ -23,7 +23,9 @@ function linesOf(state: EditorState, index: number | null, mark: Decoration): De
 }
 
 /** All lines of the block in which the cursor stands. */
-const openBlock = EditorView.decorations.compute(["doc", "selection"], (state) => linesOf(state, cursorBlock(state), openLine));
+const openBlock = EditorView.decorations.compute(["doc", "selection"], (state) =>
+  linesOf(state, cursorBlock(state), openLine),
+);
 
 const runningField = StateField.define<DecorationSet>({
   create: () => Decoration.none,

@@ -26,7 +26,9 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   const cycle = s?.kind === "cycle" ? cycleByNumber(s.cycle) : undefined;
   if (!cycle || s?.kind !== "cycle") return null;
   // A list of older software runs with what the control fills in.
-  const filled = Object.entries<Param>(cycle.params).flatMap(([q, { filledIn }]) => (filledIn === null ? [] : [[q, String(filledIn)]]));
+  const filled = Object.entries<Param>(cycle.params).flatMap(([q, { filledIn }]) =>
+    filledIn === null ? [] : [[q, String(filledIn)]],
+  );
   const written = s.parameters.map((p) => [p.q, parameterAsTyped(p.value)]);
   const draft: Draft = { ...Object.fromEntries<string>([...filled, ...written] as [string, string][]), ...typed };
   const job: SetJob = {
@@ -35,7 +37,14 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
     perRevolution: perRevolutionBefore(program, index),
     contour: cycle.contour === "free" ? contourBefore(program, index) : [],
   };
-  return { job, setup: null, tools: [], cycle, draft, reading: readDraft(cycle, draft, parametersBefore(program, index)) };
+  return {
+    job,
+    setup: null,
+    tools: [],
+    cycle,
+    draft,
+    reading: readDraft(cycle, draft, parametersBefore(program, index)),
+  };
 }
 
 /** What a parameter takes, and what its text is called where it is put in. */
@@ -62,9 +71,8 @@ export function withPrompt(program: Program, index: number, q: string, text: str
   const param = askedOf(s.cycle)[q];
   const left = text.trim() === "" ? leftOut(s, q) : null;
   const word = param?.kind === "feed" ? feedWord(text) : null;
-  const value: CycleParameter["value"] = word === "auto" || (word === "max" && param?.rapid)
-    ? word
-    : left ?? blockValue(text, decimalsIn(program, param));
+  const value: CycleParameter["value"] =
+    word === "auto" || (word === "max" && param?.rapid) ? word : (left ?? blockValue(text, decimalsIn(program, param)));
   return value === null ? program : withBlock(program, index, withParameter(s, q, value));
 }
 
@@ -73,7 +81,8 @@ export const countsInches = ({ blocks }: Program): boolean =>
   blocks.some(({ statement }) => statement.kind === "begin" && statement.unit === "INCH");
 
 /** A length, mm, as a program counts. */
-export const inProgram = (program: Program, mm: number): number => valueInProgram({ kind: "length" }, mm, countsInches(program));
+export const inProgram = (program: Program, mm: number): number =>
+  valueInProgram({ kind: "length" }, mm, countsInches(program));
 
 /** How many decimals the control keeps of a parameter; undefined where nobody says. */
 const decimalsIn = (program: Program, param: Asked | undefined): number | undefined =>
@@ -91,7 +100,8 @@ function leftOut(s: CycleStatement, q: string): number | null {
 
 /** A missing parameter is put where the catalogue or the description has it. */
 function withParameter(s: CycleStatement, q: string, value: CycleParameter["value"]): CycleStatement {
-  if (s.parameters.some((p) => p.q === q)) return { ...s, parameters: s.parameters.map((p) => (p.q === q ? { ...p, value } : p)) };
+  if (s.parameters.some((p) => p.q === q))
+    return { ...s, parameters: s.parameters.map((p) => (p.q === q ? { ...p, value } : p)) };
   const asked = askedOf(s.cycle);
   const order = Object.keys(asked);
   const before = s.parameters.findLastIndex((p) => order.indexOf(p.q) >= 0 && order.indexOf(p.q) < order.indexOf(q));
@@ -109,9 +119,9 @@ export function problemsOfBlock(
   const last = line + (program.blocks[index]?.lines ?? 1) - 1;
   const block = blockNumbers(program)[index] ?? null;
   const typed = issues.map((issue): FindingEntry => entryAt(issue, issue.at ?? null, block));
-  const found = findings.filter((f) => f.line !== null && f.line >= line && f.line <= last).map(({ issue, inFile }): FindingEntry =>
-    entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block, inFile)
-  );
+  const found = findings
+    .filter((f) => f.line !== null && f.line >= line && f.line <= last)
+    .map(({ issue, inFile }): FindingEntry => entryAt(issue, ("at" in issue ? issue.at : null) ?? null, block, inFile));
   const all = new Map<string, FindingEntry>();
   for (const problem of [...typed, ...found]) {
     const key = JSON.stringify([problem.issue.code, problem.at, problem.issue.data, problem.inFile]);

@@ -13,7 +13,10 @@ import { sessionView, useSession } from "./session.ts";
 /** What the open block stands for in the picture; null where no block is open. */
 function choiceOfOpenBlock(): PathChoice | null {
   const view = sessionView();
-  const { index, reading: { program } } = useSession.getState();
+  const {
+    index,
+    reading: { program },
+  } = useSession.getState();
   const range = view && blockRange(view.state, index);
   if (!range) return null;
   const line = view.state.doc.lineAt(range.from).number;
@@ -48,17 +51,19 @@ export function chooseOpenBlock(): void {
 }
 
 /**
- * There is another run. Blocks may stand elsewhere in a changed text: what is marked goes along with the open one. What was chosen before
- * there was any is shown now.
+ * There is another run. Blocks may stand elsewhere in a changed text: what is marked goes along with the open one. What
+ * was chosen before there was any is shown now.
  */
 export function followOpenBlock(): void {
-  const { choice } = useSelection.getState(), isEarly = choice === early;
+  const { choice } = useSelection.getState(),
+    isEarly = choice === early;
   early = null;
   if (choice?.kind !== "blocks" && choice?.kind !== "inFile") return;
   if (isEarly) {
     const { pictured } = useOutcome.getState();
     // The picture is not there yet: the steps of its run are, to be gone to.
-    if (isPresent(pictured) && pictured.run.steps.length > 0) playback.dispatch({ do: "load", track: trackOf(pictured.run.steps) });
+    if (isPresent(pictured) && pictured.run.steps.length > 0)
+      playback.dispatch({ do: "load", track: trackOf(pictured.run.steps) });
     return chooseOpenBlock();
   }
   const now = choiceOfOpenBlock();

@@ -1,4 +1,9 @@
-import { autocompletion, type Completion, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
+import {
+  autocompletion,
+  type Completion,
+  type CompletionContext,
+  type CompletionResult,
+} from "@codemirror/autocomplete";
 import type { EditorState, Extension } from "@codemirror/state";
 import { hoverTooltip } from "@codemirror/view";
 import { cycleByNumber, type ParamTextId } from "../../../cycles/index.ts";
@@ -14,7 +19,10 @@ import { ownCycle } from "../../document/own-reading.ts";
 import { unitOf } from "../dialog/write-value.ts";
 import { readingField } from "./reading-field.ts";
 
-/** What a parameter is called and takes: of the catalogue in the words of the screen, of an own cycle in those of its description. */
+/**
+ * What a parameter is called and takes: of the catalogue in the words of the screen, of an own cycle in those of its
+ * description.
+ */
 interface Known {
   readonly q: string;
   readonly name: string;
@@ -34,7 +42,11 @@ function cycleAt(state: EditorState, offset: number): Defined | null {
   const reading = state.field(readingField);
   let index = blockAt(reading, offset);
   // What is just being typed behind a cycle may not belong to it yet.
-  while (index > 0 && reading.program.blocks[index]?.number === null && reading.program.blocks[index]?.statement.kind !== "cycle")
+  while (
+    index > 0 &&
+    reading.program.blocks[index]?.number === null &&
+    reading.program.blocks[index]?.statement.kind !== "cycle"
+  )
     index -= 1;
   const block = reading.program.blocks[index];
   if (block?.statement.kind !== "cycle") return null;
@@ -45,11 +57,21 @@ function cycleAt(state: EditorState, offset: number): Defined | null {
 const rangeText = (t: Texts, language: Language, param: Param): string =>
   param.choices
     ? param.choices.join(" / ")
-    : "" + (t.dialog.range(formatNumber(language, param.range[0], param.decimals), formatNumber(language, param.range[1], param.decimals)))
-      + ` ${t.dialog.units[unitOf(param, true)]}`;
+    : "" +
+      t.dialog.range(
+        formatNumber(language, param.range[0], param.decimals),
+        formatNumber(language, param.range[1], param.decimals),
+      ) +
+      ` ${t.dialog.units[unitOf(param, true)]}`;
 
 /** A parameter in words: what it asks, its range, its choices, what it does. */
-function helpElement(t: Texts, title: string, range: string, choices: Readonly<Record<string, string>>, about: string): HTMLElement {
+function helpElement(
+  t: Texts,
+  title: string,
+  range: string,
+  choices: Readonly<Record<string, string>>,
+  about: string,
+): HTMLElement {
   const box = document.createElement("div");
   box.className = "nc-help";
   const add = (tag: "b" | "p" | "li", text: string, to: HTMLElement = box) => {
@@ -71,7 +93,11 @@ function helpElement(t: Texts, title: string, range: string, choices: Readonly<R
 const assigned = (q: string, value: number | "auto", label: string): string =>
   `${q}=${value === "auto" ? "FAUTO" : (value >= 0 ? "+" : "") + String(value)} ;${label}`;
 
-function ownParameter(t: Texts, language: Language, { q, prompt, range, bounded, choices, first }: OwnParameter): Known {
+function ownParameter(
+  t: Texts,
+  language: Language,
+  { q, prompt, range, bounded, choices, first }: OwnParameter,
+): Known {
   const [min, max] = range.map((n) => formatNumber(language, n, OWN_DECIMALS));
   const shown = bounded ? t.dialog.range(min ?? "", max ?? "") : "";
   const meanings = Object.fromEntries((choices ?? []).map(({ value, meaning }) => [String(value), meaning]));
@@ -159,7 +185,11 @@ function blockWords(context: CompletionContext): CompletionResult | null {
   if (!typed) return null;
   const word = /[A-Z][A-Z ]*$/i.exec(typed.text)?.[0] ?? "";
   if (!context.explicit && word.length < 2) return null;
-  return { from: context.pos - word.length, validFor: /^[A-Z ]*$/i, options: KEYWORDS.map((label) => ({ label, type: "keyword" })) };
+  return {
+    from: context.pos - word.length,
+    validFor: /^[A-Z ]*$/i,
+    options: KEYWORDS.map((label) => ({ label, type: "keyword" })),
+  };
 }
 
 const PARAMETERS = new RegExp(NUMBER_PARAMETER, "gi");
@@ -170,8 +200,8 @@ export function cycleHelp(t: Texts, language: Language): Extension {
     autocompletion({ override: [(context) => parameters(t, language, context) ?? blockWords(context)], icons: false }),
     hoverTooltip((view, offset) => {
       const line = view.state.doc.lineAt(offset);
-      const found = [...line.text.matchAll(PARAMETERS)].find((m) =>
-        offset >= line.from + m.index && offset <= line.from + m.index + m[0].length
+      const found = [...line.text.matchAll(PARAMETERS)].find(
+        (m) => offset >= line.from + m.index && offset <= line.from + m.index + m[0].length,
       );
       const at = found && cycleAt(view.state, offset);
       const q = found?.[0].toUpperCase() ?? "";

@@ -28,7 +28,7 @@ const worded = (t: Texts, language: Language): Extension => [
     autocapitalize: "characters",
     autocorrect: "off",
   }),
-  EditorState.phrases.of({ "Diagnostics": t.findings.title, "No diagnostics": t.findings.none, "close": t.page.close }),
+  EditorState.phrases.of({ Diagnostics: t.findings.title, "No diagnostics": t.findings.none, close: t.page.close }),
 ];
 
 /** Puts hover help, completion and names into a screen language. */
@@ -38,17 +38,16 @@ export const inWords = (t: Texts, language: Language) => inLanguage.reconfigure(
  * Everything the text editor is made of. Undo and redo have no keys here: the page's own go to the same history.
  * `mixedEnds`: line ends differ, so that carriage returns stay characters of their lines.
  */
-export const editorExtensions =
-  (mixedEnds: boolean): Extension => [
-    ...(mixedEnds ? [EditorState.lineSeparator.of("\n")] : []),
-    readingField,
-    klartext,
-    blockMarks,
-    lintGutter(),
-    history({ minDepth: 1000 }),
-    highlightSpecialChars(),
-    inLanguage.of([]),
-    keymap.of([...completionKeymap, ...lintKeymap, ...defaultKeymap]),
-    EditorView.domEventHandlers({ copy: holdBack, cut: holdBack }),
-    EditorView.editorAttributes.of({ [KEEPS_KEYBOARD]: "" }),
-  ];
+export const editorExtensions = (mixedEnds: boolean): Extension => [
+  ...(mixedEnds ? [EditorState.lineSeparator.of("\n")] : []),
+  readingField,
+  klartext,
+  blockMarks,
+  lintGutter(),
+  history({ minDepth: 1000 }),
+  highlightSpecialChars(),
+  inLanguage.of([]),
+  keymap.of([...completionKeymap, ...lintKeymap, ...defaultKeymap]),
+  EditorView.domEventHandlers({ copy: holdBack, cut: holdBack }),
+  EditorView.editorAttributes.of({ [KEEPS_KEYBOARD]: "" }),
+];

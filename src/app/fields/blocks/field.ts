@@ -2,7 +2,9 @@ import type { EditorTexts } from "../../../i18n/en/workplace/editor.ts";
 import type { Label, Parameter, Statement, Value } from "../../../nc/statement.ts";
 import { blockValue } from "../../../program/values/typed-value.ts";
 
-type PlainName = { [K in keyof EditorTexts["fields"]]: EditorTexts["fields"][K] extends string ? K : never }[keyof EditorTexts["fields"]];
+type PlainName = {
+  [K in keyof EditorTexts["fields"]]: EditorTexts["fields"][K] extends string ? K : never;
+}[keyof EditorTexts["fields"]];
 /** What a field is called: one of the texts, or a word of the program itself. */
 export type FieldName = PlainName | { readonly word: string };
 
@@ -22,7 +24,10 @@ export interface WordField {
   /** The statement with the typed text; null where it can not be read. */
   readonly write: (s: Statement, typed: string) => Statement | null;
   /** A switch beside the value, for incremental coordinates. */
-  readonly incremental?: { readonly read: (s: Statement) => boolean; readonly write: (s: Statement, on: boolean) => Statement };
+  readonly incremental?: {
+    readonly read: (s: Statement) => boolean;
+    readonly write: (s: Statement, on: boolean) => Statement;
+  };
 }
 
 /** A field of statements of one kind; on any other statement it does nothing. */
@@ -50,7 +55,8 @@ export const optionalValue = <S>(typed: string, put: (value: Value | null) => S)
   return value === null ? null : put(value);
 };
 
-export const shownLabel = (label: Label | Parameter): string => (typeof label === "object" ? label.parameter : String(label));
+export const shownLabel = (label: Label | Parameter): string =>
+  typeof label === "object" ? label.parameter : String(label);
 
 /** A typed label: digits are its number, anything else its name. */
 export const labelAsTyped = (typed: string): Label | null => {

@@ -7,15 +7,17 @@ import type { TextUpdate } from "./text-view.ts";
 import { rememberingLast } from "../../base/once.ts";
 
 /*
- * A number of which one digit is typed is no value yet, or a wrong one, and what comes behind it in the program would be run as if the
- * operation were not there. A block that was right keeps its last good picture until it is right again, or until somebody leaves it.
+ * A number of which one digit is typed is no value yet, or a wrong one, and what comes behind it in the program would
+ * be run as if the operation were not there. A block that was right keeps its last good picture until it is right
+ * again, or until somebody leaves it.
  */
 
 /** The block that was right and is not, by its index; null while there is none. */
 let half: number | null = null;
 
 function isWrongWith(program: Program, index: number, draft: Draft): boolean {
-  const block = program.blocks[index], read = readingOfBlock(program, index, draft);
+  const block = program.blocks[index],
+    read = readingOfBlock(program, index, draft);
   return (block !== undefined && block.issues.length > 0) || (read !== null && read.reading.values === null);
 }
 

@@ -2,7 +2,10 @@ import { historyField } from "@codemirror/commands";
 import { EditorState, type Extension } from "@codemirror/state";
 import { fromEditor, type LineEnds } from "./line-ends.ts";
 
-/** The text of a file with its own history. It outlives its editor, so that undo reaches it again when the file is opened again. */
+/**
+ * The text of a file with its own history. It outlives its editor, so that undo reaches it again when the file is
+ * opened again.
+ */
 export interface HeldText {
   readonly work: string;
   /** Key of its file in the work. */

@@ -12,10 +12,9 @@ export function lineEndsOf(text: string): LineEnds {
 }
 
 /** The text as an editor holds it, lines ending in \n. Mixed ends stay as they are: their \r are characters. */
-export const toEditor = (text: string, ends: LineEnds): string => (ends === "mixed" || ends === "\n" ? text : text.replaceAll(ends, "\n"));
+export const toEditor = (text: string, ends: LineEnds): string =>
+  ends === "mixed" || ends === "\n" ? text : text.replaceAll(ends, "\n");
 
 /** The text as it was read. */
-export const fromEditor = (
-  text: string,
-  ends: LineEnds,
-): string => (ends === "mixed" || ends === "\n" ? text : text.replaceAll("\n", ends));
+export const fromEditor = (text: string, ends: LineEnds): string =>
+  ends === "mixed" || ends === "\n" ? text : text.replaceAll("\n", ends);

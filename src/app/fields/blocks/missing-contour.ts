@@ -23,22 +23,37 @@ export function withContour(program: Program, number: number, label: Label): Pro
   const cycle = cycleByNumber(number);
   if (cycle?.contour !== "free") return null;
   const { contour } = proposedOperation(cycle, { blank: cylinderOf(program), before: [] });
-  const statements: readonly Statement[] = [{ kind: "label", label }, ...contourStatements(contour), { kind: "label", label: 0 }];
+  const statements: readonly Statement[] = [
+    { kind: "label", label },
+    ...contourStatements(contour),
+    { kind: "label", label: 0 },
+  ];
   const { blocks } = program;
   const end = blocks.findLastIndex(({ statement: s }) => s.kind === "end");
   const at = end < 0 ? blocks.length : end;
-  return withBlocks(program, [...blocks.slice(0, at), ...blocksOfStatements(program, at, statements), ...blocks.slice(at)]);
+  return withBlocks(program, [
+    ...blocks.slice(0, at),
+    ...blocksOfStatements(program, at, statements),
+    ...blocks.slice(at),
+  ]);
 }
 
 /** Cycle 14 that names a label, in front of the block at `index`. */
 export function withContourNamed(program: Program, index: number, label: number, language: Language): Program {
   const { title, label: word } = ncLabels(ncLanguageOf(language)).contour;
-  const named: readonly Statement[] = [{ kind: "cycleLine", cycle: 14, line: 0, text: title }, {
-    kind: "cycleLine",
-    cycle: 14,
-    line: 1,
-    text: `${word}${label}`,
-  }];
+  const named: readonly Statement[] = [
+    { kind: "cycleLine", cycle: 14, line: 0, text: title },
+    {
+      kind: "cycleLine",
+      cycle: 14,
+      line: 1,
+      text: `${word}${label}`,
+    },
+  ];
   const { blocks } = program;
-  return withBlocks(program, [...blocks.slice(0, index), ...blocksOfStatements(program, index, named), ...blocks.slice(index)]);
+  return withBlocks(program, [
+    ...blocks.slice(0, index),
+    ...blocksOfStatements(program, index, named),
+    ...blocks.slice(index),
+  ]);
 }

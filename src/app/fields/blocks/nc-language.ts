@@ -33,7 +33,7 @@ function wordsOf(line: string): readonly Token[] {
 function coloured({ state: { doc }, visibleRanges }: EditorView): DecorationSet {
   const made = new RangeSetBuilder<Decoration>();
   for (const { from, to } of visibleRanges) {
-    for (let line = doc.lineAt(from);; line = doc.line(line.number + 1)) {
+    for (let line = doc.lineAt(from); ; line = doc.line(line.number + 1)) {
       for (const word of wordsOf(line.text))
         if (word.to > word.from) made.add(line.from + word.from, line.from + word.to, marks[word.kind]);
       if (line.to >= to) break;
@@ -43,12 +43,15 @@ function coloured({ state: { doc }, visibleRanges }: EditorView): DecorationSet 
 }
 
 /** Klartext, coloured line by line by the reader's own scanner. */
-export const klartext: Extension = ViewPlugin.fromClass(class {
-  decorations: DecorationSet;
-  constructor(view: EditorView) {
-    this.decorations = coloured(view);
-  }
-  update({ docChanged, viewportChanged, view }: ViewUpdate) {
-    if (docChanged || viewportChanged) this.decorations = coloured(view);
-  }
-}, { decorations: (plugin) => plugin.decorations });
+export const klartext: Extension = ViewPlugin.fromClass(
+  class {
+    decorations: DecorationSet;
+    constructor(view: EditorView) {
+      this.decorations = coloured(view);
+    }
+    update({ docChanged, viewportChanged, view }: ViewUpdate) {
+      if (docChanged || viewportChanged) this.decorations = coloured(view);
+    }
+  },
+  { decorations: (plugin) => plugin.decorations },
+);

@@ -32,7 +32,10 @@ const draftIn = ({ draft, reading, index }: Typed, session: Session): Draft =>
 /** The prompts of the open block with their texts; null where it is a cycle that nobody has described. */
 export function openPrompts(): { readonly ids: readonly string[]; readonly draft: Draft } | null {
   const session = useSession.getState();
-  const { reading: { program }, index } = session;
+  const {
+    reading: { program },
+    index,
+  } = session;
   const typed = draftIn(useTyped.getState(), session);
   const read = readingOfBlock(program, index, typed);
   if (read) return { ids: Object.keys(read.cycle.params), draft: read.draft };
@@ -41,25 +44,27 @@ export function openPrompts(): { readonly ids: readonly string[]; readonly draft
 }
 
 /** The prompts of the open block and what is wrong with it, followed by a component. */
-export function useOpenBlock(): { readonly read: JobReading | null; readonly own: OwnBlock | null;
-  readonly problems: readonly FindingEntry[] }
-{
+export function useOpenBlock(): {
+  readonly read: JobReading | null;
+  readonly own: OwnBlock | null;
+  readonly problems: readonly FindingEntry[];
+} {
   const session = useSession();
   const draft = useTyped((typed) => draftIn(typed, session));
   const findings = useOutcome((s) => s.newest?.run.issues);
   const file = useShownBeside();
-  const { reading: { program }, index } = session;
+  const {
+    reading: { program },
+    index,
+  } = session;
   const read = useMemo(() => readingOfBlock(program, index, draft), [program, index, draft]);
   const cycles = useOwnCycles();
   const own = useMemo(() => readingOfOwn(program, index, draft, cycles), [program, index, draft, cycles]);
   const issues = read?.reading.issues ?? own?.issues ?? none;
-  const problems = useMemo(() => problemsOfBlock(program, index, issues, findingsShown(findings ?? [], file)), [
-    program,
-    index,
-    issues,
-    findings,
-    file,
-  ]);
+  const problems = useMemo(
+    () => problemsOfBlock(program, index, issues, findingsShown(findings ?? [], file)),
+    [program, index, issues, findings, file],
+  );
   return { read, own, problems };
 }
 
@@ -73,16 +78,25 @@ function noteTyped(draft: Draft, index: number): void {
 /** Writes several prompts of the open block into its text, in one step. */
 export function setBlockPrompts(texts: Readonly<Record<string, string>>): void {
   const session = useSession.getState();
-  const { reading: { program }, index } = session;
+  const {
+    reading: { program },
+    index,
+  } = session;
   const draft = { ...draftIn(useTyped.getState(), session), ...texts };
-  editProgram(Object.entries(texts).reduce((now, [q, text]) => withPrompt(now, index, q, text), program), null);
+  editProgram(
+    Object.entries(texts).reduce((now, [q, text]) => withPrompt(now, index, q, text), program),
+    null,
+  );
   noteTyped(draft, index);
 }
 
 /** Writes a prompt of the open block into its text. */
 export function setBlockPrompt(q: string, text: string): void {
   const session = useSession.getState();
-  const { reading: { program }, index } = session;
+  const {
+    reading: { program },
+    index,
+  } = session;
   const draft = { ...draftIn(useTyped.getState(), session), [q]: text };
   editProgram(withPrompt(program, index, q, text), `block ${index} ${q}`);
   noteTyped(draft, index);

@@ -50,18 +50,29 @@ function secondsIn({ run }: Outcome, from: number, to: number): number {
 
 function added(all: readonly (Done | undefined)[]): Done | null {
   const ran = all.filter((each) => each !== undefined);
-  return ran.length === 0 ? null : ran.reduce((sum, each) => ({
-    passes: sum.passes + each.passes,
-    seconds: sum.seconds + each.seconds,
-    residue: sum.residue + each.residue,
-  }));
+  return ran.length === 0
+    ? null
+    : ran.reduce((sum, each) => ({
+        passes: sum.passes + each.passes,
+        seconds: sum.seconds + each.seconds,
+        residue: sum.residue + each.residue,
+      }));
 }
 
 /** The operations of a text as the list shows them; `outcome` is of this text, and `entries` are found in it. */
 export function operationRows(
   program: Program,
-  { outcome, file, entries, tools }: { readonly outcome: Outcome | null; readonly file: string | null;
-    readonly entries: readonly FindingEntry[]; readonly tools: readonly Tool[] },
+  {
+    outcome,
+    file,
+    entries,
+    tools,
+  }: {
+    readonly outcome: Outcome | null;
+    readonly file: string | null;
+    readonly entries: readonly FindingEntry[];
+    readonly tools: readonly Tool[];
+  },
 ): readonly OperationRow[] {
   const all = operationsOf(program);
   const numbers = blockNumbers(program);
@@ -71,9 +82,12 @@ export function operationRows(
   return all.units.map((own, unit): OperationRow => {
     const { from, to } = wholeOf(all, unit);
     const called = own.toolCall === null ? undefined : program.blocks[own.toolCall]?.statement;
-    const tool = called?.kind === "toolCall" && called.tool !== null
-      ? (typeof called.tool === "object" ? called.tool.parameter : String(called.tool))
-      : null;
+    const tool =
+      called?.kind === "toolCall" && called.tool !== null
+        ? typeof called.tool === "object"
+          ? called.tool.parameter
+          : String(called.tool)
+        : null;
     const here = places.filter(({ at }) => at >= from && at < to).map(({ severity }) => severity);
     const worst = (["error", "warning", "info"] as const).find((each) => here.includes(each));
     const did = added(own.definitions.map((index) => done?.get(lines[index] ?? 0)));
@@ -95,11 +109,17 @@ export function operationRows(
       from,
       to,
       opens: own.definitions[0] ?? own.from,
-      done: did ? { ...did, seconds: Math.max(seconds, did.seconds) } : seconds > 0 ? { passes: 0, seconds, residue: 0 } : null,
+      done: did
+        ? { ...did, seconds: Math.max(seconds, did.seconds) }
+        : seconds > 0
+          ? { passes: 0, seconds, residue: 0 }
+          : null,
       findings: worst ? { count: here.length, severity: worst } : null,
-      blocks: program.blocks.slice(from, to).flatMap(({ raw, statement }, i) =>
-        statement.kind === "empty" ? [] : [{ index: from + i, number: numbers[from + i] ?? 0, text: firstLine(raw) }]
-      ),
+      blocks: program.blocks
+        .slice(from, to)
+        .flatMap(({ raw, statement }, i) =>
+          statement.kind === "empty" ? [] : [{ index: from + i, number: numbers[from + i] ?? 0, text: firstLine(raw) }],
+        ),
     };
   });
 }

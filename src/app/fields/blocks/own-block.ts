@@ -25,8 +25,11 @@ export interface OwnBlock {
 
 /** What the text of a block has beyond its description: any value is right there. */
 const undescribed = (s: StatementOf<"cycle">, own: OwnCycle): readonly OwnPrompt[] =>
-  s.parameters.filter(({ q }, i) => !own.parameters.some((p) => p.q === q) && s.parameters.findIndex((each) => each.q === q) === i).map(
-    ({ q, label, value }) => ({
+  s.parameters
+    .filter(
+      ({ q }, i) => !own.parameters.some((p) => p.q === q) && s.parameters.findIndex((each) => each.q === q) === i,
+    )
+    .map(({ q, label, value }) => ({
       q,
       prompt: (label ?? "").trim(),
       kind: value === "auto" || value === "max" ? "feed" : "number",
@@ -35,11 +38,15 @@ const undescribed = (s: StatementOf<"cycle">, own: OwnCycle): readonly OwnPrompt
       choices: null,
       first: 0,
       described: false,
-    })
-  );
+    }));
 
 /** The prompts of a block whose cycle is described; null for any other block. */
-export function readingOfOwn(program: Program, index: number, typed: Draft, cycles: ReadonlyMap<number, OwnCycle>): OwnBlock | null {
+export function readingOfOwn(
+  program: Program,
+  index: number,
+  typed: Draft,
+  cycles: ReadonlyMap<number, OwnCycle>,
+): OwnBlock | null {
   const s = program.blocks[index]?.statement;
   const own = s?.kind === "cycle" ? cycles.get(s.cycle) : undefined;
   if (!own || s?.kind !== "cycle") return null;

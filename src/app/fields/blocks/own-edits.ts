@@ -1,5 +1,11 @@
 import type { StatementOf } from "../../../nc/statement.ts";
-import { describedFrom, newParameter, OWN_SIZES, type OwnEntry, type OwnParameterEntry } from "../../../program/edits/own-cycle.ts";
+import {
+  describedFrom,
+  newParameter,
+  OWN_SIZES,
+  type OwnEntry,
+  type OwnParameterEntry,
+} from "../../../program/edits/own-cycle.ts";
 import { freeCycle, freeId, mergedLibrary, type OwnList } from "../../../program/edits/own-library.ts";
 import { libraryOf } from "../../document/own-reading.ts";
 import { editOwn, useOwn } from "../../document/own-store.ts";
@@ -19,15 +25,21 @@ export const setHead = (id: string, field: "number" | "name", text: string): voi
 
 /** The typed text of one field of a parameter. */
 export const setOwnParameter = (id: string, parameter: string, change: Partial<Omit<OwnParameterEntry, "id">>): void =>
-  changed(id, (entry) => ({ ...entry, parameters: entry.parameters.map((p) => (p.id === parameter ? { ...p, ...change } : p)) }),
-    `own ${id} ${parameter} ${Object.keys(change).join()}`);
+  changed(
+    id,
+    (entry) => ({ ...entry, parameters: entry.parameters.map((p) => (p.id === parameter ? { ...p, ...change } : p)) }),
+    `own ${id} ${parameter} ${Object.keys(change).join()}`,
+  );
 
 /** A description with the next free number; gives its id. */
 export function addOwn(): string {
   const { list } = useOwn.getState();
   const id = freeId(list, "c");
   const number = freeCycle(list, FIRST_OWN);
-  editOwn(() => [...list, { id, number: number === null ? "" : String(number), name: "", parameters: [newParameter("p1")] }]);
+  editOwn(() => [
+    ...list,
+    { id, number: number === null ? "" : String(number), name: "", parameters: [newParameter("p1")] },
+  ]);
   return id;
 }
 
@@ -68,7 +80,10 @@ export function addParameter(entry: OwnEntry): string {
   const last = /^\s*Q?(\d{1,4})\s*$/i.exec(entry.parameters.at(-1)?.q ?? "")?.[1];
   const taken = new Set(entry.parameters.map((p) => p.q.trim().toUpperCase()));
   const q = last === undefined ? "" : `Q${Number(last) + 1}`;
-  changed(entry.id, (old) => ({ ...old, parameters: [...old.parameters, newParameter(id, { q: taken.has(q) ? "" : q })] }));
+  changed(entry.id, (old) => ({
+    ...old,
+    parameters: [...old.parameters, newParameter(id, { q: taken.has(q) ? "" : q })],
+  }));
   return id;
 }
 

@@ -6,5 +6,7 @@ import { sessionText } from "./session.ts";
 /** True when a result was made from the work as it stands now, the text in the editor included. */
 export function isPresent<Made extends Outcome | Planned>(outcome: Made | null): outcome is Made {
   const { program } = useEditor.getState();
-  return outcome !== null && program !== null && isMadeFrom(outcome, program) && shownFile(program).text === sessionText();
+  return (
+    outcome !== null && program !== null && isMadeFrom(outcome, program) && shownFile(program).text === sessionText()
+  );
 }

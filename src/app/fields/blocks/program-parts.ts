@@ -70,8 +70,8 @@ export const firstLine = (raw: string): string =>
   (/^\s*\/?\s*(?:\d+(?![\d.,])\s*)?(.*?)\s*~?\s*(?:[\r\n]|$)/.exec(raw)?.[1] ?? "").replace(/\s+/g, " ");
 
 /**
- * What the calls of each definition in one text did, by the line of the definition; `file` is that of a called program. A call
- * that makes no path has done nothing.
+ * What the calls of each definition in one text did, by the line of the definition; `file` is that of a called program.
+ * A call that makes no path has done nothing.
  */
 export function doneByLine({ run, simulation }: Outcome, file: string | null): ReadonlyMap<number, Done> {
   const all = new Map<number, Done>();

@@ -4,7 +4,8 @@ import { expect, test } from "vitest";
 import { parse } from "../../../nc/parse.ts";
 import { isRead, readFurther, readingField } from "./reading-field.ts";
 
-const part = "12 CYCL DEF 207 TAPPING ~\n  Q200=+2.5 ;SET-UP CLEARANCE ~\n\n  Q201=-18.3 ;DEPTH\n\n13 L X+31.7 Z-4.25 ; a\n";
+const part =
+  "12 CYCL DEF 207 TAPPING ~\n  Q200=+2.5 ;SET-UP CLEARANCE ~\n\n  Q201=-18.3 ;DEPTH\n\n13 L X+31.7 Z-4.25 ; a\n";
 const long = part.repeat(2000);
 const stateOf = (doc: string) => EditorState.create({ doc, extensions: [readingField] });
 
@@ -35,18 +36,23 @@ test("what is typed before a long text has been read to its end is read like the
     drop: fc.nat(90),
     put: fc.constantFrom("", "~", "\n", "7", " ~\n", "14 L X+3\nQ215=1 ;A\n"),
   });
-  fc.assert(fc.property(fc.array(fc.oneof(fc.constant(null), edit), { minLength: 1, maxLength: 6 }), (steps) => {
-    let state = stateOf(long);
-    for (const step of steps) {
-      if (!step) state = state.update(readFurther).state;
-      else {
-        const end = state.field(readingField).starts.at(-1) ?? 0;
-        const from = step.near
-          ? Math.max(0, Math.min(state.doc.length, end - 60 + Math.floor(step.at * 120)))
-          : Math.floor(step.at * state.doc.length);
-        state = state.update({ changes: { from, to: Math.min(state.doc.length, from + step.drop), insert: step.put } }).state;
+  fc.assert(
+    fc.property(fc.array(fc.oneof(fc.constant(null), edit), { minLength: 1, maxLength: 6 }), (steps) => {
+      let state = stateOf(long);
+      for (const step of steps) {
+        if (!step) state = state.update(readFurther).state;
+        else {
+          const end = state.field(readingField).starts.at(-1) ?? 0;
+          const from = step.near
+            ? Math.max(0, Math.min(state.doc.length, end - 60 + Math.floor(step.at * 120)))
+            : Math.floor(step.at * state.doc.length);
+          state = state.update({
+            changes: { from, to: Math.min(state.doc.length, from + step.drop), insert: step.put },
+          }).state;
+        }
       }
-    }
-    expect(readAll(state).field(readingField).program).toEqual(parse(state.doc.toString()));
-  }), { numRuns: 15 });
+      expect(readAll(state).field(readingField).program).toEqual(parse(state.doc.toString()));
+    }),
+    { numRuns: 15 },
+  );
 });

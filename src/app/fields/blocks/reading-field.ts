@@ -19,7 +19,8 @@ const AT_FIRST = 100_000;
 const AT_A_TIME = 400_000;
 
 /** Where a piece of about that many characters ends: behind a line. */
-const pieceEnd = (doc: Text, offset: number): number => Math.min(doc.length, doc.lineAt(Math.min(doc.length, offset)).to + 1);
+const pieceEnd = (doc: Text, offset: number): number =>
+  Math.min(doc.length, doc.lineAt(Math.min(doc.length, offset)).to + 1);
 
 const endOf = (reading: Reading): number => reading.starts.at(-1) ?? 0;
 
@@ -33,8 +34,8 @@ function seen({ from, to, length }: Change, end: number, whole: boolean): Change
 }
 
 /**
- * The blocks of the text, read again near each change, so that they are right at every keystroke. Of a long text the first
- * blocks are there at once; `readFurther` brings the others.
+ * The blocks of the text, read again near each change, so that they are right at every keystroke. Of a long text the
+ * first blocks are there at once; `readFurther` brings the others.
  */
 export const readingField = StateField.define<Reading>({
   create: ({ doc }) => readingOf(doc.sliceString(0, pieceEnd(doc, AT_FIRST))),
@@ -56,7 +57,8 @@ export const isRead = (state: EditorState): boolean => endOf(state.field(reading
 export const readFurther = { effects: readOn.of(null) } as const;
 
 /** Index of the block in which the cursor stands; -1 in an empty text. */
-export const cursorBlock = (state: EditorState): number => blockAt(state.field(readingField), state.selection.main.head);
+export const cursorBlock = (state: EditorState): number =>
+  blockAt(state.field(readingField), state.selection.main.head);
 
 /** Where a block begins and where its last line ends, without its line end. */
 export function blockRange(state: EditorState, index: number): { readonly from: number; readonly to: number } | null {
@@ -75,7 +77,13 @@ export function parameterAt(state: EditorState, offset: number): string | null {
 }
 
 /** Offset of a Q parameter that has a line of its own in a block; the beginning of the block where it has none. */
-export function parameterOffset(state: EditorState, block: { readonly from: number; readonly to: number }, parameter: string): number {
-  const line = new RegExp(String.raw`(?:^|[\r\n])[^\S\r\n]*(${parameter})\s*[=+\-\d]`, "i").exec(state.sliceDoc(block.from, block.to));
+export function parameterOffset(
+  state: EditorState,
+  block: { readonly from: number; readonly to: number },
+  parameter: string,
+): number {
+  const line = new RegExp(String.raw`(?:^|[\r\n])[^\S\r\n]*(${parameter})\s*[=+\-\d]`, "i").exec(
+    state.sliceDoc(block.from, block.to),
+  );
   return line ? block.from + line.index + line[0].search(/Q/i) : block.from;
 }

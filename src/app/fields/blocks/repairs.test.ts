@@ -13,7 +13,13 @@ import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { repairsOf, withTool } from "./repairs.ts";
 
 const outcomeOf = (text: string): Outcome =>
-  engine.update({ version: 1, text, table: { tools: shippedTools, mills: [], refused: new Map() }, rapid: 10_000, control: "TNC 640" });
+  engine.update({
+    version: 1,
+    text,
+    table: { tools: shippedTools, mills: [], refused: new Map() },
+    rapid: 10_000,
+    control: "TNC 640",
+  });
 
 const cycle812 = (q = "") =>
   `CYCL DEF 812 SHOULDER, LONG. EXT. ~
@@ -76,7 +82,11 @@ Q506=+0`;
 
 /** What is wrong, in which program, and the block, word or value that is offered first. */
 const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
-  ["spindleStopped", without("FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"), "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"],
+  [
+    "spindleStopped",
+    without("FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500"),
+    "FUNCTION TURNDATA SPIN VCONST:ON VC:180 SMAX2500",
+  ],
   ["spindleStopped", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 FMAX M5"), "M303"],
   ["spindleStopped", changed("L X+61.3 Y+0 Z+2 FMAX M303", "L X+61.3 Y+0 Z+2 FMAX M8"), "M303"],
   ["programEndMissing", without("M30", "END PGM A MM"), "M30"],
@@ -124,7 +134,9 @@ test("M303 joins the block that positions, which keeps what it has; a block that
     const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === "spindleStopped");
     return (entry ? repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual) : []).map((repair) => print(repair.next()));
   };
-  const around = (...blocks: string[]) => [numbered(RIGHT.flatMap((block) => (block === "L X+61.3 Y+0 Z+2 FMAX M303" ? blocks : [block])))];
+  const around = (...blocks: string[]) => [
+    numbered(RIGHT.flatMap((block) => (block === "L X+61.3 Y+0 Z+2 FMAX M303" ? blocks : [block]))),
+  ];
   expect(mended("L X+61.3 Y+0 Z+2 FMAX M8")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M8 M303"));
   expect(mended("L X+61.3 Y+0 Z+2 FMAX M5")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M5", "M303"));
   expect(mended("L X+61.3 Y+0 Z+2 FMAX M8 M5")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M8 M5", "M303"));
@@ -132,7 +144,8 @@ test("M303 joins the block that positions, which keeps what it has; a block that
 
 test("in an inch program a value is offered, and said, in inches: what the tool can cut at once is no foot", () => {
   const text = readFileSync("tests/programs/shoulder-inch.h", "utf8").replace("Q463=+0.1181", "Q463=+0.9");
-  const outcome = outcomeOf(text), entry = findingsOf(null, outcome).find(({ issue }) => issue.code === "infeedOverCutLength");
+  const outcome = outcomeOf(text),
+    entry = findingsOf(null, outcome).find(({ issue }) => issue.code === "infeedOverCutLength");
   if (!entry) throw new Error("it is found");
   const [repair] = repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual);
   expect(repair?.text).toBe(0.4724);
@@ -144,9 +157,14 @@ test("in an inch program a value is offered, and said, in inches: what the tool 
 });
 
 test("ends that are exchanged are exchanged back in one step", () => {
-  const before = changed(cycle812(),
-    cycle812().replace("Q491=+61.3", "Q491=+47.7").replace("Q493=+47.7 ;DIAMETER AT CONTOUR END", "Q493=+61.3 ;DIAMETER AT CONTOUR END"));
-  const program = parse(before), [entry] = findingsOf(null, outcomeOf(before));
+  const before = changed(
+    cycle812(),
+    cycle812()
+      .replace("Q491=+61.3", "Q491=+47.7")
+      .replace("Q493=+47.7 ;DIAMETER AT CONTOUR END", "Q493=+61.3 ;DIAMETER AT CONTOUR END"),
+  );
+  const program = parse(before),
+    [entry] = findingsOf(null, outcomeOf(before));
   expect(entry?.issue.code).toBe("endsExchanged");
   const [repair] = entry ? repairsOf(program, entry, "en", NC_OUTPUTS.manual) : [];
   const text = repair ? print(repair.next()) : "";

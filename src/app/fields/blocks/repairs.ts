@@ -47,9 +47,17 @@ function placeOfMode(program: Program, index: number): number {
 
 /** Behind the last of program begin, blank and mode: a tool call there comes before every positioning. */
 const placeBehindFrame = (program: Program, index: number): number =>
-  lastOf(program, index, (s) =>
-    s.kind === "begin" || s.kind === "mode" || s.kind === "blankCylinder" || s.kind === "blankRotation" || s.kind === "blankFile"
-    || s.kind === "blankBox") + 1;
+  lastOf(
+    program,
+    index,
+    (s) =>
+      s.kind === "begin" ||
+      s.kind === "mode" ||
+      s.kind === "blankCylinder" ||
+      s.kind === "blankRotation" ||
+      s.kind === "blankFile" ||
+      s.kind === "blankBox",
+  ) + 1;
 
 /** Behind a definition and the block that positions to its start point. */
 function placeOfCall(program: Program, definition: number): number {
@@ -90,13 +98,20 @@ function contourLines(program: Program, language: Language): readonly Statement[
   if (label?.kind !== "label") return [];
   const { title, label: word } = ncLabels(ncLanguageOf(language)).contour;
   const named = typeof label.label === "number" ? String(label.label) : ` "${label.label}"`;
-  return [{ kind: "cycleLine", cycle: 14, line: 0, text: title }, { kind: "cycleLine", cycle: 14, line: 1, text: `${word}${named}` }];
+  return [
+    { kind: "cycleLine", cycle: 14, line: 0, text: title },
+    { kind: "cycleLine", cycle: 14, line: 1, text: `${word}${named}` },
+  ];
 }
 
 /** The last block that switched radius compensation on, with R0 in its place. */
 function withoutCompensation(program: Program, index: number): Repair | null {
-  const at = lastOf(program, index + 1,
-    (s) => "words" in s && "compensation" in s.words && s.words.compensation !== undefined && s.words.compensation !== "R0");
+  const at = lastOf(
+    program,
+    index + 1,
+    (s) =>
+      "words" in s && "compensation" in s.words && s.words.compensation !== undefined && s.words.compensation !== "R0",
+  );
   const s = program.blocks[at]?.statement;
   if (s?.kind !== "path") return null;
   const next = () => withBlock(program, at, { ...s, words: { ...s.words, compensation: "R0" } });
@@ -121,18 +136,27 @@ function withoutParameter(program: Program, index: number, q: string): Repair | 
 /** Another start point of a call: in the block that positions for it, or in one of its own right before the call. */
 function withStart(program: Program, index: number, start: { readonly x: number; readonly z: number }): Repair {
   const [x, z] = [inProgram(program, start.x), inProgram(program, start.z)];
-  const axes = [{ axis: "X", value: kept(x, POSITION_DECIMALS), incremental: false }, {
-    axis: "Z",
-    value: kept(z, POSITION_DECIMALS),
-    incremental: false,
-  }] as const;
+  const axes = [
+    { axis: "X", value: kept(x, POSITION_DECIMALS), incremental: false },
+    {
+      axis: "Z",
+      value: kept(z, POSITION_DECIMALS),
+      incremental: false,
+    },
+  ] as const;
   const before = index - 1;
   const s = program.blocks[before]?.statement;
   if (s?.kind !== "path" || s.path !== "L" || s.words.feed !== "max")
     return insertion(program, index, [{ kind: "path", path: "L", words: { ...noWords, axes, feed: "max" } }], index);
   const others = s.words.axes.filter((w) => w.axis !== "X" && w.axis !== "Z");
   const next = () => withBlock(program, before, { ...s, words: { ...s.words, axes: [axes[0], ...others, axes[1]] } });
-  return { kind: "write", text: `X${signed(x)} Z${signed(z)}`, block: String(blockNumbers(program)[before] ?? ""), next, open: before };
+  return {
+    kind: "write",
+    text: `X${signed(x)} Z${signed(z)}`,
+    block: String(blockNumbers(program)[before] ?? ""),
+    next,
+    open: before,
+  };
 }
 
 const signed = (mm: number) => positionAsTyped(mm).replace(/^(?!-)/, "+");
@@ -157,38 +181,65 @@ function withKnownStart(program: Program, index: number, spindleOn: number): Rep
   const blank = program.blocks.find(({ statement: s }) => s.kind === "blankCylinder")?.statement;
   if (called?.kind !== "cycleCall" || blank?.kind !== "blankCylinder") return null;
   const { outside, distance } = blank;
-  if (outside?.measure !== "D" || typeof outside.value !== "number" || typeof distance === "object" && distance !== null) return null;
-  const axes = [{ axis: "X" as const, value: outside.value, incremental: false }, {
-    axis: "Z" as const,
-    value: kept(distance ?? 0, POSITION_DECIMALS) + inProgram(program, CLEAR),
-    incremental: false,
-  }];
-  const start: Statement = { kind: "path", path: "L", words: { ...noWords, axes, feed: "max", functions: [spindleOn] } };
+  if (
+    outside?.measure !== "D" ||
+    typeof outside.value !== "number" ||
+    (typeof distance === "object" && distance !== null)
+  )
+    return null;
+  const axes = [
+    { axis: "X" as const, value: outside.value, incremental: false },
+    {
+      axis: "Z" as const,
+      value: kept(distance ?? 0, POSITION_DECIMALS) + inProgram(program, CLEAR),
+      incremental: false,
+    },
+  ];
+  const start: Statement = {
+    kind: "path",
+    path: "L",
+    words: { ...noWords, axes, feed: "max", functions: [spindleOn] },
+  };
   return asking([insertion(program, index, [start], index)])[0] ?? null;
 }
 
 /** How many M functions a block takes on every control. */
 const MOST_FUNCTIONS = 2;
 
-/** The function that starts the spindle in the block that positions for a call, or in one of its own right before the call. */
+/**
+ * The function that starts the spindle in the block that positions for a call, or in one of its own right before the
+ * call.
+ */
 function withSpindleStarted(program: Program, call: number, spindleOn: number): Repair {
   const moves = program.blocks[call]?.statement.kind === "path" ? call : call - 1;
   const block = program.blocks[moves];
   const s = block?.statement;
-  const hasRoom = s?.kind === "path" && !block?.skip && s.words.functions.length < MOST_FUNCTIONS
-    && !s.words.functions.some((m) => STOPS_SPINDLE.includes(m));
+  const hasRoom =
+    s?.kind === "path" &&
+    !block?.skip &&
+    s.words.functions.length < MOST_FUNCTIONS &&
+    !s.words.functions.some((m) => STOPS_SPINDLE.includes(m));
   if (!hasRoom)
     return insertion(program, call, [{ kind: "functions", words: { ...noWords, functions: [spindleOn] } }], call);
-  const next = () => withBlock(program, moves, { ...s, words: { ...s.words, functions: [...s.words.functions, spindleOn] } });
+  const next = () =>
+    withBlock(program, moves, { ...s, words: { ...s.words, functions: [...s.words.functions, spindleOn] } });
   return { kind: "write", text: `M${spindleOn}`, block: String(blockNumbers(program)[moves] ?? ""), next, open: moves };
 }
 
 /** Another length or radius of an approach or departure. */
 function withLead(program: Program, index: number, word: "LEN" | "R", mm: number): Repair | null {
-  const s = program.blocks[index]?.statement, value = inProgram(program, mm);
+  const s = program.blocks[index]?.statement,
+    value = inProgram(program, mm);
   if (s?.kind !== "approach") return null;
-  const next = () => withBlock(program, index, { ...s, words: { ...s.words, [word === "LEN" ? "length" : "radius"]: value } });
-  return { kind: "write", text: `${word}${value}`, block: String(blockNumbers(program)[index] ?? ""), next, open: index };
+  const next = () =>
+    withBlock(program, index, { ...s, words: { ...s.words, [word === "LEN" ? "length" : "radius"]: value } });
+  return {
+    kind: "write",
+    text: `${word}${value}`,
+    block: String(blockNumbers(program)[index] ?? ""),
+    next,
+    open: index,
+  };
 }
 
 /** Label of a contour in a program that has no label yet. */
@@ -197,12 +248,23 @@ const FIRST_LABEL = 1;
 const asking = (repairs: readonly Repair[]): readonly Repair[] => repairs.map((repair) => ({ ...repair, asks: true }));
 
 /** The changes of the program that mend a finding, surest first; none where only the operator can know. */
-export function repairsOf(program: Program, entry: FindingEntry, language: Language, output: NcOutput): readonly Repair[] {
+export function repairsOf(
+  program: Program,
+  entry: FindingEntry,
+  language: Language,
+  output: NcOutput,
+): readonly Repair[] {
   const index = indexOf(program, entry);
   const { issue, at } = entry;
   const insert = (place: number, ...statements: Statement[]) => [insertion(program, place, statements, index)];
   const withSpeed = () =>
-    insert(toolCallBefore(program, index) + 1, { kind: "spin", constantSurface: true, cuttingSpeed: 180, speed: null, limit: 2500 });
+    insert(toolCallBefore(program, index) + 1, {
+      kind: "spin",
+      constantSurface: true,
+      cuttingSpeed: 180,
+      speed: null,
+      limit: 2500,
+    });
   const maybe = (repair: Repair | null) => (repair ? [repair] : []);
   switch (issue.code as string) {
     case "notInTurnMode":
@@ -229,14 +291,16 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
       return [{ kind: "meant", text: MEANT, block: "", open: index + 1, next }];
     }
     case "blankMissing":
-      return asking(insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1, {
-        kind: "blankCylinder",
-        axis: "Z",
-        outside: { measure: "D", value: inProgram(program, 80) },
-        length: inProgram(program, 100),
-        distance: inProgram(program, 1),
-        inside: null,
-      }));
+      return asking(
+        insert(lastOf(program, program.blocks.length, (s) => s.kind === "begin") + 1, {
+          kind: "blankCylinder",
+          axis: "Z",
+          outside: { measure: "D", value: inProgram(program, 80) },
+          length: inProgram(program, 100),
+          distance: inProgram(program, 1),
+          inside: null,
+        }),
+      );
     case "labelNotClosed":
       return insert(placeOfLabelEnd(program, index), { kind: "label", label: 0 });
     case "contourNotNamed": {
@@ -246,7 +310,9 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
       const number = "cycle" in issue.data ? Number(issue.data.cycle) : 0;
       const contour = definition < 0 ? null : withContour(program, number, FIRST_LABEL);
       const next = () => withContourNamed(contour ?? program, definition, FIRST_LABEL, language);
-      return contour ? [{ kind: "insert", text: `CYCL DEF 14, LBL ${FIRST_LABEL}`, block: "", open: definition, next }] : [];
+      return contour
+        ? [{ kind: "insert", text: `CYCL DEF 14, LBL ${FIRST_LABEL}`, block: "", open: definition, next }]
+        : [];
     }
     case "labelMissing": {
       const missing = "label" in issue.data ? String(issue.data.label) : "";
@@ -254,7 +320,8 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
       const behind = program.blocks.findIndex(({ statement: s }, i) => i > index && s.kind === "cycle");
       const definition = program.blocks[before >= 0 ? before : behind]?.statement;
       const label = /^\d+$/.test(missing) ? Number(missing) : missing;
-      const contour = definition?.kind === "cycle" && missing !== "" ? withContour(program, definition.cycle, label) : null;
+      const contour =
+        definition?.kind === "cycle" && missing !== "" ? withContour(program, definition.cycle, label) : null;
       return contour ? [{ kind: "insert", text: `LBL ${missing}`, block: "", open: index, next: () => contour }] : [];
     }
     case "compensationActive":
@@ -271,6 +338,7 @@ export function repairsOf(program: Program, entry: FindingEntry, language: Langu
     }
   }
   if (issue.code === "startOnWrongSide") return [withStart(program, index, issue.data)];
-  if (issue.code === "approachValueCutsContour") return maybe(withLead(program, index, issue.data.word, issue.data.nearest));
+  if (issue.code === "approachValueCutsContour")
+    return maybe(withLead(program, index, issue.data.word, issue.data.nearest));
   return valueRepairs(entry, program, index);
 }

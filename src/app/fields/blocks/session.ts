@@ -15,7 +15,15 @@ import { editorExtensions } from "./editor-extensions.ts";
 import { forgetHalf, watchText } from "./half-typed.ts";
 import { fileText, heldAs, withHistory, writtenState, type HeldText as Text } from "./held-text.ts";
 import { lineEndsOf, toEditor, type LineEnds } from "./line-ends.ts";
-import { blockRange, cursorBlock, isRead, parameterAt, parameterOffset, readFurther, readingField } from "./reading-field.ts";
+import {
+  blockRange,
+  cursorBlock,
+  isRead,
+  parameterAt,
+  parameterOffset,
+  readFurther,
+  readingField,
+} from "./reading-field.ts";
 import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../../document/shown-file.ts";
 import { heldWhileTyping } from "../../base/typing.ts";
@@ -46,7 +54,9 @@ export const useSession = heldWhileTyping<Session>(() => none);
 export const ofText = ({ reading }: Session): boolean => reading !== none.reading;
 
 /** Rest after typing before panels follow, and before a text of this many blocks is calculated and kept, ms. */
-const PANELS_REST = 80, REST = 150, LONG_REST = 700;
+const PANELS_REST = 80,
+  REST = 150,
+  LONG_REST = 700;
 const LONG = 1500;
 
 /** Texts that are held after they were left. */
@@ -95,14 +105,23 @@ function noteTyping(text: Text, before: EditorState): void {
   if (more) note(stepOf(text));
 }
 
-const stepOf = (text: Text): HistoryStep => ({ of: text, back: () => go(text, undo), forth: () => go(text, redo), file: text.file });
+const stepOf = (text: Text): HistoryStep => ({
+  of: text,
+  back: () => go(text, undo),
+  forth: () => go(text, redo),
+  file: text.file,
+});
 
 function show(opened: boolean): void {
   panels.stop();
   if (!view || !open) return;
   const { state } = open;
   const before = useSession.getState();
-  const next = { reading: state.field(readingField), index: cursorBlock(state), parameter: parameterAt(state, state.selection.main.head) };
+  const next = {
+    reading: state.field(readingField),
+    index: cursorBlock(state),
+    parameter: parameterAt(state, state.selection.main.head),
+  };
   if (before.reading === next.reading && before.index === next.index && before.parameter === next.parameter) return;
   const moved = opened && (before.index !== next.index || before.parameter !== next.parameter);
   useSession.setState({ ...next, opened: before.opened + (moved ? 1 : 0) });
@@ -111,14 +130,16 @@ function show(opened: boolean): void {
 function onChange(update: TextUpdate): void {
   if (open) open.state = update.state;
   watchText(update);
-  const typed = update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
+  const typed =
+    update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
   const byDialog = update.transactions.some((tr) => tr.annotation(dialogEdit));
   if (update.docChanged) {
     const long = update.state.field(readingField).program.blocks.length > LONG;
     if (long) typingGoesOn(LONG_REST);
     else if (typed && !byDialog) typingGoesOn(REST);
     calculation.start(handOverText, long ? LONG_REST : REST);
-    if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo"))) noteTyping(open, update.startState);
+    if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo")))
+      noteTyping(open, update.startState);
   }
   // What the page plans at once is seen at once.
   if (update.docChanged && plansOnPage(update.state.doc.length)) handOverText();
@@ -126,7 +147,8 @@ function onChange(update: TextUpdate): void {
   if (!more && !update.selectionSet) return;
   if (typed && !byDialog) panels.start(() => show(true), PANELS_REST);
   else show(!byDialog);
-  if (update.transactions.some((tr) => tr.isUserEvent("select.pointer"))) useSession.setState((s) => ({ pointed: s.pointed + 1 }));
+  if (update.transactions.some((tr) => tr.isUserEvent("select.pointer")))
+    useSession.setState((s) => ({ pointed: s.pointed + 1 }));
 }
 
 const extensionsOf = (ends: LineEnds) => editorExtensions(ends === "mixed");
@@ -166,7 +188,9 @@ export function readWhole(): void {
 }
 
 textKeepers.add((work) =>
-  [...texts.values()].flatMap((text) => (text.work === work ? [{ file: text.file, state: writtenState(text.state) }] : []))
+  [...texts.values()].flatMap((text) =>
+    text.work === work ? [{ file: text.file, state: writtenState(text.state) }] : [],
+  ),
 );
 
 /** Puts the texts of a work back with the histories and cursors that they had before the page was loaded again. */
@@ -212,7 +236,10 @@ function putShown(): void {
   useSession.setState((s) => ({ put: s.put + 1 }));
 }
 
-/** From now on the editor goes along when another file is to be shown, or the shown one changes elsewhere: it is replaced, or undone. */
+/**
+ * From now on the editor goes along when another file is to be shown, or the shown one changes elsewhere: it is
+ * replaced, or undone.
+ */
 export function followShown(): () => void {
   const stops = [
     onShown(() => {
@@ -247,12 +274,14 @@ export const sessionDom = (): HTMLElement | null => view?.dom ?? null;
 export function dispatchEdit(spec: TransactionSpec, place: string | null): void {
   if (!view || !open) return;
   const on = goesOn(place);
-  view.edit(open.state.update({
-    ...spec,
-    annotations: [dialogEdit.of(true), ...(on ? [] : [isolateHistory.of("before")])],
-    // The history joins what goes on with a composition to its step, however long it takes.
-    userEvent: on ? "input.type.compose" : "input.dialog",
-  }));
+  view.edit(
+    open.state.update({
+      ...spec,
+      annotations: [dialogEdit.of(true), ...(on ? [] : [isolateHistory.of("before")])],
+      // The history joins what goes on with a composition to its step, however long it takes.
+      userEvent: on ? "input.type.compose" : "input.dialog",
+    }),
+  );
 }
 
 /** Puts a changed program in place of the open one, as one step of undo; only what differs changes in the text. */
@@ -269,10 +298,15 @@ export function editUnshown(change: (program: Program) => Program): void {
   if (view || !program || work === null) return;
   const text = takeUp(program, work);
   while (!isRead(text.state)) text.state = text.state.update(readFurther).state;
-  const before = text.state, now = before.field(readingField).program;
+  const before = text.state,
+    now = before.field(readingField).program;
   const changes = changesBetween(now, change(now));
   if (changes.length === 0) return;
-  text.state = before.update({ changes: [...changes], annotations: isolateHistory.of("full"), userEvent: "input.dialog" }).state;
+  text.state = before.update({
+    changes: [...changes],
+    annotations: isolateHistory.of("full"),
+    userEvent: "input.dialog",
+  }).state;
   closeStep();
   noteTyping(text, before);
   setProgram(withText(program, text.file, fileText(text)));

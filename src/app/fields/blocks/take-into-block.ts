@@ -8,7 +8,8 @@ import { editUnshown } from "./session.ts";
 /** Writes a text into a word of a block whose form was open, while another page stands in its place. */
 export const writeIntoBlock = (line: number, kind: BlockKind, word: string, text: string): void =>
   editUnshown((program) => {
-    const index = startLines(program).indexOf(line), s = program.blocks[index]?.statement;
+    const index = startLines(program).indexOf(line),
+      s = program.blocks[index]?.statement;
     const field = s && kindOf(s) === kind ? fieldsOf(s).find((each) => wordOfField(each) === word) : undefined;
     const next = s && field?.write(s, text);
     return next ? withBlock(program, index, next) : program;

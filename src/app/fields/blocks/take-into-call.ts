@@ -6,6 +6,7 @@ import { editUnshown } from "./session.ts";
 /** Writes a value into a cycle block whose prompts were open, while another page stands in their place. */
 export const takeIntoCall = ({ cycle, line }: Pick<OpenCall, "cycle" | "line">, q: string, text: string): void =>
   editUnshown((program) => {
-    const index = startLines(program).indexOf(line), s = program.blocks[index]?.statement;
+    const index = startLines(program).indexOf(line),
+      s = program.blocks[index]?.statement;
     return s?.kind === "cycle" && s.cycle === cycle ? withPrompt(program, index, q, text) : program;
   });

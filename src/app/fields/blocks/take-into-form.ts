@@ -7,13 +7,18 @@ import { positionAsTyped } from "../../../program/values/typed-value.ts";
 import { parametersBefore } from "./block-context.ts";
 import { editUnshown } from "./session.ts";
 
-/** Writes a size, mm or degrees, into an APPR or DEP block whose prompts were open, while another page stands in their place. */
+/**
+ * Writes a size, mm or degrees, into an APPR or DEP block whose prompts were open, while another page stands in their
+ * place.
+ */
 export const writeIntoForm = (line: number, word: ApproachWord, size: number): void =>
   editUnshown((program) => {
-    const index = startLines(program).indexOf(line), s = program.blocks[index]?.statement;
+    const index = startLines(program).indexOf(line),
+      s = program.blocks[index]?.statement;
     if (s?.kind !== "approach") return program;
     const { plane, unit, parameters } = approachContext(program, index, null, parametersBefore(program, index));
-    const before = approachDraft(s), sign = /^I/i.exec(before[word] ?? "")?.[0] ?? "";
+    const before = approachDraft(s),
+      sign = /^I/i.exec(before[word] ?? "")?.[0] ?? "";
     const text = sign + positionAsTyped(word === "CCA" || word === "PA" ? size : size / unit);
     return withBlock(program, index, approachStatement(s, plane, { ...before, [word]: text }, parameters));
   });

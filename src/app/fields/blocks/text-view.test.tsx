@@ -13,7 +13,9 @@ afterEach(() => {
 });
 
 function opened() {
-  const told: TextUpdate[] = [], begin = EditorState.create({ doc: TEXT }), view = createTextView(begin, (change) => told.push(change));
+  const told: TextUpdate[] = [],
+    begin = EditorState.create({ doc: TEXT }),
+    view = createTextView(begin, (change) => told.push(change));
   let state = begin;
   const put = (insert: string) => {
     const tr: Transaction = state.update({ changes: { from: 30, insert } });
@@ -25,7 +27,8 @@ function opened() {
 }
 
 test("what a dialog changes while somebody types is told at once, and in the editor behind the picture", () => {
-  const { view, told, put, now } = opened(), editor = view.get();
+  const { view, told, put, now } = opened(),
+    editor = view.get();
   whileTyping(() => put("1"));
   whileTyping(() => put("9"));
   expect(told.map(({ state }) => state.doc.length)).toEqual([TEXT.length + 1, TEXT.length + 2]);
@@ -44,7 +47,8 @@ test("whoever asks for the editor finds the newest text in it", () => {
 });
 
 test("what an editor that is behind does by itself tears nothing apart", () => {
-  const { view, told, put, now } = opened(), editor = view.get();
+  const { view, told, put, now } = opened(),
+    editor = view.get();
   whileTyping(() => put("7"));
   editor.dispatch({ selection: { anchor: 3 } });
   expect(editor.state.doc.toString()).toBe(now());
@@ -53,7 +57,8 @@ test("what an editor that is behind does by itself tears nothing apart", () => {
 });
 
 test("another text is shown in place of one that the editor has not taken in", () => {
-  const { view, put } = opened(), other = EditorState.create({ doc: "7 M30\n" });
+  const { view, put } = opened(),
+    other = EditorState.create({ doc: "7 M30\n" });
   whileTyping(() => put("3"));
   view.put(other);
   expect(view.get().state.doc.toString()).toBe("7 M30\n");

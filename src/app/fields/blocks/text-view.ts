@@ -6,8 +6,8 @@ import { behindTyping } from "../../base/typing.ts";
 export type TextUpdate = Pick<ViewUpdate, "state" | "startState" | "transactions" | "docChanged" | "selectionSet">;
 
 /**
- * The editor of a text. What a dialog changes while somebody types there is in the text at once, and in the editor with the next
- * picture.
+ * The editor of a text. What a dialog changes while somebody types there is in the text at once, and in the editor with
+ * the next picture.
  */
 export interface TextView {
   /** The editor, which knows the whole text. */

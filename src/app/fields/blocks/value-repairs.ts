@@ -8,11 +8,15 @@ import type { Repair } from "./repair.ts";
 
 /** What a finding at a value of a cycle offers: that value, or the two that are exchanged. */
 export function valueRepairs(entry: FindingEntry, program: Program, index: number): readonly Repair[] {
-  const { issue, at } = entry, nearest = nearestOf(entry), s = program.blocks[index]?.statement;
+  const { issue, at } = entry,
+    nearest = nearestOf(entry),
+    s = program.blocks[index]?.statement;
   if (at === null || s?.kind !== "cycle") return [];
   const typed = (q: string, mm: number) => valueInProgram(cycleByNumber(s.cycle)?.params[q], mm, countsInches(program));
   if (issue.code === "endsExchanged") {
-    const { start, end, other } = issue.data, first = typed(at, end), last = typed(other, start);
+    const { start, end, other } = issue.data,
+      first = typed(at, end),
+      last = typed(other, start);
     const next = () => withPrompt(withPrompt(program, index, at, String(first)), index, other, String(last));
     return [{ kind: "take", text: `${at} ${first}, ${other} ${last}`, block: "", open: index, next }];
   }

@@ -38,7 +38,9 @@ export const axisField = (axis: AxisName): WordField => {
     unit: "mm",
     read: (s) => valueAsTyped(find(s)?.value),
     write: (s, typed) =>
-      optionalValue(typed, (value) => set(s, value === null ? null : { axis, value, incremental: find(s)?.incremental ?? false })),
+      optionalValue(typed, (value) =>
+        set(s, value === null ? null : { axis, value, incremental: find(s)?.incremental ?? false }),
+      ),
     incremental: {
       read: (s) => find(s)?.incremental ?? false,
       write: (s, on) => {
@@ -69,7 +71,9 @@ export const polarWord = (key: "polarRadius" | "polarAngle", name: FieldName, un
     unit,
     read: (s) => valueAsTyped(find(s)?.value),
     write: (s, typed) =>
-      optionalValue(typed, (value) => put(s, key, value === null ? null : { value, incremental: find(s)?.incremental ?? false })),
+      optionalValue(typed, (value) =>
+        put(s, key, value === null ? null : { value, incremental: find(s)?.incremental ?? false }),
+      ),
     incremental: {
       read: (s) => find(s)?.incremental ?? false,
       write: (s, on) => {
@@ -110,7 +114,10 @@ export const feedField: WordField = {
 export const functionsField: WordField = {
   id: "functions",
   name: "functions",
-  read: (s) => wordsOf(s).functions.map((m) => `M${m}`).join(" "),
+  read: (s) =>
+    wordsOf(s)
+      .functions.map((m) => `M${m}`)
+      .join(" "),
   write: (s, typed) => {
     const functions = typedFunctions(typed);
     return functions && withWords(s, { ...wordsOf(s), functions });
@@ -124,7 +131,8 @@ export const retractField: WordField = {
     const { retract } = wordsOf(s);
     return retract === "max" ? "MAX" : valueAsTyped(retract);
   },
-  write: (s, typed) => (/^\s*max\s*$/i.test(typed) ? put(s, "retract", "max") : optionalValue(typed, (value) => put(s, "retract", value))),
+  write: (s, typed) =>
+    /^\s*max\s*$/i.test(typed) ? put(s, "retract", "max") : optionalValue(typed, (value) => put(s, "retract", value)),
 };
 
 /** The axes of a block: those that are usual for it, and any other that stands there. */
@@ -138,7 +146,11 @@ export function listedAxis(
   withList: (s: Statement, axes: readonly AxisWord[]) => Statement,
 ): WordField {
   const plain = axisField(axis);
-  const dressed = (s: Statement): Statement => ({ kind: "path", path: "L", words: { ...noWords, axes: list(s) ?? [] } });
+  const dressed = (s: Statement): Statement => ({
+    kind: "path",
+    path: "L",
+    words: { ...noWords, axes: list(s) ?? [] },
+  });
   const taken = (s: Statement, next: Statement | null | undefined): Statement | null =>
     list(s) && next?.kind === "path" ? withList(s, next.words.axes) : null;
   return {
@@ -152,7 +164,10 @@ export function listedAxis(
   };
 }
 
-const SIGNS: ReadonlyMap<string, number> = new Map([["+", 1], ["-", -1]]);
+const SIGNS: ReadonlyMap<string, number> = new Map([
+  ["+", 1],
+  ["-", -1],
+]);
 
 /** A word that only free contours have: an angle, a centre, a point, the block that a value counts from. */
 const freeField = (word: string): WordField => {
@@ -162,7 +177,12 @@ const freeField = (word: string): WordField => {
     const others = s.given.filter((w) => w.name !== word);
     if (value === null) return { ...s, given: others };
     const there = s.given.some((w) => w.name === word);
-    return { ...s, given: there ? s.given.map((w) => (w.name === word ? { name: word, value } : w)) : [...others, { name: word, value }] };
+    return {
+      ...s,
+      given: there
+        ? s.given.map((w) => (w.name === word ? { name: word, value } : w))
+        : [...others, { name: word, value }],
+    };
   };
   const closes = word === "CLSD";
   return {
@@ -174,7 +194,7 @@ const freeField = (word: string): WordField => {
       if (!closes || value === undefined) return valueAsTyped(value);
       return value === -1 ? "-" : "+";
     },
-    write: (s, typed) => closes ? set(s, SIGNS.get(typed) ?? null) : optionalValue(typed, (value) => set(s, value)),
+    write: (s, typed) => (closes ? set(s, SIGNS.get(typed) ?? null) : optionalValue(typed, (value) => set(s, value))),
   };
 };
 
@@ -200,11 +220,12 @@ export const namedField = (word: string, order: readonly string[]): WordField =>
   const set = (s: Statement, value: Value | null): Statement => {
     if (!hasNames(s)) return s;
     const there = s.words.some((w) => w.name === word);
-    const next = value === null
-      ? s.words.filter((w) => w.name !== word)
-      : there
-      ? s.words.map((w) => (w.name === word ? { name: word, value } : w))
-      : [...s.words, { name: word, value }].sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
+    const next =
+      value === null
+        ? s.words.filter((w) => w.name !== word)
+        : there
+          ? s.words.map((w) => (w.name === word ? { name: word, value } : w))
+          : [...s.words, { name: word, value }].sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
     return { ...s, words: next } as Statement;
   };
   return {
@@ -213,7 +234,8 @@ export const namedField = (word: string, order: readonly string[]): WordField =>
     numeric: true,
     unit: ANGLES.has(word) ? "°" : "mm",
     read: (s) => valueAsTyped(words(s).find((w) => w.name === word)?.value),
-    write: (s, typed) => (typed.trim() === "" ? set(s, null) : ((value) => (value === null ? null : set(s, value)))(blockValue(typed))),
+    write: (s, typed) =>
+      typed.trim() === "" ? set(s, null) : ((value) => (value === null ? null : set(s, value)))(blockValue(typed)),
   };
 };
 

@@ -10,7 +10,11 @@ import type { OperationRow } from "./operation-rows.ts";
 
 /** What a cycle is called on the screen, behind its number. */
 export function cycleWords(t: Texts, cycle: number): string {
-  const name = cycleByNumber(cycle) ? t.cycles.of[cycle as CycleNumber].name : isKept(cycle) ? t.cycles.kept[cycle] : "";
+  const name = cycleByNumber(cycle)
+    ? t.cycles.of[cycle as CycleNumber].name
+    : isKept(cycle)
+      ? t.cycles.kept[cycle]
+      : "";
   return `${cycle} ${name}`.trim();
 }
 
@@ -20,9 +24,14 @@ export const titleOf = (t: Texts, { title, cycles }: Pick<OperationRow, "title" 
 
 /** Passes, time and what stays, in a line. */
 export function doneWords(t: Texts, lengths: Lengths, { passes, seconds, residue }: Done): string {
-  const time = t.page.effect.duration(Math.floor(Math.round(seconds) / 60),
-    formatFixed(lengths.language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0));
+  const time = t.page.effect.duration(
+    Math.floor(Math.round(seconds) / 60),
+    formatFixed(lengths.language, seconds < 60 ? seconds : Math.round(seconds) % 60, seconds < 60 ? 1 : 0),
+  );
   if (passes === 0) return time;
-  return t.editor.operation(t.editor.passes(passes), time,
-    residue < NO_AREA ? t.editor.noResidue : lengths.words(t.editor.residue(lengths.area(residue, 2))));
+  return t.editor.operation(
+    t.editor.passes(passes),
+    time,
+    residue < NO_AREA ? t.editor.noResidue : lengths.words(t.editor.residue(lengths.area(residue, 2))),
+  );
 }

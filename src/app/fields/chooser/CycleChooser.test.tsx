@@ -15,14 +15,18 @@ const found = (typed: string, words: readonly MenuWords[] = all) => findCycles(m
 const groupsOf = (typed: string) => new Set(found(typed).map(({ group }) => group));
 
 describe("what is typed finds", () => {
-  test.each(menu.map(({ number }) => number))("%i by its number first", (number) => expect(found(String(number))[0]?.number).toBe(number));
+  test.each(menu.map(({ number }) => number))("%i by its number first", (number) =>
+    expect(found(String(number))[0]?.number).toBe(number),
+  );
 
-  test.each(LANGUAGES.flatMap((language) => menu.map(({ number }) => [language, number] as const)))("in %s the name of %i",
+  test.each(LANGUAGES.flatMap((language) => menu.map(({ number }) => [language, number] as const)))(
+    "in %s the name of %i",
     (language, number) => {
       const name = menuWords(language).of[number]?.name ?? "";
       expect(found(name).map((cycle) => cycle.number)).toContain(number);
       expect(found(name.toUpperCase()).map((cycle) => cycle.number)).toContain(number);
-    });
+    },
+  );
 
   test.each([
     ["step", "longitudinal"],
@@ -48,7 +52,8 @@ describe("what is typed finds", () => {
     expect(found("82 contour").every(({ number }) => String(number).startsWith("82"))).toBe(true);
   });
 
-  test("no word of another language while only one is here", () => expect(found("épaulement", all.slice(0, 1))).toEqual([]));
+  test("no word of another language while only one is here", () =>
+    expect(found("épaulement", all.slice(0, 1))).toEqual([]));
 });
 
 describe("what cannot be chosen here is found with the reason", () => {
@@ -87,7 +92,9 @@ describe("what cannot be chosen here is found with the reason", () => {
   });
   test("a program says of 880 that it is kept", async () => {
     await searchFor("880", true);
-    expect(screen.getByRole("status").textContent?.trim()).toMatch(/^Cycle 880, Gear hobbing: shown and kept in a program, but not run/);
+    expect(screen.getByRole("status").textContent?.trim()).toMatch(
+      /^Cycle 880, Gear hobbing: shown and kept in a program, but not run/,
+    );
   });
 });
 
@@ -112,9 +119,13 @@ describe("the chooser", () => {
 
   test("what was taken stands first among those used last, and is kept on the device", async () => {
     const user = userEvent.setup();
-    for (const number of [first, last]) await user.click(screen.getByRole("button", { name: new RegExp(`^Cycle ${number}, .*: Take$`) }));
+    for (const number of [first, last])
+      await user.click(screen.getByRole("button", { name: new RegExp(`^Cycle ${number}, .*: Take$`) }));
     const recent = within(screen.getByRole("region", { name: "Recently used" })).getAllByRole("button");
-    expect(recent.map((button) => button.getAttribute("aria-label")?.replace(/\D/g, ""))).toEqual([String(last), String(first)]);
+    expect(recent.map((button) => button.getAttribute("aria-label")?.replace(/\D/g, ""))).toEqual([
+      String(last),
+      String(first),
+    ]);
     expect(JSON.parse(localStorage.getItem("turnwise/recent-cycles") ?? "")).toEqual([last, first]);
   });
 

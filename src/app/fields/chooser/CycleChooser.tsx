@@ -12,12 +12,19 @@ import { findCycles, findElsewhere } from "./search.ts";
 import { useMenuWords } from "./use-menu-words.ts";
 import "./chooser.css";
 
-/** Cycles beside those of the catalogue: what fits the words that are sought (null: all), and `isFirst` when Enter would take its best. */
+/**
+ * Cycles beside those of the catalogue: what fits the words that are sought (null: all), and `isFirst` when Enter would
+ * take its best.
+ */
 export type More = (
   sought: string | null,
   turn: number | null,
   isFirst: boolean,
-) => { readonly count: number; readonly best: { readonly name: string; readonly go: () => void } | null; readonly shown: ReactNode };
+) => {
+  readonly count: number;
+  readonly best: { readonly name: string; readonly go: () => void } | null;
+  readonly shown: ReactNode;
+};
 
 interface Props {
   readonly ways: readonly CycleWay[];
@@ -34,10 +41,20 @@ interface Props {
 }
 
 /** All cycles, in the groups of the control: by search, by group, or those that were used last. */
-export function CycleChooser({ ways: given, narrow = false, inProgram = false, focus = false, more, search: searchName, found: foundWords }:
-  Props)
-{
-  const { chooser: t, page: { start }, menu: names } = useTexts("first");
+export function CycleChooser({
+  ways: given,
+  narrow = false,
+  inProgram = false,
+  focus = false,
+  more,
+  search: searchName,
+  found: foundWords,
+}: Props) {
+  const {
+    chooser: t,
+    page: { start },
+    menu: names,
+  } = useTexts("first");
   const phone = useMedia("slim");
   const fingers = useFingers();
   const [typed, type] = useState("");
@@ -49,13 +66,10 @@ export function CycleChooser({ ways: given, narrow = false, inProgram = false, f
   const found = useMemo(() => (sought === "" ? null : findCycles(cycles, sought, words)), [cycles, sought, words]);
   const others = more?.(found && sought, turn, found?.length === 0);
   const count = (found?.length ?? 0) + (others?.count ?? 0);
-  const beside = useMemo(() => (found && count === 0 ? findElsewhere(notHere(inProgram), sought, words) : []), [
-    found,
-    count,
-    inProgram,
-    sought,
-    words,
-  ]);
+  const beside = useMemo(
+    () => (found && count === 0 ? findElsewhere(notHere(inProgram), sought, words) : []),
+    [found, count, inProgram, sought, words],
+  );
   const box = useRef<HTMLDivElement>(null);
   const input = useRef<HTMLInputElement>(null);
   const ways = given.map((way): CycleWay => ({
@@ -79,41 +93,66 @@ export function CycleChooser({ ways: given, narrow = false, inProgram = false, f
     }
   };
   return (
-    <div className={`cycle-chooser${narrow ? " narrow" : ""}`} ref={box} role="group" aria-label={t.cycles}
-      onKeyDown={(event) => onChooserKey(event, input.current)} onFocus={({ target }) => {
-      const row = target.closest<HTMLElement>(".cycle-row");
-      if (row) giveTurn(Number(row.dataset["cycle"]));
-    }}>
+    <div
+      className={`cycle-chooser${narrow ? " narrow" : ""}`}
+      ref={box}
+      role="group"
+      aria-label={t.cycles}
+      onKeyDown={(event) => onChooserKey(event, input.current)}
+      onFocus={({ target }) => {
+        const row = target.closest<HTMLElement>(".cycle-row");
+        if (row) giveTurn(Number(row.dataset["cycle"]));
+      }}
+    >
       <div className="cycle-search">
-        <input ref={input} type="search" className="cycle-search-field" aria-label={searchName ?? t.search} placeholder={t.hint}
-          autoComplete="off" spellCheck={false} autoFocus={focus} value={typed} onFocus={() => search(true)} onKeyDown={onSearchKey}
-          onChange={(event) => type(event.currentTarget.value)} />
+        <input
+          ref={input}
+          type="search"
+          className="cycle-search-field"
+          aria-label={searchName ?? t.search}
+          placeholder={t.hint}
+          autoComplete="off"
+          spellCheck={false}
+          autoFocus={focus}
+          value={typed}
+          onFocus={() => search(true)}
+          onKeyDown={onSearchKey}
+          onChange={(event) => type(event.currentTarget.value)}
+        />
       </div>
       <div className="small soft cycle-found" role="status">
-        {found && taken && `${(others?.count ? foundWords : undefined)?.(count) ?? t.found(count)} ${t.enter(taken.name)}`}
+        {found &&
+          taken &&
+          `${(others?.count ? foundWords : undefined)?.(count) ?? t.found(count)} ${t.enter(taken.name)}`}
         {found && !taken && beside.length === 0 && t.none}
-        {beside.map(({ number, why }) => <Message key={number} tone="info">{t[why](nameOf(number))}</Message>)}
+        {beside.map(({ number, why }) => (
+          <Message key={number} tone="info">
+            {t[why](nameOf(number))}
+          </Message>
+        ))}
         {!found && (fingers ? t.languages : `${t.languages} ${t.keys}`)}
       </div>
-      {found
-        ? (
-          <ul className="cycle-rows">
-            {found.map((cycle, i) => (
-              <CycleRow key={cycle.number} cycle={cycle} ways={ways} first={i === 0} grouped
-                inTurn={cycle.number === (found.some(({ number }) => number === turn)
-                  ? turn
-                  : best?.number)} />
-            ))}
-          </ul>
-        )
-        : (
-          <>
-            <RecentCycles offered={cycles} ways={ways} />
-            {menuGroups(cycles).map(([group, own]) => (
-              <CycleGroup key={group} group={group} cycles={own} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
-            ))}
-          </>
-        )}
+      {found ? (
+        <ul className="cycle-rows">
+          {found.map((cycle, i) => (
+            <CycleRow
+              key={cycle.number}
+              cycle={cycle}
+              ways={ways}
+              first={i === 0}
+              grouped
+              inTurn={cycle.number === (found.some(({ number }) => number === turn) ? turn : best?.number)}
+            />
+          ))}
+        </ul>
+      ) : (
+        <>
+          <RecentCycles offered={cycles} ways={ways} />
+          {menuGroups(cycles).map(([group, own]) => (
+            <CycleGroup key={group} group={group} cycles={own} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
+          ))}
+        </>
+      )}
       {others?.shown}
     </div>
   );

@@ -24,7 +24,11 @@ export function CycleGroup({ group, cycles, ways, turn, startsOpen }: Props) {
   return (
     <section className="cycle-group" aria-label={menu.groups[group]}>
       <h2>
-        <button type="button" className="cycle-group-head" aria-expanded={open} aria-controls={open ? id : undefined}
+        <button
+          type="button"
+          className="cycle-group-head"
+          aria-expanded={open}
+          aria-controls={open ? id : undefined}
           onClick={() => choose(!open)}
         >
           <Icon name={open ? "down" : "fold"} />
@@ -35,7 +39,14 @@ export function CycleGroup({ group, cycles, ways, turn, startsOpen }: Props) {
       {open && (
         <ul className="cycle-rows" id={id}>
           {cycles.map((cycle) => (
-            <CycleRow key={cycle.number} cycle={cycle} ways={ways} first={false} grouped={false} inTurn={cycle.number === inTurn} />
+            <CycleRow
+              key={cycle.number}
+              cycle={cycle}
+              ways={ways}
+              first={false}
+              grouped={false}
+              inTurn={cycle.number === inTurn}
+            />
           ))}
         </ul>
       )}

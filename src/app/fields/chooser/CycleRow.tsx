@@ -25,7 +25,11 @@ interface Props {
 
 /** One cycle of the chooser: its drawing, number, name and sentence. */
 export function CycleRow({ cycle, ways, first, grouped, inTurn }: Props) {
-  const { page: { start }, chooser: t, menu } = useTexts("first");
+  const {
+    page: { start },
+    chooser: t,
+    menu,
+  } = useTexts("first");
   const id = useId();
   const words = menu.of[cycle.number];
   const name = start.cycle(cycle.number, words?.name ?? "");
@@ -33,12 +37,19 @@ export function CycleRow({ cycle, ways, first, grouped, inTurn }: Props) {
   const [main, ...others] = ways;
   return (
     <li className={`cycle-row${first ? " first" : ""}`} data-cycle={cycle.number}>
-      <button type="button" className="cycle-take" tabIndex={tabIndex} aria-label={`${name}: ${main?.name ?? ""}`} aria-describedby={id}
+      <button
+        type="button"
+        className="cycle-take"
+        tabIndex={tabIndex}
+        aria-label={`${name}: ${main?.name ?? ""}`}
+        aria-describedby={id}
         onClick={() => main?.go(cycle.number)}
       >
         <span className="pictograms">
           <Drawing of={cycle.pictograms[0]} id={`${id}a`} turned={cycle.group === "transverse"} />
-          {cycle.pictograms[1] && <Drawing of={cycle.pictograms[1]} id={`${id}b`} turned={cycle.group === "transverse"} />}
+          {cycle.pictograms[1] && (
+            <Drawing of={cycle.pictograms[1]} id={`${id}b`} turned={cycle.group === "transverse"} />
+          )}
         </span>
         <span className="cycle-words">
           <span className="cycle-name">
@@ -46,12 +57,21 @@ export function CycleRow({ cycle, ways, first, grouped, inTurn }: Props) {
           </span>
           <span className="cycle-summary small soft" id={id}>
             {grouped && <span className="cycle-of">{menu.groups[cycle.group]}:</span>} {words?.summary}
-            {cycle.recalled && <span className="recalled-mark" title={start.unconfirmed}>{t.recalled}</span>}
+            {cycle.recalled && (
+              <span className="recalled-mark" title={start.unconfirmed}>
+                {t.recalled}
+              </span>
+            )}
           </span>
         </span>
       </button>
       {others.map((way) => (
-        <button key={way.short} type="button" className="button cycle-way" tabIndex={tabIndex} aria-label={`${name}: ${way.name}`}
+        <button
+          key={way.short}
+          type="button"
+          className="button cycle-way"
+          tabIndex={tabIndex}
+          aria-label={`${name}: ${way.name}`}
           onClick={() => way.go(cycle.number)}
         >
           {way.short}

@@ -9,16 +9,27 @@ const STRIPES: Readonly<Record<Pictogram["passes"], string>> = {
 };
 
 /** A cycle as a small section of the part; decoration only, its name stands beside it. */
-export function Drawing({ of, id, turned = false }: { readonly of: Pictogram | undefined; readonly id: string;
-  readonly turned?: boolean })
-{
+export function Drawing({
+  of,
+  id,
+  turned = false,
+}: {
+  readonly of: Pictogram | undefined;
+  readonly id: string;
+  readonly turned?: boolean;
+}) {
   const { width, height, axis } = PICTOGRAM;
   const stripes = `stripes-${id}`;
   return (
     <svg className="pictogram" viewBox={`0 0 ${width} ${height}`} aria-hidden="true" focusable="false">
       {of && (
         <>
-          <pattern id={stripes} width="6" height="4" patternUnits="userSpaceOnUse" viewBox="0 0 6 4"
+          <pattern
+            id={stripes}
+            width="6"
+            height="4"
+            patternUnits="userSpaceOnUse"
+            viewBox="0 0 6 4"
             patternTransform={turned ? "rotate(90)" : undefined}
           >
             <path className="pictogram-pass" d={STRIPES[of.passes]} />

@@ -6,8 +6,18 @@ import type { MenuCycle } from "./menu.ts";
 import { useRecent } from "./recent.ts";
 
 /** The cycles that were chosen last, as one row. */
-export function RecentCycles({ offered, ways }: { readonly offered: readonly MenuCycle[]; readonly ways: readonly CycleWay[] }) {
-  const { chooser: t, page: { start }, menu } = useTexts("first");
+export function RecentCycles({
+  offered,
+  ways,
+}: {
+  readonly offered: readonly MenuCycle[];
+  readonly ways: readonly CycleWay[];
+}) {
+  const {
+    chooser: t,
+    page: { start },
+    menu,
+  } = useTexts("first");
   const cycles = useRecent((r) => r.cycles).flatMap((number) => offered.find((cycle) => cycle.number === number) ?? []);
   const id = useId();
   const [main] = ways;
@@ -20,8 +30,12 @@ export function RecentCycles({ offered, ways }: { readonly offered: readonly Men
           const name = menu.of[cycle.number]?.name ?? "";
           return (
             <li key={cycle.number}>
-              <button type="button" className="button recent-cycle" title={name}
-                aria-label={`${t.recentOne(start.cycle(cycle.number, name))}: ${main.name}`} onClick={() => main.go(cycle.number)}
+              <button
+                type="button"
+                className="button recent-cycle"
+                title={name}
+                aria-label={`${t.recentOne(start.cycle(cycle.number, name))}: ${main.name}`}
+                onClick={() => main.go(cycle.number)}
               >
                 <Drawing of={cycle.pictograms[0]} id={`${id}${cycle.number}`} turned={cycle.group === "transverse"} />
                 <b className="number card-number">{cycle.number}</b> <span>{name}</span>

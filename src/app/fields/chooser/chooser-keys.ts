@@ -8,14 +8,16 @@ function nearest(from: DOMRect, all: readonly HTMLElement[], down: boolean): HTM
   const far = (box: DOMRect) => (down ? box.top - from.bottom : from.top - box.bottom);
   const aside = (box: DOMRect) => Math.abs(box.left - from.left);
   /** Neighbours may overlap by the width of a line, px. */
-  const beyond = all.map((element) => [element, element.getBoundingClientRect()] as const).filter(([, box]) => far(box) > -2);
+  const beyond = all
+    .map((element) => [element, element.getBoundingClientRect()] as const)
+    .filter(([, box]) => far(box) > -2);
   const [best] = beyond.sort(([, a], [, b]) => Math.round(far(a) - far(b)) || aside(a) - aside(b));
   return best?.[0];
 }
 
 /**
- * Arrow keys in the chooser: up and down from row to row and from group to group, left and right through the buttons of the rows. What is
- * typed on a row goes on in the search.
+ * Arrow keys in the chooser: up and down from row to row and from group to group, left and right through the buttons of
+ * the rows. What is typed on a row goes on in the search.
  */
 export function onChooserKey(event: KeyboardEvent<HTMLElement>, search: HTMLInputElement | null): void {
   const { key, target, currentTarget: box } = event;
@@ -24,7 +26,11 @@ export function onChooserKey(event: KeyboardEvent<HTMLElement>, search: HTMLInpu
   const inRow = target.closest<HTMLElement>(".cycle-row");
   if (key === "ArrowDown" || key === "ArrowUp") {
     const from = inRow?.querySelector<HTMLElement>(ROW) ?? target;
-    const next = nearest(from.getBoundingClientRect(), stops.filter((each) => each !== from), key === "ArrowDown");
+    const next = nearest(
+      from.getBoundingClientRect(),
+      stops.filter((each) => each !== from),
+      key === "ArrowDown",
+    );
     if (next || key === "ArrowUp") {
       event.preventDefault();
       (next ?? search)?.focus();

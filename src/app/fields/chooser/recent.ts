@@ -6,7 +6,9 @@ import { keptData } from "../../base/kept.ts";
 const KEPT = keptData("recent-cycles", z.array(z.number()));
 const MOST = 5;
 
-export const useRecent = create<{ readonly cycles: readonly number[] }>(() => ({ cycles: KEPT.get()?.slice(0, MOST) ?? [] }));
+export const useRecent = create<{ readonly cycles: readonly number[] }>(() => ({
+  cycles: KEPT.get()?.slice(0, MOST) ?? [],
+}));
 
 /** Notes that a cycle was chosen. A browser that refuses storage keeps it for this visit only. */
 export function noteRecent(cycle: number): void {

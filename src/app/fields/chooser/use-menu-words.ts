@@ -11,7 +11,9 @@ export function useMenuWords(searching: boolean): readonly MenuWords[] {
   useEffect(() => {
     if (!searching) return undefined;
     let here = true;
-    void Promise.all(LANGUAGES.map(menuWordsOf)).then((all) => here && take(all)).catch(() => undefined);
+    void Promise.all(LANGUAGES.map(menuWordsOf))
+      .then((all) => here && take(all))
+      .catch(() => undefined);
     return () => {
       here = false;
     };

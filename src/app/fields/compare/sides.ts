@@ -28,7 +28,10 @@ export interface Other {
   readonly program: ProgramWork;
 }
 
-/** The open work as it was when it was opened, with the tools and the control that it has now; null where that is not known. */
+/**
+ * The open work as it was when it was opened, with the tools and the control that it has now; null where that is not
+ * known.
+ */
 export function openedProgram(): ProgramWork | null {
   const { work } = useEditor.getState();
   const opened = work === null ? null : asOpened(work);
@@ -38,7 +41,9 @@ export function openedProgram(): ProgramWork | null {
 /** The open work as it was when it was opened, where something of it has changed since. */
 export function changedSinceOpened(present: ProgramWork): Other | null {
   const program = openedProgram();
-  return program && (program.text !== present.text || filesOf(program) !== filesOf(present)) ? { name: null, program } : null;
+  return program && (program.text !== present.text || filesOf(program) !== filesOf(present))
+    ? { name: null, program }
+    : null;
 }
 
 /** The open work with another text in place of the one that is shown. */

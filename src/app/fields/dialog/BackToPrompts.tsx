@@ -6,12 +6,18 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** From the contour back to the prompts: to the one that was left, or past the one that asked for the contour. */
 export function BackToPrompts({ read: { job, cycle } }: { readonly read: JobReading }) {
-  const { dialog: { contour: t } } = useTexts();
+  const {
+    dialog: { contour: t },
+  } = useTexts();
   const left = usePlace((p) => p.prompt);
   const [first = null] = Object.keys(cycle.params);
   const to = left === "contour" && job.contour.length > 0 ? first : left;
   return (
-    <button type="button" className="button back-to-prompts" onClick={() => openPrompt(to, to === null ? "" : (draftOf(job)[to] ?? ""))}>
+    <button
+      type="button"
+      className="button back-to-prompts"
+      onClick={() => openPrompt(to, to === null ? "" : (draftOf(job)[to] ?? ""))}
+    >
       <Icon name="back" /> {t.back}
     </button>
   );

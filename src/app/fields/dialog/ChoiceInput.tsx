@@ -19,7 +19,8 @@ export function ChoiceInput({ session, prompt, choices, describedBy }: Props) {
   const group = useRef<HTMLDivElement>(null);
   const typed = (session.draft[id] ?? "").trim();
   const chosen = choices.find(({ value }) => value === typed || (typed !== "" && Number(value) === Number(typed)));
-  const radio = (value: string | undefined) => group.current?.querySelector<HTMLInputElement>(`input[value="${value}"]`);
+  const radio = (value: string | undefined) =>
+    group.current?.querySelector<HTMLInputElement>(`input[value="${value}"]`);
   const opened = useEffectEvent(() => {
     if (session.mayFocus()) radio(chosen?.value ?? suggested ?? choices[0]?.value)?.focus({ preventScroll: true });
   });
@@ -37,11 +38,22 @@ export function ChoiceInput({ session, prompt, choices, describedBy }: Props) {
   };
 
   return (
-    <RadioGroup ref={group} className="choices" name={id} aria-label={name} aria-describedby={describedBy} value={chosen?.value ?? null}
+    <RadioGroup
+      ref={group}
+      className="choices"
+      name={id}
+      aria-label={name}
+      aria-describedby={describedBy}
+      value={chosen?.value ?? null}
       onChange={take}
     >
       {choices.map(({ value, meaning }) => (
-        <Radio key={value} value={value} className={`choice radio${value === suggested ? " suggested" : ""}`} onKeyDown={onDigit}>
+        <Radio
+          key={value}
+          value={value}
+          className={`choice radio${value === suggested ? " suggested" : ""}`}
+          onKeyDown={onDigit}
+        >
           <span className="number choice-number">{value}</span>
           <span>{meaning}</span>
         </Radio>

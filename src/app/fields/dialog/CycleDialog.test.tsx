@@ -184,12 +184,11 @@ test("FAUTO stands in for a feed", async () => {
   expect(screen.getByRole("button", { name: new RegExp(`^${feed} .*FAUTO`) })).toBeTruthy();
 });
 
-test.each([["out of range", () => angle, "-5", /Take 5/], ["no number", () => diameter, "abc", null], [
-  "missing",
-  () => diameter,
-  "",
-  null,
-]])("%s is said at the field while it is typed, and never stops the typing", async (_, q, text, nearest) => {
+test.each([
+  ["out of range", () => angle, "-5", /Take 5/],
+  ["no number", () => diameter, "abc", null],
+  ["missing", () => diameter, "", null],
+])("%s is said at the field while it is typed, and never stops the typing", async (_, q, text, nearest) => {
   const user = userEvent.setup();
   goTo(q());
   await screen.findByDisplayValue(typed(q()) ?? "");
@@ -233,10 +232,12 @@ test("a fault that leaves no path is said at the prompt that shapes the contour,
   goTo(end);
   setPrompt(end, "213.7");
   const { job } = useEditor.getState();
-  const text = job ? printedText(job) : "", made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
+  const text = job ? printedText(job) : "",
+    made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
   expect(made.steps.filter((step) => step.operation !== null)).toEqual([]);
   useOutcome.setState({ newest: { version: 1, text, run: made, simulation: simulate(made) } });
-  const said = () => [...within(active()).getByRole("status", { name: "Findings" }).children].map((each) => each.textContent ?? "");
+  const said = () =>
+    [...within(active()).getByRole("status", { name: "Findings" }).children].map((each) => each.textContent ?? "");
   await waitFor(() => expect(said()).toHaveLength(2));
   expect(said()[0]).toMatch(/^Error: T Tool: A ROUGH tool/);
   expect(said()[1]).toMatch(/^Warning: D Outside ⌀: The contour/);

@@ -17,7 +17,13 @@ import { useCycleSession, type PromptedBlock } from "./use-cycle-session.tsx";
 const ThreadSizes = lazyPart(async () => ({ default: (await import("./ThreadSizes.tsx")).ThreadSizes }));
 
 /** The dialog of a cycle: of the job, or of a block of a program. */
-export function CycleDialog({ read, block = null }: { readonly read: JobReading; readonly block?: PromptedBlock | null }) {
+export function CycleDialog({
+  read,
+  block = null,
+}: {
+  readonly read: JobReading;
+  readonly block?: PromptedBlock | null;
+}) {
   const { dialog: t } = useTexts();
   const session = useCycleSession(read, block);
   const { thread, number: cycle } = read.cycle;
@@ -51,8 +57,14 @@ export function CycleDialog({ read, block = null }: { readonly read: JobReading;
   );
   return (
     <CycleInWork value={cycle}>
-      <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help} head={head}
-        done={<DialogDone session={session} inBlock={block !== null} />} />
+      <PromptDialog
+        session={session}
+        name={t.form}
+        listName={t.list}
+        hint={t.help}
+        head={head}
+        done={<DialogDone session={session} inBlock={block !== null} />}
+      />
     </CycleInWork>
   );
 }

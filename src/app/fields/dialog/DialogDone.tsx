@@ -14,8 +14,15 @@ const ICONS = { bad: "error", doubt: "warning", none: "info", plain: "check", go
 
 /** The end of the dialog: what is still open, what is wrong, or the program to take along. */
 export function DialogDone({ session, inBlock }: { readonly session: PromptSession; readonly inBlock: boolean }) {
-  const { dialog: { done: t, active }, findings: words } = useTexts();
-  const { fields, findings: entries, opened: { focus } } = session;
+  const {
+    dialog: { done: t, active },
+    findings: words,
+  } = useTexts();
+  const {
+    fields,
+    findings: entries,
+    opened: { focus },
+  } = session;
   const { goTo, step } = commandsOf(session);
   const box = useRef<HTMLElement>(null);
   const verdict = useVerdict();
@@ -49,11 +56,16 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
   }, [focus, kind]);
 
   return (
-    <section className="active-prompt dialog-done" ref={box} aria-label={active} onKeyDown={(event) => {
-      if (event.key !== "ArrowUp") return;
-      event.preventDefault();
-      step(-1);
-    }}>
+    <section
+      className="active-prompt dialog-done"
+      ref={box}
+      aria-label={active}
+      onKeyDown={(event) => {
+        if (event.key !== "ArrowUp") return;
+        event.preventDefault();
+        step(-1);
+      }}
+    >
       <div role="status">
         <h2 className={`done-${tone === "good" ? "complete" : tone === "bad" ? "open" : "doubt"}`}>
           <Icon name={ICONS[tone]} />
@@ -67,27 +79,43 @@ export function DialogDone({ session, inBlock }: { readonly session: PromptSessi
       </div>
       <div className="done-buttons">
         {kind === "open" && suggestions > 0 && session.setAll && (
-          <button type="button" className={`button${suggestions === open.length ? " primary" : ""}`} onClick={() => {
-            closeStep();
-            session.setAll?.(suggested);
-            closeStep();
-          }}>
+          <button
+            type="button"
+            className={`button${suggestions === open.length ? " primary" : ""}`}
+            onClick={() => {
+              closeStep();
+              session.setAll?.(suggested);
+              closeStep();
+            }}
+          >
             {t.takeAll(suggestions)}
           </button>
         )}
         {kind === "open" && (
-          <button type="button" className={`button${suggestions === open.length ? "" : " primary"}`} onClick={() => goTo(open[0] ?? first)}>
+          <button
+            type="button"
+            className={`button${suggestions === open.length ? "" : " primary"}`}
+            onClick={() => goTo(open[0] ?? first)}
+          >
             {t.firstOpen}: {open[0]}
           </button>
         )}
         {kind === "contour" && (
-          <button type="button" className="button primary" onClick={() => showSection("contour")}>{words.done.toContour}</button>
+          <button type="button" className="button primary" onClick={() => showSection("contour")}>
+            {words.done.toContour}
+          </button>
         )}
         {kind === "faults" && (
-          <button type="button" className="button primary" onClick={() => showSection("findings")}>{words.leaving.look}</button>
+          <button type="button" className="button primary" onClick={() => showSection("findings")}>
+            {words.leaving.look}
+          </button>
         )}
         {(kind === "complete" || kind === "checking") && <CopyButton main long />}
-        {first !== null && <button type="button" className="button" onClick={() => goTo(first)}>{t.first}</button>}
+        {first !== null && (
+          <button type="button" className="button" onClick={() => goTo(first)}>
+            {t.first}
+          </button>
+        )}
       </div>
     </section>
   );

@@ -3,8 +3,8 @@ import { useMedia } from "../../base/use-media.ts";
 import { holdHelpDock, useHelpDock } from "./help-dock.ts";
 
 /**
- * The middle of a workplace; its class says whether a help picture stands beside the view. A style rule that asks what it has inside would
- * be looked up for all of the view with each node that comes into the picture.
+ * The middle of a workplace; its class says whether a help picture stands beside the view. A style rule that asks what
+ * it has inside would be looked up for all of the view with each node that comes into the picture.
  */
 export function Centre({ children }: { readonly children: ReactNode }) {
   const docked = useHelpDock((d) => d.filled);

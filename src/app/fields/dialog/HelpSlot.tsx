@@ -14,28 +14,50 @@ function ActingWords({ cycle }: { readonly cycle: number }) {
   const { name, description, notes } = useTexts().cycles.of[cycle as CycleNumber];
   return (
     <div className="help-slot acting-words small soft" role="group" aria-label={name} tabIndex={0}>
-      {[...description, ...notes].map((sentence) => <p key={sentence}>{sentence}</p>)}
+      {[...description, ...notes].map((sentence) => (
+        <p key={sentence}>{sentence}</p>
+      ))}
     </div>
   );
 }
 
 /** The help picture beside the prompts: this contour, the open prompt's dimension strong. */
-export function HelpSlot({ read: typed, q, onPick }: { readonly read: JobReading; readonly q: string | null;
-  readonly onPick: (q: string, taken: boolean) => void })
-{
-  // What is typed is drawn on the lathe first, and here when that is on the screen; so is a prompt that is opened, whose field comes first.
-  const late = useLater(typed), lateQ = useLater(q);
+export function HelpSlot({
+  read: typed,
+  q,
+  onPick,
+}: {
+  readonly read: JobReading;
+  readonly q: string | null;
+  readonly onPick: (q: string, taken: boolean) => void;
+}) {
+  // What is typed is drawn on the lathe first, and here when that is on the screen; so is a prompt that is opened,
+  // whose field comes first.
+  const late = useLater(typed),
+    lateQ = useLater(q);
   const [read, active] = late.cycle === typed.cycle ? [late, lateQ] : [typed, q];
   const language = useSettings((s) => s.language);
   const isBorrowed = read.cycle.contour === "free" && read.job.contour.length === 0;
-  const given = useMemo(() => givenOf(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read), [isBorrowed, read]);
+  const given = useMemo(
+    () => givenOf(isBorrowed ? { cycle: read.cycle, job: exampleJob(read.cycle) } : read),
+    [isBorrowed, read],
+  );
   const wrong = read.reading.issues.some((found) => found.code !== "missing");
   // What acts where it is defined has no contour to draw.
   if (read.cycle.acts) return <ActingWords cycle={read.cycle.number} />;
   return (
     <div className="help-slot">
-      <HelpPicture cycle={read.cycle} values={read.reading.values} partial={read.reading.partial as Numbers} wrong={wrong} given={given}
-        isBorrowed={isBorrowed} activeQ={active} language={language} onPick={onPick} />
+      <HelpPicture
+        cycle={read.cycle}
+        values={read.reading.values}
+        partial={read.reading.partial as Numbers}
+        wrong={wrong}
+        given={given}
+        isBorrowed={isBorrowed}
+        activeQ={active}
+        language={language}
+        onPick={onPick}
+      />
     </div>
   );
 }

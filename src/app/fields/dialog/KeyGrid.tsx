@@ -45,8 +45,15 @@ export function writingKeys(
 
 /** A key; with `tabbed` false the keyboard does not visit it, since its field would lose the keyboard. */
 export const padButton = ({ label, name, press, className = "", disabled = false }: PadKey, tabbed = true) => (
-  <button key={name} type="button" className={`button key ${className}`} aria-label={name} disabled={disabled} onPointerDown={keepFocus}
-    tabIndex={tabbed ? undefined : -1} onClick={press}
+  <button
+    key={name}
+    type="button"
+    className={`button key ${className}`}
+    aria-label={name}
+    disabled={disabled}
+    onPointerDown={keepFocus}
+    tabIndex={tabbed ? undefined : -1}
+    onClick={press}
   >
     {label}
   </button>

@@ -20,9 +20,14 @@ const ROWS = {
   words: "7 8 9 up erase noEnter end 4 5 6 down sign point I 1 2 3 0 enter".split(" "),
 } as const;
 
-/** The keys of the control for fingers, docked under the open prompt. Of a choice among digits only its own are there. */
+/**
+ * The keys of the control for fingers, docked under the open prompt. Of a choice among digits only its own are there.
+ */
 export function Keypad({ session, prompt, input }: Props) {
-  const { dialog: { keys: t, keypad }, approach } = useTexts();
+  const {
+    dialog: { keys: t, keypad },
+    approach,
+  } = useTexts();
   const sign = decimalSign(useSettings((s) => s.language));
   const { enter, step, noEntry, cancel, finish, take } = commandsOf(session);
   const numeric = prompt.choices === null;
@@ -37,7 +42,13 @@ export function Keypad({ session, prompt, input }: Props) {
     I: { label: "I", name: approach.incremental, press: change(toggleIncremental), disabled: !prompt.increments },
     up: { label: <Icon name="up" />, name: t.previous, press: () => step(-1) },
     down: { label: <Icon name="down" />, name: t.next, press: () => step(1) },
-    noEnter: { label: t.noEnter, name: t.noEnterLong, press: noEntry, className: "small", disabled: !prompt.optional && !prompt.idle },
+    noEnter: {
+      label: t.noEnter,
+      name: t.noEnterLong,
+      press: noEntry,
+      className: "small",
+      disabled: !prompt.optional && !prompt.idle,
+    },
     cancel: { label: "CE", name: t.cancel, press: cancel },
     end: { label: t.end, name: t.endLong, press: finish },
     enter: { label: t.enter, name: t.enterLong, press: enter, className: "primary enter" },
@@ -47,11 +58,17 @@ export function Keypad({ session, prompt, input }: Props) {
   if (prompt.choices && session.keypad === "sums") {
     return (
       <div className="keypad" role="group" aria-label={keypad}>
-        {prompt.choices.map(({ value }) => padButton({ label: value, name: value, press: () => take(value), className: "number" }))}
+        {prompt.choices.map(({ value }) =>
+          padButton({ label: value, name: value, press: () => take(value), className: "number" }),
+        )}
         <span className="key-rest" />
         {["up", "down", "cancel", "noEnter", "end", "enter"].map((id) => padButton(keyOf(id)))}
       </div>
     );
   }
-  return <div className="keypad" role="group" aria-label={keypad}>{ROWS[session.keypad].map((id) => padButton(keyOf(id)))}</div>;
+  return (
+    <div className="keypad" role="group" aria-label={keypad}>
+      {ROWS[session.keypad].map((id) => padButton(keyOf(id)))}
+    </div>
+  );
 }

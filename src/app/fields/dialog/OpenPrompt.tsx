@@ -32,10 +32,14 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const own = session.findings.filter((p) => p.at === prompt.id);
   const besides = session.besides(prompt.id);
   const reading = session.readings[prompt.id];
-  const waits = reading?.issue === null && reading.value === null && typeof reading.written === "object" && reading.written !== null;
+  const waits =
+    reading?.issue === null &&
+    reading.value === null &&
+    typeof reading.written === "object" &&
+    reading.written !== null;
   const untouched = opened.before.trim() === "";
   const calm = (entry: FindingEntry) =>
-    entry.issue.code === "endInFront" || isOpen(entry) && (untouched || entry.issue.code === "unknownParameter");
+    entry.issue.code === "endInFront" || (isOpen(entry) && (untouched || entry.issue.code === "unknownParameter"));
   const suggested = suggestionFor(session, prompt);
   const takeAt = (id: string) => (nearest: number) => {
     closeStep();
@@ -47,43 +51,68 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
     input.current?.focus({ preventScroll: true });
   };
   const beside = ({ entry, place }: (typeof besides)[number]) => (
-    <FieldMessage key={entry.id} problem={entry} decimals={prompt.decimals} {...(place !== undefined && { place })}
-      {...(entry.at !== null && isSetupPlace(entry.at) && { onTake: takeAt(entry.at) })} />
+    <FieldMessage
+      key={entry.id}
+      problem={entry}
+      decimals={prompt.decimals}
+      {...(place !== undefined && { place })}
+      {...(entry.at !== null && isSetupPlace(entry.at) && { onTake: takeAt(entry.at) })}
+    />
   );
   useLayoutEffect(() => {
     card.current?.scrollIntoView?.({ block: "nearest" });
   }, [prompt.id, opened.focus]);
 
   return (
-    <section className="active-prompt" ref={card} aria-label={t.dialog.active} onKeyDownCapture={(event) => {
-      onPromptTab(event, session);
-      onPromptKey(event, session);
-    }}>
+    <section
+      className="active-prompt"
+      ref={card}
+      aria-label={t.dialog.active}
+      onKeyDownCapture={(event) => {
+        onPromptTab(event, session);
+        onPromptKey(event, session);
+      }}
+    >
       <header>
         <span className="number prompt-q">{prompt.letter}</span>
         <h2>{prompt.question}</h2>
         <span className="soft small prompt-position">
           {prompt.group
             ? t.dialog.setup.position(...prompt.group.at)
-            : t.dialog.position(fields.filter((f) => !f.group).indexOf(prompt) + 1, fields.filter((f) => !f.group).length)}
+            : t.dialog.position(
+                fields.filter((f) => !f.group).indexOf(prompt) + 1,
+                fields.filter((f) => !f.group).length,
+              )}
         </span>
       </header>
       {prompt.bare && <p className="bare-value number">{prompt.shown.text}</p>}
-      {prompt.choices
-        ? <ChoiceInput session={session} prompt={prompt} choices={prompt.choices} describedBy={`${id}-about`} />
-        : !prompt.bare && (
+      {prompt.choices ? (
+        <ChoiceInput session={session} prompt={prompt} choices={prompt.choices} describedBy={`${id}-about`} />
+      ) : (
+        !prompt.bare && (
           <div className="value-row">
-            <ValueInput session={session} prompt={prompt} describedBy={`${id}-range ${id}-about`} ownKeypad={ownKeypad} input={input}
-              invalid={own.some((p) => p.issue.severity === "error" && !calm(p))} />
+            <ValueInput
+              session={session}
+              prompt={prompt}
+              describedBy={`${id}-range ${id}-about`}
+              ownKeypad={ownKeypad}
+              input={input}
+              invalid={own.some((p) => p.issue.severity === "error" && !calm(p))}
+            />
             {reading?.computed && reading.value !== null && (
-              <span className="sum-result number" role="status">= {writeTyped(language, reading.value, prompt.decimals)}</span>
+              <span className="sum-result number" role="status">
+                = {writeTyped(language, reading.value, prompt.decimals)}
+              </span>
             )}
             <span className="unit number">{prompt.unit}</span>
             {prompt.auto && (
-              <button type="button" className="button" aria-label={t.dialog.autoLong} onClick={() => take("FAUTO")}>FAUTO</button>
+              <button type="button" className="button" aria-label={t.dialog.autoLong} onClick={() => take("FAUTO")}>
+                FAUTO
+              </button>
             )}
           </div>
-        )}
+        )
+      )}
       <PromptSteps session={session} prompt={prompt} />
       <div className="range small soft">
         <p className="range-said" id={`${id}-range`}>
@@ -92,11 +121,18 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
               {t.dialog.rangeLabel} <span className="number">{prompt.range}</span>
             </span>
           )}
-          {suggested !== null && <span className="suggested-note">{t.dialog.suggested(inScreenWriting(language, suggested))}</span>}
-          {prompt.notes.map((note) => <span key={note}>{note}</span>)}
+          {suggested !== null && (
+            <span className="suggested-note">{t.dialog.suggested(inScreenWriting(language, suggested))}</span>
+          )}
+          {prompt.notes.map((note) => (
+            <span key={note}>{note}</span>
+          ))}
           {prompt.doubt !== null && (
-            <button type="button" className="evidence" aria-expanded={explained === prompt.id} onClick={() =>
-              explain(explained === prompt.id ? null : prompt.id)}
+            <button
+              type="button"
+              className="evidence"
+              aria-expanded={explained === prompt.id}
+              onClick={() => explain(explained === prompt.id ? null : prompt.id)}
             >
               {t.dialog.evidence.mark}
             </button>
@@ -108,13 +144,25 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
           </Suspense>
         )}
       </div>
-      <div className="about" id={`${id}-about`} tabIndex={0} role="group" aria-label={t.dialog.aboutPrompt(prompt.letter)}>
+      <div
+        className="about"
+        id={`${id}-about`}
+        tabIndex={0}
+        role="group"
+        aria-label={t.dialog.aboutPrompt(prompt.letter)}
+      >
         <div role="status" aria-label={t.findings.title}>
           {[
             ...besides.filter(({ entry }) => isError(entry)).map(beside),
             ...own.map((entry, i) => (
-              <FieldMessage key={i} problem={entry} calm={calm(entry)} decimals={prompt.decimals} onTake={(n) => take(String(n))}
-                parameterField={session.asksParameters} />
+              <FieldMessage
+                key={i}
+                problem={entry}
+                calm={calm(entry)}
+                decimals={prompt.decimals}
+                onTake={(n) => take(String(n))}
+                parameterField={session.asksParameters}
+              />
             )),
             ...besides.filter(({ entry }) => !isError(entry)).map(beside),
           ]}

@@ -28,7 +28,8 @@ export function PromptDialog({ session, name, listName, done, hint, head, instea
   const fingers = useFingers();
   const input = useRef<HTMLInputElement>(null);
   const open = openPromptOf(session);
-  const dock = useHelpDock((d) => d.dock), fills = dock !== null && !instead;
+  const dock = useHelpDock((d) => d.dock),
+    fills = dock !== null && !instead;
   useLayoutEffect(() => (fills ? fillHelpDock() : undefined), [fills]);
   return (
     <div className={`cycle-dialog ${className}`.trim()} role="form" id="prompts" aria-label={name}>

@@ -5,7 +5,11 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { commandsOf, type Prompt, type PromptGroup, type PromptSession } from "./session.ts";
 
 /** A group of the set-up as one row. */
-const rowOf = ({ letter, name, text, unit, soft }: PromptGroup) => ({ letter, label: name, shown: { text, unit, soft } });
+const rowOf = ({ letter, name, text, unit, soft }: PromptGroup) => ({
+  letter,
+  label: name,
+  shown: { text, unit, soft },
+});
 
 /** Whether a prompt has a row: of a group that is not open only the first has one. */
 function isOwnRow(field: Prompt, fields: readonly Prompt[], active: string | null): boolean {
@@ -18,7 +22,11 @@ function isOwnRow(field: Prompt, fields: readonly Prompt[], active: string | nul
 export function PromptList({ session, name }: { readonly session: PromptSession; readonly name: string }) {
   const t = useTexts();
   const list = useRef<HTMLOListElement>(null);
-  const { fields, findings, opened: { id: active } } = session;
+  const {
+    fields,
+    findings,
+    opened: { id: active },
+  } = session;
 
   const openGroup = fields.find((f) => f.id === active)?.group?.id;
 
@@ -35,32 +43,37 @@ export function PromptList({ session, name }: { readonly session: PromptSession;
 
   return (
     <ol className="prompt-list" aria-label={name} ref={list}>
-      {fields.filter((f) => isOwnRow(f, fields, active)).map((field) => {
-        const { id, idle } = field;
-        const { letter, label, shown } = field.group && field.group.id !== openGroup ? rowOf(field.group) : field;
-        const worst = findings.find((p) => p.at === id && !isOpen(p))?.issue.severity;
-        const quiet = idle ? `, ${t.dialog.idle}` : field.group && shown.soft ? `, ${t.setup.proposed}` : "";
-        const note = worst ? `, ${t.findings.severities[worst]}` : "";
-        return (
-          <li key={id}>
-            <button type="button" tabIndex={id === (active ?? fields[0]?.id) ? 0 : -1} className={`prompt-line${idle ? " idle" : ""}`}
-              aria-current={id === active ? "step" : undefined}
-              aria-label={`${t.dialog.row(letter, label, `${shown.text} ${shown.unit}`.trim())}${quiet}${note}`}
-              onClick={() => commandsOf(session).goTo(id)}
-            >
-              <span className="number line-q">{letter}</span>
-              <span className="line-label">{label}</span>
-              {worst && (
-                <span className={`line-mark ${worst}`}>
-                  <Icon name={worst} />
-                </span>
-              )}
-              <span className={`number line-value${shown.soft ? " soft" : ""}`}>{shown.text}</span>
-              <span className="line-unit soft">{shown.unit}</span>
-            </button>
-          </li>
-        );
-      })}
+      {fields
+        .filter((f) => isOwnRow(f, fields, active))
+        .map((field) => {
+          const { id, idle } = field;
+          const { letter, label, shown } = field.group && field.group.id !== openGroup ? rowOf(field.group) : field;
+          const worst = findings.find((p) => p.at === id && !isOpen(p))?.issue.severity;
+          const quiet = idle ? `, ${t.dialog.idle}` : field.group && shown.soft ? `, ${t.setup.proposed}` : "";
+          const note = worst ? `, ${t.findings.severities[worst]}` : "";
+          return (
+            <li key={id}>
+              <button
+                type="button"
+                tabIndex={id === (active ?? fields[0]?.id) ? 0 : -1}
+                className={`prompt-line${idle ? " idle" : ""}`}
+                aria-current={id === active ? "step" : undefined}
+                aria-label={`${t.dialog.row(letter, label, `${shown.text} ${shown.unit}`.trim())}${quiet}${note}`}
+                onClick={() => commandsOf(session).goTo(id)}
+              >
+                <span className="number line-q">{letter}</span>
+                <span className="line-label">{label}</span>
+                {worst && (
+                  <span className={`line-mark ${worst}`}>
+                    <Icon name={worst} />
+                  </span>
+                )}
+                <span className={`number line-value${shown.soft ? " soft" : ""}`}>{shown.text}</span>
+                <span className="line-unit soft">{shown.unit}</span>
+              </button>
+            </li>
+          );
+        })}
     </ol>
   );
 }

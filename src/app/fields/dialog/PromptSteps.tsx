@@ -4,7 +4,10 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import { inScreenWriting } from "./write-value.ts";
 
-/** What can be done at a prompt beside answering it: keep what is proposed, go to a place beside the dialog, leave the set-up. */
+/**
+ * What can be done at a prompt beside answering it: keep what is proposed, go to a place beside the dialog, leave the
+ * set-up.
+ */
 export function PromptSteps({ session, prompt }: { readonly session: PromptSession; readonly prompt: Prompt }) {
   const { setup, dialog: t } = useTexts();
   const language = useSettings((s) => s.language);
@@ -23,15 +26,26 @@ export function PromptSteps({ session, prompt }: { readonly session: PromptSessi
       {isProposed && (
         <>
           <span className="small soft">{setup.proposed}</span>
-          <button type="button" className="button" aria-label={setup.keepLong(label, value)} onClick={() => take(suggestion.text)}>
+          <button
+            type="button"
+            className="button"
+            aria-label={setup.keepLong(label, value)}
+            onClick={() => take(suggestion.text)}
+          >
             {setup.keep}
           </button>
         </>
       )}
       {action && (
-        <button type="button" ref={way} className={`button${action.needed ? " primary" : ""}`} onClick={action.run}>{action.label}</button>
+        <button type="button" ref={way} className={`button${action.needed ? " primary" : ""}`} onClick={action.run}>
+          {action.label}
+        </button>
       )}
-      {group && <button type="button" className="button primary" onClick={finish}>{t.setup.toPrompts}</button>}
+      {group && (
+        <button type="button" className="button primary" onClick={finish}>
+          {t.setup.toPrompts}
+        </button>
+      )}
     </div>
   );
 }

@@ -34,11 +34,11 @@ beforeEach(() => {
 });
 afterEach(cleanup);
 
-test.each([["the job", null, thread.depths.length], ["the first of two threads", first.definedLine, thread.depths.length], [
-  "the second of two threads",
-  FURTHER_DOWN,
-  2,
-]])("shows the chips of %s", (_, line, chips) => {
+test.each([
+  ["the job", null, thread.depths.length],
+  ["the first of two threads", first.definedLine, thread.depths.length],
+  ["the second of two threads", FURTHER_DOWN, 2],
+])("shows the chips of %s", (_, line, chips) => {
   render(<ThreadPicture line={line} />);
   expect(screen.getByRole("img").getAttribute("aria-label")).toBe(passes(chips));
 });

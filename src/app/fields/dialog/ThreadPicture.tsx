@@ -11,9 +11,14 @@ const SIZE = { width: 150, height: 62 } as const;
 /** Hues of the first and of the last pass, degrees. */
 const HUES = { first: 205, last: 25 } as const;
 
-/** The groove of the thread that the cycle in this line of a program plans, or of the job where there is none: each chip in its colour. */
+/**
+ * The groove of the thread that the cycle in this line of a program plans, or of the job where there is none: each chip
+ * in its colour.
+ */
 export function ThreadPicture({ line }: { readonly line: number | null }) {
-  const { dialog: { sizes: t } } = useTexts();
+  const {
+    dialog: { sizes: t },
+  } = useTexts();
   const shown = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
   const file = useShownBeside();
@@ -24,13 +29,22 @@ export function ThreadPicture({ line }: { readonly line: number | null }) {
   const last = Math.max(1, drawing.chips.length - 1);
   const hue = (i: number) => HUES.first + ((HUES.last - HUES.first) * i) / last;
   return (
-    <svg className={`thread-picture${dimmed ? " dimmed" : ""}`} role="img" aria-label={t.profile(thread.depths.length)}
-      viewBox={`0 0 ${SIZE.width} ${SIZE.height}`} width={SIZE.width} height={SIZE.height}
+    <svg
+      className={`thread-picture${dimmed ? " dimmed" : ""}`}
+      role="img"
+      aria-label={t.profile(thread.depths.length)}
+      viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
+      width={SIZE.width}
+      height={SIZE.height}
     >
       <path className="thread-material" d={`M0 ${drawing.crest}H${SIZE.width}V${SIZE.height}H0Z`} />
       {drawing.chips.map(({ pass, points }, i) => (
-        <path key={pass} className="thread-chip" fill={`hsl(${Math.round(hue(i))} 75% 55%)`}
-          d={`M${points.map((p) => `${p.x.toFixed(2)} ${p.y.toFixed(2)}`).join("L")}Z`} />
+        <path
+          key={pass}
+          className="thread-chip"
+          fill={`hsl(${Math.round(hue(i))} 75% 55%)`}
+          d={`M${points.map((p) => `${p.x.toFixed(2)} ${p.y.toFixed(2)}`).join("L")}Z`}
+        />
       ))}
     </svg>
   );

@@ -13,7 +13,13 @@ import { CycleDialog } from "./CycleDialog.tsx";
 
 const cycle = catalogue.find((c) => c.thread && c.thread.diameters.length === 1);
 if (!cycle?.thread) throw new Error("no cycle for a thread on one diameter");
-const { pitch, depth, starts, diameters: [diameter = ""], position } = cycle.thread;
+const {
+  pitch,
+  depth,
+  starts,
+  diameters: [diameter = ""],
+  position,
+} = cycle.thread;
 
 function Page() {
   const read = useReading();

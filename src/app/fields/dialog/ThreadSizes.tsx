@@ -10,8 +10,16 @@ import "./thread-sizes.css";
 const SHOWN = 6;
 
 /** A thread by its name: what is typed finds it, a tap fills the prompts. */
-export function ThreadSizes({ line, take }: { readonly line: number | null; readonly take: (size: ThreadSize) => void }) {
-  const { dialog: { sizes: t } } = useTexts();
+export function ThreadSizes({
+  line,
+  take,
+}: {
+  readonly line: number | null;
+  readonly take: (size: ThreadSize) => void;
+}) {
+  const {
+    dialog: { sizes: t },
+  } = useTexts();
   const language = useSettings((s) => s.language);
   const id = useId();
   const input = useRef<HTMLInputElement>(null);
@@ -29,17 +37,29 @@ export function ThreadSizes({ line, take }: { readonly line: number | null; read
   return (
     <section className="thread-sizes" aria-label={t.title}>
       <div className="thread-size">
-        <label htmlFor={id} className="small soft">{t.title}</label>
-        <input id={id} ref={input} className="input" type="search" autoComplete="off" spellCheck={false} placeholder={t.example}
-          value={typed} onChange={(event) => {
-          type(event.target.value);
-          setTaken(null);
-        }} onKeyDown={(event) => {
-          const first = found[0];
-          if (event.key !== "Enter" || !first) return;
-          event.preventDefault();
-          choose(first);
-        }} />
+        <label htmlFor={id} className="small soft">
+          {t.title}
+        </label>
+        <input
+          id={id}
+          ref={input}
+          className="input"
+          type="search"
+          autoComplete="off"
+          spellCheck={false}
+          placeholder={t.example}
+          value={typed}
+          onChange={(event) => {
+            type(event.target.value);
+            setTaken(null);
+          }}
+          onKeyDown={(event) => {
+            const first = found[0];
+            if (event.key !== "Enter" || !first) return;
+            event.preventDefault();
+            choose(first);
+          }}
+        />
       </div>
       <ThreadPicture line={line} />
       {found.length > 0 && (
@@ -47,7 +67,9 @@ export function ThreadSizes({ line, take }: { readonly line: number | null; read
           {found.map((size) => (
             <button key={size.name} type="button" className="button" onClick={() => choose(size)}>
               <strong>{size.name}</strong>{" "}
-              <span className="small soft number">⌀{number(size.outside.diameter)} · {number(size.pitch)}</span>
+              <span className="small soft number">
+                ⌀{number(size.outside.diameter)} · {number(size.pitch)}
+              </span>
             </button>
           ))}
         </div>

@@ -16,7 +16,14 @@ interface Props {
 }
 
 /** The large value of the open prompt. Every keystroke reaches the work; leaving the field settles it. */
-export function ValueInput({ session, prompt: { id, name, suggestion }, describedBy, invalid, ownKeypad, input }: Props) {
+export function ValueInput({
+  session,
+  prompt: { id, name, suggestion },
+  describedBy,
+  invalid,
+  ownKeypad,
+  input,
+}: Props) {
   const language = useSettings((s) => s.language);
   const [text, type] = useTyping(id, session.draft[id] ?? "", (typed) => session.set(id, typed));
   const opened = useEffectEvent(() => {
@@ -30,10 +37,23 @@ export function ValueInput({ session, prompt: { id, name, suggestion }, describe
   const placeholder = suggestion && text === "" ? inScreenWriting(language, suggestion.text) : undefined;
   return (
     <div className="value-box">
-      <NumberInput ref={input} className="value number" of={`${id} ${session.opened.focus}`} text={text} onText={type} sums={false}
-        keypad="none" inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"} enterKeyHint="next"
-        autoCapitalize="characters" aria-label={name} aria-describedby={describedBy} aria-invalid={invalid} placeholder={placeholder}
-        onLeave={() => commandsOf(session).leave()} />
+      <NumberInput
+        ref={input}
+        className="value number"
+        of={`${id} ${session.opened.focus}`}
+        text={text}
+        onText={type}
+        sums={false}
+        keypad="none"
+        inputMode={ownKeypad ? "none" : session.keypad === "sums" ? "decimal" : "text"}
+        enterKeyHint="next"
+        autoCapitalize="characters"
+        aria-label={name}
+        aria-describedby={describedBy}
+        aria-invalid={invalid}
+        placeholder={placeholder}
+        onLeave={() => commandsOf(session).leave()}
+      />
     </div>
   );
 }

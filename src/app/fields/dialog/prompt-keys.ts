@@ -3,9 +3,11 @@ import { commandsOf, openPromptOf, type PromptSession } from "./session.ts";
 
 /** Elements that the Tab key visits inside the open prompt, in order. */
 const stops = (root: Element): readonly HTMLElement[] =>
-  [...root.querySelectorAll<HTMLElement>("input, button")].filter((each) =>
-    each.tabIndex >= 0 && !each.hasAttribute("disabled")
-    && (!(each instanceof HTMLInputElement) || each.type !== "radio" || each.checked || !anyChecked(root))
+  [...root.querySelectorAll<HTMLElement>("input, button")].filter(
+    (each) =>
+      each.tabIndex >= 0 &&
+      !each.hasAttribute("disabled") &&
+      (!(each instanceof HTMLInputElement) || each.type !== "radio" || each.checked || !anyChecked(root)),
   );
 
 const anyChecked = (root: Element) => root.querySelector("input[type=radio]:checked") !== null;

@@ -35,7 +35,10 @@ export interface Prompt {
   readonly decimals: number;
   /** What the list of prompts shows. */
   readonly shown: { readonly text: string; readonly unit: string; readonly soft: boolean };
-  /** What may stand in the field while it is empty: ENT takes it, unless it `holds` already as long as nobody enters anything. */
+  /**
+   * What may stand in the field while it is empty: ENT takes it, unless it `holds` already as long as nobody enters
+   * anything.
+   */
   readonly suggestion?: { readonly text: string; readonly holds: boolean } | undefined;
   /** Prompts of the set-up, in front of those of the cycle: a group is one row of the list while none of it is open. */
   readonly group?: PromptGroup;
@@ -55,7 +58,10 @@ interface PromptWords {
   readonly about: string;
 }
 
-/** A prompt with defaults: a required number without unit and bounds, always in effect, of three decimals. `more` overrides them. */
+/**
+ * A prompt with defaults: a required number without unit and bounds, always in effect, of three decimals. `more`
+ * overrides them.
+ */
 export const promptOf = (
   { id, letter = id, optional = false, increments = false, decimals = 3 }: PromptField,
   { prompt, label = prompt, about }: PromptWords,
@@ -124,10 +130,17 @@ export interface PromptSession {
   readonly keypad: "sums" | "words";
 }
 
-export const openPromptOf = ({ fields, opened }: PromptSession): Prompt | null => fields.find((f) => f.id === opened.id) ?? null;
+export const openPromptOf = ({ fields, opened }: PromptSession): Prompt | null =>
+  fields.find((f) => f.id === opened.id) ?? null;
 
-/** What an empty prompt is suggested to be answered with; null where it is answered, or where the suggestion counts already. */
-export function suggestionFor({ draft }: Pick<PromptSession, "draft">, { id, suggestion, idle }: Prompt): string | null {
+/**
+ * What an empty prompt is suggested to be answered with; null where it is answered, or where the suggestion counts
+ * already.
+ */
+export function suggestionFor(
+  { draft }: Pick<PromptSession, "draft">,
+  { id, suggestion, idle }: Prompt,
+): string | null {
   return suggestion && !suggestion.holds && !idle && (draft[id] ?? "").trim() === "" ? suggestion.text : null;
 }
 
@@ -142,7 +155,12 @@ export function openSuggestions(session: PromptSession): Readonly<Record<string,
 
 /** A text as it stays when its field is left: a sum becomes its value, one with a Q parameter once that has a value. */
 function settled(reading: FieldReading | undefined, text: string): string {
-  const { value, written, computed, incremental } = reading ?? { value: null, written: null, computed: false, incremental: false };
+  const { value, written, computed, incremental } = reading ?? {
+    value: null,
+    written: null,
+    computed: false,
+    incremental: false,
+  };
   const sign = incremental ? "I" : "";
   if (written === "auto" || written === "max") return `F${written.toUpperCase()}`;
   if (value !== null && computed) return sign + String(value);

@@ -17,10 +17,20 @@ const PLACES = [
   { id: "blank.bore", letter: "DI", field: SETUP_FIELDS.bore, group: "blank" },
   { id: "blank.length", letter: "L", field: SETUP_FIELDS.length, group: "blank" },
   { id: "blank.allowance", letter: "DIST", field: SETUP_FIELDS.allowance, group: "blank" },
-  { id: "tool", letter: "T", field: { ...SETUP_FIELDS.speed, id: "tool", range: [0, 32767], decimals: 0 }, group: "tool" },
+  {
+    id: "tool",
+    letter: "T",
+    field: { ...SETUP_FIELDS.speed, id: "tool", range: [0, 32767], decimals: 0 },
+    group: "tool",
+  },
   { id: "start.x", letter: "X", field: SETUP_FIELDS.startX, group: "start" },
   { id: "start.z", letter: "Z", field: SETUP_FIELDS.startZ, group: "start" },
-] as const satisfies readonly { readonly id: SetupPlace; readonly letter: string; readonly field: Field; readonly group: string }[];
+] as const satisfies readonly {
+  readonly id: SetupPlace;
+  readonly letter: string;
+  readonly field: Field;
+  readonly group: string;
+}[];
 
 /** The place that a dialog of a new work begins at. */
 export const FIRST_PLACE: SetupPlace = PLACES[0].id;
@@ -78,7 +88,8 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
   const groups = { blank: words.blank.title, tool: words.tool.title, start: words.start.title };
   const isAcross = (id: SetupPlace) => id === "blank.outside" || id === "blank.bore" || id === "start.x";
   const toolNamed = (number: string) => tools.find(({ T }) => String(T) === number)?.NAME ?? "";
-  const unitAt = (id: SetupPlace, shown: string) => id === "tool" ? toolNamed(shown) : isAcross(id) ? words.units.diameter : words.units.mm;
+  const unitAt = (id: SetupPlace, shown: string) =>
+    id === "tool" ? toolNamed(shown) : isAcross(id) ? words.units.diameter : words.units.mm;
   const screen = (text: string) => inScreenWriting(language, text);
   const value = (id: SetupPlace) => screen(valueAt(read, id));
   const blank = `⌀${value("blank.outside")} × ${value("blank.length")}`;
@@ -98,15 +109,21 @@ export function setupPrompts(read: JobReading, t: Texts, language: Language, too
     const inGroup = PLACES.filter((place) => place.group === group);
     const proposes = inGroup.some((place) => setup.proposed.has(place.id));
     const about = id === "tool" ? t.dialog.setup.tool : group === "start" ? words.start.hint : t.dialog.setup.blank[id];
-    return promptOf({ id, letter, optional: true }, { prompt: names[id], about }, {
-      page: ["guide", "setup", id],
-      name: t.dialog.value(letter, names[id]),
-      unit,
-      shown: { text: screen(text), unit: id === "tool" ? "" : unit, soft: isProposed },
-      suggestion: { text, holds: true },
-      group: { ...shownOf[group], id: group, name: groups[group], soft: proposes, at: [i + 1, PLACES.length] },
-      ...(id === "tool" && { action: { label: words.tool.choose, run: () => goToField("setup", "tool"), needed: false } }),
-    });
+    return promptOf(
+      { id, letter, optional: true },
+      { prompt: names[id], about },
+      {
+        page: ["guide", "setup", id],
+        name: t.dialog.value(letter, names[id]),
+        unit,
+        shown: { text: screen(text), unit: id === "tool" ? "" : unit, soft: isProposed },
+        suggestion: { text, holds: true },
+        group: { ...shownOf[group], id: group, name: groups[group], soft: proposes, at: [i + 1, PLACES.length] },
+        ...(id === "tool" && {
+          action: { label: words.tool.choose, run: () => goToField("setup", "tool"), needed: false },
+        }),
+      },
+    );
   });
   return { fields, draft, readings };
 }

@@ -33,10 +33,15 @@ export interface PromptedBlock {
 
 /** What suggestions go by: the blank, where somebody has set it. */
 function suggestionContext({ job, setup }: JobReading): SuggestionContext {
-  const set = (place: SetupPlace, text: string) => (setup && !setup.proposed.has(place) ? readText(anyNumber, text).value : null);
+  const set = (place: SetupPlace, text: string) =>
+    setup && !setup.proposed.has(place) ? readText(anyNumber, text).value : null;
   const { outside, bore, allowance } = job.blank;
   return {
-    blank: { outside: set("blank.outside", outside), bore: set("blank.bore", bore), front: set("blank.allowance", allowance) },
+    blank: {
+      outside: set("blank.outside", outside),
+      bore: set("blank.bore", bore),
+      front: set("blank.allowance", allowance),
+    },
     perRevolution: job.perRevolution,
   };
 }
@@ -75,35 +80,45 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const meanings: Readonly<Record<number, string>> = "choices" in words ? words.choices : {};
     const idle = saysNothing(param, reading.partial);
     const suggested = param.optional ? null : suggestedValue(cycle, q, context);
-    return promptOf({ id: q, optional: param.optional, decimals: param.decimals }, { prompt, label, about: explanation }, {
-      page: ["guide", String(cycle.number), q],
-      name: t.dialog.value(q, prompt),
-      unit: unitText(param),
-      range: param.choices ? null : t.dialog.range(number(param, param.range[0]), number(param, param.range[1])),
-      notes: [
-        ...(param.incremental ? [t.dialog.incremental] : []),
-        ...(param.optional ? [t.dialog.optional] : []),
-        ...(param.reserved ? [t.dialog.reserved] : []),
-        ...(idle && param.counts ? [t.dialog.withoutEffect(`${param.counts.q} = ${String(reading.partial[param.counts.q])}`)] : []),
-      ],
-      doubt: doubtOf(param),
-      choices: param.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
-      idle,
-      auto: param.kind === "feed",
-      shown: shownOf(q, param),
-      ...(suggested !== null && { suggestion: { text: String(suggested), holds: false } }),
-    });
+    return promptOf(
+      { id: q, optional: param.optional, decimals: param.decimals },
+      { prompt, label, about: explanation },
+      {
+        page: ["guide", String(cycle.number), q],
+        name: t.dialog.value(q, prompt),
+        unit: unitText(param),
+        range: param.choices ? null : t.dialog.range(number(param, param.range[0]), number(param, param.range[1])),
+        notes: [
+          ...(param.incremental ? [t.dialog.incremental] : []),
+          ...(param.optional ? [t.dialog.optional] : []),
+          ...(param.reserved ? [t.dialog.reserved] : []),
+          ...(idle && param.counts
+            ? [t.dialog.withoutEffect(`${param.counts.q} = ${String(reading.partial[param.counts.q])}`)]
+            : []),
+        ],
+        doubt: doubtOf(param),
+        choices: param.choices?.map((n) => ({ value: String(n), meaning: meanings[n] ?? "" })) ?? null,
+        idle,
+        auto: param.kind === "feed",
+        shown: shownOf(q, param),
+        ...(suggested !== null && { suggestion: { text: String(suggested), holds: false } }),
+      },
+    );
   };
   const contourPrompt = (): Prompt => {
     const { question, label, about, elements, none, change } = t.dialog.contour;
     const has = job.contour.length > 0;
-    return promptOf({ id: "contour", letter: "LBL", optional: true }, { prompt: question, label, about }, {
-      page: ["guide", "contour"],
-      name: label,
-      shown: { text: has ? elements(job.contour.length) : none, unit: "", soft: !has },
-      bare: true,
-      action: { label: has ? change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
-    });
+    return promptOf(
+      { id: "contour", letter: "LBL", optional: true },
+      { prompt: question, label, about },
+      {
+        page: ["guide", "contour"],
+        name: label,
+        shown: { text: has ? elements(job.contour.length) : none, unit: "", soft: !has },
+        bare: true,
+        action: { label: has ? change : t.findings.done.toContour, run: () => showSection("contour"), needed: !has },
+      },
+    );
   };
   const setup = setupPrompts(read, t, language, tools);
   const contour = block === null && cycle.contour === "free" ? [contourPrompt()] : [];
@@ -114,11 +129,18 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     const param = cycle.params[at];
     return t.dialog.value(at, param ? t.params[param.text as ParamTextId].label : "");
   };
-  /** A fault that leaves no path and has no prompt of its own: it is said at those that shape the contour, and at one that was changed. */
+  /**
+   * A fault that leaves no path and has no prompt of its own: it is said at those that shape the contour, and at one
+   * that was changed.
+   */
   const isPathless = (entry: FindingEntry, id: string): boolean =>
-    isError(entry) && entry.spot === null && (entry.at === null || isAboutTool(entry.at))
-    && (cycle.params[id]?.shown === "outline" || (id in cycle.params && id === opened.prompt && draft[id] !== opened.before));
-  const set: PromptSession["set"] = block?.set ?? ((id, text) => (isSetupPlace(id) ? setPlace(id, text) : setPrompt(id, text)));
+    isError(entry) &&
+    entry.spot === null &&
+    (entry.at === null || isAboutTool(entry.at)) &&
+    (cycle.params[id]?.shown === "outline" ||
+      (id in cycle.params && id === opened.prompt && draft[id] !== opened.before));
+  const set: PromptSession["set"] =
+    block?.set ?? ((id, text) => (isSetupPlace(id) ? setPlace(id, text) : setPrompt(id, text)));
   /** A pressed dimension opens its prompt; taken, its value goes into the open one, as a step of undo of its own. */
   const onPick = (q: string, taken: boolean) => {
     const into = opened.prompt;
@@ -140,11 +162,18 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     },
     besides: (id) =>
       findings.flatMap((entry) => {
-        const concerns = entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;
+        const concerns =
+          entry.at !== null && entry.at !== id && "other" in entry.issue.data && entry.issue.data.other === id;
         if (!concerns && !isPathless(entry, id)) return [];
         return [{ entry, ...(entry.at !== null && { place: placeOf(entry.at) }) }];
       }),
-    picture: <HelpSlot read={read} q={opened.prompt !== null && opened.prompt in cycle.params ? opened.prompt : null} onPick={onPick} />,
+    picture: (
+      <HelpSlot
+        read={read}
+        q={opened.prompt !== null && opened.prompt in cycle.params ? opened.prompt : null}
+        onPick={onPick}
+      />
+    ),
     opened: { id: opened.prompt, before: opened.before, focus: opened.focus },
     open: openPrompt,
     mayFocus: mayTakeKeyboard,

@@ -19,13 +19,15 @@ export function writeValue(language: Language, param: Param, field: FieldReading
 }
 
 /** A value as one types it. */
-export const writeTyped = (language: Language, value: number, decimals: number): string => formatNumber(language, value, decimals);
+export const writeTyped = (language: Language, value: number, decimals: number): string =>
+  formatNumber(language, value, decimals);
 
 /** Typed text with the decimal sign of the screen; sums and Q parameters stay as they are. */
 export const inScreenWriting = (language: Language, text: string): string =>
   /^\s*[+-]?\d*\.?\d*\s*$/.test(text) ? text.replace(".", decimalSign(language)) : text;
 
-type UnitName = "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "percent" | "revolutions" | "none";
+type UnitName =
+  "diameter" | "radius" | "axial" | "degrees" | "perRevolution" | "perMinute" | "percent" | "revolutions" | "none";
 
 const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
   choice: "none",

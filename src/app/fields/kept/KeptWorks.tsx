@@ -27,7 +27,10 @@ async function removeKept(work: string): Promise<boolean> {
 
 /** Earlier programs on this device, newest first. */
 export function KeptWorks() {
-  const { page: { start: t, undo }, menu } = useTexts("first");
+  const {
+    page: { start: t, undo },
+    menu,
+  } = useTexts("first");
   const [removed, setRemoved] = useState<string | null>(null);
   const elsewhere = useWorksElsewhere();
   const language = useSettings((s) => s.language);
@@ -44,7 +47,12 @@ export function KeptWorks() {
       <ul>
         {works.slice(0, FIRST).map(({ work, savedAt, name, cycle, task }) => (
           <li key={work}>
-            <button type="button" className="button kept-open" aria-label={t.continueWork(name)} onClick={() => void openKept(work)}>
+            <button
+              type="button"
+              className="button kept-open"
+              aria-label={t.continueWork(name)}
+              onClick={() => void openKept(work)}
+            >
               <KeptPicture seen={pictures[work]} cycle={cycle} />
               <span className="kept-words">
                 <b className="kept-name">{name}</b>
@@ -58,7 +66,11 @@ export function KeptWorks() {
                 </span>
               </span>
             </button>
-            <button type="button" className="button icon plain" aria-label={t.forget(name)} disabled={elsewhere.has(work)}
+            <button
+              type="button"
+              className="button icon plain"
+              aria-label={t.forget(name)}
+              disabled={elsewhere.has(work)}
               onClick={() => void removeKept(work).then((gone) => gone && setRemoved(name))}
             >
               <Icon name="close" />
@@ -66,15 +78,24 @@ export function KeptWorks() {
           </li>
         ))}
       </ul>
-      {works.length > 0 && <a className="button kept-all" href="#/works">{t.allWorks(works.length)}</a>}
+      {works.length > 0 && (
+        <a className="button kept-all" href="#/works">
+          {t.allWorks(works.length)}
+        </a>
+      )}
       <p role="status" className="kept-removed">
         {removed !== null && (
           <>
             {t.removed(removed)}
-            <button type="button" className="button" aria-label={`${undo} – ${t.removed(removed)}`} onClick={() => {
-              setRemoved(null);
-              undoStep();
-            }}>
+            <button
+              type="button"
+              className="button"
+              aria-label={`${undo} – ${t.removed(removed)}`}
+              onClick={() => {
+                setRemoved(null);
+                undoStep();
+              }}
+            >
               <Icon name="undo" /> {undo}
             </button>
           </>

@@ -12,13 +12,21 @@ const ROWS = {
   open: "7 8 9 / ( up erase 4 5 6 * ) down letters 1 2 3 - ? ready sign 0 point + enter".split(" "),
 } as const;
 
-/** The keys of the prompts for the number field that has the keyboard, at the lower edge of the page, which makes room for them. */
-export function FieldKeypad({ field, onLetters }: {
+/**
+ * The keys of the prompts for the number field that has the keyboard, at the lower edge of the page, which makes room
+ * for them.
+ */
+export function FieldKeypad({
+  field,
+  onLetters,
+}: {
   readonly field: HTMLInputElement;
   /** The keyboard of the device is wanted for this field. */
   readonly onLetters: (field: HTMLInputElement) => void;
 }) {
-  const { dialog: { keys: t, keypad } } = useTexts();
+  const {
+    dialog: { keys: t, keypad },
+  } = useTexts();
   const sign = decimalSign(useSettings((s) => s.language));
   const box = useRef<HTMLDivElement>(null);
 
@@ -43,9 +51,14 @@ export function FieldKeypad({ field, onLetters }: {
     "?": { ...writing("?"), name: t.notGiven },
     enter: { label: "ENT", name: t.enterField, press: () => enterField(field), className: "primary enter" },
   };
-  return createPortal(<section className="field-keypad-place" aria-label={keypad}>
-    <div className="keypad field-keypad" role="group" aria-label={keypad} ref={box}>
-      {ROWS[field.dataset["number"] === "open" ? "open" : "words"].map((id) => padButton(keys[id] ?? writing(id), false))}
-    </div>
-  </section>, scopeOf(field));
+  return createPortal(
+    <section className="field-keypad-place" aria-label={keypad}>
+      <div className="keypad field-keypad" role="group" aria-label={keypad} ref={box}>
+        {ROWS[field.dataset["number"] === "open" ? "open" : "words"].map((id) =>
+          padButton(keys[id] ?? writing(id), false),
+        )}
+      </div>
+    </section>,
+    scopeOf(field),
+  );
 }

@@ -13,8 +13,13 @@ function Fields({ start = ["12.5", "-7"] }: { readonly start?: readonly string[]
   return (
     <>
       {texts.map((text, i) => (
-        <input key={i} aria-label={`field ${i + 1}`} data-number={i === 1 ? "open" : "words"} value={text}
-          onChange={(e) => setTexts(texts.with(i, e.currentTarget.value))} />
+        <input
+          key={i}
+          aria-label={`field ${i + 1}`}
+          data-number={i === 1 ? "open" : "words"}
+          value={text}
+          onChange={(e) => setTexts(texts.with(i, e.currentTarget.value))}
+        />
       ))}
       <input aria-label="name" defaultValue="SHAFT" />
       <NumberKeys />
@@ -114,11 +119,17 @@ test("typing is heard by the field, the caret stays behind what was written, and
     const [text, setText] = useState("3,75");
     return (
       <dialog open>
-        <input aria-label="one" data-number="words" value={text} onChange={(e) => setText(e.currentTarget.value)} onKeyDown={(e) => {
-          if (e.key !== "Enter") return;
-          e.preventDefault();
-          entered += 1;
-        }} />
+        <input
+          aria-label="one"
+          data-number="words"
+          value={text}
+          onChange={(e) => setText(e.currentTarget.value)}
+          onKeyDown={(e) => {
+            if (e.key !== "Enter") return;
+            e.preventDefault();
+            entered += 1;
+          }}
+        />
       </dialog>
     );
   }

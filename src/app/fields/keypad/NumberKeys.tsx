@@ -6,8 +6,8 @@ import { numberFieldOf } from "./field-typing.ts";
 const FieldKeypad = lazyPart(async () => ({ default: (await import("./FieldKeypad.tsx")).FieldKeypad }));
 
 /**
- * Brings the keypad to every number field of the app (an input marked with `data-number`) where fingers work, and keeps the keyboard of
- * the device away from it, which would cover the picture. Fields for names keep that keyboard.
+ * Brings the keypad to every number field of the app (an input marked with `data-number`) where fingers work, and keeps
+ * the keyboard of the device away from it, which would cover the picture. Fields for names keep that keyboard.
  */
 export function NumberKeys() {
   const [field, setField] = useState<HTMLInputElement | null>(null);
@@ -25,25 +25,27 @@ export function NumberKeys() {
       if (pressed && touched.current && spelled.current !== pressed) pressed.inputMode = "none";
     };
     const onFocus = (e: FocusEvent) => {
-      const focused = numberFieldOf(e.target), fits = focused !== null && (touched.current || holds("coarse"));
+      const focused = numberFieldOf(e.target),
+        fits = focused !== null && (touched.current || holds("coarse"));
       if (fits && spelled.current !== focused) {
         focused.inputMode = "none";
         fresh.current = focused;
         setField(focused);
       }
     };
-    // As in the prompts, what is typed first takes the place of what stands there; the next touch sets the caret. The field may have
-    // moved away under the finger when its keypad came.
+    // As in the prompts, what is typed first takes the place of what stands there; the next touch sets the caret. The
+    // field may have moved away under the finger when its keypad came.
     const onClick = () => {
       if (fresh.current !== null && fresh.current === document.activeElement) fresh.current.select();
       fresh.current = null;
     };
-    // A key that is the first click since then writes over the old text: selected behind it, its digit would be lost to the next one.
+    // A key that is the first click since then writes over the old text: selected behind it, its digit would be lost to
+    // the next one.
     const onKey = ({ target }: MouseEvent) => {
       if (target instanceof Element && target.closest(".field-keypad")) onClick();
     };
-    // A field that is taken out of the page is not always left first. The page moves when the keypad goes: only when the tap that took the
-    // keyboard elsewhere has met what it was for.
+    // A field that is taken out of the page is not always left first. The page moves when the keypad goes: only when
+    // the tap that took the keyboard elsewhere has met what it was for.
     const onLeave = () =>
       requestAnimationFrame(() => {
         if (spelled.current && document.activeElement !== spelled.current) {
@@ -71,13 +73,16 @@ export function NumberKeys() {
   if (!field) return null;
   return (
     <Suspense>
-      <FieldKeypad field={field} onLetters={(open) => {
-        setField(null);
-        open.blur();
-        open.inputMode = "text";
-        spelled.current = open;
-        open.focus();
-      }} />
+      <FieldKeypad
+        field={field}
+        onLetters={(open) => {
+          setField(null);
+          open.blur();
+          open.inputMode = "text";
+          spelled.current = open;
+          open.focus();
+        }}
+      />
     </Suspense>
   );
 }

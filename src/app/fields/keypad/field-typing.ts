@@ -1,18 +1,26 @@
 import { flushSync } from "react-dom";
 import type { EntryState } from "../number/number-entry.ts";
 
-/** Which letters a number field takes beside digits: "words" parameters, "open" also a question mark for what is not given. */
+/**
+ * Which letters a number field takes beside digits: "words" parameters, "open" also a question mark for what is not
+ * given.
+ */
 export type NumberLetters = "words" | "open";
 
 /** The number fields of a page or of a dialog over it, as the keyboard visits them. */
 const numberFields = (root: ParentNode): readonly HTMLInputElement[] =>
-  [...root.querySelectorAll<HTMLInputElement>("input[data-number]")].filter((each) => !each.disabled && (each.checkVisibility?.() ?? true));
+  [...root.querySelectorAll<HTMLInputElement>("input[data-number]")].filter(
+    (each) => !each.disabled && (each.checkVisibility?.() ?? true),
+  );
 
 /** The number field that an element is; null for anything else. */
 export const numberFieldOf = (target: EventTarget | null): HTMLInputElement | null =>
   target instanceof HTMLInputElement && target.dataset["number"] !== undefined ? target : null;
 
-/** What of the page a field belongs to: the open dialog, or all of it. A keypad outside a modal dialog could not be pressed. */
+/**
+ * What of the page a field belongs to: the open dialog, or all of it. A keypad outside a modal dialog could not be
+ * pressed.
+ */
 export const scopeOf = (field: HTMLElement): HTMLElement => field.closest<HTMLElement>("dialog") ?? document.body;
 
 /** The text of a field with its selection. */
@@ -37,7 +45,8 @@ export function writeEntry(field: HTMLInputElement, { text, from, to }: EntrySta
 
 /** The keyboard goes to the next or previous number field; false at either end. */
 export function stepField(field: HTMLInputElement, by: 1 | -1): boolean {
-  const fields = numberFields(scopeOf(field)), next = fields[fields.indexOf(field) + by];
+  const fields = numberFields(scopeOf(field)),
+    next = fields[fields.indexOf(field) + by];
   next?.focus();
   next?.select();
   return next !== undefined;

@@ -13,7 +13,10 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 function doubtOf(verdict: ShownVerdict, { dialog, findings }: Texts, lengths: Lengths): string {
   if (verdict.faults > 0) return findings.leaving.withFaults(verdict.faults);
   if (verdict.open > 0) return `${dialog.done.open(verdict.open)}.`;
-  return [`${verdictTitle(findings.verdict, lengths, verdict)}.`, ...verdictReasons(findings.verdict, verdict).slice(0, 1)].join(" ");
+  return [
+    `${verdictTitle(findings.verdict, lengths, verdict)}.`,
+    ...verdictReasons(findings.verdict, verdict).slice(0, 1),
+  ].join(" ");
 }
 
 /** What was taken along, with the verdict on it; read out. `otherwise` is said while nothing was copied. */

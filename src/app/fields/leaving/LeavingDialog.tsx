@@ -19,7 +19,12 @@ export function LeavingDialog({ cycleOf }: Pick<FindingsHost, "cycleOf">) {
   useEffect(() => () => useLeaving.getState().asking?.answer(false), []);
 
   return (
-    <dialog ref={dialog} className="leaving" role="alertdialog" aria-labelledby={`${id}-title`} aria-describedby={`${id}-what`}
+    <dialog
+      ref={dialog}
+      className="leaving"
+      role="alertdialog"
+      aria-labelledby={`${id}-title`}
+      aria-describedby={`${id}-what`}
       onClose={() => asking?.answer(false)}
     >
       {asking && (

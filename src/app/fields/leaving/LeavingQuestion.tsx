@@ -14,9 +14,11 @@ const MOST = 4;
 type Props = Pick<FindingsHost, "cycleOf">;
 
 /** What is wrong with a program that is about to go, and the ways on. */
-export function LeavingQuestion({ asking: { way, verdict, faults, unchecked, answer }, id, cycleOf }: Props & { readonly asking: Asking;
-  readonly id: string })
-{
+export function LeavingQuestion({
+  asking: { way, verdict, faults, unchecked, answer },
+  id,
+  cycleOf,
+}: Props & { readonly asking: Asking; readonly id: string }) {
   const t = useTexts();
   const lengths = useLengths();
   const words = t.findings.leaving;
@@ -34,24 +36,39 @@ export function LeavingQuestion({ asking: { way, verdict, faults, unchecked, ans
             <li key={entry.id}>
               {issueText(t, lengths, entry.issue, cycleOf(entry))}
               {entry.block !== null && (
-                <span className="soft">({entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block))})</span>
+                <span className="soft">
+                  ({entry.inFile ? placeInFile(t, entry.inFile) : t.findings.inBlock(String(entry.block))})
+                </span>
               )}
             </li>
           ))}
           {verdict.open > 0 && <li>{t.dialog.done.open(verdict.open)}</li>}
         </ul>
         {faults.length > MOST && <p className="small soft">{t.findings.more(faults.length - MOST)}</p>}
-        {doubts.map((doubt) => <p key={doubt} className="small">{doubt}</p>)}
+        {doubts.map((doubt) => (
+          <p key={doubt} className="small">
+            {doubt}
+          </p>
+        ))}
       </div>
       <div className="leaving-ways">
-        <button type="button" className="button primary" autoFocus onClick={() => {
-          answer(false);
-          showSection("findings");
-        }}>
+        <button
+          type="button"
+          className="button primary"
+          autoFocus
+          onClick={() => {
+            answer(false);
+            showSection("findings");
+          }}
+        >
           {words.look}
         </button>
-        <button type="button" className="button" onClick={() => answer(false)}>{words.cancel}</button>
-        <button type="button" className="button danger" onClick={() => answer(true)}>{words.go[way]}</button>
+        <button type="button" className="button" onClick={() => answer(false)}>
+          {words.cancel}
+        </button>
+        <button type="button" className="button danger" onClick={() => answer(true)}>
+          {words.go[way]}
+        </button>
       </div>
     </>
   );

@@ -22,7 +22,9 @@ export interface Asking {
 
 export const useLeaving = create<{ readonly asking: Asking | null }>(() => ({ asking: null }));
 
-/** How long a program that is still being calculated is waited for, ms: browsers forget soon that a button was pressed. */
+/**
+ * How long a program that is still being calculated is waited for, ms: browsers forget soon that a button was pressed.
+ */
 const PATIENCE = 3000;
 
 /** Resolves when the result for a text is there; false when it does not come in time, or can not come at all. */
@@ -48,8 +50,8 @@ function calculated(text: string): Promise<boolean> {
 }
 
 /**
- * Asks before a program with faults leaves the page; resolves to the verdict that goes with it, or to null when it is to
- * stay. One that is not wholly proved may leave unasked, but the verdict is said.
+ * Asks before a program with faults leaves the page; resolves to the verdict that goes with it, or to null when it is
+ * to stay. One that is not wholly proved may leave unasked, but the verdict is said.
  */
 export async function mayLeave(way: Way, text: string): Promise<ShownVerdict | null> {
   const checked = await calculated(text);

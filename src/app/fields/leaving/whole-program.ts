@@ -7,8 +7,8 @@ const isWholeProgram = (text: string): boolean =>
   (/BEGIN PGM/.test(text) && /END PGM/.test(text)) || (/^%\S+ G7[01]/m.test(text) && /^N99999999 %/m.test(text));
 
 /**
- * Ctrl+C and the like on text that holds the whole program: with faults in it the browser's own copying is held back, and
- * the question comes first. What is shown as in the manual goes as the file. True when it was held back.
+ * Ctrl+C and the like on text that holds the whole program: with faults in it the browser's own copying is held back,
+ * and the question comes first. What is shown as in the manual goes as the file. True when it was held back.
  */
 export function guardCopy(event: ClipboardEvent, marked: string): boolean {
   const { faults, open } = presentFindings().verdict;

@@ -9,5 +9,9 @@ export function MachineRapid() {
   const language = useSettings((s) => s.language);
   const run = useOutcome((s) => s.pictured?.run);
   if (!t || !run) return null;
-  return <p className="small soft">{timeContents(t.time, run, language).slice(0, 2).join(". ")}. {t.time.hint}</p>;
+  return (
+    <p className="small soft">
+      {timeContents(t.time, run, language).slice(0, 2).join(". ")}. {t.time.hint}
+    </p>
+  );
 }

@@ -9,8 +9,15 @@ import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
 import { changeSettings, useSettings } from "../../base/settings/settings.ts";
 import { LabelledInput } from "../number/LabelledInput.tsx";
-import { draftOfMachine, problemAt, readMachineDraft, MACHINE_FIELDS, type DraftPoint, type MachineDraft,
-  type MachineField } from "./draft.ts";
+import {
+  draftOfMachine,
+  problemAt,
+  readMachineDraft,
+  MACHINE_FIELDS,
+  type DraftPoint,
+  type MachineDraft,
+  type MachineField,
+} from "./draft.ts";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import "./machine.css";
 
@@ -38,7 +45,7 @@ function Section({ t }: { readonly t: MachineTexts }) {
   const file = useRef<HTMLInputElement>(null);
   const read = draft && readMachineDraft(draft);
   const machine = read && "machine" in read ? read.machine : null;
-  const preset = draft === null ? "none" : exampleOf(machine) ?? "own";
+  const preset = draft === null ? "none" : (exampleOf(machine) ?? "own");
 
   const take = (next: MachineData | null) => {
     setDraft(next && draftOfMachine(next));
@@ -69,7 +76,10 @@ function Section({ t }: { readonly t: MachineTexts }) {
     if (brought) changeSettings({ output: brought });
     say(t.taken(data.name));
   };
-  const functions = t.functions(`M${output.spindleOn}`, output.spindleOff === null ? t.noFunction : `M${output.spindleOff}`);
+  const functions = t.functions(
+    `M${output.spindleOn}`,
+    output.spindleOff === null ? t.noFunction : `M${output.spindleOff}`,
+  );
   return (
     <section className="machine" aria-labelledby="machine-title">
       <h3 id="machine-title">{t.title}</h3>
@@ -77,7 +87,11 @@ function Section({ t }: { readonly t: MachineTexts }) {
       <label>
         <span>{t.preset}</span>
         <select className="select" value={preset} onChange={(event) => choose(event.currentTarget.value)}>
-          {(["none", ...EXAMPLE_MACHINE_NAMES, "own"] as const).map((each) => <option key={each} value={each}>{t.presets[each]}</option>)}
+          {(["none", ...EXAMPLE_MACHINE_NAMES, "own"] as const).map((each) => (
+            <option key={each} value={each}>
+              {t.presets[each]}
+            </option>
+          ))}
         </select>
       </label>
       {preset !== "none" && preset !== "own" && <p className="small soft">{t.examples}</p>}
@@ -87,34 +101,64 @@ function Section({ t }: { readonly t: MachineTexts }) {
           <MachineForm t={t} draft={draft} problems={"problems" in read ? read.problems : []} type={type} />
         </details>
       )}
-      {draft && !machine && <Message tone="warning" role="status">{t.kept}</Message>}
+      {draft && !machine && (
+        <Message tone="warning" role="status">
+          {t.kept}
+        </Message>
+      )}
       {draft && <p className="small soft">{functions}</p>}
       <div className="bring-buttons">
         {machine && (
-          <button type="button" className="button" onClick={() => downloadText(writeMachine({ ...machine, output }), "MACHINE.json")}>
+          <button
+            type="button"
+            className="button"
+            onClick={() => downloadText(writeMachine({ ...machine, output }), "MACHINE.json")}
+          >
             <Icon name="download" /> {t.save}
           </button>
         )}
-        <button type="button" className="button" onClick={() => file.current?.click()}>{t.open}</button>
-        <input ref={file} type="file" hidden accept=".json,application/json" onChange={(event) => {
-          const [chosen] = event.currentTarget.files ?? [];
-          event.currentTarget.value = "";
-          if (chosen) void bringIn(chosen);
-        }} />
+        <button type="button" className="button" onClick={() => file.current?.click()}>
+          {t.open}
+        </button>
+        <input
+          ref={file}
+          type="file"
+          hidden
+          accept=".json,application/json"
+          onChange={(event) => {
+            const [chosen] = event.currentTarget.files ?? [];
+            event.currentTarget.value = "";
+            if (chosen) void bringIn(chosen);
+          }}
+        />
       </div>
-      <p role="status" className="small">{said}</p>
+      <p role="status" className="small">
+        {said}
+      </p>
     </section>
   );
 }
 
 /** Which values belong together, and how each is counted. */
 const GROUPS = {
-  rapid: [["rapidX", "rate"], ["rapidZ", "rate"]],
-  acceleration: [["accelerationX", "acceleration"], ["accelerationZ", "acceleration"]],
+  rapid: [
+    ["rapidX", "rate"],
+    ["rapidZ", "rate"],
+  ],
+  acceleration: [
+    ["accelerationX", "acceleration"],
+    ["accelerationZ", "acceleration"],
+  ],
   change: [["toolChange", "seconds"]],
-  spindle: [["most", "rpm"], ["runUp", "seconds"], ["power", "power"]],
+  spindle: [
+    ["most", "rpm"],
+    ["runUp", "seconds"],
+    ["power", "power"],
+  ],
 } as const satisfies Readonly<
-  Partial<Record<keyof MachineTexts["groups"], readonly (readonly [field: MachineField, unit: keyof MachineTexts["units"]])[]>>
+  Partial<
+    Record<keyof MachineTexts["groups"], readonly (readonly [field: MachineField, unit: keyof MachineTexts["units"]])[]>
+  >
 >;
 const GROUP_NAMES = Object.keys(GROUPS) as readonly (keyof typeof GROUPS)[];
 
@@ -143,26 +187,47 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
   const input = (name: string, unit: string, text: string, at: string, onText: (text: string) => void) => {
     const wrong = said(at);
     return (
-      <LabelledInput key={at} className="setup-field" label={name} unit={unit} text={text} onText={onText} keypad="none"
-        aria-invalid={wrong !== null} messages={wrong !== null && <Message tone="error">{wrong}</Message>} onKeyDown={keepOpen} />
+      <LabelledInput
+        key={at}
+        className="setup-field"
+        label={name}
+        unit={unit}
+        text={text}
+        onText={onText}
+        keypad="none"
+        aria-invalid={wrong !== null}
+        messages={wrong !== null && <Message tone="error">{wrong}</Message>}
+        onKeyDown={keepOpen}
+      />
     );
   };
   const { torque } = draft;
   const setPoint = (which: number, change: Partial<DraftPoint>) =>
     type({ ...draft, torque: torque.map((point, i) => (i === which ? { ...point, ...change } : point)) });
-  const alone = said("acceleration"), curve = said("spindle.torque");
+  const alone = said("acceleration"),
+    curve = said("spindle.torque");
   return (
     <div className="machine-form">
       <label className="machine-name">
         <span>{t.name}</span>
-        <input className="input" type="text" maxLength={60} autoComplete="off" value={draft.name} aria-invalid={said("name") !== null}
-          onKeyDown={keepOpen} onChange={(event) => type({ ...draft, name: event.currentTarget.value })} />
+        <input
+          className="input"
+          type="text"
+          maxLength={60}
+          autoComplete="off"
+          value={draft.name}
+          aria-invalid={said("name") !== null}
+          onKeyDown={keepOpen}
+          onChange={(event) => type({ ...draft, name: event.currentTarget.value })}
+        />
       </label>
       {GROUP_NAMES.map((group) => (
         <fieldset key={group} className="machine-group">
           <legend>{t.groups[group]}</legend>
           {GROUPS[group].map(([field, unit]) =>
-            input(t.fields[field], t.units[unit], draft[field], MACHINE_FIELDS[field], (text) => type({ ...draft, [field]: text }))
+            input(t.fields[field], t.units[unit], draft[field], MACHINE_FIELDS[field], (text) =>
+              type({ ...draft, [field]: text }),
+            ),
           )}
           {group === "acceleration" && alone !== null && <Message tone="error">{alone}</Message>}
         </fieldset>
@@ -171,10 +236,16 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
         <legend>{t.groups.torque}</legend>
         {torque.map((point, i) => (
           <div key={`${id}${i}`} className="machine-point">
-            {input(t.fields.speed(`${i + 1}`), t.units.rpm, point.speed, `spindle.torque.${i}.speed`, (speed) => setPoint(i, { speed }))}
-            {input(t.fields.torque(`${i + 1}`), t.units.torque, point.torque, `spindle.torque.${i}.torque`,
-              (of) => setPoint(i, { torque: of }))}
-            <button type="button" className="button icon plain" aria-label={t.removePoint(`${i + 1}`)}
+            {input(t.fields.speed(`${i + 1}`), t.units.rpm, point.speed, `spindle.torque.${i}.speed`, (speed) =>
+              setPoint(i, { speed }),
+            )}
+            {input(t.fields.torque(`${i + 1}`), t.units.torque, point.torque, `spindle.torque.${i}.torque`, (of) =>
+              setPoint(i, { torque: of }),
+            )}
+            <button
+              type="button"
+              className="button icon plain"
+              aria-label={t.removePoint(`${i + 1}`)}
               onClick={() => type({ ...draft, torque: torque.filter((_, each) => each !== i) })}
             >
               <Icon name="remove" />
@@ -182,7 +253,10 @@ function MachineForm({ t, draft, problems, type }: FormProps) {
           </div>
         ))}
         {curve !== null && <Message tone="error">{curve}</Message>}
-        <button type="button" className="button" disabled={torque.length >= MOST_POINTS}
+        <button
+          type="button"
+          className="button"
+          disabled={torque.length >= MOST_POINTS}
           onClick={() => type({ ...draft, torque: [...torque, EMPTY_POINT] })}
         >
           <Icon name="add" /> {t.addPoint}

@@ -2,8 +2,9 @@ import { expect, test } from "vitest";
 import { EXAMPLE_MACHINE_NAMES, EXAMPLE_MACHINES } from "../../../program/machine/example-machines.ts";
 import { draftOfMachine, problemAt, readMachineDraft, type MachineDraft } from "./draft.ts";
 
-test.each(EXAMPLE_MACHINE_NAMES)("the form of %s is read as the machine that it was made of",
-  (name) => expect(readMachineDraft(draftOfMachine(EXAMPLE_MACHINES[name]))).toEqual({ machine: EXAMPLE_MACHINES[name] }));
+test.each(EXAMPLE_MACHINE_NAMES)("the form of %s is read as the machine that it was made of", (name) =>
+  expect(readMachineDraft(draftOfMachine(EXAMPLE_MACHINES[name]))).toEqual({ machine: EXAMPLE_MACHINES[name] }),
+);
 
 const bare = draftOfMachine({ name: "A" });
 const problems = (change: Partial<MachineDraft>) => {
@@ -22,7 +23,15 @@ test.each<[Partial<MachineDraft>, readonly string[]]>([
   [{ rapidX: "24000" }, ["missing rapid.z"]],
   [{ rapidX: "fast", rapidZ: "30000" }, ["wrong rapid.x"]],
   [{ runUp: "2" }, ["missing spindle.most"]],
-  [{ torque: [{ speed: "0", torque: "70" }, { speed: "", torque: "20" }] }, ["missing spindle.most", "missing spindle.torque.1.speed"]],
+  [
+    {
+      torque: [
+        { speed: "0", torque: "70" },
+        { speed: "", torque: "20" },
+      ],
+    },
+    ["missing spindle.most", "missing spindle.torque.1.speed"],
+  ],
   [{ accelerationX: "2", accelerationZ: "2" }, ["alone acceleration"]],
 ])("%j is told at its field", (change, expected) => expect(problems(change)).toEqual(expected));
 

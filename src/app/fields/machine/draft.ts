@@ -1,6 +1,11 @@
 import { anyNumber, readText } from "../../../program/values/field.ts";
 import type { MachineData } from "../../../program/machine/machine-data.ts";
-import { MACHINE_FORMAT, readMachine, type MachineProblem, type ReadMachine } from "../../../program/machine/machine-file.ts";
+import {
+  MACHINE_FORMAT,
+  readMachine,
+  type MachineProblem,
+  type ReadMachine,
+} from "../../../program/machine/machine-file.ts";
 
 /** The numbers of the form beside the torque curve, each with the place of its value in the file. */
 export const MACHINE_FIELDS = {
@@ -44,7 +49,8 @@ export const draftOfMachine = ({ name, rapid, acceleration, toolChange, spindle 
 });
 
 /** A typed number; a text that is none stays what it is, for the file to refuse. */
-const valueOf = (text: string): number | string | undefined => text.trim() === "" ? undefined : readText(anyNumber, text).value ?? text;
+const valueOf = (text: string): number | string | undefined =>
+  text.trim() === "" ? undefined : (readText(anyNumber, text).value ?? text);
 
 /** A group of values; none where nothing of it is typed. */
 function group<T extends object>(values: T): T | undefined {
@@ -55,14 +61,21 @@ function group<T extends object>(values: T): T | undefined {
 export function readMachineDraft(draft: MachineDraft): ReadMachine {
   const of = (field: MachineField) => valueOf(draft[field]);
   const torque = draft.torque.map((point) => ({ speed: valueOf(point.speed), torque: valueOf(point.torque) }));
-  return readMachine(JSON.stringify({
-    format: MACHINE_FORMAT,
-    name: draft.name.trim(),
-    rapid: group({ x: of("rapidX"), z: of("rapidZ") }),
-    acceleration: group({ x: of("accelerationX"), z: of("accelerationZ") }),
-    toolChange: of("toolChange"),
-    spindle: group({ most: of("most"), runUp: of("runUp"), power: of("power"), torque: torque.length > 0 ? torque : undefined }),
-  }));
+  return readMachine(
+    JSON.stringify({
+      format: MACHINE_FORMAT,
+      name: draft.name.trim(),
+      rapid: group({ x: of("rapidX"), z: of("rapidZ") }),
+      acceleration: group({ x: of("accelerationX"), z: of("accelerationZ") }),
+      toolChange: of("toolChange"),
+      spindle: group({
+        most: of("most"),
+        runUp: of("runUp"),
+        power: of("power"),
+        torque: torque.length > 0 ? torque : undefined,
+      }),
+    }),
+  );
 }
 
 /** What is wrong at a place of the file, where anything is. */

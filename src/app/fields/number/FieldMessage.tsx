@@ -27,20 +27,21 @@ interface Props {
 export function FieldMessage({ problem, decimals, place, calm = false, onTake, parameterField = false }: Props) {
   const t = useTexts();
   const say = useIssueText();
-  const lengths = useLengths(), cycle = useContext(CycleInWork);
+  const lengths = useLengths(),
+    cycle = useContext(CycleInWork);
   const { issue } = problem;
   const shown = calm ? "info" : issue.severity;
   const offered = "nearest" in issue.data && typeof issue.data.nearest === "number" ? issue.data.nearest : null;
   const param = cycle === null || !("at" in issue) ? undefined : cycleByNumber(cycle)?.params[issue.at ?? ""];
-  const isInch = lengths.unit === "inch", nearest = offered === null ? null : valueInProgram(param, offered, isInch);
+  const isInch = lengths.unit === "inch",
+    nearest = offered === null ? null : valueInProgram(param, offered, isInch);
   return (
     <Message as="div" tone={shown}>
       <p>
-        <span className="unseen">{t.findings.severities[shown]}:{" "}</span>
+        <span className="unseen">{t.findings.severities[shown]}: </span>
         {place !== undefined && (
           <>
-            <b>{place}:</b>
-            {" "}
+            <b>{place}:</b>{" "}
           </>
         )}
         {say(issue)}

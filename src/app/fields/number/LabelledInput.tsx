@@ -22,14 +22,31 @@ export function LabelledInput({ className, label, more, unit, button, hint, mess
   const name = <label htmlFor={id}>{label}</label>;
   return (
     <div className={className}>
-      {more === undefined ? name : <span className="field-name">{name}{more}</span>}
+      {more === undefined ? (
+        name
+      ) : (
+        <span className="field-name">
+          {name}
+          {more}
+        </span>
+      )}
       <span className="field-value">
         <NumberInput id={id} aria-describedby={`${id}-unit ${id}-hint ${id}-messages`} {...input} />
-        {unit !== undefined && <span className="soft small" id={`${id}-unit`}>{unit}</span>}
+        {unit !== undefined && (
+          <span className="soft small" id={`${id}-unit`}>
+            {unit}
+          </span>
+        )}
         {button}
       </span>
-      {hint && <p className="field-hint small soft" id={`${id}-hint`}>{hint}</p>}
-      <div className="field-messages" id={`${id}-messages`} role="status">{messages}</div>
+      {hint && (
+        <p className="field-hint small soft" id={`${id}-hint`}>
+          {hint}
+        </p>
+      )}
+      <div className="field-messages" id={`${id}-messages`} role="status">
+        {messages}
+      </div>
     </div>
   );
 }

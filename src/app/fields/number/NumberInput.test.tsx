@@ -19,15 +19,22 @@ function Field({ start = "", ...props }: Partial<NumberInputProps> & { readonly 
   );
 }
 const input = () => screen.getByRole<HTMLInputElement>("textbox");
-async function typed(keys: string, props: Partial<NumberInputProps> & { readonly start?: string } = {}): Promise<string> {
+async function typed(
+  keys: string,
+  props: Partial<NumberInputProps> & { readonly start?: string } = {},
+): Promise<string> {
   render(<Field selects {...props} />);
   input().focus();
   await userEvent.keyboard(keys);
   return input().value;
 }
 
-test.each([["12-", "-12"], ["60-2", "60-2"], ["2+3-", "2+3-"], ["-{Backspace}7", "7"]])("%s makes %s",
-  async (keys, shown) => expect(await typed(keys)).toBe(shown));
+test.each([
+  ["12-", "-12"],
+  ["60-2", "60-2"],
+  ["2+3-", "2+3-"],
+  ["-{Backspace}7", "7"],
+])("%s makes %s", async (keys, shown) => expect(await typed(keys)).toBe(shown));
 
 test("a minus on a selected number begins a negative one", async () => {
   expect(await typed("-", { start: "5" })).toBe("-5");

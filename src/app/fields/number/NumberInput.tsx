@@ -5,13 +5,19 @@ import { inScreenWriting } from "../dialog/write-value.ts";
 import type { NumberLetters } from "../keypad/field-typing.ts";
 import { insert, minuendOf, minus, subtracted, type EntryState } from "./number-entry.ts";
 
-export interface NumberInputProps extends Omit<ComponentProps<"input">, "type" | "value" | "onChange" | "onBlur" | "onFocus"> {
+export interface NumberInputProps extends Omit<
+  ComponentProps<"input">,
+  "type" | "value" | "onChange" | "onBlur" | "onFocus"
+> {
   readonly text: string;
   /** Takes the text at each keystroke, and the value of a sum when the field is left. */
   readonly onText: (text: string) => void;
   /** When the field is left, after a sum was worked out. */
   readonly onLeave?: () => void;
-  /** "typed" is taken literally: no sign key, no sums, no decimal sign of the screen. So is "text", which does not look like a number. */
+  /**
+   * "typed" is taken literally: no sign key, no sums, no decimal sign of the screen. So is "text", which does not look
+   * like a number.
+   */
   readonly kind?: "number" | "typed" | "text";
   /** The minus key changes the sign, wherever the caret is. */
   readonly signed?: boolean;
@@ -24,30 +30,54 @@ export interface NumberInputProps extends Omit<ComponentProps<"input">, "type" |
   readonly of?: string;
 }
 
-/** The field for a number, an expression or a word: every one of the page. Attributes of an input element are passed on to it. */
-export function NumberInput({ text, onText, onLeave, kind = "number", signed = true, sums = true, keypad, selects, of, ...rest }:
-  NumberInputProps)
-{
+/**
+ * The field for a number, an expression or a word: every one of the page. Attributes of an input element are passed on
+ * to it.
+ */
+export function NumberInput({
+  text,
+  onText,
+  onLeave,
+  kind = "number",
+  signed = true,
+  sums = true,
+  keypad,
+  selects,
+  of,
+  ...rest
+}: NumberInputProps) {
   const language = useSettings((s) => s.language);
   const sign = useSignKey(of, text, onText);
   const isNumber = kind === "number";
   const letters = keypad ?? (isNumber ? "words" : "none");
   return (
-    <input className={kind === "text" ? "input" : "input number"} type="text" inputMode={isNumber ? "decimal" : "text"} autoComplete="off"
-      spellCheck={false} maxLength={isNumber ? 200 : 500} {...(letters !== "none" && { "data-number": letters })} {...rest}
-      value={isNumber ? inScreenWriting(language, text) : text} onChange={(event) => {
-      sign.end();
-      onText(event.currentTarget.value);
-    }} onBlur={() => {
-      const sum = isNumber && sums ? sumOf(text) : null;
-      if (sum !== null) onText(sum);
-      onLeave?.();
-    }} onFocus={(event) => {
-      if (selects) event.currentTarget.select();
-    }} onKeyDown={(event) => {
-      rest.onKeyDown?.(event);
-      if (isNumber && signed && !event.defaultPrevented) sign.onKeyDown(event);
-    }} />
+    <input
+      className={kind === "text" ? "input" : "input number"}
+      type="text"
+      inputMode={isNumber ? "decimal" : "text"}
+      autoComplete="off"
+      spellCheck={false}
+      maxLength={isNumber ? 200 : 500}
+      {...(letters !== "none" && { "data-number": letters })}
+      {...rest}
+      value={isNumber ? inScreenWriting(language, text) : text}
+      onChange={(event) => {
+        sign.end();
+        onText(event.currentTarget.value);
+      }}
+      onBlur={() => {
+        const sum = isNumber && sums ? sumOf(text) : null;
+        if (sum !== null) onText(sum);
+        onLeave?.();
+      }}
+      onFocus={(event) => {
+        if (selects) event.currentTarget.select();
+      }}
+      onKeyDown={(event) => {
+        rest.onKeyDown?.(event);
+        if (isNumber && signed && !event.defaultPrevented) sign.onKeyDown(event);
+      }}
+    />
   );
 }
 
@@ -70,7 +100,8 @@ function useSignKey(of: string | undefined, text: string, onText: (text: string)
     },
     onKeyDown(event: KeyboardEvent<HTMLInputElement>) {
       if (event.ctrlKey || event.metaKey || event.altKey) return;
-      const input = event.currentTarget, { value } = input;
+      const input = event.currentTarget,
+        { value } = input;
       const entry: EntryState = {
         text: value,
         from: input.selectionStart ?? value.length,

@@ -10,27 +10,49 @@ function entry(picture: string): EntryState {
     : { text, from: picture.indexOf("["), to: picture.indexOf("]") - 1, negative: false };
 }
 
-test.each([["12|", "-12"], ["1|2", "-12"], ["-12|", "12"], ["+12|", "-12"], ["3,5|", "-3,5"], ["|", "-"], ["[50]", "-50"], [
-  "[-50]",
-  "50",
-]])("minus in %s gives %s", (before, after) => expect(minus(entry(before)).text).toBe(after));
+test.each([
+  ["12|", "-12"],
+  ["1|2", "-12"],
+  ["-12|", "12"],
+  ["+12|", "-12"],
+  ["3,5|", "-3,5"],
+  ["|", "-"],
+  ["[50]", "-50"],
+  ["[-50]", "50"],
+])("minus in %s gives %s", (before, after) => expect(minus(entry(before)).text).toBe(after));
 
-test.each([["75/2|", "75/2-"], ["Q5|", "Q5-"], ["(3|", "(3-"]])("minus in the sum %s stays a minus",
-  (before, after) => expect(minus(entry(before)).text).toBe(after));
+test.each([
+  ["75/2|", "75/2-"],
+  ["Q5|", "Q5-"],
+  ["(3|", "(3-"],
+])("minus in the sum %s stays a minus", (before, after) => expect(minus(entry(before)).text).toBe(after));
 
 test("the caret stays at its digit", () => expect(minus(entry("1|2"))).toMatchObject({ from: 2, to: 2 }));
 
-test.each([["[50]", "-5"], ["[-50]", "-5"]])("minus, then 5, over %s begins a negative number",
-  (before, after) => expect(insert(minus(entry(before)), "5").text).toBe(after));
+test.each([
+  ["[50]", "-5"],
+  ["[-50]", "-5"],
+])("minus, then 5, over %s begins a negative number", (before, after) =>
+  expect(insert(minus(entry(before)), "5").text).toBe(after),
+);
 
-test.each([["[50]", "-4"], ["[-55]", "4"]])("the ± key, then 4, over %s keeps the sign that is seen",
-  (before, after) => expect(insert(toggleSign(entry(before)), "4").text).toBe(after));
+test.each([
+  ["[50]", "-4"],
+  ["[-55]", "4"],
+])("the ± key, then 4, over %s keeps the sign that is seen", (before, after) =>
+  expect(insert(toggleSign(entry(before)), "4").text).toBe(after),
+);
 
-test.each([["60|", "60-2"], ["3,5|", "3,5-2"]])("minus and a digit behind %s make a sum", (before, after) => {
+test.each([
+  ["60|", "60-2"],
+  ["3,5|", "3,5-2"],
+])("minus and a digit behind %s make a sum", (before, after) => {
   const minuend = minuendOf(entry(before));
   expect(subtracted(minus(entry(before)), minuend ?? "", "2")?.text).toBe(after);
 });
-test.each(["6|0", "[60]", "-60|", "|", "60+3|"])("minus in %s begins no sum", (before) => expect(minuendOf(entry(before))).toBeNull());
+test.each(["6|0", "[60]", "-60|", "|", "60+3|"])("minus in %s begins no sum", (before) =>
+  expect(minuendOf(entry(before))).toBeNull(),
+);
 
 test("digits take the place of what is selected", () => expect(insert(entry("[75]"), "8").text).toBe("8"));
 test("erase takes the selection, or one character", () => {

@@ -14,13 +14,14 @@ const plainNumber = /^\s*[+-]?\d*[.,]?\d*\s*$/;
 export const isPlainNumber = (text: string): boolean => plainNumber.test(text);
 
 /** The whole number is selected, with or without its sign: what is typed next takes its place. */
-const allSelected = ({ text, from, to }: EntryState) => from < to && to === text.length && /^[+-]?$/.test(text.slice(0, from));
+const allSelected = ({ text, from, to }: EntryState) =>
+  from < to && to === text.length && /^[+-]?$/.test(text.slice(0, from));
 
 const caretAt = (text: string, at: number): EntryState => ({ text, from: at, to: at, negative: false });
 
 /**
- * The same number with the other sign; the caret stays at its digit. Of a number that was selected as a whole the digits
- * stay selected, so that digits typed next take the place of its digits and keep the sign that is seen.
+ * The same number with the other sign; the caret stays at its digit. Of a number that was selected as a whole the
+ * digits stay selected, so that digits typed next take the place of its digits and keep the sign that is seen.
  */
 export function toggleSign(entry: EntryState): EntryState {
   const { text, from, to } = entry;
@@ -39,11 +40,13 @@ export function minus(entry: EntryState): EntryState {
 }
 
 /**
- * A digit behind a minus that changed the sign of the number before it: a sum is typed, as 60-2. `minuend` is what stood there before
- * the minus; null where the digit just goes on with the number.
+ * A digit behind a minus that changed the sign of the number before it: a sum is typed, as 60-2. `minuend` is what
+ * stood there before the minus; null where the digit just goes on with the number.
  */
 export const subtracted = ({ text, from }: EntryState, minuend: string, digit: string): EntryState | null =>
-  text === `-${minuend}` && from === text.length ? caretAt(`${minuend}-${digit}`, minuend.length + 1 + digit.length) : null;
+  text === `-${minuend}` && from === text.length
+    ? caretAt(`${minuend}-${digit}`, minuend.length + 1 + digit.length)
+    : null;
 
 /** What a minus at its end may be taken from: digits that were typed, with the caret behind them. */
 export const minuendOf = ({ text, from, to }: EntryState): string | null =>

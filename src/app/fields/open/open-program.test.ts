@@ -19,7 +19,9 @@ const pgm = (lines: string) => `0 BEGIN PGM S MM\n${lines}\nEND PGM S MM\n`;
 /** Files of the device; jsdom gives their bytes only when asked in its own way. */
 function chosen(texts: Readonly<Record<string, string>>) {
   return plainFiles(
-    Object.entries(texts).map(([name, text]) => fileOf(name, async () => new TextEncoder().encode(text).buffer, text.length)),
+    Object.entries(texts).map(([name, text]) =>
+      fileOf(name, async () => new TextEncoder().encode(text).buffer, text.length),
+    ),
   );
 }
 const fileOf = (name: string, arrayBuffer: () => Promise<ArrayBuffer>, size: number) =>
@@ -34,7 +36,15 @@ const names = () => textsOf(program()).map(({ name }) => name);
 const calculate = () => {
   const { name, text, files = [] } = program();
   const table = { tools: shippedTools, mills: [], refused: new Map() };
-  const outcome = engine.update({ version: version += 1, name, text, files, table, rapid: 10_000, control: "TNC 640" });
+  const outcome = engine.update({
+    version: (version += 1),
+    name,
+    text,
+    files,
+    table,
+    rapid: 10_000,
+    control: "TNC 640",
+  });
   takeOutcome(outcome);
   return outcome;
 };
@@ -57,7 +67,12 @@ test("one file is a program alone; several are one work, and the one that no oth
 });
 
 test("several programs that no other calls are not forced into one work: which is opened is asked", async () => {
-  const texts = { "a.h": pgm("CALL PGM SUB"), "b.h": pgm("L X+2\nCALL PGM TNC:\\sub\\SUB.H"), "sub.h": pgm("L X+3"), "p.tab": "1" };
+  const texts = {
+    "a.h": pgm("CALL PGM SUB"),
+    "b.h": pgm("L X+2\nCALL PGM TNC:\\sub\\SUB.H"),
+    "sub.h": pgm("L X+3"),
+    "p.tab": "1",
+  };
   const choice = () => {
     const { choice: asked } = useChoice.getState();
     if (!asked) throw new Error("nothing is asked");
@@ -65,7 +80,10 @@ test("several programs that no other calls are not forced into one work: which i
   };
   expect(await openFiles(chosen(texts))).toBe("opened");
   expect(useEditor.getState().program).toBeNull();
-  expect(choice().works.map((work) => textsOf(work).map(({ name }) => name))).toEqual([["a.h", "sub.h"], ["b.h", "sub.h"]]);
+  expect(choice().works.map((work) => textsOf(work).map(({ name }) => name))).toEqual([
+    ["a.h", "sub.h"],
+    ["b.h", "sub.h"],
+  ]);
   choice().open(choice().works);
   expect(names()).toEqual(["a.h", "sub.h"]);
   undo();
@@ -83,7 +101,10 @@ test("programs that all call each other are one work, and that it is not clear w
 
 test("of two files with one name the first counts", async () => {
   await openFiles(chosen({ "a.h": pgm("CALL PGM B"), "b.h": pgm("L X+1"), "B.H": pgm("L X+2") }));
-  expect(textsOf(program()).map(({ name, text }) => [name, text.includes("X+1")])).toEqual([["a.h", false], ["b.h", true]]);
+  expect(textsOf(program()).map(({ name, text }) => [name, text.includes("X+1")])).toEqual([
+    ["a.h", false],
+    ["b.h", true],
+  ]);
 });
 
 test("a file that can not be read is said, and the others are opened", async () => {
@@ -96,7 +117,9 @@ test("a file that can not be read is said, and the others are opened", async () 
 });
 
 test("files that are too large together are not opened, nor put beside a program", async () => {
-  const large = plainFiles(["a.h", "b.h"].map((name) => fileOf(name, async () => new ArrayBuffer(1), LARGEST_PROGRAM / 2 + 1)));
+  const large = plainFiles(
+    ["a.h", "b.h"].map((name) => fileOf(name, async () => new ArrayBuffer(1), LARGEST_PROGRAM / 2 + 1)),
+  );
   expect(await openFiles(large)).toBe("tooLarge");
   expect(useEditor.getState().program).toBeNull();
   await openFiles(chosen({ "main.h": pgm("CALL PGM A") }));
@@ -106,7 +129,9 @@ test("files that are too large together are not opened, nor put beside a program
 });
 
 test("what a program calls and does not have is missing until it is added; taking it back is one step", async () => {
-  await openFiles(chosen({ "main.h": pgm("CALL PGM TNC:\\work\\cut\nCALL PGM CUT.H\nCALL PGM B"), "b.h": pgm("L X+1") }));
+  await openFiles(
+    chosen({ "main.h": pgm("CALL PGM TNC:\\work\\cut\nCALL PGM CUT.H\nCALL PGM B"), "b.h": pgm("L X+1") }),
+  );
   const outcome = calculate();
   expect(missingFiles(program(), outcome)).toEqual(["CUT.H"]);
   await addFiles(chosen({ "cut (1).h": pgm("L X+2") }), "CUT.H");
@@ -121,7 +146,11 @@ test("what a program calls and does not have is missing until it is added; takin
 
 test("what is dropped on a program that waits for it belongs to it; anything else is a work of its own", async () => {
   const drop = (texts: Readonly<Record<string, string>>) =>
-    openDropped({ items: [], files: chosen(texts).map(({ file }) => file), getData: () => "" } as unknown as DataTransfer);
+    openDropped({
+      items: [],
+      files: chosen(texts).map(({ file }) => file),
+      getData: () => "",
+    } as unknown as DataTransfer);
   await openFiles(chosen({ "main.h": pgm("CALL PGM CUT\nCALL PGM B") }));
   calculate();
   const { work } = useEditor.getState();

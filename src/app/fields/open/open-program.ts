@@ -25,24 +25,35 @@ export type Opening = "opened" | "tooLarge" | "unreadable";
 
 interface Read {
   readonly files: readonly WorkFile[];
-  readonly handles: readonly { readonly name: string; readonly handle: FileHandle; readonly bytes: Uint8Array<ArrayBuffer> }[];
+  readonly handles: readonly {
+    readonly name: string;
+    readonly handle: FileHandle;
+    readonly bytes: Uint8Array<ArrayBuffer>;
+  }[];
   /** False when one of them could not be read. */
   readonly whole: boolean;
 }
 
-/** The texts of chosen files; of two with one name the first counts. A translated one is not written back to where it came from. */
+/**
+ * The texts of chosen files; of two with one name the first counts. A translated one is not written back to where it
+ * came from.
+ */
 async function read(chosen: readonly Chosen[]): Promise<Read> {
-  const all = await Promise.all(chosen.map(async ({ file, handle }) => {
-    try {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      const own = { name: file.name, ...decode(bytes) };
-      const klartext = await asKlartext(own);
-      return { file: klartext, handle: klartext === own ? handle : null, bytes };
-    } catch {
-      return null;
-    }
-  }));
-  const found = [...new Map(all.flatMap((each) => (each ? [[fileKey(each.file.name), each] as const] : [])).reverse()).values()].reverse();
+  const all = await Promise.all(
+    chosen.map(async ({ file, handle }) => {
+      try {
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        const own = { name: file.name, ...decode(bytes) };
+        const klartext = await asKlartext(own);
+        return { file: klartext, handle: klartext === own ? handle : null, bytes };
+      } catch {
+        return null;
+      }
+    }),
+  );
+  const found = [
+    ...new Map(all.flatMap((each) => (each ? [[fileKey(each.file.name), each] as const] : [])).reverse()).values(),
+  ].reverse();
   return {
     files: found.map(({ file }) => file),
     handles: found.flatMap(({ file, handle, bytes }) => (handle ? [{ name: file.name, handle, bytes }] : [])),
@@ -66,8 +77,8 @@ function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): void {
 }
 
 /**
- * Opens files together: as one work where one program calls the others, the rest beside it. Where several programs could run, which is
- * asked; closing the question opens none.
+ * Opens files together: as one work where one program calls the others, the rest beside it. Where several programs
+ * could run, which is asked; closing the question opens none.
  */
 async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent, "files">): Promise<boolean> {
   const { files } = found;
@@ -77,7 +88,10 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
     openRead(first, found);
     return true;
   }
-  const [{ mainOf }, { parse }] = await Promise.all([import("../../../program/run/main-program.ts"), import("../../../nc/parse.ts")]);
+  const [{ mainOf }, { parse }] = await Promise.all([
+    import("../../../program/run/main-program.ts"),
+    import("../../../nc/parse.ts"),
+  ]);
   const { index, sure, free } = mainOf(files, parse);
   const main = files[index] ?? first;
   const whole: ProgramWork = { ...main, files: files.filter((file) => file !== main) };
@@ -111,14 +125,19 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
     await bringIn(first.file);
     return "opened";
   }
-  if (chosen.some(({ file }) => /\.json$/i.test(file.name)) && (await openTaught(chosen.map(({ file }) => file)))) return "opened";
+  if (chosen.some(({ file }) => /\.json$/i.test(file.name)) && (await openTaught(chosen.map(({ file }) => file))))
+    return "opened";
   return openRest(chosen, { skipped: 0, isCut: false });
 }
 
-/** Opens tasks and results, told by the name that they are saved under, or by what stands in them; false for other files. */
+/**
+ * Opens tasks and results, told by the name that they are saved under, or by what stands in them; false for other
+ * files.
+ */
 async function openTaught(files: readonly File[]): Promise<boolean> {
   const { areTaught, openTaughtFiles } = await untilHere(taughtFilesSlot.fetch);
-  if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaught(files))) return false;
+  if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaught(files)))
+    return false;
   await openTaughtFiles(files);
   return true;
 }
@@ -138,11 +157,14 @@ async function openRest(chosen: readonly Chosen[], leftOut: Omit<FolderContent, 
 /** Opens what lies in a folder. What is left out of it is said. */
 export async function openFolder({ files, ...leftOut }: FolderContent): Promise<Opening> {
   const opening = await openRest(files, leftOut);
-  if (opening === "opened" && (leftOut.skipped > 0 || leftOut.isCut) && !useChoice.getState().choice) notice("filesLeftOut");
+  if (opening === "opened" && (leftOut.skipped > 0 || leftOut.isCut) && !useChoice.getState().choice)
+    notice("filesLeftOut");
   return opening;
 }
 
-/** Puts files beside the open program, as one step of undo. A single one may stand under the name by which it is called. */
+/**
+ * Puts files beside the open program, as one step of undo. A single one may stand under the name by which it is called.
+ */
 export async function addFiles(chosen: readonly Chosen[], name: string | null = null): Promise<void> {
   const { program, work } = useEditor.getState();
   if (!program || chosen.length === 0) return;
@@ -157,7 +179,10 @@ export async function addFiles(chosen: readonly Chosen[], name: string | null = 
   if (!found.whole) notice("fileUnreadable");
 }
 
-/** Opens text that was pasted or printed; what the work that it was printed from runs with, and how it is written, goes along. */
+/**
+ * Opens text that was pasted or printed; what the work that it was printed from runs with, and how it is written, goes
+ * along.
+ */
 export function openText(text: string, { output, ...brought }: HandedOn & Pick<ProgramWork, "output"> = {}): void {
   const file = { name: fileNameOf(text), text, encoding: "utf-8" } as const;
   const open = (made: WorkFile) => openProgram({ ...made, ...broughtBy(brought), ...(output && { output }) });
@@ -172,7 +197,10 @@ function areWaitedFor(chosen: readonly Chosen[]): boolean {
   return chosen.every(({ file }) => missing.has(fileKey(file.name)));
 }
 
-/** Opens what was dropped on the page, with the right to write it back where the browser gives it. What can not be opened is said. */
+/**
+ * Opens what was dropped on the page, with the right to write it back where the browser gives it. What can not be
+ * opened is said.
+ */
 export async function openDropped(data: DataTransfer): Promise<void> {
   // What is dropped can only be asked for at once.
   const items = [...data.items].filter((each) => each.kind === "file");
@@ -186,7 +214,11 @@ export async function openDropped(data: DataTransfer): Promise<void> {
   const known = await Promise.all(handles);
   if (entries.some((entry) => entry?.isDirectory) || known.some((handle) => handle && "values" in handle)) {
     const { filesOfDrop } = await untilHere(() => import("../../records/files/folder.ts"));
-    return sayNot(await openFolder(await filesOfDrop(items.map((_, i) => ({ handle: known[i] ?? null, entry: entries[i] ?? null })))));
+    return sayNot(
+      await openFolder(
+        await filesOfDrop(items.map((_, i) => ({ handle: known[i] ?? null, entry: entries[i] ?? null }))),
+      ),
+    );
   }
   if (files.length > 0) {
     const chosen = plainFiles(files).map((each, i): Chosen => {

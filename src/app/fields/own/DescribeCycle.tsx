@@ -16,7 +16,12 @@ export function DescribeCycle({ statement }: { readonly statement: StatementOf<"
   return (
     <div className="describe-cycle">
       <p className="small soft">{t.describeAbout}</p>
-      <button type="button" className="button" disabled={!begun && isFull(list)} onClick={() => showOwn(describeBlock(statement), true)}>
+      <button
+        type="button"
+        className="button"
+        disabled={!begun && isFull(list)}
+        onClick={() => showOwn(describeBlock(statement), true)}
+      >
         <Icon name="add" /> {begun ? t.change : t.describe}
       </button>
     </div>

@@ -21,15 +21,21 @@ interface Rows {
 
 function OwnRows({ cycles, turn, way, onTake, first = false, id }: Rows) {
   const { own: t } = useTexts("tables");
-  const { page: { start } } = useTexts();
+  const {
+    page: { start },
+  } = useTexts();
   const about = useId();
   const inTurn = cycles.some(({ number }) => number === turn) ? turn : cycles[0]?.number;
   return (
     <ul className="cycle-rows" id={id}>
       {cycles.map((cycle, i) => (
         <li key={cycle.number} className={`cycle-row${first && i === 0 ? " first" : ""}`} data-cycle={cycle.number}>
-          <button type="button" className="cycle-take" tabIndex={cycle.number === inTurn ? 0 : -1}
-            aria-label={`${start.cycle(cycle.number, cycle.name)}: ${way}`} aria-describedby={`${about}${cycle.number}`}
+          <button
+            type="button"
+            className="cycle-take"
+            tabIndex={cycle.number === inTurn ? 0 : -1}
+            aria-label={`${start.cycle(cycle.number, cycle.name)}: ${way}`}
+            aria-describedby={`${about}${cycle.number}`}
             onClick={() => onTake(cycle)}
           >
             <span className="pictograms">
@@ -59,7 +65,11 @@ function OwnGroup(rows: Rows) {
   return (
     <section className="cycle-group" aria-label={page.own.title}>
       <h2>
-        <button type="button" className="cycle-group-head" aria-expanded={open} aria-controls={open ? id : undefined}
+        <button
+          type="button"
+          className="cycle-group-head"
+          aria-expanded={open}
+          aria-controls={open ? id : undefined}
           onClick={() => setOpen(!open)}
         >
           <Icon name={open ? "down" : "fold"} />
@@ -71,7 +81,9 @@ function OwnGroup(rows: Rows) {
         <div id={id}>
           {rows.cycles.length > 0 ? <OwnRows {...rows} /> : <p className="own-none small soft">{t.none}</p>}
           <div className="own-edit">
-            <button type="button" className="button" onClick={() => showOwn()}>{t.edit}</button>
+            <button type="button" className="button" onClick={() => showOwn()}>
+              {t.edit}
+            </button>
           </div>
         </div>
       )}
@@ -80,25 +92,30 @@ function OwnGroup(rows: Rows) {
 }
 
 const fits = ({ number, name }: OwnCycle, sought: string): boolean =>
-  plain(sought).split(/[\s,;]+/).filter((word) => word !== "").every((word) =>
-    /^\d+$/.test(word) ? String(number).startsWith(word) : plain(name).includes(word)
-  );
+  plain(sought)
+    .split(/[\s,;]+/)
+    .filter((word) => word !== "")
+    .every((word) => (/^\d+$/.test(word) ? String(number).startsWith(word) : plain(name).includes(word)));
 
 /** Its texts come with it: what stands beside it does not wait for them. */
 const later = (shown: ReactNode) => <Suspense>{shown}</Suspense>;
 
 /** The own cycles beside those of the catalogue: as a group, or those that fit what is sought. */
 export function useOwnOffer(way: string, onTake: (cycle: OwnCycle) => void): More {
-  const { page: { start } } = useTexts();
+  const {
+    page: { start },
+  } = useTexts();
   const all = [...useOwnCycles().values()].sort((a, b) => a.number - b.number);
   return (sought, turn, isFirst) => {
-    if (sought === null) return { count: 0, best: null, shown: later(<OwnGroup cycles={all} turn={turn} way={way} onTake={onTake} />) };
+    if (sought === null)
+      return { count: 0, best: null, shown: later(<OwnGroup cycles={all} turn={turn} way={way} onTake={onTake} />) };
     const cycles = all.filter((cycle) => fits(cycle, sought));
     const [first] = cycles;
     return {
       count: cycles.length,
       best: first ? { name: start.cycle(first.number, first.name), go: () => onTake(first) } : null,
-      shown: cycles.length > 0 && later(<OwnRows cycles={cycles} turn={turn} way={way} onTake={onTake} first={isFirst} />),
+      shown:
+        cycles.length > 0 && later(<OwnRows cycles={cycles} turn={turn} way={way} onTake={onTake} first={isFirst} />),
     };
   };
 }

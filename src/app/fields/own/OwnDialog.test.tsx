@@ -17,24 +17,26 @@ import { OwnDialog } from "./OwnDialog.tsx";
 
 const t = texts("en");
 const TEXT =
-  "0 BEGIN PGM A MM\r\n1 Q5 = 3.25\r\n2 CYCL DEF 317  BAR PULLER ~\r\n\tQ1711=+31.70  ;PULL LENGTH   ~\r\n\tQ1713 = F AUTO ;FEED ~\r\n"
-  + "\tQ1790=-4 ;MORE\r\n3 END PGM A MM\r\n";
+  "0 BEGIN PGM A MM\r\n1 Q5 = 3.25\r\n2 CYCL DEF 317  BAR PULLER ~\r\n\tQ1711=+31.70  ;PULL LENGTH   ~\r\n\tQ1713 = F AUTO ;FEED ~\r\n" +
+  "\tQ1790=-4 ;MORE\r\n3 END PGM A MM\r\n";
 const program = parse(TEXT);
 const cycles = () => libraryOf(useOwn.getState().list).cycles;
 const reading = (typed: Record<string, string> = {}) => readingOfOwn(program, 2, typed, cycles());
 
 beforeEach(() => {
   changeSettings({ language: "en" });
-  ownRecord.replace([{
-    id: "c1",
-    number: "317",
-    name: "BAR PULLER",
-    parameters: [
-      newParameter("p1", { q: "Q1711", prompt: "PULL LENGTH", kind: "length", min: "0.5", max: "187.25" }),
-      newParameter("p2", { q: "Q1712", prompt: "GRIP", kind: "choice", choices: "0 open, 1 closed" }),
-      newParameter("p3", { q: "Q1713", prompt: "FEED", kind: "feed" }),
-    ],
-  }]);
+  ownRecord.replace([
+    {
+      id: "c1",
+      number: "317",
+      name: "BAR PULLER",
+      parameters: [
+        newParameter("p1", { q: "Q1711", prompt: "PULL LENGTH", kind: "length", min: "0.5", max: "187.25" }),
+        newParameter("p2", { q: "Q1712", prompt: "GRIP", kind: "choice", choices: "0 open, 1 closed" }),
+        newParameter("p3", { q: "Q1713", prompt: "FEED", kind: "feed" }),
+      ],
+    },
+  ]);
 });
 afterEach(cleanup);
 
@@ -69,7 +71,9 @@ function Typed() {
   const [draft, setDraft] = useState<Record<string, string>>({});
   const block = readingOfOwn(program, 2, draft, cycles());
   const problems = (block?.issues ?? []).map((issue) => entryAt(issue, issue.at ?? null, 2));
-  return block && <OwnDialog block={block} problems={problems} set={(q, text) => setDraft((d) => ({ ...d, [q]: text }))} />;
+  return (
+    block && <OwnDialog block={block} problems={problems} set={(q, text) => setDraft((d) => ({ ...d, [q]: text }))} />
+  );
 }
 
 test("it asks one prompt at a time with range and choices, offers the nearest value, and says that nobody runs the cycle", async () => {

@@ -45,16 +45,20 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
     return { text, unit: unitOf(p), soft: false };
   };
   const asked = (p: OwnPrompt): Prompt =>
-    promptOf({ id: p.q, decimals: OWN_DECIMALS }, { prompt: p.prompt, about: words.unprovedLong }, {
-      page: ["guide", String(block.own.number), p.q],
-      name: t.value(p.q, p.prompt),
-      unit: unitOf(p),
-      range: p.bounded ? t.range(number(p.range[0]), number(p.range[1])) : null,
-      notes: [...(p.bounded || p.choices ? [] : [words.anyNumber]), ...(p.described ? [] : [words.notDescribed])],
-      choices: p.choices?.map(({ value, meaning }) => ({ value: String(value), meaning })) ?? null,
-      auto: p.kind === "feed",
-      shown: shownOf(p),
-    });
+    promptOf(
+      { id: p.q, decimals: OWN_DECIMALS },
+      { prompt: p.prompt, about: words.unprovedLong },
+      {
+        page: ["guide", String(block.own.number), p.q],
+        name: t.value(p.q, p.prompt),
+        unit: unitOf(p),
+        range: p.bounded ? t.range(number(p.range[0]), number(p.range[1])) : null,
+        notes: [...(p.bounded || p.choices ? [] : [words.anyNumber]), ...(p.described ? [] : [words.notDescribed])],
+        choices: p.choices?.map(({ value, meaning }) => ({ value: String(value), meaning })) ?? null,
+        auto: p.kind === "feed",
+        shown: shownOf(p),
+      },
+    );
   return {
     fields: parameters.map(asked),
     draft,
@@ -65,10 +69,14 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
     picture: (
       <div className="own-said">
         <Icon name="warning" /> <p className="small">{editor.ownUnproved}</p>
-        <button type="button" className="button" onClick={() => {
-          const { list } = useOwn.getState();
-          showOwn(list.find((entry) => libraryOf(list).rows.get(entry.id)?.number === block.own.number)?.id);
-        }}>
+        <button
+          type="button"
+          className="button"
+          onClick={() => {
+            const { list } = useOwn.getState();
+            showOwn(list.find((entry) => libraryOf(list).rows.get(entry.id)?.number === block.own.number)?.id);
+          }}
+        >
           {words.change}
         </button>
       </div>
@@ -87,7 +95,13 @@ export function OwnDialog(props: Props) {
   const session = useOwnSession(props);
   return (
     <CycleInWork value={null}>
-      <PromptDialog session={session} name={t.form} listName={t.list} hint={t.help} done={<DialogDone session={session} inBlock />} />
+      <PromptDialog
+        session={session}
+        name={t.form}
+        listName={t.list}
+        hint={t.help}
+        done={<DialogDone session={session} inBlock />}
+      />
     </CycleInWork>
   );
 }

@@ -17,7 +17,8 @@ const SOME_BLANK = { left: -80, right: 0, high: 30 };
 export function ClampingDialog({ done }: { readonly done: () => void }) {
   const t = useTextsSoon("clamping");
   const [draft, keep] = useState(() => clampingIn(useSession.getState().reading.program)?.draft ?? null);
-  const run = useOutcome((s) => s.shown?.run), inch = run?.program.unit === "inch";
+  const run = useOutcome((s) => s.shown?.run),
+    inch = run?.program.unit === "inch";
   if (!t) return null;
   const set = (next: ClampingDraft | null, place: string | null) => {
     keep(next);
@@ -27,8 +28,12 @@ export function ClampingDialog({ done }: { readonly done: () => void }) {
     <HandingDialog title={t.title} done={done}>
       <p className="small soft">{t.inProgram}</p>
       <div className="setup clamping-fields">
-        <ClampingFields draft={draft} set={set} inch={inch}
-          propose={() => proposedClamping(boundsOf(run?.blank.flat() ?? []) ?? SOME_BLANK, inch ? INCH : 1)} />
+        <ClampingFields
+          draft={draft}
+          set={set}
+          inch={inch}
+          propose={() => proposedClamping(boundsOf(run?.blank.flat() ?? []) ?? SOME_BLANK, inch ? INCH : 1)}
+        />
       </div>
     </HandingDialog>
   );

@@ -16,7 +16,10 @@ export function CopyButton({ main = false, long = false }: { readonly main?: boo
   const kind = useFileKind();
   if (!job) return null;
   return (
-    <button type="button" className={`button${main && !wrong ? " primary" : ""}`} aria-label={`${t.copyLong}: ${t.files[kind]}`}
+    <button
+      type="button"
+      className={`button${main && !wrong ? " primary" : ""}`}
+      aria-label={`${t.copyLong}: ${t.files[kind]}`}
       onClick={() => void copyJob(job)}
     >
       <Icon name={wrong ? "warning" : done ? "check" : "copy"} />

@@ -20,7 +20,9 @@ export function CopyByHand() {
       <h2>{t.text.refusedTitle}</h2>
       <p>{t.text.refused}</p>
       <textarea ref={area} className="number" readOnly rows={16} value={text} aria-label={t.text.title} />
-      <button type="button" className="button primary" onClick={() => dialog.current?.close()}>{t.close}</button>
+      <button type="button" className="button primary" onClick={() => dialog.current?.close()}>
+        {t.close}
+      </button>
     </dialog>
   );
 }

@@ -12,7 +12,11 @@ export function FileNote({ text, warns = false, cure }: Props) {
   return (
     <p className={`small program-file${warns ? " field-message warning" : " soft"}`}>
       {warns && <Icon name="warning" />} <span>{text}</span>
-      {cure && <button type="button" className="button plain" onClick={cure.go}>{cure.name}</button>}
+      {cure && (
+        <button type="button" className="button plain" onClick={cure.go}>
+          {cure.name}
+        </button>
+      )}
     </p>
   );
 }

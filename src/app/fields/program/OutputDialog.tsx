@@ -1,6 +1,12 @@
 import { useId, useState } from "react";
 import type { OutputTexts } from "../../../i18n/en/output.ts";
-import { isFunctionNumber, NC_OUTPUT_NAMES, NC_OUTPUTS, nameOfOutput, type NcOutput } from "../../../program/machine/nc-output.ts";
+import {
+  isFunctionNumber,
+  NC_OUTPUT_NAMES,
+  NC_OUTPUTS,
+  nameOfOutput,
+  type NcOutput,
+} from "../../../program/machine/nc-output.ts";
 import { HandingDialog } from "../../base/HandingDialog.tsx";
 import { Message } from "../../base/Message.tsx";
 import { NumberInput } from "../number/NumberInput.tsx";
@@ -27,29 +33,76 @@ function Opened({ words: t, done }: { readonly words: OutputTexts; readonly done
     <HandingDialog title={t.title} done={done}>
       <p>{isProgram ? t.leadProgram : t.lead}</p>
       <div className="nc-output">
-        <Choice name={t.preset} wide value={name ?? "own"} texts={t.presets}
+        <Choice
+          name={t.preset}
+          wide
+          value={name ?? "own"}
+          texts={t.presets}
           names={name === null ? [...NC_OUTPUT_NAMES, "own"] : NC_OUTPUT_NAMES}
-          set={(preset) => preset !== "own" && setOutput(NC_OUTPUTS[preset])} />
-        <FunctionNumber name={t.spindleOn} wrong={t.functionWrong} value={output.spindleOn}
-          set={(spindleOn) => spindleOn !== null && set({ spindleOn })} />
-        <FunctionNumber name={t.spindleOff} wrong={t.functionWrong} value={output.spindleOff} hint={t.spindleOffHint}
-          set={(spindleOff) => set({ spindleOff })} />
-        <Choice name={t.retract} wide value={output.retract} texts={t.retracts} names={["position", "limit"]}
-          set={(retract) => set({ retract })} />
-        <Choice name={t.end} value={`${output.end}`} texts={t.ends} names={["30", "2"]} set={(end) => set({ end: end === "2" ? 2 : 30 })} />
-        <Choice name={t.newLine} value={output.newLine} texts={t.newLines} names={["\n", "\r\n"]} set={(newLine) => set({ newLine })} />
-        <Choice name={t.name} value={output.capitals ? "capitals" : "typed"} texts={t.names} names={["typed", "capitals"]}
-          set={(as) => set({ capitals: as === "capitals" })} />
+          set={(preset) => preset !== "own" && setOutput(NC_OUTPUTS[preset])}
+        />
+        <FunctionNumber
+          name={t.spindleOn}
+          wrong={t.functionWrong}
+          value={output.spindleOn}
+          set={(spindleOn) => spindleOn !== null && set({ spindleOn })}
+        />
+        <FunctionNumber
+          name={t.spindleOff}
+          wrong={t.functionWrong}
+          value={output.spindleOff}
+          hint={t.spindleOffHint}
+          set={(spindleOff) => set({ spindleOff })}
+        />
+        <Choice
+          name={t.retract}
+          wide
+          value={output.retract}
+          texts={t.retracts}
+          names={["position", "limit"]}
+          set={(retract) => set({ retract })}
+        />
+        <Choice
+          name={t.end}
+          value={`${output.end}`}
+          texts={t.ends}
+          names={["30", "2"]}
+          set={(end) => set({ end: end === "2" ? 2 : 30 })}
+        />
+        <Choice
+          name={t.newLine}
+          value={output.newLine}
+          texts={t.newLines}
+          names={["\n", "\r\n"]}
+          set={(newLine) => set({ newLine })}
+        />
+        <Choice
+          name={t.name}
+          value={output.capitals ? "capitals" : "typed"}
+          texts={t.names}
+          names={["typed", "capitals"]}
+          set={(as) => set({ capitals: as === "capitals" })}
+        />
         <label className="nc-output-check">
-          <input type="checkbox" checked={output.numbered} onChange={(event) => set({ numbered: event.target.checked })} />
+          <input
+            type="checkbox"
+            checked={output.numbered}
+            onChange={(event) => set({ numbered: event.target.checked })}
+          />
           <span>{t.numbered}</span>
         </label>
       </div>
       <p className="small soft">{t.unverified}</p>
       <div className="handing-ways">
-        {isDefault
-          ? <p className="small soft" role="status">{t.isDefault}</p>
-          : <button type="button" className="button" onClick={() => changeSettings({ output })}>{t.makeDefault}</button>}
+        {isDefault ? (
+          <p className="small soft" role="status">
+            {t.isDefault}
+          </p>
+        ) : (
+          <button type="button" className="button" onClick={() => changeSettings({ output })}>
+            {t.makeDefault}
+          </button>
+        )}
       </div>
     </HandingDialog>
   );
@@ -68,11 +121,19 @@ function Choice<N extends string>({ name, value, names, texts, set, wide = false
   return (
     <label className={wide ? "wide" : ""}>
       <span>{name}</span>
-      <select className="select" value={value} onChange={(event) => {
-        const chosen = names.find((each) => each === event.target.value);
-        if (chosen !== undefined) set(chosen);
-      }}>
-        {names.map((each) => <option key={each} value={each}>{texts[each]}</option>)}
+      <select
+        className="select"
+        value={value}
+        onChange={(event) => {
+          const chosen = names.find((each) => each === event.target.value);
+          if (chosen !== undefined) set(chosen);
+        }}
+      >
+        {names.map((each) => (
+          <option key={each} value={each}>
+            {texts[each]}
+          </option>
+        ))}
       </select>
     </label>
   );
@@ -86,7 +147,9 @@ interface FunctionProps {
   readonly set: (value: number | null) => void;
 }
 
-/** An M function by its number. What is typed and is none stays in the field, and the last one that was stays in force. */
+/**
+ * An M function by its number. What is typed and is none stays in the field, and the last one that was stays in force.
+ */
 function FunctionNumber({ name, value, wrong, hint, set }: FunctionProps) {
   const id = useId();
   const [typed, type] = useState<string | null>(null);
@@ -98,16 +161,34 @@ function FunctionNumber({ name, value, wrong, hint, set }: FunctionProps) {
       <span>{name}</span>
       <span className="nc-output-function">
         M
-        <NumberInput kind="typed" inputMode="numeric" maxLength={4} text={text} aria-label={name} aria-invalid={isWrong}
-          aria-describedby={id} onText={(next) => {
-          type(next);
-          const number = next.trim() === "" ? null : Number(next);
-          if (number === null ? hint !== undefined : /^\d+$/.test(next.trim()) && isFunctionNumber(number)) set(number);
-        }} onLeave={() => !isWrong && type(null)} />
+        <NumberInput
+          kind="typed"
+          inputMode="numeric"
+          maxLength={4}
+          text={text}
+          aria-label={name}
+          aria-invalid={isWrong}
+          aria-describedby={id}
+          onText={(next) => {
+            type(next);
+            const number = next.trim() === "" ? null : Number(next);
+            if (number === null ? hint !== undefined : /^\d+$/.test(next.trim()) && isFunctionNumber(number))
+              set(number);
+          }}
+          onLeave={() => !isWrong && type(null)}
+        />
       </span>
-      {isWrong
-        ? <Message as="span" id={id} tone="warning">{wrong}</Message>
-        : hint !== undefined && <span id={id} className="small soft">{hint}</span>}
+      {isWrong ? (
+        <Message as="span" id={id} tone="warning">
+          {wrong}
+        </Message>
+      ) : (
+        hint !== undefined && (
+          <span id={id} className="small soft">
+            {hint}
+          </span>
+        )
+      )}
     </label>
   );
 }

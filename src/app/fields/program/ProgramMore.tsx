@@ -30,7 +30,7 @@ async function leaving(): Promise<Leaving | null> {
   handOver();
   const { job, program } = useEditor.getState();
   const open = job ?? program;
-  const verdict = open && await mayLeave("share", isProgram(open) ? open.text : printedText(open));
+  const verdict = open && (await mayLeave("share", isProgram(open) ? open.text : printedText(open)));
   return open && verdict && { open, verdict };
 }
 
@@ -52,7 +52,9 @@ function openStem(): string {
 
 /** What else can be made of the open program, below its ways out; what a workplace has of its own comes last. */
 export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowBlock; readonly children?: ReactNode }) {
-  const { page: { text: t } } = useTexts();
+  const {
+    page: { text: t },
+  } = useTexts();
   const [handed, handOn] = useState<Leaving | null>(null);
   const [exported, exportPart] = useState<string | null>(null);
   const [turned, turnRound] = useState<string | null>(null);
@@ -63,10 +65,14 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
   const [taught, teach] = useState<{ readonly text: string; readonly work: string } | null>(null);
   return (
     <div className="program-more">
-      <button type="button" className="button plain" onClick={() => {
-        handOver();
-        showSheet();
-      }}>
+      <button
+        type="button"
+        className="button plain"
+        onClick={() => {
+          handOver();
+          showSheet();
+        }}
+      >
         <Icon name="print" /> {t.setupSheet}
       </button>
       <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => draw(openStem())}>
@@ -101,7 +107,10 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
           <TurnRound text={turned} done={() => turnRound(null)} />
         </Suspense>
       )}
-      <button type="button" className="button plain" aria-haspopup="dialog"
+      <button
+        type="button"
+        className="button plain"
+        aria-haspopup="dialog"
         onClick={() => teach({ text: openText(), work: useEditor.getState().work ?? "" })}
       >
         <Icon name="rename" /> {t.makeTask}
@@ -112,7 +121,9 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
         </Suspense>
       )}
       {ofProgram && (
-        <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setClamps(true)}>{t.clamping}</button>
+        <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setClamps(true)}>
+          {t.clamping}
+        </button>
       )}
       {clamps && (
         <Suspense>
@@ -122,7 +133,9 @@ export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowB
       <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => showComparison(showBlock)}>
         <Icon name="compare" /> {t.compare}
       </button>
-      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setOutput(true)}>{t.output}</button>
+      <button type="button" className="button plain" aria-haspopup="dialog" onClick={() => setOutput(true)}>
+        {t.output}
+      </button>
       {sets && (
         <Suspense>
           <OutputDialog done={() => setOutput(false)} />

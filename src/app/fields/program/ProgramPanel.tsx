@@ -36,7 +36,9 @@ function useRunningBlock(): number | null {
 
 /** The program as the control writes it: to read, to copy, to take along. */
 export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
-  const { page: { text: t, programs: open } } = useTexts();
+  const {
+    page: { text: t, programs: open },
+  } = useTexts();
   const { job } = read;
   const { text, iso } = useShownText(job);
   const file = fileOfJob(job);
@@ -53,8 +55,12 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <header>
         <h2 className="panel-title">{t.title}</h2>
         {foldable && (
-          <button type="button" className="button icon plain" aria-label={t.fold} title={t.fold} onClick={() =>
-            changeSettings({ programFolded: true })}
+          <button
+            type="button"
+            className="button icon plain"
+            aria-label={t.fold}
+            title={t.fold}
+            onClick={() => changeSettings({ programFolded: true })}
           >
             <Icon name="fold" />
           </button>
@@ -63,24 +69,43 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <div className="program-options">
         <label className="program-name">
           <span>{t.name}</span>
-          <input className="input" type="text" value={job.name} maxLength={32} spellCheck={false} autoComplete="off"
-            onChange={(e) => setName(e.currentTarget.value)} onBlur={closeStep} />
+          <input
+            className="input"
+            type="text"
+            value={job.name}
+            maxLength={32}
+            spellCheck={false}
+            autoComplete="off"
+            onChange={(e) => setName(e.currentTarget.value)}
+            onBlur={closeStep}
+          />
         </label>
         <label>
           <span>{t.layout}</span>
-          <select className="select" value={job.layout}
+          <select
+            className="select"
+            value={job.layout}
             onChange={(e) => setLayout(JOB_LAYOUTS.find((layout) => layout === e.target.value) ?? "tnc640")}
           >
-            {JOB_LAYOUTS.map((layout) => <option key={layout} value={layout}>{t.layouts[layout]}</option>)}
+            {JOB_LAYOUTS.map((layout) => (
+              <option key={layout} value={layout}>
+                {t.layouts[layout]}
+              </option>
+            ))}
           </select>
         </label>
         <label>
           <span>{t.language}</span>
-          <select className="select" aria-label={t.languageLong} value={job.ncLanguage}
+          <select
+            className="select"
+            aria-label={t.languageLong}
+            value={job.ncLanguage}
             onChange={(e) => setNcLanguage(NC_LANGUAGES.find((language) => language === e.target.value) ?? "en")}
           >
             {NC_LANGUAGES.map((language) => (
-              <option key={language} value={language} lang={language}>{SCREEN_LANGUAGES[language].name}</option>
+              <option key={language} value={language} lang={language}>
+                {SCREEN_LANGUAGES[language].name}
+              </option>
             ))}
           </select>
         </label>
@@ -90,18 +115,35 @@ export function ProgramPanel({ read, foldable }: { readonly read: JobReading; re
       <Late>
         <ProgramText text={text} running={running} chosen={chosen} choose={(line) => void chooseJobLine(read, line)} />
       </Late>
-      <FileNote {...(job.layout === "manual"
-        ? { text: t.manualView, warns: true, cure: { name: t.showFile, go: () => setLayout("tnc640") } }
-        : { text: iso ? `${t.files.iso}. ${t.isoKept(iso.kept.map((n) => `N${n}`).join(", "))} ${t.isoUnverified}` : t.files[kind] })} />
+      <FileNote
+        {...(job.layout === "manual"
+          ? { text: t.manualView, warns: true, cure: { name: t.showFile, go: () => setLayout("tnc640") } }
+          : {
+              text: iso
+                ? `${t.files.iso}. ${t.isoKept(iso.kept.map((n) => `N${n}`).join(", "))} ${t.isoUnverified}`
+                : t.files[kind],
+            })}
+      />
       <div className="program-foot">
         <div className="program-buttons">
           <CopyButton main />
-          <button type="button" className="button" aria-label={`${t.download(file)}: ${t.files[kind]}`} onClick={() => void download()}>
-            <Icon name="download" /> <span className="file-name">{file}</span> <span className="small">{t.layouts[kind]}</span>
+          <button
+            type="button"
+            className="button"
+            aria-label={`${t.download(file)}: ${t.files[kind]}`}
+            onClick={() => void download()}
+          >
+            <Icon name="download" /> <span className="file-name">{file}</span>{" "}
+            <span className="small">{t.layouts[kind]}</span>
           </button>
         </div>
         <ProgramMore showBlock={(_, __, number) => void chooseJobLine(read, { block: number, q: null })}>
-          <button type="button" className="button plain" title={open.fromJobLong} onClick={() => openText(printedText(job), job)}>
+          <button
+            type="button"
+            className="button plain"
+            title={open.fromJobLong}
+            onClick={() => openText(printedText(job), job)}
+          >
             {open.fromJob}
           </button>
         </ProgramMore>

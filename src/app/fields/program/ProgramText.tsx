@@ -12,7 +12,10 @@ export interface ChosenLine {
 
 const qOfLine = (line = ""): string | null => /^\s*(Q\d+)=/.exec(line)?.[1] ?? null;
 
-/** Scrolls a row into sight where it is not, with the next picture: to ask earlier where it lies costs an arrangement of its own. */
+/**
+ * Scrolls a row into sight where it is not, with the next picture: to ask earlier where it lies costs an arrangement of
+ * its own.
+ */
 function showWithPicture(frame: HTMLElement | null, which: string): () => void {
   const picture = requestAnimationFrame(() => {
     const row = frame?.querySelector<HTMLElement>(which);
@@ -35,19 +38,31 @@ interface BlockProps {
 
 /** One block. Of a long program only those that are others are rendered anew. */
 const Block = memo(function Block({ number, text, runs, isChosen, q }: BlockProps) {
-  const t = useTexts().page.text, lines = text.split("\n");
+  const t = useTexts().page.text,
+    lines = text.split("\n");
   return (
-    <li className={`${runs ? "running" : ""}${isChosen ? " chosen" : ""}`.trim()} aria-current={runs ? "step" : undefined}
+    <li
+      className={`${runs ? "running" : ""}${isChosen ? " chosen" : ""}`.trim()}
+      aria-current={runs ? "step" : undefined}
       data-block={number}
     >
-      {lines.map((line, n) => <code key={n} className={isChosen && q === qOfLine(line) ? "chosen-line" : ""}>{line || " "}</code>)}
+      {lines.map((line, n) => (
+        <code key={n} className={isChosen && q === qOfLine(line) ? "chosen-line" : ""}>
+          {line || " "}
+        </code>
+      ))}
       {runs && <span className="unseen">({t.running})</span>}
     </li>
   );
 });
 
 /** The text as the control writes it, one list item a block; the running one is marked and kept in sight. */
-export function ProgramText({ text, running, chosen, choose }: {
+export function ProgramText({
+  text,
+  running,
+  chosen,
+  choose,
+}: {
   readonly text: string;
   readonly running: number | null;
   /** The line that was pointed at. */
@@ -62,32 +77,49 @@ export function ProgramText({ text, running, chosen, choose }: {
   useEffect(() => showWithPicture(box.current, ".chosen-line"), [chosen]);
 
   const press = (pressed: EventTarget) => {
-    const line = pressed instanceof Element && pressed.closest("code"), block = line && line.closest<HTMLElement>("[data-block]");
+    const line = pressed instanceof Element && pressed.closest("code"),
+      block = line && line.closest<HTMLElement>("[data-block]");
     // Marking text with the mouse to copy it is no choice.
     if (!block || getSelection()?.isCollapsed === false) return;
     choose({ block: Number(block.dataset["block"]), q: qOfLine(line.textContent) });
   };
   /** Up and down go from line to line: the lines of a cycle are its parameters. */
   const step = (by: number) => {
-    const lines = blocks.flatMap(({ number, lines: all }) => all.map((line): ChosenLine => ({ block: number, q: qOfLine(line) })));
+    const lines = blocks.flatMap(({ number, lines: all }) =>
+      all.map((line): ChosenLine => ({ block: number, q: qOfLine(line) })),
+    );
     const at = lines.findIndex((line) => line.block === (chosen?.block ?? running) && line.q === (chosen?.q ?? null));
     const next = lines[Math.min(lines.length - 1, Math.max(0, at + by))];
     if (next) choose(next);
   };
 
   return (
-    <div className="program-text number" onCopy={(event) => guardCopy(event.nativeEvent, getSelection()?.toString() ?? "")} ref={box}
-      tabIndex={0} role="group" aria-label={t.title} {...{ [KEEPS_KEYBOARD]: "" }} onKeyDown={(event) => {
-      if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
-      event.preventDefault();
-      step(event.key === "ArrowDown" ? 1 : -1);
-    }}>
+    <div
+      className="program-text number"
+      onCopy={(event) => guardCopy(event.nativeEvent, getSelection()?.toString() ?? "")}
+      ref={box}
+      tabIndex={0}
+      role="group"
+      aria-label={t.title}
+      {...{ [KEEPS_KEYBOARD]: "" }}
+      onKeyDown={(event) => {
+        if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
+        event.preventDefault();
+        step(event.key === "ArrowDown" ? 1 : -1);
+      }}
+    >
       <ol aria-label={t.blocks} onClick={(event) => press(event.target)}>
         {blocks.map(({ number, lines }, i) => {
           const isChosen = number === chosen?.block;
           return (
-            <Block key={i} number={number} text={lines.join("\n")} runs={number === running} isChosen={isChosen}
-              q={isChosen ? chosen.q : null} />
+            <Block
+              key={i}
+              number={number}
+              text={lines.join("\n")}
+              runs={number === running}
+              isChosen={isChosen}
+              q={isChosen ? chosen.q : null}
+            />
           );
         })}
       </ol>

@@ -54,16 +54,18 @@ function Opened({ words: t, text, done }: Props) {
   return (
     <HandingDialog title={t.title} done={done}>
       <p>{t.lead}</p>
-      {typeof left === "string" || !pieces?.held
-        ? (
-          <>
-            <p role="status">{lack && t.lack[lack]}</p>
-            <div className="handing-ways">
-              <button type="button" className="button primary" disabled>{t.open}</button>
-            </div>
-          </>
-        )
-        : <Choice words={t} outcome={left} held={pieces.held} off={pieces.off} />}
+      {typeof left === "string" || !pieces?.held ? (
+        <>
+          <p role="status">{lack && t.lack[lack]}</p>
+          <div className="handing-ways">
+            <button type="button" className="button primary" disabled>
+              {t.open}
+            </button>
+          </div>
+        </>
+      ) : (
+        <Choice words={t} outcome={left} held={pieces.held} off={pieces.off} />
+      )}
     </HandingDialog>
   );
 }
@@ -77,7 +79,8 @@ interface ChoiceProps {
 
 /** Opens the new program as a work of its own, with the tools and the way of writing of the one before. */
 function openTurned(text: string): void {
-  const { job, program } = useEditor.getState(), before = job ?? program;
+  const { job, program } = useEditor.getState(),
+    before = job ?? program;
   openProgram({
     name: fileNameOf(text),
     text,
@@ -89,10 +92,14 @@ function openTurned(text: string): void {
 }
 
 function Choice({ words: t, outcome: { run, simulation, text }, held, off }: ChoiceProps) {
-  const group = useId(), hint = useId(), lengths = useLengths(run), { unit, per } = lengths;
+  const group = useId(),
+    hint = useId(),
+    lengths = useLengths(run),
+    { unit, per } = lengths;
   const pieces = useMemo(() => [held, ...off], [held, off]);
   // What came off goes on; what is left in the chuck then is the rest of the bar.
-  const [chosen, choose] = useState(off.length > 0 ? 1 : 0), [typed, type] = useState("0");
+  const [chosen, choose] = useState(off.length > 0 ? 1 : 0),
+    [typed, type] = useState("0");
   const { value, issue } = readText({ ...anyNumber, optional: false, range: [0, MOST_ALLOWANCE / per] }, typed);
   const made = useMemo(() => {
     const output = outputInUse();
@@ -117,11 +124,23 @@ function Choice({ words: t, outcome: { run, simulation, text }, held, off }: Cho
       )}
       <label className="turn-round-allowance">
         <span>{t.allowance(unit)}</span>
-        <NumberInput text={typed} onText={type} signed={false} aria-label={t.allowance(unit)} aria-invalid={issue !== null}
-          aria-describedby={hint} />
-        {issue
-          ? <Message as="span" id={hint} tone="warning">{t.allowanceWrong(`${lengths.number(MOST_ALLOWANCE)} ${unit}`)}</Message>
-          : <span id={hint} className="small soft">{t.allowanceHint}</span>}
+        <NumberInput
+          text={typed}
+          onText={type}
+          signed={false}
+          aria-label={t.allowance(unit)}
+          aria-invalid={issue !== null}
+          aria-describedby={hint}
+        />
+        {issue ? (
+          <Message as="span" id={hint} tone="warning">
+            {t.allowanceWrong(`${lengths.number(MOST_ALLOWANCE)} ${unit}`)}
+          </Message>
+        ) : (
+          <span id={hint} className="small soft">
+            {t.allowanceHint}
+          </span>
+        )}
       </label>
       <dl className="handing-facts">
         <div>
@@ -136,7 +155,9 @@ function Choice({ words: t, outcome: { run, simulation, text }, held, off }: Cho
       {run.plane.length > 0 && <Message tone="warning">{t.milling}</Message>}
       {simulation.proof.unproved.length > 0 && <Message tone="warning">{t.unproved}</Message>}
       <div className="handing-ways">
-        <button type="button" className="button primary" disabled={value === null} onClick={() => openTurned(made)}>{t.open}</button>
+        <button type="button" className="button primary" disabled={value === null} onClick={() => openTurned(made)}>
+          {t.open}
+        </button>
       </div>
     </>
   );

@@ -7,7 +7,10 @@ import { NOTHING_SELECTED, useSelection } from "../../document/selected.ts";
 import { chooseLine } from "../../pictures/selection.ts";
 import type { ChosenLine } from "./ProgramText.tsx";
 
-/** A line of the program was pointed at: it is marked, its prompt opens, the tool goes to its block, and the path of that is marked. */
+/**
+ * A line of the program was pointed at: it is marked, its prompt opens, the tool goes to its block, and the path of
+ * that is marked.
+ */
 export async function chooseJobLine(read: JobReading, line: ChosenLine): Promise<void> {
   const text = printedText(read.job);
   if (line.q !== null && read.cycle.params[line.q]) showPrompt(line.q, read.draft[line.q] ?? "");
@@ -28,7 +31,9 @@ export function useChosenLine(read: JobReading): ChosenLine | null {
   const shown = useOutcome((s) => s.pictured);
   if (line && line.prompt === prompt) return line;
   const definition = shown?.run.operations[0]?.definedIn;
-  return definition === undefined || prompt === null || !read.cycle.params[prompt] ? null : { block: definition, q: prompt };
+  return definition === undefined || prompt === null || !read.cycle.params[prompt]
+    ? null
+    : { block: definition, q: prompt };
 }
 
 /** A move was pointed at in the picture: the prompt that decides most about it opens. */

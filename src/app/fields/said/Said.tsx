@@ -12,13 +12,26 @@ interface Scope {
 
 const PageTerms = createContext<Scope | null>(null);
 
-const scopeOf = (texts: readonly string[], glossary: GlossaryTexts, before: readonly string[], but: TermId | null): Scope => {
+const scopeOf = (
+  texts: readonly string[],
+  glossary: GlossaryTexts,
+  before: readonly string[],
+  but: TermId | null,
+): Scope => {
   const parts = termParts(texts, glossary, { before, but });
   return { glossary, of: new Map(texts.map((text, i) => [text, parts[i] ?? []])) };
 };
 
-/** The texts of a page in the order in which they are read: each word of the glossary leads to it where it is used first. */
-export function SaidOnPage({ texts, before, but = null, children }: {
+/**
+ * The texts of a page in the order in which they are read: each word of the glossary leads to it where it is used
+ * first.
+ */
+export function SaidOnPage({
+  texts,
+  before,
+  but = null,
+  children,
+}: {
   readonly texts: readonly string[];
   /** Texts of the pages before, whose words are known. */
   readonly before?: readonly string[];
@@ -38,10 +51,15 @@ export function SaidOnPage({ texts, before, but = null, children }: {
 /** The way from a word to what it means. */
 function TermLink({ term, text, meaning }: { readonly term: TermId; readonly text: string; readonly meaning: string }) {
   return (
-    <a className="term" href={`#/glossary/${term}`} title={meaning} onClick={(event) => {
-      event.preventDefault();
-      showGuide("glossary", term);
-    }}>
+    <a
+      className="term"
+      href={`#/glossary/${term}`}
+      title={meaning}
+      onClick={(event) => {
+        event.preventDefault();
+        showGuide("glossary", term);
+      }}
+    >
       {text}
     </a>
   );
@@ -49,12 +67,15 @@ function TermLink({ term, text, meaning }: { readonly term: TermId; readonly tex
 
 /** A text of the page round it, with its ways to the glossary; `plain` puts what is no such word. */
 export function Said({ text, plain }: { readonly text: string; readonly plain?: (text: string) => ReactNode }) {
-  const scope = useContext(PageTerms), parts = scope?.of.get(text);
+  const scope = useContext(PageTerms),
+    parts = scope?.of.get(text);
   if (!scope || !parts) return plain ? plain(text) : text;
   return parts.map(({ text: piece, term }, i) =>
-    term === null
-      ? <Fragment key={i}>{plain ? plain(piece) : piece}</Fragment>
-      : <TermLink key={i} term={term} text={piece} meaning={scope.glossary[term].text} />
+    term === null ? (
+      <Fragment key={i}>{plain ? plain(piece) : piece}</Fragment>
+    ) : (
+      <TermLink key={i} term={term} text={piece} meaning={scope.glossary[term].text} />
+    ),
   );
 }
 

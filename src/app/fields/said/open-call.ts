@@ -6,7 +6,10 @@ import { useOpenCall } from "../../place/open-call.ts";
 
 type Placed = Pick<Operation, "cycle" | "definedLine" | "definedFile">;
 
-/** Whether the guide of a cycle speaks of a call: of those of the open block where it is such a cycle, else of any, the first counts. */
+/**
+ * Whether the guide of a cycle speaks of a call: of those of the open block where it is such a cycle, else of any, the
+ * first counts.
+ */
 export function speaksOf(cycle: number): (each: Placed) => boolean {
   const { call } = useOpenCall.getState();
   const file = shownBeside()?.name ?? null;

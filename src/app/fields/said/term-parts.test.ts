@@ -18,27 +18,41 @@ test("a word leads to the glossary where it is used first, the longest name coun
   expect(marked(["Cutting speeds and set-up clearance"], en, { before: ["the cutting speed"] })).toEqual([
     "Cutting speeds and [set-up clearance|setupClearance]",
   ]);
-  expect(marked(["Oversize, and what an oversize is"], en, { but: "oversize" })).toEqual(["Oversize, and what an oversize is"]);
+  expect(marked(["Oversize, and what an oversize is"], en, { but: "oversize" })).toEqual([
+    "Oversize, and what an oversize is",
+  ]);
 });
 
 test("words are found as they stand in sentences of each language, and nothing is lost", () => {
   expect(marked(["Zwei Aufmaße; aufmaßlos; der Schneidenradius"], de)).toEqual([
     "Zwei [Aufmaße|oversize]; aufmaßlos; der [Schneidenradius|noseRadius]",
   ]);
-  expect(marked(["Drei Sätze, zwei Absätze; lange Späne in den Zyklen; die Platte am Satzende, ein Spann"], de)).toEqual([
+  expect(
+    marked(["Drei Sätze, zwei Absätze; lange Späne in den Zyklen; die Platte am Satzende, ein Spann"], de),
+  ).toEqual([
     "Drei [Sätze|block], zwei [Absätze|shoulder]; lange [Späne|chip] in den [Zyklen|cycle]; die [Platte|insert] am Satzende, ein Spann",
   ]);
   expect(marked(["L’outil passe dessous ; la gorge est plongée. La deuxième passe, et une plongée"], fr)).toEqual([
     "L’outil passe dessous ; la [gorge|recess] est plongée. La deuxième [passe|pass], et une [plongée|plunging]",
   ]);
-  expect(marked(["Il n’est pas sûr du pas des pièces brutes"], fr)).toEqual(["Il n’est pas sûr du [pas|pitch] des [pièces brutes|blank]"]);
+  expect(marked(["Il n’est pas sûr du pas des pièces brutes"], fr)).toEqual([
+    "Il n’est pas sûr du [pas|pitch] des [pièces brutes|blank]",
+  ]);
   expect(marked(["刀尖半径与余量"], zh)).toEqual(["[刀尖半径|noseRadius]与[余量|oversize]"]);
-  for (const [glossary, language] of [[en, "en"], [de, "de"], [fr, "fr"], [zh, "zh"]] as const) {
+  for (const [glossary, language] of [
+    [en, "en"],
+    [de, "de"],
+    [fr, "fr"],
+    [zh, "zh"],
+  ] as const) {
     const texts = TERMS.map((id) => glossary[id].text);
     expect(termParts(texts, glossary).map((parts) => parts.map(({ text }) => text).join(""))).toEqual(texts);
     for (const id of TERMS) {
       const [parts = []] = termParts([glossary[id].name], glossary);
-      expect(parts.map(({ term }) => term), `${language} ${id}`).toContain(id === "pitch" && language === "fr" ? null : id);
+      expect(
+        parts.map(({ term }) => term),
+        `${language} ${id}`,
+      ).toContain(id === "pitch" && language === "fr" ? null : id);
     }
   }
 });

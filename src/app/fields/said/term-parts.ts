@@ -8,7 +8,11 @@ export interface TermPart {
 
 const escaped = (text: string) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, String.raw`\$&`);
 /** A name without what stands in brackets behind it, each of several apart. */
-const namesOf = (name: string) => name.replace(/\s*[（(].*$/u, "").split(/\s*[、,/]\s*/u).filter((each) => each !== "");
+const namesOf = (name: string) =>
+  name
+    .replace(/\s*[（(].*$/u, "")
+    .split(/\s*[、,/]\s*/u)
+    .filter((each) => each !== "");
 
 interface Sought {
   readonly term: TermId;
@@ -40,8 +44,8 @@ interface Found {
 }
 
 /**
- * Texts of a page in the order in which they are read, each in pieces: a word of the glossary is one where it is used first. Words in
- * `before` were used on a page before; `but` is the word that the text itself explains.
+ * Texts of a page in the order in which they are read, each in pieces: a word of the glossary is one where it is used
+ * first. Words in `before` were used on a page before; `but` is the word that the text itself explains.
  */
 export function termParts(
   texts: readonly string[],
@@ -52,7 +56,8 @@ export function termParts(
   known.set(glossary, sought);
   const used = new Set<TermId>(but === null ? [] : [but]);
   const piecesOf = (text: string): readonly TermPart[] => {
-    const found: Found[] = [], taken: Found[] = [];
+    const found: Found[] = [],
+      taken: Found[] = [];
     for (const { term, form } of sought) {
       for (const match of text.matchAll(form)) {
         const at = { from: match.index, to: match.index + match[0].length, term };

@@ -5,7 +5,12 @@ import type { Plan } from "../../../kernel/plan/plan.ts";
 import { radius, toDiameter } from "../../../kernel/units.ts";
 import type { Operation } from "../../../program/state/run-types.ts";
 import { advise, type Advice, type Advised } from "../../../report/advice/advise.ts";
-import { readCuttingTable, usualTable, type CutMaterial, type CuttingTable } from "../../../program/tools/cutting-table.ts";
+import {
+  readCuttingTable,
+  usualTable,
+  type CutMaterial,
+  type CuttingTable,
+} from "../../../program/tools/cutting-table.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
@@ -17,7 +22,8 @@ export function useCuttingTable(): CuttingTable {
   return useMemo(() => (text === "" ? null : readCuttingTable(text)) ?? usualTable, [text]);
 }
 
-const named = ({ materials }: CuttingTable, id: string | undefined): CutMaterial | undefined => materials.find((each) => each.id === id);
+const named = ({ materials }: CuttingTable, id: string | undefined): CutMaterial | undefined =>
+  materials.find((each) => each.id === id);
 
 /** What the open work is turned from, or works that name nothing; `own` is the id that the work itself names. */
 export function useMaterialOfWork(): { readonly material: CutMaterial; readonly own: string | undefined } {
@@ -86,5 +92,9 @@ export function useAdvisedCalls(): readonly AdvisedCall[] {
 /** Advice on one parameter of a cycle: in the call that the guide speaks of. */
 export function useAdviceOn(cycle: number, q: string): readonly Advice[] {
   const isMeant = useSpeaksOf(cycle);
-  return useAdvisedCalls().find(isMeant)?.advice.filter(({ at }) => at === q) ?? [];
+  return (
+    useAdvisedCalls()
+      .find(isMeant)
+      ?.advice.filter(({ at }) => at === q) ?? []
+  );
 }

@@ -1,7 +1,13 @@
 import { CHUCK_SIZES } from "../../../kernel/area/clamping.ts";
 import { clampingField, isNeeded } from "../../../program/clamping/draft.ts";
-import { CENTRE_ANGLE, CLAMPING_KINDS, CLAMPING_WORDS, wordsOfKind, type ClampingDraft,
-  type ClampingWord } from "../../../program/clamping/words.ts";
+import {
+  CENTRE_ANGLE,
+  CLAMPING_KINDS,
+  CLAMPING_WORDS,
+  wordsOfKind,
+  type ClampingDraft,
+  type ClampingWord,
+} from "../../../program/clamping/words.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import { NumberField } from "./NumberField.tsx";
@@ -20,7 +26,7 @@ interface Props {
 /** Words of the tailstock, and of the limits. */
 const CENTRE: readonly ClampingWord[] = ["QUILL", "TIP", "ANGLE"];
 /** The fields in their order, the switch of the tailstock before its own. */
-const WORDS = CLAMPING_WORDS.flatMap((word) => (word === CENTRE[0] ? ["tailstock", word] as const : [word]));
+const WORDS = CLAMPING_WORDS.flatMap((word) => (word === CENTRE[0] ? (["tailstock", word] as const) : [word]));
 const DIAMETERS: ReadonlySet<ClampingWord> = new Set(["D", "SIZE", "QUILL", "LIMITX"]);
 
 /** What the work is held by: nothing is stated, and that is said, or kind and values. */
@@ -38,7 +44,8 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
         </p>
       </>
     );
-  const { kind, words } = draft, isBetween = kind === "centres";
+  const { kind, words } = draft,
+    isBetween = kind === "centres";
   const onCentre = isBetween || CENTRE.some((word) => word in words);
   const put = (word: ClampingWord, text: string) => {
     const { [word]: _, ...others } = words;
@@ -50,8 +57,13 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
     word === "ANGLE" ? "°" : t.units[inch ? "inch" : "mm"][DIAMETERS.has(word) ? "diameter" : "length"];
   const tailstock = (
     <label key="tailstock" className="choice">
-      <input type="checkbox" checked={onCentre}
-        onChange={({ currentTarget: { checked } }) => set({ kind, words: checked ? { ...others, QUILL: "", TIP: "" } : others }, null)} />
+      <input
+        type="checkbox"
+        checked={onCentre}
+        onChange={({ currentTarget: { checked } }) =>
+          set({ kind, words: checked ? { ...others, QUILL: "", TIP: "" } : others }, null)
+        }
+      />
       <span>{t.tailstock}</span>
     </label>
   );
@@ -60,11 +72,19 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
     <>
       <label className="setup-field">
         <span>{t.kind}</span>
-        <select className="select" value={kind} onChange={({ currentTarget: { value } }) => {
-          const next = CLAMPING_KINDS.find((each) => each === value) ?? kind;
-          set({ kind: next, words }, null);
-        }}>
-          {CLAMPING_KINDS.map((each) => <option key={each} value={each}>{t.kinds[each]}</option>)}
+        <select
+          className="select"
+          value={kind}
+          onChange={({ currentTarget: { value } }) => {
+            const next = CLAMPING_KINDS.find((each) => each === value) ?? kind;
+            set({ kind: next, words }, null);
+          }}
+        >
+          {CLAMPING_KINDS.map((each) => (
+            <option key={each} value={each}>
+              {t.kinds[each]}
+            </option>
+          ))}
         </select>
       </label>
       {WORDS.map((word) => {
@@ -75,13 +95,23 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
         const typed = words[word] ?? "";
         return (
           <div key={word}>
-            <NumberField field={clampingField(word, needed)} name={name} unit={unitOf(word)} text={typed} onText={(text) => put(word, text)}
-              {...(word === "ANGLE" && { proposal: String(CENTRE_ANGLE) })} />
+            <NumberField
+              field={clampingField(word, needed)}
+              name={name}
+              unit={unitOf(word)}
+              text={typed}
+              onText={(text) => put(word, text)}
+              {...(word === "ANGLE" && { proposal: String(CENTRE_ANGLE) })}
+            />
             {word === "SIZE" && kind !== "collet" && !inch && (
               <div className="clamping-sizes" role="group" aria-label={t.words.SIZE}>
                 {CHUCK_SIZES.map((size) => (
-                  <button key={size} type="button" className="button small" aria-pressed={typed === String(size)} onClick={() =>
-                    put("SIZE", String(size))}
+                  <button
+                    key={size}
+                    type="button"
+                    className="button small"
+                    aria-pressed={typed === String(size)}
+                    onClick={() => put("SIZE", String(size))}
                   >
                     {size}
                   </button>
@@ -93,7 +123,9 @@ export function ClampingFields({ draft, set, propose, inch = false }: Props) {
       })}
       <p className="small soft">{t.known}</p>
       <p>
-        <button type="button" className="button" onClick={() => set(null, null)}>{t.remove}</button>
+        <button type="button" className="button" onClick={() => set(null, null)}>
+          {t.remove}
+        </button>
       </p>
     </>
   );

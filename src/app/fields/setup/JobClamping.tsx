@@ -13,11 +13,16 @@ const SOME_BLANK = { left: -80, right: 0, high: 30 };
 export function JobClamping({ read: { job } }: { readonly read: JobReading }) {
   const t = useTextsSoon("clamping");
   const blank = useOutcome((s) => s.shown?.run.blank);
-  return t && (
-    <fieldset className="setup-group">
-      <legend>{t.title}</legend>
-      <ClampingFields draft={job.clamping ?? null} set={setClamping} propose={() =>
-        proposedClamping(boundsOf(blank?.flat() ?? []) ?? SOME_BLANK)} />
-    </fieldset>
+  return (
+    t && (
+      <fieldset className="setup-group">
+        <legend>{t.title}</legend>
+        <ClampingFields
+          draft={job.clamping ?? null}
+          set={setClamping}
+          propose={() => proposedClamping(boundsOf(blank?.flat() ?? []) ?? SOME_BLANK)}
+        />
+      </fieldset>
+    )
   );
 }

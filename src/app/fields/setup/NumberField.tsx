@@ -33,7 +33,9 @@ function wrongNumber(field: Field, text: string): "missing" | "notANumber" | "ne
   return found.data.min === 0 ? "negative" : "positive";
 }
 
-/** One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left. */
+/**
+ * One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left.
+ */
 export function NumberField({ name, unit, text: said, onText, field, ask, proposal }: Props) {
   const t = useTexts();
   const input = useRef<HTMLInputElement>(null);
@@ -53,26 +55,46 @@ export function NumberField({ name, unit, text: said, onText, field, ask, propos
   }, [asked]);
 
   return (
-    <LabelledInput ref={input} className="setup-field" label={name} unit={unit} text={text} onText={type} onLeave={closeStep}
-      placeholder={proposed} aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
-      hint={proposal !== undefined && proposed !== undefined && (
-        <>
-          <span>{t.setup.proposed}: {proposed}</span>
-          <button type="button" className="button small" aria-label={t.setup.keepLong(name, proposed)} onClick={() => {
-            closeStep();
-            onText(proposal);
-            closeStep();
-          }}>
-            {t.setup.keep}
-          </button>
-        </>
-      )}
+    <LabelledInput
+      ref={input}
+      className="setup-field"
+      label={name}
+      unit={unit}
+      text={text}
+      onText={type}
+      onLeave={closeStep}
+      placeholder={proposed}
+      aria-invalid={wrong !== null || problems.some((p) => p.issue.severity === "error")}
+      hint={
+        proposal !== undefined &&
+        proposed !== undefined && (
+          <>
+            <span>
+              {t.setup.proposed}: {proposed}
+            </span>
+            <button
+              type="button"
+              className="button small"
+              aria-label={t.setup.keepLong(name, proposed)}
+              onClick={() => {
+                closeStep();
+                onText(proposal);
+                closeStep();
+              }}
+            >
+              {t.setup.keep}
+            </button>
+          </>
+        )
+      }
       messages={
         <>
           {wrong && <Message tone="error">{t.setup.wrong[wrong]}</Message>}
           {asking && <Message tone="info">{ask}</Message>}
-          {!wrong && problems.map((p, i) => <FieldMessage key={i} problem={p} decimals={3} onTake={(n) => onText(String(n))} />)}
+          {!wrong &&
+            problems.map((p, i) => <FieldMessage key={i} problem={p} decimals={3} onTake={(n) => onText(String(n))} />)}
         </>
-      } />
+      }
+    />
   );
 }

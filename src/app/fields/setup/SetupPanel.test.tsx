@@ -49,7 +49,10 @@ test("minus over a selected number begins a negative one, a sum is worked out wh
   expect(job().start.x).toBe("40");
 });
 
-test.each([["ten", "This is not a number."], ["0", "The value must be more than 0."]])("length %j says: %s", async (text, said) => {
+test.each([
+  ["ten", "This is not a number."],
+  ["0", "The value must be more than 0."],
+])("length %j says: %s", async (text, said) => {
   const user = userEvent.setup();
   await user.clear(field("Length"));
   if (text) await user.type(field("Length"), text);

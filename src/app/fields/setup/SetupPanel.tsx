@@ -44,8 +44,15 @@ function ParameterFields({ read: { job } }: { readonly read: JobReading }) {
       <legend>{t.title}</legend>
       <p className="small soft">{t.hint}</p>
       {used.map((name) => (
-        <NumberField key={name} field={parameterField(name)} name={name} unit="" text={job.parameters[name] ?? ""} ask={t.ask(name)}
-          onText={(value) => setParameter(name, value)} />
+        <NumberField
+          key={name}
+          field={parameterField(name)}
+          name={name}
+          unit=""
+          text={job.parameters[name] ?? ""}
+          ask={t.ask(name)}
+          onText={(value) => setParameter(name, value)}
+        />
       ))}
     </fieldset>
   );
@@ -68,28 +75,61 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
       <fieldset className="setup-group">
         <Legend name={t.start.title} page="start.x" />
         <p className="small soft">{t.start.hint}</p>
-        <NumberField field={FIELDS.startX} name={t.start.x} unit={t.units.diameter} {...placeOf("start.x", start.x)}
-          onText={(x) => setStart("x", x)} />
-        <NumberField field={FIELDS.startZ} name={t.start.z} unit={t.units.mm} {...placeOf("start.z", start.z)}
-          onText={(z) => setStart("z", z)} />
+        <NumberField
+          field={FIELDS.startX}
+          name={t.start.x}
+          unit={t.units.diameter}
+          {...placeOf("start.x", start.x)}
+          onText={(x) => setStart("x", x)}
+        />
+        <NumberField
+          field={FIELDS.startZ}
+          name={t.start.z}
+          unit={t.units.mm}
+          {...placeOf("start.z", start.z)}
+          onText={(z) => setStart("z", z)}
+        />
       </fieldset>
       <fieldset className="setup-group">
         <Legend name={t.blank.title} page="blank.outside" />
-        <NumberField field={FIELDS.outside} name={t.blank.outside} unit={t.units.diameter} {...placeOf("blank.outside", blank.outside)}
-          onText={(v) => setBlank("outside", v)} />
-        <NumberField field={FIELDS.bore} name={t.blank.bore} unit={t.units.diameter} {...placeOf("blank.bore", blank.bore)}
-          onText={(v) => setBlank("bore", v)} />
-        <NumberField field={FIELDS.length} name={t.blank.length} unit={t.units.mm} {...placeOf("blank.length", blank.length)}
-          onText={(v) => setBlank("length", v)} />
-        <NumberField field={FIELDS.allowance} name={t.blank.allowance} unit={t.units.mm} {...placeOf("blank.allowance", blank.allowance)}
-          onText={(v) => setBlank("allowance", v)} />
+        <NumberField
+          field={FIELDS.outside}
+          name={t.blank.outside}
+          unit={t.units.diameter}
+          {...placeOf("blank.outside", blank.outside)}
+          onText={(v) => setBlank("outside", v)}
+        />
+        <NumberField
+          field={FIELDS.bore}
+          name={t.blank.bore}
+          unit={t.units.diameter}
+          {...placeOf("blank.bore", blank.bore)}
+          onText={(v) => setBlank("bore", v)}
+        />
+        <NumberField
+          field={FIELDS.length}
+          name={t.blank.length}
+          unit={t.units.mm}
+          {...placeOf("blank.length", blank.length)}
+          onText={(v) => setBlank("length", v)}
+        />
+        <NumberField
+          field={FIELDS.allowance}
+          name={t.blank.allowance}
+          unit={t.units.mm}
+          {...placeOf("blank.allowance", blank.allowance)}
+          onText={(v) => setBlank("allowance", v)}
+        />
       </fieldset>
       <Suspense>
         <JobClamping read={read} />
       </Suspense>
       <fieldset className="setup-group">
         <Legend name={t.spindle.title} page="spindle.cuttingSpeed" />
-        <RadioGroup className="choice-pair" aria-label={t.spindle.mode} value={spindle.mode}
+        <RadioGroup
+          className="choice-pair"
+          aria-label={t.spindle.mode}
+          value={spindle.mode}
           onChange={(mode) => setSpindle("mode", mode === "constant" ? mode : "surface")}
         >
           {(["surface", "constant"] as const).map((mode) => (
@@ -98,19 +138,32 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
             </Radio>
           ))}
         </RadioGroup>
-        {spindle.mode === "constant"
-          ? (
-            <NumberField field={FIELDS.speed} name={t.spindle.speed} unit={t.units.rpm} text={spindle.speed}
-              onText={(v) => setSpindle("speed", v)} />
-          )
-          : (
-            <>
-              <NumberField field={FIELDS.cuttingSpeed} name={t.spindle.cuttingSpeed} unit={t.units.cuttingSpeed} text={spindle.cuttingSpeed}
-                onText={(v) => setSpindle("cuttingSpeed", v)} />
-              <NumberField field={FIELDS.limit} name={t.spindle.limit} unit={t.units.rpm} text={spindle.limit}
-                onText={(v) => setSpindle("limit", v)} />
-            </>
-          )}
+        {spindle.mode === "constant" ? (
+          <NumberField
+            field={FIELDS.speed}
+            name={t.spindle.speed}
+            unit={t.units.rpm}
+            text={spindle.speed}
+            onText={(v) => setSpindle("speed", v)}
+          />
+        ) : (
+          <>
+            <NumberField
+              field={FIELDS.cuttingSpeed}
+              name={t.spindle.cuttingSpeed}
+              unit={t.units.cuttingSpeed}
+              text={spindle.cuttingSpeed}
+              onText={(v) => setSpindle("cuttingSpeed", v)}
+            />
+            <NumberField
+              field={FIELDS.limit}
+              name={t.spindle.limit}
+              unit={t.units.rpm}
+              text={spindle.limit}
+              onText={(v) => setSpindle("limit", v)}
+            />
+          </>
+        )}
         <Suspense>
           <SetupStart cycle={read.cycle} surface={spindle.mode !== "constant"} perRevolution={perRevolution} />
         </Suspense>
@@ -121,17 +174,27 @@ export function SetupPanel({ read }: { readonly read: JobReading }) {
           <input type="checkbox" checked={perRevolution} onChange={(e) => setPerRevolution(e.currentTarget.checked)} />
           <span>{t.feed.perRevolution}</span>
         </label>
-        {isOfMachine
-          ? (
-            <Suspense>
-              <MachineRapid />
-            </Suspense>
-          )
-          : <NumberField field={FIELDS.rapid} name={t.feed.rapid} unit={t.units.perMinute} text={rapid} onText={setRapid} />}
+        {isOfMachine ? (
+          <Suspense>
+            <MachineRapid />
+          </Suspense>
+        ) : (
+          <NumberField
+            field={FIELDS.rapid}
+            name={t.feed.rapid}
+            unit={t.units.perMinute}
+            text={rapid}
+            onText={setRapid}
+          />
+        )}
       </fieldset>
       <section className="setup-group" aria-label={t.notes}>
         <h2>{t.notes}</h2>
-        <ul className="small cycle-notes">{cycles.of[read.cycle.number as CycleNumber].notes.map((note) => <li key={note}>{note}</li>)}</ul>
+        <ul className="small cycle-notes">
+          {cycles.of[read.cycle.number as CycleNumber].notes.map((note) => (
+            <li key={note}>{note}</li>
+          ))}
+        </ul>
       </section>
       <ToolTable read={read} fits={fits} />
     </div>

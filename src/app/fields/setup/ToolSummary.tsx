@@ -36,19 +36,28 @@ export function ToolSummary({ read, fits }: { readonly read: JobReading; readonl
       {read.setup?.proposed.has("tool") && (
         <p className="field-hint small soft">
           <span>{setup.proposed}</span>
-          <button type="button" className="button small" aria-label={setup.keepLong(t.title, String(read.job.tool))} onClick={() =>
-            setTool(read.job.tool)}
+          <button
+            type="button"
+            className="button small"
+            aria-label={setup.keepLong(t.title, String(read.job.tool))}
+            onClick={() => setTool(read.job.tool)}
           >
             {setup.keep}
           </button>
         </p>
       )}
       <div role="status">
-        {problems.map((problem, i) => <FieldMessage key={i} problem={problem} decimals={3} />)}
+        {problems.map((problem, i) => (
+          <FieldMessage key={i} problem={problem} decimals={3} />
+        ))}
         {own && !own.makesContour && (
           <Message as="div" tone="warning">
             <p>{best ? t.better(best.tool.T, best.tool.NAME) : t.noneMakes}</p>
-            {best && <button type="button" className="button" onClick={() => setTool(best.tool.T)}>{t.take(best.tool.T)}</button>}
+            {best && (
+              <button type="button" className="button" onClick={() => setTool(best.tool.T)}>
+                {t.take(best.tool.T)}
+              </button>
+            )}
           </Message>
         )}
       </div>

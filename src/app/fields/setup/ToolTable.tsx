@@ -28,13 +28,20 @@ export function ToolTable({ read, fits }: { readonly read: JobReading; readonly 
   return (
     <fieldset className="setup-group">
       <legend>{t.list}</legend>
-      <RadioGroup ref={group} className="tool-rows" aria-label={t.list} value={String(read.job.tool)}
+      <RadioGroup
+        ref={group}
+        className="tool-rows"
+        aria-label={t.list}
+        value={String(read.job.tool)}
         onChange={(number) => setTool(Number(number))}
       >
         {tools.map((tool) => {
           const fit = fits?.find((f) => f.tool.T === tool.T);
           return (
-            <Radio key={tool.T} value={String(tool.T)} className="tool-row radio"
+            <Radio
+              key={tool.T}
+              value={String(tool.T)}
+              className="tool-row radio"
               aria-label={`${t.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`}
             >
               <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />

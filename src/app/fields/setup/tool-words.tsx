@@ -20,7 +20,9 @@ export function useToolDetails(): (tool: Tool) => string {
       setting !== undefined && point !== undefined && t.angles(number(setting), number(point)),
       tool.CUTLENGTH !== undefined && t.cutLength(number(tool.CUTLENGTH)),
       t.orientation(tool.TO),
-    ].filter((part) => part !== false).join(" · ");
+    ]
+      .filter((part) => part !== false)
+      .join(" · ");
   };
 }
 
@@ -28,7 +30,8 @@ export function useToolDetails(): (tool: Tool) => string {
 export function useToolVerdict(): (fit: ToolFit) => string {
   const t = useTexts().setup.tool;
   const language = useSettings((s) => s.language);
-  return (fit) => (fit.makesContour ? t.makes : fit.unreached > 0 ? t.leaves(formatNumber(language, fit.unreached, 2)) : t.cannot);
+  return (fit) =>
+    fit.makesContour ? t.makes : fit.unreached > 0 ? t.leaves(formatNumber(language, fit.unreached, 2)) : t.cannot;
 }
 
 /** A tool in two lines, and whether it makes the open contour once that is known. */

@@ -10,9 +10,15 @@ export interface TableSaid {
 }
 
 /** What a change of a table of the device came to, with a way back. */
-export function TableStatus({ said, undo, done }: {
+export function TableStatus({
+  said,
+  undo,
+  done,
+}: {
   readonly said: TableSaid | null;
-  /** The word on the button that takes it back; its name says what, as the top line has a button of that word as well. */
+  /**
+   * The word on the button that takes it back; its name says what, as the top line has a button of that word as well.
+   */
   readonly undo: string;
   /** It was taken back. */
   readonly done: () => void;
@@ -23,10 +29,15 @@ export function TableStatus({ said, undo, done }: {
         <Message tone={said.failed ? "error" : "info"}>
           <span>{said.sentences.join(" ")}</span>
           {said.changed && (
-            <button type="button" className="button" aria-label={`${undo} – ${said.sentences.join(" ")}`} onClick={() => {
-              undoStep();
-              done();
-            }}>
+            <button
+              type="button"
+              className="button"
+              aria-label={`${undo} – ${said.sentences.join(" ")}`}
+              onClick={() => {
+                undoStep();
+                done();
+              }}
+            >
               <Icon name="undo" /> {undo}
             </button>
           )}

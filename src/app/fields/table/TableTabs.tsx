@@ -2,9 +2,15 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import type { ToolKind } from "../../place/place.ts";
 
 /** The tables of this device: two kinds of tools, and the operator's own cycles. */
-export function TableTabs({ open, onTools, onOwn }: { readonly open: ToolKind | "own"; readonly onTools: (kind: ToolKind) => void;
-  readonly onOwn: () => void })
-{
+export function TableTabs({
+  open,
+  onTools,
+  onOwn,
+}: {
+  readonly open: ToolKind | "own";
+  readonly onTools: (kind: ToolKind) => void;
+  readonly onOwn: () => void;
+}) {
   const { tools: t } = useTexts("tables");
   const { page } = useTexts();
   return (
@@ -14,7 +20,9 @@ export function TableTabs({ open, onTools, onOwn }: { readonly open: ToolKind | 
           {t.kinds[each]}
         </button>
       ))}
-      <button type="button" className="button" aria-pressed={open === "own"} onClick={onOwn}>{page.own.title}</button>
+      <button type="button" className="button" aria-pressed={open === "own"} onClick={onOwn}>
+        {page.own.title}
+      </button>
     </div>
   );
 }

@@ -17,7 +17,8 @@ import { MoreFaults, useChanges } from "./Was.tsx";
 
 /** What the values do, while they are typed: passes, real infeed, time, chip, what stays, and the proof. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
-  const texts = useTexts(), { page: t, findings: words } = texts;
+  const texts = useTexts(),
+    { page: t, findings: words } = texts;
   const language = useSettings((s) => s.language);
   const shown = useOutcome((s) => s.pictured);
   const proved = useOutcome((s) => s.shown);
@@ -47,11 +48,21 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
       <dl className={dimmed ? "dimmed" : ""}>
         {cell(t.effect.passes, number(effect?.passes, 0), "", "passes")}
         {cell(t.effect.infeed, number(effect?.infeed, 3), "mm", "infeed")}
-        {cell(<TimeName name={t.effect.time} />, effect ? durationText(texts, language, effect.seconds) : t.effect.unknown, "", "time")}
+        {cell(
+          <TimeName name={t.effect.time} />,
+          effect ? durationText(texts, language, effect.seconds) : t.effect.unknown,
+          "",
+          "time",
+        )}
         {cuts && cell(t.effect.chip, number(chip, areaDecimals(chip ?? 0)), "mm²", "chip")}
-        {cell(t.effect.residual,
-          effect && effect.residual === 0 ? t.effect.none : number(effect?.residual, areaDecimals(effect?.residual ?? 0)),
-          effect?.residual ? "mm²" : "", "residual")}
+        {cell(
+          t.effect.residual,
+          effect && effect.residual === 0
+            ? t.effect.none
+            : number(effect?.residual, areaDecimals(effect?.residual ?? 0)),
+          effect?.residual ? "mm²" : "",
+          "residual",
+        )}
         <div className="effect-cell proof">
           <dt>
             {words.verdict.title} <MoreFaults />

@@ -13,7 +13,13 @@ export function PinButton() {
   const pinned = useCompared((c) => c.pinned !== null);
   const ready = useOutcome((s) => s.newest !== null && !s.dimmed);
   return (
-    <button type="button" className="button small pin" aria-pressed={pinned} disabled={!pinned && !ready} onClick={() => pin(!pinned)}>
+    <button
+      type="button"
+      className="button small pin"
+      aria-pressed={pinned}
+      disabled={!pinned && !ready}
+      onClick={() => pin(!pinned)}
+    >
       {t.make}
     </button>
   );
@@ -22,9 +28,11 @@ export function PinButton() {
 /** Two settings side by side, as long as one is pinned. */
 export function PinnedCard() {
   const pinned = useCompared((c) => c.pinned !== null);
-  return pinned && (
-    <Suspense>
-      <PinnedValues />
-    </Suspense>
+  return (
+    pinned && (
+      <Suspense>
+        <PinnedValues />
+      </Suspense>
+    )
   );
 }

@@ -23,7 +23,9 @@ function useChangedPrompts(pinned: Editor | null): readonly Row[] {
   if (!now || !before || now.cycle !== before.cycle) return [];
   return Object.entries(now.cycle.params).flatMap(([q, param]) => {
     const [is, was] = [now.draft[q] ?? "", before.draft[q] ?? ""];
-    return is === was ? [] : [{ name: t.dialog.value(q, t.params[param.text as ParamTextId].label), pinned: was, now: is }];
+    return is === was
+      ? []
+      : [{ name: t.dialog.value(q, t.params[param.text as ParamTextId].label), pinned: was, now: is }];
   });
 }
 
@@ -40,17 +42,24 @@ export function PinnedValues() {
   const { pin: words, ...names } = t.page.effect;
   const now = settingOf(shown, pictured);
   // What neither setting knows is no row: a thread has no chip of one size.
-  const numbers = COMPARED.filter((name) => name !== "chip" || pinned.chip !== null || now.chip !== null).map((name): Row => ({
-    name: names[name],
-    pinned: numberText(t, lengths, pinned, name),
-    now: numberText(t, lengths, now, name),
-  }));
+  const numbers = COMPARED.filter((name) => name !== "chip" || pinned.chip !== null || now.chip !== null).map(
+    (name): Row => ({
+      name: names[name],
+      pinned: numberText(t, lengths, pinned, name),
+      now: numberText(t, lengths, now, name),
+    }),
+  );
   return (
     <section className="pinned" aria-label={words.title}>
       <header>
         <h2 className="panel-title">{words.title}</h2>
-        <button type="button" className="button icon plain" aria-expanded={open} aria-label={open ? words.fold : words.unfold}
-          title={open ? words.fold : words.unfold} onClick={() => setOpen(!open)}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-expanded={open}
+          aria-label={open ? words.fold : words.unfold}
+          title={open ? words.fold : words.unfold}
+          onClick={() => setOpen(!open)}
         >
           <Icon name={open ? "up" : "down"} />
         </button>
@@ -76,8 +85,12 @@ export function PinnedValues() {
             </tbody>
           </table>
           <footer>
-            <button type="button" className="button small" onClick={takeBackPinned}>{words.back}</button>
-            <button type="button" className="button small plain" onClick={() => pin(false)}>{words.letGo}</button>
+            <button type="button" className="button small" onClick={takeBackPinned}>
+              {words.back}
+            </button>
+            <button type="button" className="button small plain" onClick={() => pin(false)}>
+              {words.letGo}
+            </button>
           </footer>
         </>
       )}

@@ -19,7 +19,13 @@ export function TimeParts() {
   if (!t || !run) return null;
   return (
     <>
-      <button type="button" className="time-parts" aria-label={t.time.title} title={t.time.title} onClick={() => open(true)}>
+      <button
+        type="button"
+        className="time-parts"
+        aria-label={t.time.title}
+        title={t.time.title}
+        onClick={() => open(true)}
+      >
         <Icon name="info" />
       </button>
       {isOpen && createPortal(<Opened t={t.time} run={run} done={() => open(false)} />, document.body)}
@@ -42,7 +48,11 @@ function Opened({ t, run, done }: { readonly t: MachineTexts["time"]; readonly r
         <tbody>{timeCauses(t, run).map(([name, seconds]) => row(name, seconds))}</tbody>
         <tfoot>{row(t.total, run.seconds)}</tfoot>
       </table>
-      {timeContents(t, run, language).map((line) => <p key={line} className="small">{line}</p>)}
+      {timeContents(t, run, language).map((line) => (
+        <p key={line} className="small">
+          {line}
+        </p>
+      ))}
       <p className="small soft">{t.hint}</p>
     </HandingDialog>
   );

@@ -20,7 +20,9 @@ function useBoth(): readonly [before: MeasuredSetting, now: MeasuredSetting] | n
   }, [compared, shown, pictured, dimmed]);
 }
 
-/** What the present values have changed, against the pinned setting, or else the one at which the open prompt opened. */
+/**
+ * What the present values have changed, against the pinned setting, or else the one at which the open prompt opened.
+ */
 export function useChanges(): { readonly changed: (name: ComparedNumber) => Change | null } {
   const t = useTexts();
   const lengths = useLengths();
@@ -41,5 +43,9 @@ export function MoreFaults() {
   const both = useBoth();
   if (!both || changeText(t, lengths, both[0], both[1], "faults") === null) return null;
   const [was, is] = both.map((setting) => numberText(t, lengths, setting, "faults"));
-  return <span className="effect-was">{t.page.effect.faults}: {was} → {is}</span>;
+  return (
+    <span className="effect-was">
+      {t.page.effect.faults}: {was} → {is}
+    </span>
+  );
 }

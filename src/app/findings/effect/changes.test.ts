@@ -4,13 +4,24 @@ import { lengthsOf } from "../../calculation/lengths.ts";
 import type { MeasuredSetting } from "./before.ts";
 import { changeText, numberText } from "./changes.ts";
 
-const t = texts("en"), en = lengthsOf("en", "mm");
+const t = texts("en"),
+  en = lengthsOf("en", "mm");
 const setting = (effect: Partial<MeasuredSetting["effect"]>, more: Partial<MeasuredSetting> = {}): MeasuredSetting =>
-  ({ effect: { passes: 5, infeed: 2.4517, seconds: 84.61, residual: 0, ...effect }, chip: 0.7356, faults: 0, ...more }) as MeasuredSetting;
+  ({
+    effect: { passes: 5, infeed: 2.4517, seconds: 84.61, residual: 0, ...effect },
+    chip: 0.7356,
+    faults: 0,
+    ...more,
+  }) as MeasuredSetting;
 
 test("a number that changed says what it was, a time by how much", () => {
-  const [before, now] = [setting({}), setting({ passes: 7, infeed: 1.7512, seconds: 101.27, residual: 0.137 }, { chip: null, faults: 3 })];
-  const said = (["passes", "infeed", "time", "chip", "residual", "faults"] as const).map((name) => changeText(t, en, before, now, name));
+  const [before, now] = [
+    setting({}),
+    setting({ passes: 7, infeed: 1.7512, seconds: 101.27, residual: 0.137 }, { chip: null, faults: 3 }),
+  ];
+  const said = (["passes", "infeed", "time", "chip", "residual", "faults"] as const).map((name) =>
+    changeText(t, en, before, now, name),
+  );
   expect(said).toEqual(["5", "2.452", "+16.7 s", "0.74", "none", "0"]);
   expect(changeText(t, lengthsOf("de", "mm"), now, before, "time")).toContain("−16,7");
 });

@@ -17,19 +17,23 @@ const valueOf = ({ effect, chip, faults }: MeasuredSetting, name: ComparedNumber
 /** Time as it is written: tenths below a minute, then minutes and seconds, then hours and minutes. */
 export function durationText({ page }: Texts, language: Language, seconds: number): string {
   const minutes = Math.floor(Math.round(seconds) / 60);
-  return page.effect.duration(minutes,
-    formatFixed(language, minutes > 0 ? Math.max(0, seconds - minutes * 60) : seconds, minutes > 0 ? 0 : 1));
+  return page.effect.duration(
+    minutes,
+    formatFixed(language, minutes > 0 ? Math.max(0, seconds - minutes * 60) : seconds, minutes > 0 ? 0 : 1),
+  );
 }
 
 /** A smaller area is written with more decimals, so that two of its digits are seen, mm². */
 const SMALL = 0.1;
 
 /** Decimals of an area, mm². */
-export const areaDecimals = (mm2: number): number => mm2 > 0 && mm2 < SMALL ? Math.min(5, 1 - Math.floor(Math.log10(mm2))) : 2;
+export const areaDecimals = (mm2: number): number =>
+  mm2 > 0 && mm2 < SMALL ? Math.min(5, 1 - Math.floor(Math.log10(mm2))) : 2;
 
 /** One number of a setting as it is written. */
 export function numberText(t: Texts, lengths: Lengths, setting: MeasuredSetting, name: ComparedNumber): string {
-  const value = valueOf(setting, name), { effect: words } = t.page;
+  const value = valueOf(setting, name),
+    { effect: words } = t.page;
   if (value === null) return words.unknown;
   if (name === "residual" && value === 0) return words.none;
   const { language } = lengths;
@@ -38,8 +42,17 @@ export function numberText(t: Texts, lengths: Lengths, setting: MeasuredSetting,
   return name === "time" ? durationText(t, language, value) : formatFixed(language, value, 0);
 }
 
-/** What stands beside a number that another setting has changed: what it was, or for a time by how much. Null where it is the same. */
-export function changeText(t: Texts, lengths: Lengths, before: MeasuredSetting, now: MeasuredSetting, name: ComparedNumber): string | null {
+/**
+ * What stands beside a number that another setting has changed: what it was, or for a time by how much. Null where it
+ * is the same.
+ */
+export function changeText(
+  t: Texts,
+  lengths: Lengths,
+  before: MeasuredSetting,
+  now: MeasuredSetting,
+  name: ComparedNumber,
+): string | null {
   const [was, is] = [valueOf(before, name), valueOf(now, name)];
   const text = numberText(t, lengths, before, name);
   if (text === numberText(t, lengths, now, name) && name !== "time") return null;

@@ -43,7 +43,10 @@ export function effectOf(outcome: Outcome): Effect {
   return effect;
 }
 
-/** The same of what is only planned: what stayed before stands until the new proof is there; null where nothing was proved yet. */
+/**
+ * The same of what is only planned: what stayed before stands until the new proof is there; null where nothing was
+ * proved yet.
+ */
 export function effectNow(made: Outcome | Planned, proved: Outcome | null): Effect {
   if (made.simulation) return effectOf(made);
   return { ...ofRun(made.run), residual: proved && effectOf(proved).residual };
@@ -53,7 +56,7 @@ export function effectNow(made: Outcome | Planned, proved: Outcome | null): Effe
 export function cutAtOnce({ run }: Pick<Outcome, "run">): number {
   const call = run.operations[0];
   const plunges = call && cycleByNumber(call.cycle)?.group === "recessing";
-  return plunges ? call.tool.CUTWIDTH ?? 0 : call?.plan.infeed ?? 0;
+  return plunges ? (call.tool.CUTWIDTH ?? 0) : (call?.plan.infeed ?? 0);
 }
 
 /** What is cut at once times roughing feed per revolution, mm²; null where the feed per revolution is not known. */

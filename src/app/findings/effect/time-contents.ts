@@ -11,7 +11,10 @@ const LACKED = ["acceleration", "toolChange", "spindle"] as const satisfies read
 /** Where the time of a run goes: each cause with its seconds, those that take none left out. */
 export function timeCauses(t: MachineTexts["time"], run: Run): readonly (readonly [name: string, seconds: number])[] {
   const times = timesOf(run);
-  return CAUSES.filter((cause) => times[cause] > 0 || ALWAYS.includes(cause)).map((cause) => [t.causes[cause], times[cause]]);
+  return CAUSES.filter((cause) => times[cause] > 0 || ALWAYS.includes(cause)).map((cause) => [
+    t.causes[cause],
+    times[cause],
+  ]);
 }
 
 /** What a time was worked out with, and what it does not contain. */

@@ -31,13 +31,23 @@ export const HelpMarks = memo(function HelpMarks({ marks, id }: Props): ReactNod
     switch (m.kind) {
       case "area":
         return (
-          <path key={i} {...own} d={m.d} {...(m.fill === "part" || m.fill === "cut" ? { style: { fill: `url(#${id}${m.fill})` } } : {})} />
+          <path
+            key={i}
+            {...own}
+            d={m.d}
+            {...(m.fill === "part" || m.fill === "cut" ? { style: { fill: `url(#${id}${m.fill})` } } : {})}
+          />
         );
       case "line":
         return <path key={i} {...own} d={m.d} />;
       case "text":
         return (
-          <text key={i} {...own} x={px(m.place.x)} y={px(m.place.y)} fontSize={m.size}
+          <text
+            key={i}
+            {...own}
+            x={px(m.place.x)}
+            y={px(m.place.y)}
+            fontSize={m.size}
             {...(m.turn === 0 ? {} : { transform: `rotate(${m.turn} ${px(m.place.x)} ${px(m.place.y)})` })}
             {...(m.underlined ? { textDecoration: "underline" } : {})}
           >

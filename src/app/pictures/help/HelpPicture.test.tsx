@@ -15,9 +15,20 @@ afterEach(cleanup);
 
 const cycle = catalogue.find((c) => c.contour === "own" && c.evidence === "A") as Cycle;
 const example: Numbers = Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example]));
-const picture = (values: Numbers | null, activeQ: string | null, language: Language = "en", partial: Numbers = values ?? {}) => (
-  <HelpPicture cycle={cycle} values={values} partial={partial} given={{ contour: null, start: null }} activeQ={activeQ}
-    language={language} />
+const picture = (
+  values: Numbers | null,
+  activeQ: string | null,
+  language: Language = "en",
+  partial: Numbers = values ?? {},
+) => (
+  <HelpPicture
+    cycle={cycle}
+    values={values}
+    partial={partial}
+    given={{ contour: null, start: null }}
+    activeQ={activeQ}
+    language={language}
+  />
 );
 const name = () => screen.getByRole("img").getAttribute("aria-label") ?? "";
 const active = () => [...document.querySelectorAll("svg text.active")].map((e) => e.textContent);
@@ -76,6 +87,8 @@ test("a value that is taken away leaves the drawing as it was, with its Q number
 
 test("a free contour that is missing draws nothing and does not break", () => {
   const free = catalogue.find((c) => c.contour === "free" && c.evidence === "A") as Cycle;
-  render(<HelpPicture cycle={free} values={null} given={{ contour: null, start: null }} activeQ="Q463" language="en" />);
+  render(
+    <HelpPicture cycle={free} values={null} given={{ contour: null, start: null }} activeQ="Q463" language="en" />,
+  );
   expect(document.querySelector("svg")?.outerHTML).not.toMatch(/NaN|Infinity/);
 });

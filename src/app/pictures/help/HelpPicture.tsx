@@ -50,7 +50,14 @@ function drawnBy(
   const made = likelyCompletion(cycle, typed, given, before);
   if (!made) return null;
   const { values, outline } = made;
-  return { cycle, typed, values: values as Numbers, isBorrowed, outline, plan: pointPlan(cycle, values, outline, given) };
+  return {
+    cycle,
+    typed,
+    values: values as Numbers,
+    isBorrowed,
+    outline,
+    plan: pointPlan(cycle, values, outline, given),
+  };
 }
 
 const NOTHING: Numbers = {};
@@ -65,29 +72,32 @@ interface SheetProps extends Pick<Props, "cycle" | "activeQ" | "language"> {
 /** The drawing of what was planned: a part of its own, so that a slow device may do something else between the two. */
 function HelpSheet({ id, cycle, shown, activeQ, language, width, height }: SheetProps) {
   const t = texts(language);
-  const drawing = useMemo(() =>
-    helpDrawing({
-      params: cycle.params,
-      values: shown.values,
-      typed: shown.typed,
-      isBorrowed: shown.isBorrowed,
-      outline: shown.outline,
-      plan: shown.plan,
-      active: activeQ,
-      size: { width, height },
-      speech: {
-        number: (n, decimals) => formatNumber(language, n, decimals),
-        element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
-        reserved: t.help.reserved,
-        notToScale: t.help.notToScale,
-      },
-    }), [cycle, shown, activeQ, width, height, language, t]);
+  const drawing = useMemo(
+    () =>
+      helpDrawing({
+        params: cycle.params,
+        values: shown.values,
+        typed: shown.typed,
+        isBorrowed: shown.isBorrowed,
+        outline: shown.outline,
+        plan: shown.plan,
+        active: activeQ,
+        size: { width, height },
+        speech: {
+          number: (n, decimals) => formatNumber(language, n, decimals),
+          element: [t.help.element.none, t.help.element.chamfer, t.help.element.radius],
+          reserved: t.help.reserved,
+          notToScale: t.help.notToScale,
+        },
+      }),
+    [cycle, shown, activeQ, width, height, language, t],
+  );
   return <HelpMarks marks={drawing.marks} id={id} />;
 }
 
 /**
- * A shop drawing of the contour that the values describe, the active prompt's dimension strong. A value that is missing is drawn with
- * its Q number in place of a measure. What can not be drawn leaves the last possible drawing, dimmed.
+ * A shop drawing of the contour that the values describe, the active prompt's dimension strong. A value that is missing
+ * is drawn with its Q number in place of a measure. What can not be drawn leaves the last possible drawing, dimmed.
  */
 export function HelpPicture(props: Props) {
   const { cycle, values, partial, wrong = false, given: exact, isBorrowed = false, activeQ, language, onPick } = props;
@@ -102,21 +112,17 @@ export function HelpPicture(props: Props) {
   // Where nothing is missing nothing is filled in from before.
   const before = !values && whole?.cycle === cycle ? whole.values : null;
   const kept = last?.cycle === cycle ? last : null;
-  const now = useMemo(() => (wrong ? null : drawnBy({ cycle, given, isBorrowed }, said, before)), [
-    wrong,
-    cycle,
-    said,
-    before,
-    given,
-    isBorrowed,
-  ]);
+  const now = useMemo(
+    () => (wrong ? null : drawnBy({ cycle, given, isBorrowed }, said, before)),
+    [wrong, cycle, said, before, given, isBorrowed],
+  );
   if (now && now !== last) setLast(now);
   if (now && values && whole?.values !== values) setWhole({ cycle, values });
   // Where nothing was possible so far, what can be drawn of the values, or of the cycle.
   const isFirst = !now && !kept;
   const first = useMemo(() => {
     const of = { cycle, given, isBorrowed };
-    return isFirst ? drawnBy(of, said, null) ?? drawnBy(of, NOTHING, null) : null;
+    return isFirst ? (drawnBy(of, said, null) ?? drawnBy(of, NOTHING, null)) : null;
   }, [isFirst, cycle, said, given, isBorrowed]);
   const shown = now ?? kept ?? first;
   const isStale = !now && kept !== null;
@@ -128,14 +134,21 @@ export function HelpPicture(props: Props) {
   });
   return (
     <div className="help-picture" ref={box}>
-      <svg role="img" viewBox={`0 0 ${size.width} ${size.height}`}
+      <svg
+        role="img"
+        viewBox={`0 0 ${size.width} ${size.height}`}
         aria-label={[pictureInWords(t, language, cycle, activeQ, said), note].filter((s) => s !== null).join(" ")}
-        {...(isStale ? { className: "dimmed" } : {})} {...(onPick && pressing)}
+        {...(isStale ? { className: "dimmed" } : {})}
+        {...(onPick && pressing)}
       >
         <Hatches id={id} />
         {shown && <HelpSheet id={id} cycle={cycle} shown={shown} activeQ={activeQ} language={language} {...size} />}
       </svg>
-      {isStale && <p className="help-note" aria-hidden="true">{t.help.stale}</p>}
+      {isStale && (
+        <p className="help-note" aria-hidden="true">
+          {t.help.stale}
+        </p>
+      )}
     </div>
   );
 }

@@ -16,7 +16,9 @@ export function dimensionAt({ x, y }: At): string | null {
   for (const ring of RINGS) {
     for (let i = 0; i < (ring === 0 ? 1 : DIRECTIONS); i += 1) {
       const angle = (2 * Math.PI * i) / DIRECTIONS;
-      const found = document.elementFromPoint(x + ring * Math.cos(angle), y + ring * Math.sin(angle))?.closest<SVGElement>("[data-q]");
+      const found = document
+        .elementFromPoint(x + ring * Math.cos(angle), y + ring * Math.sin(angle))
+        ?.closest<SVGElement>("[data-q]");
       if (found?.dataset["q"]) return found.dataset["q"];
     }
   }

@@ -7,7 +7,9 @@ import type { Numbers } from "../../../view/help/lettering.ts";
 
 /** A value with what it measures, in words: "diameter 75 mm", "1, chamfer". */
 export function valueInWords(texts: Texts, language: Language, params: Params, q: string, values: Numbers): string {
-  const param = params[q], value = values[q], say = texts.help.inWords;
+  const param = params[q],
+    value = values[q],
+    say = texts.help.inWords;
   if (!param || value === undefined) return texts.help.noValue;
   if (value === "auto") return say.auto;
   const number = formatNumber(language, value, param.decimals);

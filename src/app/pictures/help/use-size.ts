@@ -3,8 +3,8 @@ import type { Size } from "../../../view/camera.ts";
 import { usePageUnit } from "../../base/unit.ts";
 
 /**
- * The size of an element in the units that drawings are lettered for (CSS pixels over the page's unit), kept up to date; a guess
- * until it is measured. A drawing whose view box has this size grows with the page.
+ * The size of an element in the units that drawings are lettered for (CSS pixels over the page's unit), kept up to
+ * date; a guess until it is measured. A drawing whose view box has this size grows with the page.
  */
 export function useSize(element: RefObject<HTMLElement | null>, guess: Size): Size {
   const unit = usePageUnit();
@@ -14,7 +14,8 @@ export function useSize(element: RefObject<HTMLElement | null>, guess: Size): Si
     if (!node) return undefined;
     const take = () => {
       const [width, height] = [node.clientWidth / unit, node.clientHeight / unit];
-      if (width > 0 && height > 0) setSize((old) => (old.width === width && old.height === height ? old : { width, height }));
+      if (width > 0 && height > 0)
+        setSize((old) => (old.width === width && old.height === height ? old : { width, height }));
     };
     take();
     if (typeof ResizeObserver !== "function") return undefined;

@@ -18,20 +18,44 @@ export function useAhead(of: Run | null): Run | null {
   return of && newest !== of ? newest : null;
 }
 
-/** The lines of the path, those of a newer run where there is one. `of`: what the picture shows; null where it is of no open work. */
-export const NewestPath = memo(
-  function NewestPath({ of, stretches, playback, isLong }: { readonly of: Run | null; readonly stretches: readonly PathStretch[];
-    readonly playback: PlaybackStore; readonly isLong: boolean })
-  {
-    const ahead = useAhead(of), all = useSettings((s) => s.paths === "all");
-    return <PassLines stretches={ahead && all ? stretchesOf(ahead).stretches : stretches} playback={playback} isLong={isLong} />;
-  },
-);
+/**
+ * The lines of the path, those of a newer run where there is one. `of`: what the picture shows; null where it is of no
+ * open work.
+ */
+export const NewestPath = memo(function NewestPath({
+  of,
+  stretches,
+  playback,
+  isLong,
+}: {
+  readonly of: Run | null;
+  readonly stretches: readonly PathStretch[];
+  readonly playback: PlaybackStore;
+  readonly isLong: boolean;
+}) {
+  const ahead = useAhead(of),
+    all = useSettings((s) => s.paths === "all");
+  return (
+    <PassLines
+      stretches={ahead && all ? stretchesOf(ahead).stretches : stretches}
+      playback={playback}
+      isLong={isLong}
+    />
+  );
+});
 
 /** The finished contour, that of a newer run where there is one. */
-export function NewestContour({ of, shapes, children }: { readonly of: Run | null; readonly shapes: readonly Shape[];
-  readonly children: (shapes: readonly Shape[]) => ReactNode })
-{
+export function NewestContour({
+  of,
+  shapes,
+  children,
+}: {
+  readonly of: Run | null;
+  readonly shapes: readonly Shape[];
+  readonly children: (shapes: readonly Shape[]) => ReactNode;
+}) {
   const ahead = useAhead(of);
-  return children(useMemo(() => (ahead ? contourShapes(ahead.operations.map((o) => o.plan.contour)) : shapes), [ahead, shapes]));
+  return children(
+    useMemo(() => (ahead ? contourShapes(ahead.operations.map((o) => o.plan.contour)) : shapes), [ahead, shapes]),
+  );
 }

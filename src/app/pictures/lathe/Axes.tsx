@@ -16,28 +16,47 @@ export const SCALE_BELOW = 22;
 const APART = { z: 72, x: 44 };
 
 /** Grid and scales: Z along the lower edge, X as diameter along the left one, the spindle axis as a chain line. */
-export const LatheAxes = memo(function LatheAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
+export const LatheAxes = memo(function LatheAxes({
+  viewport,
+  part,
+}: {
+  readonly viewport: Viewport;
+  readonly part: "grid" | "scales";
+}) {
   return <CameraAxes camera={useCamera(viewport)} size={viewport.size()} part={part} unit={usePageUnit()} />;
 });
 
 /** The same for a picture that keeps its camera itself. */
-export function CameraAxes({ camera, size: { width, height }, part, unit = 1 }: {
+export function CameraAxes({
+  camera,
+  size: { width, height },
+  part,
+  unit = 1,
+}: {
   readonly camera: Camera;
   readonly size: Size;
   readonly part: "grid" | "scales";
   /** How much larger than written its letters are, in the measure of the size. */
   readonly unit?: number;
 }) {
-  const { language, per, unit: counted } = useLengths(), t = useTexts().lathe;
-  const corner = toPlace(camera, { x: 0, y: 0 }), far = toPlace(camera, { x: width, y: height });
-  const alongZ = ticks(corner.z / per, far.z / per, unit * APART.z / camera.scale / per);
-  const alongX = ticks(toDiameter(corner.r) / per, toDiameter(far.r) / per, toDiameter(radius(unit * APART.x / camera.scale)) / per);
+  const { language, per, unit: counted } = useLengths(),
+    t = useTexts().lathe;
+  const corner = toPlace(camera, { x: 0, y: 0 }),
+    far = toPlace(camera, { x: width, y: height });
+  const alongZ = ticks(corner.z / per, far.z / per, (unit * APART.z) / camera.scale / per);
+  const alongX = ticks(
+    toDiameter(corner.r) / per,
+    toDiameter(far.r) / per,
+    toDiameter(radius((unit * APART.x) / camera.scale)) / per,
+  );
   const placeZ = (z: number) => toScreen(camera, { z: axial(z * per), r: radius(0) }).x;
   const placeX = (x: number) => toScreen(camera, { z: axial(0), r: toRadius(diameter(x * per)) }).y;
-  const right = unit * SCALE_LEFT, floor = height - unit * SCALE_BELOW;
+  const right = unit * SCALE_LEFT,
+    floor = height - unit * SCALE_BELOW;
   if (part === "grid") {
-    const lines = alongZ.values.map((z) => `M${placeZ(z)} 0V${height}`).join("")
-      + alongX.values.map((x) => `M0 ${placeX(x)}H${width}`).join("");
+    const lines =
+      alongZ.values.map((z) => `M${placeZ(z)} 0V${height}`).join("") +
+      alongX.values.map((x) => `M0 ${placeX(x)}H${width}`).join("");
     return (
       <g>
         <path className="lathe-grid" d={lines} />
@@ -45,21 +64,33 @@ export function CameraAxes({ camera, size: { width, height }, part, unit = 1 }: 
       </g>
     );
   }
-  const shownZ = alongZ.values.map((z) => ({ z, x: placeZ(z) })).filter(({ x }) => x > right + 16 * unit && x < width - 28 * unit);
-  const shownX = alongX.values.map((x) => ({ x, y: placeX(x) })).filter(({ y }) => y > 28 * unit && y < floor - 6 * unit);
+  const shownZ = alongZ.values
+    .map((z) => ({ z, x: placeZ(z) }))
+    .filter(({ x }) => x > right + 16 * unit && x < width - 28 * unit);
+  const shownX = alongX.values
+    .map((x) => ({ x, y: placeX(x) }))
+    .filter(({ y }) => y > 28 * unit && y < floor - 6 * unit);
   return (
     <g className="lathe-scales" aria-hidden="true">
       <path className="lathe-scale-ground" d={`M0 0H${right}V${floor}H${width}V${height}H0Z`} />
       <path className="lathe-scale-edge" d={`M${right} 0V${floor}H${width}`} />
-      <path className="lathe-tick"
-        d={shownZ.map(({ x }) => `M${x} ${floor}v4`).join("") + shownX.map(({ y }) => `M${right} ${y}h-4`).join("")} />
+      <path
+        className="lathe-tick"
+        d={shownZ.map(({ x }) => `M${x} ${floor}v4`).join("") + shownX.map(({ y }) => `M${right} ${y}h-4`).join("")}
+      />
       {shownZ.map(({ z, x }, i) => (
-        <text key={i} x={x} y={height - 6 * unit} textAnchor="middle">{formatNumber(language, z, alongZ.decimals)}</text>
+        <text key={i} x={x} y={height - 6 * unit} textAnchor="middle">
+          {formatNumber(language, z, alongZ.decimals)}
+        </text>
       ))}
       {shownX.map(({ x, y }, i) => (
-        <text key={i} x={right - 7 * unit} y={y + 4 * unit} textAnchor="end">{formatNumber(language, x, alongX.decimals)}</text>
+        <text key={i} x={right - 7 * unit} y={y + 4 * unit} textAnchor="end">
+          {formatNumber(language, x, alongX.decimals)}
+        </text>
       ))}
-      <text className="lathe-scale-name" x={right - 7 * unit} y={16 * unit} textAnchor="end">{t.axisX}</text>
+      <text className="lathe-scale-name" x={right - 7 * unit} y={16 * unit} textAnchor="end">
+        {t.axisX}
+      </text>
       <text className="lathe-scale-name" x={width - 8 * unit} y={height - 6 * unit} textAnchor="end">
         {counted === "mm" ? t.axisZ : `${t.axisZ} ${counted}`}
       </text>

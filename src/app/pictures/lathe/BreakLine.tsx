@@ -11,20 +11,35 @@ import type { Viewport } from "./viewport.ts";
 const INSET = 14;
 
 /** Where a shank leaves the picture it is cut off with a break line, which goes along the edge with the tool. */
-export function BreakLine({ viewport, tool, carrying }: { readonly viewport: Viewport; readonly tool: Tool; readonly carrying: Carrying }) {
+export function BreakLine({
+  viewport,
+  tool,
+  carrying,
+}: {
+  readonly viewport: Viewport;
+  readonly tool: Tool;
+  readonly carrying: Carrying;
+}) {
   const sheet = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const element = sheet.current, [ground, line] = element?.querySelectorAll("path") ?? [];
+    const element = sheet.current,
+      [ground, line] = element?.querySelectorAll("path") ?? [];
     if (!element || !tool.holder) return undefined;
     const unit = pageUnit();
     const broken = (tip: Pt) => {
       const { width, height } = viewport.size();
-      const seen = { left: unit * SCALE_LEFT + INSET, right: width - INSET, top: INSET, bottom: height - unit * SCALE_BELOW - INSET };
+      const seen = {
+        left: unit * SCALE_LEFT + INSET,
+        right: width - INSET,
+        top: INSET,
+        bottom: height - unit * SCALE_BELOW - INSET,
+      };
       return breakOf(tool, tip, viewport.get(), seen);
     };
     let isShown = true;
     const show = () => {
-      const tip = carrying.tip(), now = tip && broken(tip);
+      const tip = carrying.tip(),
+        now = tip && broken(tip);
       if ((now !== null) !== isShown) {
         isShown = now !== null;
         element.style.display = isShown ? "" : "none";
@@ -46,12 +61,14 @@ export function BreakLine({ viewport, tool, carrying }: { readonly viewport: Vie
     const ends = [viewport.subscribe(look), carrying.follow(show), gliding.end];
     return () => ends.forEach((end) => end());
   }, [viewport, tool, carrying]);
-  return tool.holder && (
-    <div ref={sheet} className="tool-carrier" aria-hidden="true">
-      <svg className="chip-sheet" width="1" height="1">
-        <path className="break-ground" />
-        <path className="break-line" />
-      </svg>
-    </div>
+  return (
+    tool.holder && (
+      <div ref={sheet} className="tool-carrier" aria-hidden="true">
+        <svg className="chip-sheet" width="1" height="1">
+          <path className="break-ground" />
+          <path className="break-line" />
+        </svg>
+      </div>
+    )
   );
 }

@@ -11,24 +11,39 @@ const CROSS = 4;
 const NEAR = 40;
 
 /**
- * The chip that is cut and the edge that cuts it, over the tool that carries it. Its shapes are relative to the tip and change only where
- * the chip does, which an even cut does not; its numbers no oftener than they can be read.
+ * The chip that is cut and the edge that cuts it, over the tool that carries it. Its shapes are relative to the tip and
+ * change only where the chip does, which an even cut does not; its numbers no oftener than they can be read.
  */
-export function ChipSheet({ viewport, moving: { chipAt, playback } }: { readonly viewport: Viewport; readonly moving: Moving }) {
-  const sheet = useRef<SVGSVGElement>(null), lengths = useLengths();
+export function ChipSheet({
+  viewport,
+  moving: { chipAt, playback },
+}: {
+  readonly viewport: Viewport;
+  readonly moving: Moving;
+}) {
+  const sheet = useRef<SVGSVGElement>(null),
+    lengths = useLengths();
   useEffect(() => {
     const element = sheet.current;
-    const [world, area, edge, glow, cross, line] = ["g", ".chip-area", ".chip-edge", ".chip-glow", ".chip-tip", ".chip-measure"].map(
-      (part) => element?.querySelector(part)
-    );
+    const [world, area, edge, glow, cross, line] = [
+      "g",
+      ".chip-area",
+      ".chip-edge",
+      ".chip-glow",
+      ".chip-tip",
+      ".chip-measure",
+    ].map((part) => element?.querySelector(part));
     const text = element?.querySelector("text");
     if (!element || !text) return undefined;
-    let drawn: Chip | null = null, written: Chip | null = null;
+    let drawn: Chip | null = null,
+      written: Chip | null = null;
     const write = () => {
       written = drawn;
-      const { scale, xUp } = viewport.drawn(), measure = drawn && chipMeasure(drawn, scale, xUp);
+      const { scale, xUp } = viewport.drawn(),
+        measure = drawn && chipMeasure(drawn, scale, xUp);
       line?.setAttribute("d", measure?.line ?? "");
-      text.textContent = drawn && measure ? `h ${lengths.fixed(drawn.thickest.size, 3)} · b ${lengths.fixed(drawn.width, 2)}` : "";
+      text.textContent =
+        drawn && measure ? `h ${lengths.fixed(drawn.thickest.size, 3)} · b ${lengths.fixed(drawn.width, 2)}` : "";
       if (!measure) return;
       text.setAttribute("x", String(measure.text.x));
       text.setAttribute("y", String(measure.text.y));

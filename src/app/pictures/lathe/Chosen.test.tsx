@@ -21,10 +21,15 @@ test("a chosen call keeps the forms of its moves", () => {
   const made = run(parse(printedText(exampleJob(cycle))), { tools: shippedTools, rapid: 10_000 });
   const called = made.steps.filter((step) => step.operation !== null);
   useSelection.setState({ ...NOTHING_SELECTED, choice: { kind: "pass", operation: 0 } });
-  const { container } = render(<svg>
-    <ChosenPath run={made} />
-  </svg>);
-  const drawn = [...container.querySelectorAll(".shape-marked path")].map((path) => [path.getAttribute("class"), path.getAttribute("d")]);
+  const { container } = render(
+    <svg>
+      <ChosenPath run={made} />
+    </svg>,
+  );
+  const drawn = [...container.querySelectorAll(".shape-marked path")].map((path) => [
+    path.getAttribute("class"),
+    path.getAttribute("d"),
+  ]);
   expect(drawn).toEqual(toolpath(called).map(({ role, d }) => [`shape-${role}`, d]));
   expect(new Set(called.map(({ move }) => pathRole(move)))).toEqual(new Set(["rapid", "feed", "finish"]));
 });

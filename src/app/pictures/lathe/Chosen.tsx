@@ -7,11 +7,18 @@ import { useMarked } from "../selection.ts";
 /** What is chosen, over the path: moves, each in the form that it has there, and elements of the contour. */
 export function ChosenPath({ run }: { readonly run: Run }) {
   const { stretches, contour } = useMarked(run);
-  const shapes = useMemo(() => toolpath(stretches.flatMap(({ first, last }) => run.steps.slice(first, last + 1))), [stretches, run]);
+  const shapes = useMemo(
+    () => toolpath(stretches.flatMap(({ first, last }) => run.steps.slice(first, last + 1))),
+    [stretches, run],
+  );
   return (
     <>
       {shapes.length > 0 && (
-        <g className="shape-marked">{shapes.map(({ role, d }) => <path key={role} className={`shape-${role}`} d={d} />)}</g>
+        <g className="shape-marked">
+          {shapes.map(({ role, d }) => (
+            <path key={role} className={`shape-${role}`} d={d} />
+          ))}
+        </g>
       )}
       {contour.length > 0 && <path className="shape-marked-contour" d={segmentData(contour)} />}
     </>

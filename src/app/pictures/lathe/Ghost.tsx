@@ -9,7 +9,8 @@ import { useSettings } from "../../base/settings/settings.ts";
 /** How long the path stays to be seen that a change has replaced, ms. */
 const STAYS = 2000;
 /** It goes in so many steps, ms apart: each of them has the whole picture painted. */
-const STEPS = 3, STEP = 250;
+const STEPS = 3,
+  STEP = 250;
 
 /** Longer paths have no ghost: a change must be seen at once, characters of path data. */
 const MOST = 400_000;
@@ -18,7 +19,8 @@ function pathOf({ shapes }: Pick<Scene, "shapes">): readonly Shape[] {
   const path = shapes.filter(({ role }) => PATH_ROLES.some((line) => line === role));
   return path.reduce((sum, { d }) => sum + d.length, 0) > MOST ? [] : path;
 }
-const sameShapes = (a: readonly Shape[], b: readonly Shape[]) => a.length === b.length && a.every(({ d }, i) => d === b[i]?.d);
+const sameShapes = (a: readonly Shape[], b: readonly Shape[]) =>
+  a.length === b.length && a.every(({ d }, i) => d === b[i]?.d);
 
 /** Comes back when the next step is due; where time is held, with its next picture. */
 function soon(clock: Clock, go: (now: number) => void): () => void {
@@ -28,12 +30,17 @@ function soon(clock: Clock, go: (now: number) => void): () => void {
 }
 
 const Lines = ({ shapes, className }: { readonly shapes: readonly Shape[]; readonly className: string }) => (
-  <g className={className}>{shapes.map(({ role, d }) => <path key={role} className={`shape-ghost shape-ghost-${role}`} d={d} />)}</g>
+  <g className={className}>
+    {shapes.map(({ role, d }) => (
+      <path key={role} className={`shape-ghost shape-ghost-${role}`} d={d} />
+    ))}
+  </g>
 );
 
 /**
- * The path before the last change: it stays for two seconds and fades at their end, or without motion goes at once. Faded by the browser
- * from its beginning it would have all of the picture looked at 60 times a second, while the next key waits.
+ * The path before the last change: it stays for two seconds and fades at their end, or without motion goes at once.
+ * Faded by the browser from its beginning it would have all of the picture looked at 60 times a second, while the next
+ * key waits.
  */
 function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock }) {
   const motion = useSettings((s) => s.motion);
@@ -47,7 +54,8 @@ function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock
   }
   useEffect(() => {
     if (!former) return undefined;
-    const begun = clock.now(), still = reducedMotion({ motion });
+    const begun = clock.now(),
+      still = reducedMotion({ motion });
     let stop = () => undefined as void;
     const fade = (now: number) => {
       const left = Math.ceil((begun + STAYS - now) / STEP);
@@ -58,21 +66,29 @@ function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock
     fade(begun);
     return () => stop();
   }, [former, clock, motion]);
-  return former && (
-    <g ref={lines}>
-      <Lines shapes={former} className="lathe-former" />
-    </g>
+  return (
+    former && (
+      <g ref={lines}>
+        <Lines shapes={former} className="lathe-former" />
+      </g>
+    )
   );
 }
 
-/** The path of the pinned setting, for as long as it is pinned; made as that of the picture is, so that the same path is the same lines. */
+/**
+ * The path of the pinned setting, for as long as it is pinned; made as that of the picture is, so that the same path is
+ * the same lines.
+ */
 function Pinned({ scene }: { readonly scene: Scene }) {
   const run = useCompared((c) => c.pinned?.outcome.run ?? null);
-  const [drawn, draw] = useState<{ readonly of: typeof run; readonly shapes: readonly Shape[] }>({ of: null, shapes: [] });
+  const [drawn, draw] = useState<{ readonly of: typeof run; readonly shapes: readonly Shape[] }>({
+    of: null,
+    shapes: [],
+  });
   if (run !== drawn.of) draw({ of: run, shapes: run ? pathOf({ shapes: wholePath(pathStretches(run.steps)) }) : [] });
-  return drawn.shapes.length > 0 && !sameShapes(drawn.shapes, pathOf(scene))
-    ? <Lines shapes={drawn.shapes} className="lathe-pinned" />
-    : null;
+  return drawn.shapes.length > 0 && !sameShapes(drawn.shapes, pathOf(scene)) ? (
+    <Lines shapes={drawn.shapes} className="lathe-pinned" />
+  ) : null;
 }
 
 /** Paths of other settings, under the tool: the one before the last change, and the pinned one. */

@@ -1,7 +1,16 @@
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 
 /** A button that shows a glyph and is called by its name; with a text beside it where there is room. */
-export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled, text, hint }: {
+export function GlyphButton({
+  glyph,
+  name,
+  onPress,
+  pressed,
+  expanded,
+  disabled,
+  text,
+  hint,
+}: {
   readonly glyph: GlyphName;
   readonly name: string;
   readonly onPress: () => void;
@@ -16,11 +25,22 @@ export function GlyphButton({ glyph, name, onPress, pressed, expanded, disabled,
   readonly hint?: string;
 }) {
   return (
-    <button type="button" className="button icon" aria-label={name} title={hint ?? name} aria-pressed={pressed} aria-expanded={expanded}
-      disabled={disabled} onClick={onPress}
+    <button
+      type="button"
+      className="button icon"
+      aria-label={name}
+      title={hint ?? name}
+      aria-pressed={pressed}
+      aria-expanded={expanded}
+      disabled={disabled}
+      onClick={onPress}
     >
       <Glyph name={glyph} />
-      {text !== undefined && <span className="glyph-text" aria-hidden="true">{text}</span>}
+      {text !== undefined && (
+        <span className="glyph-text" aria-hidden="true">
+          {text}
+        </span>
+      )}
     </button>
   );
 }

@@ -19,27 +19,48 @@ export function heldBounds(tool: Tool): Bounds {
   return common(joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert, near);
 }
 
-/** A tool's insert (and holder, where the tool has one) to scale, Z to the right, X up, the theoretical tip as a small cross. */
-export function InsertDrawing({ tool, width = 48, height = 48, span, whole = false }: {
+/**
+ * A tool's insert (and holder, where the tool has one) to scale, Z to the right, X up, the theoretical tip as a small
+ * cross.
+ */
+export function InsertDrawing({
+  tool,
+  width = 48,
+  height = 48,
+  span,
+  whole = false,
+}: {
   readonly tool: Tool;
   /** Pixels. */
   readonly width?: number;
   readonly height?: number;
-  /** Millimetres that the drawing's smaller side stands for, for several tools in one scale; without it the insert fills the drawing. */
+  /**
+   * Millimetres that the drawing's smaller side stands for, for several tools in one scale; without it the insert fills
+   * the drawing.
+   */
   readonly span?: number;
   /** The drawing frames the holder too, not the insert alone. */
   readonly whole?: boolean;
 }) {
-  const t = useTexts().lathe, id = useId();
-  const box = useMemo(() => (whole ? heldBounds(tool) : boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 }), [
-    tool,
-    whole,
-  ]);
-  const wide = box.right - box.left, tall = box.high - box.low;
+  const t = useTexts().lathe,
+    id = useId();
+  const box = useMemo(
+    () =>
+      whole ? heldBounds(tool) : (boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 }),
+    [tool, whole],
+  );
+  const wide = box.right - box.left,
+    tall = box.high - box.low;
   const scale = span ? Math.min(width, height) / span : Math.min((width - 8) / wide, (height - 8) / tall);
-  const x = width / 2 - ((box.left + box.right) / 2) * scale, y = height / 2 + ((box.low + box.high) / 2) * scale;
+  const x = width / 2 - ((box.left + box.right) / 2) * scale,
+    y = height / 2 + ((box.low + box.high) / 2) * scale;
   return (
-    <svg className="insert-drawing" role="img" aria-label={t.insert(String(tool.T))} width={width} height={height}
+    <svg
+      className="insert-drawing"
+      role="img"
+      aria-label={t.insert(String(tool.T))}
+      width={width}
+      height={height}
       viewBox={`0 0 ${width} ${height}`}
     >
       <clipPath id={id}>

@@ -12,17 +12,26 @@ import type { Viewport } from "./viewport.ts";
 
 /** Height of a text, pixels. */
 const ROW = 15;
-/** How texts stand in a picture: the room of one, and how far below the upper edge and its notes the first row is, pixels. */
-const LARGE = { wide: 104, top: 44 }, SMALL = { wide: 58, top: 18 };
+/**
+ * How texts stand in a picture: the room of one, and how far below the upper edge and its notes the first row is,
+ * pixels.
+ */
+const LARGE = { wide: 104, top: 44 },
+  SMALL = { wide: 58, top: 18 };
 /** A picture less wide or high than this has room for the numbers alone, pixels. */
 const ROOM = { width: 480, height: 240 };
 
-const valueText = (lengths: Lengths, { axis, value }: KnownPosition): string => `${axis === "x" ? "⌀" : "Z"}${lengths.number(value)}`;
+const valueText = (lengths: Lengths, { axis, value }: KnownPosition): string =>
+  `${axis === "x" ? "⌀" : "Z"}${lengths.number(value)}`;
 /** A typed position as a drawing writes it, with its Q: Q491 ⌀61.37. */
 const positionText = (lengths: Lengths, p: KnownPosition): string => `${p.q} ${valueText(lengths, p)}`;
 
 /** What is known of a contour, in words. */
-export function knownText(t: Texts["lathe"], lengths: Lengths, { positions, contour, sketch, whole }: KnownOutline): string {
+export function knownText(
+  t: Texts["lathe"],
+  lengths: Lengths,
+  { positions, contour, sketch, whole }: KnownOutline,
+): string {
   const said = positions.map((p) => positionText(lengths, p));
   if (contour.length > 0) said.push(whole ? t.known.whole : t.known.elements(contour.length));
   else if (sketch.length > 0) said.push(t.known.sketch);
@@ -41,40 +50,76 @@ function spread(places: readonly number[], apart: number): readonly number[] {
 }
 
 /**
- * The position that the open prompt asks for, as a line through a picture that has its path; as long as the values make no contour, all of
- * them.
+ * The position that the open prompt asks for, as a line through a picture that has its path; as long as the values make
+ * no contour, all of them.
  */
 export function AskedMarks({ viewport, known }: { readonly viewport: Viewport; readonly known: KnownWork }) {
-  const asked = usePlace((p) => p.prompt), { outline, points } = known;
+  const asked = usePlace((p) => p.prompt),
+    { outline, points } = known;
   const positions = outline.whole ? outline.positions.filter(({ q }) => q === asked) : outline.positions;
   if (positions.length === 0) return null;
-  return <KnownMarks viewport={viewport} known={{ ...known, outline: { ...outline, positions }, points: outline.whole ? [] : points }} />;
+  return (
+    <KnownMarks
+      viewport={viewport}
+      known={{ ...known, outline: { ...outline, positions }, points: outline.whole ? [] : points }}
+    />
+  );
 }
 
 /** The positions that are typed so far as lines through the picture, and the corners that they make. */
-export function KnownMarks({ viewport, known: { outline: { positions }, points } }: { readonly viewport: Viewport;
-  readonly known: KnownWork })
-{
-  const camera = useCamera(viewport), { width, height } = viewport.size();
+export function KnownMarks({
+  viewport,
+  known: {
+    outline: { positions },
+    points,
+  },
+}: {
+  readonly viewport: Viewport;
+  readonly known: KnownWork;
+}) {
+  const camera = useCamera(viewport),
+    { width, height } = viewport.size();
   const lengths = useLengths();
   const floor = height - SCALE_BELOW;
-  const level = positions.filter((p) => p.axis === "x").map((p) => ({
-    p,
-    y: toScreen(camera, { z: axial(0), r: toRadius(diameter(p.value)) }).y,
-  }));
-  const upright = positions.filter((p) => p.axis === "z").map((p) => ({ p, x: toScreen(camera, { z: axial(p.value), r: radius(0) }).x }));
+  const level = positions
+    .filter((p) => p.axis === "x")
+    .map((p) => ({
+      p,
+      y: toScreen(camera, { z: axial(0), r: toRadius(diameter(p.value)) }).y,
+    }));
+  const upright = positions
+    .filter((p) => p.axis === "z")
+    .map((p) => ({ p, x: toScreen(camera, { z: axial(p.value), r: radius(0) }).x }));
   const isSmall = width < ROOM.width || height < ROOM.height;
-  const { wide, top } = isSmall ? SMALL : LARGE, text = isSmall ? valueText : positionText;
-  const columns = spread(level.map(({ y }) => y), ROW), rows = spread(upright.map(({ x }) => x), wide);
+  const { wide, top } = isSmall ? SMALL : LARGE,
+    text = isSmall ? valueText : positionText;
+  const columns = spread(
+      level.map(({ y }) => y),
+      ROW,
+    ),
+    rows = spread(
+      upright.map(({ x }) => x),
+      wide,
+    );
   return (
     <g className="lathe-known" aria-hidden="true">
-      <path className="line"
-        d={[...level.map(({ y }) => `M${SCALE_LEFT} ${y}H${width}`), ...upright.map(({ x }) => `M${x} 0V${floor}`)].join("")} />
+      <path
+        className="line"
+        d={[
+          ...level.map(({ y }) => `M${SCALE_LEFT} ${y}H${width}`),
+          ...upright.map(({ x }) => `M${x} 0V${floor}`),
+        ].join("")}
+      />
       {level.map(({ p, y }, i) => (
-        <text key={p.q} className="number" x={width - 8 - (columns[i] ?? 0) * wide} y={y - 5} textAnchor="end">{text(lengths, p)}</text>
+        <text key={p.q} className="number" x={width - 8 - (columns[i] ?? 0) * wide} y={y - 5} textAnchor="end">
+          {text(lengths, p)}
+        </text>
       ))}
       {upright.map(({ p, x }, i) => (
-        <text key={p.q} className="number" {...(x > width - wide ? { x: x - 5, textAnchor: "end" } : { x: x + 5 })}
+        <text
+          key={p.q}
+          className="number"
+          {...(x > width - wide ? { x: x - 5, textAnchor: "end" } : { x: x + 5 })}
           y={top + (rows[i] ?? 0) * ROW}
         >
           {text(lengths, p)}

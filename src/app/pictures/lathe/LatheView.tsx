@@ -98,8 +98,8 @@ const partsOf = (run: Run): SceneParts => ({
 /** What is known without a run: blank, contour as far as it is typed, and where the tool starts. */
 function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run): Partial<SceneParts> {
   const { contour, sketch, positions } = outline;
-  const alone = positions.map(
-    ({ axis, value }): Pt => (axis === "x" ? { z: axial(0), r: toRadius(diameter(value)) } : { z: axial(value), r: radius(0) })
+  const alone = positions.map(({ axis, value }): Pt =>
+    axis === "x" ? { z: axial(0), r: toRadius(diameter(value)) } : { z: axial(value), r: radius(0) },
   );
   const near = [...points, ...alone];
   const waits = start && run.steps.length === 0 ? { at: start, tool } : null;
@@ -108,10 +108,21 @@ function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run
 /** A move was pointed at; `byKey`: with the keyboard, which goes along to its dialog. */
 export type MovePointed = (step: number, byKey?: boolean) => void;
 
-/** The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so. */
-export function LatheView({ result, known = null, dimmed, playback, clock, onMove }: {
+/**
+ * The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so.
+ */
+export function LatheView({
+  result,
+  known = null,
+  dimmed,
+  playback,
+  clock,
+  onMove,
+}: {
   readonly result: LatheResult | null;
-  /** What is typed so far: drawn as long as there is no contour in the result, and then the position of the open prompt. */
+  /**
+   * What is typed so far: drawn as long as there is no contour in the result, and then the position of the open prompt.
+   */
   readonly known?: KnownWork | null;
   /** The picture is older than what was typed. */
   readonly dimmed: boolean;
@@ -120,14 +131,18 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   /** Called with the index of a move that was pointed at, after the tool went there. */
   readonly onMove?: MovePointed;
 }) {
-  const texts = useTexts(), t = texts.lathe, keysId = useId();
+  const texts = useTexts(),
+    t = texts.lathe,
+    keysId = useId();
   const { section, xDown, motion } = useSettings();
   const work = useEditor((s) => s.work);
   const [kept, keep] = useState(result);
   if (result && result !== kept) keep(result);
-  const shown = result ?? (dimmed ? kept : null), run = shown?.run ?? EMPTY_RUN;
+  const shown = result ?? (dimmed ? kept : null),
+    run = shown?.run ?? EMPTY_RUN;
   const lengths = useLengths(run);
-  const { proved, moving } = useMaterial(shown, playback), simulation = proved?.simulation ?? null;
+  const { proved, moving } = useMaterial(shown, playback),
+    simulation = proved?.simulation ?? null;
   const [viewport] = useState(() => createViewport(!xDown));
   const [tools, showTools] = useState(false);
   const [asking, ask] = useState<WhichRegion | null>(null);
@@ -135,11 +150,10 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const typed = run.operations.every((o) => o.plan.contour.length === 0) ? known : null;
   const waiting = run.steps.length === 0 ? typed : null;
   const passes = stretchesOf(run);
-  const scene = useMemo(() => sceneOf({ ...partsOf(run), path: passes.whole, ways: passes.ways, ...(typed && knownParts(typed, run)) }), [
-    run,
-    typed,
-    passes,
-  ]);
+  const scene = useMemo(
+    () => sceneOf({ ...partsOf(run), path: passes.whole, ways: passes.ways, ...(typed && knownParts(typed, run)) }),
+    [run, typed, passes],
+  );
   const held = useMemo(() => run.steps.some((step) => step.tool.holder), [run]);
   const starts = useMemo(() => (waiting?.start ? [waiting.start] : run.operations.map((o) => o.start)), [run, waiting]);
   const measuring = useMeasuring();
@@ -154,10 +168,14 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
   const look = measuring.on ? measuring : { tap, hover: point, drag: null };
   const solid = useSolid({ run, shown: proved, moving, waiting, measures: measuring.on });
   // Where there is room the section stays, and the body stands beside it.
-  const beside = useMedia("vast") && solid.drawn !== null, alone = beside ? null : solid.drawn;
+  const beside = useMedia("vast") && solid.drawn !== null,
+    alone = beside ? null : solid.drawn;
   const stage = useStage(viewport, look, beside ? 0.5 : 1);
   const looking = alone ? { ...viewport, ...alone } : viewport;
-  /** What is behind a button gives the picture back where there is little room; with a tool in hand the keys belong to the picture. */
+  /**
+   * What is behind a button gives the picture back where there is little room; with a tool in hand the keys belong to
+   * the picture.
+   */
   const toggle = () => {
     measuring.toggle();
     if (measuring.state.getState().on) stage.current?.focus({ preventScroll: true });
@@ -172,7 +190,8 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
 
   /** Enter in the picture chooses the move that runs, and its dialog takes the keyboard. */
   const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
-    const { position } = playback.get(), step = Math.min(position.step, run.steps.length - 1);
+    const { position } = playback.get(),
+      step = Math.min(position.step, run.steps.length - 1);
     if (key !== "Enter" || !picture || step < 0) return false;
     chooseMove(run, position);
     stage.current?.blur();
@@ -180,50 +199,100 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
     return true;
   };
 
-  const ended = usePlayback(playback, (s) => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length);
+  const ended = usePlayback(
+    playback,
+    (s) => s.get().track.ends.length > 0 && s.get().position.step >= s.get().track.ends.length,
+  );
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  const marked = usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)), datum = datumAt(run.datums, marked);
+  const marked = usePlayback(playback, (s) => datumIndex(run.datums, s.get().position.step)),
+    datum = datumAt(run.datums, marked);
   const state = useMemo(() => {
-    const { x, z } = placeText(lengths, datum), rests = resting >= 0 ? statusText(texts, lengths, run, playback) : "";
+    const { x, z } = placeText(lengths, datum),
+      rests = resting >= 0 ? statusText(texts, lengths, run, playback) : "";
     const now = typed ? `${rests}. ${knownText(t, lengths, typed.outline)}` : rests;
     return run.datums.length > 0 ? `${now} ${t.countsFrom(x, z)}` : now;
   }, [t, texts, lengths, run, playback, resting, datum, typed]);
   const { told } = useTold();
-  const found = usePlaces("ZX"), places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
+  const found = usePlaces("ZX"),
+    places = told?.places ?? (dimmed || !simulation ? NOWHERE : found);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);
-  const { chosen, choose } = useLooking(places, useMemo(() => lookingAt([viewport, solid.drawn]), [viewport, solid.drawn]), playback);
+  const { chosen, choose } = useLooking(
+    places,
+    useMemo(() => lookingAt([viewport, solid.drawn]), [viewport, solid.drawn]),
+    playback,
+  );
   const seen = places.filter((each) => ended || told || each.kind === "finding" || each === chosen);
   const residual = told?.left ?? (ended && simulation ? simulation.proof.residual.map(({ ring }) => ring) : NO_RINGS);
   const gouges = told?.missing ?? simulation?.findings.flatMap(({ rings }) => rings) ?? NO_RINGS;
   return (
     <CountedIn value={run.program.unit}>
-      <section className="lathe" data-tools={tools} data-body={alone !== null} aria-label={t.title} onKeyDown={(event) => {
-        const target = event.target as HTMLElement;
-        if (event.ctrlKey || event.metaKey || event.altKey) return;
-        const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
-        if (pressKey(typed, playback, looking, measuring) || chooseByKey(typed)) event.preventDefault();
-      }}>
-        <ViewBar viewport={looking} measuring={{ ...measuring, toggle }} onWhich={proved && contourAt(proved.run, 0) && !dimmed
-          ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
-          : null}
+      <section
+        className="lathe"
+        data-tools={tools}
+        data-body={alone !== null}
+        aria-label={t.title}
+        onKeyDown={(event) => {
+          const target = event.target as HTMLElement;
+          if (event.ctrlKey || event.metaKey || event.altKey) return;
+          const typed = {
+            key: event.key,
+            shift: event.shiftKey,
+            element: target.localName,
+            picture: target === stage.current,
+          };
+          if (pressKey(typed, playback, looking, measuring) || chooseByKey(typed)) event.preventDefault();
+        }}
+      >
+        <ViewBar
+          viewport={looking}
+          measuring={{ ...measuring, toggle }}
+          onWhich={
+            proved && contourAt(proved.run, 0) && !dimmed
+              ? () => ask(contourAt(proved.run, playback.get().position.step, proved.simulation.final))
+              : null
+          }
         >
-          <Legend shapes={scene.shapes} holder={held} clamping={scene.chuck && (scene.chuck.unstated ? "unstated" : "stated")} />
+          <Legend
+            shapes={scene.shapes}
+            holder={held}
+            clamping={scene.chuck && (scene.chuck.unstated ? "unstated" : "stated")}
+          />
         </ViewBar>
-        <div ref={stage}
+        <div
+          ref={stage}
           className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}${ended ? " ended" : ""}${
             beside ? " beside" : ""
-          }`} tabIndex={0} role="group" aria-label={t.title} aria-describedby={keysId} {...{ [KEEPS_KEYBOARD]: "" }}
+          }`}
+          tabIndex={0}
+          role="group"
+          aria-label={t.title}
+          aria-describedby={keysId}
+          {...{ [KEEPS_KEYBOARD]: "" }}
         >
           {!alone && (
             <>
-              <Picture of={run} viewport={viewport} scene={scene} moving={moving} waiting={waiting} gouges={gouges} residual={residual}
-                section={section} name={t.pictures[section](state)} path={path.stretches} ghosts={
-                <Late>
-                  <Suspense>
-                    <GhostPaths scene={scene} clock={clock} />
-                  </Suspense>
-                </Late>
-              } chosen={[<LoadPart.Lines key="load" run={run} shown={path.has} />, <ChosenPath key="chosen" run={run} />]}
+              <Picture
+                of={run}
+                viewport={viewport}
+                scene={scene}
+                moving={moving}
+                waiting={waiting}
+                gouges={gouges}
+                residual={residual}
+                section={section}
+                name={t.pictures[section](state)}
+                path={path.stretches}
+                ghosts={
+                  <Late>
+                    <Suspense>
+                      <GhostPaths scene={scene} clock={clock} />
+                    </Suspense>
+                  </Late>
+                }
+                chosen={[
+                  <LoadPart.Lines key="load" run={run} shown={path.has} />,
+                  <ChosenPath key="chosen" run={run} />,
+                ]}
                 hovered={<HoveredMove run={run} hover={hover} />}
               >
                 {scene.chuck?.unstated && <HeldNote viewport={viewport} plane={scene.chuck.unstated} />}
@@ -232,7 +301,14 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
                 {typed && <KnownMarks viewport={viewport} known={typed} />}
                 {!typed && known && <AskedMarks viewport={viewport} known={known} />}
                 {run.steps.length > 0 && (
-                  <ToolAway viewport={viewport} playback={playback} run={run} places={seen} datum={datum} kept={measuring.labels} />
+                  <ToolAway
+                    viewport={viewport}
+                    playback={playback}
+                    run={run}
+                    places={seen}
+                    datum={datum}
+                    kept={measuring.labels}
+                  />
                 )}
                 {leads.length > 0 && (
                   <Suspense>
@@ -247,8 +323,17 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
           )}
           {solid.work && (
             <Suspense>
-              <SolidView work={solid.work} run={run} lines={path.has} state={state} clock={clock} places={seen} chosen={chosen}
-                choose={choose} onDrawn={solid.setDrawn} />
+              <SolidView
+                work={solid.work}
+                run={run}
+                lines={path.has}
+                state={state}
+                clock={clock}
+                places={seen}
+                chosen={chosen}
+                choose={choose}
+                onDrawn={solid.setDrawn}
+              />
             </Suspense>
           )}
           {alone && <MeasuredInSection />}
@@ -256,7 +341,9 @@ export function LatheView({ result, known = null, dimmed, playback, clock, onMov
             <p className={waiting ? "lathe-outdated small" : "lathe-empty soft"}>{t.pictureEmpty}</p>
           )}
           {dimmed && run.steps.length > 0 && <Outdated />}
-          <p id={keysId} className="unseen">{t.keys}</p>
+          <p id={keysId} className="unseen">
+            {t.keys}
+          </p>
         </div>
         <Late>
           <LoadPart.Strip run={run} viewport={viewport} playback={playback} pointed={pointed} shown={path.has} />

@@ -3,16 +3,24 @@ import { PATH_ROLES, type Shape } from "../../../view/scene.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** What lines, holder and clamping stand for: only those that are there. */
-export const Legend = memo(function Legend({ shapes, holder, clamping }: {
+export const Legend = memo(function Legend({
+  shapes,
+  holder,
+  clamping,
+}: {
   readonly shapes: readonly Shape[];
   /** A tool that moves has one. */
   readonly holder: boolean;
   /** How the work is held is drawn as it is stated, or as a plane where it is not; null: nothing is held. */
   readonly clamping: "stated" | "unstated" | null;
 }) {
-  const t = useTexts().lathe, there = PATH_ROLES.filter((role) => shapes.some((shape) => shape.role === role));
+  const t = useTexts().lathe,
+    there = PATH_ROLES.filter((role) => shapes.some((shape) => shape.role === role));
   if (there.length === 0 && !holder) return null;
-  const areas = [...(holder ? [["shape-holder", t.holder]] : []), ...(clamping ? [[`held-${clamping}`, t.held[clamping]]] : [])];
+  const areas = [
+    ...(holder ? [["shape-holder", t.holder]] : []),
+    ...(clamping ? [[`held-${clamping}`, t.held[clamping]]] : []),
+  ];
   return (
     <ul className="lathe-legend small" aria-label={t.legend}>
       {there.map((role) => (
@@ -26,7 +34,10 @@ export const Legend = memo(function Legend({ shapes, holder, clamping }: {
       {areas.map(([name, said]) => (
         <li key={name}>
           <svg width="26" height="10" aria-hidden="true">
-            <path className={name} d={name === "held-unstated" ? "M16 0V10M16 3L12 7M16 7L13 10M16 -1L12 3" : "M6 1H20V9H6Z"} />
+            <path
+              className={name}
+              d={name === "held-unstated" ? "M16 0V10M16 3L12 7M16 7L13 10M16 -1L12 3" : "M6 1H20V9H6Z"}
+            />
           </svg>
           {said}
         </li>

@@ -20,7 +20,8 @@ export function ZeroMark({ at }: { readonly at: Place }) {
 const tenths = (pixels: number) => Math.round(10 * pixels) / 10;
 
 /** A cross in a ring, pixels. */
-const startAt = ({ x, y }: Place): string => `M${x - 6} ${y}a6 6 0 1 1 12 0a6 6 0 1 1 -12 0M${x - 10} ${y}h20M${x} ${y - 10}v20`;
+const startAt = ({ x, y }: Place): string =>
+  `M${x - 6} ${y}a6 6 0 1 1 12 0a6 6 0 1 1 -12 0M${x - 10} ${y}h20M${x} ${y - 10}v20`;
 
 /** All start points as one path, counted from the zero point: while the picture is only moved it stays the same. */
 function Starts({ camera, starts }: { readonly camera: Camera; readonly starts: readonly Pt[] }) {
@@ -30,18 +31,31 @@ function Starts({ camera, starts }: { readonly camera: Camera; readonly starts: 
     return [...new Set(places.map(({ x, y }) => startAt({ x: tenths(x), y: tenths(y) })))].join("");
   }, [scale, xUp, starts]);
   return (
-    <g className={starts.length > 1 ? "lathe-start of-many" : "lathe-start"} transform={`translate(${zero.x} ${zero.y})`}>
+    <g
+      className={starts.length > 1 ? "lathe-start of-many" : "lathe-start"}
+      transform={`translate(${zero.x} ${zero.y})`}
+    >
       <path d={lines} />
     </g>
   );
 }
 
 /**
- * The point that the program counts from as quartered circle, the workpiece zero as a thin ring when that is another one, and each
- * start point as a cross in a ring. What they say is in the name of the picture.
+ * The point that the program counts from as quartered circle, the workpiece zero as a thin ring when that is another
+ * one, and each start point as a cross in a ring. What they say is in the name of the picture.
  */
-export function Marks({ viewport, starts, datum }: { readonly viewport: Viewport; readonly starts: readonly Pt[]; readonly datum: Pt }) {
-  const camera = useCamera(viewport), zero = toScreen(camera, datum), work = toScreen(camera, WORKPIECE_ZERO);
+export function Marks({
+  viewport,
+  starts,
+  datum,
+}: {
+  readonly viewport: Viewport;
+  readonly starts: readonly Pt[];
+  readonly datum: Pt;
+}) {
+  const camera = useCamera(viewport),
+    zero = toScreen(camera, datum),
+    work = toScreen(camera, WORKPIECE_ZERO);
   return (
     <g aria-hidden="true">
       {(datum.z !== 0 || datum.r !== 0) && (

@@ -3,17 +3,29 @@ import { followScene, type SheetMemory, type SheetScene } from "./follow-scene.t
 import { useTheme } from "../../base/use-theme-colours.ts";
 
 /**
- * The chuck on a ground that is painted for another look at it only, and the work on a canvas no larger than the blank. With each picture
- * the browser copies every canvas that can be painted on, touched or not: so the ground only shows a bitmap. While it plays the work is
- * painted where the tool is: by the worker on a layer of its own as soon as that shows it, until then and where it cannot by the page.
+ * The chuck on a ground that is painted for another look at it only, and the work on a canvas no larger than the blank.
+ * With each picture the browser copies every canvas that can be painted on, touched or not: so the ground only shows a
+ * bitmap. While it plays the work is painted where the tool is: by the worker on a layer of its own as soon as that
+ * shows it, until then and where it cannot by the page.
  */
 export function MaterialSheet({ viewport, moving, blank, section, chuck }: Omit<SheetScene, "theme">) {
-  const ground = useRef<HTMLCanvasElement>(null), canvas = useRef<HTMLCanvasElement>(null), made = useRef<HTMLCanvasElement>(null);
-  const layers = useRef<HTMLDivElement>(null), memory = useRef<SheetMemory>({ ground: "", work: [], laid: null }), theme = useTheme();
+  const ground = useRef<HTMLCanvasElement>(null),
+    canvas = useRef<HTMLCanvasElement>(null),
+    made = useRef<HTMLCanvasElement>(null);
+  const layers = useRef<HTMLDivElement>(null),
+    memory = useRef<SheetMemory>({ ground: "", work: [], laid: null }),
+    theme = useTheme();
   useEffect(() => {
-    const under = ground.current, over = canvas.current, given = made.current, holder = layers.current;
+    const under = ground.current,
+      over = canvas.current,
+      given = made.current,
+      holder = layers.current;
     if (!under || !over || !given || !holder) return undefined;
-    return followScene({ under, over, given, holder }, { viewport, moving, blank, section, chuck, theme }, memory.current);
+    return followScene(
+      { under, over, given, holder },
+      { viewport, moving, blank, section, chuck, theme },
+      memory.current,
+    );
   }, [viewport, moving, blank, section, chuck, theme]);
   return (
     <>

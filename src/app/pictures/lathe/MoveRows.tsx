@@ -10,28 +10,44 @@ import { useReadPlayback } from "./use-playback.ts";
 const PAGE = 50;
 
 /** One move; a press goes to its beginning. Drawn again only when it begins or ends to run. */
-const MoveRow = memo(
-  function MoveRow({ index, step: { move, block }, isRunning, go }: { readonly index: number; readonly step: Run["steps"][number];
-    readonly isRunning: boolean; readonly go: (step: number) => void })
-  {
-    const t = useTexts().lathe, lengths = useLengths(), { x, z } = placeText(lengths, move.to);
-    return (
-      <tr aria-current={isRunning}>
-        <th scope="row">
-          <button type="button" className="lathe-goto number" aria-label={t.goTo(String(index + 1))} onClick={() => go(index)}>
-            {index + 1}
-          </button>
-        </th>
-        <td>{kindText(t, move)}</td>
-        <td className="number">{x}</td>
-        <td className="number">{z}</td>
-        <td className="number">{runningFeed(t, lengths, move)}</td>
-        <td>{phaseText(t, move)}{move.pass !== undefined && ` ${move.pass}`}</td>
-        <td className="number">{block}</td>
-      </tr>
-    );
-  },
-);
+const MoveRow = memo(function MoveRow({
+  index,
+  step: { move, block },
+  isRunning,
+  go,
+}: {
+  readonly index: number;
+  readonly step: Run["steps"][number];
+  readonly isRunning: boolean;
+  readonly go: (step: number) => void;
+}) {
+  const t = useTexts().lathe,
+    lengths = useLengths(),
+    { x, z } = placeText(lengths, move.to);
+  return (
+    <tr aria-current={isRunning}>
+      <th scope="row">
+        <button
+          type="button"
+          className="lathe-goto number"
+          aria-label={t.goTo(String(index + 1))}
+          onClick={() => go(index)}
+        >
+          {index + 1}
+        </button>
+      </th>
+      <td>{kindText(t, move)}</td>
+      <td className="number">{x}</td>
+      <td className="number">{z}</td>
+      <td className="number">{runningFeed(t, lengths, move)}</td>
+      <td>
+        {phaseText(t, move)}
+        {move.pass !== undefined && ` ${move.pass}`}
+      </td>
+      <td className="number">{block}</td>
+    </tr>
+  );
+});
 
 /** A page of the moves, the running one marked. */
 export function MoveRows({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
@@ -39,27 +55,38 @@ export function MoveRows({ run, playback }: { readonly run: Run; readonly playba
   const running = useReadPlayback(playback, (s) => s.get().position.step);
   const own = Math.floor(Math.min(running, run.steps.length - 1) / PAGE);
   const [turned, turn] = useState<number | null>(null);
-  const go = useCallback((step: number) => {
-    turn(null);
-    playback.dispatch({ do: "seek", position: { step, fraction: 0 } });
-  }, [playback]);
-  const last = Math.floor((run.steps.length - 1) / PAGE), page = Math.min(turned ?? own, last), from = page * PAGE;
+  const go = useCallback(
+    (step: number) => {
+      turn(null);
+      playback.dispatch({ do: "seek", position: { step, fraction: 0 } });
+    },
+    [playback],
+  );
+  const last = Math.floor((run.steps.length - 1) / PAGE),
+    page = Math.min(turned ?? own, last),
+    from = page * PAGE;
   return (
     <>
       {last > 0 && (
         <div className="lathe-pages">
-          <button type="button" className="button" disabled={page === 0} onClick={() => turn(page - 1)}>{t.earlier}</button>
+          <button type="button" className="button" disabled={page === 0} onClick={() => turn(page - 1)}>
+            {t.earlier}
+          </button>
           <span className="number">
             {t.range(String(from + 1), String(Math.min(from + PAGE, run.steps.length)), String(run.steps.length))}
           </span>
-          <button type="button" className="button" disabled={page === last} onClick={() => turn(page + 1)}>{t.later}</button>
+          <button type="button" className="button" disabled={page === last} onClick={() => turn(page + 1)}>
+            {t.later}
+          </button>
         </div>
       )}
       <table>
         <thead>
           <tr>
             {[t.move, t.moveKind, t.axisX, t.axisZ, t.moveFeed, t.movePhase, t.moveBlock].map((head) => (
-              <th key={head} scope="col">{head}</th>
+              <th key={head} scope="col">
+                {head}
+              </th>
             ))}
           </tr>
         </thead>

@@ -21,13 +21,18 @@ test("passes run and fade with the playback, forwards and back, and rest while i
   const cycle = cycleByNumber(811);
   if (!cycle) throw new Error("no cycle");
   const { steps } = run(parse(printedText(exampleJob(cycle))), { tools: shippedTools, rapid: 10_000 });
-  const stretches = pathStretches(steps), clock = manualClock(), playback = createPlaybackStore(clock);
+  const stretches = pathStretches(steps),
+    clock = manualClock(),
+    playback = createPlaybackStore(clock);
   playback.dispatch({ do: "load", track: trackOf(steps) });
-  const { container } = render(<svg>
-    <PassLines stretches={stretches} playback={playback} isLong={false} />
-  </svg>);
+  const { container } = render(
+    <svg>
+      <PassLines stretches={stretches} playback={playback} isLong={false} />
+    </svg>,
+  );
   const classes = () => [...container.querySelectorAll(".lathe-paths > g")].map((g) => g.getAttribute("class"));
-  const wanted = (step: number) => stretches.map(({ first, last }) => `pass-${step > last ? "done" : step < first ? "coming" : "running"}`);
+  const wanted = (step: number) =>
+    stretches.map(({ first, last }) => `pass-${step > last ? "done" : step < first ? "coming" : "running"}`);
   expect(stretches.length).toBeGreaterThan(3);
   for (const step of [0, stretches[2]?.first ?? 0, steps.length, stretches[1]?.last ?? 0, 0]) {
     playback.dispatch({ do: "seek", position: { step, fraction: 0 } });
@@ -35,7 +40,8 @@ test("passes run and fade with the playback, forwards and back, and rest while i
   }
   playback.dispatch({ do: "rate", rate: 100 });
   playback.dispatch({ do: "play" });
-  let changes = 0, before = classes().join();
+  let changes = 0,
+    before = classes().join();
   for (let picture = 0; picture < 20; picture += 1) {
     clock.advance(PICTURE);
     if (classes().join() !== before) changes += 1;

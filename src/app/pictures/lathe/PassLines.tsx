@@ -3,51 +3,69 @@ import { progressOf, type PathStretch } from "../../../view/passes.ts";
 import type { Shape } from "../../../view/scene.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
-/** Pictures between two changes of the lines while it plays: the whole drawing is painted anew with each; of a long path, seldom. */
+/**
+ * Pictures between two changes of the lines while it plays: the whole drawing is painted anew with each; of a long
+ * path, seldom.
+ */
 const PICTURES = { usual: 8, long: 60 } as const;
 
 /** The lines of a stretch: those of one that has not changed are left as they are. */
 const StretchLines = memo(function StretchLines({ shapes }: { readonly shapes: readonly Shape[] }) {
-  return <g>{shapes.map(({ role, d }) => <path key={role} className={`shape-${role}`} d={d} />)}</g>;
+  return (
+    <g>
+      {shapes.map(({ role, d }) => (
+        <path key={role} className={`shape-${role}`} d={d} />
+      ))}
+    </g>
+  );
 });
 
 /**
- * The path by its passes: what is to come is quiet, what runs is strong, what is done fades. Only where a pass begins or ends is a class
- * changed, and while it plays fast not with every one.
+ * The path by its passes: what is to come is quiet, what runs is strong, what is done fades. Only where a pass begins
+ * or ends is a class changed, and while it plays fast not with every one.
  */
-export const PassLines = memo(
-  function PassLines({ stretches, playback, isLong }: { readonly stretches: readonly PathStretch[]; readonly playback: PlaybackStore;
-    readonly isLong: boolean })
-  {
-    const group = useRef<SVGGElement>(null);
-    useEffect(() => {
-      const element = group.current;
-      if (!element) return undefined;
-      let shown = -1, waits = 0;
-      const said = stretches.map(() => "");
-      const paint = () => {
-        const { playing } = playback.get(), { step } = playback.shown();
-        waits -= 1;
-        if (step === shown || (playing && waits > 0)) return;
-        shown = step;
-        let changed = false;
-        stretches.forEach((stretch, i) => {
-          const progress = progressOf(stretch, step);
-          if (progress === said[i]) return;
-          said[i] = progress;
-          changed = true;
-          const lines = element.children[i], name = `pass-${progress}`;
-          if (lines?.getAttribute("class") !== name) lines?.setAttribute("class", name);
-        });
-        if (changed) waits = isLong ? PICTURES.long : PICTURES.usual;
-      };
-      paint();
-      return playback.subscribe(paint);
-    }, [stretches, playback, isLong]);
-    return (
-      <g ref={group} className={isLong ? "lathe-paths long" : "lathe-paths"}>
-        {stretches.map(({ shapes }, i) => <StretchLines key={i} shapes={shapes} />)}
-      </g>
-    );
-  },
-);
+export const PassLines = memo(function PassLines({
+  stretches,
+  playback,
+  isLong,
+}: {
+  readonly stretches: readonly PathStretch[];
+  readonly playback: PlaybackStore;
+  readonly isLong: boolean;
+}) {
+  const group = useRef<SVGGElement>(null);
+  useEffect(() => {
+    const element = group.current;
+    if (!element) return undefined;
+    let shown = -1,
+      waits = 0;
+    const said = stretches.map(() => "");
+    const paint = () => {
+      const { playing } = playback.get(),
+        { step } = playback.shown();
+      waits -= 1;
+      if (step === shown || (playing && waits > 0)) return;
+      shown = step;
+      let changed = false;
+      stretches.forEach((stretch, i) => {
+        const progress = progressOf(stretch, step);
+        if (progress === said[i]) return;
+        said[i] = progress;
+        changed = true;
+        const lines = element.children[i],
+          name = `pass-${progress}`;
+        if (lines?.getAttribute("class") !== name) lines?.setAttribute("class", name);
+      });
+      if (changed) waits = isLong ? PICTURES.long : PICTURES.usual;
+    };
+    paint();
+    return playback.subscribe(paint);
+  }, [stretches, playback, isLong]);
+  return (
+    <g ref={group} className={isLong ? "lathe-paths long" : "lathe-paths"}>
+      {stretches.map(({ shapes }, i) => (
+        <StretchLines key={i} shapes={shapes} />
+      ))}
+    </g>
+  );
+});

@@ -24,14 +24,25 @@ const LONG_PATH = 40_000;
 
 const Still = memo(function Still({ shapes, mirror }: { readonly shapes: readonly Shape[]; readonly mirror: boolean }) {
   const drawn = shapes.map((shape, i) => <path key={i} className={`shape-${shape.role}`} d={shape.d} />);
-  return <>{drawn}{mirror && <g transform="scale(1 -1)">{drawn}</g>}</>;
+  return (
+    <>
+      {drawn}
+      {mirror && <g transform="scale(1 -1)">{drawn}</g>}
+    </>
+  );
 });
 
-const Rings = memo(
-  function Rings({ rings, role, fill }: { readonly rings: readonly Ring[]; readonly role: string; readonly fill?: string }) {
-    return <path className={`shape-${role}`} d={ringData(rings)} {...(fill && { style: { fill } })} />;
-  },
-);
+const Rings = memo(function Rings({
+  rings,
+  role,
+  fill,
+}: {
+  readonly rings: readonly Ring[];
+  readonly role: string;
+  readonly fill?: string;
+}) {
+  return <path className={`shape-${role}`} d={ringData(rings)} {...(fill && { style: { fill } })} />;
+});
 
 /** The hatch keeps its pitch on the screen whatever the zoom. */
 function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly id: string }) {
@@ -39,11 +50,15 @@ function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly
   useEffect(() => {
     let laid: Camera | null = null;
     const follow = () => {
-      const camera = viewport.drawn(), unit = 1 / camera.scale;
+      const camera = viewport.drawn(),
+        unit = 1 / camera.scale;
       if (camera === laid) return;
       laid = camera;
       for (const pattern of defs.current?.querySelectorAll("pattern") ?? []) {
-        pattern.setAttribute("patternTransform", `scale(${unit} ${camera.xUp ? -unit : unit}) rotate(${pattern.dataset["angle"] ?? "0"})`);
+        pattern.setAttribute(
+          "patternTransform",
+          `scale(${unit} ${camera.xUp ? -unit : unit}) rotate(${pattern.dataset["angle"] ?? "0"})`,
+        );
       }
     };
     follow();
@@ -67,7 +82,15 @@ function BeforeSurface({ id, moving }: { readonly id: string; readonly moving: M
   const { steps, stockAt } = moving;
   const d = useMemo(() => outsideData(stockAt({ step: steps.length, fraction: 0 })), [steps, stockAt]);
   return (
-    <mask id={id} className="before-surface" maskUnits="userSpaceOnUse" x={-FAR} y={-FAR} width={2 * FAR} height={2 * FAR}>
+    <mask
+      id={id}
+      className="before-surface"
+      maskUnits="userSpaceOnUse"
+      x={-FAR}
+      y={-FAR}
+      width={2 * FAR}
+      height={2 * FAR}
+    >
       <rect x={-FAR} y={-FAR} width={2 * FAR} height={2 * FAR} />
       <path d={d} />
       <path d={d} transform="scale(1 -1)" />
@@ -78,49 +101,82 @@ function BeforeSurface({ id, moving }: { readonly id: string; readonly moving: M
 const NOTHING: readonly Ring[] = [];
 
 /**
- * Section of the work with path and tool, in sheets from back to front: grid, material, drawing, tool, what is written over it. The drawing
- * is painted once, however long the path. While it plays the material is painted where the tool is, and the tool's sheet is moved.
+ * Section of the work with path and tool, in sheets from back to front: grid, material, drawing, tool, what is written
+ * over it. The drawing is painted once, however long the path. While it plays the material is painted where the tool
+ * is, and the tool's sheet is moved.
  */
-export function Picture({ of = null, viewport, scene, moving, waiting, gouges, residual, section, path, ghosts, chosen, hovered, name,
-  children }: {
-    /** What is shown of the open work: a newer run of it is drawn with the key that made it, as far as path and contour go. */
-    readonly of?: Run | null;
-    readonly viewport: Viewport;
-    readonly scene: Scene;
-    readonly moving: Moving | null;
-    /** The blank and the tool at its start, as long as nothing moves. */
-    readonly waiting: Waiting | null;
-    /** Where the part was cut, and what stays, in part space. */
-    readonly gouges: readonly Ring[];
-    readonly residual: readonly Ring[];
-    readonly section: SectionView;
-    /** The lines of the path that are shown. */
-    readonly path: readonly PathStretch[];
-    /** Paths of other settings, in part space: under the path. */
-    readonly ghosts: React.ReactNode;
-    /** What is chosen, in part space: over the path. */
-    readonly chosen: React.ReactNode;
-    /** What is pointed at, in part space: under the tool. */
-    readonly hovered: React.ReactNode;
-    readonly name: string;
-    /** What stands in screen space above the picture. */
-    readonly children: React.ReactNode;
-  })
-{
-  const id = useId(), full = section === "full", surface = section === "outside" && moving ? `url(#${id}surface)` : null;
-  const isLong = useMemo(() => path.reduce((sum, { shapes }) => shapes.reduce((s, { d }) => s + d.length, sum), 0) > LONG_PATH, [path]);
-  const sheets = useMemo(() => ({
-    blank: scene.shapes.filter((shape) => shape.role === "blank"),
-    contour: scene.shapes.filter((shape) => shape.role === "contour" || shape.role === "sketch"),
-  }), [scene]);
+export function Picture({
+  of = null,
+  viewport,
+  scene,
+  moving,
+  waiting,
+  gouges,
+  residual,
+  section,
+  path,
+  ghosts,
+  chosen,
+  hovered,
+  name,
+  children,
+}: {
+  /**
+   * What is shown of the open work: a newer run of it is drawn with the key that made it, as far as path and contour
+   * go.
+   */
+  readonly of?: Run | null;
+  readonly viewport: Viewport;
+  readonly scene: Scene;
+  readonly moving: Moving | null;
+  /** The blank and the tool at its start, as long as nothing moves. */
+  readonly waiting: Waiting | null;
+  /** Where the part was cut, and what stays, in part space. */
+  readonly gouges: readonly Ring[];
+  readonly residual: readonly Ring[];
+  readonly section: SectionView;
+  /** The lines of the path that are shown. */
+  readonly path: readonly PathStretch[];
+  /** Paths of other settings, in part space: under the path. */
+  readonly ghosts: React.ReactNode;
+  /** What is chosen, in part space: over the path. */
+  readonly chosen: React.ReactNode;
+  /** What is pointed at, in part space: under the tool. */
+  readonly hovered: React.ReactNode;
+  readonly name: string;
+  /** What stands in screen space above the picture. */
+  readonly children: React.ReactNode;
+}) {
+  const id = useId(),
+    full = section === "full",
+    surface = section === "outside" && moving ? `url(#${id}surface)` : null;
+  const isLong = useMemo(
+    () => path.reduce((sum, { shapes }) => shapes.reduce((s, { d }) => s + d.length, sum), 0) > LONG_PATH,
+    [path],
+  );
+  const sheets = useMemo(
+    () => ({
+      blank: scene.shapes.filter((shape) => shape.role === "blank"),
+      contour: scene.shapes.filter((shape) => shape.role === "contour" || shape.role === "sketch"),
+    }),
+    [scene],
+  );
   return (
     <div className="lathe-picture" role="img" aria-label={name}>
       <svg className="sheet">
         <LatheAxes viewport={viewport} part="grid" />
       </svg>
-      <MaterialSheet viewport={viewport} moving={moving} blank={waiting?.blank ?? NOTHING} section={section} chuck={scene.chuck} />
+      <MaterialSheet
+        viewport={viewport}
+        moving={moving}
+        blank={waiting?.blank ?? NOTHING}
+        section={section}
+        chuck={scene.chuck}
+      />
       <svg className="sheet ghosts">
-        <World viewport={viewport} shifts>{ghosts}</World>
+        <World viewport={viewport} shifts>
+          {ghosts}
+        </World>
       </svg>
       <svg className="sheet still" {...(surface && { style: { "--surface-mask": surface } as CSSProperties })}>
         <ResidualHatch viewport={viewport} id={id} />
@@ -130,7 +186,9 @@ export function Picture({ of = null, viewport, scene, moving, waiting, gouges, r
             {residual.length > 0 && <Rings rings={residual} role="residual" fill={`url(#${id}residual)`} />}
             <Still shapes={sheets.blank} mirror={full} />
             {moving && <NewestPath of={of} stretches={path} playback={moving.playback} isLong={isLong} />}
-            <NewestContour of={of} shapes={sheets.contour}>{(shapes) => <Still shapes={shapes} mirror={full} />}</NewestContour>
+            <NewestContour of={of} shapes={sheets.contour}>
+              {(shapes) => <Still shapes={shapes} mirror={full} />}
+            </NewestContour>
           </g>
           {gouges.length > 0 && <Rings rings={gouges} role="gouge" />}
           {chosen}
@@ -138,10 +196,18 @@ export function Picture({ of = null, viewport, scene, moving, waiting, gouges, r
       </svg>
       {moving && <RunningTool viewport={viewport} moving={moving} section={section} />}
       {waiting?.tool && waiting.start && (
-        <WaitingTool viewport={viewport} tool={waiting.tool} at={waiting.start} blank={waiting.blank} section={section} />
+        <WaitingTool
+          viewport={viewport}
+          tool={waiting.tool}
+          at={waiting.start}
+          blank={waiting.blank}
+          section={section}
+        />
       )}
       <svg className="sheet">
-        <World viewport={viewport}>{hovered} {moving && <RunningMove moving={moving} />}</World>
+        <World viewport={viewport}>
+          {hovered} {moving && <RunningMove moving={moving} />}
+        </World>
         {children}
         <LatheAxes viewport={viewport} part="scales" />
       </svg>

@@ -19,7 +19,8 @@ const place: LookAt = {
 };
 
 test("a mark in space has its name, is chosen by keyboard, and stays at its place when the eye moves", async () => {
-  const eye = createEye(clock, () => true), choose = vi.fn();
+  const eye = createEye(clock, () => true),
+    choose = vi.fn();
   eye.setSize({ width: 640, height: 400 });
   eye.setBounds({ left: -60, right: 2, low: 0, high: 22 });
   render(<PlaceButtons seeing={seenInSpace(eye, false)} places={[place]} chosen={null} choose={choose} />);

@@ -9,7 +9,10 @@ import { useSeeing, type Seeing } from "./seeing.ts";
 const MOST = 40;
 /** Radius of the ring round a finding, pixels. */
 const RING = 9;
-/** Width of the tools where they float over the right edge of the picture, and of the one button of a phone in its corner, pixels. */
+/**
+ * Width of the tools where they float over the right edge of the picture, and of the one button of a phone in its
+ * corner, pixels.
+ */
 export const TOOLS = 56;
 
 interface Badge {
@@ -22,20 +25,29 @@ interface Badge {
 
 /** The marks of all places that are in the picture. */
 export function badgesOf(places: readonly LookAt[], { at: seenAt, size }: Seeing): readonly Badge[] {
-  const { width, height } = size(), seen = { left: SCALE_LEFT, right: width, top: 0, bottom: height - SCALE_BELOW };
+  const { width, height } = size(),
+    seen = { left: SCALE_LEFT, right: width, top: 0, bottom: height - SCALE_BELOW };
   const put = places.slice(0, MOST).flatMap((place) => {
     const at = seenAt(place.place);
-    return at && at.x >= seen.left && at.x <= seen.right && at.y >= seen.top && at.y <= seen.bottom ? [{ place, at }] : [];
+    return at && at.x >= seen.left && at.x <= seen.right && at.y >= seen.top && at.y <= seen.bottom
+      ? [{ place, at }]
+      : [];
   });
-  const badges = badgePlaces(put.map(({ at }) => at), holds("narrow") ? { ...seen, right: width - TOOLS } : seen);
+  const badges = badgePlaces(
+    put.map(({ at }) => at),
+    holds("narrow") ? { ...seen, right: width - TOOLS } : seen,
+  );
   return put.map((each, i) => ({ ...each, left: badges[i]?.x ?? each.at.x, top: badges[i]?.y ?? each.at.y }));
 }
 
-/** One of each row of badges that stand at the same spot, the chosen one before others, and how many more it stands for. */
+/**
+ * One of each row of badges that stand at the same spot, the chosen one before others, and how many more it stands for.
+ */
 function sharedBadges(badges: readonly Badge[], chosen: LookAt | null): readonly (Badge & { readonly more: number })[] {
   const spots = new Map<string, Badge[]>();
   for (const badge of badges) {
-    const key = `${badge.left} ${badge.top}`, known = spots.get(key);
+    const key = `${badge.left} ${badge.top}`,
+      known = spots.get(key);
     if (known) known.push(badge);
     else spots.set(key, [badge]);
   }
@@ -46,16 +58,32 @@ function sharedBadges(badges: readonly Badge[], chosen: LookAt | null): readonly
 }
 
 /** The mark of each place in the picture: a number in a circle, a letter in a square. */
-export function PlaceButtons({ seeing, places, chosen, choose }: { readonly seeing: Seeing; readonly places: readonly LookAt[];
-  readonly chosen: LookAt | null; readonly choose: (place: LookAt | null) => void })
-{
+export function PlaceButtons({
+  seeing,
+  places,
+  chosen,
+  choose,
+}: {
+  readonly seeing: Seeing;
+  readonly places: readonly LookAt[];
+  readonly chosen: LookAt | null;
+  readonly choose: (place: LookAt | null) => void;
+}) {
   return (
     <>
       {sharedBadges(badgesOf(places, useSeeing(seeing)), chosen).map(({ place: each, left, top, more }) => {
-        const on = chosen?.id === each.id, mark = more > 0 ? `${each.mark}+${more}` : each.mark;
+        const on = chosen?.id === each.id,
+          mark = more > 0 ? `${each.mark}+${more}` : each.mark;
         return (
-          <button key={each.id} type="button" className={`lathe-place badge badge-${each.kind}`} style={{ left, top }} title={each.line}
-            aria-label={`${mark}: ${each.line}`} aria-pressed={on} onClick={() => choose(on ? null : each)}
+          <button
+            key={each.id}
+            type="button"
+            className={`lathe-place badge badge-${each.kind}`}
+            style={{ left, top }}
+            title={each.line}
+            aria-label={`${mark}: ${each.line}`}
+            aria-pressed={on}
+            onClick={() => choose(on ? null : each)}
           >
             {mark}
           </button>
@@ -63,7 +91,9 @@ export function PlaceButtons({ seeing, places, chosen, choose }: { readonly seei
       })}
       {chosen && (
         <p className={`lathe-note lathe-note-${chosen.kind}`}>
-          <span className={`badge badge-${chosen.kind}`} aria-hidden="true">{chosen.mark}</span>
+          <span className={`badge badge-${chosen.kind}`} aria-hidden="true">
+            {chosen.mark}
+          </span>
           {chosen.line}
         </p>
       )}
@@ -76,18 +106,23 @@ export function PlaceLines({ seeing, places }: { readonly seeing: Seeing; readon
   const drawn = badgesOf(places, useSeeing(seeing));
   /** Each from the edge of a ring or from the place itself to the middle of its mark, which lies over it. */
   const leaders = (kind: LookAt["kind"], from: number) =>
-    drawn.filter(({ place }) => place.kind === kind).map(({ at: { x, y }, left, top }) => {
-      const share = from / Math.max(from, Math.hypot(left - x, top - y), 1);
-      return `M${x + (left - x) * share} ${y + (top - y) * share}L${left} ${top}`;
-    }).join("");
+    drawn
+      .filter(({ place }) => place.kind === kind)
+      .map(({ at: { x, y }, left, top }) => {
+        const share = from / Math.max(from, Math.hypot(left - x, top - y), 1);
+        return `M${x + (left - x) * share} ${y + (top - y) * share}L${left} ${top}`;
+      })
+      .join("");
   return (
     <g aria-hidden="true">
       <path className="lathe-leader-residual" d={leaders("residual", 0)} />
       <path className="lathe-leader-finding" d={leaders("finding", RING)} />
       <path className="lathe-leader-told" d={leaders("told", RING)} />
-      {drawn.filter(({ place }) => place.kind !== "residual").map(({ place: { id, kind }, at }) => (
-        <circle key={id} className={`lathe-ring lathe-ring-${kind}`} cx={at.x} cy={at.y} r={RING} />
-      ))}
+      {drawn
+        .filter(({ place }) => place.kind !== "residual")
+        .map(({ place: { id, kind }, at }) => (
+          <circle key={id} className={`lathe-ring lathe-ring-${kind}`} cx={at.x} cy={at.y} r={RING} />
+        ))}
     </g>
   );
 }

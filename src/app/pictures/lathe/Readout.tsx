@@ -19,12 +19,21 @@ interface Said extends Running {
 const textOfCell = (now: Said | null, says: string): string | null => now?.[says as keyof Said] ?? null;
 
 /** Live position, feed, spindle speed, phase, pass and the manual's step; the numbers change without rendering. */
-export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly playback: PlaybackStore;
-  readonly chipAt: Moving["chipAt"] | null })
-{
-  const texts = useTexts(), t = texts.lathe, lengths = useLengths();
+export function Readout({
+  run,
+  playback,
+  chipAt,
+}: {
+  readonly run: Run;
+  readonly playback: PlaybackStore;
+  readonly chipAt: Moving["chipAt"] | null;
+}) {
+  const texts = useTexts(),
+    t = texts.lathe,
+    lengths = useLengths();
   const moment = useCallback((): Said | null => {
-    const position = playback.shown(), now = runningText(texts, lengths, run, position);
+    const position = playback.shown(),
+      now = runningText(texts, lengths, run, position);
     return now && { ...now, chip: chipText(lengths, chipAt?.(position) ?? null, run.steps[position.step]?.move) };
   }, [texts, lengths, run, playback, chipAt]);
   const group = useSaid(playback, moment, textOfCell);
@@ -43,7 +52,13 @@ export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly
       <p className="lathe-phase soft">
         <span data-says="phase" />
         <span data-says="pass" />
-        <span className="number" data-says="chip" title={Object.entries(t.chip).map((each) => each.join(" ")).join(" · ")} />
+        <span
+          className="number"
+          data-says="chip"
+          title={Object.entries(t.chip)
+            .map((each) => each.join(" "))
+            .join(" · ")}
+        />
         <span data-says="block" />
       </p>
     </div>
@@ -51,20 +66,40 @@ export function Readout({ run, playback, chipAt }: { readonly run: Run; readonly
 }
 
 /** The same in a sentence, read out: at once when something was pressed, now and then while it plays. */
-export function SpokenStatus({ run, playback, clock }: { readonly run: Run; readonly playback: PlaybackStore; readonly clock: Clock }) {
-  const texts = useTexts(), lengths = useLengths();
+export function SpokenStatus({
+  run,
+  playback,
+  clock,
+}: {
+  readonly run: Run;
+  readonly playback: PlaybackStore;
+  readonly clock: Clock;
+}) {
+  const texts = useTexts(),
+    lengths = useLengths();
   const sentence = useCallback(() => statusText(texts, lengths, run, playback), [texts, lengths, run, playback]);
   const said = useSpoken(playback, clock, sentence);
-  return <p className="unseen" role="status">{said}</p>;
+  return (
+    <p className="unseen" role="status">
+      {said}
+    </p>
+  );
 }
 
 /** One sentence about the moment that is shown. */
-export function statusText(texts: ReturnType<typeof useTexts>, lengths: Lengths, run: Run, playback: PlaybackStore): string {
-  const now = runningText(texts, lengths, run, playback.shown()), t = texts.lathe;
+export function statusText(
+  texts: ReturnType<typeof useTexts>,
+  lengths: Lengths,
+  run: Run,
+  playback: PlaybackStore,
+): string {
+  const now = runningText(texts, lengths, run, playback.shown()),
+    t = texts.lathe;
   if (!now) return t.pictureEmpty;
   const { position } = playback.get();
-  const where = position.step >= run.steps.length ? t.atEnd : position.step === 0 && position.fraction === 0 ? t.atStart : "";
-  return [where, now.step, `${t.axisX} ${now.x}`, `${t.axisZ} ${now.z}`, now.feed, now.pass, now.block].filter((part) => part !== "").join(
-    ". ",
-  );
+  const where =
+    position.step >= run.steps.length ? t.atEnd : position.step === 0 && position.fraction === 0 ? t.atStart : "";
+  return [where, now.step, `${t.axisX} ${now.x}`, `${t.axisZ} ${now.z}`, now.feed, now.pass, now.block]
+    .filter((part) => part !== "")
+    .join(". ");
 }

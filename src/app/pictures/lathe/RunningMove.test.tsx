@@ -33,7 +33,15 @@ test("the running move is that of the work that is open, at the same place of th
   const parts = (steps: typeof one) => (
     <svg>
       <RunningMove
-        moving={{ steps, playback, stockAt: () => [], blanks: [], isSameBlank: () => true, surfaces: surfacesOf([]), chipAt: () => null }}
+        moving={{
+          steps,
+          playback,
+          stockAt: () => [],
+          blanks: [],
+          isSameBlank: () => true,
+          surfaces: surfacesOf([]),
+          chipAt: () => null,
+        }}
       />
     </svg>
   );

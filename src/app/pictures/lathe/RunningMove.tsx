@@ -6,7 +6,8 @@ import { useEachPicture } from "./use-playback.ts";
 
 /** The running move in its own strength. */
 export function RunningMove({ moving: { steps, playback } }: { readonly moving: Moving }) {
-  const running = useRef<SVGPathElement>(null), drawn = useRef<Step | null>(null);
+  const running = useRef<SVGPathElement>(null),
+    drawn = useRef<Step | null>(null);
   const paint = useCallback(() => {
     const step = steps[stepIndex(steps, playback.shown())];
     if (!step || drawn.current === step) return;

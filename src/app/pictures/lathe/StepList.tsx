@@ -8,21 +8,29 @@ import { useReadPlayback } from "./use-playback.ts";
 
 /** The steps that the manual numbers for what runs, the running one marked; a press goes to the first move of one. */
 export function StepList({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
-  const texts = useTexts(), t = texts.lathe.stepList, open = useSettings((s) => s.stepList);
+  const texts = useTexts(),
+    t = texts.lathe.stepList,
+    open = useSettings((s) => s.stepList);
   const index = useReadPlayback(playback, (store) => {
     const { operation, move } = run.steps[store.get().position.step] ?? {};
     return operation === null || move === undefined ? null : `${operation} ${move.run} ${move.step}`;
   });
-  // The picture over the list keeps its size: between the cycles the steps of the next one stay, with none of them marked, and a cycle
-  // with fewer steps than another one of the program has the room of that one.
+  // The picture over the list keeps its size: between the cycles the steps of the next one stay, with none of them
+  // marked, and a cycle with fewer steps than another one of the program has the room of that one.
   const near = useReadPlayback(playback, (store) => nearestCycle(run, store.get().position.step));
-  const steps = near === null ? [] : runningSteps(texts, run, near, index === null ? null : playback.get().position.step);
+  const steps =
+    near === null ? [] : runningSteps(texts, run, near, index === null ? null : playback.get().position.step);
   if (steps.length === 0) return null;
   const room = Math.max(0, mostSteps(texts, run) - steps.length);
   return (
     <div className="lathe-steps">
-      <button type="button" className="button icon plain" aria-expanded={open} aria-label={open ? t.fold : t.unfold}
-        title={open ? t.fold : t.unfold} onClick={() => changeSettings({ stepList: !open })}
+      <button
+        type="button"
+        className="button icon plain"
+        aria-expanded={open}
+        aria-label={open ? t.fold : t.unfold}
+        title={open ? t.fold : t.unfold}
+        onClick={() => changeSettings({ stepList: !open })}
       >
         <Icon name={open ? "down" : "up"} />
       </button>
@@ -30,16 +38,23 @@ export function StepList({ run, playback }: { readonly run: Run; readonly playba
         <ol aria-label={t.title}>
           {steps.map(({ number, words, first, runs }) => (
             <li key={number} aria-current={runs ? "step" : undefined}>
-              <button type="button" disabled={first === null} title={words} onClick={() => {
-                playback.dispatch({ do: "pause" });
-                if (first !== null) playback.dispatch({ do: "seek", position: { step: first, fraction: 0 } });
-              }}>
+              <button
+                type="button"
+                disabled={first === null}
+                title={words}
+                onClick={() => {
+                  playback.dispatch({ do: "pause" });
+                  if (first !== null) playback.dispatch({ do: "seek", position: { step: first, fraction: 0 } });
+                }}
+              >
                 <span className="number">{number}</span>
                 <span>{words}</span>
               </button>
             </li>
           ))}
-          {Array.from({ length: room }, (_, i) => <li key={`room ${i}`} className="lathe-step-room" aria-hidden="true" />)}
+          {Array.from({ length: room }, (_, i) => (
+            <li key={`room ${i}`} className="lathe-step-room" aria-hidden="true" />
+          ))}
         </ol>
       )}
     </div>

@@ -20,9 +20,12 @@ export const JERKS = 10;
 
 /** Time of the whole run: cutting and rapids, boundaries of moves, operations by name. Dragging it scrubs. */
 export function Timeline({ run, playback }: { readonly run: TimedRun; readonly playback: PlaybackStore }) {
-  const t = useTexts().lathe, language = useSettings((s) => s.language);
+  const t = useTexts().lathe,
+    language = useSettings((s) => s.language);
   const bar = useMemo(() => timeBar(run.steps, trackOf(run.steps)), [run]);
-  const input = useRef<HTMLInputElement>(null), head = useRef<HTMLDivElement>(null), time = useRef<HTMLSpanElement>(null);
+  const input = useRef<HTMLInputElement>(null),
+    head = useRef<HTMLDivElement>(null),
+    time = useRef<HTMLSpanElement>(null);
   const spoken = usePlayback(playback, (store) => {
     const { track, position, playing } = store.get();
     return playing ? "" : t.timeOf(clockText(language, secondsAt(track, position)), clockText(language, track.total));
@@ -34,26 +37,35 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
     };
     return head.current ? glide(head.current, playback, { at, bends: () => [], jerks: JERKS }).end : undefined;
   }, [playback]);
-  useEachReading(playback, useCallback(() => {
-    const { track, position } = playback.get(), seconds = secondsAt(track, position);
-    if (input.current) input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);
-    const text = `${clockText(language, seconds)} / ${clockText(language, track.total)}`;
-    if (time.current && time.current.textContent !== text) time.current.textContent = text;
-  }, [playback, language]));
+  useEachReading(
+    playback,
+    useCallback(() => {
+      const { track, position } = playback.get(),
+        seconds = secondsAt(track, position);
+      if (input.current) input.current.value = String(track.total > 0 ? (1000 * seconds) / track.total : 0);
+      const text = `${clockText(language, seconds)} / ${clockText(language, track.total)}`;
+      if (time.current && time.current.textContent !== text) time.current.textContent = text;
+    }, [playback, language]),
+  );
   const marks = bar.boundaries.map((b) => `M${b * 1000} 0V1`).join("");
   return (
     <div className="lathe-timeline">
       <div className="lathe-timeline-names" aria-hidden="true">
         {bar.operations.map(({ operation, from, to }, i) => {
           const named = run.operations[operation];
-          return named && (
-            <span key={i} style={{
-              left: `${from * 100}%`,
-              width: `max(0px, min(${(to - from) * 100}%, ${(1 - from) * 100}% - var(--clock)))`,
-            }}>
-              <b>{named.cycle}</b>
-              <b>· T{named.tool.T}</b>
-            </span>
+          return (
+            named && (
+              <span
+                key={i}
+                style={{
+                  left: `${from * 100}%`,
+                  width: `max(0px, min(${(to - from) * 100}%, ${(1 - from) * 100}% - var(--clock)))`,
+                }}
+              >
+                <b>{named.cycle}</b>
+                <b>· T{named.tool.T}</b>
+              </span>
+            )
           );
         })}
       </div>
@@ -66,9 +78,23 @@ export function Timeline({ run, playback }: { readonly run: TimedRun; readonly p
         <path d={marks} />
       </svg>
       <div ref={head} className="lathe-playhead" aria-hidden="true" />
-      <input ref={input} type="range" min={0} max={1000} step={0.01} defaultValue={0} aria-label={t.timeline}
-        {...(spoken && { "aria-valuetext": spoken })} disabled={run.steps.length === 0} onInput={(event) =>
-        playback.dispatch({ do: "seekSeconds", seconds: (Number(event.currentTarget.value) / 1000) * playback.get().track.total })} />
+      <input
+        ref={input}
+        type="range"
+        min={0}
+        max={1000}
+        step={0.01}
+        defaultValue={0}
+        aria-label={t.timeline}
+        {...(spoken && { "aria-valuetext": spoken })}
+        disabled={run.steps.length === 0}
+        onInput={(event) =>
+          playback.dispatch({
+            do: "seekSeconds",
+            seconds: (Number(event.currentTarget.value) / 1000) * playback.get().track.total,
+          })
+        }
+      />
     </div>
   );
 }

@@ -6,15 +6,23 @@ import type { Viewport } from "./viewport.ts";
 const CORNER: Place = { x: 0, y: 0 };
 
 /**
- * Carries what it holds where the tip goes, its origin at the tip: a part of the page that looks where the camera looks, and in it one that
- * goes along by transforms, which cost no layout and no painting.
+ * Carries what it holds where the tip goes, its origin at the tip: a part of the page that looks where the camera
+ * looks, and in it one that goes along by transforms, which cost no layout and no painting.
  */
-export function TipCarrier({ viewport, carrying, children }: { readonly viewport: Viewport; readonly carrying: Carrying;
-  readonly children: React.ReactNode })
-{
-  const world = useRef<HTMLDivElement>(null), carrier = useRef<HTMLDivElement>(null);
+export function TipCarrier({
+  viewport,
+  carrying,
+  children,
+}: {
+  readonly viewport: Viewport;
+  readonly carrying: Carrying;
+  readonly children: React.ReactNode;
+}) {
+  const world = useRef<HTMLDivElement>(null),
+    carrier = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const carried = carrier.current, around = world.current;
+    const carried = carrier.current,
+      around = world.current;
     if (!carried || !around) return undefined;
     let drawn = viewport.drawn();
     const gliding = carrying.carry(carried, (tip) => {
@@ -22,7 +30,8 @@ export function TipCarrier({ viewport, carrying, children }: { readonly viewport
       return `translate(${x}px, ${y}px)`;
     });
     const look = () => {
-      const { zero, scale } = viewport.get(), before = drawn;
+      const { zero, scale } = viewport.get(),
+        before = drawn;
       drawn = viewport.drawn();
       const grown = scale / drawn.scale;
       around.style.transform = `translate(${zero.x}px, ${zero.y}px)${grown === 1 ? "" : ` scale(${grown})`}`;
@@ -37,7 +46,9 @@ export function TipCarrier({ viewport, carrying, children }: { readonly viewport
   }, [viewport, carrying]);
   return (
     <div ref={world} className="tool-world">
-      <div ref={carrier} className="tool-carrier">{children}</div>
+      <div ref={carrier} className="tool-carrier">
+        {children}
+      </div>
     </div>
   );
 }

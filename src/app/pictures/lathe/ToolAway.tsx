@@ -25,23 +25,45 @@ const [INSET, TEXT, LINE, GROUND] = [14, 12, 15, 3];
 /** Half of the marks of start points and zero, pixels. */
 const MARK = 12;
 
-const boxRound = ({ x, y }: Place, half: number): LabelBox => ({ x: x - half, y: y - half, width: 2 * half, height: 2 * half });
+const boxRound = ({ x, y }: Place, half: number): LabelBox => ({
+  x: x - half,
+  y: y - half,
+  width: 2 * half,
+  height: 2 * half,
+});
 
 /** Where a blank stands in the picture, on both sides of the axis. */
 function workBox(ring: Ring, { zero, scale }: Camera): LabelBox | null {
   const box = boundsOf(ring);
   if (!box) return null;
   const { left, right, high } = box;
-  return { x: zero.x + left * scale, y: zero.y - high * scale, width: (right - left) * scale, height: 2 * high * scale };
+  return {
+    x: zero.x + left * scale,
+    y: zero.y - high * scale,
+    width: (right - left) * scale,
+    height: 2 * high * scale,
+  };
 }
 
 /**
- * An arrow at the edge of the picture to a tool that stands outside it, with the place where it is: two short lines on a free ground.
- * `kept`: room that others take.
+ * An arrow at the edge of the picture to a tool that stands outside it, with the place where it is: two short lines on
+ * a free ground. `kept`: room that others take.
  */
-export function ToolAway({ viewport, playback, run, places, datum, kept }: { readonly viewport: Viewport; readonly playback: PlaybackStore;
-  readonly run: Run; readonly places: readonly LookAt[]; readonly datum: Pt; readonly kept: StoreApi<readonly LabelBox[]> })
-{
+export function ToolAway({
+  viewport,
+  playback,
+  run,
+  places,
+  datum,
+  kept,
+}: {
+  readonly viewport: Viewport;
+  readonly playback: PlaybackStore;
+  readonly run: Run;
+  readonly places: readonly LookAt[];
+  readonly datum: Pt;
+  readonly kept: StoreApi<readonly LabelBox[]>;
+}) {
   const group = useRef<SVGGElement>(null);
   const lengths = useLengths();
   const lines = useMemo(
@@ -52,13 +74,19 @@ export function ToolAway({ viewport, playback, run, places, datum, kept }: { rea
     [run],
   );
   useEffect(() => {
-    const element = group.current, arrow = element?.querySelector("path"), text = element?.querySelector("text");
-    const ground = element?.querySelector("rect"), [first, second] = element?.querySelectorAll("tspan") ?? [];
+    const element = group.current,
+      arrow = element?.querySelector("path"),
+      text = element?.querySelector("text");
+    const ground = element?.querySelector("rect"),
+      [first, second] = element?.querySelectorAll("tspan") ?? [];
     if (!element || !arrow || !text || !ground || !first || !second) return undefined;
     const { steps, operations } = run;
-    let room: Seen = { left: 0, right: 0, top: 0, bottom: 0 }, corner: LabelBox | null = null;
-    let boxes: readonly LabelBox[] = [], areas: readonly LabelBox[] = [];
-    let isShown = false, row = 0;
+    let room: Seen = { left: 0, right: 0, top: 0, bottom: 0 },
+      corner: LabelBox | null = null;
+    let boxes: readonly LabelBox[] = [],
+      areas: readonly LabelBox[] = [];
+    let isShown = false,
+      row = 0;
     /** The mark of a place, beside what lies over the corner of the picture. */
     const markOf = (at: Place) => {
       const mark = edgeMark(at, room);
@@ -66,20 +94,35 @@ export function ToolAway({ viewport, playback, run, places, datum, kept }: { rea
       return edgeMark(at, { ...room, top: corner.height + INSET });
     };
     const paint = () => {
-      const position = playback.shown(), tip = tipAt(steps, position), camera = viewport.get(), mark = tip && markOf(toScreen(camera, tip));
+      const position = playback.shown(),
+        tip = tipAt(steps, position),
+        camera = viewport.get(),
+        mark = tip && markOf(toScreen(camera, tip));
       if (isShown !== (mark !== null)) element.style.display = mark ? "" : "none";
       isShown = mark !== null;
       if (!mark || !tip) return;
-      const { at: { x, y }, turn } = mark, { x: diameter, z } = placeText(lengths, tip), step = steps[position.step];
-      const told = [`X⌀ ${diameter}`, `Z ${z}`] as const, wide = Math.max(...told.map((each) => textWidth(each, TEXT))) + 2 * GROUND;
+      const {
+          at: { x, y },
+          turn,
+        } = mark,
+        { x: diameter, z } = placeText(lengths, tip),
+        step = steps[position.step];
+      const told = [`X⌀ ${diameter}`, `Z ${z}`] as const,
+        wide = Math.max(...told.map((each) => textWidth(each, TEXT))) + 2 * GROUND;
       const choices = placesBeside(mark.at, { width: wide, height: 2 * LINE + GROUND }, room, corner);
-      row = leastCovering(choices, { boxes, areas, lines: step ? [...lines, [step.from, step.move.to]] : lines }, camera, row);
+      row = leastCovering(
+        choices,
+        { boxes, areas, lines: step ? [...lines, [step.from, step.move.to]] : lines },
+        camera,
+        row,
+      );
       const box = choices[row];
       if (!box) return;
       const toLeft = box.x < x;
       arrow.setAttribute("transform", `translate(${x} ${y}) rotate(${turn})`);
       for (const name of ["x", "y", "width", "height"] as const) ground.setAttribute(name, String(box[name]));
-      for (const line of [first, second]) line.setAttribute("x", String(toLeft ? box.x + wide - GROUND : box.x + GROUND));
+      for (const line of [first, second])
+        line.setAttribute("x", String(toLeft ? box.x + wide - GROUND : box.x + GROUND));
       text.setAttribute("y", String(box.y + TEXT + 1));
       text.setAttribute("text-anchor", toLeft ? "end" : "start");
       told.forEach((each, i) => {
@@ -88,7 +131,9 @@ export function ToolAway({ viewport, playback, run, places, datum, kept }: { rea
       });
     };
     const look = () => {
-      const { width, height } = viewport.size(), camera = viewport.get(), isPhone = holds("phone");
+      const { width, height } = viewport.size(),
+        camera = viewport.get(),
+        isPhone = holds("phone");
       room = {
         left: SCALE_LEFT + INSET,
         right: width - INSET - (holds("narrow") && !isPhone ? TOOLS : 0),

@@ -41,14 +41,17 @@ interface Standing {
 
 /** A tool on a sheet no larger than itself, drawn anew for another tool or another zoom. */
 function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
-  const sheet = useRef<SVGSVGElement>(null), world = useRef<SVGGElement>(null);
+  const sheet = useRef<SVGSVGElement>(null),
+    world = useRef<SVGGElement>(null);
   const boxes = useMemo(() => boxesOf(tool), [tool]);
   useEffect(() => {
     const element = sheet.current;
     if (!element) return undefined;
-    let scale = 0, up: boolean | null = null;
+    let scale = 0,
+      up: boolean | null = null;
     const draw = () => {
-      const camera = viewport.drawn(), size = viewport.size();
+      const camera = viewport.drawn(),
+        size = viewport.size();
       if (camera.scale === scale && camera.xUp === up) return;
       [scale, up] = [camera.scale, camera.xUp];
       const far = (PICTURES * Math.max(size.width, size.height)) / scale;
@@ -74,9 +77,15 @@ function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
 }
 
 /** A tool that the work may cover: seen where the section is open and out of the work, or as edges behind it. */
-function CoveredTool({ section, edge, ...standing }: Standing & { readonly section: SectionView; readonly edge: () => Silhouette }) {
+function CoveredTool({
+  section,
+  edge,
+  ...standing
+}: Standing & { readonly section: SectionView; readonly edge: () => Silhouette }) {
   const silhouette = useMemo(() => edge(), [edge]);
-  const { viewport } = standing, seen = useRef<HTMLDivElement>(null), other = useRef<HTMLDivElement>(null);
+  const { viewport } = standing,
+    seen = useRef<HTMLDivElement>(null),
+    other = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const look = () => {
       const windows = windowsOf(section, viewport.get(), viewport.size(), silhouette);
@@ -98,53 +107,87 @@ function CoveredTool({ section, edge, ...standing }: Standing & { readonly secti
   );
   return (
     <>
-      <div ref={seen} className="tool-window">{drawn}</div>
-      <div ref={other} className={`tool-window${section === "outside" ? " behind" : ""}`}>{drawn}</div>
+      <div ref={seen} className="tool-window">
+        {drawn}
+      </div>
+      <div ref={other} className={`tool-window${section === "outside" ? " behind" : ""}`}>
+        {drawn}
+      </div>
     </>
   );
 }
 
 /** A tool, and what is drawn over it at its tip: the work never covers that. */
-function StandingTool({ section, edge, children, ...standing }: Standing & {
+function StandingTool({
+  section,
+  edge,
+  children,
+  ...standing
+}: Standing & {
   readonly section: SectionView;
   /** The edge of the work as it is seen; asked for only where the work may cover the tool. */
   readonly edge: () => Silhouette;
   readonly children?: React.ReactNode;
 }) {
-  const { tool } = standing, inward = useMemo(() => liesInward(tool), [tool]);
+  const { tool } = standing,
+    inward = useMemo(() => liesInward(tool), [tool]);
   const covered = section === "outside" || (inward && section === "half");
   return (
     <>
       {covered && <CoveredTool {...standing} section={section} edge={edge} />}
-      {(!covered || children) && <TipCarrier {...standing}>{!covered && <Sheet {...standing} />} {children}</TipCarrier>}
+      {(!covered || children) && (
+        <TipCarrier {...standing}>
+          {!covered && <Sheet {...standing} />} {children}
+        </TipCarrier>
+      )}
       {!covered && <BreakLine {...standing} />}
     </>
   );
 }
 
 /** Insert and holder of the running move, with the chip that it takes. */
-export function RunningTool({ viewport, moving, section }: { readonly viewport: Viewport; readonly moving: Moving;
-  readonly section: SectionView })
-{
+export function RunningTool({
+  viewport,
+  moving,
+  section,
+}: {
+  readonly viewport: Viewport;
+  readonly moving: Moving;
+  readonly section: SectionView;
+}) {
   const { steps, playback, stockAt } = moving;
   const index = usePlayback(playback, (store) => stepIndex(steps, store.shown()));
   const carrying = useMemo(() => runningTip(steps, playback), [steps, playback]);
   const edge = useCallback(() => {
-    const step = steps[index], silhouette = silhouetteOf(stockAt({ step: index, fraction: NEARLY }));
+    const step = steps[index],
+      silhouette = silhouetteOf(stockAt({ step: index, fraction: NEARLY }));
     return step && liesBehind(step.tool, [step.from, step.move.to], silhouette) ? silhouette : NO_EDGE;
   }, [steps, stockAt, index]);
   const tool = steps[index]?.tool;
-  return tool && (
-    <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} edge={edge}>
-      <ChipSheet viewport={viewport} moving={moving} />
-    </StandingTool>
+  return (
+    tool && (
+      <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} edge={edge}>
+        <ChipSheet viewport={viewport} moving={moving} />
+      </StandingTool>
+    )
   );
 }
 
 /** The tool where it stands at the call of the cycle. */
-export function WaitingTool({ viewport, tool, at, blank, section }: { readonly viewport: Viewport; readonly tool: Tool; readonly at: Pt;
-  readonly blank: readonly Ring[]; readonly section: SectionView })
-{
-  const carrying = useMemo(() => restingTip(at), [at]), edge = useCallback(() => silhouetteOf(blank), [blank]);
+export function WaitingTool({
+  viewport,
+  tool,
+  at,
+  blank,
+  section,
+}: {
+  readonly viewport: Viewport;
+  readonly tool: Tool;
+  readonly at: Pt;
+  readonly blank: readonly Ring[];
+  readonly section: SectionView;
+}) {
+  const carrying = useMemo(() => restingTip(at), [at]),
+    edge = useCallback(() => silhouetteOf(blank), [blank]);
   return <StandingTool viewport={viewport} tool={tool} carrying={carrying} section={section} edge={edge} />;
 }

@@ -1,5 +1,11 @@
 import { Toolbar } from "react-aria-components/Toolbar";
-import { changeSettings, SECTION_VIEWS, SHOWN_COLOURS, SHOWN_PATHS, useSettings } from "../../base/settings/settings.ts";
+import {
+  changeSettings,
+  SECTION_VIEWS,
+  SHOWN_COLOURS,
+  SHOWN_PATHS,
+  useSettings,
+} from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 import { GlyphButton } from "./GlyphButton.tsx";
@@ -10,7 +16,15 @@ import type { Viewport } from "./viewport.ts";
 export const ZOOM = 1.4;
 
 /** One of a few: a list with its word, or with its glyph alone where the bar has no room for words. */
-function Choice<Value extends string>({ name, glyph, value, all, words, quiet, onChoose }: {
+function Choice<Value extends string>({
+  name,
+  glyph,
+  value,
+  all,
+  words,
+  quiet,
+  onChoose,
+}: {
   readonly name: string;
   readonly glyph?: GlyphName;
   readonly value: Value;
@@ -24,17 +38,30 @@ function Choice<Value extends string>({ name, glyph, value, all, words, quiet, o
     <label className={glyph ? "lathe-choice with-glyph" : "lathe-choice"}>
       <span className="unseen">{name}</span>
       {glyph && <Glyph name={glyph} />}
-      <select className="select" title={name} value={value} data-chosen={quiet !== undefined && value !== quiet}
+      <select
+        className="select"
+        title={name}
+        value={value}
+        data-chosen={quiet !== undefined && value !== quiet}
         onChange={({ target }) => onChoose(all.find((each) => each === target.value) ?? value)}
       >
-        {all.map((each) => <option key={each} value={each}>{words[each]}</option>)}
+        {all.map((each) => (
+          <option key={each} value={each}>
+            {words[each]}
+          </option>
+        ))}
       </select>
     </label>
   );
 }
 
 /** How the picture is looked at: which section, X up or down, ruler, zoom and fit. */
-export function ViewBar({ viewport, measuring, onWhich, children }: {
+export function ViewBar({
+  viewport,
+  measuring,
+  onWhich,
+  children,
+}: {
   readonly viewport: Viewport;
   readonly measuring: MeasuringShown;
   /** Asks which cycle makes the contour; null where there is none. */
@@ -42,22 +69,58 @@ export function ViewBar({ viewport, measuring, onWhich, children }: {
   /** What stands between the switches and the zoom. */
   readonly children: React.ReactNode;
 }) {
-  const t = useTexts().lathe, section = useSettings((s) => s.section), down = useSettings((s) => s.xDown);
-  const paths = useSettings((s) => s.paths), colours = useSettings((s) => s.colours), solid = useSettings((s) => s.solid);
+  const t = useTexts().lathe,
+    section = useSettings((s) => s.section),
+    down = useSettings((s) => s.xDown);
+  const paths = useSettings((s) => s.paths),
+    colours = useSettings((s) => s.colours),
+    solid = useSettings((s) => s.solid);
   return (
     <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
       <div className="lathe-choices">
-        <Choice name={t.sections.title} value={solid ? "solid" : section} all={[...SECTION_VIEWS, "solid"]} words={t.sections}
-          onChoose={(value) => changeSettings({ solid: value === "solid", ...(value !== "solid" && { section: value }) })} />
-        <Choice glyph="paths" name={t.paths.title} value={paths} all={SHOWN_PATHS} words={t.paths} quiet="all"
-          onChoose={(value) => changeSettings({ paths: value })} />
-        <Choice glyph="colours" name={t.colours.title} value={colours} all={SHOWN_COLOURS} words={t.colours} quiet="none"
-          onChoose={(value) => changeSettings({ colours: value })} />
+        <Choice
+          name={t.sections.title}
+          value={solid ? "solid" : section}
+          all={[...SECTION_VIEWS, "solid"]}
+          words={t.sections}
+          onChoose={(value) =>
+            changeSettings({ solid: value === "solid", ...(value !== "solid" && { section: value }) })
+          }
+        />
+        <Choice
+          glyph="paths"
+          name={t.paths.title}
+          value={paths}
+          all={SHOWN_PATHS}
+          words={t.paths}
+          quiet="all"
+          onChoose={(value) => changeSettings({ paths: value })}
+        />
+        <Choice
+          glyph="colours"
+          name={t.colours.title}
+          value={colours}
+          all={SHOWN_COLOURS}
+          words={t.colours}
+          quiet="none"
+          onChoose={(value) => changeSettings({ colours: value })}
+        />
       </div>
-      <GlyphButton glyph={down ? "xDown" : "xUp"} name={t.xDown} text={t.xDown} pressed={down}
-        onPress={() => changeSettings({ xDown: !down })} />
-      <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={measuring.toggle}
-        {...(solid && { hint: t.rulerFlat })} />
+      <GlyphButton
+        glyph={down ? "xDown" : "xUp"}
+        name={t.xDown}
+        text={t.xDown}
+        pressed={down}
+        onPress={() => changeSettings({ xDown: !down })}
+      />
+      <GlyphButton
+        glyph="ruler"
+        name={t.ruler}
+        text={t.ruler}
+        pressed={measuring.on}
+        onPress={measuring.toggle}
+        {...(solid && { hint: t.rulerFlat })}
+      />
       <GlyphButton glyph="which" name={t.which} disabled={onWhich === null} onPress={() => onWhich?.()} />
       <div className="lathe-gap">
         <div className="lathe-told">

@@ -11,11 +11,13 @@ afterEach(() => {
 
 test("what is drawn anew under a moving hand is told to be coarse, until the hand rests", () => {
   const viewport = createViewport(true);
-  const { container } = render(<svg>
-    <World viewport={viewport} shifts>
-      <path d="M0 0" />
-    </World>
-  </svg>);
+  const { container } = render(
+    <svg>
+      <World viewport={viewport} shifts>
+        <path d="M0 0" />
+      </World>
+    </svg>,
+  );
   const isCoarse = () => container.querySelector("g")?.classList.contains("coarse");
   act(() => viewport.zoom(1.7));
   // What lies there is only shifted.

@@ -6,7 +6,12 @@ import type { Viewport } from "./viewport.ts";
 const CORNER: Place = { x: 0, y: 0 };
 
 /** Lays a sheet that is drawn for a camera, its corner at a place of the picture, to where the picture looks now. */
-export function shiftSheet({ style }: ElementCSSInlineStyle, viewport: Viewport, { x, y } = CORNER, drawn = viewport.drawn()): void {
+export function shiftSheet(
+  { style }: ElementCSSInlineStyle,
+  viewport: Viewport,
+  { x, y } = CORNER,
+  drawn = viewport.drawn(),
+): void {
   const now = viewport.get();
   if (now === drawn) return void style.removeProperty("transform");
   const shift = sheetShift(drawn, now);
@@ -14,17 +19,25 @@ export function shiftSheet({ style }: ElementCSSInlineStyle, viewport: Viewport,
 }
 
 /**
- * Follows the camera with one attribute: a group whose content is drawn in part space. `shifts`: the sheet that it is alone on goes along
- * while a hand moves the picture, and is drawn anew when the hand rests.
+ * Follows the camera with one attribute: a group whose content is drawn in part space. `shifts`: the sheet that it is
+ * alone on goes along while a hand moves the picture, and is drawn anew when the hand rests.
  */
-export function World({ viewport, shifts = false, children }: { readonly viewport: Viewport; readonly shifts?: boolean;
-  readonly children: React.ReactNode })
-{
+export function World({
+  viewport,
+  shifts = false,
+  children,
+}: {
+  readonly viewport: Viewport;
+  readonly shifts?: boolean;
+  readonly children: React.ReactNode;
+}) {
   const group = useRef<SVGGElement>(null);
   useEffect(() => {
     let laid: Camera | null = null;
     const follow = () => {
-      const element = group.current, sheet = element?.ownerSVGElement, camera = shifts ? viewport.drawn() : viewport.get();
+      const element = group.current,
+        sheet = element?.ownerSVGElement,
+        camera = shifts ? viewport.drawn() : viewport.get();
       if (camera !== laid) {
         element?.setAttribute("transform", transform(camera));
         if (shifts) element?.classList.toggle("coarse", viewport.isCoarse());

@@ -36,7 +36,11 @@ export const movingTip = (
 
 /** The tip of the running move. */
 export const runningTip = (steps: readonly Step[], playback: PlaybackStore): Carrying =>
-  movingTip(playback, (position) => tipAt(steps, position), (step) => steps[step]?.move.kind === "arc");
+  movingTip(
+    playback,
+    (position) => tipAt(steps, position),
+    (step) => steps[step]?.move.kind === "arc",
+  );
 
 /** A tip that stays where it is. */
 export const restingTip = (at: Pt): Carrying => ({

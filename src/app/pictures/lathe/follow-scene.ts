@@ -5,7 +5,13 @@ import type { Camera } from "../../../view/camera.ts";
 import type { ChuckDrawing } from "../../../view/material/chuck.ts";
 import type { Patch } from "../../../view/material/pen.ts";
 import type { MaterialColours } from "../../../view/material/easel.ts";
-import { farthest, paintShop, stockPainter, untouchedRun, type StockLook } from "../../../view/material/stock-painter.ts";
+import {
+  farthest,
+  paintShop,
+  stockPainter,
+  untouchedRun,
+  type StockLook,
+} from "../../../view/material/stock-painter.ts";
 import { chuckPatch, patchWithin, turnedPatchOf } from "../../../view/material/touched.ts";
 import type { KnownOutcome } from "../../calculation/load-request.ts";
 import type { StockPictures } from "../../calculation/played.ts";
@@ -49,7 +55,10 @@ async function stockPictures(of: KnownOutcome, look: StockLook, position: PlayPo
   }
 }
 
-/** The canvases of a sheet from back to front: what stands round the work, the work as the page paints it, and as the worker gave it. */
+/**
+ * The canvases of a sheet from back to front: what stands round the work, the work as the page paints it, and as the
+ * worker gave it.
+ */
 export interface SheetCanvases {
   readonly under: HTMLCanvasElement;
   readonly over: HTMLCanvasElement;
@@ -81,16 +90,22 @@ export interface SheetMemory {
 }
 
 /**
- * Paints a scene, and follows its camera and its playback; returns what ends that. A scene that only has another stock than the one
- * before is painted by the worker, which has that stock, and the page shows it when it is there.
+ * Paints a scene, and follows its camera and its playback; returns what ends that. A scene that only has another stock
+ * than the one before is painted by the worker, which has that stock, and the page shows it when it is there.
  */
 export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: SheetMemory): () => void {
-  const { under, over, given, holder } = canvases, { viewport, moving, blank, section, chuck, theme } = scene;
-  const shop = under.getContext("bitmaprenderer"), pen = over.getContext("2d"), frame = given.getContext("bitmaprenderer");
+  const { under, over, given, holder } = canvases,
+    { viewport, moving, blank, section, chuck, theme } = scene;
+  const shop = under.getContext("bitmaprenderer"),
+    pen = over.getContext("2d"),
+    frame = given.getContext("bitmaprenderer");
   if (!shop || !pen || !frame) return () => undefined;
-  const colours = pageColours(COLOURS), blanks = moving?.blanks ?? blank;
-  const box = boundsOf(blanks.flat()), widest = { outer: farthest(blanks), along: 0 };
-  const painter = stockPainter(moving ?? untouchedRun(blank)), playback = moving?.playback;
+  const colours = pageColours(COLOURS),
+    blanks = moving?.blanks ?? blank;
+  const box = boundsOf(blanks.flat()),
+    widest = { outer: farthest(blanks), along: 0 };
+  const painter = stockPainter(moving ?? untouchedRun(blank)),
+    playback = moving?.playback;
   const played = moving ? playedLayer(holder, moving.playback, () => playedSteps(moving.steps)) : null;
   const nowhere = (): Laid => ({
     camera: viewport.drawn(),
@@ -143,13 +158,22 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   };
   const groundKey = () => JSON.stringify([theme, section, chuck, camera, room, ratio, work]);
   // A planned path has the stock of before: nothing is painted then, whatever step of the new path that is.
-  const workKey = () => [painter.rings(), moving?.surfaces, section, theme, camera, ratio, JSON.stringify([chuck, work])];
+  const workKey = () => [
+    painter.rings(),
+    moving?.surfaces,
+    section,
+    theme,
+    camera,
+    ratio,
+    JSON.stringify([chuck, work]),
+  ];
   const paintGround = () => {
     const seen = groundKey();
     if (seen === memory.ground) return;
     memory.ground = seen;
     fitCanvas(under, ground, ratio);
-    const easel = new OffscreenCanvas(under.width, under.height), below = easel.getContext("2d");
+    const easel = new OffscreenCanvas(under.width, under.height),
+      below = easel.getContext("2d");
     if (below) paintShop(below, look());
     shop.transferFromImageBitmap(easel.transferToImageBitmap());
   };

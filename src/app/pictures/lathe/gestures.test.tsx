@@ -3,11 +3,18 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { listenToGestures } from "./gestures.ts";
 import { createViewport } from "./viewport.ts";
 
-const hover = vi.fn(), tap = vi.fn();
+const hover = vi.fn(),
+  tap = vi.fn();
 const element = document.createElement("div");
 element.setPointerCapture = () => undefined;
 let deaf = () => undefined as void;
-const mouse = (clientX: number, clientY: number, movementX = 0) => ({ pointerType: "mouse", pointerId: 1, clientX, clientY, movementX });
+const mouse = (clientX: number, clientY: number, movementX = 0) => ({
+  pointerType: "mouse",
+  pointerId: 1,
+  clientX,
+  clientY,
+  movementX,
+});
 
 beforeEach(() => {
   vi.clearAllMocks();

@@ -7,7 +7,9 @@ export interface Touches {
   readonly tap: (at: Place) => void;
   /** The pointer moves over the picture without pressing. */
   readonly hover: (at: Place | null) => void;
-  /** Takes drags of one pointer for itself, from where they began to where they are; null leaves them to looking around. */
+  /**
+   * Takes drags of one pointer for itself, from where they began to where they are; null leaves them to looking around.
+   */
   readonly drag?: ((from: Place, to: Place, done: boolean, byFinger?: boolean) => void) | null;
 }
 
@@ -17,7 +19,11 @@ const TAP = 6;
 const WHEEL = 0.0015;
 
 /** Wheel zooms, one pointer drags, two pinch. Returns what takes it all off again. */
-export function listenToGestures(element: Element & GlobalEventHandlers, viewport: Viewport, touches: Touches): () => void {
+export function listenToGestures(
+  element: Element & GlobalEventHandlers,
+  viewport: Viewport,
+  touches: Touches,
+): () => void {
   const down = new Map<number, Place>();
   let begun: Place | null = null;
   let dragged = false;
@@ -52,7 +58,9 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
     drawn = null;
   };
   const move = (event: PointerEvent) => {
-    const before = down.get(event.pointerId), here = placeOf(event), rested = isResting(event);
+    const before = down.get(event.pointerId),
+      here = placeOf(event),
+      rested = isResting(event);
     if (!before) return rested ? undefined : touches.hover(here);
     const [other] = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
     if (!dragged && begun && Math.hypot(here.x - begun.x, here.y - begun.y) < TAP) return;
@@ -62,7 +70,9 @@ export function listenToGestures(element: Element & GlobalEventHandlers, viewpor
     down.set(event.pointerId, here);
     if (drawn) return touches.drag?.(drawn, here, false, event.pointerType === "touch");
     viewport.look(
-      other ? pinched(viewport.get(), [before, other], [here, other]) : panned(viewport.get(), here.x - from.x, here.y - from.y),
+      other
+        ? pinched(viewport.get(), [before, other], [here, other])
+        : panned(viewport.get(), here.x - from.x, here.y - from.y),
     );
   };
   const release = (event: PointerEvent) => {

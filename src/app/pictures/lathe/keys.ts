@@ -25,17 +25,21 @@ export interface Typed {
 
 /** Elements that need these keys for themselves. */
 const takes = ({ element, key }: Typed) =>
-  element === "select" || element === "textarea" || ((element === "button" || element === "summary") && (key === " " || key === "Enter"));
+  element === "select" ||
+  element === "textarea" ||
+  ((element === "button" || element === "summary") && (key === " " || key === "Enter"));
 
 /** Does what a key stands for; true when it did something. Ruler keys go first, then playback and zoom. */
 export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewport, measuring: Measuring): boolean {
-  const { key, shift } = typed, pan = PANS[key];
+  const { key, shift } = typed,
+    pan = PANS[key];
   if (takes(typed)) return false;
   if (shift && pan && typed.picture) {
     viewport.look(panned(viewport.get(), pan[0], pan[1]));
     return true;
   }
-  if ((typed.picture || key === "Escape" || (key.length === 1 && typed.element !== "input")) && measuring.key(key)) return true;
+  if ((typed.picture || key === "Escape" || (key.length === 1 && typed.element !== "input")) && measuring.key(key))
+    return true;
   switch (key) {
     case " ":
       playback.dispatch({ do: "toggle" });

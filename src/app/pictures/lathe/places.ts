@@ -35,7 +35,16 @@ export function lookAtOf(
 ): LookAt | null {
   if (spot?.plane !== plane) return null;
   const { kind, mark, place, bounds, position } = spot;
-  return { id, kind, mark, place, bounds, line: block === null ? said() : `${said()} (${inBlock(String(block))})`, position, issue };
+  return {
+    id,
+    kind,
+    mark,
+    place,
+    bounds,
+    line: block === null ? said() : `${said()} (${inBlock(String(block))})`,
+    position,
+    issue,
+  };
 }
 
 /** The findings that one of the two pictures shows, in the order of the list. */
@@ -43,5 +52,8 @@ export function usePlaces(plane: FindingSpot["plane"]): readonly LookAt[] {
   const entries = useFindings();
   const say = useIssueText();
   const t = useTexts().findings;
-  return useMemo(() => entries.flatMap((entry) => lookAtOf(entry, plane, t, () => say(entry.issue)) ?? []), [entries, plane, say, t]);
+  return useMemo(
+    () => entries.flatMap((entry) => lookAtOf(entry, plane, t, () => say(entry.issue)) ?? []),
+    [entries, plane, say, t],
+  );
 }

@@ -50,7 +50,8 @@ function drop(holder: HTMLElement): void {
   layers.delete(holder);
 }
 
-const canPaint = () => typeof HTMLCanvasElement !== "undefined" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
+const canPaint = () =>
+  typeof HTMLCanvasElement !== "undefined" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
 
 /** The open work by its version, when it is the one whose steps are played: the worker has it. */
 export function knownOf(steps: readonly Step[]): KnownOutcome | null {
@@ -59,13 +60,19 @@ export function knownOf(steps: readonly Step[]): KnownOutcome | null {
 }
 
 /** What plays, as the worker knows it: has it painted for a look. */
-export type PlayedByWorker<Look> = (engine: Remote<Engine>, on: PlayedOn, look: Look, course: PlayedCourse) => Promise<boolean>;
+export type PlayedByWorker<Look> = (
+  engine: Remote<Engine>,
+  on: PlayedOn,
+  look: Look,
+  course: PlayedCourse,
+) => Promise<boolean>;
 
 async function ask<Look>(layer: Layer, play: PlayedByWorker<Look>, look: Look, course: PlayCourse): Promise<boolean> {
   const canvas = layer.sent ? null : layer.canvas.transferControlToOffscreen();
   layer.sent = true;
   const on = canvas ? transfer({ name: layer.name, canvas }, [canvas]) : { name: layer.name, canvas };
-  const { from: seconds, rate } = course, since = dayMoment(course.since);
+  const { from: seconds, rate } = course,
+    since = dayMoment(course.since);
   try {
     return await askWorker((engine) => play(engine, on, look, { seconds, since, rate }));
   } catch {
@@ -85,7 +92,9 @@ export function playedLayer<Look extends Pick<StockLook, "origin">>(
   playback: PlaybackStore,
   known: () => PlayedByWorker<Look> | null,
 ): PlayedLayer<Look> {
-  let course: PlayCourse | null = null, state: "asked" | "shown" | "refused" = "asked", begun = 0;
+  let course: PlayCourse | null = null,
+    state: "asked" | "shown" | "refused" = "asked",
+    begun = 0;
   const stop = () => {
     if (!course) return;
     course = null;
@@ -98,7 +107,8 @@ export function playedLayer<Look extends Pick<StockLook, "origin">>(
     if (state !== "shown" || !course) state = "asked";
     course = next;
     begun += 1;
-    const own = begun, layer = layerIn(holder);
+    const own = begun,
+      layer = layerIn(holder);
     layOver(layer.canvas, look.origin);
     const isShown = await ask(layer, play, look, next);
     if (own !== begun) return;
@@ -110,7 +120,9 @@ export function playedLayer<Look extends Pick<StockLook, "origin">>(
     stop,
     canvas: () => layers.get(holder)?.canvas ?? null,
     follow(look) {
-      const now = playback.get(), since = playback.since(), play = since === null || !canPaint() ? null : known();
+      const now = playback.get(),
+        since = playback.since(),
+        play = since === null || !canPaint() ? null : known();
       if (!play || since === null) {
         stop();
         return false;

@@ -27,7 +27,10 @@ export interface Running {
 }
 
 /** A place as the control shows it: X as diameter. */
-export const placeText = (lengths: Lengths, p: Pt) => ({ x: lengths.position(toDiameter(p.r)), z: lengths.position(p.z) });
+export const placeText = (lengths: Lengths, p: Pt) => ({
+  x: lengths.position(toDiameter(p.r)),
+  z: lengths.position(p.z),
+});
 
 /** Feed with its unit, that it is a rapid, or how long a dwell takes. */
 export function runningFeed(t: Texts["lathe"], lengths: Lengths, move: Move): string {
@@ -52,7 +55,8 @@ export function stepText(t: Texts, operation: Operation | undefined, move: Move)
   const count = cycleByNumber(operation.cycle)?.steps[move.run];
   const all: Partial<Record<number, CyclesTexts["of"][keyof CyclesTexts["of"]]>> = t.cycles.of;
   const words = all[operation.cycle]?.[move.run][move.step - 1];
-  if (count === undefined || words === undefined) return t.lathe.stepOnly(String(move.step), String(count ?? move.step));
+  if (count === undefined || words === undefined)
+    return t.lathe.stepOnly(String(move.step), String(count ?? move.step));
   return (move.run === "rough" ? t.cycles.roughStep : t.cycles.finishStep)(move.step, count, words);
 }
 
@@ -86,7 +90,9 @@ function phasesOf(steps: Run["steps"]): Int32Array {
   return first;
 }
 
-/** A move of the phase that runs, or between two cycles the first of the one that comes; null where no cycle has any. */
+/**
+ * A move of the phase that runs, or between two cycles the first of the one that comes; null where no cycle has any.
+ */
 export function nearestCycle(run: Run, step: number): number | null {
   const known = phases.get(run.steps) ?? phasesOf(run.steps);
   phases.set(run.steps, known);
@@ -117,39 +123,54 @@ export function runningSteps(t: Texts, run: Run, index: number, now: number | nu
 /** The most steps that any cycle of a run has numbered. */
 export function mostSteps(t: Texts, { operations }: Run): number {
   const all: Partial<Record<number, CyclesTexts["of"][keyof CyclesTexts["of"]]>> = t.cycles.of;
-  return operations.reduce((most, { cycle }) => Math.max(most, all[cycle]?.rough.length ?? 0, all[cycle]?.finish.length ?? 0), 0);
+  return operations.reduce(
+    (most, { cycle }) => Math.max(most, all[cycle]?.rough.length ?? 0, all[cycle]?.finish.length ?? 0),
+    0,
+  );
 }
 
 /** The spindle of a step: that of its operation, or of the nearest operation for moves between them. */
 function spindleOf(run: Run, index: number): Spindle | null {
   const own = run.steps[index]?.operation;
-  const operation = typeof own === "number"
-    ? run.operations[own]
-    : run.operations.find((o) => o.firstStep > index) ?? run.operations.at(-1);
+  const operation =
+    typeof own === "number"
+      ? run.operations[own]
+      : (run.operations.find((o) => o.firstStep > index) ?? run.operations.at(-1));
   return operation?.spindle ?? null;
 }
 
-/** The chip of a moment in one line; nothing without one. The feed of a turn is said where the one beside it is a feed of a minute. */
+/**
+ * The chip of a moment in one line; nothing without one. The feed of a turn is said where the one beside it is a feed
+ * of a minute.
+ */
 export function chipText(lengths: Lengths, chip: Chip | null, move: Move | undefined): string {
   if (!chip || !move) return "";
   const said = (size: number) => lengths.fixed(size, 3);
-  const feed = (move.kind === "feed" || move.kind === "arc") && move.feedUnit === "mm/min" ? ` · f ${said(chip.feed)}` : "";
-  return lengths.words(`ap ${said(chip.depth)}${feed} · h ${said(chip.thickest.size)} mm · A ${lengths.fixedArea(chip.area, 3)} mm²`);
+  const feed =
+    (move.kind === "feed" || move.kind === "arc") && move.feedUnit === "mm/min" ? ` · f ${said(chip.feed)}` : "";
+  return lengths.words(
+    `ap ${said(chip.depth)}${feed} · h ${said(chip.thickest.size)} mm · A ${lengths.fixedArea(chip.area, 3)} mm²`,
+  );
 }
 
 /** What to say about a position; null when the run has no moves. */
 export function runningText(t: Texts, lengths: Lengths, run: Run, position: PlayPosition): Running | null {
-  const index = Math.min(position.step, run.steps.length - 1), step = run.steps[index], tip = tipAt(run.steps, position);
+  const index = Math.min(position.step, run.steps.length - 1),
+    step = run.steps[index],
+    tip = tipAt(run.steps, position);
   if (!step || !tip) return null;
-  const operation = step.operation === null ? undefined : run.operations[step.operation], spindle = spindleOf(run, index);
+  const operation = step.operation === null ? undefined : run.operations[step.operation],
+    spindle = spindleOf(run, index);
   const speed = spindle ? speedAt(spindle, tip.r) : null;
   const { pass } = step.move;
   return {
     ...placeText(lengths, tip),
     feed: runningFeed(t.lathe, lengths, step.move),
-    speed: speed !== null && Number.isFinite(speed) ? `${formatNumber(lengths.language, speed, 0)} ${t.lathe.rpm}` : "–",
+    speed:
+      speed !== null && Number.isFinite(speed) ? `${formatNumber(lengths.language, speed, 0)} ${t.lathe.rpm}` : "–",
     phase: phaseText(t.lathe, step.move),
-    pass: pass !== undefined && operation ? t.lathe.pass(String(pass), String(Math.max(pass, operation.plan.passes))) : "",
+    pass:
+      pass !== undefined && operation ? t.lathe.pass(String(pass), String(Math.max(pass, operation.plan.passes))) : "",
     step: stepText(t, operation, step.move),
     block: t.lathe.block(String(step.block)),
   };

@@ -18,7 +18,8 @@ const flat = new WeakMap<Viewport, Seeing>();
 /** How the section is seen. */
 export function seenFlat(viewport: Viewport): Seeing {
   const known = flat.get(viewport);
-  const { get, subscribe, size } = viewport, seeing = known ?? { get, subscribe, size, at: (place: Pt) => toScreen(viewport.get(), place) };
+  const { get, subscribe, size } = viewport,
+    seeing = known ?? { get, subscribe, size, at: (place: Pt) => toScreen(viewport.get(), place) };
   flat.set(viewport, seeing);
   return seeing;
 }

@@ -14,7 +14,10 @@ export const lookingAt = (pictures: readonly (Looks | null)[]): Looks => ({
   show: (bounds) => pictures.forEach((each) => each?.show(bounds)),
 });
 
-/** The place that is looked at, chosen in the list or in the picture: the picture goes near it, and playback to its moment. */
+/**
+ * The place that is looked at, chosen in the list or in the picture: the picture goes near it, and playback to its
+ * moment.
+ */
 export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>(
   places: readonly P[],
   viewport: Looks,

@@ -27,18 +27,24 @@ interface Held {
 }
 
 const sameRings = (a: readonly Ring[], b: readonly Ring[]): boolean =>
-  a.length === b.length
-  && a.every((ring, i) => ring.length === b[i]?.length && ring.every((p, k) => p.z === b[i]?.[k]?.z && p.r === b[i]?.[k]?.r));
+  a.length === b.length &&
+  a.every(
+    (ring, i) => ring.length === b[i]?.length && ring.every((p, k) => p.z === b[i]?.[k]?.z && p.r === b[i]?.[k]?.r),
+  );
 
-/** The stock of a planned run as long as nobody has cut it: that of before as it stood, or a blank that is another one now. */
+/**
+ * The stock of a planned run as long as nobody has cut it: that of before as it stood, or a blank that is another one
+ * now.
+ */
 interface Uncut {
   readonly run: Run;
   readonly stock: readonly Ring[];
 }
 
 /**
- * The material of a result. While a run is only planned the picture keeps the stock that it had, as it stood at the moment of the last
- * change; `proved` is the newest result with a simulation, whose findings stay until those of the new one are there.
+ * The material of a result. While a run is only planned the picture keeps the stock that it had, as it stood at the
+ * moment of the last change; `proved` is the newest result with a simulation, whose findings stay until those of the
+ * new one are there.
  */
 export function useMaterial(
   result: LatheResult | null,
@@ -68,12 +74,28 @@ export function useMaterial(
     const surfaces = held?.surfaces ?? UNTOUCHED;
     if (!result.simulation) {
       if (!waiting) return null;
-      const { stock, run: { blank } } = waiting, blanks = [...blank, ...stock];
+      const {
+          stock,
+          run: { blank },
+        } = waiting,
+        blanks = [...blank, ...stock];
       return { steps, stockAt: () => stock, blanks, isSameBlank: () => true, chipAt: () => null, surfaces, playback };
     }
     if (!held) return null;
-    const { player, proved: { simulation } } = held, chipAt = chipsOf(steps, result.run.spindles, player);
-    return { steps, stockAt: player.at, blanks: blanksOf(simulation), isSameBlank: sameBlank(simulation), chipAt, surfaces, playback };
+    const {
+        player,
+        proved: { simulation },
+      } = held,
+      chipAt = chipsOf(steps, result.run.spindles, player);
+    return {
+      steps,
+      stockAt: player.at,
+      blanks: blanksOf(simulation),
+      isSameBlank: sameBlank(simulation),
+      chipAt,
+      surfaces,
+      playback,
+    };
   }, [result, held, waiting, playback]);
   return { proved: held?.proved ?? null, moving };
 }

@@ -17,7 +17,8 @@ export interface ShownPath {
 const EVERY = () => true;
 const NONE: ShownPath = { stretches: [], has: () => false };
 
-const within = (stretches: readonly MoveSpan[]) => (step: number) => stretches.some(({ first, last }) => step >= first && step <= last);
+const within = (stretches: readonly MoveSpan[]) => (step: number) =>
+  stretches.some(({ first, last }) => step >= first && step <= last);
 
 interface Passes {
   readonly stretches: readonly PathStretch[];
@@ -41,7 +42,10 @@ export function stretchesOf(run: Run): Passes {
 // Lines of a long work that was planned at rest are there with its first key.
 whenRehearsed(stretchesOf);
 
-/** What the settings show of a run, `all` of whose passes are drawn: new lines only where another call, phase or pass begins. */
+/**
+ * What the settings show of a run, `all` of whose passes are drawn: new lines only where another call, phase or pass
+ * begins.
+ */
 export function useShownPath(run: Run, all: readonly PathStretch[], playback: PlaybackStore): ShownPath {
   const asked = useSettings((s) => s.paths);
   const running = usePlayback(playback, (store) => {
@@ -53,7 +57,11 @@ export function useShownPath(run: Run, all: readonly PathStretch[], playback: Pl
     if (asked === "all") return { stretches: all, has: EVERY };
     const choice: ReturnType<typeof runningPart> = JSON.parse(running || "null");
     if (!choice) return NONE;
-    const { stretches } = markedBy(run, choice), most = Math.max(1, Math.floor(MOST_STRETCHES / stretches.length));
-    return { stretches: stretches.flatMap(({ first, last }) => pathStretches(run.steps, first, last, most)), has: within(stretches) };
+    const { stretches } = markedBy(run, choice),
+      most = Math.max(1, Math.floor(MOST_STRETCHES / stretches.length));
+    return {
+      stretches: stretches.flatMap(({ first, last }) => pathStretches(run.steps, first, last, most)),
+      has: within(stretches),
+    };
   }, [asked, running, run, all]);
 }

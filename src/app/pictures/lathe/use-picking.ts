@@ -11,8 +11,15 @@ import type { Viewport } from "./viewport.ts";
 /** A pointer this near to a move means that move, pixels. */
 const NEAR = 10;
 
-/** Choosing in the picture: a press takes the tool to the move under it, a mouse over it shows which one that would be. */
-export function usePicking({ run, viewport, shown, onMove }: {
+/**
+ * Choosing in the picture: a press takes the tool to the move under it, a mouse over it shows which one that would be.
+ */
+export function usePicking({
+  run,
+  viewport,
+  shown,
+  onMove,
+}: {
   readonly run: Run;
   readonly viewport: Viewport;
   /** The moves that are there to be pointed at. */
@@ -27,7 +34,9 @@ export function usePicking({ run, viewport, shown, onMove }: {
       hover,
       over: (at) => hover.set(at && stepAt(at)),
       tap(at) {
-        const step = stepAt(at), place = toPlace(viewport.get(), at), { told } = useTold.getState();
+        const step = stepAt(at),
+          place = toPlace(viewport.get(), at),
+          { told } = useTold.getState();
         if (told?.take) return told.take(place);
         const rows = useEditor.getState().job?.contour;
         const element = rows ? elementNear(rows, place, reach()) : null;

@@ -2,12 +2,16 @@ import { useEffect, useSyncExternalStore } from "react";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
 /** One plain value of the playback; the component renders again only when that value changes. */
-export const usePlayback = <T extends string | number | boolean | null>(store: PlaybackStore, pick: (store: PlaybackStore) => T): T =>
-  useSyncExternalStore(store.subscribe, () => pick(store));
+export const usePlayback = <T extends string | number | boolean | null>(
+  store: PlaybackStore,
+  pick: (store: PlaybackStore) => T,
+): T => useSyncExternalStore(store.subscribe, () => pick(store));
 
 /** The same for lists that are read: while it plays they render no oftener than they can be read. */
-export const useReadPlayback = <T extends string | number | boolean | null>(store: PlaybackStore, pick: (store: PlaybackStore) => T): T =>
-  useSyncExternalStore(store.subscribeReader, () => pick(store));
+export const useReadPlayback = <T extends string | number | boolean | null>(
+  store: PlaybackStore,
+  pick: (store: PlaybackStore) => T,
+): T => useSyncExternalStore(store.subscribeReader, () => pick(store));
 
 /** Runs at once and after each change, without rendering: for what changes with every picture. */
 export function useEachPicture(store: PlaybackStore, paint: () => void): void {

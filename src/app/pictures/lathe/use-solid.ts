@@ -15,23 +15,36 @@ export interface SolidPlace {
 }
 
 /** Measuring is done in the section, so that is shown meanwhile. */
-export function useSolid({ run, shown, moving, waiting, measures }: { readonly run: Run; readonly shown: LatheResult | null;
-  readonly moving: Moving | null; readonly waiting: Waiting | null; readonly measures: boolean }): SolidPlace
-{
+export function useSolid({
+  run,
+  shown,
+  moving,
+  waiting,
+  measures,
+}: {
+  readonly run: Run;
+  readonly shown: LatheResult | null;
+  readonly moving: Moving | null;
+  readonly waiting: Waiting | null;
+  readonly measures: boolean;
+}): SolidPlace {
   const asked = useSettings((s) => s.solid) && !measures;
   const [drawn, setDrawn] = useState<Zooming | null>(null);
-  const work = useMemo((): ShownWork | null =>
-    asked
-      ? {
-        moving,
-        waiting,
-        simulation: shown?.run === run ? shown.simulation : null,
-        blank: waiting?.blank.length ? waiting.blank : run.blank,
-        steps: run.steps,
-        spindles: run.spindles,
-        clamping: run.clamping,
-        contours: run.operations.map((o) => o.plan.contour),
-      }
-      : null, [asked, run, shown, moving, waiting]);
+  const work = useMemo(
+    (): ShownWork | null =>
+      asked
+        ? {
+            moving,
+            waiting,
+            simulation: shown?.run === run ? shown.simulation : null,
+            blank: waiting?.blank.length ? waiting.blank : run.blank,
+            steps: run.steps,
+            spindles: run.spindles,
+            clamping: run.clamping,
+            contours: run.operations.map((o) => o.plan.contour),
+          }
+        : null,
+    [asked, run, shown, moving, waiting],
+  );
   return { work, drawn: asked ? drawn : null, setDrawn };
 }

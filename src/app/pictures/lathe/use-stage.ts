@@ -2,9 +2,13 @@ import { useEffect, useEffectEvent, useRef, type RefObject } from "react";
 import { listenToGestures, type Touches } from "./gestures.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** The element of the picture: the size of its `share` from the left goes to the viewport, its pointers to zoom, pan and the ruler. */
+/**
+ * The element of the picture: the size of its `share` from the left goes to the viewport, its pointers to zoom, pan and
+ * the ruler.
+ */
 export function useStage(viewport: Viewport, touches: Touches, share = 1): RefObject<HTMLDivElement | null> {
-  const stage = useRef<HTMLDivElement>(null), now = useEffectEvent(() => touches);
+  const stage = useRef<HTMLDivElement>(null),
+    now = useEffectEvent(() => touches);
   useEffect(() => {
     const element = stage.current;
     if (!element) return;

@@ -14,7 +14,8 @@ function opened() {
 }
 
 test("what is drawn stays behind a hand that moves the picture, and catches up when it rests", () => {
-  const { viewport, begun } = opened(), heard: boolean[] = [];
+  const { viewport, begun } = opened(),
+    heard: boolean[] = [];
   expect(viewport.drawn()).toBe(begun);
   viewport.subscribe(() => heard.push(viewport.drawn() === viewport.get()));
   for (let move = 0; move < 7; move += 1) {
@@ -29,7 +30,12 @@ test("what is drawn stays behind a hand that moves the picture, and catches up w
 
 test("it is drawn anew where nothing lies ready, and where its pixels would become coarse", () => {
   const { viewport } = opened();
-  const steps = { left: { dx: -41.3, dy: 0 }, right: { dx: 38.9, dy: 0 }, up: { dx: 0, dy: -27.1 }, down: { dx: 0, dy: 29.7 } };
+  const steps = {
+    left: { dx: -41.3, dy: 0 },
+    right: { dx: 38.9, dy: 0 },
+    up: { dx: 0, dy: -27.1 },
+    down: { dx: 0, dy: 29.7 },
+  };
   for (const { dx, dy } of Object.values(steps)) {
     for (let move = 0; move < 40; move += 1) {
       viewport.look(panned(viewport.get(), dx, dy));
@@ -46,7 +52,8 @@ test("it is drawn anew where nothing lies ready, and where its pixels would beco
 });
 
 test("a hand that zooms out finds what is drawn for further out, and has it drawn less often", () => {
-  const { viewport } = opened(), drawn = new Set([viewport.drawn()]);
+  const { viewport } = opened(),
+    drawn = new Set([viewport.drawn()]);
   for (let move = 0; move < 12; move += 1) {
     viewport.zoom(0.83);
     drawn.add(viewport.drawn());
@@ -60,7 +67,12 @@ test("a hand that zooms out finds what is drawn for further out, and has it draw
 /** All that is seen lies in what is drawn. */
 function expectReady(viewport: ReturnType<typeof createViewport>) {
   const room = drawnRoom(SIZE);
-  for (const seen of [{ x: 0, y: 0 }, { x: SIZE.width, y: 0 }, { x: 0, y: SIZE.height }, { x: SIZE.width, y: SIZE.height }]) {
+  for (const seen of [
+    { x: 0, y: 0 },
+    { x: SIZE.width, y: 0 },
+    { x: 0, y: SIZE.height },
+    { x: SIZE.width, y: SIZE.height },
+  ]) {
     const { x, y } = toScreen(viewport.drawn(), toPlace(viewport.get(), seen));
     expect(x).toBeGreaterThan(room.x - 1e-3);
     expect(x).toBeLessThan(room.x + room.width + 1e-3);
@@ -86,8 +98,10 @@ test("whatever else turns the picture draws it anew at once", () => {
 });
 
 test("a shifted drawing lies where it would be drawn", () => {
-  const { begun } = opened(), now = panned(zoomed(begun, 1.37, { x: 97, y: 311 }), -41.9, 17.3);
-  const { x, y, grown } = sheetShift(begun, now), point = toPlace(begun, { x: 413.7, y: 99.1 });
+  const { begun } = opened(),
+    now = panned(zoomed(begun, 1.37, { x: 97, y: 311 }), -41.9, 17.3);
+  const { x, y, grown } = sheetShift(begun, now),
+    point = toPlace(begun, { x: 413.7, y: 99.1 });
   const { x: wantedX, y: wantedY } = toScreen(now, point);
   expect(413.7 * grown + x).toBeCloseTo(wantedX, 9);
   expect(99.1 * grown + y).toBeCloseTo(wantedY, 9);
@@ -95,7 +109,8 @@ test("a shifted drawing lies where it would be drawn", () => {
 
 test("what is painted under a moving hand has a pixel a point, and those of the screen when it rests", () => {
   vi.stubGlobal("devicePixelRatio", 2.5);
-  const { viewport } = opened(), heard: (readonly [ratio: number, isNew: boolean])[] = [];
+  const { viewport } = opened(),
+    heard: (readonly [ratio: number, isNew: boolean])[] = [];
   let drawn = viewport.drawn();
   viewport.subscribe(() => {
     heard.push([viewport.ratio(), viewport.drawn() !== drawn]);
@@ -105,7 +120,11 @@ test("what is painted under a moving hand has a pixel a point, and those of the 
   for (let move = 0; move < 2; move += 1) viewport.zoom(1.53);
   vi.advanceTimersByTime(500);
   // The second is drawn anew, and the rest once more, though the camera has not moved since.
-  expect(heard).toEqual([[2.5, false], [1, true], [2.5, true]]);
+  expect(heard).toEqual([
+    [2.5, false],
+    [1, true],
+    [2.5, true],
+  ]);
   viewport.zoom(1.11);
   expect(viewport.ratio()).toBe(2.5);
   viewport.zoom(7);

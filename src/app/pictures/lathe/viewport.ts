@@ -1,20 +1,30 @@
 import type { Patch } from "../../../view/material/pen.ts";
 import { holds as holdsOnScreen } from "../../base/use-media.ts";
 import { pageUnit } from "../../base/unit.ts";
-import { fitted, seenFrom, turnedOver, zoomed, type Bounds, type Camera, type Margin, type Place,
-  type Size } from "../../../view/camera.ts";
+import {
+  fitted,
+  seenFrom,
+  turnedOver,
+  zoomed,
+  type Bounds,
+  type Camera,
+  type Margin,
+  type Place,
+  type Size,
+} from "../../../view/camera.ts";
 
 /** Where the picture looks, shared by its layers. */
 export interface Viewport {
   readonly get: () => Camera;
   /**
-   * The camera that a drawing is drawn for. While a hand moves the picture it stays behind, and the drawing is only shifted to where the
-   * picture looks now; it catches up when the hand rests, or looks where nothing is drawn.
+   * The camera that a drawing is drawn for. While a hand moves the picture it stays behind, and the drawing is only
+   * shifted to where the picture looks now; it catches up when the hand rests, or looks where nothing is drawn.
    */
   readonly drawn: () => Camera;
   /**
-   * Pixels for each point of the page in a canvas that is painted for that camera. What has to be painted under a moving hand has one at
-   * most: a canvas is copied to be seen, and that of a fine screen is copied too long. At rest it is painted anew.
+   * Pixels for each point of the page in a canvas that is painted for that camera. What has to be painted under a
+   * moving hand has one at most: a canvas is copied to be seen, and that of a fine screen is copied too long. At rest
+   * it is painted anew.
    */
   readonly ratio: () => number;
   /** Drawn under a moving hand, to be drawn finely when it rests. */
@@ -38,30 +48,35 @@ const RESTS = 140;
 /** So much of its width and height lies ready on each side of a picture. */
 const AROUND = 0.2;
 /** Shifted pixels may grow so much; a hand that zooms out finds the next picture drawn for so much further out. */
-const GROWS = 2.2, AHEAD = 1.5;
+const GROWS = 2.2,
+  AHEAD = 1.5;
 
 /** What is painted while a hand moves the picture has a pixel for each point at most, and no more of them than this. */
-const COARSE = 1, MOST_COARSE = 2_500_000;
+const COARSE = 1,
+  MOST_COARSE = 2_500_000;
 
 /** Every device has whole pixels for so many of the page. */
 const WHOLE = 4;
 
 /** The part of a picture that is drawn, with what lies ready round it, in its pixels. */
 export function drawnRoom({ width, height }: Size): Patch {
-  const beside = WHOLE * Math.round((AROUND * width) / WHOLE), over = WHOLE * Math.round((AROUND * height) / WHOLE);
+  const beside = WHOLE * Math.round((AROUND * width) / WHOLE),
+    over = WHOLE * Math.round((AROUND * height) / WHOLE);
   return { x: -beside, y: -over, width: beside + width + beside, height: over + height + over };
 }
 
 /** Whether a drawing for one camera still does where another one looks. */
 function does(drawn: Camera, now: Camera, size: Size): boolean {
-  const room = drawnRoom(size), { from, to, grown } = seenFrom(drawn, now, size);
+  const room = drawnRoom(size),
+    { from, to, grown } = seenFrom(drawn, now, size);
   const isInside = from.x >= room.x && from.y >= room.y && to.x <= room.x + room.width && to.y <= room.y + room.height;
   return drawn.xUp === now.xUp && grown <= GROWS && isInside;
 }
 
 /** Pixels for each point under a moving hand; whole parts of a pixel stay whole. */
 function coarseRatio(size: Size): number {
-  const { width, height } = drawnRoom(size), most = Math.sqrt(MOST_COARSE / (width * height));
+  const { width, height } = drawnRoom(size),
+    most = Math.sqrt(MOST_COARSE / (width * height));
   return Math.min(COARSE, devicePixelRatio, Math.max(1, Math.floor(WHOLE * most)) / WHOLE);
 }
 
@@ -70,9 +85,10 @@ const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 /** Scales along two edges and buttons along the top need their room, units of the page. */
 function marginOf(size: Size): Margin {
   const unit = pageUnit();
-  const { left, right, top, bottom } = size.width < 480 * unit || size.height < 300 * unit
-    ? { left: 50, right: 8, top: 14, bottom: 26 }
-    : { left: 60, right: holdsOnScreen("narrow") ? 64 : 20, top: 24, bottom: 40 };
+  const { left, right, top, bottom } =
+    size.width < 480 * unit || size.height < 300 * unit
+      ? { left: 50, right: 8, top: 14, bottom: 26 }
+      : { left: 60, right: holdsOnScreen("narrow") ? 64 : 20, top: 24, bottom: 40 };
   return { left: left * unit, right: right * unit, top: top * unit, bottom: bottom * unit };
 }
 
@@ -99,7 +115,9 @@ export function createViewport(xUp: boolean): Viewport {
   let byHand = false;
   let camera = fitted(bounds, size, marginOf(size), xUp);
   const listeners = new Set<() => void>();
-  let drawn = camera, isCoarse = false, rest: ReturnType<typeof setTimeout> | undefined;
+  let drawn = camera,
+    isCoarse = false,
+    rest: ReturnType<typeof setTimeout> | undefined;
   const set = (next: Camera, stays: Camera | null = null) => {
     clearTimeout(rest);
     camera = next;
@@ -109,7 +127,8 @@ export function createViewport(xUp: boolean): Viewport {
   };
   const setByHand = (next: Camera) => {
     byHand = true;
-    const stays = does(drawn, next, size), middle = { x: size.width / 2, y: size.height / 2 };
+    const stays = does(drawn, next, size),
+      middle = { x: size.width / 2, y: size.height / 2 };
     if (!stays) isCoarse = true;
     set(next, stays ? drawn : next.scale < camera.scale ? zoomed(next, 1 / AHEAD, middle) : next);
     // What is drawn for a camera is told apart by it.

@@ -17,14 +17,16 @@ export const toneClass = (tone: number | null) => (tone === null ? "load-untold"
 /** What is told, in part space: one path a class over a rim that sets it off, however long the program. */
 export const LoadLines = memo(function LoadLines({ of, run, shown }: LoadLinesProps) {
   const drawing = useLoadDrawing(run, of, shown);
-  return drawing && (
-    <g className="load-lines">
-      {drawing.lines.map(({ tone, limited, d }) => (
-        <g key={`${tone} ${limited}`} className={toneClass(tone)}>
-          <path className="load-rim" d={d} />
-          <path className={limited ? "load-line load-limited" : "load-line"} d={d} />
-        </g>
-      ))}
-    </g>
+  return (
+    drawing && (
+      <g className="load-lines">
+        {drawing.lines.map(({ tone, limited, d }) => (
+          <g key={`${tone} ${limited}`} className={toneClass(tone)}>
+            <path className="load-rim" d={d} />
+            <path className={limited ? "load-line load-limited" : "load-line"} d={d} />
+          </g>
+        ))}
+      </g>
+    )
   );
 });

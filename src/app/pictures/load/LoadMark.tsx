@@ -19,18 +19,31 @@ const [TEXT, GROUND] = [12, 3];
 
 /** The worst place, marked and with its value. */
 export function LoadMark({ of, run, seeing }: LoadMarkProps) {
-  const t = useTexts("load"), lengths = useLengths();
-  const seen = useSeeing(seeing), { width } = seen.size();
+  const t = useTexts("load"),
+    lengths = useLengths();
+  const seen = useSeeing(seeing),
+    { width } = seen.size();
   const { worst } = useGreatest(run, of) ?? {};
   const at = worst && seen.at(worst.place);
   if (!worst || !at) return null;
-  const { x, y } = at, isRight = x > width / 2, begin = isRight ? x - ASIDE : x + ASIDE;
-  const said = loadValue(t, lengths, of, worst.value), wide = textWidth(said, TEXT) + 2 * GROUND;
+  const { x, y } = at,
+    isRight = x > width / 2,
+    begin = isRight ? x - ASIDE : x + ASIDE;
+  const said = loadValue(t, lengths, of, worst.value),
+    wide = textWidth(said, TEXT) + 2 * GROUND;
   return (
     <g className="load-mark" aria-hidden="true">
       <path d={`M${x - HALF} ${y}L${x} ${y - HALF}L${x + HALF} ${y}L${x} ${y + HALF}Z`} />
-      <rect x={isRight ? begin + GROUND - wide : begin - GROUND} y={y - HALF - TEXT} width={wide} height={TEXT + 2 * GROUND} rx="3" />
-      <text x={begin} y={y - HALF} textAnchor={isRight ? "end" : "start"}>{said}</text>
+      <rect
+        x={isRight ? begin + GROUND - wide : begin - GROUND}
+        y={y - HALF - TEXT}
+        width={wide}
+        height={TEXT + 2 * GROUND}
+        rx="3"
+      />
+      <text x={begin} y={y - HALF} textAnchor={isRight ? "end" : "start"}>
+        {said}
+      </text>
     </g>
   );
 }

@@ -7,7 +7,8 @@ import type { LoadStripProps } from "./LoadStrip.tsx";
 import type { LoadTableProps } from "./LoadTable.tsx";
 
 /*
- * Roughness and load by colour, where they stand in the lathe view. Nothing is fetched, worked out or drawn before colours are chosen.
+ * Roughness and load by colour, where they stand in the lathe view. Nothing is fetched, worked out or drawn before
+ * colours are chosen.
  */
 const Lines = lazyPart(async () => ({ default: (await import("./LoadLines.tsx")).LoadLines }));
 const Mark = lazyPart(async () => ({ default: (await import("./LoadMark.tsx")).LoadMark }));
@@ -23,40 +24,48 @@ function useToldLoad() {
 /** What is drawn in part space, over the path. */
 function ToldLines(props: Omit<LoadLinesProps, "of">) {
   const of = useToldLoad();
-  return of && (
-    <Suspense>
-      <Lines {...props} of={of} />
-    </Suspense>
+  return (
+    of && (
+      <Suspense>
+        <Lines {...props} of={of} />
+      </Suspense>
+    )
   );
 }
 
 /** The mark of the worst place. */
 function ToldMark(props: Omit<LoadMarkProps, "of">) {
   const of = useToldLoad();
-  return of && (
-    <Suspense>
-      <Mark {...props} of={of} />
-    </Suspense>
+  return (
+    of && (
+      <Suspense>
+        <Mark {...props} of={of} />
+      </Suspense>
+    )
   );
 }
 
 /** The scale with its numbers. */
 function ToldStrip(props: Omit<LoadStripProps, "of">) {
   const of = useToldLoad();
-  return of && (
-    <Suspense>
-      <Strip {...props} of={of} />
-    </Suspense>
+  return (
+    of && (
+      <Suspense>
+        <Strip {...props} of={of} />
+      </Suspense>
+    )
   );
 }
 
 /** The list. */
 function ToldTable(props: Omit<LoadTableProps, "of">) {
   const of = useToldLoad();
-  return of && (
-    <Suspense>
-      <Table {...props} of={of} />
-    </Suspense>
+  return (
+    of && (
+      <Suspense>
+        <Table {...props} of={of} />
+      </Suspense>
+    )
   );
 }
 

@@ -18,22 +18,31 @@ function Sample({ tone, limited = false }: { readonly tone: number | null; reado
 
 /** The classes with their numbers, and what else lines mean that are there. */
 export function LoadScale({ of, drawing: { scale, lines } }: { readonly of: Told; readonly drawing: LoadDrawing }) {
-  const t = useTexts("load"), lengths = useLengths(), unit = lengths.words(t.units[of]);
-  const bounds = scale.bounds.map((bound) => loadNumber(lengths, of, bound)), last = classesOf(scale) - 1;
+  const t = useTexts("load"),
+    lengths = useLengths(),
+    unit = lengths.words(t.units[of]);
+  const bounds = scale.bounds.map((bound) => loadNumber(lengths, of, bound)),
+    last = classesOf(scale) - 1;
   // Each class is at least as wide as its number: those of an inch are long.
-  const minWidth = `${Math.max(...bounds.map((bound) => bound.length)) + 1}ch`, end = `${bounds[last + 1]} ${unit}`;
+  const minWidth = `${Math.max(...bounds.map((bound) => bound.length)) + 1}ch`,
+    end = `${bounds[last + 1]} ${unit}`;
   const limited = lines.find((line) => line.limited);
   return (
     <ul className="load-scale number" aria-label={t.scale}>
-      {Array.from({ length: last + 1 },
-        (_, i) => (
-          <li key={i} style={{ minWidth, ...(i === last && { marginRight: `${end.length + 1}ch` }) }}>
-            <Sample tone={classTone(scale, i)} />
-            <span className="unseen">{t.between(bounds[i] ?? "", bounds[i + 1] ?? "", unit)}</span>
-            <span aria-hidden="true" className="load-bound">{bounds[i]}</span>
-            {i === last && <span aria-hidden="true" className="load-bound load-last">{end}</span>}
-          </li>
-        ))}
+      {Array.from({ length: last + 1 }, (_, i) => (
+        <li key={i} style={{ minWidth, ...(i === last && { marginRight: `${end.length + 1}ch` }) }}>
+          <Sample tone={classTone(scale, i)} />
+          <span className="unseen">{t.between(bounds[i] ?? "", bounds[i + 1] ?? "", unit)}</span>
+          <span aria-hidden="true" className="load-bound">
+            {bounds[i]}
+          </span>
+          {i === last && (
+            <span aria-hidden="true" className="load-bound load-last">
+              {end}
+            </span>
+          )}
+        </li>
+      ))}
       {limited && (
         <li className="load-word">
           <Sample tone={limited.tone} limited />

@@ -17,7 +17,16 @@ import { LoadScale } from "./LoadScale.tsx";
 import { measureLoad, type MeasuredLoad } from "./load-store.ts";
 import type { Pointed } from "./pointed.ts";
 import { useLoadDrawing } from "./use-drawing.ts";
-import { loadPlaceText, rowText, stretchText, useGreatest, useLoadOf, useMeasuredRun, loadValue, type Told } from "./use-load.ts";
+import {
+  loadPlaceText,
+  rowText,
+  stretchText,
+  useGreatest,
+  useLoadOf,
+  useMeasuredRun,
+  loadValue,
+  type Told,
+} from "./use-load.ts";
 import "./load.css";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
@@ -55,7 +64,12 @@ function momentText({ t, lengths, of, load: { path, surface } }: Asked, position
 
 /** What is told of a place under the pointer; empty where nothing lies there. */
 function pointedText(asked: Asked, run: Run, place: Pt, reach: number, shown: (step: number) => boolean): string {
-  const { t, lengths, of, load: { surface } } = asked;
+  const {
+    t,
+    lengths,
+    of,
+    load: { surface },
+  } = asked;
   if (of === "roughness") {
     const stretch = surface && stretchNear(surface, place, reach);
     return stretch ? stretchText(t, lengths, stretch) : "";
@@ -76,17 +90,25 @@ function useMeasuring(run: Run, what: "surface" | "path"): void {
 
 /** The scale of what is told by colour, its value where the tool or the pointer is, and the worst place. */
 export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadStripProps) {
-  const t = useTexts("load"), lengths = useLengths();
+  const t = useTexts("load"),
+    lengths = useLengths();
   useMeasuring(run, of === "roughness" ? "surface" : "path");
-  const load = useLoadOf(run), told = useMeasuredRun(run), isOld = told !== run;
-  const drawing = useLoadDrawing(told, of), worst = useGreatest(told, of)?.worst ?? null;
+  const load = useLoadOf(run),
+    told = useMeasuredRun(run),
+    isOld = told !== run;
+  const drawing = useLoadDrawing(told, of),
+    worst = useGreatest(told, of)?.worst ?? null;
   const place = useSyncExternalStore(pointed.subscribe, pointed.get);
-  const here = place && load ? pointedText({ t, lengths, of, load }, run, place, NEAR / viewport.get().scale, shown) : "";
+  const here =
+    place && load ? pointedText({ t, lengths, of, load }, run, place, NEAR / viewport.get().scale, shown) : "";
   const now = useRef<HTMLSpanElement>(null);
-  useEachReading(playback, useCallback(() => {
-    const said = (load && momentText({ t, lengths, of, load }, playback.shown())) || "–";
-    if (now.current && now.current.textContent !== said) now.current.textContent = said;
-  }, [t, lengths, of, load, playback]));
+  useEachReading(
+    playback,
+    useCallback(() => {
+      const said = (load && momentText({ t, lengths, of, load }, playback.shown())) || "–";
+      if (now.current && now.current.textContent !== said) now.current.textContent = said;
+    }, [t, lengths, of, load, playback]),
+  );
   const rests = worst ? "" : t.nothing;
   const waits = drawing && !isOld ? rests : load?.failed ? t.failed : t.working;
   return (
@@ -95,7 +117,11 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
         <b>{t.names[of]}</b> <span className="soft small">{lengths.words(t.abouts[of])}</span>
       </p>
       {drawing && worst && <LoadScale of={of} drawing={drawing} />}
-      {waits !== "" && <p role="status" className="soft">{waits}</p>}
+      {waits !== "" && (
+        <p role="status" className="soft">
+          {waits}
+        </p>
+      )}
       <p className="load-now">
         <span className="soft small">{here === "" ? t.now : t.here}</span>
         <span ref={now} className="number" hidden={here !== ""} />
@@ -105,9 +131,12 @@ export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadS
         <p className="load-worst">
           <span className="soft small">{worst.limited && of === "speed" ? t.least : t.greatest}</span>
           <span className="number">
-            <b>{loadValue(t, lengths, of, worst.value)}</b> <span className="load-place">{loadPlaceText(t, lengths, worst)}</span>
+            <b>{loadValue(t, lengths, of, worst.value)}</b>{" "}
+            <span className="load-place">{loadPlaceText(t, lengths, worst)}</span>
           </span>
-          <button type="button" className="button" disabled={isOld} onClick={() => goToLoad(playback, worst)}>{t.go}</button>
+          <button type="button" className="button" disabled={isOld} onClick={() => goToLoad(playback, worst)}>
+            {t.go}
+          </button>
         </p>
       )}
     </section>

@@ -14,16 +14,24 @@ export interface LoadTableProps {
 
 /** The same in words: the greatest value of each operation, and where it is. */
 export function LoadTable({ of, run, playback }: LoadTableProps) {
-  const t = useTexts("load"), { lathe } = useTexts(), lengths = useLengths();
+  const t = useTexts("load"),
+    { lathe } = useTexts(),
+    lengths = useLengths();
   const { each } = useGreatest(run, of) ?? { each: [] };
   return (
     <details className="lathe-moves" name="lathe-more">
       <summary>{t.table(t.names[of])}</summary>
-      {each.length === 0 ? <p>{t.nothing}</p> : (
+      {each.length === 0 ? (
+        <p>{t.nothing}</p>
+      ) : (
         <table>
           <thead>
             <tr>
-              {[t.operation, t.value, lathe.axisX, lathe.axisZ, lathe.moveBlock].map((head) => <th key={head} scope="col">{head}</th>)}
+              {[t.operation, t.value, lathe.axisX, lathe.axisZ, lathe.moveBlock].map((head) => (
+                <th key={head} scope="col">
+                  {head}
+                </th>
+              ))}
               <td />
             </tr>
           </thead>
@@ -33,7 +41,9 @@ export function LoadTable({ of, run, playback }: LoadTableProps) {
                 operation = place.operation === null ? null : run.operations[place.operation];
               return (
                 <tr key={place.operation}>
-                  <th scope="row">{operation ? lathe.operation(String(operation.cycle), String(operation.tool.T)) : lathe.outside}</th>
+                  <th scope="row">
+                    {operation ? lathe.operation(String(operation.cycle), String(operation.tool.T)) : lathe.outside}
+                  </th>
                   <td className="number">
                     {loadValue(t, lengths, of, place.value)}
                     {place.limited && of === "speed" && ` (${t.limited})`}
@@ -42,7 +52,10 @@ export function LoadTable({ of, run, playback }: LoadTableProps) {
                   <td className="number">{z}</td>
                   <td className="number">{place.block}</td>
                   <td>
-                    <button type="button" className="lathe-goto" aria-label={t.goTo(loadPlaceText(t, lengths, place))}
+                    <button
+                      type="button"
+                      className="lathe-goto"
+                      aria-label={t.goTo(loadPlaceText(t, lengths, place))}
                       onClick={() => goToLoad(playback, place)}
                     >
                       {t.go}

@@ -22,7 +22,10 @@ const put = (run: Run, found: Partial<MeasuredLoad>): void =>
   useMeasuredLoad.setState((known) => ({ ...(known.run === run ? known : { ...NONE, run }), failed: false, ...found }));
 
 /** Asks by the number of the outcome; where the worker does not have it any more, all of it is sent. */
-async function answerTo<T>(run: Run, question: (of: KnownOutcome | LoadRequest) => Promise<T | null>): Promise<T | null> {
+async function answerTo<T>(
+  run: Run,
+  question: (of: KnownOutcome | LoadRequest) => Promise<T | null>,
+): Promise<T | null> {
   const { shown } = useOutcome.getState();
   if (shown?.run !== run) return null;
   const known = { version: shown.version, moves: run.steps.length };

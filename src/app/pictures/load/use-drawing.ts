@@ -7,11 +7,20 @@ import { loadSize, useLoadOf, type Told } from "./use-load.ts";
 
 const EVERY = () => true;
 
-/** The lines by colour and their scale; null until they are known, and for nothing. Without paths the colours show all of them. */
-export function useLoadDrawing(run: Run, of: Told | null, shown: (step: number) => boolean = EVERY): LoadDrawing | null {
+/**
+ * The lines by colour and their scale; null until they are known, and for nothing. Without paths the colours show all
+ * of them.
+ */
+export function useLoadDrawing(
+  run: Run,
+  of: Told | null,
+  shown: (step: number) => boolean = EVERY,
+): LoadDrawing | null {
   const { path, surface } = useLoadOf(run) ?? {};
-  const paths = useSettings((s) => s.paths), has = paths === "none" ? EVERY : shown;
-  const lengths = useLengths(run), size = of === null ? 1 : loadSize(lengths, of);
+  const paths = useSettings((s) => s.paths),
+    has = paths === "none" ? EVERY : shown;
+  const lengths = useLengths(run),
+    size = of === null ? 1 : loadSize(lengths, of);
   return useMemo(() => {
     if (of === null) return null;
     if (of === "roughness") return surface ? drawingOfSurface(surface, size) : null;

@@ -25,7 +25,10 @@ export function useMeasuredRun(run: Run): Run {
 }
 
 /** The places of the greatest values, one for each operation, and the worst of them; null until they are known. */
-export function useGreatest(run: Run, of: Told): { readonly each: readonly LoadPlace[]; readonly worst: LoadPlace | null } | null {
+export function useGreatest(
+  run: Run,
+  of: Told,
+): { readonly each: readonly LoadPlace[]; readonly worst: LoadPlace | null } | null {
   const { path, surface } = useLoadOf(run) ?? {};
   return useMemo(() => {
     if (of === "roughness") return surface ? greatest(roughestOf(surface)) : null;
@@ -62,7 +65,8 @@ export const loadValue = (t: LoadTexts, lengths: Lengths, of: Told, value: numbe
 
 /** What is told of a row of the path: the value, and what belongs to it. */
 export function rowText(t: LoadTexts, lengths: Lengths, of: AlongPath, load: PathLoad, row: number): string {
-  const value = load[of][row] ?? NaN, rpm = load.rpm[row] ?? NaN;
+  const value = load[of][row] ?? NaN,
+    rpm = load.rpm[row] ?? NaN;
   if (!Number.isFinite(value)) return "–";
   const parts = [loadValue(t, lengths, of, value)];
   if (of === "feed" && Number.isFinite(rpm)) parts.push(lengths.words(t.perMinute(lengths.number(value * rpm, 0))));

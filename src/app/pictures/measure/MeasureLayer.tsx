@@ -24,7 +24,9 @@ import "./measure.css";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** Half the size of a mark, and how far beside it its name stands, pixels. */
-const MARK = 5, CROSS = 12, ASIDE = 10;
+const MARK = 5,
+  CROSS = 12,
+  ASIDE = 10;
 /** Nearer to the right edge its name stands on the left of a mark, pixels. */
 const ROOM = 150;
 
@@ -44,14 +46,21 @@ function heldEdge({ edge, at: p }: MeasuredPlace, camera: Camera, isTurned: bool
 }
 
 /** Cross, what it has hold of, and the first place. */
-function Cross({ state: { cross, first }, camera, width, isTurned }: {
+function Cross({
+  state: { cross, first },
+  camera,
+  width,
+  isTurned,
+}: {
   readonly state: MeasureState;
   readonly camera: Camera;
   /** Of the picture. */
   readonly width: number;
   readonly isTurned: boolean;
 }) {
-  const t = useTexts("measure"), c = cross && toScreen(camera, cross.at), a = first && toScreen(camera, first.at);
+  const t = useTexts("measure"),
+    c = cross && toScreen(camera, cross.at),
+    a = first && toScreen(camera, first.at);
   const name = cross
     ? [t.spots[cross.spot], ...(cross.edge ? [t.owners[cross.edge.of]] : [])].filter((each) => each !== "").join(" · ")
     : "";
@@ -66,7 +75,9 @@ function Cross({ state: { cross, first }, camera, width, isTurned }: {
         <g transform={`translate(${c.x} ${c.y})`}>
           <path className="cross" d={`M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`} />
           <path className="mark" d={marks[cross.spot]} />
-          <text x={isFar ? -ASIDE : ASIDE} y={-ASIDE} textAnchor={isFar ? "end" : "start"}>{name}</text>
+          <text x={isFar ? -ASIDE : ASIDE} y={-ASIDE} textAnchor={isFar ? "end" : "start"}>
+            {name}
+          </text>
         </g>
       )}
     </g>
@@ -77,25 +88,37 @@ function Cross({ state: { cross, first }, camera, width, isTurned }: {
 const AIR = 6;
 
 /** What was measured in a picture, as dimensions over it, and the tools while it measures. */
-export function MeasureLayer({ viewport, measuring, source }: { readonly viewport: Viewport; readonly measuring: Measuring;
-  readonly source: MeasureSource })
-{
-  const t = useTexts("measure"), lengths = useLengths(), unit = usePageUnit(), isNarrow = useMedia("narrow");
-  const camera = useCamera(viewport), size = viewport.size();
-  const readings = useReadings(source), state = useStore(measuring.state);
-  const sourceNow = useEffectEvent(() => source), textsNow = useEffectEvent(() => t);
+export function MeasureLayer({
+  viewport,
+  measuring,
+  source,
+}: {
+  readonly viewport: Viewport;
+  readonly measuring: Measuring;
+  readonly source: MeasureSource;
+}) {
+  const t = useTexts("measure"),
+    lengths = useLengths(),
+    unit = usePageUnit(),
+    isNarrow = useMedia("narrow");
+  const camera = useCamera(viewport),
+    size = viewport.size();
+  const readings = useReadings(source),
+    state = useStore(measuring.state);
+  const sourceNow = useEffectEvent(() => source),
+    textsNow = useEffectEvent(() => t);
   // Before the tools are seen: whoever sees them presses their keys.
-  useLayoutEffect(() => measuring.serve(measureHand(measuring, { viewport, source: () => sourceNow(), texts: () => textsNow() })), [
-    measuring,
-    viewport,
-  ]);
-  const [moved, move] = useState<Moved | null>(null), [panel, keep] = useState<LabelBox | null>(null);
+  useLayoutEffect(
+    () => measuring.serve(measureHand(measuring, { viewport, source: () => sourceNow(), texts: () => textsNow() })),
+    [measuring, viewport],
+  );
+  const [moved, move] = useState<Moved | null>(null),
+    [panel, keep] = useState<LabelBox | null>(null);
   const isTurned = source.plane === "ZX";
-  const words = useMemo(() => new Map(readings.map((each) => [each.measurement.id, measurementWords(t, lengths, each)])), [
-    readings,
-    t,
-    lengths,
-  ]);
+  const words = useMemo(
+    () => new Map(readings.map((each) => [each.measurement.id, measurementWords(t, lengths, each)])),
+    [readings, t, lengths],
+  );
   const standing = useMemo(() => {
     const edges = {
       left: (SCALE_LEFT + AIR) * unit,
@@ -104,13 +127,20 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
       bottom: (SCALE_BELOW + AIR) * unit,
     };
     const paper = { camera, unit, size, edges, kept: panel && state.on ? [panel] : [] };
-    return standingMeasurements(paper, readings.map(({ measurement: { id, text }, figure }) => {
-      const put = moved?.id === id ? moved.to : text, said = words.get(id);
-      return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
-    }));
+    return standingMeasurements(
+      paper,
+      readings.map(({ measurement: { id, text }, figure }) => {
+        const put = moved?.id === id ? moved.to : text,
+          said = words.get(id);
+        return { id, figure, text: said?.text ?? "", caption: said?.caption ?? "", ...(put && { put }) };
+      }),
+    );
   }, [camera, unit, size, isNarrow, panel, state.on, readings, words, moved]);
   useEffect(() => {
-    measuring.labels.setState(standing.map(({ box }) => box), true);
+    measuring.labels.setState(
+      standing.map(({ box }) => box),
+      true,
+    );
     return () => measuring.labels.setState([], true);
   }, [measuring, standing]);
   const old = new Set(readings.flatMap(({ isOld, measurement: { id } }) => (isOld ? [id] : [])));
@@ -126,7 +156,16 @@ export function MeasureLayer({ viewport, measuring, source }: { readonly viewpor
         {state.on && <Cross state={state} camera={camera} width={size.width} isTurned={isTurned} />}
       </svg>
       <MeasuredLabels standing={standing} words={words} old={old} camera={camera} moved={moved} move={move} />
-      {state.on && <MeasurePanel measuring={measuring} source={source} state={state} readings={readings} words={words} kept={keep} />}
+      {state.on && (
+        <MeasurePanel
+          measuring={measuring}
+          source={source}
+          state={state}
+          readings={readings}
+          words={words}
+          kept={keep}
+        />
+      )}
     </>
   );
 }

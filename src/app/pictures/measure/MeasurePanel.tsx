@@ -32,7 +32,8 @@ const TOOLS: Readonly<Record<MeasuredKind, string>> = {
 };
 
 /** With a tool in hand the keys belong to the picture. */
-const toPicture = (element: HTMLElement): void => element.closest<HTMLElement>(".lathe-stage")?.focus({ preventScroll: true });
+const toPicture = (element: HTMLElement): void =>
+  element.closest<HTMLElement>(".lathe-stage")?.focus({ preventScroll: true });
 
 interface Tools {
   readonly kind: MeasuredKind;
@@ -44,11 +45,20 @@ interface Tools {
 /** The tools as one field, where a row of them has no room. */
 function ToolChoice({ kind, choose, source, t }: Tools) {
   return (
-    <select className="select" aria-label={t.tools} value={kind} onChange={(event) => {
-      const chosen = toolsOf(source).find((each) => each === event.currentTarget.value);
-      if (chosen) choose(chosen);
-    }}>
-      {toolsOf(source).map((each) => <option key={each} value={each}>{t.kinds[each]}</option>)}
+    <select
+      className="select"
+      aria-label={t.tools}
+      value={kind}
+      onChange={(event) => {
+        const chosen = toolsOf(source).find((each) => each === event.currentTarget.value);
+        if (chosen) choose(chosen);
+      }}
+    >
+      {toolsOf(source).map((each) => (
+        <option key={each} value={each}>
+          {t.kinds[each]}
+        </option>
+      ))}
     </select>
   );
 }
@@ -57,11 +67,19 @@ function ToolBar({ kind, choose, source, t }: Tools) {
   return (
     <Toolbar className="measure-tools" aria-label={t.tools}>
       {toolsOf(source).map((each) => (
-        <button key={each} type="button" className="button icon" aria-label={t.kinds[each]} title={t.toolHints[each]}
-          aria-keyshortcuts={TOOL_KEYS[each]} aria-pressed={kind === each} onClick={(event) => {
-          choose(each);
-          toPicture(event.currentTarget);
-        }}>
+        <button
+          key={each}
+          type="button"
+          className="button icon"
+          aria-label={t.kinds[each]}
+          title={t.toolHints[each]}
+          aria-keyshortcuts={TOOL_KEYS[each]}
+          aria-pressed={kind === each}
+          onClick={(event) => {
+            choose(each);
+            toPicture(event.currentTarget);
+          }}
+        >
           <svg className="icon" viewBox="0 0 24 24" aria-hidden="true">
             <path d={TOOLS[each]} />
           </svg>
@@ -85,7 +103,11 @@ function offered(target: MeasuredTarget | null, state: MeasureState, value: numb
 }
 
 /** The same in mm, from the workpiece zero. */
-function offeredPlain(target: MeasuredTarget | null, { first, done }: MeasureState, value: number | undefined): number | null {
+function offeredPlain(
+  target: MeasuredTarget | null,
+  { first, done }: MeasureState,
+  value: number | undefined,
+): number | null {
   if (!target) return null;
   if (done && value !== undefined) {
     const sized = gaugedFor(target.kind, done.kind, value);
@@ -97,10 +119,21 @@ function offeredPlain(target: MeasuredTarget | null, { first, done }: MeasureSta
 }
 
 /** Where the cross stands, or how far it is from the first place. */
-function Numbers({ state: { cross, first, done }, value, isTurned, lengths, t }: { readonly state: MeasureState;
-  readonly value: number | undefined; readonly isTurned: boolean; readonly lengths: Lengths; readonly t: MeasureTexts })
-{
-  const lathe = useTexts().lathe, n = lengths.position;
+function Numbers({
+  state: { cross, first, done },
+  value,
+  isTurned,
+  lengths,
+  t,
+}: {
+  readonly state: MeasureState;
+  readonly value: number | undefined;
+  readonly isTurned: boolean;
+  readonly lengths: Lengths;
+  readonly t: MeasureTexts;
+}) {
+  const lathe = useTexts().lathe,
+    n = lengths.position;
   const [a, b] = done?.kind === "distance" ? done.places : [first, cross];
   if (done && value !== undefined && done.kind !== "distance") {
     const other = otherText(t, lengths, done.kind, value);
@@ -113,18 +146,22 @@ function Numbers({ state: { cross, first, done }, value, isTurned, lengths, t }:
   }
   if (!cross && !a) return null;
   const rows: readonly (readonly [string, string])[] = [];
-  const way = a && b ? measure(a.at, b.at) : null, at_ = cross?.at ?? a?.at;
+  const way = a && b ? measure(a.at, b.at) : null,
+    at_ = cross?.at ?? a?.at;
   const shown = way
     ? [
-      ...rows,
-      isTurned ? [lathe.deltaX, n(way.dx)] : ["ΔX", n(way.dz)],
-      isTurned ? [lathe.deltaZ, n(way.dz)] : ["ΔY", n(b && a ? b.at.r - a.at.r : 0)],
-      [lathe.distance, gaugedText(lengths, "distance", way.distance)],
-      ...(value ? [["", otherText(t, lengths, "distance", value)]] : []),
-    ]
+        ...rows,
+        isTurned ? [lathe.deltaX, n(way.dx)] : ["ΔX", n(way.dz)],
+        isTurned ? [lathe.deltaZ, n(way.dz)] : ["ΔY", n(b && a ? b.at.r - a.at.r : 0)],
+        [lathe.distance, gaugedText(lengths, "distance", way.distance)],
+        ...(value ? [["", otherText(t, lengths, "distance", value)]] : []),
+      ]
     : at_
-    ? [isTurned ? [lathe.axisX, n(toDiameter(at_.r))] : ["X", n(at_.z)], isTurned ? [lathe.axisZ, n(at_.z)] : ["Y", n(at_.r)]]
-    : [];
+      ? [
+          isTurned ? [lathe.axisX, n(toDiameter(at_.r))] : ["X", n(at_.z)],
+          isTurned ? [lathe.axisZ, n(at_.z)] : ["Y", n(at_.r)],
+        ]
+      : [];
   return (
     <dl className="number">
       {shown.map(([label = "", text = ""]) => (
@@ -138,9 +175,17 @@ function Numbers({ state: { cross, first, done }, value, isTurned, lengths, t }:
 }
 
 /** Everything that was measured, for eyes, ears and fingers: each can be taken away, and all of it. */
-function MeasuredList({ readings, words, t, say }: { readonly readings: readonly MeasurementNow[];
-  readonly words: ReadonlyMap<string, MeasurementWords>; readonly t: MeasureTexts; readonly say: (text: string) => void })
-{
+function MeasuredList({
+  readings,
+  words,
+  t,
+  say,
+}: {
+  readonly readings: readonly MeasurementNow[];
+  readonly words: ReadonlyMap<string, MeasurementWords>;
+  readonly t: MeasureTexts;
+  readonly say: (text: string) => void;
+}) {
   const summary = useRef<HTMLElement>(null);
   if (readings.length === 0) return null;
   const gone = (text: string) => {
@@ -156,35 +201,64 @@ function MeasuredList({ readings, words, t, say }: { readonly readings: readonly
           return (
             <li key={id} className={isOld ? "old" : undefined}>
               <span className="number">{name}</span>
-              <button type="button" className="button icon" aria-label={t.remove(name)} title={t.remove(name)} onClick={() => {
-                removeMeasurement(id);
-                gone(t.removed(name));
-              }}>
+              <button
+                type="button"
+                className="button icon"
+                aria-label={t.remove(name)}
+                title={t.remove(name)}
+                onClick={() => {
+                  removeMeasurement(id);
+                  gone(t.removed(name));
+                }}
+              >
                 <Icon name="close" />
               </button>
             </li>
           );
         })}
       </ul>
-      <button type="button" className="button small" onClick={() => {
-        const ids = new Set(readings.map(({ measurement: { id } }) => id));
-        setMeasured((list) => list.filter(({ id }) => !ids.has(id)));
-        say(t.cleared);
-      }}>
+      <button
+        type="button"
+        className="button small"
+        onClick={() => {
+          const ids = new Set(readings.map(({ measurement: { id } }) => id));
+          setMeasured((list) => list.filter(({ id }) => !ids.has(id)));
+          say(t.cleared);
+        }}
+      >
         {t.clear}
       </button>
     </details>
   );
 }
 
-/** The tools of measuring over the picture, what they read, and the list of what was measured. `kept` is told the room it takes. */
-export function MeasurePanel({ measuring, source, state, readings, words, kept }: { readonly measuring: Measuring;
-  readonly source: MeasureSource; readonly state: MeasureState; readonly readings: readonly MeasurementNow[];
-  readonly words: ReadonlyMap<string, MeasurementWords>; readonly kept: (box: LabelBox | null) => void })
-{
-  const t = useTexts("measure"), take = useTexts().lathe.takeInto, lengths = useLengths();
-  const target = useContext(MeasuredInto), panel = useRef<HTMLDivElement>(null), isTurned = source.plane === "ZX";
-  const [spoken, speak] = useState({ text: "", after: state }), isPhone = useMedia("phone");
+/**
+ * The tools of measuring over the picture, what they read, and the list of what was measured. `kept` is told the room
+ * it takes.
+ */
+export function MeasurePanel({
+  measuring,
+  source,
+  state,
+  readings,
+  words,
+  kept,
+}: {
+  readonly measuring: Measuring;
+  readonly source: MeasureSource;
+  readonly state: MeasureState;
+  readonly readings: readonly MeasurementNow[];
+  readonly words: ReadonlyMap<string, MeasurementWords>;
+  readonly kept: (box: LabelBox | null) => void;
+}) {
+  const t = useTexts("measure"),
+    take = useTexts().lathe.takeInto,
+    lengths = useLengths();
+  const target = useContext(MeasuredInto),
+    panel = useRef<HTMLDivElement>(null),
+    isTurned = source.plane === "ZX";
+  const [spoken, speak] = useState({ text: "", after: state }),
+    isPhone = useMedia("phone");
   useEffect(() => {
     const element = panel.current;
     if (!element || typeof ResizeObserver === "undefined") return;
@@ -198,7 +272,8 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
   }, [kept]);
   const { kind } = state;
   // What was measured last, as it is now; taken away again it is not shown any more.
-  const own = readings.find(({ measurement }) => measurement.places === state.done?.places), done = own ? state.done : null;
+  const own = readings.find(({ measurement }) => measurement.places === state.done?.places),
+    done = own ? state.done : null;
   const into = offered(target, { ...state, done }, own?.value);
   const result = own ? (words.get(own.measurement.id)?.name ?? "") : "";
   // What was said of the list holds until something is picked.
@@ -207,21 +282,31 @@ export function MeasurePanel({ measuring, source, state, readings, words, kept }
   return (
     <div ref={panel} className="measure-panel">
       {isPhone ? <ToolChoice {...tools} /> : <ToolBar {...tools} />}
-      <button type="button" className="button icon measure-stop" aria-label={t.stop} title={t.stop} onClick={(event) => {
-        toPicture(event.currentTarget);
-        measuring.toggle();
-      }}>
+      <button
+        type="button"
+        className="button icon measure-stop"
+        aria-label={t.stop}
+        title={t.stop}
+        onClick={(event) => {
+          toPicture(event.currentTarget);
+          measuring.toggle();
+        }}
+      >
         <Icon name="close" />
       </button>
       <Numbers state={{ ...state, done }} value={own?.value} isTurned={isTurned} lengths={lengths} t={t} />
       {target && into !== null && (
         <button type="button" className="button small" onClick={() => target.take(into)}>
-          {take(`${target.kind === "diameter" ? "⌀" : ""}${formatNumber(lengths.language, into, target.counts.unit === 1 ? 3 : 4)}`,
-            target.q)}
+          {take(
+            `${target.kind === "diameter" ? "⌀" : ""}${formatNumber(lengths.language, into, target.counts.unit === 1 ? 3 : 4)}`,
+            target.q,
+          )}
         </button>
       )}
       {!done && <p className="measure-hint small soft">{hintOf(t, kind, state, isTurned)}</p>}
-      <p role="status" className="unseen">{said || (done ? result : `${hintOf(t, kind, state, isTurned)} ${t.keys}`)}</p>
+      <p role="status" className="unseen">
+        {said || (done ? result : `${hintOf(t, kind, state, isTurned)} ${t.keys}`)}
+      </p>
       <MeasuredList readings={readings} words={words} t={t} say={(text) => speak({ text, after: state })} />
     </div>
   );

@@ -14,7 +14,8 @@ export interface Moved {
 }
 
 /** A press that moves less than this is no drag; one arrow key moves by this much; pixels. */
-const TAP = 4, STEP = 8;
+const TAP = 4,
+  STEP = 8;
 const ARROWS: Readonly<Record<string, Place>> = {
   ArrowLeft: { x: -STEP, y: 0 },
   ArrowRight: { x: STEP, y: 0 },
@@ -28,7 +29,14 @@ const put = ({ id, to }: Moved): void =>
 export const removeMeasurement = (id: string): void => setMeasured((list) => list.filter((each) => each.id !== id));
 
 /** The text of one measurement: it is dragged to where it reads best, and taken away. */
-function MeasuredLabel({ standing: { id, text, caption, middle, box }, name, isOld, camera, isMoving, move }: {
+function MeasuredLabel({
+  standing: { id, text, caption, middle, box },
+  name,
+  isOld,
+  camera,
+  isMoving,
+  move,
+}: {
   readonly standing: StandingMeasurement;
   readonly name: string;
   readonly isOld: boolean;
@@ -36,7 +44,8 @@ function MeasuredLabel({ standing: { id, text, caption, middle, box }, name, isO
   readonly isMoving: boolean;
   readonly move: (moved: Moved | null) => void;
 }) {
-  const t = useTexts("measure"), [open, show] = useState(false);
+  const t = useTexts("measure"),
+    [open, show] = useState(false);
   const drag = useRef<{ readonly from: Place; readonly middle: Place; last: Pt | null } | null>(null);
   const press = (event: PointerEvent<HTMLButtonElement>) => {
     if (event.button !== 0) return;
@@ -68,18 +77,33 @@ function MeasuredLabel({ standing: { id, text, caption, middle, box }, name, isO
     event.stopPropagation();
   };
   return (
-    <div className={isOld ? "measured-label old" : "measured-label"} data-moving={isMoving || undefined}
+    <div
+      className={isOld ? "measured-label old" : "measured-label"}
+      data-moving={isMoving || undefined}
       style={{ left: middle.x, top: middle.y, minWidth: box.width, minHeight: box.height }}
     >
-      <button type="button" className="measured-text number" aria-label={name} title={t.label} aria-expanded={open} onPointerDown={press}
-        onPointerMove={follow} onPointerUp={release} onPointerCancel={release} onKeyDown={key}
+      <button
+        type="button"
+        className="measured-text number"
+        aria-label={name}
+        title={t.label}
+        aria-expanded={open}
+        onPointerDown={press}
+        onPointerMove={follow}
+        onPointerUp={release}
+        onPointerCancel={release}
+        onKeyDown={key}
       >
         {text}
         {caption && <span className="measured-caption">{caption}</span>}
       </button>
       {open && (
-        <button type="button" className="button icon measured-remove" aria-label={t.remove(name)} title={t.remove(name)} onClick={() =>
-          removeMeasurement(id)}
+        <button
+          type="button"
+          className="button icon measured-remove"
+          aria-label={t.remove(name)}
+          title={t.remove(name)}
+          onClick={() => removeMeasurement(id)}
         >
           <Icon name="close" />
         </button>
@@ -89,15 +113,33 @@ function MeasuredLabel({ standing: { id, text, caption, middle, box }, name, isO
 }
 
 /** The texts of all measurements of a picture. */
-export function MeasuredLabels({ standing, words, old, camera, moved, move }: { readonly standing: readonly StandingMeasurement[];
-  readonly words: ReadonlyMap<string, MeasurementWords>; readonly old: ReadonlySet<string>; readonly camera: Camera;
-  readonly moved: Moved | null; readonly move: (moved: Moved | null) => void })
-{
+export function MeasuredLabels({
+  standing,
+  words,
+  old,
+  camera,
+  moved,
+  move,
+}: {
+  readonly standing: readonly StandingMeasurement[];
+  readonly words: ReadonlyMap<string, MeasurementWords>;
+  readonly old: ReadonlySet<string>;
+  readonly camera: Camera;
+  readonly moved: Moved | null;
+  readonly move: (moved: Moved | null) => void;
+}) {
   return (
     <>
       {standing.map((each) => (
-        <MeasuredLabel key={each.id} standing={each} name={words.get(each.id)?.name ?? each.text} isOld={old.has(each.id)} camera={camera}
-          isMoving={moved?.id === each.id} move={move} />
+        <MeasuredLabel
+          key={each.id}
+          standing={each}
+          name={words.get(each.id)?.name ?? each.text}
+          isOld={old.has(each.id)}
+          camera={camera}
+          isMoving={moved?.id === each.id}
+          move={move}
+        />
       ))}
     </>
   );

@@ -17,20 +17,27 @@ beforeEach(() => {
 });
 afterEach(cleanup);
 
-test.each([["en", /^Measured: 2\./], ["de", /^Gemessen: 2\./], ["fr", /^Mesures: 2\./], ["zh", /^测量结果：2。/]] as const)(
+test.each([
+  ["en", /^Measured: 2\./],
+  ["de", /^Gemessen: 2\./],
+  ["fr", /^Mesures: 2\./],
+  ["zh", /^测量结果：2。/],
+] as const)(
   "over a body in space it is said in %s how much was measured in the section, and nothing where nothing was",
   async (language, words) => {
     changeSettings({ language });
     expect(screen.queryByRole("status")).toBeNull();
     const place = { at: at(-13.7, 21.3), spot: "free" } as const;
-    setMeasured(
-      () => [{ id: "1", plane: "ZX", kind: "diameter", places: [place] }, { id: "2", plane: "XY", kind: "diameter", places: [place] }, {
+    setMeasured(() => [
+      { id: "1", plane: "ZX", kind: "diameter", places: [place] },
+      { id: "2", plane: "XY", kind: "diameter", places: [place] },
+      {
         id: "3",
         plane: "ZX",
         kind: "diameter",
         places: [place],
-      }]
-    );
+      },
+    ]);
     expect((await screen.findByRole("status")).textContent).toMatch(words);
   },
 );

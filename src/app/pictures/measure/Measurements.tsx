@@ -10,7 +10,11 @@ import type { MeasureSource } from "./source.ts";
 const MeasureLayer = lazyPart(async () => ({ default: (await import("./MeasureLayer.tsx")).MeasureLayer }));
 
 /** What was measured in a picture, over it, and the tools while it measures. Stands inside of the stage. */
-export function Measurements(props: { readonly viewport: Viewport; readonly measuring: MeasuringShown; readonly source: MeasureSource }) {
+export function Measurements(props: {
+  readonly viewport: Viewport;
+  readonly measuring: MeasuringShown;
+  readonly source: MeasureSource;
+}) {
   const { measuring, source } = props;
   const isMeasured = useEditor((s) => measuredIn(s).some(({ plane }) => plane === source.plane));
   if (!measuring.on && !isMeasured) return null;
@@ -22,14 +26,18 @@ export function Measurements(props: { readonly viewport: Viewport; readonly meas
 }
 
 /** Fetched when a body is looked at of which something was measured. */
-const MeasuredElsewhere = lazyPart(async () => ({ default: (await import("./MeasuredElsewhere.tsx")).MeasuredElsewhere }));
+const MeasuredElsewhere = lazyPart(async () => ({
+  default: (await import("./MeasuredElsewhere.tsx")).MeasuredElsewhere,
+}));
 
 /** What was measured in the section stays; over the body in space it is said where it is to be seen. */
 export function MeasuredInSection() {
   const count = useEditor((s) => measuredIn(s).filter(({ plane }) => plane === "ZX").length);
-  return count > 0 && (
-    <Suspense>
-      <MeasuredElsewhere count={count} />
-    </Suspense>
+  return (
+    count > 0 && (
+      <Suspense>
+        <MeasuredElsewhere count={count} />
+      </Suspense>
+    )
   );
 }

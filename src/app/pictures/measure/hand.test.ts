@@ -32,7 +32,8 @@ const sourceOf = (contour: readonly Segment[]): MeasureSource => ({
 });
 
 function measuringShaft({ served = true } = {}) {
-  const measuring = createMeasuring(), viewport = createViewport(true);
+  const measuring = createMeasuring(),
+    viewport = createViewport(true);
   viewport.setSize({ width: 613, height: 407 });
   viewport.setBounds({ left: -43, right: 3, low: -25, high: 25 });
   let source = sourceOf(shaft);
@@ -50,7 +51,9 @@ function measuringShaft({ served = true } = {}) {
   };
 }
 const measured = () =>
-  measuredIn(useEditor.getState()).map(({ kind, places }) => `${kind} ${gauged(kind, places, true)?.value.toFixed(3) ?? "none"}`);
+  measuredIn(useEditor.getState()).map(
+    ({ kind, places }) => `${kind} ${gauged(kind, places, true)?.value.toFixed(3) ?? "none"}`,
+  );
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
@@ -59,13 +62,24 @@ beforeEach(() => begin(exampleJob(cycle), "work"));
 test("a hand that is faster than the screen: nothing is drawn between tool, edges and pick", () => {
   const { press } = measuringShaft();
   // Corner, middle of the chamfer, corner, middle of the cylinder; the arc; the cone.
-  expect(press("d", "n", "n", "Enter", "n", "n", "Enter", "r", "n", "Enter", "a", "p", "Enter", "Enter")).not.toContain(false);
+  expect(press("d", "n", "n", "Enter", "n", "n", "Enter", "r", "n", "Enter", "a", "p", "Enter", "Enter")).not.toContain(
+    false,
+  );
   expect(measured()).toEqual(["diameter 15.850", "diameter 17.000", "radius 1.600", "angle 5.000"]);
 });
 
 test("keys that come before the tools are done by them, in their order; Escape leaves, and nothing of before is done later", () => {
   const first = measuringShaft({ served: false });
-  expect(first.press("d", "n", "n", "n", "n", "Enter", "+", "Home")).toEqual([true, true, true, true, true, true, false, false]);
+  expect(first.press("d", "n", "n", "n", "n", "Enter", "+", "Home")).toEqual([
+    true,
+    true,
+    true,
+    true,
+    true,
+    true,
+    false,
+    false,
+  ]);
   expect(measured()).toEqual([]);
   first.serve();
   expect(measured()).toEqual(["diameter 17.000"]);
@@ -88,13 +102,15 @@ test("a tap and a drag that come before the tools are done by them", () => {
 });
 
 describe("the first key", () => {
-  test.each([["n", at(0, 7.35)], ["p", at(-41.3, 23.33)]])("%s goes to an end of what there is, whatever lies in the middle of the picture",
-    (key, end) => {
-      const { measuring, press, cross } = measuringShaft();
-      measuring.choose("diameter");
-      press(key);
-      expect(cross()).toEqual(end);
-    });
+  test.each([
+    ["n", at(0, 7.35)],
+    ["p", at(-41.3, 23.33)],
+  ])("%s goes to an end of what there is, whatever lies in the middle of the picture", (key, end) => {
+    const { measuring, press, cross } = measuringShaft();
+    measuring.choose("diameter");
+    press(key);
+    expect(cross()).toEqual(end);
+  });
 
   test("Enter, where the middle of the picture is empty, shows the cross on an edge of its sort: Enter again takes that", () => {
     const { measuring, press } = measuringShaft();

@@ -16,7 +16,8 @@ import { TOOL_KEYS, type MeasureHand, type Measuring, type MeasureState } from "
 import type { MeasureSource } from "./source.ts";
 
 /** A pointer this near to a corner or an edge means it, and a finger, units of the page. */
-const REACH = 12, FINGER = 22;
+const REACH = 12,
+  FINGER = 22;
 /** The cross stands this far over the finger that moves it, units of the page. */
 const OVER = 64;
 /** One arrow key, pixels. */
@@ -32,7 +33,8 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
 
 const KINDS = Object.keys(TOOL_KEYS) as MeasuredKind[];
 /** The tools that a plane of milling has a use for: its thickness in the plane nobody asks for. */
-export const toolsOf = (source: MeasureSource): readonly MeasuredKind[] => KINDS.filter((kind) => source.plane === "ZX" || kind !== "wall");
+export const toolsOf = (source: MeasureSource): readonly MeasuredKind[] =>
+  KINDS.filter((kind) => source.plane === "ZX" || kind !== "wall");
 
 interface Snapped {
   readonly snapping: Snapping;
@@ -43,8 +45,12 @@ interface Snapped {
 function snappingIn(sourceNow: () => MeasureSource): () => Snapped {
   let kept: { readonly source: MeasureSource; readonly key: string; readonly made: Snapped } | null = null;
   return () => {
-    const source = sourceNow(), { plane, contours, blank, printOf } = source, now = source.moment(), print = now && printOf(now);
-    const key = `${now?.step ?? "none"} ${now?.fraction ?? ""}`, known = kept?.source === source ? kept : null;
+    const source = sourceNow(),
+      { plane, contours, blank, printOf } = source,
+      now = source.moment(),
+      print = now && printOf(now);
+    const key = `${now?.step ?? "none"} ${now?.fraction ?? ""}`,
+      known = kept?.source === source ? kept : null;
     if (known?.key === key) return known.made;
     const drawing = {
       isTurned: plane === "ZX",
@@ -59,11 +65,14 @@ function snappingIn(sourceNow: () => MeasureSource): () => Snapped {
   };
 }
 
-const nextId = (list: readonly Measurement[]): string => String(1 + list.reduce((most, { id }) => Math.max(most, Number(id) || 0), 0));
+const nextId = (list: readonly Measurement[]): string =>
+  String(1 + list.reduce((most, { id }) => Math.max(most, Number(id) || 0), 0));
 
 /** What is measured twice stands on the picture once. */
 const isSame = (a: Omit<Measurement, "id">, b: Omit<Measurement, "id">): boolean =>
-  a.kind === b.kind && a.plane === b.plane && JSON.stringify([a.places, a.moment]) === JSON.stringify([b.places, b.moment]);
+  a.kind === b.kind &&
+  a.plane === b.plane &&
+  JSON.stringify([a.places, a.moment]) === JSON.stringify([b.places, b.moment]);
 
 /** What there is to measure, and where; all of it as it is shown now. */
 export interface MeasurePlace {
@@ -72,12 +81,16 @@ export interface MeasurePlace {
   readonly texts: () => MeasureTexts;
 }
 
-/** What pointers and keys do while a picture measures: cross, places, and the finished measurement, which goes to the work. */
+/**
+ * What pointers and keys do while a picture measures: cross, places, and the finished measurement, which goes to the
+ * work.
+ */
 export function measureHand(
   { state, choose }: Pick<Measuring, "state" | "choose">,
   { viewport, source, texts }: MeasurePlace,
 ): MeasureHand {
-  const snapped = snappingIn(source), get = state.getState;
+  const snapped = snappingIn(source),
+    get = state.getState;
   const put = (next: Partial<MeasureState>) => state.setState(next);
   const gripNow = (): Grip => gripOf(get().kind, { isTurned: source().plane === "ZX" });
   const held = (at: Place, reach: number): MeasuredPlace => {
@@ -85,8 +98,10 @@ export function measureHand(
     return snapAt(snapped().snapping, toPlace(camera, at), (reach * pageUnit()) / camera.scale, gripNow());
   };
   const pick = (place: MeasuredPlace, first: MeasuredPlace | null) => {
-    const { snapping, moment } = snapped(), { kind } = get();
-    const picked = pickedWith(kind, snapping, place, first), none = { cross: place, first, done: null, said: texts().none[gripNow()] };
+    const { snapping, moment } = snapped(),
+      { kind } = get();
+    const picked = pickedWith(kind, snapping, place, first),
+      none = { cross: place, first, done: null, said: texts().none[gripNow()] };
     if (picked === "nothing") return put(none);
     if (picked === "level" || picked === "parallel") return put({ ...none, said: texts().none[picked] });
     if ("waits" in picked) return put({ cross: place, first: picked.waits, done: null, said: "" });
@@ -100,8 +115,12 @@ export function measureHand(
   };
   const takesTwo = () => ["length", "depth", "distance", "angle"].includes(get().kind);
 
-  /** Where the mouse was heard of last, and where it stood when keys took the cross; it gets it back when it is moved. */
-  let mouse: Place | null = null, stood: Place | null = null, hasKeys = false;
+  /**
+   * Where the mouse was heard of last, and where it stood when keys took the cross; it gets it back when it is moved.
+   */
+  let mouse: Place | null = null,
+    stood: Place | null = null,
+    hasKeys = false;
   const keysTake = () => {
     hasKeys = true;
     stood = mouse;
@@ -120,28 +139,40 @@ export function measureHand(
   };
 
   const walk = (way: 1 | -1) => {
-    const stops = stopsOf(snapped().snapping, gripNow()), { cross } = get();
+    const stops = stopsOf(snapped().snapping, gripNow()),
+      { cross } = get();
     const stop = cross ? nextStop(stops, cross.at, way) : stops.at(way > 0 ? 0 : -1);
     byKeys(stop ? { cross: stop, said: "" } : { said: texts().none[gripNow()] });
   };
-  /** Where the cross begins that Enter asks for: in the middle, or for a tool that takes hold of edges at the one nearest to it. */
+  /**
+   * Where the cross begins that Enter asks for: in the middle, or for a tool that takes hold of edges at the one
+   * nearest to it.
+   */
   const middle = (): MeasuredPlace => {
-    const { width, height } = viewport.size(), place = held({ x: width / 2, y: height / 2 }, REACH), grip = gripNow();
+    const { width, height } = viewport.size(),
+      place = held({ x: width / 2, y: height / 2 }, REACH),
+      grip = gripNow();
     if (grip === "point" || place.edge) return place;
     const far = (stop: MeasuredPlace) => part.apart(stop.at, place.at);
     return stopsOf(snapped().snapping, grip).toSorted((a, b) => far(a) - far(b))[0] ?? place;
   };
   const nudge = ([z, r]: readonly [number, number]) => {
-    const { scale, xUp } = viewport.get(), from = get().cross ?? middle();
+    const { scale, xUp } = viewport.get(),
+      from = get().cross ?? middle();
     const to = nudged(from.at, (z * NUDGE) / scale, ((xUp ? 1 : -1) * r * NUDGE) / scale);
     byKeys({ cross: snapAt(snapped().snapping, to, NUDGE / scale / 2, gripNow()) });
   };
   const pickHeld = () => {
-    const { cross, first } = get(), grip = gripNow(), isPlace = grip === "point" || grip === "surface";
+    const { cross, first } = get(),
+      grip = gripNow(),
+      isPlace = grip === "point" || grip === "surface";
     // What nobody sees is not measured: the cross is shown first.
     if (!cross) return byKeys({ cross: middle() });
     keysTake();
-    pick(isPlace || cross.edge ? cross : snapAt(snapped().snapping, cross.at, REACH / viewport.get().scale, grip), first);
+    pick(
+      isPlace || cross.edge ? cross : snapAt(snapped().snapping, cross.at, REACH / viewport.get().scale, grip),
+      first,
+    );
   };
 
   return {
@@ -158,12 +189,15 @@ export function measureHand(
         const place = held({ x: to.x, y: to.y - OVER * pageUnit() }, REACH);
         return done ? pick(place, get().first) : put({ cross: place });
       }
-      const [a, b] = [held(from, REACH), held(to, REACH)], first = takesTwo() ? a : null;
+      const [a, b] = [held(from, REACH), held(to, REACH)],
+        first = takesTwo() ? a : null;
       if (done) pick(b, first);
       else put({ cross: b, first, done: null, said: "" });
     },
     key(name) {
-      const letter = name.toLowerCase(), arrow = ARROWS[name], tool = toolsOf(source()).find((each) => TOOL_KEYS[each] === letter);
+      const letter = name.toLowerCase(),
+        arrow = ARROWS[name],
+        tool = toolsOf(source()).find((each) => TOOL_KEYS[each] === letter);
       if (name === "Escape" && get().first) put({ first: null });
       else if (name === "Enter") pickHeld();
       else if (letter === "n" || letter === "p") walk(letter === "n" ? 1 : -1);

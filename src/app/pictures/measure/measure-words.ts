@@ -45,6 +45,8 @@ export function measurementWords(
   return {
     text,
     caption,
-    name: [`${t.kinds[kind]} ${text}`, ...owners, when, ...(isOld ? [t.old] : [])].filter((each) => each !== "").join(", "),
+    name: [`${t.kinds[kind]} ${text}`, ...owners, when, ...(isOld ? [t.old] : [])]
+      .filter((each) => each !== "")
+      .join(", "),
   };
 }

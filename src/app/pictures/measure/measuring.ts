@@ -31,7 +31,10 @@ export const TOOL_KEYS: Readonly<Record<MeasuredKind, string>> = {
 const OTHER_KEYS: readonly string[] = ["n", "p", "enter", "arrowleft", "arrowright", "arrowup", "arrowdown"];
 const KEYS: ReadonlySet<string> = new Set([...Object.values(TOOL_KEYS), ...OTHER_KEYS]);
 
-/** What pointers and keys do while something is measured. It comes with the tools of measuring, which are fetched when asked for. */
+/**
+ * What pointers and keys do while something is measured. It comes with the tools of measuring, which are fetched when
+ * asked for.
+ */
 export interface MeasureHand extends Touches {
   readonly drag: NonNullable<Touches["drag"]>;
   /** True when the key was meant for measuring. */
@@ -41,8 +44,8 @@ export interface MeasureHand extends Touches {
 /** Measuring in one picture, of a turned part as of a milled plane. */
 export interface Measuring extends MeasureHand {
   /**
-   * The one place that says where measuring is. Whatever is pressed reads it and writes it at once, and never what was drawn last:
-   * two presses may come before the first of them is drawn.
+   * The one place that says where measuring is. Whatever is pressed reads it and writes it at once, and never what was
+   * drawn last: two presses may come before the first of them is drawn.
    */
   readonly state: StoreApi<MeasureState>;
   /** The room that measured numbers take in the picture: what moves about there keeps off it. */
@@ -108,10 +111,11 @@ export function createMeasuring(): Measuring {
 }
 
 /**
- * Measuring in a picture. The picture gives pointers and keys to this while it is on (`useStage`, `pressKey`), and shows
- * `Measurements` inside of its stage, with a `MeasureSource` that says what there is to measure.
+ * Measuring in a picture. The picture gives pointers and keys to this while it is on (`useStage`, `pressKey`), and
+ * shows `Measurements` inside of its stage, with a `MeasureSource` that says what there is to measure.
  */
 export function useMeasuring(): MeasuringShown {
-  const [measuring] = useState(createMeasuring), on = useStore(measuring.state, (s) => s.on);
+  const [measuring] = useState(createMeasuring),
+    on = useStore(measuring.state, (s) => s.on);
   return useMemo(() => ({ ...measuring, on }), [measuring, on]);
 }

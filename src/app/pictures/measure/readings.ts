@@ -7,7 +7,10 @@ import { useEditor } from "../../document/store.ts";
 import type { MeasurableRun } from "./source.ts";
 
 /** The measurements of a plane as they are now. */
-export function readIn(list: readonly Measurement[], { plane, contours, blank, path, printOf }: MeasurableRun): readonly MeasurementNow[] {
+export function readIn(
+  list: readonly Measurement[],
+  { plane, contours, blank, path, printOf }: MeasurableRun,
+): readonly MeasurementNow[] {
   const own = list.filter((each) => each.plane === plane);
   if (own.length === 0) return [];
   const onPath = own.some(({ places }) => places.some(({ spot }) => spot === "path"));

@@ -9,9 +9,9 @@ import type { MeasuredWork } from "../../../view/measure/reading.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
 /**
- * What a picture has to measure. The pieces of measuring know no more of a picture than this and its viewport: the two axes are z to the
- * right and r upwards, whatever they are called. A milled plane ("XY") gives X as z and Y as r (`partPoint`, `partSegment`); in it nothing
- * is mirrored and a diameter is that of a circle.
+ * What a picture has to measure. The pieces of measuring know no more of a picture than this and its viewport: the two
+ * axes are z to the right and r upwards, whatever they are called. A milled plane ("XY") gives X as z and Y as r
+ * (`partPoint`, `partSegment`); in it nothing is mirrored and a diameter is that of a circle.
  */
 export interface MeasureSource {
   readonly plane: "ZX" | "XY";
@@ -39,21 +39,32 @@ export const measurableRun = (run: Run): MeasurableRun => ({
 });
 
 /** What the lathe has to measure. */
-export function useLatheSource({ run, stockAt, playback }: {
+export function useLatheSource({
+  run,
+  stockAt,
+  playback,
+}: {
   readonly run: Run;
   /** The stock of this very run; null while it is not known. */
   readonly stockAt: ((position: PlayPosition) => readonly Ring[]) | null;
   readonly playback: PlaybackStore;
 }): MeasureSource {
-  return useMemo(() => ({
-    ...measurableRun(run),
-    moment() {
-      const { position: { step, fraction }, playing } = playback.get(), running = run.steps[step];
-      if (playing || !stockAt) return null;
-      if (!running) return { step: run.steps.length, fraction: 0 };
-      const { pass } = running.move;
-      return { step, fraction, block: running.block, ...(pass !== undefined && { pass }) };
-    },
-    stock: () => stockAt?.(playback.get().position) ?? [],
-  }), [run, stockAt, playback]);
+  return useMemo(
+    () => ({
+      ...measurableRun(run),
+      moment() {
+        const {
+            position: { step, fraction },
+            playing,
+          } = playback.get(),
+          running = run.steps[step];
+        if (playing || !stockAt) return null;
+        if (!running) return { step: run.steps.length, fraction: 0 };
+        const { pass } = running.move;
+        return { step, fraction, block: running.block, ...(pass !== undefined && { pass }) };
+      },
+      stock: () => stockAt?.(playback.get().position) ?? [],
+    }),
+    [run, stockAt, playback],
+  );
 }

@@ -10,8 +10,15 @@ import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** The height of the tool over its path, with the running moment. */
-export function DepthPicture({ steps, playback }: { readonly steps: readonly PlaneStep[]; readonly playback: PlaybackStore }) {
-  const t = useTexts().approach, lengths = useLengths();
+export function DepthPicture({
+  steps,
+  playback,
+}: {
+  readonly steps: readonly PlaneStep[];
+  readonly playback: PlaybackStore;
+}) {
+  const t = useTexts().approach,
+    lengths = useLengths();
   const strip = useMemo(() => depthStrip(steps), [steps]);
   const head = useRef<HTMLDivElement>(null);
   useEffect(() => {

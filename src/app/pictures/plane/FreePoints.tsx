@@ -8,10 +8,17 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import type { CutPlace } from "./plane-places.ts";
 
 /** The start and end points that the check proposes: a cross in a ring, with its coordinates. */
-export function FreePoints({ viewport, places, speech }: { readonly viewport: Viewport; readonly places: readonly CutPlace[];
-  readonly speech: ApproachSpeech })
-{
-  const t = useTexts().approach, camera = useCamera(viewport);
+export function FreePoints({
+  viewport,
+  places,
+  speech,
+}: {
+  readonly viewport: Viewport;
+  readonly places: readonly CutPlace[];
+  readonly speech: ApproachSpeech;
+}) {
+  const t = useTexts().approach,
+    camera = useCamera(viewport);
   return (
     <g className="plane-free" aria-hidden="true">
       {places.map(({ id, free }) => {
@@ -21,8 +28,12 @@ export function FreePoints({ viewport, places, speech }: { readonly viewport: Vi
           <g key={id} transform={`translate(${px(at.x)} ${px(at.y)})`}>
             <circle r="7" />
             <path d="M-11 0H11M0 -11V11" />
-            <text x="14" y="-10">{t.free} {free.point}</text>
-            <text className="number" x="14" y="6">{speech.point(free.at)}</text>
+            <text x="14" y="-10">
+              {t.free} {free.point}
+            </text>
+            <text className="number" x="14" y="6">
+              {speech.point(free.at)}
+            </text>
           </g>
         );
       })}

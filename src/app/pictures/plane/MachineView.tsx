@@ -16,12 +16,16 @@ const PlaneView = lazyPart(fetchPlane);
 
 /** The picture goes along with what is chosen in the list of findings, and with what is played. */
 function useSides(run: Run | null, playback: PlaybackStore): void {
-  const { id, count, shown } = useChosen(), entries = useFindings();
+  const { id, count, shown } = useChosen(),
+    entries = useFindings();
   const plane = count > shown ? entries.find((entry) => entry.id === id)?.spot?.plane : undefined;
   useEffect(() => {
     if (run && plane !== undefined) showSide(run, playback, plane === "XY" ? "plane" : "lathe");
   }, [run, playback, plane, count]);
-  useEffect(() => (run && run.plane.length > 0 && run.steps.length > 0 ? followProgramSides(run, playback) : undefined), [run, playback]);
+  useEffect(
+    () => (run && run.plane.length > 0 && run.steps.length > 0 ? followProgramSides(run, playback) : undefined),
+    [run, playback],
+  );
 }
 
 /** What a program does: the lathe, or the working plane where it mills. A program with both has a switch. */
@@ -39,21 +43,31 @@ export function MachineView(props: ComponentProps<typeof LatheView>) {
     <div className="machine-view">
       {both && (
         <div className="machine-switch" role="group" aria-label={t.lathe.viewTools}>
-          <button type="button" className="button" aria-pressed={!plane} onClick={() => switchSide(run, playback, "lathe")}>
+          <button
+            type="button"
+            className="button"
+            aria-pressed={!plane}
+            onClick={() => switchSide(run, playback, "lathe")}
+          >
             {t.lathe.title}
           </button>
-          <button type="button" className="button" aria-pressed={plane} onClick={() => switchSide(run, playback, "plane")}>
+          <button
+            type="button"
+            className="button"
+            aria-pressed={plane}
+            onClick={() => switchSide(run, playback, "plane")}
+          >
             {t.approach.view}
           </button>
         </div>
       )}
-      {plane
-        ? (
-          <Suspense>
-            <PlaneView result={result} dimmed={dimmed} playback={playback} clock={clock} onMove={onMove} />
-          </Suspense>
-        )
-        : <LatheView {...props} />}
+      {plane ? (
+        <Suspense>
+          <PlaneView result={result} dimmed={dimmed} playback={playback} clock={clock} onMove={onMove} />
+        </Suspense>
+      ) : (
+        <LatheView {...props} />
+      )}
     </div>
   );
 }

@@ -15,20 +15,33 @@ interface Milling {
 }
 
 /** Pixels round the circle for its line, and the arms of the cross in its centre. */
-const LINE = 4, CROSS = 6;
+const LINE = 4,
+  CROSS = 6;
 
 /** The motion that is shown: at the end the last one. */
-const shownMotion = (steps: readonly PlaneStep[], playback: PlaybackStore) => steps[Math.min(playback.shown().step, steps.length - 1)];
+const shownMotion = (steps: readonly PlaneStep[], playback: PlaybackStore) =>
+  steps[Math.min(playback.shown().step, steps.length - 1)];
 
-/** The mill from above on a sheet no larger than itself: drawn anew for another radius or another zoom, else only carried. */
+/**
+ * The mill from above on a sheet no larger than itself: drawn anew for another radius or another zoom, else only
+ * carried.
+ */
 export function MillSheet({ viewport, steps, playback }: Milling & { readonly viewport: Viewport }) {
-  const sheet = useRef<SVGSVGElement>(null), body = useRef<SVGCircleElement>(null);
+  const sheet = useRef<SVGSVGElement>(null),
+    body = useRef<SVGCircleElement>(null);
   const radius = usePlayback(playback, () => shownMotion(steps, playback)?.radius ?? null);
-  const carrying = useMemo(() =>
-    movingTip(playback, ({ step, fraction }) => {
-      const at = spotAt(steps, step, fraction);
-      return at && partPoint(at);
-    }, (step) => steps[step]?.kind === "arc"), [steps, playback]);
+  const carrying = useMemo(
+    () =>
+      movingTip(
+        playback,
+        ({ step, fraction }) => {
+          const at = spotAt(steps, step, fraction);
+          return at && partPoint(at);
+        },
+        (step) => steps[step]?.kind === "arc",
+      ),
+    [steps, playback],
+  );
   useEffect(() => {
     const element = sheet.current;
     if (!element || radius === null) return undefined;
@@ -47,24 +60,30 @@ export function MillSheet({ viewport, steps, playback }: Milling & { readonly vi
     draw();
     return viewport.subscribe(draw);
   }, [viewport, radius]);
-  return radius !== null && (
-    <TipCarrier viewport={viewport} carrying={carrying}>
-      <svg ref={sheet} className="tool-sheet">
-        <circle ref={body} className="plane-mill" r="0" />
-        <path className="plane-mill-centre" d={`M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`} />
-      </svg>
-    </TipCarrier>
+  return (
+    radius !== null && (
+      <TipCarrier viewport={viewport} carrying={carrying}>
+        <svg ref={sheet} className="tool-sheet">
+          <circle ref={body} className="plane-mill" r="0" />
+          <path className="plane-mill-centre" d={`M${-CROSS} 0H${CROSS}M0 ${-CROSS}V${CROSS}`} />
+        </svg>
+      </TipCarrier>
+    )
   );
 }
 
 /** The running motion in its own strength; while it plays it is told no oftener than it can be read. */
 export function RunningMotion({ steps, playback }: Milling) {
-  const running = useRef<SVGPathElement>(null), drawn = useRef<PlaneStep | null>(null);
-  useEachReading(playback, useCallback(() => {
-    const motion = shownMotion(steps, playback);
-    if (!motion || drawn.current === motion) return;
-    running.current?.setAttribute("d", planeMotionData(motion));
-    drawn.current = motion;
-  }, [steps, playback]));
+  const running = useRef<SVGPathElement>(null),
+    drawn = useRef<PlaneStep | null>(null);
+  useEachReading(
+    playback,
+    useCallback(() => {
+      const motion = shownMotion(steps, playback);
+      if (!motion || drawn.current === motion) return;
+      running.current?.setAttribute("d", planeMotionData(motion));
+      drawn.current = motion;
+    }, [steps, playback]),
+  );
   return <path ref={running} className="shape-running" />;
 }

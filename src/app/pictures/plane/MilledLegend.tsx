@@ -7,15 +7,20 @@ import type { GrowingStock } from "./milled.ts";
 
 /** Which tone is how deep, in a corner of the picture; without stock why there is none. */
 export function MilledLegend({ milled }: { readonly milled: GrowingStock | NoStock }) {
-  const t = useTexts().approach.milled, lengths = useLengths();
+  const t = useTexts().approach.milled,
+    lengths = useLengths();
   if (milled === "noBlank") return <p className="milled-legend small soft">{t.noBlank}</p>;
-  if (milled === "tooLong") return <p className="milled-legend small soft">{t.tooLong(formatNumber(lengths.language, MOST_MILLED))}</p>;
-  const { depths, heights, limits, hasLower } = milled.stock, lowest = heights.at(-1);
+  if (milled === "tooLong")
+    return <p className="milled-legend small soft">{t.tooLong(formatNumber(lengths.language, MOST_MILLED))}</p>;
+  const { depths, heights, limits, hasLower } = milled.stock,
+    lowest = heights.at(-1);
   if (depths.length === 0 || lowest === undefined) return null;
   const row = (tone: number, text: string, isMilled: boolean) => (
     <li key={tone}>
-      <span className={isMilled ? "milled-tone" : "milled-tone not"}
-        style={{ backgroundColor: `var(${toneName(tone, limits.length - 1)})` }} />
+      <span
+        className={isMilled ? "milled-tone" : "milled-tone not"}
+        style={{ backgroundColor: `var(${toneName(tone, limits.length - 1)})` }}
+      />
       <span className="number">{text}</span>
     </li>
   );

@@ -3,10 +3,16 @@ import type { Run } from "../../../program/state/run-types.ts";
 import type { RapidThrough } from "../../../sim/plane/milled.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** What is to be known of the milled stock that is drawn: that nothing is proved with it, and what it shows all the same. */
+/**
+ * What is to be known of the milled stock that is drawn: that nothing is proved with it, and what it shows all the
+ * same.
+ */
 export function MilledNotes({ run, rapids }: { readonly run: Run; readonly rapids: readonly RapidThrough[] }) {
   const t = useTexts().approach.milled;
-  const blocks = useMemo(() => [...new Set(rapids.map(({ step }) => run.plane[step]?.block))].join(", "), [run, rapids]);
+  const blocks = useMemo(
+    () => [...new Set(rapids.map(({ step }) => run.plane[step]?.block))].join(", "),
+    [run, rapids],
+  );
   const noRadius = useMemo(() => run.plane.some(({ radius, feed }) => feed !== undefined && !(radius > 0)), [run]);
   return (
     <>

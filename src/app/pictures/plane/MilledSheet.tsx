@@ -3,14 +3,21 @@ import { useTheme } from "../../base/use-theme-colours.ts";
 import { followMilled, type MilledMemory, type MilledScene } from "./follow-milled.ts";
 
 /**
- * Milled stock on a canvas no larger than the blank: painted whole for another look at it, and only where the tool is while it plays; by
- * the worker on a layer of its own as soon as that shows it, until then and where it cannot by the page.
+ * Milled stock on a canvas no larger than the blank: painted whole for another look at it, and only where the tool is
+ * while it plays; by the worker on a layer of its own as soon as that shows it, until then and where it cannot by the
+ * page.
  */
 export function MilledSheet({ viewport, steps, playback, milled }: MilledScene) {
-  const canvas = useRef<HTMLCanvasElement>(null), made = useRef<HTMLCanvasElement>(null), layers = useRef<HTMLDivElement>(null);
-  const memory = useRef<MilledMemory>({ painted: null }), theme = useTheme(), shown = useRef(theme);
+  const canvas = useRef<HTMLCanvasElement>(null),
+    made = useRef<HTMLCanvasElement>(null),
+    layers = useRef<HTMLDivElement>(null);
+  const memory = useRef<MilledMemory>({ painted: null }),
+    theme = useTheme(),
+    shown = useRef(theme);
   useEffect(() => {
-    const over = canvas.current, given = made.current, holder = layers.current;
+    const over = canvas.current,
+      given = made.current,
+      holder = layers.current;
     if (!over || !given || !holder) return undefined;
     if (shown.current !== theme) memory.current.painted = null;
     shown.current = theme;

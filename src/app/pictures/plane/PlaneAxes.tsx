@@ -13,18 +13,29 @@ import { usePageUnit } from "../../base/unit.ts";
 const APART = { x: 72, y: 44 };
 
 /** Grid and scales of the working plane: X along the lower edge, Y along the left one, both axes as chain lines. */
-export const PlaneAxes = memo(function PlaneAxes({ viewport, part }: { readonly viewport: Viewport; readonly part: "grid" | "scales" }) {
-  const camera = useCamera(viewport), { width, height } = viewport.size(), page = usePageUnit();
+export const PlaneAxes = memo(function PlaneAxes({
+  viewport,
+  part,
+}: {
+  readonly viewport: Viewport;
+  readonly part: "grid" | "scales";
+}) {
+  const camera = useCamera(viewport),
+    { width, height } = viewport.size(),
+    page = usePageUnit();
   const { language, per, unit } = useLengths();
-  const corner = planePoint(toPlace(camera, { x: 0, y: 0 })), far = planePoint(toPlace(camera, { x: width, y: height }));
-  const alongX = ticks(corner.x / per, far.x / per, page * APART.x / camera.scale / per),
-    alongY = ticks(corner.y / per, far.y / per, page * APART.y / camera.scale / per);
+  const corner = planePoint(toPlace(camera, { x: 0, y: 0 })),
+    far = planePoint(toPlace(camera, { x: width, y: height }));
+  const alongX = ticks(corner.x / per, far.x / per, (page * APART.x) / camera.scale / per),
+    alongY = ticks(corner.y / per, far.y / per, (page * APART.y) / camera.scale / per);
   const placeX = (x: number) => toScreen(camera, partPoint({ x: x * per, y: 0 })).x;
   const placeY = (y: number) => toScreen(camera, partPoint({ x: 0, y: y * per })).y;
-  const right = page * SCALE_LEFT, floor = height - page * SCALE_BELOW;
+  const right = page * SCALE_LEFT,
+    floor = height - page * SCALE_BELOW;
   if (part === "grid") {
-    const lines = alongX.values.map((x) => `M${placeX(x)} 0V${height}`).join("")
-      + alongY.values.map((y) => `M0 ${placeY(y)}H${width}`).join("");
+    const lines =
+      alongX.values.map((x) => `M${placeX(x)} 0V${height}`).join("") +
+      alongY.values.map((y) => `M0 ${placeY(y)}H${width}`).join("");
     return (
       <g>
         <path className="lathe-grid" d={lines} />
@@ -32,21 +43,33 @@ export const PlaneAxes = memo(function PlaneAxes({ viewport, part }: { readonly 
       </g>
     );
   }
-  const shownX = alongX.values.map((v) => ({ v, x: placeX(v) })).filter(({ x }) => x > right + 16 * page && x < width - 28 * page);
-  const shownY = alongY.values.map((v) => ({ v, y: placeY(v) })).filter(({ y }) => y > 28 * page && y < floor - 6 * page);
+  const shownX = alongX.values
+    .map((v) => ({ v, x: placeX(v) }))
+    .filter(({ x }) => x > right + 16 * page && x < width - 28 * page);
+  const shownY = alongY.values
+    .map((v) => ({ v, y: placeY(v) }))
+    .filter(({ y }) => y > 28 * page && y < floor - 6 * page);
   return (
     <g className="lathe-scales" aria-hidden="true">
       <path className="lathe-scale-ground" d={`M0 0H${right}V${floor}H${width}V${height}H0Z`} />
       <path className="lathe-scale-edge" d={`M${right} 0V${floor}H${width}`} />
-      <path className="lathe-tick"
-        d={shownX.map(({ x }) => `M${x} ${floor}v4`).join("") + shownY.map(({ y }) => `M${right} ${y}h-4`).join("")} />
+      <path
+        className="lathe-tick"
+        d={shownX.map(({ x }) => `M${x} ${floor}v4`).join("") + shownY.map(({ y }) => `M${right} ${y}h-4`).join("")}
+      />
       {shownX.map(({ v, x }, i) => (
-        <text key={i} x={x} y={height - 6 * page} textAnchor="middle">{formatNumber(language, v, alongX.decimals)}</text>
+        <text key={i} x={x} y={height - 6 * page} textAnchor="middle">
+          {formatNumber(language, v, alongX.decimals)}
+        </text>
       ))}
       {shownY.map(({ v, y }, i) => (
-        <text key={i} x={right - 7 * page} y={y + 4 * page} textAnchor="end">{formatNumber(language, v, alongY.decimals)}</text>
+        <text key={i} x={right - 7 * page} y={y + 4 * page} textAnchor="end">
+          {formatNumber(language, v, alongY.decimals)}
+        </text>
       ))}
-      <text className="lathe-scale-name" x={right - 7 * page} y={16 * page} textAnchor="end">Y</text>
+      <text className="lathe-scale-name" x={right - 7 * page} y={16 * page} textAnchor="end">
+        Y
+      </text>
       <text className="lathe-scale-name" x={width - 8 * page} y={height - 6 * page} textAnchor="end">
         {unit === "mm" ? "X" : `X ${unit}`}
       </text>

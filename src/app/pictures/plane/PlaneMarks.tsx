@@ -11,7 +11,10 @@ import { useMilledMarks } from "../selection.ts";
 export function ChosenMotions({ run }: { readonly run: Run }) {
   const stretches = useMilledMarks(run);
   const d = useMemo(
-    () => stretches.map(({ first, last }) => segmentData(run.plane.slice(first, last + 1).map((m) => partSegment(wayOf(m))))).join(""),
+    () =>
+      stretches
+        .map(({ first, last }) => segmentData(run.plane.slice(first, last + 1).map((m) => partSegment(wayOf(m)))))
+        .join(""),
     [stretches, run],
   );
   return d && <path className="shape-marked" d={d} />;
@@ -19,6 +22,7 @@ export function ChosenMotions({ run }: { readonly run: Run }) {
 
 /** The motion that a press would choose. */
 export function HoveredMotion({ run, hover }: { readonly run: Run; readonly hover: Hover }) {
-  const over = useSyncExternalStore(hover.subscribe, hover.get), motion = over === null ? undefined : run.plane[over];
+  const over = useSyncExternalStore(hover.subscribe, hover.get),
+    motion = over === null ? undefined : run.plane[over];
   return motion && <path className="shape-hovered" d={planeMotionData(motion)} />;
 }

@@ -31,16 +31,25 @@ function planned(version: number, length: number) {
 }
 
 test("the lines of the path are drawn with the key, before the rest of the picture hears of it", () => {
-  const before = planned(1, 10), after = planned(2, 25);
+  const before = planned(1, 10),
+    after = planned(2, 25);
   takePlanned(before);
   const { container } = render(
-    <PlanePicture viewport={createViewport(true)} run={before.run} playback={createPlaybackStore(clock)} milled="noBlank" rapids={[]}
-      chosen={null} hovered={null} name=""
+    <PlanePicture
+      viewport={createViewport(true)}
+      run={before.run}
+      playback={createPlaybackStore(clock)}
+      milled="noBlank"
+      rapids={[]}
+      chosen={null}
+      hovered={null}
+      name=""
     >
       {null}
     </PlanePicture>,
   );
-  const lead = () => container.querySelector(".plane-lead")?.getAttribute("d"), edge = () => container.querySelector(".plane-under");
+  const lead = () => container.querySelector(".plane-lead")?.getAttribute("d"),
+    edge = () => container.querySelector(".plane-under");
   expect(lead()).toContain("M-5 -5L-5 5");
   act(() => void whileTyping(() => takePlanned(after)));
   expect(lead()).toContain("M-5 -20L-5 5");

@@ -19,20 +19,34 @@ const EDGED: readonly PlaneRole[] = ["rapid", "feed", "lead"];
 
 /** Contours and path, those of a newer run where there is one: they are drawn with the key that changes them. */
 const NewestLines = memo(function NewestLines({ of }: { readonly of: Run }) {
-  const { scene: { shapes } } = planeOfRun(useAhead(of) ?? of);
+  const {
+    scene: { shapes },
+  } = planeOfRun(useAhead(of) ?? of);
   return (
     <>
       <path className="plane-under" d={shapes.flatMap(({ role, d }) => (EDGED.includes(role) ? [d] : [])).join("")} />
-      {shapes.map(({ role, d }) => <path key={role} className={`plane-${role}`} d={d} />)}
+      {shapes.map(({ role, d }) => (
+        <path key={role} className={`plane-${role}`} d={d} />
+      ))}
     </>
   );
 });
 
 /**
- * Blank, contours, path and mill in the working plane, in sheets from back to front. The drawing is painted once; while it plays the stock
- * is painted where the tool is, and the tool's sheet is moved.
+ * Blank, contours, path and mill in the working plane, in sheets from back to front. The drawing is painted once; while
+ * it plays the stock is painted where the tool is, and the tool's sheet is moved.
  */
-export function PlanePicture({ viewport, run, playback, milled, rapids, chosen, hovered, name, children }: {
+export function PlanePicture({
+  viewport,
+  run,
+  playback,
+  milled,
+  rapids,
+  chosen,
+  hovered,
+  name,
+  children,
+}: {
   readonly viewport: Viewport;
   readonly run: Run;
   readonly playback: PlaybackStore;
@@ -52,11 +66,14 @@ export function PlanePicture({ viewport, run, playback, milled, rapids, chosen, 
       <svg className="sheet">
         <PlaneAxes viewport={viewport} part="grid" />
       </svg>
-      {typeof milled !== "string" && <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />}
+      {typeof milled !== "string" && (
+        <MilledSheet viewport={viewport} steps={steps} playback={playback} milled={milled} />
+      )}
       <svg className="sheet still">
         <World viewport={viewport} shifts>
-          {rapids.length > 0 && <path className="shape-gouge plane-rapid-through"
-            d={ringData(rapids.flatMap(({ rings }) => [...rings]))} />}
+          {rapids.length > 0 && (
+            <path className="shape-gouge plane-rapid-through" d={ringData(rapids.flatMap(({ rings }) => [...rings]))} />
+          )}
           <NewestLines of={run} />
           {chosen}
         </World>

@@ -9,22 +9,36 @@ import { HelpMarks } from "../help/HelpMarks.tsx";
 import { useCamera } from "../lathe/use-camera.ts";
 import type { Viewport } from "../lathe/viewport.ts";
 
-const Names = memo(
-  function Names({ x, y, marks, id }: { readonly x: number; readonly y: number; readonly marks: readonly Mark[]; readonly id: string }) {
-    return (
-      <>
-        <circle className="approach-point" cx={px(x)} cy={px(y)} r={3.5} />
-        <HelpMarks marks={marks} id={id} />
-      </>
-    );
-  },
-);
+const Names = memo(function Names({
+  x,
+  y,
+  marks,
+  id,
+}: {
+  readonly x: number;
+  readonly y: number;
+  readonly marks: readonly Mark[];
+  readonly id: string;
+}) {
+  return (
+    <>
+      <circle className="approach-point" cx={px(x)} cy={px(y)} r={3.5} />
+      <HelpMarks marks={marks} id={id} />
+    </>
+  );
+});
 
 /**
- * PS, PH, PA, PE and PN of approaches and departures, with their coordinates where there is room. While a hand moves the picture each goes
- * along with its point; they find new places when the hand rests.
+ * PS, PH, PA, PE and PN of approaches and departures, with their coordinates where there is room. While a hand moves
+ * the picture each goes along with its point; they find new places when the hand rests.
  */
-export function PlanePoints({ viewport, approaches, speech, id, choose }: {
+export function PlanePoints({
+  viewport,
+  approaches,
+  speech,
+  id,
+  choose,
+}: {
   readonly viewport: Viewport;
   readonly approaches: readonly ApproachRun[];
   readonly speech: ApproachSpeech;
@@ -32,14 +46,13 @@ export function PlanePoints({ viewport, approaches, speech, id, choose }: {
   /** Leaves out some for a look at them. */
   readonly choose?: (approaches: readonly ApproachRun[], camera: Camera) => readonly ApproachRun[];
 }) {
-  const camera = useCamera(viewport), drawn = useSyncExternalStore(viewport.subscribe, viewport.drawn), size = viewport.size();
-  const names = useMemo(() => planeNames(choose ? choose(approaches, drawn) : approaches, drawn, size, speech), [
-    choose,
-    approaches,
-    drawn,
-    size,
-    speech,
-  ]);
+  const camera = useCamera(viewport),
+    drawn = useSyncExternalStore(viewport.subscribe, viewport.drawn),
+    size = viewport.size();
+  const names = useMemo(
+    () => planeNames(choose ? choose(approaches, drawn) : approaches, drawn, size, speech),
+    [choose, approaches, drawn, size, speech],
+  );
   return (
     <g className="plane-points" aria-hidden="true">
       {names.map(({ at, place, marks }, i) => {

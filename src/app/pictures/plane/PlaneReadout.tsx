@@ -29,10 +29,15 @@ export function momentText(
   approaches: readonly ApproachRun[],
   position: PlayPosition,
 ): Moment | null {
-  const motion = steps[Math.min(position.step, steps.length - 1)], at = spotAt(steps, position.step, position.fraction);
+  const motion = steps[Math.min(position.step, steps.length - 1)],
+    at = spotAt(steps, position.step, position.fraction);
   if (!motion || !at) return null;
   const lead = approaches.find((a) => a.index === motion.index);
-  const what = lead ? `${lead.departing ? "DEP" : "APPR"} ${lead.form}` : isRapid(motion) ? t.lathe.rapid : t.approach.feedMove;
+  const what = lead
+    ? `${lead.departing ? "DEP" : "APPR"} ${lead.form}`
+    : isRapid(motion)
+      ? t.lathe.rapid
+      : t.approach.feedMove;
   const unit = motion.feedUnit === "mm/rev" ? t.lathe.perTurn : t.lathe.perMinute;
   return {
     x: lengths.position(at.x),
@@ -47,13 +52,28 @@ export function momentText(
 const textOfCell = (now: Moment | null, says: string): string | null => now?.[says as keyof Moment] ?? null;
 
 /** Live position, feed and block; the numbers change without rendering. */
-export function PlaneReadout({ steps, approaches, playback }: { readonly steps: readonly PlaneStep[];
-  readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore })
-{
-  const t = useTexts(), lengths = useLengths();
-  const moment = useCallback(() => momentText(t, lengths, steps, approaches, playback.shown()), [t, lengths, steps, approaches, playback]);
+export function PlaneReadout({
+  steps,
+  approaches,
+  playback,
+}: {
+  readonly steps: readonly PlaneStep[];
+  readonly approaches: readonly ApproachRun[];
+  readonly playback: PlaybackStore;
+}) {
+  const t = useTexts(),
+    lengths = useLengths();
+  const moment = useCallback(
+    () => momentText(t, lengths, steps, approaches, playback.shown()),
+    [t, lengths, steps, approaches, playback],
+  );
   const group = useSaid(playback, moment, textOfCell);
-  const cells = [["x", "X"], ["y", "Y"], ["z", "Z"], ["feed", t.lathe.feedName]] as const;
+  const cells = [
+    ["x", "X"],
+    ["y", "Y"],
+    ["z", "Z"],
+    ["feed", t.lathe.feedName],
+  ] as const;
   return (
     <div ref={group} className="lathe-readout" role="group" aria-label={t.lathe.now}>
       <dl className="number">
@@ -75,21 +95,33 @@ export function PlaneReadout({ steps, approaches, playback }: { readonly steps: 
 /** The moment in one sentence. */
 export const momentSentence = (...given: Parameters<typeof momentText>): string => {
   const now = momentText(...given);
-  return now ? [now.step, `X ${now.x}`, `Y ${now.y}`, `Z ${now.z}`, now.feed, now.block].join(". ") : given[0].lathe.pictureEmpty;
+  return now
+    ? [now.step, `X ${now.x}`, `Y ${now.y}`, `Z ${now.z}`, now.feed, now.block].join(". ")
+    : given[0].lathe.pictureEmpty;
 };
 
 /** The same read out: at once when something was pressed, now and then while it plays. */
-export function SpokenMoment({ steps, approaches, playback, clock }: { readonly steps: readonly PlaneStep[];
-  readonly approaches: readonly ApproachRun[]; readonly playback: PlaybackStore; readonly clock: Clock })
-{
-  const t = useTexts(), lengths = useLengths();
-  const sentence = useCallback(() => momentSentence(t, lengths, steps, approaches, playback.shown()), [
-    t,
-    lengths,
-    steps,
-    approaches,
-    playback,
-  ]);
+export function SpokenMoment({
+  steps,
+  approaches,
+  playback,
+  clock,
+}: {
+  readonly steps: readonly PlaneStep[];
+  readonly approaches: readonly ApproachRun[];
+  readonly playback: PlaybackStore;
+  readonly clock: Clock;
+}) {
+  const t = useTexts(),
+    lengths = useLengths();
+  const sentence = useCallback(
+    () => momentSentence(t, lengths, steps, approaches, playback.shown()),
+    [t, lengths, steps, approaches, playback],
+  );
   const said = useSpoken(playback, clock, sentence);
-  return <p className="unseen" role="status">{said}</p>;
+  return (
+    <p className="unseen" role="status">
+      {said}
+    </p>
+  );
 }

@@ -51,10 +51,16 @@ import { Outdated } from "../lathe/Outdated.tsx";
 const NO_TIP = { x: 0, y: 0 };
 
 /**
- * The working plane of a milling program: contours, the path of the tool centre with its named points, the height over the
- * path, playback.
+ * The working plane of a milling program: contours, the path of the tool centre with its named points, the height over
+ * the path, playback.
  */
-export function PlaneView({ result, dimmed, playback, clock, onMove }: {
+export function PlaneView({
+  result,
+  dimmed,
+  playback,
+  clock,
+  onMove,
+}: {
   readonly result: LatheResult;
   /** The picture is older than what was typed. */
   readonly dimmed: boolean;
@@ -63,17 +69,29 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
   /** Called with the index of a motion that was pointed at, after the tool went there. */
   readonly onMove?: MovePointed | undefined;
 }) {
-  const texts = useTexts(), t = texts.lathe, own = texts.approach, id = useId();
+  const texts = useTexts(),
+    t = texts.lathe,
+    own = texts.approach,
+    id = useId();
   const { motion } = useSettings();
   const [viewport] = useState(() => createViewport(true));
   const [tools, showTools] = useState(false);
-  const { run } = result, { plane: steps } = run, lengths = useLengths(run);
+  const { run } = result,
+    { plane: steps } = run,
+    lengths = useLengths(run);
   const { milled, rapids } = useMilledStock(result);
   const { approaches, scene } = planeOfRun(run);
-  const timed = useMemo(() => ({
-    operations: run.operations,
-    steps: steps.map((s) => ({ move: { kind: s.feed === undefined ? "rapid" : "feed" }, operation: null, seconds: s.seconds })),
-  }), [run, steps]);
+  const timed = useMemo(
+    () => ({
+      operations: run.operations,
+      steps: steps.map((s) => ({
+        move: { kind: s.feed === undefined ? "rapid" : "feed" },
+        operation: null,
+        seconds: s.seconds,
+      })),
+    }),
+    [run, steps],
+  );
   const speech = useMemo(() => approachSpeech(lengths, "XY", NO_TIP), [lengths]);
   const { hover, over, tap } = usePlanePicking({ run, leads: approaches, viewport, onMove });
   const measuring = useMeasuring();
@@ -93,7 +111,8 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
   /** Enter in the picture chooses the motion that runs, and its dialog takes the keyboard. */
   const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
-    const { position } = playback.get(), step = Math.min(position.step, steps.length - 1);
+    const { position } = playback.get(),
+      step = Math.min(position.step, steps.length - 1);
     if (key !== "Enter" || !picture || step < 0) return false;
     chooseMilled(run, { ...position, step });
     stage.current?.blur();
@@ -101,27 +120,37 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
     return true;
   };
 
-  const name = useMemo(() => own.viewPicture(resting >= 0 ? momentSentence(texts, lengths, steps, approaches, playback.shown()) : ""), [
-    own,
-    texts,
-    lengths,
-    steps,
-    approaches,
-    playback,
-    resting,
-  ]);
+  const name = useMemo(
+    () => own.viewPicture(resting >= 0 ? momentSentence(texts, lengths, steps, approaches, playback.shown()) : ""),
+    [own, texts, lengths, steps, approaches, playback, resting],
+  );
   const found = usePlaces("XY");
   const places = useMemo(() => (dimmed ? [] : found.map(cutPlace)), [dimmed, found]);
   const { chosen, choose } = useLooking(places, viewport, playback);
-  const lines = { contour: texts.contour.title, rapid: t.rapid, feed: own.feedMove, lead: `${own.approach} / ${own.departure}` };
+  const lines = {
+    contour: texts.contour.title,
+    rapid: t.rapid,
+    feed: own.feedMove,
+    lead: `${own.approach} / ${own.departure}`,
+  };
   const there = PLANE_ROLES.filter((role) => role !== "contour" && scene.shapes.some((s) => s.role === role));
   return (
-    <section className="lathe plane-view" data-tools={tools} aria-label={own.view} onKeyDown={(event) => {
-      const target = event.target as HTMLElement;
-      if (event.ctrlKey || event.metaKey || event.altKey) return;
-      const typed = { key: event.key, shift: event.shiftKey, element: target.localName, picture: target === stage.current };
-      if (pressKey(typed, playback, viewport, measuring) || chooseByKey(typed)) event.preventDefault();
-    }}>
+    <section
+      className="lathe plane-view"
+      data-tools={tools}
+      aria-label={own.view}
+      onKeyDown={(event) => {
+        const target = event.target as HTMLElement;
+        if (event.ctrlKey || event.metaKey || event.altKey) return;
+        const typed = {
+          key: event.key,
+          shift: event.shiftKey,
+          element: target.localName,
+          picture: target === stage.current,
+        };
+        if (pressKey(typed, playback, viewport, measuring) || chooseByKey(typed)) event.preventDefault();
+      }}
+    >
       <Toolbar className="lathe-viewbar" aria-label={t.viewTools}>
         <GlyphButton glyph="ruler" name={t.ruler} text={t.ruler} pressed={measuring.on} onPress={toggle} />
         <div className="lathe-gap">
@@ -142,11 +171,24 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
         <GlyphButton glyph="zoomIn" name={t.zoomIn} onPress={() => viewport.zoom(ZOOM)} />
         <GlyphButton glyph="fit" name={t.fit} onPress={viewport.fit} />
       </Toolbar>
-      <div ref={stage} className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`} tabIndex={0} role="group"
-        aria-label={own.view} aria-describedby={`${id}keys`} {...{ [KEEPS_KEYBOARD]: "" }}
+      <div
+        ref={stage}
+        className={`lathe-stage${dimmed ? " dimmed" : ""}${measuring.on ? " measuring" : ""}`}
+        tabIndex={0}
+        role="group"
+        aria-label={own.view}
+        aria-describedby={`${id}keys`}
+        {...{ [KEEPS_KEYBOARD]: "" }}
       >
-        <PlanePicture viewport={viewport} run={run} playback={playback} milled={milled} rapids={rapids} chosen={<ChosenMotions run={run} />}
-          hovered={<HoveredMotion run={run} hover={hover} />} name={name}
+        <PlanePicture
+          viewport={viewport}
+          run={run}
+          playback={playback}
+          milled={milled}
+          rapids={rapids}
+          chosen={<ChosenMotions run={run} />}
+          hovered={<HoveredMotion run={run} hover={hover} />}
+          name={name}
         >
           <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} />
           <FreePoints viewport={viewport} places={places} speech={speech} />
@@ -156,7 +198,9 @@ export function PlaneView({ result, dimmed, playback, clock, onMove }: {
         <PlaceButtons seeing={seenFlat(viewport)} places={places} chosen={chosen} choose={choose} />
         <Measurements viewport={viewport} measuring={measuring} source={source} />
         {dimmed && <Outdated />}
-        <p id={`${id}keys`} className="unseen">{t.keys}</p>
+        <p id={`${id}keys`} className="unseen">
+          {t.keys}
+        </p>
       </div>
       <Late>
         <DepthPicture steps={steps} playback={playback} />

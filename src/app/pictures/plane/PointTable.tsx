@@ -3,7 +3,13 @@ import type { ApproachSpeech } from "../../../view/approach/speech.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
 /** All named points of approaches and departures in words. */
-export function PointTable({ approaches, speech }: { readonly approaches: readonly ApproachRun[]; readonly speech: ApproachSpeech }) {
+export function PointTable({
+  approaches,
+  speech,
+}: {
+  readonly approaches: readonly ApproachRun[];
+  readonly speech: ApproachSpeech;
+}) {
   const t = useTexts().approach;
   if (approaches.length === 0) return null;
   return (
@@ -11,7 +17,9 @@ export function PointTable({ approaches, speech }: { readonly approaches: readon
       <summary>{t.pointTable}</summary>
       <ul className="plane-point-list number small">
         {approaches.flatMap((a, i) =>
-          Object.entries(a.points).map(([name, at]) => <li key={`${i} ${name}`}>{t.pointAt(name, speech.point(at), String(a.block))}</li>)
+          Object.entries(a.points).map(([name, at]) => (
+            <li key={`${i} ${name}`}>{t.pointAt(name, speech.point(at), String(a.block))}</li>
+          )),
         )}
       </ul>
     </details>

@@ -11,9 +11,19 @@ import "./approach.css";
 /** They are places of the theoretical tip already. */
 const NO_TIP = { x: 0, y: 0 };
 
-/** PS, PH, PA, PE and PN of the approaches of a turning tool, in the picture of the lathe; gone while they would lie on each other. */
-export function TurnPoints({ viewport, approaches }: { readonly viewport: Viewport; readonly approaches: readonly ApproachRun[] }) {
-  const id = useId(), lengths = useLengths();
+/**
+ * PS, PH, PA, PE and PN of the approaches of a turning tool, in the picture of the lathe; gone while they would lie on
+ * each other.
+ */
+export function TurnPoints({
+  viewport,
+  approaches,
+}: {
+  readonly viewport: Viewport;
+  readonly approaches: readonly ApproachRun[];
+}) {
+  const id = useId(),
+    lengths = useLengths();
   const speech = useMemo(() => approachSpeech(lengths, "ZX", NO_TIP), [lengths]);
   return <PlanePoints viewport={viewport} approaches={approaches} speech={speech} id={id} choose={withRoom} />;
 }

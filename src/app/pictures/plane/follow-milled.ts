@@ -16,10 +16,12 @@ import { drawnRoom, type Viewport } from "../lathe/viewport.ts";
 import { shiftSheet } from "../lathe/World.tsx";
 import type { GrowingStock } from "./milled.ts";
 
-const COLOURS = { ground: "--material", hatch: "--material-hatch", edge: "--line-strong", step: "--line-strong" } as const satisfies Record<
-  keyof MilledColours,
-  string
->;
+const COLOURS = {
+  ground: "--material",
+  hatch: "--material-hatch",
+  edge: "--line-strong",
+  step: "--line-strong",
+} as const satisfies Record<keyof MilledColours, string>;
 
 const NOWHERE: Patch = { x: 0, y: 0, width: 0, height: 0 };
 
@@ -29,7 +31,10 @@ const PATIENCE = 150;
 /** The page's name for the tone of a depth. */
 export const toneName = (depth: number, depths: number): string => `--milled-${toneOfDepth(depth, depths) + 1}`;
 
-/** The canvases of a sheet: as the page paints it, as the worker gave it, and where the worker's own layer is laid over them. */
+/**
+ * The canvases of a sheet: as the page paints it, as the worker gave it, and where the worker's own layer is laid over
+ * them.
+ */
 export interface MilledCanvases {
   readonly over: HTMLCanvasElement;
   readonly given: HTMLCanvasElement;
@@ -46,7 +51,10 @@ export interface MilledScene {
 
 /** What the canvases show, kept from one scene to the next. */
 export interface MilledMemory {
-  /** For what camera and how finely, and on what part of the picture; null where that is not what is to be seen any more. */
+  /**
+   * For what camera and how finely, and on what part of the picture; null where that is not what is to be seen any
+   * more.
+   */
   painted: { readonly camera: Camera; readonly ratio: number; readonly origin: Patch } | null;
 }
 
@@ -67,26 +75,49 @@ async function milledPicture(of: KnownMilling, look: MilledLook, position: PlayP
 }
 
 /** Paints milled stock, and follows its camera and its playback; returns what ends that. */
-export function followMilled({ over, given, holder }: MilledCanvases, scene: MilledScene, memory: MilledMemory): () => void {
-  const { viewport, steps, playback, milled: { stock, blank, subscribe } } = scene;
-  const pen = over.getContext("2d"), frame = given.getContext("bitmaprenderer");
+export function followMilled(
+  { over, given, holder }: MilledCanvases,
+  scene: MilledScene,
+  memory: MilledMemory,
+): () => void {
+  const {
+    viewport,
+    steps,
+    playback,
+    milled: { stock, blank, subscribe },
+  } = scene;
+  const pen = over.getContext("2d"),
+    frame = given.getContext("bitmaprenderer");
   if (!pen || !frame) return () => undefined;
   const names = Array.from({ length: stock.limits.length - 1 }, (_, i) => toneName(i, stock.limits.length - 1));
   const named = pageColours(Object.fromEntries(names.map((name) => [name, name])));
-  const colours = pageColours(COLOURS), tones = names.map((name) => named[name] ?? "");
+  const colours = pageColours(COLOURS),
+    tones = names.map((name) => named[name] ?? "");
   const painter = milledPainter(steps, stock);
   const played = playedLayer<MilledLook>(holder, playback, () => {
     const of = knownOf(steps);
     return of && ((engine, ...asked) => engine.playMilling(of, ...asked));
   });
-  let { camera, origin, ratio } = memory.painted ?? { camera: viewport.drawn(), origin: NOWHERE, ratio: viewport.ratio() };
+  let { camera, origin, ratio } = memory.painted ?? {
+    camera: viewport.drawn(),
+    origin: NOWHERE,
+    ratio: viewport.ratio(),
+  };
   let shows: "own" | "given" | "played" = given.style.visibility === "" ? "given" : "own";
   /** The camera for which the worker is painting, and how far the stock was cut that was painted. */
-  let awaited: Camera | null = null, reached = 0;
+  let awaited: Camera | null = null,
+    reached = 0;
   const look = (): MilledLook => ({ camera, colours, tones, ratio, origin });
   const nextLook = (): MilledLook => {
-    const next = viewport.drawn(), room = drawnRoom(viewport.size()), dots = viewport.ratio();
-    return { ...look(), camera: next, ratio: dots, origin: (blank && patchWithin(patchOf(blank, next, dots), room)) ?? NOWHERE };
+    const next = viewport.drawn(),
+      room = drawnRoom(viewport.size()),
+      dots = viewport.ratio();
+    return {
+      ...look(),
+      camera: next,
+      ratio: dots,
+      origin: (blank && patchWithin(patchOf(blank, next, dots), room)) ?? NOWHERE,
+    };
   };
   const turn = () => {
     ({ camera, ratio, origin } = nextLook());
@@ -143,7 +174,8 @@ export function followMilled({ over, given, holder }: MilledCanvases, scene: Mil
     else paintAll();
   };
   const follow = () => {
-    const of = playback.flows ? knownOf(steps) : null, now = viewport.drawn();
+    const of = playback.flows ? knownOf(steps) : null,
+      now = viewport.drawn();
     if (now === camera) awaited = null;
     else if (!of) paintAll();
     else if (now !== awaited) void lookAnew(of, playback.shown());
@@ -155,7 +187,8 @@ export function followMilled({ over, given, holder }: MilledCanvases, scene: Mil
       own();
       return show("played");
     }
-    const { step, fraction } = painter.at(), at = playback.shown();
+    const { step, fraction } = painter.at(),
+      at = playback.shown();
     waits = !waits && playback.get().playing;
     if (waits || (shows !== "played" && step === at.step && fraction === at.fraction)) return;
     own();

@@ -31,13 +31,17 @@ function growing(
 const NO_RAPIDS: readonly RapidThrough[] = [];
 
 /** The stock that the tool of a milled program leaves, and the rapids through it as soon as all of it is cut. */
-export function useMilledStock(result: LatheResult): { readonly milled: GrowingStock | NoStock; readonly rapids: readonly RapidThrough[] } {
+export function useMilledStock(result: LatheResult): {
+  readonly milled: GrowingStock | NoStock;
+  readonly rapids: readonly RapidThrough[];
+} {
   const [held, hold] = useState(result);
   // What turning leaves is known when that is proved; until then the stock of before stays.
   const newest = result.simulation || result.run.steps.length === 0 ? result : held;
   if (newest !== held) hold(newest);
   // A proof says nothing new of a program that does not turn: what is cut for its path stays.
-  const { run } = newest, simulation = run.steps.length > 0 ? newest.simulation : null;
+  const { run } = newest,
+    simulation = run.steps.length > 0 ? newest.simulation : null;
   const made = useMemo(() => growing(run, simulation), [run, simulation]);
   const [done, setDone] = useState<MilledStock | null>(null);
   useEffect(() => {
@@ -60,6 +64,9 @@ export function useMilledStock(result: LatheResult): { readonly milled: GrowingS
     };
     const box = boundsOf(made.stock.at({ step: 0, fraction: 0 }).standing.flat(2)),
       blank = box && grownBounds(box, AIR * (box.right - box.left));
-    return { milled: { stock: made.stock, blank, subscribe }, rapids: done === made.stock ? made.stock.rapids() : NO_RAPIDS };
+    return {
+      milled: { stock: made.stock, blank, subscribe },
+      rapids: done === made.stock ? made.stock.rapids() : NO_RAPIDS,
+    };
   }, [made, done]);
 }

@@ -9,7 +9,8 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import type { MeasurableRun, MeasureSource } from "../measure/source.ts";
 
 /** The outline of the blank, seen from above. */
-const groundOf = ({ cuboid, blank }: Run): readonly Ring[] => standingAbove({ block: cuboid, turned: cuboid ? null : blank }, -Infinity);
+const groundOf = ({ cuboid, blank }: Run): readonly Ring[] =>
+  standingAbove({ block: cuboid, turned: cuboid ? null : blank }, -Infinity);
 
 /** What a run mills, without the stock of a moment: contours of approaches, and the ends of its motions. */
 export const measurablePlane = (run: Run): MeasurableRun => ({
@@ -20,15 +21,24 @@ export const measurablePlane = (run: Run): MeasurableRun => ({
   printOf: printsOfMilled([...run.blank, ...groundOf(run)], run.plane, run),
 });
 
-/** What the working plane of milling has to measure: contours, the outline of the blank, milled edges, ends of motions. */
+/**
+ * What the working plane of milling has to measure: contours, the outline of the blank, milled edges, ends of motions.
+ */
 export function usePlaneSource(run: Run, stock: MilledStock | null, playback: PlaybackStore): MeasureSource {
-  return useMemo(() => ({
-    ...measurablePlane(run),
-    moment() {
-      const { position: { step, fraction }, playing } = playback.get(), running = run.plane[step];
-      if (playing || !stock || stock.reached() < step) return null;
-      return running ? { step, fraction, block: running.block } : { step: run.plane.length, fraction: 0 };
-    },
-    stock: () => (stock ? areasAt(stock.at(playback.get().position)).flat() : []),
-  }), [run, stock, playback]);
+  return useMemo(
+    () => ({
+      ...measurablePlane(run),
+      moment() {
+        const {
+            position: { step, fraction },
+            playing,
+          } = playback.get(),
+          running = run.plane[step];
+        if (playing || !stock || stock.reached() < step) return null;
+        return running ? { step, fraction, block: running.block } : { step: run.plane.length, fraction: 0 };
+      },
+      stock: () => (stock ? areasAt(stock.at(playback.get().position)).flat() : []),
+    }),
+    [run, stock, playback],
+  );
 }

@@ -28,7 +28,10 @@ export function shownBlock(run: Paths, step: number): number | null {
   return run.stepBlocks[Math.min(step, run.steps.length - 1)] ?? null;
 }
 
-/** Shows one picture. Steps count in its path from now on, so that a seek goes where it says before the picture is there. */
+/**
+ * Shows one picture. Steps count in its path from now on, so that a seek goes where it says before the picture is
+ * there.
+ */
 function show(run: Paths, playback: PlaybackStore, side: MachineSide, byHand: boolean): void {
   playback.dispatch({ do: "load", track: trackOf(side === "plane" ? run.plane : run.steps) });
   useAskedView.setState({ asked: side, byHand });
@@ -58,10 +61,13 @@ export function showChoice(run: Run, playback: PlaybackStore, choice: PathChoice
 export function followProgramSides(run: Paths, playback: PlaybackStore): () => void {
   let last = playback.get();
   return playback.subscribe(() => {
-    const before = last, now = playback.get(), side = shownSide(run);
+    const before = last,
+      now = playback.get(),
+      side = shownSide(run);
     last = now;
     if (!before.playing || useAskedView.getState().byHand || before.track !== now.track) return;
-    const next = now.position.step > before.position.step ? crossing(run, side, before.position.step, now.position.step) : null;
+    const next =
+      now.position.step > before.position.step ? crossing(run, side, before.position.step, now.position.step) : null;
     if (next === null) return;
     show(run, playback, side === "plane" ? "lathe" : "plane", false);
     playback.dispatch({ do: "seek", position: { step: next, fraction: 0 } });

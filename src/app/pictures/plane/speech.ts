@@ -6,14 +6,19 @@ import type { ApproachSpeech } from "../../../view/approach/speech.ts";
 
 const { sum } = plane;
 
-/** Words the picture numbers of a plane: X and Y of a mill; X as diameter and Z in turning. `tip` is where the programmed point stands. */
+/**
+ * Words the picture numbers of a plane: X and Y of a mill; X as diameter and Z in turning. `tip` is where the
+ * programmed point stands.
+ */
 export function approachSpeech(lengths: Lengths, plane: WorkingPlane, tip: PlanePoint): ApproachSpeech {
   const signed = (n: number) => lengths.signed(n).replace("-", "−");
   return {
     number: (n) => lengths.number(n).replace("-", "−"),
     point(p) {
       const at = sum(p, tip);
-      return plane === "ZX" ? `X⌀${lengths.number(toDiameter(radius(at.y)))} Z${signed(at.x)}` : `X${signed(at.x)} Y${signed(at.y)}`;
+      return plane === "ZX"
+        ? `X⌀${lengths.number(toDiameter(radius(at.y)))} Z${signed(at.x)}`
+        : `X${signed(at.x)} Y${signed(at.y)}`;
     },
   };
 }

@@ -10,8 +10,16 @@ import { chooseMilled } from "../selection.ts";
 /** A pointer this near to a motion or to a named point means it, pixels. */
 const NEAR = 10;
 
-/** Choosing in the working plane: a press takes the tool to the motion under it, a mouse over it shows which one that would be. */
-export function usePlanePicking({ run, leads, viewport, onMove }: {
+/**
+ * Choosing in the working plane: a press takes the tool to the motion under it, a mouse over it shows which one that
+ * would be.
+ */
+export function usePlanePicking({
+  run,
+  leads,
+  viewport,
+  onMove,
+}: {
   readonly run: Run;
   /** Approaches and departures: their named points stand for them. */
   readonly leads: readonly NamedLead[];

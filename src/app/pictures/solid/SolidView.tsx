@@ -44,7 +44,8 @@ interface Props {
 
 /** The turned body in space. Where that cannot be drawn it says so, and what lies below is seen. */
 export function SolidView(props: Props) {
-  const t = useTexts("solid"), [tries, tryAgain] = useState(0);
+  const t = useTexts("solid"),
+    [tries, tryAgain] = useState(0);
   return <Tried key={tries} {...props} t={t} again={() => tryAgain(tries + 1)} />;
 }
 
@@ -58,7 +59,8 @@ interface Running {
 
 /** SolidStage, eye and show on a canvas for as long as it is there. */
 function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
-  const field = useRef<HTMLDivElement>(null), canvas = useRef<HTMLCanvasElement>(null);
+  const field = useRef<HTMLDivElement>(null),
+    canvas = useRef<HTMLCanvasElement>(null);
   const [running, run] = useState<Running | null>(null);
   const [told, tell] = useState(NOTHING_TOLD);
   useEffect(() => {
@@ -68,13 +70,15 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
       setTrouble("missing");
       return undefined;
     }
-    const eye = createEye(clock, () => reducedMotion(useSettings.getState())), show = createShow(stage, eye, clock, tell);
+    const eye = createEye(clock, () => reducedMotion(useSettings.getState())),
+      show = createShow(stage, eye, clock, tell);
     const measure = () => {
       const { clientWidth: width, clientHeight: height } = element;
       const buttons = element.querySelector<HTMLElement>(".solid-foot");
       if (width > 0 && height > 0) show.setSize({ width, height }, buttons ? height - buttons.offsetTop : 0);
     };
-    const sizes = new ResizeObserver(measure), deaf = listenToHands(element, eye);
+    const sizes = new ResizeObserver(measure),
+      deaf = listenToHands(element, eye);
     sizes.observe(element);
     const lost = (event: Event) => {
       event.preventDefault();
@@ -103,53 +107,88 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
 const NO_TONES: readonly TonedSide[] = [];
 
 /**
- * Path and colours as lines in space: where something is told by colour, the path lies faint under it. What is told of surfaces lies on
- * them as well.
+ * Path and colours as lines in space: where something is told by colour, the path lies faint under it. What is told of
+ * surfaces lies on them as well.
  */
 function useTold(
   run: Run,
   shown: (step: number) => boolean,
 ): { readonly lines: readonly StageLines[]; readonly tones: readonly TonedSide[] } {
-  const colours = useSettings((s) => s.colours), told = useLoadDrawing(run, colours === "none" ? null : colours, shown);
+  const colours = useSettings((s) => s.colours),
+    told = useLoadDrawing(run, colours === "none" ? null : colours, shown);
   const surface = useLoadOf(run)?.surface;
-  const path = useMemo(() => pathInSpace(run.steps, shown).map(({ role, ...lines }): StageLines => ({ ...lines, look: { role } })), [
-    run,
-    shown,
-  ]);
+  const path = useMemo(
+    () => pathInSpace(run.steps, shown).map(({ role, ...lines }): StageLines => ({ ...lines, look: { role } })),
+    [run, shown],
+  );
   const lines = useMemo(
-    () => [...path, ...told?.lines.map(({ tone, segments }): StageLines => ({ ...segmentsInSpace(segments), look: { tone } })) ?? []],
+    () => [
+      ...path,
+      ...(told?.lines.map(({ tone, segments }): StageLines => ({ ...segmentsInSpace(segments), look: { tone } })) ??
+        []),
+    ],
     [path, told],
   );
-  const tones = useMemo(() => (told && surface && colours === "roughness" ? tonedSides(surface, told.scale) : NO_TONES), [
-    told,
-    surface,
-    colours,
-  ]);
+  const tones = useMemo(
+    () => (told && surface && colours === "roughness" ? tonedSides(surface, told.scale) : NO_TONES),
+    [told, surface, colours],
+  );
   return { lines, tones };
 }
 
 /** What is to be said of the picture itself: what its surfaces stand for, and what is not as in the shop. */
-function Notes({ told: { textures, marked, rings, leftHanded }, milled, noBlank, t }: { readonly told: SolidTold; readonly milled: boolean;
-  readonly noBlank: boolean; readonly t: SolidTexts })
-{
-  const said = [noBlank && t.noBlank, milled && t.milled, rings && t.threads, leftHanded && t.left].filter((each) => each !== false);
+function Notes({
+  told: { textures, marked, rings, leftHanded },
+  milled,
+  noBlank,
+  t,
+}: {
+  readonly told: SolidTold;
+  readonly milled: boolean;
+  readonly noBlank: boolean;
+  readonly t: SolidTexts;
+}) {
+  const said = [noBlank && t.noBlank, milled && t.milled, rings && t.threads, leftHanded && t.left].filter(
+    (each) => each !== false,
+  );
   return (
     <div className="solid-notes small soft">
       {textures.length + marked.length > 1 && (
         <ul className="solid-surfaces" aria-label={t.surfaces}>
-          {textures.map((texture) => <li key={texture} className={`solid-${texture}`}>{t.textures[texture]}</li>)}
-          {marked.map((mark) => <li key={mark} className={`solid-${mark}`}>{t.marked[mark]}</li>)}
+          {textures.map((texture) => (
+            <li key={texture} className={`solid-${texture}`}>
+              {t.textures[texture]}
+            </li>
+          ))}
+          {marked.map((mark) => (
+            <li key={mark} className={`solid-${mark}`}>
+              {t.marked[mark]}
+            </li>
+          ))}
         </ul>
       )}
-      {said.map((each) => <p key={each}>{each}</p>)}
+      {said.map((each) => (
+        <p key={each}>{each}</p>
+      ))}
     </div>
   );
 }
 
-function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, onDrawn, t, again }: Props & { readonly t: SolidTexts;
-  readonly again: () => void })
-{
-  const keys = useId(), theme = useTheme();
+function Tried({
+  work,
+  run,
+  lines: shown,
+  state,
+  clock,
+  places,
+  chosen,
+  choose,
+  onDrawn,
+  t,
+  again,
+}: Props & { readonly t: SolidTexts; readonly again: () => void }) {
+  const keys = useId(),
+    theme = useTheme();
   const { quarterCut, xDown } = useSettings();
   const [trouble, setTrouble] = useState<Trouble>(null);
   const { field, canvas, running, told } = useRunning(clock, setTrouble);
@@ -168,11 +207,19 @@ function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, 
   const seeing = useMemo(() => running && seenInSpace(running.eye, xDown), [running, xDown]);
   return (
     <>
-      <div ref={field} className="solid-field" role="group" tabIndex={trouble ? -1 : 0} aria-label={t.title} aria-describedby={keys}
+      <div
+        ref={field}
+        className="solid-field"
+        role="group"
+        tabIndex={trouble ? -1 : 0}
+        aria-label={t.title}
+        aria-describedby={keys}
         hidden={trouble !== null}
       >
         <canvas ref={canvas} role="img" aria-label={t.picture(quarterCut, state)} />
-        <p id={keys} className="unseen">{t.keys}</p>
+        <p id={keys} className="unseen">
+          {t.keys}
+        </p>
         {seeing && (
           <>
             <svg className="solid-marks" aria-hidden="true">
@@ -185,13 +232,20 @@ function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, 
         <div className="solid-foot">
           <Notes told={told} milled={run.plane.length > 0} noBlank={work.blank.length === 0} t={t} />
           <div className="solid-views" role="group" aria-label={t.views}>
-            <button type="button" className="button" aria-label={t.quarter} title={t.quarter} aria-pressed={quarterCut}
+            <button
+              type="button"
+              className="button"
+              aria-label={t.quarter}
+              title={t.quarter}
+              aria-pressed={quarterCut}
               onClick={() => changeSettings({ quarterCut: !quarterCut })}
             >
               {t.quarterShort}
             </button>
             {NAMED_VIEWS.map((view) => (
-              <button key={view} type="button" className="button" onClick={() => running?.eye.go(view)}>{t[view]}</button>
+              <button key={view} type="button" className="button" onClick={() => running?.eye.go(view)}>
+                {t[view]}
+              </button>
             ))}
           </div>
         </div>
@@ -199,7 +253,9 @@ function Tried({ work, run, lines: shown, state, clock, places, chosen, choose, 
       {trouble && (
         <div role="status" className="solid-trouble small">
           <p>{t[trouble]}</p>
-          <button type="button" className="button" onClick={again}>{t.again}</button>
+          <button type="button" className="button" onClick={again}>
+            {t.again}
+          </button>
         </div>
       )}
     </>

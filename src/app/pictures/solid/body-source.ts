@@ -10,8 +10,8 @@ const PATIENCE = 1200;
 export type BodiesTaken = (made: ShownBodies | "same" | null) => void;
 
 /**
- * Has bodies made in the worker, which has the open work: a thread takes longer to be made than a picture may. One question is on its way
- * at a time.
+ * Has bodies made in the worker, which has the open work: a thread takes longer to be made than a picture may. One
+ * question is on its way at a time.
  */
 export interface BodySource {
   readonly isAsked: () => boolean;
@@ -46,4 +46,7 @@ export function bodySource(): BodySource {
 }
 
 export const isSameTold = (a: SolidTold, b: SolidTold): boolean =>
-  a.rings === b.rings && a.leftHanded === b.leftHanded && a.textures.join() === b.textures.join() && a.marked.join() === b.marked.join();
+  a.rings === b.rings &&
+  a.leftHanded === b.leftHanded &&
+  a.textures.join() === b.textures.join() &&
+  a.marked.join() === b.marked.join();

@@ -23,7 +23,8 @@ export interface ChipStage {
 export function createChipStage(): ChipStage {
   const group = new Group();
   const before = { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1, side: DoubleSide } as const;
-  const area = new MeshBasicMaterial(before), edge = new LineMaterial({ linewidth: EDGE, ...before });
+  const area = new MeshBasicMaterial(before),
+    edge = new LineMaterial({ linewidth: EDGE, ...before });
   let drawn: Chip | null = null;
   const clear = () => {
     for (const child of [...group.children]) {
@@ -38,7 +39,8 @@ export function createChipStage(): ChipStage {
       drawn = chip;
       clear();
       if (!chip) return;
-      const { positions, index, contact } = chipInSpace(chip), filled = new BufferGeometry();
+      const { positions, index, contact } = chipInSpace(chip),
+        filled = new BufferGeometry();
       filled.setAttribute("position", new BufferAttribute(positions, 3));
       filled.setIndex(new BufferAttribute(index, 1));
       group.add(new Triangles(filled, area));

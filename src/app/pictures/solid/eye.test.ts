@@ -5,7 +5,8 @@ import { createEye } from "./eye.ts";
 const BOUNDS = { left: -61.3, right: 1.7, low: 0, high: 22.9 };
 
 function opened(still = false) {
-  const clock = manualClock(), eye = createEye(clock, () => still);
+  const clock = manualClock(),
+    eye = createEye(clock, () => still);
   eye.setSize({ width: 640, height: 407 });
   eye.setBounds(BOUNDS);
   return { clock, eye };
@@ -13,7 +14,8 @@ function opened(still = false) {
 const TURN = 0.173;
 
 test("who asks for a view and turns it before it is there gets both", () => {
-  const { clock, eye } = opened(), wanted = opened(true).eye;
+  const { clock, eye } = opened(),
+    wanted = opened(true).eye;
   wanted.go("front");
   wanted.turn(TURN, 0);
   eye.go("front");
@@ -44,7 +46,8 @@ test("with reduced motion a view is there at once", () => {
 });
 
 test("lines without a body fill the view that has nothing else to show", () => {
-  const { eye } = opened(true), round = eye.get();
+  const { eye } = opened(true),
+    round = eye.get();
   eye.setBounds({ ...BOUNDS, low: 13.1 }, true);
   expect(eye.get().distance).toBeLessThan(round.distance);
   expect(eye.get().centre[0]).toBeGreaterThan(round.centre[0]);

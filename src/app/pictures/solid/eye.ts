@@ -1,6 +1,15 @@
 import type { Bounds, Size } from "../../../view/camera.ts";
-import { approached, namedView, nearTo, orbited, projected, slid, viewBetween, type NamedView,
-  type Orbit } from "../../../view/solid/orbit.ts";
+import {
+  approached,
+  namedView,
+  nearTo,
+  orbited,
+  projected,
+  slid,
+  viewBetween,
+  type NamedView,
+  type Orbit,
+} from "../../../view/solid/orbit.ts";
 import type { Clock } from "../../base/clock.ts";
 import type { Seeing } from "../lathe/seeing.ts";
 
@@ -29,7 +38,8 @@ export interface Eye {
 const WAY = 200;
 const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 
-const isSame = (a: Bounds, b: Bounds) => a.left === b.left && a.right === b.right && a.low === b.low && a.high === b.high;
+const isSame = (a: Bounds, b: Bounds) =>
+  a.left === b.left && a.right === b.right && a.low === b.low && a.high === b.high;
 
 /** An eye that looks at an angle. `still`: without motion it is there at once. */
 export function createEye(clock: Clock, still: () => boolean): Eye {
@@ -62,7 +72,8 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
   const flyTo = (to: Orbit, hand: boolean) => {
     end();
     byHand = hand;
-    const from = orbit, begun = clock.now();
+    const from = orbit,
+      begun = clock.now();
     if (still()) return set(to);
     goal = to;
     const picture = (now: number) => {

@@ -10,7 +10,10 @@ interface Gloss {
   readonly shine: number;
 }
 
-/** As in the section: a finished surface is light and shines, a rough one is dull, and what came from the mill is duller. */
+/**
+ * As in the section: a finished surface is light and shines, a rough one is dull, and what came from the mill is
+ * duller.
+ */
 const GLOSS: Readonly<Record<`${(typeof LOOKS)[number]}`, Gloss>> = {
   null: { ground: 0, shine: 1 },
   raw: { ground: -0.34, shine: 0.1 },
@@ -61,12 +64,18 @@ export function finishedSteel(): FinishedSteel {
   const tones = { value: Array.from({ length: SCALE_TONES }, () => new Color()) };
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, { mark, dark, light, tones });
-    shader.vertexShader = shader.vertexShader.replace("void main() {", `
+    shader.vertexShader = shader.vertexShader.replace(
+      "void main() {",
+      `
       attribute vec2 ${LOOKS_ATTRIBUTE};
       varying vec2 look;
       void main() {
-        look = ${LOOKS_ATTRIBUTE};`);
-    shader.fragmentShader = shader.fragmentShader.replace("void main() {", `
+        look = ${LOOKS_ATTRIBUTE};`,
+    );
+    shader.fragmentShader = shader.fragmentShader
+      .replace(
+        "void main() {",
+        `
       uniform vec3 mark;
       uniform vec3 dark;
       uniform vec3 light;
@@ -76,18 +85,28 @@ export function finishedSteel(): FinishedSteel {
       const float SHINE[${LOOKS.length}] = float[](${list(({ shine }) => shine)});
       void main() {
         int made = int(look.x + 0.5) % ${LOOKS.length};
-        int told = int(look.x + 0.5) / ${LOOKS.length};`).replace("#include <color_fragment>", `
+        int told = int(look.x + 0.5) / ${LOOKS.length};`,
+      )
+      .replace(
+        "#include <color_fragment>",
+        `
         diffuseColor.rgb = mix(diffuseColor.rgb, GROUND[made] < 0.0 ? dark : light, abs(GROUND[made]));
         if (told > 0) diffuseColor.rgb = tones[told - 1];
         float turnPixel = fwidth(look.y);
         float apart = 1.0 / max(turnPixel, 0.000001);
         float fine = 1.0 - smoothstep(0.0, 1.0, abs(fract(look.y + 0.5) - 0.5) * apart);
         float strength = clamp((apart - ${FEED_LINES.none.toFixed(1)}) / ${(FEED_LINES.full - FEED_LINES.none).toFixed(1)}, 0.0, 1.0);
-        diffuseColor.rgb = mix(diffuseColor.rgb, mark, ${MARK} * fine * strength * step(0.000001, turnPixel));`).replace(
-      "#include <specularmap_fragment>",
-      `float specularStrength = told > 0 ? ${TOLD_SHINE.toFixed(1)} : SHINE[made];`,
-    ).replace("#include <opaque_fragment>", `${TONED}
-        #include <opaque_fragment>`);
+        diffuseColor.rgb = mix(diffuseColor.rgb, mark, ${MARK} * fine * strength * step(0.000001, turnPixel));`,
+      )
+      .replace(
+        "#include <specularmap_fragment>",
+        `float specularStrength = told > 0 ? ${TOLD_SHINE.toFixed(1)} : SHINE[made];`,
+      )
+      .replace(
+        "#include <opaque_fragment>",
+        `${TONED}
+        #include <opaque_fragment>`,
+      );
   };
   return {
     material,

@@ -16,7 +16,10 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
 const VIEWS = { 1: "iso", 2: "front", 3: "end" } as const;
 const isView = (key: string): key is `${keyof typeof VIEWS}` => key in VIEWS;
 
-/** What a key does to the eye; false when it is none of its keys. Arrows turn it, with Shift they slide it; digits are named views. */
+/**
+ * What a key does to the eye; false when it is none of its keys. Arrows turn it, with Shift they slide it; digits are
+ * named views.
+ */
 export function eyeKey(eye: Eye, { key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">): boolean {
   const arrow = ARROWS[key];
   if (arrow && shiftKey) eye.slide(-arrow[0] * KEY.slide, arrow[1] * KEY.slide);
@@ -30,13 +33,17 @@ export function eyeKey(eye: Eye, { key, shiftKey }: Pick<KeyboardEvent, "key" | 
 }
 
 /**
- * One pointer turns, two slide and zoom; so does the wheel, and the right or middle button slides. The picture below hears nothing of it.
- * Returns what takes it all off again.
+ * One pointer turns, two slide and zoom; so does the wheel, and the right or middle button slides. The picture below
+ * hears nothing of it. Returns what takes it all off again.
  */
 export function listenToHands(element: HTMLElement, eye: Eye): () => void {
-  const down = new Map<number, Place>(), sliding = new Set<number>(), ending = new AbortController();
-  const listen = <Name extends keyof HTMLElementEventMap>(name: Name, hear: (event: HTMLElementEventMap[Name]) => void) =>
-    element.addEventListener(name, hear, { passive: false, signal: ending.signal });
+  const down = new Map<number, Place>(),
+    sliding = new Set<number>(),
+    ending = new AbortController();
+  const listen = <Name extends keyof HTMLElementEventMap>(
+    name: Name,
+    hear: (event: HTMLElementEventMap[Name]) => void,
+  ) => element.addEventListener(name, hear, { passive: false, signal: ending.signal });
   const release = (event: PointerEvent) => {
     event.stopPropagation();
     down.delete(event.pointerId);
@@ -52,7 +59,8 @@ export function listenToHands(element: HTMLElement, eye: Eye): () => void {
   });
   listen("pointermove", (event) => {
     event.stopPropagation();
-    const before = down.get(event.pointerId), here = { x: event.clientX, y: event.clientY };
+    const before = down.get(event.pointerId),
+      here = { x: event.clientX, y: event.clientY };
     if (!before) return;
     const [other] = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
     down.set(event.pointerId, here);

@@ -45,11 +45,17 @@ const FORMS: Readonly<Record<PathRole, Form>> = {
 };
 const TONES = [1.5, 2.25, 3, 3.5, 4.25, 5, 5.75] as const;
 const UNTOLD: Form = { wide: 2, dash: [2, 3] };
-/** How strong lines are: of what is to come, of what is done, and of the path where something else is told by colour. */
+/**
+ * How strong lines are: of what is to come, of what is done, and of the path where something else is told by colour.
+ */
 const STRENGTH = { coming: 0.75, done: 0.22, under: 0.2, told: 1 } as const;
 
-/** Where there are more pieces, those that cannot be told apart are drawn once: ends closer together than this are not, pixels. */
-const MANY = 4000, FINE = 1;
+/**
+ * Where there are more pieces, those that cannot be told apart are drawn once: ends closer together than this are not,
+ * pixels.
+ */
+const MANY = 4000,
+  FINE = 1;
 
 /** How fine a path of many pieces is drawn, mm: one of a few steps, since each is made anew. */
 const fineness = (pixel: number): number => 2 ** Math.floor(Math.log2(FINE * pixel));
@@ -80,7 +86,8 @@ function colourOf(look: LineLook, colours: LineColours): string {
 
 /** Pieces and how far along each begins and ends, mm, for dashes. */
 function geometryOf({ places }: SpaceLines): LineSegmentsGeometry {
-  const geometry = new LineSegmentsGeometry(), along = new Float32Array(places.length / 3);
+  const geometry = new LineSegmentsGeometry(),
+    along = new Float32Array(places.length / 3);
   geometry.setPositions(places);
   for (let i = 0, p = 0, far = 0; i < along.length; i += 2, p += 6) {
     along[i] = far;
@@ -100,7 +107,9 @@ function sharing(geometry: LineSegmentsGeometry): LineSegmentsGeometry {
   return other;
 }
 
-/** The lines of the work. Of two that lie on each other the first one is seen, and none is seen twice, however faint. */
+/**
+ * The lines of the work. Of two that lie on each other the first one is seen, and none is seen twice, however faint.
+ */
 export function createPathStage(): PathStage {
   const group = new Group();
   let drawn: readonly { readonly line: LineSegments2; readonly of: StageLines; readonly fades: boolean }[] = [];
@@ -134,7 +143,11 @@ export function createPathStage(): PathStage {
     return { line, of, fades };
   };
   const look = () => {
-    for (const { line: { material, geometry }, of, fades } of drawn) {
+    for (const {
+      line: { material, geometry },
+      of,
+      fades,
+    } of drawn) {
       if (colours) material.color.set(colourOf(of.look, colours));
       material.dashScale = 1 / pixel;
       material.linewidth = formOf(of.look).wide * share;
@@ -146,11 +159,16 @@ export function createPathStage(): PathStage {
   const arrange = () => {
     clear();
     const lines = isMany() ? whole.map((each) => ({ ...each, ...thinned(each, fineness(pixel)) })) : whole;
-    const told = lines.filter(({ look: l }) => "tone" in l).reverse(), path = lines.filter(({ look: l }) => "role" in l);
+    const told = lines.filter(({ look: l }) => "tone" in l).reverse(),
+      path = lines.filter(({ look: l }) => "role" in l);
     const first = told.map((each) => put(each, geometryOf(each), STRENGTH.told, false));
-    const made = path.map(geometryOf), all = (each: StageLines, i: number) => made[i] ?? geometryOf(each);
-    const coming = told.length > 0 ? [] : path.map((each, i) => put(each, sharing(all(each, i)), STRENGTH.coming, true));
-    const rest = path.map((each, i) => put(each, all(each, i), told.length > 0 ? STRENGTH.under : STRENGTH.done, false));
+    const made = path.map(geometryOf),
+      all = (each: StageLines, i: number) => made[i] ?? geometryOf(each);
+    const coming =
+      told.length > 0 ? [] : path.map((each, i) => put(each, sharing(all(each, i)), STRENGTH.coming, true));
+    const rest = path.map((each, i) =>
+      put(each, all(each, i), told.length > 0 ? STRENGTH.under : STRENGTH.done, false),
+    );
     drawn = [...first, ...coming, ...rest];
     look();
   };

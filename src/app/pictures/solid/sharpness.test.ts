@@ -3,7 +3,8 @@ import { createSharpness } from "./sharpness.ts";
 
 /** The shares after so many pictures, each of which takes what the share that is in force says. */
 function shares(took: (share: number) => number, pictures: number): number[] {
-  const sharpness = createSharpness(), out: number[] = [];
+  const sharpness = createSharpness(),
+    out: number[] = [];
   let share = 1;
   for (let i = 0; i < pictures; i += 1) {
     share = sharpness.took(took(share));

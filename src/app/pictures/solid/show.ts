@@ -56,7 +56,10 @@ export interface Show {
 
 /** Chords of a full turn while the body changes with every picture: roundness is told from its light then. */
 const QUICK = 64;
-/** While it plays a body is built anew after so many times what building it takes, so that most of the time is left for pictures. */
+/**
+ * While it plays a body is built anew after so many times what building it takes, so that most of the time is left for
+ * pictures.
+ */
 const PAUSE = 3;
 /** Most pixels that are drawn, and the finest ratio of them to those of the page. */
 const PIXELS = { most: 2_600_000, ratio: 2 } as const;
@@ -95,14 +98,20 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
 
   function draw({ bodies, told: now }: ShownBodies): void {
     stage.setBodies(bodies);
-    if (!isSameTold(now, told)) tell(told = now);
+    if (!isSameTold(now, told)) tell((told = now));
   }
 
-  /** How a moment is to be seen; `look` names all of it that is no stock. Where X grows downwards the picture is a mirror image. */
+  /**
+   * How a moment is to be seen; `look` names all of it that is no stock. Where X grows downwards the picture is a
+   * mirror image.
+   */
   function wanted({ moving, simulation, steps }: ShownWork) {
-    const position = atOf(moving), high = box?.high ?? 1, chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
-    const faults = simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0)).length
-      ?? 0;
+    const position = atOf(moving),
+      high = box?.high ?? 1,
+      chords = playing() ? Math.min(QUICK, chordsFor(high)) : chordsFor(high);
+    const faults =
+      simulation?.findings.filter((f) => f.step < position.step || (f.step === position.step && position.fraction > 0))
+        .length ?? 0;
     const look = [chords, quarterCut, xDown, toneTurn].join(),
       moment = [faults, position.step >= steps.length, playing() || position.step].join();
     const asked: BodiesAsked = {
@@ -121,13 +130,17 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
 
   /** Builds the bodies of the moment on the page, unless they are the ones that are there. */
   function buildHere(of: ShownWork): void {
-    const { moving, simulation, waiting } = of, { look, key, asked } = wanted(of), { position } = asked;
-    const rings = moving ? moving.stockAt(position) : waiting?.blank ?? nothingMoves();
+    const { moving, simulation, waiting } = of,
+      { look, key, asked } = wanted(of),
+      { position } = asked;
+    const rings = moving ? moving.stockAt(position) : (waiting?.blank ?? nothingMoves());
     // Of a run that is only planned the stock of before is seen, with its threads and colours.
     const stands = moving && !simulation && seenAt?.look === look && seenAt.moving.stockAt(seenAt.position) === rings;
     if (stands || (rings === drawnRings && key === drawnKey)) return;
     source.forget();
-    draw(shownBodies(rings, { simulation: moving && simulation, threads, surfaces: moving?.surfaces ?? UNTOUCHED }, asked));
+    draw(
+      shownBodies(rings, { simulation: moving && simulation, threads, surfaces: moving?.surfaces ?? UNTOUCHED }, asked),
+    );
     [drawnRings, drawnKey] = [rings, key];
     seenAt = moving && { moving, position, look };
   }
@@ -135,11 +148,13 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
   /** Has the bodies of the moment made, in the worker where that knows the work. */
   function build(): void {
     changed = false;
-    const now = work, moving = now?.moving ?? null;
+    const now = work,
+      moving = now?.moving ?? null;
     const known = now?.simulation && moving && clock.flows ? knownOf(moving.steps) : null;
     if (!now) return;
     if (!known || !moving) return buildHere(now);
-    const { look, key, asked } = wanted(now), { position } = asked;
+    const { look, key, asked } = wanted(now),
+      { position } = asked;
     source.ask(known, { ...asked, look: key }, (made) => {
       if (!made) buildHere(now);
       else {
@@ -153,9 +168,11 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
 
   function placeTool(): void {
     if (!work) return;
-    const { moving, waiting } = work, position = moving?.playback.shown();
-    const tip = moving && position ? tipAt(moving.steps, position) : waiting?.start ?? null;
-    const tool = moving && position ? moving.steps[stepIndex(moving.steps, position)]?.tool ?? null : waiting?.tool ?? null;
+    const { moving, waiting } = work,
+      position = moving?.playback.shown();
+    const tip = moving && position ? tipAt(moving.steps, position) : (waiting?.start ?? null);
+    const tool =
+      moving && position ? (moving.steps[stepIndex(moving.steps, position)]?.tool ?? null) : (waiting?.tool ?? null);
     if (tool !== drawnTool) stage.setTool(tool ? toolParts(tool) : []);
     drawnTool = tool;
     stage.placeTool(tool && tip);
@@ -171,7 +188,8 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
 
   /** Fewer pixels where pictures come too slowly after they were asked for; returns how long this one took. */
   function mind(now: number): number {
-    const took = now - Math.max(lastPicture, askedAt), goesOn = playing() || askedAt - lastPicture < REST.ms;
+    const took = now - Math.max(lastPicture, askedAt),
+      goesOn = playing() || askedAt - lastPicture < REST.ms;
     lastPicture = now;
     if (goesOn) learned = sharpness.took(took);
     if (goesOn) setCoarse(learned);
@@ -188,9 +206,14 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
       cost = builtAt - begun;
     }
     placeTool();
-    const { centre } = eye.get(), wide = box ? Math.hypot(box.right - box.left, box.high) : 1;
+    const { centre } = eye.get(),
+      wide = box ? Math.hypot(box.right - box.left, box.high) : 1;
     const tip = work?.moving && tipAt(work.moving.steps, work.moving.playback.shown());
-    stage.draw(eye.get(), eye.size(), 2 * wide + Math.hypot(centre[2], centre[1], centre[0]) + (tip ? Math.hypot(tip.z, tip.r) : 0));
+    stage.draw(
+      eye.get(),
+      eye.size(),
+      2 * wide + Math.hypot(centre[2], centre[1], centre[0]) + (tip ? Math.hypot(tip.z, tip.r) : 0),
+    );
     if (changed && !source.isAsked()) ask();
     clearTimeout(resting);
     if (coarse < 1) resting = setTimeout(sharpen, Math.max(REST.ms, REST.times * took));
@@ -224,16 +247,21 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
       for (const stop of heard) stop();
       work = next;
       const { moving, simulation } = next;
-      threads = moving && simulation
-        ? runThreads(next.steps, moving.stockAt, { stated: statedSteps(simulation), spindles: next.spindles })
-        : null;
+      threads =
+        moving && simulation
+          ? runThreads(next.steps, moving.stockAt, { stated: statedSteps(simulation), spindles: next.spindles })
+          : null;
       [drawnRings, drawnKey] = [[], ""];
       source.forget();
       const chuck = chuckParts(next.blank, next.clamping);
       stage.setChuck(chuck?.parts ?? []);
       box = joined(boundsOf(next.blank.flat()), boundsOf(next.contours.flat().flatMap((s) => [s.from, s.to])));
       const isFlat = next.blank.length === 0;
-      if (isFlat) box = joined(box, boundsOf(next.steps.flatMap(({ from, move }) => (move.kind === "rapid" ? [] : [from, move.to]))));
+      if (isFlat)
+        box = joined(
+          box,
+          boundsOf(next.steps.flatMap(({ from, move }) => (move.kind === "rapid" ? [] : [from, move.to]))),
+        );
       seen = joined(box, chuck?.seen ?? null);
       fit();
       heard = next.moving ? [next.moving.playback.subscribe(changeWork)] : [];

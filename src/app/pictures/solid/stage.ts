@@ -1,5 +1,20 @@
-import { AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, Group, LineBasicMaterial, LineSegments, Mesh as Triangles,
-  MeshPhongMaterial, PerspectiveCamera, Scene as Space, Sphere, WebGLRenderer, type Material } from "three";
+import {
+  AmbientLight,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DirectionalLight,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh as Triangles,
+  MeshPhongMaterial,
+  PerspectiveCamera,
+  Scene as Space,
+  Sphere,
+  WebGLRenderer,
+  type Material,
+} from "three";
 import type { Chip } from "../../../sim/chip/chip.ts";
 import type { Size } from "../../../view/camera.ts";
 import type { DrawnPart } from "../../../view/solid/furniture.ts";
@@ -36,8 +51,8 @@ export interface SolidStage {
   /** The canvas, and how much of it lies below the picture, pixels of the page. */
   readonly setSize: (size: Size, below: number, ratio: number) => void;
   /**
-   * How much of it is drawn along each side, 0 … 1; that is shown larger. A canvas of another size would be another buffer on the graphics
-   * card, and the page would wait for it.
+   * How much of it is drawn along each side, 0 … 1; that is shown larger. A canvas of another size would be another
+   * buffer on the graphics card, and the page would wait for it.
    */
   readonly setShare: (share: number) => void;
   readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
@@ -62,7 +77,10 @@ export interface SolidStage {
 
 /** Pixels between two lines of a hatch. */
 const HATCH = 8;
-/** What stays is a layer too thin to be told by lines of a hatch: its ground has its colour, and lines are paler by this, 0 … 1. */
+/**
+ * What stays is a layer too thin to be told by lines of a hatch: its ground has its colour, and lines are paler by
+ * this, 0 … 1.
+ */
 const PALE = 0.3;
 
 function geometryOf({ positions, normals, index, looks }: Mesh): BufferGeometry {
@@ -95,14 +113,19 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   if (!context) return null;
   const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });
   renderer.setClearAlpha(0);
-  const space = new Space(), camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 1, 1000);
+  const space = new Space(),
+    camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 1, 1000);
   const key = new DirectionalLight(0xffffff, LIGHT.key);
   key.position.set(...LIGHT.from);
   // It shines along with the eye: its aim would stay where the work is, and it would shine from the eye itself.
   camera.add(key, key.target);
   camera.up.set(1, 0, 0);
-  const world = new Group(), work = new Group(), chuck = new Group(), tool = new Group();
-  const path = createPathStage(), chip = createChipStage();
+  const world = new Group(),
+    work = new Group(),
+    chuck = new Group(),
+    tool = new Group();
+  const path = createPathStage(),
+    chip = createChipStage();
   world.add(work, chuck, tool, chip.group, path.group);
   space.add(world, camera, new AmbientLight(0xffffff, LIGHT.around));
 
@@ -196,7 +219,9 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     setTool: (parts) => setParts(tool, parts),
     placeTool(tip) {
       tool.visible = chip.group.visible = tip !== null;
-      if (tip) { for (const each of [tool, chip.group]) each.position.set(tip.r, 0, tip.z); }
+      if (tip) {
+        for (const each of [tool, chip.group]) each.position.set(tip.r, 0, tip.z);
+      }
     },
     setChip: chip.set,
     setLines: path.set,
@@ -222,7 +247,8 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       for (const each of [...Object.values(surfaces), ...Object.values(lines)]) each.dispose();
       for (const { material } of Object.values(sections)) material.dispose();
       renderer.dispose();
-      // A browser gives few contexts, and takes the oldest one away for the next: one that is not needed any more goes at once.
+      // A browser gives few contexts, and takes the oldest one away for the next: one that is not needed any more goes
+      // at once.
       if (!canvas.isConnected) renderer.forceContextLoss();
     },
   };

@@ -1,25 +1,29 @@
 import { Color } from "three";
 
 /**
- * One light from over the operator's left shoulder (along these axes of the eye: right, up, towards it), and what comes from all sides: a
- * face square to the eye has about its colour, one square to the light is a quarter brighter.
+ * One light from over the operator's left shoulder (along these axes of the eye: right, up, towards it), and what comes
+ * from all sides: a face square to the eye has about its colour, one square to the light is a quarter brighter.
  */
 export const LIGHT = { from: [-0.15, 0.5, 1], key: 0.69 * Math.PI, around: 0.56 * Math.PI } as const;
 
-/** What light (linear, 1 is white) steel sends to the eye at most, and from where on it comes nearer to that ever more slowly. */
+/**
+ * What light (linear, 1 is white) steel sends to the eye at most, and from where on it comes nearer to that ever more
+ * slowly.
+ */
 const TONE = { knee: 0.6, most: 0.82 } as const;
 const SPAN = TONE.most - TONE.knee;
 
 /** The light that is shown of what steel sends: it never is as bright as a white page. Linear, 1 is white. */
-export const toned = (light: number): number => light <= TONE.knee ? light : TONE.knee + SPAN * (1 - Math.exp((TONE.knee - light) / SPAN));
+export const toned = (light: number): number =>
+  light <= TONE.knee ? light : TONE.knee + SPAN * (1 - Math.exp((TONE.knee - light) / SPAN));
 
 /** The same for the graphics card: the brightest part of a colour is toned, and its hue stays. */
 export const TONED = `
   float brightest = max(outgoingLight.r, max(outgoingLight.g, outgoingLight.b));
   if (brightest > ${TONE.knee.toFixed(3)}) {
-    outgoingLight *= (${TONE.knee.toFixed(3)} + ${SPAN.toFixed(3)} * (1.0 - exp((${TONE.knee.toFixed(3)} - brightest) / ${
-  SPAN.toFixed(3)
-}))) / brightest;
+    outgoingLight *= (${TONE.knee.toFixed(3)} + ${SPAN.toFixed(3)} * (1.0 - exp((${TONE.knee.toFixed(3)} - brightest) / ${SPAN.toFixed(
+      3,
+    )}))) / brightest;
   }`;
 
 /** Colours of the page of which those of the chuck are made. */
@@ -32,8 +36,15 @@ export interface ChuckColours {
 /** How far the body of the chuck is darker than the chuck of the drawing, and its jaws lighter, 0 … 1. */
 const APART = { body: 0.3, jaw: 0.2 } as const;
 
-/** Body and jaws of the chuck: darker and lighter than raw steel, so that all three are told apart where no shade parts them. */
-export const chuckTones = ({ chuck, chuckDark, steelLight }: ChuckColours): { readonly chuck: Color; readonly jaw: Color } => ({
+/**
+ * Body and jaws of the chuck: darker and lighter than raw steel, so that all three are told apart where no shade parts
+ * them.
+ */
+export const chuckTones = ({
+  chuck,
+  chuckDark,
+  steelLight,
+}: ChuckColours): { readonly chuck: Color; readonly jaw: Color } => ({
   chuck: new Color(chuck).lerp(new Color(chuckDark), APART.body),
   jaw: new Color(chuck).lerp(new Color(steelLight), APART.jaw),
 });

@@ -44,10 +44,11 @@ const shipsWithPage = (id: string): boolean => found(tasks, (name) => name === i
 const LONGEST_OWN = 57;
 
 /**
- * A task from outside: one that has the id of a task of the course gets one of its own, always the same. Neither progress nor works nor
- * results of the two are mixed.
+ * A task from outside: one that has the id of a task of the course gets one of its own, always the same. Neither
+ * progress nor works nor results of the two are mixed.
  */
-export const fromOutside = (task: Task): Task => shipsWithPage(task.id) ? { ...task, id: `own-${task.id.slice(0, LONGEST_OWN)}` } : task;
+export const fromOutside = (task: Task): Task =>
+  shipsWithPage(task.id) ? { ...task, id: `own-${task.id.slice(0, LONGEST_OWN)}` } : task;
 
 /** A lesson of the course; null where there is none of this id. */
 export async function fetchLesson(id: string): Promise<Lesson | null> {

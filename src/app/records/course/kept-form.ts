@@ -38,7 +38,11 @@ export const keptForm = (key: string): KeptForm | undefined => {
 };
 
 const newest = (list: KeptForms): KeptForms =>
-  Object.fromEntries(Object.entries(list).toSorted(([, a], [, b]) => b.at - a.at).slice(0, MOST));
+  Object.fromEntries(
+    Object.entries(list)
+      .toSorted(([, a], [, b]) => b.at - a.at)
+      .slice(0, MOST),
+  );
 
 /** Keeps a form as it stands. */
 export const keepForm = (key: string, form: MadeTask, print: string): void =>
@@ -48,7 +52,10 @@ export const keepForm = (key: string, form: MadeTask, print: string): void =>
 export const forgetForm = (key: string): void =>
   formRecord.put(Object.fromEntries(Object.entries(formRecord.now()).filter(([other]) => other !== key)));
 
-/** Forms of another device that are not here beside those that are. `nameHere`: what a work is called here that had another name there. */
+/**
+ * Forms of another device that are not here beside those that are. `nameHere`: what a work is called here that had
+ * another name there.
+ */
 export function mergedForms(mine: KeptForms, brought: KeptForms, nameHere: ReadonlyMap<string, string>): KeptForms {
   const keyHere = (key: string) => {
     const name = key.startsWith(OF_WORK) ? nameHere.get(key.slice(OF_WORK.length)) : undefined;

@@ -1,5 +1,17 @@
-import { NO_PROGRESS, progressOfTask, progressShape, withHint, withPass, withPlace, withSolution, withTry, type CourseMark,
-  type PassedAnswer, type CourseProgress, type TaskProgress } from "../../../course/progress.ts";
+import {
+  NO_PROGRESS,
+  progressOfTask,
+  progressShape,
+  withHint,
+  withPass,
+  withPlace,
+  withSolution,
+  withTry,
+  type CourseMark,
+  type PassedAnswer,
+  type CourseProgress,
+  type TaskProgress,
+} from "../../../course/progress.ts";
 import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
 import { editRecord } from "../../document/edit-record.ts";

@@ -1,6 +1,15 @@
 import { expect, test } from "vitest";
 import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
-import { isAmong, learnerCount, resultsCsv, resultRows, sheetCell, sortedRows, type Again, type LearnerFile } from "./result-rows.ts";
+import {
+  isAmong,
+  learnerCount,
+  resultsCsv,
+  resultRows,
+  sheetCell,
+  sortedRows,
+  type Again,
+  type LearnerFile,
+} from "./result-rows.ts";
 
 const task = (id: string, more: Partial<TaskResult> = {}): TaskResult => ({
   id,
@@ -24,14 +33,22 @@ const ada: HandedResult = {
   tasks: [task("pin", { tries: 11 }), task("disc")],
 };
 const none: HandedResult = { ...ada, name: "", tasks: [] };
-const zoe: HandedResult = { ...ada, name: "zoé", tasks: [task("pin", { seconds: 61.7, passed: { way: "alone", when: 7 } })] };
+const zoe: HandedResult = {
+  ...ada,
+  name: "zoé",
+  tasks: [task("pin", { seconds: 61.7, passed: { way: "alone", when: 7 } })],
+};
 
-const inFiles = (...all: readonly HandedResult[]): readonly LearnerFile[] => all.map((result, i) => ({ file: `${i}.json`, result }));
+const inFiles = (...all: readonly HandedResult[]): readonly LearnerFile[] =>
+  all.map((result, i) => ({ file: `${i}.json`, result }));
 const compare = (a: string, b: string) => a.localeCompare(b, "en");
 
 test("rows of several learners are sorted by any column, and by none as they came", () => {
   const rows = resultRows(inFiles(zoe, none, ada));
-  const again = new Map<string, Again>([["0 pin", "fails"], ["2 disc", "passes"]]);
+  const again = new Map<string, Again>([
+    ["0 pin", "fails"],
+    ["2 disc", "passes"],
+  ]);
   const order = (column: Parameters<typeof sortedRows>[1], down = false) =>
     sortedRows(rows, column, down, { again, compare }).map(({ name, result }) => `${name} ${result.id}`);
   expect(order(null)).toEqual(["zoé pin", "Ada pin", "Ada disc"]);
@@ -58,11 +75,9 @@ test("of a task that a learner handed in twice the newest counts and the others 
     "4 pin",
   ]);
   // Of two of the same moment one counts, and only one.
-  expect(resultRows(inFiles(ada, { ...ada, tasks: [task("pin", { tries: 12 })] })).map(({ earlier }) => earlier)).toEqual([
-    true,
-    false,
-    false,
-  ]);
+  expect(
+    resultRows(inFiles(ada, { ...ada, tasks: [task("pin", { tries: 12 })] })).map(({ earlier }) => earlier),
+  ).toEqual([true, false, false]);
 });
 
 test("the same file is known again", () => {
@@ -86,7 +101,11 @@ test.each([
 });
 
 test("a sheet is written as the spreadsheets of a language read it", () => {
-  const rows = [["Ada", 61.7], ["", null], ["b,c", -3]];
+  const rows = [
+    ["Ada", 61.7],
+    ["", null],
+    ["b,c", -3],
+  ];
   expect(resultsCsv(["Name", "s"], rows, ",")).toBe("\uFEFFName;s\r\nAda;61,7\r\n;\r\nb,c;-3\r\n");
   expect(resultsCsv(["Name"], [["b,c"], [-0.5]], ".")).toBe('\uFEFFName\r\n"b,c"\r\n-0.5\r\n');
 });

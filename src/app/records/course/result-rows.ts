@@ -2,8 +2,8 @@ import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
 import { stateOfTask, type TaskState } from "../../../course/progress.ts";
 
 /**
- * What a program comes to when it is run here; "unknown" where this device does not have its task, "foretold" where a task has
- * none, "stopped" where the run came to no end.
+ * What a program comes to when it is run here; "unknown" where this device does not have its task, "foretold" where a
+ * task has none, "stopped" where the run came to no end.
  */
 export type Again = "passes" | "fails" | "unknown" | "foretold" | "none" | "stopped";
 
@@ -29,23 +29,40 @@ export interface ResultRow {
 /** A name with one blank between its words. */
 export const plainName = (name: string): string => name.trim().replace(/\s+/g, " ");
 
-/** Who handed something in, whatever the case of the name and the blanks in it; who typed no name is somebody of their own each time. */
+/**
+ * Who handed something in, whatever the case of the name and the blanks in it; who typed no name is somebody of their
+ * own each time.
+ */
 const learnerOf = (name: string, index: number): string => {
   const plain = plainName(name).normalize("NFKC").toLowerCase();
   return plain === "" ? `#${index}` : `=${plain}`;
 };
 
 /** How many learners there are. */
-export const learnerCount = (all: readonly LearnerFile[]): number => new Set(all.map(({ result }, i) => learnerOf(result.name, i))).size;
+export const learnerCount = (all: readonly LearnerFile[]): number =>
+  new Set(all.map(({ result }, i) => learnerOf(result.name, i))).size;
 
-/** Rows in the order in which the files came. Of a task that was handed in more than once the newest counts, of one age the last. */
+/**
+ * Rows in the order in which the files came. Of a task that was handed in more than once the newest counts, of one age
+ * the last.
+ */
 export function resultRows(all: readonly LearnerFile[]): readonly ResultRow[] {
   const rows = all.flatMap(({ result: { name, made, tasks } }, i) =>
-    tasks.map((result) => ({ who: `${learnerOf(name, i)} ${result.id}`, key: `${i} ${result.id}`, name: plainName(name), made, result }))
+    tasks.map((result) => ({
+      who: `${learnerOf(name, i)} ${result.id}`,
+      key: `${i} ${result.id}`,
+      name: plainName(name),
+      made,
+      result,
+    })),
   );
   const newest = new Map<string, (typeof rows)[number]>();
   for (const row of rows) if (!((newest.get(row.who)?.made ?? -Infinity) > row.made)) newest.set(row.who, row);
-  return rows.map(({ who, ...row }) => ({ ...row, earlier: newest.get(who)?.key !== row.key, state: stateOfTask(row.result) }));
+  return rows.map(({ who, ...row }) => ({
+    ...row,
+    earlier: newest.get(who)?.key !== row.key,
+    state: stateOfTask(row.result),
+  }));
 }
 
 /** Whether a file of results is among those that are there. */
@@ -122,10 +139,8 @@ export function sortedRows(
 ): readonly ResultRow[] {
   if (!column) return rows;
   const value = (row: ResultRow) => sortedBy(row, column, again.get(row.key));
-  const by = (
-    a: Sorted,
-    b: Sorted,
-  ): number => (typeof a === "string" && typeof b === "string" ? compare(a, b) : Number(a > b) - Number(a < b));
+  const by = (a: Sorted, b: Sorted): number =>
+    typeof a === "string" && typeof b === "string" ? compare(a, b) : Number(a > b) - Number(a < b);
   return rows.toSorted((a, b) => (down ? by(value(b), value(a)) : by(value(a), value(b))));
 }
 
@@ -139,8 +154,8 @@ interface SheetHow {
 }
 
 /**
- * One cell of a sheet. A text that a spreadsheet would run as a formula gets an apostrophe in front, which shows that it is text; numbers
- * stay numbers.
+ * One cell of a sheet. A text that a spreadsheet would run as a formula gets an apostrophe in front, which shows that
+ * it is text; numbers stay numbers.
  */
 export function sheetCell(value: string | number | null, { separator, decimal }: SheetHow): string {
   if (value === null) return "";
@@ -150,8 +165,15 @@ export function sheetCell(value: string | number | null, { separator, decimal }:
   return safe.includes(separator) || /["]|^\s|\s$/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }
 
-/** A table as a sheet. `decimal`: that of the language; with a comma the cells are parted by semicolons, as its spreadsheets expect. */
-export function resultsCsv(head: readonly string[], rows: readonly (readonly (string | number | null)[])[], decimal: string): string {
+/**
+ * A table as a sheet. `decimal`: that of the language; with a comma the cells are parted by semicolons, as its
+ * spreadsheets expect.
+ */
+export function resultsCsv(
+  head: readonly string[],
+  rows: readonly (readonly (string | number | null)[])[],
+  decimal: string,
+): string {
   const how = { separator: decimal === "," ? ";" : ",", decimal };
   const lines = [head, ...rows].map((cells) => cells.map((cell) => sheetCell(cell, how)).join(how.separator));
   return BOM + lines.map((line) => `${line}\r\n`).join("");

@@ -17,7 +17,9 @@ const NONE: WorkedTasks = {};
 export const workedRecord = record({
   key: "course-worked",
   version: 1,
-  schema: z.object({ tasks: z.record(z.string().check(z.maxLength(100)), z.object({ ms: z.number(), steps: z.int() })) }),
+  schema: z.object({
+    tasks: z.record(z.string().check(z.maxLength(100)), z.object({ ms: z.number(), steps: z.int() })),
+  }),
   from: ({ tasks }): WorkedTasks => tasks,
   to: (tasks) => ({ tasks }),
   first: NONE,
@@ -29,13 +31,16 @@ export const workedIn = (id: string): Worked => workedOf(workedRecord.now(), id)
 
 function add(id: string, more: Partial<Worked>): void {
   const now = workedIn(id);
-  workedRecord.put({ ...workedRecord.now(), [id]: { ms: now.ms + (more.ms ?? 0), steps: now.steps + (more.steps ?? 0) } });
+  workedRecord.put({
+    ...workedRecord.now(),
+    [id]: { ms: now.ms + (more.ms ?? 0), steps: now.steps + (more.steps ?? 0) },
+  });
 }
 
 /** The task that is open and in sight; null while there is none. */
 function openTask(): string | null {
   const { job, program } = useEditor.getState();
-  return document.visibilityState === "visible" ? (job ?? program)?.task?.id ?? null : null;
+  return document.visibilityState === "visible" ? ((job ?? program)?.task?.id ?? null) : null;
 }
 
 /** How often running time is written down, ms. */
@@ -44,7 +49,8 @@ let since: { readonly id: string; readonly at: number } | null = null;
 
 /** Adds what has passed, and goes on with the task that is open now. */
 export function countWork(): void {
-  const now = time(), id = openTask();
+  const now = time(),
+    id = openTask();
   if (since && now > since.at) add(since.id, { ms: now - since.at });
   since = id === null ? null : { id, at: now };
 }
@@ -57,7 +63,8 @@ export function startWorkingTime(): void {
   });
   useSteps.subscribe((is, was) => {
     const id = openTask();
-    if (id !== null && is.past !== was.past && is.future.length === 0 && is.past.length > was.past.length) add(id, { steps: 1 });
+    if (id !== null && is.past !== was.past && is.future.length === 0 && is.past.length > was.past.length)
+      add(id, { steps: 1 });
   });
   document.addEventListener("visibilitychange", countWork);
   addEventListener("pagehide", countWork);

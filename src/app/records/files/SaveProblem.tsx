@@ -29,7 +29,13 @@ export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCom
   };
   const title = t?.[obstacle.kind].title(file);
   return (
-    <dialog ref={dialog} className="save-problem" role="alertdialog" aria-label={title} onClose={() => !dialog.current?.open && done()}>
+    <dialog
+      ref={dialog}
+      className="save-problem"
+      role="alertdialog"
+      aria-label={title}
+      onClose={() => !dialog.current?.open && done()}
+    >
       {t && (
         <>
           <h2>
@@ -39,21 +45,23 @@ export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCom
           <div className="program-ways">
             {obstacle.kind === "changed" && (
               <>
-                <button type="button" className="button primary" onClick={leave(() => onCompare(obstacle.bytes))}>{t.compare}</button>
-                <button type="button" className="button danger" onClick={leave(() =>
-                  onSave("overwrite")
-                )}>
+                <button type="button" className="button primary" onClick={leave(() => onCompare(obstacle.bytes))}>
+                  {t.compare}
+                </button>
+                <button type="button" className="button danger" onClick={leave(() => onSave("overwrite"))}>
                   {t.overwrite}
                 </button>
               </>
             )}
             {canSave && (
-              <button type="button" className="button" onClick={leave(() => onSave("elsewhere"))}>{t.elsewhere}</button>
+              <button type="button" className="button" onClick={leave(() => onSave("elsewhere"))}>
+                {t.elsewhere}
+              </button>
             )}
-            <button type="button" className="button" onClick={leave(onDownload)}>{t.download}</button>
-            <button type="button" className="button" onClick={() =>
-              dialog.current?.close()}
-            >
+            <button type="button" className="button" onClick={leave(onDownload)}>
+              {t.download}
+            </button>
+            <button type="button" className="button" onClick={() => dialog.current?.close()}>
               {t.cancel}
             </button>
           </div>

@@ -44,8 +44,12 @@ export const plainFiles = (files: FileList | readonly File[] | null): readonly C
 /** Asks for files; none when the operator closes the question. */
 export async function pickFiles(): Promise<readonly Chosen[]> {
   try {
-    const picked = (await pickers().showOpenFilePicker?.({ types: [...types, works], excludeAcceptAllOption: false, multiple: true }))
-      ?? [];
+    const picked =
+      (await pickers().showOpenFilePicker?.({
+        types: [...types, works],
+        excludeAcceptAllOption: false,
+        multiple: true,
+      })) ?? [];
     return await Promise.all(picked.map(async (handle) => ({ file: await handle.getFile(), handle })));
   } catch {
     return [];
@@ -69,7 +73,8 @@ export function askForFiles(): Promise<readonly Chosen[]> {
 /** The file or folder behind something that was dropped; null where the browser gives no access to it. */
 export async function handleOf(item: DataTransferItem): Promise<FileHandle | FolderHandle | null> {
   try {
-    const get = (item as { getAsFileSystemHandle?: () => Promise<FileHandle | FolderHandle | null> }).getAsFileSystemHandle;
+    const get = (item as { getAsFileSystemHandle?: () => Promise<FileHandle | FolderHandle | null> })
+      .getAsFileSystemHandle;
     return get ? await get.call(item) : null;
   } catch {
     return null;
@@ -85,7 +90,10 @@ export async function askWhere(name: string): Promise<FileHandle | null> {
   }
 }
 
-/** Asks for a folder; null when the operator closes the question, undefined where the browser can not ask for it in this way. */
+/**
+ * Asks for a folder; null when the operator closes the question, undefined where the browser can not ask for it in this
+ * way.
+ */
 export async function pickFolder(): Promise<FolderHandle | null | undefined> {
   const pick = pickers().showDirectoryPicker;
   if (!pick) return undefined;

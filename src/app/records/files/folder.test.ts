@@ -14,7 +14,7 @@ const file = (name: string, size = 10): FileHandle & { readonly kind: "file" } =
 const folder = (name: string, members: readonly Member[]): FolderHandle => ({
   kind: "directory",
   name,
-  values: async function*() {
+  values: async function* () {
     yield* members;
   },
 });
@@ -25,32 +25,48 @@ const namesIn = async (root: FolderHandle) => {
 
 test("programs and tables of all folders are taken, outer ones first; hidden files and others are not", async () => {
   const inner = folder("sub", [file("x.h"), file(".lock.h"), folder(".git", [file("y.h")])]);
-  expect(await namesIn(folder("job", [inner, file("MAIN.H"), file("photo.jpg"), file("points.PNT"), file("~tmp.h"), file("noending")])))
-    .toEqual({ names: ["MAIN.H", "points.PNT", "x.h"], skipped: 2, isCut: false });
+  expect(
+    await namesIn(
+      folder("job", [inner, file("MAIN.H"), file("photo.jpg"), file("points.PNT"), file("~tmp.h"), file("noending")]),
+    ),
+  ).toEqual({ names: ["MAIN.H", "points.PNT", "x.h"], skipped: 2, isCut: false });
 });
 
 test("more files, larger ones or deeper folders than are taken at once are left out, and said", async () => {
-  const many = await namesIn(folder("many", Array.from({ length: MOST_FILES + 7 }, (_, i) => file(`${i}.h`))));
+  const many = await namesIn(
+    folder(
+      "many",
+      Array.from({ length: MOST_FILES + 7 }, (_, i) => file(`${i}.h`)),
+    ),
+  );
   expect([many.names.length, many.isCut]).toEqual([MOST_FILES, true]);
   expect(await namesIn(folder("large", [file("a.h", LARGEST_PROGRAM - 3), file("b.h", 4), file("c.h", 3)]))).toEqual({
     names: ["a.h", "c.h"],
     skipped: 0,
     isCut: true,
   });
-  const deep = Array.from({ length: DEEPEST_FOLDER + 2 }).reduce<FolderHandle>((inside) => folder("in", [file("a.h"), inside]),
-    folder("last", [file("lost.h")]));
+  const deep = Array.from({ length: DEEPEST_FOLDER + 2 }).reduce<FolderHandle>(
+    (inside) => folder("in", [file("a.h"), inside]),
+    folder("last", [file("lost.h")]),
+  );
   const { names, isCut } = await namesIn(deep);
   expect([names.length, names.includes("lost.h"), isCut]).toEqual([DEEPEST_FOLDER, false, true]);
 });
 
 test("what can not be read is counted, and the rest is taken", async () => {
   const broken = { ...file("b.h"), getFile: () => Promise.reject(new Error("gone")) };
-  const { files, skipped } = await filesOfDrop([{ handle: file("a.h"), entry: null }, { handle: folder("f", [broken]), entry: null }]);
+  const { files, skipped } = await filesOfDrop([
+    { handle: file("a.h"), entry: null },
+    { handle: folder("f", [broken]), entry: null },
+  ]);
   expect([files.map((each) => each.file.name), skipped]).toEqual([["a.h"], 1]);
 });
 
 test("a plain question for a folder is held to the same rules", async () => {
-  const listed = (path: string) => Object.defineProperty(new File(["1"], path.replace(/.*\//, "")), "webkitRelativePath", { value: path });
-  const { files, skipped } = await filesOfList(["job/MAIN.H", "job/.git/a.h", "job/sub/x.i", "job/part.step"].map(listed));
+  const listed = (path: string) =>
+    Object.defineProperty(new File(["1"], path.replace(/.*\//, "")), "webkitRelativePath", { value: path });
+  const { files, skipped } = await filesOfList(
+    ["job/MAIN.H", "job/.git/a.h", "job/sub/x.i", "job/part.step"].map(listed),
+  );
   expect([files.map((each) => each.file.name), skipped]).toEqual([["MAIN.H", "x.i"], 1]);
 });

@@ -15,11 +15,13 @@ const ours = new Set(ENDINGS.map((ending) => ending.toUpperCase()));
 const isOurs = (name: string): boolean => ours.has(/\.[^.]*$/.exec(name)?.[0].toUpperCase() ?? "");
 
 /** One member of a folder, whichever way the browser shows it. */
-type Member = { readonly kind: "folder"; readonly name: string; readonly members: () => Promise<readonly Member[]> } | {
-  readonly kind: "file";
-  readonly name: string;
-  readonly file: () => Promise<Chosen>;
-};
+type Member =
+  | { readonly kind: "folder"; readonly name: string; readonly members: () => Promise<readonly Member[]> }
+  | {
+      readonly kind: "file";
+      readonly name: string;
+      readonly file: () => Promise<Chosen>;
+    };
 
 /** Goes through folders, the outer files first, and stops at the limits. What can not be read is left out. */
 async function gather(roots: readonly Member[]): Promise<FolderContent> {
@@ -55,14 +57,14 @@ async function gather(roots: readonly Member[]): Promise<FolderContent> {
 const memberOfHandle = (handle: FolderHandle | FileHandle): Member =>
   "values" in handle
     ? {
-      kind: "folder",
-      name: handle.name,
-      members: async () => {
-        const members: Member[] = [];
-        for await (const each of handle.values()) members.push(memberOfHandle(each));
-        return members;
-      },
-    }
+        kind: "folder",
+        name: handle.name,
+        members: async () => {
+          const members: Member[] = [];
+          for await (const each of handle.values()) members.push(memberOfHandle(each));
+          return members;
+        },
+      }
     : { kind: "file", name: handle.name, file: async () => ({ file: await handle.getFile(), handle }) };
 
 /** All files of a directory entry: browsers hand over a hundred at a time. */
@@ -70,7 +72,9 @@ async function entriesIn(entry: FileSystemDirectoryEntry): Promise<readonly File
   const reader = entry.createReader();
   const all: FileSystemEntry[] = [];
   for (;;) {
-    const some = await new Promise<readonly FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
+    const some = await new Promise<readonly FileSystemEntry[]>((resolve, reject) =>
+      reader.readEntries(resolve, reject),
+    );
     if (some.length === 0) return all;
     all.push(...some);
   }
@@ -78,33 +82,43 @@ async function entriesIn(entry: FileSystemDirectoryEntry): Promise<readonly File
 
 const memberOfEntry = (entry: FileSystemEntry): Member =>
   entry.isDirectory
-    ? { kind: "folder", name: entry.name, members: async () => (await entriesIn(entry as FileSystemDirectoryEntry)).map(memberOfEntry) }
+    ? {
+        kind: "folder",
+        name: entry.name,
+        members: async () => (await entriesIn(entry as FileSystemDirectoryEntry)).map(memberOfEntry),
+      }
     : {
-      kind: "file",
-      name: entry.name,
-      file: async () => ({
-        file: await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject)),
-        handle: null,
-      }),
-    };
+        kind: "file",
+        name: entry.name,
+        file: async () => ({
+          file: await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject)),
+          handle: null,
+        }),
+      };
 
 /** What lies in a folder that was chosen. */
 export const filesOfFolder = (folder: FolderHandle): Promise<FolderContent> => gather([memberOfHandle(folder)]);
 
-/** What lies in files and folders that were dropped together; by handles where the browser gives them, otherwise by entries. */
-export const filesOfDrop =
-  (dropped: readonly { readonly handle: FileHandle | FolderHandle | null; readonly entry: FileSystemEntry | null }[]): Promise<
-    FolderContent
-  > =>
-    gather(dropped.flatMap(({ handle, entry }) => {
+/**
+ * What lies in files and folders that were dropped together; by handles where the browser gives them, otherwise by
+ * entries.
+ */
+export const filesOfDrop = (
+  dropped: readonly { readonly handle: FileHandle | FolderHandle | null; readonly entry: FileSystemEntry | null }[],
+): Promise<FolderContent> =>
+  gather(
+    dropped.flatMap(({ handle, entry }) => {
       if (handle) return [memberOfHandle(handle)];
       return entry ? [memberOfEntry(entry)] : [];
-    }));
+    }),
+  );
 
 /** What a plain question for a folder gave: all files in it, with their paths. */
 export const filesOfList = (list: FileList | readonly File[] | null): Promise<FolderContent> =>
-  gather(Array.from(list ?? []).flatMap((file): readonly Member[] => {
-    const path = file.webkitRelativePath.split("/");
-    if (path.length > DEEPEST_FOLDER + 2 || path.some(isHidden)) return [];
-    return [{ kind: "file", name: file.name, file: async () => ({ file, handle: null }) }];
-  }));
+  gather(
+    Array.from(list ?? []).flatMap((file): readonly Member[] => {
+      const path = file.webkitRelativePath.split("/");
+      if (path.length > DEEPEST_FOLDER + 2 || path.some(isHidden)) return [];
+      return [{ kind: "file", name: file.name, file: async () => ({ file, handle: null }) }];
+    }),
+  );

@@ -5,7 +5,8 @@ import { useSettings } from "../../base/settings/settings.ts";
 import type { WorkFile } from "../../document/work.ts";
 
 /** Whether a text may be DIN/ISO: its reader, which knows, is fetched only then. */
-export const mayBeIso = (text: string): boolean => !/BEGIN PGM/i.test(text) && /^[ \t\ufeff]*(?:%|\/?N?\d*[ \t]*G[ \t]*\d)/im.test(text);
+export const mayBeIso = (text: string): boolean =>
+  !/BEGIN PGM/i.test(text) && /^[ \t\ufeff]*(?:%|\/?N?\d*[ \t]*G[ \t]*\d)/im.test(text);
 
 /** A text file as the page works on it: one in DIN/ISO becomes Klartext under the same name, and that is said. */
 export async function asKlartext(file: WorkFile): Promise<WorkFile> {
@@ -17,11 +18,14 @@ export async function asKlartext(file: WorkFile): Promise<WorkFile> {
       import("../../../program/job/iso-names.ts"),
       import("../../../i18n/nc-labels.ts"),
       import("../../../nc/style.ts"),
-    ])
+    ]),
   );
   if (!isIsoText(file.text)) return file;
   const { control, language } = useSettings.getState();
-  const style = { ...LAYOUTS[control === "TNC7" ? "tnc7" : "tnc640"], newLine: file.text.includes("\r\n") ? "\r\n" : "\n" } as const;
+  const style = {
+    ...LAYOUTS[control === "TNC7" ? "tnc7" : "tnc640"],
+    newLine: file.text.includes("\r\n") ? "\r\n" : "\n",
+  } as const;
   const { text } = klartextOfIso(file.text, style, isoNames(ncLabels(ncLanguageOf(language))));
   notice("isoRead");
   return { ...file, name: `${file.name.replace(/\.(?:i|h)$/i, "")}.h`, text };

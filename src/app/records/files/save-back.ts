@@ -3,11 +3,18 @@ import type { WorkFile } from "../../document/work.ts";
 import { askWhere, type FileHandle } from "./file-handle.ts";
 import { hasChanged, keepHandle, keptHandle } from "./kept-handles.ts";
 
-/** What became of saving a file of a work. "changed": the file on the device holds something else by now, which `bytes` are. */
-export type SaveBack = { readonly kind: "written" } | { readonly kind: "closed" } | { readonly kind: "failed" | "refused" | "gone" } | {
-  readonly kind: "changed";
-  readonly bytes: Uint8Array<ArrayBuffer>;
-};
+/**
+ * What became of saving a file of a work. "changed": the file on the device holds something else by now, which `bytes`
+ * are.
+ */
+export type SaveBack =
+  | { readonly kind: "written" }
+  | { readonly kind: "closed" }
+  | { readonly kind: "failed" | "refused" | "gone" }
+  | {
+      readonly kind: "changed";
+      readonly bytes: Uint8Array<ArrayBuffer>;
+    };
 
 /** Whether a file that changed on the device is written over, or another one is asked for. */
 export type SaveHow = "careful" | "overwrite" | "elsewhere";
@@ -21,7 +28,12 @@ async function mayWrite(handle: FileHandle): Promise<boolean> {
 
 const isGone = (error: unknown): boolean => error instanceof Error && error.name === "NotFoundError";
 
-async function write(work: string, name: string, handle: FileHandle, bytes: Uint8Array<ArrayBuffer>): Promise<SaveBack> {
+async function write(
+  work: string,
+  name: string,
+  handle: FileHandle,
+  bytes: Uint8Array<ArrayBuffer>,
+): Promise<SaveBack> {
   const out = await handle.createWritable();
   await out.write(bytes);
   await out.close();
@@ -30,8 +42,8 @@ async function write(work: string, name: string, handle: FileHandle, bytes: Uint
 }
 
 /**
- * Saves a file of a work to the file of the device that it came from, asking where when none is known. What somebody else has
- * written there meanwhile is never written over unasked.
+ * Saves a file of a work to the file of the device that it came from, asking where when none is known. What somebody
+ * else has written there meanwhile is never written over unasked.
  */
 export async function saveBack(work: string, { name, text, encoding }: WorkFile, how: SaveHow): Promise<SaveBack> {
   const bytes = encode(text, encoding);
@@ -43,14 +55,18 @@ export async function saveBack(work: string, { name, text, encoding }: WorkFile,
     }
     if (!(await mayWrite(known.handle))) return { kind: "refused" };
     const now = await known.handle.getFile();
-    if (how === "careful" && (await hasChanged(known, now))) return { kind: "changed", bytes: new Uint8Array(await now.arrayBuffer()) };
+    if (how === "careful" && (await hasChanged(known, now)))
+      return { kind: "changed", bytes: new Uint8Array(await now.arrayBuffer()) };
     return await write(work, name, known.handle, bytes);
   } catch (error) {
     return { kind: isGone(error) ? "gone" : "failed" };
   }
 }
 
-/** The bytes of the file of the device that a file of a work belongs to; null where there is none, or it may not be read. */
+/**
+ * The bytes of the file of the device that a file of a work belongs to; null where there is none, or it may not be
+ * read.
+ */
 export async function bytesOnDevice(work: string, name: string): Promise<Uint8Array<ArrayBuffer> | null> {
   try {
     const known = await keptHandle(work, name);

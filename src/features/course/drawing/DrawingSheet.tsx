@@ -17,9 +17,13 @@ import { TitleBlock } from "./TitleBlock.tsx";
 import { useSheetZoom } from "./use-sheet-zoom.ts";
 
 /** Inside of the frame of a sheet that lies, and what the drawing has of it above its title block, mm. */
-const SHEETS = { a4: { width: 277, height: 190, drawing: 158 }, letter: { width: 259, height: 195, drawing: 163 } } as const;
+const SHEETS = {
+  a4: { width: 277, height: 190, drawing: 158 },
+  letter: { width: 259, height: 195, drawing: 163 },
+} as const;
 /** Pixels for a millimetre at which figures are read without effort; air around the sheet, pixels. */
-const READABLE = 3.4, AIR = 24;
+const READABLE = 3.4,
+  AIR = 24;
 
 interface Props {
   readonly titled: Titled;
@@ -33,7 +37,8 @@ interface Props {
 
 /** A workshop drawing over the whole page as the sheet that is printed: to scale, with its title block. */
 export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) {
-  const dialog = useRef<HTMLDialogElement>(null), frame = useRef<HTMLDivElement>(null);
+  const dialog = useRef<HTMLDialogElement>(null),
+    frame = useRef<HTMLDivElement>(null);
   const list = useId();
   const paper = useSettings((s) => s.paper);
   const { width, height, drawing } = SHEETS[paper];
@@ -41,12 +46,20 @@ export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) 
   const size = useSize(frame, { width: width * READABLE, height: height * READABLE });
   const fit = Math.min((size.width - AIR) / width, (size.height - AIR) / height);
   const zoom = useSheetZoom(frame, fit, READABLE);
-  const print = useMemo(() => drawingOnSheet(drawn, words, { width: width - 2, height: drawing }), [drawn, words, width, drawing]);
+  const print = useMemo(
+    () => drawingOnSheet(drawn, words, { width: width - 2, height: drawing }),
+    [drawn, words, width, drawing],
+  );
   if (!print) return null;
-  const name = t.drawingOf(titled.name), title = sheetTitleOf({ titled, drawn, print, words, t });
+  const name = t.drawingOf(titled.name),
+    title = sheetTitleOf({ titled, drawn, print, words, t });
   const mm = (value: number) => `calc(${value} * var(--mm))`;
   return createPortal(
-    <dialog ref={dialog} className="drawing-dialog" aria-label={name} onClose={() => !dialog.current?.open && onClose()}
+    <dialog
+      ref={dialog}
+      className="drawing-dialog"
+      aria-label={name}
+      onClose={() => !dialog.current?.open && onClose()}
       onKeyDown={(event) => event.stopPropagation()}
     >
       <div className="drawing-bar">
@@ -54,29 +67,59 @@ export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) 
           <Icon name="back" /> <span className="drawing-word">{t.close}</span>
         </button>
         <span className="drawing-zoom">
-          <button type="button" className="button icon" aria-label={t.zoomOut} title={t.zoomOut} onClick={zoom.smaller}>−</button>
-          <button type="button" className="button" onClick={zoom.whole}>{t.whole}</button>
-          <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={zoom.larger}>+</button>
+          <button type="button" className="button icon" aria-label={t.zoomOut} title={t.zoomOut} onClick={zoom.smaller}>
+            −
+          </button>
+          <button type="button" className="button" onClick={zoom.whole}>
+            {t.whole}
+          </button>
+          <button type="button" className="button icon" aria-label={t.zoomIn} title={t.zoomIn} onClick={zoom.larger}>
+            +
+          </button>
         </span>
         <span className="drawing-zoom">
-          <button type="button" className="button" aria-label={t.saveSvg} title={t.saveSvg} onClick={() =>
-            downloadText(drawingSvg(print, title, { width, height }), `${stem}.svg`)}
+          <button
+            type="button"
+            className="button"
+            aria-label={t.saveSvg}
+            title={t.saveSvg}
+            onClick={() => downloadText(drawingSvg(print, title, { width, height }), `${stem}.svg`)}
           >
             <Icon name="download" /> SVG
           </button>
-          <button type="button" className="button primary" aria-label={t.print} title={t.printHint} onClick={() => globalThis.print()}>
+          <button
+            type="button"
+            className="button primary"
+            aria-label={t.print}
+            title={t.printHint}
+            onClick={() => globalThis.print()}
+          >
             <Icon name="print" /> <span className="drawing-word">{t.print}</span>
           </button>
         </span>
       </div>
-      <div className="drawing-view" ref={frame} role="region" aria-label={t.sheet} tabIndex={0} onKeyDown={zoom.onKeyDown}
+      <div
+        className="drawing-view"
+        ref={frame}
+        role="region"
+        aria-label={t.sheet}
+        tabIndex={0}
+        onKeyDown={zoom.onKeyDown}
         onDoubleClick={zoom.turn}
       >
-        <figure className="workshop drawing-page" data-paper={paper} aria-label={name}
+        <figure
+          className="workshop drawing-page"
+          data-paper={paper}
+          aria-label={name}
           style={{ "--mm": `${zoom.scale / 16}rem`, width: mm(width), height: mm(height) } as CSSProperties}
         >
           <div className="drawing-field">
-            <DrawnPrint print={print} name={name} list={list} style={{ width: mm(print.width), height: mm(print.height) }} />
+            <DrawnPrint
+              print={print}
+              name={name}
+              list={list}
+              style={{ width: mm(print.width), height: mm(print.height) }}
+            />
           </div>
           <figcaption>
             <TitleBlock title={title} />

@@ -30,8 +30,12 @@ function NoDrawing({ name, text, done }: { readonly name: string; readonly text:
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
   return createPortal(
-    <dialog ref={dialog} className="drawing-none" aria-label={name} onClose={() => !dialog.current?.open && done()} onKeyDown={(event) =>
-      event.stopPropagation()}
+    <dialog
+      ref={dialog}
+      className="drawing-none"
+      aria-label={name}
+      onClose={() => !dialog.current?.open && done()}
+      onKeyDown={(event) => event.stopPropagation()}
     >
       <p role="status">{text}</p>
       <button type="button" className="button" onClick={() => dialog.current?.close()}>
@@ -42,19 +46,24 @@ function NoDrawing({ name, text, done }: { readonly name: string; readonly text:
   );
 }
 
-/** The workshop drawing of the part that the open program makes, made of its own contours; large, to print and to save. */
+/**
+ * The workshop drawing of the part that the open program makes, made of its own contours; large, to print and to save.
+ */
 export function ProgramDrawing({ stem, done }: { readonly stem: string; readonly done: () => void }) {
   const t = useTexts("course-drawing");
   const language = useSettings((s) => s.language);
-  const shown = useOutcome((s) => s.shown), dimmed = useOutcome((s) => s.dimmed);
+  const shown = useOutcome((s) => s.shown),
+    dimmed = useOutcome((s) => s.dimmed);
   const file = useEditor((s) => s.program?.name);
   const { material } = useMaterialOfWork();
-  const task = useTaskFile(), known = task === "none" ? null : task;
+  const task = useTaskFile(),
+    known = task === "none" ? null : task;
   const words = useMemo(() => printWords(t, language), [t, language]);
   const outcome = shown?.isBeginning ? null : shown;
   const drawn = useMemo(() => outcome && drawnOf(outcome, known), [outcome, known]);
   const name = (outcome && programName(outcome.text)) || stem;
-  if (!outcome || !drawn) return <NoDrawing name={t.drawingOf(name)} text={outcome ? t.noPart : t.calculating} done={done} />;
+  if (!outcome || !drawn)
+    return <NoDrawing name={t.drawingOf(name)} text={outcome ? t.noPart : t.calculating} done={done} />;
   const titled = {
     name,
     number: file ?? `${stem}.h`,

@@ -3,9 +3,19 @@ import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
 import type { ListedSize } from "../../../view/drawing/workshop-drawing.ts";
 
 /** The sizes of a drawing as a list, for those who do not see it, and for notes that had no room. */
-export function SizeList({ id, list, general, words, t }: { readonly id: string; readonly list: readonly ListedSize[];
-  readonly general: string | null; readonly words: PrintWords; readonly t: CourseDrawingTexts })
-{
+export function SizeList({
+  id,
+  list,
+  general,
+  words,
+  t,
+}: {
+  readonly id: string;
+  readonly list: readonly ListedSize[];
+  readonly general: string | null;
+  readonly words: PrintWords;
+  readonly t: CourseDrawingTexts;
+}) {
   const z = (value: number) => words.position(value);
   const place = (at: readonly number[]) => {
     const [from, to] = at;
@@ -20,7 +30,9 @@ export function SizeList({ id, list, general, words, t }: { readonly id: string;
           <li key={i}>
             {t.kinds[kind]} <b className="number">{size.text}</b>
             {size.upper !== undefined && size.lower !== undefined && `, ${t.deviations(size.upper, size.lower)}`}
-            {kind !== "length" && <span className="soft">{place(kind === "chamfer" || kind === "radius" ? at.slice(0, 1) : at)}</span>}
+            {kind !== "length" && (
+              <span className="soft">{place(kind === "chamfer" || kind === "radius" ? at.slice(0, 1) : at)}</span>
+            )}
           </li>
         ))}
         {general !== null && <li>{t.all(general)}</li>}

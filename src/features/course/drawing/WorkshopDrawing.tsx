@@ -22,11 +22,13 @@ const PIXELS = 4.2;
 const PAPER = { narrow: 84, wide: 178, height: 128 } as const;
 
 /** What is drawn of a task, and the name that stands in its title block. */
-export type DrawableTask = Pick<Task, "id" | "part" | "sizes" | "rules" | "material"> & { readonly words: Task["words"] };
+export type DrawableTask = Pick<Task, "id" | "part" | "sizes" | "rules" | "material"> & {
+  readonly words: Task["words"];
+};
 
 /**
- * The wanted part of a task as on a shop print, with its title block and its sizes as a list, and on a sheet of its own, large and for the
- * printer. Language: that of the screen.
+ * The wanted part of a task as on a shop print, with its title block and its sizes as a list, and on a sheet of its
+ * own, large and for the printer. Language: that of the screen.
  */
 export function WorkshopDrawing({ task, language }: { readonly task: DrawableTask; readonly language: Language }) {
   const t = useTexts("course-drawing");
@@ -37,10 +39,17 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
   const width = Math.round(Math.min(PAPER.wide, Math.max(PAPER.narrow, room / PIXELS)));
   const words = useMemo(() => printWords(t, language), [t, language]);
   const drawn = useMemo(() => drawnTask(task), [task]);
-  const print = useMemo(() => drawn && workshopDrawing(drawn, words, { width, height: PAPER.height }), [drawn, words, width]);
+  const print = useMemo(
+    () => drawn && workshopDrawing(drawn, words, { width, height: PAPER.height }),
+    [drawn, words, width],
+  );
   const name = inScreenLanguage(task.words, language)?.title ?? task.id;
   if (!drawn || !print) return <p className="soft">{t.none}</p>;
-  const titled = { name, number: shownId(task), material: usualTable.materials.find(({ id }) => id === task.material)?.name };
+  const titled = {
+    name,
+    number: shownId(task),
+    material: usualTable.materials.find(({ id }) => id === task.material)?.name,
+  };
   return (
     <figure className="workshop" aria-label={t.drawingOf(name)}>
       <div className="workshop-bar">
@@ -49,14 +58,33 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
         </button>
       </div>
       {/* A finger or the mouse may press the drawing itself; keyboard and screen reader have the button. */}
-      <div className="workshop-paper" ref={frame} tabIndex={print.width > width ? 0 : -1} onClick={() => setLarge(true)}>
-        <DrawnPrint print={print} name={t.drawingOf(name)} list={list} style={{ width: `${(print.width / width) * 100}%` }} />
+      <div
+        className="workshop-paper"
+        ref={frame}
+        tabIndex={print.width > width ? 0 : -1}
+        onClick={() => setLarge(true)}
+      >
+        <DrawnPrint
+          print={print}
+          name={t.drawingOf(name)}
+          list={list}
+          style={{ width: `${(print.width / width) * 100}%` }}
+        />
       </div>
       <figcaption>
         <TitleBlock title={sheetTitleOf({ titled, drawn, print, words, t })} />
         <SizeList id={list} list={print.list} general={print.general} words={words} t={t} />
       </figcaption>
-      {large && <DrawingSheet titled={titled} drawn={drawn} words={words} t={t} stem={shownId(task)} onClose={() => setLarge(false)} />}
+      {large && (
+        <DrawingSheet
+          titled={titled}
+          drawn={drawn}
+          words={words}
+          t={t}
+          stem={shownId(task)}
+          onClose={() => setLarge(false)}
+        />
+      )}
     </figure>
   );
 }

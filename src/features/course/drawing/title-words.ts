@@ -37,7 +37,8 @@ function blankText({ drawn, words, t }: TitleSource): string | null {
 
 /** The title block of a workshop drawing and its notes, in words. */
 export function sheetTitleOf(source: TitleSource): SheetTitle {
-  const { titled, print, t } = source, { general, scale } = print;
+  const { titled, print, t } = source,
+    { general, scale } = print;
   const blank = blankText(source);
   const facts: readonly (readonly [keyof typeof t.head, string])[] = [
     ["number", titled.number],

@@ -1,8 +1,18 @@
-import { useEffect, useEffectEvent, useLayoutEffect, useRef, useState, type KeyboardEvent, type MouseEvent, type RefObject } from "react";
+import {
+  useEffect,
+  useEffectEvent,
+  useLayoutEffect,
+  useRef,
+  useState,
+  type KeyboardEvent,
+  type MouseEvent,
+  type RefObject,
+} from "react";
 import type { Place } from "../../../view/camera.ts";
 
 /** One press of a button or key, and the greatest picture, pixels for a millimetre. */
-const STEP = 1.25, MOST = 16;
+const STEP = 1.25,
+  MOST = 16;
 /** Zoom per wheel pixel. */
 const WHEEL = 0.0025;
 
@@ -19,9 +29,9 @@ export interface SheetZoom {
 }
 
 /**
- * How large a sheet stands in a frame that scrolls: at first `fit`, at which all of it is seen, and never smaller; pressed twice so that
- * it is `readable`. Two fingers and the wheel with Ctrl zoom about the place they are at, the mouse drags; one finger and the arrow keys
- * scroll.
+ * How large a sheet stands in a frame that scrolls: at first `fit`, at which all of it is seen, and never smaller;
+ * pressed twice so that it is `readable`. Two fingers and the wheel with Ctrl zoom about the place they are at, the
+ * mouse drags; one finger and the arrow keys scroll.
  */
 export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, readable: number): SheetZoom {
   const [chosen, choose] = useState<number | null>(null);
@@ -31,39 +41,60 @@ export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, 
   const boxes = (node: HTMLElement) =>
     [node, node.firstElementChild ?? node].map((each) => each.getBoundingClientRect()) as [DOMRect, DOMRect];
   useLayoutEffect(() => {
-    const { current: node } = frame, { current: stays } = kept;
+    const { current: node } = frame,
+      { current: stays } = kept;
     kept.current = null;
     if (!node || !stays) return;
-    const [view, sheet] = boxes(node), { share, at } = stays;
-    node.scrollBy(sheet.left + share.x * sheet.width - view.left - at.x, sheet.top + share.y * sheet.height - view.top - at.y);
+    const [view, sheet] = boxes(node),
+      { share, at } = stays;
+    node.scrollBy(
+      sheet.left + share.x * sheet.width - view.left - at.x,
+      sheet.top + share.y * sheet.height - view.top - at.y,
+    );
   }, [frame, scale]);
 
   const zoom = (factor: number, about?: Place) => {
     const { current: node } = frame;
     if (!node) return;
-    const at = about ?? { x: node.clientWidth / 2, y: node.clientHeight / 2 }, [view, sheet] = boxes(node);
-    kept.current = { share: { x: (view.left + at.x - sheet.left) / sheet.width, y: (view.top + at.y - sheet.top) / sheet.height }, at };
+    const at = about ?? { x: node.clientWidth / 2, y: node.clientHeight / 2 },
+      [view, sheet] = boxes(node);
+    kept.current = {
+      share: { x: (view.left + at.x - sheet.left) / sheet.width, y: (view.top + at.y - sheet.top) / sheet.height },
+      at,
+    };
     choose(Math.min(MOST, Math.max(fit, scale * factor)));
   };
 
-  const placed = (node: HTMLElement, points: readonly { readonly clientX: number; readonly clientY: number }[]): Place => {
+  const placed = (
+    node: HTMLElement,
+    points: readonly { readonly clientX: number; readonly clientY: number }[],
+  ): Place => {
     const box = node.getBoundingClientRect();
     const middle = (each: (point: { readonly clientX: number; readonly clientY: number }) => number) =>
       points.reduce((sum, point) => sum + each(point), 0) / points.length;
     return { x: middle((p) => p.clientX) - box.left, y: middle((p) => p.clientY) - box.top };
   };
-  const turned = useEffectEvent((event: WheelEvent, node: HTMLElement) => zoom(Math.exp(-event.deltaY * WHEEL), placed(node, [event])));
-  const pinched = useEffectEvent((factor: number, touches: readonly Touch[], node: HTMLElement) => zoom(factor, placed(node, touches)));
+  const turned = useEffectEvent((event: WheelEvent, node: HTMLElement) =>
+    zoom(Math.exp(-event.deltaY * WHEEL), placed(node, [event])),
+  );
+  const pinched = useEffectEvent((factor: number, touches: readonly Touch[], node: HTMLElement) =>
+    zoom(factor, placed(node, touches)),
+  );
   useEffect(() => {
     const { current: node } = frame;
     if (!node) return undefined;
     let apart = 0;
-    const stop = new AbortController(), { signal } = stop;
-    node.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
-      turned(event, node);
-    }, { passive: false, signal });
+    const stop = new AbortController(),
+      { signal } = stop;
+    node.addEventListener(
+      "wheel",
+      (event) => {
+        if (!event.ctrlKey && !event.metaKey) return;
+        event.preventDefault();
+        turned(event, node);
+      },
+      { passive: false, signal },
+    );
     // One finger scrolls as everywhere; two would zoom the whole page.
     const hold = (event: TouchEvent) => {
       const [a, b] = [...event.touches];
@@ -75,20 +106,31 @@ export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, 
     };
     node.addEventListener("touchstart", hold, { passive: false, signal });
     node.addEventListener("touchmove", hold, { passive: false, signal });
-    node.addEventListener("pointerdown", (event) => {
-      if (event.pointerType === "mouse" && event.button === 0) node.setPointerCapture(event.pointerId);
-    }, { signal });
-    node.addEventListener("pointermove", (event) => {
-      if (node.hasPointerCapture(event.pointerId)) node.scrollBy(-event.movementX, -event.movementY);
-    }, { signal });
+    node.addEventListener(
+      "pointerdown",
+      (event) => {
+        if (event.pointerType === "mouse" && event.button === 0) node.setPointerCapture(event.pointerId);
+      },
+      { signal },
+    );
+    node.addEventListener(
+      "pointermove",
+      (event) => {
+        if (node.hasPointerCapture(event.pointerId)) node.scrollBy(-event.movementX, -event.movementY);
+      },
+      { signal },
+    );
     return () => stop.abort();
   }, [frame]);
 
   const turn = (event: MouseEvent) => {
     const { current: node } = frame;
-    if (node) zoom(scale > fit * STEP ? fit / scale : Math.max(readable / scale, STEP * STEP * STEP), placed(node, [event]));
+    if (node)
+      zoom(scale > fit * STEP ? fit / scale : Math.max(readable / scale, STEP * STEP * STEP), placed(node, [event]));
   };
-  const larger = () => zoom(STEP), smaller = () => zoom(1 / STEP), whole = () => choose(fit);
+  const larger = () => zoom(STEP),
+    smaller = () => zoom(1 / STEP),
+    whole = () => choose(fit);
   const onKeyDown = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === "+" || event.key === "=") larger();

@@ -22,9 +22,20 @@ export function AskedAnswer({ prediction, put, text, choices, t, labelled }: Ask
   const kind = answerKindOf(prediction);
   const field = (label: string, sign: string, value: string, take: (next: string) => void, unit = "") => (
     <label className="task-field">
-      {sign !== "" && <span className="number" aria-hidden="true">{sign}</span>}
-      <NumberInput kind="typed" inputMode="decimal" maxLength={12} text={value} onText={take} aria-label={label}
-        aria-describedby={labelled} />
+      {sign !== "" && (
+        <span className="number" aria-hidden="true">
+          {sign}
+        </span>
+      )}
+      <NumberInput
+        kind="typed"
+        inputMode="decimal"
+        maxLength={12}
+        text={value}
+        onText={take}
+        aria-label={label}
+        aria-describedby={labelled}
+      />
       {unit !== "" && <span className="soft small">{unit}</span>}
     </label>
   );
@@ -33,7 +44,8 @@ export function AskedAnswer({ prediction, put, text, choices, t, labelled }: Ask
       <fieldset className="task-choices" aria-labelledby={labelled}>
         {choices.map((choice, i) => (
           <label key={i} className="task-choice">
-            <input type="radio" name={name} checked={text === String(i)} onChange={() => put(String(i))} /> <span>{choice}</span>
+            <input type="radio" name={name} checked={text === String(i)} onChange={() => put(String(i))} />{" "}
+            <span>{choice}</span>
           </label>
         ))}
       </fieldset>

@@ -49,7 +49,15 @@ function ToPointed({ kind, t }: { readonly kind: ReturnType<typeof answerKindOf>
 }
 
 /** What is asked before the run, one question at a time. */
-export function ForetellForm({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+export function ForetellForm({
+  task,
+  t,
+  words,
+}: {
+  readonly task: Task;
+  readonly t: CourseTaskTexts;
+  readonly words: TaskWords;
+}) {
   const labelled = useId();
   const told = useEditor((s) => taskOfWork(s)?.told ?? NO_TEXTS);
   const asked = useTaskView((v) => v.question);
@@ -76,7 +84,8 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
   const show = (next: number) => useTaskView.setState({ question: next });
   /** What is not answered yet may be passed over; whoever asks for the run is told what still lacks. */
   const goOn = () => {
-    const open = predict.findIndex((_, i) => !isSaid(i)), next = isLast ? open : question + 1;
+    const open = predict.findIndex((_, i) => !isSaid(i)),
+      next = isLast ? open : question + 1;
     if (next < 0) {
       // Where the assignment stands in the place of the work, the run comes in sight with what it says of the answers.
       if (isNarrow) useTaskView.setState({ open: false });
@@ -87,23 +96,40 @@ export function ForetellForm({ task, t, words }: { readonly task: Task; readonly
     show(next);
   };
   return (
-    <form ref={form} className="task-now task-foretell" onSubmit={(event) => {
-      event.preventDefault();
-      goOn();
-    }}>
+    <form
+      ref={form}
+      className="task-now task-foretell"
+      onSubmit={(event) => {
+        event.preventDefault();
+        goOn();
+      }}
+    >
       <p id={labelled} className="task-question">
         {predict.length > 1 && <span className="soft small">{t.foretell.question(question + 1, predict.length)}</span>}
         <b>{words.questions?.[question] ?? t.foretell.title}</b>
       </p>
-      <AskedAnswer key={question} prediction={prediction} put={(next) => setTold(question, next)} text={told[question] ?? ""}
-        choices={words.choices?.[question] ?? []} t={t} labelled={labelled} />
+      <AskedAnswer
+        key={question}
+        prediction={prediction}
+        put={(next) => setTold(question, next)}
+        text={told[question] ?? ""}
+        choices={words.choices?.[question] ?? []}
+        t={t}
+        labelled={labelled}
+      />
       <p role="status" className="task-lacks">
         {lacking === question && !isSaid(question) && t.foretell.lacks(question + 1, predict.length)}
       </p>
       <div className="task-ways">
         <ToPointed kind={answerKindOf(prediction)} t={t} />
-        {question > 0 && <button type="button" className="button" onClick={() => show(question - 1)}>{t.foretell.back}</button>}
-        <button type="submit" className="button primary">{isLast ? t.foretell.run : t.foretell.nextQuestion}</button>
+        {question > 0 && (
+          <button type="button" className="button" onClick={() => show(question - 1)}>
+            {t.foretell.back}
+          </button>
+        )}
+        <button type="submit" className="button primary">
+          {isLast ? t.foretell.run : t.foretell.nextQuestion}
+        </button>
       </div>
     </form>
   );

@@ -13,7 +13,9 @@ import { useTaskView } from "./task-view.ts";
 /** Decimals of sizes, areas and times beside a told one. */
 const DECIMALS = 2;
 
-/** What was told beside the truth, in a sentence. A block that was told wrongly is not given away: it is sought again. */
+/**
+ * What was told beside the truth, in a sentence. A block that was told wrongly is not given away: it is sought again.
+ */
 function comparedText(
   { prediction, told, truth, right }: ComparedAnswer,
   t: CourseTaskTexts,
@@ -48,13 +50,17 @@ export function ForetoldResult({ t, words }: { readonly t: CourseTaskTexts; read
           <li key={i} className={compared.right ? "task-passed" : "task-failed"}>
             <Icon name={compared.right ? "check" : "close"} />
             <span>
-              {foretold.length > 1 && <span className="soft">{words.questions?.[i]}{" "}</span>}
+              {foretold.length > 1 && <span className="soft">{words.questions?.[i]} </span>}
               {comparedText(compared, t, language, words.choices?.[i] ?? [])}
             </span>
           </li>
         ))}
       </ul>
-      {foretold.some(({ right }) => !right) && <button type="button" className="button" onClick={foretellAgain}>{t.foretell.again}</button>}
+      {foretold.some(({ right }) => !right) && (
+        <button type="button" className="button" onClick={foretellAgain}>
+          {t.foretell.again}
+        </button>
+      )}
     </div>
   );
 }

@@ -11,9 +11,17 @@ import { useTaskView } from "./task-view.ts";
 const badgeOf = ({ rule }: TaskMark): string => (rule === "residue" ? "badge-residual" : "badge-finding");
 
 /** One thing that is wrong: where, and which step. The picture goes there, and on to the next. */
-export function MarkLine({ marks, say, run, t }: { readonly marks: readonly TaskMark[]; readonly say: (mark: TaskMark) => string;
-  readonly run: Run; readonly t: CourseTaskTexts })
-{
+export function MarkLine({
+  marks,
+  say,
+  run,
+  t,
+}: {
+  readonly marks: readonly TaskMark[];
+  readonly say: (mark: TaskMark) => string;
+  readonly run: Run;
+  readonly t: CourseTaskTexts;
+}) {
   const place = useTaskView((v) => v.place);
   const chosen = useChosen((c) => c.id);
   const mark = marks[Math.min(place, marks.length - 1)];
@@ -36,18 +44,30 @@ export function MarkLine({ marks, say, run, t }: { readonly marks: readonly Task
   return (
     <div className="task-now task-mark">
       <button type="button" className="task-told" aria-label={`${place + 1}: ${say(mark)}`} onClick={() => go(place)}>
-        <span className={`badge ${badgeOf(mark)}`} aria-hidden="true">{place + 1}</span>
+        <span className={`badge ${badgeOf(mark)}`} aria-hidden="true">
+          {place + 1}
+        </span>
         <span>{say(mark)}</span>
       </button>
       {marks.length > 1 && (
         <span className="task-steps">
-          <button type="button" className="button icon" aria-label={t.previous} title={t.previous} disabled={place === 0} onClick={() =>
-            go(place - 1)}
+          <button
+            type="button"
+            className="button icon"
+            aria-label={t.previous}
+            title={t.previous}
+            disabled={place === 0}
+            onClick={() => go(place - 1)}
           >
             <Icon name="unfold" />
           </button>
           <span className="number small">{t.count(place + 1, marks.length)}</span>
-          <button type="button" className="button icon" aria-label={t.next} title={t.next} disabled={place >= marks.length - 1}
+          <button
+            type="button"
+            className="button icon"
+            aria-label={t.next}
+            title={t.next}
+            disabled={place >= marks.length - 1}
             onClick={() => go(place + 1)}
           >
             <Icon name="fold" />

@@ -27,17 +27,37 @@ interface Props {
 const NOTHING: readonly string[] = [];
 
 /** One goal with its tick; `met`: undefined where that is not known. */
-function Ticked({ met, t, children }: { readonly met: boolean | undefined; readonly t: CourseTaskTexts; readonly children: ReactNode }) {
+function Ticked({
+  met,
+  t,
+  children,
+}: {
+  readonly met: boolean | undefined;
+  readonly t: CourseTaskTexts;
+  readonly children: ReactNode;
+}) {
   return (
     <>
-      <span className="task-tick" aria-hidden="true">{met !== undefined && <Icon name={met ? "check" : "close"} />}</span>
-      <span>{children} {met !== undefined && <span className="unseen">, {met ? t.met : t.notMet}</span>}</span>
+      <span className="task-tick" aria-hidden="true">
+        {met !== undefined && <Icon name={met ? "check" : "close"} />}
+      </span>
+      <span>
+        {children} {met !== undefined && <span className="unseen">, {met ? t.met : t.notMet}</span>}
+      </span>
     </>
   );
 }
 
-/** The sizes that stand on the drawing as one goal: unfolded each of them, first those that are wrong, with what they are and where. */
-function DrawnSizes({ task, t, drawn, known }: Omit<Props, "words"> & { readonly drawn: readonly DrawnGoal[]; readonly known: boolean }) {
+/**
+ * The sizes that stand on the drawing as one goal: unfolded each of them, first those that are wrong, with what they
+ * are and where.
+ */
+function DrawnSizes({
+  task,
+  t,
+  drawn,
+  known,
+}: Omit<Props, "words"> & { readonly drawn: readonly DrawnGoal[]; readonly known: boolean }) {
   const language = useSettings((s) => s.language);
   const wrong = drawn.filter(({ marks }) => marks.length > 0).length;
   const met = known ? wrong === 0 : undefined;
@@ -45,14 +65,20 @@ function DrawnSizes({ task, t, drawn, known }: Omit<Props, "words"> & { readonly
     <li className="task-drawn" data-met={met}>
       <details>
         <summary>
-          <Ticked met={met} t={t}>{wrong > 0 ? t.is.drawnWrong(drawn.length, wrong) : t.is.drawn(drawn.length)}</Ticked>
+          <Ticked met={met} t={t}>
+            {wrong > 0 ? t.is.drawnWrong(drawn.length, wrong) : t.is.drawn(drawn.length)}
+          </Ticked>
         </summary>
         <ul>
           {drawn.map(({ goal, marks }, i) => (
             <li key={i} data-met={known ? marks.length === 0 : undefined}>
               <Ticked met={known ? marks.length === 0 : undefined} t={t}>
                 {goalText(t, language, goal)}
-                {marks.map((mark, k) => <span key={k} className="task-measured">{placedText(mark, { t, language, task })}</span>)}
+                {marks.map((mark, k) => (
+                  <span key={k} className="task-measured">
+                    {placedText(mark, { t, language, task })}
+                  </span>
+                ))}
               </Ticked>
             </li>
           ))}
@@ -67,14 +93,17 @@ function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDra
   const language = useSettings((s) => s.language);
   const { live, foretold } = useTaskView();
   const rights = (foretold ?? []).map(({ right }) => right);
-  const all = goalsOf(task), groups = gathered(all, live);
+  const all = goalsOf(task),
+    groups = gathered(all, live);
   const isGathered = hasDrawing && groups.drawn.length > 1;
   const row = (goal: TaskGoal, i: number) => {
     const known = goal.kind === "foretold" ? foretold !== null : live !== null;
     const met = known ? isMet(goal, live, rights) : undefined;
     return (
       <li key={`${goal.kind} ${i}`} data-met={met}>
-        <Ticked met={met} t={t}>{goalText(t, language, goal)}</Ticked>
+        <Ticked met={met} t={t}>
+          {goalText(t, language, goal)}
+        </Ticked>
       </li>
     );
   };
@@ -101,11 +130,14 @@ function Scored({ t }: Pick<Props, "t">) {
       <h3>{t.score.of(String(score.total))}</h3>
       <ul className="task-score">
         {score.parts.map(({ what, points, of, value, par }) => {
-          const number = (each: number) => what === "residue" ? write.area(each) : formatNumber(language, each, 0);
+          const number = (each: number) => (what === "residue" ? write.area(each) : formatNumber(language, each, 0));
           return (
             <li key={what}>
-              <span>{t.score.parts[what]}</span> <meter min={0} max={of} value={points} aria-label={t.score.parts[what]} />{" "}
-              <span className="number">{points}/{of}</span>
+              <span>{t.score.parts[what]}</span>{" "}
+              <meter min={0} max={of} value={points} aria-label={t.score.parts[what]} />{" "}
+              <span className="number">
+                {points}/{of}
+              </span>
               {points < of && <span className="soft small">{t.score.better[what](number(value), number(par))}</span>}
             </li>
           );

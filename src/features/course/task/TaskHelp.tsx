@@ -16,8 +16,19 @@ async function showBlock(_file: string | null, _index: number, number: number): 
   openNumbered(number, null);
 }
 
-/** Three stages of a hint, one after the other, and then the solution beside the own work. Each is asked for, and counted. */
-export function TaskHelp({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+/**
+ * Three stages of a hint, one after the other, and then the solution beside the own work. Each is asked for, and
+ * counted.
+ */
+export function TaskHelp({
+  task,
+  t,
+  words,
+}: {
+  readonly task: Task;
+  readonly t: CourseTaskTexts;
+  readonly words: TaskWords;
+}) {
   const { hints, solution: seen } = useTaskProgress(task.id);
   const [shown, setShown] = useState(0);
   const [sure, ask] = useState(false);
@@ -37,44 +48,70 @@ export function TaskHelp({ task, t, words }: { readonly task: Task; readonly t: 
       ))}
       <div className="task-ways">
         {stages < words.hints.length && (
-          <button type="button" className="button" onClick={() => {
-            setShown(next);
-            noteHint(task.id, next);
-          }}>
+          <button
+            type="button"
+            className="button"
+            onClick={() => {
+              setShown(next);
+              noteHint(task.id, next);
+            }}
+          >
             {t.showHint(next)}
           </button>
         )}
         {text !== undefined && !sure && !open && (
-          <button type="button" className="button" onClick={() => (seen ? setOpen(true) : ask(true))}>{t.showSolution}</button>
+          <button type="button" className="button" onClick={() => (seen ? setOpen(true) : ask(true))}>
+            {t.showSolution}
+          </button>
         )}
       </div>
       {sure && (
         <div className="task-sure" role="group" aria-label={t.showSolution}>
           <p>{t.sure}</p>
           <div className="task-ways">
-            <button type="button" className="button primary" onClick={() => {
-              noteSolution(task.id);
-              ask(false);
-              setOpen(true);
-            }}>
+            <button
+              type="button"
+              className="button primary"
+              onClick={() => {
+                noteSolution(task.id);
+                ask(false);
+                setOpen(true);
+              }}
+            >
               {t.yesShow}
             </button>
-            <button type="button" className="button" autoFocus onClick={() => ask(false)}>{t.notYet}</button>
+            <button type="button" className="button" autoFocus onClick={() => ask(false)}>
+              {t.notYet}
+            </button>
           </div>
         </div>
       )}
       {open && text !== undefined && (
         <div className="task-solution">
           <h3>{t.solution}</h3>
-          <pre className="number small" tabIndex={0} aria-label={t.solution}>{text}</pre>
+          <pre className="number small" tabIndex={0} aria-label={t.solution}>
+            {text}
+          </pre>
           <div className="task-ways">
-            <button type="button" className="button" aria-haspopup="dialog" onClick={() =>
-              showComparison((...place) => void showBlock(...place), { name, text })}
+            <button
+              type="button"
+              className="button"
+              aria-haspopup="dialog"
+              onClick={() => showComparison((...place) => void showBlock(...place), { name, text })}
             >
               {t.compare}
             </button>
-            <button type="button" className="button" onClick={() =>
-              startWork({ name: `${shownId(task)}_solution.h`, text, encoding: "utf-8", ...broughtBy(handedOn(useEditor.getState())) })}
+            <button
+              type="button"
+              className="button"
+              onClick={() =>
+                startWork({
+                  name: `${shownId(task)}_solution.h`,
+                  text,
+                  encoding: "utf-8",
+                  ...broughtBy(handedOn(useEditor.getState())),
+                })
+              }
             >
               {t.openSolution}
             </button>

@@ -12,9 +12,11 @@ const TaskBar = lazyPart(async () => {
 /** The line of a task over the work that it is. */
 export function TaskLine() {
   const work = useEditor(({ job, program, work: key }) => ((job ?? program)?.task ? key : null));
-  return work !== null && (
-    <Suspense>
-      <TaskBar key={work} work={work} />
-    </Suspense>
+  return (
+    work !== null && (
+      <Suspense>
+        <TaskBar key={work} work={work} />
+      </Suspense>
+    )
   );
 }

@@ -27,15 +27,28 @@ async function begin(id: string): Promise<void> {
 
 /** Begins the task that follows; nothing where there is none. */
 function NextTask({ next, t }: { readonly next: TaskEntry | null; readonly t: CourseTaskTexts }) {
-  return next && (
-    <button type="button" className="button primary task-next" onClick={() => void begin(next.id)}>
-      <span>{t.nextTask(next.title)}</span>
-    </button>
+  return (
+    next && (
+      <button type="button" className="button primary task-next" onClick={() => void begin(next.id)}>
+        <span>{t.nextTask(next.title)}</span>
+      </button>
+    )
   );
 }
 
-/** Under the line of a passed task as long as what is asked is folded: what was learned, one press away, and the next task. */
-export function PassedLine({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+/**
+ * Under the line of a passed task as long as what is asked is folded: what was learned, one press away, and the next
+ * task.
+ */
+export function PassedLine({
+  task,
+  t,
+  words,
+}: {
+  readonly task: Task;
+  readonly t: CourseTaskTexts;
+  readonly words: TaskWords;
+}) {
   const { lessons } = useCourseIndex();
   return (
     <div className="task-now task-ways">
@@ -50,7 +63,15 @@ export function PassedLine({ task, t, words }: { readonly task: Task; readonly t
 }
 
 /** What was learned when it is passed, the next task, and the way back to the lesson. */
-export function TaskOnward({ task, t, words }: { readonly task: Task; readonly t: CourseTaskTexts; readonly words: TaskWords }) {
+export function TaskOnward({
+  task,
+  t,
+  words,
+}: {
+  readonly task: Task;
+  readonly t: CourseTaskTexts;
+  readonly words: TaskWords;
+}) {
   const { lessons } = useCourseIndex();
   const { passed } = useTaskProgress(task.id);
   const { lesson, next } = aroundTask(lessons, task.id);
@@ -66,8 +87,12 @@ export function TaskOnward({ task, t, words }: { readonly task: Task; readonly t
       )}
       <div className="task-ways">
         {passed && <NextTask next={next} t={t} />}
-        <a className="button" href={courseHref(lesson?.id ?? null, "tasks")}>{lesson ? t.toLesson : t.toCourse}</a>
-        <button type="button" className="button" onClick={() => beginTaskAnew(task, !lesson)}>{t.anew}</button>
+        <a className="button" href={courseHref(lesson?.id ?? null, "tasks")}>
+          {lesson ? t.toLesson : t.toCourse}
+        </a>
+        <button type="button" className="button" onClick={() => beginTaskAnew(task, !lesson)}>
+          {t.anew}
+        </button>
       </div>
     </section>
   );

@@ -25,7 +25,10 @@ import { taskOfWork } from "../../../app/document/work-task.ts";
 /** Rest after a result before the goals are looked at again, ms. */
 const QUIET = 400;
 
-/** After the first check the goals follow the work, quietly; and what was said of an older state is no longer shown in the picture. */
+/**
+ * After the first check the goals follow the work, quietly; and what was said of an older state is no longer shown in
+ * the picture.
+ */
 function useFollowing(task: Task): void {
   const newest = useOutcome((s) => s.newest);
   const job = useEditor((s) => s.job);
@@ -38,7 +41,8 @@ function useFollowing(task: Task): void {
   useEffect(() => {
     if (!checked) return undefined;
     const stale = !isOfWork(checked.answer as NonNullable<typeof newest>);
-    if (useTaskView.getState().stale !== stale) useTaskView.setState({ stale, ...(!stale && { live: checked.judgement }) });
+    if (useTaskView.getState().stale !== stale)
+      useTaskView.setState({ stale, ...(!stale && { live: checked.judgement }) });
     if (!stale) return undefined;
     const timer = setTimeout(() => judgeQuietly(task), QUIET);
     return () => clearTimeout(timer);
@@ -54,13 +58,10 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
   const { open, checking, checked, foretold, stale } = useTaskView();
   const marks = useMemo(() => checked?.judgement.marks.filter((mark) => !mark.passed) ?? null, [checked]);
-  const say = useCallback((mark: TaskMark) => (checked ? markText(mark, { t, texts, language, task, answer: checked.answer }) : ""), [
-    checked,
-    t,
-    texts,
-    language,
-    task,
-  ]);
+  const say = useCallback(
+    (mark: TaskMark) => (checked ? markText(mark, { t, texts, language, task, answer: checked.answer }) : ""),
+    [checked, t, texts, language, task],
+  );
   const passed = usePassedNow(task);
   useFollowing(task);
   useTaskPicture(task, t, language, marks, say);
@@ -73,8 +74,13 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   if (!words) return null;
   const makes = task.kind !== "predict";
   return (
-    <section className="task-panel" role={alone ? "main" : undefined} aria-label={t.region(words.title)} data-open={open}
-      data-veiled={veiled} onKeyDown={(event) => event.stopPropagation()}
+    <section
+      className="task-panel"
+      role={alone ? "main" : undefined}
+      aria-label={t.region(words.title)}
+      data-open={open}
+      data-veiled={veiled}
+      onKeyDown={(event) => event.stopPropagation()}
     >
       <div className="task-head">
         <h2 className="task-title">{words.title}</h2>
@@ -84,14 +90,21 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
             <Icon name="check" /> {t.check}
           </button>
         )}
-        <button type="button" className="button task-unfold" aria-label={open ? t.fold : t.unfold} aria-expanded={open} aria-controls={body}
+        <button
+          type="button"
+          className="button task-unfold"
+          aria-label={open ? t.fold : t.unfold}
+          aria-expanded={open}
+          aria-controls={body}
           onClick={() => useTaskView.setState({ open: !open })}
         >
           <Icon name={open ? "up" : "down"} /> <span>{open ? t.fold : t.unfold}</span>
         </button>
       </div>
       {!open && !veiled && foretold && !marks?.length && !(passed && makes) && <ForetoldResult t={t} words={words} />}
-      {!open && checked && marks && marks.length > 0 && !stale && <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />}
+      {!open && checked && marks && marks.length > 0 && !stale && (
+        <MarkLine marks={marks} say={say} run={checked.answer.run} t={t} />
+      )}
       {!open && passed && (
         <Suspense>
           <PassedLine task={task} t={t} words={words} />

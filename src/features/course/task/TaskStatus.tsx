@@ -32,7 +32,10 @@ function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTas
     return param ? `${q} ${texts.params[param.text as ParamTextId].label}` : q;
   };
   if (lacks.why === "noRun" || lacks.why === "notRun") return <span>{t[lacks.why]}</span>;
-  const names = lacks.why === "empty" ? lacks.at.slice(0, NAMED).map(nameOf).join(", ") + (lacks.at.length > NAMED ? ", …" : "") : "";
+  const names =
+    lacks.why === "empty"
+      ? lacks.at.slice(0, NAMED).map(nameOf).join(", ") + (lacks.at.length > NAMED ? ", …" : "")
+      : "";
   return (
     <>
       <span>{lacks.why === "empty" ? t.empty(names) : t.noContour}</span>
@@ -47,10 +50,15 @@ function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTas
 export function usePassedNow({ kind }: Task): boolean {
   const { checked, stale, foretold } = useTaskView();
   if (stale) return false;
-  return checked ? checked.passed : kind === "predict" && foretold !== null && foretold.length > 0 && foretold.every(({ right }) => right);
+  return checked
+    ? checked.passed
+    : kind === "predict" && foretold !== null && foretold.length > 0 && foretold.every(({ right }) => right);
 }
 
-/** How it stands, in one line: not ready, so many goals open, passed. Said as it changes by a check, not while somebody works. */
+/**
+ * How it stands, in one line: not ready, so many goals open, passed. Said as it changes by a check, not while somebody
+ * works.
+ */
 export function TaskStatus({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
   const language = useSettings((s) => s.language);
   const { checking, notReady, checked, stale, foretold } = useTaskView();
@@ -77,5 +85,9 @@ export function TaskStatus({ task, t }: { readonly task: Task; readonly t: Cours
       </span>
     );
   };
-  return <p className="task-status" role="status" lang={language}>{say()}</p>;
+  return (
+    <p className="task-status" role="status" lang={language}>
+      {say()}
+    </p>
+  );
 }

@@ -27,11 +27,13 @@ export function workOfTask(task: Task, fromOutside = false): Work {
 }
 
 /** The newest kept work of a task; undefined where it was never begun on this device, or nothing of it is left. */
-export const keptOfTask = (id: string): string | undefined => useKeeping.getState().works.find(({ task }) => task === id)?.work;
+export const keptOfTask = (id: string): string | undefined =>
+  useKeeping.getState().works.find(({ task }) => task === id)?.work;
 
 /** The first prompt that nothing is given for; where all of it is given, the first of all. */
 function firstToAnswer(job: Job): string | null {
-  const asked = Object.keys(cycleByNumber(job.cycle)?.params ?? {}), draft = draftOf(job);
+  const asked = Object.keys(cycleByNumber(job.cycle)?.params ?? {}),
+    draft = draftOf(job);
   return asked.find((q) => !draft[q]) ?? asked[0] ?? null;
 }
 

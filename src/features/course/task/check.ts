@@ -59,7 +59,8 @@ export function lookAgain(): void {
   const { notReady } = useTaskView.getState();
   if (notReady?.why !== "empty" && notReady?.why !== "noContour") return;
   const lacks = lacking();
-  const isSame = lacks?.why === "empty" && notReady.why === "empty" ? lacks.at[0] === notReady.at[0] : lacks?.why === notReady.why;
+  const isSame =
+    lacks?.why === "empty" && notReady.why === "empty" ? lacks.at[0] === notReady.at[0] : lacks?.why === notReady.why;
   if (!isSame) useTaskView.setState({ notReady: null });
 }
 
@@ -82,13 +83,20 @@ export async function checkTask(task: Task): Promise<void> {
   const answer = await presentAnswer();
   await painted();
   if (useTaskView.getState().work !== work) return;
-  if (!answer || !cuts(answer)) return useTaskView.setState({ checking: false, notReady: { why: answer ? "noRun" : "notRun" } });
+  if (!answer || !cuts(answer))
+    return useTaskView.setState({ checking: false, notReady: { why: answer ? "noRun" : "notRun" } });
   const judgement = judge(task, answer);
   const passed = judgement.passed && areRight(useTaskView.getState().foretold, task);
   const { score } = judgement;
   noteTry(task.id);
   if (passed) notePass(task.id, { seconds: answer.simulation.totalSeconds, ...(score && { score: score.total }) });
-  useTaskView.setState({ checking: false, checked: { answer, judgement, passed }, live: judgement, stale: false, place: 0 });
+  useTaskView.setState({
+    checking: false,
+    checked: { answer, judgement, passed },
+    live: judgement,
+    stale: false,
+    place: 0,
+  });
 }
 
 /** How the goals stand now: asked quietly after the first check, and counted as nothing. */

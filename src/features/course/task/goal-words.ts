@@ -9,18 +9,30 @@ import { writer } from "../../../i18n/write.ts";
 const deviation = (language: Language, value: number) => (value === 0 ? "0" : formatSigned(language, value));
 
 /** A nominal size with its deviations: 40 ±0.02, 40 0/-0.05. */
-export function toleranced(language: Language, { nominal, upper, lower }: Pick<TaskSize, "nominal" | "upper" | "lower">): string {
-  const limits = upper === -lower ? `±${formatNumber(language, upper)}` : `${deviation(language, upper)}/${deviation(language, lower)}`;
+export function toleranced(
+  language: Language,
+  { nominal, upper, lower }: Pick<TaskSize, "nominal" | "upper" | "lower">,
+): string {
+  const limits =
+    upper === -lower
+      ? `±${formatNumber(language, upper)}`
+      : `${deviation(language, upper)}/${deviation(language, lower)}`;
   return `${formatNumber(language, nominal)} ${limits}`;
 }
 
 /** A size of the made part, with where it is measured. */
 export const sizeGoal = (t: CourseTaskTexts, language: Language, size: TaskSize): string =>
-  t.is.size[size.kind](toleranced(language, size),
-    size.kind === "face" ? formatNumber(language, size.at) : formatSigned(language, size.at));
+  t.is.size[size.kind](
+    toleranced(language, size),
+    size.kind === "face" ? formatNumber(language, size.at) : formatSigned(language, size.at),
+  );
 
 /** What a parameter is asked to be. */
-export function valueGoal(t: CourseTaskTexts, language: Language, asked: NonNullable<TaskRules["values"]>[number]): string {
+export function valueGoal(
+  t: CourseTaskTexts,
+  language: Language,
+  asked: NonNullable<TaskRules["values"]>[number],
+): string {
   const { q, from, to, cycle } = asked;
   const number = (value: number) => formatNumber(language, value);
   const said = () => {
@@ -66,7 +78,11 @@ export function goalText(t: CourseTaskTexts, language: Language, goal: TaskGoal)
     case "values":
       return valueGoal(t, language, goal.asked);
     case "rz":
-      return is.rz(number(goal.asked.most), formatSigned(language, goal.asked.from), formatSigned(language, goal.asked.to));
+      return is.rz(
+        number(goal.asked.most),
+        formatSigned(language, goal.asked.from),
+        formatSigned(language, goal.asked.to),
+      );
     case "words":
       return is.words(goal.word);
   }

@@ -33,13 +33,18 @@ function causeOf({ block, step }: TaskMark, { t, answer: { run } }: MarkWording)
 }
 
 /** What was measured in place of a size or a surface of the drawing. */
-function measuredText({ rule, value, limit, size: entry }: TaskMark, { t, language, task }: Pick<MarkWording, "t" | "language" | "task">) {
+function measuredText(
+  { rule, value, limit, size: entry }: TaskMark,
+  { t, language, task }: Pick<MarkWording, "t" | "language" | "task">,
+) {
   const number = (n: number | undefined, decimals = 3) => (n === undefined ? "–" : formatNumber(language, n, decimals));
   const { wrong } = t;
   if (rule === "rz") return value === undefined ? wrong.noRz(number(limit)) : wrong.rz(number(value, 1), number(limit));
   const size = task.sizes?.[entry ?? 0];
   if (!size) return "";
-  return value === undefined ? wrong.noSize(sizeGoal(t, language, size)) : wrong.size[size.kind](number(value), toleranced(language, size));
+  return value === undefined
+    ? wrong.noSize(sizeGoal(t, language, size))
+    : wrong.size[size.kind](number(value), toleranced(language, size));
 }
 
 /** The same with its place on the part. */
@@ -49,11 +54,16 @@ export function placedText(mark: TaskMark, wording: Pick<MarkWording, "t" | "lan
 }
 
 /** What is wrong with a thread: that there is none, its pitch, or that it is not whole. */
-function threadText({ about, value = 0, limit }: TaskMark, { t: { wrong }, language }: Pick<MarkWording, "t" | "language">): string {
+function threadText(
+  { about, value = 0, limit }: TaskMark,
+  { t: { wrong }, language }: Pick<MarkWording, "t" | "language">,
+): string {
   const name = String(about);
   if (value === 0) return wrong.noThread(name);
   const isOther = limit !== undefined && Math.abs(value - limit) > OTHER_PITCH * limit;
-  return isOther ? wrong.threadPitch(name, formatNumber(language, value, THICK), formatNumber(language, limit)) : wrong.thread(name);
+  return isOther
+    ? wrong.threadPitch(name, formatNumber(language, value, THICK), formatNumber(language, limit))
+    : wrong.thread(name);
 }
 
 function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording): string {
@@ -80,7 +90,9 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
       return wrong.missing(thick());
     case "residue":
       if (about !== undefined) return threadText(mark, { t, language });
-      return mark.reason ? wrong.leftBy(wrong.residue(thick()), texts.messages.reasons[mark.reason]) : wrong.residue(thick());
+      return mark.reason
+        ? wrong.leftBy(wrong.residue(thick()), texts.messages.reasons[mark.reason])
+        : wrong.residue(thick());
     case "size":
     case "rz":
       return measuredText(mark, { t, language, task });
@@ -109,19 +121,22 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
 }
 
 /** ⌀ and Z of a place, as they stand in a sentence. */
-export const placeWords = (
-  language: Language,
-  { z, r }: NonNullable<TaskMark["place"]>,
-): readonly [string, string] => [formatNumber(language, toDiameter(r), THICK), formatSigned(language, z, THICK)];
+export const placeWords = (language: Language, { z, r }: NonNullable<TaskMark["place"]>): readonly [string, string] => [
+  formatNumber(language, toDiameter(r), THICK),
+  formatSigned(language, z, THICK),
+];
 
 /** A sentence that has its own place already. */
 const SAYS_PLACE: ReadonlySet<string> = new Set(["errors", "clean"]);
 
-/** What is wrong, where on the part, and which step did it: "0.4 mm too much was cut at ⌀42, Z-18: block 22, pass 3". */
+/**
+ * What is wrong, where on the part, and which step did it: "0.4 mm too much was cut at ⌀42, Z-18: block 22, pass 3".
+ */
 export function markText(mark: TaskMark, wording: MarkWording): string {
   const { t, language } = wording;
   const said = what(mark, wording);
-  const placed = mark.place && !SAYS_PLACE.has(mark.rule) ? t.where.at(said, ...placeWords(language, mark.place)) : said;
+  const placed =
+    mark.place && !SAYS_PLACE.has(mark.rule) ? t.where.at(said, ...placeWords(language, mark.place)) : said;
   const cause = causeOf(mark, wording);
   return cause === null ? placed : t.where.because(placed, cause);
 }

@@ -12,8 +12,8 @@ export function openNumbered(block: number, q: string | null): void {
 }
 
 /**
- * Tells the number of each block that is pointed at in the text or in the list of its parts. A text that comes into the editor points at
- * none.
+ * Tells the number of each block that is pointed at in the text or in the list of its parts. A text that comes into the
+ * editor points at none.
  */
 export function followPointed(tell: (block: number) => void): () => void {
   return useSession.subscribe((now, before) => {

@@ -9,8 +9,12 @@ export interface CheckedAnswer {
   readonly passed: boolean;
 }
 
-/** Why a check says nothing yet: empty prompts (by their names), a fault in one of them, no contour, nothing that cuts, no result. */
-export type NotReady = { readonly why: "empty"; readonly at: readonly string[] } | { readonly why: "noContour" | "noRun" | "notRun" };
+/**
+ * Why a check says nothing yet: empty prompts (by their names), a fault in one of them, no contour, nothing that cuts,
+ * no result.
+ */
+export type NotReady =
+  { readonly why: "empty"; readonly at: readonly string[] } | { readonly why: "noContour" | "noRun" | "notRun" };
 
 /** What the panel of the open task shows; it belongs to the page, not to the work. */
 export interface TaskView {

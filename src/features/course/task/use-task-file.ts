@@ -4,7 +4,10 @@ import { useEditor } from "../../../app/document/store.ts";
 import { fetchTask, fromOutside } from "../../../app/records/course/content.ts";
 import { taskOfWork } from "../../../app/document/work-task.ts";
 
-/** The task that the open work is: of its own file, or of the course. "none": its file is not here, or damaged; null: on its way. */
+/**
+ * The task that the open work is: of its own file, or of the course. "none": its file is not here, or damaged; null: on
+ * its way.
+ */
 export function useTaskFile(): Task | "none" | null {
   const id = useEditor((s) => taskOfWork(s)?.id ?? "");
   const file = useEditor((s) => taskOfWork(s)?.file);

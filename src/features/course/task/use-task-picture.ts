@@ -26,19 +26,25 @@ type Shown = Omit<LookAt, "issue">;
 const lookAt = (shown: Shown): LookAt => ({ ...shown, issue: null });
 
 /** The places of what is wrong, with the numbers that the list has. */
-export function markPlaces(marks: readonly TaskMark[], { run }: Answer, say: (mark: TaskMark) => string): readonly LookAt[] {
+export function markPlaces(
+  marks: readonly TaskMark[],
+  { run }: Answer,
+  say: (mark: TaskMark) => string,
+): readonly LookAt[] {
   return marks.flatMap((mark, i) =>
     mark.place
-      ? [lookAt({
-        id: markId(i),
-        kind: mark.rule === "residue" ? "residual" : "finding",
-        mark: String(i + 1),
-        place: mark.place,
-        bounds: boundsRound(mark.rings ?? NO_RINGS, mark.place),
-        line: say(mark),
-        position: momentOf(mark, run),
-      })]
-      : []
+      ? [
+          lookAt({
+            id: markId(i),
+            kind: mark.rule === "residue" ? "residual" : "finding",
+            mark: String(i + 1),
+            place: mark.place,
+            bounds: boundsRound(mark.rings ?? NO_RINGS, mark.place),
+            line: say(mark),
+            position: momentOf(mark, run),
+          }),
+        ]
+      : [],
   );
 }
 
@@ -46,7 +52,15 @@ const START = { step: 0, fraction: 0 } as const;
 
 /** A told place as a mark in the picture. */
 const toldPlace = (place: Pt, question: number, line: string): LookAt =>
-  lookAt({ id: `told ${question}`, kind: "told", mark: "?", place, bounds: boundsRound(NO_RINGS, place), line, position: START });
+  lookAt({
+    id: `told ${question}`,
+    kind: "told",
+    mark: "?",
+    place,
+    bounds: boundsRound(NO_RINGS, place),
+    line,
+    position: START,
+  });
 
 /** What was told and where it is, side by side. */
 function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts): Omit<ToldPicture, "take"> {
@@ -56,7 +70,9 @@ function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts)
     const said = told !== null && typeof told === "object" ? [toldPlace(told, i, t.foretell.yours)] : [];
     if (!truth.place) return said;
     const stays = prediction.ask === "residuePlace";
-    const found = shown?.simulation.findings.find(({ place }) => place.z === truth.place?.z && place.r === truth.place.r);
+    const found = shown?.simulation.findings.find(
+      ({ place }) => place.z === truth.place?.z && place.r === truth.place.r,
+    );
     const position = found ? { step: found.step, fraction: prediction.ask === "rapidPlace" ? 0 : 1 } : null;
     return [
       ...said,
@@ -73,12 +89,14 @@ function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts)
   });
   const rings = (stays: boolean) =>
     compared.flatMap(({ prediction, truth }) =>
-      truth.kind === "place" && (prediction.ask === "residuePlace") === stays ? [...truth.rings] : []
+      truth.kind === "place" && (prediction.ask === "residuePlace") === stays ? [...truth.rings] : [],
     );
   return { places, missing: rings(false), left: rings(true) };
 }
 
-/** Shows in the picture what the panel tells: places that are told, the truth beside them, or what a check has found. */
+/**
+ * Shows in the picture what the panel tells: places that are told, the truth beside them, or what a check has found.
+ */
 export function useTaskPicture(
   task: Task,
   t: CourseTaskTexts,
@@ -94,20 +112,29 @@ export function useTaskPicture(
     if (veiled) {
       const asked = predict[question];
       const take = (place: Pt) =>
-        setTold(question,
-          `${formatFixed(language, toDiameter(radius(Math.abs(place.r))), POINTED)} ${formatFixed(language, place.z, POINTED)}`);
+        setTold(
+          question,
+          `${formatFixed(language, toDiameter(radius(Math.abs(place.r))), POINTED)} ${formatFixed(language, place.z, POINTED)}`,
+        );
       const places = predict.flatMap((prediction, i) => {
         const place = answerKindOf(prediction) === "place" ? typedPlace(told[i] ?? "") : null;
         return place ? [toldPlace(place, i, t.where.at(t.foretell.yours, ...placeWords(language, place)))] : [];
       });
       const asks = asked !== undefined && answerKindOf(asked) === "place";
-      return { places, missing: NO_RINGS, left: NO_RINGS, take: asks ? ({ z, r }) => take(at(axial(z), radius(r))) : null };
+      return {
+        places,
+        missing: NO_RINGS,
+        left: NO_RINGS,
+        take: asks ? ({ z, r }) => take(at(axial(z), radius(r))) : null,
+      };
     }
     if (marks && checked && !stale) {
-      const rings = (stays: boolean) => marks.flatMap(({ rule, rings: all = [] }) => ((rule === "residue") === stays ? [...all] : []));
+      const rings = (stays: boolean) =>
+        marks.flatMap(({ rule, rings: all = [] }) => ((rule === "residue") === stays ? [...all] : []));
       return { places: markPlaces(marks, checked.answer, say), missing: rings(false), left: rings(true), take: null };
     }
-    if (foretold?.some(({ truth }) => truth.kind === "place") && !checked) return { ...comparedPlaces(foretold, t), take: null };
+    if (foretold?.some(({ truth }) => truth.kind === "place") && !checked)
+      return { ...comparedPlaces(foretold, t), take: null };
     return null;
   }, [task, t, language, marks, say, veiled, told, question, checked, stale, foretold]);
   useEffect(() => {

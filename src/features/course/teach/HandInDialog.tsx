@@ -18,7 +18,12 @@ import { TeachText } from "./WordFields.tsx";
 import "./teach.css";
 
 /** A name as a part of a file's name. */
-const inFile = (name: string): string => name.trim().replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "").slice(0, 40) || "results";
+const inFile = (name: string): string =>
+  name
+    .trim()
+    .replace(/[^\p{L}\p{N}]+/gu, "-")
+    .replace(/^-|-$/g, "")
+    .slice(0, 40) || "results";
 
 /** Gathers what was done in tasks, as a file or a link to hand on. */
 export function HandInDialog({ done }: { readonly done: () => void }) {
@@ -35,10 +40,16 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
   const [left, leave] = useState<readonly string[]>([]);
   const [name, call] = useState("");
   const [made, make] = useState<{ readonly key: string; readonly result: HandedResult } | null>(null);
-  const ids = begun.map(({ id }) => id).filter((id) => !left.includes(id)), key = ids.join(" ");
+  const ids = begun.map(({ id }) => id).filter((id) => !left.includes(id)),
+    key = ids.join(" ");
   useEffect(() => {
     let gone = false;
-    void handedResult(key.split(" ").filter((id) => id !== ""), "", progress, language).then((result) => {
+    void handedResult(
+      key.split(" ").filter((id) => id !== ""),
+      "",
+      progress,
+      language,
+    ).then((result) => {
       if (!gone) make({ key, result });
     });
     return () => {
@@ -50,27 +61,35 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
     <HandingDialog title={t.hand.title} done={done}>
       <p>{t.hand.lead}</p>
       <p>{t.hand.noProof}</p>
-      {begun.length === 0 ? <Message tone="info">{t.hand.none}</Message> : (
+      {begun.length === 0 ? (
+        <Message tone="info">{t.hand.none}</Message>
+      ) : (
         <>
           <TeachText label={t.hand.name} value={name} change={call} />
           <div role="group" aria-label={t.hand.choose} className="teach-list">
             {begun.map(({ id, title }) => (
               <label key={id} className="teach-check">
-                <input type="checkbox" checked={!left.includes(id)} onChange={() =>
-                  leave((now) => (now.includes(id)
-                    ? now.filter((each) => each !== id)
-                    : [...now, id])
-                  )} />
+                <input
+                  type="checkbox"
+                  checked={!left.includes(id)}
+                  onChange={() => leave((now) => (now.includes(id) ? now.filter((each) => each !== id) : [...now, id]))}
+                />
                 {title}
               </label>
             ))}
           </div>
-          {!result && <p role="status" className="soft">{t.hand.making}</p>}
+          {!result && (
+            <p role="status" className="soft">
+              {t.hand.making}
+            </p>
+          )}
           {result && ids.length > 0 && (
             <>
               <div className="handing-ways">
-                <button type="button" className="button primary" onClick={() =>
-                  downloadText(taughtFile(result), `${inFile(name)}.turnwise-result.json`)}
+                <button
+                  type="button"
+                  className="button primary"
+                  onClick={() => downloadText(taughtFile(result), `${inFile(name)}.turnwise-result.json`)}
                 >
                   <Icon name="download" /> {t.hand.save}
                 </button>

@@ -7,9 +7,11 @@ const TaughtDialog = lazyPart(async () => ({ default: (await import("./TaughtDia
 /** A task or results that came from outside, until somebody closes them. */
 export function IncomingTaught() {
   const waits = useTaughtShown((s) => s.shown !== null);
-  return waits && (
-    <Suspense>
-      <TaughtDialog />
-    </Suspense>
+  return (
+    waits && (
+      <Suspense>
+        <TaughtDialog />
+      </Suspense>
+    )
   );
 }

@@ -16,9 +16,9 @@ export function LinkBox({ link, copies }: { readonly link: string; readonly copi
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   const copied = useCopying((c) => c.state === "copied" && c.text === link);
-  const isHere = isHereOnly(pageAddress()), isLong = link.length > SAFE_LINK;
-  if (link.length > LONGEST_LINK)
-    return <Message tone="warning">{t.linkLong}</Message>;
+  const isHere = isHereOnly(pageAddress()),
+    isLong = link.length > SAFE_LINK;
+  if (link.length > LONGEST_LINK) return <Message tone="warning">{t.linkLong}</Message>;
   return (
     <section className="handing-link" aria-label={t.link}>
       <label>
@@ -29,10 +29,14 @@ export function LinkBox({ link, copies }: { readonly link: string; readonly copi
       </label>
       {(isHere || isLong) && <Message tone="warning">{isHere ? t.hereOnly : t.linkLong}</Message>}
       <div className="handing-ways">
-        <button type="button" className="button primary" onClick={() => {
-          copies?.();
-          void copyText(link);
-        }}>
+        <button
+          type="button"
+          className="button primary"
+          onClick={() => {
+            copies?.();
+            void copyText(link);
+          }}
+        >
           <Icon name={copied ? "check" : "copy"} /> {copied ? t.copied : t.copyLink}
         </button>
       </div>

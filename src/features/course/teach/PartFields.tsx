@@ -14,7 +14,10 @@ export function PartFields({ made, change, answer }: FormPart & { readonly answe
   // What was chosen stays chosen as long as the part still has it.
   const put = (part: Partial<Pick<typeof made, "blank" | "outside" | "bore">>, isStep = false) => {
     const offered = sizeChoices(wantedPart(partOfMade({ blank, outside, bore, threads, ...part })));
-    change({ ...part, sizes: offered.map((size) => made.sizes.find((each) => isSameSize(each, size)) ?? size) }, isStep);
+    change(
+      { ...part, sizes: offered.map((size) => made.sizes.find((each) => isSameSize(each, size)) ?? size) },
+      isStep,
+    );
   };
   const rows = (text: string) => Math.min(12, Math.max(2, text.split("\n").length));
   return (
@@ -23,21 +26,39 @@ export function PartFields({ made, change, answer }: FormPart & { readonly answe
       <div className="teach-choices" role="group" aria-label={t.source}>
         <span className="soft">{t.source}</span>
         {PART_SOURCES.map((from) => (
-          <button key={from} type="button" className="button" onClick={() => put(outlinesFrom(answer, from, threads), true)}>
+          <button
+            key={from}
+            type="button"
+            className="button"
+            onClick={() => put(outlinesFrom(answer, from, threads), true)}
+          >
             {t.sources[from]}
           </button>
         ))}
       </div>
       <TeachText label={t.blank} isNc rows={rows(blank)} value={blank} change={(text) => put({ blank: text })} />
-      <TeachText label={t.outside} hint={t.partHint} isNc rows={rows(outside)} value={outside} change={(text) => put({ outside: text })} />
+      <TeachText
+        label={t.outside}
+        hint={t.partHint}
+        isNc
+        rows={rows(outside)}
+        value={outside}
+        change={(text) => put({ outside: text })}
+      />
       <TeachText label={t.bore} isNc rows={rows(bore)} value={bore} change={(text) => put({ bore: text })} />
       <label className="teach-text">
         {t.material}
-        <select className="select" value={made.material ?? ""}
+        <select
+          className="select"
+          value={made.material ?? ""}
           onChange={({ currentTarget: { value } }) => change({ material: value === "" ? null : value })}
         >
           <option value="">{t.anyMaterial}</option>
-          {usualTable.materials.map(({ id, name }) => <option key={id} value={id}>{name}</option>)}
+          {usualTable.materials.map(({ id, name }) => (
+            <option key={id} value={id}>
+              {name}
+            </option>
+          ))}
         </select>
       </label>
     </fieldset>

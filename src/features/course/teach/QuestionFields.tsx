@@ -1,6 +1,13 @@
 import type { Answer } from "../../../course/judge/judgement.ts";
 import type { Truth } from "../../../course/judge/predicting.ts";
-import { choicesOf, hasAt, hasOperation, hasWithin, isThere, proposedQuestion } from "../../../course/made/made-questions.ts";
+import {
+  choicesOf,
+  hasAt,
+  hasOperation,
+  hasWithin,
+  isThere,
+  proposedQuestion,
+} from "../../../course/made/made-questions.ts";
 import { ASKED_KINDS, type AskedKind, type QuestionDraft } from "../../../course/made/question-draft.ts";
 import { withSign } from "../../../course/made/made-form.ts";
 import { decimalSign, formatNumber } from "../../../i18n/number.ts";
@@ -52,15 +59,29 @@ export function QuestionFields({ made, change, begun, solution, truths }: Questi
       <legend>{t.questions}</legend>
       <p className="small soft">{t.questionsHint}</p>
       {questions.map((draft, i) => (
-        <OneQuestion key={i} index={i} draft={draft} truth={truths[i] ?? null} begun={begun} put={(some) => putTyped(i, draft, some)}
-          ask={(next) => ask(i, draft, next)} remove={() => change({ questions: questions.filter((_, at) => at !== i) }, true)} />
+        <OneQuestion
+          key={i}
+          index={i}
+          draft={draft}
+          truth={truths[i] ?? null}
+          begun={begun}
+          put={(some) => putTyped(i, draft, some)}
+          ask={(next) => ask(i, draft, next)}
+          remove={() => change({ questions: questions.filter((_, at) => at !== i) }, true)}
+        />
       ))}
       <div className="handing-ways">
-        <button type="button" className="button" disabled={!begun} onClick={() => {
-          const fresh = ASKED_KINDS.find((each) => OFFERED.includes(each) && !questions.some((q) => q.ask === each)) ?? "choice";
-          const made = proposed(fresh);
-          if (made) change({ questions: [...questions, made] });
-        }}>
+        <button
+          type="button"
+          className="button"
+          disabled={!begun}
+          onClick={() => {
+            const fresh =
+              ASKED_KINDS.find((each) => OFFERED.includes(each) && !questions.some((q) => q.ask === each)) ?? "choice";
+            const made = proposed(fresh);
+            if (made) change({ questions: [...questions, made] });
+          }}
+        >
           <Icon name="add" /> {t.addQuestion}
         </button>
       </div>
@@ -80,7 +101,9 @@ interface OneProps {
 
 function OneQuestion({ index, draft, truth, begun, put, ask, remove }: OneProps) {
   const t = useTexts("course-teach");
-  const number = String(index + 1), operations = begun?.run.operations ?? [], choices = choicesOf(draft);
+  const number = String(index + 1),
+    operations = begun?.run.operations ?? [],
+    choices = choicesOf(draft);
   return (
     <section className="teach-question" aria-label={t.question(number)}>
       <div className="teach-question-head">
@@ -92,37 +115,71 @@ function OneQuestion({ index, draft, truth, begun, put, ask, remove }: OneProps)
       <div className="teach-pairs">
         <label className="teach-text">
           {t.asks}
-          <select className="select" value={draft.ask} onChange={(event) => ask(event.currentTarget.value as AskedKind)}>
-            {ASKED_KINDS.map((each) => <option key={each} value={each}>{t.asked[each]}</option>)}
+          <select
+            className="select"
+            value={draft.ask}
+            onChange={(event) => ask(event.currentTarget.value as AskedKind)}
+          >
+            {ASKED_KINDS.map((each) => (
+              <option key={each} value={each}>
+                {t.asked[each]}
+              </option>
+            ))}
           </select>
         </label>
         {hasOperation(draft.ask) && operations.length > 1 && (
           <label className="teach-text">
             {t.ofCall}
-            <select className="select" value={draft.operation ?? ""} onChange={({ currentTarget: { value } }) =>
-              put({ operation: value === "" ? null : Number(value) })}
+            <select
+              className="select"
+              value={draft.operation ?? ""}
+              onChange={({ currentTarget: { value } }) => put({ operation: value === "" ? null : Number(value) })}
             >
               <option value="">{t.allCalls}</option>
-              {operations.map(({ block, cycle }, i) => <option key={i} value={i}>{t.call(String(block), String(cycle))}</option>)}
+              {operations.map(({ block, cycle }, i) => (
+                <option key={i} value={i}>
+                  {t.call(String(block), String(cycle))}
+                </option>
+              ))}
             </select>
           </label>
         )}
-        {hasAt(draft.ask) && <TeachText label={draft.ask === "face" ? t.atDiameter : t.atZ} value={draft.at}
-          change={(at) => put({ at })} />}
-        {hasWithin(draft.ask) && <TeachText label={t.within} value={draft.within} change={(within) => put({ within })} />}
-        {draft.ask === "block" && <TeachText label={t.rightBlocks} value={draft.right} change={(right) => put({ right })} />}
+        {hasAt(draft.ask) && (
+          <TeachText
+            label={draft.ask === "face" ? t.atDiameter : t.atZ}
+            value={draft.at}
+            change={(at) => put({ at })}
+          />
+        )}
+        {hasWithin(draft.ask) && (
+          <TeachText label={t.within} value={draft.within} change={(within) => put({ within })} />
+        )}
+        {draft.ask === "block" && (
+          <TeachText label={t.rightBlocks} value={draft.right} change={(right) => put({ right })} />
+        )}
       </div>
       <TeachText label={t.wording} rows={2} value={draft.text} change={(text) => put({ text })} />
       {draft.ask === "choice" && (
         <>
-          <TeachText label={t.choicesOffered} rows={5} value={draft.choices} change={(text) => put({ choices: text })} />
+          <TeachText
+            label={t.choicesOffered}
+            rows={5}
+            value={draft.choices}
+            change={(text) => put({ choices: text })}
+          />
           <label className="teach-text">
             {t.rightChoice}
-            <select className="select" value={Number(draft.right) < choices.length ? draft.right : ""} onChange={(event) =>
-              put({ right: event.currentTarget.value })}
+            <select
+              className="select"
+              value={Number(draft.right) < choices.length ? draft.right : ""}
+              onChange={(event) => put({ right: event.currentTarget.value })}
             >
               {!(Number(draft.right) < choices.length) && <option value="">–</option>}
-              {choices.map((choice, i) => <option key={i} value={i}>{choice}</option>)}
+              {choices.map((choice, i) => (
+                <option key={i} value={i}>
+                  {choice}
+                </option>
+              ))}
             </select>
           </label>
         </>
@@ -142,7 +199,9 @@ function TruthTold({ truth, begun }: { readonly truth: Truth; readonly begun: An
   if (!isThere(truth, begun)) {
     return <Message tone="warning">{t.noTruth}</Message>;
   }
-  if (truth.kind === "number") return <p className="small">{t.truth(formatNumber(language, truth.value ?? 0, DECIMALS))}</p>;
-  if (truth.kind === "place" && truth.place) return <p className="small">{t.truth(t.place(...placeWords(language, truth.place)))}</p>;
+  if (truth.kind === "number")
+    return <p className="small">{t.truth(formatNumber(language, truth.value ?? 0, DECIMALS))}</p>;
+  if (truth.kind === "place" && truth.place)
+    return <p className="small">{t.truth(t.place(...placeWords(language, truth.place)))}</p>;
   return null;
 }

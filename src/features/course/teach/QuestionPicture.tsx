@@ -8,29 +8,52 @@ import { ringData, segmentData } from "../../../view/path.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Space round the part, and how large a mark is, shares of its length. */
-const AIR = 0.05, MARK = 0.012;
+const AIR = 0.05,
+  MARK = 0.012;
 
-/** The half section before the run, with the contours of its cycles: a press names a place. `within`: how far it may be off, mm. */
-export function QuestionPicture({ begun: { run }, truth, within, said, take }: { readonly begun: Answer; readonly truth: TruePlace | null;
-  readonly within: number; readonly said: Pt | null; readonly take: (place: Pt) => void })
-{
+/**
+ * The half section before the run, with the contours of its cycles: a press names a place. `within`: how far it may be
+ * off, mm.
+ */
+export function QuestionPicture({
+  begun: { run },
+  truth,
+  within,
+  said,
+  take,
+}: {
+  readonly begun: Answer;
+  readonly truth: TruePlace | null;
+  readonly within: number;
+  readonly said: Pt | null;
+  readonly take: (place: Pt) => void;
+}) {
   const t = useTexts("course-teach");
   const svg = useRef<SVGSVGElement>(null);
   const box = boundsOf(run.blank.flat());
   if (!box) return null;
-  const air = AIR * (box.right - box.left), mark = MARK * (box.right - box.left);
+  const air = AIR * (box.right - box.left),
+    mark = MARK * (box.right - box.left);
   const low = Math.min(0, box.low) - air;
   return (
-    <svg ref={svg} className="teach-picture" role="img" aria-label={t.preview}
-      viewBox={`${box.left - air} ${-(box.high + air)} ${box.right - box.left + 2 * air} ${box.high + air - low}`} onClick={(event) => {
-      const inverse = svg.current?.getScreenCTM()?.inverse();
-      if (!inverse) return;
-      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(inverse);
-      take(at(axial(x), radius(-y)));
-    }}>
+    <svg
+      ref={svg}
+      className="teach-picture"
+      role="img"
+      aria-label={t.preview}
+      viewBox={`${box.left - air} ${-(box.high + air)} ${box.right - box.left + 2 * air} ${box.high + air - low}`}
+      onClick={(event) => {
+        const inverse = svg.current?.getScreenCTM()?.inverse();
+        if (!inverse) return;
+        const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(inverse);
+        take(at(axial(x), radius(-y)));
+      }}
+    >
       <g transform="scale(1 -1)">
         <path className="teach-blank" d={ringData(run.blank)} fillRule="evenodd" />
-        {run.operations.map(({ plan }, i) => <path key={i} className="teach-contour" d={segmentData(plan.contour)} />)}
+        {run.operations.map(({ plan }, i) => (
+          <path key={i} className="teach-contour" d={segmentData(plan.contour)} />
+        ))}
         <path className="teach-axis" d={`M${box.left - air} 0H${box.right + air}`} />
         {truth?.place && (
           <>
@@ -38,7 +61,12 @@ export function QuestionPicture({ begun: { run }, truth, within, said, take }: {
             <path className="teach-truth" d={ringData(truth.rings)} fillRule="evenodd" />
           </>
         )}
-        {said && <path className="teach-said" d={`M${said.z - mark} ${said.r}h${2 * mark}M${said.z} ${said.r - mark}v${2 * mark}`} />}
+        {said && (
+          <path
+            className="teach-said"
+            d={`M${said.z - mark} ${said.r}h${2 * mark}M${said.z} ${said.r - mark}v${2 * mark}`}
+          />
+        )}
       </g>
     </svg>
   );

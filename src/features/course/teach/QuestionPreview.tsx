@@ -15,14 +15,24 @@ import { placeWords } from "../task/mark-words.ts";
 import { QuestionPicture } from "./QuestionPicture.tsx";
 import "../task/task.css";
 
-/** What the learner is asked, one question after the other, over the part before its run. It can be answered, and shows what is right. */
-export function QuestionPreview({ questions, truths, begun }: { readonly questions: readonly QuestionDraft[];
-  readonly truths: readonly (Truth | null)[]; readonly begun: Answer })
-{
+/**
+ * What the learner is asked, one question after the other, over the part before its run. It can be answered, and shows
+ * what is right.
+ */
+export function QuestionPreview({
+  questions,
+  truths,
+  begun,
+}: {
+  readonly questions: readonly QuestionDraft[];
+  readonly truths: readonly (Truth | null)[];
+  readonly begun: Answer;
+}) {
   const t = useTexts("course-teach");
   const [shown, show] = useState(0);
   const [shows, toggle] = useState(true);
-  const index = Math.min(shown, questions.length - 1), draft = questions[index];
+  const index = Math.min(shown, questions.length - 1),
+    draft = questions[index];
   if (!draft) return null;
   return (
     <section className="teach-preview" aria-label={t.preview}>
@@ -46,29 +56,52 @@ export function QuestionPreview({ questions, truths, begun }: { readonly questio
   );
 }
 
-function Asked({ draft, truth, begun, shows }: { readonly draft: QuestionDraft; readonly truth: Truth | null; readonly begun: Answer;
-  readonly shows: boolean })
-{
-  const t = useTexts("course-teach"), task = useTexts("course-task");
+function Asked({
+  draft,
+  truth,
+  begun,
+  shows,
+}: {
+  readonly draft: QuestionDraft;
+  readonly truth: Truth | null;
+  readonly begun: Answer;
+  readonly shows: boolean;
+}) {
+  const t = useTexts("course-teach"),
+    task = useTexts("course-task");
   const language = useSettings((s) => s.language);
   const labelled = useId();
   const [text, say] = useState("");
   const prediction = predictionOf(draft);
   if (!prediction) return null;
-  const said = toldBy(prediction, text), right = said !== null && truth !== null && isRight(prediction, truth, said);
+  const said = toldBy(prediction, text),
+    right = said !== null && truth !== null && isRight(prediction, truth, said);
   const place = answerKindOf(prediction) === "place";
-  const within = "within" in prediction ? prediction.within ?? 0 : 0;
+  const within = "within" in prediction ? (prediction.within ?? 0) : 0;
   return (
     <div className="teach-asked">
       {place && (
-        <QuestionPicture begun={begun} truth={shows && truth?.kind === "place" ? truth : null} within={within}
-          said={said !== null && typeof said === "object" ? said : null} take={({ z, r }) =>
-          say(`${formatFixed(language, toDiameter(radius(Math.abs(r))), 1)} ${formatFixed(language, z, 1)}`)} />
+        <QuestionPicture
+          begun={begun}
+          truth={shows && truth?.kind === "place" ? truth : null}
+          within={within}
+          said={said !== null && typeof said === "object" ? said : null}
+          take={({ z, r }) =>
+            say(`${formatFixed(language, toDiameter(radius(Math.abs(r))), 1)} ${formatFixed(language, z, 1)}`)
+          }
+        />
       )}
       <p id={labelled} className="task-question">
         <b>{draft.text}</b>
       </p>
-      <AskedAnswer prediction={prediction} put={say} text={text} choices={choicesOf(draft)} t={task} labelled={labelled} />
+      <AskedAnswer
+        prediction={prediction}
+        put={say}
+        text={text}
+        choices={choicesOf(draft)}
+        t={task}
+        labelled={labelled}
+      />
       {shows && truth && <Right truth={truth} draft={draft} unit={unitOf(task, draft.ask)} />}
       <p role="status" className="teach-status">
         {said !== null && (
@@ -84,15 +117,30 @@ function Asked({ draft, truth, begun, shows }: { readonly draft: QuestionDraft; 
 /** Decimals of what the run says. */
 const DECIMALS = 2;
 
-const unitOf = ({ foretell: { units } }: CourseTaskTexts, ask: string): string => (ask in units ? units[ask as keyof typeof units] : "");
+const unitOf = ({ foretell: { units } }: CourseTaskTexts, ask: string): string =>
+  ask in units ? units[ask as keyof typeof units] : "";
 
 /** What is right, in words. */
-function Right({ truth, draft, unit }: { readonly truth: Truth; readonly draft: QuestionDraft; readonly unit: string }) {
+function Right({
+  truth,
+  draft,
+  unit,
+}: {
+  readonly truth: Truth;
+  readonly draft: QuestionDraft;
+  readonly unit: string;
+}) {
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);
   switch (truth.kind) {
     case "number":
-      return <p>{truth.value === null ? t.noTruth : t.rightIs(`${formatNumber(language, truth.value, DECIMALS)} ${unit}`.trim())}</p>;
+      return (
+        <p>
+          {truth.value === null
+            ? t.noTruth
+            : t.rightIs(`${formatNumber(language, truth.value, DECIMALS)} ${unit}`.trim())}
+        </p>
+      );
     case "choice":
       return <p>{t.rightIs(choicesOf(draft)[truth.right] ?? "–")}</p>;
     case "block":

@@ -18,7 +18,11 @@ export function LeftOut({ leftOut }: { readonly leftOut: readonly FileLeftOut[] 
         const isProblem = why.kind !== "twice";
         const reason = why.kind === "twice" || why.kind === "task" ? words.left[why.kind] : problemOf(why).join(" ");
         const said = words.leftOut(file === "" ? words.aLink : file, reason);
-        return <Message as="li" key={i} tone={isProblem ? "warning" : "info"}>{said}</Message>;
+        return (
+          <Message as="li" key={i} tone={isProblem ? "warning" : "info"}>
+            {said}
+          </Message>
+        );
       })}
     </ul>
   );
@@ -32,7 +36,8 @@ interface FilesProps {
 
 /** The files that the table is made of: what each brought, what of it counts, and the way to take it out again. */
 export function ResultFiles({ files, rows, day }: FilesProps) {
-  const t = useTexts("course-teach"), { results: words } = t;
+  const t = useTexts("course-teach"),
+    { results: words } = t;
   const [gone, say] = useState<{ readonly file: string; readonly step: object | undefined } | null>(null);
   const last = useSteps((s) => s.past.at(-1));
   const drop = (each: LearnerFile | null) => {
@@ -47,7 +52,8 @@ export function ResultFiles({ files, rows, day }: FilesProps) {
           <summary>{words.files(String(files.length))}</summary>
           <ul className="taught-list">
             {files.map((each, i) => {
-              const { name, made, tasks } = each.result, told = plainName(name) || words.noName;
+              const { name, made, tasks } = each.result,
+                told = plainName(name) || words.noName;
               const earlier = rows.filter((row) => row.earlier && row.key.startsWith(`${i} `)).length;
               return (
                 <li key={i}>
@@ -55,7 +61,12 @@ export function ResultFiles({ files, rows, day }: FilesProps) {
                     <b>{nameOf(each)}</b> {words.fileHas(told, String(tasks.length), day(made))}
                     {earlier > 0 && ` ${words.fileEarlier(String(earlier))}`}
                   </span>
-                  <button type="button" className="button plain" aria-label={words.remove(nameOf(each))} onClick={() => drop(each)}>
+                  <button
+                    type="button"
+                    className="button plain"
+                    aria-label={words.remove(nameOf(each))}
+                    onClick={() => drop(each)}
+                  >
                     <Icon name="remove" />
                   </button>
                 </li>

@@ -5,31 +5,49 @@ import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** One task of one learner, with the way to its program. `waits`: it is being run. */
-export function ResultLine({ row: { result, earlier }, columns, text, waits }: { readonly row: ResultRow;
-  readonly columns: readonly ResultColumn[]; readonly text: Readonly<Record<ResultColumn, string>>; readonly waits: boolean })
-{
+export function ResultLine({
+  row: { result, earlier },
+  columns,
+  text,
+  waits,
+}: {
+  readonly row: ResultRow;
+  readonly columns: readonly ResultColumn[];
+  readonly text: Readonly<Record<ResultColumn, string>>;
+  readonly waits: boolean;
+}) {
   const { results: words } = useTexts("course-teach");
   const { program } = result;
-  const cell = (column: ResultColumn) => (column === "made" && earlier ? `${text.made} · ${words.earlier}` : text[column]);
+  const cell = (column: ResultColumn) =>
+    column === "made" && earlier ? `${text.made} · ${words.earlier}` : text[column];
   return (
     <tr className={earlier ? "taught-earlier" : undefined}>
       {columns.map((column) =>
-        column === "task"
-          ? <th key={column} scope="row">{text.task}</th>
-          : (
-            <td key={column} className={NUMBERS.includes(column) ? "number" : `taught-${column}`}
-              role={column === "again" && waits ? "status" : undefined}
-            >
-              {cell(column)}
-            </td>
-          )
+        column === "task" ? (
+          <th key={column} scope="row">
+            {text.task}
+          </th>
+        ) : (
+          <td
+            key={column}
+            className={NUMBERS.includes(column) ? "number" : `taught-${column}`}
+            role={column === "again" && waits ? "status" : undefined}
+          >
+            {cell(column)}
+          </td>
+        ),
       )}
       <td className="taught-open">
         {program !== null && (
-          <button type="button" className="button" aria-label={words.open(result.title)} onClick={() => {
-            leaveTaught();
-            openText(program);
-          }}>
+          <button
+            type="button"
+            className="button"
+            aria-label={words.open(result.title)}
+            onClick={() => {
+              leaveTaught();
+              openText(program);
+            }}
+          >
             <Icon name="fold" />
           </button>
         )}

@@ -29,10 +29,16 @@ export function ResultTable({ title, rows, columns, heads, text, waits, sort, so
         <thead>
           <tr>
             {columns.map((column) => (
-              <th key={column} scope="col" className={NUMBERS.includes(column) ? "number" : undefined}
+              <th
+                key={column}
+                scope="col"
+                className={NUMBERS.includes(column) ? "number" : undefined}
                 aria-sort={sort?.column !== column ? "none" : sort.down ? "descending" : "ascending"}
               >
-                <button type="button" className="taught-sort" title={words.sort(heads[column])}
+                <button
+                  type="button"
+                  className="taught-sort"
+                  title={words.sort(heads[column])}
                   onClick={() => sortBy({ column, down: sort?.column === column && !sort.down })}
                 >
                   <span>{heads[column]}</span>
@@ -40,10 +46,16 @@ export function ResultTable({ title, rows, columns, heads, text, waits, sort, so
                 </button>
               </th>
             ))}
-            <th scope="col" className="taught-open">{words.program}</th>
+            <th scope="col" className="taught-open">
+              {words.program}
+            </th>
           </tr>
         </thead>
-        <tbody>{rows.map((row) => <ResultLine key={row.key} row={row} columns={columns} text={text(row)} waits={waits(row.key)} />)}</tbody>
+        <tbody>
+          {rows.map((row) => (
+            <ResultLine key={row.key} row={row} columns={columns} text={text(row)} waits={waits(row.key)} />
+          ))}
+        </tbody>
       </table>
     </div>
   );

@@ -7,8 +7,15 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useModal } from "../../../app/base/use-modal.ts";
 import { useGathered } from "../../../app/records/course/gathered.ts";
 import { addResults } from "./open-taught.ts";
-import { learnerCount, plainName, RESULT_COLUMNS, resultsCsv, resultRows, sortedRows,
-  type ResultColumn } from "../../../app/records/course/result-rows.ts";
+import {
+  learnerCount,
+  plainName,
+  RESULT_COLUMNS,
+  resultsCsv,
+  resultRows,
+  sortedRows,
+  type ResultColumn,
+} from "../../../app/records/course/result-rows.ts";
 import { LeftOut, ResultFiles } from "./ResultFiles.tsx";
 import { ResultTable, type ResultSort } from "./ResultTable.tsx";
 import { leaveTaught, type FileLeftOut } from "../../../app/records/course/taught-shown.ts";
@@ -16,59 +23,88 @@ import { useAgain } from "./use-again.ts";
 import { useResultCells } from "./use-result-cells.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** What learners handed in, as a table that is sorted, printed and saved as a sheet; each program is run once more and can be opened. */
+/**
+ * What learners handed in, as a table that is sorted, printed and saved as a sheet; each program is run once more and
+ * can be opened.
+ */
 export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
-  const t = useTexts("course-teach"), { results: words } = t;
+  const t = useTexts("course-teach"),
+    { results: words } = t;
   const language = useSettings((s) => s.language);
   const { list: files, trouble } = useGathered();
-  const dialog = useRef<HTMLDialogElement>(null), file = useRef<HTMLInputElement>(null);
+  const dialog = useRef<HTMLDialogElement>(null),
+    file = useRef<HTMLInputElement>(null);
   useModal(dialog);
   const all = useMemo(() => resultRows(files), [files]);
   const again = useAgain(all);
   const [sort, sortBy] = useState<ResultSort | null>(null);
   const [showsEarlier, showEarlier] = useState(false);
   const { day, heads, text, plain } = useResultCells(again);
-  const people = learnerCount(files), [only] = files, isOne = files.length === 1;
+  const people = learnerCount(files),
+    [only] = files,
+    isOne = files.length === 1;
   const title = people === 1 && only ? words.title(plainName(only.result.name)) : words.gathered(String(people));
   const earlier = all.filter((row) => row.earlier).length;
-  const rows = sortedRows(all.filter((row) => showsEarlier || !row.earlier), sort?.column ?? null, sort?.down ?? false, {
-    again,
-    compare: (a, b) => a.localeCompare(b, language, { numeric: true }),
-  });
+  const rows = sortedRows(
+    all.filter((row) => showsEarlier || !row.earlier),
+    sort?.column ?? null,
+    sort?.down ?? false,
+    {
+      again,
+      compare: (a, b) => a.localeCompare(b, language, { numeric: true }),
+    },
+  );
   const isScored = rows.some(({ result }) => result.score !== null);
-  const columns = RESULT_COLUMNS.filter((column) =>
-    (column !== "name" || people > 1) && (column !== "made" || !isOne) && (column !== "score" || isScored)
+  const columns = RESULT_COLUMNS.filter(
+    (column) => (column !== "name" || people > 1) && (column !== "made" || !isOne) && (column !== "score" || isScored),
   );
   const save = () => {
     const unit: Partial<Record<ResultColumn, string>> = { time: " (s)", machining: " (s)" };
     const counts = showsEarlier && earlier > 0;
     const head = RESULT_COLUMNS.map((column) => `${heads[column]}${unit[column] ?? ""}`);
-    const cells = rows.map(
-      (row) => [...RESULT_COLUMNS.map((column) => plain(row, column)), ...(counts ? [row.earlier ? words.no : words.yes] : [])]
-    );
+    const cells = rows.map((row) => [
+      ...RESULT_COLUMNS.map((column) => plain(row, column)),
+      ...(counts ? [row.earlier ? words.no : words.yes] : []),
+    ]);
     const csv = resultsCsv([...head, ...(counts ? [words.counts] : [])], cells, decimalSign(language));
     downloadText(csv, `${title}.csv`.replace(/[\\/:*?"<>|]+/g, "-"));
   };
   return (
-    <dialog ref={dialog} className="handing taught-wide" aria-label={title}
+    <dialog
+      ref={dialog}
+      className="handing taught-wide"
+      aria-label={title}
       onClose={(event) => event.target === dialog.current && !dialog.current.open && leaveTaught()}
       onKeyDown={(event) => event.stopPropagation()}
     >
       <div className="handing-head">
         <h2>{title}</h2>
-        <button type="button" className="button icon plain" aria-label={t.close} onClick={() => dialog.current?.close()}>
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.close}
+          onClick={() => dialog.current?.close()}
+        >
           <Icon name="close" />
         </button>
       </div>
       <p>{isOne && only ? words.lead(day(only.result.made)) : words.several}</p>
       {trouble === "notKept" && <Message tone="warning">{words.notKept}</Message>}
       <LeftOut leftOut={leftOut} />
-      {all.length === 0
-        ? <Message tone="info">{files.length === 0 ? words.nothing : words.empty}</Message>
-        : (
-          <ResultTable title={title} rows={rows} columns={columns} heads={heads} text={text} waits={(key) => !again.has(key)} sort={sort}
-            sortBy={sortBy} />
-        )}
+      {all.length === 0 ? (
+        <Message tone="info">{files.length === 0 ? words.nothing : words.empty}</Message>
+      ) : (
+        <ResultTable
+          title={title}
+          rows={rows}
+          columns={columns}
+          heads={heads}
+          text={text}
+          waits={(key) => !again.has(key)}
+          sort={sort}
+          sortBy={sortBy}
+        />
+      )}
       {earlier > 0 && (
         <label className="teach-check taught-ways">
           <input type="checkbox" checked={showsEarlier} onChange={() => showEarlier(!showsEarlier)} />
@@ -80,11 +116,19 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
         <button type="button" className="button" onClick={() => file.current?.click()}>
           <Icon name="add" /> {words.add}
         </button>
-        <input ref={file} type="file" multiple hidden accept=".json,application/json" aria-label={words.add} onChange={(event) => {
-          const chosen = [...event.currentTarget.files ?? []];
-          event.currentTarget.value = "";
-          if (chosen.length > 0) void addResults(chosen);
-        }} />
+        <input
+          ref={file}
+          type="file"
+          multiple
+          hidden
+          accept=".json,application/json"
+          aria-label={words.add}
+          onChange={(event) => {
+            const chosen = [...(event.currentTarget.files ?? [])];
+            event.currentTarget.value = "";
+            if (chosen.length > 0) void addResults(chosen);
+          }}
+        />
         {rows.length > 0 && (
           <>
             <button type="button" className="button" onClick={save}>

@@ -1,4 +1,10 @@
-import { LIST_RULES, NUMBER_RULES, type ListRule, type NumberRule, type RuleDraft } from "../../../course/made/made-form.ts";
+import {
+  LIST_RULES,
+  NUMBER_RULES,
+  type ListRule,
+  type NumberRule,
+  type RuleDraft,
+} from "../../../course/made/made-form.ts";
 import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
@@ -21,8 +27,14 @@ export function RuleFields({ made, change }: FormPart) {
                 <input type="checkbox" checked={on} onChange={() => put(rule, { on: !on })} />
                 {t.rule[rule]}
               </label>
-              <NumberInput kind="typed" inputMode={rule === "cycles" ? "text" : "decimal"} aria-label={t.rule[rule]} disabled={!on}
-                text={text} onText={(next) => put(rule, { text: next })} />
+              <NumberInput
+                kind="typed"
+                inputMode={rule === "cycles" ? "text" : "decimal"}
+                aria-label={t.rule[rule]}
+                disabled={!on}
+                text={text}
+                onText={(next) => put(rule, { text: next })}
+              />
             </li>
           );
         })}

@@ -27,8 +27,18 @@ export function SizeFields({ made, change }: FormPart) {
               </label>
               {on && (
                 <span className="teach-pair">
-                  <NumberInput kind="typed" aria-label={t.upper(name)} text={upper} onText={(text) => put(i, { upper: text })} />
-                  <NumberInput kind="typed" aria-label={t.lower(name)} text={lower} onText={(text) => put(i, { lower: text })} />
+                  <NumberInput
+                    kind="typed"
+                    aria-label={t.upper(name)}
+                    text={upper}
+                    onText={(text) => put(i, { upper: text })}
+                  />
+                  <NumberInput
+                    kind="typed"
+                    aria-label={t.lower(name)}
+                    text={lower}
+                    onText={(text) => put(i, { lower: text })}
+                  />
                 </span>
               )}
             </li>

@@ -10,14 +10,16 @@ export function StartFields({ made, change, answer }: FormPart & { readonly answ
   const t = useTexts("course-teach");
   const name = useId();
   const { operations } = answer.run;
-  const { prompts: { operation, emptied }, faults, start } = made;
-  const starts = (["empty", "prompts", "program"] as const).filter((each) =>
-    (each !== "prompts" || operations.length > 0) && (each !== "empty" || made.kind !== "predict")
+  const {
+    prompts: { operation, emptied },
+    faults,
+    start,
+  } = made;
+  const starts = (["empty", "prompts", "program"] as const).filter(
+    (each) => (each !== "prompts" || operations.length > 0) && (each !== "empty" || made.kind !== "predict"),
   );
-  const toggled = <T,>(
-    list: readonly T[],
-    one: T,
-  ): readonly T[] => (list.includes(one) ? list.filter((each) => each !== one) : [...list, one]);
+  const toggled = <T,>(list: readonly T[], one: T): readonly T[] =>
+    list.includes(one) ? list.filter((each) => each !== one) : [...list, one];
   return (
     <fieldset>
       <legend>{t.start}</legend>
@@ -33,18 +35,27 @@ export function StartFields({ made, change, answer }: FormPart & { readonly answ
         <>
           <label className="teach-text">
             {t.which}
-            <select className="select" value={operation} onChange={(event) =>
-              change({ prompts: { operation: Number(event.currentTarget.value), emptied: [] } })}
+            <select
+              className="select"
+              value={operation}
+              onChange={(event) => change({ prompts: { operation: Number(event.currentTarget.value), emptied: [] } })}
             >
-              {operations.map(({ block, cycle }, i) => <option key={i} value={i}>{t.call(String(block), String(cycle))}</option>)}
+              {operations.map(({ block, cycle }, i) => (
+                <option key={i} value={i}>
+                  {t.call(String(block), String(cycle))}
+                </option>
+              ))}
             </select>
           </label>
           <div role="group" aria-label={t.empty} className="teach-values">
             <span className="soft">{t.empty}</span>
             {promptsOf(answer, operation).map(([q, value]) => (
               <label key={q} className="teach-check number">
-                <input type="checkbox" checked={emptied.includes(q)} onChange={() =>
-                  change({ prompts: { operation, emptied: toggled(emptied, q) } })} />
+                <input
+                  type="checkbox"
+                  checked={emptied.includes(q)}
+                  onChange={() => change({ prompts: { operation, emptied: toggled(emptied, q) } })}
+                />
                 {q}={value}
               </label>
             ))}
@@ -57,14 +68,22 @@ export function StartFields({ made, change, answer }: FormPart & { readonly answ
             <span className="soft">{t.faults}</span>
             {possibleFaults(linesOfText(answer.text)).map((fault) => (
               <label key={fault} className="teach-check">
-                <input type="checkbox" checked={faults.includes(fault)} onChange={() =>
-                  change({ faults: toggled(faults, fault), program: null })} />
+                <input
+                  type="checkbox"
+                  checked={faults.includes(fault)}
+                  onChange={() => change({ faults: toggled(faults, fault), program: null })}
+                />
                 {t.fault[fault]}
               </label>
             ))}
           </div>
-          <TeachText label={t.program} isNc rows={12} value={made.program ?? programOfMade(made, answer).join("\n")} change={(program) =>
-            change({ program })} />
+          <TeachText
+            label={t.program}
+            isNc
+            rows={12}
+            value={made.program ?? programOfMade(made, answer).join("\n")}
+            change={(program) => change({ program })}
+          />
         </>
       )}
     </fieldset>

@@ -44,7 +44,9 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
   const blank = task.part && boxAround([...blankOfLines(task.part.blank).rings]);
   const facts: readonly (readonly [keyof typeof t.incoming.facts, string])[] = [
     ["kind", t.kinds[task.kind]],
-    ...(blank ? [["blank", `⌀${number(toDiameter(radius(blank.high)))} × ${number(blank.right - blank.left)}`] as const] : []),
+    ...(blank
+      ? [["blank", `⌀${number(toDiameter(radius(blank.high)))} × ${number(blank.right - blank.left)}`] as const]
+      : []),
     ["tools", task.rules.tools?.join(", ") ?? t.incoming.anyTools],
     ["size", t.kilobytes(formatNumber(language, taughtFile(task).length / 1000, 1))],
   ];
@@ -68,14 +70,22 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
         ))}
       </dl>
       <div className="handing-ways">
-        <button type="button" className="button primary handing-first" onClick={() => void take()}>{t.incoming.take}</button>
-        <button type="button" className="button" onClick={() => {
-          keepTask(task);
-          leaveTaught();
-        }}>
+        <button type="button" className="button primary handing-first" onClick={() => void take()}>
+          {t.incoming.take}
+        </button>
+        <button
+          type="button"
+          className="button"
+          onClick={() => {
+            keepTask(task);
+            leaveTaught();
+          }}
+        >
           {t.incoming.keep}
         </button>
-        <button type="button" className="button" onClick={leaveTaught}>{t.incoming.not}</button>
+        <button type="button" className="button" onClick={leaveTaught}>
+          {t.incoming.not}
+        </button>
       </div>
       {task.part && <WorkshopDrawing task={task} language={language} />}
     </HandingDialog>

@@ -7,15 +7,26 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /** Why a file or a link opens nothing: of a task that was written by hand, field by field. */
 export function TaughtProblemView({ file, problem }: { readonly file: string; readonly problem: TaughtProblem }) {
-  const t = useTexts("course-teach"), { problem: words } = t;
+  const t = useTexts("course-teach"),
+    { problem: words } = t;
   const [why = "", ...faults] = useProblemWords()(problem);
   return (
     <HandingDialog title={file === "" ? words.link : words.file(file)} done={leaveTaught}>
-      <Message role="alert" tone="warning">{why}</Message>
-      {faults.length > 0 && <ul className="taught-faults">{faults.map((each, i) => <li key={i}>{each}</li>)}</ul>}
+      <Message role="alert" tone="warning">
+        {why}
+      </Message>
+      {faults.length > 0 && (
+        <ul className="taught-faults">
+          {faults.map((each, i) => (
+            <li key={i}>{each}</li>
+          ))}
+        </ul>
+      )}
       <p className="soft">{words.asBefore}</p>
       <div className="handing-ways">
-        <button type="button" className="button primary handing-first" onClick={leaveTaught}>{t.close}</button>
+        <button type="button" className="button primary handing-first" onClick={leaveTaught}>
+          {t.close}
+        </button>
       </div>
     </HandingDialog>
   );

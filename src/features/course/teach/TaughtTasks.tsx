@@ -42,23 +42,42 @@ export function TaughtTasks() {
               <li key={task.id}>
                 <span className="taught-name">{title}</span>
                 <TaskStateMark state={stateOfTask(progressOfTask(learning, task.id))} />
-                <button type="button" className="button" aria-label={t.own.begin(title)} onClick={() => void beginTask(task, true)}>
+                <button
+                  type="button"
+                  className="button"
+                  aria-label={t.own.begin(title)}
+                  onClick={() => void beginTask(task, true)}
+                >
                   <Icon name="play" />
                 </button>
                 {textOfTask(task) !== null && (
-                  <button type="button" className="button plain" aria-haspopup="dialog" aria-label={t.own.edit(title)} onClick={() =>
-                    change(task)}
+                  <button
+                    type="button"
+                    className="button plain"
+                    aria-haspopup="dialog"
+                    aria-label={t.own.edit(title)}
+                    onClick={() => change(task)}
                   >
                     <Icon name="rename" />
                   </button>
                 )}
-                <button type="button" className="button plain" aria-label={t.own.copy(title)} onClick={() => copyTask(task, t.own.copyOf)}>
+                <button
+                  type="button"
+                  className="button plain"
+                  aria-label={t.own.copy(title)}
+                  onClick={() => copyTask(task, t.own.copyOf)}
+                >
                   <Icon name="copy" />
                 </button>
-                <button type="button" className="button plain" aria-label={t.own.remove(title)} onClick={() => {
-                  removeTask(task.id);
-                  say({ title, step: useSteps.getState().past.at(-1) });
-                }}>
+                <button
+                  type="button"
+                  className="button plain"
+                  aria-label={t.own.remove(title)}
+                  onClick={() => {
+                    removeTask(task.id);
+                    say({ title, step: useSteps.getState().past.at(-1) });
+                  }}
+                >
                   <Icon name="remove" />
                 </button>
               </li>

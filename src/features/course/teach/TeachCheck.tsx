@@ -16,10 +16,19 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 const MOST_TOLD = 6;
 
 /**
- * Whether the answer passes its own task; then it is tried and handed out. What goes out is kept here too, so that answers to it can be run
- * when they come back.
+ * Whether the answer passes its own task; then it is tried and handed out. What goes out is kept here too, so that
+ * answers to it can be run when they come back.
  */
-export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, isChange, done }: {
+export function TeachCheck({
+  task,
+  judged,
+  isIdle,
+  foretells,
+  lacking,
+  formKey,
+  isChange,
+  done,
+}: {
   readonly task: Task | readonly MadeFault[];
   readonly judged: TaskJudgement | null;
   readonly isIdle: boolean;
@@ -36,7 +45,9 @@ export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, 
   const lacks = lacking.truth.length > 0;
   const faults = "length" in task ? [...task, ...(lacks ? ["truth" as const] : [])] : lacks ? ["truth" as const] : null;
   const whole = "length" in task || lacks ? null : task;
-  const isKept = useTaught((s) => whole !== null && s.list.some((each) => JSON.stringify(each) === JSON.stringify(whole)));
+  const isKept = useTaught(
+    (s) => whole !== null && s.list.some((each) => JSON.stringify(each) === JSON.stringify(whole)),
+  );
   const wrong = judged?.marks.filter(({ passed }) => !passed) ?? [];
   const ready = whole && (foretells || (judged?.passed && !isIdle)) ? whole : null;
   /** A changed task that is kept needs no form any more: it is filled in from the task again. */
@@ -52,9 +63,11 @@ export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, 
           <ul>
             {faults.map((fault) => (
               <li key={fault}>
-                <Icon name="info" /> {(fault === "questions" || fault === "truth") && (
+                <Icon name="info" />{" "}
+                {(fault === "questions" || fault === "truth") && (
                   <b>{lacking[fault].map((number) => t.question(String(number))).join(", ")}:</b>
-                )} {t.needs[fault]}
+                )}{" "}
+                {t.needs[fault]}
               </li>
             ))}
           </ul>
@@ -79,17 +92,26 @@ export function TeachCheck({ task, judged, isIdle, foretells, lacking, formKey, 
             <p className="teach-bad">
               <Icon name="error" /> {t.refused}
             </p>
-            <ul>{wrong.slice(0, MOST_TOLD).map((mark, i) => <Told key={i} mark={mark} />)}</ul>
+            <ul>
+              {wrong.slice(0, MOST_TOLD).map((mark, i) => (
+                <Told key={i} mark={mark} />
+              ))}
+            </ul>
           </>
         )}
       </div>
       <div className="handing-ways">
-        <button type="button" className="button" disabled={!ready} onClick={() => {
-          if (!ready) return;
-          done();
-          keep(ready);
-          beginTaskAnew(ready, true);
-        }}>
+        <button
+          type="button"
+          className="button"
+          disabled={!ready}
+          onClick={() => {
+            if (!ready) return;
+            done();
+            keep(ready);
+            beginTaskAnew(ready, true);
+          }}
+        >
           <Icon name="play" /> {t.tryIt}
         </button>
         <button type="button" className="button" disabled={!ready || isKept} onClick={() => ready && keep(ready)}>
@@ -108,7 +130,9 @@ function Told({ mark: { rule, value, limit, block } }: { readonly mark: TaskMark
   const number = (n: number | undefined) => (n === undefined ? "" : formatNumber(language, n));
   const where = block === undefined ? "" : t.inBlock(String(block));
   const value0 = [number(value), where].filter((part) => part !== "").join(", ");
-  return <li>{value0 === "" && limit === undefined ? t.judged[rule] : t.mark(t.judged[rule], value0, number(limit))}</li>;
+  return (
+    <li>{value0 === "" && limit === undefined ? t.judged[rule] : t.mark(t.judged[rule], value0, number(limit))}</li>
+  );
 }
 
 function HandOut({ task, keep }: { readonly task: Task; readonly keep: () => void }) {
@@ -118,10 +142,14 @@ function HandOut({ task, keep }: { readonly task: Task; readonly keep: () => voi
       <h3>{t.handOut}</h3>
       <LinkBox link={taskLink(pageAddress(), task)} copies={keep} />
       <div className="handing-ways">
-        <button type="button" className="button" onClick={() => {
-          keep();
-          downloadText(taughtFile(task), `${task.id}.turnwise-task.json`);
-        }}>
+        <button
+          type="button"
+          className="button"
+          onClick={() => {
+            keep();
+            downloadText(taughtFile(task), `${task.id}.turnwise-task.json`);
+          }}
+        >
           <Icon name="download" /> {t.saveTask}
         </button>
       </div>

@@ -31,20 +31,28 @@ const milledFrom = ({ run }: Answer): number | null => run.plane.find(({ kind })
 
 /** The material that the open work says it is turned from, where it is one of the shipped list. */
 function openMaterial(): MadeTask["material"] {
-  const { job, program } = useEditor.getState(), open = (job ?? program)?.material;
+  const { job, program } = useEditor.getState(),
+    open = (job ?? program)?.material;
   return usualTable.materials.find(({ id }) => id === open)?.id ?? null;
 }
 
 function begunForm(source: TeachSource, screen: Language): BegunForm | null {
-  const base = "task" in source ? source.task : null, text = "task" in source ? textOfTask(source.task) : source.text;
+  const base = "task" in source ? source.task : null,
+    text = "task" in source ? textOfTask(source.task) : source.text;
   if (text === null) return null;
-  const answer = answerOf(text), isPart = makesPart(answer), milled = milledFrom(answer);
+  const answer = answerOf(text),
+    isPart = makesPart(answer),
+    milled = milledFrom(answer);
   if (!isPart && milled === null && !base) return null;
-  const keptAs = "task" in source ? keyOfTask(source.task.id) : keyOfWork(source.work), print = fingerprint(text);
-  const language = (base && shownLanguageOf(base.words, screen)) ?? lessonLanguageOf(screen), kept = keptForm(keptAs);
+  const keptAs = "task" in source ? keyOfTask(source.task.id) : keyOfWork(source.work),
+    print = fingerprint(text);
+  const language = (base && shownLanguageOf(base.words, screen)) ?? lessonLanguageOf(screen),
+    kept = keptForm(keptAs);
   const only: Partial<MadeTask> = isPart ? {} : { kind: "predict", start: "program" };
-  const form = kept?.form
-    ?? { ...(base ? formOfTask(base, text, answer, language) : { ...proposedTask(answer), material: openMaterial() }), ...only };
+  const form = kept?.form ?? {
+    ...(base ? formOfTask(base, text, answer, language) : { ...proposedTask(answer), material: openMaterial() }),
+    ...only,
+  };
   const sizes = sizesOfBoth(form.sizes, sizeChoices(wantedPart(partOfMade(form))));
   return {
     text,
@@ -71,26 +79,42 @@ function useBegun(source: TeachSource): BegunForm | "none" | null {
   return begun;
 }
 
-/** The form that makes a task of a program, or changes one: filled in from it, checked while it is typed, tried and handed out. */
+/**
+ * The form that makes a task of a program, or changes one: filled in from it, checked while it is typed, tried and
+ * handed out.
+ */
 export function TeachDialog({ done, ...source }: TeachSource & { readonly done: () => void }) {
   const t = useTexts("course-teach");
   const screen = useSettings((s) => s.language);
   const begun = useBegun(source);
   const dialog = useRef<HTMLDialogElement>(null);
   useModal(dialog);
-  const name = "task" in source ? inScreenLanguage(source.task.words, screen)?.title ?? source.task.id : null;
+  const name = "task" in source ? (inScreenLanguage(source.task.words, screen)?.title ?? source.task.id) : null;
   const title = name === null ? t.title : t.titleOf(name);
   return (
-    <dialog ref={dialog} className="teach" aria-label={title}
-      onClose={(event) => event.target === dialog.current && !dialog.current.open && done()} onKeyDown={(event) => event.stopPropagation()}
+    <dialog
+      ref={dialog}
+      className="teach"
+      aria-label={title}
+      onClose={(event) => event.target === dialog.current && !dialog.current.open && done()}
+      onKeyDown={(event) => event.stopPropagation()}
     >
       <div className="teach-head">
         <h2>{title}</h2>
-        <button type="button" className="button icon plain" aria-label={t.close} onClick={() => dialog.current?.close()}>
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.close}
+          onClick={() => dialog.current?.close()}
+        >
           <Icon name="close" />
         </button>
       </div>
-      {!begun && <p role="status" className="soft">{t.working}</p>}
+      {!begun && (
+        <p role="status" className="soft">
+          {t.working}
+        </p>
+      )}
       {begun === "none" && <Message tone="warning">{t.noPart}</Message>}
       {begun && begun !== "none" && <TeachForm {...begun} done={() => dialog.current?.close()} />}
     </dialog>

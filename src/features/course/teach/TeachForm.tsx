@@ -6,7 +6,15 @@ import { editedTask } from "../../../course/made/form-of-task.ts";
 import type { LessonLanguage } from "../../../i18n/languages.ts";
 import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
 import { isThere, isWhole, truthsOf } from "../../../course/made/made-questions.ts";
-import { asksBefore, begunOfMade, linesOfText, partOfMade, proposedTask, taskOfMade, wantsPart } from "../../../course/made/made-task.ts";
+import {
+  asksBefore,
+  begunOfMade,
+  linesOfText,
+  partOfMade,
+  proposedTask,
+  taskOfMade,
+  wantsPart,
+} from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
@@ -50,9 +58,13 @@ const KINDS = ["make", "fault", "predict", "drawing"] as const;
 
 /** What the program proposes in place of what was taken from another one; what the instructor decided stays. */
 function proposedAnew(made: MadeTask, answer: Answer, sign: string): MadeTask {
-  const fresh = formWithSign(proposedTask(answer), sign), { blank, outside, bore, threads } = fresh;
+  const fresh = formWithSign(proposedTask(answer), sign),
+    { blank, outside, bore, threads } = fresh;
   const rules = Object.fromEntries(
-    Object.entries(fresh.rules).map(([name, { text }]) => [name, { on: made.rules[name as keyof MadeTask["rules"]].on, text }]),
+    Object.entries(fresh.rules).map(([name, { text }]) => [
+      name,
+      { on: made.rules[name as keyof MadeTask["rules"]].on, text },
+    ]),
   ) as MadeTask["rules"];
   const prompts = answer.run.operations.length > made.prompts.operation ? made.prompts : fresh.prompts;
   return { ...made, blank, outside, bore, threads, rules, prompts, sizes: sizeChoices(wantedPart(partOfMade(fresh))) };
@@ -65,31 +77,33 @@ const numbered = <T,>(list: readonly T[], holds: (each: T) => boolean): readonly
 /** What is told of a form as it stands: the task, how its answer is judged, and what is true of its questions. */
 function useChecked(settled: MadeTask, { answer, base, language, print }: BegunForm) {
   const mark = print.split(" ").at(1) ?? "";
-  const task = useMemo(() => (base ? editedTask(base, settled, answer, language) : taskOfMade(settled, answer, language, mark)), [
-    base,
-    settled,
-    answer,
-    language,
-    mark,
-  ]);
+  const task = useMemo(
+    () => (base ? editedTask(base, settled, answer, language) : taskOfMade(settled, answer, language, mark)),
+    [base, settled, answer, language, mark],
+  );
   const begins = useMemo(() => begunOfMade(settled, answer), [settled, answer]);
   const begun = useMemo(() => {
     if (begins === null) return null;
     return linesOfText(begins).join("\n") === linesOfText(answer.text).join("\n") ? answer : answerOf(begins);
   }, [begins, answer]);
   const questions = asksBefore(settled.kind) ? settled.questions : NO_QUESTIONS;
-  const truths = useMemo(() => (begun ? truthsOf(questions, wantsPart(settled) ? { part: partOfMade(settled) } : {}, begun) : []), [
-    questions,
-    settled,
-    begun,
-  ]);
+  const truths = useMemo(
+    () => (begun ? truthsOf(questions, wantsPart(settled) ? { part: partOfMade(settled) } : {}, begun) : []),
+    [questions, settled, begun],
+  );
   const foretells = settled.kind === "predict";
   const judged = useMemo(() => ("length" in task || foretells ? null : judge(task, answer)), [task, answer, foretells]);
-  const isIdle = useMemo(() => begun !== null && !foretells && !("length" in task) && judge(task, begun).passed, [begun, foretells, task]);
-  const lacking = useMemo(() => ({
-    questions: numbered(questions, (each) => !isWhole(each)),
-    truth: numbered(truths, (truth) => begun !== null && truth !== null && !isThere(truth, begun)),
-  }), [questions, truths, begun]);
+  const isIdle = useMemo(
+    () => begun !== null && !foretells && !("length" in task) && judge(task, begun).passed,
+    [begun, foretells, task],
+  );
+  const lacking = useMemo(
+    () => ({
+      questions: numbered(questions, (each) => !isWhole(each)),
+      truth: numbered(truths, (truth) => begun !== null && truth !== null && !isThere(truth, begun)),
+    }),
+    [questions, truths, begun],
+  );
   return { mark, task, begun, questions, truths, judged, isIdle, lacking };
 }
 
@@ -113,44 +127,62 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
   };
   const settled = useDeferredValue(made);
   const { mark, task, begun, questions, truths, judged, isIdle, lacking } = useChecked(settled, of);
-  const drawn = useMemo(() => ({
-    id: "length" in task ? mark : task.id,
-    part: partOfMade(settled),
-    ...(settled.material !== null && { material: settled.material }),
-    sizes: settled.sizes.filter(({ on }) => on).map(({ upper, lower, kind, at, nominal }) => ({
-      kind,
-      at,
-      nominal,
-      upper: Number(upper.replace(",", ".")) || 0,
-      lower: Number(lower.replace(",", ".")) || 0,
-    })),
-    rules: "length" in task ? {} : task.rules,
-    words: { [screen]: { title: settled.words.title || t.part, ask: "", hints: ["", "", ""] as [string, string, string] } },
-  }), [task, settled, screen, mark, t]);
-  const last = past.at(-1), foretells = made.kind === "predict";
+  const drawn = useMemo(
+    () => ({
+      id: "length" in task ? mark : task.id,
+      part: partOfMade(settled),
+      ...(settled.material !== null && { material: settled.material }),
+      sizes: settled.sizes
+        .filter(({ on }) => on)
+        .map(({ upper, lower, kind, at, nominal }) => ({
+          kind,
+          at,
+          nominal,
+          upper: Number(upper.replace(",", ".")) || 0,
+          lower: Number(lower.replace(",", ".")) || 0,
+        })),
+      rules: "length" in task ? {} : task.rules,
+      words: {
+        [screen]: { title: settled.words.title || t.part, ask: "", hints: ["", "", ""] as [string, string, string] },
+      },
+    }),
+    [task, settled, screen, mark, t],
+  );
+  const last = past.at(-1),
+    foretells = made.kind === "predict";
   const form = { made, change };
   return (
     <div className="teach-form">
       <div className="teach-fields">
-        <p className="soft">{!foretells && t.lead} {isKept && t.keptForm}</p>
+        <p className="soft">
+          {!foretells && t.lead} {isKept && t.keptForm}
+        </p>
         {!isKept && <Message tone="warning">{t.formNotKept}</Message>}
         {milled !== null && <Message tone="warning">{isPart ? t.milled(String(milled)) : t.milledOnly}</Message>}
         {(filledFrom !== print || last) && (
           <Message as="div" tone="info" className="teach-changed">
             {filledFrom !== print && <span>{t.changedSince}</span>}
             {filledFrom !== print && (
-              <button type="button" className="button" onClick={() => {
-                step();
-                put(proposedAnew(made, answer, decimalSign(screen)), print);
-              }}>
+              <button
+                type="button"
+                className="button"
+                onClick={() => {
+                  step();
+                  put(proposedAnew(made, answer, decimalSign(screen)), print);
+                }}
+              >
                 {t.proposeAnew}
               </button>
             )}
             {last && (
-              <button type="button" className="button" onClick={() => {
-                remember(past.slice(0, -1));
-                put(last.made, last.filledFrom);
-              }}>
+              <button
+                type="button"
+                className="button"
+                onClick={() => {
+                  remember(past.slice(0, -1));
+                  put(last.made, last.filledFrom);
+                }}
+              >
                 <Icon name="undo" /> {t.takeBack}
               </button>
             )}
@@ -173,8 +205,16 @@ export function TeachForm({ done, ...of }: BegunForm & { readonly done: () => vo
       <div className="teach-shown">
         {!foretells && <WorkshopDrawing task={drawn} language={screen} />}
         {questions.length > 0 && begun && <QuestionPreview questions={questions} truths={truths} begun={begun} />}
-        <TeachCheck task={task} judged={judged} isIdle={isIdle} foretells={foretells} lacking={lacking} formKey={keptAs}
-          isChange={base !== null} done={done} />
+        <TeachCheck
+          task={task}
+          judged={judged}
+          isIdle={isIdle}
+          foretells={foretells}
+          lacking={lacking}
+          formKey={keptAs}
+          isChange={base !== null}
+          done={done}
+        />
       </div>
     </div>
   );

@@ -15,9 +15,11 @@ export function ThreadFields({ made, change, answer }: FormPart & { readonly ans
   const number = (value: number) => formatNumber(language, value);
   const put = (at: number, some: Partial<ThreadDraft>) => {
     const next = threads.map((thread, i) => (i === at ? { ...thread, ...some } : thread));
-    // An outline that was not typed over shows the crest of a thread that is asked for, and the grooves of one that is not.
+    // An outline that was not typed over shows the crest of a thread that is asked for, and the grooves of one that is
+    // not.
     const was = outlinesFrom(answer, "made", threads);
-    const again = some.on !== undefined && was.outside === outside && was.bore === bore ? outlinesFrom(answer, "made", next) : {};
+    const again =
+      some.on !== undefined && was.outside === outside && was.bore === bore ? outlinesFrom(answer, "made", next) : {};
     change({ threads: next, ...again });
   };
   return (
@@ -33,8 +35,14 @@ export function ThreadFields({ made, change, answer }: FormPart & { readonly ans
                 <input type="checkbox" checked={on} onChange={() => put(i, { on: !on })} />
                 {where}
               </label>
-              <input className="input" aria-label={t.threadName(where)} disabled={!on} value={name} maxLength={40}
-                onChange={(event) => put(i, { name: event.currentTarget.value })} />
+              <input
+                className="input"
+                aria-label={t.threadName(where)}
+                disabled={!on}
+                value={name}
+                maxLength={40}
+                onChange={(event) => put(i, { name: event.currentTarget.value })}
+              />
             </li>
           );
         })}

@@ -27,12 +27,15 @@ export function ToolFields({ made, change, answer }: FormPart & { readonly answe
         <div role="group" aria-label={t.offers.listed} className="teach-values teach-tools">
           {shippedTools.map(({ T, NAME }) => (
             <label key={T} className="teach-check">
-              <input type="checkbox" checked={tools.includes(T)} onChange={() =>
-                change({
-                  tools: tools.includes(T)
-                    ? tools.filter((each) => each !== T)
-                    : [...tools, T],
-                })} />
+              <input
+                type="checkbox"
+                checked={tools.includes(T)}
+                onChange={() =>
+                  change({
+                    tools: tools.includes(T) ? tools.filter((each) => each !== T) : [...tools, T],
+                  })
+                }
+              />
               {t.toolOf(String(T), NAME)}
             </label>
           ))}

@@ -11,9 +11,21 @@ export interface FormPart {
 }
 
 /** A text of the form, of one line or of several. */
-export function TeachText({ label, hint, value, rows = 1, isNc = false, change }: { readonly label: string; readonly hint?: string;
-  readonly value: string; readonly rows?: number; readonly isNc?: boolean; readonly change: (text: string) => void })
-{
+export function TeachText({
+  label,
+  hint,
+  value,
+  rows = 1,
+  isNc = false,
+  change,
+}: {
+  readonly label: string;
+  readonly hint?: string;
+  readonly value: string;
+  readonly rows?: number;
+  readonly isNc?: boolean;
+  readonly change: (text: string) => void;
+}) {
   const id = useId();
   const shared = {
     id,
@@ -25,10 +37,21 @@ export function TeachText({ label, hint, value, rows = 1, isNc = false, change }
   return (
     <div className="teach-text">
       <label htmlFor={id}>{label}</label>
-      {rows > 1
-        ? <textarea {...shared} rows={rows} maxLength={isNc ? 60_000 : 2000} onChange={(event) => change(event.currentTarget.value)} />
-        : <input {...shared} maxLength={200} onChange={(event) => change(event.currentTarget.value)} />}
-      {hint !== undefined && <p id={`${id}-hint`} className="small soft">{hint}</p>}
+      {rows > 1 ? (
+        <textarea
+          {...shared}
+          rows={rows}
+          maxLength={isNc ? 60_000 : 2000}
+          onChange={(event) => change(event.currentTarget.value)}
+        />
+      ) : (
+        <input {...shared} maxLength={200} onChange={(event) => change(event.currentTarget.value)} />
+      )}
+      {hint !== undefined && (
+        <p id={`${id}-hint`} className="small soft">
+          {hint}
+        </p>
+      )}
     </div>
   );
 }
@@ -46,8 +69,14 @@ export function WordFields({ made, change, kinds }: FormPart & { readonly kinds:
       <div role="radiogroup" aria-label={t.kind} className="teach-choices">
         {kinds.map((each) => (
           <label key={each} className="teach-check">
-            <input type="radio" name={name} checked={kind === each}
-              onChange={() => change({ kind: each, ...(asksBefore(each) && made.start === "empty" && { start: "program" }) })} />
+            <input
+              type="radio"
+              name={name}
+              checked={kind === each}
+              onChange={() =>
+                change({ kind: each, ...(asksBefore(each) && made.start === "empty" && { start: "program" }) })
+              }
+            />
             {t.kinds[each]}
           </label>
         ))}

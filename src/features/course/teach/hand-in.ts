@@ -24,7 +24,10 @@ export async function taskOfId(id: string): Promise<Task | null> {
 
 /** What a program comes to in a task, run as every device runs it, beside the page; null where that cannot be said. */
 export async function verdictHere(task: Task, program: string): Promise<TaskResult["verdict"]> {
-  const answer = await outcomeBeside({ name: `${task.id}.h`, text: program, encoding: "utf-8", tools: shippedList }, null);
+  const answer = await outcomeBeside(
+    { name: `${task.id}.h`, text: program, encoding: "utf-8", tools: shippedList },
+    null,
+  );
   if (!answer) return null;
   const { passed, marks } = judge(task, answer);
   return { passed, refused: [...new Set(marks.filter((mark) => !mark.passed).map(({ rule }) => rule))] };
@@ -43,7 +46,8 @@ export async function runAgain({ id, program }: TaskResult): Promise<Again> {
 
 /** The last program that was made in a task on this device. */
 async function lastProgram(id: string): Promise<string | null> {
-  const work = keptOfTask(id), kept = work === undefined ? null : await readWork(work);
+  const work = keptOfTask(id),
+    kept = work === undefined ? null : await readWork(work);
   if (!kept) return null;
   return isProgram(kept.job) ? kept.job.text : printedText(kept.job);
 }
@@ -52,7 +56,8 @@ const SECOND = 1000;
 
 /** How one task went. */
 export async function resultOf(id: string, progress: CourseProgress, language: Language): Promise<TaskResult> {
-  const task = await taskOfId(id), program = await lastProgram(id);
+  const task = await taskOfId(id),
+    program = await lastProgram(id);
   const { tries, hints, solution, passed, seconds, score } = progressOfTask(progress, id);
   const { ms, steps } = workedIn(id);
   return {

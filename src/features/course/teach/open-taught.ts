@@ -23,11 +23,15 @@ async function readFile(file: File): Promise<ReadTaught> {
 
 /** Shows results out of files, beside those that are there; what is none is named. */
 export async function addResults(files: readonly File[]): Promise<void> {
-  showResults(await Promise.all(files.map(async (file): Promise<NamedResult> => {
-    const read = await readFile(file);
-    if (read.kind === "result") return { file: file.name, result: read.result };
-    return { file: file.name, why: read.kind === "task" ? { kind: "task" } : read };
-  })));
+  showResults(
+    await Promise.all(
+      files.map(async (file): Promise<NamedResult> => {
+        const read = await readFile(file);
+        if (read.kind === "result") return { file: file.name, result: read.result };
+        return { file: file.name, why: read.kind === "task" ? { kind: "task" } : read };
+      }),
+    ),
+  );
 }
 
 const BEGINNING = 4096;

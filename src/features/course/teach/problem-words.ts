@@ -21,8 +21,13 @@ export function useProblemWords(): (problem: TaughtProblem) => readonly string[]
       case "tooLarge":
         return [words.tooLarge(String(LARGEST_TAUGHT / MEGABYTE))];
       case "fields": {
-        const { faults } = problem, more = faults.length - MOST_TOLD;
-        return [words.fields, ...faults.slice(0, MOST_TOLD).map(ofField), ...(more > 0 ? [words.more(String(more))] : [])];
+        const { faults } = problem,
+          more = faults.length - MOST_TOLD;
+        return [
+          words.fields,
+          ...faults.slice(0, MOST_TOLD).map(ofField),
+          ...(more > 0 ? [words.more(String(more))] : []),
+        ];
       }
       default:
         return [words[problem.kind]];

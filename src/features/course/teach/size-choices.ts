@@ -19,9 +19,11 @@ export function sizeChoices({ outside, bore, rings }: WantedPart): readonly Size
       : [];
   };
   const across = (kind: "diameter" | "bore", outline: WantedPart["outside"]) =>
-    printFeatures(outline).cylinders.filter(({ left, right }) => right > left).flatMap(({ r, left, right }) =>
-      offered(kind, (left + right) / 2, toDiameter(radius(r)))
-    );
-  const faces = printFeatures(outside).positions.flatMap((p) => offered("face", rounded(toDiameter(radius(p.r - ASIDE))), p.z));
+    printFeatures(outline)
+      .cylinders.filter(({ left, right }) => right > left)
+      .flatMap(({ r, left, right }) => offered(kind, (left + right) / 2, toDiameter(radius(r))));
+  const faces = printFeatures(outside).positions.flatMap((p) =>
+    offered("face", rounded(toDiameter(radius(p.r - ASIDE))), p.z),
+  );
   return [...across("diameter", outside), ...across("bore", bore), ...faces].slice(0, MOST);
 }

@@ -8,7 +8,10 @@ const task = taskSchema.parse({
   id: "stepped-pin-1x",
   kind: "make",
   start: { program: ["0 BEGIN PGM PIN MM", "1 BLK FORM CYLINDER Z D41.3 L77.7 DIST+1.9", "2 END PGM PIN MM"] },
-  part: { blank: ["BLK FORM CYLINDER Z D41.3 L77.7 DIST+1.9"], outside: ["L X+0 Z+0", "L X+33.1", "L Z-17.7", "L X+41.3"] },
+  part: {
+    blank: ["BLK FORM CYLINDER Z D41.3 L77.7 DIST+1.9"],
+    outside: ["L X+0 Z+0", "L X+33.1", "L Z-17.7", "L X+41.3"],
+  },
   rules: { tools: [3, 1] },
   words: { de: { title: "Bolzen ⌀33,1", ask: "Drehen Sie ihn.", hints: ["a", "b", "c"] } },
 });
@@ -16,29 +19,37 @@ const result = readResult({
   format: RESULT_FORMAT,
   name: "",
   made: 1_795_000_000_123,
-  tasks: [{
-    id: "stepped-pin-1x",
-    title: "Bolzen",
-    tries: 3,
-    hints: 1,
-    solution: false,
-    passed: { way: "hints", when: 1_794_999_999_000 },
-    seconds: 61.7,
-    score: null,
-    worked: 487,
-    steps: 12,
-    program: "0 BEGIN PGM PIN MM\n1 END PGM PIN MM\n",
-    verdict: { passed: false, refused: ["residue", "rapid"] },
-  }],
+  tasks: [
+    {
+      id: "stepped-pin-1x",
+      title: "Bolzen",
+      tries: 3,
+      hints: 1,
+      solution: false,
+      passed: { way: "hints", when: 1_794_999_999_000 },
+      seconds: 61.7,
+      score: null,
+      worked: 487,
+      steps: 12,
+      program: "0 BEGIN PGM PIN MM\n1 END PGM PIN MM\n",
+      verdict: { passed: false, refused: ["residue", "rapid"] },
+    },
+  ],
 });
 
 test("a task and results come out of a link and of a file as they went in", () => {
   if (!result) throw new Error("no result");
   const page = "https://example.org/turnwise/";
-  for (const [link, content] of [[taskLink(page, task), { kind: "task", task, left: [] }], [resultLink(page, result), {
-    kind: "result",
-    result,
-  }]] as const) {
+  for (const [link, content] of [
+    [taskLink(page, task), { kind: "task", task, left: [] }],
+    [
+      resultLink(page, result),
+      {
+        kind: "result",
+        result,
+      },
+    ],
+  ] as const) {
     expect(link.startsWith(`${page}#`)).toBe(true);
     expect(readTaughtLink(link.slice(page.length))).toEqual(content);
   }
@@ -72,7 +83,8 @@ test("what is altered, cut, larger than is opened or of a newer edition is told 
 });
 
 test("a task from outside with the id of a task of the course gets an id of its own, the same each time", () => {
-  const alike = { ...task, id: "l02-sharper-corner" }, own = { ...task, id: "own-l02-sharper-corner" };
+  const alike = { ...task, id: "l02-sharper-corner" },
+    own = { ...task, id: "own-l02-sharper-corner" };
   for (const read of [readTaught(taughtFile(alike)), readTaughtLink(taskLink("", alike)), readTaught(taughtFile(own))])
     expect(read).toEqual({ kind: "task", task: own, left: [] });
 });

@@ -6,13 +6,16 @@ import { packedForLink, unpackedFromLink } from "../../../app/records/link.ts";
 import { fromOutside } from "../../../app/records/course/content.ts";
 
 /** Forms of the links; newer ones have higher numbers. */
-const TASK_MARK = "#t1=", RESULT_MARK = "#r1=";
+const TASK_MARK = "#t1=",
+  RESULT_MARK = "#r1=";
 /** Largest file of a task or of results, and most text that a link unpacks to, characters. */
 export const LARGEST_TAUGHT = 4_000_000;
 
 /** What was read, or why nothing was. `left`: fields that nobody knows. */
-export type ReadTaught = { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] } | { readonly kind: "result";
-  readonly result: HandedResult } | TaughtProblem;
+export type ReadTaught =
+  | { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] }
+  | { readonly kind: "result"; readonly result: HandedResult }
+  | TaughtProblem;
 
 /** Links that carry a task, or results. `page`: the address without anything behind `#`. */
 export const taskLink = (page: string, task: Task): string => page + TASK_MARK + packedForLink(task);
@@ -24,7 +27,9 @@ export const taughtFile = (content: Task | HandedResult): string => `${JSON.stri
 /** A format of this product with a higher number than the one that is read here. */
 function isNewer(format: unknown): boolean {
   const [name, number] = typeof format === "string" ? format.split("/") : [];
-  return [TASK_FORMAT, RESULT_FORMAT].some((known) => known.split("/")[0] === name && Number(number) > Number(known.split("/")[1]));
+  return [TASK_FORMAT, RESULT_FORMAT].some(
+    (known) => known.split("/")[0] === name && Number(number) > Number(known.split("/")[1]),
+  );
 }
 
 const BOM = /^\uFEFF/;
@@ -32,7 +37,8 @@ const BOM = /^\uFEFF/;
 /** The line in which a text stops being JSON, as far as the browser says it. */
 function lineOf(error: unknown, text: string): number | null {
   const said = error instanceof Error ? error.message : "";
-  const [, line] = /\bline (\d+)/.exec(said) ?? [], [, position] = /\bposition (\d+)/.exec(said) ?? [];
+  const [, line] = /\bline (\d+)/.exec(said) ?? [],
+    [, position] = /\bposition (\d+)/.exec(said) ?? [];
   if (line !== undefined) return Number(line);
   return position === undefined ? null : text.slice(0, Number(position)).split("\n").length;
 }
@@ -52,7 +58,8 @@ export function readTaught(text: string): ReadTaught {
   if (text.length > LARGEST_TAUGHT) return { kind: "tooLarge" };
   const found = parsed(text);
   if (!("raw" in found)) return found;
-  const { raw } = found, format = formatOf(raw);
+  const { raw } = found,
+    format = formatOf(raw);
   if (isNewer(format)) return { kind: "newer" };
   if (format === RESULT_FORMAT) {
     const result = readResult(raw);
@@ -64,7 +71,8 @@ export function readTaught(text: string): ReadTaught {
 }
 
 /** Whether a text that is named as JSON says that it is a task, or results. */
-export const saysTaught = (text: string): boolean => /^\uFEFF?\s*\{/.test(text) && /"format"\s*:\s*"turnwise-(?:task|result)\//.test(text);
+export const saysTaught = (text: string): boolean =>
+  /^\uFEFF?\s*\{/.test(text) && /"format"\s*:\s*"turnwise-(?:task|result)\//.test(text);
 
 /** Reads the part of a link behind `#`. Never throws, and never unpacks more than it opens. */
 export function readTaughtLink(hash: string, most = LARGEST_TAUGHT): ReadTaught {

@@ -13,7 +13,7 @@ export function useAgain(rows: readonly ResultRow[]): ReadonlyMap<string, Again>
     void (async () => {
       const all = new Map<string, Again>();
       for (const { key, result } of rows) {
-        const is = found.get(result) ?? await runAgain(result);
+        const is = found.get(result) ?? (await runAgain(result));
         // What could not be run may be so another time.
         if (is !== "stopped" && is !== "unknown") found.set(result, is);
         all.set(key, is);

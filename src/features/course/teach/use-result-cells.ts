@@ -16,7 +16,8 @@ function sheetDay(made: number): string {
 export function useResultCells(again: ReadonlyMap<string, Again>) {
   const { results: words } = useTexts("course-teach");
   const language = useSettings((s) => s.language);
-  const day = (made: number) => new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(made);
+  const day = (made: number) =>
+    new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" }).format(made);
   const heads: Readonly<Record<ResultColumn, string>> = {
     name: words.name,
     made: words.made,
@@ -51,7 +52,8 @@ export function useResultCells(again: ReadonlyMap<string, Again>) {
       tries: number(result.tries),
       hints: number(result.hints),
       solution: result.solution ? words.yes : words.no,
-      time: result.worked < MINUTE ? words.seconds(number(result.worked)) : words.minutes(number(result.worked / MINUTE)),
+      time:
+        result.worked < MINUTE ? words.seconds(number(result.worked)) : words.minutes(number(result.worked / MINUTE)),
       steps: number(result.steps),
       machining: result.seconds === null ? "–" : words.seconds(number(result.seconds)),
       score: result.score === null ? "–" : number(result.score),

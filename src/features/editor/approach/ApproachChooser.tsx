@@ -8,15 +8,22 @@ import "../../../app/pictures/help/help.css";
 import "../../../app/pictures/plane/approach.css";
 
 /** A corner to show the forms at, while there is no contour next to the block. */
-const CORNER: readonly PlaneSegment[] = [{ kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } }, {
-  kind: "line",
-  from: { x: 0, y: 0 },
-  to: { x: 60, y: 0 },
-}];
+const CORNER: readonly PlaneSegment[] = [
+  { kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } },
+  {
+    kind: "line",
+    from: { x: 0, y: 0 },
+    to: { x: 60, y: 0 },
+  },
+];
 const SAMPLE_RADIUS = 8;
 
 /** All eight forms at the same contour, side by side, to choose from. */
-export function ApproachChooser({ context, chosen, onChoose }: {
+export function ApproachChooser({
+  context,
+  chosen,
+  onChoose,
+}: {
   readonly context: ApproachContext;
   /** The form that the block has now. */
   readonly chosen: { readonly shape: string; readonly departing: boolean } | null;
@@ -24,23 +31,29 @@ export function ApproachChooser({ context, chosen, onChoose }: {
 }) {
   const t = useTexts().approach;
   const { contour, toolRadius } = context;
-  const groups = useMemo(() =>
-    [false, true].map((departing) => {
-      const own = chosen?.departing === departing || chosen === null;
-      const end = departing ? contour.at(-1) : contour[0];
-      const shown = end ? contour : CORNER;
-      const outside = end && own && !departing ? context.before : null;
-      return {
-        departing,
-        shown,
-        forms: suggestedForms({
-          contour: shown,
-          side: context.side,
-          toolRadius: toolRadius > 0 ? toolRadius : end ? 0 : SAMPLE_RADIUS,
-          outside,
-        }, departing),
-      };
-    }), [contour, toolRadius, context.side, context.before, chosen]);
+  const groups = useMemo(
+    () =>
+      [false, true].map((departing) => {
+        const own = chosen?.departing === departing || chosen === null;
+        const end = departing ? contour.at(-1) : contour[0];
+        const shown = end ? contour : CORNER;
+        const outside = end && own && !departing ? context.before : null;
+        return {
+          departing,
+          shown,
+          forms: suggestedForms(
+            {
+              contour: shown,
+              side: context.side,
+              toolRadius: toolRadius > 0 ? toolRadius : end ? 0 : SAMPLE_RADIUS,
+              outside,
+            },
+            departing,
+          ),
+        };
+      }),
+    [contour, toolRadius, context.side, context.before, chosen],
+  );
   return (
     <section className="form-choice" aria-label={t.choose}>
       <p className="small soft">{t.chooseAbout}</p>
@@ -49,8 +62,14 @@ export function ApproachChooser({ context, chosen, onChoose }: {
           <h3>{departing ? t.departure : t.approach}</h3>
           <ul className="form-cards">
             {forms.map((form) => (
-              <FormCard key={form.shape} suggested={form} contour={shown} plane={context.plane} onTake={() => onChoose(form)}
-                chosen={chosen?.departing === departing && chosen.shape === form.shape} />
+              <FormCard
+                key={form.shape}
+                suggested={form}
+                contour={shown}
+                plane={context.plane}
+                onTake={() => onChoose(form)}
+                chosen={chosen?.departing === departing && chosen.shape === form.shape}
+              />
             ))}
           </ul>
         </div>

@@ -32,7 +32,13 @@ function shown(index: number) {
     const statement = program.blocks[index]?.statement;
     if (statement?.kind !== "approach") return null;
     const context = approachContext(program, index, run(program, { tools: [], rapid: 10_000 }), {});
-    return <ApproachDialog statement={statement} context={context} onChange={(next) => change(withBlock(program, index, next))} />;
+    return (
+      <ApproachDialog
+        statement={statement}
+        context={context}
+        onChange={(next) => change(withBlock(program, index, next))}
+      />
+    );
   }
   render(<Page />);
   return now;
@@ -73,8 +79,12 @@ test("what is typed before the page shows the key before it goes by the block as
     return block?.kind === "approach" ? block : shownBlock;
   };
   render(
-    <ApproachDialog statement={shownBlock} newest={newest} context={context} onChange={(next) =>
-      program.now = withBlock(program.now, 4, next)} />,
+    <ApproachDialog
+      statement={shownBlock}
+      newest={newest}
+      context={context}
+      onChange={(next) => (program.now = withBlock(program.now, 4, next))}
+    />,
   );
   await userEvent.click(screen.getByRole("button", { name: /^LEN length/ }));
   const type = (text: string) => fireEvent.change(open(), { target: { value: text } });

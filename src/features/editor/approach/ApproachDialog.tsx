@@ -38,8 +38,15 @@ interface Props {
 const weight = { error: 0, warning: 1, info: 2 } as const;
 const placed = (issue: Issue): FindingEntry => entryAt(issue, issue.at ?? null, null);
 
-/** Everything about one block, worst first, nothing twice: what its words say, what its geometry says, what the run found. */
-function approachProblems(reading: ApproachReading, made: readonly Issue[], found: readonly FindingEntry[]): readonly FindingEntry[] {
+/**
+ * Everything about one block, worst first, nothing twice: what its words say, what its geometry says, what the run
+ * found.
+ */
+function approachProblems(
+  reading: ApproachReading,
+  made: readonly Issue[],
+  found: readonly FindingEntry[],
+): readonly FindingEntry[] {
   const typed = Object.values(reading).flatMap((r) => (r.issue ? [placed(r.issue)] : []));
   const taken = new Set(typed.map((p) => p.at));
   const more = [...made.map(placed), ...found].filter((p) => p.at === null || !taken.has(p.at));
@@ -49,23 +56,39 @@ function approachProblems(reading: ApproachReading, made: readonly Issue[], foun
 
 /** The end of the dialog: what is still wrong. */
 function ApproachDone({ session }: { readonly session: PromptSession }) {
-  const { dialog: { active, done: t } } = useTexts();
+  const {
+    dialog: { active, done: t },
+  } = useTexts();
   const wrong = new Set(session.findings.filter(isError).map((p) => p.at)).size;
   return (
-    <section className="active-prompt dialog-done" aria-label={active} onKeyDown={(event) => onPromptKey(event, session)}>
+    <section
+      className="active-prompt dialog-done"
+      aria-label={active}
+      onKeyDown={(event) => onPromptKey(event, session)}
+    >
       <h2 className={wrong > 0 ? "done-open" : "done-complete"}>
         <Icon name={wrong > 0 ? "error" : "check"} />
         {wrong > 0 ? t.open(wrong) : t.title}
       </h2>
-      <button type="button" className="button" onClick={() => commandsOf(session).goTo(session.fields[0]?.id ?? null)}>{t.first}</button>
+      <button type="button" className="button" onClick={() => commandsOf(session).goTo(session.fields[0]?.id ?? null)}>
+        {t.first}
+      </button>
     </section>
   );
 }
 
 /** The dialog of an APPR or DEP block: one prompt open, the drawing of its values, all other prompts one line each. */
-export function ApproachDialog({ statement, newest = () => statement, context, found = [], choosing: first = false, begins = null, onOpen,
-  onChange, onTyped }: Props)
-{
+export function ApproachDialog({
+  statement,
+  newest = () => statement,
+  context,
+  found = [],
+  choosing: first = false,
+  begins = null,
+  onOpen,
+  onChange,
+  onTyped,
+}: Props) {
   const { approach: t } = useTexts();
   const [choosing, choose] = useState(first);
   const { form, departing } = statement;
@@ -76,7 +99,9 @@ export function ApproachDialog({ statement, newest = () => statement, context, f
 
   const drag = (change: Dragged) => {
     if (change.word !== "point")
-      return typed.set({ [change.word]: positionAsTyped(change.word === "CCA" ? change.value : change.value / context.unit) });
+      return typed.set({
+        [change.word]: positionAsTyped(change.word === "CCA" ? change.value : change.value / context.unit),
+      });
     const words = wordsOfPoint(form, change.point, context);
     if (words) typed.set(words);
   };
@@ -88,7 +113,15 @@ export function ApproachDialog({ statement, newest = () => statement, context, f
     findings: approachProblems(typed.reading, made?.issues ?? [], found),
     picture: (active) => (
       <div className="help-slot">
-        <ApproachPicture key={name} name={name} form={form} ready={ready} context={context} active={active} onDrag={drag} />
+        <ApproachPicture
+          key={name}
+          name={name}
+          form={form}
+          ready={ready}
+          context={context}
+          active={active}
+          onDrag={drag}
+        />
       </div>
     ),
   });
@@ -97,21 +130,35 @@ export function ApproachDialog({ statement, newest = () => statement, context, f
   useEffect(() => onOpen?.(asked), [onOpen, asked]);
 
   return (
-    <PromptDialog session={session} className="approach-dialog" name={t.form(name)} listName={t.list} hint={t.drag}
-      done={<ApproachDone session={session} />} head={
-      <div className="approach-title">
-        <h2>
-          <span className="number">{name}</span> <span className="soft">{t.shapes[shapeOf(form)].name}</span>
-        </h2>
-        <button type="button" className="button" aria-expanded={choosing} onClick={() => choose(!choosing)}>{t.otherForm}</button>
-      </div>
-    } instead={choosing
-      ? (
-        <ApproachChooser context={context} chosen={{ shape: shapeOf(form), departing }} onChoose={(taken) => {
-          choose(false);
-          onChange(withForm(statement, taken, context), null);
-        }} />
-      )
-      : null} />
+    <PromptDialog
+      session={session}
+      className="approach-dialog"
+      name={t.form(name)}
+      listName={t.list}
+      hint={t.drag}
+      done={<ApproachDone session={session} />}
+      head={
+        <div className="approach-title">
+          <h2>
+            <span className="number">{name}</span> <span className="soft">{t.shapes[shapeOf(form)].name}</span>
+          </h2>
+          <button type="button" className="button" aria-expanded={choosing} onClick={() => choose(!choosing)}>
+            {t.otherForm}
+          </button>
+        </div>
+      }
+      instead={
+        choosing ? (
+          <ApproachChooser
+            context={context}
+            chosen={{ shape: shapeOf(form), departing }}
+            onChoose={(taken) => {
+              choose(false);
+              onChange(withForm(statement, taken, context), null);
+            }}
+          />
+        ) : null
+      }
+    />
   );
 }

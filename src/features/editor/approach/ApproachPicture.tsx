@@ -24,10 +24,17 @@ const { direction, scaled } = plane;
 const FARTHEST = 500;
 
 /**
- * The drawing of one block: its points with their coordinates, tangent, dimensions and the path of the tool centre. Points can
- * be dragged.
+ * The drawing of one block: its points with their coordinates, tangent, dimensions and the path of the tool centre.
+ * Points can be dragged.
  */
-export function ApproachPicture({ name, form, ready, context, active, onDrag }: {
+export function ApproachPicture({
+  name,
+  form,
+  ready,
+  context,
+  active,
+  onDrag,
+}: {
   /** "APPR LT" */
   readonly name: string;
   readonly form: ApproachForm;
@@ -37,7 +44,9 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
   readonly active: ApproachWord | null;
   readonly onDrag: (change: Dragged) => void;
 }) {
-  const t = useTexts().approach, lengths = useLengths(), id = useId();
+  const t = useTexts().approach,
+    lengths = useLengths(),
+    id = useId();
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box, { width: 400, height: 280 });
   const [last, keep] = useState(ready);
@@ -50,7 +59,10 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
     const path = compensate(contour, request.side, request.toolRadius).pieces.map((p) => p.segment);
     return { result: approach(request), contour, centre: path };
   }, [shown]);
-  const speech = useMemo(() => approachSpeech(lengths, context.plane, context.tip), [lengths, context.plane, context.tip]);
+  const speech = useMemo(
+    () => approachSpeech(lengths, context.plane, context.tip),
+    [lengths, context.plane, context.tip],
+  );
 
   const offset = (): PlanePoint => {
     if (!shown) return { x: 0, y: 0 };
@@ -62,17 +74,21 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
     const change = made && dragged(made.result, handle, to, gridOf(camera), offset());
     if (change) onDrag(change);
   });
-  const drawing = useMemo(() =>
-    made && approachDrawing({
-      ...made,
-      toolRadius: context.toolRadius,
-      rapidBefore: context.feedBefore === "rapid",
-      active,
-      size,
-      small: false,
-      speech,
-      ...(drag.camera && { camera: drag.camera }),
-    }), [made, context, active, size, speech, drag.camera]);
+  const drawing = useMemo(
+    () =>
+      made &&
+      approachDrawing({
+        ...made,
+        toolRadius: context.toolRadius,
+        rapidBefore: context.feedBefore === "rapid",
+        active,
+        size,
+        small: false,
+        speech,
+        ...(drag.camera && { camera: drag.camera }),
+      }),
+    [made, context, active, size, speech, drag.camera],
+  );
 
   if (!drawing || !made)
     return (
@@ -82,31 +98,46 @@ export function ApproachPicture({ name, form, ready, context, active, onDrag }: 
     );
   const spoken = drawing.points.map((p) => t.point(p.names.join(" = "), speech.point(p.at))).join(", ");
   const handles = handlesOf(made.result, form.startsWith("P") && !context.pole).flatMap((handle) => {
-    const place = handle === "centre" ? drawing.centre?.place : drawing.points.find((p) => p.names.includes(handle))?.place;
+    const place =
+      handle === "centre" ? drawing.centre?.place : drawing.points.find((p) => p.names.includes(handle))?.place;
     return place ? [{ handle, place }] : [];
   });
   return (
     <div className="help-picture approach-picture" ref={box}>
-      <svg role="img" aria-label={`${t.picture(name, spoken)}${ready ? "" : ` ${t.stale}`}`} viewBox={`0 0 ${size.width} ${size.height}`}
+      <svg
+        role="img"
+        aria-label={`${t.picture(name, spoken)}${ready ? "" : ` ${t.stale}`}`}
+        viewBox={`0 0 ${size.width} ${size.height}`}
         {...(ready ? {} : { className: "dimmed" })}
       >
         <HelpMarks marks={drawing.marks} id={id} />
-        {drawing.points.map((p) => <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)}
-          r={3.5} />
-        )}
+        {drawing.points.map((p) => (
+          <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3.5} />
+        ))}
         {handles.map(({ handle, place }) => (
-          <g key={handle} className={`approach-handle${drag.handle === handle ? " held" : ""}`} data-handle={handle}
-            onPointerDown={(event) => drag.begin(handle, drawing.camera, event)} onPointerMove={drag.move} onPointerUp={drag.end}
+          <g
+            key={handle}
+            className={`approach-handle${drag.handle === handle ? " held" : ""}`}
+            data-handle={handle}
+            onPointerDown={(event) => drag.begin(handle, drawing.camera, event)}
+            onPointerMove={drag.move}
+            onPointerUp={drag.end}
             onPointerCancel={drag.end}
           >
             <circle className="reach" cx={px(place.x)} cy={px(place.y)} r={18} />
-            {handle === "centre"
-              ? <path className="grip" d={`M${px(place.x - 6)} ${px(place.y)}h12M${px(place.x)} ${px(place.y - 6)}v12`} />
-              : <circle className="grip" cx={px(place.x)} cy={px(place.y)} r={6} />}
+            {handle === "centre" ? (
+              <path className="grip" d={`M${px(place.x - 6)} ${px(place.y)}h12M${px(place.x)} ${px(place.y - 6)}v12`} />
+            ) : (
+              <circle className="grip" cx={px(place.x)} cy={px(place.y)} r={6} />
+            )}
           </g>
         ))}
       </svg>
-      {!ready && <p className="help-note" aria-hidden="true">{t.stale}</p>}
+      {!ready && (
+        <p className="help-note" aria-hidden="true">
+          {t.stale}
+        </p>
+      )}
     </div>
   );
 }

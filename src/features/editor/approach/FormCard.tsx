@@ -17,10 +17,21 @@ const NO_TIP: PlanePoint = { x: 0, y: 0 };
 const NEAR = 40;
 
 /** One form as a small picture with its name, to take. */
-export function FormCard({ suggested, contour, plane, chosen, onTake }: { readonly suggested: SuggestedForm;
-  readonly contour: readonly PlaneSegment[]; readonly plane: WorkingPlane; readonly chosen: boolean; readonly onTake: () => void })
-{
-  const t = useTexts().approach, lengths = useLengths();
+export function FormCard({
+  suggested,
+  contour,
+  plane,
+  chosen,
+  onTake,
+}: {
+  readonly suggested: SuggestedForm;
+  readonly contour: readonly PlaneSegment[];
+  readonly plane: WorkingPlane;
+  readonly chosen: boolean;
+  readonly onTake: () => void;
+}) {
+  const t = useTexts().approach,
+    lengths = useLengths();
   const { shape, departing, request, result } = suggested;
   const drawing = useMemo(() => {
     const near = nearby(contour, departing, Math.max(100, request.toolRadius * NEAR));
@@ -41,14 +52,23 @@ export function FormCard({ suggested, contour, plane, chosen, onTake }: { readon
   const words = t.shapes[shape];
   return (
     <li>
-      <button type="button" className="form-card" aria-pressed={chosen} aria-label={t.take(name, words.name)} title={words.about}
+      <button
+        type="button"
+        className="form-card"
+        aria-pressed={chosen}
+        aria-label={t.take(name, words.name)}
+        title={words.about}
         onClick={onTake}
       >
-        <svg className="form-drawing help-picture approach-picture" aria-hidden="true" viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}>
+        <svg
+          className="form-drawing help-picture approach-picture"
+          aria-hidden="true"
+          viewBox={`0 0 ${SIZE.width} ${SIZE.height}`}
+        >
           <HelpMarks marks={drawing.marks} id={name.replace(" ", "")} />
-          {drawing.points.map((p) => <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)}
-            r={3} />
-          )}
+          {drawing.points.map((p) => (
+            <circle key={p.names.join()} className="approach-point" cx={px(p.place.x)} cy={px(p.place.y)} r={3} />
+          ))}
         </svg>
         <b className="number">{name}</b>
         <span className="small soft">{words.name}</span>

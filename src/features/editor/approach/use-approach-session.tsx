@@ -1,8 +1,15 @@
 import { useMemo, useState, type ReactNode } from "react";
 import type { Texts } from "../../../i18n/index.ts";
 import { formatNumber, formatSigned } from "../../../i18n/number.ts";
-import { approachDraft, approachStatement, readApproach, SIDES, type ApproachDraft, type ApproachReading,
-  type ApproachStatement } from "../../../program/edits/approach-draft.ts";
+import {
+  approachDraft,
+  approachStatement,
+  readApproach,
+  SIDES,
+  type ApproachDraft,
+  type ApproachReading,
+  type ApproachStatement,
+} from "../../../program/edits/approach-draft.ts";
 import { approachFields, type ApproachField, type ApproachWord } from "../../../program/motion/approach-fields.ts";
 import type { ApproachContext } from "../../../program/edits/approach-request.ts";
 import { promptOf, type Prompt, type PromptSession } from "../../../app/fields/dialog/session.ts";
@@ -19,16 +26,22 @@ export interface TypedApproach {
 }
 
 const same = (a: ApproachStatement, b: ApproachStatement) =>
-  a.form === b.form && a.departing === b.departing && JSON.stringify(approachDraft(a)) === JSON.stringify(approachDraft(b));
+  a.form === b.form &&
+  a.departing === b.departing &&
+  JSON.stringify(approachDraft(a)) === JSON.stringify(approachDraft(b));
 
 /** What the prompts of a block hold: what was typed, unless the block was changed elsewhere and says something else. */
-const shownDraft = (statement: ApproachStatement, { plane, parameters }: ApproachContext, typed: ApproachDraft): ApproachDraft =>
+const shownDraft = (
+  statement: ApproachStatement,
+  { plane, parameters }: ApproachContext,
+  typed: ApproachDraft,
+): ApproachDraft =>
   same(approachStatement(statement, plane, typed, parameters), statement) ? typed : approachDraft(statement);
 
 /**
- * Typed text of a block. What can be read goes into the block at once; what can not stays in its prompt. A block that was
- * changed elsewhere (undo, its text) takes the place of what was typed. `newest`: the block as it stands, which is shown a moment after it
- * was typed. `onTyped` is told whether all that is typed can be read.
+ * Typed text of a block. What can be read goes into the block at once; what can not stays in its prompt. A block that
+ * was changed elsewhere (undo, its text) takes the place of what was typed. `newest`: the block as it stands, which is
+ * shown a moment after it was typed. `onTyped` is told whether all that is typed can be read.
  */
 export function useTypedApproach(
   statement: ApproachStatement,
@@ -45,7 +58,8 @@ export function useTypedApproach(
     draft,
     reading: useMemo(() => readApproach(statement, plane, draft, parameters), [statement, plane, draft, parameters]),
     set(words) {
-      const now = newest(), next = { ...shownDraft(now, context, useTyped.getState().draft), ...words };
+      const now = newest(),
+        next = { ...shownDraft(now, context, useTyped.getState().draft), ...words };
       useTyped.setState({ draft: next });
       const written = approachStatement(now, plane, next, parameters);
       if (!same(written, now)) onChange(written, Object.keys(words).join(" "));
@@ -83,14 +97,25 @@ interface Shown {
 }
 
 /** The prompts of an APPR or DEP block in the order of the control. */
-export function useApproachSession({ statement, context, typed, findings, picture, begins = null }: Shown): PromptSession {
+export function useApproachSession({
+  statement,
+  context,
+  typed,
+  findings,
+  picture,
+  begins = null,
+}: Shown): PromptSession {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const { draft, reading } = typed;
   const { plane } = context;
   const fields = approachFields(statement.form, statement.departing, plane);
   const first = (fields.find((f) => f.id === begins) ?? fields[0])?.id ?? null;
-  const [opened, setOpened] = useState({ id: first as string | null, before: first ? (draft[first] ?? "") : "", focus: 0 });
+  const [opened, setOpened] = useState({
+    id: first as string | null,
+    before: first ? (draft[first] ?? "") : "",
+    focus: 0,
+  });
   // Another form may have no such word.
   const open = fields.find((f) => f.id === opened.id)?.id ?? (opened.id === null ? null : first);
 
@@ -99,8 +124,13 @@ export function useApproachSession({ statement, context, typed, findings, pictur
     if (text === "") return { text: f.optional ? t.approach.left : t.approach.empty, unit: "", soft: true };
     const unit = unitText(t, f, context.unit !== 1);
     const { value = null, written = null, incremental = false } = reading[f.id] ?? {};
-    if (f.kind === "side" || f.kind === "functions" || value === null || typeof written !== "number") return { text, unit, soft: false };
-    return { text: (incremental ? "I" : "") + (f.range[0] < 0 ? formatSigned(language, value) : text), unit, soft: false };
+    if (f.kind === "side" || f.kind === "functions" || value === null || typeof written !== "number")
+      return { text, unit, soft: false };
+    return {
+      text: (incremental ? "I" : "") + (f.range[0] < 0 ? formatSigned(language, value) : text),
+      unit,
+      soft: false,
+    };
   };
   const asked = (f: ApproachField): Prompt => {
     const { words } = t.approach;

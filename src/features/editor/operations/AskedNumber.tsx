@@ -25,7 +25,9 @@ export function AskedNumber({ name, unit, field, text, onText }: Props) {
       <span>{name}</span>
       <span className="asked-value">
         <NumberInput id={id} text={text} onText={onText} selects aria-invalid={wrong} aria-describedby={`${id}-unit`} />
-        <span className="soft small" id={`${id}-unit`}>{unit}</span>
+        <span className="soft small" id={`${id}-unit`}>
+          {unit}
+        </span>
       </span>
       {wrong && (
         <Message as="span" tone="error" className="small" role="status">

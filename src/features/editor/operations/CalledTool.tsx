@@ -34,14 +34,23 @@ export function CalledTool({ statement, change }: Props) {
   return (
     <div className="called-tool">
       {known && <InsertDrawing tool={known} width={DRAWING} height={DRAWING} />}
-      {known ? <ToolWords tool={known} fit={undefined} /> : <span className="soft">{t.operations.unknownTool(said)}</span>}
+      {known ? (
+        <ToolWords tool={known} fit={undefined} />
+      ) : (
+        <span className="soft">{t.operations.unknownTool(said)}</span>
+      )}
       <button type="button" className="button" onClick={() => choose(true)}>
         <Icon name="insert" /> {t.operations.chooseTool}
       </button>
       {choosing && (
         <Suspense>
-          <ToolDialog title={t.editor.kinds.toolCall} taken={said} line={cycle} done={() => choose(false)} onTake={(tool) =>
-            change({ ...statement, tool })} />
+          <ToolDialog
+            title={t.editor.kinds.toolCall}
+            taken={said}
+            line={cycle}
+            done={() => choose(false)}
+            onTake={(tool) => change({ ...statement, tool })}
+          />
         </Suspense>
       )}
     </div>

@@ -46,7 +46,10 @@ function insertOperation(job: SetJob, title: string, behind: number | null): voi
   const ncLanguage = ncLanguageOf(useSettings.getState().language);
   showFile(null);
   const { program } = useSession.getState().reading;
-  const next = withOperation(program, { ...job, ncLanguage, output: outputInUse() }, ncLabels(ncLanguage), { behind, title });
+  const next = withOperation(program, { ...job, ncLanguage, output: outputInUse() }, ncLabels(ncLanguage), {
+    behind,
+    title,
+  });
   editProgram(next, null, openingBlock(next, behind === null ? 0 : behind + 1));
   showSection("block");
 }
@@ -87,18 +90,34 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
     setTool(null);
   };
   const surface = job?.spindle.mode === "surface";
-  const usable = job !== null && isUsable(FIELDS.startX, job.start.x) && isUsable(FIELDS.startZ, job.start.z)
-    && (surface
+  const usable =
+    job !== null &&
+    isUsable(FIELDS.startX, job.start.x) &&
+    isUsable(FIELDS.startZ, job.start.z) &&
+    (surface
       ? isUsable(FIELDS.cuttingSpeed, job.spindle.cuttingSpeed) && isUsable(FIELDS.limit, job.spindle.limit)
       : isUsable(FIELDS.speed, job.spindle.speed));
   return (
-    <dialog ref={dialog} className="operation-dialog" aria-label={words.insert} onClose={stopInserting}
+    <dialog
+      ref={dialog}
+      className="operation-dialog"
+      aria-label={words.insert}
+      onClose={stopInserting}
       onKeyDown={(event) => event.stopPropagation()}
     >
       <header className="which-head">
         <h2>{job ? cycleWords(t, job.cycle) : words.insert}</h2>
-        {!job && <button type="button" className="button" onClick={() => ask(true)}>{words.which}</button>}
-        <button type="button" className="button icon plain" aria-label={words.close} onClick={() => dialog.current?.close()}>
+        {!job && (
+          <button type="button" className="button" onClick={() => ask(true)}>
+            {words.which}
+          </button>
+        )}
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={words.close}
+          onClick={() => dialog.current?.close()}
+        >
           <Icon name="close" />
         </button>
       </header>
@@ -108,47 +127,89 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
         </div>
       )}
       {job && (
-        <form className="operation-form" onSubmit={(event) => {
-          event.preventDefault();
-          if (!usable || chosen === null) return;
-          insertOperation({ ...job, tool: chosen }, title, behind);
-          dialog.current?.close();
-        }}>
+        <form
+          className="operation-form"
+          onSubmit={(event) => {
+            event.preventDefault();
+            if (!usable || chosen === null) return;
+            insertOperation({ ...job, tool: chosen }, title, behind);
+            dialog.current?.close();
+          }}
+        >
           <div className="operation-body">
             <div className="operation-ask">
               <label className="wide">
                 <span>{words.title}</span>
-                <input className="input" type="text" maxLength={60} autoComplete="off" value={title} onFocus={(event) =>
-                  event.currentTarget.select()} onChange={(event) => setTitle(event.currentTarget.value)} />
+                <input
+                  className="input"
+                  type="text"
+                  maxLength={60}
+                  autoComplete="off"
+                  value={title}
+                  onFocus={(event) => event.currentTarget.select()}
+                  onChange={(event) => setTitle(event.currentTarget.value)}
+                />
                 <span className="small soft">{words.titleHint}</span>
               </label>
-              <AskedNumber name={t.setup.start.x} unit={t.setup.units.diameter} field={FIELDS.startX} text={job.start.x} onText={(x) =>
-                setJob({ ...job, start: { ...job.start, x } })} />
-              <AskedNumber name={t.setup.start.z} unit={t.setup.units.mm} field={FIELDS.startZ} text={job.start.z} onText={(z) =>
-                setJob({ ...job, start: { ...job.start, z } })} />
+              <AskedNumber
+                name={t.setup.start.x}
+                unit={t.setup.units.diameter}
+                field={FIELDS.startX}
+                text={job.start.x}
+                onText={(x) => setJob({ ...job, start: { ...job.start, x } })}
+              />
+              <AskedNumber
+                name={t.setup.start.z}
+                unit={t.setup.units.mm}
+                field={FIELDS.startZ}
+                text={job.start.z}
+                onText={(z) => setJob({ ...job, start: { ...job.start, z } })}
+              />
               <label>
                 <span>{words.spindle}</span>
-                <select className="select" value={job.spindle.mode} onChange={(event) =>
-                  setJob({ ...job, spindle: { ...job.spindle, mode: event.target.value === "constant" ? "constant" : "surface" } })}
+                <select
+                  className="select"
+                  value={job.spindle.mode}
+                  onChange={(event) =>
+                    setJob({
+                      ...job,
+                      spindle: { ...job.spindle, mode: event.target.value === "constant" ? "constant" : "surface" },
+                    })
+                  }
                 >
-                  {(["surface", "constant"] as const).map((mode) => <option key={mode} value={mode}>{t.setup.spindle[mode]}</option>)}
+                  {(["surface", "constant"] as const).map((mode) => (
+                    <option key={mode} value={mode}>
+                      {t.setup.spindle[mode]}
+                    </option>
+                  ))}
                 </select>
               </label>
-              {surface
-                ? (
-                  <>
-                    <AskedNumber name={t.setup.spindle.cuttingSpeed} unit={t.setup.units.cuttingSpeed} field={FIELDS.cuttingSpeed}
-                      text={job.spindle.cuttingSpeed} onText={(cuttingSpeed) =>
-                      setJob({ ...job, spindle: { ...job.spindle, cuttingSpeed } })} />
-                    <AskedNumber name={t.setup.spindle.limit} unit={t.setup.units.rpm} field={FIELDS.limit} text={job.spindle.limit}
-                      onText={(limit) =>
-                        setJob({ ...job, spindle: { ...job.spindle, limit } })} />
-                  </>
-                )
-                : (
-                  <AskedNumber name={t.setup.spindle.speed} unit={t.setup.units.rpm} field={FIELDS.speed} text={job.spindle.speed}
-                    onText={(speed) => setJob({ ...job, spindle: { ...job.spindle, speed } })} />
-                )}
+              {surface ? (
+                <>
+                  <AskedNumber
+                    name={t.setup.spindle.cuttingSpeed}
+                    unit={t.setup.units.cuttingSpeed}
+                    field={FIELDS.cuttingSpeed}
+                    text={job.spindle.cuttingSpeed}
+                    onText={(cuttingSpeed) => setJob({ ...job, spindle: { ...job.spindle, cuttingSpeed } })}
+                  />
+                  <AskedNumber
+                    name={t.setup.spindle.limit}
+                    unit={t.setup.units.rpm}
+                    field={FIELDS.limit}
+                    text={job.spindle.limit}
+                    onText={(limit) => setJob({ ...job, spindle: { ...job.spindle, limit } })}
+                  />
+                </>
+              ) : (
+                <AskedNumber
+                  name={t.setup.spindle.speed}
+                  unit={t.setup.units.rpm}
+                  field={FIELDS.speed}
+                  text={job.spindle.speed}
+                  onText={(speed) => setJob({ ...job, spindle: { ...job.spindle, speed } })}
+                />
+              )}
             </div>
             <ToolChoice fits={fits} taken={chosen === null ? null : String(chosen)} onTake={setTool} />
           </div>
@@ -156,7 +217,9 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
             <button type="button" className="button" onClick={() => setJob(null)}>
               <Icon name="back" /> {words.back}
             </button>
-            <button type="submit" className="button primary" disabled={!usable}>{words.put}</button>
+            <button type="submit" className="button primary" disabled={!usable}>
+              {words.put}
+            </button>
           </footer>
         </form>
       )}

@@ -23,36 +23,62 @@ export function NewProgram({ done }: { readonly done: () => void }) {
     dialog.current?.showModal();
     dialog.current?.querySelector("input")?.focus();
   }, []);
-  const usable = name.trim() !== ""
-    && (["outside", "bore", "length", "allowance"] as const).every((each) => isUsable(FIELDS[each], blank[each]));
+  const usable =
+    name.trim() !== "" &&
+    (["outside", "bore", "length", "allowance"] as const).every((each) => isUsable(FIELDS[each], blank[each]));
   const number = (field: keyof BlankDraft, unit: string) => (
-    <AskedNumber name={t.setup.blank[field]} unit={unit} field={FIELDS[field]} text={blank[field]}
-      onText={(text) => setBlank((now) => ({ ...now, [field]: text }))} />
+    <AskedNumber
+      name={t.setup.blank[field]}
+      unit={unit}
+      field={FIELDS[field]}
+      text={blank[field]}
+      onText={(text) => setBlank((now) => ({ ...now, [field]: text }))}
+    />
   );
   return (
-    <dialog ref={dialog} className="operation-dialog" aria-label={words.newProgram} onClose={done}
+    <dialog
+      ref={dialog}
+      className="operation-dialog"
+      aria-label={words.newProgram}
+      onClose={done}
       onKeyDown={(event) => event.stopPropagation()}
     >
       <header className="which-head">
         <h2>{words.newProgram}</h2>
-        <button type="button" className="button icon plain" aria-label={words.close} onClick={() => dialog.current?.close()}>
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={words.close}
+          onClick={() => dialog.current?.close()}
+        >
           <Icon name="close" />
         </button>
       </header>
-      <form className="operation-form" onSubmit={(event) => {
-        event.preventDefault();
-        if (!usable) return;
-        dialog.current?.close();
-        toFirstPrompt();
-        openText(emptyProgram(name, blank));
-        askForOperation(null);
-      }}>
+      <form
+        className="operation-form"
+        onSubmit={(event) => {
+          event.preventDefault();
+          if (!usable) return;
+          dialog.current?.close();
+          toFirstPrompt();
+          openText(emptyProgram(name, blank));
+          askForOperation(null);
+        }}
+      >
         <div className="operation-body">
           <div className="operation-ask">
             <label className="wide">
               <span>{words.programName}</span>
-              <input className="input" type="text" maxLength={32} autoComplete="off" spellCheck={false} value={name}
-                onFocus={(event) => event.currentTarget.select()} onChange={(event) => setName(event.currentTarget.value)} />
+              <input
+                className="input"
+                type="text"
+                maxLength={32}
+                autoComplete="off"
+                spellCheck={false}
+                value={name}
+                onFocus={(event) => event.currentTarget.select()}
+                onChange={(event) => setName(event.currentTarget.value)}
+              />
             </label>
           </div>
           <section className="operation-group" aria-label={words.blank}>
@@ -66,8 +92,12 @@ export function NewProgram({ done }: { readonly done: () => void }) {
           </section>
         </div>
         <footer className="operation-foot">
-          <button type="button" className="button" onClick={() => dialog.current?.close()}>{words.cancel}</button>
-          <button type="submit" className="button primary" disabled={!usable}>{words.create}</button>
+          <button type="button" className="button" onClick={() => dialog.current?.close()}>
+            {words.cancel}
+          </button>
+          <button type="submit" className="button primary" disabled={!usable}>
+            {words.create}
+          </button>
         </footer>
       </form>
     </dialog>

@@ -53,7 +53,9 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
   const ran = row.done ? doneWords(t, lengths, row.done) : "";
   const off = row.isOff ? words.off : "";
   const found = row.findings ? words.findings(row.findings.count) : "";
-  const name = [words.name(row.unit + 1, title), tool, row.isOff ? off : ran, found].filter((each) => each !== "").join(", ");
+  const name = [words.name(row.unit + 1, title), tool, row.isOff ? off : ran, found]
+    .filter((each) => each !== "")
+    .join(", ");
   const button = (icon: IconName, what: OperationAct, text: string, disabled = false) => (
     <button type="button" className="button" disabled={disabled} onClick={() => onAct(what)}>
       <Icon name={icon} /> <span>{text}</span>
@@ -67,7 +69,13 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
   return (
     <li ref={item} className={`operation${row.isOff ? " is-off" : ""}`} aria-current={isCurrent ? "step" : undefined}>
       <div className="operation-head">
-        <button type="button" className="operation-open" aria-expanded={isOpen} aria-label={name} onClick={() => onAct("open")}>
+        <button
+          type="button"
+          className="operation-open"
+          aria-expanded={isOpen}
+          aria-label={name}
+          onClick={() => onAct("open")}
+        >
           <span className="number operation-number">{row.unit + 1}</span>
           <span className="pictograms">
             <Drawing of={cycle?.pictograms[0]} id={`op${row.unit}`} turned={cycle?.group === "transverse"} />
@@ -77,7 +85,9 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
             {row.title !== null && row.cycles.length > 0 && (
               <span className="small soft">{row.cycles.map((each) => cycleWords(t, each)).join(" · ")}</span>
             )}
-            <span className="small soft">{row.inherits && row.tool !== null ? `${tool} · ${words.inherits}` : tool}</span>
+            <span className="small soft">
+              {row.inherits && row.tool !== null ? `${tool} · ${words.inherits}` : tool}
+            </span>
             {(off || ran) && <span className="small operation-done">{off || ran}</span>}
           </span>
           {row.findings && (
@@ -88,17 +98,25 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
           {row.known && !row.findings && <InsertDrawing tool={row.known} width={DRAWING} height={DRAWING} />}
         </button>
         {!tied && (
-          <span className="operation-grip" aria-hidden="true" title={words.drag} onPointerDown={(event) => {
-            event.currentTarget.setPointerCapture(event.pointerId);
-            item.current?.classList.add("is-dragged");
-          }} onPointerMove={(event) => {
-            const list = item.current?.classList.contains("is-dragged") ? item.current.parentElement : null;
-            if (list) markPlace(list, placeAt(list, event.clientY));
-          }} onPointerUp={(event) => {
-            if (!item.current?.classList.contains("is-dragged")) return;
-            endDrag();
-            onDrop(placeAt(item.current.parentElement, event.clientY));
-          }} onPointerCancel={endDrag}>
+          <span
+            className="operation-grip"
+            aria-hidden="true"
+            title={words.drag}
+            onPointerDown={(event) => {
+              event.currentTarget.setPointerCapture(event.pointerId);
+              item.current?.classList.add("is-dragged");
+            }}
+            onPointerMove={(event) => {
+              const list = item.current?.classList.contains("is-dragged") ? item.current.parentElement : null;
+              if (list) markPlace(list, placeAt(list, event.clientY));
+            }}
+            onPointerUp={(event) => {
+              if (!item.current?.classList.contains("is-dragged")) return;
+              endDrag();
+              onDrop(placeAt(item.current.parentElement, event.clientY));
+            }}
+            onPointerCancel={endDrag}
+          >
             ⠿
           </span>
         )}
@@ -106,7 +124,12 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
       {isOpen && (
         <>
           <div className="operation-tools" role="group" aria-label={words.actions(title)}>
-            <button type="button" className="button" aria-label={words.insertBehind(title)} onClick={() => onAct("insert")}>
+            <button
+              type="button"
+              className="button"
+              aria-label={words.insertBehind(title)}
+              onClick={() => onAct("insert")}
+            >
               <Icon name="add" /> <span>{words.put}</span>
             </button>
             {button("copy", "duplicate", words.duplicate, tied)}
@@ -116,11 +139,18 @@ export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDr
             {button("insert", "retool", words.retool, row.tie === "label" || row.tie === "tool")}
             {button("remove", "remove", words.remove, tied)}
           </div>
-          {row.tie && <Message tone="info" className="small operation-tie">{words.ties[row.tie]}</Message>}
+          {row.tie && (
+            <Message tone="info" className="small operation-tie">
+              {words.ties[row.tie]}
+            </Message>
+          )}
           <ol className="operation-blocks" aria-label={words.blocksOf(title)}>
             {row.blocks.map((block) => (
               <li key={block.index}>
-                <button type="button" className="number operation-block" aria-current={block.index === index ? "true" : undefined}
+                <button
+                  type="button"
+                  className="number operation-block"
+                  aria-current={block.index === index ? "true" : undefined}
                   onClick={() => {
                     openBlock(block.index);
                     chooseOpenBlock();

@@ -11,7 +11,13 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { useToolList } from "../../../app/document/work-tools.ts";
-import { duplicateOperation, moveOperation, removeOperation, retoolOperation, switchOperation } from "./change-operation.ts";
+import {
+  duplicateOperation,
+  moveOperation,
+  removeOperation,
+  retoolOperation,
+  switchOperation,
+} from "./change-operation.ts";
 import { askForOperation } from "../../../app/document/inserting.ts";
 import { operationRows, type OperationRow } from "../../../app/fields/blocks/operation-rows.ts";
 import { OperationItem, type OperationAct } from "./OperationItem.tsx";
@@ -31,13 +37,10 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
   const file = useShownBeside();
   const listed = useListed();
   const tools = useToolList();
-  const rows = useMemo(() => operationRows(program, { outcome, file, entries: findingsHere(listed, file), tools }), [
-    program,
-    outcome,
-    file,
-    listed,
-    tools,
-  ]);
+  const rows = useMemo(
+    () => operationRows(program, { outcome, file, entries: findingsHere(listed, file), tools }),
+    [program, outcome, file, listed, tools],
+  );
   const [folded, fold] = useState(false);
   const [refused, refuse] = useState<Refusal | null>(null);
   const [retooled, retool] = useState<OperationRow | null>(null);
@@ -96,15 +99,18 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
     else head(at + way)?.focus();
   };
 
-  const why = refused
-    && (refused.refused === "parameter"
+  const why =
+    refused &&
+    (refused.refused === "parameter"
       ? words.refused.parameter(refused.unit + 1, refused.parameter ?? "")
       : words.refused[refused.refused](refused.unit + 1));
   return (
     <div className="operations">
       <div className="operations-top">
         {filter}
-        <button type="button" className={`button${rows.length === 0 ? " primary" : ""}`}
+        <button
+          type="button"
+          className={`button${rows.length === 0 ? " primary" : ""}`}
           onClick={() => askForOperation(rows.length === 0 ? null : current >= 0 ? current : rows.length - 1)}
         >
           <Icon name="add" /> {words.insert}
@@ -121,16 +127,28 @@ export function OperationList({ filter }: { readonly filter: ReactNode }) {
       <div className="operations-list">
         <ol ref={list} aria-label={words.list} onKeyDown={onKeyDown}>
           {rows.map((row) => (
-            <OperationItem key={row.unit} row={row} last={row.unit === rows.length - 1} isCurrent={row.unit === current}
-              isOpen={row.unit === current && !folded} index={index} onAct={(what) => act(row, what)} onDrop={(to) =>
-              to !== row.unit && tell(moveOperation(row.unit, to), to)} />
+            <OperationItem
+              key={row.unit}
+              row={row}
+              last={row.unit === rows.length - 1}
+              isCurrent={row.unit === current}
+              isOpen={row.unit === current && !folded}
+              index={index}
+              onAct={(what) => act(row, what)}
+              onDrop={(to) => to !== row.unit && tell(moveOperation(row.unit, to), to)}
+            />
           ))}
         </ol>
       </div>
       {retooled && (
         <Suspense>
-          <ToolDialog title={titleOf(t, retooled)} taken={retooled.tool} line={retooled.opens} done={() => retool(null)} onTake={(tool) =>
-            tell(retoolOperation(retooled.unit, tool), retooled.unit)} />
+          <ToolDialog
+            title={titleOf(t, retooled)}
+            taken={retooled.tool}
+            line={retooled.opens}
+            done={() => retool(null)}
+            onTake={(tool) => tell(retoolOperation(retooled.unit, tool), retooled.unit)}
+          />
         </Suspense>
       )}
     </div>

@@ -16,7 +16,9 @@ interface Props {
   readonly onTake: (tool: number) => void;
 }
 
-/** All tools as buttons, drawn, with their names: those that make the contour first, the others with what they leave. */
+/**
+ * All tools as buttons, drawn, with their names: those that make the contour first, the others with what they leave.
+ */
 export function ToolChoice({ fits, taken, onTake }: Props) {
   const t = useTexts();
   const tools = useToolList();
@@ -26,28 +28,32 @@ export function ToolChoice({ fits, taken, onTake }: Props) {
   const fitOf = (tool: Tool) => fits?.find((fit) => fit.tool.T === tool.T);
   const able = ranked.filter((tool) => fitOf(tool)?.makesContour);
   const others = ranked.filter((tool) => !fitOf(tool)?.makesContour);
-  const list = (name: string, own: readonly Tool[]) => (own.length > 0 && (
-    <section aria-label={name}>
-      <h3 className="panel-title">{name}</h3>
-      <ul className="tool-choice">
-        {own.map((tool) => {
-          const fit = fitOf(tool);
-          const isTaken = taken === String(tool.T) || taken === tool.NAME;
-          return (
-            <li key={tool.T}>
-              <button type="button" className="tool-row" aria-pressed={isTaken}
-                aria-label={`${t.setup.tool.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`} onClick={() =>
-                onTake(tool.T)}
-              >
-                <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
-                <ToolWords tool={tool} fit={fit} />
-              </button>
-            </li>
-          );
-        })}
-      </ul>
-    </section>
-  ));
+  const list = (name: string, own: readonly Tool[]) =>
+    own.length > 0 && (
+      <section aria-label={name}>
+        <h3 className="panel-title">{name}</h3>
+        <ul className="tool-choice">
+          {own.map((tool) => {
+            const fit = fitOf(tool);
+            const isTaken = taken === String(tool.T) || taken === tool.NAME;
+            return (
+              <li key={tool.T}>
+                <button
+                  type="button"
+                  className="tool-row"
+                  aria-pressed={isTaken}
+                  aria-label={`${t.setup.tool.name(tool.T, tool.NAME)}, ${details(tool)}${fit ? `, ${verdict(fit)}` : ""}`}
+                  onClick={() => onTake(tool.T)}
+                >
+                  <InsertDrawing tool={tool} width={DRAWING} height={DRAWING} />
+                  <ToolWords tool={tool} fit={fit} />
+                </button>
+              </li>
+            );
+          })}
+        </ul>
+      </section>
+    );
   return (
     <div className="tool-choices-list">
       {list(t.operations.able, able)}

@@ -26,19 +26,32 @@ export function ToolDialog({ title, taken, line, done, onTake }: Props) {
   const fits = useFitsOfLine(startLines(program)[line] ?? null);
   useLayoutEffect(() => dialog.current?.showModal(), []);
   return (
-    <dialog ref={dialog} className="operation-dialog" aria-label={t.toolTitle(title)} onClose={done}
+    <dialog
+      ref={dialog}
+      className="operation-dialog"
+      aria-label={t.toolTitle(title)}
+      onClose={done}
       onKeyDown={(event) => event.stopPropagation()}
     >
       <header className="which-head">
         <h2>{t.toolTitle(title)}</h2>
-        <button type="button" className="button icon plain" aria-label={t.close} onClick={() => dialog.current?.close()}>
+        <button
+          type="button"
+          className="button icon plain"
+          aria-label={t.close}
+          onClick={() => dialog.current?.close()}
+        >
           <Icon name="close" />
         </button>
       </header>
-      <ToolChoice fits={fits} taken={taken} onTake={(tool) => {
-        dialog.current?.close();
-        onTake(tool);
-      }} />
+      <ToolChoice
+        fits={fits}
+        taken={taken}
+        onTake={(tool) => {
+          dialog.current?.close();
+          onTake(tool);
+        }}
+      />
     </dialog>
   );
 }

@@ -1,6 +1,13 @@
 import type { Program } from "../../../nc/program.ts";
-import { duplicatedOperation, isRefused, movedOperation, retooledOperation, switchedOperation, withoutOperation,
-  type Refusal } from "../../../program/edits/operation-edits.ts";
+import {
+  duplicatedOperation,
+  isRefused,
+  movedOperation,
+  retooledOperation,
+  switchedOperation,
+  withoutOperation,
+  type Refusal,
+} from "../../../program/edits/operation-edits.ts";
 import { isOff, operationsOf } from "../../../program/edits/operations.ts";
 import { editProgram, useSession } from "../../../app/fields/blocks/session.ts";
 import { asOneStep } from "../../../app/document/steps.ts";
@@ -18,8 +25,10 @@ function put(next: Program | Refusal, unit: number): Refusal | null {
 
 export const moveOperation = (unit: number, to: number): Refusal | null => put(movedOperation(present(), unit, to), to);
 export const duplicateOperation = (unit: number): Refusal | null => put(duplicatedOperation(present(), unit), unit + 1);
-export const removeOperation = (unit: number): Refusal | null => put(withoutOperation(present(), unit), Math.max(0, unit - 1));
-export const retoolOperation = (unit: number, tool: number): Refusal | null => put(retooledOperation(present(), unit, tool), unit);
+export const removeOperation = (unit: number): Refusal | null =>
+  put(withoutOperation(present(), unit), Math.max(0, unit - 1));
+export const retoolOperation = (unit: number, tool: number): Refusal | null =>
+  put(retooledOperation(present(), unit, tool), unit);
 
 /** Behind skip marks an operation is left out once the switch for them is on: both are one step. */
 export function switchOperation(unit: number): Refusal | null {

@@ -16,7 +16,10 @@ function openText(): string | null {
 }
 
 const copy = (text: string): Promise<"copied" | "notCopied"> =>
-  navigator.clipboard.writeText(text).then(() => "copied" as const, () => "notCopied" as const);
+  navigator.clipboard.writeText(text).then(
+    () => "copied" as const,
+    () => "notCopied" as const,
+  );
 
 /** The faults that were noted on this device: looked at, copied, deleted. */
 export function ReportList({ open = false }: { readonly open?: boolean }) {
@@ -35,26 +38,41 @@ export function ReportList({ open = false }: { readonly open?: boolean }) {
     <div className="reports">
       <p className="soft small">{t.lead}</p>
       {list.length > 1 && (
-        <select className="select" aria-label={t.title} value={chosen} onChange={(event) => {
-          choose(Number(event.target.value));
-          setCopied("no");
-        }}>
-          {list.map(({ at, message }, i) => <option key={i} value={i}>{`${when.format(at)} · ${message.slice(0, 40)}`}</option>)}
+        <select
+          className="select"
+          aria-label={t.title}
+          value={chosen}
+          onChange={(event) => {
+            choose(Number(event.target.value));
+            setCopied("no");
+          }}
+        >
+          {list.map(({ at, message }, i) => (
+            <option key={i} value={i}>{`${when.format(at)} · ${message.slice(0, 40)}`}</option>
+          ))}
         </select>
       )}
       <textarea className="number" readOnly rows={open ? 10 : 5} aria-label={t.text} value={text} />
       {hasProgram && (
         <label className="report-program">
-          <input type="checkbox" checked={withProgram} onChange={() => {
-            add(!withProgram);
-            setCopied("no");
-          }} />
+          <input
+            type="checkbox"
+            checked={withProgram}
+            onChange={() => {
+              add(!withProgram);
+              setCopied("no");
+            }}
+          />
           <span>{t.withProgram}</span>
         </label>
       )}
       <div className="bring-buttons">
-        <button type="button" className="button" onClick={() => void copy(text).then(setCopied)}>{t.copy}</button>
-        <button type="button" className="button" onClick={forgetReports}>{t.remove}</button>
+        <button type="button" className="button" onClick={() => void copy(text).then(setCopied)}>
+          {t.copy}
+        </button>
+        <button type="button" className="button" onClick={forgetReports}>
+          {t.remove}
+        </button>
         <span role="status">{copied !== "no" && t[copied]}</span>
       </div>
     </div>

@@ -9,7 +9,8 @@ export const chooser = {
   found: (n) => (n === 1 ? "1 Zyklus gefunden." : `${n} Zyklen gefunden.`),
   enter: (cycle) => `Enter nimmt ${cycle}.`,
   none: "Kein Zyklus passt zu diesen Wörtern.",
-  acts: (cycle) => `${cycle}: wirkt nur in einem Programm, ab seiner Definition. Ein Programm öffnen und ihn dort unter „Zyklus“ einfügen.`,
+  acts: (cycle) =>
+    `${cycle}: wirkt nur in einem Programm, ab seiner Definition. Ein Programm öffnen und ihn dort unter „Zyklus“ einfügen.`,
   kept: (cycle) =>
     `${cycle}: bleibt im Programm und wird gezeigt, aber nicht ausgeführt; dahinter ist nichts geprüft. Seine Zeilen in den Text einfügen.`,
   recent: "Zuletzt verwendet",

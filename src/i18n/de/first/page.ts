@@ -35,8 +35,7 @@ export const page = {
   start: {
     which: "Welcher Zyklus?",
     title: "HEIDENHAIN-Drehzyklen im Dialog",
-    lead:
-      "Für TNC 640 und TNC7. Fragen beantworten wie an der Steuerung, der Drehmaschine zusehen, den Schnitt prüfen, Programm mitnehmen.",
+    lead: "Für TNC 640 und TNC7. Fragen beantworten wie an der Steuerung, der Drehmaschine zusehen, den Schnitt prüfen, Programm mitnehmen.",
     choose: "Zyklus wählen",
     chooseLead: "Ein Tippen auf den Zyklus beginnt mit Beispielwerten, „Leer“ beginnt ohne Werte.",
     search: "Zyklen, Beispiele und eigene Arbeiten suchen",
@@ -47,7 +46,10 @@ export const page = {
     beyondAll: {
       typing: { what: "Beim Eingeben", how: "Schnitte, wirkliche Zustellung, Zeit und Spanquerschnitt" },
       residue: { what: "Restmaterial", how: "wo, warum, und welches Werkzeug hinkommt" },
-      proof: { what: "Prüfung", how: "keine Konturverletzung, kein Eilgang im Material; sonst der Satz, der es verursacht" },
+      proof: {
+        what: "Prüfung",
+        how: "keine Konturverletzung, kein Eilgang im Material; sonst der Satz, der es verursacht",
+      },
       steps: { what: "Schritt für Schritt", how: "der Ablauf aus dem Handbuch läuft mit dem Werkzeug mit" },
       approach: { what: "APPR und DEP", how: "alle acht Formen, an der eigenen Kontur" },
     },
@@ -96,7 +98,8 @@ export const page = {
   },
   examples: {
     flange: "Flansch: sechs Werkzeuge, acht Zyklen",
-    shaft: "Welle: zehn Bearbeitungen mit sieben Werkzeugen, mit Kegel, Freistich, Einstichen und Gewinden außen und innen",
+    shaft:
+      "Welle: zehn Bearbeitungen mit sieben Werkzeugen, mit Kegel, Freistich, Einstichen und Gewinden außen und innen",
     shoulder: "Absatz, wie gedruckt (französisch)",
     contour: "Kontur plan, wie gedruckt (französisch)",
     contourEnglish: "Kontur plan, wie gedruckt (englisch)",
@@ -124,7 +127,11 @@ export const page = {
     unknown: "–",
     waiting: "Die Werte ergeben noch keine Bahn. Das letzte mögliche Bild bleibt.",
     duration: (minutes, seconds) =>
-      minutes < 60 ? (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`) : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
+      minutes < 60
+        ? minutes > 0
+          ? `${minutes} min ${seconds} s`
+          : `${seconds} s`
+        : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
     faults: "Konturverletzungen und Kollisionen",
     pin: {
       make: "Einstellung merken",
@@ -144,7 +151,8 @@ export const page = {
     layout: "Schreibweise",
     layouts: { tnc640: "TNC 640", tnc7: "TNC7", iso: "DIN/ISO", manual: "Wie im Handbuch" },
     files: { tnc640: "Klartext-Datei für TNC 640", tnc7: "Klartext-Datei für TNC7", iso: "DIN/ISO-Datei" },
-    manualView: "Gezeigt wie im Handbuch gedruckt, ohne ~. So lädt es keine Steuerung; Kopieren und Herunterladen geben die Datei.",
+    manualView:
+      "Gezeigt wie im Handbuch gedruckt, ohne ~. So lädt es keine Steuerung; Kopieren und Herunterladen geben die Datei.",
     showFile: "Datei zeigen",
     untied: "Zykluslisten ohne ~: Eine Steuerung lädt dieses Programm nicht.",
     tie: "~ ergänzen",
@@ -173,8 +181,9 @@ export const page = {
     blocks: "Sätze des Programms",
     running: "läuft",
     refusedTitle: "Von Hand kopieren",
-    refused: "Der Browser erlaubt keinen Zugriff auf die Zwischenablage. Der Text unten ist markiert: Strg+C drücken oder gedrückt "
-      + "halten und „Kopieren“ wählen.",
+    refused:
+      "Der Browser erlaubt keinen Zugriff auf die Zwischenablage. Der Text unten ist markiert: Strg+C drücken oder gedrückt " +
+      "halten und „Kopieren“ wählen.",
     incomplete: "Einige Eingaben haben noch keinen brauchbaren Wert; das Programm ist nicht vollständig.",
   },
 
@@ -184,19 +193,24 @@ export const page = {
       n === 1
         ? "Eine gespeicherte Arbeit war nicht lesbar. Sie wurde beiseitegelegt, nichts wurde gelöscht."
         : `${n} gespeicherte Arbeiten waren nicht lesbar. Sie wurden beiseitegelegt, nichts wurde gelöscht.`,
-    notKept: "Dieser Browser speichert nichts auf dem Gerät. Das Programm vor dem Schließen kopieren oder herunterladen.",
+    notKept:
+      "Dieser Browser speichert nichts auf dem Gerät. Das Programm vor dem Schließen kopieren oder herunterladen.",
     storageFull:
-      "Auf dem Gerät ist kein Platz mehr: Die letzten Änderungen sind nicht gespeichert. Das Programm herunterladen oder auf der "
-      + "Startseite Arbeiten entfernen.",
+      "Auf dem Gerät ist kein Platz mehr: Die letzten Änderungen sind nicht gespeichert. Das Programm herunterladen oder auf der " +
+      "Startseite Arbeiten entfernen.",
     newerWorks:
       "Einige gespeicherte Arbeiten stammen von einer neueren Version dieser Seite und sind nicht aufgeführt. Nichts wurde gelöscht.",
     downloadUnkept: "Programm herunterladen",
     archiveUnkept: "Als eine Datei sichern",
-    copyOfOtherTab: "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
-    workNotHere: "Die Arbeit dieser Adresse liegt nicht auf diesem Gerät: anderer Browser, oder aus der Liste entfernt.",
+    copyOfOtherTab:
+      "Diese Arbeit ist in einem anderen Tab offen. Hier wird eine Kopie bearbeitet; beide bleiben erhalten.",
+    workNotHere:
+      "Die Arbeit dieser Adresse liegt nicht auf diesem Gerät: anderer Browser, oder aus der Liste entfernt.",
     linkDamaged: "Der Link enthält nichts Lesbares.",
-    linkNewer: "Den Link hat eine neuere Ausgabe dieser Seite gemacht. Die Seite neu laden und den Link noch einmal öffnen.",
-    linkTooLarge: "Das Programm im Link ist größer als 20 MB und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
+    linkNewer:
+      "Den Link hat eine neuere Ausgabe dieser Seite gemacht. Die Seite neu laden und den Link noch einmal öffnen.",
+    linkTooLarge:
+      "Das Programm im Link ist größer als 20 MB und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
     fileTooLarge: "Das sind mehr als 20 MB; es wurde nichts geöffnet. Die eigene Arbeit ist unverändert.",
     fileUnreadable: "Die Datei war nicht lesbar und wurde nicht geöffnet. Die eigene Arbeit ist unverändert.",
     engineFailed: "Die Berechnung ist abgebrochen. Die Werte sind sicher, und sie lässt sich neu starten.",
@@ -204,15 +218,21 @@ export const page = {
       "Die gespeicherte Werkzeugtabelle ließ sich nicht lesen. Sie wurde beiseitegelegt; es gelten die mitgelieferten Werkzeuge.",
     filesLeftOut:
       "Aus dem Ordner wurde nicht alles geöffnet: Dateien, die keine Programmtexte sind oder zu viele auf einmal wären, blieben weg.",
-    isoRead: "Das DIN/ISO-Programm wurde in Klartext übersetzt und wird so bearbeitet. „DIN/ISO-Datei“ schreibt es zurück.",
-    mainUnsure: "Kein Programm hier ruft alle anderen auf. Soll ein anderes laufen, dieses in der Dateiliste über dem Text wählen.",
-    toolsNotKept: "Dieser Browser speichert die Werkzeugtabelle nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
-    ownDamaged: "Die gespeicherten eigenen Zyklen waren nicht lesbar. Sie wurden beiseitegelegt, nichts wurde gelöscht.",
-    ownNotKept: "Dieser Browser speichert die eigenen Zyklen nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
+    isoRead:
+      "Das DIN/ISO-Programm wurde in Klartext übersetzt und wird so bearbeitet. „DIN/ISO-Datei“ schreibt es zurück.",
+    mainUnsure:
+      "Kein Programm hier ruft alle anderen auf. Soll ein anderes laufen, dieses in der Dateiliste über dem Text wählen.",
+    toolsNotKept:
+      "Dieser Browser speichert die Werkzeugtabelle nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
+    ownDamaged:
+      "Die gespeicherten eigenen Zyklen waren nicht lesbar. Sie wurden beiseitegelegt, nichts wurde gelöscht.",
+    ownNotKept:
+      "Dieser Browser speichert die eigenen Zyklen nicht auf dem Gerät. Vor dem Schließen der Seite exportieren.",
     crashTitle: "Auf dieser Seite ist etwas schiefgegangen",
     crash: "Die Arbeit ist auf diesem Gerät gespeichert.",
     missing: {
-      offline: "Dieser Teil der Seite ließ sich nicht holen: kein Netz. Was offen ist, bleibt; der Teil kommt, sobald ein Netz da ist.",
+      offline:
+        "Dieser Teil der Seite ließ sich nicht holen: kein Netz. Was offen ist, bleibt; der Teil kommt, sobald ein Netz da ist.",
       gone: "Dieser Teil der Seite ließ sich nicht vom Server holen. Was offen ist, bleibt, auch wenn die Seite neu geladen wird.",
     },
     tryAgain: "Noch einmal versuchen",

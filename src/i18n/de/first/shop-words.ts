@@ -10,5 +10,9 @@ export const shopWords: ShopWords = {
     thread: ["Gewinde", "Gewindedrehen", "Steigung", "Schraube"],
   },
   free: ["Freistich", "Profil", "Form", "Kontur"],
-  same: [["Absatz", "Schulter", "Stufe", "Ansatz", "Bund"], ["Einstich", "Nut"], ["Kontur", "Profil"]],
+  same: [
+    ["Absatz", "Schulter", "Stufe", "Ansatz", "Bund"],
+    ["Einstich", "Nut"],
+    ["Kontur", "Profil"],
+  ],
 };

@@ -11,13 +11,15 @@ export const blockKinds = {
     mistakes: ["M30 fehlt: Spindel und Kühlmittel bleiben am Ende an."],
   },
   blankBox: {
-    about: "Ein Quader als Rohteil, durch seine kleinste Ecke (0.1) und seine größte (0.2). Wird er gedreht, "
-      + "gilt der Zylinder um seine Ecken.",
+    about:
+      "Ein Quader als Rohteil, durch seine kleinste Ecke (0.1) und seine größte (0.2). Wird er gedreht, " +
+      "gilt der Zylinder um seine Ecken.",
     rule: "0.1 nennt die Spindelachse; 0.2 hat in jeder Achse den größeren Wert.",
     mistakes: ["Die Ecken sind vertauscht: Der Quader hat keinen Inhalt."],
   },
   blankCylinder: {
-    about: "Die Stange oder Scheibe, die gedreht wird: ⌀ oder Radius, Länge, Abstand der Planfläche von Z0 und eine Bohrung.",
+    about:
+      "Die Stange oder Scheibe, die gedreht wird: ⌀ oder Radius, Länge, Abstand der Planfläche von Z0 und eine Bohrung.",
     rule: "Das Rohteil dient allein der Simulation; die Maschine kennt es nicht.",
     mistakes: ["Das Rohteil ist kleiner als das wirkliche: Im Bild ist Luft, wo die Maschine schneidet."],
   },
@@ -37,8 +39,9 @@ export const blockKinds = {
     mistakes: ["Es wird für Drehwerkzeuge benutzt: Diese brauchen die Drehwerkzeugtabelle."],
   },
   toolCall: {
-    about: "Wechselt das Werkzeug, oder ändert ohne Werkzeug nur Drehzahl, Vorschub oder Aufmaße. Danach weiß "
-      + "niemand, wo die Spitze steht, bis sie positioniert ist.",
+    about:
+      "Wechselt das Werkzeug, oder ändert ohne Werkzeug nur Drehzahl, Vorschub oder Aufmaße. Danach weiß " +
+      "niemand, wo die Spitze steht, bis sie positioniert ist.",
     rule: "Er beendet die Werte von FUNCTION TURNDATA CORR und die Radiuskorrektur.",
     mistakes: ["Der erste Satz dahinter nennt nur eine Achse: Die andere kommt von irgendwo."],
   },
@@ -58,7 +61,8 @@ export const blockKinds = {
     mistakes: ["Das Vorzeichen ist verwechselt: Mehr DXL macht einen Außendurchmesser größer."],
   },
   turnBlank: {
-    about: "Rohteilnachführung: Die Steuerung merkt sich, was geschnitten ist, damit kein Zyklus noch einmal Luft schneidet.",
+    about:
+      "Rohteilnachführung: Die Steuerung merkt sich, was geschnitten ist, damit kein Zyklus noch einmal Luft schneidet.",
     rule: "An zwischen BLANK und BLANK OFF; der Umriss muss geschlossen sein.",
     mistakes: ["Sie bleibt für die zweite Spannung an: Das alte Rohteil gilt noch."],
   },
@@ -128,7 +132,8 @@ export const blockKinds = {
     mistakes: ["Er ist breiter, als sein Element Platz hat."],
   },
   label: {
-    about: "Eine Stelle, die gerufen werden kann: Unterprogramm, Wiederholung, Kontur. LBL 0 beendet ein Unterprogramm.",
+    about:
+      "Eine Stelle, die gerufen werden kann: Unterprogramm, Wiederholung, Kontur. LBL 0 beendet ein Unterprogramm.",
     rule: "Jede Nummer und jeder Name einmal im Programm.",
     mistakes: ["Das Unterprogramm steht vor M30: Es läuft von selbst noch einmal."],
   },

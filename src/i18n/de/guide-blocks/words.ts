@@ -1,6 +1,9 @@
 /** What each word of a block does, by its field, and what is often done wrong with it. */
 export const blockWords = {
-  name: { about: "Wie das Programm heißt.", mistakes: ["Leerzeichen oder Umlaute stehen darin: Manche Steuerung nimmt die Datei nicht."] },
+  name: {
+    about: "Wie das Programm heißt.",
+    mistakes: ["Leerzeichen oder Umlaute stehen darin: Manche Steuerung nimmt die Datei nicht."],
+  },
   unit: {
     about: "MM oder INCH für alle Längen und Vorschübe des Programms.",
     mistakes: ["Werte werden zwischen Programmen verschiedener Einheit kopiert."],
@@ -13,7 +16,10 @@ export const blockWords = {
     about: "X dieser Ecke. Um die Achse entscheidet die fernste Ecke.",
     mistakes: ["Der ⌀ ist getippt; Quader zählen von der Achse."],
   },
-  "blankBox.Y": { about: "Y dieser Ecke. Um die Achse entscheidet die fernste Ecke.", mistakes: ["Der Quader liegt neben der Achse."] },
+  "blankBox.Y": {
+    about: "Y dieser Ecke. Um die Achse entscheidet die fernste Ecke.",
+    mistakes: ["Der Quader liegt neben der Achse."],
+  },
   "blankBox.Z": {
     about: "Z dieser Ecke: 0.1 das hintere Ende, 0.2 die Planfläche.",
     mistakes: ["Die Planfläche endet bei Z0, obwohl sie noch roh ist."],
@@ -22,7 +28,10 @@ export const blockWords = {
     about: "Ob außen der ⌀ (D) oder der Radius (R) steht.",
     mistakes: ["R steht da, und ein ⌀ ist getippt: Das Rohteil ist doppelt so dick."],
   },
-  insideMeasure: { about: "Ob für die Bohrung der ⌀ (DI) oder der Radius (RI) steht.", mistakes: ["RI steht da, und ein ⌀ ist getippt."] },
+  insideMeasure: {
+    about: "Ob für die Bohrung der ⌀ (DI) oder der Radius (RI) steht.",
+    mistakes: ["RI steht da, und ein ⌀ ist getippt."],
+  },
   measure: {
     about: "Ob X des Umrisses als ⌀ (DIM_D) oder als Radius (DIM_R) zählt.",
     mistakes: ["Der Umriss ist in Radien gezeichnet, und DIM_D steht da: Das Rohteil ist halb so dick."],
@@ -55,7 +64,10 @@ export const blockWords = {
     about: "Länge des Werkzeugs über den Bezugspunkt hinaus.",
     mistakes: ["Die Länge eines anderen Halters steht noch da."],
   },
-  toolRadius: { about: "Radius des Werkzeugs, für die Korrektur gefräster Konturen.", mistakes: ["Der ⌀ ist getippt."] },
+  toolRadius: {
+    about: "Radius des Werkzeugs, für die Korrektur gefräster Konturen.",
+    mistakes: ["Der ⌀ ist getippt."],
+  },
   "toolCall.speed": {
     about: "Drehzahl einer Fräs- oder Bohrspindel. Beim Drehen entscheidet FUNCTION TURNDATA SPIN.",
     mistakes: ["Sie ist für das Drehteil gemeint: Dort tut sie nichts."],
@@ -72,14 +84,21 @@ export const blockWords = {
     about: "Aufmaß des Radius: Mehr lässt an gefrästen Konturen Aufmaß stehen.",
     mistakes: ["Es ist vom Schruppen stehen geblieben."],
   },
-  mode: { about: "TURN zum Drehen, MILL zum Fräsen.", mistakes: ["MILL hinter dem Drehen ist vergessen: X bleibt ein ⌀."] },
+  mode: {
+    about: "TURN zum Drehen, MILL zum Fräsen.",
+    mistakes: ["MILL hinter dem Drehen ist vergessen: X bleibt ein ⌀."],
+  },
   kinematics: {
     about: "Name einer Kinematik der Maschine, wenn sie mehrere hat.",
     mistakes: ["Der Name einer anderen Maschine steht da."],
   },
   constantSurface: {
-    about: "Ein: Die Schnittgeschwindigkeit wird gehalten, und die Drehzahl folgt dem ⌀. Aus: Die Drehzahl wird gehalten.",
-    mistakes: ["Ein beim Gewinde: Die Steigung stimmt nur bei fester Drehzahl.", "Ein ohne SMAX: Zur Achse hin läuft sie davon."],
+    about:
+      "Ein: Die Schnittgeschwindigkeit wird gehalten, und die Drehzahl folgt dem ⌀. Aus: Die Drehzahl wird gehalten.",
+    mistakes: [
+      "Ein beim Gewinde: Die Steigung stimmt nur bei fester Drehzahl.",
+      "Ein ohne SMAX: Zur Achse hin läuft sie davon.",
+    ],
   },
   "turnCorrection.system": {
     about: "TCS: entlang des Werkzeugs. WPL: entlang des Teils.",
@@ -98,14 +117,18 @@ export const blockWords = {
     mistakes: ["Der Unterschied des ⌀ ist getippt."],
   },
   X: {
-    about: "X des Endpunkts: beim Drehen ein ⌀, beim Fräsen eine Koordinate. Mit I zählt es von dort, wo das Werkzeug steht.",
+    about:
+      "X des Endpunkts: beim Drehen ein ⌀, beim Fräsen eine Koordinate. Mit I zählt es von dort, wo das Werkzeug steht.",
     mistakes: ["Ein Radius ist getippt: Das Teil wird halb so dick.", "I bleibt an: Der Wert kommt dazu."],
   },
   Y: {
     about: "Y des Endpunkts. Beim Drehen bleibt es leer.",
     mistakes: ["Es ist vom Fräsen stehen geblieben: Beim Drehen tut es nichts."],
   },
-  Z: { about: "Z des Endpunkts. Z0 ist meist die fertige Planfläche; das Teil liegt im Minus.", mistakes: ["Das Minus fehlt."] },
+  Z: {
+    about: "Z des Endpunkts. Z0 ist meist die fertige Planfläche; das Teil liegt im Minus.",
+    mistakes: ["Das Minus fehlt."],
+  },
   axis: {
     about: "Eine weitere Achse der Maschine: Drehachsen in Grad, parallele in mm. Sie wird nicht simuliert.",
     mistakes: ["Sie dreht, während das Werkzeug im Schnitt ist."],
@@ -121,16 +144,27 @@ export const blockWords = {
     about: "Z des Endpunkts. Er muss auf dem Kreis um CC liegen.",
     mistakes: ["Es ist gerundet: Die Steuerung findet keinen Kreis."],
   },
-  "datum.X": { about: "Wie weit der Nullpunkt in X wandert; beim Drehen ein ⌀.", mistakes: ["Die Hälfte war gemeint."] },
+  "datum.X": {
+    about: "Wie weit der Nullpunkt in X wandert; beim Drehen ein ⌀.",
+    mistakes: ["Die Hälfte war gemeint."],
+  },
   "datum.Y": { about: "Wie weit der Nullpunkt in Y wandert.", mistakes: ["Es ist vom Fräsen stehen geblieben."] },
   "datum.Z": {
     about: "Wie weit der Nullpunkt in Z wandert: Minus geht zum Futter.",
     mistakes: ["Es wird von der Verschiebung davor gezählt: Ein neuer Wert ersetzt den alten."],
   },
-  polarRadius: { about: "Abstand vom Pol CC zum Endpunkt, in mm, kein ⌀.", mistakes: ["Der ⌀ des Kreises ist getippt."] },
+  polarRadius: {
+    about: "Abstand vom Pol CC zum Endpunkt, in mm, kein ⌀.",
+    mistakes: ["Der ⌀ des Kreises ist getippt."],
+  },
   polarAngle: {
-    about: "Richtung vom Pol aus, gezählt von der ersten Achse der Ebene: beim Drehen von +Z. Mit I von der " + "letzten Richtung aus.",
-    mistakes: ["Er wird beim Drehen von X aus gezählt.", "I fehlt in einer Wiederholung: Alles liegt an derselben Stelle."],
+    about:
+      "Richtung vom Pol aus, gezählt von der ersten Achse der Ebene: beim Drehen von +Z. Mit I von der " +
+      "letzten Richtung aus.",
+    mistakes: [
+      "Er wird beim Drehen von X aus gezählt.",
+      "I fehlt in einer Wiederholung: Alles liegt an derselben Stelle.",
+    ],
   },
   radius: {
     about: "Radius des Bogens. Plus nimmt den Bogen unter 180°, Minus den größeren.",
@@ -150,7 +184,8 @@ export const blockWords = {
     mistakes: ["Sie wird im Schnitt eingeschaltet und nicht in der Luft.", "R0 am Ende fehlt."],
   },
   feed: {
-    about: "Wie schnell dieser Satz und die dahinter fahren. FMAX gilt nur in seinem Satz, FAUTO nimmt den von TOOL CALL.",
+    about:
+      "Wie schnell dieser Satz und die dahinter fahren. FMAX gilt nur in seinem Satz, FAUTO nimmt den von TOOL CALL.",
     mistakes: ["Mit M136 ist ein Vorschub je Minute getippt.", "FMAX steht, wo das Werkzeug schneidet."],
   },
   functions: {
@@ -167,18 +202,28 @@ export const blockWords = {
     about: "Ein Wert, den die Zeichnung von diesem Element gibt; jeder kann fehlen.",
     mistakes: ["Zu wenig ist gegeben: Es gibt mehrere Lösungen."],
   },
-  CLSD: { about: "Beginnt (+) und beendet (−) eine geschlossene Kontur.", mistakes: ["Das Ende ist nicht gekennzeichnet."] },
+  CLSD: {
+    about: "Beginnt (+) und beendet (−) eine geschlossene Kontur.",
+    mistakes: ["Das Ende ist nicht gekennzeichnet."],
+  },
   "undercut.form": {
     about: "Die genormte Form: E in den Zylinder, F in Zylinder und Planfläche, H, K, U oder die eines Gewindes.",
     mistakes: ["F, wo die Planfläche schon fertig ist."],
   },
-  "groove.form": { about: "RADIAL in einen Zylinder, AXIAL in eine Planfläche.", mistakes: ["Die Form passt nicht zum Element davor."] },
+  "groove.form": {
+    about: "RADIAL in einen Zylinder, AXIAL in eine Planfläche.",
+    mistakes: ["Die Form passt nicht zum Element davor."],
+  },
   R: { about: "Radius in den Ecken am Grund.", mistakes: ["Er ist kleiner als der Schneidenradius."] },
   DEPTH: { about: "Wie tief es ins Material geht.", mistakes: ["Er ist als ⌀ getippt."] },
   BREADTH: { about: "Wie breit es entlang seines Elements ist.", mistakes: ["Er ist schmaler als die Platte."] },
-  ANGLE: { about: "Wie steil die Flanke ansteigt.", mistakes: ["Er ist steiler, als die Schneide der Platte folgen kann."] },
+  ANGLE: {
+    about: "Wie steil die Flanke ansteigt.",
+    mistakes: ["Er ist steiler, als die Schneide der Platte folgen kann."],
+  },
   "groove.DEPTH": {
-    about: "Tiefe des Einstichs; das Vorzeichen sagt, auf welcher Seite des Elements er liegt: negativ nach −X oder −Z.",
+    about:
+      "Tiefe des Einstichs; das Vorzeichen sagt, auf welcher Seite des Elements er liegt: negativ nach −X oder −Z.",
     mistakes: ["Sie ist als ⌀ getippt."],
   },
   "groove.ANGLE": {
@@ -189,9 +234,18 @@ export const blockWords = {
     about: "Öffnungswinkel zwischen beiden Flanken, an Stelle von ANGLE.",
     mistakes: ["Der Winkel einer Flanke ist getippt: Der Einstich öffnet sich dann nur halb so weit."],
   },
-  FACEDEPTH: { about: "Wie tief der Freistich in die Planfläche geht.", mistakes: ["Es fehlt, und der Wert der Norm gilt."] },
-  FACEANGLE: { about: "Wie steil er aus der Planfläche herauskommt.", mistakes: ["Er wird von der Achse aus gemessen."] },
-  ROT: { about: "Um wie viel der Freistich gedreht ist.", mistakes: ["45° sind üblich; das Vorzeichen dreht ihn in die Wand."] },
+  FACEDEPTH: {
+    about: "Wie tief der Freistich in die Planfläche geht.",
+    mistakes: ["Es fehlt, und der Wert der Norm gilt."],
+  },
+  FACEANGLE: {
+    about: "Wie steil er aus der Planfläche herauskommt.",
+    mistakes: ["Er wird von der Achse aus gemessen."],
+  },
+  ROT: {
+    about: "Um wie viel der Freistich gedreht ist.",
+    mistakes: ["45° sind üblich; das Vorzeichen dreht ihn in die Wand."],
+  },
   "rotation.ROT": {
     about: "Winkel, um den die Ebene gedreht wird, gegen den Uhrzeigersinn positiv.",
     mistakes: ["Er ist bei der nächsten Form noch an."],
@@ -207,16 +261,31 @@ export const blockWords = {
   DIAM: { about: "⌀ des Grundes, an Stelle der Tiefe.", mistakes: ["Tiefe und ⌀ sind beide gegeben."] },
   RND: { about: "Radius an der äußeren Kante.", mistakes: ["RND und CHF sind beide gegeben."] },
   CHF: { about: "Fase an der äußeren Kante.", mistakes: ["RND und CHF sind beide gegeben."] },
-  FAR_RND: { about: "Radius an der fernen äußeren Kante, wenn er anders ist.", mistakes: ["Ferne und nahe Kante sind vertauscht."] },
-  FAR_CHF: { about: "Fase an der fernen äußeren Kante, wenn sie anders ist.", mistakes: ["Ferne und nahe Kante sind vertauscht."] },
+  FAR_RND: {
+    about: "Radius an der fernen äußeren Kante, wenn er anders ist.",
+    mistakes: ["Ferne und nahe Kante sind vertauscht."],
+  },
+  FAR_CHF: {
+    about: "Fase an der fernen äußeren Kante, wenn sie anders ist.",
+    mistakes: ["Ferne und nahe Kante sind vertauscht."],
+  },
   label: { about: "Nummer oder Name der Stelle.", mistakes: ["Dieselbe Nummer steht zweimal."] },
-  "call.label": { about: "Welches Label gerufen wird.", mistakes: ["Es ist das Label einer Kontur: Sie läuft als Bahn."] },
+  "call.label": {
+    about: "Welches Label gerufen wird.",
+    mistakes: ["Es ist das Label einer Kontur: Sie läuft als Bahn."],
+  },
   repeat: {
     about: "Wie oft der Teil noch einmal läuft, nach dem ersten Mal.",
     mistakes: ["Es ist eins zu viel: Der erste Lauf zählt nicht mit."],
   },
-  "contour.cycleLine": { about: "Die Label mit der Kontur, durch / getrennt.", mistakes: ["Das Label des Rohteils steht da."] },
-  cycleLine: { about: "Was hinter der Nummer der Zeile steht.", mistakes: ["Es gehört zu einer anderen Zeile des Zyklus."] },
+  "contour.cycleLine": {
+    about: "Die Label mit der Kontur, durch / getrennt.",
+    mistakes: ["Das Label des Rohteils steht da."],
+  },
+  cycleLine: {
+    about: "Was hinter der Nummer der Zeile steht.",
+    mistakes: ["Es gehört zu einer anderen Zeile des Zyklus."],
+  },
   how: {
     about: "An dieser Stelle; an Positionen (POS); oder an jedem Punkt eines Musters (PAT).",
     mistakes: ["PAT ohne ein Muster davor."],

@@ -81,7 +81,8 @@ export const own: OwnTexts = {
   describe: "Zyklus beschreiben",
   describeAbout: "Diese Seite kennt den Zyklus nicht. Einmal beschrieben, bekommen seine Sätze einen Dialog.",
   change: "Beschreibung ändern",
-  unprovedLong: "Was der Zyklus mit Bahn und Material macht, weiß diese Seite nicht. Hinter seinem Aufruf ist nichts geprüft.",
+  unprovedLong:
+    "Was der Zyklus mit Bahn und Material macht, weiß diese Seite nicht. Hinter seinem Aufruf ist nichts geprüft.",
   notDescribed: "nicht in der Beschreibung",
   anyNumber: "jede Zahl",
 

@@ -26,8 +26,9 @@ export const tools = {
   kinds: { name: "Tabellen dieses Geräts", turning: "Drehen", milling: "Fräsen und Bohren" },
   millTable: "Fräs- und Bohrwerkzeuge dieses Geräts",
   millNote: "Hier zählt nur der Radius mit seinem Aufmaß; Längen werden nur für die Steuerung mitgeführt.",
-  drillNote: "R mit Aufmaß, Spitzenwinkel und Schneidenlänge ergeben beim Drehen die Bohrung auf der Achse; Längen werden nur für die "
-    + "Steuerung mitgeführt.",
+  drillNote:
+    "R mit Aufmaß, Spitzenwinkel und Schneidenlänge ergeben beim Drehen die Bohrung auf der Achse; Längen werden nur für die " +
+    "Steuerung mitgeführt.",
   mill: "Fräser",
   millDrawing: "Werkzeug maßstäblich",
   flat: "flach",
@@ -83,10 +84,11 @@ export const tools = {
   field: (column, meaning) => `${column}: ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `von ${type} nicht genutzt`,
-  keptOnly: "Längen und Orientierung werden nur für die Steuerung mitgeführt; die Bahn ist die der theoretischen Schneidenspitze. "
-    + "DZL und DXL sagen, wie weit das Werkzeug von den gemessenen Längen abweicht: Die Steuerung rechnet sie ein, Bahn und "
-    + "Werkstück bleiben gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt. DYL liegt außerhalb der Drehebene: Mit einem "
-    + "Wert ungleich 0 ist die Bahn nicht geprüft.",
+  keptOnly:
+    "Längen und Orientierung werden nur für die Steuerung mitgeführt; die Bahn ist die der theoretischen Schneidenspitze. " +
+    "DZL und DXL sagen, wie weit das Werkzeug von den gemessenen Längen abweicht: Die Steuerung rechnet sie ein, Bahn und " +
+    "Werkstück bleiben gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt. DYL liegt außerhalb der Drehebene: Mit einem " +
+    "Wert ungleich 0 ist die Bahn nicht geprüft.",
   anyType: "Wählen",
 
   orientation: "TO: wohin die Schneidenspitze zeigt",
@@ -102,8 +104,9 @@ export const tools = {
 
   files: "Import und Export",
   import: "Importieren",
-  unconfirmed: "Spaltenaufbau von TOOLTURN.TRN und TOOL.T und Bereiche der Spalten: aus der Erinnerung, nicht an einer gedruckten Seite "
-    + "geprüft. An der Steuerung vergleichen.",
+  unconfirmed:
+    "Spaltenaufbau von TOOLTURN.TRN und TOOL.T und Bereiche der Spalten: aus der Erinnerung, nicht an einer gedruckten Seite " +
+    "geprüft. An der Steuerung vergleichen.",
   importedWrong: (n) => (n === 1 ? "1 Zeile hat einen Fehler." : `${n} Zeilen haben einen Fehler.`),
   cutShort: "Die Endmarke [END] fehlt: Die Datei ist vielleicht abgeschnitten.",
   exported: (file, n) => (n === 1 ? `${file}: 1 Werkzeug.` : `${file}: ${n} Werkzeuge.`),

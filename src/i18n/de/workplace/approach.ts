@@ -13,12 +13,21 @@ export const approach = {
   incremental: "I davor: inkremental",
   parameter: "Ein Q-Parameter, der noch keinen Wert hat: Das Bild wartet darauf.",
   words: {
-    X: { label: "Punkt", prompt: "X des Konturpunkts?", about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur." },
-    Y: { label: "Punkt", prompt: "Y des Konturpunkts?", about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur." },
+    X: {
+      label: "Punkt",
+      prompt: "X des Konturpunkts?",
+      about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur.",
+    },
+    Y: {
+      label: "Punkt",
+      prompt: "Y des Konturpunkts?",
+      about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur.",
+    },
     Z: {
       label: "Werkzeugachse",
       prompt: "Tiefe oder Höhe in der Werkzeugachse?",
-      about: "Fehlt sie, bleibt das Werkzeug auf seiner Höhe. TNC 640 fährt zuerst in der Ebene, TNC7 in allen Achsen zugleich.",
+      about:
+        "Fehlt sie, bleibt das Werkzeug auf seiner Höhe. TNC 640 fährt zuerst in der Ebene, TNC7 in allen Achsen zugleich.",
     },
     turningZ: {
       label: "Punkt",
@@ -26,17 +35,26 @@ export const approach = {
       about: "APPR: erster Konturpunkt PA. DEP LCT: Endpunkt PN außerhalb der Kontur.",
     },
     PR: { label: "Polarradius", prompt: "Abstand vom Pol CC?", about: "Der Pol ist der CC-Satz davor." },
-    PA: { label: "Polarwinkel", prompt: "Winkel um den Pol CC?", about: "Von der ersten Achse aus, gegen den Uhrzeigersinn positiv." },
+    PA: {
+      label: "Polarwinkel",
+      prompt: "Winkel um den Pol CC?",
+      about: "Von der ersten Achse aus, gegen den Uhrzeigersinn positiv.",
+    },
     LEN: {
       label: "Länge",
       prompt: "Länge des geraden Stücks?",
       about: "Vom Hilfspunkt PH zu PA oder von PE zu PN. Bei LN wechselt ein Minus die Seite.",
     },
-    CCA: { label: "Mittelpunktswinkel", prompt: "Mittelpunktswinkel des Bogens?", about: "Wie weit der Bogen herumläuft, bis 360°." },
+    CCA: {
+      label: "Mittelpunktswinkel",
+      prompt: "Mittelpunktswinkel des Bogens?",
+      about: "Wie weit der Bogen herumläuft, bis 360°.",
+    },
     R: {
       label: "Radius",
       prompt: "Radius des Bogens?",
-      about: "Radius der Bahn des Werkzeugmittelpunkts. Bei CT legt ein negativer Radius den Bogen auf die Werkstückseite.",
+      about:
+        "Radius der Bahn des Werkzeugmittelpunkts. Bei CT legt ein negativer Radius den Bogen auf die Werkstückseite.",
     },
     SIDE: {
       label: "Korrektur",
@@ -70,7 +88,12 @@ export const approach = {
   noPicture: "Das Bild erscheint, sobald der Punkt vollständig ist und ein Konturelement neben dem Satz steht.",
   stale: "Letztes mögliches Bild",
   pointTable: "Punkte des Werkzeugmittelpunkts",
-  lines: { centre: "Mittelpunktsbahn", block: "Vorschub des Satzes", before: "Vorschub vom Satz davor", rapid: "Eilgang" },
+  lines: {
+    centre: "Mittelpunktsbahn",
+    block: "Vorschub des Satzes",
+    before: "Vorschub vom Satz davor",
+    rapid: "Eilgang",
+  },
   choose: "Form wählen",
   chooseAbout: "Alle acht an derselben Kontur, mit demselben Werkzeug.",
   take: (block, name) => `${block}: ${name}`,
@@ -87,7 +110,8 @@ export const approach = {
     depth: (z) => `bis Z ${z}`,
     shoulder: (z) => `ungefräst, Z ${z}`,
     lower: (z) => `unter Z ${z}`,
-    drawn: "Gefrästes Material ist gezeichnet, nicht geprüft: ein flacher Fräser von oben, mit dem Radius seiner Tabelle.",
+    drawn:
+      "Gefrästes Material ist gezeichnet, nicht geprüft: ein flacher Fräser von oben, mit dem Radius seiner Tabelle.",
     noBlank: "Kein Rohteil in dieser Ebene",
     tooLong: (most) => `Mehr als ${most} Bewegungen: Die Bahn ist ohne Material gezeichnet.`,
     noRadius: "Ein Werkzeug ohne Radius nimmt im Bild nichts weg.",

@@ -2,8 +2,9 @@ import type { ContourTexts } from "../../en/workplace/contour.ts";
 
 export const contour = {
   title: "Kontur",
-  intro: "Die erste Zeile ist der Startpunkt. Geraden und Bögen laufen von Punkt zu Punkt; RND und CHF stehen zwischen den beiden "
-    + "Elementen, deren Ecke sie brechen.",
+  intro:
+    "Die erste Zeile ist der Startpunkt. Geraden und Bögen laufen von Punkt zu Punkt; RND und CHF stehen zwischen den beiden " +
+    "Elementen, deren Ecke sie brechen.",
   table: "Kontur-Unterprogramm",
   empty: "Noch kein Element. Zuerst den Startpunkt der Kontur eingeben.",
   drawing: (elements) => `Zeichnung der Kontur mit ${elements === 1 ? "1 Element" : `${elements} Elementen`}`,
@@ -44,17 +45,19 @@ export const contour = {
   sought: "noch nicht bestimmt",
   freedom: (values) => (values === 1 ? "1 Angabe fehlt" : `${values} Angaben fehlen`),
   details: "Winkel und Länge",
-  detailsAbout: "Winkel, Länge oder T für tangential angeben und Koordinaten weglassen: Sie werden vorwärts und rückwärts berechnet. Ein "
-    + "Fragezeichen lässt jede Koordinate offen. Ins Programm kommen die Koordinaten.",
+  detailsAbout:
+    "Winkel, Länge oder T für tangential angeben und Koordinaten weglassen: Sie werden vorwärts und rückwärts berechnet. Ein " +
+    "Fragezeichen lässt jede Koordinate offen. Ins Programm kommen die Koordinaten.",
   round: (element) => `Ecke hinter Element ${element} runden`,
   chamfer: (element) => `Ecke hinter Element ${element} fasen`,
   drawTools: "Zeichenwerkzeuge",
   views: { label: "Bild", draw: "Zeichnen", lathe: "Drehen" },
   modeShort: { move: "Schieben", draw: "Zeichnen", round: "Runden", chamfer: "Fasen" },
   canvas: "Konturzeichnung",
-  canvasKeys: "Pfeiltasten wählen ein Element, Tab geht durch seine Maße, Enter öffnet eines. "
-    + "R rundet die Ecke, C fast sie, Plus und Minus zoomen, 0 zeigt alles, "
-    + "Umschalt mit Pfeilen verschiebt das Bild.",
+  canvasKeys:
+    "Pfeiltasten wählen ein Element, Tab geht durch seine Maße, Enter öffnet eines. " +
+    "R rundet die Ecke, C fast sie, Plus und Minus zoomen, 0 zeigt alles, " +
+    "Umschalt mit Pfeilen verschiebt das Bild.",
   dimension: (name, value) => `${name}: ${value}`,
   inDrawing: (name) => `${name}, in der Zeichnung`,
   emptyDrawing: "Dort tippen, wo die Kontur beginnt, oder den ersten Punkt eingeben.",
@@ -81,9 +84,15 @@ export const contour = {
   remove: (element) => `Element ${element} löschen`,
   moveUp: (element) => `Element ${element} nach oben`,
   moveDown: (element) => `Element ${element} nach unten`,
-  keys: "Enter: nächstes Feld · ↑ ↓: gleiches Feld, nächstes Element · I: inkremental · Alt+↑ ↓: verschieben · Einfg: neues "
-    + "Element · Strg+D: duplizieren · Strg+Entf: löschen · T: tangential · ?: nicht gegeben · R, C: Rundung, Fase",
-  done: { added: "Element angefügt", removed: "Element gelöscht", moved: "Element verschoben", duplicated: "Element dupliziert" },
+  keys:
+    "Enter: nächstes Feld · ↑ ↓: gleiches Feld, nächstes Element · I: inkremental · Alt+↑ ↓: verschieben · Einfg: neues " +
+    "Element · Strg+D: duplizieren · Strg+Entf: löschen · T: tangential · ?: nicht gegeben · R, C: Rundung, Fase",
+  done: {
+    added: "Element angefügt",
+    removed: "Element gelöscht",
+    moved: "Element verschoben",
+    duplicated: "Element dupliziert",
+  },
   dxf: {
     open: "DXF importieren",
     title: "Kontur aus einer DXF-Zeichnung",

@@ -7,7 +7,8 @@ export const dialog = {
     example: "M20, G1/2, Tr20",
     found: "Gefundene Größen",
     none: "Kein Gewinde dieses Namens.",
-    profile: (passes: number) => `Gewindeprofil mit den Spänen von ${passes === 1 ? "1 Schnitt" : `${passes} Schnitten`}`,
+    profile: (passes: number) =>
+      `Gewindeprofil mit den Spänen von ${passes === 1 ? "1 Schnitt" : `${passes} Schnitten`}`,
     taken: (name: string, angle: string) =>
       `${name}: Steigung, Tiefe und Durchmesser sind eingetragen. Die Schneidplatte braucht einen Spitzenwinkel von ${angle}°.`,
   },
@@ -44,9 +45,10 @@ export const dialog = {
   evidence: {
     mark: "nicht bestätigt",
     range:
-      "Dieser Bereich ist aus der Erinnerung oder abgeleitet, nicht an einer gedruckten Seite geprüft. Die Steuerung kann einen anderen "
-      + "zulassen.",
-    parameter: "Dieser Parameter ist aus der Erinnerung oder abgeleitet, nicht an einer gedruckten Seite geprüft. An der Steuerung prüfen.",
+      "Dieser Bereich ist aus der Erinnerung oder abgeleitet, nicht an einer gedruckten Seite geprüft. Die Steuerung kann einen anderen " +
+      "zulassen.",
+    parameter:
+      "Dieser Parameter ist aus der Erinnerung oder abgeleitet, nicht an einer gedruckten Seite geprüft. An der Steuerung prüfen.",
   },
   setup: {
     blank: {
@@ -63,8 +65,9 @@ export const dialog = {
   contour: {
     question: "Kontur des Fertigteils",
     label: "Kontur",
-    about: "Dieser Zyklus bearbeitet eine eigene Kontur. Sie wird in Tabelle oder Zeichnung eingegeben und steht hinter dem Programm "
-      + "unter einem Label.",
+    about:
+      "Dieser Zyklus bearbeitet eine eigene Kontur. Sie wird in Tabelle oder Zeichnung eingegeben und steht hinter dem Programm " +
+      "unter einem Label.",
     elements: (n) => (n === 1 ? "1 Element" : `${n} Elemente`),
     none: "noch keine",
     change: "Kontur ändern",

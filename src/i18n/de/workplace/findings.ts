@@ -5,14 +5,22 @@ export const findings = {
   list: "Befunde, die schwersten zuerst",
   none: "Keine Befunde.",
   count: (n) => (n === 1 ? "1 Befund" : `${n} Befunde`),
-  more: (n) => (n === 1 ? "1 weiterer Befund steht nicht in der Liste." : `${n} weitere Befunde stehen nicht in der Liste.`),
+  more: (n) =>
+    n === 1 ? "1 weiterer Befund steht nicht in der Liste." : `${n} weitere Befunde stehen nicht in der Liste.`,
   severities: { error: "Fehler", warning: "Warnung", info: "Hinweis" },
   inBlock: (block) => `Satz ${block}`,
   blockOf: (block, file) => `Satz ${block} von ${file}`,
   lineOf: (line, file) => `Zeile ${line} von ${file}`,
   goTo: (place) => `Zu ${place}`,
   show: (mark) => `${mark} in der Drehansicht zeigen`,
-  places: { tool: "Werkzeug", startX: "Start X", startZ: "Start Z", contour: "Kontur", blank: "Rohteil", spindle: "Spindel" },
+  places: {
+    tool: "Werkzeug",
+    startX: "Start X",
+    startZ: "Start Z",
+    contour: "Kontur",
+    blank: "Rohteil",
+    spindle: "Spindel",
+  },
   fix: "Berichtigen",
   insert: (text) => `${text} einfügen`,
   write: (text, block) => `${text} in Satz ${block} schreiben`,
@@ -62,19 +70,25 @@ export const findings = {
       noOperation: "Kein Drehzyklus wurde ausgeführt: Es gibt nichts zu prüfen.",
       approachesClear: "An- und Wegfahren sind frei.",
       holderUnknown: (tools) => `Der Halter von Werkzeug ${tools} wurde nicht geprüft: Die Tabelle beschreibt keinen.`,
-      flanksUnknown: (tools) => `Die Flanken von Werkzeug ${tools} wurden nicht geprüft: T-ANGLE oder P-ANGLE ist leer.`,
+      flanksUnknown: (tools) =>
+        `Die Flanken von Werkzeug ${tools} wurden nicht geprüft: T-ANGLE oder P-ANGLE ist leer.`,
       curvatureUnknown: (tools) => `Für den Axialstecher von Werkzeug ${tools} ist kein Durchmesserbereich angegeben.`,
     },
   },
   leaving: {
     title: "Dieses Programm hat Fehler",
-    lead:
-      (n) => (n === 1
+    lead: (n) =>
+      n === 1
         ? "So darf es nicht auf einer Maschine laufen. Ein Fehler wurde gefunden:"
-        : `So darf es nicht auf einer Maschine laufen. ${n} Fehler wurden gefunden:`),
+        : `So darf es nicht auf einer Maschine laufen. ${n} Fehler wurden gefunden:`,
     unchecked: "Dieses Programm ist noch nicht geprüft",
     uncheckedLead: "Die Berechnung läuft noch. Ob das Programm Fehler hat, ist nicht bekannt.",
-    go: { copy: "Trotzdem kopieren", save: "Trotzdem speichern", download: "Trotzdem herunterladen", share: "Trotzdem teilen" },
+    go: {
+      copy: "Trotzdem kopieren",
+      save: "Trotzdem speichern",
+      download: "Trotzdem herunterladen",
+      share: "Trotzdem teilen",
+    },
     look: "Befunde zeigen",
     cancel: "Abbrechen",
     withFaults: (n) => (n === 1 ? "Es hat 1 Fehler." : `Es hat ${n} Fehler.`),
@@ -82,9 +96,9 @@ export const findings = {
   done: {
     contour: "Die Kontur fehlt noch",
     toContour: "Kontur eingeben",
-    faults:
-      (n) => (n === 1
+    faults: (n) =>
+      n === 1
         ? "Alle Eingaben sind gemacht, aber 1 Fehler wurde gefunden"
-        : `Alle Eingaben sind gemacht, aber ${n} Fehler wurden gefunden`),
+        : `Alle Eingaben sind gemacht, aber ${n} Fehler wurden gefunden`,
   },
 } satisfies FindingsTexts;

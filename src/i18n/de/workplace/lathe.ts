@@ -16,8 +16,9 @@ export const lathe = {
     sketch: "Kontur mit scharfen Ecken",
     whole: "die ganze Kontur",
   },
-  keys: "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende zum Anfang und zum Ende, Plus "
-    + "und Minus zoomen, 0 passt ein.",
+  keys:
+    "Leertaste startet und hält an, Pfeiltasten gehen Bewegung für Bewegung, Pos1 und Ende zum Anfang und zum Ende, Plus " +
+    "und Minus zoomen, 0 passt ein.",
   beginning: "Die ersten Sätze des Programms",
   outdated: "Letztes mögliches Bild",
   stages: { reading: "Programm wird gelesen …", running: "Bahn wird berechnet …", proving: "Abtrag wird geprüft …" },
@@ -39,7 +40,11 @@ export const lathe = {
   rulerFlat: "Gemessen wird im Schnitt: danach kommt 3D wieder",
   legend: "Linien",
   holder: "Halter",
-  held: { stated: "Spannung, wie angegeben", unstated: "Hinteres Ende: Spannung nicht angegeben", note: "Spannung nicht angegeben" },
+  held: {
+    stated: "Spannung, wie angegeben",
+    unstated: "Hinteres Ende: Spannung nicht angegeben",
+    note: "Spannung nicht angegeben",
+  },
   paths: {
     title: "Welche Bahnen zu sehen sind",
     all: "Alle Bahnen",
@@ -99,7 +104,13 @@ export const lathe = {
   stepOnly: (step, of) => `Schritt ${step} von ${of}`,
   outside: "Zwischen den Zyklen",
   block: (block) => `Satz ${block}`,
-  chip: { ap: "Schnitttiefe", f: "Vorschub je Umdrehung", h: "Spanungsdicke", b: "Spanungsbreite", A: "Spanquerschnitt" },
+  chip: {
+    ap: "Schnitttiefe",
+    f: "Vorschub je Umdrehung",
+    h: "Spanungsdicke",
+    b: "Spanungsbreite",
+    A: "Spanquerschnitt",
+  },
   atStart: "Am Anfang",
   atEnd: "Am Ende",
 

@@ -31,14 +31,15 @@ export const params = {
     printed,
     label: "Sicherheitsabstand (reserviert)",
     explanation:
-      "Reserviert: In diesem Zyklus hat der Wert keine Funktion. Abgehoben wird um einen festen Abstand. Unsere Auslegung; an der "
-      + "Steuerung prüfen.",
+      "Reserviert: In diesem Zyklus hat der Wert keine Funktion. Abgehoben wird um einen festen Abstand. Unsere Auslegung; an der " +
+      "Steuerung prüfen.",
   },
   startDiameter: {
     prompt: "Durchmesser Konturstart?",
     printed,
     label: "Start ⌀",
-    explanation: "X des Konturstarts als Durchmesser. Größer als Q493: Außenbearbeitung. Kleiner als Q493: Innenbearbeitung.",
+    explanation:
+      "X des Konturstarts als Durchmesser. Größer als Q493: Außenbearbeitung. Kleiner als Q493: Innenbearbeitung.",
   },
   startZ: {
     prompt: "Konturstart Z?",
@@ -62,23 +63,25 @@ export const params = {
     prompt: "Winkel Umfangsfläche?",
     printed,
     label: "Winkel Umfangsfläche",
-    explanation: "Winkel zwischen Umfangsfläche und Drehachse; 0 ist ein Zylinder. Die Fläche neigt sich in den Zerspanbereich hinein, nie "
-      + "darunter. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Winkel zwischen Umfangsfläche und Drehachse; 0 ist ein Zylinder. Die Fläche neigt sich in den Zerspanbereich hinein, nie " +
+      "darunter. Unsere Auslegung; an der Steuerung prüfen.",
   },
   flankAngle: {
     prompt: "Winkel Flanke?",
     printed,
     label: "Flankenwinkel",
     explanation:
-      "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Der Einstich wird zum Grund hin schmaler, nie "
-      + "breiter als seine Öffnung. Unsere Auslegung; an der Steuerung prüfen.",
+      "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Der Einstich wird zum Grund hin schmaler, nie " +
+      "breiter als seine Öffnung. Unsere Auslegung; an der Steuerung prüfen.",
   },
   faceAngle: {
     prompt: "Winkel Planfläche?",
     printed,
     label: "Winkel Planfläche",
-    explanation: "Neigung der Planfläche; 0 steht rechtwinklig zur Drehachse. Die Fläche neigt sich in den Zerspanbereich hinein. Unsere "
-      + "Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Neigung der Planfläche; 0 steht rechtwinklig zur Drehachse. Die Fläche neigt sich in den Zerspanbereich hinein. Unsere " +
+      "Auslegung; an der Steuerung prüfen.",
   },
   secondFlankAngle: {
     prompt: "Winkel zweite Flanke?",
@@ -103,7 +106,8 @@ export const params = {
     prompt: "Radius Konturecke?",
     printed,
     label: "Eckenradius",
-    explanation: "Radius in der Innenecke. 0 oder keine Eingabe: scharfe Ecke, in der die Schneide ihren Schneidenradius stehen lässt.",
+    explanation:
+      "Radius in der Innenecke. 0 oder keine Eingabe: scharfe Ecke, in der die Schneide ihren Schneidenradius stehen lässt.",
   },
   endElement: {
     prompt: "Typ Endelement (0/1/2)?",
@@ -122,30 +126,33 @@ export const params = {
     prompt: "Maximale Schnitttiefe?",
     printed,
     label: "Max. Zustellung",
-    explanation: "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum "
-      + "oft kleiner, und es bleibt kein Schleifschnitt.",
+    explanation:
+      "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum " +
+      "oft kleiner, und es bleibt kein Schleifschnitt.",
   },
   infeedAxial: {
     prompt: "Maximale Schnitttiefe?",
     printed,
     label: "Max. Zustellung",
-    explanation: "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft "
-      + "kleiner, und es bleibt kein Schleifschnitt. 0: ein Schnitt.",
+    explanation:
+      "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft " +
+      "kleiner, und es bleibt kein Schleifschnitt. 0: ein Schnitt.",
   },
   infeedGroove: {
     prompt: "Maximale Schnitttiefe?",
     printed,
     label: "Max. Zustellung",
     explanation:
-      "Größte Zustellung je Schnitt, in Z, gleichmäßig aufgeteilt. Die Handbuchseite nennt sie radial; bei einem axialen Einstich "
-      + "wird aber in Z zugestellt, wir halten das für einen Druckfehler. An der Steuerung prüfen.",
+      "Größte Zustellung je Schnitt, in Z, gleichmäßig aufgeteilt. Die Handbuchseite nennt sie radial; bei einem axialen Einstich " +
+      "wird aber in Z zugestellt, wir halten das für einen Druckfehler. An der Steuerung prüfen.",
   },
   roughingFeed: {
     prompt: "Vorschub Schruppen?",
     printed,
     label: "Vorschub Schruppen",
-    explanation: "Vorschub der Schruppschnitte: mit M136 in mm pro Umdrehung, sonst in mm pro Minute. FAUTO nimmt den Vorschub aus dem "
-      + "Werkzeugaufruf.",
+    explanation:
+      "Vorschub der Schruppschnitte: mit M136 in mm pro Umdrehung, sonst in mm pro Minute. FAUTO nimmt den Vorschub aus dem " +
+      "Werkzeugaufruf.",
   },
   oversizeDiameter: {
     prompt: "Aufmaß Durchmesser?",
@@ -163,8 +170,9 @@ export const params = {
     prompt: "Vorschub Schlichten?",
     printed,
     label: "Vorschub Schlichten",
-    explanation: "Vorschub des Schlichtschnitts: mit M136 in mm pro Umdrehung, sonst in mm pro Minute. FAUTO nimmt den Vorschub aus dem "
-      + "Werkzeugaufruf.",
+    explanation:
+      "Vorschub des Schlichtschnitts: mit M136 in mm pro Umdrehung, sonst in mm pro Minute. FAUTO nimmt den Vorschub aus dem " +
+      "Werkzeugaufruf.",
   },
   smoothing: {
     prompt: "Konturglättung (0/1/2)?",
@@ -205,8 +213,9 @@ export const params = {
     prompt: "Schnittbegrenzung (0/1)?",
     printed,
     label: "Schnittbegrenzung",
-    explanation: "Begrenzt die bearbeitete Kontur auf eine Seite von Q480 und Q482: die Seite, auf der das Werkzeug beim Aufruf steht. An- "
-      + "und Abfahrwege dürfen die Grenzen überschreiten.",
+    explanation:
+      "Begrenzt die bearbeitete Kontur auf eine Seite von Q480 und Q482: die Seite, auf der das Werkzeug beim Aufruf steht. An- " +
+      "und Abfahrwege dürfen die Grenzen überschreiten.",
     choices: { 0: "keine Begrenzung", 1: "Begrenzung bei Q480 und Q482" },
   },
   limitDiameter: {
@@ -233,16 +242,17 @@ export const params = {
     printed,
     label: "Versatzbreite",
     explanation:
-      "Verkürzt ab der zweiten Zustellung jeden Schnitt und entlastet so die Schneide seitlich. 0: 0,1 mm je Schnitt. Was an den "
-      + "Flanken stehen bleibt, wird am Ende des Schruppens abgetragen. Die Summe darf 80 % der wirksamen Breite erreichen; gezählt "
-      + "wird je Seite. Unsere Auslegung; an der Steuerung prüfen.",
+      "Verkürzt ab der zweiten Zustellung jeden Schnitt und entlastet so die Schneide seitlich. 0: 0,1 mm je Schnitt. Was an den " +
+      "Flanken stehen bleibt, wird am Ende des Schruppens abgetragen. Die Summe darf 80 % der wirksamen Breite erreichen; gezählt " +
+      "wird je Seite. Unsere Auslegung; an der Steuerung prüfen.",
   },
   depthCompensation: {
     prompt: "Tiefenkorrektur Schlichten?",
     printed,
     label: "Tiefenkorrektur",
-    explanation: "Verschiebt den Grund beim Schlichten und gleicht so aus, dass sich die Schneide beim seitlichen Drehen neigt: positiv "
-      + "wird der Einstich flacher, negativ tiefer. Unsere Auslegung des Vorzeichens; an der Steuerung prüfen.",
+    explanation:
+      "Verschiebt den Grund beim Schlichten und gleicht so aus, dass sich die Schneide beim seitlichen Drehen neigt: positiv " +
+      "wird der Einstich flacher, negativ tiefer. Unsere Auslegung des Vorzeichens; an der Steuerung prüfen.",
   },
   ...turning,
   ...recessing,

@@ -11,7 +11,8 @@ export const chooser = {
   enter: (cycle: string) => `Enter takes ${cycle}.`,
   none: "No cycle fits these words.",
   /** Why a cycle cannot be begun or put in here, though the control has it. */
-  acts: (cycle: string) => `${cycle}: no work by itself, it acts where it stands in a program. Open one and insert it there, under Cycle.`,
+  acts: (cycle: string) =>
+    `${cycle}: no work by itself, it acts where it stands in a program. Open one and insert it there, under Cycle.`,
   kept: (cycle: string) =>
     `${cycle}: shown and kept in a program, but not run; nothing behind it is proved. Paste its lines into the program text.`,
   recent: "Recently used",

@@ -21,7 +21,8 @@ export const page = {
   sizes: { usual: "Usual", presentation: "Large, for a class" },
   motions: { system: "As the system", reduced: "None" },
   gallery: "Gallery: every cycle and every program of the tests, drawn",
-  disclaimer: "Built from the printed cycle pages; not a HEIDENHAIN product. Prove every program on your control before cutting.",
+  disclaimer:
+    "Built from the printed cycle pages; not a HEIDENHAIN product. Prove every program on your control before cutting.",
 
   sections: "Parts of the program",
   prompts: "Prompts",
@@ -38,7 +39,7 @@ export const page = {
     choose: "Choose a cycle",
     chooseLead: "Press a cycle to start with its example values, “Empty” to start without.",
     search: "Search cycles, examples and your work",
-    found: (n: number) => n === 1 ? "1 found." : `${n} found.`,
+    found: (n: number) => (n === 1 ? "1 found." : `${n} found.`),
     foundWork: (name: string) => `Saved work: ${name}`,
     foundExample: (title: string) => `Example: ${title}`,
     beyond: "What a control does not show",
@@ -122,7 +123,11 @@ export const page = {
     unknown: "–",
     waiting: "The values make no path yet. The last possible picture stays.",
     duration: (minutes: number, seconds: string) =>
-      minutes < 60 ? (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`) : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
+      minutes < 60
+        ? minutes > 0
+          ? `${minutes} min ${seconds} s`
+          : `${seconds} s`
+        : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
     faults: "Gouges and collisions",
     pin: {
       make: "Pin this setting",
@@ -142,7 +147,8 @@ export const page = {
     layout: "Layout",
     layouts: { tnc640: "TNC 640", tnc7: "TNC7", iso: "DIN/ISO", manual: "As in the manual" },
     files: { tnc640: "Klartext file for TNC 640", tnc7: "Klartext file for TNC7", iso: "DIN/ISO file" },
-    manualView: "Shown as printed in the manual, without ~. A control does not load this; Copy and Download give the file.",
+    manualView:
+      "Shown as printed in the manual, without ~. A control does not load this; Copy and Download give the file.",
     showFile: "Show the file",
     untied: "Cycle lists without ~: a control does not load this program.",
     tie: "Add ~",
@@ -171,7 +177,8 @@ export const page = {
     blocks: "Blocks of the program",
     running: "running",
     refusedTitle: "Copy by hand",
-    refused: "The browser does not allow access to the clipboard. The text below is selected: press Ctrl+C, or hold and choose Copy.",
+    refused:
+      "The browser does not allow access to the clipboard. The text below is selected: press Ctrl+C, or hold and choose Copy.",
     incomplete: "Some prompts have no usable value yet; the program is not complete.",
   },
 
@@ -182,14 +189,17 @@ export const page = {
         ? "One saved work could not be read. It was set aside, nothing was deleted."
         : `${n} saved works could not be read. They were set aside, nothing was deleted.`,
     notKept: "This browser does not keep work on the device. Copy or download the program before you close the page.",
-    storageFull: "The device has no room left: the latest changes are not kept. Download the program, or remove works on the start page.",
+    storageFull:
+      "The device has no room left: the latest changes are not kept. Download the program, or remove works on the start page.",
     newerWorks: "Some saved works come from a newer edition of this page and are not listed. Nothing was deleted.",
     downloadUnkept: "Download the program",
     archiveUnkept: "Save them as one file",
     copyOfOtherTab: "This work is open in another tab. Here you edit a copy; both are kept.",
-    workNotHere: "The work of this address is not on this device. It may be in another browser, or was removed from the list.",
+    workNotHere:
+      "The work of this address is not on this device. It may be in another browser, or was removed from the list.",
     linkDamaged: "The link holds nothing that can be read.",
-    linkNewer: "The link comes from a newer edition of this page, which this one cannot read. Reload the page and open the link again.",
+    linkNewer:
+      "The link comes from a newer edition of this page, which this one cannot read. Reload the page and open the link again.",
     linkTooLarge: "The program in the link is larger than 20 MB and was not opened. Your own work is as it was.",
     fileTooLarge: "This is more than 20 MB and was not opened. Your own work is as it was.",
     fileUnreadable: "The file could not be read and was not opened. Your own work is as it was.",
@@ -198,14 +208,16 @@ export const page = {
     filesLeftOut:
       "Not everything in the folder was opened: files that are no program texts, or more than is opened at once, were left out.",
     isoRead: "The DIN/ISO program was translated into Klartext and is edited so. “DIN/ISO file” writes it back.",
-    mainUnsure: "No program here calls all the others. If another one is to run, choose it in the list of files above the text.",
+    mainUnsure:
+      "No program here calls all the others. If another one is to run, choose it in the list of files above the text.",
     toolsNotKept: "This browser does not keep the tool table on the device. Export it before you close the page.",
     ownDamaged: "The saved own cycles could not be read. They were set aside, nothing was deleted.",
     ownNotKept: "This browser does not keep the own cycles on the device. Export them before you close the page.",
     crashTitle: "Something went wrong on this page",
     crash: "Your work is saved on this device.",
     missing: {
-      offline: "This part of the page could not be fetched: there is no network. What is open stays, and the part comes with the network.",
+      offline:
+        "This part of the page could not be fetched: there is no network. What is open stays, and the part comes with the network.",
       gone: "This part of the page could not be fetched from the server. What is open stays, also when the page is loaded again.",
     },
     tryAgain: "Try again",

@@ -10,5 +10,10 @@ export const shopWords: ShopWords = {
     thread: ["thread", "threading", "screw", "pitch", "tap"],
   },
   free: ["profile", "shape", "undercut", "contour"],
-  same: [["shoulder", "step"], ["groove", "recess", "slot"], ["face", "facing"], ["contour", "profile"]],
+  same: [
+    ["shoulder", "step"],
+    ["groove", "recess", "slot"],
+    ["face", "facing"],
+    ["contour", "profile"],
+  ],
 };

@@ -11,8 +11,9 @@ export const blockKinds = {
     mistakes: ["M30 is left out: spindle and coolant stay on at the end."],
   },
   blankBox: {
-    about: "A box as blank by its smallest corner (0.1) and its largest (0.2). A box that is turned is taken for "
-      + "the cylinder round its corners.",
+    about:
+      "A box as blank by its smallest corner (0.1) and its largest (0.2). A box that is turned is taken for " +
+      "the cylinder round its corners.",
     rule: "0.1 names the spindle axis; 0.2 has the larger value in each axis.",
     mistakes: ["The corners are exchanged: the box has no volume."],
   },
@@ -37,13 +38,15 @@ export const blockKinds = {
     mistakes: ["It is used for turning tools: these need the table of turning tools."],
   },
   toolCall: {
-    about: "Changes the tool, or with no tool in it only speed, feed or deltas. Behind it nobody knows where the "
-      + "tip stands until it is positioned.",
+    about:
+      "Changes the tool, or with no tool in it only speed, feed or deltas. Behind it nobody knows where the " +
+      "tip stands until it is positioned.",
     rule: "It ends the values of FUNCTION TURNDATA CORR and the radius compensation.",
     mistakes: ["The first block behind it names one axis only: the other comes from anywhere."],
   },
   mode: {
-    about: "Changes between turning and milling. While turning X is a diameter and the spindle that turns is that of the part.",
+    about:
+      "Changes between turning and milling. While turning X is a diameter and the spindle that turns is that of the part.",
     rule: "MODE TURN before the first turning block; the machine may ask for its kinematics.",
     mistakes: ["It is missing: X counts as a radius and cycles are refused."],
   },
@@ -118,7 +121,8 @@ export const blockKinds = {
     mistakes: ["No element has enough given: no solution."],
   },
   undercut: {
-    about: "An undercut of a standard form between a cylinder and its face. Words that are left out come from the standard.",
+    about:
+      "An undercut of a standard form between a cylinder and its face. Words that are left out come from the standard.",
     rule: "It stands in the contour of a cycle, between the two elements.",
     mistakes: ["It stands in the main program: there it does nothing."],
   },
@@ -237,7 +241,11 @@ export const blockKinds = {
     rule: "Q counts in all programs, QL in its own, QR stays after switching off.",
     mistakes: ["The parameter is one that a cycle uses for itself."],
   },
-  assignText: { about: "Puts text into a QS parameter.", rule: "Parts are joined with ||.", mistakes: ["The quotes are left out."] },
+  assignText: {
+    about: "Puts text into a QS parameter.",
+    rule: "Parts are joined with ||.",
+    mistakes: ["The quotes are left out."],
+  },
   functions: {
     about: "M functions without a path: spindle, coolant, unit of the feed.",
     rule: "Some act before the motion of their block, some behind it.",

@@ -73,8 +73,10 @@ export const own = {
     exported: (file: string, n: number) => (n === 1 ? `${file}: 1 cycle.` : `${file}: ${n} cycles.`),
     notALibrary: (file: string) => `${file} is no list of own cycles: JSON with "cycles".`,
     nothing: (file: string) => `${file} holds no cycles.`,
-    tooMany: (file: string, most: number) => `With ${file} there would be more than ${most} cycles. Nothing was taken over.`,
-    wrongCycle: (file: string, at: number) => `${file}: cycle ${at} of the list cannot be read. Nothing was taken over.`,
+    tooMany: (file: string, most: number) =>
+      `With ${file} there would be more than ${most} cycles. Nothing was taken over.`,
+    wrongCycle: (file: string, at: number) =>
+      `${file}: cycle ${at} of the list cannot be read. Nothing was taken over.`,
     unreadable: (file: string) => `${file} could not be read.`,
     tooLarge: (file: string) => `${file} is larger than 2 MB.`,
   },
@@ -83,7 +85,8 @@ export const own = {
   describe: "Describe this cycle",
   describeAbout: "This page does not know the cycle. Describe it once, and its blocks get a dialog.",
   change: "Change the description",
-  unprovedLong: "This page does not know what the cycle does to the path and the stock. Where it is called, nothing behind it is proved.",
+  unprovedLong:
+    "This page does not know what the cycle does to the path and the stock. Where it is called, nothing behind it is proved.",
   notDescribed: "not in the description",
   anyNumber: "any number",
 

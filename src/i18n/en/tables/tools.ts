@@ -26,7 +26,8 @@ export const tools = {
   kinds: { name: "Tables of this device", turning: "Turning", milling: "Milling and drilling" },
   millTable: "Milling and drilling tools of this device",
   millNote: "Only the radius with its delta counts here; lengths are kept for the control.",
-  drillNote: "R with its delta, point angle and edges make the bore on the axis while turning; lengths are kept for the control.",
+  drillNote:
+    "R with its delta, point angle and edges make the bore on the axis while turning; lengths are kept for the control.",
   mill: "mill",
   millDrawing: "Tool to scale",
   flat: "flat",
@@ -82,9 +83,10 @@ export const tools = {
   field: (column: string, meaning: string) => `${column}: ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type: string) => `not used by ${type}`,
-  keptOnly: "Lengths and orientation are kept for the control; the path is that of the theoretical tip. DZL and DXL are how far the "
-    + "tool differs from its measured lengths: the control adds them, so neither path nor stock changes. FUNCTION TURNDATA CORR "
-    + "moves the cut. DYL lies off the turning plane: with a value other than 0 the path is not verified.",
+  keptOnly:
+    "Lengths and orientation are kept for the control; the path is that of the theoretical tip. DZL and DXL are how far the " +
+    "tool differs from its measured lengths: the control adds them, so neither path nor stock changes. FUNCTION TURNDATA CORR " +
+    "moves the cut. DYL lies off the turning plane: with a value other than 0 the path is not verified.",
   anyType: "Choose",
 
   orientation: "TO: where the tip points",
@@ -100,8 +102,9 @@ export const tools = {
 
   files: "Import and export",
   import: "Import",
-  unconfirmed: "Column layout of TOOLTURN.TRN and TOOL.T and ranges of the columns: recalled, not checked against a printed page. Compare "
-    + "on your control.",
+  unconfirmed:
+    "Column layout of TOOLTURN.TRN and TOOL.T and ranges of the columns: recalled, not checked against a printed page. Compare " +
+    "on your control.",
   importedWrong: (n: number) => (n === 1 ? "1 row has an error." : `${n} rows have an error.`),
   cutShort: "The end mark [END] is missing: the file may be cut short.",
   exported: (file: string, n: number) => (n === 1 ? `${file}: 1 tool.` : `${file}: ${n} tools.`),

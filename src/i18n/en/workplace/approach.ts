@@ -1,6 +1,9 @@
 import type { Shape } from "../../shape.ts";
 
-/** Approach and departure: prompts, picture, choice of a form, and the view of the working plane. Numbers arrive as text. */
+/**
+ * Approach and departure: prompts, picture, choice of a form, and the view of the working plane. Numbers arrive as
+ * text.
+ */
 export const approach = {
   form: (block: string) => `Prompts of ${block}`,
   approach: "Approach",
@@ -36,13 +39,21 @@ export const approach = {
       about: "APPR: the first contour point PA. DEP LCT: the end point PN outside the contour.",
     },
     PR: { label: "polar radius", prompt: "Distance from the pole CC?", about: "The pole is the CC block before." },
-    PA: { label: "polar angle", prompt: "Angle round the pole CC?", about: "Counted from the first axis, counter-clockwise positive." },
+    PA: {
+      label: "polar angle",
+      prompt: "Angle round the pole CC?",
+      about: "Counted from the first axis, counter-clockwise positive.",
+    },
     LEN: {
       label: "length",
       prompt: "Length of the straight piece?",
       about: "From the auxiliary point PH to PA, or from PE to PN. With LN a minus sign takes the other side.",
     },
-    CCA: { label: "centre angle", prompt: "Centre angle of the arc?", about: "How far round the arc runs, up to 360°." },
+    CCA: {
+      label: "centre angle",
+      prompt: "Centre angle of the arc?",
+      about: "How far round the arc runs, up to 360°.",
+    },
     R: {
       label: "radius",
       prompt: "Radius of the arc?",
@@ -61,7 +72,10 @@ export const approach = {
     LT: { name: "straight, tangential", about: "A straight line that runs on into the contour." },
     LN: { name: "straight, perpendicular", about: "A straight line square to the contour." },
     CT: { name: "arc, tangential", about: "An arc with a centre angle that runs into the contour." },
-    LCT: { name: "line and arc, tangential", about: "A line that touches an arc that runs into the contour: the radius alone fixes it." },
+    LCT: {
+      name: "line and arc, tangential",
+      about: "A line that touches an arc that runs into the contour: the radius alone fixes it.",
+    },
   },
   /* the picture */
   picture: (block: string, points: string) => `Drawing of ${block}. ${points}`,

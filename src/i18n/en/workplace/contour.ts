@@ -2,8 +2,9 @@ import type { Shape } from "../../shape.ts";
 
 export const contour = {
   title: "Contour",
-  intro: "The first line is the start point. Lines and arcs go from point to point; RND and CHF stand between the two elements "
-    + "whose corner they break.",
+  intro:
+    "The first line is the start point. Lines and arcs go from point to point; RND and CHF stand between the two elements " +
+    "whose corner they break.",
   table: "Contour subprogram",
   empty: "No element yet. Add the start point of the contour first.",
   drawing: (elements: number) => `Drawing of the contour with ${elements === 1 ? "1 element" : `${elements} elements`}`,
@@ -44,17 +45,19 @@ export const contour = {
   sought: "not determined yet",
   freedom: (values: number) => (values === 1 ? "1 value missing" : `${values} values missing`),
   details: "Angle and length",
-  detailsAbout: "Give an angle, a length or T for tangential, and leave out coordinates: they are worked out, forwards and backwards. A "
-    + "question mark leaves out any coordinate. The program gets the coordinates.",
+  detailsAbout:
+    "Give an angle, a length or T for tangential, and leave out coordinates: they are worked out, forwards and backwards. A " +
+    "question mark leaves out any coordinate. The program gets the coordinates.",
   round: (element: number) => `Round the corner behind element ${element}`,
   chamfer: (element: number) => `Chamfer the corner behind element ${element}`,
   drawTools: "Drawing tools",
   views: { label: "Picture", draw: "Draw", lathe: "Lathe" },
   modeShort: { move: "Move", draw: "Draw", round: "Round", chamfer: "Chamfer" },
   canvas: "Contour drawing",
-  canvasKeys: "Arrow keys choose an element, Tab goes through its dimensions, Enter opens one. "
-    + "R and C break the corner, plus and minus zoom, 0 shows all, "
-    + "Shift with arrows moves the picture.",
+  canvasKeys:
+    "Arrow keys choose an element, Tab goes through its dimensions, Enter opens one. " +
+    "R and C break the corner, plus and minus zoom, 0 shows all, " +
+    "Shift with arrows moves the picture.",
   dimension: (name: string, value: string) => `${name}: ${value}`,
   inDrawing: (name: string) => `${name}, in the drawing`,
   emptyDrawing: "Tap where the contour begins, or type the first point.",
@@ -81,13 +84,20 @@ export const contour = {
   remove: (element: number) => `Delete element ${element}`,
   moveUp: (element: number) => `Move element ${element} up`,
   moveDown: (element: number) => `Move element ${element} down`,
-  keys: "Enter: next field · ↑ ↓: same field, next element · I: incremental · Alt+↑ ↓: move · Insert: new element · Ctrl+D: "
-    + "duplicate · Ctrl+Delete: delete · T: tangential · ?: not given · R, C: rounding, chamfer",
-  done: { added: "Element added", removed: "Element deleted", moved: "Element moved", duplicated: "Element duplicated" },
+  keys:
+    "Enter: next field · ↑ ↓: same field, next element · I: incremental · Alt+↑ ↓: move · Insert: new element · Ctrl+D: " +
+    "duplicate · Ctrl+Delete: delete · T: tangential · ?: not given · R, C: rounding, chamfer",
+  done: {
+    added: "Element added",
+    removed: "Element deleted",
+    moved: "Element moved",
+    duplicated: "Element duplicated",
+  },
   dxf: {
     open: "Import DXF",
     title: "Contour from a DXF drawing",
-    preview: (elements: number) => `Preview of the contour with ${elements === 1 ? "1 element" : `${elements} elements`}`,
+    preview: (elements: number) =>
+      `Preview of the contour with ${elements === 1 ? "1 element" : `${elements} elements`}`,
     file: "Drawing",
     choose: "Choose a file",
     tolerance: "Join ends up to (mm)",

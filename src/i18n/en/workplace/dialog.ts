@@ -43,7 +43,8 @@ export const dialog = {
   recalled: "Parameter list recalled: compare it on your control.",
   evidence: {
     mark: "not confirmed",
-    range: "This range is recalled or inferred, not checked against a printed page. Your control may allow another one.",
+    range:
+      "This range is recalled or inferred, not checked against a printed page. Your control may allow another one.",
     parameter: "This parameter is recalled or inferred, not checked against a printed page. Verify it on your control.",
   },
   setup: {

@@ -13,7 +13,14 @@ export const findings = {
   lineOf: (line: string, file: string) => `line ${line} of ${file}`,
   goTo: (place: string) => `Go to ${place}`,
   show: (mark: string) => `Show ${mark} in the lathe view`,
-  places: { tool: "Tool", startX: "Start X", startZ: "Start Z", contour: "Contour", blank: "Blank", spindle: "Spindle" },
+  places: {
+    tool: "Tool",
+    startX: "Start X",
+    startZ: "Start Z",
+    contour: "Contour",
+    blank: "Blank",
+    spindle: "Spindle",
+  },
   fix: "Correct it",
   insert: (text: string) => `Insert ${text}`,
   write: (text: string, block: string) => `Write ${text} in block ${block}`,
@@ -63,19 +70,24 @@ export const findings = {
       approachesClear: "Approach and departure are clear.",
       holderUnknown: (tools: string) => `The holder was not checked for tool ${tools}: the table describes none.`,
       flanksUnknown: (tools: string) => `The flanks were not checked for tool ${tools}: T-ANGLE or P-ANGLE is empty.`,
-      curvatureUnknown: (tools: string) => `No range of diameters is stated for the blade of tool ${tools}, which plunges along Z.`,
+      curvatureUnknown: (tools: string) =>
+        `No range of diameters is stated for the blade of tool ${tools}, which plunges along Z.`,
     },
   },
   leaving: {
     title: "This program has faults",
-    lead:
-      (n:
-        number) => (n === 1
-          ? "As it is it must not run on a machine. One fault was found:"
-          : `As it is it must not run on a machine. ${n} faults were found:`),
+    lead: (n: number) =>
+      n === 1
+        ? "As it is it must not run on a machine. One fault was found:"
+        : `As it is it must not run on a machine. ${n} faults were found:`,
     unchecked: "This program is not checked yet",
     uncheckedLead: "The calculation has not ended. Nobody knows whether there are faults in it.",
-    go: { copy: "Copy all the same", save: "Save all the same", download: "Download all the same", share: "Share all the same" },
+    go: {
+      copy: "Copy all the same",
+      save: "Save all the same",
+      download: "Download all the same",
+      share: "Share all the same",
+    },
     look: "Show the findings",
     cancel: "Cancel",
     withFaults: (n: number) => (n === 1 ? "It has 1 fault." : `It has ${n} faults.`),
@@ -83,8 +95,10 @@ export const findings = {
   done: {
     contour: "The contour is still missing",
     toContour: "Enter the contour",
-    faults:
-      (n: number) => (n === 1 ? "All prompts are answered, but 1 fault was found" : `All prompts are answered, but ${n} faults were found`),
+    faults: (n: number) =>
+      n === 1
+        ? "All prompts are answered, but 1 fault was found"
+        : `All prompts are answered, but ${n} faults were found`,
   },
 };
 

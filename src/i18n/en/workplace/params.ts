@@ -37,7 +37,8 @@ export const params = {
     prompt: "Diameter at contour start?",
     printed,
     label: "Start ⌀",
-    explanation: "X of the contour start, as a diameter. Greater than Q493: outside machining. Smaller than Q493: inside machining.",
+    explanation:
+      "X of the contour start, as a diameter. Greater than Q493: outside machining. Smaller than Q493: inside machining.",
   },
   startZ: {
     prompt: "Contour start in Z?",
@@ -61,15 +62,17 @@ export const params = {
     prompt: "Angle of circumferential surface?",
     printed,
     label: "Surface angle",
-    explanation: "Angle between the circumferential surface and the rotary axis; 0 is a cylinder. The surface leans into the area to be "
-      + "cut, never below it. Our reading; verify on your control.",
+    explanation:
+      "Angle between the circumferential surface and the rotary axis; 0 is a cylinder. The surface leans into the area to be " +
+      "cut, never below it. Our reading; verify on your control.",
   },
   flankAngle: {
     prompt: "Angle of flank?",
     printed,
     label: "Flank angle",
-    explanation: "Angle between the flank at the contour start and a parallel to the rotary axis. The groove gets narrower towards its "
-      + "floor, never wider than its opening. Our reading; verify on your control.",
+    explanation:
+      "Angle between the flank at the contour start and a parallel to the rotary axis. The groove gets narrower towards its " +
+      "floor, never wider than its opening. Our reading; verify on your control.",
   },
   faceAngle: {
     prompt: "Angle of face?",
@@ -101,7 +104,8 @@ export const params = {
     prompt: "Radius at contour corner?",
     printed,
     label: "Corner radius",
-    explanation: "Radius in the inside corner. 0 or no entry: a sharp corner, in which the insert leaves its own radius.",
+    explanation:
+      "Radius in the inside corner. 0 or no entry: a sharp corner, in which the insert leaves its own radius.",
   },
   endElement: {
     prompt: "Type of end element (0/1/2)?",
@@ -121,28 +125,31 @@ export const params = {
     printed,
     label: "Max. infeed",
     explanation:
-      "Largest infeed per pass, on the radius. The depth is divided evenly, so the real infeed is often smaller and no thin last "
-      + "cut remains.",
+      "Largest infeed per pass, on the radius. The depth is divided evenly, so the real infeed is often smaller and no thin last " +
+      "cut remains.",
   },
   infeedAxial: {
     prompt: "Maximum cutting depth?",
     printed,
     label: "Max. infeed",
-    explanation: "Largest infeed per pass, along Z. The depth is divided evenly, so the real infeed is often smaller and no thin last cut "
-      + "remains. 0: one pass.",
+    explanation:
+      "Largest infeed per pass, along Z. The depth is divided evenly, so the real infeed is often smaller and no thin last cut " +
+      "remains. 0: one pass.",
   },
   infeedGroove: {
     prompt: "Maximum cutting depth?",
     printed,
     label: "Max. infeed",
-    explanation: "Largest infeed per pass, along Z, divided evenly. The manual page calls it radial; an axial groove is fed along Z, so we "
-      + "take that for a slip. Verify on your control.",
+    explanation:
+      "Largest infeed per pass, along Z, divided evenly. The manual page calls it radial; an axial groove is fed along Z, so we " +
+      "take that for a slip. Verify on your control.",
   },
   roughingFeed: {
     prompt: "Roughing feed rate?",
     printed,
     label: "Roughing feed",
-    explanation: "Feed of the roughing passes: mm per revolution with M136, mm per minute without. FAUTO takes the feed of the tool call.",
+    explanation:
+      "Feed of the roughing passes: mm per revolution with M136, mm per minute without. FAUTO takes the feed of the tool call.",
   },
   oversizeDiameter: {
     prompt: "Oversize for diameter?",
@@ -160,7 +167,8 @@ export const params = {
     prompt: "Finishing feed rate?",
     printed,
     label: "Finishing feed",
-    explanation: "Feed of the finishing cut: mm per revolution with M136, mm per minute without. FAUTO takes the feed of the tool call.",
+    explanation:
+      "Feed of the finishing cut: mm per revolution with M136, mm per minute without. FAUTO takes the feed of the tool call.",
   },
   smoothing: {
     prompt: "Contour smoothing (0/1/2)?",
@@ -201,8 +209,9 @@ export const params = {
     prompt: "Machining limits (0/1)?",
     printed,
     label: "Limits",
-    explanation: "Restricts the contour that is cut to one side of Q480 and Q482: the side on which the tool stands at the call. Approach "
-      + "and departure may cross the limits.",
+    explanation:
+      "Restricts the contour that is cut to one side of Q480 and Q482: the side on which the tool stands at the call. Approach " +
+      "and departure may cross the limits.",
     choices: { 0: "no limits", 1: "limits at Q480 and Q482" },
   },
   limitDiameter: {
@@ -228,17 +237,18 @@ export const params = {
     prompt: "Offset width?",
     printed,
     label: "Offset width",
-    explanation: "Shortens each pass from the second infeed on, which relieves the insert sideways. 0: 0.1 mm per pass. What stays on the "
-      + "walls is taken at the end of roughing. The sum may reach 80 % of the effective width; we add up per side. Our reading; "
-      + "verify on your control.",
+    explanation:
+      "Shortens each pass from the second infeed on, which relieves the insert sideways. 0: 0.1 mm per pass. What stays on the " +
+      "walls is taken at the end of roughing. The sum may reach 80 % of the effective width; we add up per side. Our reading; " +
+      "verify on your control.",
   },
   depthCompensation: {
     prompt: "Finishing depth compensation?",
     printed,
     label: "Depth compensation",
     explanation:
-      "Shifts the floor of the finishing cut, to make up for the tilt of the insert while it turns sideways: positive leaves the "
-      + "groove shallower, negative makes it deeper. Our reading of the sign; verify on your control.",
+      "Shifts the floor of the finishing cut, to make up for the tilt of the insert while it turns sideways: positive leaves the " +
+      "groove shallower, negative makes it deeper. Our reading of the sign; verify on your control.",
   },
   ...turning,
   ...recessing,

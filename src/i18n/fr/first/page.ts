@@ -21,8 +21,9 @@ export const page = {
   sizes: { usual: "Habituelle", presentation: "Grande, pour une classe" },
   motions: { system: "Comme le système", reduced: "Aucune" },
   gallery: "Galerie : tous les cycles et les programmes des tests, dessinés",
-  disclaimer: "Établi d’après les pages imprimées des cycles ; ce n’est pas un produit HEIDENHAIN. Vérifier chaque programme sur la "
-    + "commande avant d’usiner.",
+  disclaimer:
+    "Établi d’après les pages imprimées des cycles ; ce n’est pas un produit HEIDENHAIN. Vérifier chaque programme sur la " +
+    "commande avant d’usiner.",
 
   sections: "Parties du programme",
   prompts: "Dialogue",
@@ -35,12 +36,11 @@ export const page = {
   start: {
     which: "Quel cycle ?",
     title: "Cycles de tournage HEIDENHAIN en dialogue",
-    lead:
-      "Pour TNC 640 et TNC7. Répondre aux questions comme sur la commande, regarder le tour, contrôler la coupe, emporter le programme.",
+    lead: "Pour TNC 640 et TNC7. Répondre aux questions comme sur la commande, regarder le tour, contrôler la coupe, emporter le programme.",
     choose: "Choisir un cycle",
     chooseLead: "Un appui sur un cycle commence avec ses valeurs d’exemple, « Vide » commence sans valeurs.",
     search: "Chercher dans les cycles, les exemples et les travaux enregistrés",
-    found: (n) => n === 1 ? "1 trouvé." : `${n} trouvés.`,
+    found: (n) => (n === 1 ? "1 trouvé." : `${n} trouvés.`),
     foundWork: (name) => `Travail enregistré : ${name}`,
     foundExample: (title) => `Exemple : ${title}`,
     beyond: "Ce qu’une commande ne montre pas",
@@ -86,7 +86,8 @@ export const page = {
     examples: "Exemples",
     example: (title) => `Ouvrir l’exemple ${title}`,
     fromJob: "Ouvrir comme programme",
-    fromJobLong: "Ouvrir ce programme comme programme entier ; les valeurs du dialogue restent dans le travail d’origine",
+    fromJobLong:
+      "Ouvrir ce programme comme programme entier ; les valeurs du dialogue restent dans le travail d’origine",
     pasteTitle: "Coller un programme",
     pasteLabel: "Texte du programme",
     pasteOpen: "Ouvrir",
@@ -124,7 +125,11 @@ export const page = {
     unknown: "–",
     waiting: "Ces valeurs ne donnent pas encore de trajectoire. La dernière image possible reste affichée.",
     duration: (minutes, seconds) =>
-      minutes < 60 ? (minutes > 0 ? `${minutes} min ${seconds} s` : `${seconds} s`) : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
+      minutes < 60
+        ? minutes > 0
+          ? `${minutes} min ${seconds} s`
+          : `${seconds} s`
+        : `${Math.floor(minutes / 60)} h ${minutes % 60} min`,
     faults: "Contour endommagé et collisions",
     pin: {
       make: "Épingler ce réglage",
@@ -144,7 +149,8 @@ export const page = {
     layout: "Présentation",
     layouts: { tnc640: "TNC 640", tnc7: "TNC7", iso: "DIN/ISO", manual: "Comme au manuel" },
     files: { tnc640: "Fichier Klartext pour TNC 640", tnc7: "Fichier Klartext pour TNC7", iso: "Fichier DIN/ISO" },
-    manualView: "Affiché comme imprimé dans le manuel, sans ~. Une commande ne le charge pas ; Copier et Télécharger donnent le fichier.",
+    manualView:
+      "Affiché comme imprimé dans le manuel, sans ~. Une commande ne le charge pas ; Copier et Télécharger donnent le fichier.",
     showFile: "Afficher le fichier",
     untied: "Listes de cycle sans ~ : une commande ne charge pas ce programme.",
     tie: "Ajouter ~",
@@ -173,7 +179,8 @@ export const page = {
     blocks: "Séquences du programme",
     running: "en cours",
     refusedTitle: "Copier à la main",
-    refused: "Le navigateur refuse l’accès au presse-papiers. Le texte ci-dessous est sélectionné : Ctrl+C, ou appui long puis Copier.",
+    refused:
+      "Le navigateur refuse l’accès au presse-papiers. Le texte ci-dessous est sélectionné : Ctrl+C, ou appui long puis Copier.",
     incomplete: "Certaines questions n’ont pas encore de valeur utilisable ; le programme n’est pas complet.",
   },
 
@@ -183,10 +190,11 @@ export const page = {
       n === 1
         ? "Un travail enregistré était illisible. Il a été mis de côté, rien n’a été effacé."
         : `${n} travaux enregistrés étaient illisibles. Ils ont été mis de côté, rien n’a été effacé.`,
-    notKept: "Ce navigateur n’enregistre rien sur l’appareil. Copier ou télécharger le programme avant de fermer la page.",
+    notKept:
+      "Ce navigateur n’enregistre rien sur l’appareil. Copier ou télécharger le programme avant de fermer la page.",
     storageFull:
-      "L’appareil n’a plus de place : les dernières modifications ne sont pas enregistrées. Télécharger le programme, ou retirer "
-      + "des travaux sur la page d’accueil.",
+      "L’appareil n’a plus de place : les dernières modifications ne sont pas enregistrées. Télécharger le programme, ou retirer " +
+      "des travaux sur la page d’accueil.",
     newerWorks:
       "Certains travaux enregistrés proviennent d’une version plus récente de cette page et ne sont pas listés. Rien n’a été effacé.",
     downloadUnkept: "Télécharger le programme",
@@ -196,16 +204,20 @@ export const page = {
     linkDamaged: "Le lien ne contient rien de lisible.",
     linkNewer:
       "Le lien vient d’une édition plus récente de cette page, que celle-ci ne peut pas lire. Recharger la page et rouvrir le lien.",
-    linkTooLarge: "Le programme contenu dans le lien dépasse 20 Mo et n’a pas été ouvert. Le travail en cours est inchangé.",
+    linkTooLarge:
+      "Le programme contenu dans le lien dépasse 20 Mo et n’a pas été ouvert. Le travail en cours est inchangé.",
     fileTooLarge: "Cela dépasse 20 Mo et n’a pas été ouvert. Le travail en cours est inchangé.",
     fileUnreadable: "Le fichier n’a pas pu être lu et n’a pas été ouvert. Le travail en cours est inchangé.",
     engineFailed: "Le calcul s’est interrompu. Les valeurs sont conservées, et il peut être relancé.",
-    toolsDamaged: "Le tableau d’outils enregistré est illisible. Il a été mis de côté ; les outils fournis sont en place.",
-    filesLeftOut: "Tout le dossier n’a pas été ouvert : les fichiers qui ne sont pas des textes de programme, ou de trop, ont été laissés.",
+    toolsDamaged:
+      "Le tableau d’outils enregistré est illisible. Il a été mis de côté ; les outils fournis sont en place.",
+    filesLeftOut:
+      "Tout le dossier n’a pas été ouvert : les fichiers qui ne sont pas des textes de programme, ou de trop, ont été laissés.",
     isoRead: "Le programme DIN/ISO a été traduit en Klartext et s’édite ainsi. « Fichier DIN/ISO » le réécrit.",
     mainUnsure:
       "Aucun programme ici n’appelle tous les autres. Si un autre doit tourner, le choisir dans la liste des fichiers au-dessus du texte.",
-    toolsNotKept: "Ce navigateur ne conserve pas le tableau d’outils sur l’appareil. L’exporter avant de fermer la page.",
+    toolsNotKept:
+      "Ce navigateur ne conserve pas le tableau d’outils sur l’appareil. L’exporter avant de fermer la page.",
     ownDamaged: "Les cycles maison enregistrés étaient illisibles. Ils ont été mis de côté, rien n’a été effacé.",
     ownNotKept: "Ce navigateur ne conserve pas les cycles maison sur l’appareil. Les exporter avant de fermer la page.",
     crashTitle: "Une erreur est survenue sur cette page",

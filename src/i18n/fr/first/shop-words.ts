@@ -10,5 +10,9 @@ export const shopWords: ShopWords = {
     thread: ["filetage", "fileter", "filet", "vis", "pas"],
   },
   free: ["profil", "forme", "dégagement", "contour"],
-  same: [["épaulement", "gradin", "portée"], ["gorge", "rainure", "saignée"], ["contour", "profil"]],
+  same: [
+    ["épaulement", "gradin", "portée"],
+    ["gorge", "rainure", "saignée"],
+    ["contour", "profil"],
+  ],
 };

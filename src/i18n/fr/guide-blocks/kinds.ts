@@ -13,8 +13,9 @@ export const blockKinds = typeset({
     mistakes: ["M30 manque : broche et arrosage restent en marche à la fin."],
   },
   blankBox: {
-    about: "Un pavé comme brut, par son plus petit coin (0.1) et son plus grand (0.2). Tourné, il vaut le "
-      + "cylindre qui passe par ses coins.",
+    about:
+      "Un pavé comme brut, par son plus petit coin (0.1) et son plus grand (0.2). Tourné, il vaut le " +
+      "cylindre qui passe par ses coins.",
     rule: "0.1 nomme l’axe de broche ; 0.2 a la plus grande valeur sur chaque axe.",
     mistakes: ["Les coins sont inversés : le pavé n’a pas de volume."],
   },
@@ -39,13 +40,15 @@ export const blockKinds = typeset({
     mistakes: ["Il sert pour des outils de tournage : ceux-ci demandent leur tableau."],
   },
   toolCall: {
-    about: "Change l’outil, ou sans outil seulement vitesse, avance ou surépaisseurs. Ensuite personne ne sait où est "
-      + "la pointe avant qu’elle soit positionnée.",
+    about:
+      "Change l’outil, ou sans outil seulement vitesse, avance ou surépaisseurs. Ensuite personne ne sait où est " +
+      "la pointe avant qu’elle soit positionnée.",
     rule: "Il met fin aux valeurs de FUNCTION TURNDATA CORR et à la correction de rayon.",
     mistakes: ["La première séquence qui suit ne nomme qu’un axe : l’autre vient de n’importe où."],
   },
   mode: {
-    about: "Passe du tournage au fraisage et retour. En tournage X est un ⌀, et c’est la broche de la pièce qui tourne.",
+    about:
+      "Passe du tournage au fraisage et retour. En tournage X est un ⌀, et c’est la broche de la pièce qui tourne.",
     rule: "MODE TURN avant la première séquence de tournage ; la machine peut demander sa cinématique.",
     mistakes: ["Il manque : X compte comme rayon et les cycles de tournage sont refusés."],
   },
@@ -60,7 +63,8 @@ export const blockKinds = typeset({
     mistakes: ["Le signe est inversé : plus de DXL agrandit un diamètre extérieur."],
   },
   turnBlank: {
-    about: "Suivi de la pièce brute : la commande retient ce qui est coupé, pour qu’aucun cycle ne coupe à nouveau dans l’air.",
+    about:
+      "Suivi de la pièce brute : la commande retient ce qui est coupé, pour qu’aucun cycle ne coupe à nouveau dans l’air.",
     rule: "Actif de BLANK à BLANK OFF ; le profil doit être fermé.",
     mistakes: ["Il reste actif pour le second serrage : l’ancien brut compte encore."],
   },
@@ -199,7 +203,11 @@ export const blockKinds = typeset({
     rule: "Le nom peut se trouver dans un paramètre QS.",
     mistakes: ["Un autre est choisi entre les deux : c’est lui qui vaut."],
   },
-  callSelected: { about: "Exécute le dernier programme choisi.", rule: "Un SEL PGM précède.", mistakes: ["Rien n’a été choisi."] },
+  callSelected: {
+    about: "Exécute le dernier programme choisi.",
+    rule: "Un SEL PGM précède.",
+    mistakes: ["Rien n’a été choisi."],
+  },
   datum: {
     about: "Déplace le point zéro : la suite compte de là.",
     rule: "Il vaut jusqu’au suivant ; RESET l’annule.",

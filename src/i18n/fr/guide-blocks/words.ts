@@ -18,13 +18,22 @@ export const blockWords = typeset({
     about: "X de ce coin. Autour de l’axe, le coin le plus éloigné décide.",
     mistakes: ["Le ⌀ est saisi ; un pavé compte depuis l’axe."],
   },
-  "blankBox.Y": { about: "Y de ce coin. Autour de l’axe, le coin le plus éloigné décide.", mistakes: ["Le pavé est à côté de l’axe."] },
-  "blankBox.Z": { about: "Z de ce coin : 0.1 l’arrière, 0.2 la face.", mistakes: ["La face finit à Z0 alors qu’elle est encore brute."] },
+  "blankBox.Y": {
+    about: "Y de ce coin. Autour de l’axe, le coin le plus éloigné décide.",
+    mistakes: ["Le pavé est à côté de l’axe."],
+  },
+  "blankBox.Z": {
+    about: "Z de ce coin : 0.1 l’arrière, 0.2 la face.",
+    mistakes: ["La face finit à Z0 alors qu’elle est encore brute."],
+  },
   outsideMeasure: {
     about: "Si l’extérieur est donné en ⌀ (D) ou en rayon (R).",
     mistakes: ["R est resté et un ⌀ est saisi : le brut est deux fois trop gros."],
   },
-  insideMeasure: { about: "Si l’alésage est donné en ⌀ (DI) ou en rayon (RI).", mistakes: ["RI est resté et un ⌀ est saisi."] },
+  insideMeasure: {
+    about: "Si l’alésage est donné en ⌀ (DI) ou en rayon (RI).",
+    mistakes: ["RI est resté et un ⌀ est saisi."],
+  },
   measure: {
     about: "Si X du profil compte en ⌀ (DIM_D) ou en rayon (DIM_R).",
     mistakes: ["Le profil est tracé en rayons et DIM_D est là : le brut est deux fois trop mince."],
@@ -74,31 +83,49 @@ export const blockWords = typeset({
     about: "Surépaisseur de rayon : plus laisse de la matière aux contours fraisés.",
     mistakes: ["Elle est restée de l’ébauche."],
   },
-  mode: { about: "TURN pour tourner, MILL pour fraiser.", mistakes: ["MILL est oublié après le tournage : X reste un ⌀."] },
+  mode: {
+    about: "TURN pour tourner, MILL pour fraiser.",
+    mistakes: ["MILL est oublié après le tournage : X reste un ⌀."],
+  },
   kinematics: {
     about: "Nom d’une cinématique de la machine, si elle en a plusieurs.",
     mistakes: ["Le nom d’une autre machine s’y trouve."],
   },
   constantSurface: {
     about: "Marche : la vitesse de coupe est tenue et les tours suivent le ⌀. Arrêt : les tours sont tenus.",
-    mistakes: ["Marche pour un filet : le pas n’est juste qu’à vitesse fixe.", "Marche sans SMAX : vers l’axe, la broche s’emballe."],
+    mistakes: [
+      "Marche pour un filet : le pas n’est juste qu’à vitesse fixe.",
+      "Marche sans SMAX : vers l’axe, la broche s’emballe.",
+    ],
   },
   "turnCorrection.system": {
     about: "TCS : le long de l’outil. WPL : le long de la pièce.",
     mistakes: ["WPL est choisi pour une usure de l’outil."],
   },
-  "turnCorrection.plane": { about: "Le plan où compte la correction : Z/X en tournage.", mistakes: ["X/Y est resté du fraisage."] },
+  "turnCorrection.plane": {
+    about: "Le plan où compte la correction : Z/X en tournage.",
+    mistakes: ["X/Y est resté du fraisage."],
+  },
   DZL: {
     about: "L’outil compte plus long d’autant en Z : les faces vont vers +Z.",
     mistakes: ["Elle est prise pour une surépaisseur du contour."],
   },
-  DXL: { about: "L’outil compte plus long d’autant en X, au rayon : le ⌀ change du double.", mistakes: ["La différence de ⌀ est saisie."] },
+  DXL: {
+    about: "L’outil compte plus long d’autant en X, au rayon : le ⌀ change du double.",
+    mistakes: ["La différence de ⌀ est saisie."],
+  },
   X: {
     about: "X du point final : un ⌀ en tournage, une coordonnée en fraisage. Avec I il compte d’où se trouve l’outil.",
     mistakes: ["Un rayon est saisi : la pièce devient deux fois trop mince.", "I reste : la valeur s’ajoute."],
   },
-  Y: { about: "Y du point final. En tournage il reste vide.", mistakes: ["Il est resté du fraisage : en tournage il ne fait rien."] },
-  Z: { about: "Z du point final. Z0 est en général la face finie ; la pièce est du côté moins.", mistakes: ["Le signe moins manque."] },
+  Y: {
+    about: "Y du point final. En tournage il reste vide.",
+    mistakes: ["Il est resté du fraisage : en tournage il ne fait rien."],
+  },
+  Z: {
+    about: "Z du point final. Z0 est en général la face finie ; la pièce est du côté moins.",
+    mistakes: ["Le signe moins manque."],
+  },
   axis: {
     about: "Un autre axe de la machine : rotatif en degrés, parallèle en mm. Il n’est pas simulé.",
     mistakes: ["Il tourne pendant que l’outil coupe."],
@@ -114,15 +141,22 @@ export const blockWords = typeset({
     about: "Z du point final. Il doit être sur le cercle autour de CC.",
     mistakes: ["Il est arrondi : la commande ne trouve pas de cercle."],
   },
-  "datum.X": { about: "De combien le point zéro se déplace en X ; un ⌀ en tournage.", mistakes: ["C’était la moitié qu’il fallait."] },
+  "datum.X": {
+    about: "De combien le point zéro se déplace en X ; un ⌀ en tournage.",
+    mistakes: ["C’était la moitié qu’il fallait."],
+  },
   "datum.Y": { about: "De combien le point zéro se déplace en Y.", mistakes: ["Il est resté du fraisage."] },
   "datum.Z": {
     about: "De combien le point zéro se déplace en Z : moins va vers le mandrin.",
     mistakes: ["On le compte depuis le décalage précédent : une nouvelle valeur remplace l’ancienne."],
   },
-  polarRadius: { about: "Distance du pôle CC au point final, en mm, pas un ⌀.", mistakes: ["Le ⌀ du cercle est saisi."] },
+  polarRadius: {
+    about: "Distance du pôle CC au point final, en mm, pas un ⌀.",
+    mistakes: ["Le ⌀ du cercle est saisi."],
+  },
   polarAngle: {
-    about: "Direction depuis le pôle, comptée du premier axe du plan : en tournage de +Z. Avec I, de la dernière direction.",
+    about:
+      "Direction depuis le pôle, comptée du premier axe du plan : en tournage de +Z. Avec I, de la dernière direction.",
     mistakes: ["Il est compté de X en tournage.", "I manque dans une répétition : tout est au même endroit."],
   },
   radius: {
@@ -137,13 +171,17 @@ export const blockWords = typeset({
     about: "Le sens de l’arc, vu sur le plan : DR- horaire, DR+ antihoraire.",
     mistakes: ["Il est lu de dessous l’axe : là il est inversé."],
   },
-  chamfer: { about: "Longueur le long de chacune des deux arêtes.", mistakes: ["Elle est plus longue qu’une arête voisine."] },
+  chamfer: {
+    about: "Longueur le long de chacune des deux arêtes.",
+    mistakes: ["Elle est plus longue qu’une arête voisine."],
+  },
   compensation: {
     about: "Où passe l’outil par rapport au contour : RL à gauche, RR à droite, R0 dessus.",
     mistakes: ["Elle est activée dans la coupe et non dans l’air.", "R0 manque à la fin."],
   },
   feed: {
-    about: "Avance de cette séquence et des suivantes. FMAX ne vaut que dans sa séquence, FAUTO prend celle de TOOL CALL.",
+    about:
+      "Avance de cette séquence et des suivantes. FMAX ne vaut que dans sa séquence, FAUTO prend celle de TOOL CALL.",
     mistakes: ["Avec M136, une avance par minute est saisie.", "FMAX est là où l’outil coupe."],
   },
   functions: {
@@ -165,13 +203,17 @@ export const blockWords = typeset({
     about: "La forme normalisée : E dans le cylindre, F dans cylindre et face, H, K, U, ou celle d’un filet.",
     mistakes: ["F alors que la face est déjà finie."],
   },
-  "groove.form": { about: "RADIAL dans un cylindre, AXIAL dans une face.", mistakes: ["La forme ne convient pas à l’élément précédent."] },
+  "groove.form": {
+    about: "RADIAL dans un cylindre, AXIAL dans une face.",
+    mistakes: ["La forme ne convient pas à l’élément précédent."],
+  },
   R: { about: "Rayon dans les coins du fond.", mistakes: ["Il est plus petit que le rayon de bec."] },
   DEPTH: { about: "De combien il entre dans la matière.", mistakes: ["Elle est saisie comme ⌀."] },
   BREADTH: { about: "Sa largeur le long de son élément.", mistakes: ["Elle est plus étroite que la plaquette."] },
   ANGLE: { about: "La pente du flanc.", mistakes: ["Il est plus raide que l’arête de la plaquette ne peut suivre."] },
   "groove.DEPTH": {
-    about: "Profondeur de la gorge ; le signe indique de quel côté de l’élément elle se trouve : négatif vers −X ou −Z.",
+    about:
+      "Profondeur de la gorge ; le signe indique de quel côté de l’élément elle se trouve : négatif vers −X ou −Z.",
     mistakes: ["Elle est saisie comme ⌀."],
   },
   "groove.ANGLE": {
@@ -182,29 +224,56 @@ export const blockWords = typeset({
     about: "Angle d’ouverture entre les deux flancs, à la place de ANGLE.",
     mistakes: ["L’angle d’un seul flanc est saisi : la gorge s’ouvre alors deux fois moins."],
   },
-  FACEDEPTH: { about: "De combien le dégagement entre dans la face.", mistakes: ["Elle manque et la valeur de la norme vaut."] },
+  FACEDEPTH: {
+    about: "De combien le dégagement entre dans la face.",
+    mistakes: ["Elle manque et la valeur de la norme vaut."],
+  },
   FACEANGLE: { about: "Sa pente à la sortie de la face.", mistakes: ["Il est mesuré depuis l’axe."] },
-  ROT: { about: "De combien le dégagement est tourné.", mistakes: ["45° est usuel ; le signe le tourne dans la paroi."] },
+  ROT: {
+    about: "De combien le dégagement est tourné.",
+    mistakes: ["45° est usuel ; le signe le tourne dans la paroi."],
+  },
   "rotation.ROT": {
     about: "Angle dont tourne le plan, positif dans le sens antihoraire.",
     mistakes: ["Il est encore actif pour la forme suivante."],
   },
-  PITCH: { about: "Pas du filet auquel appartient le dégagement : le tableau en donne les cotes.", mistakes: ["Le ⌀ du filet est saisi."] },
-  CENTER: { about: "Où est le milieu de la gorge : Z sur un cylindre, ⌀ sur une face.", mistakes: ["Un bord de la gorge est saisi."] },
+  PITCH: {
+    about: "Pas du filet auquel appartient le dégagement : le tableau en donne les cotes.",
+    mistakes: ["Le ⌀ du filet est saisi."],
+  },
+  CENTER: {
+    about: "Où est le milieu de la gorge : Z sur un cylindre, ⌀ sur une face.",
+    mistakes: ["Un bord de la gorge est saisi."],
+  },
   DIAM: { about: "⌀ du fond, à la place de la profondeur.", mistakes: ["Profondeur et ⌀ sont donnés tous deux."] },
   RND: { about: "Rayon sur l’arête extérieure.", mistakes: ["RND et CHF sont donnés tous deux."] },
   CHF: { about: "Chanfrein sur l’arête extérieure.", mistakes: ["RND et CHF sont donnés tous deux."] },
-  FAR_RND: { about: "Rayon sur l’arête extérieure éloignée, s’il diffère.", mistakes: ["Arête proche et éloignée sont inversées."] },
-  FAR_CHF: { about: "Chanfrein sur l’arête extérieure éloignée, s’il diffère.", mistakes: ["Arête proche et éloignée sont inversées."] },
+  FAR_RND: {
+    about: "Rayon sur l’arête extérieure éloignée, s’il diffère.",
+    mistakes: ["Arête proche et éloignée sont inversées."],
+  },
+  FAR_CHF: {
+    about: "Chanfrein sur l’arête extérieure éloignée, s’il diffère.",
+    mistakes: ["Arête proche et éloignée sont inversées."],
+  },
   label: { about: "Numéro ou nom de l’endroit.", mistakes: ["Le même numéro est là deux fois."] },
-  "call.label": { about: "Quel label est appelé.", mistakes: ["C’est le label d’un contour : il s’exécute comme trajectoire."] },
+  "call.label": {
+    about: "Quel label est appelé.",
+    mistakes: ["C’est le label d’un contour : il s’exécute comme trajectoire."],
+  },
   repeat: {
     about: "Combien de fois la partie est répétée, après la première.",
     mistakes: ["Il y en a une de trop : la première exécution ne compte pas."],
   },
-  "contour.cycleLine": { about: "Les labels du contour, séparés par /.", mistakes: ["Le label de la pièce brute s’y trouve."] },
+  "contour.cycleLine": {
+    about: "Les labels du contour, séparés par /.",
+    mistakes: ["Le label de la pièce brute s’y trouve."],
+  },
   cycleLine: { about: "Ce qui suit le numéro de la ligne.", mistakes: ["Cela appartient à une autre ligne du cycle."] },
-  how: { about: "Ici ; à des positions (POS) ; ou à chaque point d’un motif (PAT).", mistakes: ["PAT sans motif avant lui."] },
+  how: {
+    about: "Ici ; à des positions (POS) ; ou à chaque point d’un motif (PAT).",
+    mistakes: ["PAT sans motif avant lui."],
+  },
   SCL: { about: "Facteur : 1 est la même taille.", mistakes: ["Un pourcentage est saisi."] },
   target: { about: "Le paramètre qui reçoit la valeur.", mistakes: ["Q100 à Q199 appartiennent à la commande."] },
   formula: {

@@ -3,8 +3,7 @@ import type { OwnTexts } from "../../en/tables/own.ts";
 export const own: OwnTexts = {
   back: "Retour",
   backLong: "Retour au travail",
-  lead:
-    "Des cycles que cette page ne connaît pas, décrits une fois : ils reçoivent un dialogue et un texte propre. Ils ne sont pas simulés.",
+  lead: "Des cycles que cette page ne connaît pas, décrits une fois : ils reçoivent un dialogue et un texte propre. Ils ne sont pas simulés.",
   count: (n) => (n === 1 ? "1 cycle" : `${n} cycles`),
   list: "Cycles maison de cet appareil",
   none: "Aucun cycle n’est encore décrit. En commencer un ici, ou ouvrir sa séquence dans un programme et choisir « Décrire ce cycle ».",

@@ -27,8 +27,8 @@ export const tools = {
   millTable: "Outils de fraisage et de perçage de cet appareil",
   millNote: "Seul compte ici le rayon avec sa surépaisseur ; les longueurs sont conservées pour la commande.",
   drillNote:
-    "R avec sa surépaisseur, l’angle de pointe et les arêtes font le perçage sur l’axe en tournage ; les longueurs sont conservées "
-    + "pour la commande.",
+    "R avec sa surépaisseur, l’angle de pointe et les arêtes font le perçage sur l’axe en tournage ; les longueurs sont conservées " +
+    "pour la commande.",
   mill: "fraise",
   millDrawing: "Outil à l’échelle",
   flat: "plate",
@@ -84,10 +84,11 @@ export const tools = {
   field: (column, meaning) => `${column} : ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `sans effet pour ${type}`,
-  keptOnly: "Longueurs et orientation sont conservées pour la commande ; la trajectoire est celle de la pointe théorique. DZL et DXL "
-    + "sont l’écart de l’outil à ses longueurs mesurées : la commande les ajoute, ni trajectoire ni brut ne changent. FUNCTION "
-    + "TURNDATA CORR déplace la coupe. DYL est hors du plan de tournage : avec une valeur différente de 0, la trajectoire n’est pas "
-    + "vérifiée.",
+  keptOnly:
+    "Longueurs et orientation sont conservées pour la commande ; la trajectoire est celle de la pointe théorique. DZL et DXL " +
+    "sont l’écart de l’outil à ses longueurs mesurées : la commande les ajoute, ni trajectoire ni brut ne changent. FUNCTION " +
+    "TURNDATA CORR déplace la coupe. DYL est hors du plan de tournage : avec une valeur différente de 0, la trajectoire n’est pas " +
+    "vérifiée.",
   anyType: "Choisir",
 
   orientation: "TO : où regarde la pointe",
@@ -103,8 +104,9 @@ export const tools = {
 
   files: "Importer et exporter",
   import: "Importer",
-  unconfirmed: "Disposition de TOOLTURN.TRN et TOOL.T et plages des colonnes : de mémoire, non vérifiées sur une page imprimée. Comparer "
-    + "sur la commande.",
+  unconfirmed:
+    "Disposition de TOOLTURN.TRN et TOOL.T et plages des colonnes : de mémoire, non vérifiées sur une page imprimée. Comparer " +
+    "sur la commande.",
   importedWrong: (n) => (n === 1 ? "1 ligne a une erreur." : `${n} lignes ont une erreur.`),
   cutShort: "La marque de fin [END] manque : le fichier est peut-être tronqué.",
   exported: (file, n) => (n === 1 ? `${file} : 1 outil.` : `${file} : ${n} outils.`),

@@ -26,7 +26,8 @@ export const approach = {
     Z: {
       label: "axe d’outil",
       prompt: "Profondeur ou hauteur dans l’axe d’outil ?",
-      about: "Omis, l’outil garde sa hauteur. La TNC 640 se déplace d’abord dans le plan, la TNC7 sur tous les axes à la fois.",
+      about:
+        "Omis, l’outil garde sa hauteur. La TNC 640 se déplace d’abord dans le plan, la TNC7 sur tous les axes à la fois.",
     },
     turningZ: {
       label: "point",
@@ -55,7 +56,11 @@ export const approach = {
       prompt: "Correction de rayon : RL, RR ou R0 ?",
       about: "RL : l’outil à gauche du contour, RR : à droite, R0 : sur le contour même.",
     },
-    F: { label: "avance", prompt: "Avance ?", about: "À partir de PH ; avec LCT à partir de PS. FMAX et FAUTO sont possibles." },
+    F: {
+      label: "avance",
+      prompt: "Avance ?",
+      about: "À partir de PH ; avec LCT à partir de PS. FMAX et FAUTO sont possibles.",
+    },
     M: { label: "fonction", prompt: "Fonction auxiliaire M ?", about: "Plusieurs, séparées par des espaces." },
   },
   sides: { RL: "à gauche du contour", RR: "à droite du contour", R0: "sans correction" },
@@ -63,7 +68,10 @@ export const approach = {
     LT: { name: "droite tangentielle", about: "Une droite qui se prolonge dans le contour." },
     LN: { name: "droite perpendiculaire", about: "Une droite perpendiculaire au contour." },
     CT: { name: "arc tangentiel", about: "Un arc avec angle au centre qui se raccorde au contour." },
-    LCT: { name: "droite et arc tangentiels", about: "Une droite tangente à un arc raccordé au contour : le rayon seul le fixe." },
+    LCT: {
+      name: "droite et arc tangentiels",
+      about: "Une droite tangente à un arc raccordé au contour : le rayon seul le fixe.",
+    },
   },
   picture: (block, points) => `Dessin de ${block}. ${points}`,
   point: (name, where) => `${name} en ${where}`,
@@ -79,7 +87,12 @@ export const approach = {
   noPicture: "L’image apparaît dès que le point est complet et qu’un élément de contour touche la séquence.",
   stale: "Dernière image possible",
   pointTable: "Points du centre d’outil",
-  lines: { centre: "trajectoire du centre", block: "avance de la séquence", before: "avance précédente", rapid: "rapide" },
+  lines: {
+    centre: "trajectoire du centre",
+    block: "avance de la séquence",
+    before: "avance précédente",
+    rapid: "rapide",
+  },
   choose: "Choisir une forme",
   chooseAbout: "Les huit sur le même contour, avec le même outil.",
   take: (block, name) => `${block} : ${name}`,

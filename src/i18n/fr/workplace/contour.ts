@@ -2,8 +2,9 @@ import type { ContourTexts } from "../../en/workplace/contour.ts";
 
 export const contour = {
   title: "Contour",
-  intro: "La première ligne est le point de départ. Droites et arcs vont de point en point ; RND et CHF se placent entre les deux "
-    + "éléments dont ils cassent l’angle.",
+  intro:
+    "La première ligne est le point de départ. Droites et arcs vont de point en point ; RND et CHF se placent entre les deux " +
+    "éléments dont ils cassent l’angle.",
   table: "Sous-programme de contour",
   empty: "Aucun élément. Ajouter d’abord le point de départ du contour.",
   drawing: (elements) => `Dessin du contour, ${elements} éléments`,
@@ -44,17 +45,19 @@ export const contour = {
   sought: "pas encore déterminé",
   freedom: (values) => (values === 1 ? "1 valeur manque" : `${values} valeurs manquent`),
   details: "Angle et longueur",
-  detailsAbout: "Indiquer un angle, une longueur ou T pour tangent et omettre des coordonnées : elles sont calculées, en avant et en "
-    + "arrière. Un point d’interrogation laisse n’importe quelle coordonnée ouverte. Le programme reçoit les coordonnées.",
+  detailsAbout:
+    "Indiquer un angle, une longueur ou T pour tangent et omettre des coordonnées : elles sont calculées, en avant et en " +
+    "arrière. Un point d’interrogation laisse n’importe quelle coordonnée ouverte. Le programme reçoit les coordonnées.",
   round: (element) => `Arrondir l’angle après l’élément ${element}`,
   chamfer: (element) => `Chanfreiner l’angle après l’élément ${element}`,
   drawTools: "Outils de dessin",
   views: { label: "Image", draw: "Dessin", lathe: "Tour" },
   modeShort: { move: "Déplacer", draw: "Dessiner", round: "Arrondir", chamfer: "Chanfreiner" },
   canvas: "Dessin du contour",
-  canvasKeys: "Les flèches choisissent un élément, Tab parcourt ses cotes, Entrée en ouvre une. "
-    + "R et C cassent l’angle, plus et moins zooment, 0 montre tout, "
-    + "Maj avec les flèches déplace l’image.",
+  canvasKeys:
+    "Les flèches choisissent un élément, Tab parcourt ses cotes, Entrée en ouvre une. " +
+    "R et C cassent l’angle, plus et moins zooment, 0 montre tout, " +
+    "Maj avec les flèches déplace l’image.",
   dimension: (name, value) => `${name} : ${value}`,
   inDrawing: (name) => `${name}, dans le dessin`,
   emptyDrawing: "Toucher l’endroit où le contour commence, ou saisir le premier point.",
@@ -81,9 +84,15 @@ export const contour = {
   remove: (element) => `Supprimer l’élément ${element}`,
   moveUp: (element) => `Monter l’élément ${element}`,
   moveDown: (element) => `Descendre l’élément ${element}`,
-  keys: "Entrée : champ suivant · ↑ ↓ : même champ, élément suivant · I : incrémental · Alt+↑ ↓ : déplacer · Inser : nouvel "
-    + "élément · Ctrl+D : dupliquer · Ctrl+Suppr : supprimer · T : tangent · ? : non donné · R, C : arrondi, chanfrein",
-  done: { added: "Élément ajouté", removed: "Élément supprimé", moved: "Élément déplacé", duplicated: "Élément dupliqué" },
+  keys:
+    "Entrée : champ suivant · ↑ ↓ : même champ, élément suivant · I : incrémental · Alt+↑ ↓ : déplacer · Inser : nouvel " +
+    "élément · Ctrl+D : dupliquer · Ctrl+Suppr : supprimer · T : tangent · ? : non donné · R, C : arrondi, chanfrein",
+  done: {
+    added: "Élément ajouté",
+    removed: "Élément supprimé",
+    moved: "Élément déplacé",
+    duplicated: "Élément dupliqué",
+  },
   dxf: {
     open: "Importer un DXF",
     title: "Contour d’un dessin DXF",

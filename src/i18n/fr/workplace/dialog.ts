@@ -7,7 +7,8 @@ export const dialog = {
     example: "M20, G1/2, Tr20",
     found: "Cotes trouvées",
     none: "Aucun filetage de ce nom.",
-    profile: (passes: number) => `Profil du filetage avec les copeaux de ${passes < 2 ? "1 passe" : `${passes} passes`}`,
+    profile: (passes: number) =>
+      `Profil du filetage avec les copeaux de ${passes < 2 ? "1 passe" : `${passes} passes`}`,
     taken: (name: string, angle: string) =>
       `${name} : pas, profondeur et diamètre sont saisis. La plaquette doit avoir un angle de pointe de ${angle}°.`,
   },
@@ -43,8 +44,10 @@ export const dialog = {
   recalled: "Liste des paramètres citée de mémoire : à comparer sur la commande.",
   evidence: {
     mark: "non confirmé",
-    range: "Cette plage est citée de mémoire ou déduite, sans contrôle sur une page imprimée. La commande peut en admettre une autre.",
-    parameter: "Ce paramètre est cité de mémoire ou déduit, sans contrôle sur une page imprimée. À vérifier sur la commande.",
+    range:
+      "Cette plage est citée de mémoire ou déduite, sans contrôle sur une page imprimée. La commande peut en admettre une autre.",
+    parameter:
+      "Ce paramètre est cité de mémoire ou déduit, sans contrôle sur une page imprimée. À vérifier sur la commande.",
   },
   setup: {
     blank: {
@@ -108,7 +111,8 @@ export const dialog = {
     checking: "Vérification en cours …",
     title: "Toutes les questions ont leur réponse",
     nothing: "Ce cycle ne demande rien",
-    open: (n) => (n === 1 ? "1 question n’a pas de valeur utilisable" : `${n} questions n’ont pas de valeur utilisable`),
+    open: (n) =>
+      n === 1 ? "1 question n’a pas de valeur utilisable" : `${n} questions n’ont pas de valeur utilisable`,
     first: "Retour à la première question",
     takeAll: (n) => (n === 1 ? "Reprendre 1 suggestion" : `Reprendre ${n} suggestions`),
     firstOpen: "Y aller",

@@ -12,7 +12,14 @@ export const findings = {
   lineOf: (line, file) => `ligne ${line} de ${file}`,
   goTo: (place) => `Aller à ${place}`,
   show: (mark) => `Montrer ${mark} dans la vue du tour`,
-  places: { tool: "Outil", startX: "Départ X", startZ: "Départ Z", contour: "Contour", blank: "Brut", spindle: "Broche" },
+  places: {
+    tool: "Outil",
+    startX: "Départ X",
+    startZ: "Départ Z",
+    contour: "Contour",
+    blank: "Brut",
+    spindle: "Broche",
+  },
   fix: "Corriger",
   insert: (text) => `Insérer ${text}`,
   write: (text, block) => `Écrire ${text} dans la séquence ${block}`,
@@ -61,20 +68,27 @@ export const findings = {
         "Aucun cycle de tournage n’a été exécuté : les rapides sont contrôlés, mais aucun contour n’est connu pour contrôler la pièce.",
       noOperation: "Aucun cycle de tournage n’a été exécuté : il n’y a rien à contrôler.",
       approachesClear: "L’approche et la sortie sont libres.",
-      holderUnknown: (tools) => `Le porte-outil n’a pas été contrôlé pour l’outil ${tools} : le tableau n’en décrit aucun.`,
-      flanksUnknown: (tools) => `Les flancs n’ont pas été contrôlés pour l’outil ${tools} : T-ANGLE ou P-ANGLE est vide.`,
+      holderUnknown: (tools) =>
+        `Le porte-outil n’a pas été contrôlé pour l’outil ${tools} : le tableau n’en décrit aucun.`,
+      flanksUnknown: (tools) =>
+        `Les flancs n’ont pas été contrôlés pour l’outil ${tools} : T-ANGLE ou P-ANGLE est vide.`,
       curvatureUnknown: (tools) => `Aucune plage de diamètres n’est indiquée pour la lame axiale de l’outil ${tools}.`,
     },
   },
   leaving: {
     title: "Ce programme a des défauts",
-    lead:
-      (n) => (n === 1
+    lead: (n) =>
+      n === 1
         ? "Il ne doit pas tourner ainsi sur une machine. Un défaut a été trouvé :"
-        : `Il ne doit pas tourner ainsi sur une machine. ${n} défauts ont été trouvés :`),
+        : `Il ne doit pas tourner ainsi sur une machine. ${n} défauts ont été trouvés :`,
     unchecked: "Ce programme n’est pas encore contrôlé",
     uncheckedLead: "Le calcul n’est pas terminé. Personne ne sait s’il contient des défauts.",
-    go: { copy: "Copier quand même", save: "Enregistrer quand même", download: "Télécharger quand même", share: "Partager quand même" },
+    go: {
+      copy: "Copier quand même",
+      save: "Enregistrer quand même",
+      download: "Télécharger quand même",
+      share: "Partager quand même",
+    },
     look: "Montrer les constats",
     cancel: "Annuler",
     withFaults: (n) => (n === 1 ? "Il a 1 défaut." : `Il a ${n} défauts.`),
@@ -82,9 +96,9 @@ export const findings = {
   done: {
     contour: "Le contour manque encore",
     toContour: "Saisir le contour",
-    faults:
-      (n) => (n === 1
+    faults: (n) =>
+      n === 1
         ? "Toutes les réponses y sont, mais 1 défaut a été trouvé"
-        : `Toutes les réponses y sont, mais ${n} défauts ont été trouvés`),
+        : `Toutes les réponses y sont, mais ${n} défauts ont été trouvés`,
   },
 } satisfies FindingsTexts;

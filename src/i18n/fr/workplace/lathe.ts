@@ -16,11 +16,16 @@ export const lathe = {
     sketch: "contour à angles vifs",
     whole: "tout le contour",
   },
-  keys: "Espace lance ou met en pause, les flèches avancent d’un déplacement, Début et Fin vont aux extrémités, plus et moins "
-    + "zooment, 0 ajuste.",
+  keys:
+    "Espace lance ou met en pause, les flèches avancent d’un déplacement, Début et Fin vont aux extrémités, plus et moins " +
+    "zooment, 0 ajuste.",
   beginning: "Premières séquences du programme",
   outdated: "Dernière image possible",
-  stages: { reading: "Lecture du programme …", running: "Calcul de la trajectoire …", proving: "Enlèvement et contrôle …" },
+  stages: {
+    reading: "Lecture du programme …",
+    running: "Calcul de la trajectoire …",
+    proving: "Enlèvement et contrôle …",
+  },
   checking: "Contrôle en cours …",
   stopWorking: "Arrêter",
   stopped: "Arrêté. Le texte et la dernière image restent.",
@@ -39,7 +44,11 @@ export const lathe = {
   rulerFlat: "La mesure se fait dans la coupe : la 3D revient ensuite",
   legend: "Traits",
   holder: "Porte-outil",
-  held: { stated: "Serrage, tel qu’indiqué", unstated: "Extrémité arrière : serrage non indiqué", note: "Serrage non indiqué" },
+  held: {
+    stated: "Serrage, tel qu’indiqué",
+    unstated: "Extrémité arrière : serrage non indiqué",
+    note: "Serrage non indiqué",
+  },
   paths: {
     title: "Trajectoires affichées",
     all: "Toutes",
@@ -99,7 +108,13 @@ export const lathe = {
   stepOnly: (step, of) => `Étape ${step} sur ${of}`,
   outside: "Entre les cycles",
   block: (block) => `Séquence ${block}`,
-  chip: { ap: "profondeur de passe", f: "avance par tour", h: "épaisseur de coupe", b: "largeur de coupe", A: "section de copeau" },
+  chip: {
+    ap: "profondeur de passe",
+    f: "avance par tour",
+    h: "épaisseur de coupe",
+    b: "largeur de coupe",
+    A: "section de copeau",
+  },
   atStart: "Au début",
   atEnd: "À la fin",
 

@@ -30,14 +30,16 @@ export const params = {
     prompt: "Distance d'approche?",
     printed,
     label: "Distance d’approche (réservé)",
-    explanation: "Réservé : dans ce cycle, la valeur n’a aucune fonction. Les dégagements prennent une distance fixe. Notre lecture ; à "
-      + "vérifier sur la commande.",
+    explanation:
+      "Réservé : dans ce cycle, la valeur n’a aucune fonction. Les dégagements prennent une distance fixe. Notre lecture ; à " +
+      "vérifier sur la commande.",
   },
   startDiameter: {
     prompt: "Diamètre de départ du contour?",
     printed,
     label: "⌀ départ",
-    explanation: "X du départ du contour, au diamètre. Supérieur à Q493 : usinage extérieur. Inférieur à Q493 : usinage intérieur.",
+    explanation:
+      "X du départ du contour, au diamètre. Supérieur à Q493 : usinage extérieur. Inférieur à Q493 : usinage intérieur.",
   },
   startZ: {
     prompt: "Départ de contour Z?",
@@ -61,23 +63,25 @@ export const params = {
     prompt: "Angle de surface du pourtour?",
     printed,
     label: "Angle du pourtour",
-    explanation: "Angle entre le pourtour et l’axe de rotation ; 0 donne un cylindre. La surface penche vers la zone à usiner, jamais en "
-      + "dessous. Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Angle entre le pourtour et l’axe de rotation ; 0 donne un cylindre. La surface penche vers la zone à usiner, jamais en " +
+      "dessous. Notre lecture ; à vérifier sur la commande.",
   },
   flankAngle: {
     prompt: "Angle du flanc?",
     printed,
     label: "Angle du flanc",
-    explanation: "Angle entre le flanc au départ du contour et la parallèle à l’axe de rotation. La gorge se resserre vers le fond, elle "
-      + "n’est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Angle entre le flanc au départ du contour et la parallèle à l’axe de rotation. La gorge se resserre vers le fond, elle " +
+      "n’est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
   },
   faceAngle: {
     prompt: "Angle face transversale?",
     printed,
     label: "Angle de la face",
     explanation:
-      "Inclinaison de la face ; 0 est perpendiculaire à l’axe de rotation. La face penche vers la zone à usiner. Notre lecture ; "
-      + "à vérifier sur la commande.",
+      "Inclinaison de la face ; 0 est perpendiculaire à l’axe de rotation. La face penche vers la zone à usiner. Notre lecture ; " +
+      "à vérifier sur la commande.",
   },
   secondFlankAngle: {
     prompt: "Angle du deuxième flanc?",
@@ -121,28 +125,32 @@ export const params = {
     prompt: "Plongée max.?",
     printed,
     label: "Passe max.",
-    explanation: "Passe la plus grande, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans "
-      + "dernière passe trop mince.",
+    explanation:
+      "Passe la plus grande, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans " +
+      "dernière passe trop mince.",
   },
   infeedAxial: {
     prompt: "Plongée max.?",
     printed,
     label: "Passe max.",
-    explanation: "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans "
-      + "dernière passe trop mince. 0 : une seule passe.",
+    explanation:
+      "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans " +
+      "dernière passe trop mince. 0 : une seule passe.",
   },
   infeedGroove: {
     prompt: "Plongée max.?",
     printed,
     label: "Passe max.",
-    explanation: "Passe la plus grande, en Z, répartie uniformément. La page du manuel la dit radiale ; une gorge axiale se prend en Z, "
-      + "nous y voyons une erreur d’impression. À vérifier sur la commande.",
+    explanation:
+      "Passe la plus grande, en Z, répartie uniformément. La page du manuel la dit radiale ; une gorge axiale se prend en Z, " +
+      "nous y voyons une erreur d’impression. À vérifier sur la commande.",
   },
   roughingFeed: {
     prompt: "Avance d'ébauche?",
     printed,
     label: "Avance d’ébauche",
-    explanation: "Avance des passes d’ébauche : en mm par tour avec M136, sinon en mm par minute. FAUTO prend l’avance de l’appel d’outil.",
+    explanation:
+      "Avance des passes d’ébauche : en mm par tour avec M136, sinon en mm par minute. FAUTO prend l’avance de l’appel d’outil.",
   },
   oversizeDiameter: {
     prompt: "Surépaisseur diamètre ?",
@@ -202,8 +210,9 @@ export const params = {
     prompt: "Limites d'usinage (0/1)?",
     printed,
     label: "Limites",
-    explanation: "Restreint le contour usiné à un côté de Q480 et Q482 : celui où se trouve l’outil à l’appel. L’approche et la sortie "
-      + "peuvent franchir les limites.",
+    explanation:
+      "Restreint le contour usiné à un côté de Q480 et Q482 : celui où se trouve l’outil à l’appel. L’approche et la sortie " +
+      "peuvent franchir les limites.",
     choices: { 0: "pas de limite", 1: "limites à Q480 et Q482" },
   },
   limitDiameter: {
@@ -229,17 +238,18 @@ export const params = {
     prompt: "Largeur de décalage?",
     printed,
     label: "Largeur de décalage",
-    explanation: "Raccourcit chaque passe à partir de la deuxième, ce qui soulage l’arête latéralement. 0 : 0,1 mm par passe. Ce qui reste "
-      + "sur les flancs part à la fin de l’ébauche. La somme peut atteindre 80 % de la largeur effective ; nous cumulons par côté. "
-      + "Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Raccourcit chaque passe à partir de la deuxième, ce qui soulage l’arête latéralement. 0 : 0,1 mm par passe. Ce qui reste " +
+      "sur les flancs part à la fin de l’ébauche. La somme peut atteindre 80 % de la largeur effective ; nous cumulons par côté. " +
+      "Notre lecture ; à vérifier sur la commande.",
   },
   depthCompensation: {
     prompt: "Correction de prof. finition?",
     printed,
     label: "Correction de profondeur",
     explanation:
-      "Déplace le fond lors de la finition, pour compenser l’arête qui bascule en tournant latéralement : positive, la gorge est "
-      + "moins profonde ; négative, plus profonde. Notre lecture du signe ; à vérifier sur la commande.",
+      "Déplace le fond lors de la finition, pour compenser l’arête qui bascule en tournant latéralement : positive, la gorge est " +
+      "moins profonde ; négative, plus profonde. Notre lecture du signe ; à vérifier sur la commande.",
   },
   ...turning,
   ...recessing,

@@ -123,7 +123,9 @@ export const page = {
     waiting: "这些值还不能生成刀具路径，保留最后一幅可行的图。",
     duration: (minutes, seconds) =>
       minutes < 60
-        ? (minutes > 0 ? `${minutes} 分 ${seconds} 秒` : `${seconds} 秒`)
+        ? minutes > 0
+          ? `${minutes} 分 ${seconds} 秒`
+          : `${seconds} 秒`
         : `${Math.floor(minutes / 60)} 小时 ${minutes % 60} 分`,
     faults: "过切与碰撞",
     pin: {

@@ -1,6 +1,10 @@
 /** What each kind of block does, the rule of the control for it, and what is often done wrong with it. */
 export const blockKinds = {
-  begin: { about: "第一个程序段：程序的名称和单位。", rule: "名称与文件名相同。", mistakes: ["文件改了名，程序段里还是旧名称。"] },
+  begin: {
+    about: "第一个程序段：程序的名称和单位。",
+    rule: "名称与文件名相同。",
+    mistakes: ["文件改了名，程序段里还是旧名称。"],
+  },
   end: {
     about: "最后一个程序段。其后的内容不运行。",
     rule: "名称和单位与 BEGIN PGM 相同。",
@@ -56,17 +60,37 @@ export const blockKinds = {
     rule: "在 BLANK 与 BLANK OFF 之间有效；轮廓必须封闭。",
     mistakes: ["第二次装夹时仍有效：还按旧毛坯计算。"],
   },
-  L: { about: "直线到一点。未写的轴不动。", rule: "进给、补偿和 M 功能继续有效。", mistakes: ["缺少负号：Z25 在工件前面。"] },
-  LP: { about: "由到极点 CC 的距离和角度给出的直线。", rule: "前面有 CC 程序段。", mistakes: ["中间有另一个 CC：点在别处。"] },
-  C: { about: "绕圆心 CC 的圆弧到终点。", rule: "起点和终点在绕 CC 的同一个圆上。", mistakes: ["终点不在圆上：数控系统报错停止。"] },
+  L: {
+    about: "直线到一点。未写的轴不动。",
+    rule: "进给、补偿和 M 功能继续有效。",
+    mistakes: ["缺少负号：Z25 在工件前面。"],
+  },
+  LP: {
+    about: "由到极点 CC 的距离和角度给出的直线。",
+    rule: "前面有 CC 程序段。",
+    mistakes: ["中间有另一个 CC：点在别处。"],
+  },
+  C: {
+    about: "绕圆心 CC 的圆弧到终点。",
+    rule: "起点和终点在绕 CC 的同一个圆上。",
+    mistakes: ["终点不在圆上：数控系统报错停止。"],
+  },
   CP: { about: "绕 CC 的圆弧到一个角度。", rule: "半径是起点到 CC 的距离。", mistakes: ["缺少 DR：圆弧走反方向。"] },
   CR: {
     about: "由半径给出的到一点的圆弧。",
     rule: "有四条圆弧符合：R 的符号和 DR 选定其中一条。",
     mistakes: ["半径小于弦长的一半：没有这样的圆弧。"],
   },
-  CT: { about: "与前一元素无拐角相接的圆弧。", rule: "两个坐标，并且前面有一个元素。", mistakes: ["它跟在一个本应保留的拐角后面。"] },
-  CTP: { about: "到由极点 CC 给出的点的相切圆弧。", rule: "这里 CC 不是圆心，而是测量的起点。", mistakes: ["把极点当成了圆弧的圆心。"] },
+  CT: {
+    about: "与前一元素无拐角相接的圆弧。",
+    rule: "两个坐标，并且前面有一个元素。",
+    mistakes: ["它跟在一个本应保留的拐角后面。"],
+  },
+  CTP: {
+    about: "到由极点 CC 给出的点的相切圆弧。",
+    rule: "这里 CC 不是圆心，而是测量的起点。",
+    mistakes: ["把极点当成了圆弧的圆心。"],
+  },
   CC: {
     about: "C 和 CP 的圆心，也是所有极坐标程序段的极点。",
     rule: "它不产生移动，有效到下一个 CC。",
@@ -103,14 +127,26 @@ export const blockKinds = {
     rule: "不带 REP 运行到 LBL 0；带 REP 再运行其前面的部分。",
     mistakes: ["REP 是重复次数：3 表示该部分运行四次。"],
   },
-  jump: { about: "比较成立时从标签处继续。", rule: "两边可以是数字或参数。", mistakes: ["循环中没有改变该参数：永不结束。"] },
-  raise: { about: "用此号码的错误停止程序。", rule: "对应的文字由机床制造商规定。", mistakes: ["它放在每次运行都会经过的地方。"] },
+  jump: {
+    about: "比较成立时从标签处继续。",
+    rule: "两边可以是数字或参数。",
+    mistakes: ["循环中没有改变该参数：永不结束。"],
+  },
+  raise: {
+    about: "用此号码的错误停止程序。",
+    rule: "对应的文字由机床制造商规定。",
+    mistakes: ["它放在每次运行都会经过的地方。"],
+  },
   contour: {
     about: "给出下一个循环要车削的轮廓的标签。",
     rule: "依次写多个标签就是一个列表。",
     mistakes: ["缺少该标签，或在另一个文件中。"],
   },
-  cycleLine: { about: "旧式循环的一行。第一行是 .0。", rule: "一个循环的各行相连。", mistakes: ["中间删了一行：循环把下一行当作它。"] },
+  cycleLine: {
+    about: "旧式循环的一行。第一行是 .0。",
+    rule: "一个循环的各行相连。",
+    mistakes: ["中间删了一行：循环把下一行当作它。"],
+  },
   cycle: {
     about: "此处保留而不运行的循环：其值保持不变。",
     rule: "在调用处或所在处起作用。",
@@ -121,22 +157,38 @@ export const blockKinds = {
     rule: "定位程序段中的 M99 作用相同；M89 在每段都调用，直到 M99。",
     mistakes: ["调用时刀具在材料中。"],
   },
-  selectContour: { about: "从文件取下一个循环的轮廓。", rule: "文件与程序放在一起。", mistakes: ["文件名缺少扩展名。"] },
+  selectContour: {
+    about: "从文件取下一个循环的轮廓。",
+    rule: "文件与程序放在一起。",
+    mistakes: ["文件名缺少扩展名。"],
+  },
   contourDefinition: {
     about: "在一个程序段中给出轮廓的区域、岛和空腔。",
     rule: "P 是区域，I 是岛，V 是空腔。",
     mistakes: ["岛写在它所在的区域之前。"],
   },
   declareContour: { about: "为轮廓公式给轮廓命名。", rule: "原样保留，此处不运行。", mistakes: ["名称用了两次。"] },
-  contourFormula: { about: "连接已声明的轮廓：并、交、差。", rule: "原样保留，此处不运行。", mistakes: ["缺少括号：运算从左算起。"] },
-  callProgram: { about: "在此处运行另一个程序。", rule: "它的 END PGM 之后本程序继续。", mistakes: ["被调程序中的 M30 结束一切。"] },
+  contourFormula: {
+    about: "连接已声明的轮廓：并、交、差。",
+    rule: "原样保留，此处不运行。",
+    mistakes: ["缺少括号：运算从左算起。"],
+  },
+  callProgram: {
+    about: "在此处运行另一个程序。",
+    rule: "它的 END PGM 之后本程序继续。",
+    mistakes: ["被调程序中的 M30 结束一切。"],
+  },
   selectProgram: {
     about: "给出 CALL SELECTED PGM 要运行的程序。",
     rule: "名称可以放在 QS 参数中。",
     mistakes: ["中间又选了别的：以它为准。"],
   },
   callSelected: { about: "运行最后选定的程序。", rule: "前面有 SEL PGM。", mistakes: ["什么都没有选。"] },
-  datum: { about: "移动原点：以后从那里计算。", rule: "有效到下一个；RESET 取消。", mistakes: ["在程序后半部分仍然有效。"] },
+  datum: {
+    about: "移动原点：以后从那里计算。",
+    rule: "有效到下一个；RESET 取消。",
+    mistakes: ["在程序后半部分仍然有效。"],
+  },
   datumTable: {
     about: "按表中的一行移动原点。表里是什么，这里无人知道。",
     rule: "必须已选定该表。",
@@ -167,5 +219,9 @@ export const blockKinds = {
     mistakes: ["它在切削中：切削刃在一处摩擦。"],
   },
   comment: { about: "写给读程序的人的话。", rule: "不改变任何东西。", mistakes: ["注释中的值后来已改变。"] },
-  structure: { about: "程序各部分列表中的标题。", rule: "数控系统的结构视图显示它。", mistakes: ["移动了各部分，标题却留在原处。"] },
+  structure: {
+    about: "程序各部分列表中的标题。",
+    rule: "数控系统的结构视图显示它。",
+    mistakes: ["移动了各部分，标题却留在原处。"],
+  },
 };

@@ -34,7 +34,14 @@ export const tools = {
   pitch: (length: string) => `螺距 ${length} mm`,
 
   form: (tool) => `${tool}的各列`,
-  groups: { mill: "尺寸", name: "名称与类型", tip: "刀尖", insert: "刀片", setting: "长度与磨损", holder: "刀杆（仅用于碰撞检查）" },
+  groups: {
+    mill: "尺寸",
+    name: "名称与类型",
+    tip: "刀尖",
+    insert: "刀片",
+    setting: "长度与磨损",
+    holder: "刀杆（仅用于碰撞检查）",
+  },
   columns: {
     T: "刀具号",
     NAME: "刀具名称",
@@ -76,8 +83,8 @@ export const tools = {
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `${type} 不使用`,
   keptOnly:
-    "长度与定向角仅为数控系统保存；路径按理论刀尖计算。DZL 和 DXL 是刀具与测量长度的偏差：数控系统已计入，路径和毛坯均不变。FUNCTION TURNDATA CORR 才会移动切削位置。"
-    + "DYL 不在车削平面内：非 0 时路径未经验证。",
+    "长度与定向角仅为数控系统保存；路径按理论刀尖计算。DZL 和 DXL 是刀具与测量长度的偏差：数控系统已计入，路径和毛坯均不变。FUNCTION TURNDATA CORR 才会移动切削位置。" +
+    "DYL 不在车削平面内：非 0 时路径未经验证。",
   anyType: "选择",
 
   orientation: "TO：刀尖朝向",

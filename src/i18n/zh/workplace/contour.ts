@@ -43,14 +43,16 @@ export const contour = {
   sought: "尚未确定",
   freedom: (values) => `还缺 ${values} 个数值`,
   details: "角度和长度",
-  detailsAbout: "输入角度、长度或 T（相切）并省略坐标，坐标会向前和向后计算出来。问号可让任何坐标待定。程序中写入坐标。",
+  detailsAbout:
+    "输入角度、长度或 T（相切）并省略坐标，坐标会向前和向后计算出来。问号可让任何坐标待定。程序中写入坐标。",
   round: (element) => `将元素 ${element} 后的角倒圆`,
   chamfer: (element) => `将元素 ${element} 后的角倒角`,
   drawTools: "绘图工具",
   views: { label: "图形", draw: "绘图", lathe: "车削" },
   modeShort: { move: "移动", draw: "绘制", round: "倒圆", chamfer: "倒角" },
   canvas: "轮廓图",
-  canvasKeys: "方向键选择元素，Tab 依次到各尺寸，回车打开尺寸。R 和 C 处理拐角，加减号缩放，0 显示全部，Shift 加方向键移动图形。",
+  canvasKeys:
+    "方向键选择元素，Tab 依次到各尺寸，回车打开尺寸。R 和 C 处理拐角，加减号缩放，0 显示全部，Shift 加方向键移动图形。",
   dimension: (name, value) => `${name}：${value}`,
   inDrawing: (name) => `${name}，图中`,
   emptyDrawing: "点按轮廓的起点位置，或输入第一个点。",
@@ -72,8 +74,7 @@ export const contour = {
   remove: (element) => `删除元素 ${element}`,
   moveUp: (element) => `上移元素 ${element}`,
   moveDown: (element) => `下移元素 ${element}`,
-  keys:
-    "Enter：下一字段 · ↑ ↓：下一元素的同一字段 · I：增量 · Alt+↑ ↓：移动 · Insert：新元素 · Ctrl+D：复制 · Ctrl+Delete：删除 · T：相切 · ?：未给定 · R、C：倒圆、倒角",
+  keys: "Enter：下一字段 · ↑ ↓：下一元素的同一字段 · I：增量 · Alt+↑ ↓：移动 · Insert：新元素 · Ctrl+D：复制 · Ctrl+Delete：删除 · T：相切 · ?：未给定 · R、C：倒圆、倒角",
   done: { added: "已添加元素", removed: "已删除元素", moved: "已移动元素", duplicated: "已复制元素" },
   dxf: {
     open: "导入 DXF",

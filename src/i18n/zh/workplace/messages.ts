@@ -3,10 +3,8 @@ import { running } from "./messages/running.ts";
 import { threads } from "./messages/threads.ts";
 
 /** What a finding offers, where it offers something. */
-const nearest = (
-  value: number | undefined,
-  say: (value: number) => string,
-) => (value === undefined ? "" : `最接近的可用值：${say(value)}。`);
+const nearest = (value: number | undefined, say: (value: number) => string) =>
+  value === undefined ? "" : `最接近的可用值：${say(value)}。`;
 
 const reasons: MessagesTexts["reasons"] = {
   insertRadius: "刀尖半径",
@@ -44,7 +42,8 @@ export const messages = {
     notANumber: (d, w) => `“${w.text(d.text)}”不是数字。`,
     badExpression: (d, w) => `“${w.text(d.text)}”无法计算。`,
     unknownParameter: (d) => `${d.name}在此处没有值，请输入数字。`,
-    outOfRange: (d, w) => `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(d.nearest, w.value)}`,
+    outOfRange: (d, w) =>
+      `${w.value(d.value)}超出范围${w.value(d.min)}至${w.value(d.max)}。${nearest(d.nearest, w.value)}`,
     notWhole: (d, w) => `${w.number(d.value)}不是整数。${nearest(d.nearest, w.number)}`,
     notAChoice: (d, w) => `${w.number(d.value)}不在可选值${d.choices.join("、")}中。${nearest(d.nearest, w.number)}`,
     startEqualsEnd: (d, w) => `起点与终点相同：${d.other}也是${w.value(d.value)}。`,
@@ -53,14 +52,17 @@ export const messages = {
     elementTooLong: (d, w) => `${w.size(d.size)}大于该元素的长度，最大${w.size(d.max)}。`,
     cornersTooWide: (d, w) => `两个半径${w.size(d.radius)}的圆角宽于槽底，最大${w.size(d.max)}。`,
     wallsMeet: (d, w) => `角度为${w.angle(d.angle)}时两侧壁在槽底上方相交，最大${w.angle(d.max)}。`,
-    cornerSmallerThanInsert: (d, w) => `角半径${w.size(d.radius)}小于刀尖半径${w.size(d.insert)}：该角将保留${w.size(d.insert)}。`,
-    recessNarrowerThanTool: (d, w) => `槽底宽${w.size(d.width)}，刀具和余量需要${w.size(d.tool)}。${nearest(d.nearest, w.value)}`,
+    cornerSmallerThanInsert: (d, w) =>
+      `角半径${w.size(d.radius)}小于刀尖半径${w.size(d.insert)}：该角将保留${w.size(d.insert)}。`,
+    recessNarrowerThanTool: (d, w) =>
+      `槽底宽${w.size(d.width)}，刀具和余量需要${w.size(d.tool)}。${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
-      `${d.element === undefined ? "" : `元素${d.element}：`}刀具无法跟随${w.angle(d.angle)}：${reasons[d.edge]}允许${
-        w.angle(d.max)
-      }，会残留材料。`,
+      `${d.element === undefined ? "" : `元素${d.element}：`}刀具无法跟随${w.angle(d.angle)}：${reasons[d.edge]}允许${w.angle(
+        d.max,
+      )}，会残留材料。`,
     tooManyPasses: (d, w) => `${d.passes} 次走刀超过 ${d.most} 次。${nearest(d.nearest, w.size)}`,
-    infeedOverCutLength: (d, w) => `进刀量${w.size(d.infeed)}大于CUTLENGTH ${w.size(d.cutLength)}：自动减小为${w.size(d.cutLength)}。`,
+    infeedOverCutLength: (d, w) =>
+      `进刀量${w.size(d.infeed)}大于CUTLENGTH ${w.size(d.cutLength)}：自动减小为${w.size(d.cutLength)}。`,
     depthOverCutLength: (d, w) => `深度${w.size(d.depth)}大于CUTLENGTH ${w.size(d.cutLength)}：其余材料残留。`,
     offsetReduced: (d, w) => `偏移${w.size(d.offset)}减小为${w.size(d.kept)}：${d.passes}刀共用有效宽度的80%。`,
     offsetOverLimit: (d, w) =>
@@ -78,7 +80,8 @@ export const messages = {
     toolNumberTwice: (d) => `刀具${d.number}已在刀具表中。${nearest(d.nearest, String)}`,
     toolName: (d, w) => `“${w.text(d.text)}”：名称最多${d.max}个字符，仅限大写字母、数字和# $ % & , - . _符号。`,
     holderAxis: (d, w) => `“${w.text(d.text)}”：刀杆只能沿X或Z方向。`,
-    holderHead: (d, w) => `“${w.text(d.text)}”不是轮廓。每个角点写作Z/X（从刀尖起），角点间用空格，各部分间用分号；每部分至少三个角点。`,
+    holderHead: (d, w) =>
+      `“${w.text(d.text)}”不是轮廓。每个角点写作Z/X（从刀尖起），角点间用空格，各部分间用分号；每部分至少三个角点。`,
     betterTool: (d) => `刀具${d.tool} ${d.name}可以加工该轮廓。`,
     startInArea: (d, w) => `起点${w.place(d.x, d.z)}在加工区内：刀具先移至安全高度。`,
     startInMaterial: (d, w) => `起点${w.place(d.x, d.z)}在材料中。`,
@@ -87,16 +90,17 @@ export const messages = {
       `起点位于轮廓起点之后 ${w.length(d.behind)}：刀具先沿Z轴移到轮廓起点前安全高度 ${w.size(d.clearance)} 处。`,
     startInPart: (d, w) => `起点位于成品工件内：从那里不会切削。可用的起点：${w.place(d.x, d.z)}。`,
     insertAcrossAxis: (d, w) =>
-      `刀片越过轴线 ${w.length(d.reach)}，会在另一侧切入成品工件。`
-      + (d.nearest === undefined ? "对这个孔来说刀片太长。" : `起点从 X${w.diameter(d.nearest)} 起即可避开。`),
+      `刀片越过轴线 ${w.length(d.reach)}，会在另一侧切入成品工件。` +
+      (d.nearest === undefined ? "对这个孔来说刀片太长。" : `起点从 X${w.diameter(d.nearest)} 起即可避开。`),
     boreMissing: (d, w) =>
       `缺少底孔：从Z${w.signed(d.z)}起为实心材料，而循环要加工到Z${w.signed(d.to)}。请先钻出至少 ${w.diameter(d.need)} 的孔直到该处。`,
     startOnWrongSide: (d, w) => `轮廓朝起点方向走：从这一侧不会切削。可用的起点：${w.place(d.x, d.z)}。`,
     startInsideEnvelope: (d, w) => `起点距轮廓小于安全高度${w.size(d.clearance)}：刀具以精加工进给直接移至轮廓。`,
-    limitOnWrongSide: (d, w) => `极限为${w.value(d.limit)}时，刀具所在一侧没有可加工的材料。${nearest(d.nearest, w.value)}`,
+    limitOnWrongSide: (d, w) =>
+      `极限为${w.value(d.limit)}时，刀具所在一侧没有可加工的材料。${nearest(d.nearest, w.value)}`,
     cutBehindLimit: (d, w) =>
-      `极限之外，${w.place(d.x, d.z)}处切除了${w.area(d.area)}材料：极限只限制轮廓，不限制接近与离开运动。`
-      + (d.finishing ? "仅粗加工（Q215 = 1）时该处保留。" : "请把极限设在这些运动不碰到材料的位置。"),
+      `极限之外，${w.place(d.x, d.z)}处切除了${w.area(d.area)}材料：极限只限制轮廓，不限制接近与离开运动。` +
+      (d.finishing ? "仅粗加工（Q215 = 1）时该处保留。" : "请把极限设在这些运动不碰到材料的位置。"),
     nothingToCut: () => "起点与轮廓之间没有可加工的材料。",
     contourMissing: (d, w) => (d.label === "" ? "缺少轮廓。" : `轮廓LBL ${w.text(d.label)}不存在。`),
     contourTooShort: () => "轮廓至少需要两个不同的点。",
@@ -108,30 +112,31 @@ export const messages = {
     arcOffCircle: (d, w) => `元素${d.element}：终点偏离圆${w.size(d.gap)}。`,
     arcTooSmall: (d, w) => `元素${d.element}：半径${w.size(d.radius)}对该终点过小。`,
     elementFree: (d) => `元素${d.element}：还需要${d.freedom}个数值。`,
-    elementContradicts: (
-      d,
-      w,
-    ) => (d.quantity === "tangent"
-      ? `元素${d.element}与前一元素不相切，偏差${w.number(d.nearest)}°。`
-      : `元素${d.element}：${ELEMENT[d.quantity]}${(d.quantity === "angle" ? w.number : w.size)(d.given)}与其他数值矛盾，${
-        (d.quantity === "angle" ? w.number : w.size)(d.nearest)
-      }可用。`),
+    elementContradicts: (d, w) =>
+      d.quantity === "tangent"
+        ? `元素${d.element}与前一元素不相切，偏差${w.number(d.nearest)}°。`
+        : `元素${d.element}：${ELEMENT[d.quantity]}${(d.quantity === "angle" ? w.number : w.size)(d.given)}与其他数值矛盾，${(d.quantity ===
+            "angle"
+            ? w.number
+            : w.size)(d.nearest)}可用。`,
     elementUnreachable: (d) => `元素${d.element}：按此长度、半径或角度无法到达相邻元素。`,
     centreMissing: (d) => `元素${d.element}：缺少圆心，请在其前面加入CC。`,
     contourCrossesItself: (d) => `元素${d.element}与元素${d.other}相交。`,
-    toolRadiusTooLarge: (d, w) => `第 ${d.element} 个元素：刀具半径 ${w.size(d.radius)} 过大。${nearest(d.nearest, w.size)}`,
+    toolRadiusTooLarge: (d, w) =>
+      `第 ${d.element} 个元素：刀具半径 ${w.size(d.radius)} 过大。${nearest(d.nearest, w.size)}`,
     pathCutsContour: (d, w) =>
-      `沿第 ${d.element} 个元素加工时，刀具在 ${w.spot(d.x, d.y, undefined)} 切入第 ${d.other} 个元素 ${w.length(d.depth)}：刀具无法通过；`
-      + `数控系统只比较相邻元素。${nearest(d.nearest, w.size)}`,
+      `沿第 ${d.element} 个元素加工时，刀具在 ${w.spot(d.x, d.y, undefined)} 切入第 ${d.other} 个元素 ${w.length(d.depth)}：刀具无法通过；` +
+      `数控系统只比较相邻元素。${nearest(d.nearest, w.size)}`,
     approachNeedsSide: () => "CT 需要 RL 或 RR：编程 R0 时数控系统在此停止。",
     approachSideAssumed: () => "R0 没有指明侧面：这里假定刀具从轮廓左侧接近。请在数控系统上核实。",
-    approachInsideCircle: (d, w) => `${d.point} 位于 R ${w.size(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(d.nearest, w.size)}`,
+    approachInsideCircle: (d, w) =>
+      `${d.point} 位于 R ${w.size(d.radius)} 的圆内：从该点没有直线与圆相切。${nearest(d.nearest, w.size)}`,
     approachCutsContour: (d, w) =>
-      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。可用的 ${d.point}：`
-      + `${w.spot(d.freeX, d.freeY, d.freeZ)}。`,
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。可用的 ${d.point}：` +
+      `${w.spot(d.freeX, d.freeY, d.freeZ)}。`,
     approachValueCutsContour: (d, w) =>
-      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。可用值：${d.word} `
-      + `${w.size(d.nearest)}。`,
+      `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。可用值：${d.word} ` +
+      `${w.size(d.nearest)}。`,
     approachBlocked: (d, w) =>
       `在 ${d.point} 与轮廓之间，刀具在 ${w.spot(d.x, d.y, d.z)} 切入轮廓 ${w.length(d.depth)}；数控系统不检查此处。`,
     undercutNeighbours: (d) => `元素${d.element}：退刀槽需要相接的圆柱面和端面，凹槽需要与其方向一致的直线元素。`,
@@ -146,18 +151,20 @@ export const messages = {
       d.asked === undefined
         ? `${w.place(d.x, d.z)}处残留${w.area(d.area)}，原因：${reasons[d.reason]}。`
         : d.reason === "oversize"
-        ? `${w.place(d.x, d.z)}处按要求留有余量${w.area(d.area)}。`
-        : `${w.place(d.x, d.z)}处的拐角与刀片半径相同：残留${w.area(d.area)}。未要求其他半径。`,
+          ? `${w.place(d.x, d.z)}处按要求留有余量${w.area(d.area)}。`
+          : `${w.place(d.x, d.z)}处的拐角与刀片半径相同：残留${w.area(d.area)}。未要求其他半径。`,
     gouge: (d, w) => `${w.place(d.x, d.z)}处成品工件被切掉${w.area(d.area)}。`,
     rapidInStock: (d, w) => `快移在${w.place(d.x, d.z)}处穿过${w.area(d.area)}材料。`,
     holderContact: (d, w) => `刀杆在${w.place(d.x, d.z)}处碰到材料。`,
-    cutBelowContour: (d, w) => `此切削在${w.place(d.x, d.z)}处低于程序段${d.block}中循环的轮廓${w.area(d.area)}。如果是有意的，请确认。`,
+    cutBelowContour: (d, w) =>
+      `此切削在${w.place(d.x, d.z)}处低于程序段${d.block}中循环的轮廓${w.area(d.area)}。如果是有意的，请确认。`,
     cameLoose: (d, w) =>
-      `${w.place(d.x, d.z)}处的${{ piece: "一段工件", ring: "一个环", slug: "一个料芯" }[d.shape]}（${
-        w.area(d.area)
-      }）不再与夹持端相连：程序段${d.block}将其切下。`,
+      `${w.place(d.x, d.z)}处的${{ piece: "一段工件", ring: "一个环", slug: "一个料芯" }[d.shape]}（${w.area(
+        d.area,
+      )}）不再与夹持端相连：程序段${d.block}将其切下。`,
     partedOff: (d, w) => `${w.place(d.x, d.z)}处的工件（${w.area(d.area)}）在程序段${d.block}切断，并从图中移除。`,
-    cutOnLoosePiece: (d, w) => `${w.place(d.x, d.z)}处将切削${w.area(d.area)}，但该段已被程序段${d.block}切下：没有任何夹持。`,
+    cutOnLoosePiece: (d, w) =>
+      `${w.place(d.x, d.z)}处将切削${w.area(d.area)}，但该段已被程序段${d.block}切下：没有任何夹持。`,
     behindBlank: (d, w) =>
       d.motion === "unheld"
         ? `外圆一直车到毛坯后端Z${w.size(d.rear)}：没有可夹持的部分。如果以其他方式夹持，请说明夹持方式。`
@@ -166,8 +173,9 @@ export const messages = {
       `${d.by === "tool" ? "刀具" : "刀杆"}在${w.place(d.x, d.z)}处碰到${CLAMPED[d.part]}。请提前结束切削或更改装夹。`,
     contactsUnlooked: (d) => `已有${d.limit}个运动伤及工件、快移进入材料或以刀杆触碰材料：从此处起不再检查。`,
     deeperThanInfeed: (d, w) =>
-      "" + (d.pass === undefined ? "一次平滑或精加工" : `第${w.number(d.pass)}刀`)
-      + `一次切除${w.length(d.depth)}材料，允许值为${w.length(d.allowed)}。`,
+      "" +
+      (d.pass === undefined ? "一次平滑或精加工" : `第${w.number(d.pass)}刀`) +
+      `一次切除${w.length(d.depth)}材料，允许值为${w.length(d.allowed)}。`,
     blankLacks: (d, w) => `${w.text(d.what)} 的轮廓缺少按程序仍在那里的${w.area(d.area)}材料。以该轮廓为准。`,
     blankGone: (d, w) => `${w.text(d.what)} 的轮廓中有${w.area(d.area)}已没有材料。已切除的不会恢复。`,
     nothingCut: () => "此次加工没有切除材料。",
@@ -197,7 +205,8 @@ export const messages = {
     compensationActive: (d) => `此处${d.side}仍有效，而数控系统要求R0：请在之前的定位程序段中编写R0。`,
     feedZero: (d, w) => `${w.text(d.word)}：此处切削进给为0。请给出大于0的进给；FAUTO取用TOOL CALL中的F。`,
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合常理。请检查M136：有它时F以毫米/转计。`,
-    drillTooShort: (d, w) => `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：刀杆可能摩擦孔壁。`,
+    drillTooShort: (d, w) =>
+      `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：刀杆可能摩擦孔壁。`,
     pitchOfTap: (d, w) => `Q239为${w.size(d.pitch)}，而刀具表中丝锥的PITCH为${w.size(d.tap)}。`,
     freeChosen: () => "从这里起有多个轮廓符合所给数据：显示的是最短的一个。数控系统采用FSELECT指定的那个。",
     freeUnsolved: (d, w) => `${w.text(d.form)}：所给数据不能确定该元素，或相互矛盾。请给出更多数据，或使用FSELECT。`,
@@ -213,7 +222,8 @@ export const messages = {
     labelTwice: (d, w) => `LBL ${w.text(d.label)}在程序中出现两次。`,
     labelNotClosed: (d, w) => `LBL ${w.text(d.label)}没有用LBL 0结束。`,
     contourNotNamed: (d) => `循环${d.cycle}调用前需要循环14及其轮廓。`,
-    contoursJoined: (d, w) => `${w.text(d.joined)}：此处由多个轮廓合成一个。循环${w.number(d.cycle)}只接受一个轮廓，其路径不显示。`,
+    contoursJoined: (d, w) =>
+      `${w.text(d.joined)}：此处由多个轮廓合成一个。循环${w.number(d.cycle)}只接受一个轮廓，其路径不显示。`,
     errorRaised: (d, w) =>
       d.error === null
         ? "FN 14：数控系统在此报错停止，其后不再运行。"
@@ -227,7 +237,8 @@ export const messages = {
     clampingUnread: (d, w) => `CLAMPING：无法理解“${w.text(d.what)}”，不计入。`,
     clampingIncomplete: (d) => `CLAMPING不计入：缺少${d.words}或数值不可能。装夹情况未知。`,
     clampingTwice: () => "CLAMPING出现两次：以第一个为准。请删除此处。",
-    clampingMisses: (d, w) => `装夹没有夹住毛坯：夹持范围内没有${w.diameter(d.diameter)}的表面。请检查CLAMPING的直径、长度和端面。`,
+    clampingMisses: (d, w) =>
+      `装夹没有夹住毛坯：夹持范围内没有${w.diameter(d.diameter)}的表面。请检查CLAMPING的直径、长度和端面。`,
     blankMissing: () => "程序没有定义毛坯。",
     blankNotTurned: (d, w) => `${w.text(d.form)}形式的毛坯不是绕轴的回转体。`,
     endsExchanged: (d, w) =>

@@ -57,13 +57,15 @@ export const params = {
     prompt: "圆周面角度?",
     printed: unprinted,
     label: "圆周面角度",
-    explanation: "圆周面与旋转轴之间的夹角；0为圆柱面。该面只向加工区内倾斜，不会低于轮廓。此为我们的理解，请在数控系统上核实。",
+    explanation:
+      "圆周面与旋转轴之间的夹角；0为圆柱面。该面只向加工区内倾斜，不会低于轮廓。此为我们的理解，请在数控系统上核实。",
   },
   flankAngle: {
     prompt: "侧面角度?",
     printed: unprinted,
     label: "侧面角度",
-    explanation: "轮廓起点处侧面与旋转轴平行线之间的夹角。槽向槽底变窄，不会宽于槽口。此为我们的理解，请在数控系统上核实。",
+    explanation:
+      "轮廓起点处侧面与旋转轴平行线之间的夹角。槽向槽底变窄，不会宽于槽口。此为我们的理解，请在数控系统上核实。",
   },
   faceAngle: {
     prompt: "端面角度?",
@@ -125,7 +127,8 @@ export const params = {
     prompt: "最大切削深度?",
     printed,
     label: "最大进刀量",
-    explanation: "每刀沿Z轴的最大进刀量，均匀分配。手册页写为径向，但轴向槽沿Z轴进刀，我们视其为印刷错误。请在数控系统上核实。",
+    explanation:
+      "每刀沿Z轴的最大进刀量，均匀分配。手册页写为径向，但轴向槽沿Z轴进刀，我们视其为印刷错误。请在数控系统上核实。",
   },
   roughingFeed: {
     prompt: "粗加工进给速率?",
@@ -215,7 +218,8 @@ export const params = {
     prompt: "精加工深度补偿?",
     printed: unprinted,
     label: "深度补偿",
-    explanation: "移动精加工的槽底，补偿刀片横向车削时的倾斜：正值使槽变浅，负值使槽变深。符号为我们的理解，请在数控系统上核实。",
+    explanation:
+      "移动精加工的槽底，补偿刀片横向车削时的倾斜：正值使槽变浅，负值使槽变深。符号为我们的理解，请在数控系统上核实。",
   },
   ...turning,
   ...recessing,

@@ -69,5 +69,10 @@ export const setup = {
     rapid: "快移速度（仅用于计算时间）",
   },
   units: { diameter: "mm ⌀", mm: "mm", rpm: "转/分", cuttingSpeed: "m/min", perMinute: "mm/min" },
-  wrong: { missing: "请输入值。", notANumber: "这不是数字。", negative: "值须大于或等于 0。", positive: "值须大于 0。" },
+  wrong: {
+    missing: "请输入值。",
+    notANumber: "这不是数字。",
+    negative: "值须大于或等于 0。",
+    positive: "值须大于 0。",
+  },
 } satisfies SetupTexts;

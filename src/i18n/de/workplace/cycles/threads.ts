@@ -12,11 +12,11 @@ const steps = [
   "im Eilgang zurück zum Zyklusstart",
 ];
 const thread = [
-  "Jeder Schnitt läuft vom Anlauf bis zum Ende des Gewindes, an die Spindel gekoppelt; dazwischen fährt das "
-  + "Werkzeug im Eilgang zurück. Bei konstantem Spanquerschnitt wächst die Tiefe mit der Wurzel der Schnittnummer.",
-  "Der Nenndurchmesser liegt beim Außengewinde an der Spitze, beim Innengewinde am Grund. Geschnitten wird von "
-  + "Start-Z nach End-Z; daraus und aus der Drehrichtung der Spindel folgt, ob ein Rechts- oder ein Linksgewinde entsteht. "
-  + "Unsere Auslegung; an der Steuerung prüfen.",
+  "Jeder Schnitt läuft vom Anlauf bis zum Ende des Gewindes, an die Spindel gekoppelt; dazwischen fährt das " +
+    "Werkzeug im Eilgang zurück. Bei konstantem Spanquerschnitt wächst die Tiefe mit der Wurzel der Schnittnummer.",
+  "Der Nenndurchmesser liegt beim Außengewinde an der Spitze, beim Innengewinde am Grund. Geschnitten wird von " +
+    "Start-Z nach End-Z; daraus und aus der Drehrichtung der Spindel folgt, ob ein Rechts- oder ein Linksgewinde entsteht. " +
+    "Unsere Auslegung; an der Steuerung prüfen.",
 ];
 const notes = [
   turnMode,
@@ -31,8 +31,8 @@ export const threads = {
     summary: "Schneidet ein Gewinde entlang einer freien Kontur.",
     description: [
       ...thread,
-      "Die Kontur ist die Linie des Nenndurchmessers; sie muss entlang der gekoppelten Achse weiterlaufen. "
-      + "Bögen werden als Sehnen geschnitten. Zyklus 14 nennt sie.",
+      "Die Kontur ist die Linie des Nenndurchmessers; sie muss entlang der gekoppelten Achse weiterlaufen. " +
+        "Bögen werden als Sehnen geschnitten. Zyklus 14 nennt sie.",
     ],
     rough: steps,
     finish: [],
@@ -52,7 +52,10 @@ export const threads = {
   832: {
     name: "Gewinde erweitert",
     summary: "Schneidet ein Gewinde auf Zylinder, Kegel oder Stirnfläche, mit eigenem An- und Überlauf.",
-    description: [...thread, "Der Kegel lässt sich durch zwei Punkte oder durch einen Punkt und einen Winkel angeben (Q464)."],
+    description: [
+      ...thread,
+      "Der Kegel lässt sich durch zwei Punkte oder durch einen Punkt und einen Winkel angeben (Q464).",
+    ],
     rough: steps,
     finish: [],
     notes,

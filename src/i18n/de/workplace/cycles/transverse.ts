@@ -23,12 +23,12 @@ export const transverse = {
     name: "Kontur plan",
     summary: "Dreht eine freie Kontur aus einem Unterprogramm, in Planrichtung.",
     description: [
-      "Dreht eine beliebige Kontur in Planrichtung. Die Kontur steht als Unterprogramm aus Geraden, Rundungen, Fasen und Bögen "
-      + "im Programm und wird mit Zyklus 14 oder SEL CONTOUR benannt.",
-      "Schruppt achsparallel, schlichtet oder macht beides. Erster Konturpunkt in X größer als der letzte: Außenbearbeitung. "
-      + "Kleiner: Innenbearbeitung.",
-      "Liegt Z des Startpunkts unter dem Konturstart, fährt das Werkzeug zuerst in Z auf den Konturstart; beim Schlichten auf "
-      + "Sicherheitsabstand.",
+      "Dreht eine beliebige Kontur in Planrichtung. Die Kontur steht als Unterprogramm aus Geraden, Rundungen, Fasen und Bögen " +
+        "im Programm und wird mit Zyklus 14 oder SEL CONTOUR benannt.",
+      "Schruppt achsparallel, schlichtet oder macht beides. Erster Konturpunkt in X größer als der letzte: Außenbearbeitung. " +
+        "Kleiner: Innenbearbeitung.",
+      "Liegt Z des Startpunkts unter dem Konturstart, fährt das Werkzeug zuerst in Z auf den Konturstart; beim Schlichten auf " +
+        "Sicherheitsabstand.",
     ],
     rough,
     finish,
@@ -38,10 +38,10 @@ export const transverse = {
     name: "Absatz plan",
     summary: "Plant einen rechtwinkligen Absatz, von der Werkzeugposition aus.",
     description: [
-      "Dreht eine Planfläche und den Zylinder an ihrem Ende. Die Position des Werkzeugs beim Aufruf ist die eine Ecke des "
-      + "Zerspanbereichs, das programmierte Ende die andere; Winkel und gebrochene Kanten gibt es nicht.",
-      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startpunkt weiter von der Drehachse weg als "
-      + "Q493: Außenbearbeitung. Näher daran: Innenbearbeitung.",
+      "Dreht eine Planfläche und den Zylinder an ihrem Ende. Die Position des Werkzeugs beim Aufruf ist die eine Ecke des " +
+        "Zerspanbereichs, das programmierte Ende die andere; Winkel und gebrochene Kanten gibt es nicht.",
+      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startpunkt weiter von der Drehachse weg als " +
+        "Q493: Außenbearbeitung. Näher daran: Innenbearbeitung.",
     ],
     ...own,
   },
@@ -49,10 +49,10 @@ export const transverse = {
     name: "Absatz plan erweitert",
     summary: "Plant einen Absatz, mit Fasen, Winkeln und Eckenradius.",
     description: [
-      "Dreht einen Absatz in Planrichtung. Die Kanten an Konturstart und Konturende können eine Fase oder einen Radius "
-      + "bekommen, Planfläche und Umfangsfläche können geneigt, die Innenecke kann verrundet sein.",
-      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
-      + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
+      "Dreht einen Absatz in Planrichtung. Die Kanten an Konturstart und Konturende können eine Fase oder einen Radius " +
+        "bekommen, Planfläche und Umfangsfläche können geneigt, die Innenecke kann verrundet sein.",
+      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: " +
+        "Außenbearbeitung. Kleiner: Innenbearbeitung.",
       "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheitsabstand.",
     ],
     ...own,
@@ -61,13 +61,13 @@ export const transverse = {
     name: "Drehen Eintauchen plan",
     summary: "Dreht hinter einer Flanke in eine Planfläche ein, quer zur Drehachse.",
     description: [
-      "Dreht einen Bereich in einer Planfläche, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, über "
-      + "einen Grund und bis an eine rechtwinklige Wand am Ende.",
+      "Dreht einen Bereich in einer Planfläche, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, über " +
+        "einen Grund und bis an eine rechtwinklige Wand am Ende.",
       "Was neben dem Konturstart steht, bleibt in der Ebene von Q492 stehen. Unsere Auslegung; an der Steuerung prüfen.",
-      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
-      + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheitsabstand neben den "
-      + "Konturstart.",
+      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: " +
+        "Außenbearbeitung. Kleiner: Innenbearbeitung.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheitsabstand neben den " +
+        "Konturstart.",
     ],
     rough,
     finish,
@@ -75,16 +75,17 @@ export const transverse = {
   },
   824: {
     name: "Drehen Eintauchen plan erweitert",
-    summary: "Dreht hinter einer Flanke in eine Planfläche ein, mit gebrochenen Kanten, Eckenradien und geneigter Wand.",
+    summary:
+      "Dreht hinter einer Flanke in eine Planfläche ein, mit gebrochenen Kanten, Eckenradien und geneigter Wand.",
     description: [
-      "Dreht einen Bereich in einer Planfläche, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, über "
-      + "einen Grund und eine Wand am Ende hinauf. Die Kanten an beiden Enden können eine Fase oder einen Radius bekommen, "
-      + "beide Ecken am Grund können verrundet, die Wand kann geneigt sein.",
+      "Dreht einen Bereich in einer Planfläche, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, über " +
+        "einen Grund und eine Wand am Ende hinauf. Die Kanten an beiden Enden können eine Fase oder einen Radius bekommen, " +
+        "beide Ecken am Grund können verrundet, die Wand kann geneigt sein.",
       "Was neben dem Konturstart steht, bleibt in der Ebene von Q492 stehen. Unsere Auslegung; an der Steuerung prüfen.",
-      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: "
-      + "Außenbearbeitung. Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheitsabstand neben den "
-      + "Konturstart.",
+      "Schruppt achsparallel in Planrichtung, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: " +
+        "Außenbearbeitung. Kleiner: Innenbearbeitung.",
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in Z, dann in X auf Sicherheitsabstand neben den " +
+        "Konturstart.",
     ],
     rough,
     finish,

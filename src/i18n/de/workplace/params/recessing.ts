@@ -5,22 +5,25 @@ export const recessing = {
     prompt: "Begrenzung der Stechtiefe?",
     printed: false,
     label: "Tiefenbegrenzung",
-    explanation: "Größte Tiefe je Zustellung. Ein tieferer Stich wird gleichmäßig aufgeteilt; dazwischen fährt das Werkzeug zum "
-      + "Spanbrechen 0,5 mm zurück. 0: jeder Stich in einem Zug. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Größte Tiefe je Zustellung. Ein tieferer Stich wird gleichmäßig aufgeteilt; dazwischen fährt das Werkzeug zum " +
+      "Spanbrechen 0,5 mm zurück. 0: jeder Stich in einem Zug. Unsere Auslegung; an der Steuerung prüfen.",
   },
   recessingOverlap: {
     prompt: "Überlappung beim Stechen?",
     printed: false,
     label: "Überlappung",
-    explanation: "Seitlicher Versatz von Stich zu Stich als Anteil von CUTWIDTH. Die Schritte sind gleichmäßig aufgeteilt, sodass "
-      + "der letzte Stich an der anderen Flanke steht. Beim Kammstechen ist es die Breite eines Stegs.",
+    explanation:
+      "Seitlicher Versatz von Stich zu Stich als Anteil von CUTWIDTH. Die Schritte sind gleichmäßig aufgeteilt, sodass " +
+      "der letzte Stich an der anderen Flanke steht. Beim Kammstechen ist es die Breite eines Stegs.",
   },
   solidFeed: {
     prompt: "Vorschubfaktor im Vollen?",
     printed: false,
     label: "Vorschub im Vollen",
-    explanation: "Vorschub eines Stichs ins Volle in Prozent des Schruppvorschubs Q478. Neben einem Stich, der ihn überlappt, "
-      + "gilt der ganze Vorschub.",
+    explanation:
+      "Vorschub eines Stichs ins Volle in Prozent des Schruppvorschubs Q478. Neben einem Stich, der ihn überlappt, " +
+      "gilt der ganze Vorschub.",
   },
   retraction: {
     prompt: "Rückzugsmodus (0/1)?",

@@ -5,8 +5,9 @@ export const special = {
     prompt: "Aufmaß Rohteil?",
     printed: false,
     label: "Aufmaß Rohteil",
-    explanation: "Was vor dem Zyklus auf der Kontur steht, überall senkrecht zu ihr gemessen, auch an Planflächen. "
-      + "Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Was vor dem Zyklus auf der Kontur steht, überall senkrecht zu ihr gemessen, auch an Planflächen. " +
+      "Unsere Auslegung; an der Steuerung prüfen.",
   },
   cuttingLines: {
     prompt: "Art der Schnittlinien (0/1)?",
@@ -29,8 +30,8 @@ export const special = {
     printed: false,
     label: "Präzessionswinkel",
     explanation:
-      "Dreht das Koordinatensystem um die Spindelachse Z. Stehen beide Spindeln parallel, ist jeder Winkel möglich, sonst sind nur "
-      + "zwei Winkel sinnvoll.",
+      "Dreht das Koordinatensystem um die Spindelachse Z. Stehen beide Spindeln parallel, ist jeder Winkel möglich, sonst sind nur " +
+      "zwei Winkel sinnvoll.",
   },
   reverseTool: {
     prompt: "Werkzeug umkehren (0=nein/1=ja)?",

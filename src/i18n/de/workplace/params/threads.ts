@@ -7,15 +7,17 @@ export const threads = {
     prompt: "Sicherheitsabstand?",
     printed,
     label: "Sicherheitsabstand",
-    explanation: "Abstand beim Abheben zwischen den Schnitten. In diesem Zyklus zugleich der Anlaufweg: So weit vor dem "
-      + "Start beginnt jeder Schnitt.",
+    explanation:
+      "Abstand beim Abheben zwischen den Schnitten. In diesem Zyklus zugleich der Anlaufweg: So weit vor dem " +
+      "Start beginnt jeder Schnitt.",
   },
   threadPosition: {
     prompt: "Gewindelage (0=außen/1=innen)?",
     printed,
     label: "Gewindelage",
-    explanation: "Ob das Gewinde außen oder innen geschnitten wird. Der Nenndurchmesser liegt außen an der Spitze, innen am "
-      + "Grund. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Ob das Gewinde außen oder innen geschnitten wird. Der Nenndurchmesser liegt außen an der Spitze, innen am " +
+      "Grund. Unsere Auslegung; an der Steuerung prüfen.",
     choices: { 0: "Außengewinde", 1: "Innengewinde" },
   },
   threadOrientation: {
@@ -29,7 +31,8 @@ export const threads = {
     prompt: "Gewindedurchmesser?",
     printed,
     label: "Gewinde ⌀",
-    explanation: "Nenndurchmesser: beim Außengewinde an der Spitze, beim Innengewinde am Grund. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Nenndurchmesser: beim Außengewinde an der Spitze, beim Innengewinde am Grund. Unsere Auslegung; an der Steuerung prüfen.",
   },
   threadStartDiameter: {
     prompt: "Durchmesser Gewindestart?",
@@ -47,21 +50,24 @@ export const threads = {
     prompt: "Gewindesteigung?",
     printed,
     label: "Steigung",
-    explanation: "Weg des Werkzeugs in einer Spindelumdrehung. Beim mehrgängigen Gewinde ist das die Steigung eines Gangs; "
-      + "von Gang zu Gang liegt die Teilung: Steigung durch Anzahl der Gänge. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Weg des Werkzeugs in einer Spindelumdrehung. Beim mehrgängigen Gewinde ist das die Steigung eines Gangs; " +
+      "von Gang zu Gang liegt die Teilung: Steigung durch Anzahl der Gänge. Unsere Auslegung; an der Steuerung prüfen.",
   },
   threadDepth: {
     prompt: "Gewindetiefe?",
     printed,
     label: "Tiefe",
-    explanation: "Tiefe im Radius. 0: aus der Steigung, wie bei metrischem ISO-Gewinde (außen 0,6134, innen 0,5413 × Steigung).",
+    explanation:
+      "Tiefe im Radius. 0: aus der Steigung, wie bei metrischem ISO-Gewinde (außen 0,6134, innen 0,5413 × Steigung).",
   },
   threadRunOut: {
     prompt: "Gewindeauslauf?",
     printed,
     label: "Auslauf",
-    explanation: "Weg am Gewindeende, auf dem das Werkzeug von der Tiefe zur Spitze ansteigt. 0: Es hebt erst nach dem "
-      + "Überlaufweg ab, aus voller Tiefe.",
+    explanation:
+      "Weg am Gewindeende, auf dem das Werkzeug von der Tiefe zur Spitze ansteigt. 0: Es hebt erst nach dem " +
+      "Überlaufweg ab, aus voller Tiefe.",
   },
   threadRunIn: {
     prompt: "Anlaufweg?",
@@ -73,15 +79,17 @@ export const threads = {
     prompt: "Überlaufweg?",
     printed,
     label: "Überlaufweg",
-    explanation: "Weg hinter dem Gewinde, auf dem die Achse zum Stehen kommt. Ohne Auslauf wird er in voller Tiefe "
-      + "gefahren: Dort muss ein Freistich sein.",
+    explanation:
+      "Weg hinter dem Gewinde, auf dem die Achse zum Stehen kommt. Ohne Auslauf wird er in voller Tiefe " +
+      "gefahren: Dort muss ein Freistich sein.",
   },
   taperForm: {
     prompt: "Maßangabe Kegel (0-4)?",
     printed,
     label: "Kegel durch",
-    explanation: "Welche Werte die Linie des Gewindes beschreiben. Der Winkel Q469 öffnet sich von einer Parallelen zur "
-      + "Achse in Schnittrichtung. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Welche Werte die Linie des Gewindes beschreiben. Der Winkel Q469 öffnet sich von einer Parallelen zur " +
+      "Achse in Schnittrichtung. Unsere Auslegung; an der Steuerung prüfen.",
     choices: {
       0: "Start- und Endpunkt",
       1: "Endpunkt, Startdurchmesser, Winkel",
@@ -101,15 +109,17 @@ export const threads = {
     prompt: "Maximale Schnitttiefe?",
     printed,
     label: "Erste Zustellung",
-    explanation: "Tiefe des ersten Schnitts im Radius. Bei konstantem Spanquerschnitt wird jede weitere Zustellung "
-      + "kleiner, aber nie kleiner als ein Zwanzigstel der ersten.",
+    explanation:
+      "Tiefe des ersten Schnitts im Radius. Bei konstantem Spanquerschnitt wird jede weitere Zustellung " +
+      "kleiner, aber nie kleiner als ein Zwanzigstel der ersten.",
   },
   infeedAngle: {
     prompt: "Zustellwinkel?",
     printed,
     label: "Zustellwinkel",
-    explanation: "Richtung der Zustellung gegen die Senkrechte auf das Gewinde: Mit der Tiefe wandert das Werkzeug auch "
-      + "seitlich, sodass vor allem die vordere Flanke schneidet. Höchstens der halbe Spitzenwinkel der Schneidplatte.",
+    explanation:
+      "Richtung der Zustellung gegen die Senkrechte auf das Gewinde: Mit der Tiefe wandert das Werkzeug auch " +
+      "seitlich, sodass vor allem die vordere Flanke schneidet. Höchstens der halbe Spitzenwinkel der Schneidplatte.",
   },
   infeedType: {
     prompt: "Zustellart (0/1)?",

@@ -16,8 +16,9 @@ export const turning = {
     prompt: "Winkel Flanke?",
     printed: false,
     label: "Flankenwinkel",
-    explanation: "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Der Einstich wird zum Grund hin schmaler, "
-      + "nie breiter als seine Öffnung. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Der Einstich wird zum Grund hin schmaler, " +
+      "nie breiter als seine Öffnung. Unsere Auslegung; an der Steuerung prüfen.",
   },
   secondFlankAngleRadial: {
     prompt: "Winkel zweite Flanke?",
@@ -29,28 +30,32 @@ export const turning = {
     prompt: "Maximale Schnitttiefe?",
     printed: false,
     label: "Max. Zustellung",
-    explanation: "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft "
-      + "kleiner, und es bleibt kein Schleifschnitt.",
+    explanation:
+      "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft " +
+      "kleiner, und es bleibt kein Schleifschnitt.",
   },
   infeedContour: {
     prompt: "Maximale Schnitttiefe?",
     printed: false,
     label: "Max. Zustellung",
-    explanation: "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist "
-      + "darum oft kleiner, und es bleibt kein Schleifschnitt. 0: ein Schnitt.",
+    explanation:
+      "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist " +
+      "darum oft kleiner, und es bleibt kein Schleifschnitt. 0: ein Schnitt.",
   },
   plungeAngle: {
     prompt: "Winkel Flanke?",
     printed: false,
     label: "Flankenwinkel",
-    explanation: "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Die Flanke fällt vom Konturstart in den "
-      + "Zerspanbereich hinein, nie hinter die Kante. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Die Flanke fällt vom Konturstart in den " +
+      "Zerspanbereich hinein, nie hinter die Kante. Unsere Auslegung; an der Steuerung prüfen.",
   },
   plungeAngleFace: {
     prompt: "Winkel Flanke?",
     printed: false,
     label: "Flankenwinkel",
-    explanation: "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Die Flanke fällt vom Konturstart in den "
-      + "Zerspanbereich hinein, nie hinter die Kante. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation:
+      "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Die Flanke fällt vom Konturstart in den " +
+      "Zerspanbereich hinein, nie hinter die Kante. Unsere Auslegung; an der Steuerung prüfen.",
   },
 } satisfies SomeParamTexts;

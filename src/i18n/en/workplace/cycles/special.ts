@@ -6,16 +6,16 @@ export const special = {
     name: "Adjust the coordinate system",
     summary: "Fits the coordinate system of turning to a tilted or rotated tool.",
     description: [
-      "Says how the tool stands to the workpiece: turned about its axis, upside down, tilted. It acts where it stands in the "
-      + "program and needs no call.",
+      "Says how the tool stands to the workpiece: turned about its axis, upside down, tilted. It acts where it stands in the " +
+        "program and needs no call.",
       "Call it before turning and after every tool change.",
     ],
     rough: [],
     finish: [],
     notes: [
       turnMode,
-      "With all angles 0, without a reversed tool and with Q535 = 0 or 3 it changes nothing, and the program is run on. With "
-      + "anything else the block is kept, and nothing behind it is proved.",
+      "With all angles 0, without a reversed tool and with Q535 = 0 or 3 it changes nothing, and the program is run on. With " +
+        "anything else the block is kept, and nothing behind it is proved.",
       "Newer software adds a retraction parameter Q599; it is kept.",
     ],
   },
@@ -27,6 +27,9 @@ export const special = {
     ],
     rough: [],
     finish: [],
-    notes: [turnMode, "Whatever cycle 800 has left unproved stays so: where the machine stands then, nobody here knows."],
+    notes: [
+      turnMode,
+      "Whatever cycle 800 has left unproved stays so: where the machine stands then, nobody here knows.",
+    ],
   },
 } satisfies CycleTexts;

@@ -12,11 +12,11 @@ const steps = [
   "back to the cycle start at rapid",
 ];
 const thread = [
-  "Each pass runs from the run-in to the end of the thread, locked to the spindle; between the passes the tool "
-  + "goes back at rapid. With a constant chip cross-section the depth grows with the square root of the pass.",
-  "The nominal diameter is the crest of an external thread and the root of an internal one. From start Z to "
-  + "end Z: that is the direction of cutting. The hand of the thread follows from it and from the direction of "
-  + "the spindle. Our reading; verify on your control.",
+  "Each pass runs from the run-in to the end of the thread, locked to the spindle; between the passes the tool " +
+    "goes back at rapid. With a constant chip cross-section the depth grows with the square root of the pass.",
+  "The nominal diameter is the crest of an external thread and the root of an internal one. From start Z to " +
+    "end Z: that is the direction of cutting. The hand of the thread follows from it and from the direction of " +
+    "the spindle. Our reading; verify on your control.",
 ];
 const notes = [
   turnMode,
@@ -31,8 +31,8 @@ export const threads = {
     summary: "Cuts a thread along a free contour.",
     description: [
       ...thread,
-      "The contour is the line of the nominal diameter; it has to run on along the locked axis. Arcs are cut "
-      + "as chords. Cycle 14 names it.",
+      "The contour is the line of the nominal diameter; it has to run on along the locked axis. Arcs are cut " +
+        "as chords. Cycle 14 names it.",
     ],
     rough: steps,
     finish: [],

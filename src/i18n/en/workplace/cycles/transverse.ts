@@ -23,12 +23,12 @@ export const transverse = {
     name: "Contour, transverse",
     summary: "Cuts a free contour from a subprogram, across the axis.",
     description: [
-      "Turns any contour crosswise. The contour stands in a subprogram of lines, roundings, chamfers and arcs, named by cycle 14 "
-      + "or SEL CONTOUR.",
-      "Roughs with paraxial passes, finishes, or both. First contour point greater in X than the last: outside machining. "
-      + "Smaller: inside machining.",
-      "If Z of the start point is below the contour start, the tool first moves in Z to the contour start; for finishing, to the "
-      + "set-up clearance.",
+      "Turns any contour crosswise. The contour stands in a subprogram of lines, roundings, chamfers and arcs, named by cycle 14 " +
+        "or SEL CONTOUR.",
+      "Roughs with paraxial passes, finishes, or both. First contour point greater in X than the last: outside machining. " +
+        "Smaller: inside machining.",
+      "If Z of the start point is below the contour start, the tool first moves in Z to the contour start; for finishing, to the " +
+        "set-up clearance.",
     ],
     rough,
     finish,
@@ -38,10 +38,10 @@ export const transverse = {
     name: "Shoulder, face",
     summary: "Faces a square shoulder across the axis, from where the tool stands.",
     description: [
-      "Turns a face and the cylinder at its end. The point where the tool stands at the call is one corner of the area to be "
-      + "cut, the programmed end is the other; there are no angles and no broken edges.",
-      "Roughs with paraxial passes across the axis, finishes, or both. Start point farther from the axis than Q493: outside "
-      + "machining. Nearer: inside machining.",
+      "Turns a face and the cylinder at its end. The point where the tool stands at the call is one corner of the area to be " +
+        "cut, the programmed end is the other; there are no angles and no broken edges.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start point farther from the axis than Q493: outside " +
+        "machining. Nearer: inside machining.",
     ],
     ...own,
   },
@@ -49,10 +49,10 @@ export const transverse = {
     name: "Shoulder, face, extended",
     summary: "Faces a shoulder across the axis, with chamfers, angles and a corner radius.",
     description: [
-      "Turns a shoulder crosswise. The edges at the contour start and end can get a chamfer or a radius, the face and the "
-      + "circumferential surface can lean, and the inside corner can be rounded.",
-      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside "
-      + "machining. Smaller: inside machining.",
+      "Turns a shoulder crosswise. The edges at the contour start and end can get a chamfer or a radius, the face and the " +
+        "circumferential surface can lean, and the inside corner can be rounded.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside " +
+        "machining. Smaller: inside machining.",
       "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance.",
     ],
     ...own,
@@ -61,13 +61,13 @@ export const transverse = {
     name: "Plunge turning, transverse",
     summary: "Cuts behind a flank into a face, across the axis.",
     description: [
-      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, across a floor, "
-      + "and up to a square wall at the end.",
+      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, across a floor, " +
+        "and up to a square wall at the end.",
       "What stands beside the contour start stays, in the plane of Q492. Our reading; verify on your control.",
-      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside "
-      + "machining. Smaller: inside machining.",
-      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance beside "
-      + "the contour start.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside " +
+        "machining. Smaller: inside machining.",
+      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance beside " +
+        "the contour start.",
     ],
     rough,
     finish,
@@ -77,14 +77,14 @@ export const transverse = {
     name: "Plunge turning, transverse, extended",
     summary: "Cuts behind a flank into a face, with broken edges, corner radii and a leaning wall.",
     description: [
-      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, across a floor, "
-      + "and up a wall at the end. The edges at either end can get a chamfer or a radius, both corners on the floor can be "
-      + "rounded, and the wall can lean.",
+      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, across a floor, " +
+        "and up a wall at the end. The edges at either end can get a chamfer or a radius, both corners on the floor can be " +
+        "rounded, and the wall can lean.",
       "What stands beside the contour start stays, in the plane of Q492. Our reading; verify on your control.",
-      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside "
-      + "machining. Smaller: inside machining.",
-      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance beside "
-      + "the contour start.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside " +
+        "machining. Smaller: inside machining.",
+      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance beside " +
+        "the contour start.",
     ],
     rough,
     finish,

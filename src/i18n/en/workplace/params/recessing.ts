@@ -5,22 +5,25 @@ export const recessing = {
     prompt: "Limit of the recessing depth?",
     printed: false,
     label: "Depth limit",
-    explanation: "Largest depth of one bite. A deeper plunge is divided evenly, and between two bites the tool goes back by 0.5 "
-      + "mm to break the chip. 0: each plunge in one go. Our reading; verify on your control.",
+    explanation:
+      "Largest depth of one bite. A deeper plunge is divided evenly, and between two bites the tool goes back by 0.5 " +
+      "mm to break the chip. 0: each plunge in one go. Our reading; verify on your control.",
   },
   recessingOverlap: {
     prompt: "Overlap when recessing?",
     printed: false,
     label: "Overlap",
-    explanation: "Side step from one plunge to the next, as a share of CUTWIDTH. The steps are divided evenly, so that the last "
-      + "plunge stands at the other wall. In a comb it is the width of a web.",
+    explanation:
+      "Side step from one plunge to the next, as a share of CUTWIDTH. The steps are divided evenly, so that the last " +
+      "plunge stands at the other wall. In a comb it is the width of a web.",
   },
   solidFeed: {
     prompt: "Feed factor for the full cut?",
     printed: false,
     label: "Feed in solid",
-    explanation: "Feed of a plunge into solid material, in percent of the roughing feed Q478. A plunge beside one that overlaps "
-      + "it runs at the full feed.",
+    explanation:
+      "Feed of a plunge into solid material, in percent of the roughing feed Q478. A plunge beside one that overlaps " +
+      "it runs at the full feed.",
   },
   retraction: {
     prompt: "Retraction (0/1)?",

@@ -29,8 +29,8 @@ export const special = {
     printed: false,
     label: "Precession angle",
     explanation:
-      "Turns the coordinate system about the spindle axis Z. Where both spindles are parallel any angle is possible, otherwise only "
-      + "two angles make sense.",
+      "Turns the coordinate system about the spindle axis Z. Where both spindles are parallel any angle is possible, otherwise only " +
+      "two angles make sense.",
   },
   reverseTool: {
     prompt: "Reverse tool (0=no/1=yes)?",
@@ -80,7 +80,8 @@ export const special = {
     prompt: "Eccentric turning (0-3)?",
     printed: false,
     label: "Eccentric turning",
-    explanation: "Couples the axes for turning away from the centre of the table. Other values than 0 and 3 are kept and not proved.",
+    explanation:
+      "Couples the axes for turning away from the centre of the table. Other values than 0 and 3 are kept and not proved.",
     choices: {
       0: "switch couplings off",
       1: "switch couplings on, rotate round the preset",

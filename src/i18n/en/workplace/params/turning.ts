@@ -16,8 +16,9 @@ export const turning = {
     prompt: "Angle of flank?",
     printed: false,
     label: "Flank angle",
-    explanation: "Angle between the flank at the contour start and a perpendicular to the rotary axis. The groove gets narrower towards "
-      + "its floor, never wider than its opening. Our reading; verify on your control.",
+    explanation:
+      "Angle between the flank at the contour start and a perpendicular to the rotary axis. The groove gets narrower towards " +
+      "its floor, never wider than its opening. Our reading; verify on your control.",
   },
   secondFlankAngleRadial: {
     prompt: "Angle of second flank?",
@@ -36,21 +37,24 @@ export const turning = {
     prompt: "Maximum cutting depth?",
     printed: false,
     label: "Max. infeed",
-    explanation: "Largest infeed per pass, on the radius. The depth is divided evenly, so the real infeed is often smaller and no thin "
-      + "last cut remains. 0: one pass.",
+    explanation:
+      "Largest infeed per pass, on the radius. The depth is divided evenly, so the real infeed is often smaller and no thin " +
+      "last cut remains. 0: one pass.",
   },
   plungeAngle: {
     prompt: "Angle of flank?",
     printed: false,
     label: "Flank angle",
-    explanation: "Angle between the flank at the contour start and a perpendicular to the rotary axis. The flank falls from the contour "
-      + "start into the area to be cut, never behind the edge. Our reading; verify on your control.",
+    explanation:
+      "Angle between the flank at the contour start and a perpendicular to the rotary axis. The flank falls from the contour " +
+      "start into the area to be cut, never behind the edge. Our reading; verify on your control.",
   },
   plungeAngleFace: {
     prompt: "Angle of flank?",
     printed: false,
     label: "Flank angle",
-    explanation: "Angle between the flank at the contour start and a parallel to the rotary axis. The flank falls from the contour "
-      + "start into the area to be cut, never behind the edge. Our reading; verify on your control.",
+    explanation:
+      "Angle between the flank at the contour start and a parallel to the rotary axis. The flank falls from the contour " +
+      "start into the area to be cut, never behind the edge. Our reading; verify on your control.",
   },
 } satisfies SomeParamTexts;

@@ -12,11 +12,11 @@ const steps = [
   "retour au départ du cycle en rapide",
 ];
 const thread = [
-  "Chaque passe va de l’engagement à la fin du filetage, liée à la broche ; entre les passes l’outil revient "
-  + "en rapide. À section de copeau constante, la profondeur croît comme la racine carrée du numéro de passe.",
-  "Le diamètre nominal est le sommet d’un filetage extérieur et le fond d’un filetage intérieur. On usine du Z "
-  + "de départ au Z de fin ; ce sens et celui de la broche donnent un filetage à droite ou à gauche. Notre "
-  + "lecture ; à vérifier sur la commande.",
+  "Chaque passe va de l’engagement à la fin du filetage, liée à la broche ; entre les passes l’outil revient " +
+    "en rapide. À section de copeau constante, la profondeur croît comme la racine carrée du numéro de passe.",
+  "Le diamètre nominal est le sommet d’un filetage extérieur et le fond d’un filetage intérieur. On usine du Z " +
+    "de départ au Z de fin ; ce sens et celui de la broche donnent un filetage à droite ou à gauche. Notre " +
+    "lecture ; à vérifier sur la commande.",
 ];
 const notes = [
   turnMode,
@@ -31,8 +31,8 @@ export const threads = {
     summary: "Usine un filetage le long d’un contour libre.",
     description: [
       ...thread,
-      "Le contour est la ligne du diamètre nominal ; il doit avancer selon l’axe lié. Les arcs sont usinés en "
-      + "cordes. Le cycle 14 le désigne.",
+      "Le contour est la ligne du diamètre nominal ; il doit avancer selon l’axe lié. Les arcs sont usinés en " +
+        "cordes. Le cycle 14 le désigne.",
     ],
     rough: steps,
     finish: [],

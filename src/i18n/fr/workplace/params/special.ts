@@ -5,8 +5,9 @@ export const special = {
     prompt: "Surépaisseur du brut?",
     printed: false,
     label: "Surépaisseur brut",
-    explanation: "Ce qui se trouve sur le contour avant le cycle, mesuré partout perpendiculairement à lui, aussi sur les faces. "
-      + "Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Ce qui se trouve sur le contour avant le cycle, mesuré partout perpendiculairement à lui, aussi sur les faces. " +
+      "Notre lecture ; à vérifier sur la commande.",
   },
   cuttingLines: {
     prompt: "Type de lignes de coupe (0/1)?",
@@ -29,8 +30,8 @@ export const special = {
     printed: false,
     label: "Angle de précession",
     explanation:
-      "Tourne le système de coordonnées autour de l’axe de broche Z. Si les deux broches sont parallèles, tout angle est possible ; "
-      + "sinon, deux angles seulement conviennent.",
+      "Tourne le système de coordonnées autour de l’axe de broche Z. Si les deux broches sont parallèles, tout angle est possible ; " +
+      "sinon, deux angles seulement conviennent.",
   },
   reverseTool: {
     prompt: "Inverser outil (0=non/1=oui)?",

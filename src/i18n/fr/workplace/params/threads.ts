@@ -7,15 +7,17 @@ export const threads = {
     prompt: "Distance d'approche?",
     printed,
     label: "Distance d’approche",
-    explanation: "Distance gardée quand l’outil se dégage entre les passes. Dans ce cycle, c’est aussi l’engagement : "
-      + "chaque passe débute d’autant avant le départ.",
+    explanation:
+      "Distance gardée quand l’outil se dégage entre les passes. Dans ce cycle, c’est aussi l’engagement : " +
+      "chaque passe débute d’autant avant le départ.",
   },
   threadPosition: {
     prompt: "Position du filetage (0=ext./1=int.)?",
     printed,
     label: "Position",
-    explanation: "Filetage à l’extérieur ou à l’intérieur. Le diamètre nominal est le sommet à l’extérieur, le fond à "
-      + "l’intérieur. Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Filetage à l’extérieur ou à l’intérieur. Le diamètre nominal est le sommet à l’extérieur, le fond à " +
+      "l’intérieur. Notre lecture ; à vérifier sur la commande.",
     choices: { 0: "filetage extérieur", 1: "filetage intérieur" },
   },
   threadOrientation: {
@@ -48,22 +50,25 @@ export const threads = {
     prompt: "Pas du filetage?",
     printed,
     label: "Pas",
-    explanation: "Course de l’outil par tour de broche. Avec plusieurs filets, c’est le pas hélicoïdal ; d’un sillon au "
-      + "suivant il y a la part de chaque filet. Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Course de l’outil par tour de broche. Avec plusieurs filets, c’est le pas hélicoïdal ; d’un sillon au " +
+      "suivant il y a la part de chaque filet. Notre lecture ; à vérifier sur la commande.",
   },
   threadDepth: {
     prompt: "Profondeur du filetage?",
     printed,
     label: "Profondeur",
-    explanation: "Profondeur au rayon. 0 : d’après le pas, comme pour un filetage ISO métrique (extérieur 0,6134, intérieur "
-      + "0,5413 × pas).",
+    explanation:
+      "Profondeur au rayon. 0 : d’après le pas, comme pour un filetage ISO métrique (extérieur 0,6134, intérieur " +
+      "0,5413 × pas).",
   },
   threadRunOut: {
     prompt: "Longueur de sortie du filetage?",
     printed,
     label: "Sortie",
-    explanation: "Course à la fin du filetage sur laquelle l’outil remonte du fond au sommet. 0 : il se dégage après le "
-      + "dépassement, à pleine profondeur.",
+    explanation:
+      "Course à la fin du filetage sur laquelle l’outil remonte du fond au sommet. 0 : il se dégage après le " +
+      "dépassement, à pleine profondeur.",
   },
   threadRunIn: {
     prompt: "Course d'engagement?",
@@ -82,8 +87,9 @@ export const threads = {
     prompt: "Type de cotation du cône (0-4)?",
     printed,
     label: "Cône défini par",
-    explanation: "Valeurs qui décrivent la ligne du filetage. L’angle Q469 s’ouvre depuis une parallèle à l’axe dans le "
-      + "sens de coupe. Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Valeurs qui décrivent la ligne du filetage. L’angle Q469 s’ouvre depuis une parallèle à l’axe dans le " +
+      "sens de coupe. Notre lecture ; à vérifier sur la commande.",
     choices: {
       0: "points de départ et de fin",
       1: "point de fin, diamètre de départ, angle",
@@ -96,22 +102,25 @@ export const threads = {
     prompt: "Angle du cône?",
     printed,
     label: "Angle du cône",
-    explanation: "Angle entre la ligne du filetage et l’axe, positif si le diamètre croît dans le sens de coupe. Sans effet "
-      + "avec Q464 = 0.",
+    explanation:
+      "Angle entre la ligne du filetage et l’axe, positif si le diamètre croît dans le sens de coupe. Sans effet " +
+      "avec Q464 = 0.",
   },
   firstInfeed: {
     prompt: "Profondeur de passe max.?",
     printed,
     label: "Première passe",
-    explanation: "Profondeur de la première passe, au rayon. À section de copeau constante, chaque passe suivante est "
-      + "plus faible, mais jamais moins d’un vingtième de la première.",
+    explanation:
+      "Profondeur de la première passe, au rayon. À section de copeau constante, chaque passe suivante est " +
+      "plus faible, mais jamais moins d’un vingtième de la première.",
   },
   infeedAngle: {
     prompt: "Angle de prise de passe?",
     printed,
     label: "Angle de pénétration",
-    explanation: "Direction de la prise de passe par rapport à la perpendiculaire au filetage : l’outil se décale aussi "
-      + "latéralement, le flanc avant coupe surtout. Au plus la moitié de l’angle de pointe.",
+    explanation:
+      "Direction de la prise de passe par rapport à la perpendiculaire au filetage : l’outil se décale aussi " +
+      "latéralement, le flanc avant coupe surtout. Au plus la moitié de l’angle de pointe.",
   },
   infeedType: {
     prompt: "Type de prise de passe (0/1)?",

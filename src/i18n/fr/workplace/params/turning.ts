@@ -16,8 +16,9 @@ export const turning = {
     prompt: "Angle du flanc?",
     printed: false,
     label: "Angle du flanc",
-    explanation: "Angle entre le flanc au départ du contour et la perpendiculaire à l’axe de rotation. La gorge se resserre vers le fond, "
-      + "elle n’est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Angle entre le flanc au départ du contour et la perpendiculaire à l’axe de rotation. La gorge se resserre vers le fond, " +
+      "elle n’est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
   },
   secondFlankAngleRadial: {
     prompt: "Angle du deuxième flanc?",
@@ -29,28 +30,32 @@ export const turning = {
     prompt: "Plongée max.?",
     printed: false,
     label: "Passe max.",
-    explanation: "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans "
-      + "dernière passe trop mince.",
+    explanation:
+      "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans " +
+      "dernière passe trop mince.",
   },
   infeedContour: {
     prompt: "Plongée max.?",
     printed: false,
     label: "Passe max.",
-    explanation: "Passe la plus grande, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, "
-      + "sans dernière passe trop mince. 0 : une seule passe.",
+    explanation:
+      "Passe la plus grande, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, " +
+      "sans dernière passe trop mince. 0 : une seule passe.",
   },
   plungeAngle: {
     prompt: "Angle du flanc?",
     printed: false,
     label: "Angle du flanc",
-    explanation: "Angle entre le flanc au départ du contour et la perpendiculaire à l’axe de rotation. Le flanc descend du départ du "
-      + "contour dans la zone à usiner, jamais derrière l’arête. Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Angle entre le flanc au départ du contour et la perpendiculaire à l’axe de rotation. Le flanc descend du départ du " +
+      "contour dans la zone à usiner, jamais derrière l’arête. Notre lecture ; à vérifier sur la commande.",
   },
   plungeAngleFace: {
     prompt: "Angle du flanc?",
     printed: false,
     label: "Angle du flanc",
-    explanation: "Angle entre le flanc au départ du contour et la parallèle à l’axe de rotation. Le flanc descend du départ du contour "
-      + "dans la zone à usiner, jamais derrière l’arête. Notre lecture ; à vérifier sur la commande.",
+    explanation:
+      "Angle entre le flanc au départ du contour et la parallèle à l’axe de rotation. Le flanc descend du départ du contour " +
+      "dans la zone à usiner, jamais derrière l’arête. Notre lecture ; à vérifier sur la commande.",
   },
 } satisfies SomeParamTexts;

@@ -12,4 +12,5 @@ export const freeContour = [
   edgeLength,
 ];
 /** What holds where a tool plunges and no feed is asked for it. */
-export const plunging = "切入以粗加工进给进行：这些循环不单独询问切入进给。侧面陡于切削刃能跟随的角度时，保留材料并显示警告。";
+export const plunging =
+  "切入以粗加工进给进行：这些循环不单独询问切入进给。侧面陡于切削刃能跟随的角度时，保留材料并显示警告。";

@@ -103,6 +103,13 @@ export const recessTurning = {
     ],
     rough,
     finish,
-    notes: [turnMode, safePosition, shortened, tooFar, edgeLength, "手册页称Q460为保留，但有两步仍提到安全高度；我们在该处使用固定距离。"],
+    notes: [
+      turnMode,
+      safePosition,
+      shortened,
+      tooFar,
+      edgeLength,
+      "手册页称Q460为保留，但有两步仍提到安全高度；我们在该处使用固定距离。",
+    ],
   },
 } satisfies CycleTexts;

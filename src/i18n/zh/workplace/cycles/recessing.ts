@@ -33,7 +33,11 @@ export const recessing = {
   860: {
     name: "径向轮廓切槽",
     summary: "在圆柱面或孔内按轮廓切槽，槽数不限。",
-    description: ["以朝向轴线（孔内则背离轴线）的并排切入去除子程序轮廓与起点之间的材料。之前须用循环14指定轮廓。", order, sections],
+    description: [
+      "以朝向轴线（孔内则背离轴线）的并排切入去除子程序轮廓与起点之间的材料。之前须用循环14指定轮廓。",
+      order,
+      sections,
+    ],
     rough,
     finish,
     notes,

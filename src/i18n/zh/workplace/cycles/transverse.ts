@@ -1,7 +1,14 @@
 import type { CycleTexts } from "../../../cycle-text.ts";
 import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
-const rough = ["快移平行轴进刀", "以粗加工进给横向切削", "退刀一个进刀量", "快移退至切削起点", "重复，直至轮廓完成", "快移退至循环起点"];
+const rough = [
+  "快移平行轴进刀",
+  "以粗加工进给横向切削",
+  "退刀一个进刀量",
+  "快移退至切削起点",
+  "重复，直至轮廓完成",
+  "快移退至循环起点",
+];
 const finish = ["快移进刀", "从起点到终点精加工轮廓", "退刀至安全高度", "快移退至循环起点"];
 /** Of the cycles that have a contour of their own. */
 const own = { rough, finish, notes: [turnMode, safePosition, edgeLength] };

@@ -2,30 +2,36 @@ import type { MessagesTexts } from "../../../message-texts.ts";
 import type { Write } from "../../../write.ts";
 
 /** What a finding offers, where it offers something. */
-const nearest = (
-  value: number | undefined,
-  say: (value: number) => string,
-) => (value === undefined ? "" : `最接近的可用值：${say(value)}。`);
+const nearest = (value: number | undefined, say: (value: number) => string) =>
+  value === undefined ? "" : `最接近的可用值：${say(value)}。`;
 
 const ALL_ALONG = "常用的导入长度都无法避开：请从自由端开始螺纹，或先在该处车退刀槽。";
 /** A place on the axis that a thread runs along: a Z, or in a face a diameter. */
-const placeOn = (axis: "X" | "Z", value: number, w: Write): string => (axis === "X" ? `X${w.diameter(value)}` : `Z${w.signed(value)}`);
+const placeOn = (axis: "X" | "Z", value: number, w: Write): string =>
+  axis === "X" ? `X${w.diameter(value)}` : `Z${w.signed(value)}`;
 
 export const threads = {
   pitchZero: () => "螺纹需要大于0的螺距。",
   depthFromPitch: (d, w) =>
     `按螺距计算的深度（ISO米制牙型）：${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(d.depth)}（半径值）。`,
   depthOfOtherProfile: (d, w) =>
-    `Q473 = 0采用米制牙型的深度：${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(d.depth)}。该系数属于60°，此刀片为${
-      w.angle(d.angle)
-    }。${d.right === undefined ? "请输入其牙型的深度。" : `惠氏牙型（55°）：${w.number(d.right)} × 螺距。`}${nearest(d.nearest, w.size)}`,
-  toothAssumed: (d, w) => `螺纹刀的CUTLENGTH为空：按牙高${w.length(d.height)}计算。请输入牙高，以便用实际刀片检查螺纹旁的台阶。`,
-  threadOverInsert: (d, w) => `${w.length(d.depth)}超过刀片高度${w.length(d.most)}。请选用牙更高的螺纹刀（CUTLENGTH）。`,
+    `Q473 = 0采用米制牙型的深度：${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(d.depth)}。该系数属于60°，此刀片为${w.angle(
+      d.angle,
+    )}。${d.right === undefined ? "请输入其牙型的深度。" : `惠氏牙型（55°）：${w.number(d.right)} × 螺距。`}${nearest(d.nearest, w.size)}`,
+  toothAssumed: (d, w) =>
+    `螺纹刀的CUTLENGTH为空：按牙高${w.length(d.height)}计算。请输入牙高，以便用实际刀片检查螺纹旁的台阶。`,
+  threadOverInsert: (d, w) =>
+    `${w.length(d.depth)}超过刀片高度${w.length(d.most)}。请选用牙更高的螺纹刀（CUTLENGTH）。`,
   threadMeets: (d, w) =>
-    `${d.place === "over" ? "" : `${d.place === "before" ? "导入段" : "越程段"}内刀具会碰到材料。`}在${
-      w.place(d.x, d.z)
-    }，材料高出螺纹牙顶${w.length(d.over)}${
-      d.most === undefined ? d.place === "over" ? "：第一刀会一并切除，牙槽之间的则留下。" : "。" : `；刀片只能容纳${w.length(d.most)}。`
+    `${d.place === "over" ? "" : `${d.place === "before" ? "导入段" : "越程段"}内刀具会碰到材料。`}在${w.place(
+      d.x,
+      d.z,
+    )}，材料高出螺纹牙顶${w.length(d.over)}${
+      d.most === undefined
+        ? d.place === "over"
+          ? "：第一刀会一并切除，牙槽之间的则留下。"
+          : "。"
+        : `；刀片只能容纳${w.length(d.most)}。`
     }`,
   flankInfeedTooSteep: (d, w) =>
     `角度${w.angle(d.angle)}会使各刀切入成品牙侧：最多为刀尖角的一半${w.angle(d.most)}。${nearest(d.nearest, w.angle)}`,
@@ -46,11 +52,11 @@ export const threads = {
   threadTooMany: (d, w) => `所有走刀共${w.number(d.turns)}转主轴，超过${w.number(d.most)}。`,
   taperImpossible: (d, w) => `角度${w.angle(d.angle)}无法从螺纹起点到达终点。`,
   threadFeedOverLimit: (d, w) =>
-    `转速${w.number(d.speed)} × 螺距的进给为${w.number(d.feed)} mm/min，超过轴的能力${w.number(d.most)}。转速不超过${
-      w.number(d.upTo)
-    } 转/分时可以跟随。`,
+    `转速${w.number(d.speed)} × 螺距的进给为${w.number(d.feed)} mm/min，超过轴的能力${w.number(d.most)}。转速不超过${w.number(
+      d.upTo,
+    )} 转/分时可以跟随。`,
   runInShort: (d, w) =>
-    `转速${w.number(d.speed)} 转/分时，导入段${w.size(d.runIn)}太短，达不到进给速率：转速 × 螺距 / 400 为${
-      w.size(d.needed)
-    } mm。我们的经验法则。${nearest(d.nearest, w.size)}`,
+    `转速${w.number(d.speed)} 转/分时，导入段${w.size(d.runIn)}太短，达不到进给速率：转速 × 螺距 / 400 为${w.size(
+      d.needed,
+    )} mm。我们的经验法则。${nearest(d.nearest, w.size)}`,
 } satisfies Partial<MessagesTexts["of"]>;

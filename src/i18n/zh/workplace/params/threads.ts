@@ -45,7 +45,8 @@ export const threads = {
     prompt: "螺距?",
     printed,
     label: "螺距",
-    explanation: "主轴转一圈时刀具的行程。多头螺纹时为导程；相邻牙槽之间为每头所占的部分。此为我们的理解，请在数控系统上核实。",
+    explanation:
+      "主轴转一圈时刀具的行程。多头螺纹时为导程；相邻牙槽之间为每头所占的部分。此为我们的理解，请在数控系统上核实。",
   },
   threadDepth: {
     prompt: "螺纹深度?",
@@ -60,15 +61,31 @@ export const threads = {
     explanation: "螺纹末端刀具从牙底升到牙顶的行程。0：越程之后才以全深退刀。",
   },
   threadRunIn: { prompt: "导入行程?", printed, label: "导入段", explanation: "螺纹前使轴加速到进给速率的行程。" },
-  threadOverrun: { prompt: "越程?", printed, label: "越程", explanation: "螺纹后使轴停下的行程。没有退尾时以全深走过：此处须有退刀槽。" },
+  threadOverrun: {
+    prompt: "越程?",
+    printed,
+    label: "越程",
+    explanation: "螺纹后使轴停下的行程。没有退尾时以全深走过：此处须有退刀槽。",
+  },
   taperForm: {
     prompt: "锥度标注方式(0-4)?",
     printed,
     label: "锥度由",
     explanation: "用哪些值描述螺纹线。Q469的角度从切削方向的轴线平行线起算。此为我们的理解，请在数控系统上核实。",
-    choices: { 0: "起点和终点", 1: "终点、起点直径、角度", 2: "终点、起点Z、角度", 3: "起点、终点直径、角度", 4: "起点、终点Z、角度" },
+    choices: {
+      0: "起点和终点",
+      1: "终点、起点直径、角度",
+      2: "终点、起点Z、角度",
+      3: "起点、终点直径、角度",
+      4: "起点、终点Z、角度",
+    },
   },
-  taperAngle: { prompt: "锥角?", printed, label: "锥角", explanation: "螺纹线与轴线的夹角，直径沿切削方向增大时为正。Q464 = 0时无效。" },
+  taperAngle: {
+    prompt: "锥角?",
+    printed,
+    label: "锥角",
+    explanation: "螺纹线与轴线的夹角，直径沿切削方向增大时为正。Q464 = 0时无效。",
+  },
   firstInfeed: {
     prompt: "最大切削深度?",
     printed,
@@ -88,7 +105,17 @@ export const threads = {
     explanation: "深度如何分配到各刀。",
     choices: { 0: "切屑截面恒定", 1: "深度恒定" },
   },
-  startingAngle: { prompt: "起始角?", printed, label: "起始角", explanation: "螺纹开始时的主轴角度：使螺纹绕轴线旋转。" },
-  threadStarts: { prompt: "螺纹头数?", printed, label: "头数", explanation: "并列牙槽的数量；每头比前一头晚360°除以头数开始。" },
+  startingAngle: {
+    prompt: "起始角?",
+    printed,
+    label: "起始角",
+    explanation: "螺纹开始时的主轴角度：使螺纹绕轴线旋转。",
+  },
+  threadStarts: {
+    prompt: "螺纹头数?",
+    printed,
+    label: "头数",
+    explanation: "并列牙槽的数量；每头比前一头晚360°除以头数开始。",
+  },
   airCuts: { prompt: "空刀次数?", printed, label: "空刀", explanation: "每头在最终深度、无进刀的走刀次数。" },
 } satisfies SomeParamTexts;

@@ -12,7 +12,8 @@ export const turning = {
     prompt: "侧面角度?",
     printed: false,
     label: "侧面角度",
-    explanation: "轮廓起点处侧面与旋转轴垂线之间的夹角。槽向槽底变窄，不会宽于槽口。此为我们的理解，请在数控系统上核实。",
+    explanation:
+      "轮廓起点处侧面与旋转轴垂线之间的夹角。槽向槽底变窄，不会宽于槽口。此为我们的理解，请在数控系统上核实。",
   },
   secondFlankAngleRadial: {
     prompt: "第二侧面角度?",
@@ -30,13 +31,15 @@ export const turning = {
     prompt: "最大切削深度?",
     printed: false,
     label: "最大进刀量",
-    explanation: "每刀最大进刀量（半径值）。深度均匀分配，因此实际进刀量往往更小，不会留下过薄的最后一刀。0：一刀完成。",
+    explanation:
+      "每刀最大进刀量（半径值）。深度均匀分配，因此实际进刀量往往更小，不会留下过薄的最后一刀。0：一刀完成。",
   },
   plungeAngle: {
     prompt: "侧面角度?",
     printed: false,
     label: "侧面角度",
-    explanation: "轮廓起点处侧面与旋转轴垂线之间的夹角。侧面从轮廓起点向加工区内下降，不会到棱边之后。此为我们的理解，请在数控系统上核实。",
+    explanation:
+      "轮廓起点处侧面与旋转轴垂线之间的夹角。侧面从轮廓起点向加工区内下降，不会到棱边之后。此为我们的理解，请在数控系统上核实。",
   },
   plungeAngleFace: {
     prompt: "侧面角度?",
