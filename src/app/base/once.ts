@@ -13,6 +13,21 @@ export function rememberingLast<A extends readonly unknown[], T>(make: (...of: A
   };
 }
 
+/** Runs a job that is never done twice at once: asked while it runs, it gives the promise of that run. */
+export function oneAtATime(job: () => Promise<void>): () => Promise<void> {
+  let running: Promise<void> | null = null;
+  return () =>
+    (running ??= job().finally(() => {
+      running = null;
+    }));
+}
+
+/** Numbers that no two callers share: 1, 2, … */
+export function counter(): () => number {
+  let last = 0;
+  return () => ++last;
+}
+
 /** One timer: what it is started with replaces what it waited for. */
 export function restartable(): { start(run: () => void, ms?: number): void; stop(): void } {
   let timer: ReturnType<typeof setTimeout> | undefined;

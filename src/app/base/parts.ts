@@ -1,5 +1,6 @@
 import { lazy } from "react";
 import { create } from "zustand";
+import { oneAtATime } from "./once.ts";
 
 /*
  * Parts of the page are fetched when they are first needed. One may not come: there is no network and the page is not
@@ -39,7 +40,6 @@ export const dismissMissing = (): void => useMissing.setState({ missing: "no" })
 
 /** Style sheets that did not come. */
 const broken = new Set<HTMLLinkElement>();
-let mending: Promise<unknown> = Promise.resolve();
 
 function mended(link: HTMLLinkElement): Promise<unknown> {
   const fresh = link.cloneNode() as HTMLLinkElement;
@@ -51,11 +51,11 @@ function mended(link: HTMLLinkElement): Promise<unknown> {
 }
 
 /** Style sheets are asked for again here: Vite asks once for each, and a part would come without its own. */
-function mendStyles(): Promise<unknown> {
-  if (broken.size > 0) mending = Promise.all([...broken].map(mended));
+const mendStyles = oneAtATime(async () => {
+  const links = [...broken];
   broken.clear();
-  return mending;
-}
+  await Promise.all(links.map(mended));
+});
 
 /** Asks again for everything that somebody waits for. */
 export function fetchMissing(): void {

@@ -8,7 +8,9 @@ export interface Version {
   readonly newer: "none" | "ready" | "elsewhere";
   /** The bar that says so was put off. */
   readonly later: boolean;
-  /** What came of looking for a newer version. */
+  /** When the server was last asked for a newer version, ms of the clock. */
+  readonly lookedAt: number;
+  /** What came of it. */
   readonly looked: "no" | "looking" | "coming" | "newest" | "unreachable" | "unfinished";
 }
 
@@ -20,4 +22,5 @@ export const useVersion = create<Version>(() => ({
   newer: "none",
   later: false,
   looked: "no",
+  lookedAt: 0,
 }));

@@ -1,7 +1,7 @@
 import { draftOf } from "./edits.ts";
 import { openPrompt, seen, showOwn, showTools, uncoverAll, usePlace } from "../place/place.ts";
 import { useOwn } from "./own-store.ts";
-import { redo, undo, useSteps, type Steps } from "./steps.ts";
+import { redo, undo, useSteps, type Way } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { useTools } from "./tool-store.ts";
 
@@ -13,7 +13,7 @@ const changedIn = <E extends { readonly id: string }>(list: readonly E[], before
  * Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with
  * the prompt. Only the page of a parameter and the setup sheet are not left for it, which show the change themselves.
  */
-function goAndShow(way: keyof Steps, run: () => void): void {
+function goAndShow(way: Way, run: () => void): void {
   if (useSteps.getState()[way].length === 0) return;
   const [{ job: before }, { list: toolsBefore }, { list: ownBefore }] = [
     useEditor.getState(),

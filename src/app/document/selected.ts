@@ -8,11 +8,13 @@ import type { PathChoice } from "../../program/run/path-index.ts";
 export interface Selection {
   /** What is marked of the path. */
   readonly choice: PathChoice | null;
+  /** It was chosen before anything of the work was run: the tool goes there with the first run. */
+  readonly isEarly: boolean;
   /** The line of a job's program that was pointed at, and the prompt that was open then. */
   readonly line: { readonly block: number; readonly q: string | null; readonly prompt: string | null } | null;
 }
 
-export const NOTHING_SELECTED: Selection = { choice: null, line: null };
+export const NOTHING_SELECTED: Selection = { choice: null, isEarly: false, line: null };
 
 export const useSelection = create<Selection>(() => NOTHING_SELECTED);
 

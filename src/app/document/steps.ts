@@ -25,27 +25,27 @@ export interface HistoryStep {
 export interface Steps {
   readonly past: readonly HistoryStep[];
   readonly future: readonly HistoryStep[];
+  /** What was changed last, while its step is open: typing on in the same place belongs to it. */
+  readonly place: string | null;
 }
+
+/** A side of the history. */
+export type Way = "past" | "future";
 
 /** Steps that undo keeps. Their states share what did not change, so this costs little. */
 const LIMIT = 1000;
 
-export const useSteps = create<Steps>(() => ({ past: [], future: [] }));
-
-/** What was changed last; typing on in the same place belongs to the same step. */
-let lastPlace: string | null = null;
+export const useSteps = create<Steps>(() => ({ past: [], future: [], place: null }));
 
 /** The next change begins its own step: a field was left, a key of its own was pressed. */
-export const closeStep = (): void => {
-  lastPlace = null;
-};
+export const closeStep = (): void => useSteps.setState({ place: null });
 
 /**
  * True when a change at this place goes on with the step of the change before; the next one is asked about this place.
  */
 export function goesOn(place: string | null): boolean {
-  const on = place !== null && place === lastPlace;
-  lastPlace = place;
+  const on = place !== null && place === useSteps.getState().place;
+  useSteps.setState({ place });
   return on;
 }
 
@@ -98,7 +98,7 @@ export function forget(of: object | null = null): void {
 }
 
 /** Goes the last step of one side and puts it on the other; what can not be gone any more falls out. */
-function go(from: keyof Steps, to: keyof Steps, way: "back" | "forth"): void {
+function go(from: Way, to: Way, way: "back" | "forth"): void {
   closeStep();
   for (let step = useSteps.getState()[from].at(-1); step; step = useSteps.getState()[from].at(-1)) {
     const gone = step;

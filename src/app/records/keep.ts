@@ -3,6 +3,7 @@ import { time } from "../base/clock.ts";
 import { create } from "zustand";
 import { notice, withdraw } from "../base/notices.ts";
 import { untilHere } from "../base/parts.ts";
+import { oneAtATime } from "../base/once.ts";
 import { begin, handOver, open, useEditor } from "../document/store.ts";
 import type { Work } from "../document/work.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
@@ -69,7 +70,6 @@ async function keepAgain(): Promise<void> {
 }
 /** The newest state of each work that is not yet on the device, those that are being written among them. */
 const waiting = new Map<string, Work>();
-let writing: Promise<void> | null = null;
 
 async function writeAll(): Promise<void> {
   for (let next = waiting.entries().next(); !next.done; next = waiting.entries().next()) {
@@ -85,10 +85,7 @@ async function writeAll(): Promise<void> {
 }
 
 /** Writes what waits, one work after the other. A state waits until it is written: the page may go away on the way. */
-const write = (): Promise<void> =>
-  (writing ??= writeAll().finally(() => {
-    writing = null;
-  }));
+const write = oneAtATime(writeAll);
 
 /** Rest before writing, so that writing never delays the picture of what is typed, ms. */
 const REST = 80;

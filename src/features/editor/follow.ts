@@ -20,41 +20,43 @@ import { dispatchEdit, followShown, openBlock, sessionView, useSession } from ".
 import { findingsShown } from "../../app/document/shown-findings.ts";
 import { shownBeside } from "../../app/document/shown-file.ts";
 
-/** A prompt is opened because the cursor stands at its block: the cursor stays where it is typed on. */
-let cursorLeads = false;
-
-/** The tool goes where the text says. */
-let textLeads = false;
+/** Who leads while one follows the other. */
+interface Leading {
+  /** A prompt is opened because the cursor stands at its block: the cursor stays where it is typed on. */
+  cursor: boolean;
+  /** The tool goes where the text says. */
+  text: boolean;
+}
 
 /** Opens the prompt that the cursor stands at, or the first one, where the open block has prompts. */
-function showAskedPrompt(): void {
+function showAskedPrompt(leads: Leading): void {
   const prompts = openPrompts();
   if (!prompts) return;
   const { ids, draft } = prompts;
   const { parameter } = useSession.getState();
   const q = parameter !== null && ids.includes(parameter) ? parameter : ids[0];
   if (q === undefined) return;
-  cursorLeads = sessionView()?.hasFocus ?? false;
+  leads.cursor = sessionView()?.hasFocus ?? false;
   usePlace.setState({ prompt: q, before: draft[q] ?? "", field: null });
-  cursorLeads = false;
+  leads.cursor = false;
 }
 
-function followSession(): () => void {
+function followSession(leads: Leading): () => void {
   return useSession.subscribe((now, before) => {
     if (now.pointed !== before.pointed && thirdColumn()) showSection("block");
-    if (now.opened !== before.opened) showAskedPrompt();
+    if (now.opened !== before.opened) showAskedPrompt(leads);
     // What is pointed at once more is chosen once more. The tool goes to the block, and the text stays where it is
     // worked on.
-    textLeads = true;
+    leads.text = true;
     if (now.opened !== before.opened || now.pointed !== before.pointed) chooseOpenBlock();
-    textLeads = false;
+    leads.text = false;
   });
 }
 
 /** The text goes along with the prompts. */
-function followPrompt(): () => void {
+function followPrompt(leads: Leading): () => void {
   return usePlace.subscribe((now, before) => {
-    if (cursorLeads) return;
+    if (leads.cursor) return;
     const { index, parameter } = useSession.getState();
     if (now.prompt !== before.prompt && now.prompt !== null && now.prompt !== parameter && openPrompts())
       openBlock(index, now.prompt, true);
@@ -141,7 +143,7 @@ const isMoved = (now: Playback, before: Playback): boolean =>
  * Marks the running block, and turns the text to it: while it plays as blocks begin, and at once where somebody seeks,
  * steps, or presses Play. Neither the cursor nor the keyboard goes along.
  */
-function followPlayback(): () => void {
+function followPlayback(leads: Leading): () => void {
   let marked: number | null = null,
     last = playback.get();
   return playback.subscribeReader(() => {
@@ -151,7 +153,7 @@ function followPlayback(): () => void {
     last = now;
     const block = blockNow(),
       next = isAtStart(now) ? null : block,
-      moved = isMoved(now, before) && !textLeads;
+      moved = isMoved(now, before) && !leads.text;
     // A text that was typed in has lost its mark: it gets it back with the next run.
     const isMarked = next === marked && (next === null || now.track === before.track);
     if (!view || (isMarked && !moved)) return;
@@ -163,8 +165,16 @@ function followPlayback(): () => void {
 
 /** From now on text, dialog, marks and animation of the open program go together. */
 export function followProgram(): () => void {
-  const stops = [followShown(), followSession(), followPrompt(), followOutcome(), followLanguage(), followPlayback()];
-  showAskedPrompt();
+  const leads: Leading = { cursor: false, text: false };
+  const stops = [
+    followShown(),
+    followSession(leads),
+    followPrompt(leads),
+    followOutcome(),
+    followLanguage(),
+    followPlayback(leads),
+  ];
+  showAskedPrompt(leads);
   return () => {
     for (const stop of stops) stop();
   };

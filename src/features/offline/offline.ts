@@ -6,8 +6,6 @@ import { useVersion } from "../../app/base/version.ts";
 const LOOK_AGAIN = 3_600_000;
 
 let registration: ServiceWorkerRegistration | null = null;
-let reloads = false;
-let lookedAt = 0;
 
 /** Says what becomes of a version that is on its way. */
 function followInstall(worker: ServiceWorker): void {
@@ -41,8 +39,7 @@ async function register(): Promise<void> {
 
 /** Looks whether the server has a newer version. It is fetched whole before anything is said of it. */
 export async function lookForNewer(): Promise<void> {
-  lookedAt = time();
-  useVersion.setState({ looked: "looking" });
+  useVersion.setState({ looked: "looking", lookedAt: time() });
   try {
     if (!registration?.active) await register();
     else await registration.update();
@@ -63,7 +60,7 @@ export function updateNow(): void {
   handOver();
   const waiting = registration?.waiting;
   if (!waiting) return location.reload();
-  reloads = true;
+  navigator.serviceWorker.addEventListener("controllerchange", () => location.reload(), { once: true });
   waiting.postMessage("take over");
 }
 
@@ -74,21 +71,20 @@ export async function startOffline(): Promise<void> {
   const { serviceWorker: container } = navigator;
   let cared = container.controller !== null;
   container.addEventListener("controllerchange", () => {
-    if (reloads) return location.reload();
     // The first one takes a page into its care that came from the network.
     if (cared) useVersion.setState({ newer: "elsewhere", later: false });
     cared = true;
   });
   await register();
-  lookedAt = time();
+  useVersion.setState({ lookedAt: time() });
   container.controller?.postMessage("tidy");
   addEventListener(
     "online",
     () => void (registration?.active ? registration.update().catch(() => undefined) : register()),
   );
   document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState !== "visible" || time() - lookedAt < LOOK_AGAIN) return;
-    lookedAt = time();
+    if (document.visibilityState !== "visible" || time() - useVersion.getState().lookedAt < LOOK_AGAIN) return;
+    useVersion.setState({ lookedAt: time() });
     void registration?.update().catch(() => undefined);
   });
 }

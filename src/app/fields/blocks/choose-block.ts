@@ -38,16 +38,13 @@ export function openChosen(open: () => void): void {
   }
 }
 
-/** What was chosen of a work before anything of it was run. */
-let early: PathChoice | null = null;
-
 /** The block that is open in the text is chosen: its path is marked, and the tool goes to where it begins. */
 export function chooseOpenBlock(): void {
   const { pictured: shown, newest } = useOutcome.getState();
   const choice = isChosen ? null : choiceOfOpenBlock();
   if (!choice) return;
-  early = isPresent(shown) || newest ? null : choice;
   choosePath(isPresent(shown) ? shown.run : null, choice);
+  if (!isPresent(shown) && !newest) useSelection.setState({ isEarly: true });
 }
 
 /**
@@ -55,9 +52,8 @@ export function chooseOpenBlock(): void {
  * was chosen before there was any is shown now.
  */
 export function followOpenBlock(): void {
-  const { choice } = useSelection.getState(),
-    isEarly = choice === early;
-  early = null;
+  const { choice, isEarly } = useSelection.getState();
+  if (isEarly) useSelection.setState({ isEarly: false });
   if (choice?.kind !== "blocks" && choice?.kind !== "inFile") return;
   if (isEarly) {
     const { pictured } = useOutcome.getState();

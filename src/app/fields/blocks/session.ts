@@ -65,8 +65,6 @@ const texts = new Map<string, Text>();
 
 let view: TextView | null = null;
 let open: Text | null = null;
-/** The work is taking in what stands in the editor: nothing has to be put there. */
-let handing = false;
 const [panels, calculation, reading] = [restartable(), restartable(), restartable()];
 
 /** The text in the editor as its file has it; null when none is open. */
@@ -80,9 +78,7 @@ export function handOverText(): void {
   const text = fileText(open);
   const before = fileOf(program, open.file)?.text;
   if (before === undefined || before === text) return;
-  handing = true;
   setProgram(withText(program, open.file, text));
-  handing = false;
 }
 
 /** Goes one step through the history of a text, in its editor when it is open; another one is opened to be seen. */
@@ -247,7 +243,7 @@ export function followShown(): () => void {
       putShown();
     }),
     useEditor.subscribe((now, before) => {
-      if (!handing && now.program !== before.program) putShown();
+      if (now.program !== before.program) putShown();
     }),
   ];
   return () => {

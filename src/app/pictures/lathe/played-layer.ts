@@ -8,6 +8,7 @@ import { useOutcome } from "../../calculation/outcome.ts";
 import type { PlayedCourse, PlayedOn } from "../../calculation/played.ts";
 import type { Engine } from "../../calculation/worker.ts";
 import { askWorker } from "../../calculation/worker-life.ts";
+import { counter } from "../../base/once.ts";
 import { layOver } from "./fit-canvas.ts";
 import { isOnCourse, type PlayCourse } from "../../calculation/glide.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
@@ -29,17 +30,16 @@ interface Layer {
 }
 
 const layers = new WeakMap<HTMLElement, Layer>();
-let count = 0;
+const nextNumber = counter();
 
 function layerIn(holder: HTMLElement): Layer {
   const known = layers.get(holder);
   if (known) return known;
-  count += 1;
   const canvas = document.createElement("canvas");
   canvas.className = "sheet material";
   canvas.style.visibility = "hidden";
   holder.append(canvas);
-  const made = { canvas, name: `played ${count}`, sent: false };
+  const made = { canvas, name: `played ${nextNumber()}`, sent: false };
   layers.set(holder, made);
   return made;
 }
