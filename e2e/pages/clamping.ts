@@ -1,6 +1,6 @@
 import { expect, type Locator } from "@playwright/test";
 import type { ClampingTexts } from "../../src/i18n/en/clamping.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 type Word = keyof ClampingTexts["words"];

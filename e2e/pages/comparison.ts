@@ -1,6 +1,6 @@
 import type { Locator } from "@playwright/test";
 import type { CompareTexts } from "../../src/i18n/en/compare.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 /** The open program against another one, block by block in meaning. */

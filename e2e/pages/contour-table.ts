@@ -1,5 +1,5 @@
 import type { Locator } from "@playwright/test";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 /** The table of a contour subprogram. Its section has to be shown first; elements count from 1. */
 export class ContourTable {

@@ -1,6 +1,6 @@
 import { expect, type Locator } from "@playwright/test";
 import type { CourseTexts } from "../../src/i18n/en/course.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 /** The course: the list of its lessons, and the open lesson. */

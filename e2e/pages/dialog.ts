@@ -1,6 +1,6 @@
 import type { Locator } from "@playwright/test";
 import { promptIds } from "./prompt-ids.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 /** The prompts of a cycle: one open, all others one line each. */
 export class Dialog {

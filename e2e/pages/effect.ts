@@ -1,5 +1,5 @@
 import { expect, type Locator } from "@playwright/test";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 type EffectCell = "passes" | "infeed" | "time" | "chip" | "residual" | "proof";
 

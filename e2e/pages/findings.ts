@@ -1,5 +1,5 @@
 import type { Locator } from "@playwright/test";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 /** The verdict and the list of all findings, the same for prompts and whole programs. */
 export class Findings {

@@ -1,6 +1,6 @@
 import { expect, type Locator } from "@playwright/test";
 import type { HandedTexts } from "../../src/i18n/en/handed.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 /** Works that are handed on: the ways out, what a link or a file holds, and the tools that came with a work. */

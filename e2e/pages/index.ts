@@ -22,4 +22,5 @@ export { TaskPanel } from "./task.ts";
 export { ToolTable } from "./tools.ts";
 export { Turnwise } from "./turnwise.ts";
 export { WorksList } from "./works.ts";
-export type { Context, Options } from "./turnwise.ts";
+export type { Context } from "./context.ts";
+export type { Options } from "./turnwise.ts";

@@ -1,5 +1,5 @@
 import type { Locator } from "@playwright/test";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 /**
  * The view of the machine, the lathe or the plane of a milled program: picture, playback, timeline, findings and moves.

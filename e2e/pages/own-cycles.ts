@@ -1,6 +1,6 @@
 import type { Locator } from "@playwright/test";
 import type { OwnTexts } from "../../src/i18n/en/tables/own.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 type OwnCell = keyof OwnTexts["cells"];
 

@@ -1,7 +1,7 @@
 import { expect, type Locator } from "@playwright/test";
 import { Handing } from "./handing.ts";
 import { settledBox } from "./picture.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 type Example = keyof Context["t"]["page"]["examples"];
 type Section = keyof Context["t"]["editor"]["sections"] | "findings";

@@ -1,6 +1,6 @@
 import { expect, type Download, type Locator } from "@playwright/test";
 import type { NcLanguage } from "../../src/i18n/languages.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 /** The program as the control writes it. */
 export class ProgramText {

@@ -1,6 +1,6 @@
 import type { Download, Locator } from "@playwright/test";
 import { SCREEN_LANGUAGES, type Language } from "../../src/i18n/languages.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 /** Language, appearance and motion, and what is kept on the device. */

@@ -1,5 +1,5 @@
 import type { Locator } from "@playwright/test";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 /** Tool, blank, start point, spindle, feed unit, rapid rate. Its section has to be shown first. */
 export class Setup {

@@ -1,6 +1,6 @@
 import { expect, type Locator } from "@playwright/test";
 import type { SheetTexts } from "../../src/i18n/en/sheet.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 /** The setup sheet of the open work. */

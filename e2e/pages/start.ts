@@ -1,7 +1,7 @@
 import type { Locator } from "@playwright/test";
 import type { CycleNumber } from "../../src/cycles/index.ts";
 import { promptIds } from "./prompt-ids.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 /** The first screen: a row for every cycle, and earlier work. */
 export class Start {

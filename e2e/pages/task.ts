@@ -1,6 +1,6 @@
 import type { Locator } from "@playwright/test";
 import type { CourseTaskTexts } from "../../src/i18n/en/course-task.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 /** A task of the course over the work that it is: what is asked, the goals, the check, and what became of it. */

@@ -1,6 +1,6 @@
 import { expect, type Locator } from "@playwright/test";
 import type { CourseTeachTexts } from "../../src/i18n/en/course-teach.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 /** What an instructor does: makes a task of the open program, hands it out, reads results. */

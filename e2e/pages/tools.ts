@@ -2,7 +2,7 @@ import type { Locator } from "@playwright/test";
 import type { CellName, HolderCell, ToolColumn } from "../../src/program/tools/tool-columns.ts";
 import { plainText } from "./pattern.ts";
 import { words } from "./words.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 
 /** The tool table: the rows of the device on one side, the columns of the open row on the other. */
 export class ToolTable {

@@ -2,6 +2,7 @@ import type { Page } from "@playwright/test";
 import type { TableTexts, Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 import { ClampingPage } from "./clamping.ts";
+import type { Context } from "./context.ts";
 import { Comparison } from "./comparison.ts";
 import { ContourTable } from "./contour-table.ts";
 import { Course } from "./course.ts";
@@ -22,13 +23,6 @@ import { TaskPanel } from "./task.ts";
 import { ToolTable } from "./tools.ts";
 import { words } from "./words.ts";
 import { WorksList } from "./works.ts";
-
-/** What every page object is made of: the browser page and the texts of its screen language. */
-export interface Context {
-  readonly page: Page;
-  readonly t: Texts & TableTexts;
-  readonly language: Language;
-}
 
 export interface Options {
   /** Screen language; English if not said. */

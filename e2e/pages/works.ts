@@ -1,7 +1,7 @@
 import type { Download, Locator } from "@playwright/test";
 import type { DeviceTexts } from "../../src/i18n/en/device.ts";
 import { counted } from "./pattern.ts";
-import type { Context } from "./turnwise.ts";
+import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
 /** The list of all works that are kept on the device. */
