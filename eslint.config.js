@@ -124,7 +124,7 @@ export default defineConfig([
     rules: { "max-lines": "off" },
   },
   {
-    files: ["src/{app,features}/**/*.{ts,tsx}"],
+    files: ["src/{app,features,shell}/**/*.{ts,tsx}"],
     ignores: ["**/*.test.{ts,tsx}", "src/app/base/clock.ts", "src/app/base/chance.ts"],
     rules: {
       "no-restricted-properties": ["error", ...held.properties],
@@ -132,7 +132,7 @@ export default defineConfig([
     },
   },
   {
-    files: ["src/{app,features}/**/*.{ts,tsx}"],
+    files: ["src/{app,features,shell}/**/*.{ts,tsx}"],
     ...reactHooks.configs.flat["recommended-latest"],
   },
 ]);

@@ -26,7 +26,7 @@ process.env["VITE_VERSION"] = (
 ).version;
 
 /** Tests of modules with a state, or with another module in the place of one: each file in a process of its own. */
-const STATEFUL = ["src/app/**/*.test.ts", "src/features/**/*.test.ts", "tests/made-up/**/*.test.ts"];
+const STATEFUL = ["src/{app,features,shell}/**/*.test.ts", "tests/made-up/**/*.test.ts"];
 
 /** Only in the build: the development server needs inline scripts and a web socket. */
 const policyOfPage: Plugin = {
@@ -133,7 +133,7 @@ interface Modules {
 
 const module = (path: string) => new URL(path, import.meta.url).pathname;
 /** Where the dialog of a cycle begins: everything that these cannot start without is fetched before it works. */
-const WORK = ["src/app/shell/Workplace.tsx", "src/features/start/begin.ts"].map(module);
+const WORK = ["src/shell/Workplace.tsx", "src/features/start/begin.ts"].map(module);
 /**
  * What the first screen fetches by itself: what it shares with a dialog is a file of its own, and brings none along.
  */

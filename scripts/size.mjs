@@ -58,7 +58,7 @@ const first = new Set([
 ]);
 const dialog = new Set([
   ...first,
-  ...union(["src/features/start/begin.ts", "src/app/shell/Workplace.tsx"]),
+  ...union(["src/features/start/begin.ts", "src/shell/Workplace.tsx"]),
   ...withImports(`assets/${worker}`),
   ...largest((l) => [`src/i18n/${l}/parts.ts`, `src/i18n/${l}/workplace.ts`, `virtual:cycle-menu/${l}`]),
 ]);

@@ -1,5 +1,5 @@
 import * as fc from "fast-check";
-import { NC_LANGUAGES } from "../src/i18n/languages.ts";
+import { NC_LANGUAGES } from "../src/nc/nc-languages.ts";
 import { cuttingCycles } from "../src/cycles/index.ts";
 import type { Param } from "../src/cycles/params.ts";
 import type { Statement } from "../src/nc/statement.ts";

@@ -3,7 +3,7 @@ import { describe, expect, test } from "vitest";
 import { refusals } from "../src/control-file/refusals.ts";
 import { cuttingCycles } from "../src/cycles/index.ts";
 import { examples } from "../src/examples/index.ts";
-import { NC_LANGUAGES } from "../src/i18n/languages.ts";
+import { NC_LANGUAGES } from "../src/nc/nc-languages.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { isoProgramText } from "../src/nc/iso/print-iso.ts";
 import { parse } from "../src/nc/parse.ts";

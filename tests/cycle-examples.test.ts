@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { verified } from "../scripts/verify.ts";
 import { cuttingCycles } from "../src/cycles/index.ts";
 import { ncLabels } from "../src/i18n/nc-labels.ts";
-import { NC_LANGUAGES } from "../src/i18n/languages.ts";
+import { NC_LANGUAGES } from "../src/nc/nc-languages.ts";
 import { parse } from "../src/nc/parse.ts";
 import { issuesOf, print } from "../src/nc/program.ts";
 import { exampleJob } from "../src/program/job/job.ts";

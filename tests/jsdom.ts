@@ -2,7 +2,7 @@ import { configure } from "@testing-library/dom";
 import { texts } from "../src/i18n/index.ts";
 import { LANGUAGES } from "../src/i18n/languages.ts";
 import { menuWords } from "../src/i18n/menu-words.ts";
-import "../src/app/shell/slots.ts";
+import "../src/shell/slots.ts";
 import { partOf } from "../src/app/base/settings/loaded-texts.ts";
 
 /** For what never comes: on a slow machine a component may take long to show what it was given, ms. */

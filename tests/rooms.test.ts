@@ -4,7 +4,7 @@ import { code, sources } from "./sources.ts";
 const all = sources("src");
 const layerOf = (path: string) => path.split("/")[1] ?? "";
 /** The layers that are the page. */
-const PAGE = ["app", "features"];
+const PAGE = ["app", "features", "shell"];
 
 /** Rooms of the page from the ground up: each imports those below it, and of features none another one. */
 const ROOMS = [
@@ -25,7 +25,7 @@ describe("rooms of the page", () => {
   const placeOf = (path: string) => {
     const [, layer = "", name = ""] = path.split("/");
     if (!PAGE.includes(layer)) return null;
-    return { floor: ROOMS.indexOf(layer === "features" ? layer : name), feature: layer === "features" ? name : null };
+    return { floor: ROOMS.indexOf(layer === "app" ? name : layer), feature: layer === "features" ? name : null };
   };
   /** Tests may look at a room through those above it. */
   const inPage = all.filter((s) => placeOf(s.path) && !/\.test\.tsx?$/.test(s.path));

@@ -1,5 +1,5 @@
 import { expect, type Download, type Locator } from "@playwright/test";
-import type { NcLanguage } from "../../src/i18n/languages.ts";
+import type { NcLanguage } from "../../src/nc/nc-languages.ts";
 import type { Context } from "./context.ts";
 
 /** The program as the control writes it. */

@@ -1,3 +1,5 @@
+import { NC_LANGUAGES, type NcLanguage } from "../nc/nc-languages.ts";
+
 /**
  * The languages of the screen, a line for each: its own name, its decimal sign, and what stands between the items of a
  * list. The name of the line is the language tag, and the folder beside this file that holds its texts.
@@ -13,12 +15,6 @@ export const LANGUAGES = Object.keys(SCREEN_LANGUAGES) as readonly Language[];
 
 /** True for a language setting that may come from outside (saved work, browser). */
 export const isLanguage = (name: string): name is Language => Object.hasOwn(SCREEN_LANGUAGES, name);
-
-/**
- * The languages that a control is set to for its NC text; a job keeps one of them. Their words are in `nc-labels.ts`.
- */
-export const NC_LANGUAGES = ["en", "de", "fr", "zh"] as const;
-export type NcLanguage = (typeof NC_LANGUAGES)[number];
 
 /** The language of NC text for somebody who reads the screen in a language: English where controls do not have it. */
 export const ncLanguageOf = (screen: Language): NcLanguage => NC_LANGUAGES.find((each) => each === screen) ?? "en";

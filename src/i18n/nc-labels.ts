@@ -1,4 +1,4 @@
-import type { NcLanguage } from "./languages.ts";
+import type { NcLanguage } from "../nc/nc-languages.ts";
 import { de } from "./nc/de.ts";
 import { en } from "./nc/en.ts";
 import { fr } from "./nc/fr.ts";

@@ -5,7 +5,7 @@ import { setTool } from "../document/edits.ts";
 import { begin, useEditor } from "../document/store.ts";
 import { device, emptyDevice, someJob as job } from "./fake-device.ts";
 import { refreshWorks, startKeeping, startWork, unkeptWorks, useKeeping } from "./keep.ts";
-import { resume } from "../shell/resume.ts";
+import { resume } from "../../shell/resume.ts";
 
 vi.mock("./device.ts", () => import("./fake-device.ts"));
 

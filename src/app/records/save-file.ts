@@ -1,4 +1,4 @@
-import { NC_LANGUAGES } from "../../i18n/languages.ts";
+import { NC_LANGUAGES } from "../../nc/nc-languages.ts";
 import { z } from "zod/mini";
 import type { MeasuredPlace, Measurement } from "../../kernel/plan/measured.ts";
 import { at } from "../../kernel/geometry/point.ts";

@@ -15,7 +15,7 @@ import {
   unkeptWorks,
   useKeeping,
 } from "./keep.ts";
-import { resume } from "../shell/resume.ts";
+import { resume } from "../../shell/resume.ts";
 import { duplicateWork, freeName, removeWorks, renameWork } from "./works.ts";
 
 vi.mock("./device.ts", () => import("./fake-device.ts"));

@@ -1,4 +1,4 @@
-import type { NcLanguage } from "../../i18n/languages.ts";
+import type { NcLanguage } from "../../nc/nc-languages.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Measurement } from "../../kernel/plan/measured.ts";
 import type { ClampingDraft } from "../clamping/words.ts";

@@ -1,4 +1,5 @@
-import { NC_LANGUAGES, SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
+import { SCREEN_LANGUAGES } from "../../../i18n/languages.ts";
+import { NC_LANGUAGES } from "../../../nc/nc-languages.ts";
 import { hasOwnWords } from "../../../i18n/nc-labels.ts";
 import { JOB_LAYOUTS } from "../../../program/machine/nc-output.ts";
 import { useOutcome } from "../../calculation/outcome.ts";

@@ -1,34 +1,34 @@
 import { Suspense, useEffect, type ComponentType } from "react";
-import { menuCycle } from "../fields/chooser/menu.ts";
+import { menuCycle } from "../app/fields/chooser/menu.ts";
 import { Header } from "./Header.tsx";
-import { useChoice } from "../document/choice.ts";
-import { NumberKeys } from "../fields/keypad/NumberKeys.tsx";
-import { MissingPart } from "../base/MissingPart.tsx";
+import { useChoice } from "../app/document/choice.ts";
+import { NumberKeys } from "../app/fields/keypad/NumberKeys.tsx";
+import { MissingPart } from "../app/base/MissingPart.tsx";
 import { Notices } from "./Notices.tsx";
-import { useVersion } from "../base/version.ts";
-import { lazyPart } from "../base/parts.ts";
-import { useCopying } from "../findings/copy.ts";
-import { fetchAtRest } from "../base/rest.ts";
-import { useKeeping } from "../records/keep.ts";
-import { fetchShownTexts, useTexts } from "../base/settings/use-texts.ts";
-import { useEditor } from "../document/store.ts";
-import { closeOver, elsewhere, isCover, seen, usePlace, type Page } from "../place/place.ts";
-import { useBringing } from "../records/bring-in-place.ts";
-import { fetchCompareDialog } from "../../features/compare/index.ts";
-import { IncomingTaught, TaskLine } from "../../features/course/first.ts";
-import { fetchCourseEntrance, fetchCoursePage } from "../../features/course/index.ts";
-import { fetchProgramWorkplace } from "../../features/editor/index.ts";
-import { DropProgram } from "../../features/files/first.ts";
-import { fetchChooseProgram } from "../../features/files/index.ts";
-import { fetchGuidePage } from "../../features/guide/index.ts";
-import { HandedLine, IncomingWork } from "../../features/handing/first.ts";
-import { fetchUpdateBar } from "../../features/offline/index.ts";
-import { fetchOwnPage } from "../../features/own/index.ts";
-import { fetchSheetPage } from "../../features/sheet/index.ts";
-import { StartPage } from "../../features/start/first.ts";
-import { fetchToolPage } from "../../features/tools/index.ts";
-import { fetchWhichCycle } from "../../features/which/index.ts";
-import { fetchBringInDialog, fetchElsewherePage, fetchWorksPage } from "../../features/works/index.ts";
+import { useVersion } from "../app/base/version.ts";
+import { lazyPart } from "../app/base/parts.ts";
+import { useCopying } from "../app/findings/copy.ts";
+import { fetchAtRest } from "../app/base/rest.ts";
+import { useKeeping } from "../app/records/keep.ts";
+import { fetchShownTexts, useTexts } from "../app/base/settings/use-texts.ts";
+import { useEditor } from "../app/document/store.ts";
+import { closeOver, elsewhere, isCover, seen, usePlace, type Page } from "../app/place/place.ts";
+import { useBringing } from "../app/records/bring-in-place.ts";
+import { fetchCompareDialog } from "../features/compare/index.ts";
+import { IncomingTaught, TaskLine } from "../features/course/first.ts";
+import { fetchCourseEntrance, fetchCoursePage } from "../features/course/index.ts";
+import { fetchProgramWorkplace } from "../features/editor/index.ts";
+import { DropProgram } from "../features/files/first.ts";
+import { fetchChooseProgram } from "../features/files/index.ts";
+import { fetchGuidePage } from "../features/guide/index.ts";
+import { HandedLine, IncomingWork } from "../features/handing/first.ts";
+import { fetchUpdateBar } from "../features/offline/index.ts";
+import { fetchOwnPage } from "../features/own/index.ts";
+import { fetchSheetPage } from "../features/sheet/index.ts";
+import { StartPage } from "../features/start/first.ts";
+import { fetchToolPage } from "../features/tools/index.ts";
+import { fetchWhichCycle } from "../features/which/index.ts";
+import { fetchBringInDialog, fetchElsewherePage, fetchWorksPage } from "../features/works/index.ts";
 
 /** Parts that are fetched when they are first shown, together with the texts that they need. */
 const later =
@@ -37,7 +37,9 @@ const later =
     (await Promise.all([fetch(), fetchShownTexts()]))[0];
 const fetchWorkplace = later(() => import("./Workplace.tsx"));
 const Workplace = lazyPart(async () => ({ default: (await fetchWorkplace()).Workplace }));
-const CopyByHand = lazyPart(async () => ({ default: (await import("../fields/program/CopyByHand.tsx")).CopyByHand }));
+const CopyByHand = lazyPart(async () => ({
+  default: (await import("../app/fields/program/CopyByHand.tsx")).CopyByHand,
+}));
 const fetchTools = later(fetchToolPage);
 const ToolPage = lazyPart(async () => ({ default: (await fetchTools()).ToolPage }));
 const fetchOwn = later(fetchOwnPage);

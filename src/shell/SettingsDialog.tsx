@@ -1,14 +1,14 @@
 import { Suspense, useLayoutEffect, useRef } from "react";
-import { LANGUAGES, SCREEN_LANGUAGES, isLanguage } from "../../i18n/languages.ts";
-import { showOwn } from "../place/place.ts";
-import { lazyPart } from "../base/parts.ts";
-import { changeLanguage, changeSettings, useSettings } from "../base/settings/settings.ts";
-import { fetchOfflineState } from "../../features/offline/index.ts";
-import { fetchThisDevice } from "../../features/works/index.ts";
-import { useTexts } from "../base/settings/use-texts.ts";
+import { LANGUAGES, SCREEN_LANGUAGES, isLanguage } from "../i18n/languages.ts";
+import { showOwn } from "../app/place/place.ts";
+import { lazyPart } from "../app/base/parts.ts";
+import { changeLanguage, changeSettings, useSettings } from "../app/base/settings/settings.ts";
+import { fetchOfflineState } from "../features/offline/index.ts";
+import { fetchThisDevice } from "../features/works/index.ts";
+import { useTexts } from "../app/base/settings/use-texts.ts";
 
 const MachineSection = lazyPart(async () => ({
-  default: (await import("../fields/machine/MachineSection.tsx")).MachineSection,
+  default: (await import("../app/fields/machine/MachineSection.tsx")).MachineSection,
 }));
 const OfflineState = lazyPart(async () => ({ default: (await fetchOfflineState()).OfflineState }));
 const ThisDevice = lazyPart(async () => ({ default: (await fetchThisDevice()).ThisDevice }));

@@ -1,8 +1,8 @@
 import { z } from "zod/mini";
-import { keptData } from "../base/kept.ts";
-import { useEditor } from "../document/store.ts";
-import { isCover, usePlace } from "../place/place.ts";
-import { isShareLink, parseAddress, printAddress } from "../place/address.ts";
+import { keptData } from "../app/base/kept.ts";
+import { useEditor } from "../app/document/store.ts";
+import { isCover, usePlace } from "../app/place/place.ts";
+import { isShareLink, parseAddress, printAddress } from "../app/place/address.ts";
 import { goTo, here } from "./here.ts";
 
 /** What the browser keeps with each entry of its history, over a reload too. */

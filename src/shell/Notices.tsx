@@ -1,8 +1,8 @@
-import { Icon } from "../base/Icon.tsx";
-import { useNotices, withdraw } from "../base/notices.ts";
-import { dismissDamaged, unkeptNames, unkeptWorks, useKeeping } from "../records/keep.ts";
-import { fetchExportWorks } from "../../features/works/index.ts";
-import { useTexts } from "../base/settings/use-texts.ts";
+import { Icon } from "../app/base/Icon.tsx";
+import { useNotices, withdraw } from "../app/base/notices.ts";
+import { dismissDamaged, unkeptNames, unkeptWorks, useKeeping } from "../app/records/keep.ts";
+import { fetchExportWorks } from "../features/works/index.ts";
+import { useTexts } from "../app/base/settings/use-texts.ts";
 
 /** The works that are nowhere but in this page, as files. */
 function DownloadUnkept() {
@@ -14,7 +14,7 @@ function DownloadUnkept() {
       <button
         type="button"
         className="button"
-        onClick={() => void import("../records/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
+        onClick={() => void import("../app/records/rescue.ts").then(({ downloadWorks }) => downloadWorks(works))}
       >
         <Icon name="download" /> {t.downloadUnkept}
       </button>

@@ -1,11 +1,11 @@
 import { Component, Suspense, type ErrorInfo, type ReactNode } from "react";
-import { noteFault } from "../records/reports.ts";
-import { lazyPart } from "../base/parts.ts";
-import { unkeptWorks } from "../records/keep.ts";
-import { rememberWork } from "../records/tab.ts";
-import { texts } from "../base/settings/loaded-texts.ts";
-import { useSettings } from "../base/settings/settings.ts";
-import { fetchCrashHelp } from "../../features/works/index.ts";
+import { noteFault } from "../app/records/reports.ts";
+import { lazyPart } from "../app/base/parts.ts";
+import { unkeptWorks } from "../app/records/keep.ts";
+import { rememberWork } from "../app/records/tab.ts";
+import { texts } from "../app/base/settings/loaded-texts.ts";
+import { useSettings } from "../app/base/settings/settings.ts";
+import { fetchCrashHelp } from "../features/works/index.ts";
 
 interface State {
   readonly crashed: boolean;

@@ -1,7 +1,7 @@
-import { isShareLink } from "../place/address.ts";
-import { untilHere } from "../base/parts.ts";
-import { notice } from "../base/notices.ts";
-import { fetchOpenTaught } from "../../features/course/index.ts";
+import { isShareLink } from "../app/place/address.ts";
+import { untilHere } from "../app/base/parts.ts";
+import { notice } from "../app/base/notices.ts";
+import { fetchOpenTaught } from "../features/course/index.ts";
 
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
 
@@ -15,7 +15,7 @@ export async function openShared(): Promise<void> {
   history.replaceState(null, "", location.pathname + location.search);
   if (/^#[tr]/.test(hash)) return (await untilHere(fetchOpenTaught)).openTaughtLink(hash);
   const [{ readLink }, { showIncoming }] = await untilHere(() =>
-    Promise.all([import("../records/link.ts"), import("../records/incoming.ts")]),
+    Promise.all([import("../app/records/link.ts"), import("../app/records/incoming.ts")]),
   );
   const read = readLink(hash);
   if (read.kind === "work") showIncoming({ work: read.work, from: "link" });

@@ -1,8 +1,8 @@
 import { cleanup, render, screen } from "@testing-library/react";
 import { afterEach, expect, test, vi } from "vitest";
 import { CrashGuard } from "./CrashGuard.tsx";
-import { useReports } from "../records/reports.ts";
-import { changeSettings } from "../base/settings/settings.ts";
+import { useReports } from "../app/records/reports.ts";
+import { changeSettings } from "../app/base/settings/settings.ts";
 
 afterEach(cleanup);
 

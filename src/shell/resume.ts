@@ -1,10 +1,10 @@
-import { begin } from "../document/store.ts";
-import { findWorks, readWork, type Kept } from "../records/device.ts";
-import { showElsewhere } from "../place/place.ts";
-import { notice } from "../base/notices.ts";
-import { claimPatiently, keepState, noteWritten, unkeptWorks, useKeeping } from "../records/keep.ts";
-import { readSave } from "../records/save-file.ts";
-import { leaveBehind, leftBehind, rememberedWork, rememberWork } from "../records/tab.ts";
+import { begin } from "../app/document/store.ts";
+import { findWorks, readWork, type Kept } from "../app/records/device.ts";
+import { showElsewhere } from "../app/place/place.ts";
+import { notice } from "../app/base/notices.ts";
+import { claimPatiently, keepState, noteWritten, unkeptWorks, useKeeping } from "../app/records/keep.ts";
+import { readSave } from "../app/records/save-file.ts";
+import { leaveBehind, leftBehind, rememberedWork, rememberWork } from "../app/records/tab.ts";
 
 /**
  * Writes what the page before could not write in time; what the device does not take stays behind for the next page.

@@ -1,13 +1,13 @@
 import { Suspense, useEffect, useRef, useState, type MouseEvent } from "react";
-import { goHome } from "../document/go-home.ts";
-import { Icon } from "../base/Icon.tsx";
-import { seen, showTools, usePlace } from "../place/place.ts";
-import { useTexts } from "../base/settings/use-texts.ts";
-import { redoStep, undoStep } from "../document/history.ts";
-import { lazyPart } from "../base/parts.ts";
-import { useSteps } from "../document/steps.ts";
-import { useEditor } from "../document/store.ts";
-import { CreateProgram } from "../../features/start/first.ts";
+import { goHome } from "../app/document/go-home.ts";
+import { Icon } from "../app/base/Icon.tsx";
+import { seen, showTools, usePlace } from "../app/place/place.ts";
+import { useTexts } from "../app/base/settings/use-texts.ts";
+import { redoStep, undoStep } from "../app/document/history.ts";
+import { lazyPart } from "../app/base/parts.ts";
+import { useSteps } from "../app/document/steps.ts";
+import { useEditor } from "../app/document/store.ts";
+import { CreateProgram } from "../features/start/first.ts";
 
 /** Fetched when it is first opened. */
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./SettingsDialog.tsx")).SettingsDialog }));

@@ -1,15 +1,15 @@
 import { cleanup, render, waitFor } from "@testing-library/react";
 import { afterAll, beforeAll, expect, test, vi } from "vitest";
-import { cuttingCycles } from "../../cycles/index.ts";
-import { LANGUAGES, SCREEN_LANGUAGES, type Language } from "../../i18n/languages.ts";
-import type { PartName } from "../../i18n/parts.ts";
-import { exampleJob } from "../../program/job/job.ts";
-import { fetchTexts, partOf, texts } from "../base/settings/loaded-texts.ts";
-import { changeSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../document/store.ts";
-import { courseIndex } from "../records/course/content.ts";
-import { startKeeping, startWork, useKeeping } from "../records/keep.ts";
-import { useReports } from "../records/reports.ts";
+import { cuttingCycles } from "../cycles/index.ts";
+import { LANGUAGES, SCREEN_LANGUAGES, type Language } from "../i18n/languages.ts";
+import type { PartName } from "../i18n/parts.ts";
+import { exampleJob } from "../program/job/job.ts";
+import { fetchTexts, partOf, texts } from "../app/base/settings/loaded-texts.ts";
+import { changeSettings } from "../app/base/settings/settings.ts";
+import { useEditor } from "../app/document/store.ts";
+import { courseIndex } from "../app/records/course/content.ts";
+import { startKeeping, startWork, useKeeping } from "../app/records/keep.ts";
+import { useReports } from "../app/records/reports.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
 import { followAddress } from "./follow-address.ts";
@@ -26,7 +26,7 @@ function marked(value: unknown): unknown {
   return Object.fromEntries(Object.entries(value).map(([key, inner]: [string, unknown]) => [key, marked(inner)]));
 }
 
-const files = import.meta.glob("../../i18n/en/*.ts");
+const files = import.meta.glob("../i18n/en/*.ts");
 const names = Object.keys(files)
   .map((path) => path.replace(/^.*\/|\.ts$/g, ""))
   .filter((name) => name !== "parts") as readonly PartName[];

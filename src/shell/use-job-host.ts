@@ -1,17 +1,17 @@
 import { useMemo } from "react";
-import type { ParamTextId } from "../../cycles/index.ts";
-import { writer } from "../../i18n/write.ts";
-import { positionAsTyped } from "../../program/values/typed-value.ts";
-import { isSetupPlace, setPlace } from "../fields/dialog/setup-prompts.ts";
-import { writeTyped } from "../fields/dialog/write-value.ts";
-import { setPrompt, setStart, setTool } from "../document/edits.ts";
-import { goToField, openPrompt, showSection } from "../place/place.ts";
-import type { JobReading } from "../document/reading.ts";
-import { useSettings } from "../base/settings/settings.ts";
-import { useTexts } from "../base/settings/use-texts.ts";
-import { closeStep } from "../document/steps.ts";
-import { isAboutTool, type FindingEntry } from "../findings/entry.ts";
-import { nearestOf, type FindingsHost, type Mend, type Target } from "../findings/host.ts";
+import type { ParamTextId } from "../cycles/index.ts";
+import { writer } from "../i18n/write.ts";
+import { positionAsTyped } from "../program/values/typed-value.ts";
+import { isSetupPlace, setPlace } from "../app/fields/dialog/setup-prompts.ts";
+import { writeTyped } from "../app/fields/dialog/write-value.ts";
+import { setPrompt, setStart, setTool } from "../app/document/edits.ts";
+import { goToField, openPrompt, showSection } from "../app/place/place.ts";
+import type { JobReading } from "../app/document/reading.ts";
+import { useSettings } from "../app/base/settings/settings.ts";
+import { useTexts } from "../app/base/settings/use-texts.ts";
+import { closeStep } from "../app/document/steps.ts";
+import { isAboutTool, type FindingEntry } from "../app/findings/entry.ts";
+import { nearestOf, type FindingsHost, type Mend, type Target } from "../app/findings/host.ts";
 
 /** Decimals of a start point. */
 const START_DECIMALS = 3;

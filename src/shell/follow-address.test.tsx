@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { cuttingCycles } from "../../cycles/index.ts";
-import { exampleJob } from "../../program/job/job.ts";
+import { cuttingCycles } from "../cycles/index.ts";
+import { exampleJob } from "../program/job/job.ts";
 import {
   openPrompt,
   openToolRow,
@@ -11,12 +11,12 @@ import {
   showWhich,
   uncover,
   usePlace,
-} from "../place/place.ts";
-import { useNotices, withdraw } from "../base/notices.ts";
-import { startKeeping, startWork } from "../records/keep.ts";
-import { begin, useEditor } from "../document/store.ts";
+} from "../app/place/place.ts";
+import { useNotices, withdraw } from "../app/base/notices.ts";
+import { startKeeping, startWork } from "../app/records/keep.ts";
+import { begin, useEditor } from "../app/document/store.ts";
 import { followAddress } from "./follow-address.ts";
-import { goHome } from "../document/go-home.ts";
+import { goHome } from "../app/document/go-home.ts";
 
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");

@@ -1,5 +1,5 @@
-import { useTexts } from "../base/settings/use-texts.ts";
-import { showContourView, useContourPlace } from "../place/contour-place.ts";
+import { useTexts } from "../app/base/settings/use-texts.ts";
+import { showContourView, useContourPlace } from "../app/place/contour-place.ts";
 
 /** Which picture stands in the middle while a contour is edited: its drawing or the lathe. */
 export function ContourViews() {

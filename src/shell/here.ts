@@ -1,9 +1,9 @@
-import { notice } from "../base/notices.ts";
-import { goHome, goToEntrance } from "../document/go-home.ts";
-import { useEditor } from "../document/store.ts";
-import { showToolNumber } from "../document/tool-row.ts";
-import { toolsOnDevice, useTools } from "../document/tool-store.ts";
-import type { Address, ToolsAddress, WorkAddress } from "../place/address.ts";
+import { notice } from "../app/base/notices.ts";
+import { goHome, goToEntrance } from "../app/document/go-home.ts";
+import { useEditor } from "../app/document/store.ts";
+import { showToolNumber } from "../app/document/tool-row.ts";
+import { toolsOnDevice, useTools } from "../app/document/tool-store.ts";
+import type { Address, ToolsAddress, WorkAddress } from "../app/place/address.ts";
 import {
   closeOver,
   cover,
@@ -21,8 +21,8 @@ import {
   uncover,
   uncoverAll,
   usePlace,
-} from "../place/place.ts";
-import { openWork } from "../records/keep.ts";
+} from "../app/place/place.ts";
+import { openWork } from "../app/records/keep.ts";
 
 function toolsHere(): ToolsAddress {
   const { row, kind } = usePlace.getState().tools;

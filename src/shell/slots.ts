@@ -1,4 +1,4 @@
-import { whichSlot } from "../document/which-slot.ts";
+import { whichSlot } from "../app/document/which-slot.ts";
 import {
   contourTableSlot,
   drawingSlot,
@@ -9,14 +9,14 @@ import {
   setupStartSlot,
   taughtFilesSlot,
   teachSlot,
-} from "../fields/slots.ts";
-import { fetchContourTable } from "../../features/contour/index.ts";
-import { fetchOpenTaught, fetchProgramDrawing, fetchTeachDialog } from "../../features/course/index.ts";
-import { fetchNewProgram } from "../../features/editor/index.ts";
-import { fetchPartExport } from "../../features/export/index.ts";
-import { fetchPromptMore, fetchSetupStart } from "../../features/guide/index.ts";
-import { fetchHandOnDialog } from "../../features/handing/index.ts";
-import { fetchWhichCycle } from "../../features/which/index.ts";
+} from "../app/fields/slots.ts";
+import { fetchContourTable } from "../features/contour/index.ts";
+import { fetchOpenTaught, fetchProgramDrawing, fetchTeachDialog } from "../features/course/index.ts";
+import { fetchNewProgram } from "../features/editor/index.ts";
+import { fetchPartExport } from "../features/export/index.ts";
+import { fetchPromptMore, fetchSetupStart } from "../features/guide/index.ts";
+import { fetchHandOnDialog } from "../features/handing/index.ts";
+import { fetchWhichCycle } from "../features/which/index.ts";
 
 /* Which feature gives the parts that others show. Each is fetched when it is first shown. */
 whichSlot.fill(async () => (await fetchWhichCycle()).WhichCycle);

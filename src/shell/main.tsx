@@ -1,31 +1,31 @@
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { z } from "zod/mini";
-import { parseAddress } from "../place/address.ts";
+import { parseAddress } from "../app/place/address.ts";
 import { followAddress, resumePrompt } from "./follow-address.ts";
 import { goTo } from "./here.ts";
 import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
-import { startReports } from "../records/reports.ts";
-import { startEngineLater } from "../calculation/later.ts";
+import { startReports } from "../app/records/reports.ts";
+import { startEngineLater } from "../app/calculation/later.ts";
 import { openShared } from "./open-shared.ts";
-import { onHistoryKey } from "../document/history.ts";
-import { useNotices } from "../base/notices.ts";
-import { followMissing, untilHere } from "../base/parts.ts";
+import { onHistoryKey } from "../app/document/history.ts";
+import { useNotices } from "../app/base/notices.ts";
+import { followMissing, untilHere } from "../app/base/parts.ts";
 import "./slots.ts";
-import { startKeeping, useKeeping } from "../records/keep.ts";
+import { startKeeping, useKeeping } from "../app/records/keep.ts";
 import { resume } from "./resume.ts";
-import { followAppearance } from "../base/settings/appearance.ts";
-import { fetchTexts } from "../base/settings/loaded-texts.ts";
-import { useSettings } from "../base/settings/settings.ts";
-import { useEditor } from "../document/store.ts";
-import "../base/styles/tokens.css";
-import "../base/styles/base.css";
-import "../base/styles/layout.css";
-import "../base/styles/dialog.css";
-import "../base/styles/panels.css";
-import "../base/styles/start.css";
-import { startOfflineLater } from "../../features/offline/first.ts";
+import { followAppearance } from "../app/base/settings/appearance.ts";
+import { fetchTexts } from "../app/base/settings/loaded-texts.ts";
+import { useSettings } from "../app/base/settings/settings.ts";
+import { useEditor } from "../app/document/store.ts";
+import "../app/base/styles/tokens.css";
+import "../app/base/styles/base.css";
+import "../app/base/styles/layout.css";
+import "../app/base/styles/dialog.css";
+import "../app/base/styles/panels.css";
+import "../app/base/styles/start.css";
+import { startOfflineLater } from "../features/offline/first.ts";
 
 z.config({ jitless: true });
 startReports();
@@ -36,7 +36,7 @@ document.addEventListener("keydown", onHistoryKey);
 /** What is kept beside the work: its history in this tab, and its picture. The first screen waits for neither. */
 async function keepBeside(): Promise<void> {
   const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await untilHere(() =>
-    Promise.all([import("../records/keep-steps.ts"), import("../records/keep-pictures.ts")]),
+    Promise.all([import("../app/records/keep-steps.ts"), import("../app/records/keep-pictures.ts")]),
   );
   takeKeptSteps();
   startKeepingSteps();
@@ -44,7 +44,7 @@ async function keepBeside(): Promise<void> {
   const { works } = useKeeping.getState();
   // Works of a newer edition are not in the list, but they are here.
   if (useNotices.getState().notices.includes("newerWorks")) return;
-  const { forgetHandles } = await untilHere(() => import("../records/files/kept-handles.ts"));
+  const { forgetHandles } = await untilHere(() => import("../app/records/files/kept-handles.ts"));
   await forgetHandles(new Set(works.map(({ work }) => work)));
 }
 
@@ -58,7 +58,7 @@ void resume(askedWork).then(async () => {
   if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
   startKeeping();
   void keepBeside();
-  void untilHere(() => import("../base/styles/print.css"));
+  void untilHere(() => import("../app/base/styles/print.css"));
   startEngineLater();
   void openShared();
   followAddress(begun);
