@@ -1,6 +1,6 @@
 import { EditorView } from "@codemirror/view";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { usePlace } from "../../app/place/place.ts";
+import { openPrompt, usePlace } from "../../app/place/place.ts";
 import { forget } from "../../app/document/steps.ts";
 import { begin, useEditor } from "../../app/document/store.ts";
 import { parse } from "../../nc/parse.ts";
@@ -37,7 +37,7 @@ afterEach(() => {
   closeSession();
   forget();
   vi.useRealTimers();
-  usePlace.setState({ prompt: null });
+  openPrompt(null, "");
 });
 
 /** A key at the cursor, and the rest after which panels follow. */
@@ -65,7 +65,7 @@ test("a prompt that is opened in the dialog takes the text along", () => {
   view?.dispatch({ selection: { anchor: BEFORE.length } });
   for (const letter of WRITTEN) key(letter);
   openBlock(2);
-  usePlace.setState({ prompt: "Q460", before: "", field: null });
+  openPrompt("Q460", "");
   const line = view?.state.doc.lineAt(view.state.selection.main.head).text;
   expect(line).toMatch(/^Q460/);
 });

@@ -9,7 +9,7 @@ import { writeTableText } from "../../program/tools/tool-table-text.ts";
 import { onHistoryKey } from "../../app/document/history.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
 import { undo, useSteps } from "../../app/document/steps.ts";
-import { showTools, usePlace } from "../../app/place/place.ts";
+import { showToolKind, showTools, usePlace } from "../../app/place/place.ts";
 import { showToolNumber } from "../../app/document/tool-row.ts";
 import { editTools, toolRecord, toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { toolTable } from "../../app/document/work-tools.ts";
@@ -34,7 +34,7 @@ beforeEach(() => {
   localStorage.removeItem("turnwise/tools/damaged");
   useNotices.setState({ notices: [] });
   toolRecord.replace(shippedList);
-  usePlace.setState({ tools: { row: null, kind: "turning" } });
+  showToolKind("turning");
 });
 afterEach(cleanup);
 

@@ -14,7 +14,7 @@ import { workedRecord } from "../../app/records/course/working-time.ts";
 import type { ReadArchive } from "../../app/records/archive.ts";
 import { device, emptyDevice, someJob as job } from "../../app/records/fake-device.ts";
 import { refreshWorks } from "../../app/records/keep.ts";
-import { firstSettings, useSettings } from "../../app/base/settings/settings.ts";
+import { changeSettings, firstSettings, useSettings } from "../../app/base/settings/settings.ts";
 import { forget, undo } from "../../app/document/steps.ts";
 import { toolRecord, useTools } from "../../app/document/tool-store.ts";
 import { boxOffer, FIRST_CHOICES, statesOf, tableOffer, takeArchive } from "./take-archive.ts";
@@ -64,7 +64,7 @@ beforeEach(async () => {
   emptyDevice();
   toolRecord.replace([row("r1", "1", "MINE 1"), row("r2", "2", "MINE 2")]);
   ownRecord.replace([own("c1", "1711", "MINE")]);
-  useSettings.setState(firstSettings());
+  changeSettings(firstSettings());
   forget();
   device.works.set("mine", { savedAt: 1, job });
   await refreshWorks();
@@ -108,7 +108,7 @@ test("of tables the missing rows come, or all of them, each as one step", async 
 test("a machine comes with the settings; where none is brought, that of the device stays", async () => {
   const take = (machine: string) =>
     takeArchive({ ...archive, settings: { ...settings, machine } }, [], { ...NOTHING, settings: "missing" });
-  useSettings.setState({ machine: "mine" });
+  changeSettings({ machine: "mine" });
   await take("");
   expect(useSettings.getState().machine).toBe("mine");
   await take("theirs");
@@ -124,7 +124,7 @@ test("cutting data come with the settings; where none are brought, the shop's ow
       settings: wanted ? "missing" : "keep",
     });
   const here = () => [useSettings.getState().material, useSettings.getState().cutting];
-  useSettings.setState({ material: "16mncr5", cutting: mine });
+  changeSettings({ material: "16mncr5", cutting: mine });
   await take(theirs, false);
   expect(here()).toEqual(["16mncr5", mine]);
   await take("", true);

@@ -7,12 +7,12 @@ import { run } from "../../../program/run/run.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { pathRole, toolpath } from "../../../view/scene.ts";
 import { printedText } from "../../document/printed.ts";
-import { NOTHING_SELECTED, useSelection } from "../../document/selected.ts";
+import { clearSelection, NOTHING_SELECTED, useSelection } from "../../document/selected.ts";
 import { ChosenPath } from "./Chosen.tsx";
 
 afterEach(() => {
   cleanup();
-  useSelection.setState(NOTHING_SELECTED);
+  clearSelection();
 });
 
 test("a chosen call keeps the forms of its moves", () => {
