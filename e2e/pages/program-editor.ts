@@ -161,7 +161,7 @@ export class ProgramEditor {
       .click();
     const dialog = page.getByRole("dialog", { name: t.operations.newProgram, exact: true });
     await dialog.getByRole("button", { name: t.operations.create, exact: true }).click();
-    await this.inserting.getByRole("button", { name: t.operations.close, exact: true }).click();
+    await this.inserting.getByRole("button", { name: t.page.close, exact: true }).click();
     await expect(this.text).toBeVisible();
   }
 

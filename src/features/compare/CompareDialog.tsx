@@ -13,7 +13,7 @@ import { OtherProgram } from "./OtherProgram.tsx";
 import type { OtherText, ShowBlock } from "../../app/place/place.ts";
 import { changedSinceOpened, presentProgram, withOtherText } from "../../app/fields/compare/sides.ts";
 import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
-import { useModal } from "../../app/base/use-modal.ts";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import "./compare.css";
 
 /** Block of the present program that a difference leads to: its own, or where what is gone has stood. */
@@ -192,7 +192,6 @@ export function CompareDialog({ done, showBlock, against }: Props) {
   const texts = useTexts();
   const lengths = useLengths();
   const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog);
   const words = useTextsSoon("compare");
   const [present] = useState(presentProgram);
   const [other, take] = useState(
@@ -210,26 +209,9 @@ export function CompareDialog({ done, showBlock, against }: Props) {
     showBlock(file.isMain ? null : file.name, index, file.numbers.after[index] ?? 0);
   };
   return createPortal(
-    <dialog
-      ref={dialog}
-      className="compare"
-      aria-label={words?.title}
-      onClose={() => !dialog.current?.open && done()}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
+    <ModalDialog ref={dialog} className="modal compare" title={words?.title} done={done}>
       {words && present && (
         <>
-          <header className="compare-head">
-            <h2>{words.title}</h2>
-            <button
-              type="button"
-              className="button icon plain"
-              aria-label={texts.page.close}
-              onClick={() => dialog.current?.close()}
-            >
-              <Icon name="close" />
-            </button>
-          </header>
           <OtherProgram words={words} present={present} other={other} onTake={take} />
           {other && !compared && <p className="soft">{words.working}</p>}
           {other && compared && (
@@ -242,7 +224,7 @@ export function CompareDialog({ done, showBlock, against }: Props) {
           )}
         </>
       )}
-    </dialog>,
+    </ModalDialog>,
     document.body,
   );
 }

@@ -1,4 +1,4 @@
-import { useId, useMemo, useRef, useState } from "react";
+import { useId, useMemo, useState } from "react";
 import { formatNumber } from "../../i18n/number.ts";
 import type { ExportTexts } from "../../i18n/en/export.ts";
 import { DXF_CHORD, writeDxf } from "../../program/dxf/write-dxf.ts";
@@ -11,8 +11,8 @@ import { Message } from "../../app/base/Message.tsx";
 import { playback } from "../../app/calculation/playback.ts";
 import { useOutcome, type Outcome } from "../../app/calculation/outcome.ts";
 import { useLengths } from "../../app/calculation/lengths.ts";
-import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
-import { useModal } from "../../app/base/use-modal.ts";
+import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import {
   BODIES,
   bodiesOf,
@@ -44,27 +44,12 @@ function Opened({
   readonly stem: string;
   readonly done: () => void;
 }) {
-  const { close } = useTexts("first").page,
-    lengths = useLengths();
+  const lengths = useLengths();
   const shown = useOutcome((s) => s.shown),
     dimmed = useOutcome((s) => s.dimmed);
-  const dialog = useRef<HTMLDialogElement>(null);
   const [said, say] = useState("");
-  useModal(dialog, ".export-part button:not(:disabled)");
   return (
-    <dialog
-      ref={dialog}
-      className="export-part"
-      aria-label={t.title}
-      onClose={() => !dialog.current?.open && done()}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
-      <div className="export-part-head">
-        <h2>{t.title}</h2>
-        <button type="button" className="button icon plain" aria-label={close} onClick={() => dialog.current?.close()}>
-          <Icon name="close" />
-        </button>
-      </div>
+    <ModalDialog className="modal export-part" first=".export-part button:not(:disabled)" title={t.title} done={done}>
       <p>{lengths.unit === "mm" ? t.lead : t.leadInches}</p>
       {dimmed && <Message tone="warning">{t.older}</Message>}
       {!shown || shown.isBeginning ? (
@@ -78,7 +63,7 @@ function Opened({
       <p role="status" className="export-said">
         {said}
       </p>
-    </dialog>
+    </ModalDialog>
   );
 }
 

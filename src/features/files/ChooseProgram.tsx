@@ -2,25 +2,19 @@ import { useRef } from "react";
 import { filesOf, type ProgramWork } from "../../app/document/work.ts";
 import { endChoice, type ProgramChoice } from "../../app/document/choice.ts";
 import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
-import { useModal } from "../../app/base/use-modal.ts";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 
 /** Asks which of several programs are opened. Closing it opens none. */
 export function ChooseProgram({ works, skipped, isCut, open, together }: ProgramChoice) {
   const t = useTextsSoon("files");
   const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog);
   const take = (chosen: readonly ProgramWork[]) => () => {
     dialog.current?.close();
     open(chosen);
   };
   const words = t?.choose;
   return (
-    <dialog
-      ref={dialog}
-      className="choose-program"
-      aria-label={words?.title}
-      onClose={() => !dialog.current?.open && endChoice()}
-    >
+    <ModalDialog isBare ref={dialog} className="choose-program" title={words?.title} done={endChoice}>
       {t && words && (
         <>
           <h2>{words.title}</h2>
@@ -59,6 +53,6 @@ export function ChooseProgram({ works, skipped, isCut, open, together }: Program
           </div>
         </>
       )}
-    </dialog>
+    </ModalDialog>
   );
 }

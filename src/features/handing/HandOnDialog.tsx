@@ -12,7 +12,7 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { controlInUse, machineInUse } from "../../app/document/work-tools.ts";
 import type { Work } from "../../app/document/work.ts";
-import { HandingDialog } from "../../app/base/HandingDialog.tsx";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import { linkOf } from "../../app/records/link.ts";
 import { packed, packedFile, type Packed } from "./pack.ts";
 import { QrCode } from "./QrCode.tsx";
@@ -20,6 +20,7 @@ import { LONGEST_QR } from "./qr.ts";
 import { isHereOnly } from "../../app/records/reach.ts";
 import { canShare, share } from "./share-sheet.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
+import "./handing.css";
 
 const pageAddress = () => location.href.replace(/[?#].*$/, "");
 
@@ -58,7 +59,7 @@ export function HandOnDialog({ open, verdict, done }: Props) {
   if (!words) return null;
   const tools = ready?.work.tools;
   return (
-    <HandingDialog title={words.title} done={done}>
+    <ModalDialog title={words.title} done={done}>
       <p>{words.lead}</p>
       <section className="handing-along" aria-label={words.along}>
         <WorkFacts
@@ -79,7 +80,7 @@ export function HandOnDialog({ open, verdict, done }: Props) {
         <VerdictText verdict={verdict} reasons={2} />
       </section>
       {ready && <Ways words={words} ready={ready} />}
-    </HandingDialog>
+    </ModalDialog>
   );
 }
 
@@ -103,7 +104,7 @@ function Ways({ words, ready }: { readonly words: HandedTexts; readonly ready: R
   const sheet = { name: work.name, link: link.length > SAFE_LINK ? "" : link, archive, bytes: () => packedFile(ready) };
   return (
     <>
-      <section className="handing-link" aria-label={words.link}>
+      <section className="modal-link" aria-label={words.link}>
         <label>
           <span>
             {words.link} · <b className="number">{words.kilobytes(formatNumber(language, link.length / 1000, 1))}</b>
@@ -117,7 +118,7 @@ function Ways({ words, ready }: { readonly words: HandedTexts; readonly ready: R
           />
         </label>
         {warning !== null && <Message tone="warning">{warning}</Message>}
-        <div className="handing-ways">
+        <div className="modal-ways">
           <button type="button" className="button primary" disabled={link === ""} onClick={() => void copyText(link)}>
             <Icon name={copied ? "check" : "copy"} /> {copied ? t.text.copied : words.copyLink}
           </button>
@@ -143,7 +144,7 @@ function Ways({ words, ready }: { readonly words: HandedTexts; readonly ready: R
       )}
       <section aria-label={words.files}>
         <h3>{words.files}</h3>
-        <div className="handing-ways">
+        <div className="modal-ways">
           <button
             type="button"
             className="button"

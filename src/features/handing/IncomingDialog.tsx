@@ -3,11 +3,12 @@ import { cellOf } from "../../program/tools/tool-entry.ts";
 import { toolsBeside } from "../../program/tools/tool-difference.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTools } from "../../app/document/tool-store.ts";
-import { HandingDialog } from "../../app/base/HandingDialog.tsx";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import { leaveIncoming, takeIncoming, useIncoming, type Incoming } from "../../app/records/incoming.ts";
 import { inMyTable } from "./in-my-table.ts";
 import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
+import "./handing.css";
 
 /** What a link or a file holds, before anything of it is opened. */
 export function IncomingDialog() {
@@ -24,7 +25,7 @@ function Inside({ incoming }: { readonly incoming: Incoming }) {
   if (!words) return null;
   const control = work.control ?? device;
   return (
-    <HandingDialog title={words.inside(work.name)} done={leaveIncoming}>
+    <ModalDialog title={words.inside(work.name)} done={leaveIncoming}>
       <p>{words.from[from]}</p>
       <WorkFacts
         words={words}
@@ -60,14 +61,14 @@ function Inside({ incoming }: { readonly incoming: Incoming }) {
         }
       />
       <p className="small soft">{words.ofItsOwn}</p>
-      <div className="handing-ways">
-        <button type="button" className="button primary handing-first" onClick={() => takeIncoming(incoming)}>
+      <div className="modal-ways">
+        <button type="button" className="button primary modal-first" onClick={() => takeIncoming(incoming)}>
           {words.open}
         </button>
         <button type="button" className="button" onClick={leaveIncoming}>
           {words.notNow}
         </button>
       </div>
-    </HandingDialog>
+    </ModalDialog>
   );
 }

@@ -7,7 +7,7 @@ import { handedOn, useEditor } from "../../app/document/store.ts";
 import { nameOfMachine } from "./machine-name.ts";
 import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { WorkTools } from "./WorkTools.tsx";
-import "../../app/base/handing.css";
+import "./handing.css";
 
 /** The one thing that is most to be known of what a work runs with. */
 function saidOf(words: HandedTexts, tools: number | undefined, control: Control | undefined, machine = ""): string {

@@ -51,7 +51,7 @@ export function WorkFacts({
     ["size", words.kilobytes(formatNumber(language, size / 1000, 1))],
   ];
   return (
-    <dl className="handing-facts">
+    <dl className="modal-facts">
       {facts.map(([fact, value]) => (
         <div key={fact}>
           <dt>{words.facts[fact]}</dt>

@@ -8,7 +8,7 @@ import { Message } from "../../app/base/Message.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";
 import { useTools } from "../../app/document/tool-store.ts";
-import { HandingDialog } from "../../app/base/HandingDialog.tsx";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import { inMyTable } from "./in-my-table.ts";
 import { nameOfMachine } from "./machine-name.ts";
 import {
@@ -19,6 +19,7 @@ import {
   takeMachineOfDevice,
   takeTableOfDevice,
 } from "./work-tools-edits.ts";
+import "./handing.css";
 
 /** Edge length of an insert drawing, px. */
 const DRAWING = 40;
@@ -44,7 +45,7 @@ export function WorkTools({ words, done }: Props) {
   const isAllMine = beside.every(({ mine: own, differs }) => own !== null && differs.length === 0);
 
   return (
-    <HandingDialog title={words.ofWork} done={done}>
+    <ModalDialog title={words.ofWork} done={done}>
       {tools && (
         <>
           <p>{words.ofWorkLead}</p>
@@ -66,7 +67,7 @@ export function WorkTools({ words, done }: Props) {
         {!kept && tools && isAllMine && <p className="small">{words.allMine}</p>}
       </div>
       {tools && (
-        <div className="handing-ways">
+        <div className="modal-ways">
           {!isAllMine && (
             <button type="button" className="button" onClick={() => setKept(keepWorkTools(wayOf))}>
               <Icon name="add" /> {words.keep}
@@ -100,7 +101,7 @@ export function WorkTools({ words, done }: Props) {
           </button>
         </div>
       )}
-    </HandingDialog>
+    </ModalDialog>
   );
 }
 
@@ -184,7 +185,7 @@ function Kept({ words, kept }: { readonly words: HandedTexts; readonly kept: Kep
           <p key={from}>{words.moved(from, to)}</p>
         ))}
         {called && <p>{words.callsChanged}</p>}
-        <div className="handing-ways">
+        <div className="modal-ways">
           {moved.length > 0 && calls > 0 && !called && (
             <button
               type="button"

@@ -1,4 +1,3 @@
-import { useRef } from "react";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { originsOf } from "../../program/tools/table-again.ts";
 import type { TableOrigin } from "../../program/tools/tool-entry.ts";
@@ -6,7 +5,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { ExportKind } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
-import { useModal } from "../../app/base/use-modal.ts";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 
 /** Asks which file the table goes out as, and says what each cannot hold. */
 export function ExportDialog({
@@ -22,8 +21,6 @@ export function ExportDialog({
 }) {
   const t = useTexts("tables").tools;
   const list = useTools((s) => s.list);
-  const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog, ".export-ways button:not(:disabled)");
   const { table, mills } = toolsOnDevice(list);
   const held = table.tools.some((tool) => tool.holder);
   const origins = [...originsOf(list, false), ...originsOf(list, true)];
@@ -54,12 +51,12 @@ export function ExportDialog({
     </li>
   );
   return (
-    <dialog
-      ref={dialog}
+    <ModalDialog
+      isBare
       className="tool-dialog"
-      aria-label={w.exportTitle}
-      onKeyDown={(event) => event.stopPropagation()}
-      onClose={() => !dialog.current?.open && done()}
+      first=".export-ways button:not(:disabled)"
+      title={w.exportTitle}
+      done={done}
     >
       <h2>{w.exportTitle}</h2>
       <ul className="tool-dialog-body export-ways">
@@ -73,6 +70,6 @@ export function ExportDialog({
           {w.cancel}
         </button>
       </div>
-    </dialog>
+    </ModalDialog>
   );
 }

@@ -1,4 +1,4 @@
-import { useMemo, useRef } from "react";
+import { useMemo } from "react";
 import type { ToolFileTexts } from "../../i18n/tool-file-text.ts";
 import { HOLDER_CELLS, type HolderCell } from "../../program/tools/tool-columns.ts";
 import type { ToolEntry } from "../../program/tools/tool-entry.ts";
@@ -10,7 +10,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { Brought } from "./tool-files.ts";
 import { useToolName } from "../../app/document/tool-name.ts";
 import { useTools } from "../../app/document/tool-store.ts";
-import { useModal } from "../../app/base/use-modal.ts";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 
 /** Tools that are listed one by one. */
 const MOST = 200;
@@ -66,20 +66,12 @@ export function ImportDialog({
 }) {
   const t = useTexts("tables").tools;
   const list = useTools((s) => s.list);
-  const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog, ".primary");
   const plan = useMemo(() => planImport(list, brought.incoming, "all"), [list, brought]);
   const { fresh, changed, same, wrong } = plan;
   const title = w.title(brought.name);
   const told = fresh.length + changed.length;
   return (
-    <dialog
-      ref={dialog}
-      className="tool-dialog"
-      aria-label={title}
-      onKeyDown={(event) => event.stopPropagation()}
-      onClose={() => !dialog.current?.open && done()}
-    >
+    <ModalDialog isBare className="tool-dialog" first=".primary" title={title} done={done}>
       <h2>{title}</h2>
       <div className="tool-dialog-body" tabIndex={0} role="group" aria-label={title}>
         {told === 0 && <p>{w.nothing}</p>}
@@ -121,6 +113,6 @@ export function ImportDialog({
           {w.cancel}
         </button>
       </div>
-    </dialog>
+    </ModalDialog>
   );
 }

@@ -1,10 +1,9 @@
-import { Suspense, useMemo, useRef, useState } from "react";
+import { Suspense, useMemo, useState } from "react";
 import { comparison as byWorker } from "../../app/calculation/beside.ts";
-import { Icon } from "../../app/base/Icon.tsx";
 import { lazyPart } from "../../app/base/parts.ts";
 import { contourTableSlot } from "../../app/fields/slots.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
-import { useTexts, useTextsSoon } from "../../app/base/settings/use-texts.ts";
+import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { canBePreturned, readAsking, soughtAt, usualNumbers, type Sought } from "../../app/document/asking.ts";
 import type { WhichRegion } from "../../app/place/place.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
@@ -13,7 +12,7 @@ import { ContourStretch } from "./ContourStretch.tsx";
 import { takeWay } from "./take.ts";
 import { useComparison } from "./use-comparison.ts";
 import { WayCards } from "./WayCards.tsx";
-import { useModal } from "../../app/base/use-modal.ts";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import "./which.css";
 
 const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fetch() }));
@@ -41,10 +40,7 @@ function asked(before: Sought, change: Partial<Sought>, isTyped: boolean): Sough
 
 /** Asks what is to be turned and shows the ways to do it side by side. */
 export function WhichCycle({ done, region, comparison = byWorker }: Props) {
-  const t = useTexts();
   const language = useSettings((s) => s.language);
-  const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog);
   const words = useTextsSoon("which");
   const [place, pick] = useState(region);
   const [asking, ask] = useState(() => begun(region));
@@ -58,26 +54,9 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
     ask((before) => asked(before, change, isTyped || region !== null));
   };
   return (
-    <dialog
-      ref={dialog}
-      className="which"
-      aria-label={words?.title}
-      onClose={() => !dialog.current?.open && done()}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
+    <ModalDialog className="modal which" title={words?.title} done={done}>
       {words && (
         <>
-          <header className="which-head">
-            <h2>{words.title}</h2>
-            <button
-              type="button"
-              className="button icon plain"
-              aria-label={t.page.close}
-              onClick={() => dialog.current?.close()}
-            >
-              <Icon name="close" />
-            </button>
-          </header>
           <p className="soft">{words.lead}</p>
           <Sentence words={words} asking={asking} fault={fault} inWork={place !== null} onAsk={onAsk} />
           {place && (
@@ -113,6 +92,6 @@ export function WhichCycle({ done, region, comparison = byWorker }: Props) {
           )}
         </>
       )}
-    </dialog>
+    </ModalDialog>
   );
 }

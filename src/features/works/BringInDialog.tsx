@@ -1,4 +1,4 @@
-import { useEffect, useId, useRef, useState } from "react";
+import { useEffect, useId, useState } from "react";
 import type { DeviceTexts } from "../../i18n/en/device.ts";
 import { goToEntrance } from "../../app/document/go-home.ts";
 import { Icon } from "../../app/base/Icon.tsx";
@@ -16,7 +16,7 @@ import {
   type ArchivedState,
   type GroupChoice,
 } from "./take-archive.ts";
-import { useModal } from "../../app/base/use-modal.ts";
+import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import "./works.css";
 
 /** What is done with a table of the file: mine stays, takes what it does not have, or gives way. */
@@ -201,19 +201,11 @@ function Content({
 
 /** Shows what a file of works holds before anything of it is taken. Nothing on the device is ever written over. */
 export function BringInDialog({ of: { name, archive, problem } }: { readonly of: Bringing }) {
-  const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog);
   const { bringIn: t } = useTexts("device");
   const { page } = useTexts("first");
   const [done, end] = useState<readonly string[] | null>(null);
   return (
-    <dialog
-      ref={dialog}
-      className="bring-in"
-      aria-label={t.title(name)}
-      onKeyDown={(event) => event.stopPropagation()}
-      onClose={() => !dialog.current?.open && endBringing()}
-    >
+    <ModalDialog isBare className="bring-in" title={t.title(name)} done={endBringing}>
       <h2>{t.title(name)}</h2>
       <p role="status">
         {problem !== null && (
@@ -243,6 +235,6 @@ export function BringInDialog({ of: { name, archive, problem } }: { readonly of:
           </button>
         </div>
       )}
-    </dialog>
+    </ModalDialog>
   );
 }

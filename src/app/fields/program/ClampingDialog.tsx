@@ -5,7 +5,7 @@ import type { ClampingDraft } from "../../../program/clamping/words.ts";
 import { boundsOf } from "../../../view/bounds.ts";
 import { editProgram, useSession } from "../blocks/session.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import { HandingDialog } from "../../base/HandingDialog.tsx";
+import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { ClampingFields } from "../setup/ClampingFields.tsx";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import "../setup/clamping.css";
@@ -25,7 +25,7 @@ export function ClampingDialog({ done }: { readonly done: () => void }) {
     editProgram(withClamping(useSession.getState().reading.program, next), place);
   };
   return (
-    <HandingDialog title={t.title} done={done}>
+    <ModalDialog title={t.title} done={done}>
       <p className="small soft">{t.inProgram}</p>
       <div className="setup clamping-fields">
         <ClampingFields
@@ -35,6 +35,6 @@ export function ClampingDialog({ done }: { readonly done: () => void }) {
           propose={() => proposedClamping(boundsOf(run?.blank.flat() ?? []) ?? SOME_BLANK, inch ? INCH : 1)}
         />
       </div>
-    </HandingDialog>
+    </ModalDialog>
   );
 }

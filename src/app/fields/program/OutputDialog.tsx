@@ -7,7 +7,7 @@ import {
   nameOfOutput,
   type NcOutput,
 } from "../../../program/machine/nc-output.ts";
-import { HandingDialog } from "../../base/HandingDialog.tsx";
+import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { Message } from "../../base/Message.tsx";
 import { NumberInput } from "../number/NumberInput.tsx";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
@@ -30,7 +30,7 @@ function Opened({ words: t, done }: { readonly words: OutputTexts; readonly done
   const set = (change: Partial<NcOutput>) => setOutput({ ...output, ...change });
   const name = nameOfOutput(output);
   return (
-    <HandingDialog title={t.title} done={done}>
+    <ModalDialog title={t.title} done={done}>
       <p>{isProgram ? t.leadProgram : t.lead}</p>
       <div className="nc-output">
         <Choice
@@ -93,7 +93,7 @@ function Opened({ words: t, done }: { readonly words: OutputTexts; readonly done
         </label>
       </div>
       <p className="small soft">{t.unverified}</p>
-      <div className="handing-ways">
+      <div className="modal-ways">
         {isDefault ? (
           <p className="small soft" role="status">
             {t.isDefault}
@@ -104,7 +104,7 @@ function Opened({ words: t, done }: { readonly words: OutputTexts; readonly done
           </button>
         )}
       </div>
-    </HandingDialog>
+    </ModalDialog>
   );
 }
 

@@ -12,7 +12,7 @@ import { NumberInput } from "../number/NumberInput.tsx";
 import { useOutcome, type Outcome, type OutcomeState } from "../../calculation/outcome.ts";
 import { fileNameOf } from "../../base/file-name.ts";
 import { openProgram } from "../open/open-program.ts";
-import { HandingDialog } from "../../base/HandingDialog.tsx";
+import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { Message } from "../../base/Message.tsx";
 import { useLengths } from "../../calculation/lengths.ts";
 import { programName } from "../../document/printed.ts";
@@ -52,12 +52,12 @@ function Opened({ words: t, text, done }: Props) {
   const pieces = useMemo(() => (typeof left === "string" ? null : leftPieces(left.simulation)), [left]);
   const lack = typeof left === "string" ? left : pieces?.held ? null : "nothingLeft";
   return (
-    <HandingDialog title={t.title} done={done}>
+    <ModalDialog title={t.title} done={done}>
       <p>{t.lead}</p>
       {typeof left === "string" || !pieces?.held ? (
         <>
           <p role="status">{lack && t.lack[lack]}</p>
-          <div className="handing-ways">
+          <div className="modal-ways">
             <button type="button" className="button primary" disabled>
               {t.open}
             </button>
@@ -66,7 +66,7 @@ function Opened({ words: t, text, done }: Props) {
       ) : (
         <Choice words={t} outcome={left} held={pieces.held} off={pieces.off} />
       )}
-    </HandingDialog>
+    </ModalDialog>
   );
 }
 
@@ -142,7 +142,7 @@ function Choice({ words: t, outcome: { run, simulation, text }, held, off }: Cho
           </span>
         )}
       </label>
-      <dl className="handing-facts">
+      <dl className="modal-facts">
         <div>
           <dt>{t.name}</dt>
           <dd>{programName(made)}</dd>
@@ -154,7 +154,7 @@ function Choice({ words: t, outcome: { run, simulation, text }, held, off }: Cho
       </dl>
       {run.plane.length > 0 && <Message tone="warning">{t.milling}</Message>}
       {simulation.proof.unproved.length > 0 && <Message tone="warning">{t.unproved}</Message>}
-      <div className="handing-ways">
+      <div className="modal-ways">
         <button type="button" className="button primary" disabled={value === null} onClick={() => openTurned(made)}>
           {t.open}
         </button>

@@ -3,7 +3,7 @@ import { createPortal } from "react-dom";
 import type { MachineTexts } from "../../../i18n/en/machine.ts";
 import type { Run } from "../../../program/state/run-types.ts";
 import { useOutcome } from "../../calculation/outcome.ts";
-import { HandingDialog } from "../../base/HandingDialog.tsx";
+import { ModalDialog } from "../../base/ModalDialog.tsx";
 import { Icon } from "../../base/Icon.tsx";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts, useTextsSoon } from "../../base/settings/use-texts.ts";
@@ -43,7 +43,7 @@ function Opened({ t, run, done }: { readonly t: MachineTexts["time"]; readonly r
     </tr>
   );
   return (
-    <HandingDialog title={t.title} done={done}>
+    <ModalDialog title={t.title} done={done}>
       <table className="time-table">
         <tbody>{timeCauses(t, run).map(([name, seconds]) => row(name, seconds))}</tbody>
         <tfoot>{row(t.total, run.seconds)}</tfoot>
@@ -54,6 +54,6 @@ function Opened({ t, run, done }: { readonly t: MachineTexts["time"]; readonly r
         </p>
       ))}
       <p className="small soft">{t.hint}</p>
-    </HandingDialog>
+    </ModalDialog>
   );
 }

@@ -2,7 +2,7 @@ import { useRef } from "react";
 import { Icon } from "../../base/Icon.tsx";
 import type { SaveBack, SaveHow } from "./save-back.ts";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
-import { useModal } from "../../base/use-modal.ts";
+import { ModalDialog } from "../../base/ModalDialog.tsx";
 
 /** What stands in the way of saving. */
 export type Obstacle = Exclude<SaveBack, { readonly kind: "written" | "closed" }>;
@@ -22,20 +22,13 @@ interface Props {
 export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCompare, done }: Props) {
   const t = useTextsSoon("files");
   const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog);
   const leave = (way: () => void) => () => {
     dialog.current?.close();
     way();
   };
   const title = t?.[obstacle.kind].title(file);
   return (
-    <dialog
-      ref={dialog}
-      className="save-problem"
-      role="alertdialog"
-      aria-label={title}
-      onClose={() => !dialog.current?.open && done()}
-    >
+    <ModalDialog isBare ref={dialog} className="save-problem" role="alertdialog" title={title} done={done}>
       {t && (
         <>
           <h2>
@@ -67,6 +60,6 @@ export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCom
           </div>
         </>
       )}
-    </dialog>
+    </ModalDialog>
   );
 }

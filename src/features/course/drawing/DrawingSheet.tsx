@@ -9,7 +9,7 @@ import { downloadText } from "../../../app/base/download.ts";
 import { useSize } from "../../../app/pictures/help/use-size.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { useModal } from "../../../app/base/use-modal.ts";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { DrawnPrint } from "./DrawnPrint.tsx";
 import { SizeList } from "./SizeList.tsx";
 import { sheetTitleOf, type Titled } from "./title-words.ts";
@@ -42,7 +42,6 @@ export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) 
   const list = useId();
   const paper = useSettings((s) => s.paper);
   const { width, height, drawing } = SHEETS[paper];
-  useModal(dialog, ".drawing-view");
   const size = useSize(frame, { width: width * READABLE, height: height * READABLE });
   const fit = Math.min((size.width - AIR) / width, (size.height - AIR) / height);
   const zoom = useSheetZoom(frame, fit, READABLE);
@@ -55,13 +54,7 @@ export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) 
     title = sheetTitleOf({ titled, drawn, print, words, t });
   const mm = (value: number) => `calc(${value} * var(--mm))`;
   return createPortal(
-    <dialog
-      ref={dialog}
-      className="drawing-dialog"
-      aria-label={name}
-      onClose={() => !dialog.current?.open && onClose()}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
+    <ModalDialog isBare ref={dialog} className="drawing-dialog" first=".drawing-view" title={name} done={onClose}>
       <div className="drawing-bar">
         <button type="button" className="button" onClick={() => dialog.current?.close()}>
           <Icon name="back" /> <span className="drawing-word">{t.close}</span>
@@ -127,7 +120,7 @@ export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) 
         </figure>
         <SizeList id={list} list={print.list} general={print.general} words={words} t={t} />
       </div>
-    </dialog>,
+    </ModalDialog>,
     document.body,
   );
 }

@@ -10,7 +10,7 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { programName } from "../../../app/document/printed.ts";
 import { useEditor } from "../../../app/document/store.ts";
-import { useModal } from "../../../app/base/use-modal.ts";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { useTaskFile } from "../task/use-task-file.ts";
 import { DrawingSheet } from "./DrawingSheet.tsx";
 import { printWords } from "./print-words.ts";
@@ -28,20 +28,13 @@ function drawnOf(outcome: Outcome, known: Task | null) {
 function NoDrawing({ name, text, done }: { readonly name: string; readonly text: string; readonly done: () => void }) {
   const t = useTexts("course-drawing");
   const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog);
   return createPortal(
-    <dialog
-      ref={dialog}
-      className="drawing-none"
-      aria-label={name}
-      onClose={() => !dialog.current?.open && done()}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
+    <ModalDialog isBare ref={dialog} className="drawing-none" title={name} done={done}>
       <p role="status">{text}</p>
       <button type="button" className="button" onClick={() => dialog.current?.close()}>
         <Icon name="back" /> {t.close}
       </button>
-    </dialog>,
+    </ModalDialog>,
     document.body,
   );
 }

@@ -2,7 +2,7 @@ import { useEffect, useState } from "react";
 import { progressOfTask, stateOfTask } from "../../../course/progress.ts";
 import type { HandedResult } from "../../../course/made/result.ts";
 import { downloadText } from "../../../app/base/download.ts";
-import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
@@ -58,7 +58,7 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
   }, [key, progress, language]);
   const result = made?.key === key ? { ...made.result, name: name.trim() } : null;
   return (
-    <HandingDialog title={t.hand.title} done={done}>
+    <ModalDialog title={t.hand.title} done={done}>
       <p>{t.hand.lead}</p>
       <p>{t.hand.noProof}</p>
       {begun.length === 0 ? (
@@ -85,7 +85,7 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
           )}
           {result && ids.length > 0 && (
             <>
-              <div className="handing-ways">
+              <div className="modal-ways">
                 <button
                   type="button"
                   className="button primary"
@@ -99,6 +99,6 @@ export function HandInDialog({ done }: { readonly done: () => void }) {
           )}
         </>
       )}
-    </HandingDialog>
+    </ModalDialog>
   );
 }

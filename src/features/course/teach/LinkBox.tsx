@@ -6,7 +6,7 @@ import { Message } from "../../../app/base/Message.tsx";
 import { copyText, useCopying } from "../../../app/findings/copy.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
-import "../../../app/base/handing.css";
+import "../../../app/base/modal.css";
 
 /** The address of this page, without anything behind `#`. */
 export const pageAddress = (): string => location.href.replace(/[?#].*$/, "");
@@ -20,7 +20,7 @@ export function LinkBox({ link, copies }: { readonly link: string; readonly copi
     isLong = link.length > SAFE_LINK;
   if (link.length > LONGEST_LINK) return <Message tone="warning">{t.linkLong}</Message>;
   return (
-    <section className="handing-link" aria-label={t.link}>
+    <section className="modal-link" aria-label={t.link}>
       <label>
         <span>
           {t.link} · <b className="number">{t.kilobytes(formatNumber(language, link.length / 1000, 1))}</b>
@@ -28,7 +28,7 @@ export function LinkBox({ link, copies }: { readonly link: string; readonly copi
         <textarea className="number" readOnly rows={2} value={link} onFocus={(event) => event.currentTarget.select()} />
       </label>
       {(isHere || isLong) && <Message tone="warning">{isHere ? t.hereOnly : t.linkLong}</Message>}
-      <div className="handing-ways">
+      <div className="modal-ways">
         <button
           type="button"
           className="button primary"

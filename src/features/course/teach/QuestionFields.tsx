@@ -70,7 +70,7 @@ export function QuestionFields({ made, change, begun, solution, truths }: Questi
           remove={() => change({ questions: questions.filter((_, at) => at !== i) }, true)}
         />
       ))}
-      <div className="handing-ways">
+      <div className="modal-ways">
         <button
           type="button"
           className="button"

@@ -4,7 +4,7 @@ import { downloadText } from "../../../app/base/download.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { useModal } from "../../../app/base/use-modal.ts";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { useGathered } from "../../../app/records/course/gathered.ts";
 import { addResults } from "./open-taught.ts";
 import {
@@ -32,9 +32,7 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
     { results: words } = t;
   const language = useSettings((s) => s.language);
   const { list: files, trouble } = useGathered();
-  const dialog = useRef<HTMLDialogElement>(null),
-    file = useRef<HTMLInputElement>(null);
-  useModal(dialog);
+  const file = useRef<HTMLInputElement>(null);
   const all = useMemo(() => resultRows(files), [files]);
   const again = useAgain(all);
   const [sort, sortBy] = useState<ResultSort | null>(null);
@@ -70,24 +68,7 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
     downloadText(csv, `${title}.csv`.replace(/[\\/:*?"<>|]+/g, "-"));
   };
   return (
-    <dialog
-      ref={dialog}
-      className="handing taught-wide"
-      aria-label={title}
-      onClose={(event) => event.target === dialog.current && !dialog.current.open && leaveTaught()}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
-      <div className="handing-head">
-        <h2>{title}</h2>
-        <button
-          type="button"
-          className="button icon plain"
-          aria-label={t.close}
-          onClick={() => dialog.current?.close()}
-        >
-          <Icon name="close" />
-        </button>
-      </div>
+    <ModalDialog className="modal taught-wide" title={title} done={leaveTaught}>
       <p>{isOne && only ? words.lead(day(only.result.made)) : words.several}</p>
       {trouble === "notKept" && <Message tone="warning">{words.notKept}</Message>}
       <LeftOut leftOut={leftOut} />
@@ -112,7 +93,7 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
         </label>
       )}
       <ResultFiles files={files} rows={all} day={day} />
-      <div className="handing-ways">
+      <div className="modal-ways">
         <button type="button" className="button" onClick={() => file.current?.click()}>
           <Icon name="add" /> {words.add}
         </button>
@@ -140,6 +121,6 @@ export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut
           </>
         )}
       </div>
-    </dialog>
+    </ModalDialog>
   );
 }

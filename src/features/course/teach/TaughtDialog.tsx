@@ -2,7 +2,7 @@ import { formatNumber } from "../../../i18n/number.ts";
 import { blankOfLines } from "../../../course/wanted-part.ts";
 import { boxAround } from "../../../kernel/area/box.ts";
 import { toDiameter, radius } from "../../../kernel/units.ts";
-import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useSettings } from "../../../app/base/settings/settings.ts";
 import { inScreenLanguage } from "../../../course/words.ts";
@@ -56,12 +56,12 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
     await beginTask(task, true);
   };
   return (
-    <HandingDialog title={t.incoming.title(words?.title ?? task.id)} done={leaveTaught}>
+    <ModalDialog title={t.incoming.title(words?.title ?? task.id)} done={leaveTaught}>
       <p>{t.incoming.lead}</p>
       {isHere && <Message tone="info">{t.incoming.isHere}</Message>}
       {left.length > 0 && <Message tone="warning">{t.problem.leftOut(left.slice(0, MOST_LEFT).join(", "))}</Message>}
       {words && <p className="taught-ask">{words.ask}</p>}
-      <dl className="handing-facts">
+      <dl className="modal-facts">
         {facts.map(([fact, value]) => (
           <div key={fact}>
             <dt>{t.incoming.facts[fact]}</dt>
@@ -69,8 +69,8 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
           </div>
         ))}
       </dl>
-      <div className="handing-ways">
-        <button type="button" className="button primary handing-first" onClick={() => void take()}>
+      <div className="modal-ways">
+        <button type="button" className="button primary modal-first" onClick={() => void take()}>
           {t.incoming.take}
         </button>
         <button
@@ -88,6 +88,6 @@ function IncomingTask({ task, left }: { readonly task: Task; readonly left: read
         </button>
       </div>
       {task.part && <WorkshopDrawing task={task} language={language} />}
-    </HandingDialog>
+    </ModalDialog>
   );
 }

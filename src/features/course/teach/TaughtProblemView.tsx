@@ -1,4 +1,4 @@
-import { HandingDialog } from "../../../app/base/HandingDialog.tsx";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useProblemWords } from "./problem-words.ts";
 import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts";
@@ -11,7 +11,7 @@ export function TaughtProblemView({ file, problem }: { readonly file: string; re
     { problem: words } = t;
   const [why = "", ...faults] = useProblemWords()(problem);
   return (
-    <HandingDialog title={file === "" ? words.link : words.file(file)} done={leaveTaught}>
+    <ModalDialog title={file === "" ? words.link : words.file(file)} done={leaveTaught}>
       <Message role="alert" tone="warning">
         {why}
       </Message>
@@ -23,11 +23,11 @@ export function TaughtProblemView({ file, problem }: { readonly file: string; re
         </ul>
       )}
       <p className="soft">{words.asBefore}</p>
-      <div className="handing-ways">
-        <button type="button" className="button primary handing-first" onClick={leaveTaught}>
+      <div className="modal-ways">
+        <button type="button" className="button primary modal-first" onClick={leaveTaught}>
           {t.close}
         </button>
       </div>
-    </HandingDialog>
+    </ModalDialog>
   );
 }

@@ -95,7 +95,7 @@ export function TaughtTasks() {
           </Message>
         )}
       </div>
-      <div className="handing-ways">
+      <div className="modal-ways">
         <button type="button" className="button" aria-haspopup="dialog" onClick={() => handIn(true)}>
           <Icon name="share" /> {t.hand.open}
         </button>

@@ -100,7 +100,7 @@ export function TeachCheck({
           </>
         )}
       </div>
-      <div className="handing-ways">
+      <div className="modal-ways">
         <button
           type="button"
           className="button"
@@ -141,7 +141,7 @@ function HandOut({ task, keep }: { readonly task: Task; readonly keep: () => voi
     <>
       <h3>{t.handOut}</h3>
       <LinkBox link={taskLink(pageAddress(), task)} copies={keep} />
-      <div className="handing-ways">
+      <div className="modal-ways">
         <button
           type="button"
           className="button"

@@ -8,14 +8,13 @@ import { formWithSign, type MadeTask } from "../../../course/made/made-form.ts";
 import { partOfMade, proposedTask } from "../../../course/made/made-task.ts";
 import type { Task } from "../../../course/task.ts";
 import { wantedPart } from "../../../course/wanted-part.ts";
-import { Icon } from "../../../app/base/Icon.tsx";
 import { Message } from "../../../app/base/Message.tsx";
 import { useEditor } from "../../../app/document/store.ts";
 import { decimalSign } from "../../../i18n/number.ts";
 import { usualTable } from "../../../program/tools/cutting-table.ts";
 import { fingerprint } from "../../../app/records/difference.ts";
 import { useSettings } from "../../../app/base/settings/settings.ts";
-import { useModal } from "../../../app/base/use-modal.ts";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { keptForm, keyOfTask, keyOfWork } from "../../../app/records/course/kept-form.ts";
 import { sizeChoices } from "./size-choices.ts";
 import { TeachForm, type BegunForm } from "./TeachForm.tsx";
@@ -88,28 +87,10 @@ export function TeachDialog({ done, ...source }: TeachSource & { readonly done: 
   const screen = useSettings((s) => s.language);
   const begun = useBegun(source);
   const dialog = useRef<HTMLDialogElement>(null);
-  useModal(dialog);
   const name = "task" in source ? (inScreenLanguage(source.task.words, screen)?.title ?? source.task.id) : null;
   const title = name === null ? t.title : t.titleOf(name);
   return (
-    <dialog
-      ref={dialog}
-      className="teach"
-      aria-label={title}
-      onClose={(event) => event.target === dialog.current && !dialog.current.open && done()}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
-      <div className="teach-head">
-        <h2>{title}</h2>
-        <button
-          type="button"
-          className="button icon plain"
-          aria-label={t.close}
-          onClick={() => dialog.current?.close()}
-        >
-          <Icon name="close" />
-        </button>
-      </div>
+    <ModalDialog ref={dialog} className="teach" title={title} done={done}>
       {!begun && (
         <p role="status" className="soft">
           {t.working}
@@ -117,6 +98,6 @@ export function TeachDialog({ done, ...source }: TeachSource & { readonly done: 
       )}
       {begun === "none" && <Message tone="warning">{t.noPart}</Message>}
       {begun && begun !== "none" && <TeachForm {...begun} done={() => dialog.current?.close()} />}
-    </dialog>
+    </ModalDialog>
   );
 }

@@ -15,6 +15,7 @@ import { useFitsOfWork } from "../../../app/calculation/fits.ts";
 import { useOutcome } from "../../../app/calculation/outcome.ts";
 import { showFile } from "../../../app/document/shown-file.ts";
 import { Icon } from "../../../app/base/Icon.tsx";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { lazyPart } from "../../../app/base/parts.ts";
 import { whichSlot } from "../../../app/document/which-slot.ts";
 import { showSection } from "../../../app/place/place.ts";
@@ -67,9 +68,6 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
   const fits = useFitsOfWork(job);
   const best = useMemo(() => fits?.find((fit) => fit.makesContour)?.tool.T ?? null, [fits]);
   const chosen = tool ?? best ?? job?.tool ?? null;
-  useLayoutEffect(() => {
-    if (!which) dialog.current?.showModal();
-  }, [which]);
   const asks = job === null;
   useLayoutEffect(() => dialog.current?.querySelector("input")?.focus(), [asks]);
 
@@ -98,29 +96,21 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
       ? isUsable(FIELDS.cuttingSpeed, job.spindle.cuttingSpeed) && isUsable(FIELDS.limit, job.spindle.limit)
       : isUsable(FIELDS.speed, job.spindle.speed));
   return (
-    <dialog
+    <ModalDialog
       ref={dialog}
       className="operation-dialog"
-      aria-label={words.insert}
-      onClose={stopInserting}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
-      <header className="which-head">
-        <h2>{job ? cycleWords(t, job.cycle) : words.insert}</h2>
-        {!job && (
+      first="input"
+      title={words.insert}
+      heading={job ? cycleWords(t, job.cycle) : words.insert}
+      actions={
+        !job && (
           <button type="button" className="button" onClick={() => ask(true)}>
             {words.which}
           </button>
-        )}
-        <button
-          type="button"
-          className="button icon plain"
-          aria-label={words.close}
-          onClick={() => dialog.current?.close()}
-        >
-          <Icon name="close" />
-        </button>
-      </header>
+        )
+      }
+      done={stopInserting}
+    >
       {!job && (
         <div className="operation-body">
           <CycleChooser narrow ways={[{ name: words.choose, short: words.choose, go: choose }]} />
@@ -223,6 +213,6 @@ export function InsertOperation({ behind }: { readonly behind: number | null }) 
           </footer>
         </form>
       )}
-    </dialog>
+    </ModalDialog>
   );
 }

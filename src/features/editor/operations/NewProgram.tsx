@@ -1,9 +1,9 @@
-import { useLayoutEffect, useRef, useState } from "react";
+import { useRef, useState } from "react";
 import { emptyProgram } from "../../../program/job/empty-program.ts";
 import { SETUP_FIELDS as FIELDS } from "../../../program/job/setup-fields.ts";
 import type { BlankDraft } from "../../../program/job/job.ts";
 import { openText } from "../../../app/fields/open/open-program.ts";
-import { Icon } from "../../../app/base/Icon.tsx";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { toFirstPrompt } from "../../../app/place/place.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { AskedNumber, isUsable } from "./AskedNumber.tsx";
@@ -19,10 +19,6 @@ export function NewProgram({ done }: { readonly done: () => void }) {
   const dialog = useRef<HTMLDialogElement>(null);
   const [name, setName] = useState("PROGRAM");
   const [blank, setBlank] = useState(USUAL);
-  useLayoutEffect(() => {
-    dialog.current?.showModal();
-    dialog.current?.querySelector("input")?.focus();
-  }, []);
   const usable =
     name.trim() !== "" &&
     (["outside", "bore", "length", "allowance"] as const).every((each) => isUsable(FIELDS[each], blank[each]));
@@ -36,24 +32,7 @@ export function NewProgram({ done }: { readonly done: () => void }) {
     />
   );
   return (
-    <dialog
-      ref={dialog}
-      className="operation-dialog"
-      aria-label={words.newProgram}
-      onClose={done}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
-      <header className="which-head">
-        <h2>{words.newProgram}</h2>
-        <button
-          type="button"
-          className="button icon plain"
-          aria-label={words.close}
-          onClick={() => dialog.current?.close()}
-        >
-          <Icon name="close" />
-        </button>
-      </header>
+    <ModalDialog ref={dialog} className="operation-dialog" first="input" title={words.newProgram} done={done}>
       <form
         className="operation-form"
         onSubmit={(event) => {
@@ -100,6 +79,6 @@ export function NewProgram({ done }: { readonly done: () => void }) {
           </button>
         </footer>
       </form>
-    </dialog>
+    </ModalDialog>
   );
 }

@@ -1,8 +1,8 @@
-import { useLayoutEffect, useRef } from "react";
+import { useRef } from "react";
 import { startLines } from "../../../nc/program.ts";
 import { useSession } from "../../../app/fields/blocks/session.ts";
 import { useFitsOfLine } from "../../../app/calculation/fits.ts";
-import { Icon } from "../../../app/base/Icon.tsx";
+import { ModalDialog } from "../../../app/base/ModalDialog.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { ToolChoice } from "./ToolChoice.tsx";
 import "./operations.css";
@@ -24,26 +24,8 @@ export function ToolDialog({ title, taken, line, done, onTake }: Props) {
   const dialog = useRef<HTMLDialogElement>(null);
   const program = useSession((s) => s.reading.program);
   const fits = useFitsOfLine(startLines(program)[line] ?? null);
-  useLayoutEffect(() => dialog.current?.showModal(), []);
   return (
-    <dialog
-      ref={dialog}
-      className="operation-dialog"
-      aria-label={t.toolTitle(title)}
-      onClose={done}
-      onKeyDown={(event) => event.stopPropagation()}
-    >
-      <header className="which-head">
-        <h2>{t.toolTitle(title)}</h2>
-        <button
-          type="button"
-          className="button icon plain"
-          aria-label={t.close}
-          onClick={() => dialog.current?.close()}
-        >
-          <Icon name="close" />
-        </button>
-      </header>
+    <ModalDialog ref={dialog} className="operation-dialog" title={t.toolTitle(title)} done={done}>
       <ToolChoice
         fits={fits}
         taken={taken}
@@ -52,6 +34,6 @@ export function ToolDialog({ title, taken, line, done, onTake }: Props) {
           onTake(tool);
         }}
       />
-    </dialog>
+    </ModalDialog>
   );
 }

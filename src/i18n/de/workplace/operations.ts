@@ -39,7 +39,6 @@ export const operations = {
   takeTool: (tool) => `Werkzeug ${tool} nehmen`,
   able: "Werkzeuge, die die Kontur fertigen",
   others: "Andere Werkzeuge",
-  close: "Schließen",
   cancel: "Abbrechen",
   back: "Anderer Zyklus",
   choose: "wählen",

@@ -43,7 +43,6 @@ export const operations = {
   takeTool: (tool: string) => `Take tool ${tool}`,
   able: "Tools that make the contour",
   others: "Other tools",
-  close: "Close",
   cancel: "Cancel",
   back: "Other cycle",
   choose: "choose",

@@ -39,7 +39,6 @@ export const operations = {
   takeTool: (tool) => `Prendre l’outil ${tool}`,
   able: "Outils qui réalisent le contour",
   others: "Autres outils",
-  close: "Fermer",
   cancel: "Annuler",
   back: "Autre cycle",
   choose: "choisir",

@@ -39,7 +39,6 @@ export const operations = {
   takeTool: (tool) => `使用刀具 ${tool}`,
   able: "能加工该轮廓的刀具",
   others: "其他刀具",
-  close: "关闭",
   cancel: "取消",
   back: "换循环",
   choose: "选择",
