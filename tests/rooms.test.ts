@@ -112,7 +112,7 @@ describe.each(Object.entries(FOLDERS))("folders of %s", (layer, folders) => {
 });
 
 /** How many variables of modules may change. */
-const MOST_STATE = 47;
+const MOST_STATE = 18;
 
 /**
  * Module-level state of the page that changes. Each is a store of its own that nobody sees: there may be fewer, and no

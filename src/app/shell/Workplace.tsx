@@ -21,7 +21,7 @@ import { LeavingDialog } from "../fields/leaving/LeavingDialog.tsx";
 import { LatheView } from "../pictures/lathe/LatheView.tsx";
 import { MeasuredInto } from "../document/measured-into.ts";
 import { useMeasuredTarget } from "../document/measured-target.ts";
-import { Late, useLater } from "../base/Late.tsx";
+import { Late, useLater } from "../base/typing.ts";
 import { lazyPart } from "../base/parts.ts";
 import { usePlace, type JobSection } from "../place/place.ts";
 import { playback } from "../calculation/playback.ts";
