@@ -4,7 +4,6 @@ import {
   plansOnPage,
   type Calculation,
   type CalculationEvent,
-  type Effect,
   type Ordered,
   type Planning,
   type Queued,
@@ -152,13 +151,13 @@ const inAllSlices = (state: Calculation, { run }: Planned): Step => [
 ];
 
 function plannedInWorker(state: Calculation, worker: Ordered, { made, version }: PlannedEvent): Step {
-  const isOpen = version > state.left;
-  if (!made || made === "part" || !isOpen || state.next)
-    return and([{ ...state, worker: null }, made && made !== "part" && isOpen ? shownOf(made) : []], begin);
-  return and([state, shownOf(made)], (now) => orderFrom(now, { ...worker, planned: made }, "proof"));
+  if (!made || made === "part" || version <= state.left) return begin({ ...state, worker: null });
+  const step: Step = [state, [{ do: "show", planned: made, as: "byItself" }]];
+  // What was typed meanwhile is planned before anything is proved.
+  return and(step, (now) =>
+    now.next ? begin({ ...now, worker: null }) : orderFrom(now, { ...worker, planned: made }, "proof"),
+  );
 }
-
-const shownOf = (made: Planned): readonly Effect[] => [{ do: "show", planned: made, as: "byItself" }];
 
 /** Goes on planning an opened work at rest, as long as each part is quick. */
 function warmedUp(state: Calculation, warmUp: NonNullable<Calculation["warmUp"]>, { made, took }: PlannedEvent): Step {

@@ -10,7 +10,7 @@ import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { forgetOutcome, takeOutcome } from "../../app/calculation/outcome.ts";
 import { changeSettings } from "../../app/base/settings/settings.ts";
-import { useEditor } from "../../app/document/store.ts";
+import { begin, useEditor } from "../../app/document/store.ts";
 import { filesOf } from "../../app/document/work.ts";
 import { WorkFiles } from "./WorkFiles.tsx";
 
@@ -37,7 +37,7 @@ function answer(): void {
 beforeEach(() => {
   changeSettings({ language: "en" });
   forgetOutcome();
-  useEditor.setState({ work: "w", job: null, program: { ...MAIN, files: [BESIDE] } });
+  begin({ ...MAIN, files: [BESIDE] }, "w");
 });
 afterEach(cleanup);
 
@@ -70,7 +70,7 @@ test("a work of one file has no list, also when one with more files was open bef
   answer();
   act(() => {
     forgetOutcome();
-    useEditor.setState({ work: "v", program: { ...BESIDE } });
+    begin({ ...BESIDE }, "v");
   });
   expect(screen.queryByRole("region")).toBeNull();
 });

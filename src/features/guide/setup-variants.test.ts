@@ -6,8 +6,8 @@ import { exampleJob, type SetJob } from "../../program/job/job.ts";
 import { run } from "../../program/run/run.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { printedText } from "../../app/document/printed.ts";
-import { forget, undo } from "../../app/document/steps.ts";
-import { useEditor } from "../../app/document/store.ts";
+import { undo } from "../../app/document/steps.ts";
+import { begin, useEditor } from "../../app/document/store.ts";
 import { SETUP_PAGES, setupVariants, type SetupPageId } from "./setup-variants.ts";
 import { takeSetup } from "./take-value.ts";
 
@@ -56,8 +56,7 @@ test("every page shows two values at least, and each makes another program or an
 
 test("a value taken over is the one that its page showed, and one step of undo takes it back with its kind of speed", () => {
   for (const id of SETUP_PAGES) {
-    useEditor.setState({ work: "w", job, program: null });
-    forget();
+    begin(job, "w");
     const other = setupVariants(id, job, shippedTools).find(({ isUsual }) => !isUsual) ?? never("one value only");
     takeSetup(id, other.value, id, other.value);
     expect(useEditor.getState().job, id).toEqual(other.job);

@@ -1,16 +1,12 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { countWork, workedIn, workedRecord } from "./working-time.ts";
-import { useEditor } from "../../document/store.ts";
+import { begin } from "../../document/store.ts";
 
 const now = vi.hoisted(() => ({ ms: 1000, visible: "visible" }));
 vi.mock("../../base/clock.ts", async (real) => ({ ...(await real<object>()), time: () => now.ms }));
 
 const open = (task: string | null) =>
-  useEditor.setState({
-    work: task,
-    program: task === null ? null : { name: "A.h", text: "", encoding: "utf-8", task: { id: task } },
-    job: null,
-  });
+  begin(task === null ? null : { name: "A.h", text: "", encoding: "utf-8", task: { id: task } }, task);
 const pass = (ms: number) => {
   now.ms += ms;
   countWork();
