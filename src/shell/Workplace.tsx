@@ -21,7 +21,7 @@ import { LeavingDialog } from "../app/fields/leaving/LeavingDialog.tsx";
 import { LatheView } from "../app/pictures/lathe/LatheView.tsx";
 import { MeasuredInto } from "../app/document/measured-into.ts";
 import { useMeasuredTarget } from "../app/document/measured-target.ts";
-import { Late, useLater } from "../app/base/Late.tsx";
+import { Late, useLater } from "../app/base/typing.ts";
 import { lazyPart } from "../app/base/parts.ts";
 import { usePlace, type JobSection } from "../app/place/place.ts";
 import { playback } from "../app/calculation/playback.ts";

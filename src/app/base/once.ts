@@ -28,6 +28,16 @@ export function counter(): () => number {
   return () => ++last;
 }
 
+/** Of several beginnings only the newest counts: each gives the way to ask whether it still is that. */
+export function onlyNewest(): () => () => boolean {
+  let count = 0;
+  return () => {
+    count += 1;
+    const own = count;
+    return () => own === count;
+  };
+}
+
 /** One timer: what it is started with replaces what it waited for. */
 export function restartable(): { start(run: () => void, ms?: number): void; stop(): void } {
   let timer: ReturnType<typeof setTimeout> | undefined;

@@ -1,11 +1,4 @@
-/** Where a browser cannot tell when it rests, this is waited after the page was shown, ms. */
-const WAIT = 1200;
-
-/**
- * Where something is drawn again and again, so many pictures in a row that leave so much of their time are a rest as
- * well, ms.
- */
-const CALM = { pictures: 8, leave: 6 } as const;
+import { IDLE } from "./waits.ts";
 
 /**
  * Runs once the browser has nothing else to do, and will have nothing for at least so many ms. Gives the way to call it
@@ -15,14 +8,14 @@ export function atRest(run: () => void, least = 0): () => void {
   if (typeof requestIdleCallback === "function") {
     let calm = 0;
     const look = (rest: IdleDeadline) => {
-      calm = rest.timeRemaining() >= CALM.leave ? calm + 1 : 0;
-      if (rest.timeRemaining() >= least || calm >= CALM.pictures) run();
+      calm = rest.timeRemaining() >= IDLE.calm ? calm + 1 : 0;
+      if (rest.timeRemaining() >= least || calm >= IDLE.calmPictures) run();
       else id = requestIdleCallback(look);
     };
     let id = requestIdleCallback(look);
     return () => cancelIdleCallback(id);
   }
-  const timer = setTimeout(run, WAIT);
+  const timer = setTimeout(run, IDLE.unknown);
   return () => clearTimeout(timer);
 }
 

@@ -1,14 +1,15 @@
 import { act, cleanup, fireEvent, render, screen } from "@testing-library/react";
-import { useState } from "react";
-import { afterEach, beforeEach, expect, test } from "vitest";
-import { behindTyping, byAndBy, heldWhileTyping, useTyping, whileTyping } from "./typing.ts";
+import { memo, startTransition, useLayoutEffect, useState } from "react";
+import { flushSync } from "react-dom";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { behindTyping, byAndBy, heldWhileTyping, Late, useTyping, whileTyping } from "./typing.ts";
 
 interface Held {
   readonly text: string;
   readonly other: number;
 }
 
-const useResult = heldWhileTyping<{ readonly of: string }>(() => ({ of: "12.5" }), "result");
+const useResult = heldWhileTyping(() => ({ of: "12.5", other: "3" }), "result");
 const useHeld = heldWhileTyping<Held>(() => ({ text: "12.5", other: 3 }));
 const Later = () => <output aria-label="later">{useHeld((s) => s.text)}</output>;
 const AtOnce = () => <output aria-label="at once">{useHeld.atOnce((s) => s.text)}</output>;
@@ -19,7 +20,7 @@ const type = (text: string) => act(() => whileTyping(() => useHeld.setState({ te
 
 beforeEach(() => {
   useHeld.setState({ text: "12.5", other: 3 });
-  useResult.setState({ of: "12.5" });
+  useResult.setState({ of: "12.5", other: "3" });
   render(
     <>
       <Later />
@@ -129,4 +130,58 @@ test("a field knows what was typed until it is told, and then what the work says
   fireEvent.change(screen.getByLabelText("held"), { target: { value: "12.57 " } });
   expect([value(), shown("later")]).toEqual(["12.57 ", "12.5"]);
   await expect.poll(value).toBe("12.57");
+});
+
+const renders = vi.fn();
+const Of = memo(function Of({ of }: { readonly of: "of" | "other" }) {
+  renders();
+  return <output aria-label="followed">{useResult((s) => s[of])}</output>;
+});
+
+test("a component follows what it selects of a result, and renders for nothing else", () => {
+  const { rerender } = render(<Of of="of" />);
+  renders.mockClear();
+  act(() => useResult.setState({ other: "7" }));
+  expect(shown("followed")).toBe("12.5");
+  expect(renders).not.toHaveBeenCalled();
+  rerender(<Of of="other" />);
+  expect(shown("followed")).toBe("7");
+});
+
+test("what a result became before a component listened is shown", () => {
+  const Early = () => {
+    useLayoutEffect(() => useResult.setState({ of: "3.25" }), []);
+    return <Of of="of" />;
+  };
+  render(<Early />);
+  expect(shown("followed")).toBe("3.25");
+});
+
+test("what a transition changes last counts, also where it looks like what is shown", async () => {
+  render(<Of of="of" />);
+  startTransition(() => useResult.setState({ of: "4.75" }));
+  expect(shown("followed")).toBe("12.5");
+  startTransition(() => useResult.setState({ of: "12.5" }));
+  startTransition(() => useResult.setState({ other: "9" }));
+  await act(async () => new Promise((done) => setTimeout(done)));
+  expect(shown("followed")).toBe("12.5");
+});
+
+test("what may come late shows what was before while a key is drawn", async () => {
+  const seen: string[] = [];
+  const Shows = ({ text }: { readonly text: string }) => void seen.push(text);
+  const { rerender } = render(
+    <Late>
+      <Shows text="12.5" />
+    </Late>,
+  );
+  flushSync(() =>
+    rerender(
+      <Late>
+        <Shows text="12.57" />
+      </Late>,
+    ),
+  );
+  expect(seen).toEqual(["12.5"]);
+  await expect.poll(() => seen.at(-1)).toBe("12.57");
 });

@@ -1,13 +1,9 @@
 import { useTexts } from "../base/settings/use-texts.ts";
-import { calculateAgain, cancelCalculation } from "./client.ts";
+import { ANNOUNCED } from "../base/waits.ts";
+import { calculation } from "./calculation.ts";
 import { STAGES, useOutcome } from "./outcome.ts";
 import { useLong } from "./use-long.ts";
 import "./working.css";
-
-/** What is done sooner than this is not worth a word, ms. */
-const SOON = 700;
-/** Over a path that is there already, whose proof says itself that it is at work, ms. */
-const LATE = 4000;
 
 /** Over the picture: what a long calculation is at, and a way to stop it. */
 export function Working() {
@@ -15,13 +11,13 @@ export function Working() {
   const stage = useOutcome((s) => s.stage);
   const planned = useOutcome((s) => s.planned !== null);
   const stopped = useOutcome((s) => s.stopped);
-  const long = useLong(stage !== null, planned ? LATE : SOON);
+  const long = useLong(stage !== null, planned ? ANNOUNCED.workingOverPath : ANNOUNCED.working);
   if (stage !== null && long)
     return (
       <div className="working panel" role="status">
         <p>{t.stages[stage]}</p>
         <progress aria-label={t.stages[stage]} value={STAGES.indexOf(stage) + 0.5} max={STAGES.length} />
-        <button type="button" className="button" onClick={cancelCalculation}>
+        <button type="button" className="button" onClick={calculation.cancel}>
           {t.stopWorking}
         </button>
       </div>
@@ -30,7 +26,7 @@ export function Working() {
   return (
     <div className="working panel" role="status">
       <p>{t.stopped}</p>
-      <button type="button" className="button" onClick={calculateAgain}>
+      <button type="button" className="button" onClick={calculation.again}>
         {t.workAgain}
       </button>
     </div>

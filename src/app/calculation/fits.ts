@@ -1,12 +1,10 @@
 import { useEffect, useRef, useState } from "react";
 import type { ToolFit } from "../../program/tools/which-tool.ts";
 import type { SetJob } from "../../program/job/job.ts";
+import { CALCULATING } from "../base/waits.ts";
 import { useEditor } from "../document/store.ts";
 import { fitsOf, fitsOfCall, fitsOfWork } from "./tool-questions.ts";
 import { useOutcome } from "./outcome.ts";
-
-/** Rest after the last change before all tools are tried, ms: it costs a plan per tool. */
-const REST = 120;
 
 /** What each tool can do on the open contour; null until it is known. Asked for only while someone looks. */
 export function useFits(): readonly ToolFit[] | null {
@@ -20,7 +18,7 @@ export function useFits(): readonly ToolFit[] | null {
       void fitsOf(job, newest).then((found) => {
         if (!gone) setFits(found);
       });
-    }, REST);
+    }, CALCULATING.otherTools);
     return () => {
       gone = true;
       clearTimeout(timer);
@@ -45,7 +43,7 @@ function useAsked(ask: (() => Promise<readonly ToolFit[] | null>) | null, of: un
       void asked.current?.().then((found) => {
         if (!gone) setFits({ of, fits: found });
       });
-    }, REST);
+    }, CALCULATING.otherTools);
     return () => {
       gone = true;
       clearTimeout(timer);

@@ -13,7 +13,7 @@ export function startEngineLater(): void {
     started = true;
     stop();
     notYet();
-    void untilHere(() => import("./client.ts")).then(({ startEngine }) => startEngine());
+    void untilHere(() => import("./calculation.ts")).then(({ calculation }) => calculation.start());
   };
   const isOpen = ({ job, program }: ReturnType<typeof useEditor.getState>) => job !== null || program !== null;
   const stop = useEditor.subscribe((now) => isOpen(now) && start());

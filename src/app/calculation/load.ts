@@ -1,9 +1,10 @@
 import { loadAlong, type PathLoad } from "../../sim/load/along.ts";
 import { roughnessOf, type RoughStretch } from "../../sim/load/roughness.ts";
+import { onlyNewest } from "../base/once.ts";
 import type { LoadRequest } from "./load-request.ts";
 
-/** Counts up with each question; the answers to older ones are not wanted any more. */
-let asked = 0;
+/** The answers to older questions are not wanted any more. */
+const begin = onlyNewest();
 
 /** Lets everything go before that was asked meanwhile. */
 const others = (): Promise<void> =>
@@ -21,19 +22,18 @@ const others = (): Promise<void> =>
  * done.
  */
 export async function pathLoad(request: LoadRequest): Promise<PathLoad | null> {
-  asked += 1;
-  const own = asked,
-    going = loadAlong(request);
+  const isNewest = begin();
+  const going = loadAlong(request);
   for (;;) {
     const now = going.next();
     if (now.done) return now.value;
     await others();
-    if (asked !== own) return null;
+    if (!isNewest()) return null;
   }
 }
 
 /** The theoretical roughness of the finished surface. */
 export function roughness({ final, steps, spindles, first }: LoadRequest): readonly RoughStretch[] {
-  asked += 1;
+  begin();
   return roughnessOf(final, steps, spindles, first);
 }

@@ -1,5 +1,6 @@
 import { create } from "zustand";
 import type { MachineData } from "../../program/machine/machine-data.ts";
+import { rememberingLast } from "../base/once.ts";
 import { untilHere } from "../base/parts.ts";
 
 /** What reads machine files, fetched for the first one: most devices have none. */
@@ -8,7 +9,8 @@ export const useMachineReader = create<{ readonly read: ((text: string) => Machi
 }));
 
 async function fetchReader(): Promise<(text: string) => MachineData | null> {
-  const { machineOf: read } = await untilHere(() => import("../../program/machine/machine-file.ts"));
+  const { machineOf } = await untilHere(() => import("../../program/machine/machine-file.ts"));
+  const read = rememberingLast(machineOf);
   useMachineReader.setState({ read });
   return read;
 }

@@ -118,14 +118,11 @@ export function showBeginning(outcome: Outcome): void {
   );
 }
 
-/** The worker begins something, or rests. */
-export const atStage = (stage: Stage | null): void => useOutcome.setState({ stage, ...(stage && { stopped: false }) });
-/** Nothing is calculated any more until something changes or the operator wants it again. */
-export const calculationStopped = (): void => useOutcome.setState({ stage: null, stopped: true });
-
-/** Values are incomplete: the last picture stays, dimmed; or they are complete again. */
-export const pause = (paused: boolean): void =>
-  useOutcome.setState((s) => (s.paused === paused ? s : settled({ ...s, paused })));
+/** What is said of the calculation: what it is at, whether it was stopped, and whether it waits for values. */
+export const showProgress = ({ stage, stopped, paused }: Pick<OutcomeState, "stage" | "stopped" | "paused">): void =>
+  useOutcome.setState((s) =>
+    s.stage === stage && s.stopped === stopped && s.paused === paused ? s : settled({ ...s, stage, stopped, paused }),
+  );
 
 /** A block of the text is half typed, or no longer: then what was calculated meanwhile is shown. */
 export const holdPicture = (keeps: boolean): void =>

@@ -10,6 +10,7 @@ import {
 } from "../../view/material/stock-painter.ts";
 import { positionAt, trackOf, type PlayedTrack } from "../../view/playback.ts";
 import { dayMoment, stopwatch } from "../base/clock.ts";
+import { onlyNewest } from "../base/once.ts";
 import { surfacesOfRun } from "./moving.ts";
 import type { Outcome } from "./outcome.ts";
 
@@ -90,14 +91,13 @@ export function stockPictures(outcome: Outcome, look: StockLook, position: PlayP
  */
 const MOST_EACH = 2_000_000;
 
-let here: { readonly name: string; readonly canvas: OffscreenCanvas } | null = null;
-/** Counts the plays: one ends where the next one begins. */
-let played = 0;
+/** The canvas that was handed over last, by its name. */
+const here = new Map<string, OffscreenCanvas>();
+/** A play ends where the next one begins. */
+const begin = onlyNewest();
 
 /** Nothing is painted any more. */
-export function stopPlaying(): void {
-  played += 1;
-}
+export const stopPlaying = (): void => void begin();
 
 const picture = (): Promise<number> => new Promise((done) => requestAnimationFrame(done));
 
@@ -121,28 +121,30 @@ export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio
   course: PlayedCourse,
   until: (step: number) => Promise<boolean> = () => Promise.resolve(true),
 ): Promise<boolean> {
-  played += 1;
-  const own = played;
-  if (on.canvas) here = { name: on.name, canvas: on.canvas };
-  const pen = here?.name === on.name && "requestAnimationFrame" in self ? here.canvas.getContext("2d") : null;
+  const isNewest = begin();
+  if (on.canvas) {
+    here.clear();
+    here.set(on.name, on.canvas);
+  }
+  const pen = ("requestAnimationFrame" in self && here.get(on.name)?.getContext("2d")) || null;
   if (!pen) return false;
   const { canvas } = pen;
   const [width, height] = sized(look.origin, look.ratio);
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   const at = (now: number) =>
     positionAt(track, course.seconds + (course.rate * (dayMoment(now) - course.since)) / 1000);
-  if (!(await until(at(stopwatch()).step)) || played !== own) return false;
+  if (!(await until(at(stopwatch()).step)) || !isNewest()) return false;
   painter.goTo(at(stopwatch()));
   painter.all(pen, look);
   await picture();
   void (async () => {
-    while (played === own) {
+    while (isNewest()) {
       if (width * height > MOST_EACH) await picture();
       painter.follow(pen, look, at(await picture()));
     }
   })();
   await picture();
-  return played === own;
+  return isNewest();
 }
 
 /** The same of the turned stock of an outcome. */

@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { engine, makersAgain } from "./engine.ts";
+import { openWork } from "./open-work.ts";
 import type { Outcome } from "./outcome.ts";
 import { provedBeside, simulationOf } from "./proved.ts";
 
@@ -49,4 +50,10 @@ test("nothing is taken for known that the page does not have", () => {
   const sent = provedBeside(simulation, []);
   expect(sent.kept).toBe(0);
   expect(simulationOf(sent, simulation, null)).toEqual(simulation);
+});
+
+test("marks are left out only beside the very answer that the page has", () => {
+  const work = openWork();
+  const kept = [null, 1, 7, 3].map((has, i) => work.proved(requestOf(flange, i + 1), has).kept > 0);
+  expect(kept).toEqual([false, true, false, true]);
 });

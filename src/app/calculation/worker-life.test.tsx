@@ -1,33 +1,22 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { isMissing } from "../base/parts.ts";
-import { askAgain, askWorker, stopWorker, WorkerEnded } from "./worker-life.ts";
+import { WorkerEnded, workerLife } from "./worker-life.ts";
 
-interface Answering {
-  readonly answer: (value: string) => void;
-}
-const asked = vi.hoisted(() => [] as Answering[]);
-vi.mock("comlink", () => ({
-  releaseProxy: Symbol.for("release"),
-  transferHandlers: new Map(),
-  wrap: () => ({
-    [Symbol.for("release")]: () => undefined,
-    update: () => new Promise<string>((answer) => asked.push({ answer })),
-  }),
-}));
+/** What the workers were asked and have not answered. */
+const asked: { readonly answer: (value: string) => void }[] = [];
 
 class FakeWorker extends EventTarget {
-  readonly name: string;
   ended = false;
-  constructor(_: URL, { name }: { readonly name: string }) {
+  readonly engine = { update: () => new Promise<string>((answer) => asked.push({ answer })) };
+  constructor(readonly name: string) {
     super();
-    this.name = name;
-    workers.push(this);
   }
   terminate() {
     this.ended = true;
   }
 }
 let workers: FakeWorker[] = [];
+let life: ReturnType<typeof workerLife<FakeWorker["engine"]>>;
 /** Who waits for the lock that a worker holds. */
 const locks = new Map<string, () => void>();
 const fakeLocks = {
@@ -35,19 +24,19 @@ const fakeLocks = {
   request: (name: string, then: () => void) => new Promise<void>((done) => locks.set(name, () => done(then()))),
 };
 beforeEach(() => {
-  vi.stubGlobal("Worker", FakeWorker);
   Object.defineProperty(navigator, "locks", { value: fakeLocks, configurable: true });
   workers = [];
   asked.length = 0;
   locks.clear();
+  life = workerLife((name) => {
+    const worker = new FakeWorker(name);
+    workers.push(worker);
+    return { worker, engine: worker.engine, release: () => undefined };
+  });
 });
-afterEach(() => {
-  stopWorker();
-  vi.unstubAllGlobals();
-});
+afterEach(() => life.stop());
 
-const question = (ask: typeof askAgain) =>
-  ask((engine) => (engine as unknown as { update: () => Promise<string> }).update());
+const question = (ask: typeof life.ask) => ask((engine) => engine.update());
 /** The browser takes a worker away without a word. */
 async function kill(worker: FakeWorker | undefined): Promise<void> {
   await vi.waitFor(() => expect(locks.has(worker?.name ?? "")).toBe(true));
@@ -56,7 +45,7 @@ async function kill(worker: FakeWorker | undefined): Promise<void> {
 }
 
 test("a worker that is taken away without a word is replaced, and asked the same once more", async () => {
-  const answer = question(askAgain);
+  const answer = question(life.askAgain);
   expect(workers).toHaveLength(1);
   await kill(workers[0]);
   await vi.waitFor(() => expect(asked).toHaveLength(2));
@@ -67,7 +56,7 @@ test("a worker that is taken away without a word is replaced, and asked the same
 });
 
 test("one that ends again over the same question is not asked a third time", async () => {
-  const answer = question(askAgain);
+  const answer = question(life.askAgain);
   const refused = expect(answer).rejects.toBeInstanceOf(WorkerEnded);
   await kill(workers[0]);
   await vi.waitFor(() => expect(workers).toHaveLength(2));
@@ -77,18 +66,18 @@ test("one that ends again over the same question is not asked a third time", asy
 });
 
 test("taken away while it rests, it is another one that is asked next", async () => {
-  const first = question(askWorker);
+  const first = question(life.ask);
   asked[0]?.answer("a");
   expect(await first).toBe("a");
   await kill(workers[0]);
-  const second = question(askWorker);
+  const second = question(life.ask);
   expect(workers).toHaveLength(2);
   asked[1]?.answer("b");
   expect(await second).toBe("b");
 });
 
 test("one that could not be fetched is a missing part of the page", async () => {
-  const answer = question(askAgain);
+  const answer = question(life.askAgain);
   const refused = answer.catch((error: unknown) => error);
   workers[0]?.dispatchEvent(new Event("error"));
   expect(isMissing(await refused)).toBe(true);
@@ -96,9 +85,9 @@ test("one that could not be fetched is a missing part of the page", async () => 
 });
 
 test("stopped by the page, it is not asked again", async () => {
-  const answer = question(askAgain);
+  const answer = question(life.askAgain);
   const refused = expect(answer).rejects.not.toBeInstanceOf(WorkerEnded);
-  stopWorker();
+  life.stop();
   await refused;
   expect(workers).toHaveLength(1);
   expect(workers[0]?.ended).toBe(true);

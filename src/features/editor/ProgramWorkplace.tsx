@@ -9,7 +9,7 @@ import { Working } from "../../app/calculation/Working.tsx";
 import { useOutcome } from "../../app/calculation/outcome.ts";
 import { FindingsPanel } from "../../app/findings/FindingsPanel.tsx";
 import { useListed } from "../../app/findings/use-findings.ts";
-import { useLater } from "../../app/base/Late.tsx";
+import { useLater } from "../../app/base/typing.ts";
 import { MeasuredInto } from "../../app/document/measured-into.ts";
 import { LeavingDialog } from "../../app/fields/leaving/LeavingDialog.tsx";
 import { useMeasuredTarget } from "../../app/document/measured-target.ts";

@@ -8,7 +8,7 @@ import { run } from "../../program/run/run.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { trackOf } from "../../view/playback.ts";
 import { simulate } from "../../sim/simulate.ts";
-import { forgetOutcome, useOutcome, type Planned } from "../../app/calculation/outcome.ts";
+import { forgetOutcome, takeOutcome, takePlanned, type Planned } from "../../app/calculation/outcome.ts";
 import { playback } from "../../app/calculation/playback.ts";
 import { filesOf } from "../../app/document/work.ts";
 import { followProgram } from "./follow.ts";
@@ -102,7 +102,8 @@ function turned() {
 /** Runs that program, and notes each mark and each place that the text is turned to, as blocks. */
 function played() {
   const { view, made, planned } = turned();
-  useOutcome.setState({ planned, pictured: planned });
+  forgetOutcome();
+  takePlanned(planned);
   playback.dispatch({ do: "load", track: trackOf(made.steps) });
   const scrolled = vi.spyOn(EditorView, "scrollIntoView");
   return {
@@ -152,7 +153,7 @@ test("a block that was chosen before the program had run is gone to when it has"
   view.dispatch({ selection: { anchor: view.state.doc.line(10).from }, userEvent: "select.pointer" });
   vi.advanceTimersByTime(2000);
   playback.dispatch({ do: "load", track: trackOf([]) });
-  useOutcome.setState({ planned, pictured: planned, newest: { ...planned, simulation: simulate(made) } });
+  takeOutcome({ ...planned, simulation: simulate(made) });
   expect(view.state.doc.line(10).text).toBe("L Z-21.7 F0.2");
   expect(made.stepBlocks[playback.get().position.step]).toBe(9);
 });

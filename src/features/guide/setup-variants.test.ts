@@ -6,7 +6,7 @@ import { exampleJob, type SetJob } from "../../program/job/job.ts";
 import { run } from "../../program/run/run.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { printedText } from "../../app/document/printed.ts";
-import { forget, undo } from "../../app/document/steps.ts";
+import { undo } from "../../app/document/steps.ts";
 import { begin, useEditor } from "../../app/document/store.ts";
 import { SETUP_PAGES, setupVariants, type SetupPageId } from "./setup-variants.ts";
 import { takeSetup } from "./take-value.ts";
@@ -57,7 +57,6 @@ test("every page shows two values at least, and each makes another program or an
 test("a value taken over is the one that its page showed, and one step of undo takes it back with its kind of speed", () => {
   for (const id of SETUP_PAGES) {
     begin(job, "w");
-    forget();
     const other = setupVariants(id, job, shippedTools).find(({ isUsual }) => !isUsual) ?? never("one value only");
     takeSetup(id, other.value, id, other.value);
     expect(useEditor.getState().job, id).toEqual(other.job);

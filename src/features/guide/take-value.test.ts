@@ -10,7 +10,7 @@ import { forgetOutcome, takeOutcome } from "../../app/calculation/outcome.ts";
 
 import { printedText } from "../../app/document/printed.ts";
 import { readJob } from "../../app/document/reading.ts";
-import { forget, undo } from "../../app/document/steps.ts";
+import { undo } from "../../app/document/steps.ts";
 import { begin, useEditor } from "../../app/document/store.ts";
 import { useOpenCall } from "../../app/place/open-call.ts";
 import { guideSources } from "./guide-source.ts";
@@ -40,7 +40,6 @@ beforeEach(() => {
   forgetOutcome();
   begin({ name: "OWN.H", text, encoding: "utf-8" }, "w");
   useOpenCall.setState({ call: { work: "w", cycle: 820, line } });
-  forget();
   takeOutcome({ version: 1, text, run: made, simulation: simulate(made) });
 });
 afterEach(forgetOutcome);

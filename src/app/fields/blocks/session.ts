@@ -4,8 +4,7 @@ import { EditorView } from "@codemirror/view";
 import { readingOf, type Reading } from "../../../nc/reread.ts";
 import type { Program } from "../../../nc/program.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
-import { plansOnPage } from "../../calculation/page-plan.ts";
-import { typingGoesOn } from "../../calculation/quiet.ts";
+import { calculation as calculating } from "../../calculation/calculation.ts";
 import { takeKeptSteps, textKeepers } from "../../records/keep-steps.ts";
 import { closeStep, goesOn, note, type HistoryStep } from "../../document/steps.ts";
 import { setProgram, useEditor } from "../../document/store.ts";
@@ -131,14 +130,14 @@ function onChange(update: TextUpdate): void {
   const byDialog = update.transactions.some((tr) => tr.annotation(dialogEdit));
   if (update.docChanged) {
     const long = update.state.field(readingField).program.blocks.length > LONG;
-    if (long) typingGoesOn(LONG_REST);
-    else if (typed && !byDialog) typingGoesOn(REST);
+    if (long) calculating.typed(LONG_REST);
+    else if (typed && !byDialog) calculating.typed(REST);
     calculation.start(handOverText, long ? LONG_REST : REST);
     if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo")))
       noteTyping(open, update.startState);
   }
   // What the page plans at once is seen at once.
-  if (update.docChanged && plansOnPage(update.state.doc.length)) handOverText();
+  if (update.docChanged && calculating.plansOnPage(update.state.doc.length)) handOverText();
   const more = update.state.field(readingField) !== update.startState.field(readingField);
   if (!more && !update.selectionSet) return;
   if (typed && !byDialog) panels.start(() => show(true), PANELS_REST);

@@ -8,7 +8,7 @@ import { run } from "../../../program/run/run.ts";
 import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { simulate } from "../../../sim/simulate.ts";
 import { draftOf, setPrompt } from "../../document/edits.ts";
-import { useOutcome } from "../../calculation/outcome.ts";
+import { forgetOutcome, takeOutcome } from "../../calculation/outcome.ts";
 import { openPrompt } from "../../place/place.ts";
 import { printedText } from "../../document/printed.ts";
 import { useReading } from "../../document/reading.ts";
@@ -44,7 +44,7 @@ beforeEach(() => {
 });
 afterEach(() => {
   cleanup();
-  useOutcome.setState({ newest: null });
+  forgetOutcome();
 });
 
 test("ENT takes each value and ends with the copy button", async () => {
@@ -235,7 +235,7 @@ test("a fault that leaves no path is said at the prompt that shapes the contour,
   const text = job ? printedText(job) : "",
     made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
   expect(made.steps.filter((step) => step.operation !== null)).toEqual([]);
-  useOutcome.setState({ newest: { version: 1, text, run: made, simulation: simulate(made) } });
+  takeOutcome({ version: 1, text, run: made, simulation: simulate(made) });
   const said = () =>
     [...within(active()).getByRole("status", { name: "Findings" }).children].map((each) => each.textContent ?? "");
   await waitFor(() => expect(said()).toHaveLength(2));

@@ -4,7 +4,7 @@ import { exampleJob } from "../../../program/job/job.ts";
 import { givenOf } from "../../calculation/given.ts";
 import { HelpPicture } from "../../pictures/help/HelpPicture.tsx";
 import type { Numbers } from "../../../view/help/lettering.ts";
-import { useLater } from "../../base/Late.tsx";
+import { useLater } from "../../base/typing.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";

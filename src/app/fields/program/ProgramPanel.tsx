@@ -8,7 +8,7 @@ import { setLayout, setName, setNcLanguage } from "../../document/edits.ts";
 import { openText } from "../open/open-program.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
-import { Late } from "../../base/Late.tsx";
+import { Late } from "../../base/typing.ts";
 import { CopyStatus } from "../leaving/CopyStatus.tsx";
 import { mayLeave } from "../leaving/leaving.ts";
 import { fileOfJob, leavingText, printedText } from "../../document/printed.ts";

@@ -9,7 +9,7 @@ import { datumAt, datumIndex } from "../../../view/datum.ts";
 import { trackOf } from "../../../view/playback.ts";
 import { sceneOf, type SceneParts } from "../../../view/scene.ts";
 import type { Clock } from "../../base/clock.ts";
-import { Late } from "../../base/Late.tsx";
+import { Late } from "../../base/typing.ts";
 import { CountedIn, useLengths } from "../../calculation/lengths.ts";
 import { LoadPart } from "../load/LoadParts.tsx";
 import { createPointed } from "../load/pointed.ts";

@@ -3,7 +3,7 @@ import { markedBy, runningPart, type MoveSpan } from "../../../program/run/path-
 import type { Run } from "../../../program/state/run-types.ts";
 import { MOST_STRETCHES, pathStretches, wholePath, type KnownLines, type PathStretch } from "../../../view/passes.ts";
 import type { Shape, TipWays } from "../../../view/scene.ts";
-import { whenRehearsed } from "../../calculation/page-plan.ts";
+import { hearsAhead } from "../../calculation/calculation.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
@@ -40,7 +40,7 @@ export function stretchesOf(run: Run): Passes {
 }
 
 // Lines of a long work that was planned at rest are there with its first key.
-whenRehearsed(stretchesOf);
+hearsAhead.add(stretchesOf);
 
 /**
  * What the settings show of a run, `all` of whose passes are drawn: new lines only where another call, phase or pass

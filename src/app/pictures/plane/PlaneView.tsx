@@ -4,7 +4,7 @@ import { PLANE_ROLES } from "../../../view/approach/plane-scene.ts";
 import { joined } from "../../../view/bounds.ts";
 import { trackOf } from "../../../view/playback.ts";
 import type { Clock } from "../../base/clock.ts";
-import { Late } from "../../base/Late.tsx";
+import { Late } from "../../base/typing.ts";
 import type { MovePointed } from "../lathe/LatheView.tsx";
 import type { LatheResult } from "../lathe/use-material.ts";
 import { GlyphButton } from "../lathe/GlyphButton.tsx";

@@ -5,8 +5,8 @@ import { compareTold, type ComparedAnswer } from "../../../course/told.ts";
 import { asProgram } from "../../../app/fields/compare/sides.ts";
 import { compareFromHere } from "../../../app/findings/effect/before.ts";
 import { outcomeBeside } from "../../../app/calculation/beside.ts";
-import { calculateAgain } from "../../../app/calculation/client.ts";
-import { forgetOutcome, isMadeFrom, useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
+import { calculation } from "../../../app/calculation/calculation.ts";
+import { isMadeFrom, useOutcome, type Outcome } from "../../../app/calculation/outcome.ts";
 import { isOpen } from "../../../app/findings/entry.ts";
 import { chooseFinding } from "../../../app/document/chosen.ts";
 import { printedText } from "../../../app/document/printed.ts";
@@ -130,16 +130,11 @@ export async function compareForetold(task: Task): Promise<readonly ComparedAnsw
   return answers;
 }
 
-/** What is known of the run is of another veil. */
-function runAnew(): void {
-  forgetOutcome();
-  calculateAgain();
-}
-
 /** Shows the run: everything was foretold. Where nothing else is asked that is the try. */
 export async function showRun(task: Task): Promise<void> {
   changeTask(({ veiled: _, ...told }) => told);
-  runAnew();
+  // What is known of the run is of another veil.
+  calculation.anew();
   // What is shown now is no change of what was hidden.
   void presentAnswer().then(compareFromHere);
   const answers = await compareForetold(task);
@@ -160,5 +155,5 @@ export function foretellAgain(): void {
   }));
   const question = Math.max(0, foretold?.findIndex(({ right }) => !right) ?? 0);
   useTaskView.setState({ foretold: null, checked: null, live: null, question });
-  runAnew();
+  calculation.anew();
 }

@@ -1,0 +1,167 @@
+import type { Run } from "../../program/state/run-types.ts";
+import { notice } from "../base/notices.ts";
+import { atRest } from "../base/rest.ts";
+import { useSettings } from "../base/settings/settings.ts";
+import { afterPicture, byAndBy, whileTyping } from "../base/typing.ts";
+import { CALCULATING } from "../base/waits.ts";
+import { useEditor } from "../document/store.ts";
+import { useTools } from "../document/tool-store.ts";
+import {
+  AT_REST,
+  plansOnPage,
+  progressOf,
+  type CalculationEvent,
+  type Effect,
+  type Show,
+  type Wait,
+} from "./calculation-state.ts";
+import { useMachineReader } from "./machine-reader.ts";
+import type { Executor, Order } from "./orders.ts";
+import { forgetOutcome, showBeginning, showProgress, takeOutcome, takePlanned } from "./outcome.ts";
+import { pageExecutor } from "./page-executor.ts";
+import { reduce } from "./reducer.ts";
+import { wantedNow } from "./wanted.ts";
+import { workerExecutor } from "./worker-executor.ts";
+import { askAgain, stopWorker } from "./worker-life.ts";
+
+/** Hear of the run of a long work that was planned at rest: what is made of it can be made before it is wanted. */
+export const hearsAhead = new Set<(run: Run) => void>();
+
+function show(effect: Show): void {
+  if ("outcome" in effect) {
+    const { outcome } = effect;
+    return effect.isBeginning ? showBeginning(outcome) : byAndBy(() => takeOutcome(outcome));
+  }
+  const take = () => takePlanned(effect.planned);
+  if (effect.as === "now") take();
+  else if (effect.as === "typed") whileTyping(take);
+  else byAndBy(take);
+}
+
+/** Who does what a calculation orders. */
+export interface Means {
+  readonly page: Executor<Order & { do: "plan" }>;
+  readonly worker: Executor;
+  readonly stopWorker: () => void;
+  /** Calls back when something has come that was waited for, `ms`: where that is a time. Gives the way to call it off. */
+  readonly wait: (wait: Wait, ms: number | undefined, then: () => void) => () => void;
+}
+
+/** The calculation of the open work: holds its state, takes events, and has what follows from them done. */
+export function createCalculation({ page, worker, stopWorker, wait }: Means) {
+  let state = AT_REST;
+  let isBusy = false;
+  const events: CalculationEvent[] = [];
+  /** What is waited for; waiting for the same again begins anew. */
+  const waits = new Map<Wait, () => void>();
+
+  function carryOut(effect: Effect): void {
+    if ("on" in effect) {
+      if (effect.on === "page") page(effect.order, dispatch);
+      else worker(effect.order, dispatch);
+      return;
+    }
+    switch (effect.do) {
+      case "show":
+        return show(effect);
+      case "wait":
+        waits.get(effect.for)?.();
+        waits.set(
+          effect.for,
+          wait(effect.for, effect.ms, () => dispatch({ event: "rested", from: effect.for })),
+        );
+        return;
+      case "prepare":
+        atRest(() => hearsAhead.forEach((hear) => hear(effect.run)), CALCULATING.rest);
+        return;
+      case "stopWorker":
+        return stopWorker();
+      case "forget":
+        return forgetOutcome();
+      case "sayFailed":
+        return notice("engineFailed");
+    }
+  }
+
+  function dispatch(event: CalculationEvent): void {
+    events.push(event);
+    if (isBusy) return;
+    isBusy = true;
+    try {
+      for (let next = events.shift(); next; next = events.shift()) {
+        const [after, effects] = reduce(state, next);
+        state = after;
+        effects.forEach(carryOut);
+        showProgress(progressOf(state));
+      }
+    } finally {
+      isBusy = false;
+    }
+  }
+
+  const follow = (again = false) => {
+    const wanted = wantedNow();
+    dispatch(wanted ? { event: "edited", again, ...wanted } : { event: "left" });
+  };
+
+  return {
+    /** From now on each change of the work, of the tool table or of the control is calculated. */
+    start(): () => void {
+      const now = () => follow();
+      carryOut({ do: "wait", for: "planner" });
+      now();
+      const stops = [useEditor, useTools, useSettings, useMachineReader].map((store) => store.subscribe(now));
+      return () => {
+        for (const stop of [...stops, ...waits.values()]) stop();
+      };
+    },
+    /** Calculates what is open once more. */
+    again: () => follow(true),
+    /** The same as of another work: nothing that was calculated of it counts. */
+    anew() {
+      dispatch({ event: "left" });
+      follow(true);
+    },
+    /** Ends a calculation that takes too long; text and last picture stay. */
+    cancel: () => dispatch({ event: "cancelled" }),
+    /** Somebody types in a text, and goes on within so many ms: results wait until then. */
+    typed: (pause: number) => dispatch({ event: "typed", pause }),
+    /** Whether a text of a length, with what it can call, is planned in the task of its key. */
+    plansOnPage: (characters: number) => plansOnPage(state, characters),
+  };
+}
+
+const page = pageExecutor();
+
+const soon = (then: () => void, ms?: number) => {
+  const timer = setTimeout(then, ms);
+  return () => clearTimeout(timer);
+};
+
+/** How the page waits. */
+function waitOnPage(wait: Wait, ms: number | undefined, then: () => void): () => void {
+  switch (wait) {
+    case "planner":
+      return atRest(() => void page.fetch().then(then));
+    case "rest":
+      return atRest(then, CALCULATING.rest);
+    case "picture":
+      return afterPicture(then);
+    case "digit": {
+      let callOff = afterPicture(() => (callOff = soon(then)));
+      return () => callOff();
+    }
+    case "slice":
+    case "quiet":
+    case "leftWork":
+      return soon(then, ms);
+  }
+}
+
+/** The calculation of this page. */
+export const calculation = createCalculation({
+  page: page.execute,
+  worker: workerExecutor(askAgain),
+  stopWorker,
+  wait: waitOnPage,
+});

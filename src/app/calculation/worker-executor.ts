@@ -1,0 +1,41 @@
+import { proxy } from "comlink";
+import { untilHere } from "../base/parts.ts";
+import { ofText, type Executor, type Order } from "./orders.ts";
+import type { Outcome, Stage } from "./outcome.ts";
+import { simulationOf } from "./proved.ts";
+import type { askAgain } from "./worker-life.ts";
+
+/**
+ * Has the worker plan and prove. A run that the page has made is not sent there: to take a copy of it costs both sides
+ * more than to make it again where the one before is known (docs/performance.md).
+ */
+export function workerExecutor(ask: typeof askAgain): Executor {
+  /** The last answer: the marks of its simulation are not sent again. */
+  let answered: Pick<Outcome, "version" | "simulation"> | null = null;
+
+  async function outcomeOf({ request, planned }: Order & { do: "prove" }, tell: (stage: Stage) => void) {
+    const made = await ask(async (engine): Promise<Outcome> => {
+      if (!planned) return { ...(await engine.update(request, proxy(tell))), ...ofText(request) };
+      const proof = await engine.proved(request, answered?.version ?? null, proxy(tell));
+      return { ...planned, simulation: simulationOf(proof, planned.run, answered) };
+    });
+    answered = made;
+    return made;
+  }
+
+  return (order, tell) => {
+    const { version } = order.request;
+    const began = (stage: Stage) => tell({ event: "began", version, stage });
+    const done = async () => {
+      if (order.do === "plan") {
+        const made = await untilHere(() => ask((engine) => engine.planned(order.request, proxy(began))));
+        tell({ event: "planned", version, made: { ...made, ...ofText(order.request) }, took: made.pace ?? 0 });
+      } else {
+        const made = await untilHere(() => outcomeOf(order, began));
+        const outcome = order.isVeiled ? (await untilHere(() => import("./veil.ts"))).veil(made) : made;
+        tell({ event: "proved", version, outcome });
+      }
+    };
+    done().catch(() => tell({ event: "failed", version }));
+  };
+}
