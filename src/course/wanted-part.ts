@@ -7,6 +7,7 @@ import { diameter, toRadius } from "../kernel/units.ts";
 import { parse } from "../nc/parse.ts";
 import { readContour } from "../program/blocks/contour-subprogram.ts";
 import { Machine } from "../program/state/machine.ts";
+import { runInput } from "../program/state/run-input.ts";
 import { run } from "../program/run/run.ts";
 import type { RunFinding } from "../program/state/run-types.ts";
 import type { Task } from "./task.ts";
@@ -51,7 +52,7 @@ export function outlineOfLines(lines: readonly string[]): {
   readonly segments: readonly Segment[];
   readonly issues: readonly Found[];
 } {
-  const machine = new Machine(framed(["LBL 1", ...lines, "LBL 0"]), SHOP);
+  const machine = new Machine(runInput(framed(["LBL 1", ...lines, "LBL 0"]), SHOP));
   machine.set({ turning: true });
   const contour = readContour(machine, 1, 0)?.contour;
   const told = machine.log.allFindings().map((f) => f.issue);

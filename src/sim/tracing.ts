@@ -6,23 +6,24 @@ import { brokenApart, holdOf } from "./held.ts";
 import { outlinesOf } from "./outlines.ts";
 import { sweptBy } from "./sweep.ts";
 
-/**
- * Cuts a blank step by step, without looking at what the steps do wrong. What comes off is gone when it is asked for
- * next.
- */
-export function tracing(
-  blank: readonly Ring[],
-  clamping: Clamping | null,
-): { add(step: Step): void; stock(): readonly Ring[] } {
+/** A blank that is cut: what stands, and the same behind further steps. What comes off is gone then. */
+interface Traced {
+  readonly stock: readonly Ring[];
+  cut(steps: readonly Step[]): Traced;
+}
+
+/** Begins to cut a blank, without looking at what the steps do wrong. */
+export function tracing(blank: readonly Ring[], clamping: Clamping | null): Traced {
   const outlines = outlinesOf();
   const hold = holdOf(blank, clamping);
-  let cut = cutting(blank);
-  return {
-    add: (step) => cut.add(sweptBy(outlines(step.tool).insert, step)),
-    stock() {
-      const stock = cut.stock();
-      cut = cutting((hold && brokenApart(stock, hold)?.held) ?? stock);
-      return cut.initial;
+  const standing = (stock: readonly Ring[]): Traced => ({
+    stock,
+    cut(steps) {
+      const cut = cutting(stock);
+      for (const step of steps) cut.add(sweptBy(outlines(step.tool).insert, step));
+      const left = cut.stock();
+      return standing((hold && brokenApart(left, hold)?.held) ?? left);
     },
-  };
+  });
+  return standing(blank);
 }

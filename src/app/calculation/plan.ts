@@ -9,7 +9,6 @@ import { filesByName } from "../../program/state/program-files.ts";
 import { run } from "../../program/run/run.ts";
 import { runningAgain } from "../../program/run/run-again.ts";
 import { tracing } from "../../sim/tracing.ts";
-import { tracingAgain } from "../../sim/tracing-again.ts";
 import type { Planned, Stage } from "./outcome.ts";
 import type { Request } from "./request.ts";
 
@@ -67,11 +66,10 @@ interface Planner {
  * not run again, and cycles that stay the same are not planned again. What comes is the same as of `planned`.
  */
 export function planner(): Planner {
-  const [memory, traced, read, runs] = [planMemory(), tracingAgain(), readingAgain(), runningAgain()];
+  const [memory, read, runs] = [planMemory(), readingAgain(), runningAgain()];
   const next = (): By => {
     memory.next();
-    traced.next();
-    return { memory, tracing: traced.tracing, read };
+    return { memory, tracing, read };
   };
   const whole = (request: Request, atStage: (stage: Stage) => void = silent) =>
     planBy(request, atStage, next(), runs) ?? never("a run without an end", request);

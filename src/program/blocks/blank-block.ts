@@ -126,7 +126,7 @@ function notAtHand(machine: Machine, named: FileName, index: number): string | n
 }
 
 /** An outline of FUNCTION TURNDATA says what is turned: what a blank of another form would be is no matter then. */
-const statesOutline = ({ program }: Machine) =>
+const statesOutline = ({ input: { program } }: Machine) =>
   program.blocks.some(({ statement: s }) => s.kind === "turnBlank" && s.blank !== "off");
 
 /** The program turns: what stands for a blank of another form, and what is said of it, at the block of that blank. */
@@ -145,7 +145,7 @@ export function turnBlank(machine: Machine): void {
 
 /** Says that a cycle was called without a blank, unless it has been told why there is none. */
 export function tellMissing({ log }: Machine): void {
-  if (!log.unproved.some((u) => u.what.startsWith("BLK FORM")))
+  if (!log.unproved.slice().some((u) => u.what.startsWith("BLK FORM")))
     log.say(programIssue("blankMissing", "warning", {}), null);
 }
 
@@ -201,7 +201,7 @@ function sourceName(machine: Machine, from: OutlineSource, index: number): strin
 
 /** FUNCTION TURNDATA BLANK: the outline in a label or a file is what stands from here on. */
 export function blankOfTurnData(machine: Machine, { blank }: StatementOf<"turnBlank">, index: number): void {
-  if (blank === "off") return void (machine.traced = null);
+  if (blank === "off") return void machine.change({ traced: null });
   const what = "FUNCTION TURNDATA BLANK";
   // While milling no blank is traced.
   if (!machine.now.turning) return machine.log.notSimulated(what, index);
@@ -213,7 +213,7 @@ export function blankOfTurnData(machine: Machine, { blank }: StatementOf<"turnBl
   // A box says how large the material may be, not what it is.
   const stated = before.length > 0 && machine.now.unturned === null;
   machine.log.say(programIssue("blankTraced", "info", {}), index);
-  if (machine.log.steps.some((s) => s.move.kind !== "rapid")) {
+  if (machine.log.steps.slice().some((s) => s.move.kind !== "rapid")) {
     tellBox(machine);
     if (before.length === 0) machine.log.leaveUnproved(named, index);
     machine.log.states(rings, { what: named, before }, index);

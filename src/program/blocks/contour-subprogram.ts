@@ -74,8 +74,8 @@ export function readContourOf(
     machine.log.say(programIssue("labelMissing", "error", { label: String(label) }), at);
     return null;
   }
-  const outer = new Map(machine.parameters);
-  for (const name of [...machine.parameters.keys()]) if (name.startsWith("QL")) machine.parameters.delete(name);
+  const outer = machine.parameters;
+  machine.known.hideLocals();
   const { inch } = machine.now;
   machine.set({ inch: unit.inch });
   const reader: Reader = {
@@ -101,12 +101,11 @@ export function readContourOf(
     element(reader, statement, i);
   }
   const end = i < unit.to ? machine.blocks[i]?.statement : undefined;
-  if (label !== null && end?.kind !== "label" && !machine.full)
+  if (label !== null && end?.kind !== "label" && !machine.isFull)
     machine.log.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
   machine.set({ inch });
-  machine.parameters.clear();
-  outer.forEach((value, name) => machine.parameters.set(name, value));
-  if (machine.full) return null;
+  machine.known.parameters = outer;
+  if (machine.isFull) return null;
   const make = () => contourFrom(reader.elements);
   return {
     contour: machine.shop.memory?.alike(reader.elements, make) ?? make(),

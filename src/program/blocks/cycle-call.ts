@@ -169,7 +169,7 @@ function otherCycle(machine: Machine, { index: definedIn, cycle }: Defined, inde
 export function callCycle(machine: Machine, index: number): void {
   const { defined } = machine.now;
   if (!defined) return machine.log.say(programIssue("noCycleDefined", "error", {}), index);
-  machine.called.add(defined.index);
+  machine.call(defined.index);
   if (defined.program !== undefined) return callNamed(machine, defined.program, `CYCL DEF ${defined.cycle}`, index);
   const known = cycleByNumber(defined.cycle);
   const cycle = known && (machine.shop.memory?.of(known) ?? known);
@@ -267,7 +267,7 @@ export function cycleDefinition(machine: Machine, index: number): void {
   if (cycle) fillIn(machine, cycle, values, index);
   values.forEach((v, q) => typeof v === "number" && machine.known.set(q, v));
   troubled.forEach((reason, q) => machine.known.forget(q, reason));
-  if (cycle || bores) machine.definitions.add(index);
+  if (cycle || bores) machine.define(index);
   if (cycle)
     foreignParameters(
       machine,

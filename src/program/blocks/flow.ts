@@ -1,6 +1,7 @@
 import type { Label, Parameter, Statement, Value, Words } from "../../nc/statement.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
+import type { Ending, Return } from "../state/run-state.ts";
 import type { Unit } from "../state/units.ts";
 
 /** Nesting of subprograms on the control. */
@@ -14,114 +15,76 @@ const endOf = (s: Statement): string | null => {
   return m === undefined ? null : `M${m}`;
 };
 
-/** Where a call goes on when it comes back. */
-interface Return {
-  readonly on: number;
-  /** Of a program that was called: what it goes back to. */
-  readonly caller: { readonly unit: Unit; readonly inch: boolean; readonly locals: () => void } | null;
-}
-
-interface Flow {
-  readonly machine: Machine;
-  readonly returns: Return[];
-  readonly repeats: Map<number, number>;
-  /** A jump hung on a value that nobody knows: the control may have gone another way. */
-  guessed: boolean;
-}
-
 const isText = (parameter: string) => parameter.startsWith("QS");
 
 /**
- * How a program came to its end: the block that ended it and its word, or none when the text ran out or a bound was
- * met.
+ * Executes what comes next: a block, with the call, repetition or jump that it is, or the end of the text. Behind the
+ * end of the program the flow has an ending.
  */
-export interface Ending {
-  readonly index: number;
-  readonly word: string | null;
-  /** A fault that has been told stopped it, or took the end away. */
-  readonly told: boolean;
+export function advance(machine: Machine, block: (s: Statement, index: number) => void): void {
+  const index = machine.next;
+  if (index >= machine.unit.to) return back(machine, { index, word: null });
+  if (!machine.roomForBlock(index)) return machine.go({ told: true, ending: { index, word: null } });
+  const s = machine.blocks[index]?.statement;
+  machine.goTo(index + 1);
+  if (!s) return;
+  machine.visit(index);
+  if (machine.isSkipped(index)) return;
+  if (s.kind === "label") label(machine, s.label, index);
+  else if (s.kind === "call") call(machine, s, index);
+  else if (s.kind === "jump") jump(machine, s, index);
+  else if (s.kind === "raise") raise(machine, s, index);
+  else if (s.kind !== "end") block(s, index);
+  const { enters } = machine;
+  if (enters) enter(machine, enters);
+  const word = machine.flow.ending ? null : endOf(s);
+  if (word === null) return;
+  back(machine, { index, word });
+  if (!machine.flow.ending && s.kind !== "end")
+    machine.log.say(programIssue("endInCalled", "warning", { word }), index);
 }
 
-/**
- * Where a run begins, and who sees it before each block while no call has to return and nothing was guessed or told.
- */
-export interface RunCourse {
-  readonly from: number;
-  readonly watch?: (next: number) => void;
-}
-
-/** Runs block after block, with calls, repetitions, jumps and the programs that are called. */
-export function execute(
-  machine: Machine,
-  block: (s: Statement, index: number) => void,
-  { from, watch }: RunCourse,
-): Ending {
-  const flow: Flow = { machine, returns: [], repeats: new Map(), guessed: false };
-  let [next, told] = [from, false];
-  for (;;) {
-    if (watch && flow.returns.length === 0 && flow.repeats.size === 0 && !flow.guessed && !told) watch(next);
-    if (next >= machine.unit.to) {
-      const on = back(flow);
-      if (on === null) return { index: next, word: null, told };
-      next = on;
-      continue;
-    }
-    if (!machine.roomForBlock(next)) return { index: next, word: null, told: true };
-    const index = next;
-    next += 1;
-    const s = machine.blocks[index]?.statement;
-    if (!s) continue;
-    machine.visit(index);
-    if (machine.isSkipped(index)) continue;
-    if (s.kind === "label" && s.label === 0) next = fromLabel(flow, next);
-    else if (s.kind === "label" && machine.unit.contours.has(s.label) && machine.labels.get(s.label) === index) {
-      machine.log.say(programIssue("runsIntoLabel", "error", { label: String(s.label) }), index);
-      told = true;
-      next = behindLabel(machine, index);
-    } else if (s.kind === "call") next = call(flow, s, index);
-    else if (s.kind === "jump") next = jump(flow, s, index);
-    else if (s.kind === "raise") {
-      if (raises(flow, s, index)) return { index, word: null, told: true };
-    } else if (s.kind !== "end") block(s, index);
-    if (machine.next) next = enter(flow, machine.next, next);
-    const word = endOf(s);
-    if (word === null) continue;
-    const on = back(flow);
-    if (on === null) return { index, word, told };
-    if (s.kind !== "end") machine.log.say(programIssue("endInCalled", "warning", { word }), index);
-    next = on;
+/** LBL 0 goes back behind the call of its label, but not out of a program; no program runs into a contour. */
+function label(machine: Machine, named: Label, index: number): void {
+  const { returns } = machine.flow;
+  if (named === 0) {
+    if (returns?.caller === null) goBack(machine, returns);
+  } else if (machine.unit.contours.has(named) && machine.labels.get(named) === index) {
+    machine.log.say(programIssue("runsIntoLabel", "error", { label: String(named) }), index);
+    machine.go({ told: true });
+    machine.goTo(behindLabel(machine, index));
   }
 }
 
-/** LBL 0 goes back behind the call of its label, but not out of a program. */
-function fromLabel({ returns }: Flow, next: number): number {
-  if (returns.at(-1)?.caller !== null) return next;
-  return returns.pop()?.on ?? next;
+function goBack(machine: Machine, { on, outer: returns }: Return): void {
+  machine.go({ returns });
+  machine.goTo(on);
 }
+
+const callsIn = (returns: Return | null): readonly Return[] => (returns ? [returns, ...callsIn(returns.outer)] : []);
 
 /** Goes into a program that was called: it has its own blocks, labels, local parameters and unit. */
-function enter({ machine, returns }: Flow, unit: Unit, on: number): number {
-  machine.next = null;
-  if (returns.filter((r) => r.caller).length >= DEEPEST_CALL) {
-    machine.stop(programIssue("programsTooDeep", "error", { limit: DEEPEST_CALL }), on - 1);
-    return on;
-  }
-  returns.push({ on, caller: { unit: machine.unit, inch: machine.now.inch, locals: machine.known.withoutLocals() } });
-  machine.unit = unit;
+function enter(machine: Machine, unit: Unit): void {
+  const { next: on } = machine,
+    { returns: outer } = machine.flow;
+  machine.change({ enters: null });
+  if (callsIn(outer).filter(({ caller }) => caller).length >= DEEPEST_CALL)
+    return machine.stop(programIssue("programsTooDeep", "error", { limit: DEEPEST_CALL }), on - 1);
+  const caller = { unit: machine.unit, inch: machine.now.inch, locals: machine.known.takeLocals() };
+  machine.change({ unit });
   machine.set({ inch: unit.inch });
-  return unit.from;
+  machine.go({ returns: { on, caller, outer } });
+  machine.goTo(unit.from);
 }
 
-/** Where a program goes on that has come to its end; null when it is the one that was started. */
-function back({ machine, returns }: Flow): number | null {
-  for (let r = returns.pop(); r; r = returns.pop()) {
-    if (!r.caller) continue;
-    machine.unit = r.caller.unit;
-    machine.set({ inch: r.caller.inch });
-    r.caller.locals();
-    return r.on;
-  }
-  return null;
+/** A program has come to its end: it goes back to the one that has called it, or ends the run. */
+function back(machine: Machine, ending: Ending): void {
+  const called = callsIn(machine.flow.returns).find(({ caller }) => caller);
+  if (!called?.caller) return machine.go({ returns: null, ending });
+  machine.change({ unit: called.caller.unit });
+  machine.set({ inch: called.caller.inch });
+  machine.known.putLocals(called.caller.locals);
+  goBack(machine, called);
 }
 
 /** The block behind the LBL 0 that closes a label. */
@@ -159,44 +122,46 @@ function target(
 }
 
 /** How many labels of the program that runs have called each other. */
-const depthOf = (returns: readonly Return[]) => returns.length - 1 - returns.findLastIndex((r) => r.caller !== null);
+function depthOf(returns: Return | null): number {
+  const depth = callsIn(returns).findIndex(({ caller }) => caller);
+  return depth < 0 ? callsIn(returns).length : depth;
+}
 
 /**
- * Where a label call goes on. A call with REP repeats the blocks between label and call; one without returns at LBL 0.
+ * Goes on at the label of a call. One with REP repeats the blocks between label and call; one without returns at LBL 0.
  */
-function call({ machine, returns, repeats }: Flow, s: Extract<Statement, { kind: "call" }>, index: number): number {
-  const on = index + 1;
+function call(machine: Machine, s: Extract<Statement, { kind: "call" }>, index: number): void {
+  const { returns: outer, repeats } = machine.flow;
   const to = target(machine, s.label, index);
-  if (to === null) return on;
+  if (to === null) return;
   if (s.repeat !== null) {
     const left = repeats.get(index) ?? machine.number(s.repeat, index) ?? 0;
-    repeats.delete(index);
-    if (!(left >= 1)) return on;
-    repeats.set(index, left - 1);
-    return to + 1;
-  }
-  if (depthOf(returns) >= DEEPEST_CALL) {
+    const others = new Map(repeats);
+    others.delete(index);
+    if (left >= 1) others.set(index, left - 1);
+    machine.go({ repeats: others });
+    if (left >= 1) machine.goTo(to + 1);
+  } else if (depthOf(outer) >= DEEPEST_CALL)
     machine.log.say(programIssue("callsTooDeep", "error", { limit: DEEPEST_CALL }), index);
-    return on;
+  else {
+    machine.go({ returns: { on: index + 1, caller: null, outer } });
+    machine.goTo(to + 1);
   }
-  returns.push({ on, caller: null });
-  return to + 1;
 }
 
-/** Where a jump goes on. One that hangs on a value nobody knows goes on behind it, and nothing is proved from there. */
-function jump(flow: Flow, s: Extract<Statement, { kind: "jump" }>, index: number): number {
-  const { machine } = flow;
-  const on = index + 1;
+/** A jump. One that hangs on a value nobody knows goes on behind it, and nothing is proved from there. */
+function jump(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): void {
   const holds = compare(machine, s, index);
-  flow.guessed ||= holds === null;
-  return holds ? (target(machine, s.label, index) ?? on) : on;
+  if (holds === null) machine.go({ guessed: true });
+  const to = holds ? target(machine, s.label, index) : null;
+  if (to !== null) machine.goTo(to);
 }
 
-/** FN 14: the control stops here with an error. True, unless it may have gone another way before. */
-function raises({ machine, guessed }: Flow, s: Extract<Statement, { kind: "raise" }>, index: number): boolean {
-  if (guessed) machine.log.leaveUnproved("FN 14", index);
-  else machine.log.say(programIssue("errorRaised", "error", { error: machine.number(s.error, index) }), index);
-  return !guessed;
+/** FN 14: the control stops here with an error, unless it may have gone another way before. */
+function raise(machine: Machine, s: Extract<Statement, { kind: "raise" }>, index: number): void {
+  if (machine.flow.guessed) return machine.log.leaveUnproved("FN 14", index);
+  machine.log.say(programIssue("errorRaised", "error", { error: machine.number(s.error, index) }), index);
+  machine.go({ told: true, ending: { index, word: null } });
 }
 
 /** Whether a comparison holds; null when that hangs on a value that is not known. */
@@ -246,9 +211,10 @@ const runs = (s: Statement) =>
 export function neverReached(machine: Machine, ending: Ending): boolean {
   if (ending.word === null) return false;
   const used = usedLabels(machine);
+  const { visited } = machine.input.looks;
   for (let i = ending.index + 1; i < machine.unit.to; i += 1) {
     const s = machine.blocks[i]?.statement;
-    if (!s || machine.visited[i] || machine.isSkipped(i)) continue;
+    if (!s || visited[i] || machine.isSkipped(i)) continue;
     if (s.kind === "label" && s.label !== 0 && (used === "all" || used.has(s.label))) i = behindLabel(machine, i) - 1;
     else if (runs(s)) {
       machine.log.say(programIssue("neverReached", "warning", { by: ending.word }), i);
@@ -261,7 +227,7 @@ export function neverReached(machine: Machine, ending: Ending): boolean {
 /** Labels that a block of the program names: why they were not run is another matter. */
 function usedLabels(machine: Machine): ReadonlySet<Label> | "all" {
   const used = new Set<Label>(machine.unit.contours);
-  for (const { statement: s } of machine.program.blocks) {
+  for (const { statement: s } of machine.input.program.blocks) {
     if (s.kind !== "call" && s.kind !== "jump") continue;
     if (typeof s.label === "object") return "all";
     used.add(s.label);

@@ -14,11 +14,12 @@ type Free = StatementOf<"free">;
 
 /** One block of a free contour: solved with those that follow, it runs as the line or arc that it is. */
 export function runFree(machine: Machine, s: Free, index: number): void {
-  if (s.form === "FPOL") machine.freePole = s;
+  if (s.form === "FPOL") machine.change({ freePole: s });
   if (!isFreeElement(s)) return;
-  const run = machine.freeRun?.expected === index ? machine.freeRun : solved(machine, index);
+  const { freeRun } = machine;
+  const run = freeRun?.expected === index ? freeRun : solved(machine, index);
   const after = [...run.blocks.keys()].find((i) => i > index) ?? null;
-  machine.freeRun = { ...run, expected: after };
+  machine.change({ freeRun: { ...run, expected: after } });
   const made = run.blocks.get(index);
   if (made) {
     if (made.isChosen) sayChosen(machine, index);

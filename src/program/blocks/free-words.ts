@@ -22,7 +22,7 @@ export function collectFree(machine: Machine, from: number): Collected {
     if (machine.isSkipped(i)) continue;
     const s = machine.foresee(i);
     if (s?.kind === "free") {
-      run.push({ s, block: machine.log.numbers[i] ?? i });
+      run.push({ s, block: machine.log.numberOf(i) ?? i });
       if (isFreeElement(s)) indices.push(i);
     } else if (!s || !(BETWEEN.has(s.kind) || (s.kind === "path" && s.path === "RND"))) break;
   }
@@ -33,7 +33,7 @@ export function collectFree(machine: Machine, from: number): Collected {
 function withPole(machine: Machine, from: number, run: readonly FreeWritten[]): readonly FreeWritten[] {
   for (let i = from - 1; i >= 0; i -= 1) {
     const s = machine.foresee(i);
-    if (s?.kind === "free" && s.form === "FPOL") return [{ s, block: machine.log.numbers[i] ?? i }, ...run];
+    if (s?.kind === "free" && s.form === "FPOL") return [{ s, block: machine.log.numberOf(i) ?? i }, ...run];
     if (!s || (s.kind !== "free" && !BETWEEN.has(s.kind))) return run;
   }
   return run;

@@ -22,7 +22,7 @@ function stepsOf(machine: Machine, { start, tool }: Performed, plan: Plan, index
   } = machine;
   const what = {
     tool: plan.tool ?? tool,
-    block: log.numbers[index] ?? 0,
+    block: log.numberOf(index) ?? 0,
     operation: log.operations.length,
     ...log.lineOf(index),
   };
@@ -44,7 +44,7 @@ function knownSteps(machine: Machine, performed: Performed, index: number): Time
   const make = () => timed(stepsOf(machine, performed, plan, index));
   if (!memory || name === undefined) return make();
   const { file = "", line = 0 } = log.lineOf(index);
-  const asked = `steps ${log.operations.length} ${log.numbers[index] ?? 0} ${line} ${file}\n${name}`;
+  const asked = `steps ${log.operations.length} ${log.numberOf(index) ?? 0} ${line} ${file}\n${name}`;
   return memory.once(asked, make, ({ steps }) => steps.length);
 }
 
@@ -65,8 +65,8 @@ export function perform(machine: Machine, performed: Performed, index: number): 
   const end = plan.moves.at(-1)?.to ?? called.start;
   machine.setPlace({ at: { x: toDiameter(end.r), y: null, z: end.z }, last: null });
   const { file, ...definition } = log.placeOf(defined.index);
-  log.operations.push({
-    block: log.numbers[index] ?? 0,
+  log.note("operations", {
+    block: log.numberOf(index) ?? 0,
     definedIn: definition.block,
     definedLine: definition.line,
     ...(file !== undefined && { definedFile: file }),

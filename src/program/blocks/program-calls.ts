@@ -17,7 +17,7 @@ function lost(machine: Machine, what: string, index: number): void {
 export function callNamed(machine: Machine, name: string | null, what: string, index: number): void {
   if (name === null) return lost(machine, what, index);
   const unit = machine.unitOfFile(name, index);
-  if (unit) machine.next = unit;
+  if (unit) machine.change({ enters: unit });
   else {
     machine.log.say(programIssue("programNotOpened", "info", { file: name }), index);
     lost(machine, what, index);

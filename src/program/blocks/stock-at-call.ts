@@ -12,8 +12,8 @@ export function traceBlank(machine: Machine, rings: readonly Ring[]): void {
     log,
     now: { clamping },
   } = machine;
-  machine.hasTraced = true;
-  machine.traced = shop.tracing ? { blank: shop.tracing(rings, clamping?.made ?? null), next: log.steps.length } : null;
+  const blank = shop.tracing?.(rings, clamping?.made ?? null);
+  machine.change({ traced: blank ? { blank, next: log.steps.length } : null });
 }
 
 /**
@@ -27,8 +27,9 @@ export function stockAtCall(machine: Machine): readonly Ring[] | null {
     log: { steps, operations },
   } = machine;
   if (traced) {
-    for (; traced.next < steps.length; traced.next += 1) traced.blank.add(steps[traced.next] as (typeof steps)[number]);
-    return traced.blank.stock();
+    const cut = traced.blank.cut(steps.slice(traced.next));
+    machine.change({ traced: { blank: cut, next: steps.length } });
+    return cut.stock;
   }
   const isUncut =
     operations.length === blankSince.operations && !steps.slice(blankSince.steps).some((s) => isDrill(s.tool));

@@ -11,7 +11,7 @@ import { noTool } from "../state/preconditions.ts";
 /** TOOL DEF with L and R, as older programs define their tools. */
 export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition">, index: number): void {
   const n = s.radius === null ? null : machine.number(s.radius, index);
-  if (n !== null) machine.radii.set(s.tool, machine.length(n));
+  if (n !== null) machine.change({ radii: machine.radii.with(s.tool, machine.length(n)) });
 }
 
 /** TOOL CALL: feed and tool axis, and the tool of either table that has its number or name. */

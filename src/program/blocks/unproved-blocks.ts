@@ -37,9 +37,7 @@ const SQL = /^SQL[ \t]+([A-Z]*)/i;
 function readTable(machine: Machine, text: string): void {
   const word = SQL.exec(text)?.[1]?.toUpperCase();
   const named = [...text.replace(/"[^"]*"|'[^']*'/g, "").matchAll(ANY_PARAMETER)].map(([name]) => name.toUpperCase());
-  if (word === "BIND") {
-    for (const name of named) machine.known.bound.add(name);
-  }
+  if (word === "BIND") machine.known.bind(named);
   for (const name of [...named, ...machine.known.bound]) machine.known.forget(name);
 }
 

@@ -59,7 +59,7 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
     { x: s.from.x, y: s.from.y, z: fromZ },
     { x: s.to.x, y: s.to.y, z: toZ },
   ];
-  const [{ feedUnit }, radius, block] = [machine, machine.now.mill.radius ?? 0, machine.log.numbers[index] ?? 0];
+  const [{ feedUnit }, radius, block] = [machine, machine.now.mill.radius ?? 0, machine.log.numberOf(index) ?? 0];
   const line =
     s.kind === "line" ? { x: s.to.x - s.from.x, y: s.to.y - s.from.y, z: (toZ ?? 0) - (fromZ ?? toZ ?? 0) } : null;
   const [seconds, turned] = [secondsOver(machine, long, { feed, line }), machine.log.steps.length];
@@ -68,7 +68,10 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
     feed === null
       ? { kind: "rapid", from, to, radius, block, index, seconds, turned }
       : { kind: "feed", from, to, feed, feedUnit, radius, block, index, seconds, turned };
-  machine.log.milled.push(s.kind === "arc" ? { ...straight, kind: "arc", centre: s.centre, turn: s.turn } : straight);
+  machine.log.note(
+    "milled",
+    s.kind === "arc" ? { ...straight, kind: "arc", centre: s.centre, turn: s.turn } : straight,
+  );
 }
 
 /** Adds an arc in a plane beside that of the tool axis. */
@@ -86,14 +89,14 @@ export function millSideStep(
   const [from, end] = [spotOf(before), spotOf(to)];
   if (!from || !end || !machine.roomForMove(index)) return;
   const other = plane === "ZX" ? end.y - from.y : end.x - from.x;
-  machine.log.milled.push({
+  machine.log.note("milled", {
     kind: s.kind === "arc" ? "arc" : feed === null ? "rapid" : "feed",
     from,
     to: end,
     ...(s.kind === "arc" && { side: { plane, centre: coordinatesIn(plane, partPoint(s.centre)), turn: s.turn } }),
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
     radius: machine.now.mill.radius ?? 0,
-    block: machine.log.numbers[index] ?? 0,
+    block: machine.log.numberOf(index) ?? 0,
     index,
     seconds: secondsOver(machine, travelLength(s, other), { feed, line: null }),
     turned: machine.log.steps.length,
@@ -107,13 +110,13 @@ export const centreOf = ({ x, y }: Position): PlanePoint | null => (x === null |
 /** The tool comes from where nobody knows: a step without a way, that says where it arrives. */
 export function millArrives(machine: Machine, to: PlanePoint, { toZ, feed, index }: Travel): void {
   const at = { ...to, z: toZ };
-  machine.log.milled.push({
+  machine.log.note("milled", {
     kind: feed === null ? "rapid" : "feed",
     from: at,
     to: at,
     ...(feed !== null && { feed, feedUnit: machine.feedUnit }),
     radius: machine.now.mill.radius ?? 0,
-    block: machine.log.numbers[index] ?? 0,
+    block: machine.log.numberOf(index) ?? 0,
     index,
     seconds: 0,
     turned: machine.log.steps.length,
@@ -130,6 +133,6 @@ export function millCarrier(machine: Machine): Carrier {
     top: machine.now.mill.top,
     emit: (s, travel) => millStep(machine, s, travel),
     arrive: (at, travel) => millArrives(machine, at, travel),
-    note: (run: ApproachRun) => machine.log.approaches.push(run),
+    note: (run: ApproachRun) => machine.log.note("approaches", run),
   };
 }

@@ -69,9 +69,8 @@ function corner(
   const guide = machine.now.turning ? machine.turnGuide : machine.millGuide;
   if (machine.now.turning && !guide.chain) return cornerBlock(machine, element, feed, index);
   const own = typeof feed === "object" ? machine.number(feed.value, index) : null;
-  const items = guide.chain?.items ?? [];
-  const last = items.at(-1);
-  const added = last && addCorner(guide, { element, feed: own === null ? last.feed : machine.feedOf(own), index });
+  const end = guide.chain?.end;
+  const added = end && addCorner(guide, { element, feed: own === null ? end.item.feed : machine.feedOf(own), index });
   if (!added)
-    machine.log.say(issue("cornerElementAlone", "error", { element: Math.max(1, items.length) }, "contour"), index);
+    machine.log.say(issue("cornerElementAlone", "error", { element: Math.max(1, end?.count ?? 0) }, "contour"), index);
 }

@@ -26,7 +26,7 @@ export function offCentre(machine: Machine, index: number): void {
   const y = besideCentre ?? datum.y;
   if (!turning || y === 0 || (besideCentre === null && unknownDatum.includes("y"))) return;
   // From the first such cut on nothing is proved, whatever comes.
-  if (machine.log.unproved.some(({ what }) => what === BESIDE)) return;
+  if (machine.log.unproved.slice().some(({ what }) => what === BESIDE)) return;
   machine.log.say(programIssue("offCentre", "warning", { y }), index);
   machine.log.leaveUnproved(BESIDE, index);
 }

@@ -106,7 +106,7 @@ function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: 
     guardApproach(q, segments, above && inPlaneFirst && !call.departing ? "fromPH" : "all");
   if (guarded) machine.log.say(cutIssue(carrier, q, guarded), call.index);
   carrier.note({
-    block: machine.log.numbers[call.index] ?? 0,
+    block: machine.log.numberOf(call.index) ?? 0,
     index: call.index,
     form: call.form,
     shape: call.shape,

@@ -6,7 +6,15 @@ import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 import { blockFeed } from "../state/block-feed.ts";
 import type { Carrier } from "./carrier.ts";
-import type { ApproachCall, ChainItem, Guide, Travel } from "../state/plane-chain.ts";
+import {
+  chainEnd,
+  itemsOf,
+  type ApproachCall,
+  type ChainItem,
+  type Guide,
+  type OpenChain,
+  type Travel,
+} from "../state/plane-chain.ts";
 import { pointIn } from "../state/path.ts";
 import { breaksRule } from "../state/control-rule.ts";
 import { wordOf } from "./path-block.ts";
@@ -28,11 +36,16 @@ export interface PathStep extends Travel {
 /** Gives the carrier for a side: compensated with the tool radius, or moved as programmed. */
 export type CarrierFor = (side: Side) => Carrier;
 
+/** A chain as programmed, before its first element. */
+const UNCOMPENSATED_CHAIN: OpenChain = { side: "none", start: { kind: "here" }, lifts: [], end: null };
+
 /** Carries out the chain that waits, up to where it has got. */
 export function close(guide: Guide, carrier: CarrierFor, departure: ApproachCall | null = null): void {
   const { chain } = guide;
   guide.chain = null;
-  if (chain) guide.here = finishChain(carrier(chain.side), chain, guide.here, departure);
+  if (!chain) return;
+  const { end, ...rest } = chain;
+  guide.here = finishChain(carrier(chain.side), { ...rest, items: itemsOf(end) }, guide.here, departure);
 }
 
 /** A line that begins where the element before it really ends, however little that is beside the programmed point. */
@@ -50,13 +63,12 @@ const WAITING = 1000;
  * Carries out a contour without compensation up to its last element, so that a long program does not wait as a whole.
  */
 function advance(guide: Guide, carrier: CarrierFor): void {
-  const items = guide.chain?.items ?? [];
-  if (items.length <= WAITING || guide.chain?.side !== "none") return;
-  const [before, last] = [items.at(-2), items.at(-1)];
-  if (!before || !last || before.corner) return;
-  items.pop();
+  const { chain } = guide,
+    end = chain?.end;
+  if (!end?.before || end.count <= WAITING || chain?.side !== "none" || end.before.item.corner) return;
+  guide.chain = { ...chain, end: end.before };
   close(guide, carrier);
-  guide.chain = { side: "none", start: { kind: "here" }, lifts: [], items: [last] };
+  guide.chain = { ...UNCOMPENSATED_CHAIN, end: chainEnd(end.item, null) };
 }
 
 const NO_LIFTS: readonly Travel[] = [];
@@ -64,17 +76,19 @@ const NO_LIFTS: readonly Travel[] = [];
 function append(machine: Machine, guide: Guide, step: PathStep, programmed: PlaneSegment): void {
   const { chain } = guide;
   if (!chain) return;
-  const last = chain.items.at(-1);
+  const { end } = chain,
+    last = end?.item;
   const segment = joined(programmed, last?.segment);
   const { fromZ, toZ, feed, index } = step;
   if (lengthOf(segment) > SAME) {
-    chain.items.push({ fromZ, toZ, feed, index, segment, lifts: NO_LIFTS });
+    guide.chain = { ...chain, end: chainEnd({ fromZ, toZ, feed, index, segment, lifts: NO_LIFTS }, end) };
     return;
   }
   if (last?.corner && fromZ === toZ) breaksRule(machine, "zeroBehindCorner", wordOf(last.corner.element), index);
   const travel: Travel = { fromZ, toZ, feed, index };
-  if (last) chain.items[chain.items.length - 1] = { ...last, lifts: [...last.lifts, travel] };
-  else chain.lifts = [...chain.lifts, travel];
+  guide.chain = end
+    ? { ...chain, end: chainEnd({ ...end.item, lifts: [...end.item.lifts, travel] }, end.before) }
+    : { ...chain, lifts: [...chain.lifts, travel] };
 }
 
 /** Adds a path block to the contour: begins one at RL or RR, ends one at R0. */
@@ -92,7 +106,7 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
     return advance(guide, carrier);
   }
   if (guide.chain) {
-    if (guide.chain.items.length >= LONGEST)
+    if ((guide.chain.end?.count ?? 0) >= LONGEST)
       return machine.stop(programIssue("contourTooLong", "error", { limit: LONGEST }), step.index);
     append(machine, guide, step, step.segment ?? { kind: "line", from: step.to, to: step.to });
     return;
@@ -102,14 +116,14 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
     side: requested,
     start: { ...step, kind: "line", to: arc ? arc.from : step.to, ...(arc && { toZ: step.fromZ }) },
     lifts: [],
-    items: [],
+    end: null,
   };
   if (arc) append(machine, guide, step, arc);
 }
 
 /** R0: as programmed. After RL or RR the tool leaves from where it really stands. */
 function uncompensated(machine: Machine, guide: Guide, step: PathStep, standing: PlanePoint | null): void {
-  guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
+  guide.chain ??= UNCOMPENSATED_CHAIN;
   append(
     machine,
     guide,
@@ -122,10 +136,10 @@ function uncompensated(machine: Machine, guide: Guide, step: PathStep, standing:
 
 /** A rounding or chamfer behind the last element; false when there is none. */
 export function addCorner(guide: Guide, corner: NonNullable<ChainItem["corner"]>): boolean {
-  const items = guide.chain?.items;
-  const last = items?.at(-1);
-  if (!items || !last || last.corner || last.lifts.length > 0) return false;
-  items[items.length - 1] = { ...last, corner };
+  const { chain } = guide,
+    end = chain?.end;
+  if (!end || end.item.corner || end.item.lifts.length > 0) return false;
+  guide.chain = { ...chain, end: chainEnd({ ...end.item, corner }, end.before) };
   return true;
 }
 
@@ -201,7 +215,7 @@ export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenAppro
     side,
     start: { kind: "approach", call: callOf(machine, b, feed, known), before },
     lifts: [],
-    items: [],
+    end: null,
   };
 }
 
@@ -211,6 +225,6 @@ export function endWithDeparture(guide: Guide, carrier: CarrierFor, b: WrittenAp
   machine.set({ compensation: "R0" });
   const known = feedBefore(machine);
   const call = callOf(machine, b, blockFeed(machine, b.words.feed, b.index), known);
-  guide.chain ??= { side: "none", start: { kind: "here" }, lifts: [], items: [] };
+  guide.chain ??= UNCOMPENSATED_CHAIN;
   close(guide, carrier, call);
 }

@@ -38,7 +38,7 @@ const carrierOf =
         if (part.lengthOf(path) > SAME) machine.step(path.from, moveOf(machine, path, feed), index, { isCompensated });
       },
       arrive: () => undefined,
-      note: (run) => machine.log.approaches.push(run),
+      note: (run) => machine.log.note("approaches", run),
     };
   };
 

@@ -1,29 +1,29 @@
 import { never } from "../../kernel/never.ts";
 import type { Block, Program } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
-import { Machine } from "../state/machine.ts";
-import type { RunMoment } from "../state/run-moment.ts";
-import { runToEnd } from "./run.ts";
+import { firstLook, runInput, type RunInput } from "../state/run-input.ts";
+import type { RunState } from "../state/run-state.ts";
 import type { Run } from "../state/run-types.ts";
 import type { Shop } from "../state/shop.ts";
-
-/** A place that a run has passed: before a block, and what was in force there. */
-interface Passed {
-  readonly next: number;
-  readonly moment: RunMoment;
-}
+import { firstState, ended, step } from "./run.ts";
 
 /** Programs that can be called. */
 type Beside = readonly { readonly name: string; readonly text: string }[];
 
-/** A run that has come to its end, with what was noted on its way. */
+/** A state that a run has passed, and what the memory of plans had been asked by then. */
+interface Passed {
+  readonly state: RunState;
+  readonly asked: number;
+}
+
+/** A run with the states that were noted on its way. */
 interface Former {
-  readonly machine: Machine;
+  readonly input: RunInput;
   readonly beside: Beside;
   readonly passed: readonly Passed[];
 }
 
-/** Moments are noted before these, whose values are typed most; of a long program about so many. */
+/** States are noted before these, whose values are typed most; of a long program about so many. */
 const NOTED: ReadonlySet<Statement["kind"]> = new Set(["cycle", "toolCall"]);
 const MOST_NOTED = 48;
 
@@ -48,30 +48,6 @@ function isLike(a: Block, b: Block | undefined): boolean {
   if (!b || a.lines !== b.lines || a.number !== b.number || a.skip !== b.skip) return false;
   const [s, t] = [a.statement, b.statement];
   return s.kind === t.kind && !OF_ALL.has(s.kind) && (s.kind !== "cycle" || t.kind !== "cycle" || s.cycle === t.cycle);
-}
-
-/**
- * Where a run is; null where a run of another program could not go on from, since something is under way that it would
- * change.
- */
-function passing(machine: Machine): RunMoment | null {
-  const { now, place, freePole, executed, turnGuide, millGuide } = machine;
-  const isBetween = !turnGuide.chain && !millGuide.chain && !machine.freeRun && !machine.next && !machine.full;
-  if (!isBetween || machine.hasTraced || machine.units.size > 1) return null;
-  return {
-    now,
-    place,
-    freePole,
-    executed,
-    parameters: new Map(machine.parameters),
-    radii: new Map(machine.radii),
-    definitions: new Set(machine.definitions),
-    called: new Set(machine.called),
-    known: machine.known.moment,
-    log: machine.log.moment,
-    here: [turnGuide.here, millGuide.here],
-    asked: machine.shop.memory?.asked() ?? 0,
-  };
 }
 
 /** Blocks that are others than before; null where one of them changes what counts for the whole program. */
@@ -103,21 +79,18 @@ const isSameShop = (a: Shop, b: Shop): boolean =>
   isSame(a.mills, b.mills) &&
   isSame([...(a.refused ?? [])], [...(b.refused ?? [])]);
 
-/** What the former run passed before it looked at anything that is another now. */
+/** What the former run passed before it looked at anything that is another now, and the first block that is. */
 function common(
-  { machine, passed, beside }: Former,
+  { input, passed, beside }: Former,
   program: Program,
   shop: Shop,
   calls: Beside,
 ): { readonly passed: readonly Passed[]; readonly first: number | null } | null {
-  if (!isSameShop(machine.shop, shop) || !areSame(beside, calls)) return null;
-  const changed = changedBlocks(machine.program, program);
+  if (!isSameShop(input.shop, shop) || !areSame(beside, calls)) return null;
+  const changed = changedBlocks(input.program, program);
   if (!changed) return null;
-  const looked = changed
-    .flatMap((i) => [machine.visited[i] ?? 0, machine.foreseen[i] ?? 0])
-    .filter((count) => count > 0);
-  const first = Math.min(...looked);
-  return { passed: passed.filter(({ moment }) => moment.executed < first), first: changed[0] ?? null };
+  const looked = Math.min(...changed.map((index) => firstLook(input, index)));
+  return { passed: passed.filter(({ state }) => state.executed < looked), first: changed[0] ?? null };
 }
 
 /** Runs a program whose run before is known. `beside`: all that `shop.files` finds, as text. */
@@ -127,7 +100,8 @@ interface Runner {
   readonly part: (program: Program, shop: Shop, beside: Beside, goesOn: () => boolean) => Run | null;
 }
 
-const STOPPED = new Error("the rest of the program is run another time");
+/** A state of another program with the same blocks up to where it stands. */
+const over = ({ program: { blocks }, unit }: RunInput, state: RunState): RunState => ({ ...state, blocks, unit });
 
 /**
  * Runs one state of a program after the other: what it comes to before it looks at a block that is another one than in
@@ -139,30 +113,29 @@ export function runningAgain(): Runner {
     const same = former && common(former, program, shop, beside);
     const passed = [...(same?.passed ?? [])],
       last = passed.at(-1);
-    const machine = new Machine(
+    const input = runInput(
       program,
       shop,
-      former && last ? { machine: former.machine, at: last.moment } : undefined,
+      former && last ? { input: former.input, executed: last.state.executed } : undefined,
     );
-    if (last) shop.memory?.again(last.moment.asked);
-    const apart = Math.ceil(program.blocks.length / MOST_NOTED);
-    const watch = (next: number) => {
+    former = { input, beside, passed };
+    if (last) shop.memory?.again(last.asked);
+    let state = last ? over(input, last.state) : firstState(input);
+    /** Whether a state is worth noting: some way behind the one before, or where the first block is that is another. */
+    const isDue = (next: number, executed: number) => {
+      if (next === same?.first) return firstLook(input, next) === Infinity;
       const kind = program.blocks[next]?.statement.kind;
-      const isDue = kind !== undefined && NOTED.has(kind) && next >= (passed.at(-1)?.next ?? 0) + apart;
-      if (!isDue && next !== same?.first) return;
-      const moment = passing(machine);
-      if (!moment || passed.at(-1)?.next === next) return;
-      passed.push({ next, moment });
-      if (!goesOn()) throw STOPPED;
+      const far = executed - (passed.at(-1)?.state.executed ?? 0);
+      return kind !== undefined && NOTED.has(kind) && far >= Math.max(program.blocks.length, executed) / MOST_NOTED;
     };
-    let made: Run | null = null;
-    try {
-      made = runToEnd(machine, { from: last?.next ?? 0, watch });
-    } catch (error) {
-      if (error !== STOPPED) throw error;
+    while (!state.flow.ending) {
+      state = step(input, state, isDue);
+      // A program that was called is another object in each run.
+      if (state.flow.ending || state.log.texts.length > 0) continue;
+      passed.push({ state, asked: shop.memory?.asked() ?? 0 });
+      if (!goesOn()) return null;
     }
-    former = { machine, beside, passed };
-    return made;
+    return ended(input, state);
   };
   const whole = (program: Program, shop: Shop, beside: Beside) =>
     part(program, shop, beside, () => true) ?? never("a run without an end", program);

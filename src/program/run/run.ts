@@ -19,7 +19,7 @@ import { contourCycle, contourDefinition, selectContour } from "../blocks/contou
 import { CONTOUR_CYCLE } from "../state/contour-names.ts";
 import { callCycle, cycleDefinition } from "../blocks/cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "../motion/datum.ts";
-import { execute, neverReached, wordsOf, type RunCourse } from "../blocks/flow.ts";
+import { advance, neverReached, wordsOf } from "../blocks/flow.ts";
 import { runFree } from "../blocks/free-run.ts";
 import { programIssue } from "../state/issue.ts";
 import { Machine } from "../state/machine.ts";
@@ -31,6 +31,8 @@ import { NOWHERE } from "../state/path.ts";
 import { timingOf } from "./run-times.ts";
 import { neverCalled } from "../state/preconditions.ts";
 import { startedBy, stoppedBy } from "../blocks/spindle-start.ts";
+import { runInput, type RunInput } from "../state/run-input.ts";
+import type { RunState } from "../state/run-state.ts";
 import type { Run } from "../state/run-types.ts";
 import type { Shop } from "../state/shop.ts";
 import { correctTool, toolCall, toolDefinition } from "../blocks/tool-call.ts";
@@ -45,33 +47,59 @@ import {
 import { actingLine, actsAtOnce, isSilent, textBlock } from "../blocks/unproved-blocks.ts";
 
 /** Runs a program: executes block after block and plans every cycle that it calls. Never throws, always ends. */
-export const run = (program: Program, shop: Shop): Run => runToEnd(new Machine(program, shop), { from: 0 });
+export function run(program: Program, shop: Shop): Run {
+  const input = runInput(program, shop);
+  return ended(input, step(input, firstState(input)));
+}
 
-/** Runs what a machine holds to its end, from its first block or from where another run was. */
-export function runToEnd(machine: Machine, course: RunCourse): Run {
-  const { program } = machine;
-  const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
-  const frame = begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };
-  if (course.from === 0) {
-    machine.set({ turning: beginsTurning(program), inch: frame.unit === "INCH" });
-    machine.known.setUnit(frame.unit === "INCH");
-  }
-  const ending = execute(machine, (s, index) => block(machine, s, index), course);
+const frameOf = ({ blocks }: Program) => {
+  const begin = blocks.find((b) => b.statement.kind === "begin")?.statement;
+  return begin?.kind === "begin" ? begin : { name: "", unit: "MM" as const };
+};
+
+/** The state before the first block. */
+export function firstState(input: RunInput): RunState {
+  const machine = new Machine(input);
+  const inch = frameOf(input.program).unit === "INCH";
+  machine.set({ turning: beginsTurning(input.program), inch });
+  machine.known.setUnit(inch);
+  return machine.state;
+}
+
+/**
+ * The state behind the blocks that come next in one without an ending: up to one before which `isDue` asks for a state,
+ * else up to the ending.
+ */
+export function step(input: RunInput, state: RunState, isDue?: (next: number, executed: number) => boolean): RunState {
+  const machine = new Machine(input, state);
+  do advance(machine, (s, index) => block(machine, s, index));
+  while (!machine.flow.ending && !isDue?.(machine.next, machine.executed));
+  return machine.state;
+}
+
+/** What a run with an ending has come to. */
+export function ended(input: RunInput, state: RunState): Run {
+  const machine = new Machine(input, state);
+  const { program } = input,
+    { log } = machine;
   finish(machine);
   machine.endBrought();
   tellBox(machine);
-  if (machine.now.turning && machine.log.steps.length > 0)
-    machine.log.countsFrom(machine.now.datum.x, machine.now.datum.z);
-  if (!neverReached(machine, ending) && !ending.told) neverCalled(machine);
-  if (ending.word === null && !ending.told && machine.log.steps.length > 0)
-    machine.log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
-  if (machine.log.operations.length > 0 && machine.now.blank.length === 0) tellMissing(machine);
-  const { toolChange, spindle, dwell } = machine.log.beside;
-  const blank = machine.log.firstBlank ?? machine.now.blank,
-    clamping = clampedOf(machine, blank);
+  const hasTurned = log.steps.length > 0;
+  if (machine.now.turning && hasTurned) log.countsFrom(machine.now.datum.x, machine.now.datum.z);
+  const { ending, told } = state.flow;
+  if (!(ending && neverReached(machine, ending)) && !told) neverCalled(machine);
+  if (!ending?.word && !told && hasTurned)
+    log.say(programIssue("programEndMissing", "warning", {}), program.blocks.length - 1);
+  if (log.operations.length > 0 && machine.now.blank.length === 0) tellMissing(machine);
+  const { beside, firstBlank, ...noted } = log.state;
+  const { toolChange, spindle, dwell } = beside;
+  const blank = firstBlank ?? machine.now.blank,
+    clamping = clampedOf(machine, blank),
+    plane = noted.milled.all();
   return {
     program: {
-      name: frame.name,
+      name: frameOf(program).name,
       unit: machine.now.inch ? "inch" : "mm",
       blocks: program.blocks.filter(
         (b) => b.statement.kind !== "empty" && (b.number !== null || b.statement.kind !== "comment"),
@@ -80,18 +108,18 @@ export function runToEnd(machine: Machine, course: RunCourse): Run {
     blank,
     clamping,
     cuboid: cuboidOf(machine),
-    stated: machine.log.stated,
-    operations: machine.log.operations,
-    steps: machine.log.steps,
-    stepBlocks: machine.log.stepBlocks,
-    plane: machine.log.milled,
-    approaches: machine.log.approaches,
-    datums: machine.log.datums,
-    spindles: machine.log.spindles,
-    unproved: machine.log.unproved,
-    issues: machine.log.allFindings(),
-    seconds: machine.log.milled.reduce((sum, s) => sum + s.seconds, machine.log.seconds + toolChange + spindle + dwell),
-    timing: timingOf(machine.shop, machine.log.beside),
+    stated: noted.stated.all(),
+    operations: noted.operations.all(),
+    steps: noted.steps.all(),
+    stepBlocks: noted.stepBlocks.all(),
+    plane,
+    approaches: noted.approaches.all(),
+    datums: noted.datums.all(),
+    spindles: noted.spindles.all(),
+    unproved: noted.unproved.all(),
+    issues: log.allFindings(),
+    seconds: plane.reduce((sum, s) => sum + s.seconds, noted.seconds + toolChange + spindle + dwell),
+    timing: timingOf(input.shop, beside),
   };
 }
 
@@ -210,7 +238,7 @@ function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   if (wanted === "TURN") {
     transformedTurning(machine, index);
     turnBlank(machine);
-  } else machine.traced = null;
+  } else machine.change({ traced: null });
   machine.setPlace({ last: null });
   if (machine.now.turning === (wanted === "TURN")) return;
   machine.endBrought();
@@ -221,7 +249,7 @@ function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
 
 /** CYCL CALL POS and PAT: the positions at which the cycle would run are not run. */
 function callPattern(machine: Machine, how: string, index: number): void {
-  if (machine.now.defined) machine.called.add(machine.now.defined.index);
+  if (machine.now.defined) machine.call(machine.now.defined.index);
   machine.loseAll();
   machine.log.leaveUnproved(`CYCL CALL ${how}`, index);
 }

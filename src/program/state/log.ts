@@ -4,177 +4,161 @@ import type { Spindle, Stated, Step, Unproved } from "../../kernel/time/step.ts"
 import { axial, radius } from "../../kernel/units.ts";
 import type { NcIssue } from "../../nc/issue.ts";
 import { blockNumbers, eachIssue, startLines, type Program } from "../../nc/program.ts";
+import { Grown, GrownSet, type Changing } from "../values/grown.ts";
 import { fewAlike, MOST_ALIKE } from "./alike.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { ApproachRun, PlaneStep } from "../tools/plane-types.ts";
 import type { ProgramFile } from "./program-files.ts";
+import type { RunInput } from "./run-input.ts";
 import type { Operation, Run, RunFinding, SecondsBeside } from "./run-types.ts";
+import type { Unit } from "./units.ts";
 
 const NO_SHIFT_POINT: Pt = { z: axial(0), r: radius(0) };
 
-interface Appended {
+/** The text of a program that was called, behind the blocks of those before it. */
+interface CalledText {
   readonly file: ProgramFile;
-  readonly from: number;
+  readonly unit: Unit;
   readonly numbers: readonly number[];
   readonly lines: readonly number[];
-  caller: number;
+  /** The block of the program itself that has called it last; -1 before any. */
+  readonly caller: number;
 }
 
 const IN_PROGRAM = {};
 
-/** How far a log was at a moment: of what is only added to, how much there was. */
-export interface LogMoment {
-  readonly counts: Readonly<
-    Record<
-      | "steps"
-      | "milled"
-      | "operations"
-      | "approaches"
-      | "spindles"
-      | "findings"
-      | "unproved"
-      | "stated"
-      | "said"
-      | "left",
-      number
-    >
-  >;
-  readonly datums: Run["datums"];
-  readonly firstBlank: readonly Ring[] | null;
-  readonly seconds: number;
-  readonly beside: SecondsBeside;
+/** What is noted one after the other. */
+interface Noted {
+  readonly steps: Step;
+  readonly stepBlocks: number;
+  /** Motions of mills. */
+  readonly milled: PlaneStep;
+  readonly operations: Operation;
+  readonly approaches: ApproachRun;
+  readonly datums: Run["datums"][number];
+  readonly spindles: Run["spindles"][number];
+  readonly findings: RunFinding;
+  readonly unproved: Unproved;
+  /** Blanks that were stated after something had been cut. */
+  readonly stated: Stated;
 }
 
-const firstOf = <Value>(set: ReadonlySet<Value>, count: number): Set<Value> => new Set([...set].slice(0, count));
-
-/** What a run has done and said so far, each at its block. */
-export class Log {
-  /**
-   * Number of each block, and its line in the text; of a block of another program, those of the block that called it.
-   */
-  readonly numbers: number[];
-  readonly lines: number[];
-  /**
-   * Texts of called programs, in the order of their blocks: each with where its first block stands and which block has
-   * called it.
-   */
-  private readonly appended: Appended[] = [];
-  readonly steps: Step[] = [];
-  readonly stepBlocks: number[] = [];
-  /** Motions of mills. */
-  readonly milled: PlaneStep[] = [];
-  readonly operations: Operation[] = [];
-  readonly approaches: ApproachRun[] = [];
-  readonly datums: Run["datums"][number][] = [];
-  readonly spindles: Run["spindles"][number][] = [];
-  readonly findings: RunFinding[] = [];
-  readonly unproved: Unproved[] = [];
-  /** Blanks that were stated after something had been cut, and the one before the first of them. */
-  readonly stated: Stated[] = [];
-  firstBlank: readonly Ring[] | null = null;
+/** What a run has done and said so far. Never changed in place. */
+export interface LogState extends Readonly<{ [List in keyof Noted]: Grown<Noted[List]> }> {
+  /** The blank before the first that was stated later. */
+  readonly firstBlank: readonly Ring[] | null;
   /** What turning has taken so far. */
-  seconds = 0;
+  readonly seconds: number;
   /** What was taken beside the motions. */
-  beside: SecondsBeside = { toolChange: 0, spindle: 0, dwell: 0 };
-  private readonly said: Set<string> = new Set();
-  private readonly left: Set<string> = new Set();
+  readonly beside: SecondsBeside;
+  readonly said: GrownSet<string>;
+  readonly left: GrownSet<string>;
+  /** Texts of called programs, in the order of their blocks. */
+  readonly texts: readonly CalledText[];
+}
 
-  /** How many blocks the program itself has. */
-  private readonly own: number;
+export const emptyLog = (): LogState => ({
+  steps: new Grown(),
+  stepBlocks: new Grown(),
+  milled: new Grown(),
+  operations: new Grown(),
+  approaches: new Grown(),
+  datums: new Grown(),
+  spindles: new Grown(),
+  findings: new Grown(),
+  unproved: new Grown(),
+  stated: new Grown(),
+  firstBlank: null,
+  seconds: 0,
+  beside: { toolChange: 0, spindle: 0, dwell: 0 },
+  said: new GrownSet(),
+  left: new GrownSet(),
+  texts: [],
+});
 
-  /** `before`: a log of the same blocks, what it held at a moment is taken over. */
+/** Adds what a run does and says, each at its block, to what it has done and said so far. */
+export class Log {
+  private readonly draft: Changing<LogState>;
+
   constructor(
-    private readonly program: Program,
-    before?: { readonly log: Log; readonly at: LogMoment },
+    private readonly input: RunInput,
+    state: LogState,
   ) {
-    this.own = program.blocks.length;
-    this.numbers = blockNumbers(program);
-    this.lines = startLines(program);
-    if (!before) return;
-    const {
-      log,
-      at: { counts, datums, firstBlank, seconds, beside },
-    } = before;
-    this.steps = log.steps.slice(0, counts.steps);
-    this.stepBlocks = log.stepBlocks.slice(0, counts.steps);
-    this.milled = log.milled.slice(0, counts.milled);
-    this.operations = log.operations.slice(0, counts.operations);
-    this.approaches = log.approaches.slice(0, counts.approaches);
-    this.datums = [...datums];
-    this.spindles = log.spindles.slice(0, counts.spindles);
-    this.findings = log.findings.slice(0, counts.findings);
-    this.unproved = log.unproved.slice(0, counts.unproved);
-    this.stated = log.stated.slice(0, counts.stated);
-    this.said = firstOf(log.said, counts.said);
-    this.left = firstOf(log.left, counts.left);
-    this.firstBlank = firstBlank;
-    this.seconds = seconds;
-    this.beside = beside;
+    this.draft = { ...state };
   }
 
-  /** How far it is now; nothing of another program may have been said yet. */
-  get moment(): LogMoment {
-    const {
-      steps,
-      milled,
-      operations,
-      approaches,
-      spindles,
-      findings,
-      unproved,
-      stated,
-      said,
-      left,
-      datums,
-      firstBlank,
-      seconds,
-      beside,
-    } = this;
-    return {
-      counts: {
-        steps: steps.length,
-        milled: milled.length,
-        operations: operations.length,
-        approaches: approaches.length,
-        spindles: spindles.length,
-        findings: findings.length,
-        unproved: unproved.length,
-        stated: stated.length,
-        said: said.size,
-        left: left.size,
-      },
-      datums: [...datums],
-      firstBlank,
-      seconds,
-      beside,
-    };
+  get state(): LogState {
+    return { ...this.draft };
+  }
+
+  get steps(): LogState["steps"] {
+    return this.draft.steps;
+  }
+
+  get milled(): LogState["milled"] {
+    return this.draft.milled;
+  }
+
+  get operations(): LogState["operations"] {
+    return this.draft.operations;
+  }
+
+  get unproved(): LogState["unproved"] {
+    return this.draft.unproved;
+  }
+
+  note<List extends keyof Noted>(list: List, item: Noted[List]): void {
+    const lists: { readonly [Each in keyof Noted]: Grown<Noted[Each]> } = this.draft;
+    Object.assign(this.draft, { [list]: lists[list].with(item) });
+  }
+
+  /** Notes steps of a block, and what they take together. */
+  move(steps: readonly Step[], seconds: number, index: number): void {
+    const block = this.inProgram(index);
+    this.draft.seconds += seconds;
+    this.draft.steps = this.steps.withAll(steps);
+    this.draft.stepBlocks = this.draft.stepBlocks.withAll(steps.map(() => block));
+  }
+
+  /** The text of a program that has been called before. */
+  unitOf(program: Program): Unit | undefined {
+    return this.draft.texts.find(({ file }) => file.program === program)?.unit;
   }
 
   /** Adds the blocks of a program that is called. */
-  append(file: ProgramFile, from: number): void {
+  append(file: ProgramFile, unit: Unit): void {
     const { program } = file;
-    this.appended.push({ file, from, numbers: blockNumbers(program), lines: startLines(program), caller: -1 });
+    const text = { file, unit, numbers: blockNumbers(program), lines: startLines(program), caller: -1 };
+    this.draft.texts = [...this.draft.texts, text];
   }
 
   /** Notes that a block, of the program itself or of one that it has called, calls a program or reads it. */
-  calledBy(index: number, from: number): void {
-    const called = this.appended.find((a) => a.from === from);
+  calledBy(index: number, unit: Unit): void {
     const caller = this.inProgram(index);
-    if (!called || called.caller === caller) return;
-    called.caller = caller;
-    this.numbers.length = Math.max(this.numbers.length, from + called.numbers.length);
-    this.lines.length = this.numbers.length;
-    this.numbers.fill(this.numbers[caller] ?? 0, from, from + called.numbers.length);
-    this.lines.fill(this.lines[caller] ?? 1, from, from + called.numbers.length);
+    this.draft.texts = this.draft.texts.map((text) => (text.unit === unit ? { ...text, caller } : text));
   }
 
-  private textOf(index: number): Appended | undefined {
-    return this.appended.findLast((a) => a.from <= index);
+  /** The number of a block; of a block of another program, that of the block that called it. */
+  numberOf(index: number): number | undefined {
+    return this.input.numbers[this.inProgram(index)];
+  }
+
+  /** The line of a block, in the same way. */
+  private startOf(index: number): number {
+    return this.input.lines[this.inProgram(index)] ?? 1;
+  }
+
+  private isOwn(index: number): boolean {
+    return index < this.input.program.blocks.length;
+  }
+
+  private textOf(index: number): CalledText | undefined {
+    return this.isOwn(index) ? undefined : this.draft.texts.findLast(({ unit }) => unit.from <= index);
   }
 
   /** The block of the program itself: the one that called, for a block of another. */
   inProgram(index: number): number {
-    return index < this.own ? index : (this.textOf(index)?.caller ?? index);
+    return this.textOf(index)?.caller ?? index;
   }
 
   /** Where the block of a step stands that is not one of the program itself. */
@@ -185,61 +169,69 @@ export class Log {
 
   /** The file of a block that is not one of the program itself. */
   fileOf(index: number): { readonly file?: string } {
-    const text = index < this.own ? undefined : this.textOf(index);
+    const text = this.textOf(index);
     return text ? { file: text.file.name } : IN_PROGRAM;
   }
 
   /** Notes a finding at a block, once however often the block runs. `within` counts lines inside the block. */
   say(issue: Issue | ProgramIssue, index: number | null, within = 0, operation: number | null = null): void {
     const key = `${index} ${issue.code} ${issue.at ?? ""} ${operation ?? ""} ${operation === null ? "" : JSON.stringify(issue.data)}`;
-    if (this.said.has(key)) return;
-    this.said.add(key);
+    if (this.draft.said.has(key)) return;
+    this.draft.said = this.draft.said.with(key);
     const place =
       index === null
         ? { block: null, line: null }
         : {
-            block: this.numbers[index] ?? 0,
-            line: (this.lines[index] ?? 1) + (index < this.own ? within : 0),
+            block: this.numberOf(index) ?? 0,
+            line: this.startOf(index) + (this.isOwn(index) ? within : 0),
             ...this.inFile(index, within),
           };
-    this.findings.push({ issue, ...place, operation });
+    this.note("findings", { issue, ...place, operation });
   }
 
   /** Adds time that no motion takes, s. */
   takes(what: keyof SecondsBeside, seconds: number): void {
-    if (seconds > 0) this.beside = { ...this.beside, [what]: this.beside[what] + seconds };
+    const { beside } = this.draft;
+    if (seconds > 0) this.draft.beside = { ...beside, [what]: beside[what] + seconds };
   }
 
   /** Notes from which point the program counts at the step that comes next. */
   countsFrom(x: number, z: number): void {
-    const last = this.datums.at(-1)?.at ?? NO_SHIFT_POINT;
+    const { datums } = this.draft;
+    const last = datums.last?.at ?? NO_SHIFT_POINT;
     if (last.r === x && last.z === z) return;
     const [step, at] = [this.steps.length, { z: axial(z), r: radius(x) }];
-    if (this.datums.at(-1)?.step === step) this.datums.pop();
-    this.datums.push({ step, at });
+    const before = datums.last?.step === step ? datums.withoutLast() : datums;
+    this.draft.datums = before.with({ step, at });
   }
 
   /** Notes how the spindle turns at the step that comes next. */
   turnsAt(spindle: Spindle | null, backwards: boolean): void {
-    const last = this.spindles.at(-1),
+    const { last } = this.draft.spindles,
       turnsBack = last?.backwards ?? false;
     if ((last?.spindle ?? null) === spindle && turnsBack === backwards) return;
-    this.spindles.push({ step: this.steps.length, spindle, ...(backwards && { backwards }) });
+    this.note("spindles", { step: this.steps.length, spindle, ...(backwards && { backwards }) });
   }
 
   /** Where a block stands in the text that it is from. */
   placeOf(index: number): { readonly block: number; readonly line: number; readonly file?: string } {
     const { inFile } = this.inFile(index, 0);
     if (inFile) return { ...inFile, block: inFile.block ?? 0 };
-    return { block: this.numbers[index] ?? 0, line: this.lines[index] ?? 1 };
+    return { block: this.numberOf(index) ?? 0, line: this.startOf(index) };
   }
 
   /** Where a finding stands in the file of a called program. */
   private inFile(index: number, within: number): Pick<RunFinding, "inFile"> {
-    const text = index < this.own ? undefined : this.textOf(index);
+    const text = this.textOf(index);
     if (!text) return IN_PROGRAM;
-    const at = index - text.from;
+    const at = index - text.unit.from;
     return { inFile: { file: text.file.name, block: text.numbers[at] ?? 0, line: (text.lines[at] ?? 1) + within } };
+  }
+
+  /** Says which labels of a text are set again. */
+  saySetTwice({ setTwice }: Unit): void {
+    for (const [label, index] of setTwice)
+      this.say(programIssue("labelTwice", "error", { label: String(label) }), index);
   }
 
   notSimulated(what: string, index: number, severity: "info" | "warning" = "info"): void {
@@ -249,20 +241,20 @@ export class Log {
   /** Notes a finding where it is met first, and nowhere else. */
   sayOnce(issue: Issue | ProgramIssue, index: number): void {
     const key = `once ${issue.code} ${issue.at ?? ""}`;
-    if (this.said.has(key)) return;
-    this.said.add(key);
+    if (this.draft.said.has(key)) return;
+    this.draft.said = this.draft.said.with(key);
     this.say(issue, index);
   }
 
   /** Notes that from here on nothing is proved, once for each block. `what` as the program spells it. */
   leaveUnproved(what: string, index: number): void {
-    const block = this.numbers[index] ?? 0;
-    const key = `${index < this.own ? block : index} ${what}`;
-    if (this.left.has(key)) return;
-    this.left.add(key);
+    const block = this.numberOf(index) ?? 0;
+    const key = `${this.isOwn(index) ? block : index} ${what}`;
+    if (this.draft.left.has(key)) return;
+    this.draft.left = this.draft.left.with(key);
     // The first of all says from where on nothing is proved; a list of all that follow would fill the memory.
     if (this.unproved.length < MOST_ALIKE)
-      this.unproved.push({ step: this.steps.length, block, what, ...this.fileOf(index) });
+      this.note("unproved", { step: this.steps.length, block, what, ...this.fileOf(index) });
     this.say(programIssue("notProved", "warning", { what }), index);
   }
 
@@ -272,23 +264,26 @@ export class Log {
     { what, before }: { readonly what: string; readonly before: readonly Ring[] },
     index: number,
   ): void {
-    this.firstBlank ??= before;
-    this.stated.push({ step: this.steps.length, block: this.numbers[index] ?? 0, what, rings, ...this.fileOf(index) });
+    this.draft.firstBlank = this.draft.firstBlank ?? before;
+    const block = this.numberOf(index) ?? 0;
+    this.note("stated", { step: this.steps.length, block, what, rings, ...this.fileOf(index) });
   }
 
   /** All findings in the order of the text, those of the reader included. */
   allFindings(): RunFinding[] {
-    const missing = new Set(this.findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
+    const findings = this.draft.findings.slice();
+    const missing = new Set(findings.filter((f) => f.issue.code === "missing").map((f) => f.line));
     const order = (a: RunFinding, b: RunFinding) => (a.line ?? 0) - (b.line ?? 0);
-    return [...fewAlike(this.read(missing)), ...fewAlike(this.findings.toSorted(order))].sort(order);
+    return [...fewAlike(this.read(missing)), ...fewAlike(findings.toSorted(order))].sort(order);
   }
 
   /** What the reader found, less what is also said as a missing parameter. */
   private *read(missing: ReadonlySet<number | null>): Generator<RunFinding> {
-    for (const i of eachIssue(this.program))
+    for (const i of eachIssue(this.input.program))
       if (!(i.code === "wordMissing" && missing.has(i.line))) yield this.located(i);
-    for (const { file, caller } of this.appended) {
-      const at = { block: this.numbers[caller] ?? null, line: this.lines[caller] ?? null };
+    for (const { file, caller } of this.draft.texts) {
+      const { numbers, lines } = this.input;
+      const at = { block: numbers[caller] ?? null, line: lines[caller] ?? null };
       for (const issue of eachIssue(file.program))
         if (issue.severity !== "info")
           yield { issue, ...at, operation: null, inFile: { file: file.name, block: null, line: issue.line } };
@@ -296,12 +291,13 @@ export class Log {
   }
 
   private located(issue: NcIssue): RunFinding {
-    let [low, high] = [0, this.lines.length - 1];
+    const { lines, numbers } = this.input;
+    let [low, high] = [0, lines.length - 1];
     while (low < high) {
       const middle = (low + high + 1) >> 1;
-      if ((this.lines[middle] ?? 0) <= issue.line) low = middle;
+      if ((lines[middle] ?? 0) <= issue.line) low = middle;
       else high = middle - 1;
     }
-    return { issue, block: this.numbers[low] ?? null, line: issue.line, operation: null };
+    return { issue, block: numbers[low] ?? null, line: issue.line, operation: null };
   }
 }

@@ -1,115 +1,167 @@
 import type { FeedUnit, Move } from "../../kernel/plan/move.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
-import type { Spindle } from "../../kernel/time/step.ts";
+import type { Spindle, Step } from "../../kernel/time/step.ts";
 import { INCH, type Feed } from "../../kernel/units.ts";
-import type { Block, Program } from "../../nc/program.ts";
-import type { Label, Statement, StatementOf, Value } from "../../nc/statement.ts";
-import { valueOf, type Parameters, type Trouble } from "../values/formula.ts";
+import type { Label, Statement, Value } from "../../nc/statement.ts";
+import { valueOf, type Trouble } from "../values/formula.ts";
 import { MOST_BLOCKS, MOST_MOVES, MOST_OPERATIONS, MOST_TURNED } from "../values/bounds.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
-import type { FreeRun } from "./free-contour.ts";
+import type { Changing } from "../values/grown.ts";
 import { KnownValues } from "../values/known-values.ts";
-import { MachineClock } from "./machine-clock.ts";
+import type { MachineClock } from "./machine-clock.ts";
 import { Log } from "./log.ts";
-import { intents } from "./meant-cuts.ts";
-import { AT_START, NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
+import { intentOf, saidOf } from "./meant-cuts.ts";
+import { NOT_PLACED, type Milling, type Modal, type Whereabouts } from "./modal.ts";
 import { pointIn } from "./path.ts";
 import type { Guide } from "./plane-chain.ts";
 import { fileKey } from "./program-files.ts";
-import type { RunMoment } from "./run-moment.ts";
+import type { RunInput } from "./run-input.ts";
+import { startOf, type Flow, type RunState } from "./run-state.ts";
 import type { Shop } from "./shop.ts";
 import { speedFaults } from "./speed-limits.ts";
 import { demands, type GivenForStep } from "./spindle-state.ts";
 import { stepOf, timed, type TimedSteps } from "./step-of.ts";
-import type { TracedBlank } from "./tracing.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
 
-/** A program as it runs: what is in force, what was said and done, and the bounds that end a run. */
+/**
+ * A run while blocks are executed: it begins with a state, and `state` is what it has become. What it holds are
+ * immutable values that others take the place of, so that no state which it has had ever changes.
+ */
 export class Machine {
-  /** The blocks of the program, and behind them those of the programs that it has called. */
-  blocks: readonly Block[];
   readonly log: Log;
-  /** The text that runs. */
-  unit: Unit;
-  readonly units = new Map<Program, Unit>();
-  /** The program that the block that runs has called: it runs next. */
-  next: Unit | null = null;
-  /** Radii of TOOL DEF lines, mm. */
-  readonly radii: Map<Label, number>;
-  readonly parameters: Parameters;
   readonly known: KnownValues;
-  /** What is in force; a block that changes it puts a new one in its place. */
-  now: Modal = AT_START;
-  /** Where the tool stands; a move puts a new place in its place. */
-  place: Whereabouts = NOT_PLACED;
-  /** Blocks of definitions that were taken up, and of those that were called. */
-  readonly definitions: Set<number>;
-  readonly called: Set<number>;
-  /**
-   * How many blocks had been executed when a block was first run, or read as part of a contour; 0 for one that was not.
-   */
-  readonly visited: Uint32Array;
-  /** The same for a block that was looked at from another one before it. */
-  readonly foreseen: Uint32Array;
-  /** What the machine makes of rapids and speeds. */
-  readonly clock: MachineClock;
   /** The contours that turning and milling are gathering. */
-  readonly turnGuide: Guide = { chain: null, here: null };
-  readonly millGuide: Guide = { chain: null, here: null };
-  /** The blank that is traced, and the first step that has not cut it yet. */
-  traced: { readonly blank: TracedBlank; next: number } | null = null;
-  /** True once any has been. */
-  hasTraced = false;
-  /** The free contour that is being run. */
-  freeRun: FreeRun | null = null;
-  /** FPOL that counts until another does. */
-  freePole: StatementOf<"free"> | null = null;
-  private readonly intentOf = intents();
-  /** Blocks executed, those of contours that cycles read included. */
-  executed = 0;
-  full = false;
+  readonly turnGuide: Guide;
+  readonly millGuide: Guide;
 
-  /** `before`: a run of a program with the same blocks up to a moment, and that moment, from which this one goes on. */
+  private readonly draft: Changing<RunState>;
+
   constructor(
-    readonly program: Program,
-    readonly shop: Shop,
-    before?: { readonly machine: Machine; readonly at: RunMoment },
+    readonly input: RunInput,
+    state: RunState = startOf(input),
   ) {
-    const { machine, at } = before ?? {};
-    this.clock = machine?.clock ?? new MachineClock(shop);
-    this.blocks = program.blocks;
-    this.log = new Log(program, machine && at && { log: machine.log, at: at.log });
-    this.parameters = new Map(at?.parameters);
-    this.known = new KnownValues(this.parameters, at?.known);
-    this.radii = new Map(at?.radii);
-    this.definitions = new Set(at?.definitions);
-    this.called = new Set(at?.called);
-    const upTo = (counts?: Uint32Array) => counts?.map((count) => (count <= (at?.executed ?? 0) ? count : 0));
-    this.visited = upTo(machine?.visited) ?? new Uint32Array(this.blocks.length);
-    this.foreseen = upTo(machine?.foreseen) ?? new Uint32Array(this.blocks.length);
-    this.unit = this.takeUp(program, null, 0);
-    if (!at) return;
-    ({ now: this.now, place: this.place, freePole: this.freePole, executed: this.executed } = at);
-    [this.turnGuide.here, this.millGuide.here] = at.here;
+    this.draft = { ...state };
+    this.log = new Log(input, state.log);
+    this.known = new KnownValues(state.known);
+    this.turnGuide = { ...state.turnGuide };
+    this.millGuide = { ...state.millGuide };
+  }
+
+  /** What the run is now, as a value that stays as it is. */
+  get state(): RunState {
+    const { draft, log, known, turnGuide, millGuide } = this;
+    return {
+      ...draft,
+      log: log.state,
+      known: known.state,
+      turnGuide: { ...turnGuide },
+      millGuide: { ...millGuide },
+    };
+  }
+
+  /** Puts other values in the place of those that the state holds. */
+  change(change: Partial<Omit<RunState, "log" | "known" | "turnGuide" | "millGuide">>): void {
+    Object.assign(this.draft, change);
+  }
+
+  get shop(): Shop {
+    return this.input.shop;
+  }
+
+  get clock(): MachineClock {
+    return this.input.clock;
+  }
+
+  get blocks(): RunState["blocks"] {
+    return this.draft.blocks;
+  }
+
+  get next(): number {
+    return this.draft.next;
+  }
+
+  get flow(): Flow {
+    return this.draft.flow;
+  }
+
+  get unit(): Unit {
+    return this.draft.unit;
+  }
+
+  /** What is in force. */
+  get now(): Modal {
+    return this.draft.now;
+  }
+
+  /** Where the tool stands. */
+  get place(): Whereabouts {
+    return this.draft.place;
+  }
+
+  /** Blocks executed, those of contours that cycles read included. */
+  get executed(): number {
+    return this.draft.executed;
+  }
+
+  get parameters(): KnownValues["parameters"] {
+    return this.known.parameters;
+  }
+
+  get radii(): RunState["radii"] {
+    return this.draft.radii;
+  }
+
+  /** The program that the block has called. */
+  get enters(): RunState["enters"] {
+    return this.draft.enters;
+  }
+
+  get freeRun(): RunState["freeRun"] {
+    return this.draft.freeRun;
+  }
+
+  get freePole(): RunState["freePole"] {
+    return this.draft.freePole;
+  }
+
+  get traced(): RunState["traced"] {
+    return this.draft.traced;
+  }
+
+  get isFull(): boolean {
+    return this.draft.full;
   }
 
   /** A block is run, or read as part of a contour. */
   visit(index: number): void {
-    if (this.visited[index] === 0) this.visited[index] = this.executed;
+    const { visited } = this.input.looks;
+    if (visited[index] === 0) visited[index] = this.draft.executed;
   }
 
   /** The statement of a block that does not run yet, for one that hangs on what comes. */
   foresee(index: number): Statement | undefined {
-    if (this.foreseen[index] === 0) this.foreseen[index] = this.executed;
+    const { foreseen } = this.input.looks;
+    if (foreseen[index] === 0) foreseen[index] = this.draft.executed;
     return this.blocks[index]?.statement;
   }
 
-  private takeUp(program: Program, file: string | null, from: number): Unit {
-    const unit = unitFrom(program, { file, from, skipMarked: this.shop.skipMarked ?? false }, (label, index) =>
-      this.log.say(programIssue("labelTwice", "error", { label: String(label) }), index),
-    );
-    this.units.set(program, unit);
-    return unit;
+  /** Notes that the definition of a cycle was taken up, or called. */
+  define(index: number): void {
+    this.change({ definitions: this.draft.definitions.with(index) });
+  }
+
+  call(index: number): void {
+    this.change({ called: this.draft.called.with(index) });
+  }
+
+  /** The block of this index comes next. */
+  goTo(next: number): void {
+    this.draft.next = next;
+  }
+
+  /** Changes what decides which blocks come behind it. */
+  go(change: Partial<Flow>): void {
+    this.draft.flow = { ...this.flow, ...change };
   }
 
   get labels(): ReadonlyMap<Label, number> {
@@ -120,14 +172,17 @@ export class Machine {
   unitOfFile(name: string, index: number): Unit | null {
     const found = this.shop.files?.find(fileKey(name));
     if (!found) return null;
-    const known = this.units.get(found.program);
-    const from = known?.from ?? this.blocks.length;
+    const known = this.log.unitOf(found.program);
+    const { name: file, program } = found;
+    const unit =
+      known ?? unitFrom(program, { file, from: this.blocks.length, skipMarked: this.shop.skipMarked ?? false });
     if (!known) {
-      this.blocks = [...this.blocks, ...found.program.blocks];
-      this.log.append(found, from);
+      this.change({ blocks: [...this.blocks, ...program.blocks] });
+      this.log.append(found, unit);
     }
-    this.log.calledBy(index, from);
-    return known ?? this.takeUp(found.program, found.name, from);
+    this.log.calledBy(index, unit);
+    if (!known) this.log.saySetTwice(unit);
+    return unit;
   }
 
   /** True when a block is left out because of its skip mark. */
@@ -146,12 +201,12 @@ export class Machine {
   /** Changes what is in force. Most blocks leave most of it as it is, and a long program has many blocks. */
   set(change: Partial<Modal>): void {
     const names = Object.keys(change) as (keyof Modal)[];
-    if (names.some((name) => change[name] !== this.now[name])) this.now = { ...this.now, ...change };
+    if (names.some((name) => change[name] !== this.now[name])) this.draft.now = { ...this.now, ...change };
   }
 
   /** Changes where the tool stands. */
   setPlace(change: Partial<Whereabouts>): void {
-    this.place = { ...this.place, ...change };
+    this.draft.place = { ...this.place, ...change };
   }
 
   /** Changes what is in force for a mill. */
@@ -215,14 +270,14 @@ export class Machine {
 
   /** Ends the run at a block, because the program goes beyond what is simulated: what follows is not proved. */
   stop(why: ProgramIssue, index: number): void {
-    if (this.full) return;
-    this.full = true;
+    if (this.isFull) return;
+    this.change({ full: true });
     this.log.say(why, index);
     // An element that waits for a corner stands before the end and is still run.
     const step = this.log.steps.length + (this.place.held ? 1 : 0);
-    this.log.unproved.push({
+    this.log.note("unproved", {
       step,
-      block: this.log.numbers[index] ?? 0,
+      block: this.log.numberOf(index) ?? 0,
       what:
         this.blocks[index]?.raw
           .trim()
@@ -233,16 +288,17 @@ export class Machine {
 
   /** Whether one more block may be executed or read as a contour; ends the run when not. */
   roomForBlock(index: number): boolean {
-    this.executed += 1;
-    if (this.executed > MOST_BLOCKS) this.stop(programIssue("tooManyBlocks", "error", { limit: MOST_BLOCKS }), index);
-    return !this.full;
+    this.draft.executed += 1;
+    if (this.draft.executed > MOST_BLOCKS)
+      this.stop(programIssue("tooManyBlocks", "error", { limit: MOST_BLOCKS }), index);
+    return !this.isFull;
   }
 
   /** Whether a cycle may be called once more; ends the run when not. */
   roomForOperation(index: number): boolean {
     if (this.log.operations.length >= MOST_OPERATIONS)
       this.stop(programIssue("tooManyOperations", "error", { limit: MOST_OPERATIONS }), index);
-    return !this.full;
+    return !this.isFull;
   }
 
   /** How many moves a tool may still turn. */
@@ -268,17 +324,23 @@ export class Machine {
     this.setPlace({ brought: null });
   }
 
+  /** What is meant with a cut at a block. */
+  private intentOf(index: number, isCompensated: boolean): Pick<Step, "intent"> {
+    this.draft.said = saidOf(this.blocks, index, this.draft.said);
+    return intentOf(this.blocks, this.draft.said, isCompensated);
+  }
+
   /** Adds one motion of the current tool outside the operations; `hole` is one that has to be there for it. */
   step(from: Pt, move: Move, index: number, given: GivenForStep = {}): void {
     const { tool } = this.now;
     if (!this.roomForMove(index) || !tool) return;
-    const intent = move.kind === "rapid" ? {} : this.intentOf(this.blocks, index, given.isCompensated ?? false);
+    const intent = move.kind === "rapid" ? {} : this.intentOf(index, given.isCompensated ?? false);
     const asks = move.kind === "rapid" ? {} : demands(this.now, this.log, tool, given.hole ?? null);
     const motion = {
       from,
       move,
       tool,
-      block: this.log.numbers[index] ?? 0,
+      block: this.log.numberOf(index) ?? 0,
       operation: null,
       ...intent,
       ...this.log.lineOf(index),
@@ -294,7 +356,6 @@ export class Machine {
   take({ steps, seconds }: TimedSteps, index: number): void {
     const [first] = steps;
     if (!first) return;
-    this.log.seconds += seconds;
     this.log.countsFrom(this.now.datum.x, this.now.datum.z);
     this.log.turnsAt(this.spindle, this.now.backwards);
     const runUp = this.clock.runUp(this.now, first.from.r);
@@ -309,13 +370,8 @@ export class Machine {
       this.log.leaveUnproved(home.what, home.index);
       this.setPlace({ home: null });
     }
-    const block = this.log.inProgram(index);
-    for (const step of steps) {
-      this.log.steps.push(
-        step === first && brought !== null ? { ...first, broughtBy: this.log.numbers[brought] ?? 0 } : step,
-      );
-      this.log.stepBlocks.push(block);
-    }
+    const isBrought = brought !== null ? { broughtBy: this.log.numberOf(brought) ?? 0 } : null;
+    this.log.move(isBrought ? [{ ...first, ...isBrought }, ...steps.slice(1)] : steps, seconds, index);
     if (brought !== null) this.setPlace({ brought: null });
   }
 }

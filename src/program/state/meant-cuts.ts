@@ -31,21 +31,29 @@ const COMPENSATED = { intent: "compensated" } as const;
 const SAID = { intent: "meant" } as const;
 const NONE = {};
 
-/** Tells of blocks that cut, in the order in which they run, what is meant with their cut. */
-export function intents(): (blocks: readonly Block[], index: number, isCompensated: boolean) => Pick<Step, "intent"> {
-  let known: { readonly index: number; readonly said: boolean } | null = null;
-  function isSaid(blocks: readonly Block[], index: number): boolean {
-    for (let i = index; i >= 0; i -= 1) {
-      const block = blocks[i];
-      if (!block || !goesOn(block)) return false;
-      if (known?.index === i) return known.said;
-      if (block.statement.kind === "comment" && says(block.statement.text)) return true;
-    }
-    return false;
+/** Whether a comment in front of a cut says that it is meant, as far as the block of it that ran last. */
+export interface Said {
+  readonly index: number;
+  readonly isMeant: boolean;
+}
+
+/** The same at a block; `known`: at the block that cut before it. */
+export function saidOf(blocks: readonly Block[], index: number, known: Said | null): Said {
+  for (let i = index; i >= 0; i -= 1) {
+    const block = blocks[i];
+    if (!block || !goesOn(block)) break;
+    if (known?.index === i) return { index, isMeant: known.isMeant };
+    if (block.statement.kind === "comment" && says(block.statement.text)) return { index, isMeant: true };
   }
-  return (blocks, index, isCompensated) => {
-    known = { index, said: isSaid(blocks, index) };
-    if (known.said || says(blocks[index]?.comment ?? null)) return SAID;
-    return isCompensated ? COMPENSATED : NONE;
-  };
+  return { index, isMeant: false };
+}
+
+/** What is meant with the cut of a block. */
+export function intentOf(
+  blocks: readonly Block[],
+  { index, isMeant }: Said,
+  isCompensated: boolean,
+): Pick<Step, "intent"> {
+  if (isMeant || says(blocks[index]?.comment ?? null)) return SAID;
+  return isCompensated ? COMPENSATED : NONE;
 }

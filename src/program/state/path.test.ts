@@ -2,6 +2,7 @@ import { describe, expect, test } from "vitest";
 import { parse } from "../../nc/parse.ts";
 import { readContour } from "../blocks/contour-subprogram.ts";
 import { Machine } from "./machine.ts";
+import { runInput } from "./run-input.ts";
 import type { Shop } from "./shop.ts";
 import { run } from "../run/run.ts";
 import { shippedTools } from "../tools/shipped-tools.ts";
@@ -33,7 +34,7 @@ const onMainLevel = (text: string) =>
       : [corner([from.z, from.r], [move.to.z, move.to.r], move.kind === "arc" ? [move.centre.z, move.centre.r] : null)],
   );
 const inContour = (text: string) =>
-  readContour(new Machine(parse(`LBL 1\n${turned(text)}\nLBL 0`), shop), 1, 0)?.contour.segments.map((s) =>
+  readContour(new Machine(runInput(parse(`LBL 1\n${turned(text)}\nLBL 0`), shop)), 1, 0)?.contour.segments.map((s) =>
     corner([s.from.z, s.from.r], [s.to.z, s.to.r], s.kind === "arc" ? [s.centre.z, s.centre.r] : null),
   );
 const milled = (text: string) =>

@@ -47,12 +47,37 @@ export type ChainStart =
 export interface CompensatedChain {
   readonly side: Side;
   readonly start: ChainStart;
-  lifts: readonly Travel[];
-  readonly items: ChainItem[];
+  readonly lifts: readonly Travel[];
+  readonly items: readonly ChainItem[];
+}
+
+/** The last element of a chain that is being built, and those before it. */
+export interface ChainEnd {
+  readonly item: ChainItem;
+  readonly before: ChainEnd | null;
+  readonly count: number;
+}
+
+export const chainEnd = (item: ChainItem, before: ChainEnd | null): ChainEnd => ({
+  item,
+  before,
+  count: (before?.count ?? 0) + 1,
+});
+
+/** The elements up to an end, in their order. */
+export function itemsOf(end: ChainEnd | null): readonly ChainItem[] {
+  const items: ChainItem[] = [];
+  for (let each = end; each; each = each.before) items.push(each.item);
+  return items.reverse();
+}
+
+/** A chain that is being built. */
+export interface OpenChain extends Omit<CompensatedChain, "items"> {
+  readonly end: ChainEnd | null;
 }
 
 /** Where a chain is being built, and where the programmed point (mill centre, or tip) really stands. */
 export interface Guide {
-  chain: CompensatedChain | null;
+  chain: OpenChain | null;
   here: PlanePoint | null;
 }

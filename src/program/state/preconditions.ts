@@ -76,9 +76,10 @@ export function unlikelyFeeds<P extends Params>(
 
 /** Definitions of turning cycles that no call has run. */
 export function neverCalled(machine: Machine): void {
-  for (const index of machine.definitions) {
+  const { definitions, called } = machine.state;
+  for (const index of definitions.values()) {
     const s = machine.blocks[index]?.statement;
-    if (!machine.called.has(index) && s?.kind === "cycle")
+    if (!called.has(index) && s?.kind === "cycle")
       machine.log.say(programIssue("cycleNeverCalled", "warning", { cycle: s.cycle }), index);
   }
 }

@@ -13,7 +13,7 @@ const cutsBackwards = ({ ways }: Modal, tool: Tool): boolean | undefined =>
 /** What a run knows beside what is in force: how much it has left unproved so far, and the number of each block. */
 interface Known {
   readonly unproved: { readonly length: number };
-  readonly numbers: readonly number[];
+  numberOf(index: number): number | undefined;
 }
 
 /**
@@ -21,15 +21,11 @@ interface Known {
  * before that nobody here knows: any of them may have started the spindle, or set a speed. `wanted`: whether the cut
  * needs it backwards, as its cycle says.
  */
-export function idleSpindle(
-  now: Modal,
-  { unproved, numbers }: Known,
-  tool: Tool,
-  wanted = cutsBackwards(now, tool),
-): Idle | null {
+export function idleSpindle(now: Modal, known: Known, tool: Tool, wanted = cutsBackwards(now, tool)): Idle | null {
+  const { unproved } = known;
   const { mode, spindle, turns, backwards, spun, speedElsewhere } = now;
   if (mode !== "TURN") return null;
-  const by = spun.index === null ? null : (numbers[spun.index] ?? null);
+  const by = spun.index === null ? null : (known.numberOf(spun.index) ?? null);
   const stands = !turns && unproved.length <= spun.unproved;
   const hasSpeed = spindle || speedElsewhere === "told" || (speedElsewhere === "toolCall" && isDrill(tool));
   if (!hasSpeed && unproved.length === 0 && (by === null || !stands)) return { how: "noSpeed", by: null };

@@ -17,26 +17,29 @@ export interface Unit {
   /** Labels of contours: a program never runs into them. */
   readonly contours: ReadonlySet<Label>;
   readonly inch: boolean;
+  /** Labels that are set again, and where. */
+  readonly setTwice: readonly (readonly [label: Label, index: number])[];
 }
 
 /** A block behind a skip mark while the switch for them is on. */
 export const isSkipped = (block: Block | undefined, skipMarked: boolean): boolean =>
   skipMarked && (block?.skip ?? false);
 
-/** A text as part of a run. `twice` hears of each label that is set a second time. */
+/** A text as part of a run. */
 export function unitFrom(
   program: Program,
   { file, from, skipMarked }: { readonly file: string | null; readonly from: number; readonly skipMarked: boolean },
-  twice: (label: Label, index: number) => void,
 ): Unit {
   const labels = new Map<Label, number>();
+  const setTwice: [Label, number][] = [];
   program.blocks.forEach((block, i) => {
     const { statement: s } = block;
     if (s.kind !== "label" || s.label === 0 || isSkipped(block, skipMarked)) return;
-    if (labels.has(s.label)) twice(s.label, from + i);
+    if (labels.has(s.label)) setTwice.push([s.label, from + i]);
     else labels.set(s.label, from + i);
   });
   const begin = program.blocks.find((b) => b.statement.kind === "begin")?.statement;
   const inch = begin?.kind === "begin" && begin.unit === "INCH";
-  return { file, program, from, to: from + program.blocks.length, labels, contours: namesIn(program.blocks), inch };
+  const to = from + program.blocks.length;
+  return { file, program, from, to, labels, contours: namesIn(program.blocks), inch, setTwice };
 }

@@ -5,9 +5,9 @@ import { inDegrees, radians } from "../../kernel/units.ts";
 export type Trouble =
   { readonly kind: "unset"; readonly name: string } | { readonly kind: "zero" } | { readonly kind: "notFinite" };
 /** Q parameters while a program runs, by name. */
-export type Parameters = Map<string, number>;
+export type Parameters = Pick<ReadonlyMap<string, number>, "get">;
 /** QS parameters while a program runs, by name. */
-export type Texts = ReadonlyMap<string, string>;
+export type Texts = Pick<ReadonlyMap<string, string>, "get">;
 const NO_TEXTS: Texts = new Map();
 
 const CALLS: Readonly<Record<string, (n: number) => number>> = {

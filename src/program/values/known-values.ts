@@ -1,4 +1,4 @@
-import type { Parameters, Texts } from "./formula.ts";
+import { Table, type Changing } from "./grown.ts";
 
 /** Why something is not known: a block was not run, or a fault that was told. */
 export type UnknownReason = "unproved" | "told";
@@ -15,56 +15,89 @@ const [TOOL_RADIUS, UNIT] = ["Q108", "Q113"] as const;
 /** Parameters that count in one subprogram or program only. */
 const LOCAL = /^QL/;
 
-/** What is known beside the values at a moment. */
-export type KnownMoment = Readonly<Pick<KnownValues, "bound" | "probed" | "trouble">> & {
-  readonly forgotten: ReadonlyMap<string, UnknownReason>;
-  readonly held: Texts;
+/** What is known of the Q parameters. Never changed in place. */
+export interface Known {
+  readonly parameters: Table<string, number>;
+  /** What the QS parameters hold. */
+  readonly texts: Table<string, string>;
+  readonly forgotten: Table<string, UnknownReason>;
+  /** Parameters that SQL BIND has tied to a column: a fetch writes into them. */
+  readonly bound: ReadonlySet<string>;
+  /** True once a touch probe has run: parameters that hold results are set, nobody here knows to what. */
+  readonly probed: boolean;
+  /** Why the last value without a number had none. */
+  readonly trouble: UnknownReason;
+}
+
+export const NOTHING_KNOWN: Known = {
+  parameters: new Table(),
+  texts: new Table(),
+  forgotten: new Table(),
+  bound: new Set(),
+  probed: false,
+  trouble: "told",
 };
+
+/** Local parameters of a program, and why some of them are not known. */
+export interface Locals {
+  readonly parameters: ReadonlyMap<string, number>;
+  readonly forgotten: ReadonlyMap<string, UnknownReason>;
+}
+
+const localsIn = <V>(table: Table<string, V>): ReadonlyMap<string, V> =>
+  new Map([...table.toMap()].filter(([name]) => LOCAL.test(name)));
 
 /**
  * What is known of the Q parameters while a program runs: a value that nobody knows is another thing than one that was
  * never set.
  */
 export class KnownValues {
-  private readonly forgotten: Map<string, UnknownReason>;
-  private readonly held: Map<string, string>;
-  /** Parameters that SQL BIND has tied to a column: a fetch writes into them. */
-  readonly bound: Set<string>;
-  /** True once a touch probe has run: parameters that hold results are set, nobody here knows to what. */
-  probed: boolean;
-  /** Why the last value without a number had none. */
-  trouble: UnknownReason;
+  private readonly draft: Changing<Known>;
 
-  /** `at`: what was known at a moment of another run. */
-  constructor(
-    private readonly parameters: Parameters,
-    at?: KnownMoment,
-  ) {
-    this.forgotten = new Map(at?.forgotten);
-    this.held = new Map(at?.held);
-    this.bound = new Set(at?.bound);
-    this.probed = at?.probed ?? false;
-    this.trouble = at?.trouble ?? "told";
+  constructor(state: Known) {
+    this.draft = { ...state };
   }
 
-  get moment(): KnownMoment {
-    const { bound, probed, trouble, forgotten, held } = this;
-    return { probed, trouble, bound: new Set(bound), forgotten: new Map(forgotten), held: new Map(held) };
+  get state(): Known {
+    return { ...this.draft };
+  }
+
+  get parameters(): Known["parameters"] {
+    return this.draft.parameters;
+  }
+
+  set parameters(parameters: Known["parameters"]) {
+    this.draft.parameters = parameters;
+  }
+
+  get texts(): Known["texts"] {
+    return this.draft.texts;
+  }
+
+  get bound(): Known["bound"] {
+    return this.draft.bound;
+  }
+
+  get trouble(): UnknownReason {
+    return this.draft.trouble;
+  }
+
+  set trouble(trouble: UnknownReason) {
+    this.draft.trouble = trouble;
   }
 
   set(name: string, value: number): void {
-    this.parameters.set(name, value);
-    this.forgotten.delete(name);
-  }
-
-  /** What the QS parameters hold. */
-  get texts(): Texts {
-    return this.held;
+    this.draft.parameters = this.parameters.with(name, value);
+    this.draft.forgotten = this.draft.forgotten.with(name, undefined);
   }
 
   setText(name: string, text: string): void {
-    this.held.set(name, text);
-    this.forgotten.delete(name);
+    this.draft.texts = this.texts.with(name, text);
+    this.draft.forgotten = this.draft.forgotten.with(name, undefined);
+  }
+
+  bind(names: readonly string[]): void {
+    this.draft.bound = new Set([...this.bound, ...names]);
   }
 
   /**
@@ -82,51 +115,57 @@ export class KnownValues {
 
   /** Back to a parameter that was never set. */
   unset(name: string): void {
-    this.parameters.delete(name);
-    this.held.delete(name);
-    this.forgotten.delete(name);
-  }
-
-  /** A touch probe has run: what its result parameters held before counts no more. */
-  probe(): void {
-    this.probed = true;
-    for (const name of [...this.parameters.keys()]) if (RESULT.test(name)) this.parameters.delete(name);
-  }
-
-  /** Takes the local parameters away and gives back what puts them in their place again. */
-  withoutLocals(): () => void {
-    const [kept, lost] = [
-      [...this.parameters].filter(([name]) => LOCAL.test(name)),
-      [...this.forgotten].filter(([name]) => LOCAL.test(name)),
-    ];
-    const clear = () => {
-      for (const name of [...this.parameters.keys(), ...this.forgotten.keys()]) if (LOCAL.test(name)) this.unset(name);
-    };
-    clear();
-    return () => {
-      clear();
-      for (const [name, value] of kept) this.set(name, value);
-      for (const [name, reason] of lost) this.forget(name, reason);
-    };
+    this.holdNothing(name, undefined);
   }
 
   /** Nobody knows what a parameter holds from here on. */
   forget(name: string, reason: UnknownReason = "unproved"): void {
-    this.parameters.delete(name);
-    this.held.delete(name);
-    this.forgotten.set(name, reason);
+    this.holdNothing(name, reason);
+  }
+
+  private holdNothing(name: string, reason: UnknownReason | undefined): void {
+    this.draft.parameters = this.parameters.with(name, undefined);
+    this.draft.texts = this.texts.with(name, undefined);
+    this.draft.forgotten = this.draft.forgotten.with(name, reason);
+  }
+
+  /** A touch probe has run: what its result parameters held before counts no more. */
+  probe(): void {
+    const kept = [...this.parameters.toMap()].filter(([name]) => !RESULT.test(name));
+    this.draft.probed = true;
+    this.draft.parameters = new Table(new Map(kept));
+  }
+
+  /** The numbers of local parameters do not count inside a contour. */
+  hideLocals(): void {
+    for (const name of localsIn(this.parameters).keys()) this.parameters = this.parameters.with(name, undefined);
+  }
+
+  /** Takes the local parameters away. */
+  takeLocals(): Locals {
+    const { parameters, forgotten } = this.draft;
+    const locals = { parameters: localsIn(parameters), forgotten: localsIn(forgotten) };
+    for (const name of [...locals.parameters.keys(), ...locals.forgotten.keys()]) this.unset(name);
+    return locals;
+  }
+
+  /** Puts local parameters in the place of those that are there. */
+  putLocals({ parameters, forgotten }: Locals): void {
+    this.takeLocals();
+    parameters.forEach((value, name) => this.set(name, value));
+    forgotten.forEach((reason, name) => this.forget(name, reason));
   }
 
   /** Why nobody knows what a parameter holds; null when its value is known, or none was ever set. */
   reasonOf(name: string): UnknownReason | null {
-    if (this.parameters.has(name) || this.held.has(name)) return null;
-    const unknown = KEPT_BY_CONTROL.test(name) || (this.probed && RESULT.test(name));
-    return this.forgotten.get(name) ?? (unknown ? "unproved" : null);
+    if (this.parameters.has(name) || this.texts.has(name)) return null;
+    const unknown = KEPT_BY_CONTROL.test(name) || (this.draft.probed && RESULT.test(name));
+    return this.draft.forgotten.get(name) ?? (unknown ? "unproved" : null);
   }
 
   /** True when a parameter holds a value, false when none was ever set, null when nobody knows. */
   isSet(name: string): boolean | null {
-    return this.parameters.has(name) || this.held.has(name) ? true : this.reasonOf(name) ? null : false;
+    return this.parameters.has(name) || this.texts.has(name) ? true : this.reasonOf(name) ? null : false;
   }
 
   /** True when the last value without a number hangs on a block that was not run. */

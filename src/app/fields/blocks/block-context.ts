@@ -1,11 +1,11 @@
 import type { Program } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import type { KnownParameters } from "../../../program/values/expression.ts";
-import { formulaOf, type Parameters } from "../../../program/values/formula.ts";
+import { formulaOf } from "../../../program/values/formula.ts";
 
 /** Q parameters as they are set in front of a block, read from top to bottom without following calls. */
 export function parametersBefore(program: Program, index: number): KnownParameters {
-  const known: Parameters = new Map();
+  const known = new Map<string, number>();
   for (const { statement: s } of program.blocks.slice(0, index)) {
     if (s.kind !== "assign") continue;
     const value = formulaOf(s.formula, known);
