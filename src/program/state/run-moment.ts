@@ -1,4 +1,5 @@
-import type { Label, StatementOf } from "../../nc/statement.ts";
+import type { StatementOf } from "../../nc/statement.ts";
+import type { Label } from "../../nc/words.ts";
 import type { Parameters } from "../values/formula.ts";
 import type { KnownMoment } from "../values/known-values.ts";
 import type { LogMoment } from "./log.ts";
