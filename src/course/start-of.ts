@@ -1,3 +1,4 @@
+import { noWords } from "../nc/words.ts";
 import { cycleByNumber } from "../cycles/index.ts";
 import { parse } from "../nc/parse.ts";
 import { programText } from "../nc/print.ts";
@@ -7,7 +8,6 @@ import { exampleJob, UNSET, type Job } from "../program/job/job.ts";
 import { nameOnControl } from "../program/job/print-job.ts";
 import { shippedList, type ToolList } from "../program/tools/tool-list.ts";
 import { cellOf } from "../program/tools/tool-entry.ts";
-import { noWords } from "../program/values/typed-value.ts";
 import { shownId, type Task } from "./task.ts";
 
 /** What lies open when a task begins. */

@@ -3,7 +3,8 @@ import { describe, expect, test } from "vitest";
 import { renumbered, withBlock, withInserted, withoutBlocks } from "./edit.ts";
 import { parse } from "./parse.ts";
 import { print } from "./program.ts";
-import type { AxisWord, CycleParameter, Statement, Value } from "./statement.ts";
+import type { Statement } from "./statement.ts";
+import type { AxisWord, CycleParameter, Value } from "./words.ts";
 
 const samples = Object.values(
   import.meta.glob<string>("../../tests/programs/*.h", { query: "?raw", import: "default", eager: true }),

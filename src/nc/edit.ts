@@ -1,5 +1,6 @@
 import { parse } from "./parse.ts";
-import { parameterValueText, statementLines } from "./print.ts";
+import { parameterValueText } from "./print-words.ts";
+import { statementLines } from "./print.ts";
 import type { Block, Program } from "./program.ts";
 import { styleAt } from "./read-style.ts";
 import type { Statement } from "./statement.ts";

@@ -55,3 +55,6 @@ export type NcIssue = {
     readonly fix?: NcFix;
   };
 }[NcCode];
+
+/** An issue before its block has a place: offsets count from the start of the block. */
+export type BlockIssue = { [C in NcCode]: Omit<Extract<NcIssue, { code: C }>, "line" | "column"> }[NcCode];

@@ -1,4 +1,4 @@
-import type { Value } from "./statement.ts";
+import type { Value } from "./words.ts";
 
 /** How numbers are written: with a plus sign or not, with point or comma. */
 export interface NumberStyle {

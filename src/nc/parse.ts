@@ -1,8 +1,9 @@
+import { klartext } from "./blocks/klartext.ts";
 import { ownText } from "./own-text.ts";
-import type { Block, BlockIssue, Program } from "./program.ts";
+import type { Block, Program } from "./program.ts";
+import type { BlockIssue } from "./issue.ts";
 import type { BlockLine } from "./read-cycle.ts";
 import { readLine } from "./read-line.ts";
-import { readStatement } from "./read-statement.ts";
 import { splitBlocks, splitLines, type Lines, type Slice } from "./split.ts";
 
 /** Where the comment of a line starts: the first `;` outside quotes, or -1. */
@@ -86,7 +87,7 @@ function readWords(text: string, all: Lines, s: Slice): Block {
     const from = i === s.first ? s.body : (starts[i] ?? 0);
     lines.push(blockLine(text, from, ends[i] ?? from, from - s.from));
   }
-  const read = readStatement(lines);
+  const read = klartext.read(lines);
   const untied = s.first < s.last ? tildeMissing(text, all, s) : null;
   const issues: readonly BlockIssue[] = [
     ...read.issues,

@@ -1,5 +1,7 @@
 import { valueText } from "./number-text.ts";
-import type { Formula, Statement, TextFormula, Value } from "./statement.ts";
+import type { Assignment } from "./read-formula.ts";
+import type { TextAssignment } from "./read-text.ts";
+import type { Formula, TextFormula, Value } from "./words.ts";
 import type { Style } from "./style.ts";
 
 const SIGNS = {
@@ -75,11 +77,11 @@ function textFormula(f: TextFormula, style: Style): string {
 }
 
 /** `QS1 = "A" || QS2`. */
-export const textAssignmentText = (s: Extract<Statement, { kind: "assignText" }>, style: Style): string =>
+export const textAssignmentText = (s: TextAssignment, style: Style): string =>
   `${s.declared ? "DECLARE STRING " : ""}${s.target} = ${textFormula(s.text, style)}`;
 
 /** `Q1 = Q2 * 3`, or with its FN number `FN 1: Q1 =+Q2 + +5`. */
-export function assignmentText(s: Extract<Statement, { kind: "assign" }>, style: Style): string {
+export function assignmentText(s: Assignment, style: Style): string {
   if (s.fn === null) return `${s.target} = ${formulaText(s.formula, style)}`;
   const signed = (f: Formula) =>
     f.kind === "value" ? valueText(f.value, { ...style, plus: true }) : formulaText(f, style, 4);

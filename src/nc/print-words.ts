@@ -1,5 +1,5 @@
 import { valueText } from "./number-text.ts";
-import type { AxisWord, FeedWord, PolarWord, Value, Words } from "./statement.ts";
+import type { AxisWord, CycleParameter, FeedWord, PolarWord, Value, Words } from "./words.ts";
 import type { Style } from "./style.ts";
 
 /** Values that carry no plus sign: radii of roundings, lengths of chamfers, feeds. */
@@ -47,4 +47,11 @@ export function wordsText(words: Words, style: Style, signs: Signs = { length: t
   if (words.functionFeed !== undefined) add(feedText(words.functionFeed, style));
   for (const word of words.extra) add(word);
   return parts.join("");
+}
+
+/** A value of a cycle as it is written; nothing for one that is not set. */
+export function parameterValueText(value: CycleParameter["value"], style: Style): string {
+  if (value === null) return "";
+  if (value === "auto") return "FAUTO";
+  return value === "max" ? "FMAX" : valueText(value, style);
 }

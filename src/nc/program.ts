@@ -1,8 +1,5 @@
-import type { NcCode, NcIssue } from "./issue.ts";
+import type { BlockIssue, NcIssue } from "./issue.ts";
 import type { Statement } from "./statement.ts";
-
-/** An issue before its block has a place: offsets count from the start of the block. */
-export type BlockIssue = { [C in NcCode]: Omit<Extract<NcIssue, { code: C }>, "line" | "column"> }[NcCode];
 
 /**
  * One block with its exact text. Blocks hold no places of their own, so replacing one leaves all others as they are.

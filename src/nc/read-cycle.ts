@@ -1,6 +1,6 @@
-import type { BlockIssue } from "./program.ts";
+import type { BlockIssue } from "./issue.ts";
 import { Scan } from "./scan.ts";
-import type { CycleParameter, Statement } from "./statement.ts";
+import type { CycleParameter } from "./words.ts";
 import { NUMBER_PARAMETER, VALUE } from "./value.ts";
 
 /** One line of a block: its text without comment and continuation mark, where it starts, and its comment. */
@@ -13,41 +13,18 @@ export interface BlockLine {
 /** Of a cycle, and of its line; some posts leave a blank before the point. */
 const NUMBER = /(?:(\d{1,2})[ \t]+\.(\d{1,3})(?!\S)|(\d{1,9})(?:\.(\d{1,3}))?(?![\d.]))/y;
 const Q_HEAD = new RegExp(String.raw`(${NUMBER_PARAMETER})([ \t]*)(=?)[ \t]*`, "iy");
-const Q_INLINE = new RegExp(String.raw`\s${NUMBER_PARAMETER}[ \t]*=`, "i");
 const Q_VALUE = new RegExp(String.raw`(?:F?[ \t]*(MAX|AUTO)(?![A-Z])|F?[ \t]*(${VALUE}))`, "iy");
 
-/** Everything behind CYCL DEF; null when no cycle number stands there. */
-export function readCycle(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[]): Statement | null {
-  const number = scan.take(NUMBER);
-  if (!number) return null;
-  const cycle = Number(number[1] ?? number[3]);
-  const numbered = number[2] ?? number[4];
-  if (numbered !== undefined) {
-    const text = scan.rest;
-    scan.at = scan.text.length;
-    return { kind: "cycleLine", cycle, line: Number(numbered), text };
-  }
-  const inline = Q_INLINE.exec(scan.text.slice(scan.at));
-  const end = inline ? scan.at + inline.index : scan.text.length;
-  let name = scan.text.slice(scan.at, end).trim();
-  const parameters: CycleParameter[] = [];
-  const read = (line: BlockLine) => readParameters(line, parameters, issues);
-  if (inline) read({ text: scan.text.slice(end), offset: scan.offset + end, comment: lines[0]?.comment ?? null });
-  scan.at = scan.text.length;
-  for (const line of lines.slice(1)) {
-    const text = line.text.trim();
-    if (text === "" || /^Q[LR]?\d/i.test(text)) read(line);
-    else if (parameters.length === 0) name = `${name} ${text}`.trim();
-    else {
-      const last = parameters.pop();
-      if (last) parameters.push({ ...last, label: `${last.label ?? ""} ${text}`.trim() });
-    }
-  }
-  return { kind: "cycle", cycle, name, parameters };
+/** The number of a cycle, and that of its line where it has one; null where no number stands there. */
+export function takeCycleNumber(scan: Scan): { readonly cycle: number; readonly line: number | null } | null {
+  const m = scan.take(NUMBER);
+  if (!m) return null;
+  const line = m[2] ?? m[4];
+  return { cycle: Number(m[1] ?? m[3]), line: line === undefined ? null : Number(line) };
 }
 
 /** Reads the parameters of one line, usually one. The comment belongs to the last of them. */
-function readParameters(line: BlockLine, parameters: CycleParameter[], issues: BlockIssue[]): void {
+export function readParameters(line: BlockLine, parameters: CycleParameter[], issues: BlockIssue[]): void {
   const scan = new Scan(line.text, line.offset);
   const from = parameters.length;
   while (!scan.done) {

@@ -1,6 +1,6 @@
 import type { Scan } from "./scan.ts";
 import { readNumberOfText } from "./read-text.ts";
-import { FUNCTION_NUMBERS, type Formula, type FunctionNumber, type Statement } from "./statement.ts";
+import { FUNCTION_NUMBERS, type Formula, type FunctionNumber } from "./words.ts";
 import { PARAMETER } from "./value.ts";
 
 const TARGET = new RegExp(String.raw`(${PARAMETER})[ \t]*=`, "iy");
@@ -106,8 +106,15 @@ function negated(f: Extract<Formula, { kind: "value" }>): Formula {
   return { kind: "value", value: { ...value, negative: !value.negative } };
 }
 
+/** A parameter and what it gets. */
+export interface Assignment {
+  readonly fn: FunctionNumber | null;
+  readonly target: string;
+  readonly formula: Formula;
+}
+
 /** Reads `FN 1: Q1 = +Q2 + +5` and `Q1 = Q2 * ( 3 + Q4 )`; null when it is neither. Chains nest to the left. */
-export function readAssignment(scan: Scan): Statement | null {
+export function readAssignment(scan: Scan): Assignment | null {
   const fn = scan.take(FN);
   const number = fn ? (FUNCTION_NUMBERS.find((n) => n === Number(fn[1])) ?? null) : null;
   const target = scan.take(TARGET);
@@ -115,10 +122,9 @@ export function readAssignment(scan: Scan): Statement | null {
   const name = (target[1] ?? "").toUpperCase();
   if (name.startsWith("QS")) return null;
   const reader = new FormulaReader(scan);
-  if (scan.take(UNDEFINED))
-    return scan.done ? { kind: "assign", fn: number, target: name, formula: { kind: "undefined" } } : null;
+  if (scan.take(UNDEFINED)) return scan.done ? { fn: number, target: name, formula: { kind: "undefined" } } : null;
   const formula = number === null ? reader.sum() : twoValues(scan, reader, number);
-  return formula && scan.done ? { kind: "assign", fn: number, target: name, formula } : null;
+  return formula && scan.done ? { fn: number, target: name, formula } : null;
 }
 
 function twoValues(scan: Scan, reader: FormulaReader, fn: FunctionNumber): Formula | null {

@@ -1,4 +1,5 @@
-import type { AxisName, AxisWord, Compensation, FeedWord, Statement, Words } from "./statement.ts";
+import type { Statement } from "./statement.ts";
+import type { AxisName, AxisWord, Compensation, FeedWord, Words } from "./words.ts";
 
 const NUMBER = String.raw`([+-]?\d+(?:[.,]\d+)?)`;
 const axis = (name: string) => String.raw`(?:(I?)${name}${NUMBER}[ \t]*)?`;

@@ -1,9 +1,9 @@
 import type { Scan } from "./scan.ts";
-import type { Formula, Statement, TextFormula, Value } from "./statement.ts";
+import type { Formula, TextFormula, Value } from "./words.ts";
 import { readValue, TEXT_PARAMETER, VALUE } from "./value.ts";
 
-/** How an assignment of text begins. */
-export const TEXT_ASSIGNMENT = new RegExp(String.raw`(?:DECLARE[ \t]+STRING[ \t]+)?${TEXT_PARAMETER}[ \t]*=`, "iy");
+/** How an assignment of text begins, as part of a pattern. */
+export const TEXT_ASSIGNMENT = String.raw`(?:DECLARE[ \t]+STRING[ \t]+)?${TEXT_PARAMETER}[ \t]*=`;
 const TARGET = new RegExp(String.raw`(DECLARE[ \t]+STRING[ \t]+)?(${TEXT_PARAMETER})[ \t]*=`, "iy");
 const QUOTED = /"([^"]*)"/y;
 const NAMED = new RegExp(`(${TEXT_PARAMETER})`, "iy");
@@ -61,12 +61,19 @@ function readText(scan: Scan): TextFormula | null {
   return parts.length === 1 ? (parts[0] ?? null) : { kind: "joined", parts };
 }
 
+/** A text parameter and what it gets. */
+export interface TextAssignment {
+  readonly declared: boolean;
+  readonly target: string;
+  readonly text: TextFormula;
+}
+
 /** `QS1 = QS2 || "A"` and `DECLARE STRING QS1 = "A"`; null for what is read from the machine. */
-export function readTextAssignment(scan: Scan): Statement | null {
+export function readTextAssignment(scan: Scan): TextAssignment | null {
   const target = scan.take(TARGET);
   const text = target && readText(scan);
   if (!text || !scan.done) return null;
-  return { kind: "assignText", declared: target[1] !== undefined, target: (target[2] ?? "").toUpperCase(), text };
+  return { declared: target[1] !== undefined, target: (target[2] ?? "").toUpperCase(), text };
 }
 
 /**

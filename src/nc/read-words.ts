@@ -1,5 +1,5 @@
 import type { Scan } from "./scan.ts";
-import type { AxisName, AxisWord, Compensation, FeedWord, Words } from "./statement.ts";
+import type { AxisName, AxisWord, Compensation, FeedWord, Words } from "./words.ts";
 import { VALUE } from "./value.ts";
 
 const FEED = /(?:(F[ \t]*MAX)|(F[ \t]*AUTO))(?![A-Z])/iy;

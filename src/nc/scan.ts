@@ -1,6 +1,6 @@
-import type { BlockIssue } from "./program.ts";
+import type { BlockIssue } from "./issue.ts";
 import { readValue } from "./value.ts";
-import type { Value } from "./statement.ts";
+import type { Value } from "./words.ts";
 
 /** One statement being read: its text without comment and continuation mark, and where it starts in its block. */
 export class Scan {
@@ -82,6 +82,17 @@ export class Scan {
     return true;
   }
 
+  /** Goes back to where something was tried that is not there; what was found then is forgotten. */
+  back(at: number): void {
+    this.at = at;
+    this.issues.length = 0;
+  }
+
+  /** A word that was taken is not understood. */
+  unread(word: string): void {
+    this.issue({ code: "wordNotUnderstood", severity: "warning", data: { text: word.slice(0, 40) } }, word.length);
+  }
+
   missing(word: string): void {
     this.issues.push({
       code: "wordMissing",
@@ -98,7 +109,7 @@ export class Scan {
     while (!this.done) {
       const word = this.word();
       extra.push(word);
-      this.issue({ code: "wordNotUnderstood", severity: "warning", data: { text: word.slice(0, 40) } }, word.length);
+      this.unread(word);
     }
     return extra;
   }

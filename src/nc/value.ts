@@ -1,4 +1,4 @@
-import type { Parameter, Value } from "./statement.ts";
+import type { Parameter, Value } from "./words.ts";
 
 /** A parameter that holds a number, as part of a pattern: Q5, QL1, QR3. No control has more than four digits. */
 export const NUMBER_PARAMETER = String.raw`Q[LR]?\d{1,4}(?!\d)`;

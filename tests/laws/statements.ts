@@ -1,5 +1,6 @@
 import * as fc from "fast-check";
-import type { AxisName, Formula, Statement, TextFormula, Value, Words } from "../../src/nc/statement.ts";
+import type { Statement } from "../../src/nc/statement.ts";
+import type { AxisName, Formula, TextFormula, Value, Words } from "../../src/nc/words.ts";
 
 /* Statements of every kind, with values that a control can hold. */
 
@@ -294,6 +295,7 @@ export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Stateme
     cuttingSpeed: maybe(value),
     speed: maybe(value),
     limit: maybe(value),
+    gear: maybe(value),
   }),
   fc.record({
     kind: fc.constant("turnCorrection"),

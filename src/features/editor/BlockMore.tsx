@@ -3,7 +3,7 @@ import { MoreLater } from "../../app/fields/said/MoreLater.tsx";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
-import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
+import type { BlockKind } from "../../nc/blocks/names.ts";
 import type { WordField } from "../../app/fields/blocks/field.ts";
 
 interface Props {

@@ -3,16 +3,16 @@ import type { Texts } from "../../i18n/index.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { inScreenWriting } from "../../app/fields/dialog/write-value.ts";
 import { fieldsOf, statementLine } from "../../app/fields/blocks/block-fields.ts";
-import { wordOfField } from "../../app/fields/blocks/block-guide.ts";
-import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
+import { letterOf, wordOfField } from "../../app/fields/blocks/block-guide.ts";
+import type { BlockKind } from "../../nc/blocks/names.ts";
 import type { WordField } from "../../app/fields/blocks/field.ts";
 import { Icon } from "../../app/base/Icon.tsx";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { blockSources } from "./block-source.ts";
-import { whyUnseen } from "./block-unseen.ts";
-import { blockLetter, blockRule, blockWordTexts } from "./block-words.ts";
+import { whyUnseen } from "./block-samples.ts";
+import { blockRule, blockWordTexts } from "./block-words.ts";
 import { GuideButton } from "./GuideButton.tsx";
 import { showGuide } from "../../app/place/place.ts";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
@@ -40,10 +40,9 @@ function useSources(): void {
 /** What a field is called, without the letter that stands in front of it on its page. */
 function wordName(
   { editor: t }: Pick<Texts, "editor">,
-  kind: BlockKind,
-  { name, id }: Pick<WordField, "name" | "id">,
+  { name, ...field }: Pick<WordField, "name" | "id" | "letter">,
 ): string {
-  const letter = blockLetter(kind, wordOfField({ id }));
+  const letter = letterOf(field);
   const full = typeof name === "string" ? t.fields[name] : t.fields.wordOf(name.word);
   return full.endsWith(` ${letter}`) ? full.slice(0, -letter.length - 1) : full === letter ? "" : full;
 }
@@ -64,7 +63,7 @@ function WordPictures({ kind, field }: Props) {
   const hasOwn = blockSources(kind, word).some(({ line }) => line !== null);
   const choices: Readonly<Record<string, string>> = editor.choices;
   const sizes = field.choices || made?.tried.length !== 3 ? [] : [t.values.small, t.values.usual, t.values.large];
-  const letter = blockLetter(kind, word);
+  const letter = letterOf(field);
   return (
     <section className="guide-values" aria-label={t.values.title} aria-busy={working}>
       <h2>{t.values.title}</h2>
@@ -74,7 +73,7 @@ function WordPictures({ kind, field }: Props) {
           {t.values.working}
         </p>
       )}
-      {made === null && <p className="soft">{blocks.why[whyUnseen(kind, word)]}</p>}
+      {made === null && <p className="soft">{blocks.why[whyUnseen(kind, field)]}</p>}
       {made?.line === null && hasOwn && <p className="soft">{blocks.why.yours}</p>}
       {made && (
         <ol className="value-cards">
@@ -87,7 +86,7 @@ function WordPictures({ kind, field }: Props) {
                 key={tried.text}
                 tried={tried}
                 box={made.box}
-                letter={letter === "" ? wordName({ editor }, kind, field) : letter}
+                letter={letter === "" ? wordName({ editor }, field) : letter}
                 text={text}
                 unit={field.unit ?? ""}
                 size={sizes[i] ?? null}
@@ -194,9 +193,7 @@ function Words({
 }) {
   const texts = useTexts();
   const blocks = useTexts("guide-blocks");
-  const fields = fieldsOf(source).filter(
-    (field) => wordOfField(field) !== but && blockWordTexts(blocks, kind, wordOfField(field)),
-  );
+  const fields = fieldsOf(source).filter((field) => wordOfField(field) !== but && blockWordTexts(blocks, kind, field));
   if (fields.length === 0) return null;
   return (
     <section aria-label={blocks.words}>
@@ -204,7 +201,7 @@ function Words({
       <ul className="guide-links">
         {fields.map((field) => (
           <GuideButton key={field.id} to={blockPage(kind, wordOfField(field))}>
-            <b className="number">{blockLetter(kind, wordOfField(field))}</b> {wordName(texts, kind, field)}
+            <b className="number">{letterOf(field)}</b> {wordName(texts, field)}
           </GuideButton>
         ))}
       </ul>
@@ -223,7 +220,7 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
   const all = source ? fieldsOf(source.statement) : [];
   const at = all.findIndex((each) => wordOfField(each) === word),
     field = all[at];
-  const said = blockWordTexts(blocks, kind, word, places);
+  const said = field && blockWordTexts(blocks, kind, field, places);
   if (!source || !field || !said) return <h1>{t.missing}</h1>;
   const rules = [blockRule(blocks, kind, word), blocks.kinds[kind].rule];
   const turn = (to: WordField | undefined, icon: "up" | "down", name: string, long: (name: string) => string) => (
@@ -231,7 +228,7 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
       type="button"
       className="button"
       disabled={!to}
-      aria-label={to && long([blockLetter(kind, wordOfField(to)), wordName(texts, kind, to)].join(" ").trim())}
+      aria-label={to && long([letterOf(to), wordName(texts, to)].join(" ").trim())}
       onClick={() => to && showGuide(...blockPage(kind, wordOfField(to)))}
     >
       <Icon name={icon} /> {name}
@@ -242,7 +239,7 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
       <header className="guide-head">
         <p className="soft">{texts.editor.kinds[kind]}</p>
         <h1>
-          <span className="number prompt-q">{blockLetter(kind, word)}</span> {wordName(texts, kind, field)}
+          <span className="number prompt-q">{letterOf(field)}</span> {wordName(texts, field)}
         </h1>
         <p>
           <Said text={said.about} />

@@ -3,7 +3,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import type { PointName } from "../../kernel/plane/approach.ts";
 import { compensate } from "../../kernel/plane/compensate.ts";
 import { plane } from "../../kernel/plane/plane.ts";
-import { APPROACH_FORMS, type ApproachForm } from "../../nc/statement.ts";
+import { APPROACH_FORMS, type ApproachForm } from "../../nc/words.ts";
 import { isPolar, shapeOf } from "../../program/motion/approach-fields.ts";
 import type { Bounds, Place } from "../../view/camera.ts";
 import { approachDrawing } from "../../view/approach/drawing.ts";

@@ -7,10 +7,11 @@ import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { simulate } from "../../sim/simulate.ts";
 import { fieldsOf } from "../../app/fields/blocks/block-fields.ts";
 import { spreadOf, textsBeside, wordOfField } from "../../app/fields/blocks/block-guide.ts";
-import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
+import type { BlockKind } from "../../nc/blocks/names.ts";
+import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { palette } from "../editor/palette.ts";
 import { blockSources, textWith, type BlockSource } from "./block-source.ts";
-import { whyUnseen } from "./block-unseen.ts";
+import { whyUnseen } from "./block-samples.ts";
 import { blockRule, blockWordTexts } from "./block-words.ts";
 
 const kinds = Object.keys(guideBlocks.kinds) as (keyof typeof guideBlocks.kinds & BlockKind)[];
@@ -29,7 +30,7 @@ test("every kind of block that can be put in has its page, and every word in it 
     const statement = make?.("en");
     if (!statement || statement.kind === "approach") continue;
     for (const field of fieldsOf(statement))
-      expect(blockWordTexts(guideBlocks, kind, wordOfField(field)), `${kind} ${field.id}`).not.toBeNull();
+      expect(blockWordTexts(guideBlocks, kind, field), `${kind} ${field.id}`).not.toBeNull();
   }
   for (const id of Object.keys(guideBlocks.rules))
     expect(blockRule(guideBlocks, id.split(".")[0] as BlockKind, id.split(".").at(-1) ?? "")).not.toBe("");
@@ -40,7 +41,7 @@ test("a small and a large value of a word make another run than the usual one, w
     const [shown] = blockSources(kind, null);
     for (const field of shown ? fieldsOf(shown.statement) : []) {
       const word = wordOfField(field),
-        spread = spreadOf(kind, field);
+        spread = spreadOf(field);
       const [source] = blockSources(kind, word);
       if (!spread || !source || "tools" in spread || SAME.has(`${kind}.${word}`)) continue;
       const usual = field.read(source.statement),
@@ -67,11 +68,15 @@ test("every word that is shown at no values says why", () => {
   const unsaid = kinds.flatMap((kind) => {
     const [shown] = blockSources(kind, null);
     return (shown ? fieldsOf(shown.statement) : [])
-      .filter((field) => !spreadOf(kind, field) && whyUnseen(kind, wordOfField(field)) === "same")
+      .filter((field) => !spreadOf(field) && whyUnseen(kind, field) === "same")
       .map((field) => `${kind}.${wordOfField(field)}`);
   });
   expect(unsaid).toEqual([]);
-  expect([whyUnseen("L", "Y"), whyUnseen("call", "label"), whyUnseen("toolCall", "deltaRadius")]).toEqual([
+  const why = (line: string, id: string) => {
+    const s = parse(line).blocks[0]?.statement ?? never(line);
+    return whyUnseen(kindOf(s), fieldsOf(s).find((field) => field.id === id) ?? never(id));
+  };
+  expect([why("L X+1", "Y"), why("CALL LBL 1", "label"), why("TOOL CALL 1", "deltaRadius")]).toEqual([
     "axis",
     "name",
     "milling",

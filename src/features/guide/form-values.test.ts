@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { plane, type PlaneSegment } from "../../kernel/plane/plane.ts";
-import type { ApproachForm } from "../../nc/statement.ts";
+import type { ApproachForm } from "../../nc/words.ts";
 import { isPolar, shapeOf } from "../../program/motion/approach-fields.ts";
 import { wordsOfPoint, type ApproachContext } from "../../program/edits/approach-request.ts";
 import { suggestedForms } from "../../view/approach/forms.ts";

@@ -1,7 +1,7 @@
 import { approach, type Approach, type ApproachRequest } from "../../kernel/plane/approach.ts";
 import { plane, type PlanePoint, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import { rounded } from "../../kernel/units.ts";
-import type { ApproachForm } from "../../nc/statement.ts";
+import type { ApproachForm } from "../../nc/words.ts";
 import { readApproach, type ApproachDraft } from "../../program/edits/approach-draft.ts";
 import { readyApproach, type ApproachContext } from "../../program/edits/approach-request.ts";
 

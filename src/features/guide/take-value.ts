@@ -1,7 +1,7 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
 import { setPrompt, setSpindle } from "../../app/document/edits.ts";
-import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
+import type { BlockKind } from "../../nc/blocks/names.ts";
 import { untilHere } from "../../app/base/parts.ts";
 import { closeStep } from "../../app/document/steps.ts";
 import { edit, useEditor } from "../../app/document/store.ts";

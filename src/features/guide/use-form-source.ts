@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import type { PlaneSegment } from "../../kernel/plane/plane.ts";
 import { parse } from "../../nc/parse.ts";
 import { startLines } from "../../nc/program.ts";
-import type { ApproachForm } from "../../nc/statement.ts";
+import type { ApproachForm } from "../../nc/words.ts";
 import { approachContext } from "../../program/edits/approach-context.ts";
 import { approachDraft, readApproach, type ApproachDraft } from "../../program/edits/approach-draft.ts";
 import { shapeOf } from "../../program/motion/approach-fields.ts";

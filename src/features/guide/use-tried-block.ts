@@ -1,6 +1,6 @@
 import { useCallback } from "react";
 import type { Box } from "../../kernel/geometry/segments.ts";
-import type { BlockKind } from "../../app/fields/blocks/block-kind.ts";
+import type { BlockKind } from "../../nc/blocks/names.ts";
 import { spreadOf, textsBeside } from "../../app/fields/blocks/block-guide.ts";
 import { outcomeBeside } from "../../app/calculation/beside.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
@@ -50,14 +50,9 @@ const isAlike = (a: Outcome, b: Outcome): boolean => {
 const isRun = ({ run }: Outcome): boolean =>
   run.steps.length > 0 && run.issues.every(({ issue }) => issue.severity !== "error");
 
-async function tryAt(
-  source: BlockSource,
-  kind: BlockKind,
-  word: string,
-  goesOn: () => boolean,
-): Promise<TriedBlock | null> {
+async function tryAt(source: BlockSource, word: string, goesOn: () => boolean): Promise<TriedBlock | null> {
   const field = fieldOfWord(source.statement, word),
-    spread = field && spreadOf(kind, field);
+    spread = field && spreadOf(field);
   if (!field || !spread) return null;
   const usual = field.read(source.statement);
   const ran: (RanValue & { readonly text: string })[] = [];
@@ -76,7 +71,7 @@ async function tryAt(
 /** Runs a program with other texts in a word of one of its blocks; null where that makes no difference. */
 async function tryBlock(kind: BlockKind, word: string, goesOn: () => boolean): Promise<TriedBlock | null> {
   for (const source of blockSources(kind, word)) {
-    const shown = await tryAt(source, kind, word, goesOn);
+    const shown = await tryAt(source, word, goesOn);
     if (shown || !goesOn()) return shown;
   }
   return null;

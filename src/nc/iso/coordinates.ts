@@ -1,5 +1,5 @@
 import { valueText } from "../number-text.ts";
-import type { Value } from "../statement.ts";
+import type { Value } from "../words.ts";
 import type { IsoToken } from "./tokens.ts";
 import { isoMeaningOf, isoWordFor } from "./words.ts";
 

@@ -1,4 +1,4 @@
-import type { FeedWord } from "../statement.ts";
+import type { FeedWord } from "../words.ts";
 import type { IsoNames } from "./names.ts";
 import type { IsoMeaning } from "./words.ts";
 

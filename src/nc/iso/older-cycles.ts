@@ -1,4 +1,5 @@
-import type { AxisName, AxisWord, Statement, StatementOf, Value } from "../statement.ts";
+import type { Statement, StatementOf } from "../statement.ts";
+import type { AxisName, AxisWord, Value } from "../words.ts";
 import { readValue, VALUE } from "../value.ts";
 import { coordinateTexts, type IsoCoordinate } from "./coordinates.ts";
 import { olderTitle, type IsoNames } from "./names.ts";

@@ -1,14 +1,6 @@
 import { feedText } from "../print-words.ts";
-import type {
-  AxisName,
-  AxisWord,
-  FunctionNumber,
-  Label,
-  Parameter,
-  Statement,
-  StatementOf,
-  Value,
-} from "../statement.ts";
+import type { Statement, StatementOf } from "../statement.ts";
+import type { AxisName, AxisWord, FunctionNumber, Label, Parameter, Value } from "../words.ts";
 import { coordinateTexts } from "./coordinates.ts";
 import { parameterWord } from "./older-cycles.ts";
 import {

@@ -1,6 +1,6 @@
 import { valueText } from "../number-text.ts";
 import { feedText } from "../print-words.ts";
-import type { AxisWord, PolarWord, Value, Words } from "../statement.ts";
+import type { AxisWord, PolarWord, Value, Words } from "../words.ts";
 import { LAYOUTS } from "../style.ts";
 import { coordinateTexts, type IsoCoordinate } from "./coordinates.ts";
 import { isoWordFor } from "./words.ts";

@@ -1,6 +1,7 @@
 import { parse } from "../parse.ts";
 import { readLabel, readValue, VALUE } from "../value.ts";
-import type { CycleParameter, Formula, Label, Parameter, Statement, Value } from "../statement.ts";
+import type { Statement } from "../statement.ts";
+import type { CycleParameter, Formula, Label, Parameter, Value } from "../words.ts";
 import { coordinatesOf, dimensionOf } from "./coordinates.ts";
 import type { IsoProblem } from "./issue.ts";
 import { LONGEST_LINE, type IsoBlock } from "./lines.ts";

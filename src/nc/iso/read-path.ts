@@ -1,4 +1,5 @@
-import type { AxisName, AxisWord, FeedWord, PathKind, Statement, Value, Words } from "../statement.ts";
+import type { Statement } from "../statement.ts";
+import type { AxisName, AxisWord, FeedWord, PathKind, Value, Words } from "../words.ts";
 import { coordinatesOf, dimensionOf, type IsoCoordinate } from "./coordinates.ts";
 import type { IsoProblem } from "./issue.ts";
 import type { IsoModal, PathMeaning } from "./modal.ts";

@@ -1,5 +1,5 @@
 import { Scan } from "../scan.ts";
-import type { Value } from "../statement.ts";
+import type { Value } from "../words.ts";
 import { NUMBER_PARAMETER, readValue, VALUE } from "../value.ts";
 
 /** One word of a block. */

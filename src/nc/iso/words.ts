@@ -1,4 +1,4 @@
-import type { AxisName, Compensation, FunctionNumber, PathKind } from "../statement.ts";
+import type { AxisName, Compensation, FunctionNumber, PathKind } from "../words.ts";
 
 /**
  * How far a word can be trusted: A printed for TNC 640 or TNC7, B for a sibling control, K1 to K3 recalled, from sure

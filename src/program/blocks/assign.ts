@@ -1,4 +1,5 @@
-import type { FileName, Statement } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { FileName } from "../../nc/words.ts";
 import { formulaOf, textOf, type Trouble } from "../values/formula.ts";
 import type { Machine } from "../state/machine.ts";
 

@@ -1,7 +1,8 @@
 import { writtenFile } from "./assign.ts";
-import type { FileName, OutlinePlace, StatementOf } from "../../nc/statement.ts";
+import type { StatementOf } from "../../nc/statement.ts";
+import type { FileName, OutlinePlace } from "../../nc/words.ts";
 import { assign, assignText } from "./assign.ts";
-import { contourLabels } from "../state/contour-names.ts";
+import { contourLabels } from "../../nc/blocks/cycle-line.ts";
 import type { Machine } from "../state/machine.ts";
 import type { ContourSource, JoinedContours } from "../state/modal.ts";
 import type { Unit } from "../state/units.ts";

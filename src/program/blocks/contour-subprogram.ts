@@ -1,7 +1,8 @@
 import { SAME } from "../../kernel/tolerance.ts";
 import { contourFrom, type Contour, type ContourElement } from "../../kernel/contour/contour.ts";
 import { at as pointAt, part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
-import type { Label, PathKind, Statement, StatementOf, Words } from "../../nc/statement.ts";
+import type { Statement, StatementOf } from "../../nc/statement.ts";
+import type { Label, PathKind, Words } from "../../nc/words.ts";
 import { assign, assignText } from "./assign.ts";
 import { isFreeElement, solveFree, type FreeBlock } from "../state/free-contour.ts";
 import { collectFree, sayChosen, sayUnsolved } from "./free-words.ts";

@@ -1,4 +1,5 @@
-import type { Label, Parameter, Statement, Value, Words } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { Label, Parameter, Value, Words } from "../../nc/words.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 import type { Ending, Return } from "../state/run-state.ts";

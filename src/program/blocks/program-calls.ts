@@ -1,11 +1,9 @@
+import { PROGRAM_CYCLE } from "../../nc/blocks/cycle-line.ts";
 import { writtenFile } from "./assign.ts";
 import type { StatementOf } from "../../nc/statement.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 import { nameInCycle } from "../state/program-files.ts";
-
-/** The older cycle that names a program, which a cycle call then runs. */
-export const PROGRAM_CYCLE = 12;
 
 /** Nobody knows what the called program does: not where it leaves the tool, and not what it cuts. */
 function lost(machine: Machine, what: string, index: number): void {

@@ -9,7 +9,8 @@ import {
   type UndercutForm,
 } from "../../kernel/contour/undercut.ts";
 import { diameter, toRadius } from "../../kernel/units.ts";
-import type { NamedWord, Statement } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { NamedWord } from "../../nc/words.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 

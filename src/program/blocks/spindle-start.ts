@@ -1,7 +1,7 @@
 import { isDrill } from "../../kernel/cutter/drill.ts";
 import { issue } from "../../kernel/plan/issue.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
-import type { Words } from "../../nc/statement.ts";
+import type { Words } from "../../nc/words.ts";
 import type { Machine } from "../state/machine.ts";
 import { idleSpindle } from "../state/spindle-state.ts";
 

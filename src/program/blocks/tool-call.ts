@@ -1,6 +1,7 @@
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { degrees, length } from "../../kernel/units.ts";
-import type { Parameter, Statement, StatementOf } from "../../nc/statement.ts";
+import type { Statement, StatementOf } from "../../nc/statement.ts";
+import type { Parameter } from "../../nc/words.ts";
 import { breaksRule } from "../state/control-rule.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";

@@ -1,5 +1,5 @@
 import { cycleByNumber } from "../../cycles/index.ts";
-import type { CycleParameter } from "../../nc/statement.ts";
+import type { CycleParameter } from "../../nc/words.ts";
 import { NUMBER_PARAMETER, PARAMETER, readValue, VALUE } from "../../nc/value.ts";
 import { NO_TRANSFORM } from "../tools/coordinates-frame.ts";
 import { dwellFunction, dwellLine, DWELL_CYCLE } from "./dwell.ts";

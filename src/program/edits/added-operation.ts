@@ -2,12 +2,12 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import type { Program } from "../../nc/program.ts";
 import { withBlocks } from "../../nc/replace.ts";
 import type { Statement } from "../../nc/statement.ts";
+import { noWords } from "../../nc/words.ts";
 import type { SetJob } from "../job/job.ts";
 import { blocksOfStatements, withAddedBehind } from "./operation-edits.ts";
 import { endsMain, operationsOf } from "./operations.ts";
 import { outputIn } from "./output-in.ts";
 import { jobStatements, type Labels } from "../job/print-job.ts";
-import { noWords } from "../values/typed-value.ts";
 
 /** Where an operation is added, and what it is called. */
 export interface Adding {

@@ -1,7 +1,7 @@
 import { plane, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane/plane.ts";
 import { diameter, INCH, toRadius } from "../../kernel/units.ts";
 import type { Program } from "../../nc/program.ts";
-import type { AxisName } from "../../nc/statement.ts";
+import type { AxisName } from "../../nc/words.ts";
 import type { WorkingPlane } from "../motion/approach-fields.ts";
 import type { ApproachContext } from "./approach-request.ts";
 import { growthIn, isFlipped, NO_TRANSFORM, toProgram } from "../tools/coordinates-frame.ts";

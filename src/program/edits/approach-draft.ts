@@ -1,5 +1,6 @@
 import { issue } from "../../kernel/plan/issue.ts";
-import type { FeedWord, PolarWord, Statement, Value, Words } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { FeedWord, PolarWord, Value, Words } from "../../nc/words.ts";
 import { approachFields, type ApproachField, type ApproachWord, type WorkingPlane } from "../motion/approach-fields.ts";
 import type { KnownParameters } from "../values/expression.ts";
 import { nothing, readText, wrong, type FieldReading } from "../values/field.ts";

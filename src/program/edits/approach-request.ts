@@ -9,7 +9,7 @@ import {
 } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { inDegrees, radius, rounded, toDiameter } from "../../kernel/units.ts";
-import type { ApproachForm } from "../../nc/statement.ts";
+import type { ApproachForm } from "../../nc/words.ts";
 import { SIDES, type ApproachReading } from "./approach-draft.ts";
 import { isPolar, shapeOf, type ApproachWord, type WorkingPlane } from "../motion/approach-fields.ts";
 import type { KnownParameters } from "../values/expression.ts";

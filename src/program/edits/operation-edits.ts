@@ -5,6 +5,7 @@ import type { Block, Program } from "../../nc/program.ts";
 import { styleAt } from "../../nc/read-style.ts";
 import { withBlocks, withSkip } from "../../nc/replace.ts";
 import type { Statement } from "../../nc/statement.ts";
+import { noWords } from "../../nc/words.ts";
 import { wordsOf } from "../blocks/flow.ts";
 import { inForceBehind, NOTHING_IN_FORCE, type InForce } from "./in-force.ts";
 import {
@@ -21,7 +22,6 @@ import {
   type Tie,
 } from "./operations.ts";
 import { parametersOf, sharedParameter } from "./shared-parameters.ts";
-import { noWords } from "../values/typed-value.ts";
 
 /** Why an operation can not go where it is asked to: what ties it, or a parameter that is set and used across. */
 export interface Refusal {

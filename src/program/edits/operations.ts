@@ -1,7 +1,9 @@
 import { cycleByNumber } from "../../cycles/index.ts";
+import { klartext } from "../../nc/blocks/klartext.ts";
 import type { Block, Program } from "../../nc/program.ts";
-import type { Label, Parameter, Statement } from "../../nc/statement.ts";
-import { CONTOUR_CYCLE } from "../state/contour-names.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { Label, Parameter } from "../../nc/words.ts";
+import { CONTOUR_CYCLE } from "../../nc/blocks/cycle-line.ts";
 import { wordsOf } from "../blocks/flow.ts";
 import { actsAtOnce, isSilent } from "../blocks/unproved-blocks.ts";
 
@@ -65,11 +67,7 @@ export const endsMain = (s: Statement): boolean => s.kind === "end" || functions
 
 /** True for what calls the cycle that is defined, or runs something else in its place. */
 export const callsCycle = (s: Statement): boolean =>
-  s.kind === "cycleCall" ||
-  s.kind === "call" ||
-  s.kind === "callProgram" ||
-  s.kind === "callSelected" ||
-  functionsOf(s).some((m) => CALLS.includes(m));
+  klartext.has(s, "calls") || functionsOf(s).some((m) => CALLS.includes(m));
 
 /** A cycle that waits for its call. */
 export const definesCycle = (s: Statement): boolean =>
@@ -80,69 +78,34 @@ const callsTool = (s: Statement): boolean => s.kind === "toolCall" && s.tool !==
 const changesFrame = (s: Statement): boolean => {
   if (s.kind === "cycle" || s.kind === "cycleLine")
     return s.cycle !== CONTOUR_CYCLE && actsAtOnce(s.cycle) && (s.cycle === PRESET || !isSilent(s.cycle));
-  return (
-    s.kind === "datum" ||
-    s.kind === "datumTable" ||
-    s.kind === "mirror" ||
-    s.kind === "rotation" ||
-    s.kind === "scale" ||
-    s.kind === "plane"
-  );
+  return klartext.has(s, "movesFrame");
 };
 const PRESET = 247;
 
-const isNote = (s: Statement): boolean => s.kind === "structure" || s.kind === "comment" || s.kind === "empty";
 export const setsFeedUnit = (s: Statement): boolean =>
   s.kind === "functions" && functionsOf(s).every((m) => FEED_UNITS.includes(m));
-const isFrame = (s: Statement): boolean =>
-  s.kind === "begin" ||
-  s.kind === "blankBox" ||
-  s.kind === "blankCylinder" ||
-  s.kind === "blankRotation" ||
-  s.kind === "blankFile" ||
-  s.kind === "turnBlank" ||
-  s.kind === "mode";
 const isRapid = (s: Statement): boolean =>
   (s.kind === "path" && s.words.feed === "max" && !callsCycle(s)) ||
   (s.kind === "functions" && s.words.retract !== undefined);
 /** A block that only names what the next cycle is run with. */
-const namesContour = (s: Statement): boolean =>
-  (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE) ||
-  s.kind === "selectContour" ||
-  s.kind === "contourDefinition" ||
-  s.kind === "declareContour" ||
-  s.kind === "contourFormula";
+export const namesContour = (s: Statement): boolean =>
+  klartext.has(s, "namesContour") || (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE);
 const switchesOn = (s: Statement): boolean =>
   s.kind === "functions" && s.words.functions.every((m) => KEPT_ON.some(({ on }) => on.includes(m)));
 const preparesCycle = (s: Statement): boolean =>
-  isNote(s) ||
-  switchesOn(s) ||
+  klartext.has(s, "preparesCycle") ||
   namesContour(s) ||
-  s.kind === "assign" ||
-  s.kind === "assignText" ||
-  s.kind === "spin" ||
+  switchesOn(s) ||
   setsFeedUnit(s) ||
   (s.kind === "toolCall" && s.tool === null) ||
   changesFrame(s);
+/** M functions that call no cycle. */
+const onlySwitches = (s: Statement): boolean => s.kind === "functions" && !callsCycle(s);
 /** What may stand between a tool call and the first cut. */
-const preparesTool = (s: Statement): boolean =>
-  isNote(s) ||
-  callsTool(s) ||
-  s.kind === "toolCall" ||
-  s.kind === "toolDefinition" ||
-  s.kind === "spin" ||
-  s.kind === "turnCorrection" ||
-  s.kind === "mode" ||
-  s.kind === "turnBlank" ||
-  s.kind === "assign" ||
-  s.kind === "assignText" ||
-  isRapid(s) ||
-  (s.kind === "functions" && !callsCycle(s));
+const preparesTool = (s: Statement): boolean => klartext.has(s, "preparesTool") || isRapid(s) || onlySwitches(s);
 /** What may stand before the tool call that begins a section. */
-const leadsTool = (s: Statement): boolean =>
-  isNote(s) || s.kind === "toolDefinition" || s.kind === "spin" || s.kind === "mode" || setsFeedUnit(s);
-const leaves = (s: Statement): boolean =>
-  isRapid(s) || isNote(s) || s.kind === "stop" || (s.kind === "functions" && !callsCycle(s));
+const leadsTool = (s: Statement): boolean => klartext.has(s, "leadsTool") || setsFeedUnit(s);
+const leaves = (s: Statement): boolean => klartext.has(s, "leaves") || isRapid(s) || onlySwitches(s);
 
 /** Index behind the blocks before `at`, not before `least`, that all are of a kind. */
 function backOver(blocks: readonly Block[], at: number, least: number, is: (s: Statement) => boolean): number {
@@ -214,17 +177,7 @@ function firstOwn(blocks: readonly Block[], from: number): number {
   let own = from;
   for (let i = from; i < blocks.length; i += 1) {
     const s = blocks[i]?.statement;
-    if (
-      !s ||
-      !(
-        s.kind === "spin" ||
-        setsFeedUnit(s) ||
-        s.kind === "mode" ||
-        s.kind === "turnCorrection" ||
-        s.kind === "comment"
-      )
-    )
-      break;
+    if (!s || !(klartext.has(s, "ofTool") || setsFeedUnit(s) || s.kind === "comment")) break;
     if (s.kind !== "comment") own = i + 1;
   }
   return own;
@@ -276,7 +229,9 @@ export function operationsOf({ blocks }: Program): Operations {
   const frame =
     blocks
       .slice(0, end)
-      .findLastIndex(({ statement: s }, i) => isFrame(s) && i < Math.min(...tools, firstCut < 0 ? end : firstCut)) + 1;
+      .findLastIndex(
+        ({ statement: s }, i) => klartext.has(s, "opening") && i < Math.min(...tools, firstCut < 0 ? end : firstCut),
+      ) + 1;
   const toolStarts = tools.map((tool, k) =>
     backOver(blocks, tool, k === 0 ? frame : (tools[k - 1] ?? 0) + 1, leadsTool),
   );
@@ -339,4 +294,4 @@ export function isOff({ blocks }: Program, { from, to }: BlockRange): boolean {
 /** True where a cycle takes its contour from a subprogram. */
 export const isOfFreeContour = (s: Statement): boolean =>
   s.kind === "cycle" && cycleByNumber(s.cycle)?.contour === "free";
-export { isNote, namesContour };
+export const isNote = (s: Statement): boolean => klartext.has(s, "note");

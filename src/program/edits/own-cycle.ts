@@ -1,6 +1,7 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { isKept } from "../../cycles/kept-cycles.ts";
-import type { CycleParameter, StatementOf } from "../../nc/statement.ts";
+import type { StatementOf } from "../../nc/statement.ts";
+import type { CycleParameter } from "../../nc/words.ts";
 import { isDrilling } from "../blocks/drill-run.ts";
 import { anyNumber, feedWord, readText, type Field } from "../values/field.ts";
 import { parameterAsTyped } from "../values/typed-value.ts";

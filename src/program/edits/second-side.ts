@@ -7,13 +7,14 @@ import { IN_MM, radius, toDiameter } from "../../kernel/units.ts";
 import { programText } from "../../nc/print.ts";
 import type { Program } from "../../nc/program.ts";
 import { styleAt } from "../../nc/read-style.ts";
-import type { AxisWord, Statement, StatementOf } from "../../nc/statement.ts";
+import type { Statement, StatementOf } from "../../nc/statement.ts";
+import { noWords, type AxisWord } from "../../nc/words.ts";
 import { kept } from "../values/field.ts";
 import type { NcOutput } from "../machine/nc-output.ts";
 import { setsFeedUnit } from "./operations.ts";
 import { outputIn } from "./output-in.ts";
 import { AWAY, nameOnControl } from "../job/print-job.ts";
-import { noWords, POSITION_DECIMALS } from "../values/typed-value.ts";
+import { POSITION_DECIMALS } from "../values/typed-value.ts";
 
 /** How the second clamping is written. */
 export interface SecondSide {

@@ -1,5 +1,6 @@
 import type { Program } from "../../nc/program.ts";
-import type { AxisWord, Statement, Words } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { AxisWord, Words } from "../../nc/words.ts";
 import { newRow, type ContourRow } from "./job.ts";
 import { valueAsTyped } from "../values/typed-value.ts";
 

@@ -1,8 +1,8 @@
+import { noWords } from "../../nc/words.ts";
 import { programText } from "../../nc/print.ts";
 import { LAYOUTS } from "../../nc/style.ts";
 import type { BlankDraft } from "./job.ts";
 import { blankStatement, nameOnControl } from "./print-job.ts";
-import { noWords } from "../values/typed-value.ts";
 
 /** A program with its blank and nothing in it yet, that runs to its end. */
 export function emptyProgram(typedName: string, blank: BlankDraft): string {

@@ -2,13 +2,13 @@ import type { GivenCoordinate } from "../../kernel/solve/solve-work.ts";
 import { issue } from "../../kernel/plan/issue.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 import { axial, type Axial, diameter, inDegrees, type Radius, STEP, toDiameter, toRadius } from "../../kernel/units.ts";
-import type { PolarWord, Words } from "../../nc/statement.ts";
+import { noWords, type PolarWord, type Words } from "../../nc/words.ts";
 import { programIssue } from "../state/issue.ts";
 import { kept } from "../values/field.ts";
 import type { ContourRow } from "./job.ts";
 import { plainReader, polarPoint } from "../state/path.ts";
 import { NEEDED, goesNowhere, rowNumber, type RowReader } from "./row-reader.ts";
-import { noWords, POSITION_DECIMALS, typedValue } from "../values/typed-value.ts";
+import { POSITION_DECIMALS, typedValue } from "../values/typed-value.ts";
 
 /** A word that gives the end of a polar element: distance from the pole in mm, angle from +Z towards +X in degrees. */
 export type PolarName = "PR" | "PA";

@@ -1,11 +1,12 @@
-import type { AxisWord, NamedWord, Statement, Value, Words } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import { noWords, type AxisWord, type NamedWord, type Value, type Words } from "../../nc/words.ts";
 import { readRows, type RowReading } from "./contour-rows.ts";
 import { kept } from "../values/field.ts";
 import type { ContourRow } from "./job.ts";
 import { polarWords } from "./polar-row.ts";
 import { formWord } from "../blocks/recess-words.ts";
 import { recessWords } from "./row-given.ts";
-import { noWords, POSITION_DECIMALS, typedAxis, typedValue } from "../values/typed-value.ts";
+import { POSITION_DECIMALS, typedAxis, typedValue } from "../values/typed-value.ts";
 
 const path = (
   kind: "L" | "RND" | "CR" | "C" | "CC" | "CT" | "LP" | "CP" | "CTP",

@@ -2,7 +2,8 @@ import type { Cycle } from "../../cycles/define.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import type { Param } from "../../cycles/params.ts";
 import { programText } from "../../nc/print.ts";
-import type { AxisWord, CycleParameter, Statement, Value, Words } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import { noWords, type AxisWord, type CycleParameter, type Value, type Words } from "../../nc/words.ts";
 import { LAYOUTS, type Style } from "../../nc/style.ts";
 import { clampingText } from "../clamping/words.ts";
 import type { KnownParameters } from "../values/expression.ts";
@@ -12,7 +13,7 @@ import type { NcOutput } from "../machine/nc-output.ts";
 import { contourStatements } from "./print-contour.ts";
 import { anyNumber, kept, readText } from "../values/field.ts";
 import { readDraft, type Draft } from "./read-draft.ts";
-import { noWords, POSITION_DECIMALS, typedAxis as axis, typedValue as value } from "../values/typed-value.ts";
+import { POSITION_DECIMALS, typedAxis as axis, typedValue as value } from "../values/typed-value.ts";
 
 /** The words of NC text in one language; `i18n` has them, since the printer knows no cycle by name. */
 export interface Labels {
@@ -46,7 +47,7 @@ function parameters(cycle: Cycle, draft: Draft, known: KnownParameters, labels: 
 
 function spin(job: Job): Statement {
   const { mode, speed, cuttingSpeed, limit } = job.spindle;
-  const none = { cuttingSpeed: null, speed: null, limit: null };
+  const none = { cuttingSpeed: null, speed: null, limit: null, gear: null };
   return mode === "surface"
     ? { kind: "spin", constantSurface: true, ...none, cuttingSpeed: value(cuttingSpeed), limit: value(limit) }
     : { kind: "spin", constantSurface: false, ...none, speed: value(speed) };

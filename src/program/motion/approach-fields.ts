@@ -1,4 +1,4 @@
-import type { ApproachForm } from "../../nc/statement.ts";
+import type { ApproachForm } from "../../nc/words.ts";
 import type { Field } from "../values/field.ts";
 
 /** Words of an APPR or DEP block that have a prompt of their own. SIDE is RL, RR or R0. */

@@ -1,7 +1,7 @@
 import { diameter, length, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 import { readWords } from "../../nc/read-words.ts";
 import { Scan } from "../../nc/scan.ts";
-import type { AxisName, AxisWord } from "../../nc/statement.ts";
+import type { AxisName, AxisWord } from "../../nc/words.ts";
 import type { Machine } from "../state/machine.ts";
 import { NO_SHIFT, type Datum } from "../state/modal.ts";
 

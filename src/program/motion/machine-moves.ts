@@ -1,7 +1,7 @@
 import { boxAround } from "../../kernel/area/box.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { axial, radius } from "../../kernel/units.ts";
-import type { Words } from "../../nc/statement.ts";
+import type { Words } from "../../nc/words.ts";
 import { functionFeed, takeFeed } from "../state/block-feed.ts";
 import type { Machine } from "../state/machine.ts";
 import { centreOf, millStep } from "./mill-moves.ts";

@@ -2,7 +2,7 @@ import { planeSegment } from "../../kernel/plane/plane.ts";
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Feed } from "../../kernel/units.ts";
-import type { PathKind } from "../../nc/statement.ts";
+import type { PathKind } from "../../nc/words.ts";
 import type { Machine } from "../state/machine.ts";
 import { millSideStep, type SidePlane } from "./mill-moves.ts";
 import { standing, wordReader } from "./path-block.ts";

@@ -1,4 +1,4 @@
-import type { PathKind, Value, Words } from "../../nc/statement.ts";
+import type { PathKind, Value, Words } from "../../nc/words.ts";
 import { growthIn, isFlipped, NO_TRANSFORM } from "../tools/coordinates-frame.ts";
 import type { Machine } from "../state/machine.ts";
 import { isPolarPath, type MillPlane, type PathBlock } from "../state/path.ts";

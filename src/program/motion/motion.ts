@@ -1,6 +1,7 @@
 import { issue } from "../../kernel/plan/issue.ts";
 import type { CornerElement } from "../../kernel/contour/corner.ts";
-import type { StatementOf, Value, Words } from "../../nc/statement.ts";
+import type { StatementOf } from "../../nc/statement.ts";
+import type { Value, Words } from "../../nc/words.ts";
 import { isWholePoint, sideBegins } from "../state/control-rule.ts";
 import type { Machine } from "../state/machine.ts";
 import { elsewhere, isElsewhere } from "./machine-moves.ts";

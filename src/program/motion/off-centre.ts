@@ -1,4 +1,4 @@
-import type { AxisWord } from "../../nc/statement.ts";
+import type { AxisWord } from "../../nc/words.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 

@@ -6,7 +6,7 @@ import type { Move } from "../../kernel/plan/move.ts";
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import type { Feed as FeedNumber } from "../../kernel/units.ts";
-import type { FeedWord, PolarWord, Words } from "../../nc/statement.ts";
+import type { FeedWord, PolarWord, Words } from "../../nc/words.ts";
 import { blockFeed, takeFeed } from "../state/block-feed.ts";
 import { datumShiftOf } from "./datum.ts";
 import { breaksRule } from "../state/control-rule.ts";

@@ -1,6 +1,6 @@
 import { plane, planePoint, type PlanePoint, type PlaneSegment, type Side } from "../../kernel/plane/plane.ts";
 import { ARC_END, SAME } from "../../kernel/tolerance.ts";
-import type { ApproachForm, Compensation, Words } from "../../nc/statement.ts";
+import type { ApproachForm, Compensation, Words } from "../../nc/words.ts";
 import { shapeOf } from "./approach-fields.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";

@@ -1,6 +1,6 @@
 import { NO_TRANSFORM, settledTransform, type CoordinateFrame, type Transform } from "../tools/coordinates-frame.ts";
 import { readValue, VALUE } from "../../nc/value.ts";
-import type { AxisName, Value } from "../../nc/statement.ts";
+import type { AxisName, Value } from "../../nc/words.ts";
 import type { Machine } from "../state/machine.ts";
 import type { Modal } from "../state/modal.ts";
 

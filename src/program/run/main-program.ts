@@ -1,6 +1,7 @@
 import type { Program } from "../../nc/program.ts";
-import type { Statement, TextFormula } from "../../nc/statement.ts";
-import { PROGRAM_CYCLE } from "../blocks/program-calls.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { TextFormula } from "../../nc/words.ts";
+import { PROGRAM_CYCLE } from "../../nc/blocks/cycle-line.ts";
 import { fileKey, nameInCycle } from "../state/program-files.ts";
 
 interface TextFile {

@@ -1,7 +1,9 @@
 import { cycleByNumber } from "../../cycles/index.ts";
 import { issue } from "../../kernel/plan/issue.ts";
+import { klartext } from "../../nc/blocks/klartext.ts";
 import type { Block, Program } from "../../nc/program.ts";
-import type { Statement, StatementOf, Words } from "../../nc/statement.ts";
+import type { Statement, StatementOf } from "../../nc/statement.ts";
+import type { Words } from "../../nc/words.ts";
 import { assign, assignText } from "../blocks/assign.ts";
 import {
   blankBox,
@@ -16,7 +18,7 @@ import {
 } from "../blocks/blank-block.ts";
 import { clampedOf, takeComment } from "../clamping/read-clamping.ts";
 import { contourCycle, contourDefinition, selectContour } from "../blocks/contour-choice.ts";
-import { CONTOUR_CYCLE } from "../state/contour-names.ts";
+import { CONTOUR_CYCLE, PROGRAM_CYCLE } from "../../nc/blocks/cycle-line.ts";
 import { callCycle, cycleDefinition } from "../blocks/cycle-call.ts";
 import { datumLine, DATUM_CYCLE, resetDatum, shiftDatum, tableDatum } from "../motion/datum.ts";
 import { advance, neverReached, wordsOf } from "../blocks/flow.ts";
@@ -25,7 +27,7 @@ import { programIssue } from "../state/issue.ts";
 import { Machine } from "../state/machine.ts";
 import { isElsewhere, retract, retracts } from "../motion/machine-moves.ts";
 import { runApproach, chamfer, finish, path } from "../motion/motion.ts";
-import { callProgram, callSelected, PROGRAM_CYCLE, programCycle, selectProgram } from "../blocks/program-calls.ts";
+import { callProgram, callSelected, programCycle, selectProgram } from "../blocks/program-calls.ts";
 import { runHeldElement } from "../motion/path-block.ts";
 import { NOWHERE } from "../state/path.ts";
 import { timingOf } from "./run-times.ts";
@@ -133,8 +135,22 @@ const beginsTurning = (program: Program) => {
   return first !== undefined && first.statement.kind !== "mode";
 };
 
-/** What each kind of block does; a kind without a handler changes nothing. */
-const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: StatementOf<K>, index: number) => void } = {
+/** What a kind of block does. "order": it is run by the order of the blocks, or by its M functions. */
+type Handler<K extends Statement["kind"]> =
+  ((machine: Machine, s: StatementOf<K>, index: number) => void) | "order" | "nothing";
+const HANDLERS: { readonly [K in Statement["kind"]]: Handler<K> } = {
+  begin: "order",
+  end: "order",
+  label: "order",
+  call: "order",
+  jump: "order",
+  raise: "order",
+  functions: "order",
+  stop: "order",
+  empty: "nothing",
+  structure: "nothing",
+  declareContour: "nothing",
+  contourFormula: "nothing",
   comment: (machine, s, index) => takeComment(machine, s.text, index),
   path,
   chamfer,
@@ -174,39 +190,25 @@ const HANDLERS: { readonly [K in Statement["kind"]]?: (machine: Machine, s: Stat
   unknown: (machine, s, index) => textBlock(machine, s.text, index),
 };
 
-/** Kinds that are run by the order of the blocks, or by their M functions. */
-const IN_ORDER: ReadonlySet<Statement["kind"]> = new Set([
-  "begin",
-  "end",
-  "label",
-  "call",
-  "jump",
-  "raise",
-  "functions",
-  "stop",
-]);
-
 /** Whether a block of a kind does anything; of comments only the one that states the clamping is read. */
-export const acts = (kind: Statement["kind"]): boolean =>
-  kind !== "comment" && (HANDLERS[kind] !== undefined || IN_ORDER.has(kind));
+export const acts = (kind: Statement["kind"]): boolean => kind !== "comment" && HANDLERS[kind] !== "nothing";
 
-/** Blocks behind which no contour goes on. */
-const ENDING: ReadonlySet<Statement["kind"]> = new Set(["mode", "toolCall", "cycleCall"]);
-/** Blocks between an element and the rounding or chamfer on its end. */
-const WAITING: ReadonlySet<Statement["kind"]> = new Set(["path", "free", "chamfer", "empty", "comment", "structure"]);
 /** Feed per revolution, and per minute. */
 const FEED_UNITS: readonly number[] = [136, 137];
 
 /** Carries out what a block leaves behind it: the contours, an element that could still have a corner, or nothing. */
 function before(machine: Machine, s: Statement, words: Words | null): void {
-  const ends = ENDING.has(s.kind) || (words && (retracts(words) || (s.kind === "path" && isElsewhere(words))));
+  const ends =
+    klartext.has(s, "endsContour") || (words && (retracts(words) || (s.kind === "path" && isElsewhere(words))));
   if (ends) return finish(machine);
-  const waits = WAITING.has(s.kind) && !(s.kind === "path" && s.path === "CC");
+  const waits = klartext.has(s, "waits") && !(s.kind === "path" && s.path === "CC");
   if (!waits || words?.functions.some((m) => FEED_UNITS.includes(m))) runHeldElement(machine);
 }
 
-const handle = <K extends Statement["kind"]>(machine: Machine, kind: K, s: StatementOf<K>, index: number) =>
-  HANDLERS[kind]?.(machine, s, index);
+function handle<K extends Statement["kind"]>(machine: Machine, kind: K, s: StatementOf<K>, index: number): void {
+  const handler: Handler<K> = HANDLERS[kind];
+  if (typeof handler === "function") handler(machine, s, index);
+}
 
 function block(machine: Machine, s: Statement, index: number): void {
   const words = wordsOf(s),

@@ -1,5 +1,5 @@
 import { feed as feedNumber, type Feed as FeedNumber } from "../../kernel/units.ts";
-import type { FeedWord } from "../../nc/statement.ts";
+import type { FeedWord } from "../../nc/words.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 

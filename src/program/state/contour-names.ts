@@ -1,17 +1,6 @@
 import type { Block } from "../../nc/program.ts";
-import type { Label, Parameter } from "../../nc/statement.ts";
-import { PARAMETER } from "../../nc/value.ts";
-
-const NAMED = new RegExp(String.raw`"([^"]+)"|(?<![A-Z])(${PARAMETER})|(\d{1,9})`, "gi");
-
-/** Cycle 14 names the labels of the contour behind a word of any language: LABEL2, KONTURLABEL1 /2, LABEL QS3. */
-export const contourLabels = (text: string): (Label | Parameter)[] =>
-  [...text.matchAll(NAMED)].map(([, name, parameter, digits]) =>
-    parameter === undefined ? (name ?? Number(digits)) : { parameter: parameter.toUpperCase(), negative: false },
-  );
-
-/** The cycle that names the labels of a contour. */
-export const CONTOUR_CYCLE = 14;
+import { CONTOUR_CYCLE, contourLabels } from "../../nc/blocks/cycle-line.ts";
+import type { Label } from "../../nc/words.ts";
 
 /** Labels that are outlines of contours or blanks, wherever in the program they are named. */
 export function namesIn(blocks: readonly Block[]): Set<Label> {

@@ -1,4 +1,4 @@
-import type { PathKind, Words } from "../../nc/statement.ts";
+import type { PathKind, Words } from "../../nc/words.ts";
 import { programIssue, type ControlRule } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { isArcPath, isPolarPath } from "./path.ts";

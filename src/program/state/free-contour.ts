@@ -3,7 +3,8 @@ import { solveFreeContour, type FreeSolved } from "../../kernel/free/solve.ts";
 import { plane as flat, planeSegment, type PlanePoint, type PlaneSegment } from "../../kernel/plane/plane.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { inDegrees, radius, toDiameter } from "../../kernel/units.ts";
-import type { AxisWord, FreeForm, StatementOf, Words } from "../../nc/statement.ts";
+import type { StatementOf } from "../../nc/statement.ts";
+import type { AxisWord, FreeForm, Words } from "../../nc/words.ts";
 import {
   AXES,
   freeElement,

@@ -2,7 +2,8 @@ import type { FreeElement, FromPole, FreeValue } from "../../kernel/free/element
 import type { PlanePoint } from "../../kernel/plane/plane.ts";
 import type { Segment } from "../../kernel/geometry/point.ts";
 import { degrees, diameter, radians, toRadius } from "../../kernel/units.ts";
-import type { AxisName, AxisWord, StatementOf, Value, Words } from "../../nc/statement.ts";
+import type { StatementOf } from "../../nc/statement.ts";
+import type { AxisName, AxisWord, Value, Words } from "../../nc/words.ts";
 
 type Free = StatementOf<"free">;
 

@@ -4,7 +4,7 @@ import type { Ring, Segment } from "../../kernel/geometry/point.ts";
 import type { Spindle } from "../../kernel/time/step.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { length, type Feed, type Length } from "../../kernel/units.ts";
-import type { Compensation, Label } from "../../nc/statement.ts";
+import type { Compensation, Label } from "../../nc/words.ts";
 import type { BoxCorner } from "./blank-form.ts";
 import { NO_TRANSFORM, type Transform } from "../tools/coordinates-frame.ts";
 import type { UnknownReason } from "../values/known-values.ts";

@@ -2,7 +2,7 @@ import { segmentTo, type PathElement } from "../../kernel/contour/contour.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { Pt, Segment } from "../../kernel/geometry/point.ts";
 import { axial, diameter, inDegrees, radians, radius, toDiameter, toRadius } from "../../kernel/units.ts";
-import type { AxisName, AxisWord, PathKind, PolarWord, Value, Words } from "../../nc/statement.ts";
+import type { AxisName, AxisWord, PathKind, PolarWord, Value, Words } from "../../nc/words.ts";
 import type { ControlRule } from "./issue.ts";
 import { toProgram, toWorkpiece, type CoordinateFrame } from "../tools/coordinates-frame.ts";
 

@@ -2,7 +2,7 @@ import type { ApproachRequest, ApproachShape } from "../../kernel/plane/approach
 import type { CornerElement } from "../../kernel/contour/corner.ts";
 import type { PlanePoint, PlaneSegment, Side } from "../../kernel/plane/plane.ts";
 import type { Feed } from "../../kernel/units.ts";
-import type { ApproachForm } from "../../nc/statement.ts";
+import type { ApproachForm } from "../../nc/words.ts";
 
 /** The tool axis and the feed of a block; `z` in mm, null while unknown and in turning. A feed of null is rapid. */
 export interface Travel {

@@ -1,5 +1,6 @@
 import type { Block } from "../../nc/program.ts";
-import type { Label, StatementOf } from "../../nc/statement.ts";
+import type { StatementOf } from "../../nc/statement.ts";
+import type { Label } from "../../nc/words.ts";
 import { GrownSet, Table } from "../values/grown.ts";
 import { NOTHING_KNOWN, type Known, type Locals } from "../values/known-values.ts";
 import type { FreeRun } from "./free-contour.ts";

@@ -1,5 +1,5 @@
 import type { Block, Program } from "../../nc/program.ts";
-import type { Label } from "../../nc/statement.ts";
+import type { Label } from "../../nc/words.ts";
 import { namesIn } from "./contour-names.ts";
 
 /**

@@ -4,7 +4,7 @@ import type { FeedUnit } from "../../kernel/plan/move.ts";
 import type { PlanePoint, PlaneSegment, Side } from "../../kernel/plane/plane.ts";
 import type { Turn } from "../../kernel/geometry/point.ts";
 import type { DrillType } from "../../kernel/plan/tool.ts";
-import type { ApproachForm } from "../../nc/statement.ts";
+import type { ApproachForm } from "../../nc/words.ts";
 import type { Transform } from "./coordinates-frame.ts";
 
 /**

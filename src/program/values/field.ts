@@ -1,6 +1,6 @@
 import type { Param } from "../../cycles/params.ts";
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
-import type { Value } from "../../nc/statement.ts";
+import type { Value } from "../../nc/words.ts";
 import { parameterOf } from "../../nc/value.ts";
 import { type KnownParameters, readExpression, spelling } from "./expression.ts";
 

@@ -1,4 +1,4 @@
-import type { Formula, TextFormula, Value } from "../../nc/statement.ts";
+import type { Formula, TextFormula, Value } from "../../nc/words.ts";
 import { inDegrees, radians } from "../../kernel/units.ts";
 
 /** Why a value has no number. */

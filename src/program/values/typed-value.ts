@@ -1,11 +1,9 @@
-import type { AxisWord, CycleParameter, FeedWord, Value, Words } from "../../nc/statement.ts";
+import type { AxisWord, CycleParameter, FeedWord, Value } from "../../nc/words.ts";
 import type { KnownParameters } from "./expression.ts";
 import { anyNumber, feedWord, kept, readText } from "./field.ts";
 
 /** Decimals a control keeps of a position. */
 export const POSITION_DECIMALS = 3;
-/** A block without words. */
-export const noWords: Words = { axes: [], linear: [], functions: [], extra: [] };
 
 /**
  * A typed number as a value of NC text, rounded to what the control keeps; null when it is none. A Q parameter stays

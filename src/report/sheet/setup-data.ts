@@ -6,7 +6,7 @@ import type { Spindle, Step } from "../../kernel/time/step.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import { IN_MM, type LengthUnit } from "../../kernel/units.ts";
 import { blockNumbers, startLines, type Program } from "../../nc/program.ts";
-import type { AxisName } from "../../nc/statement.ts";
+import type { AxisName } from "../../nc/words.ts";
 import { wordsOf } from "../../program/blocks/flow.ts";
 import { isOff, KEPT_ON, operationsOf, wholeOf } from "../../program/edits/operations.ts";
 import type { Mill } from "../../program/tools/plane-types.ts";

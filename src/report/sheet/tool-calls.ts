@@ -1,7 +1,8 @@
 import type { Spindle } from "../../kernel/time/step.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Program } from "../../nc/program.ts";
-import type { Statement, Value } from "../../nc/statement.ts";
+import type { Statement } from "../../nc/statement.ts";
+import type { Value } from "../../nc/words.ts";
 import type { Run } from "../../program/state/run-types.ts";
 
 /** One call of a tool. */

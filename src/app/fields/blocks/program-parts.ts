@@ -1,12 +1,15 @@
+import type { BlockDefinition } from "../../../nc/blocks/define.ts";
+import { klartext } from "../../../nc/blocks/klartext.ts";
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
 import { actsAtOnce } from "../../../program/blocks/unproved-blocks.ts";
 import type { Outcome } from "../../calculation/outcome.ts";
-import { kindOf, type BlockKind } from "./block-kind.ts";
+import { kindOf } from "./block-kind.ts";
+import type { BlockKind } from "../../../nc/blocks/names.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";
 
 /** What the list of parts can be narrowed to. */
-export type PartFilter = "operations" | "labels" | "notes";
+export type PartFilter = NonNullable<BlockDefinition["part"]>;
 
 /** What an executed cycle call did. */
 export interface Done {
@@ -33,33 +36,6 @@ export interface Part {
   /** A cycle that acts where it stands, and is not called. */
   readonly acts: boolean;
 }
-
-const filters: Partial<Record<Statement["kind"], PartFilter>> = {
-  toolCall: "operations",
-  cycle: "operations",
-  mode: "operations",
-  approach: "operations",
-  label: "labels",
-  cycleLine: "labels",
-  selectContour: "labels",
-  call: "labels",
-  structure: "notes",
-  comment: "notes",
-  stop: "notes",
-  unknown: "notes",
-  blankCylinder: "labels",
-  blankRotation: "labels",
-  blankFile: "labels",
-  turnBlank: "labels",
-  datum: "labels",
-  datumTable: "labels",
-  mirror: "labels",
-  rotation: "labels",
-  scale: "labels",
-  callProgram: "labels",
-  selectProgram: "labels",
-  callSelected: "labels",
-};
 
 /** What ends a subprogram, and the further lines of an old cycle, are no parts of their own. */
 const isPart = (s: Statement): boolean =>
@@ -95,7 +71,7 @@ export function partsOf(program: Program, outcome: Outcome | null, file: string 
   const done = outcome ? doneByLine(outcome, file) : null;
   const parts: Part[] = [];
   program.blocks.forEach(({ statement: s, raw }, index) => {
-    const filter = filters[s.kind];
+    const filter = klartext.blockOf(s).part;
     if (filter === undefined || !isPart(s)) return;
     parts.push({
       index,

@@ -1,17 +1,19 @@
 import type { Repair } from "./repair.ts";
 import { valueRepairs } from "./value-repairs.ts";
 import { withBlock, withInserted } from "../../../nc/edit.ts";
+import { klartext } from "../../../nc/blocks/klartext.ts";
 import { blockNumbers, startLines, type Program } from "../../../nc/program.ts";
 import { statementLines } from "../../../nc/print.ts";
 import { styleAt } from "../../../nc/read-style.ts";
 import { withTiedLists } from "../../../nc/tie-lists.ts";
 import type { Statement } from "../../../nc/statement.ts";
+import { noWords } from "../../../nc/words.ts";
 import { kept } from "../../../program/values/field.ts";
 import { beginOfCut, MEANT } from "../../../program/state/meant-cuts.ts";
 import type { NcOutput } from "../../../program/machine/nc-output.ts";
 import { outputIn } from "../../../program/edits/output-in.ts";
 import { STOPS_SPINDLE } from "../../../program/blocks/spindle-start.ts";
-import { noWords, POSITION_DECIMALS, positionAsTyped } from "../../../program/values/typed-value.ts";
+import { POSITION_DECIMALS, positionAsTyped } from "../../../program/values/typed-value.ts";
 import { ncLabels } from "../../../i18n/nc-labels.ts";
 import { ncLanguageOf, type Language } from "../../../i18n/languages.ts";
 import type { FindingEntry } from "../../findings/entry.ts";
@@ -47,17 +49,7 @@ function placeOfMode(program: Program, index: number): number {
 
 /** Behind the last of program begin, blank and mode: a tool call there comes before every positioning. */
 const placeBehindFrame = (program: Program, index: number): number =>
-  lastOf(
-    program,
-    index,
-    (s) =>
-      s.kind === "begin" ||
-      s.kind === "mode" ||
-      s.kind === "blankCylinder" ||
-      s.kind === "blankRotation" ||
-      s.kind === "blankFile" ||
-      s.kind === "blankBox",
-  ) + 1;
+  lastOf(program, index, (s) => s.kind === "begin" || s.kind === "mode" || klartext.has(s, "blank")) + 1;
 
 /** Behind a definition and the block that positions to its start point. */
 function placeOfCall(program: Program, definition: number): number {
@@ -264,6 +256,7 @@ export function repairsOf(
       cuttingSpeed: 180,
       speed: null,
       limit: 2500,
+      gear: null,
     });
   const maybe = (repair: Repair | null) => (repair ? [repair] : []);
   switch (issue.code as string) {

@@ -2,7 +2,8 @@ import { withBlock } from "../../../nc/edit.ts";
 import { startLines } from "../../../nc/program.ts";
 import { fieldsOf } from "./block-fields.ts";
 import { wordOfField } from "./block-guide.ts";
-import { kindOf, type BlockKind } from "./block-kind.ts";
+import { kindOf } from "./block-kind.ts";
+import type { BlockKind } from "../../../nc/blocks/names.ts";
 import { editUnshown } from "./session.ts";
 
 /** Writes a text into a word of a block whose form was open, while another page stands in its place. */

@@ -2,7 +2,7 @@ import { useId, useMemo, useRef, useState } from "react";
 import { approach } from "../../../kernel/plane/approach.ts";
 import { compensate } from "../../../kernel/plane/compensate.ts";
 import { plane, towardsTool, type PlanePoint } from "../../../kernel/plane/plane.ts";
-import type { ApproachForm } from "../../../nc/statement.ts";
+import type { ApproachForm } from "../../../nc/words.ts";
 import type { ApproachWord } from "../../../program/motion/approach-fields.ts";
 import type { ApproachContext, ReadyApproach } from "../../../program/edits/approach-request.ts";
 import { dragged, handlesOf, type Dragged } from "../../../view/approach/drag.ts";

@@ -1,3 +1,8 @@
+import type { BlockKind } from "../../../nc/blocks/names.ts";
+
+/** Kinds without a page: an approach has one of its own, and of the others there is nothing to say. */
+type Unpaged = "approach" | "departure" | "empty" | "unknown";
+
 /** What each kind of block does, the rule of the control for it, and what is often done wrong with it. */
 export const blockKinds = {
   begin: {
@@ -266,4 +271,4 @@ export const blockKinds = {
     rule: "The structure view of the control shows it.",
     mistakes: ["Parts are moved and their headings stay."],
   },
-};
+} satisfies Readonly<Record<Exclude<BlockKind, Unpaged>, { about: string; rule: string; mistakes: readonly string[] }>>;

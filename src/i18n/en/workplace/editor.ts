@@ -1,3 +1,4 @@
+import type { BlockKind, FieldName } from "../../../nc/blocks/names.ts";
 import type { Shape } from "../../shape.ts";
 
 /** Whole programs: opening and saving, text, list of parts, and the dialog of each block kind. */
@@ -132,7 +133,7 @@ export const editor = {
     structure: "Structure line",
     empty: "Blank line",
     unknown: "Not understood",
-  },
+  } satisfies Readonly<Record<BlockKind, string>>,
   fields: {
     name: "Name",
     unit: "Unit",
@@ -183,7 +184,7 @@ export const editor = {
     formula: "Value or formula",
     cycleLine: "Behind the number",
     wordOf: (word: string) => word,
-  },
+  } satisfies Readonly<Record<FieldName, string>> & Readonly<Record<string, unknown>>,
   choices: {
     on: "on",
     off: "off",

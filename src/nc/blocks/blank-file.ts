@@ -1,0 +1,21 @@
+import { defineBlock } from "./define.ts";
+import { takeQuoted, word } from "./words.ts";
+
+const TARGET = /TARGET(?![A-Z])/iy;
+
+/** A body in a file of its own as blank; `target` is that of the finished part. */
+export const blankFile = defineBlock({
+  kind: "blankFile",
+  keyword: "BLK FORM FILE",
+  words: [
+    word<"file", string>("file", { take: (scan) => takeQuoted(scan) ?? undefined, text: (file) => ` "${file}"` }),
+    word<"target", string | null>("target", {
+      absent: null,
+      take: (scan) => (scan.take(TARGET) ? takeQuoted(scan) : undefined),
+      text: (file) => (file === null ? "" : ` TARGET "${file}"`),
+    }),
+  ],
+  asText: () => true,
+  tags: ["blank", "opening"],
+  part: "labels",
+});

@@ -1,0 +1,29 @@
+import { defineBlock } from "./define.ts";
+import { CONE, cut, instead } from "./sample.ts";
+import { choice, takeQuoted, textField, word } from "./words.ts";
+
+/** From here on it is turned, or milled, with the kinematics that a name says. */
+export const mode = defineBlock({
+  kind: "mode",
+  keyword: "FUNCTION MODE",
+  words: [
+    choice("mode", ["TURN", "MILL"], { unseen: "choice" }),
+    word<"kinematics", string | null, "kinematics">("kinematics", {
+      absent: null,
+      take: (scan) => takeQuoted(scan) ?? undefined,
+      text: (name) => (name === null ? "" : ` "${name}"`),
+      fields: () => [
+        textField<string | null, "kinematics">(
+          "kinematics",
+          (name) => name ?? "",
+          (typed) => (typed.includes('"') ? undefined : typed === "" ? null : typed),
+          { unseen: "name" },
+        ),
+      ],
+    }),
+  ],
+  tags: ["opening", "preparesTool", "leadsTool", "ofTool", "endsContour"],
+  part: "operations",
+  offered: { group: "technology", begins: { kind: "mode", mode: "TURN", kinematics: null } },
+  sample: instead(cut(...CONE), "FUNCTION MODE TURN", "> FUNCTION MODE TURN"),
+});

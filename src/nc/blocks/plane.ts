@@ -1,0 +1,17 @@
+import { defineBlock } from "./define.ts";
+import { held } from "./words.ts";
+
+/** PLANE in all its forms, FUNCTION TCPM and its reset: read by what runs them. */
+export const plane = defineBlock({
+  kind: "plane",
+  begins: String.raw`PLANE(?![A-Z_])|FUNCTION(?=[ \t\u00a0]+(?:RESET[ \t]+)?TCPM(?![A-Z]))`,
+  words: [held<string>()("text")],
+  read({ scan, head }) {
+    const text = `${head.toUpperCase()} ${scan.rest}`.trimEnd();
+    scan.at = scan.text.length;
+    return { kind: "plane", text };
+  },
+  print: (s) => s.text,
+  asText: () => true,
+  tags: ["movesFrame"],
+});

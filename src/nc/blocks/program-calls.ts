@@ -1,0 +1,58 @@
+import type { FileName } from "../words.ts";
+import { defineBlock, type BlockReading } from "./define.ts";
+import { takeFileName } from "./file-name.ts";
+import { fileText, held } from "./words.ts";
+
+/** `bare`: the name stands without quotes. */
+const words = [held<FileName>()("file"), held<boolean>()("bare")] as const;
+
+function read({ scan }: BlockReading) {
+  const name = takeFileName(scan);
+  if (name) scan.leftOver();
+  return name;
+}
+/** How it is quoted does not count, nor its case. */
+const plain = (lead: string, file: FileName) => `${lead} ${fileText(file)}`.toUpperCase();
+
+/** Runs another program in the place of this block. */
+export const callProgram = defineBlock({
+  kind: "callProgram",
+  keyword: "CALL PGM",
+  begins: String.raw`CALL[ \t]+PGM(?![A-Z])`,
+  words,
+  read: (reading) => {
+    const name = read(reading);
+    return name && { kind: "callProgram", ...name };
+  },
+  print: (s) => `CALL PGM ${fileText(s.file, s.bare)}`,
+  asText: () => true,
+  say: (s, said) => void said.put("", plain("CALL PGM", s.file)),
+  tags: ["calls"],
+  part: "labels",
+});
+
+/** Names the program that CALL SELECTED PGM runs. */
+export const selectProgram = defineBlock({
+  kind: "selectProgram",
+  keyword: "SEL PGM",
+  begins: String.raw`SEL[ \t]+PGM(?![A-Z])`,
+  words,
+  read: (reading) => {
+    const name = read(reading);
+    return name && { kind: "selectProgram", ...name };
+  },
+  print: (s) => `SEL PGM ${fileText(s.file, s.bare)}`,
+  asText: () => true,
+  say: (s, said) => void said.put("", plain("SEL PGM", s.file)),
+  part: "labels",
+});
+
+/** Runs the program that was named. */
+export const callSelected = defineBlock({
+  kind: "callSelected",
+  keyword: "CALL SELECTED PGM",
+  begins: String.raw`CALL[ \t]+SELECTED[ \t]+(?:PGM|PROGRAM)|CALL[ \t]+SELECTED(?![ \t]*\S)`,
+  words: [],
+  tags: ["calls"],
+  part: "labels",
+});

@@ -1,0 +1,72 @@
+import { defineBlock, type Tag } from "./define.ts";
+import { CONE, cut } from "./sample.ts";
+import { held, takeRest, textField, word } from "./words.ts";
+
+const NOTE = [
+  "note",
+  "preparesCycle",
+  "preparesTool",
+  "leadsTool",
+  "leaves",
+  "waits",
+] as const satisfies readonly Tag[];
+
+/** A line with nothing in it. */
+export const empty = defineBlock({ kind: "empty", words: [], print: () => "", tags: NOTE });
+
+/** `; what is said to who reads it`. */
+export const comment = defineBlock({
+  kind: "comment",
+  words: [
+    held<string>()("text", {
+      fields: () => [
+        textField<string, "text">(
+          "text",
+          (text) => text,
+          (typed) => typed,
+          { wide: true, unseen: "name" },
+        ),
+      ],
+    }),
+  ],
+  print: (s) => `;${s.text}`,
+  tags: NOTE,
+  part: "notes",
+  offered: { group: "notes", begins: { kind: "comment", text: " " } },
+  sample: cut("> ; OUTSIDE", ...CONE),
+});
+
+/** `* - a heading of the list of parts`. */
+export const structure = defineBlock({
+  kind: "structure",
+  begins: String.raw`\*[ \t\u00a0]*-?`,
+  words: [
+    word<"text", string, "text">("text", {
+      take: takeRest,
+      text: (text) => text,
+      fields: () => [
+        textField<string, "text">(
+          "text",
+          (text) => text,
+          (typed) => typed.trimStart(),
+          { wide: true, unseen: "name" },
+        ),
+      ],
+    }),
+  ],
+  lead: () => "* - ",
+  tags: NOTE,
+  part: "notes",
+  offered: { group: "notes", begins: { kind: "structure", text: "" } },
+  sample: cut("> * - OUTSIDE", ...CONE),
+});
+
+/** What none of the kinds reads. It stays as it is. */
+export const unknown = defineBlock({
+  kind: "unknown",
+  words: [held<string>()("text")],
+  print: (s) => s.text,
+  asText: () => true,
+  like: (s) => `unknown ${/^\S*/.exec(s.text.toUpperCase())?.[0] ?? ""}`,
+  part: "notes",
+});

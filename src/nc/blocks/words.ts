@@ -1,0 +1,320 @@
+import { valueText } from "../number-text.ts";
+import { feedText, unsigned } from "../print-words.ts";
+import { axisName } from "../read-words.ts";
+import type { Scan } from "../scan.ts";
+import type { AxisName, FeedWord, FileName, Label, Parameter, Value } from "../words.ts";
+import { readLabel, VALUE } from "../value.ts";
+import type { Said } from "./said.ts";
+import type { Field, Spread, Unseen, Word } from "./define.ts";
+
+/** What the guide knows of a word beside its name. */
+interface Guided {
+  readonly spread?: Spread;
+  readonly unseen?: Unseen;
+  readonly setup?: string;
+}
+
+/** A word for which none of the usual ones will do. */
+export const word = <const K extends string, T, const N extends string = never>(
+  key: K,
+  of: Omit<Word<K, T, N>, "key" | "lettered"> & { readonly lettered?: boolean },
+): Word<K, T, N> => ({ lettered: false, ...of, key });
+
+/** A property that its kind reads and prints. `T` is what it holds. */
+export const held =
+  <T>() =>
+  <const K extends string, const N extends string = never>(
+    key: K,
+    more: Pick<Word<K, T, N>, "say" | "fields"> = {},
+  ): Word<K, T, N> =>
+    word(key, { take: () => undefined, text: () => "", ...more });
+
+/** The field of a text of one line; `taken` gives what the statement holds of it, undefined where it cannot be that. */
+export const textField = <T, const N extends string>(
+  name: N,
+  shown: (value: T) => string,
+  taken: (typed: string, before: T) => T | undefined,
+  more: Omit<Partial<Field<T, N>>, "entry"> = {},
+): Field<T, N> =>
+  ({
+    id: name,
+    name,
+    ...more,
+    entry: "text",
+    get: shown,
+    put: (before: T, typed: string) => (/[\r\n]/.test(typed) ? undefined : taken(typed, before)),
+  }) as Field<T, N>;
+
+/** The field of a choice. */
+export const choiceField = <T, const N extends string>(
+  name: N,
+  choices: readonly string[],
+  shown: (value: T) => string,
+  taken: (chosen: string, before: T) => T | undefined,
+  guided: Guided = {},
+): Field<T, N> =>
+  ({
+    id: name,
+    name,
+    choices,
+    ...guided,
+    entry: "choice",
+    get: shown,
+    put: (before: T, chosen: string) => taken(chosen, before),
+  }) as Field<T, N>;
+
+/** A number or parameter behind its letters, which may be left out. */
+export const value = <const K extends string, const N extends string = K>(
+  key: K,
+  letters: string,
+  {
+    plain = false,
+    needed = false,
+    field = true,
+    colon,
+    name = key as string as N,
+    ...facts
+  }: {
+    /** Printed without a plus sign. */
+    readonly plain?: boolean;
+    /** Its absence is reported. */
+    readonly needed?: boolean;
+    /** Whether forms ask for it. */
+    readonly field?: boolean;
+    /** A colon may stand behind the letters, or is written there. */
+    readonly colon?: "read" | "written";
+    readonly name?: N;
+    readonly unit?: string;
+  } & Guided = {},
+): Word<K, Value | null, N> => {
+  const pattern = new RegExp(String.raw`${letters}[ \t]*${colon ? ":?[ \\t]*" : ""}(${VALUE})`, "iy");
+  const written = ` ${letters}${colon === "written" ? ":" : ""}`;
+  const asked: Field<Value | null, N> = {
+    id: name,
+    name,
+    letter: letters,
+    ...facts,
+    entry: "value",
+    get: (v) => v,
+    put: (_, v) => v,
+  };
+  return word(key, {
+    lettered: true,
+    absent: null,
+    ...(needed && { needed: letters }),
+    take: (scan) => {
+      const m = scan.take(pattern);
+      return m ? scan.value(m[1] ?? "") : undefined;
+    },
+    text: (v, style) => (v === null ? "" : written + (plain ? unsigned(v, style) : valueText(v, style))),
+    say: (v, said) => void said.number(letters, v),
+    fields: () => (field ? [asked] : []),
+  });
+};
+
+/** A length that is given in one of two measures, as D and R are: the first where nothing says which. mm. */
+export const measured = <const K extends string, const M extends string>(
+  key: K,
+  measures: readonly [M, M],
+  { needed = false, ...guided }: { readonly needed?: boolean } & Guided = {},
+): Word<K, { readonly measure: M; readonly value: Value } | null, K | `${K}Measure`> => {
+  type Measured = { readonly measure: M; readonly value: Value } | null;
+  const pattern = new RegExp(String.raw`(${measures.join("|")})[ \t]*(${VALUE})`, "iy");
+  const [usual] = measures;
+  // How it is measured shows its last letter first: DI is D.
+  const letterOf = (measure: M) => measure.slice(0, 1);
+  return word<K, Measured, K | `${K}Measure`>(key, {
+    lettered: true,
+    absent: null,
+    ...(needed && { needed: usual }),
+    take: (scan) => {
+      const m = scan.take(pattern);
+      const read = m && scan.value(m[2] ?? "");
+      if (!m) return undefined;
+      const measure = measures.find((each) => each === m[1]?.toUpperCase()) ?? usual;
+      return read === null ? null : { measure, value: read };
+    },
+    text: (v, style) => (v === null ? "" : ` ${v.measure}${unsigned(v.value, style)}`),
+    say: (v, said) => void said.number(v?.measure ?? usual, v?.value),
+    fields: () => [
+      {
+        id: key,
+        name: key,
+        letter: usual,
+        unit: "mm",
+        ...guided,
+        entry: "value",
+        get: (v) => v?.value ?? null,
+        put: (v, next) => (next === null ? null : { measure: v?.measure ?? usual, value: next }),
+      },
+      choiceField<Measured, `${K}Measure`>(
+        `${key}Measure`,
+        measures.map(letterOf),
+        (v) => letterOf(v?.measure ?? usual),
+        (chosen, v) => v && { ...v, measure: measures.find((each) => letterOf(each) === chosen) ?? usual },
+      ),
+    ],
+  });
+};
+
+/** One of several words. `lead`: what stands in front of it without a blank. */
+export const choice = <const K extends string, const C extends string, const N extends string = K>(
+  key: K,
+  choices: readonly C[],
+  {
+    lead = "",
+    otherwise,
+    compared = false,
+    name = key as string as N,
+    ...guided
+  }: {
+    readonly lead?: string;
+    /** What holds where none of them stands there. */
+    readonly otherwise?: C;
+    readonly compared?: boolean;
+    readonly name?: N;
+  } & Guided = {},
+): Word<K, C, N> => {
+  const pattern = new RegExp(String.raw`${lead}(${choices.join("|")})(?![A-Z])`, "iy");
+  const of = (text: string) => choices.find((each) => each === text.toUpperCase());
+  return word(key, {
+    ...(otherwise !== undefined && { absent: otherwise }),
+    ...(compared && { say: (c: C, said: Said) => void said.put("", c) }),
+    take: (scan) => {
+      const m = scan.take(pattern);
+      return m ? of(m[1] ?? "") : undefined;
+    },
+    text: (c) => ` ${lead}${c}`,
+    fields: () => [choiceField<C, N>(name, choices, (c) => c, of, guided)],
+  });
+};
+
+const AXIS = /([XYZABCUVW])(?![A-Z])/iy;
+const isAxis = (letter: string): letter is AxisName => /^[XYZABCUVW]$/.test(letter);
+
+/** The axis of the spindle, without which the block cannot be read. */
+export const toolAxis = <const K extends string>(
+  key: K,
+  { compared = true }: { readonly compared?: boolean } = {},
+): Word<K, AxisName, "toolAxis"> =>
+  word(key, {
+    ...(compared && { say: (axis: AxisName, said: Said) => void said.put("", axis) }),
+    take: (scan) => {
+      const m = scan.take(AXIS);
+      return m ? axisName(m[1] ?? "") : undefined;
+    },
+    text: (axis) => ` ${axis}`,
+    fields: () => [axisField(["X", "Y", "Z"])],
+  });
+
+/** The same where it may be left out. */
+export const optionalToolAxis = <const K extends string>(
+  key: K,
+  pattern = AXIS,
+  choices: readonly string[] = ["", "X", "Y", "Z"],
+): Word<K, AxisName | null, "toolAxis"> =>
+  word(key, {
+    absent: null,
+    take: (scan) => {
+      const m = scan.take(pattern);
+      return m ? axisName(m[1] ?? "") : undefined;
+    },
+    text: (axis) => (axis === null ? "" : ` ${axis}`),
+    say: (axis, said) => void said.put("", axis),
+    fields: () => [
+      choiceField<AxisName | null, "toolAxis">(
+        "toolAxis",
+        choices,
+        (axis) => axis ?? "",
+        (chosen) => (isAxis(chosen) ? chosen : null),
+        { unseen: "choice" },
+      ),
+    ],
+  });
+const axisField = (choices: readonly string[]): Field<AxisName, "toolAxis"> =>
+  choiceField<AxisName, "toolAxis">(
+    "toolAxis",
+    choices,
+    (axis) => axis,
+    (chosen) => (isAxis(chosen) ? chosen : undefined),
+    { unseen: "choice" },
+  );
+
+/** A label by its number, its name in quotes, or the QS parameter that holds it. */
+export const labelText = (label: Label): string =>
+  typeof label === "number" ? String(label) : /^QS\d/i.test(label) ? label : `"${label}"`;
+/** A label as one types it. */
+export const shownLabel = (label: Label | Parameter): string =>
+  typeof label === "object" ? label.parameter : String(label);
+/** A typed label: digits are its number, anything else its name. */
+export const typedLabel = (typed: string): Label | undefined => {
+  const text = typed.trim().replaceAll('"', "");
+  if (text === "" || /[\r\n]/.test(text)) return undefined;
+  return /^\d{1,9}$/.test(text) ? Number(text) : text;
+};
+export const labelField = <T extends Label | Parameter>(): Field<T, "label"> =>
+  textField<T, "label">("label", shownLabel, (typed) => typedLabel(typed) as T | undefined, {
+    letter: "LBL",
+    unseen: "name",
+  });
+
+const TOOL = /(?:(\d{1,9}(?:[.,]\d)?)(?![\d.,])|"([^"]*)")/y;
+/** A tool by its number, which may have an index, or by its name; null where none stands there. */
+export function takeTool(scan: Scan): Label | null {
+  const m = scan.take(TOOL);
+  return m && readLabel(m[1]?.replace(",", "."), m[2]);
+}
+
+const QUOTED = /"([^"]*)"/y;
+/** What stands in quotes here; null where nothing does. */
+export const takeQuoted = (scan: Scan): string | null => scan.take(QUOTED)?.[1] ?? null;
+
+/** Everything up to the end of the line. */
+export function takeRest(scan: Scan): string {
+  const { rest } = scan;
+  scan.at = scan.text.length;
+  return rest;
+}
+
+export const fileText = (file: FileName, isBare = false): string =>
+  typeof file === "object" ? file.parameter : isBare ? file : `"${file}"`;
+
+const NAMED_FEED = new RegExp(String.raw`(?:F[ \t]*(MAX|AUTO)(?![A-Z])|(F[UZ]?)[ \t]*(${VALUE}))`, "iy");
+
+/** The field of a feed. */
+export const plainFeedField: Field<FeedWord | null, "feed"> = {
+  id: "feed",
+  name: "feed",
+  letter: "F",
+  spread: { times: [0.5, 2] },
+  entry: "feed",
+  get: (feed) => feed,
+  put: (_, feed) => feed,
+};
+
+/** FMAX, FAUTO, or a feed with its unit; it may be left out. */
+export const feed = <const K extends string>(key: K): Word<K, FeedWord | null, "feed"> =>
+  word(key, {
+    lettered: true,
+    absent: null,
+    take: (scan) => {
+      const m = scan.take(NAMED_FEED);
+      if (!m) return undefined;
+      if (m[1] !== undefined) return m[1].toUpperCase() === "MAX" ? "max" : "auto";
+      const read = scan.value(m[3] ?? "");
+      return read === null ? null : { value: read, unit: (m[2] ?? "F").toUpperCase() as "F" | "FU" | "FZ" };
+    },
+    text: (v, style) => (v === null ? "" : ` ${feedText(v, style)}`),
+    say: (v, said) => void (v && said.feed("F", v)),
+    fields: () => [plainFeedField],
+  });
+
+/** Words that are kept and not understood. */
+export const extra = <const K extends string>(key: K): Word<K, readonly string[], never> =>
+  word<K, readonly string[], never>(key, {
+    take: () => undefined,
+    absent: [],
+    keep: (words, next) => [...words, next],
+    text: (words) => words.map((each) => ` ${each}`).join(""),
+    say: (words, said) => void (words.length > 0 && said.text("", words.join(" "))),
+  });
