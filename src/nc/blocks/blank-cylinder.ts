@@ -8,7 +8,11 @@ export const blankCylinder = defineBlock({
   keyword: "BLK FORM CYLINDER",
   words: [
     toolAxis("axis"),
-    measured("outside", ["D", "R"], { needed: true, spread: { times: [0.85, 1.25] }, setup: "blank.outside" }),
+    measured("outside", "outsideMeasure", ["D", "R"], {
+      needed: true,
+      spread: { times: [0.85, 1.25] },
+      setup: "blank.outside",
+    }),
     value("length", "L", {
       unit: "mm",
       plain: true,
@@ -17,7 +21,7 @@ export const blankCylinder = defineBlock({
       setup: "blank.length",
     }),
     value("distance", "DIST", { unit: "mm", spread: { plus: [2, 5] }, setup: "blank.allowance" }),
-    measured("inside", ["DI", "RI"], { spread: { times: [0.6, 1.4] }, setup: "blank.bore" }),
+    measured("inside", "insideMeasure", ["DI", "RI"], { spread: { times: [0.6, 1.4] }, setup: "blank.bore" }),
   ],
   tags: ["blank", "opening"],
   part: "labels",

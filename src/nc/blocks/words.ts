@@ -112,18 +112,22 @@ export const value = <const K extends string, const N extends string = K>(
   });
 };
 
-/** A length that is given in one of two measures, as D and R are: the first where nothing says which. mm. */
-export const measured = <const K extends string, const M extends string>(
+/**
+ * A length that is given in one of two measures, as D and R are: the first where nothing says which. mm. `measure` is
+ * the field that says in which.
+ */
+export const measured = <const K extends string, const N extends string, const M extends string>(
   key: K,
+  measure: N,
   measures: readonly [M, M],
   { needed = false, ...guided }: { readonly needed?: boolean } & Guided = {},
-): Word<K, { readonly measure: M; readonly value: Value } | null, K | `${K}Measure`> => {
+): Word<K, { readonly measure: M; readonly value: Value } | null, K | N> => {
   type Measured = { readonly measure: M; readonly value: Value } | null;
   const pattern = new RegExp(String.raw`(${measures.join("|")})[ \t]*(${VALUE})`, "iy");
   const [usual] = measures;
   // How it is measured shows its last letter first: DI is D.
-  const letterOf = (measure: M) => measure.slice(0, 1);
-  return word<K, Measured, K | `${K}Measure`>(key, {
+  const letterOf = (of: M) => of.slice(0, 1);
+  return word<K, Measured, K | N>(key, {
     lettered: true,
     absent: null,
     ...(needed && { needed: usual }),
@@ -131,8 +135,8 @@ export const measured = <const K extends string, const M extends string>(
       const m = scan.take(pattern);
       const read = m && scan.value(m[2] ?? "");
       if (!m) return undefined;
-      const measure = measures.find((each) => each === m[1]?.toUpperCase()) ?? usual;
-      return read === null ? null : { measure, value: read };
+      const written = measures.find((each) => each === m[1]?.toUpperCase()) ?? usual;
+      return read === null ? null : { measure: written, value: read };
     },
     text: (v, style) => (v === null ? "" : ` ${v.measure}${unsigned(v.value, style)}`),
     say: (v, said) => void said.number(v?.measure ?? usual, v?.value),
@@ -147,8 +151,8 @@ export const measured = <const K extends string, const M extends string>(
         get: (v) => v?.value ?? null,
         put: (v, next) => (next === null ? null : { measure: v?.measure ?? usual, value: next }),
       },
-      choiceField<Measured, `${K}Measure`>(
-        `${key}Measure`,
+      choiceField<Measured, N>(
+        measure,
         measures.map(letterOf),
         (v) => letterOf(v?.measure ?? usual),
         (chosen, v) => v && { ...v, measure: measures.find((each) => letterOf(each) === chosen) ?? usual },

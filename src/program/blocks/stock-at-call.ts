@@ -43,19 +43,19 @@ export function stockAtCall(machine: Machine): readonly Ring[] | null {
 export function solidAtCall(machine: Machine): Setting["solid"] {
   const {
     traced,
-    now: { blank, blankSince },
+    now: { blank, blankSince, bored: noted },
     log: { steps, operations, unproved },
   } = machine;
   if (traced) return { rings: stockAtCall(machine) ?? [], below: Infinity, isBored: false };
   if (blank.length === 0 || unproved.length > 0) return null;
-  let below = Infinity;
-  const since = steps.slice(blankSince.steps);
-  for (const { tool, move } of since)
-    if (move.kind !== "rapid" && (isDrill(tool) || move.to.r <= SAME)) below = Math.min(below, move.to.z);
-  const isBored =
-    operations.slice(blankSince.operations).some(({ plan }) => plan.openSide.r < 0) ||
-    since.some(
-      ({ move, tool, operation }) => operation === null && move.kind !== "rapid" && tipDirection(tool.TO).v > 0,
-    );
+  const known = noted?.since === blankSince ? noted : { ...blankSince, below: Infinity, isBored: false };
+  let { below, isBored } = known;
+  for (const { tool, move, operation } of steps.slice(known.steps)) {
+    if (move.kind === "rapid") continue;
+    if (isDrill(tool) || move.to.r <= SAME) below = Math.min(below, move.to.z);
+    isBored ||= operation === null && tipDirection(tool.TO).v > 0;
+  }
+  isBored ||= operations.slice(known.operations).some(({ plan }) => plan.openSide.r < 0);
+  machine.set({ bored: { since: blankSince, steps: steps.length, operations: operations.length, below, isBored } });
   return { rings: blank, below, isBored };
 }

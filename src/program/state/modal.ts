@@ -113,6 +113,20 @@ export interface Whereabouts {
   } | null;
 }
 
+/** How far a run has come. */
+interface Count {
+  readonly operations: number;
+  readonly steps: number;
+}
+
+/** What had been bored of a blank up to a place of the run; `below` as the plan of a cycle asks for it. */
+interface Bored extends Count {
+  /** The place since which the blank stands as it is stated. */
+  readonly since: Count;
+  readonly below: number;
+  readonly isBored: boolean;
+}
+
 /** What is in force between two blocks, mm. Never changed in place: a block puts a new one in its place. */
 export interface Modal {
   /** The program's unit of length. */
@@ -183,7 +197,9 @@ export interface Modal {
   /** What the work is held by, and the block that states it. */
   readonly clamping: { readonly index: number; readonly made: Clamping } | null;
   /** How many cycles had been called, and steps run, when the blank was as it is stated. */
-  readonly blankSince: { readonly operations: number; readonly steps: number };
+  readonly blankSince: Count;
+  /** What had been bored of that blank when a cycle was called last. */
+  readonly bored: Bored | null;
   /** File of the program that states it, null for the one that was started; undefined before a BLK FORM. */
   readonly blankIn: string | null | undefined;
   /** A blank that is no body round the axis of the spindle: what stands for it shows when the program turns. */
@@ -229,6 +245,7 @@ export const AT_START: Modal = {
   blank: [],
   clamping: null,
   blankSince: { operations: 0, steps: 0 },
+  bored: null,
   blankIn: undefined,
   unturned: null,
   mill: { radius: null, tool: "", otherAxis: false, top: null },

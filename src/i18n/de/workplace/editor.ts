@@ -63,7 +63,6 @@ export const editor = {
   kept: "Bleibt im Programm, nicht simuliert",
   goToDefinition: (block) => `Zum Zyklus in Satz ${block}`,
   goToDefinitionIn: (block, file) => `Zum Zyklus in Satz ${block} von ${file}`,
-  wholeText: "Text des Satzes",
   skip: "Ausblendsatz (/)",
   leaveOut: "Ausblendsätze (/) überspringen",
   comment: "Kommentar",

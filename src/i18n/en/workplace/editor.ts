@@ -68,7 +68,6 @@ export const editor = {
   kept: "Kept, not simulated",
   goToDefinition: (block: string) => `To the cycle in block ${block}`,
   goToDefinitionIn: (block: string, file: string) => `To the cycle in block ${block} of ${file}`,
-  wholeText: "Text of the block",
   skip: "Optional block (/)",
   leaveOut: "Leave out blocks with /",
   comment: "Comment",

@@ -63,7 +63,6 @@ export const editor = {
   kept: "Conservé, non simulé",
   goToDefinition: (block) => `Vers le cycle de la séquence ${block}`,
   goToDefinitionIn: (block, file) => `Vers le cycle de la séquence ${block} de ${file}`,
-  wholeText: "Texte de la séquence",
   skip: "Séquence optionnelle (/)",
   leaveOut: "Omettre les séquences avec /",
   comment: "Commentaire",

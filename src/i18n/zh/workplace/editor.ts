@@ -62,7 +62,6 @@ export const editor = {
   kept: "保留，不仿真",
   goToDefinition: (block) => `转到程序段 ${block} 的循环`,
   goToDefinitionIn: (block, file) => `转到${file}的程序段${block}中的循环`,
-  wholeText: "程序段文本",
   skip: "可跳过的程序段（/）",
   leaveOut: "跳过带 / 的程序段",
   comment: "注释",
