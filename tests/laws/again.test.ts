@@ -159,7 +159,7 @@ test.each([
   );
 });
 
-/** The marks that two simulations have in common: the very same arrays, which nobody has made anew. */
+/** The marks that two simulations have in common: the very same arrays, which nobody has made again. */
 const kept = (a: Simulation, b: Simulation): number =>
   b.checkpoints.filter((mark, i) => mark.stock === a.checkpoints[i]?.stock).length;
 
@@ -188,7 +188,7 @@ test("what was proved before is known when it comes again, and when nothing move
   const before = simulationOf(text);
   const noted = simulationOf(text.replace("END PGM", "; a note\n$&"));
   expect(kept(before, noted)).toBe(before.checkpoints.length);
-  // The first cycle is another one: all behind it is cut anew.
+  // The first cycle is another one: all behind it is cut again.
   const other = simulationOf(text.replace(/Q463=\+?[\d.]+/, "Q463=+1.37"));
   expect(kept(before, other)).toBeLessThan(before.checkpoints.length / 2);
   const again = simulationOf(text);

@@ -23,8 +23,7 @@ interface Props {
 
 /**
  * A dialog before the page, open as long as it is there. It closes before it goes, so that the keyboard returns to
- * where it was. Escape and the way out close it; its keys are its own, and a
- * dialog in it closes for itself.
+ * where it was. Escape and the way out close it; its keys are its own, and a dialog in it closes for itself.
  */
 export function ModalDialog({
   title,

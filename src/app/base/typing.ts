@@ -52,7 +52,7 @@ export function useLater<T>(value: T): T {
 }
 
 /**
- * What may come a moment after a key, when the path is drawn: what it shows of the work is that of before until then.
+ * What may come a moment after a key, when the path is drawn: until then it shows the work as it was.
  * Nothing that is typed into belongs here, a field shows its key at once.
  */
 export const Late = ({ children }: { readonly children: ReactNode }): ReactNode => useLater(children);

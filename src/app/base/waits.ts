@@ -39,6 +39,20 @@ export const CALCULATING = {
   otherTools: 120,
 } as const;
 
+/** Rest after a key in a text or a field. */
+export const TYPING = {
+  /** Before the panels of a text follow: cursor and prompts would jump with each key. */
+  panels: 80,
+  /** Before a text that the page does not plan at once is calculated: a pause within a word is shorter. */
+  rest: 150,
+  /** The same of a long text, whose calculation costs more than the pause. */
+  longRest: 700,
+  /** A text is long from so many blocks on, blocks. */
+  long: 1500,
+  /** Before a work is written to the device, so that writing never delays the picture. */
+  keep: 80,
+} as const;
+
 /** From when on a calculation is announced. */
 export const ANNOUNCED = {
   /** A mark for what is done sooner would only flicker. */

@@ -164,7 +164,7 @@ test("while somebody types in a text a result waits", async () => {
   expect(shown()).toBe(text);
 });
 
-test("the run of a task that asks first is hidden, and calculated anew when it may be seen", async () => {
+test("the run of a task that asks first is hidden, and recalculated when it may be seen", async () => {
   begin({ ...exampleJob(first), task: { id: "how-many", veiled: true } }, "task");
   await it.answer();
   await it.answer();
@@ -177,7 +177,7 @@ test("the run of a task that asks first is hidden, and calculated anew when it m
   await it.answer();
   expect(steps()).toBe(0);
   edit((job) => ({ ...job, task: { id: "how-many" } }));
-  it.calculation.anew();
+  it.calculation.recalculate();
   expect(useOutcome.getState().pictured?.run.steps.length).toBeGreaterThan(3);
 });
 

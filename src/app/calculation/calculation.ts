@@ -52,7 +52,7 @@ export function createCalculation({ page, worker, stopWorker, wait }: Means) {
   let state = AT_REST;
   let isBusy = false;
   const events: CalculationEvent[] = [];
-  /** What is waited for; waiting for the same again begins anew. */
+  /** What is waited for; waiting for the same restarts it. */
   const waits = new Map<Wait, () => void>();
 
   function carryOut(effect: Effect): void {
@@ -118,7 +118,7 @@ export function createCalculation({ page, worker, stopWorker, wait }: Means) {
     /** Calculates what is open once more. */
     again: () => follow(true),
     /** The same as of another work: nothing that was calculated of it counts. */
-    anew() {
+    recalculate() {
       dispatch({ event: "left" });
       follow(true);
     },

@@ -4,7 +4,7 @@ import type { Outcome, Planned, Stage } from "./outcome.ts";
 import { provedBeside, type Proved } from "./proved.ts";
 import type { Request } from "./request.ts";
 
-/** The states of the open work, one after the other: what stays the same is not made again. Runs in the worker. */
+/** The states of the open work, one after the other: what is the same is not made again. Runs in the worker. */
 export function openWork() {
   const makers = makersAgain();
   let newest: Outcome | null = null;

@@ -60,7 +60,7 @@ export interface OutcomeState {
   readonly stopped: boolean;
   /** Prompts are incomplete; nothing is calculated until they can be read again. */
   readonly paused: boolean;
-  /** A block of the text is half typed: it is calculated as it stands, and the picture stays the one of before. */
+  /** A block of the text is half typed: it is calculated as it stands, and the picture stays as it was. */
   readonly keeps: boolean;
 }
 

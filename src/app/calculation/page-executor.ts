@@ -11,19 +11,19 @@ function shareOf(request: Text, share: number): Text {
 
 /** Plans on the page, in the task of the order. The code that plans is fetched first. */
 export function pageExecutor(): { readonly execute: Executor<Order & { do: "plan" }>; fetch(): Promise<void> } {
-  let code: { readonly plan: ReturnType<typeof planner>; readonly planAnew: typeof planned } | null = null;
+  let code: { readonly plan: ReturnType<typeof planner>; readonly planAlone: typeof planned } | null = null;
   const make = ({ request, part }: Order & { do: "plan" }) => {
     if (!code) return null;
     if (part === "whole") return code.plan(request);
     // Nothing of a share is remembered: it takes what a program takes of which nothing is known.
-    if ("share" in part) return code.planAnew(shareOf(request, part.share));
+    if ("share" in part) return code.planAlone(shareOf(request, part.share));
     const begun = stopwatch();
     return code.plan.part(request, () => stopwatch() - begun < part.slice) ?? "part";
   };
   return {
     async fetch() {
       const { planner, planned } = await untilHere(() => import("./plan.ts"));
-      code = { plan: planner(), planAnew: planned };
+      code = { plan: planner(), planAlone: planned };
     },
     execute(order, tell) {
       const begun = stopwatch();

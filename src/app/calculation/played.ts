@@ -86,7 +86,7 @@ export function stockPictures(outcome: Outcome, look: StockLook, position: PlayP
 }
 
 /**
- * A canvas of more pixels than this is painted for every second picture: the browser lays all of it anew under what
+ * A canvas of more pixels than this is painted for every second picture: the browser lays all of it again under what
  * else is there.
  */
 const MOST_EACH = 2_000_000;

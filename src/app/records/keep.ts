@@ -4,6 +4,7 @@ import { create } from "zustand";
 import { notice, withdraw } from "../base/notices.ts";
 import { untilHere } from "../base/parts.ts";
 import { oneAtATime } from "../base/once.ts";
+import { TYPING } from "../base/waits.ts";
 import { begin, handOver, open, useEditor } from "../document/store.ts";
 import type { Work } from "../document/work.ts";
 import { findWorks, keepWork, readWork, type Kept } from "./device.ts";
@@ -87,9 +88,6 @@ async function writeAll(): Promise<void> {
 /** Writes what waits, one work after the other. A state waits until it is written: the page may go away on the way. */
 const write = oneAtATime(writeAll);
 
-/** Rest before writing, so that writing never delays the picture of what is typed, ms. */
-const REST = 80;
-
 /** The open work, as it is now. */
 const openJob = (): Work | null => useEditor.getState().job ?? useEditor.getState().program;
 
@@ -165,7 +163,7 @@ export function startKeeping(): () => void {
     timer ??= setTimeout(() => {
       timer = undefined;
       void write();
-    }, REST);
+    }, TYPING.keep);
   };
   const stop = useEditor.subscribe(({ job: prompts, program, work }) => {
     const job = prompts ?? program;

@@ -57,7 +57,7 @@ test("the keyboard stays in the list when the last file is taken out before the 
   const t = en.editor.files;
   render(<WorkFiles />);
   answer();
-  // Another file runs, and nothing of before counts.
+  // Another file runs, and nothing earlier counts.
   act(forgetOutcome);
   await userEvent.setup().click(screen.getByRole("button", { name: t.remove(BESIDE.name) }));
   expect(document.activeElement).toBe(screen.getByRole("button", { name: t.show(MAIN.name) }));

@@ -71,7 +71,7 @@ function answer(
     feedUnit: machine.feedUnit,
     autoFeed,
     stock,
-    leavesOutAir: machine.traced !== null,
+    leavesOutAir: machine.run.traced !== null,
     solid,
     blank,
   };
@@ -117,7 +117,7 @@ function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked:
   } = machine;
   return [
     `call ${cycle.number} ${place(start)} ${exactly(datum.x)} ${exactly(datum.z)} ${exactly(datum.y)}`,
-    JSON.stringify([inch, toolFeed, perRevolution, rapid, spindle, called !== null, machine.traced !== null, told]),
+    JSON.stringify([inch, toolFeed, perRevolution, rapid, spindle, called !== null, machine.run.traced !== null, told]),
     JSON.stringify([[...defined.values], [...defined.troubled]]),
     contour ? memory.nameOf(contour) : "",
     memory.nameOf(tool),

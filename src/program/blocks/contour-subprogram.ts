@@ -102,11 +102,11 @@ export function readContourOf(
     element(reader, statement, i);
   }
   const end = i < unit.to ? machine.blocks[i]?.statement : undefined;
-  if (label !== null && end?.kind !== "label" && !machine.isFull)
+  if (label !== null && end?.kind !== "label" && !machine.run.full)
     machine.log.say(programIssue("labelNotClosed", "warning", { label: String(label) }), start);
   machine.set({ inch });
   machine.known.parameters = outer;
-  if (machine.isFull) return null;
+  if (machine.run.full) return null;
   const make = () => contourFrom(reader.elements);
   return {
     contour: machine.shop.memory?.alike(reader.elements, make) ?? make(),

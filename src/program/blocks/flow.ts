@@ -23,7 +23,7 @@ const isText = (parameter: string) => parameter.startsWith("QS");
  * end of the program the flow has an ending.
  */
 export function advance(machine: Machine, block: (s: Statement, index: number) => void): void {
-  const index = machine.next;
+  const index = machine.run.next;
   if (index >= machine.unit.to) return back(machine, { index, word: null });
   if (!machine.roomForBlock(index)) return machine.go({ told: true, ending: { index, word: null } });
   const s = machine.blocks[index]?.statement;
@@ -36,18 +36,18 @@ export function advance(machine: Machine, block: (s: Statement, index: number) =
   else if (s.kind === "jump") jump(machine, s, index);
   else if (s.kind === "raise") raise(machine, s, index);
   else if (s.kind !== "end") block(s, index);
-  const { enters } = machine;
+  const { enters } = machine.run;
   if (enters) enter(machine, enters);
-  const word = machine.flow.ending ? null : endOf(s);
+  const word = machine.run.flow.ending ? null : endOf(s);
   if (word === null) return;
   back(machine, { index, word });
-  if (!machine.flow.ending && s.kind !== "end")
+  if (!machine.run.flow.ending && s.kind !== "end")
     machine.log.say(programIssue("endInCalled", "warning", { word }), index);
 }
 
 /** LBL 0 goes back behind the call of its label, but not out of a program; no program runs into a contour. */
 function label(machine: Machine, named: Label, index: number): void {
-  const { returns } = machine.flow;
+  const { returns } = machine.run.flow;
   if (named === 0) {
     if (returns?.caller === null) goBack(machine, returns);
   } else if (machine.unit.contours.has(named) && machine.labels.get(named) === index) {
@@ -66,8 +66,8 @@ const callsIn = (returns: Return | null): readonly Return[] => (returns ? [retur
 
 /** Goes into a program that was called: it has its own blocks, labels, local parameters and unit. */
 function enter(machine: Machine, unit: Unit): void {
-  const { next: on } = machine,
-    { returns: outer } = machine.flow;
+  const { next: on } = machine.run,
+    { returns: outer } = machine.run.flow;
   machine.change({ enters: null });
   if (callsIn(outer).filter(({ caller }) => caller).length >= DEEPEST_CALL)
     return machine.stop(programIssue("programsTooDeep", "error", { limit: DEEPEST_CALL }), on - 1);
@@ -80,7 +80,7 @@ function enter(machine: Machine, unit: Unit): void {
 
 /** A program has come to its end: it goes back to the one that has called it, or ends the run. */
 function back(machine: Machine, ending: Ending): void {
-  const called = callsIn(machine.flow.returns).find(({ caller }) => caller);
+  const called = callsIn(machine.run.flow.returns).find(({ caller }) => caller);
   if (!called?.caller) return machine.go({ returns: null, ending });
   machine.change({ unit: called.caller.unit });
   machine.set({ inch: called.caller.inch });
@@ -132,7 +132,7 @@ function depthOf(returns: Return | null): number {
  * Goes on at the label of a call. One with REP repeats the blocks between label and call; one without returns at LBL 0.
  */
 function call(machine: Machine, s: Extract<Statement, { kind: "call" }>, index: number): void {
-  const { returns: outer, repeats } = machine.flow;
+  const { returns: outer, repeats } = machine.run.flow;
   const to = target(machine, s.label, index);
   if (to === null) return;
   if (s.repeat !== null) {
@@ -160,7 +160,7 @@ function jump(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: 
 
 /** FN 14: the control stops here with an error, unless it may have gone another way before. */
 function raise(machine: Machine, s: Extract<Statement, { kind: "raise" }>, index: number): void {
-  if (machine.flow.guessed) return machine.log.leaveUnproved("FN 14", index);
+  if (machine.run.flow.guessed) return machine.log.leaveUnproved("FN 14", index);
   machine.log.say(programIssue("errorRaised", "error", { error: machine.number(s.error, index) }), index);
   machine.go({ told: true, ending: { index, word: null } });
 }

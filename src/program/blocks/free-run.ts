@@ -16,7 +16,7 @@ type Free = StatementOf<"free">;
 export function runFree(machine: Machine, s: Free, index: number): void {
   if (s.form === "FPOL") machine.change({ freePole: s });
   if (!isFreeElement(s)) return;
-  const { freeRun } = machine;
+  const { freeRun } = machine.run;
   const run = freeRun?.expected === index ? freeRun : solved(machine, index);
   const after = [...run.blocks.keys()].find((i) => i > index) ?? null;
   machine.change({ freeRun: { ...run, expected: after } });
@@ -39,7 +39,7 @@ function solved(machine: Machine, index: number): FreeRun {
   if (elsewhere || (!turning && mill.otherAxis)) return { blocks: new Map(), expected: null };
   const { at, sure, last, mill: centre } = machine.place;
   const from = turning ? (sure.x && sure.z ? pointIn("lathe", at) : null) : pointIn("XY", centre);
-  const { freePole } = machine;
+  const { freePole } = machine.run;
   const blocks = solveFree(freePole && run[0]?.s.form !== "FPOL" ? [{ s: freePole, block: -1 }, ...run] : run, {
     plane: turning ? "lathe" : "XY",
     from: from && planePoint(counted(machine, from)),

@@ -22,7 +22,7 @@ export function traceBlank(machine: Machine, rings: readonly Ring[]): void {
  */
 export function stockAtCall(machine: Machine): readonly Ring[] | null {
   const {
-    traced,
+    run: { traced },
     now: { blank, blankSince },
     log: { steps, operations },
   } = machine;
@@ -42,7 +42,7 @@ export function stockAtCall(machine: Machine): readonly Ring[] | null {
  */
 export function solidAtCall(machine: Machine): Setting["solid"] {
   const {
-    traced,
+    run: { traced },
     now: { blank, blankSince, bored: noted },
     log: { steps, operations, unproved },
   } = machine;

@@ -12,7 +12,7 @@ import { noTool } from "../state/preconditions.ts";
 /** TOOL DEF with L and R, as older programs define their tools. */
 export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition">, index: number): void {
   const n = s.radius === null ? null : machine.number(s.radius, index);
-  if (n !== null) machine.change({ radii: machine.radii.with(s.tool, machine.length(n)) });
+  if (n !== null) machine.change({ radii: machine.run.radii.with(s.tool, machine.length(n)) });
 }
 
 /** TOOL CALL: feed and tool axis, and the tool of either table that has its number or name. */
@@ -61,7 +61,10 @@ function unknownTool(machine: Machine): void {
 }
 
 function takeMill(machine: Machine, s: StatementOf<"toolCall">, wanted: number | string, index: number): void {
-  const { radii, shop } = machine;
+  const {
+    run: { radii },
+    shop,
+  } = machine;
   const row = find(shop.mills ?? [], wanted);
   const radius = radii.get(wanted) ?? (row ? row.R + (row.DR ?? 0) : null);
   const delta = s.deltaRadius === null ? 0 : (machine.number(s.deltaRadius, index) ?? 0);
@@ -105,7 +108,7 @@ function notInTable(machine: Machine, wanted: number | string, index: number): v
     return;
   }
   const rows = rowsOf(machine, wanted);
-  const isMill = find(machine.shop.mills ?? [], wanted) !== undefined || machine.radii.has(wanted);
+  const isMill = find(machine.shop.mills ?? [], wanted) !== undefined || machine.run.radii.has(wanted);
   if (turns || (rows.length > 0 && !isMill))
     machine.log.say(programIssue("toolIndexUnknown", "error", { tool, rows: rows.map(String) }, "tool"), index);
 }

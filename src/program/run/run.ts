@@ -75,7 +75,7 @@ export function firstState(input: RunInput): RunState {
 export function step(input: RunInput, state: RunState, isDue?: (next: number, executed: number) => boolean): RunState {
   const machine = new Machine(input, state);
   do advance(machine, (s, index) => block(machine, s, index));
-  while (!machine.flow.ending && !isDue?.(machine.next, machine.executed));
+  while (!machine.run.flow.ending && !isDue?.(machine.run.next, machine.run.executed));
   return machine.state;
 }
 

@@ -65,6 +65,11 @@ export class Machine {
     Object.assign(this.draft, change);
   }
 
+  /** The state as far as it is not handed to one of the above. */
+  get run(): Omit<RunState, "log" | "known" | "turnGuide" | "millGuide"> {
+    return this.draft;
+  }
+
   get shop(): Shop {
     return this.input.shop;
   }
@@ -75,14 +80,6 @@ export class Machine {
 
   get blocks(): RunState["blocks"] {
     return this.draft.blocks;
-  }
-
-  get next(): number {
-    return this.draft.next;
-  }
-
-  get flow(): Flow {
-    return this.draft.flow;
   }
 
   get unit(): Unit {
@@ -99,38 +96,8 @@ export class Machine {
     return this.draft.place;
   }
 
-  /** Blocks executed, those of contours that cycles read included. */
-  get executed(): number {
-    return this.draft.executed;
-  }
-
   get parameters(): KnownValues["parameters"] {
     return this.known.parameters;
-  }
-
-  get radii(): RunState["radii"] {
-    return this.draft.radii;
-  }
-
-  /** The program that the block has called. */
-  get enters(): RunState["enters"] {
-    return this.draft.enters;
-  }
-
-  get freeRun(): RunState["freeRun"] {
-    return this.draft.freeRun;
-  }
-
-  get freePole(): RunState["freePole"] {
-    return this.draft.freePole;
-  }
-
-  get traced(): RunState["traced"] {
-    return this.draft.traced;
-  }
-
-  get isFull(): boolean {
-    return this.draft.full;
   }
 
   /** A block is run, or read as part of a contour. */
@@ -162,7 +129,7 @@ export class Machine {
 
   /** Changes what decides which blocks come behind it. */
   go(change: Partial<Flow>): void {
-    this.draft.flow = { ...this.flow, ...change };
+    this.draft.flow = { ...this.draft.flow, ...change };
   }
 
   get labels(): ReadonlyMap<Label, number> {
@@ -271,7 +238,7 @@ export class Machine {
 
   /** Ends the run at a block, because the program goes beyond what is simulated: what follows is not proved. */
   stop(why: ProgramIssue, index: number): void {
-    if (this.isFull) return;
+    if (this.draft.full) return;
     this.change({ full: true });
     this.log.say(why, index);
     // An element that waits for a corner stands before the end and is still run.
@@ -292,14 +259,14 @@ export class Machine {
     this.draft.executed += 1;
     if (this.draft.executed > MOST_BLOCKS)
       this.stop(programIssue("tooManyBlocks", "error", { limit: MOST_BLOCKS }), index);
-    return !this.isFull;
+    return !this.draft.full;
   }
 
   /** Whether a cycle may be called once more; ends the run when not. */
   roomForOperation(index: number): boolean {
     if (this.log.operations.length >= MOST_OPERATIONS)
       this.stop(programIssue("tooManyOperations", "error", { limit: MOST_OPERATIONS }), index);
-    return !this.isFull;
+    return !this.draft.full;
   }
 
   /** How many moves a tool may still turn. */

@@ -28,7 +28,7 @@ function choiceOfOpenBlock(): PathChoice | null {
 /** A block is opened for something that is chosen already: the tool stays where it is. */
 let isChosen = false;
 
-/** Opens a block by `open` without choosing it anew: it was chosen in the picture. */
+/** Opens a block by `open` without choosing it again: it was chosen in the picture. */
 export function openChosen(open: () => void): void {
   isChosen = true;
   try {

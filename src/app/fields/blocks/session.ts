@@ -27,6 +27,7 @@ import { createTextView, type TextUpdate, type TextView } from "./text-view.ts";
 import { onShown, shownFile, showFile } from "../../document/shown-file.ts";
 import { heldWhileTyping } from "../../base/typing.ts";
 import { restartable } from "../../base/once.ts";
+import { TYPING } from "../../base/waits.ts";
 
 /** What the panels beside the text show: the blocks, and which one is open. */
 export interface Session {
@@ -51,12 +52,6 @@ export const useSession = heldWhileTyping<Session>(() => none);
 
 /** Whether the blocks are those of a text: before one is opened there are none, which is no empty program. */
 export const ofText = ({ reading }: Session): boolean => reading !== none.reading;
-
-/** Rest after typing before panels follow, and before a text of this many blocks is calculated and kept, ms. */
-const PANELS_REST = 80,
-  REST = 150,
-  LONG_REST = 700;
-const LONG = 1500;
 
 /** Texts that are held after they were left. */
 const HELD = 8;
@@ -129,10 +124,10 @@ function onChange(update: TextUpdate): void {
     update.docChanged && update.transactions.some((tr) => tr.isUserEvent("input.type") || tr.isUserEvent("delete"));
   const byDialog = update.transactions.some((tr) => tr.annotation(dialogEdit));
   if (update.docChanged) {
-    const long = update.state.field(readingField).program.blocks.length > LONG;
-    if (long) calculating.typed(LONG_REST);
-    else if (typed && !byDialog) calculating.typed(REST);
-    calculation.start(handOverText, long ? LONG_REST : REST);
+    const long = update.state.field(readingField).program.blocks.length > TYPING.long;
+    if (long) calculating.typed(TYPING.longRest);
+    else if (typed && !byDialog) calculating.typed(TYPING.rest);
+    calculation.start(handOverText, long ? TYPING.longRest : TYPING.rest);
     if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo")))
       noteTyping(open, update.startState);
   }
@@ -140,7 +135,7 @@ function onChange(update: TextUpdate): void {
   if (update.docChanged && calculating.plansOnPage(update.state.doc.length)) handOverText();
   const more = update.state.field(readingField) !== update.startState.field(readingField);
   if (!more && !update.selectionSet) return;
-  if (typed && !byDialog) panels.start(() => show(true), PANELS_REST);
+  if (typed && !byDialog) panels.start(() => show(true), TYPING.panels);
   else show(!byDialog);
   if (update.transactions.some((tr) => tr.isUserEvent("select.pointer")))
     useSession.setState((s) => ({ pointed: s.pointed + 1 }));

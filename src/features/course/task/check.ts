@@ -134,7 +134,7 @@ export async function compareForetold(task: Task): Promise<readonly ComparedAnsw
 export async function showRun(task: Task): Promise<void> {
   changeTask(({ veiled: _, ...told }) => told);
   // What is known of the run is of another veil.
-  calculation.anew();
+  calculation.recalculate();
   // What is shown now is no change of what was hidden.
   void presentAnswer().then(compareFromHere);
   const answers = await compareForetold(task);
@@ -155,5 +155,5 @@ export function foretellAgain(): void {
   }));
   const question = Math.max(0, foretold?.findIndex(({ right }) => !right) ?? 0);
   useTaskView.setState({ foretold: null, checked: null, live: null, question });
-  calculation.anew();
+  calculation.recalculate();
 }
