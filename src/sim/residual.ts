@@ -11,7 +11,6 @@ import { machiningArea } from "./finished.ts";
 import { outlinesOf, type Outlines } from "./outlines.ts";
 import { reasonFor } from "./reason.ts";
 import { placeIn, regionsOf, type Region } from "./region.ts";
-import { sameRings } from "./same-step.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
 import { coveredOn, hullAlong, type Sweep } from "./sweep.ts";
 
@@ -98,31 +97,6 @@ export function residualOf(final: readonly Ring[], all: readonly SimulatedOperat
   const operations = all.map((o) => (o.plan.moves.length > 0 ? o : { ...o, plan: { ...o.plan, area: [] } }));
   const area = machiningArea(operations);
   return [...withinAreas(final, area, operations, known), ...overThreads(final, area, operations, known)];
-}
-
-/** How many answers are known. */
-const MOST_KNOWN = 4;
-
-/**
- * The same, known for the same stock after the same plans: the very objects, as a run gives them that keeps what it has
- * planned.
- */
-export function residualAgain(): typeof residualOf {
-  let known: {
-    readonly final: readonly Ring[];
-    readonly all: readonly SimulatedOperation[];
-    readonly left: Residual[];
-  }[] = [];
-  return (final, all, shapes) => {
-    const isSame = ({ plan, tool }: SimulatedOperation, i: number, of: readonly SimulatedOperation[]) =>
-      of[i]?.plan === plan && of[i].tool === tool;
-    const same = known.find(
-      (k) => k.all.length === all.length && all.every((o, i) => isSame(o, i, k.all)) && sameRings(k.final, final),
-    );
-    const left = same?.left ?? residualOf(final, all, shapes);
-    known = [{ final, all, left }, ...known.filter((k) => k !== same)].slice(0, MOST_KNOWN);
-    return left;
-  };
 }
 
 /**

@@ -1,4 +1,5 @@
 import { curvatureUnknown } from "../kernel/cutter/insert.ts";
+import { Answers } from "../kernel/answers.ts";
 import { areaOf } from "../kernel/area/area.ts";
 import { packed } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
@@ -14,9 +15,8 @@ import { cutEnds, holding, loosePieces, onLoosePieces, partsOff, type Parted } f
 import { marksOf } from "./marks.ts";
 import { measuring } from "./measure.ts";
 import { outlinesOf } from "./outlines.ts";
-import { recalling } from "./recall.ts";
 import { setupsOf } from "./setups.ts";
-import { residualAgain, residualOf, type KnownShapes } from "./residual.ts";
+import { residualOf, type KnownShapes } from "./residual.ts";
 import { hasClamping, nearestRun, resumed, snapshotSteps, type Former, type Resumed } from "./resume.ts";
 import type {
   AnyFinding,
@@ -109,15 +109,26 @@ const CONTACTS: ReadonlySet<AnyFinding["kind"]> = new Set(["gouge", "rapidInStoc
 /** What a step sweeps, and what it does wrong in a stock. */
 type Look = (step: Step, index: number) => { readonly sweep: Sweep; readonly check: (cut: Cutting) => AnyFinding[] };
 
-/** What is made of shapes: anew each time, or known from simulations before. */
+/** What is made of shapes: computed, or known from earlier simulations. */
 interface Measuring {
   readonly thickness: KnownShapes["thickness"];
   readonly residual: typeof residualOf;
 }
-const ANEW: Measuring = { thickness: thicknessOf, residual: residualOf };
+const COMPUTED: Measuring = { thickness: thicknessOf, residual: residualOf };
+
+/** The same, as far as it is not known yet. Plans that were kept are the same objects, as tools are. */
+const rememberedIn = (answers: Answers): Measuring => ({
+  thickness: (area) => answers.once(`thickness ${answers.written(area)}`, () => thicknessOf(area)),
+  residual(final, all, shapes) {
+    const operations = all.map(({ plan, tool }) => `${answers.labelOf(plan)} ${answers.labelOf(tool)}`);
+    return answers.once(`residual ${operations.join()} ${answers.written(final)}`, () =>
+      residualOf(final, all, shapes),
+    );
+  },
+});
 
 /** Cuts the blank by every step and looks at each before it cuts. */
-export const simulate = (input: SimulationInput): Simulation => simulated(input, null, ANEW).simulation;
+export const simulate = (input: SimulationInput): Simulation => simulated(input, null, COMPUTED).simulation;
 
 /** How many runs are known, the newest first, and the steps that all of them may have but for the newest. */
 const [MOST_KNOWN, MOST_KNOWN_STEPS] = [4, 200_000];
@@ -133,13 +144,11 @@ function withNewest(newest: Former | null, known: readonly Former[]): readonly F
  * Simulates runs one after the other. What comes is the same as of `simulate`; what the beginning of a run has in
  * common with one of the last runs is not cut and not looked at again.
  */
-export function simulating(): (input: SimulationInput) => Simulation {
+export function simulating(answers = new Answers()): (input: SimulationInput) => Simulation {
   let known: readonly Former[] = [];
-  const thickness = recalling(thicknessOf);
-  const measuring: Measuring = { thickness: thickness.of, residual: residualAgain() };
+  const measuring = rememberedIn(answers);
   return (input) => {
     const before = nearestRun(known, input);
-    thickness.next();
     const { simulation, kept } = simulated(input, before, measuring);
     known = withNewest(kept, known);
     return simulation;
@@ -243,19 +252,15 @@ function simulated(
       rear: rear.z,
     });
   }
+  /** Notes a snapshot before a step of an operation: another program may go on there in another way. */
+  function note(step: number, operation: number | null): void {
+    const { cut, marked } = at.present();
+    const measured = { byRapids, measure: measure.state(operation) };
+    snapshots.push({ step, cut: cut.copy(), marked, marks: marks.all().length, ...measured });
+  }
   for (let i = from?.step ?? 0; i < steps.length; i += 1) {
     const step = steps[i] as Step;
-    if (isKept(i) && i > (from?.step ?? 0)) {
-      const { cut, marked } = at.present();
-      snapshots.push({
-        step: i,
-        cut: cut.copy(),
-        marked,
-        marks: marks.all().length,
-        byRapids,
-        measure: measure.state(step.operation),
-      });
-    }
+    if (isKept(i) && i > (from?.step ?? 0)) note(i, step.operation);
     const now = statements.at(i, at.present().cut);
     lookWhole(i, now !== null);
     if (now) {
@@ -277,17 +282,9 @@ function simulated(
     isWhole &&= near(sweep, cut.present().meets).length === 0;
     cut.add(sweep);
   }
+  if (steps.length > (from?.step ?? 0)) note(steps.length, null);
   lookWhole(steps.length, false);
-  const { cut, marked } = at.present();
-  if (steps.length > (from?.step ?? 0))
-    snapshots.push({
-      step: steps.length,
-      cut: cut.copy(),
-      marked,
-      marks: marks.all().length,
-      byRapids,
-      measure: measure.state(null),
-    });
+  const { cut } = at.present();
   lookHeld(cut.stock(), steps.length);
   const last = statements.at(steps.length, cut);
   if (last) {

@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
+import { Answers } from "../../src/kernel/answers.ts";
 import { parse } from "../../src/nc/parse.ts";
 import { readingAgain } from "../../src/nc/reread.ts";
-import { planMemory } from "../../src/program/state/plan-memory.ts";
 import { run } from "../../src/program/run/run.ts";
 import { runningAgain } from "../../src/program/run/run-again.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
@@ -52,6 +52,25 @@ function otherDigit({ text, ...rest }: State, which: number, by: number): State 
   return { text: `${text.slice(0, at)}${digit}${text.slice(at + 1)}`, ...rest };
 }
 
+/** A label becomes another one of the program, where it is set or where it is called. */
+function otherLabel({ text, ...rest }: State, which: number, by: number): State {
+  const places = [...text.matchAll(/(?<=LBL )[1-9]\d*/g)];
+  const [place, other] = [places[which % places.length], places[Math.floor(Math.abs(by) * 97) % places.length]];
+  if (!place || !other) return { text, ...rest };
+  return { ...rest, text: text.slice(0, place.index) + other[0] + text.slice(place.index + place[0].length) };
+}
+
+/** A jump is made where it was not, or not any more. */
+function otherWay({ text, ...rest }: State, which: number): State {
+  const places = [...text.matchAll(/FN 9: IF \S+ EQU|FN 10: IF \S+ NE/g)];
+  const place = places[which % Math.max(1, places.length)];
+  if (!place) return { text, ...rest };
+  const jump = place[0].startsWith("FN 9")
+    ? place[0].replace("FN 9", "FN 10").replace("EQU", "NE")
+    : place[0].replace("FN 10", "FN 9").replace(/NE$/, "EQU");
+  return { ...rest, text: text.slice(0, place.index) + jump + text.slice(place.index + place[0].length) };
+}
+
 const lines =
   (change: (all: string[], at: number) => void) =>
   (state: State, which: number): State => {
@@ -81,6 +100,9 @@ const kinds = [
   "again",
   "undo",
   "undo",
+  "label",
+  "way",
+  "way",
   "note",
   "move",
   "drop",
@@ -104,6 +126,8 @@ function edited(before: readonly State[], [kind, which, by]: readonly [string, n
   if (kind === "drop") return dropped(state, which);
   if (kind === "blank") return stated(state, which);
   if (kind === "tool") return { ...state, nose: Math.abs(by) / 9 };
+  if (kind === "label") return otherLabel(state, which, by);
+  if (kind === "way") return otherWay(state, which);
   if (kind === "digit") return otherDigit(state, which, by);
   return otherNumber(state, which, by);
 }
@@ -112,11 +136,8 @@ const ran = ({ text, nose }: State) => run(parse(text), { ...shop(nose), tracing
 
 /** Runs one state after the other, with what is known of the ones before. */
 function running(): typeof ran {
-  const [memory, read, runs] = [planMemory(), readingAgain(), runningAgain()];
-  return ({ text, nose }) => {
-    memory.next();
-    return runs(read(text), { ...shop(nose), tracing, memory }, []);
-  };
+  const [memory, read, runs] = [new Answers(), readingAgain(), runningAgain()];
+  return ({ text, nose }) => runs(read(text), { ...shop(nose), tracing, memory }, []);
 }
 
 /** Edits a text step by step: each state runs and is proved as it does alone. */

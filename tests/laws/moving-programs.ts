@@ -51,6 +51,8 @@ const PARTS: Readonly<Record<string, (label: number, n: number) => readonly stri
     "L Z-2 F0.2",
   ],
   free: (_, n) => ["L X+60 Z+3 FMAX", "L Z+1 F0.2", `FL X+64 Z-${n}`, "FLT X+70 Z-9", "FL X+84 Z-9", "L X+90 FMAX"],
+  // Where the first element ends follows from the second one.
+  freeTogether: (_, n) => ["L X+60 Z+3 FMAX", "L Z+1 F0.2", "FL AN180", `FL X+76 Z-${8 + n} AN135`, "L X+90 FMAX"],
   looped: (label) => [
     "Q1 = +3",
     `LBL ${label}`,
@@ -66,6 +68,7 @@ const PARTS: Readonly<Record<string, (label: number, n: number) => readonly stri
     "; INTENDED CUT",
     "L Z-3 F0.1",
     "L X+90 FMAX",
+    "CALL LBL 93 REP6",
     `LBL ${label}`,
     "L Z+2 FMAX",
   ],
@@ -88,6 +91,9 @@ const TAIL = [
   "L X+Q2 Z-Q4 F0.2",
   "L X+82 FMAX",
   "LBL 0",
+  "LBL 93",
+  "L IX+1 FMAX",
+  "LBL 0",
   "LBL 91",
   "L X+50 Z+0",
   "L Z-10",
@@ -105,7 +111,16 @@ const TAIL = [
 ];
 
 /** Parts that look ahead or come back are more often there. */
-const NAMES = [...Object.keys(PARTS), "free", "free", "free", "repeatedCycle", "repeatedCycle", "contour"];
+const NAMES = [
+  ...Object.keys(PARTS),
+  "free",
+  "freeTogether",
+  "freeTogether",
+  "jumped",
+  "repeatedCycle",
+  "repeatedCycle",
+  "contour",
+];
 
 /** The text of a program of some parts. */
 export const movingPrograms: fc.Arbitrary<string> = fc

@@ -1,3 +1,4 @@
+import { Answers } from "../../kernel/answers.ts";
 import { cycleByNumber } from "../../cycles/index.ts";
 import { knownParameters } from "../../program/job/job-parameters.ts";
 import { readDraft } from "../../program/job/read-draft.ts";
@@ -33,7 +34,10 @@ const FRESH: Makers = { planned, simulate };
 /**
  * What makes one outcome after the other of the same work: what stays the same is not planned, cut or looked at again.
  */
-export const makersAgain = (): Makers => ({ planned: planner(), simulate: simulating() });
+export function makersAgain(): Makers {
+  const answers = new Answers();
+  return { planned: planner(answers), simulate: simulating(answers) };
+}
 
 /** What every work needs that takes time, as plain functions of plain data. Runs in a worker. */
 export const engine = {

@@ -1,10 +1,10 @@
 import { parse } from "../../nc/parse.ts";
 import type { Program } from "../../nc/program.ts";
 import { readingAgain } from "../../nc/reread.ts";
+import { Answers } from "../../kernel/answers.ts";
 import { never } from "../../kernel/never.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { Shop } from "../../program/state/shop.ts";
-import { planMemory } from "../../program/state/plan-memory.ts";
 import { filesByName } from "../../program/state/program-files.ts";
 import { run } from "../../program/run/run.ts";
 import { runningAgain } from "../../program/run/run-again.ts";
@@ -65,16 +65,13 @@ interface Planner {
  * Begins to plan a work: blocks that stay the same are not read again, what comes before the first that is another is
  * not run again, and cycles that stay the same are not planned again. What comes is the same as of `planned`.
  */
-export function planner(): Planner {
-  const [memory, read, runs] = [planMemory(), readingAgain(), runningAgain()];
-  const next = (): By => {
-    memory.next();
-    return { memory, tracing, read };
-  };
+export function planner(memory = new Answers()): Planner {
+  const runs = runningAgain();
+  const by: By = { memory, tracing, read: readingAgain() };
   const whole = (request: Request, atStage: (stage: Stage) => void = silent) =>
-    planBy(request, atStage, next(), runs) ?? never("a run without an end", request);
+    planBy(request, atStage, by, runs) ?? never("a run without an end", request);
   return Object.assign(whole, {
     part: (request: Request, goesOn: () => boolean) =>
-      planBy(request, silent, next(), (program, shop, beside) => runs.part(program, shop, beside, goesOn)),
+      planBy(request, silent, by, (program, shop, beside) => runs.part(program, shop, beside, goesOn)),
   });
 }

@@ -1,4 +1,5 @@
 import type { Cycle, Given } from "../../cycles/define.ts";
+import type { Answers } from "../../kernel/answers.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { Plan, Setting } from "../../kernel/plan/plan.ts";
 import type { Pt, Ring } from "../../kernel/geometry/point.ts";
@@ -9,7 +10,6 @@ import { cycleValues } from "./cycle-values.ts";
 import type { ProgramIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 import type { Defined } from "../state/modal.ts";
-import { exactly, type PlanMemory } from "../state/plan-memory.ts";
 import { unlikelyFeeds } from "../state/preconditions.ts";
 import type { Operation } from "../state/run-types.ts";
 import { countedPoint, shiftedPlan } from "./shifted-plan.ts";
@@ -39,8 +39,6 @@ export interface CallAnswer extends Pick<Operation, "call" | "plan"> {
   readonly found: readonly Issue[];
   /** What of it, and of the feeds, is told. */
   readonly said: readonly (Issue | ProgramIssue)[];
-  /** What it is known by; absent where nothing is remembered. */
-  readonly name?: string;
 }
 
 const nothing: Plan = empty([]);
@@ -105,10 +103,8 @@ function answer(
   };
 }
 
-const place = ({ z, r }: Pt): string => `${exactly(z)} ${exactly(r)}`;
-
-/** All that an answer hangs on. */
-function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked: CalledCycle): string {
+/** Everything that an answer depends on. */
+function questionOf(machine: Machine, memory: Answers, asked: CalledCycle): string {
   const { cycle, defined, contour, told, start, tool, stock, solid } = asked;
   const {
     spindle,
@@ -116,24 +112,24 @@ function questionOf(machine: Machine, memory: Pick<PlanMemory, "nameOf">, asked:
     now: { inch, datum, toolFeed, perRevolution, tool: called },
   } = machine;
   return [
-    `call ${cycle.number} ${place(start)} ${exactly(datum.x)} ${exactly(datum.z)} ${exactly(datum.y)}`,
-    JSON.stringify([inch, toolFeed, perRevolution, rapid, spindle, called !== null, machine.run.traced !== null, told]),
-    JSON.stringify([[...defined.values], [...defined.troubled]]),
+    `call ${cycle.number}`,
+    memory.written([start, datum, inch, toolFeed, perRevolution, rapid, spindle]),
+    memory.written([called !== null, machine.run.traced !== null, told, ...defined.values, ...defined.troubled]),
     contour ? memory.nameOf(contour) : "",
     memory.nameOf(tool),
     stock ? memory.nameOf(stock) : "",
-    solid ? `${memory.nameOf(solid.rings)} ${exactly(solid.below)} ${solid.isBored}` : "",
+    solid ? `${memory.nameOf(solid.rings)} ${memory.written(solid.below)} ${solid.isBored}` : "",
     memory.nameOf(machine.now.blank),
   ].join("\n");
 }
 
-/** What comes of a call: worked out, or known from the run before. */
+/** What a call gives: computed, or known from an earlier run. */
 export function answerTo(machine: Machine, asked: CalledCycle): CallAnswer {
   const { memory } = machine.shop;
   if (!memory) return answer(machine, asked);
   return memory.once(
     questionOf(machine, memory, asked),
-    (name) => ({ ...answer(machine, asked), name }),
+    () => answer(machine, asked),
     ({ plan }) => plan.moves.length,
   );
 }

@@ -107,9 +107,10 @@ export function readContourOf(
   machine.set({ inch });
   machine.known.parameters = outer;
   if (machine.run.full) return null;
+  const { memory } = machine.shop;
   const make = () => contourFrom(reader.elements);
   return {
-    contour: machine.shop.memory?.alike(reader.elements, make) ?? make(),
+    contour: memory ? memory.once(`contour ${memory.written(reader.elements)}`, make) : make(),
     blocks: reader.blocks,
     isTroubled: reader.isTroubled,
   };

@@ -172,8 +172,7 @@ export function callCycle(machine: Machine, index: number): void {
   if (!defined) return machine.log.say(programIssue("noCycleDefined", "error", {}), index);
   machine.call(defined.index);
   if (defined.program !== undefined) return callNamed(machine, defined.program, `CYCL DEF ${defined.cycle}`, index);
-  const known = cycleByNumber(defined.cycle);
-  const cycle = known && (machine.shop.memory?.of(known) ?? known);
+  const cycle = cycleByNumber(defined.cycle);
   if (!cycle) return drillOnAxis(machine, defined, index) ? undefined : otherCycle(machine, defined, index);
   preconditions(machine, index);
   const start = startOf(machine, index);

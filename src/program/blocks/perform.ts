@@ -40,11 +40,11 @@ function knownSteps(machine: Machine, performed: Performed, index: number): Time
     log,
     shop: { memory },
   } = machine;
-  const { plan, name } = performed.answer;
+  const { plan } = performed.answer;
   const make = () => timed(stepsOf(machine, performed, plan, index));
-  if (!memory || name === undefined) return make();
+  if (!memory) return make();
   const { file = "", line = 0 } = log.lineOf(index);
-  const asked = `steps ${log.operations.length} ${log.numberOf(index) ?? 0} ${line} ${file}\n${name}`;
+  const asked = `steps ${log.operations.length} ${log.numberOf(index) ?? 0} ${line} ${file}\n${memory.labelOf(performed.answer)}`;
   return memory.once(asked, make, ({ steps }) => steps.length);
 }
 

@@ -10,17 +10,11 @@ import { firstState, ended, step } from "./run.ts";
 /** Programs that can be called. */
 type Beside = readonly { readonly name: string; readonly text: string }[];
 
-/** A state that a run has passed, and what the memory of plans had been asked by then. */
-interface Passed {
-  readonly state: RunState;
-  readonly asked: number;
-}
-
 /** A run with the states that were noted on its way. */
 interface Former {
   readonly input: RunInput;
   readonly beside: Beside;
-  readonly passed: readonly Passed[];
+  readonly passed: readonly RunState[];
 }
 
 /** States are noted before these, whose values are typed most; of a long program about so many. */
@@ -85,12 +79,12 @@ function common(
   program: Program,
   shop: Shop,
   calls: Beside,
-): { readonly passed: readonly Passed[]; readonly first: number | null } | null {
+): { readonly passed: readonly RunState[]; readonly first: number | null } | null {
   if (!isSameShop(input.shop, shop) || !areSame(beside, calls)) return null;
   const changed = changedBlocks(input.program, program);
   if (!changed) return null;
   const looked = Math.min(...changed.map((index) => firstLook(input, index)));
-  return { passed: passed.filter(({ state }) => state.executed < looked), first: changed[0] ?? null };
+  return { passed: passed.filter(({ executed }) => executed < looked), first: changed[0] ?? null };
 }
 
 /** Runs a program whose run before is known. `beside`: all that `shop.files` finds, as text. */
@@ -116,23 +110,22 @@ export function runningAgain(): Runner {
     const input = runInput(
       program,
       shop,
-      former && last ? { input: former.input, executed: last.state.executed } : undefined,
+      former && last ? { input: former.input, executed: last.executed } : undefined,
     );
     former = { input, beside, passed };
-    if (last) shop.memory?.again(last.asked);
-    let state = last ? over(input, last.state) : firstState(input);
+    let state = last ? over(input, last) : firstState(input);
     /** Whether a state is worth noting: some way behind the one before, or where the first block is that is another. */
     const isDue = (next: number, executed: number) => {
       if (next === same?.first) return firstLook(input, next) === Infinity;
       const kind = program.blocks[next]?.statement.kind;
-      const far = executed - (passed.at(-1)?.state.executed ?? 0);
+      const far = executed - (passed.at(-1)?.executed ?? 0);
       return kind !== undefined && NOTED.has(kind) && far >= Math.max(program.blocks.length, executed) / MOST_NOTED;
     };
     while (!state.flow.ending) {
       state = step(input, state, isDue);
       // A program that was called is another object in each run.
       if (state.flow.ending || state.log.texts.length > 0) continue;
-      passed.push({ state, asked: shop.memory?.asked() ?? 0 });
+      passed.push(state);
       if (!goesOn()) return null;
     }
     return ended(input, state);

@@ -1,7 +1,7 @@
+import type { Answers } from "../../kernel/answers.ts";
 import type { Issue } from "../../kernel/plan/issue.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 import type { MachineData } from "../machine/machine-data.ts";
-import type { PlanMemory } from "./plan-memory.ts";
 import type { Control, Mill } from "../tools/plane-types.ts";
 import type { ProgramFiles } from "./program-files.ts";
 import type { Tracing } from "./tracing.ts";
@@ -23,8 +23,8 @@ export interface Shop {
   readonly files?: ProgramFiles;
   /** Traces the blank that a program asks to be traced; without it the cycles are planned as if it did not. */
   readonly tracing?: Tracing;
-  /** What the plans of the run before are known by; without it each cycle is planned anew. */
-  readonly memory?: Omit<PlanMemory, "next">;
+  /** Answers of earlier runs: contours, plans and steps; without it everything is computed again. */
+  readonly memory?: Answers;
   /** True to leave out the blocks that are marked with `/`. */
   readonly skipMarked?: boolean;
 }
