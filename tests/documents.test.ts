@@ -62,6 +62,17 @@ describe("what documents name exists", () => {
     expect([...missing, ...lost]).toEqual([]);
   });
 
+  test("each function that the walks name is in its file", () => {
+    const rows = [...projectFile("docs/walks.md").matchAll(/^\| `(src\/[^`]+)` \| (.*) \|$/gm)];
+    const missing = rows.flatMap(([, file = "", what = ""]) => {
+      const source = projectFile(file);
+      const named = [...what.matchAll(/`([A-Za-z]+)`/g)].map(([, name = ""]) => name);
+      return named.filter((name) => !new RegExp(`\\b${name}\\b`).test(source)).map((name) => `${name} in ${file}`);
+    });
+    expect(missing).toEqual([]);
+    expect(rows.length).toBeGreaterThan(50);
+  });
+
   test("the commands of the documents are scripts of package.json", () => {
     const { scripts } = JSON.parse(projectFile("package.json")) as { scripts: Record<string, string> };
     const named = documents.flatMap((path) =>
