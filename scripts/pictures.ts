@@ -158,7 +158,9 @@ export async function main(names: readonly string[]): Promise<number> {
       const gif = await encode({ ...ANIMATION, frames: data, maxColors: 255 });
       writeFileSync(`${FOLDER}/turnwise.gif`, Buffer.from(gif));
       const seconds = taken.reduce((sum, { delay }) => sum + delay, 0) / 1000;
-      console.log(`${FOLDER}/turnwise.gif: ${taken.length} frames, ${seconds} s, ${Math.round(gif.byteLength / 1024)} kB`);
+      console.log(
+        `${FOLDER}/turnwise.gif: ${taken.length} frames, ${seconds} s, ${Math.round(gif.byteLength / 1024)} kB`,
+      );
     }
     return 0;
   } finally {
