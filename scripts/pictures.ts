@@ -10,7 +10,7 @@ import { built } from "./built.ts";
 const FOLDER = "docs/pictures";
 const SCREEN = { width: 1440, height: 900 };
 const ANIMATION = { width: 1280, height: 800 };
-/** One moment on every clock and the same names in each run: a picture changes only when the page does. */
+/** One moment on every clock and the same names in each run: apart from smoothed edges a picture changes only with the page. */
 const HELD = { heldClock: "2026-11-27T09:00", seed: 8 };
 
 /** A fresh visitor's page. */
