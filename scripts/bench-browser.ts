@@ -1,7 +1,4 @@
-import { spawnSync } from "node:child_process";
-import { existsSync, readdirSync, statSync } from "node:fs";
 import { cpus } from "node:os";
-import { join } from "node:path";
 import type { Browser } from "@playwright/test";
 import { openBench, serveBuilt, startBrowser, type Bench } from "./browser-bench/bench-page.ts";
 import {
@@ -20,36 +17,7 @@ import type { Screen } from "./browser-bench/screens.ts";
 import { writeIntoPage } from "./performance-page.ts";
 import { frameTable, keyTable } from "./browser-bench/tables.ts";
 import type { MeasuredWork } from "./browser-bench/works.ts";
-
-/** The newest time in a folder, or of a file. */
-function newest(path: string): number {
-  const about = statSync(path);
-  if (!about.isDirectory()) return about.mtimeMs;
-  return Math.max(0, ...readdirSync(path).map((name) => newest(join(path, name))));
-}
-
-const SOURCES = [
-  "src",
-  "public",
-  "index.html",
-  "package-lock.json",
-  "vite.config.ts",
-  "scripts/start-pictures.ts",
-  "scripts/menu.ts",
-];
-
-/** The built page, built anew when it is older than what it is made of. */
-function built(): string {
-  const page = "dist/index.html";
-  if (!existsSync(page) || statSync(page).mtimeMs < Math.max(...SOURCES.map(newest))) {
-    console.error("The built page is older than its sources: building …");
-    const { status } = spawnSync(process.execPath, ["node_modules/vite/bin/vite.js", "build", "--logLevel", "warn"], {
-      stdio: ["ignore", 2, 2],
-    });
-    if (status !== 0) throw new Error("the build failed");
-  }
-  return "dist";
-}
+import { built } from "./built.ts";
 
 function measureCase(
   bench: Bench,

@@ -38,21 +38,21 @@ Klartext: a DIN/ISO file is translated when it is opened.
   correspond.
 - Each block is complete: path function, G90 or G91 and compensation do not depend on the block before. Where Klartext leaves the
   compensation as it is, the block has no G40, G41 or G42.
-- A cycle with Q parameters stands on one line: \`G820 Q215=+0 Q460=+2 … *\`. The G number is the number of the cycle.
+- A cycle with Q parameters is one line: \`G820 Q215=+0 Q460=+2 … *\`. The G number is the number of the cycle.
 - A cycle of numbered lines (7.0, 7.1 …) becomes one block with the number of its first line.
 - Axes carry a sign and a decimal point, as in Klartext. Line ends are those of the program.
 - Formulas (\`Q1 = Q2 * 3\`), text formulas, comments and structure items are the same in both languages.
 
 ## What is kept as Klartext
 
-A function without a DIN/ISO word stands in the file as Klartext, as it does on the control. The export lists these blocks. They are:
+A function without a DIN/ISO word is written as Klartext, as on the control. The export lists these blocks. They are:
 APPR and DEP, UDC and GRV, FK contours, FUNCTION MODE, FUNCTION TURNDATA, BLK FORM CYLINDER, ROTATION and FILE, TRANS, PLANE and
 FUNCTION TCPM, SEL CONTOUR, SEL PGM, CALL SELECTED PGM, CONTOUR DEF and contour formulas, CYCL CALL POS and PAT, jumps without FN
 or with IS DEFINED, a tool axis other than X, Y and Z, a circle centre on other axes, arcs with LIN_, and every block with a word that
 the Klartext reader does not know. Of the cycles of numbered lines only those in the table are translated, and only when their text
 has the form shown.
 
-G26 and G27 of older controls are not used for APPR CT and DEP CT: the path is another one.
+G26 and G27 of older controls are not used for APPR CT and DEP CT: their path differs.
 
 ## What is lost
 
@@ -62,13 +62,13 @@ come back in one language. Numbers are written in one form (\`70.0\` becomes \`7
 ## How a file is read
 
 - Path function, G90/G91 and the direction of arcs stay in force until they change, in the order of the file. A subprogram that relies on
-  what its caller left in force is read with what the block in front of it left.
+  its caller is read with what is in force before it in the file.
 - G00 and G10 become FMAX in each block. A compensation is written only where a block names it.
-- One G90 or G91 in a block holds for the whole block; of several, each holds for the words behind it.
+- One G90 or G91 in a block applies to the whole block; of several, each applies to the words after it.
 - I, J, K with an end point become two blocks: CC and the arc.
 - A feed in a block with G00 is written into the next block at feed. S without T becomes TOOL CALL S.
-- Block numbers, \` *\`, blanks between words and capitals are optional; a decimal comma is read as a point.
-- A cycle may stand on several lines, with or without \` ~\` and labels.
+- Block numbers, \` *\`, spaces between words and capitals are optional; a decimal comma is read as a point.
+- A cycle may be on several lines, with or without \` ~\` and labels.
 - A block that is not understood stays in the program as text and is reported with block number, line and column. Nothing is dropped, except
   G17, G18 and G19 outside a tool call or blank, which is reported as well.
 
@@ -78,7 +78,7 @@ come back in one language. Numbers are written in one form (\`70.0\` becomes \`7
 recalled words are:
 ${recalled}.
 
-A letter B is for the word. The order of the words in a block, and what stands behind the G words of the older cycles, is recalled (K1);
+The letter B applies to the word. The order of the words in a block, and what follows the G words of the older cycles, is recalled (K1);
 that comments end with \` *\` is recalled (K3). Check the first file on your control.
 
 | Word | Klartext | DIN/ISO | Evidence | Source |

@@ -74,8 +74,8 @@ const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
   ],
 };
 
-/** What becomes of a block: it is run; it is kept and changes nothing; it is kept, and nothing behind it is proved. */
-export const FATES = ["run", "kept", "unproved"] as const;
+/** What happens to a block: it is run; kept without effect; or kept, and the program is unverified from there on. */
+export const FATES = ["run", "kept", "unverified"] as const;
 export type Fate = (typeof FATES)[number];
 
 const PLACES = {
@@ -140,7 +140,7 @@ function fateOf(block: string, place: keyof typeof PLACES): Fate {
     files: FILES,
   });
   if (unproved.some(({ block: at }) => at !== null && at >= before.length && at <= before.length + called.length))
-    return "unproved";
+    return "unverified";
   const silent =
     statement.kind === "unknown" || issues.some((f) => f.issue.code === "notSimulated" && f.block === before.length);
   return silent ? "kept" : "run";
@@ -148,14 +148,14 @@ function fateOf(block: string, place: keyof typeof PLACES): Fate {
 
 const HEAD = `# Blocks of a program
 
-Every kind of block that the reader knows, in one of its spellings, and what becomes of it while turning and while milling:
+Every kind of block that the reader knows, in one of its spellings, and what happens to it in turning and in milling mode:
 
-- **run**: it does here what it does on the control.
-- **kept**: it comes back to the byte and changes neither path nor stock.
-- **unproved**: it comes back to the byte; what it would move nobody here knows, and the report says so from that block on.
+- **run**: it does what it does on the control.
+- **kept**: it is saved unchanged to the byte and affects neither path nor stock.
+- **unverified**: it is saved unchanged to the byte. Its effect is not simulated, and the program is unverified from that block on.
 
-UDC and GRV are run where they belong, in a contour. DRILL.H and PART.H lie beside the program; a program or contour that is
-missing is unproved. A block that is not in the list is kept as text and unproved.
+UDC and GRV are run in a contour. DRILL.H and PART.H are beside the program; a missing program or contour is unverified. A block that
+is not in the list is kept as text and unverified.
 The page is written by \`npm run docs\`: each block is run in a small program.
 
 | Block | Turning | Milling |

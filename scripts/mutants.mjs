@@ -2,7 +2,7 @@
  * `npm run mutants [-- --write] [WORD …]`: plants each fault of tests/mutants/*.json in a copy of the tree, one at a
  * time, and runs the fast tests there. A fault that no test sees survives, and the command fails; so it does when the
  * text of a fault is no longer in its file. WORD chooses faults by their file or description. `--write` puts the table
- * into docs/proof.md.
+ * into docs/verification.md.
  */
 import { spawn } from "node:child_process";
 import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
@@ -222,7 +222,7 @@ if (WRITE) {
     "",
     "<!-- /mutants -->",
   ].join("\n");
-  const path = join(root, "docs", "proof.md");
+  const path = join(root, "docs", "verification.md");
   writeFileSync(
     path,
     readFileSync(path, "utf8").replace(/<!-- mutants:[\s\S]*<!-- \/mutants -->/, () => table),

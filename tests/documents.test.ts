@@ -35,6 +35,7 @@ describe("what documents name exists", () => {
   const documents = [
     "README.md",
     "CONTRIBUTING.md",
+    "SECURITY.md",
     ...["docs", "docs/decisions"].flatMap((folder) =>
       projectFolder(folder)
         .filter((n) => n.endsWith(".md"))
@@ -61,12 +62,38 @@ describe("what documents name exists", () => {
     expect([...missing, ...lost]).toEqual([]);
   });
 
-  test("the commands of the README are scripts of package.json", () => {
+  test("each function that the walks name is in its file", () => {
+    const rows = [...projectFile("docs/walks.md").matchAll(/^\| `(src\/[^`]+)` \| (.*) \|$/gm)];
+    const missing = rows.flatMap(([, file = "", what = ""]) => {
+      const source = projectFile(file);
+      const named = [...what.matchAll(/`([A-Za-z]+)`/g)].map(([, name = ""]) => name);
+      return named.filter((name) => !new RegExp(`\\b${name}\\b`).test(source)).map((name) => `${name} in ${file}`);
+    });
+    expect(missing).toEqual([]);
+    expect(rows.length).toBeGreaterThan(50);
+  });
+
+  test("the commands of the documents are scripts of package.json", () => {
     const { scripts } = JSON.parse(projectFile("package.json")) as { scripts: Record<string, string> };
-    const named = [
-      ...projectFile("README.md").matchAll(/npm (?:run )?(?:--silent )?(?:run )?(?:--silent )?([a-z0-9]+)/g),
-    ].map(([, name = ""]) => name);
+    const named = documents.flatMap((path) =>
+      [...projectFile(path).matchAll(/npm run (?:--silent )?([a-z0-9:]+)/g)].map(([, name = ""]) => name),
+    );
     expect(named.filter((name) => !(name in scripts))).toEqual([]);
-    expect(named.length).toBeGreaterThan(5);
+    const missing = Object.keys(scripts).filter((name) => !["start", "test"].includes(name) && !named.includes(name));
+    expect(missing).toEqual([]);
+  });
+
+  test("every picture of `npm run pictures` is shown in a document", () => {
+    const shown = documents.flatMap((path) =>
+      [...projectFile(path).matchAll(/!\[[^\]]+\]\(([^)]+)\)/g)].map(([, to = ""]) => join(dirname(path), to)),
+    );
+    const pictures = projectFolder("docs/pictures").map((name) => `docs/pictures/${name}`);
+    expect(pictures.filter((path) => !shown.includes(path))).toEqual([]);
+    expect(pictures.length).toBeGreaterThan(3);
+  });
+
+  test("the newest version of the changelog is that of package.json", () => {
+    const { version } = JSON.parse(projectFile("package.json")) as { version: string };
+    expect(/^## (\d+\.\d+\.\d+)/m.exec(projectFile("CHANGELOG.md"))?.[1]).toBe(version);
   });
 });

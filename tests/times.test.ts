@@ -15,10 +15,10 @@ function machineIn(name: string) {
   return read.machine;
 }
 
-/** The table of docs/times.md: the figures that were worked out by hand. */
+/** The table of docs/times.md: the figures that were calculated by hand. */
 const [head = [], , ...rows] =
   projectFile("docs/times.md")
-    .split("\n## Six programs by hand\n")[1]
+    .split("\n## Six programs calculated by hand\n")[1]
     ?.split("\n")
     .filter((line) => line.startsWith("|"))
     .map((line) =>
@@ -36,7 +36,7 @@ const CAUSES = [
   "total",
 ] as const satisfies readonly (keyof ReportTime)[];
 
-describe("times that were worked out by hand", () => {
+describe("times that were calculated by hand", () => {
   test("the table has its columns and six programs", () => {
     expect(head.slice(2)).toEqual(CAUSES);
     expect(rows.slice(0, 6).map(([name]) => name)).toEqual([

@@ -97,7 +97,7 @@ export async function measureBox(bench: Bench, options: BenchOptions): Promise<F
 }
 
 /** Takes the tool to a part of the whole time. */
-async function seek({ turnwise }: Bench, part: number): Promise<void> {
+export async function seek({ turnwise }: Pick<Bench, "turnwise">, part: number): Promise<void> {
   await turnwise.lathe.timeline.evaluate((input: HTMLInputElement, value) => {
     Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(input, String(value * 1000));
     input.dispatchEvent(new Event("input", { bubbles: true }));
