@@ -35,9 +35,9 @@ const shop = (nose: number) => ({
   rapid: 10_000,
 });
 
-/** A number somewhere in a program becomes another one. */
-function otherNumber({ text, ...rest }: State, which: number, by: number): State {
-  const places = [...text.matchAll(/(?<=(?:Q\d+=|[XZLD])[+-]?)\d+(?:\.\d+)?/g)];
+/** A number somewhere in a program becomes another one; `of`: what stands in front of those that may. */
+function otherNumber({ text, ...rest }: State, which: number, by: number, of = "(?:Q\\d+=|[XZLD])[+-]?"): State {
+  const places = [...text.matchAll(new RegExp(String.raw`(?<=${of})\d+(?:\.\d+)?`, "g"))];
   const place = places[which % Math.max(1, places.length)];
   if (!place) return { text, ...rest };
   const value = Math.abs(Number(place[0]) + by).toFixed(3);
@@ -100,6 +100,8 @@ const kinds = [
   "again",
   "undo",
   "undo",
+  "element",
+  "element",
   "label",
   "way",
   "way",
@@ -126,6 +128,7 @@ function edited(before: readonly State[], [kind, which, by]: readonly [string, n
   if (kind === "drop") return dropped(state, which);
   if (kind === "blank") return stated(state, which);
   if (kind === "tool") return { ...state, nose: Math.abs(by) / 9 };
+  if (kind === "element") return otherNumber(state, which, by / 4, "FL.* [XZ][+-]?");
   if (kind === "label") return otherLabel(state, which, by);
   if (kind === "way") return otherWay(state, which);
   if (kind === "digit") return otherDigit(state, which, by);
