@@ -4,7 +4,7 @@ export const load: LoadTexts = {
   names: {
     roughness: "Rautiefe Rz (theoretisch)",
     depth: "Schnitttiefe",
-    chip: "Spanungsquerschnitt",
+    chip: "Spanquerschnitt",
     feed: "Vorschub pro Umdrehung",
     speed: "Schnittgeschwindigkeit",
   },

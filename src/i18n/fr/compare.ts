@@ -52,7 +52,7 @@ export const compare = typeset<CompareTexts>({
   without: "sans",
   from: "avant",
   to: "maintenant",
-  effects: { infeed: "Prof. passe", passes: "Passes", seconds: "Temps", residue: "Résiduelle" },
+  effects: { infeed: "Prise de passe", passes: "Passes", seconds: "Temps", residue: "Résiduelle" },
   notRun: "non exécuté",
   whole: "Programme entier",
   verdict: "Résultat",

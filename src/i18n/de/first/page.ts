@@ -44,7 +44,7 @@ export const page = {
     foundExample: (title) => `Beispiel: ${title}`,
     beyond: "Mehr, als die Steuerung zeigt",
     beyondAll: {
-      typing: { what: "Beim Eingeben", how: "Schnitte, tatsächliche Zustellung, Zeit und Spanungsquerschnitt" },
+      typing: { what: "Beim Eingeben", how: "Schnitte, tatsächliche Zustellung, Zeit und Spanquerschnitt" },
       residue: { what: "Restmaterial", how: "wo, warum und welches Werkzeug es erreicht" },
       proof: { what: "Prüfung", how: "keine Konturverletzung, kein Eilgang im Material; sonst der verursachende Satz" },
       steps: { what: "Schritt für Schritt", how: "der Ablauf aus dem Handbuch, im Takt des Werkzeugs" },
@@ -117,7 +117,7 @@ export const page = {
     infeed: "Zustellung",
     infeedUnit: "mm je Schnitt",
     time: "Zeit",
-    chip: "Spanungsquerschnitt",
+    chip: "Spanquerschnitt",
     residual: "Restmaterial",
     none: "keins",
     unknown: "–",

@@ -44,7 +44,7 @@ export const page = {
     foundExample: (title) => `Exemple : ${title}`,
     beyond: "Plus que ce que montre la commande",
     beyondAll: {
-      typing: { what: "Pendant la saisie", how: "passes, profondeur de passe réelle, temps et section de copeau" },
+      typing: { what: "Pendant la saisie", how: "passes, prise de passe réelle, temps et section de copeau" },
       residue: { what: "Matière résiduelle", how: "où, pourquoi, et quel outil l’atteint" },
       proof: {
         what: "Vérification",
@@ -73,7 +73,7 @@ export const page = {
     forget: (name) => `Retirer ${name} de la liste`,
     removed: (name) => `${name} a été retiré.`,
     changed: (when) => `modifié ${when}`,
-    unconfirmed: "Non vérifié sur un manuel ; à comparer sur la commande.",
+    unconfirmed: "Non vérifié dans un manuel ; à comparer sur la commande.",
   },
 
   programs: {
@@ -117,7 +117,7 @@ export const page = {
   effect: {
     title: "Effet de ces valeurs",
     passes: "Passes",
-    infeed: "Prof. de passe",
+    infeed: "Prise de passe",
     infeedUnit: "mm par passe",
     time: "Temps",
     chip: "Section copeau",

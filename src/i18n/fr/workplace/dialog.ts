@@ -41,11 +41,11 @@ export const dialog = {
     revolutions: "tr",
     none: "",
   },
-  recalled: "Non vérifié sur un manuel ; à comparer sur la commande.",
+  recalled: "Non vérifié dans un manuel ; à comparer sur la commande.",
   evidence: {
     mark: "non vérifié",
-    range: "Plage non vérifiée sur un manuel ; la commande peut en admettre une autre.",
-    parameter: "Non vérifié sur un manuel ; à comparer sur la commande.",
+    range: "Plage non vérifiée dans un manuel ; la commande peut en admettre une autre.",
+    parameter: "Non vérifié dans un manuel ; à comparer sur la commande.",
   },
   setup: {
     blank: {

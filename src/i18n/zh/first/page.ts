@@ -45,7 +45,7 @@ export const page = {
     beyondAll: {
       typing: { what: "输入时", how: "走刀次数、实际进刀量、时间和切屑截面积" },
       residue: { what: "残留材料", how: "在哪里、为什么、哪把刀能切到" },
-      proof: { what: "检查", how: "无轮廓损坏，材料内无快移；否则指出程序段" },
+      proof: { what: "检查", how: "无轮廓损伤，材料内无快移；否则指出程序段" },
       steps: { what: "逐步", how: "手册中的步骤随刀具同步显示" },
       approach: { what: "APPR 和 DEP", how: "全部八种功能，用于您的轮廓" },
     },
@@ -127,7 +127,7 @@ export const page = {
           ? `${minutes} 分 ${seconds} 秒`
           : `${seconds} 秒`
         : `${Math.floor(minutes / 60)} 小时 ${minutes % 60} 分`,
-    faults: "轮廓损坏与碰撞",
+    faults: "轮廓损伤与碰撞",
     pin: {
       make: "设为参照",
       title: "参照状态",

@@ -30,7 +30,7 @@ export const findings = {
   verdict: {
     title: "检查",
     none: "–",
-    proved: "已验证：无轮廓损坏，材料内无快移",
+    proved: "已验证：无轮廓损伤，材料内无快移",
     stays: (area) => `已验证；残留材料 ${area}`,
     warnings: (n) => `已验证，有 ${n} 条警告`,
     holderUnknown: "路径已验证，刀杆未检查",
