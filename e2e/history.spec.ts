@@ -41,7 +41,7 @@ test("every place can be reloaded at its address", async ({ page }) => {
   };
   await again(/\?clock=manual#\/$/);
   await expect(start.button(812, true)).toBeVisible();
-  await page.getByRole("button", { name: t.page.start.which }).click();
+  await page.getByRole("button", { name: t.page.start.which, exact: true }).click();
   await again(/#\/which$/);
   await expect(page.getByRole("dialog", { name: /./ })).toBeVisible();
   await page.keyboard.press("Escape");

@@ -33,7 +33,7 @@ test("of two tabs on one work one has it: it is taken over with the last key, gi
   await expect(second.dialog.line("Q494")).toContainText("-44.25");
   await expect(second.dialog.line("Q493")).toContainText("51");
   await second.dialog.set("Q493", "52.5");
-  await expect(first.page.getByRole("heading", { name: /goes on in another tab/ })).toBeVisible();
+  await expect(first.page.getByRole("heading", { name: /is now edited in another tab/ })).toBeVisible();
 
   await button(first, t.takeBack).click();
   await expect(first.dialog.line("Q493")).toContainText("52.5");

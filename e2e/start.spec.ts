@@ -38,13 +38,13 @@ test("the picture on the start page plays, is held, and stands still where motio
   await lathe.advance(2400);
   await expect(tool).not.toHaveAttribute("transform", first ?? "");
   await expect(page.getByText(live.pass(2, 5))).toBeVisible();
-  await page.getByRole("button", { name: live.pause }).click();
+  await page.getByRole("button", { name: live.pause, exact: true }).click();
   const held = await tool.getAttribute("transform");
   await lathe.advance(900);
   await expect(tool).toHaveAttribute("transform", held ?? "");
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.reload();
-  await expect(page.getByRole("button", { name: live.play })).toBeVisible();
+  await expect(page.getByRole("button", { name: live.play, exact: true })).toBeVisible();
 });
 
 test("kept work stands first, opens with one press, and is taken out with a way back", async ({ page }) => {

@@ -16,7 +16,7 @@ test("a shape in a sentence shows the ways to make it, and the best begins a wor
   await expect(list.getByText(which.best, { exact: true })).toBeVisible();
   await looksRight(page);
   await list
-    .getByRole("button", { name: /^Take it/ })
+    .getByRole("button", { name: /^Use: / })
     .first()
     .click();
   await expect(dialog).toBeHidden();

@@ -49,7 +49,7 @@ function picture(made: Run, simulation: Simulation): string {
 
 /** The verdict in a few words. */
 function verdictText({ verdict }: Judged, left: number): string {
-  if (verdict === "faults") return "Faults";
+  if (verdict === "faults") return "Errors";
   if (verdict === "incomplete") return findings.verdict.unproved;
   return left > 0.01 ? findings.verdict.stays(`${left.toFixed(2)} mm²`) : findings.verdict.proved;
 }
@@ -139,11 +139,11 @@ export function page(): string {
   return `<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
-<title>Turnwise: gallery</title><style>${styled(RULES + pictureRules())}</style></head>
+<title>Turnwise: cycle gallery</title><style>${styled(RULES + pictureRules())}</style></head>
 <body>
 <svg class="help-picture" width="0" height="0" style="position: absolute" aria-hidden="true">${pictureHatches()}</svg>
-<header><h1>Gallery</h1>
-<p>Every cycle with its help picture, and ${works.length} programs of the tests as they run: part, stock that is left, path, verdict,
+<header><h1>Cycle gallery</h1>
+<p>Every cycle with its help picture, and ${works.length} test programs as simulated: part, residual material, path, result of the check,
 passes and time. Our reading of the manuals; verify on your control. <a href="./">Turnwise</a></p>
 <nav>${links}</nav></header>
 <main>${sections.join("\n")}</main></body></html>

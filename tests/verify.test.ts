@@ -103,7 +103,7 @@ describe("verify", () => {
   });
   test("without --json a summary for people", () => {
     expect(main([program("shoulder-812")])).toBe(0);
-    expect(out).toMatch(/cycle 812, tool 1 .*\n.*gouge 0 mm².*\n.*0 errors/s);
+    expect(out).toMatch(/cycle 812, tool 1 .*\n.*contour damage 0 mm².*\n.*0 errors/s);
   });
   test("a cycle that nobody here knows is named by its number and name, and nothing behind its call is proved", () => {
     const cycle = ["CYCL DEF 317 BAR PULLER ~", "  Q1711=+31.7 ;PULL LENGTH", "L X+30 Z+1.5 R0 FMAX", "CYCL CALL"];
@@ -168,12 +168,12 @@ describe("verify", () => {
     });
     main([program("shoulder-812"), "--machine", machine]);
     expect(out).toMatch(
-      / {2}time .* at X 9, Z 12\.5 m\/min, tool changes 0:04; machine Lathe 7, without acceleration, run-up of the spindle\n/,
+      / {2}time .* at X 9, Z 12\.5 m\/min, tool changes 0:04; machine Lathe 7, without acceleration, spindle run-up\n/,
     );
     chunks.length = 0;
     main([program("shoulder-812")]);
     expect(out).toMatch(
-      / {2}time .* at 10 m\/min; no machine data, without acceleration, tool changes, run-up of the spindle\n/,
+      / {2}time .* at 10 m\/min; no machine data, without acceleration, tool changes, spindle run-up\n/,
     );
   });
   test.each([

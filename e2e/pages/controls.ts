@@ -47,7 +47,7 @@ const bare = (name: string): string =>
   name
     .replaceAll(/[-−+]?\d+(?:[.,:]\d+)*/g, "#")
     .replace(/^(\w* ?#[^:,]*): .*$/, "$1: …")
-    .replace(/\b([Tt]ool|Take it:) # .*$/, "$1 # …");
+    .replace(/\b([Tt]ool|Use:) # .*$/, "$1 # …");
 
 /** Role and name of each kind of control, sorted; what differs in values alone is one kind. */
 export function kinds(found: readonly Control[]): readonly string[] {

@@ -20,7 +20,7 @@ const operationLine = (o: ReportOperation) =>
 const LACKED = [
   ["acceleration", "acceleration"],
   ["toolChange", "tool changes"],
-  ["spindle", "run-up of the spindle"],
+  ["spindle", "spindle run-up"],
 ] as const;
 
 /** The running time by its causes, and what it was worked out with. */
@@ -41,7 +41,7 @@ function timeLine({
   const parts = [
     `cutting ${minutes(cutting)}`,
     ...(dwell > 0 ? [`dwell ${minutes(dwell)}`] : []),
-    `rapid ${minutes(rapid)} at ${rate}`,
+    `rapid traverse ${minutes(rapid)} at ${rate}`,
     ...(toolChange > 0 ? [`tool changes ${minutes(toolChange)}`] : []),
     ...(spindle > 0 ? [`spindle ${minutes(spindle)}`] : []),
   ];
@@ -64,27 +64,27 @@ function because(r: VerdictReason): string {
     case "error":
       return `${many(r.count, "error", "errors")} in the program, the first${inBlock(r.block)}${inFile(r.file)}`;
     case "gouge":
-      return `${fixed(r.area, 3)} mm² of the finished part cut away, first${inBlock(r.block)}`;
+      return `contour damage ${fixed(r.area, 3)} mm², first${inBlock(r.block)}`;
     case "rapidInStock":
-      return `rapid through ${fixed(r.area, 3)} mm² of stock, first${inBlock(r.block)}`;
+      return `rapid traverse through ${fixed(r.area, 3)} mm² of stock, first${inBlock(r.block)}`;
     case "holderContact":
       return `holder touches stock, first${inBlock(r.block)}`;
     case "cutOnLoosePiece":
       return `a piece that came loose is cut, first${inBlock(r.block)}`;
     case "rapidBehindBlank":
-      return `rapid behind the rear end of the blank, first${inBlock(r.block)}`;
+      return `rapid traverse behind the rear end of the blank, first${inBlock(r.block)}`;
     case "clampContact":
-      return `tool or holder meets the clamping, first${inBlock(r.block)}`;
+      return `tool or holder touches the clamping, first${inBlock(r.block)}`;
     case "spindleStopped":
       return `the spindle does not turn as it must, first${inBlock(r.block)}`;
     case "holeMissing":
       return `a hole is missing, first${inBlock(r.block)}`;
     case "unproved":
-      return `${r.what} was not simulated: nothing is proved from${r.block === null ? " the beginning" : ` block ${r.block}`}${inFile(
+      return `${r.what} is not simulated: unverified from${r.block === null ? " the beginning" : ` block ${r.block}`}${inFile(
         r.file,
       )} on`;
     case "milling":
-      return `milling was not simulated: nothing is proved from block ${r.block} on`;
+      return `milling is not simulated: unverified from block ${r.block} on`;
     case "nothingCut":
       return `the operation in block ${r.block} cut nothing`;
     case "noOperation":
@@ -96,19 +96,19 @@ function because(r: VerdictReason): string {
     case "flanksUnknown":
       return `flanks not checked: tool ${r.tool} ${r.name} has no T-ANGLE or P-ANGLE`;
     case "curvatureUnknown":
-      return `curvature of the blade not checked: tool ${r.tool} ${r.name} plunges along Z, and no range of diameters is stated for it`;
+      return `curvature of the blade not checked: tool ${r.tool} ${r.name} plunges along Z, its range of diameters is not specified`;
   }
 }
 
 const NOTES = {
-  feed: "a feed that nobody means",
-  air: "most passes of an operation in the air",
-  residue: "more than 1 mm² stay",
+  feed: "an implausible feed",
+  air: "most passes of an operation cut air",
+  residue: "more than 1 mm² residual material",
   cutLength: "the cutting edge is too short for the depth",
 } as const;
-/** "Proved" is said of path and stock alone. */
-const SEE_NOTES = "Path checked, see notes";
-const VERDICTS = { proved: "Proved", faults: "Faults found", incomplete: "Not everything was simulated" } as const;
+/** "Verified" is said of path and stock alone. */
+const SEE_NOTES = "Path verified, with notes";
+const VERDICTS = { proved: "Verified", faults: "Errors found", incomplete: "Not fully simulated" } as const;
 
 /** The verdict in words, each reason on a line of its own. */
 const verdictLines = ({ verdict, reasons }: Report["proof"]) => [
@@ -120,22 +120,22 @@ const verdictLines = ({ verdict, reasons }: Report["proof"]) => [
 function cutLine({ cut, airPasses, deepest, holder }: Report["proof"]): string {
   const allowed = deepest && (deepest.allowed > 0 ? `${fixed(deepest.allowed, 3)} mm allowed` : "no limit set");
   const depth = deepest ? `, deepest pass ${fixed(deepest.depth, 3)} mm (${allowed})` : "";
-  return `  cut ${fixed(cut, 3)} mm²${depth}, ${many(airPasses, "pass", "passes")} in the air, holder ${holder}`;
+  return `  cut ${fixed(cut, 3)} mm²${depth}, ${many(airPasses, "air pass", "air passes")}, holder ${holder}`;
 }
 
 /** What holds the work; where that is not stated nobody has looked for contact with it. */
 const clampingLine = ({ clamping: c }: Report): string =>
   c
-    ? `  clamping as stated: ${KIND_WORDS[c.kind].toLowerCase()}, D${fixed(c.diameter, 3)}, front at Z${fixed(c.face, 3)}${
+    ? `  clamping: ${KIND_WORDS[c.kind].toLowerCase()}, D${fixed(c.diameter, 3)}, front at Z${fixed(c.face, 3)}${
         c.tailstock ? `, tailstock at Z${fixed(c.tailstock.tip, 3)}` : ""
       }`
-    : "  clamping not stated: held at the rear end of the blank, contact with jaws, chuck or tailstock was not looked for";
+    : "  clamping not specified: held at the rear end of the blank, contact with jaws, chuck or tailstock not checked";
 
 const leftLine = (r: Report["proof"]["residual"][number]) =>
   `    ${fixed(r.area, 3)} mm², up to ${fixed(r.thickness, 3)} mm thick: ${r.reason}` +
-  (r.tools.length > 0 ? `; tools that take it: ${r.tools.join(", ")}` : "");
+  (r.tools.length > 0 ? `; suitable tools: ${r.tools.join(", ")}` : "");
 
-/** A report for reading: the verdict first, then what runs, what the proof says, and every finding with its block. */
+/** A report for reading: the verdict first, then what runs, what the check found, and every finding with its block. */
 export function summary(r: Report): string {
   const { gouge, rapidInStock, residual } = r.proof;
   const left = residual.reduce((sum, piece) => sum + piece.area, 0);
@@ -145,8 +145,8 @@ export function summary(r: Report): string {
     ...verdictLines(r.proof),
     clampingLine(r),
     ...r.operations.map(operationLine),
-    `  proof: gouge ${fixed(gouge, 3)} mm², rapid in stock ${fixed(rapidInStock, 3)} mm², left ${fixed(left, 3)}` +
-      ` mm² in ${many(residual.length, "place", "places")}`,
+    `  check: contour damage ${fixed(gouge, 3)} mm², rapid traverse in stock ${fixed(rapidInStock, 3)} mm², residual ` +
+      `${fixed(left, 3)} mm² in ${many(residual.length, "place", "places")}`,
     ...residual.map(leftLine),
     cutLine(r.proof),
     timeLine(r.time),

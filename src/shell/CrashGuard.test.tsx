@@ -18,11 +18,8 @@ test("a page that fails says that the work is kept, and offers ways back", () =>
       <Broken />
     </CrashGuard>,
   );
-  expect(screen.getByRole("alert").textContent).toContain("Your work is saved on this device.");
-  expect(screen.getAllByRole("button").map((b) => b.textContent)).toEqual([
-    "Load the page again",
-    "Go to the start page",
-  ]);
+  expect(screen.getByRole("alert").textContent).toContain("Your program is saved on this device.");
+  expect(screen.getAllByRole("button").map((b) => b.textContent)).toEqual(["Reload the page", "Go to the start page"]);
   expect(useReports.getState().list[0]).toMatchObject({
     message: "Error: planted",
     stack: expect.stringContaining("Broken"),

@@ -78,15 +78,15 @@ test("a finding in a called program says its file in the list, and so does the v
   const missing = entries.find(({ issue }) => issue.code === "labelMissing");
   expect(missing).toMatchObject({ block: 7, inFile: { file: "cut.h", block: 4, line: 3 } });
   const verdict = judged(entries, outcome);
-  expect(verdictTitle(words.verdict, "en", verdict)).toBe("2 faults, the first in cut.h");
+  expect(verdictTitle(words.verdict, "en", verdict)).toBe("2 errors, the first in cut.h");
   const own = judged(findingsOf(null, update(work("CALL LBL 9"))), outcome);
-  expect(verdictTitle(words.verdict, "en", own)).toBe("1 fault");
+  expect(verdictTitle(words.verdict, "en", own)).toBe("1 error");
 });
 
 test("what is not proved in a called program is said with its file", () => {
   const outcome = update(work("CALL PGM CUT", { "cut.h": pgm("6 CYCL DEF 19.0 WORKING PLANE\n7 CYCL DEF 19.1 B+10") }));
   const verdict = judged(findingsOf(null, outcome), outcome);
-  expect(verdictTitle(words.verdict, "en", verdict)).toBe("Not everything in cut.h was simulated");
+  expect(verdictTitle(words.verdict, "en", verdict)).toBe("cut.h not fully simulated");
   expect(verdictReasons(words.verdict, verdict)[0]).toContain("in cut.h is not simulated");
   const own = update(work("6 CYCL DEF 19.0 WORKING PLANE\n7 CYCL DEF 19.1 B+10"));
   expect(verdictTitle(words.verdict, "en", judged(findingsOf(null, own), own))).toBe(words.verdict.unproved);

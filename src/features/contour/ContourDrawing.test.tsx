@@ -138,14 +138,14 @@ test("angle and length: what is solved stands grey in its field and is read out 
   const about = (field("Element 2, Z").getAttribute("aria-describedby") ?? "")
     .split(" ")
     .map((id) => document.getElementById(id)?.textContent);
-  expect(about).toContain("solved: -10");
+  expect(about).toContain("calculated: -10");
 });
 
 test("two solutions: the other one is a button away", async () => {
   const user = userEvent.setup();
   const last = shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { x: "26", length: "5" })]);
   expect(field("Element 2, Z").placeholder).toBe("-4");
-  await user.click(screen.getByRole("button", { name: "Element 2, take the other solution" }));
+  await user.click(screen.getByRole("button", { name: "Element 2, use the other solution" }));
   expect(last.rows[1]?.second).toBe(true);
   expect(field("Element 2, Z").placeholder).toBe("4");
 });
@@ -153,7 +153,7 @@ test("two solutions: the other one is a button away", async () => {
 test("faults stand under the drawing, marked at their elements, and lead to them", async () => {
   const user = userEvent.setup();
   shown([...shoulder(), newRow("e5", { x: "10", z: "-10" })]);
-  const list = screen.getByRole("list", { name: "What is wrong with the contour" });
+  const list = screen.getByRole("list", { name: "Contour errors" });
   expect(within(list).getByRole("button").textContent).toContain("Element 5 crosses element 2");
   expect(picture().querySelectorAll(".faulty .element")).toHaveLength(2);
   await user.click(within(list).getByRole("button"));

@@ -157,7 +157,7 @@ test("polar elements have distance and angle with an I key each, and say what th
   expect(last.rows[2]?.words).toEqual({ IPA: "60" });
   await user.selectOptions(screen.getByRole("combobox", { name: "Element 3, kind" }), "CP");
   expect(screen.queryByRole("textbox", { name: "Element 3, polar radius PR" })).toBeNull();
-  expect(screen.getByRole("combobox", { name: "Element 3, turning direction" })).toBeTruthy();
+  expect(screen.getByRole("combobox", { name: "Element 3, direction of rotation" })).toBeTruthy();
 });
 
 test("a polar element without a pole says so, also under the drawing", () => {

@@ -31,7 +31,7 @@ test("who types while a program opens goes on typing: nothing takes the keyboard
   field.focus();
   expect(screen.queryByRole("group")).toBeNull();
   openProgram("");
-  expect(screen.getByRole("group", { name: "Which block?" })).toBeTruthy();
+  expect(screen.getByRole("group", { name: "Insert block" })).toBeTruthy();
   expect(document.activeElement).toBe(field);
 });
 

@@ -126,7 +126,7 @@ test("a file is taken over as one step, what it is missing is said", async () =>
   await screen.findByRole("button", { name: /^Import tools/ });
   const input = document.querySelector<HTMLInputElement>("input[type=file]");
   await user.upload(input as HTMLInputElement, new File([text], "T.TRN"));
-  const all = await screen.findByRole("button", { name: "Take all (3)" });
+  const all = await screen.findByRole("button", { name: "Import all (3)" });
   expect(screen.getByText("NAME CNMG-80-R08 → SHOP-80-R08")).toBeTruthy();
   expect(document.activeElement).toBe(all);
   await user.keyboard("{Enter}");

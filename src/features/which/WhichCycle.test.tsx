@@ -43,7 +43,7 @@ const type = async (name: string, text: string) => {
   await userEvent.clear(input);
   await userEvent.type(input, text);
 };
-const ways = () => screen.findByRole("list", { name: "Ways to make it, the best first" });
+const ways = () => screen.findByRole("list", { name: "Options, the best first" });
 /** Once the ways that stand there answer what is asked. */
 const settled = async () => {
   const list = await ways();
@@ -60,10 +60,10 @@ test("the ways to make a step stand side by side, the best is named, and taking 
   expect(cards.length).toBeGreaterThan(3);
   const first = within(cards[0] as HTMLElement);
   expect(first.getByText("Best")).toBeDefined();
-  expect(first.getByText("Proved")).toBeDefined();
+  expect(first.getByText("Verified")).toBeDefined();
   await type("To ⌀", "41.37");
   await settled();
-  await userEvent.click(within(await ways()).getAllByRole("button", { name: /^Take it/ })[0] as HTMLElement);
+  await userEvent.click(within(await ways()).getAllByRole("button", { name: /^Use: / })[0] as HTMLElement);
   expect(done).toHaveBeenCalled();
   const { job } = useEditor.getState();
   expect(Object.values(job?.drafts[job.cycle] ?? {})).toContain("41.37");
@@ -73,8 +73,8 @@ test("what does not fit is said at its field, and nothing is compared meanwhile"
   shown();
   await best();
   await type("To ⌀", "80");
-  expect(await screen.findByText(/this ⌀ has to be smaller than the first/)).toBeDefined();
-  expect(screen.queryByRole("list", { name: "Ways to make it, the best first" })).toBeNull();
+  expect(await screen.findByText(/this ⌀ must be smaller than the first/)).toBeDefined();
+  expect(screen.queryByRole("list", { name: "Options, the best first" })).toBeNull();
   await type("To ⌀", "1x");
   expect((await field("To ⌀")).getAttribute("aria-invalid")).toBe("true");
   await type("To ⌀", "40,5");
@@ -86,7 +86,7 @@ test("another shape asks for its own numbers, and a groove that is too narrow sa
   await userEvent.selectOptions(await screen.findByRole("combobox", { name: "Shape" }), "groove");
   await best();
   await type("To Z", "-15.7");
-  expect(await screen.findByText("None of these ways makes it without a fault.")).toBeDefined();
+  expect(await screen.findByText("None of these options is free of errors.")).toBeDefined();
   await userEvent.selectOptions(screen.getByRole("combobox", { name: "Shape" }), "thread");
   expect(await field("Thread ⌀")).toBeDefined();
   expect(await field("Pitch")).toBeDefined();
@@ -102,7 +102,7 @@ test("of an opened work two elements of the contour are pointed at, and what is 
   await userEvent.selectOptions(screen.getByRole("combobox", { name: "From element" }), "3");
   expect(screen.getByRole("img", { name: /3 to 4/ })).toBeDefined();
   await settled();
-  await userEvent.click(within(await ways()).getAllByRole("button", { name: /^Take it/ })[0] as HTMLElement);
+  await userEvent.click(within(await ways()).getAllByRole("button", { name: /^Use: / })[0] as HTMLElement);
   expect(useEditor.getState().job?.contour.map((row) => [row.x, row.z])).toEqual([
     ["48.4", "-18.3"],
     ["48.4", "-37.9"],

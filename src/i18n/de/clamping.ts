@@ -3,9 +3,9 @@ import type { ClampingTexts } from "../en/clamping.ts";
 export const clamping: ClampingTexts = {
   title: "Spannung",
   unstated:
-    "Nicht angegeben: das Rohteil gilt als am hinteren Ende gehalten. Berührung von Backen, Futter und Reitstock wird nicht geprüft.",
+    "Nicht angegeben: Das Rohteil gilt als am hinteren Ende gespannt. Berührung mit Backen, Futter oder Reitstock wird nicht geprüft.",
   state: "Spannung angeben",
-  remove: "Keine angeben",
+  remove: "Spannung entfernen",
   kind: "Gespannt in",
   kinds: {
     chuckOutside: "Futter außen",
@@ -25,7 +25,7 @@ export const clamping: ClampingTexts = {
   words: {
     D: "Spann-⌀",
     LENGTH: "Spannlänge",
-    FACE: "Z der Vorderkante",
+    FACE: "Z der vorderen Fläche",
     SIZE: "Futter-⌀",
     QUILL: "⌀ der Pinole",
     TIP: "Z der Körnerspitze",
@@ -35,8 +35,7 @@ export const clamping: ClampingTexts = {
   },
   tailstock: "Mit Reitstock",
   known:
-    "Maßstäblich gezeichnet; Berührung durch Werkzeug oder Halter ist ein Fehler. " +
-    "Backen wie bei üblichen Kraftspannfuttern: eigene messen.",
-  inProgram: "Steht als Kommentar im Programm, ;\u00A0CLAMPING …, den die Steuerung übergeht.",
+    "Maßstäblich gezeichnet; Berührung mit Werkzeug oder Halter ist ein Fehler. Backen wie bei üblichen Kraftspannfuttern: eigene messen.",
+  inProgram: "Im Programm als Kommentar gespeichert, ;\u00A0CLAMPING …; die Steuerung ignoriert ihn.",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "inch ⌀", length: "inch" } },
 };

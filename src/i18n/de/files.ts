@@ -3,21 +3,21 @@ import type { FilesTexts } from "../en/files.ts";
 export const files: FilesTexts = {
   changed: {
     title: (file) => `${file} hat sich auf dem Gerät geändert`,
-    text: "Die Datei enthält etwas anderes, als hier gelesen oder gespeichert wurde. Es wurde nichts geschrieben.",
+    text: "Die Datei weicht vom hier geöffneten oder gespeicherten Stand ab. Es wurde nichts geschrieben.",
   },
   gone: {
     title: (file) => `${file} ist nicht mehr da`,
     text: "Die Datei wurde verschoben, umbenannt oder gelöscht. Es wurde nichts geschrieben.",
   },
   refused: {
-    title: (file) => `${file} darf nicht geschrieben werden`,
-    text: "Der Browser hat das Recht dazu nicht bekommen.",
+    title: (file) => `Keine Schreibberechtigung für ${file}`,
+    text: "Der Browser hat keine Berechtigung zum Schreiben der Datei.",
   },
   failed: {
-    title: (file) => `${file} ließ sich nicht schreiben`,
-    text: "Das Gerät hat die Datei nicht angenommen. Das Programm ist noch hier.",
+    title: (file) => `${file} konnte nicht geschrieben werden`,
+    text: "Das Gerät hat die Datei nicht angenommen. Das Programm ist hier noch geöffnet.",
   },
-  compare: "Damit vergleichen",
+  compare: "Vergleichen",
   overwrite: "Überschreiben",
   elsewhere: "Als andere Datei speichern",
   download: "Herunterladen",
@@ -25,16 +25,16 @@ export const files: FilesTexts = {
   choose: {
     title: "Welches Programm?",
     lead: (programs) =>
-      `${programs} Programme, die kein anderes ruft. Jedes wird eine eigene Arbeit, mit den Dateien, die es ruft.`,
+      `${programs} Programme werden von keinem anderen aufgerufen. Jedes wird ein eigenes Programm, mit den Dateien, die es aufruft.`,
     open: (file) => `${file} öffnen`,
     with: (count) => (count === 1 ? "mit 1 Datei" : `mit ${count} Dateien`),
-    alone: "ruft nichts",
+    alone: "ruft keine Datei auf",
     all: (count) => `Alle ${count} öffnen`,
-    together: "Alle als eine Arbeit öffnen",
+    together: "Alle als ein Programm öffnen",
     skipped: (count) =>
       count === 1
-        ? "1 Datei ist kein Programmtext und blieb weg."
-        : `${count} Dateien sind keine Programmtexte und blieben weg.`,
-    cut: "Der Ordner enthält mehr, als auf einmal geöffnet wird. Der Rest blieb weg.",
+        ? "1 Datei ist kein Programmtext und wurde ausgelassen."
+        : `${count} Dateien sind keine Programmtexte und wurden ausgelassen.`,
+    cut: "Der Ordner enthält mehr Dateien, als auf einmal geöffnet werden. Der Rest wurde ausgelassen.",
   },
 };

@@ -3,52 +3,48 @@ import type { HandedTexts } from "../en/handed.ts";
 const tools = (n: number) => (n === 1 ? "1 Werkzeug" : `${n} Werkzeuge`);
 
 export const handed = {
-  title: "Weitergeben",
-  lead:
-    "Wer es öffnet, sieht dasselbe Bild, dieselben Zahlen und dasselbe Urteil. Kein Server ist beteiligt: Alles steht im Link oder in " +
-    "der Datei.",
-  working: "Welche Werkzeuge es braucht, wird ermittelt …",
-  along: "Was mitgeht",
+  title: "Teilen",
+  lead: "Der Empfänger sieht dieselbe Simulation und dasselbe Prüfergebnis. Kein Server ist beteiligt.",
+  working: "Benötigte Werkzeuge werden ermittelt …",
+  along: "Inhalt",
   facts: {
     name: "Name",
     kind: "Art",
     blocks: "Sätze",
-    files: "Dateien daneben",
+    files: "Weitere Dateien",
     tools: "Werkzeuge",
     control: "Steuerung",
     machine: "Maschine",
     size: "Größe",
   },
-  program: "Ganzes Programm",
+  program: "NC-Programm",
   cycle: (number, name) => `Zyklus ${number}, ${name}`,
   none: "keine",
   kilobytes: (n) => `${n} kB`,
   link: "Link",
   copyLink: "Link kopieren",
-  linkLong: "Viele Mailprogramme und Messenger kürzen so lange Links. Besser die Datei weitergeben.",
+  linkLong: "Viele Mailprogramme und Messenger kürzen Links dieser Länge. Stattdessen die Datei teilen.",
   hereOnly:
-    "Diese Seite gibt es nur auf diesem Gerät: Ein anderes kann den Link nicht öffnen. Besser die Datei weitergeben.",
-  linkTooLong: "Der Link wird so lang, dass Browser ihn nicht öffnen. Stattdessen die Datei weitergeben.",
+    "Diese Seite gibt es nur auf diesem Gerät: Andere Geräte können den Link nicht öffnen. Stattdessen die Datei teilen.",
+  linkTooLong: "Der Link ist für Browser zu lang. Stattdessen die Datei teilen.",
   qr: "QR-Code",
   qrName: (name) => `QR-Code des Links zu ${name}`,
-  qrHint: "Die Kamera eines Tablets darauf richten.",
-  qrTooLong: (length, most) =>
-    `Mit ${length} Zeichen ist der Link zu lang für einen Code, den eine Kamera liest; höchstens ${most} sind möglich.`,
+  qrHint: "Mit der Kamera eines Tablets scannen.",
+  qrTooLong: (length, most) => `Der Link ist zu lang für einen QR-Code: ${length} Zeichen, höchstens ${most}.`,
   share: "Teilen …",
   files: "Dateien",
   file: "Als Datei",
   report: "Bericht (JSON)",
   reportHint:
-    "Der Bericht ist bis aufs Byte gleich, wo immer diese Arbeit geöffnet wird und unverändert bleibt: die beiden Dateien " +
-    "vergleichen.",
-  noReport: "Die Berechnung gab keinen Bericht; deshalb gehen alle Werkzeuge der Tabelle mit.",
+    "Der Bericht ist überall byteweise gleich, wo dieses Programm unverändert geöffnet wird: die beiden Dateien vergleichen.",
+  noReport: "Kein Bericht verfügbar; daher sind alle Werkzeuge der Tabelle enthalten.",
 
   inside: (name) => `${name} öffnen?`,
-  from: { link: "Dieser Link enthält eine Arbeit.", file: "Diese Datei enthält eine Arbeit." },
+  from: { link: "Dieser Link enthält ein Programm.", file: "Diese Datei enthält ein Programm." },
   open: "Öffnen",
   notNow: "Jetzt nicht",
-  ofItsOwn: "Sie wird eine eigene Arbeit; an den vorhandenen ändert sich nichts.",
-  bare: "keine: läuft mit den Werkzeugen dieses Geräts",
+  ofItsOwn: "Wird als eigenes Programm geöffnet; vorhandene Programme bleiben unverändert.",
+  bare: "keine: verwendet die Werkzeuge dieses Geräts",
   tool: (number, name) => `T${number} ${name}`.trim(),
   state: {
     same: "wie in der eigenen Tabelle",
@@ -58,17 +54,17 @@ export const handed = {
   sameControl: "wie auf diesem Gerät",
   otherControl: (mine) => `dieses Gerät: ${mine}`,
 
-  bar: (n) => `Die offene Arbeit läuft mit ${n === 1 ? "1 eigenen Werkzeug" : `${n} eigenen Werkzeugen`}.`,
-  barControl: (control) => `Die offene Arbeit läuft wie auf einer ${control}, so wie sie weitergegeben wurde.`,
+  bar: (n) => `Das geöffnete Programm verwendet ${n === 1 ? "1 eigenes Werkzeug" : `${n} eigene Werkzeuge`}.`,
+  barControl: (control) => `Das geöffnete Programm wird wie geteilt für eine ${control} simuliert.`,
   barMachine: (machine) =>
     `Die Zeiten des geöffneten Programms gelten für andere Maschinendaten als die dieses Geräts: ${machine}.`,
-  ofWork: "Werkzeuge dieser Arbeit",
-  ofWorkLead: "Sie wurde mit diesen Werkzeugen weitergegeben und läuft mit ihnen, nicht mit der Tabelle dieses Geräts.",
-  theirs: "Mit der Arbeit",
+  ofWork: "Werkzeuge dieses Programms",
+  ofWorkLead: "Dieses Programm wurde mit diesen Werkzeugen geteilt und verwendet sie, nicht die Tabelle dieses Geräts.",
+  theirs: "Mit dem Programm",
   mine: "Eigene Tabelle",
   column: "Spalte",
-  becomes: (tool) => `Was aus ${tool} wird`,
-  as: { mine: "Eigenes behalten", theirs: "Mitgekommenes nehmen", free: "Mitgekommenes auf freie Nummer" },
+  becomes: (tool) => `Aktion für ${tool}`,
+  as: { mine: "Eigenes behalten", theirs: "Geteiltes verwenden", free: "Geteiltes auf freie Nummer" },
   keep: "Diese Werkzeuge in meine Tabelle übernehmen",
   kept: (added, replaced) =>
     [
@@ -77,14 +73,14 @@ export const handed = {
     ]
       .filter(Boolean)
       .join(", ") + ".",
-  nothingToKeep: "Nichts zu tun: Die eigene Tabelle bleibt, wie sie ist.",
-  allMine: "Die eigene Tabelle hat sie alle, so wie sie hier stehen.",
+  nothingToKeep: "Die eigene Tabelle bleibt unverändert.",
+  allMine: "Die eigene Tabelle enthält diese Werkzeuge bereits mit denselben Werten.",
   moved: (from, to) =>
-    `Werkzeug ${from} der Arbeit steht in der eigenen Tabelle als Werkzeug ${to}: Dort muss TOOL CALL ${to} nennen.`,
-  changeCalls: (n) => (n === 1 ? "In 1 TOOL CALL ändern" : `In ${n} TOOL CALL ändern`),
+    `Werkzeug ${from} des Programms ist in der eigenen Tabelle Werkzeug ${to}: TOOL CALL muss dort ${to} nennen.`,
+  changeCalls: (n) => (n === 1 ? "1 TOOL CALL ändern" : `${n} TOOL CALL ändern`),
   callsChanged: "Das Programm ruft die neuen Nummern auf.",
   useMine: "Stattdessen meine Tabelle verwenden",
-  control: (its, mine) => `Steuerung dieser Arbeit: ${its}. Dieses Gerät: ${mine}.`,
+  control: (its, mine) => `Steuerung dieses Programms: ${its}. Dieses Gerät: ${mine}.`,
   useControl: (mine) => `Stattdessen ${mine} verwenden`,
   machine: (its, mine) => `Maschine dieses Programms: ${its}. Dieses Gerät: ${mine}.`,
   useMachine: "Maschinendaten dieses Geräts verwenden",

@@ -2,7 +2,7 @@ import type { MachineTexts } from "../en/machine.ts";
 
 export const machineTexts = {
   title: "Maschine",
-  lead: "Für Laufzeiten und Spindeldrehzahlen. Was leer bleibt, wird nicht gerechnet.",
+  lead: "Für Laufzeiten und Spindeldrehzahlen. Leere Felder werden nicht berücksichtigt.",
   preset: "Maschinendaten",
   presets: {
     none: "Keine",
@@ -38,16 +38,16 @@ export const machineTexts = {
   addPoint: "Punkt hinzufügen",
   removePoint: (n) => `Punkt ${n} entfernen`,
   functions: (on, off) => `M-Funktionen der Spindel: ${on}, ${off}. Sie stehen unter NC-Ausgabe und gehören zur Datei.`,
-  noFunction: "keine zum Anhalten",
+  noFunction: "keine zum Ausschalten",
   save: "Maschine exportieren",
   open: "Maschine importieren …",
   taken: (name) => `${name} wird verwendet.`,
-  refused: (why) => `Die Datei wurde nicht übernommen. ${why}`,
+  refused: (why) => `Die Datei wurde nicht importiert. ${why}`,
   kept: "Noch nicht übernommen: Die letzten gültigen Werte gelten weiter.",
   problems: {
     notJson: () => "Sie ist kein JSON.",
     notMachine: () => "Sie ist keine Maschinendatei.",
-    newer: () => "Eine neuere Version hat sie geschrieben.",
+    newer: () => "Sie stammt aus einer neueren Version.",
     missing: (at) => `${at}Wert fehlt`,
     unknown: (at) => `${at}unbekannt`,
     low: (at, limit) => `${at}mindestens ${limit}`,

@@ -2,14 +2,14 @@ import type { OutputTexts } from "../en/output.ts";
 
 export const output = {
   title: "NC-Ausgabe",
-  lead: "So wird das Programm für Ihre Maschine geschrieben. Die Einstellungen werden mit dem Programm gespeichert und weitergegeben.",
-  leadProgram: "So werden Bearbeitungen geschrieben, die Sie einfügen. Der vorhandene Text bleibt, wie er ist.",
+  lead: "So wird das Programm für Ihre Maschine geschrieben. Die Einstellungen werden mit dem Programm gespeichert und geteilt.",
+  leadProgram: "Gilt für Bearbeitungen, die Sie einfügen. Der vorhandene Text bleibt unverändert.",
   preset: "Vorlage",
   presets: {
     manual: "Wie in den Handbuchbeispielen: M303, M305",
-    mainSpindle: "Hauptspindel dreht das Werkstück: M3, M5",
+    mainSpindle: "Hauptspindel treibt das Werkstück an: M3, M5",
     transfer: "Ältere Dateiübertragung: M3, M5, CR LF, ohne Satznummern, Großbuchstaben",
-    own: "Eigene des Maschinenherstellers",
+    own: "Maschinenspezifisch",
   },
   spindleOn: "Spindel ein",
   spindleOff: "Spindel aus am Ende",
@@ -28,6 +28,6 @@ export const output = {
   name: "Programmname",
   names: { typed: "Wie eingegeben", capitals: "Großbuchstaben" },
   makeDefault: "Für neue Programme verwenden",
-  isDefault: "Neue Programme werden so geschrieben.",
-  unverified: "Welche M-Funktionen die Spindel drehen, hängt von der Maschine ab: siehe Maschinenhandbuch.",
+  isDefault: "Gilt für neue Programme.",
+  unverified: "Welche M-Funktionen die Spindel antreiben, hängt von der Maschine ab: siehe Maschinenhandbuch.",
 } satisfies OutputTexts;

@@ -3,9 +3,9 @@ import type { Shape } from "../shape.ts";
 export const clamping = {
   title: "Clamping",
   unstated:
-    "Not stated: the blank counts as held at its rear end. Contact with jaws, chuck or tailstock is not looked for.",
-  state: "State a clamping",
-  remove: "State none",
+    "Not specified: the blank is assumed to be held at its rear end. Contact with jaws, chuck or tailstock is not checked.",
+  state: "Specify clamping",
+  remove: "Remove clamping",
   kind: "Held by",
   kinds: {
     chuckOutside: "Chuck, jaws outside",
@@ -25,19 +25,19 @@ export const clamping = {
   nose: "Nose ⌀",
   words: {
     D: "Gripped ⌀",
-    LENGTH: "Length in the grip",
-    FACE: "Z of the front",
+    LENGTH: "Clamping length",
+    FACE: "Z of the front face",
     SIZE: "Chuck ⌀",
     QUILL: "Quill ⌀",
-    TIP: "Z of the centre's tip",
+    TIP: "Z of the centre tip",
     ANGLE: "Point angle",
     LIMITZ: "Limit: nothing left of Z",
     LIMITX: "Limit: nothing within ⌀",
   },
   tailstock: "With tailstock",
   known:
-    "Drawn to scale; contact of tool or holder with it is an error. Jaws are those of usual power chucks: measure yours.",
-  inProgram: "Kept in the program as a comment, ;\u00A0CLAMPING …, which a control passes over.",
+    "Drawn to scale; contact with tool or holder is an error. Jaws are those of common power chucks: measure your own.",
+  inProgram: "Saved in the program as a comment, ;\u00A0CLAMPING …, which the control ignores.",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "inch ⌀", length: "inch" } },
 };
 

@@ -4,39 +4,39 @@ import type { Shape } from "../shape.ts";
 export const files = {
   changed: {
     title: (file: string) => `${file} has changed on the device`,
-    text: "It holds something else than what was read or saved here. Nothing has been written.",
+    text: "The file differs from the version that was opened or saved here. Nothing has been written.",
   },
   gone: {
     title: (file: string) => `${file} is no longer there`,
-    text: "It was moved, renamed or deleted. Nothing has been written.",
+    text: "The file was moved, renamed or deleted. Nothing has been written.",
   },
   refused: {
-    title: (file: string) => `${file} may not be written`,
-    text: "The browser was not given the right to write it.",
+    title: (file: string) => `No permission to write ${file}`,
+    text: "The browser was not given permission to write the file.",
   },
   failed: {
     title: (file: string) => `${file} could not be written`,
-    text: "The device did not take it. The program is still here.",
+    text: "The device rejected the file. The program is still open here.",
   },
-  compare: "Compare with it",
-  overwrite: "Write over it",
+  compare: "Compare",
+  overwrite: "Overwrite",
   elsewhere: "Save as another file",
   download: "Download",
   cancel: "Cancel",
   choose: {
     title: "Which program?",
     lead: (programs: number) =>
-      `${programs} programs that no other calls. Each becomes a work of its own, with the files that it calls.`,
+      `${programs} programs are not called by any other. Each opens as a separate program, with the files it calls.`,
     open: (file: string) => `Open ${file}`,
     with: (count: number) => (count === 1 ? "with 1 file" : `with ${count} files`),
-    alone: "calls nothing",
+    alone: "calls no files",
     all: (count: number) => `Open all ${count}`,
-    together: "Open all as one work",
+    together: "Open all as one program",
     skipped: (count: number) =>
       count === 1
-        ? "1 file is no program text and was left out."
-        : `${count} files are no program texts and were left out.`,
-    cut: "The folder holds more than is opened at once. The rest was left out.",
+        ? "1 file is not a program text and was left out."
+        : `${count} files are not program texts and were left out.`,
+    cut: "The folder contains more files than can be opened at once. The rest was left out.",
   },
 } as const;
 

@@ -1,12 +1,12 @@
 import type { ClampingTexts } from "../en/clamping.ts";
+import { typeset } from "./typography/typeset.ts";
 
-export const clamping: ClampingTexts = {
+export const clamping = typeset<ClampingTexts>({
   title: "Serrage",
   unstated:
-    "Non indiqué : la pièce brute est supposée tenue à son extrémité arrière. " +
-    "Le contact avec mors, mandrin ou contre-poupée n’est pas contrôlé.",
+    "Non indiqué : le brut est supposé serré à son extrémité arrière. Le contact avec mors, mandrin ou contre-poupée n’est pas contrôlé.",
   state: "Indiquer un serrage",
-  remove: "Ne rien indiquer",
+  remove: "Retirer le serrage",
   kind: "Tenue par",
   kinds: {
     chuckOutside: "Mandrin, extérieur",
@@ -37,6 +37,6 @@ export const clamping: ClampingTexts = {
   tailstock: "Avec contre-poupée",
   known:
     "Dessiné à l’échelle ; le contact de l’outil ou du porte-outil est une erreur. Mors de mandrins usuels : mesurer les vôtres.",
-  inProgram: "Reste dans le programme en commentaire, ;\u00A0CLAMPING …, que la commande ignore.",
+  inProgram: "Enregistré dans le programme en commentaire, ;\u00A0CLAMPING …, que la commande ignore.",
   units: { mm: { diameter: "mm ⌀", length: "mm" }, inch: { diameter: "pouce ⌀", length: "pouce" } },
-};
+});

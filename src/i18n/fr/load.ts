@@ -1,6 +1,7 @@
 import type { LoadTexts } from "../en/load.ts";
+import { typeset } from "./typography/typeset.ts";
 
-export const load: LoadTexts = {
+export const load = typeset<LoadTexts>({
   names: {
     roughness: "Rugosité théorique Rz",
     depth: "Profondeur de passe",
@@ -10,20 +11,20 @@ export const load: LoadTexts = {
   },
   units: { roughness: "µm", depth: "mm", chip: "mm²", feed: "mm/tr", speed: "m/min" },
   abouts: {
-    roughness: "Rz ≈ f²/(8·r), là où le bec seul forme la surface",
+    roughness: "Rz ≈ f²/(8·r), là où seul le rayon de bec forme la surface",
     depth: "Mesurée dans la matière, perpendiculairement à la trajectoire",
-    chip: "Ce qu’enlève un tour : profondeur fois avance",
+    chip: "Section par tour : profondeur de passe fois avance",
     feed: "Une avance en mm/min est divisée par la vitesse de broche",
     speed: "À la pointe de l’outil",
   },
   scale: "Échelle",
   between: (low, high, unit) => `${low} à ${high} ${unit}`,
   working: "Mesure dans la matière…",
-  failed: "La mesure n’a pas abouti.",
+  failed: "Échec de la mesure.",
   nothing: "Rien n’est usiné.",
-  notByNose: "Pas par le bec",
+  notByNose: "Pas par le rayon de bec",
   limited: "Limite de broche atteinte",
-  limitedLong: "limite de vitesse de broche atteinte, vitesse de coupe non tenue",
+  limitedLong: "limite de vitesse de broche atteinte, vitesse de coupe non maintenue",
   now: "Maintenant",
   here: "Ici",
   greatest: "Maximum",
@@ -32,19 +33,19 @@ export const load: LoadTexts = {
   go: "Y aller",
   goTo: (place) => `Y aller : ${place}`,
   feedAndNose: (feed, nose) => `f ${feed} mm, r ${nose} mm`,
-  exactly: (value) => `le cercle donne exactement ${value} µm`,
+  exactly: (value) => `arc exact ${value} µm`,
   perMinute: (value) => `${value} mm/min`,
   rpm: (value) => `${value} tr/min`,
   by: {
     nose: "f²/(8·r)",
-    partly: "bec et arête, d’après le contour de la plaquette",
-    edge: "pas par le bec : arête droite le long de la surface",
-    shape: "pas par le bec : l’outil s’est arrêté là",
-    thread: "pas par le bec : filetage",
-    drill: "pas par le bec : foret",
+    partly: "rayon de bec et arête, d’après le contour de la plaquette",
+    edge: "pas par le rayon de bec : arête droite le long de la surface",
+    shape: "pas par le rayon de bec : arrêt de l’outil",
+    thread: "pas par le rayon de bec : filetage",
+    drill: "pas par le rayon de bec : foret",
     unknown: "avance par tour inconnue",
   },
   table: (name) => `${name} par opération`,
   operation: "Opération",
   value: "Valeur",
-};
+});

@@ -1,15 +1,16 @@
 import type { MachineTexts } from "../en/machine.ts";
+import { typeset } from "./typography/typeset.ts";
 
-export const machineTexts = {
+export const machineTexts = typeset<MachineTexts>({
   title: "Machine",
-  lead: "Pour les temps d’usinage et les vitesses de broche. Ce qui reste vide n’est pas compté.",
+  lead: "Pour les temps d’usinage et les vitesses de broche. Les champs vides ne sont pas pris en compte.",
   preset: "Données machine",
   presets: {
     none: "Aucune",
     small: "Petit centre de tournage (exemple)",
     millTurn: "Centre de fraisage-tournage (exemple)",
     large: "Grand tour (exemple)",
-    own: "Valeurs propres",
+    own: "Valeurs personnalisées",
   },
   examples: "Valeurs d’exemple pour une machine de cette classe. Remplacez-les par celles de votre machine.",
   newName: "Ma machine",
@@ -43,12 +44,12 @@ export const machineTexts = {
   save: "Exporter la machine",
   open: "Importer une machine …",
   taken: (name) => `${name} est utilisée.`,
-  refused: (why) => `Le fichier n’a pas été repris. ${why}`,
-  kept: "Pas encore en vigueur : les dernières valeurs valides restent utilisées.",
+  refused: (why) => `Le fichier n’a pas été importé. ${why}`,
+  kept: "Pas encore appliqué : les dernières valeurs valides restent utilisées.",
   problems: {
     notJson: () => "Ce n’est pas du JSON.",
     notMachine: () => "Ce n’est pas un fichier de machine.",
-    newer: () => "Une version plus récente l’a écrit.",
+    newer: () => "Il vient d’une version plus récente.",
     missing: (at) => `${at}valeur manquante`,
     unknown: (at) => `${at}inconnu`,
     low: (at, limit) => `${at}au moins ${limit}`,
@@ -79,4 +80,4 @@ export const machineTexts = {
     },
     hint: "Les données machine se saisissent dans les réglages.",
   },
-} satisfies MachineTexts;
+});

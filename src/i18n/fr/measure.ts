@@ -1,6 +1,7 @@
 import type { MeasureTexts } from "../en/measure.ts";
+import { typeset } from "./typography/typeset.ts";
 
-export const measure: MeasureTexts = {
+export const measure = typeset<MeasureTexts>({
   tools: "Instruments de mesure",
   stop: "Finir de mesurer",
   kinds: {
@@ -13,13 +14,13 @@ export const measure: MeasureTexts = {
     wall: "Paroi",
   },
   toolHints: {
-    diameter: "Pied à coulisse en travers: ⌀ en un endroit (D)",
-    length: "Pied à coulisse en long: de face à face (L)",
-    depth: "Jauge de profondeur: hauteur d’un épaulement (S)",
-    distance: "D’un point à un autre, en ligne droite (T)",
+    diameter: "Diamètre en un point (D)",
+    length: "Longueur de face à face (L)",
+    depth: "Hauteur d’un épaulement (S)",
+    distance: "Distance droite entre deux points (T)",
     radius: "Rayon d’un arc (R)",
     angle: "Angle d’une arête avec l’axe, ou entre deux arêtes (A)",
-    wall: "Épaisseur de matière sous un point (W)",
+    wall: "Épaisseur de paroi en un point (W)",
   },
   pick: {
     diameter: "Choisir une surface, extérieure ou dans l’alésage.",
@@ -31,31 +32,31 @@ export const measure: MeasureTexts = {
     wall: "Choisir un point de la matière.",
   },
   pickSecond: "Choisir le deuxième point.",
-  pickSecondEdge: "Choisir la deuxième arête. La même encore une fois: son angle avec l’axe.",
+  pickSecondEdge: "Choisir la deuxième arête. La même arête : angle avec l’axe.",
   pickCircle: "Choisir un cercle.",
   none: {
     arc: "Il n’y a pas d’arc ici.",
     line: "Il n’y a pas d’arête droite ici.",
-    wall: "Il n’y a pas de paroi ici: la matière va jusqu’à l’axe, ou il n’y en a pas.",
+    wall: "Il n’y a pas de paroi ici : la matière va jusqu’à l’axe, ou il n’y a pas de matière.",
     surface: "Il n’y a pas de diamètre ici.",
     point: "Les deux points sont les mêmes.",
     level: "Les deux points n’ont aucune distance dans cette direction.",
-    parallel: "Les deux arêtes sont parallèles: elles ne forment pas d’angle.",
+    parallel: "Les deux arêtes sont parallèles : il n’y a pas d’angle.",
   },
   keys: "Les flèches déplacent la croix, N et P vont d’arête en arête, Entrée choisit. Échap quitte.",
   spots: { corner: "Coin", centre: "Centre", edge: "Arête", path: "Fin d’un déplacement", free: "" },
   owners: { contour: "contour", blank: "brut", stock: "matière" },
   measured: "Mesures",
-  count: (n) => `Mesures: ${n}`,
-  inSection: (n) => `Mesures: ${n}. Visibles dans la coupe, pas en 3D.`,
+  count: (n) => `Mesures : ${n}`,
+  inSection: (n) => `Mesures : ${n}. Affichées dans la coupe, pas en 3D.`,
   remove: (what) => `Supprimer ${what}`,
   clear: "Tout effacer",
   cleared: "Toutes les mesures sont effacées.",
-  removed: (what) => `Supprimé: ${what}`,
+  removed: (what) => `Supprimé : ${what}`,
   old: "avant la modification",
   moment: (block) => `séquence ${block}`,
   momentPass: (block, pass) => `séquence ${block}, passe ${pass}`,
   atEnd: "matière à la fin",
   inch: (value) => `${value} in`,
   label: "Glisser pour déplacer, Suppr efface",
-};
+});

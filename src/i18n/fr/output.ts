@@ -1,15 +1,16 @@
 import type { OutputTexts } from "../en/output.ts";
+import { typeset } from "./typography/typeset.ts";
 
-export const output = {
+export const output = typeset<OutputTexts>({
   title: "Sortie CN",
   lead: "Écriture du programme pour votre machine. Les réglages sont enregistrés et partagés avec le programme.",
-  leadProgram: "Les opérations insérées sont écrites ainsi. Le texte présent reste tel quel.",
+  leadProgram: "S’applique aux opérations insérées. Le texte existant reste inchangé.",
   preset: "Modèle",
   presets: {
     manual: "Comme dans les exemples du manuel : M303, M305",
     mainSpindle: "La broche principale entraîne la pièce : M3, M5",
     transfer: "Transfert plus ancien : M3, M5, CR LF, sans numéros de séquence, majuscules",
-    own: "Propre au constructeur de la machine",
+    own: "Propre à la machine",
   },
   spindleOn: "Marche broche",
   spindleOff: "Arrêt broche à la fin",
@@ -28,6 +29,6 @@ export const output = {
   name: "Nom du programme",
   names: { typed: "Tel que saisi", capitals: "Majuscules" },
   makeDefault: "Utiliser pour les nouveaux programmes",
-  isDefault: "Les nouveaux programmes sont écrits ainsi.",
+  isDefault: "Utilisé pour les nouveaux programmes.",
   unverified: "Les fonctions M qui entraînent la broche dépendent de la machine : voir le manuel de la machine.",
-} satisfies OutputTexts;
+});

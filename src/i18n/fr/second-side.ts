@@ -1,26 +1,25 @@
 import type { SecondSideTexts } from "../en/second-side.ts";
+import { typeset } from "./typography/typeset.ts";
 
-export const secondSide: SecondSideTexts = {
-  title: "Retourner la pièce",
-  lead:
-    "Ce que ce programme laisse devient la pièce brute d'un nouveau programme : inversée, point zéro sur la nouvelle face. Ce programme " +
-    "reste tel quel.",
+export const secondSide = typeset<SecondSideTexts>({
+  title: "Second côté",
+  lead: "Le résultat de ce programme devient le brut d’un nouveau programme : inversé, point zéro sur la nouvelle face. Ce programme reste inchangé.",
   piece: "Pièce",
   held: (size) => `Dans le mandrin, ${size}`,
   off: (size) => `Tronçonnée, ${size}`,
   allowance: (unit) => `Surépaisseur sur la nouvelle face, ${unit}`,
-  allowanceHint: "Z0 se trouve à cette distance derrière la nouvelle face. 0 : elle n'est plus dressée.",
+  allowanceHint: "Distance de Z0 derrière la nouvelle face. 0 : la face n’est pas dressée.",
   allowanceWrong: (most) => `Une longueur de 0 à ${most}`,
-  blank: "Pièce brute",
+  blank: "Brut",
   name: "Nouveau programme",
   open: "Ouvrir le nouveau programme",
   lack: {
     beginning: "Le programme est encore en cours de calcul.",
-    older: "Les valeurs les plus récentes ne donnent aucune trajectoire : on ne sait pas ce qu'elles laissent.",
-    faults: "Le programme contient des erreurs : ce qu'il laisse n'est pas la pièce. Voir les constats.",
-    noBlank: "Le programme n'indique pas de pièce brute.",
-    nothingLeft: "Il ne reste rien de la matière.",
+    older: "Les dernières valeurs ne donnent pas de trajectoire : le résultat est inconnu.",
+    faults: "Le programme contient des erreurs : son résultat n’est pas la pièce. Voir les messages.",
+    noBlank: "Le programme ne définit pas de brut.",
+    nothingLeft: "Il n’y a plus de matière.",
   },
-  unproved: "Une partie du programme n'est pas simulée. Ce qu'elle fait manque dans la nouvelle pièce brute.",
-  milling: "Ce qui est fraisé manque dans la nouvelle pièce brute : c'est la pièce telle qu'elle est tournée.",
-};
+  unproved: "Une partie du programme n’est pas simulée et manque dans le nouveau brut.",
+  milling: "Sans le fraisage : le nouveau brut est la pièce tournée.",
+});

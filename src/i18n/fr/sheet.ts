@@ -1,7 +1,8 @@
 import type { SheetTexts } from "../en/sheet.ts";
+import { typeset } from "./typography/typeset.ts";
 
-export const sheet: SheetTexts = {
-  title: "Fiche de réglage",
+export const sheet = typeset<SheetTexts>({
+  title: "Fiche de préparation",
   print: "Imprimer",
   printHint: "Imprimer, ou enregistrer en PDF depuis la fenêtre d’impression du navigateur",
   close: "Retour au programme",
@@ -10,8 +11,7 @@ export const sheet: SheetTexts = {
   withProgram: "Avec le programme",
   withMeasured: "Avec les mesures",
   measured: "Mesuré",
-  measuredOld: (n) =>
-    n === 1 ? "1 mesure d’avant une modification est omise" : `${n} mesures d’avant une modification sont omises`,
+  measuredOld: (n) => (n === 1 ? "1 mesure périmée omise" : `${n} mesures périmées omises`),
   remarks: "Remarques",
   remarksHint: "Serrage, mors, contrôle, points à surveiller",
   preview: "Aperçu de la fiche",
@@ -21,8 +21,8 @@ export const sheet: SheetTexts = {
     faults: "NON VALIDÉ : contient des erreurs",
     incomplete: "PAS ENTIÈREMENT VÉRIFIÉ",
     none: "NON VÉRIFIÉ",
-    noneWhy: "Le programme est encore en cours de calcul, ou rien n’y est exécutable.",
-    calculating: "Le programme est en cours de calcul. La fiche se complète d’elle-même.",
+    noneWhy: "Le programme est encore en cours de calcul, ou ne contient rien d’exécutable.",
+    calculating: "Le programme est en cours de calcul. La fiche se complète automatiquement.",
     doubt: "Vérifié, avec réserves",
     plain: "Vérifié, avec remarques",
     good: "Vérifié",
@@ -45,14 +45,14 @@ export const sheet: SheetTexts = {
   scale: (paper, part) => `Échelle ${paper} : ${part}`,
   brackets: "( ) brut",
   chuckNote: "serrage non indiqué",
-  leftOut: (n) => (n === 1 ? "1 cote n’avait pas de place" : `${n} cotes n’avaient pas de place`),
-  noDrawing: "Rien n’est tourné : il n’y a pas de coupe à dessiner.",
+  leftOut: (n) => (n === 1 ? "1 cote omise (pas de place)" : `${n} cotes omises (pas de place)`),
+  noDrawing: "Pas de tournage : il n’y a pas de coupe à dessiner.",
   thread: (diameter, lead, starts) => (starts > 1 ? `${diameter}×${lead} (${starts})` : `${diameter}×${lead}`),
   facts: {
     blank: "Brut",
     bore: "alésage",
-    front: "Devant Z0",
-    noBlank: "non indiqué dans le programme",
+    front: "Surépaisseur face",
+    noBlank: "non défini dans le programme",
     zero: "Point zéro pièce",
     zeroAt: "face avant, sur l’axe de broche",
     zeroBehind: (z) => `${z} mm derrière la face du brut`,
@@ -88,10 +88,10 @@ export const sheet: SheetTexts = {
     spindle: "M",
     place: "Poste",
     operations: "Pour",
-    unknown: "pas dans la table",
+    unknown: "pas dans le tableau",
     scale: (paper, part) => `${paper} : ${part}`,
   },
-  toolNote: "Le porte-à-faux n’est pas dans le tableau d’outils ; poste et porte-à-faux sont à remplir par le régleur.",
+  toolNote: "Le tableau d’outils ne contient pas de porte-à-faux ; le régleur inscrit poste et porte-à-faux.",
   types: {
     ROUGH: "ébauche",
     FINISH: "finition",
@@ -118,15 +118,15 @@ export const sheet: SheetTexts = {
     passes: "Passes",
     time: "Temps",
   },
-  off: "désactivée",
+  off: "ignorée",
   lead: "pas",
   most: (speed) => `max. ${speed}`,
   total: "Total, estimé",
   totalNote: "sans changements d’outil ni chargement",
 
-  findings: "Constats",
-  more: (n) => `et ${n} de plus, voir les constats dans Turnwise`,
+  findings: "Messages de contrôle",
+  more: (n) => `et ${n} de plus, voir les messages dans Turnwise`,
   program: "Programme",
   signature: "Réglé par, date",
   released: "Validé par, date",
-};
+});

@@ -2,9 +2,9 @@ import type { ClampingTexts } from "../en/clamping.ts";
 
 export const clamping: ClampingTexts = {
   title: "装夹",
-  unstated: "未给定：视毛坯在后端被夹持。不检查与卡爪、卡盘或尾座的碰撞。",
-  state: "给定装夹",
-  remove: "不给定",
+  unstated: "未指定：视毛坯在后端被夹持。不检查与卡爪、卡盘或尾座的碰撞。",
+  state: "指定装夹",
+  remove: "移除装夹",
   kind: "夹持方式",
   kinds: {
     chuckOutside: "卡盘，外夹",

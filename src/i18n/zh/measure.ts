@@ -13,13 +13,13 @@ export const measure: MeasureTexts = {
     wall: "壁厚",
   },
   toolHints: {
-    diameter: "卡尺量直径：某处的 ⌀（D）",
-    length: "卡尺量长度：端面到端面（L）",
-    depth: "深度尺：台阶的高度（S）",
+    diameter: "某点处的直径（D）",
+    length: "端面到端面的长度（L）",
+    depth: "台阶的高度（S）",
     distance: "两点之间的直线距离（T）",
     radius: "圆弧的半径（R）",
     angle: "边与轴线的夹角，或两边的夹角（A）",
-    wall: "某处材料的厚度（W）",
+    wall: "某点处的壁厚（W）",
   },
   pick: {
     diameter: "选择外圆或内孔的表面。",

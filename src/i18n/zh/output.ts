@@ -2,14 +2,14 @@ import type { OutputTexts } from "../en/output.ts";
 
 export const output = {
   title: "NC 输出",
-  lead: "程序按您的机床书写。这些设置随程序保存和共享。",
-  leadProgram: "插入的加工按此书写，已有的文本保持不变。",
+  lead: "程序按您的机床书写。这些设置随程序保存和分享。",
+  leadProgram: "适用于插入的工序，已有文本保持不变。",
   preset: "预设",
   presets: {
     manual: "同手册示例：M303、M305",
-    mainSpindle: "主轴带动工件：M3、M5",
+    mainSpindle: "主轴驱动工件：M3、M5",
     transfer: "旧式文件传输：M3、M5，CR LF，无程序段号，大写",
-    own: "机床厂自定义",
+    own: "机床专用",
   },
   spindleOn: "主轴启动",
   spindleOff: "结束时主轴停止",
@@ -25,6 +25,6 @@ export const output = {
   name: "程序名",
   names: { typed: "按输入", capitals: "大写" },
   makeDefault: "用于新程序",
-  isDefault: "新程序按此书写。",
+  isDefault: "用于新程序。",
   unverified: "驱动主轴的 M 功能取决于机床，请见机床手册。",
 } satisfies OutputTexts;

@@ -258,7 +258,7 @@ test("the report says what holds the work, and that nothing was looked at where 
   const stated = reported(turned(`${HELD} QUILL4 TIP-2`, -50)),
     unstated = reported(turned("; none", -50));
   expect(stated.clamping).toMatchObject({ kind: "chuckOutside", diameter: 30, face: -60 });
-  expect(summary(stated)).toContain("clamping as stated: chuck outside, D30, front at Z-60, tailstock at Z-2");
+  expect(summary(stated)).toContain("clamping: chuck outside, D30, front at Z-60, tailstock at Z-2");
   expect(unstated.clamping).toBeNull();
-  expect(summary(unstated)).toMatch(/clamping not stated: .*contact .* was not looked for/);
+  expect(summary(unstated)).toMatch(/clamping not specified: .*contact .* not checked/);
 });

@@ -83,7 +83,7 @@ describe("what cannot be chosen here is found with the reason", () => {
   test("the start page says where 800 is put in", async () => {
     await searchFor("800", false);
     expect(screen.getByRole("status").textContent?.trim()).toMatch(
-      /^Cycle 800, .*: no work by itself, it acts where it stands in a program/,
+      /^Cycle 800, .*: takes effect only within a program\./,
     );
   });
   test("a program takes 800 like any cycle", async () => {
@@ -93,7 +93,7 @@ describe("what cannot be chosen here is found with the reason", () => {
   test("a program says of 880 that it is kept", async () => {
     await searchFor("880", true);
     expect(screen.getByRole("status").textContent?.trim()).toMatch(
-      /^Cycle 880, Gear hobbing: shown and kept in a program, but not run/,
+      /^Cycle 880, Gear hobbing: shown in a program but not simulated/,
     );
   });
 });

@@ -28,7 +28,7 @@ test("the feed of the swivelling axes stays one per minute behind M136", () => {
 
 test("a cycle without prompts says so, and has no way back to one", () => {
   show(3, null);
-  expect(screen.getByRole("heading", { name: "This cycle asks nothing" })).toBeDefined();
+  expect(screen.getByRole("heading", { name: "This cycle has no prompts" })).toBeDefined();
   expect(screen.queryByRole("button", { name: "Back to the first prompt" })).toBeNull();
   expect(screen.getByText(/acts where it stands/)).toBeDefined();
 });

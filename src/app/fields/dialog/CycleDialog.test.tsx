@@ -53,7 +53,7 @@ test("ENT takes each value and ends with the copy button", async () => {
     expect(shows(q), q).toBe(true);
     await user.keyboard("{Enter}");
   }
-  expect(question()).toBe("Being checked …");
+  expect(question()).toBe("Checking …");
   expect(document.activeElement).toBe(screen.getByRole("button", { name: /^Copy the program/ }));
 });
 
@@ -75,9 +75,9 @@ test("ENT passes by what has no effect; arrows go there, NO ENT leaves it out, a
   expect(typed(size)).toBe("");
   expect(shows(after(size))).toBe(true);
   await user.keyboard("{End}");
-  expect(question()).toBe("Being checked …");
+  expect(question()).toBe("Checking …");
   setPrompt(element, "1");
-  await screen.findByText("1 prompt has no usable value");
+  await screen.findByText("1 prompt open");
 });
 
 test("arrows and Tab move, in front of the first prompt through the set-up, whose first place stays", async () => {
@@ -87,7 +87,7 @@ test("arrows and Tab move, in front of the first prompt through the set-up, whos
   await user.keyboard("{ArrowUp}");
   expect(shows(prompts[0] ?? "")).toBe(true);
   await user.keyboard("{ArrowUp}".repeat(9));
-  expect(question()).toBe("Outside ⌀");
+  expect(question()).toBe("Outside diameter");
   await user.keyboard("{End}");
   expect(shows(prompts[0] ?? "")).toBe(true);
   goTo(axial);
@@ -157,7 +157,7 @@ test("End keeps the rest and closes the dialog; open values are counted", async 
   goTo(diameter);
   await screen.findByDisplayValue(typed(diameter) ?? "");
   await user.keyboard("nothing{End}");
-  expect(question()).toBe("1 prompt has no usable value");
+  expect(question()).toBe("1 prompt open");
   await user.keyboard("{Enter}");
   expect(shows(diameter)).toBe(true);
 });
@@ -185,7 +185,7 @@ test("FAUTO stands in for a feed", async () => {
 });
 
 test.each([
-  ["out of range", () => angle, "-5", /Take 5/],
+  ["out of range", () => angle, "-5", /Use 5/],
   ["no number", () => diameter, "abc", null],
   ["missing", () => diameter, "", null],
 ])("%s is said at the field while it is typed, and never stops the typing", async (_, q, text, nearest) => {
@@ -240,7 +240,7 @@ test("a fault that leaves no path is said at the prompt that shapes the contour,
     [...within(active()).getByRole("status", { name: "Findings" }).children].map((each) => each.textContent ?? "");
   await waitFor(() => expect(said()).toHaveLength(2));
   expect(said()[0]).toMatch(/^Error: T Tool: A ROUGH tool/);
-  expect(said()[1]).toMatch(/^Warning: D Outside ⌀: The contour/);
+  expect(said()[1]).toMatch(/^Warning: D Outside diameter: The contour/);
   // Roughing or finishing has nothing to do with it.
   goTo(prompts[0] ?? null);
   await waitFor(() => expect(said()).toEqual([]));

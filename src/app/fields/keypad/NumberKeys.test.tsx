@@ -89,14 +89,14 @@ test("ENT goes on to the next number field and puts the keypad away behind the l
   touch(field("field 1"));
   await screen.findByRole("group", { name: "Keypad" });
   expect(screen.queryByRole("button", { name: "Question mark: not given" })).toBeNull();
-  key("ENT: take the value, next field");
+  key("ENT: accept the value, next field");
   expect(document.activeElement).toBe(field("field 2"));
   key("Question mark: not given");
   expect(field("field 2").value).toBe("?");
   key("Previous field");
   expect(document.activeElement).toBe(field("field 1"));
   key("Next field");
-  key("ENT: take the value, next field");
+  key("ENT: accept the value, next field");
   await waitFor(() => expect(keypad()).toBeNull());
 });
 
@@ -104,7 +104,7 @@ test("letters: the keyboard of the device comes for this field, until it is left
   render(<Fields />);
   touch(field("field 1"));
   await screen.findByRole("group", { name: "Keypad" });
-  key("Letters: the keyboard of the device");
+  key("Letters: device keyboard");
   await waitFor(() => expect(keypad()).toBeNull());
   expect(document.activeElement).toBe(field("field 1"));
   expect(field("field 1").inputMode).toBe("text");

@@ -30,8 +30,8 @@ afterEach(cleanup);
 test("each field is one step of undo", async () => {
   const user = userEvent.setup();
   const { outside } = job().blank;
-  await user.clear(field("Outside ⌀"));
-  await user.type(field("Outside ⌀"), "82.5");
+  await user.clear(field("Outside diameter"));
+  await user.type(field("Outside diameter"), "82.5");
   expect(job().blank.outside).toBe("82.5");
   undo();
   expect(job().blank.outside).toBe(outside);
@@ -67,7 +67,7 @@ test("an empty field shows what is proposed for the values, and keeps it when as
   const proposed = field("Length").placeholder;
   expect(field("Length").getAttribute("aria-invalid")).toBe("false");
   expect(job().blank.length).toBe("");
-  await user.click(screen.getByRole("button", { name: `Length: keep ${proposed}` }));
+  await user.click(screen.getByRole("button", { name: `Length: confirm ${proposed}` }));
   expect([job().blank.length, field("Length").value]).toEqual([proposed, proposed]);
   undo();
   expect(job().blank.length).toBe("");

@@ -57,7 +57,7 @@ test("impossible values leave the last possible drawing, dimmed, and it says so"
   rerender(picture({ ...example, Q491: 50 }, "Q491", "en"));
   expect(active()).toEqual(["⌀80"]);
   expect(screen.getByRole("img").classList.contains("dimmed")).toBe(true);
-  expect(name()).toContain("last possible drawing");
+  expect(name()).toContain("last valid drawing");
   rerender(picture(example, "Q491"));
   expect(screen.getByRole("img").classList.contains("dimmed")).toBe(false);
 });
@@ -66,7 +66,7 @@ test("a value that is missing shows its Q number, and no number that nobody type
   const { rerender } = render(picture(null, "Q491"));
   expect(active()).toEqual(["Q491"]);
   expect(name()).toContain("no value yet");
-  expect(name()).toContain("Q numbers stand for values");
+  expect(name()).toContain("Q numbers represent values");
   const texts = () => [...document.querySelectorAll("svg text")].map((e) => e.textContent);
   expect(texts().filter((text) => !/^Q\d+$/.test(text ?? ""))).toEqual([]);
   rerender(picture(null, "Q494", "en", { Q491: 61.37, Q492: 0.8 }));

@@ -20,7 +20,7 @@ afterEach(cleanup);
 test.each([
   ["en", /^Measured: 2\./],
   ["de", /^Gemessen: 2\./],
-  ["fr", /^Mesures: 2\./],
+  ["fr", /^Mesures\s: 2\./],
   ["zh", /^测量结果：2。/],
 ] as const)(
   "over a body in space it is said in %s how much was measured in the section, and nothing where nothing was",

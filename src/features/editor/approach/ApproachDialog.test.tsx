@@ -106,7 +106,7 @@ test("the keys of the control walk through the prompts to the end", async () => 
 
 test("another form is chosen from all eight at the same contour; what both know stays", async () => {
   const now = shown(4);
-  await userEvent.click(screen.getByRole("button", { name: "Other form" }));
+  await userEvent.click(screen.getByRole("button", { name: "Change function" }));
   expect(screen.getAllByRole("button", { name: /^(APPR|DEP) L?[CLT][NT]?T?:/ })).toHaveLength(8);
   await userEvent.click(screen.getByRole("button", { name: /^APPR CT:/ }));
   expect(now.block).toBe("4 APPR CT X+5 Y+5 CCA90 R+10 RL F300");

@@ -3,8 +3,8 @@ import type { HelpTexts } from "../../en/workplace/help.ts";
 export const help = {
   picture: (cycle) => `Zeichnung der Kontur, Zyklus ${cycle}`,
   highlighted: (parameter, label, value) => `Hervorgehoben: ${parameter} ${label}, ${value}`,
-  stale: "Diese Werte ergeben keine Kontur: letzte mögliche Zeichnung.",
-  partial: "Q-Nummern stehen für Werte, die noch fehlen.",
+  stale: "Ungültige Kontur; letzte gültige Zeichnung",
+  partial: "Q-Nummern vertreten Werte, die noch fehlen.",
   noValue: "noch kein Wert",
   inWords: {
     diameter: (value) => `Durchmesser ${value} mm`,

@@ -4,23 +4,23 @@ import type { Shape } from "../../shape.ts";
 export const chooser = {
   cycles: "Cycles",
   search: "Search the cycles",
-  hint: "Number, name or shop word",
+  hint: "Search by number, name or shop term",
   languages: "Search in any of the four languages.",
-  keys: "Arrow keys go from cycle to cycle.",
+  keys: "Arrow keys move from cycle to cycle.",
   found: (n: number) => (n === 1 ? "1 cycle found." : `${n} cycles found.`),
-  enter: (cycle: string) => `Enter takes ${cycle}.`,
-  none: "No cycle fits these words.",
+  enter: (cycle: string) => `Enter selects ${cycle}.`,
+  none: "No cycle matches these words.",
   /** Why a cycle cannot be begun or put in here, though the control has it. */
   acts: (cycle: string) =>
-    `${cycle}: no work by itself, it acts where it stands in a program. Open one and insert it there, under Cycle.`,
+    `${cycle}: takes effect only within a program. Open a program and insert the cycle there, under Cycle.`,
   kept: (cycle: string) =>
-    `${cycle}: shown and kept in a program, but not run; nothing behind it is proved. Paste its lines into the program text.`,
+    `${cycle}: shown in a program but not simulated; the program is unverified from there on. Paste the lines of the cycle into the program text.`,
   recent: "Recently used",
   recentOne: (cycle: string) => `Recently used: ${cycle}`,
   count: (n: number) => (n === 1 ? "1 cycle" : `${n} cycles`),
   /** What a row says of a cycle whose parameter list no page prints. */
-  recalled: "list recalled",
-  empty: "Empty",
+  recalled: "Unverified",
+  empty: "Blank",
   insert: "Insert",
   back: "All blocks",
 };

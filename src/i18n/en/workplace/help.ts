@@ -3,8 +3,8 @@ import type { Shape } from "../../shape.ts";
 export const help = {
   picture: (cycle: string) => `Drawing of the contour, cycle ${cycle}`,
   highlighted: (parameter: string, label: string, value: string) => `Highlighted: ${parameter} ${label}, ${value}`,
-  stale: "These values make no contour: last possible drawing.",
-  partial: "Q numbers stand for values that are not typed yet.",
+  stale: "Invalid contour; last valid drawing",
+  partial: "Q numbers represent values not entered yet.",
   noValue: "no value yet",
   inWords: {
     diameter: (value: string) => `diameter ${value} mm`,

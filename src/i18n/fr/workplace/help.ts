@@ -3,8 +3,8 @@ import type { HelpTexts } from "../../en/workplace/help.ts";
 export const help = {
   picture: (cycle) => `Dessin du contour, cycle ${cycle}`,
   highlighted: (parameter, label, value) => `En évidence : ${parameter} ${label}, ${value}`,
-  stale: "Pas de contour avec ces valeurs : dernier dessin possible.",
-  partial: "Les numéros Q tiennent lieu des valeurs pas encore saisies.",
+  stale: "Contour non valide ; dernier dessin valide",
+  partial: "Les numéros Q représentent des valeurs non saisies.",
   noValue: "pas encore de valeur",
   inWords: {
     diameter: (value) => `diamètre ${value} mm`,

@@ -3,7 +3,7 @@ import type { HelpTexts } from "../../en/workplace/help.ts";
 export const help = {
   picture: (cycle) => `轮廓图，循环 ${cycle}`,
   highlighted: (parameter, label, value) => `突出显示：${parameter} ${label}，${value}`,
-  stale: "这些数值不能构成轮廓：保留上一图形。",
+  stale: "轮廓无效；显示上一张有效图形",
   partial: "Q 编号代表尚未输入的值。",
   noValue: "尚无数值",
   inWords: {
