@@ -205,7 +205,7 @@ export const messages = {
     feedZero: (d, w) => `${w.text(d.word)}：此处切削进给为0。请给出大于0的进给；FAUTO采用TOOL CALL中的F。`,
     feedUnlikely: (d, w) => `${w.number(d.feed)} ${d.unit}的进给不合理。请检查M136：编程M136时F为毫米/转。`,
     drillTooShort: (d, w) =>
-      `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：刀杆可能摩擦孔壁。`,
+      `孔深${w.size(d.depth)}，而钻头切削刃长度（LCUTS）为${w.size(d.edges)}：钻柄可能摩擦孔壁。`,
     pitchOfTap: (d, w) => `Q239为${w.size(d.pitch)}，而刀具表中丝锥的PITCH为${w.size(d.tap)}。`,
     freeChosen: () => "从这里起有多个轮廓符合所给数据：显示最短的轮廓。数控系统采用FSELECT选择的轮廓。",
     freeUnsolved: (d, w) => `${w.text(d.form)}：所给数据不能确定该元素，或相互矛盾。请给出更多数据，或使用FSELECT。`,
