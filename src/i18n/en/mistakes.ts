@@ -120,7 +120,7 @@ export const mistakes: MistakesTexts = {
       "Used to correct a wrong tool length: correct the tool table instead.",
     ],
     blankAllowance: ["The finishing oversize is entered: required is the allowance of the blank on the contour."],
-    threadPitch: ["The lead of a multi-start thread is entered instead of the pitch."],
+    threadPitch: ["With several starts the distance from thread to thread is entered instead of the lead."],
     threadDepth: ["0 is entered for “no thread”: the control then calculates the depth from the pitch."],
     firstInfeed: ["Taken for the infeed of every pass: later infeeds are smaller."],
     infeedAngle: ["More than half the thread angle: the insert damages the finished flank."],
