@@ -8,7 +8,7 @@ const nearest = (value: number | undefined, say: (value: number) => string) =>
 const count = (n: number, one: string, many: string) => `${n} ${n < 2 ? one : many}`;
 
 const reasons: MessagesTexts["reasons"] = {
-  insertRadius: "rayon de plaquette",
+  insertRadius: "rayon de bec",
   mainEdge: "arête de coupe principale",
   secondaryEdge: "arête de coupe secondaire",
   toolWidth: "largeur de l’outil",
@@ -59,7 +59,7 @@ export const messages = {
     wallsMeet: (d, w) =>
       `Avec ${w.angle(d.angle)}, les flancs se rejoignent au-dessus du fond : indiquer moins de ${w.angle(d.max)}.`,
     cornerSmallerThanInsert: (d, w) =>
-      `Le rayon de coin ${w.size(d.radius)} est inférieur au rayon de plaquette ${w.size(d.insert)} : le coin garde ${w.size(d.insert)}.`,
+      `Le rayon de coin ${w.size(d.radius)} est inférieur au rayon de bec ${w.size(d.insert)} : le coin garde ${w.size(d.insert)}.`,
     recessNarrowerThanTool: (d, w) =>
       `Le fond de la gorge est large de ${w.size(d.width)}, l’outil et la surépaisseur exigent ${w.size(d.tool)}.${nearest(d.nearest, w.value)}`,
     angleNotFollowed: (d, w) =>
@@ -203,7 +203,7 @@ export const messages = {
         ? `Matière résiduelle en ${w.place(d.x, d.z)} : ${w.area(d.area)}. Cause : ${reasons[d.reason]}.`
         : d.reason === "oversize"
           ? `Surépaisseur en ${w.place(d.x, d.z)} : ${w.area(d.area)}, comme programmé.`
-          : `Le coin en ${w.place(d.x, d.z)} a le rayon de plaquette : ${w.area(d.area)} de matière résiduelle. Aucun autre rayon n’est programmé.`,
+          : `Le coin en ${w.place(d.x, d.z)} a le rayon de bec : ${w.area(d.area)} de matière résiduelle. Aucun autre rayon n’est programmé.`,
     gouge: (d, w) => `Violation de contour en ${w.place(d.x, d.z)} : ${w.area(d.area)}.`,
     rapidInStock: (d, w) => `Avance rapide à travers ${w.area(d.area)} de matière en ${w.place(d.x, d.z)}.`,
     holderContact: (d, w) => `Le porte-outil touche la matière en ${w.place(d.x, d.z)}.`,

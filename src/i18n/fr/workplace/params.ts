@@ -106,7 +106,7 @@ export const params = {
     prompt: "Rayon au coin du contour?",
     printed,
     label: "Rayon de coin",
-    explanation: "Rayon du coin intérieur. 0 ou aucune valeur : coin vif, où reste le rayon de plaquette.",
+    explanation: "Rayon du coin intérieur. 0 ou aucune valeur : coin vif, où reste le rayon de bec.",
   },
   endElement: {
     prompt: "Type élément final (0/1/2)?",

@@ -24,7 +24,7 @@ const shortened =
   "À partir de la deuxième passe, chaque coupe est raccourcie de 0,1 mm, ou de Q508 ; la pression latérale sur " +
   "l’outil diminue. La matière résiduelle est enlevée en une fois à la fin de l’ébauche.";
 const tooFar =
-  "Si le décalage dépasse 80 % de la largeur effective (largeur de la dent moins deux fois son rayon), la " +
+  "Si le décalage dépasse 80 % de la largeur effective (largeur d’arête moins deux fois le rayon d’arête), la " +
   "commande émet un message d’erreur.";
 const unverified = [
   "La liste des paramètres et les étapes suivent le cycle apparenté imprimé et ne sont pas vérifiées dans un " +

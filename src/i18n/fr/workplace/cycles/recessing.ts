@@ -25,7 +25,7 @@ const order =
 const notes = [
   turnMode,
   safePosition,
-  "Si la partie plate de la dent (largeur moins deux fois le rayon) atteint au moins la moitié de la largeur, le " +
+  "Si la partie plate de l’arête (largeur moins deux fois le rayon) atteint au moins la moitié de la largeur, le " +
     "décalage entre deux plongées ne la dépasse jamais : il ne reste pas de crêtes.",
   "Une gorge plus profonde que CUTLENGTH n’est usinée que jusqu’à cette profondeur, avec un message.",
   "La liste des paramètres et les étapes ne sont pas vérifiées dans un manuel ; à vérifier sur la commande.",
