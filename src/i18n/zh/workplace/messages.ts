@@ -178,7 +178,7 @@ export const messages = {
     blankLacks: (d, w) => `${w.text(d.what)} 的轮廓缺少程序中存在的${w.area(d.area)}材料。以该轮廓为准。`,
     blankGone: (d, w) => `${w.text(d.what)} 的轮廓中有${w.area(d.area)}已切除。已切除的材料不会恢复。`,
     nothingCut: () => "此次加工没有切除材料。",
-    airPasses: (d) => `${d.count}刀空切。`,
+    airPasses: (d) => `${d.count}次空走刀。`,
 
     notUnderstood: (d, w) => `无法识别“${w.text(d.text)}”：保留，不仿真。`,
     wordNotUnderstood: (d, w) => `无法识别“${w.text(d.text)}”。`,
