@@ -2,32 +2,32 @@ import type { AdviceTexts } from "../en/advice.ts";
 
 export const advice = {
   title: "Hinweise",
-  lead: "Faustregeln, auf Ihre Werte angewandt. Es sind Schätzungen: Maschine, Beschichtung und Spannung kennt hier niemand.",
-  none: "Zu diesen Werten gibt es nichts anzumerken.",
-  nothingOpen: "Öffnen Sie eine Arbeit, um Hinweise zu ihren Werten zu erhalten.",
+  lead: "Faustregeln für Ihre Werte. Schätzwerte: Maschine, Beschichtung und Aufspannung sind nicht bekannt.",
+  none: "Keine Hinweise zu diesen Werten.",
+  nothingOpen: "Programm öffnen, um Hinweise zu seinen Werten zu erhalten.",
   mark: (n) => (n === 1 ? "1 Hinweis" : `${n} Hinweise`),
-  show: "Hinweise geben",
-  take: (value) => `${value} übernehmen`,
+  show: "Hinweise zeigen",
+  take: (value) => `${value} verwenden`,
   operation: (n, cycle) => `Bearbeitung ${n}, Zyklus ${cycle}`,
   of: {
     depthOverEdge: (depth, edge, most) =>
-      `Der Schnitt ist ${depth} mm tief, die Schneide ${edge} mm lang. Zwei Drittel davon, ${most} mm, sollte sie tragen.`,
+      `Der Schnitt ist ${depth} mm tief, die Schneide ${edge} mm lang. Max. zwei Drittel der Schneidenlänge: ${most} mm.`,
     feedOverNose: (feed, nose, most) =>
-      `Ein Vorschub von ${feed} mm ist mehr als 0,8 des Schneidenradius ${nose} mm. Bis ${most} mm hält die Ecke.`,
+      `Vorschub ${feed} mm ist größer als 0,8 × Schneidenradius ${nose} mm. Max. ${most} mm.`,
     rough: (rz, feed, nose, wanted, better) =>
-      `Vorschub ${feed} mm und Radius ${nose} mm lassen Rz ${rz} µm (f² / 8r). Für Rz ${wanted} µm sind es ${better} mm.`,
+      `Vorschub ${feed} mm und Schneidenradius ${nose} mm ergeben Rz ${rz} µm (f² / 8r). Für Rz ${wanted} µm: ${better} mm.`,
     power: (power, most, speed, better) =>
-      `Etwa ${power} kW bei ${speed} m/min (Kienzle); die Spindel hat ${most} kW. Mit ${better} mm Zustellung reicht das.`,
+      `Etwa ${power} kW bei ${speed} m/min (Kienzle); die Spindel hat ${most} kW. Ausreichend für ${better} mm Zustellung.`,
     speedLimited: (limit, held, smallest, left) =>
-      `Mit SMAX ${limit} wird die Schnittgeschwindigkeit bis ⌀ ${held} gehalten. Bei ⌀ ${smallest} sind es nur noch ${left} m/min.`,
+      `Mit SMAX ${limit} ist die Schnittgeschwindigkeit bis ⌀ ${held} konstant. Bei ⌀ ${smallest} bleiben nur ${left} m/min.`,
     noLimit: (speed) =>
-      `${speed} m/min ohne SMAX: Zur Achse hin dreht die Spindel, so schnell sie kann. Geben Sie eine Grenze an.`,
+      `${speed} m/min ohne SMAX: Zur Drehachse hin dreht die Spindel mit maximaler Drehzahl. Grenze eingeben.`,
     speedFar: (speed, usual) =>
-      `${speed} m/min liegen weit von den ${usual} m/min, mit denen man bei diesem Werkstoff beginnt.`,
+      `${speed} m/min weichen stark vom üblichen Startwert für diesen Werkstoff ab: ${usual} m/min.`,
   },
   material: "Werkstoff",
   ofDevice: "wie auf diesem Gerät",
-  deviceMaterial: "Werkstoff der Arbeiten, die keinen nennen",
+  deviceMaterial: "Standardwerkstoff",
   groups: {
     P: "Stahl",
     M: "Rostfreier Stahl",
@@ -38,10 +38,11 @@ export const advice = {
   },
   starting: "Startwerte",
   startingLead:
-    "Für beschichtetes Hartmetall, bei gehärtetem Stahl für CBN, zum Anfangen; der Hersteller der Platte weiß es besser.",
-  start: (material, speeds) => `${material}: zu Beginn ${speeds}.`,
+    "Für beschichtetes Hartmetall, bei gehärtetem Stahl CBN. Startwerte; maßgeblich sind die Angaben des " +
+    "Plattenherstellers.",
+  start: (material, speeds) => `${material}: Startwert ${speeds}.`,
   startSource: "Schätzwert aus Handbüchern: beschichtetes Hartmetall, CBN für gehärteten Stahl.",
-  startOwn: "Aus Ihrer eigenen Tabelle.",
+  startOwn: "Aus Ihrer Tabelle.",
   values: {
     roughSpeed: "vc Schruppen",
     roughFeed: "f Schruppen",
@@ -55,20 +56,20 @@ export const advice = {
   table: {
     title: "Schnittdaten der Werkstatt",
     lead:
-      "Ersetzen Sie die Werte durch Ihre eigenen; sie bleiben auf diesem Gerät und kommen in die Gesamtdatei. " +
-      "kc1.1 und mc folgen ab Werk Tabellen von Röhm (Stahl, Grauguss) und Iscar (die übrigen): Schätzwerte.",
+      "Die Werte durch eigene ersetzen; sie sind auf diesem Gerät gespeichert und Teil der Sicherung. kc1.1 und " +
+      "mc folgen standardmäßig Tabellen von Röhm (Stahl, Grauguss) und Iscar (die übrigen): Schätzwerte.",
     name: "Werkstoff",
     group: "Gruppe",
-    power: "Leistung der Spindel, kW",
+    power: "Spindelleistung, kW",
     add: "Werkstoff hinzufügen",
     remove: (name) => `${name} entfernen`,
-    reset: "Zurück zu den mitgelieferten Werten",
-    save: "Als Datei sichern",
-    open: "Aus einer Datei",
-    taken: "Die Datei wurde übernommen.",
+    reset: "Standardwerte wiederherstellen",
+    save: "Exportieren",
+    open: "Importieren",
+    taken: "Die Datei wurde importiert.",
     wrong: "Diese Datei enthält keine Schnittdaten.",
     cell: (what, name) => `${what}, ${name}`,
     newName: "Neuer Werkstoff",
-    refused: "Dieser Wert kann hier nicht stehen; es gilt der letzte mögliche.",
+    refused: "Ungültiger Wert; es gilt der letzte gültige.",
   },
 } satisfies AdviceTexts;

@@ -12,89 +12,106 @@ export const glossary: GlossaryTexts = {
   words: { formsOf, capitals: true, apart: true },
   blank: {
     name: "Rohteil",
-    text: "Das Material vor dem ersten Schnitt. BLK FORM nennt es; hier ein Zylinder, ein Rohr oder ein Umriss.",
+    text: "Das Material vor dem ersten Schnitt, definiert mit BLK FORM: Zylinder, Rohr oder Umriss.",
   },
   stock: {
     name: "Rohmaterial",
-    text: "Das Material in einem Augenblick: was die Schnitte bisher vom Rohteil übrig gelassen haben.",
+    text: "Das aktuelle Material: Rohteil abzüglich aller bisherigen Schnitte.",
   },
-  finishedPart: { name: "Fertigteil", text: "Was stehen bleiben muss. Kein Schnitt darf es berühren." },
+  finishedPart: {
+    name: "Fertigteil",
+    text: "Das Teil nach allen Schnitten, wie gezeichnet. Kein Schnitt darf es verletzen.",
+  },
   residue: {
     name: "Restmaterial",
-    text: "Material, das über der Kontur stehen bleibt, weil die Platte nicht hinkommt: in Ecken, hinter Flanken, an Grenzen.",
+    text:
+      "Material, das auf der Kontur bleibt, weil die Schneidplatte nicht hinkommt: in Ecken, hinter Flanken, an " +
+      "Grenzen.",
   },
   contour: {
     name: "Kontur",
-    text: "Der Zug aus Strecken und Bögen, dem die fertige Fläche folgt, in Bearbeitungsrichtung.",
+    text: "Der Linienzug aus Geraden und Kreisbögen der fertigen Fläche, in Bearbeitungsrichtung.",
   },
   cornerElement: {
     name: "Fase, Rundung",
-    text: "Was eine Ecke zwischen zwei Elementen bricht, oder die Kante am Anfang oder Ende eines Absatzes.",
+    text: "Element, das eine Ecke zwischen zwei Elementen bricht, oder die Kante am Start oder Ende eines Absatzes.",
   },
   shoulder: { name: "Absatz", text: "Ein Zylinder und eine Planfläche, die sich in einer Innenecke treffen." },
-  face: { name: "Planfläche", text: "Eine Fläche rechtwinklig zur Achse. Gedreht wird sie in X." },
+  face: { name: "Planfläche", text: "Eine Fläche rechtwinklig zur Drehachse, gedreht mit einer Bewegung in X." },
   recess: {
     name: "Einstich",
-    text: "Ein Grund zwischen zwei Wänden. Stechdrehen fährt seitlich, Einstechen taucht nebeneinander ein.",
+    text: "Ein Grund zwischen zwei Flanken. Stechdrehen schneidet seitlich, Stechen mit Stichen nebeneinander.",
   },
   undercut: {
     name: "Freistich",
-    text: "Eine Vertiefung unter dem Fertigmaß in der Ecke vor einer Planfläche, damit Gegenstück oder Schleifscheibe Platz haben.",
+    text:
+      "Eine Vertiefung unter dem Fertigmaß in der Ecke vor einer Planfläche, damit Gegenstück oder Schleifscheibe " +
+      "Platz haben.",
   },
   thread: {
     name: "Gewinde",
     text:
-      "Eine Rille auf einer Schraubenlinie. Der Vorschub ist an die Drehung der Spindel gekoppelt, damit jeder " +
-      "Schnitt dieselbe Rille trifft.",
+      "Eine Rille auf einer Schraubenlinie. Der Vorschub läuft synchron zur Spindel, damit jeder Schnitt " +
+      "dieselbe Rille trifft.",
   },
   pitch: {
     name: "Steigung",
-    text: "Von einer Rille zur nächsten. Bei mehreren Gängen ist der Weg je Umdrehung so viele Teilungen lang.",
+    text:
+      "Weg je Spindelumdrehung. Bei mehreren Gängen ist der Abstand von Rille zu Rille die Teilung: Steigung durch " +
+      "Anzahl der Gänge.",
   },
-  runIn: { name: "Anlauf", text: "Weg vor dem Gewinde, auf dem die Achse ihre Geschwindigkeit erreicht." },
+  runIn: {
+    name: "Anlaufweg",
+    text: "Weg vor dem Gewinde, auf dem die Achse auf den Vorschub beschleunigt.",
+    also: "Anlauf",
+  },
   oversize: {
     name: "Aufmaß",
-    text: "Was das Schruppen für das Schlichten stehen lässt: Q483 im Durchmesser, Q484 längs Z.",
+    text: "Material, das nach dem Schruppen für das Schlichten bleibt: Q483 im Durchmesser, Q484 in Z.",
   },
   workpieceZero: {
     name: "Werkstück-Nullpunkt",
-    text: "Wo X0 und Z0 liegen. X0 ist die Spindelachse; Z0 liegt meist auf der fertigen Planfläche, das Teil auf der Minusseite.",
+    text:
+      "Position von X0 und Z0. X0 ist die Spindelachse; Z0 liegt meist auf der fertigen Planfläche, das Teil auf " +
+      "der Minusseite.",
     also: "Nullpunkt",
   },
   diameter: {
     name: "Durchmesser (⌀)",
-    text: "X wird als Durchmesser geschrieben. 2 mm in X bewegen das Werkzeug um 1 mm.",
+    text: "X wird als Durchmesser programmiert. 2 mm in X bewegen das Werkzeug um 1 mm.",
   },
   radius: {
     name: "Auf den Radius (r)",
-    text: "Tiefen quer zur Achse zählen nur auf einer Seite: 3 mm sind 6 mm im Durchmesser.",
+    text: "Tiefen quer zur Drehachse gelten je Seite: 3 mm sind 6 mm im Durchmesser.",
   },
   theoreticalTip: {
     name: "Theoretische Schneidenspitze",
     text:
-      "Die Ecke, die die Platte ohne Schneidenradius hätte. Die Steuerung zeigt und programmiert die Lage " +
-      "dieses Punkts, obwohl dort kein Stahl ist.",
+      "Die Ecke, die die Platte ohne Schneidenradius hätte. Anzeige und Programm beziehen sich auf diesen Punkt, " +
+      "obwohl dort kein Material ist.",
     also: "Schneidenspitze",
   },
   cuttingPoint: {
     name: "Schneidpunkt",
     text:
-      "Wo die Rundung das Teil berührt. An Zylinder und Planfläche liegt er auf der Höhe der theoretischen Schneidenspitze, an " +
-      "Kegeln und Bögen nicht.",
+      "Punkt, an dem die Rundung das Teil berührt. An Zylinder und Planfläche liegt er auf der Höhe der " +
+      "theoretischen Schneidenspitze, an Kegeln und Kreisbögen nicht.",
   },
   tipOrientation: {
     name: "Werkzeugorientierung (TO)",
-    text: "Wo die theoretische Schneidenspitze neben der Rundung liegt, 1 bis 9. Danach weiß die Steuerung, wo die Platte schneidet.",
+    text:
+      "Lage der theoretischen Schneidenspitze zur Rundung, 1 bis 9. Sie legt fest, auf welcher Seite die " +
+      "Schneidplatte schneidet.",
   },
   noseRadius: {
     name: "Schneidenradius (RS)",
-    text: "Die Rundung der Schneidenecke. In scharfen Innenecken hinterlässt sie ihren eigenen Radius, und sie macht die Vorschubrillen.",
+    text: "Die Rundung der Schneidenecke. Er bleibt in scharfen Innenecken und bestimmt die Vorschubrillen.",
   },
   compensation: {
     name: "Schneidenradiuskorrektur",
     text:
-      "Die Steuerung führt die Platte so, dass ihr Bogen die Kontur berührt und nicht die theoretische Schneidenspitze. " +
-      "Ohne sie werden Kegel und Bögen falsch.",
+      "Die Steuerung führt die Rundung, nicht die theoretische Schneidenspitze, an der Kontur. Ohne Korrektur " +
+      "werden Kegel und Kreisbögen falsch.",
   },
   insert: {
     name: "Schneidplatte",
@@ -103,90 +120,111 @@ export const glossary: GlossaryTexts = {
   },
   mainEdge: {
     name: "Hauptschneide",
-    text: "Die Schneide neben der Rundung, die das meiste schneidet. Einer Wand, die stärker geneigt ist, kann sie nicht folgen.",
+    text: "Die Schneide neben der Rundung, die das meiste schneidet. Einer steileren Flanke kann sie nicht folgen.",
   },
   secondaryEdge: {
     name: "Nebenschneide",
-    text: "Die Schneide hinter der Rundung. An fallenden Flanken muss sie vom Teil freibleiben.",
+    text: "Die Schneide hinter der Rundung. An fallenden Flanken muss sie frei vom Teil bleiben.",
   },
   edgeLength: {
     name: "Schneidenlänge (CUTLENGTH)",
-    text: "Wie viel der Schneide schneiden darf. Ein tieferer Schnitt arbeitet mit dem Halter. Beim Gewindewerkzeug: die Höhe des Zahns.",
+    text:
+      "Nutzbare Länge der Schneide. Bei einem tieferen Schnitt reibt der Halter. Beim Gewindewerkzeug: die " +
+      "Zahnhöhe.",
   },
-  holder: { name: "Halter", text: "Was die Platte trägt. Er darf weder Teil noch Futter berühren." },
+  holder: {
+    name: "Halter",
+    text: "Werkzeugkörper, der die Schneidplatte trägt. Er darf weder Teil noch Futter berühren.",
+  },
   pass: { name: "Schnitt", text: "Ein Schruppschnitt auf einer Tiefe, von der Zustellung bis zum Abheben." },
   infeed: {
     name: "Zustellung",
-    text: "Um wie viel ein Schnitt tiefer liegt als der vorige. Q463 ist das Höchste; die Tiefe wird gleichmäßig geteilt.",
+    text: "Tiefe eines Schnitts gegenüber dem vorigen. Q463 ist das Maximum; die Tiefe wird gleichmäßig aufgeteilt.",
   },
   roughing: {
     name: "Schruppen",
-    text: "Das meiste Material in wenigen tiefen Schnitten abtragen, bis auf das Aufmaß.",
+    text: "Abtragen des meisten Materials in wenigen tiefen Schnitten, bis auf das Aufmaß.",
   },
   finishing: {
     name: "Schlichten",
-    text: "Ein Schnitt entlang der Kontur auf Maß, mit wenig Span und kleinem Vorschub.",
+    text: "Ein Schnitt entlang der Kontur auf Fertigmaß, mit kleiner Tiefe und kleinem Vorschub.",
   },
   setupClearance: {
     name: "Sicherheitsabstand (Q460)",
-    text: "Der Abstand, den ein Zyklus beim Vorpositionieren im Eilgang hält und um den er abhebt, bevor er im Eilgang zurückfährt.",
+    text: "Abstand zum Material beim Vorpositionieren und Rückzugsweg vor der Rückfahrt im Eilgang.",
   },
   startPoint: {
     name: "Startpunkt",
-    text: "Wo die Spitze beim Zyklusaufruf steht: in der Luft. Von dort zählt der Zyklus die Tiefe, dorthin kehrt er zurück.",
+    text: "Position der Schneidenspitze beim Zyklusaufruf, frei vom Material. Dort beginnt und endet der Zyklus.",
   },
   rapid: { name: "Eilgang", text: "Die schnellste Bewegung der Achsen. Sie darf nie Material berühren." },
   feedPerTurn: {
-    name: "Vorschub je Umdrehung (M136)",
-    text: "Wie weit das Werkzeug bei einer Umdrehung der Spindel fährt. Spandicke und Oberfläche hängen dann nicht von der Drehzahl ab.",
+    name: "Vorschub pro Umdrehung (M136)",
+    also: "Vorschub je Umdrehung",
+    text:
+      "Weg des Werkzeugs bei einer Spindelumdrehung. Spandicke und Oberfläche sind dann unabhängig von der " +
+      "Drehzahl.",
   },
   cuttingSpeed: {
     name: "Schnittgeschwindigkeit",
-    text: "Wie schnell die Fläche an der Schneide vorbeiläuft, m/min: π · ⌀ · n / 1000. VCONST hält sie, während sich der Durchmesser ändert.",
+    text:
+      "Geschwindigkeit der Fläche an der Schneide, m/min: π · ⌀ · n / 1000. VCONST hält sie bei wechselndem " +
+      "Durchmesser konstant.",
   },
   speedLimit: {
     name: "Drehzahlbegrenzung (SMAX)",
     text:
-      "Die höchste Drehzahl, die die Steuerung wählen darf. Nahe der Achse wollte VCONST eine unendliche: " +
-      "Futter und Teil setzen die Grenze.",
+      "Die maximale Spindeldrehzahl. Nahe der Drehachse würde VCONST eine unendliche Drehzahl verlangen: Futter " +
+      "und Teil bestimmen die Grenze.",
   },
   chip: {
     name: "Span",
-    text: "Was abgetragen wird: Tiefe mal Vorschub ist sein Querschnitt, Kraft und Leistung wachsen mit ihm.",
+    text:
+      "Das abgetragene Material. Querschnitt ist Tiefe mal Vorschub; Kraft und Leistung wachsen mit dem " +
+      "Querschnitt.",
   },
   cuttingForce: {
     name: "Spezifische Schnittkraft (kc)",
-    text: "Die Kraft für jeden mm² Span. Dünne Späne brauchen mehr davon als dicke.",
+    text: "Kraft je mm² Spanquerschnitt. Bei dünnen Spänen ist sie größer als bei dicken.",
   },
   roughness: {
     name: "Rauheit (Rz)",
-    text: "Höhe der Vorschubrillen. Der Radius allein lässt etwa f² / (8 · r): halber Vorschub, ein Viertel der Höhe.",
+    text:
+      "Höhe der Vorschubrillen. Der Schneidenradius ergibt etwa f² / (8 · r): halber Vorschub, ein Viertel der " +
+      "Höhe.",
   },
-  gouge: { name: "Konturverletzung", text: "Fertigteil, das eine Bewegung weggeschnitten hat. Es kommt nicht wieder." },
+  gouge: { name: "Konturverletzung", text: "Ein Schnitt in das Fertigteil. Er lässt sich nicht rückgängig machen." },
   airPass: { name: "Luftschnitt", text: "Ein Schnitt, der kein Material berührt." },
   plunging: {
     name: "Eintauchen",
-    text: "An einer fallenden Flanke oder gerade nach unten ins Material schneiden. Q487 erlaubt es, Q488 gibt ihm einen eigenen Vorschub.",
+    text:
+      "An einer fallenden Flanke oder gerade nach unten ins Material schneiden. Q487 erlaubt das Eintauchen, Q488 " +
+      "ist der Eintauchvorschub.",
   },
   limit: {
-    name: "Bearbeitungsgrenze",
-    text: "Ein Durchmesser (Q480) oder ein Ort längs Z (Q482), jenseits dessen der Zyklus nicht schneidet.",
+    name: "Schnittbegrenzung",
+    also: "Bearbeitungsgrenze",
+    text: "Ein Durchmesser (Q480) oder eine Z-Position (Q482), hinter der der Zyklus die Kontur nicht bearbeitet.",
   },
-  program: { name: "Programm", text: "Was die Steuerung abarbeitet: Sätze, einer nach dem anderen." },
+  program: { name: "Programm", text: "Die Sätze, die die Steuerung nacheinander abarbeitet." },
   block: {
     name: "Satz",
-    text: "Eine nummerierte Zeile eines Programms, oder mehrere, die zusammengehören, wie ein Zyklus mit seinen Parametern.",
+    text:
+      "Eine nummerierte Zeile eines Programms, oder mehrere, die zusammengehören, wie ein Zyklus mit seinen " +
+      "Parametern.",
   },
   cycle: {
     name: "Zyklus",
-    text: "Eine Bearbeitung, die die Steuerung kennt: Aus wenigen Werten plant sie alle Schnitte.",
+    text: "Eine Bearbeitung der Steuerung: Wenige Werte legen alle Schnitte fest.",
   },
   call: {
     name: "Zyklusaufruf",
-    text: "M99, M89 oder CYCL CALL. Erst hier bewegt der definierte Zyklus das Werkzeug, mit Werkzeug und Startpunkt dieses Augenblicks.",
+    text:
+      "M99, M89 oder CYCL CALL. Erst der Aufruf führt den definierten Zyklus aus, mit aktuellem Werkzeug und " +
+      "Startpunkt.",
   },
   verdict: {
-    name: "Urteil",
-    text: "Was der Nachweis eines Programms ergibt: bewiesen, Fehler gefunden, oder nicht alles simuliert.",
+    name: "Prüfergebnis",
+    text: "Ergebnis der Programmprüfung: geprüft, Fehler gefunden oder nicht vollständig simuliert.",
   },
 };

@@ -6,100 +6,102 @@ export const guidePlaces = {
   approach: "Anfahren und Wegfahren",
   contour: "Kontur",
   ownCycles: "Ihre Zyklen",
-  runWith: "Der Kern hat den Zyklus mit jedem davon laufen lassen.",
+  runWith: "Der Zyklus, simuliert mit jedem dieser Werte.",
   places: {
     "blank.outside": {
-      about: "Der ⌀ des Rohteils: D in BLK FORM CYLINDER. Die Prüfung trägt davon ab; die Maschine sieht ihn nie.",
+      about: "⌀ des Rohteils: D in BLK FORM CYLINDER. Nur für die Simulation; die Maschine verwendet den Wert nicht.",
       mistakes: [
-        "Der Fertig-⌀ steht da: Im Bild fehlt Material, das die Maschine hat, und ein Eilgang hinein wird nicht gefunden.",
-        "Stange und Guss sind dicker als ihr Nennmaß: Die Toleranz gehört dazu.",
+        "Fertig-⌀ eingegeben: In der Simulation fehlt Material, ein Eilgang hinein wird nicht erkannt.",
+        "Stangen und Gussteile sind größer als ihr Nennmaß: Toleranz addieren.",
       ],
     },
     "blank.bore": {
-      about: "⌀ einer Bohrung, die vor dem Drehen da ist: DI in BLK FORM CYLINDER. Innenzyklen beginnen bei ihr.",
+      about: "⌀ einer vorhandenen Bohrung: DI in BLK FORM CYLINDER. Innenzyklen beginnen an dieser Bohrung.",
       mistakes: [
-        "0 bleibt stehen, obwohl vorgebohrt ist: Die Prüfung findet die Bohrstange dann im Vollen.",
-        "Die Bohrung ist enger als Werkzeug samt Schaft: Sie streifen beim Einfahren.",
+        "0 trotz Vorbohrung: Die Prüfung findet die Bohrstange im Vollen.",
+        "Die Bohrung ist enger als Werkzeug und Schaft: Berührung beim Einfahren.",
       ],
     },
     "blank.length": {
-      about: "Ganze Länge des Rohteils: L in BLK FORM CYLINDER, mit dem Stück, das das Futter hält.",
+      about: "Gesamtlänge des Rohteils: L in BLK FORM CYLINDER, einschließlich Einspannlänge.",
       mistakes: [
-        "Nur die freie Länge steht da: Die Backen stehen dem Werkzeug im Weg.",
-        "Die Länge zum Abstechen ist vergessen.",
+        "Nur die freie Länge eingegeben: Die Backen sind dem Werkzeug im Weg.",
+        "Die Länge zum Abstechen fehlt.",
       ],
     },
     "blank.allowance": {
-      about: "Wie weit die Planfläche des Rohteils vor dem Werkstück-Nullpunkt steht: DIST. Z0 ist meist die fertige.",
+      about: "Aufmaß der Planfläche vor dem Werkstück-Nullpunkt: DIST. Z0 ist meist die fertige Planfläche.",
       mistakes: [
-        "0, obwohl die Planfläche noch roh ist: Vor Z0 trifft das Werkzeug im Eilgang auf Material.",
-        "Ein Minus: Das Rohteil beginnt hinter Z0, und die ersten Schnitte gehen in die Luft.",
+        "0 bei unbearbeiteter Planfläche: Vor Z0 trifft das Werkzeug im Eilgang auf Material.",
+        "Negativer Wert: Das Rohteil beginnt hinter Z0, die ersten Schnitte sind Luftschnitte.",
       ],
     },
     tool: {
       about:
-        "TOOL CALL holt eine Platte mit Schneidenradius und Orientierung TO aus der Tabelle. Dieselben Werte mit anderer Platte ergeben " +
-        "ein anderes Teil: Der Radius bleibt in Ecken, die Schneiden begrenzen Flanken.",
+        "TOOL CALL wählt eine Schneidplatte mit Schneidenradius und Werkzeugorientierung TO aus der Tabelle. " +
+        "Dieselben Werte mit anderer Schneidplatte ergeben ein anderes Teil: Der Schneidenradius bleibt in " +
+        "Ecken, die Schneiden begrenzen die Flanken.",
       mistakes: [
-        "Werkzeugnummer und Revolverplatz sind verwechselt: Eine andere Platte schneidet.",
-        "Ein Außenwerkzeug wird für eine Innenkontur gerufen: Die Orientierung passt nicht.",
+        "Werkzeugnummer und Revolverplatz verwechselt: Eine andere Schneidplatte schneidet.",
+        "Außenwerkzeug für eine Innenkontur aufgerufen: Die Werkzeugorientierung passt nicht.",
       ],
     },
     "start.x": {
       about:
-        "Wo die Spitze beim Zyklusaufruf quer steht, als ⌀. Zyklen ohne Startdurchmesser beginnen ihre Kontur hier; alle kommen von " +
-        "hier und fahren hierher zurück.",
+        "X-Position der Schneidenspitze beim Zyklusaufruf, als ⌀. Zyklen ohne Startdurchmesser beginnen die " +
+        "Kontur hier; alle Zyklen starten und enden an dieser Position.",
       mistakes: [
-        "Er liegt im Rohteil: Der erste Eilgang geht durch Material.",
-        "Ein Radius ist getippt: Das Werkzeug steht im halben Abstand zur Achse.",
+        "Im Rohteil: Der erste Eilgang fährt durch Material.",
+        "Radius eingegeben: Das Werkzeug steht im halben Abstand zur Drehachse.",
       ],
     },
     "start.z": {
       about:
-        "Wo die Spitze beim Zyklusaufruf längs steht: vor dem Material, auf der Seite, von der der Zyklus arbeitet.",
+        "Z-Position der Schneidenspitze beim Zyklusaufruf: vor dem Material, auf der Seite, von der der Zyklus " +
+        "bearbeitet.",
       mistakes: [
-        "Er liegt hinter einem Bund: Der Weg zum ersten Schnitt geht hindurch.",
-        "Die Seite ist falsch: Ein Zyklus, der zum Futter schneidet, wird von rechts gerufen.",
+        "Hinter einem Bund: Der Weg zum ersten Schnitt führt durch den Bund.",
+        "Falsche Seite: Ein Zyklus in Richtung Futter muss von rechts aufgerufen werden.",
       ],
     },
     "spindle.cuttingSpeed": {
       about:
-        "VC in m/min: Die Steuerung ändert die Drehzahl mit dem ⌀, n = 1000 · vc / (π · d). Der Weg bleibt; Zeit, Wärme und Oberfläche " +
-        "ändern sich.",
+        "VC in m/min: Die Steuerung passt die Drehzahl dem ⌀ an, n = 1000 · vc / (π · d). Die Bahn bleibt " +
+        "gleich; Zeit, Wärme und Oberfläche ändern sich.",
       mistakes: [
-        "SMAX fehlt daneben: Zur Achse hin dreht die Spindel, so schnell sie kann.",
-        "Umdrehungen stehen da: 1500 m/min sind für Stahl viel zu schnell.",
+        "SMAX fehlt: Zur Drehachse hin dreht die Spindel mit maximaler Drehzahl.",
+        "Drehzahl eingegeben: 1500 m/min sind für Stahl viel zu schnell.",
       ],
     },
     "spindle.speed": {
       about:
-        "S in Umdrehungen je Minute, bei jedem ⌀ gleich: richtig für Gewinde. Zur Achse hin fällt die Schnittgeschwindigkeit auf null.",
+        "S in Umdrehungen pro Minute, bei jedem ⌀ gleich: nötig für Gewinde. Zur Drehachse hin fällt die " +
+        "Schnittgeschwindigkeit auf null.",
       mistakes: [
-        "Sie stammt von einem dünnen Teil: Am großen ⌀ läuft die Schneide zu schnell.",
-        "Damit wird plangedreht: Zur Mitte hin wird die Oberfläche schlechter.",
+        "Von einem dünnen Teil übernommen: Am großen ⌀ ist die Schnittgeschwindigkeit zu hoch.",
+        "Beim Plandrehen verwendet: Zur Mitte hin wird die Oberfläche schlechter.",
       ],
     },
     "spindle.limit": {
       about:
-        "SMAX in Umdrehungen je Minute: Konstante Schnittgeschwindigkeit dreht nie schneller. Futter, Spannung und Unwucht bestimmen sie, " +
-        "nicht die Platte.",
+        "SMAX in Umdrehungen pro Minute: maximale Drehzahl bei konstanter Schnittgeschwindigkeit. Futter, " +
+        "Aufspannung und Unwucht bestimmen sie, nicht die Schneidplatte.",
       mistakes: [
-        "Die Grenze des Futters ist übersehen: Backen verlieren mit der Drehzahl an Spannkraft.",
-        "Sie ist so niedrig, dass die Schnittgeschwindigkeit nur am größten ⌀ gehalten wird.",
+        "Grenzdrehzahl des Futters nicht beachtet: Backen verlieren mit der Drehzahl an Spannkraft.",
+        "Zu niedrig: Die Schnittgeschwindigkeit wird nur am größten ⌀ erreicht.",
       ],
     },
     perRevolution: {
-      about: "Mit M136 zählen Vorschübe in mm je Umdrehung, ohne in mm je Minute.",
+      about: "Mit M136 gelten Vorschübe in mm pro Umdrehung, sonst in mm pro Minute.",
       mistakes: [
-        "M136 fehlt: 0,3 heißt dann 0,3 mm je Minute, und das Werkzeug scheint zu stehen.",
-        "Ein Vorschub je Minute steht noch da: 200 mm je Umdrehung.",
+        "M136 fehlt: 0,3 heißt dann 0,3 mm pro Minute, und das Werkzeug scheint zu stehen.",
+        "Vorschub pro Minute nicht geändert: 200 mm pro Umdrehung.",
       ],
     },
     rapid: {
-      about:
-        "Wie schnell die Maschine im Eilgang fährt. Nur die geschätzte Zeit hängt davon ab; im Programm steht er nicht.",
+      about: "Eilganggeschwindigkeit der Maschine. Nur für die geschätzte Zeit; nicht Teil des Programms.",
       mistakes: [
-        "Er wird für einen Vorschub gehalten: Er schneidet nie.",
+        "Mit einem Vorschub verwechselt: Im Eilgang wird nie geschnitten.",
         "Zeiten zweier Maschinen werden mit dem Eilgang der einen verglichen.",
       ],
     },
@@ -107,59 +109,65 @@ export const guidePlaces = {
   on: "ein",
   off: "aus",
   form: {
-    points: "Ihre Punkte",
+    points: "Punkte",
     of: {
       PS: "Unmittelbar vor APPR programmiert, mit R0.",
-      PH: "Rechnet die Steuerung aus Form und Werten.",
-      PA: "Steht im APPR-Satz.",
-      PE: "Steht im letzten Satz der Kontur.",
-      PN: "Außerhalb: DEP LCT nennt ihn, die anderen rechnen ihn aus.",
+      PH: "Von der Steuerung aus Form und Werten berechnet.",
+      PA: "Im APPR-Satz programmiert.",
+      PE: "Im letzten Satz der Kontur programmiert.",
+      PN: "Außerhalb der Kontur: bei DEP LCT programmiert, sonst berechnet.",
     },
-    polar: "Der Punkt ist vom Pol CC aus gegeben: durch den Abstand PR und den Winkel PA.",
-    ownLead: "Gezeichnet an der Kontur Ihres Satzes.",
-    sampleLead: "Gezeichnet an einer Ecke, mit einem Werkzeug von 8 mm Radius.",
-    way: "Weg",
+    polar: "Der Punkt ist vom Pol CC aus durch Abstand PR und Winkel PA festgelegt.",
+    ownLead: "Gezeigt an der Kontur Ihres Satzes.",
+    sampleLead: "Gezeigt an einer Ecke, mit Werkzeugradius 8 mm.",
+    way: "Bahn",
     danger: "Warum PS→PH gefährlich ist",
     dangers: [
       "Von PS nach PH prüft die Steuerung nicht, ob die Kontur verletzt wird.",
-      "Bei LT, LN und CT läuft dieser Weg mit dem zuletzt programmierten Vorschub: nach FMAX im Eilgang. Bei LCT mit dem des Satzes.",
-      "Legen Sie PS auf die Seite, von der die Kontur beginnt, sodass die Gerade nach PH frei ist. Die App prüft diese Gerade.",
+      "Bei LT, LN und CT gilt auf dieser Bahn der zuletzt programmierte Vorschub: nach FMAX Eilgang. Bei LCT " +
+        "gilt der Vorschub des APPR-Satzes.",
+      "PS auf die Seite legen, auf der die Kontur beginnt, damit die Gerade nach PH frei ist. Die App prüft " +
+        "diese Gerade.",
     ],
-    leaving: "Hinter PN fährt der nächste Satz seinen eigenen Weg: PN muss frei von Teil und Futter sein.",
+    leaving: "Nach PN folgt der nächste Satz: PN muss frei von Teil und Futter sein.",
     mistakes: {
-      all: "RL und RR sind vertauscht: Das Werkzeug schneidet seine eigene Breite ins Teil.",
-      LT: "Das Element ist in seiner Verlängerung nicht frei: Das gerade Stück geht durch einen Absatz.",
-      LN: "An der Kontur dreht das Werkzeug um 90° und steht kurz: Auf einer fertigen Fläche bleibt eine Marke.",
-      CT: "Im Satz steht R0: Ein Bogen braucht RL oder RR. Ein Minus vor R legt den Bogen auf die Seite des Werkstücks.",
-      LCT: "Der Punkt außerhalb liegt im Kreis von R: Es gibt keine Tangente.",
+      all: "RL und RR vertauscht: Das Werkzeug schneidet mit seiner ganzen Breite ins Teil.",
+      LT: "Die Verlängerung des Elements ist nicht frei: Die Gerade führt durch einen Absatz.",
+      LN:
+        "Das Werkzeug wechselt an der Kontur um 90° die Richtung und steht kurz: Auf einer fertigen Fläche " +
+        "entsteht eine Marke.",
+      CT:
+        "Im Satz steht R0: Ein Kreisbogen benötigt RL oder RR. Negatives R legt den Kreisbogen auf die " +
+        "Werkstückseite.",
+      LCT: "Der äußere Punkt liegt im Kreis von R: Keine Tangente möglich.",
     },
-    others: "Die anderen Formen",
+    others: "Andere Formen",
   },
   elements: {
     lead:
-      "Die Kontur steht hinter dem Hauptprogramm, unter einem Label, das CYCL DEF 14 nennt. Ihre Richtung entscheidet, von wo sie " +
-      "geschnitten wird.",
-    title: "Ihre Elemente",
+      "Die Kontur ist ein Unterprogramm nach dem Hauptprogramm, unter dem mit CYCL DEF 14 gewählten Label. Die " +
+      "Richtung der Kontur bestimmt die Bearbeitungsrichtung.",
+    title: "Elemente",
     of: {
-      L: "Gerade zum Endpunkt. Eine fehlende Koordinate bleibt, wie sie war.",
-      RND: "Rundet die Ecke zwischen den Elementen davor und dahinter.",
-      CHF: "Bricht die Ecke, auf beiden Seiten um die gleiche Länge.",
-      CR: "Bogen zum Endpunkt mit Radius; ein Minus nimmt den längeren Weg.",
+      L: "Gerade zum Endpunkt. Eine fehlende Koordinate bleibt unverändert.",
+      RND: "Rundet die Ecke zwischen vorigem und nächstem Element.",
+      CHF: "Fase an der Ecke, auf beiden Seiten gleich lang.",
+      CR: "Kreisbahn mit Radius zum Endpunkt; negativer Radius: der größere Kreisbogen.",
       CC: "Mittelpunkt des nächsten C und Pol der polaren Elemente.",
-      C: "Bogen um CC zum Endpunkt, in der Richtung DR.",
-      CT: "Bogen zum Endpunkt, der ohne Ecke an das Element davor anschließt.",
-      LP: "Gerade zu einem Punkt, den Abstand und Winkel von CC geben.",
-      CP: "Bogen um CC bis zu einem Winkel.",
-      CTP: "Bogen ohne Ecke zu einem Punkt, der von CC aus gegeben ist.",
+      C: "Kreisbahn um CC zum Endpunkt, Drehsinn DR.",
+      CT: "Kreisbahn zum Endpunkt mit tangentialem Anschluss.",
+      LP: "Gerade zu einem Punkt mit Abstand und Winkel von CC.",
+      CP: "Kreisbahn um CC bis zu einem Winkel.",
+      CTP: "Kreisbahn mit tangentialem Anschluss zu einem Punkt, bezogen auf CC.",
       UDC: "Freistich genormter Form zwischen zwei Elementen.",
       GRV: "Einstich mitten in einem geraden Element.",
     },
     mistakes: [
       "Die erste Zeile wird für ein Element gehalten: Sie ist nur der Startpunkt.",
-      "X ist als Radius getippt; es ist ein ⌀.",
-      "RND oder CHF steht am Anfang oder Ende: Dort ist keine Ecke.",
-      "Eine Rundung ist länger als die Elemente daneben.",
-      "Die Kontur geht bis ins Futter.",
+      "X als Radius eingegeben; es ist ein ⌀.",
+      "RND oder CHF am Anfang oder Ende: Dort ist keine Ecke.",
+      "Eine Rundung ist zu groß für die Nachbarelemente.",
+      "Die Kontur reicht bis ins Futter.",
     ],
   },
 } satisfies GuidePlacesTexts;

@@ -3,45 +3,46 @@ import type { Shape } from "../shape.ts";
 /** Advice on values, and cutting data. Numbers arrive as text. */
 export const advice = {
   title: "Advice",
-  lead: "Rules of the trade applied to your values. They are estimates: neither machine, coating nor clamping is known here.",
-  none: "Nothing to advise on these values.",
-  nothingOpen: "Open a work to get advice on its values.",
+  lead: "Rules of thumb applied to your values. Estimates: machine, coating and clamping are not known.",
+  none: "No advice on these values.",
+  nothingOpen: "Open a program to get advice on its values.",
   mark: (n: number) => `Advice: ${n}`,
-  show: "Give advice",
-  take: (value: string) => `Take ${value}`,
+  show: "Show advice",
+  take: (value: string) => `Use ${value}`,
   operation: (n: number, cycle: number) => `Operation ${n}, cycle ${cycle}`,
   of: {
     depthOverEdge: (depth: string, edge: string, most: string) =>
-      `The pass is ${depth} mm deep, the edge is ${edge} mm long. Two thirds of it, ${most} mm, is what an edge should bear.`,
+      `The pass is ${depth} mm deep, the edge ${edge} mm long. Max. two thirds of the edge: ${most} mm.`,
     feedOverNose: (feed: string, nose: string, most: string) =>
-      `A feed of ${feed} mm is more than 0.8 of the nose radius ${nose} mm. Up to ${most} mm the nose stays whole.`,
+      `Feed ${feed} mm exceeds 0.8 × tool nose radius ${nose} mm. Max. ${most} mm.`,
     rough: (rz: string, feed: string, nose: string, wanted: string, better: string) =>
-      `Feed ${feed} mm and nose ${nose} mm leave Rz ${rz} µm (f² / 8r). Rz ${wanted} µm takes ${better} mm.`,
+      `Feed ${feed} mm and nose radius ${nose} mm give Rz ${rz} µm (f² / 8r). For Rz ${wanted} µm: ${better} mm.`,
     power: (power: string, most: string, speed: string, better: string) =>
-      `About ${power} kW at ${speed} m/min (Kienzle); the spindle has ${most} kW. An infeed of ${better} mm needs no more.`,
+      `About ${power} kW at ${speed} m/min (Kienzle); the spindle has ${most} kW. Sufficient for an infeed of ${better} mm.`,
     speedLimited: (limit: string, held: string, smallest: string, left: string) =>
-      `With SMAX ${limit} the cutting speed is held down to ⌀ ${held}. At ⌀ ${smallest} only ${left} m/min of it are left.`,
+      `With SMAX ${limit} the cutting speed is constant down to ⌀ ${held}. At ⌀ ${smallest} only ${left} m/min remain.`,
     noLimit: (speed: string) =>
-      `${speed} m/min without SMAX: towards the axis the spindle turns as fast as it can. Give it a limit.`,
+      `${speed} m/min without SMAX: towards the axis the spindle runs at its maximum speed. Enter a limit.`,
     speedFar: (speed: string, usual: string) =>
-      `${speed} m/min is far from the ${usual} m/min that this material usually starts with.`,
+      `${speed} m/min is far from the usual starting value for this material, ${usual} m/min.`,
   },
   material: "Material",
   ofDevice: "as on this device",
-  deviceMaterial: "Material of works that name none",
+  deviceMaterial: "Default material",
   groups: {
     P: "steel",
     M: "stainless steel",
     K: "cast iron",
     N: "non-ferrous metal",
-    S: "hard to cut",
+    S: "difficult to machine",
     H: "hardened steel",
   },
   starting: "Starting values",
-  startingLead: "For coated carbide, hardened steel for CBN, to begin with; the insert’s maker knows better.",
-  start: (material: string, speeds: string) => `${material}: ${speeds} as a start.`,
+  startingLead:
+    "For coated carbide, CBN for hardened steel. Starting values; follow the data of the insert manufacturer.",
+  start: (material: string, speeds: string) => `${material}: start with ${speeds}.`,
   startSource: "Estimate from handbooks: coated carbide, CBN for hardened steel.",
-  startOwn: "From your own table.",
+  startOwn: "From your table.",
   values: {
     roughSpeed: "Speed, roughing",
     roughFeed: "Feed, roughing",
@@ -53,23 +54,23 @@ export const advice = {
   units: { speed: "m/min", feed: "mm/rev", kc: "N/mm²" },
   spindle: "Cutting speed",
   table: {
-    title: "Cutting data of the shop",
+    title: "Shop cutting data",
     lead:
-      "Replace the values by your own; they stay on this device and go into the file of everything. " +
-      "kc1.1 and mc as shipped follow tables of Röhm (steel, grey iron) and Iscar (the others): estimates.",
+      "Replace the values with your own; they are stored on this device and are part of the backup. Default " +
+      "kc1.1 and mc follow tables of Röhm (steel, grey iron) and Iscar (the others): estimates.",
     name: "Material",
     group: "Group",
-    power: "Power of the spindle, kW",
-    add: "Add a material",
+    power: "Spindle power, kW",
+    add: "Add material",
     remove: (name: string) => `Remove ${name}`,
-    reset: "Back to the shipped values",
-    save: "Save as a file",
-    open: "From a file",
-    taken: "The file has been taken over.",
-    wrong: "This file holds no cutting data.",
+    reset: "Restore default values",
+    save: "Export",
+    open: "Import",
+    taken: "The file was imported.",
+    wrong: "This file contains no cutting data.",
     cell: (what: string, name: string) => `${what}, ${name}`,
     newName: "New material",
-    refused: "This value cannot stand there; the last one that could counts.",
+    refused: "Invalid value; the last valid value applies.",
   },
 };
 

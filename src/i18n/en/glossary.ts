@@ -4,151 +4,181 @@ export const glossary: GlossaryTexts = {
   words: { formsOf: (name) => `${name}(?:e?s)?`, capitals: false, apart: true },
   blank: {
     name: "Blank",
-    text: "The material before the first cut. BLK FORM says it; here it is a cylinder, a tube or an outline.",
+    text: "The material before the first cut, defined by BLK FORM: a cylinder, a tube or an outline.",
   },
-  stock: { name: "Stock", text: "The material at a moment: what the cuts so far have left of the blank." },
-  finishedPart: { name: "Finished part", text: "What has to remain. No cut may touch it." },
+  stock: { name: "Stock", text: "The current material: the blank minus all previous cuts." },
+  finishedPart: { name: "Finished part", text: "The part after all cuts, as drawn. No cut may damage it." },
   residue: {
-    name: "Residue",
-    text: "Material that stays beyond the contour because the insert cannot get there: in corners, behind flanks, under limits.",
+    name: "Residual material",
+    text:
+      "Material that remains on the contour because the insert cannot reach it: in corners, behind flanks, beyond " +
+      "limits.",
   },
   contour: {
     name: "Contour",
-    text: "The line of lines and arcs that the finished surface follows, in the direction of machining.",
+    text: "The sequence of lines and arcs of the finished surface, in machining direction.",
   },
   cornerElement: {
     name: "Chamfer, rounding",
-    text: "What breaks a corner between two elements, or the edge at the start or end of a shoulder.",
+    text: "Element that breaks the corner between two elements, or the edge at the start or end of a shoulder.",
   },
   shoulder: { name: "Shoulder", text: "A cylinder and a face that meet in an inside corner." },
-  face: { name: "Face", text: "A surface square to the axis. It is turned by moving in X." },
+  face: { name: "Face", text: "A surface perpendicular to the axis, turned by a movement in X." },
   recess: {
     name: "Recess, groove",
-    text: "A floor between two walls. Recess turning cuts it sideways, recessing by plunges side by side.",
+    text: "A floor between two walls. Recess turning cuts it laterally, recessing with plunges side by side.",
   },
   undercut: {
     name: "Undercut",
-    text: "A relief below the finished diameter in the corner before a face, so that a mating part or a grinding wheel has room.",
+    text:
+      "A recess below the finished diameter in the corner before a face, as clearance for a mating part or a " +
+      "grinding wheel.",
   },
   thread: {
     name: "Thread",
-    text: "A groove along a helix. Its feed is locked to the turning of the spindle, so that every pass meets the same groove.",
+    text: "A groove along a helix. The feed is synchronized to the spindle, so every pass follows the same groove.",
   },
   pitch: {
     name: "Pitch",
-    text: "From one groove to the next. With several starts the lead, the way in one turn, is that many times the pitch.",
+    text:
+      "Distance from one groove to the next. With several starts, the lead (travel per revolution) is the pitch " +
+      "times the number of starts.",
   },
-  runIn: { name: "Run-in", text: "Way in front of a thread on which the axis gets up to its speed." },
-  oversize: { name: "Oversize", text: "What roughing leaves for finishing: Q483 on the diameter, Q484 along Z." },
+  runIn: { name: "Run-in", text: "Distance in front of a thread in which the axis accelerates to the feed." },
+  oversize: { name: "Oversize", text: "Material left by roughing for finishing: Q483 on the diameter, Q484 along Z." },
   workpieceZero: {
     name: "Workpiece zero",
-    text: "Where X0 and Z0 lie. X0 is the axis of the spindle; Z0 usually lies on the finished face, and the part on the negative side.",
+    text:
+      "Position of X0 and Z0. X0 is the spindle axis; Z0 is usually on the finished face, with the part on the " +
+      "negative side.",
   },
-  diameter: { name: "Diameter (⌀)", text: "X is written as a diameter. A step of 2 mm in X moves the tool by 1 mm." },
+  diameter: { name: "Diameter (⌀)", text: "X is programmed as a diameter. 2 mm in X move the tool by 1 mm." },
   radius: {
     name: "On the radius (r)",
-    text: "Depths across the axis count on one side only: 3 mm make 6 mm on the diameter.",
+    text: "Depths across the axis are per side: 3 mm are 6 mm on the diameter.",
   },
   theoreticalTip: {
     name: "Theoretical tip",
     text:
-      "The corner that the insert would have without its nose radius. The control shows and programs the " +
-      "position of this point, although there is no steel.",
+      "The corner of the insert without its nose radius. The control displays and programs the position of this " +
+      "point, although there is no material.",
   },
   cuttingPoint: {
     name: "Cutting point",
-    text: "Where the nose touches the work. On a cylinder and a face it is level with the theoretical tip, on tapers and arcs it is not.",
+    text:
+      "Point where the nose touches the part. On cylinders and faces it is level with the theoretical tip, on " +
+      "tapers and arcs it is not.",
   },
   tipOrientation: {
     name: "Tip orientation (TO)",
-    text: "Where the theoretical tip lies beside the nose, 1 to 9. It tells the control on which side the insert cuts.",
+    text: "Position of the theoretical tip relative to the nose, 1 to 9. It defines on which side the insert cuts.",
   },
   noseRadius: {
-    name: "Nose radius (RS)",
-    text: "The rounding of the cutting corner. It leaves its own radius in sharp inside corners and makes the feed marks of the surface.",
+    name: "Tool nose radius (RS)",
+    also: "nose radius",
+    text:
+      "The rounding of the cutting corner. It remains in sharp inside corners and determines the feed marks on the " +
+      "surface.",
   },
   compensation: {
-    name: "Nose radius compensation",
-    text: "The control leads the nose so that its arc touches the contour, not the theoretical tip. Without it cones and arcs come out wrong.",
+    name: "Tool nose radius compensation",
+    also: "nose radius compensation",
+    text:
+      "The control guides the nose, not the theoretical tip, along the contour. Without compensation tapers and " +
+      "arcs are wrong.",
   },
-  insert: { name: "Insert", text: "The exchangeable plate that cuts, with its shape, angles and nose radius." },
+  insert: { name: "Insert", text: "The exchangeable cutting plate with its shape, angles and nose radius." },
   mainEdge: {
-    name: "Main edge",
-    text: "The edge beside the nose that does most of the cutting. A wall that leans more than it cannot be followed.",
+    name: "Main cutting edge",
+    also: "main edge",
+    text: "The edge next to the nose that does most of the cutting. It cannot follow a wall steeper than itself.",
   },
   secondaryEdge: {
-    name: "Secondary edge",
-    text: "The edge behind the nose. On falling flanks it has to stay clear of the part.",
+    name: "Secondary cutting edge",
+    also: "secondary edge",
+    text: "The edge behind the nose. On descending flanks it must stay clear of the part.",
   },
   edgeLength: {
     name: "Edge length (CUTLENGTH)",
-    text: "How much of the edge may cut. A pass deeper than that works with the holder. Of a thread tool: how high its tooth is.",
+    text: "Usable length of the edge. In a deeper pass the holder rubs. For thread tools: the tooth height.",
   },
-  holder: { name: "Holder", text: "What carries the insert. It must touch neither the part nor the chuck." },
+  holder: {
+    name: "Holder",
+    text: "The tool body that carries the insert. It must touch neither the part nor the chuck.",
+  },
   pass: { name: "Pass", text: "One roughing cut at one depth, from the infeed to the retraction." },
   infeed: {
     name: "Infeed",
-    text: "How much deeper a pass lies than the one before. Q463 is the most that is allowed; the depth is divided evenly.",
+    text: "Depth of a pass relative to the previous one. Q463 is the maximum; the depth is divided evenly.",
   },
-  roughing: { name: "Roughing", text: "Taking most of the material in few deep passes, down to the oversize." },
-  finishing: { name: "Finishing", text: "One cut along the contour to its size, with little chip and a small feed." },
+  roughing: { name: "Roughing", text: "Removing most of the material in few deep passes, down to the oversize." },
+  finishing: {
+    name: "Finishing",
+    text: "One cut along the contour to the finished size, with a small depth and a small feed.",
+  },
   setupClearance: {
     name: "Set-up clearance (Q460)",
-    text: "The distance that a cycle keeps from the work when it pre-positions, and by which it moves off before it goes back at rapid.",
+    text: "Distance to the material for pre-positioning, and retraction distance before the return at rapid traverse.",
   },
   startPoint: {
     name: "Start point",
-    text: "Where the tip stands when a cycle is called. It lies in the air; from there the cycle counts its depth, and there it returns.",
+    text: "Position of the tool tip at the cycle call, clear of the material. The cycle begins and ends there.",
   },
-  rapid: { name: "Rapid", text: "The fastest move of the axes. It must never touch material." },
+  rapid: {
+    name: "Rapid traverse",
+    text: "The fastest movement of the axes. It must never touch material.",
+    also: "rapid",
+  },
   feedPerTurn: {
     name: "Feed per revolution (M136)",
-    text: "How far the tool goes in one turn of the spindle. It makes chip thickness and surface independent of the speed.",
+    text: "Tool travel per spindle revolution. Chip thickness and surface are then independent of the speed.",
   },
   cuttingSpeed: {
     name: "Cutting speed",
-    text: "How fast the surface passes the edge, m/min: π · ⌀ · n / 1000. VCONST holds it while the diameter changes.",
+    text:
+      "Speed of the surface at the edge, m/min: π · ⌀ · n / 1000. VCONST keeps it constant while the diameter " +
+      "changes.",
   },
   speedLimit: {
     name: "Speed limit (SMAX)",
-    text:
-      "The highest speed that the control may choose. Near the axis VCONST would want an endless one: the " +
-      "chuck and the part set the bound.",
+    text: "The maximum spindle speed. Near the axis VCONST would require an infinite speed: chuck and part set the limit.",
   },
   chip: {
     name: "Chip",
-    text: "What is cut off: depth times feed is its cross-section, and force and power grow with it.",
+    text: "The removed material. Its cross-section is depth times feed; force and power grow with it.",
   },
   cuttingForce: {
     name: "Specific cutting force (kc)",
-    text: "The force for each mm² of chip. Thin chips need more of it than thick ones.",
+    text: "Force per mm² of chip cross-section. It is higher for thin chips than for thick ones.",
   },
   roughness: {
     name: "Roughness (Rz)",
-    text: "Height of the feed marks. The nose alone leaves about f² / (8 · r): half the feed is a quarter of the height.",
+    text: "Height of the feed marks. The nose radius gives about f² / (8 · r): half the feed, a quarter of the height.",
   },
-  gouge: { name: "Gouge", text: "Finished part that a move has cut away. It cannot be put back." },
+  gouge: { name: "Contour damage", text: "A cut into the finished part. It cannot be repaired." },
   airPass: { name: "Air pass", text: "A pass that touches no material." },
   plunging: {
     name: "Plunging",
-    text: "Cutting into the material along a falling flank or straight down. Q487 allows it and Q488 gives it a feed of its own.",
+    text:
+      "Cutting into the material along a descending flank or straight down. Q487 allows plunging, Q488 is the " +
+      "plunging feed.",
   },
   limit: {
     name: "Machining limit",
-    text: "A diameter (Q480) or a place along Z (Q482) beyond which the cycle does not cut.",
+    text: "A diameter (Q480) or a Z position (Q482) beyond which the cycle does not cut the contour.",
   },
-  program: { name: "Program", text: "What the control works through: blocks, one after the other." },
+  program: { name: "Program", text: "The blocks that the control executes one after the other." },
   block: {
     name: "Block",
     text: "One numbered line of a program, or several that belong together, such as a cycle with its parameters.",
   },
-  cycle: { name: "Cycle", text: "A machining job that the control knows: from a few values it plans all its passes." },
+  cycle: { name: "Cycle", text: "A machining operation of the control: a few values define all passes." },
   call: {
     name: "Cycle call",
-    text: "M99, M89 or CYCL CALL. Only here the defined cycle moves the tool, with the tool and start point of that moment.",
+    text: "M99, M89 or CYCL CALL. Only the call executes the defined cycle, with the current tool and start point.",
   },
   verdict: {
-    name: "Verdict",
-    text: "What the proof of a program says: proved, faults found, or not everything simulated.",
+    name: "Check result",
+    text: "Result of the program check: verified, errors found, or not fully simulated.",
   },
 };

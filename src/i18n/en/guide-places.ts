@@ -10,156 +10,166 @@ export const guidePlaces = {
   approach: "Approach and departure",
   contour: "Contour",
   ownCycles: "Your cycles",
-  runWith: "The kernel has run the cycle with each of these.",
+  runWith: "The cycle simulated with each of these.",
   places: {
     "blank.outside": {
       about:
-        "The ⌀ of the raw bar: D in BLK FORM CYLINDER. The proof takes the material off it; the machine never sees it.",
+        "⌀ of the blank: D in BLK FORM CYLINDER. The simulation removes material from it; the machine does not use it.",
       mistakes: [
-        "The finished ⌀ is entered: the picture shows no material where the machine has some, and a rapid that hits it is not found.",
-        "Bar and casting are thicker than their nominal size: the tolerance belongs into it.",
+        "The finished ⌀ is entered: the simulation lacks material that is on the machine, and rapid traverse " +
+          "into it is not detected.",
+        "Bars and castings are larger than their nominal size: add the tolerance.",
       ],
     },
     "blank.bore": {
-      about: "⌀ of a hole that is there before turning: DI in BLK FORM CYLINDER. Inside cycles begin from it.",
+      about: "⌀ of an existing bore before turning: DI in BLK FORM CYLINDER. Inside cycles start from this bore.",
       mistakes: [
-        "0 stays although a hole was drilled: the proof then finds the bar in full material.",
-        "The hole is narrower than tool and shank together: they touch on the way in.",
+        "0 is kept although a hole was drilled: the check then finds the boring bar in solid material.",
+        "The bore is narrower than tool and shank: they touch when entering.",
       ],
     },
     "blank.length": {
-      about: "Whole length of the blank: L in BLK FORM CYLINDER, with the piece that the chuck holds.",
+      about: "Total length of the blank: L in BLK FORM CYLINDER, including the clamped length.",
       mistakes: [
-        "Only the free length is entered: the jaws stand where the tool has to go.",
-        "The length for parting off is forgotten.",
+        "Only the free length is entered: the jaws are in the way of the tool.",
+        "The length for parting off is missing.",
       ],
     },
     "blank.allowance": {
-      about:
-        "How far the face of the blank stands in front of the workpiece zero: DIST. Z0 usually is the finished face.",
+      about: "Stock on the face in front of the workpiece zero: DIST. Z0 is usually the finished face.",
       mistakes: [
-        "0 although the face is still rough: in front of Z0 the tool meets material at rapid.",
-        "A minus sign: the blank begins behind Z0, and the first passes cut air.",
+        "0 although the face is unmachined: in front of Z0 the tool hits material at rapid traverse.",
+        "A negative value: the blank begins behind Z0, and the first passes cut air.",
       ],
     },
     tool: {
       about:
-        "TOOL CALL takes an insert with its nose radius and its orientation TO out of the table. The same values with another insert make " +
-        "another part: the nose stays in corners, the edges limit flanks.",
+        "TOOL CALL selects an insert with its tool nose radius and orientation TO from the table. The same " +
+        "values with another insert give another part: the nose radius remains in corners, the edges limit the " +
+        "flanks.",
       mistakes: [
-        "Tool number and place in the turret are mixed up: another insert cuts.",
+        "Tool number and turret position are confused: another insert cuts.",
         "An outside tool is called for an inside contour: its orientation does not fit.",
       ],
     },
     "start.x": {
       about:
-        "Where the tip stands across when the cycle is called, as ⌀. Cycles without a start diameter begin their contour here; " +
-        "all come from here and go back here.",
+        "X position of the tool tip at the cycle call, as ⌀. Cycles without a start diameter begin their contour " +
+        "here; all cycles start from and return to this position.",
       mistakes: [
-        "It lies inside the blank: the first rapid goes through material.",
-        "A radius is typed: the tool stands at half the distance from the axis.",
+        "The position is inside the blank: the first rapid traverse goes through material.",
+        "A radius is entered: the tool is at half the distance from the axis.",
       ],
     },
     "start.z": {
       about:
-        "Where the tip stands along the axis when the cycle is called: in front of the material, on the side from which the cycle works.",
+        "Z position of the tool tip at the cycle call: in front of the material, on the side from which the " +
+        "cycle machines.",
       mistakes: [
-        "It lies behind a collar: the way to the first pass goes through it.",
-        "The side is wrong: a cycle that cuts towards the chuck has to be called from the right.",
+        "The position is behind a collar: the move to the first pass goes through the collar.",
+        "Wrong side: a cycle that cuts towards the chuck must be called from the right.",
       ],
     },
     "spindle.cuttingSpeed": {
       about:
-        "VC in m/min: the control changes the speed with the ⌀, n = 1000 · vc / (π · d). The path stays as it is; time, heat and surface " +
-        "change.",
+        "VC in m/min: the control adapts the speed to the ⌀, n = 1000 · vc / (π · d). The path stays the same; " +
+        "time, heat and surface change.",
       mistakes: [
-        "There is no SMAX beside it: towards the axis the spindle turns as fast as it can.",
-        "Revolutions are entered: 1500 m/min is far too fast for steel.",
+        "SMAX is missing: towards the axis the spindle runs at its maximum speed.",
+        "A spindle speed is entered: 1500 m/min is far too fast for steel.",
       ],
     },
     "spindle.speed": {
       about:
-        "S in revolutions a minute, the same at every ⌀: right for threads. Towards the axis the cutting speed falls to nothing.",
+        "S in revolutions per minute, the same at every ⌀: required for threads. Towards the axis the cutting " +
+        "speed falls to zero.",
       mistakes: [
-        "It is left from a thin part: on a large ⌀ the edge runs too fast.",
-        "It is used for facing: towards the centre the surface gets worse.",
+        "Kept from a thin part: on a large ⌀ the cutting speed is too high.",
+        "Used for facing: towards the centre the surface gets worse.",
       ],
     },
     "spindle.limit": {
       about:
-        "SMAX in revolutions a minute: constant cutting speed never turns the spindle faster. Chuck, clamping and imbalance decide it, " +
-        "not the insert.",
+        "SMAX in revolutions per minute: maximum spindle speed with constant cutting speed. Chuck, clamping and " +
+        "unbalance determine it, not the insert.",
       mistakes: [
-        "The limit of the chuck is overlooked: jaws lose their grip as the speed grows.",
-        "It is so low that the cutting speed is held on the largest ⌀ only.",
+        "The limit of the chuck is ignored: jaws lose clamping force as the speed rises.",
+        "Too low: the cutting speed is reached only on the largest ⌀.",
       ],
     },
     perRevolution: {
-      about: "With M136 feeds count in mm a turn, without it in mm a minute.",
+      about: "With M136 feeds are in mm per revolution, without it in mm per minute.",
       mistakes: [
-        "M136 is missing: 0.3 then means 0.3 mm a minute, and the tool seems to stand still.",
-        "A feed a minute is left in a prompt: 200 mm a turn.",
+        "M136 is missing: 0.3 then means 0.3 mm per minute, and the tool seems to stand still.",
+        "A feed per minute is kept in a prompt: 200 mm per revolution.",
       ],
     },
     rapid: {
-      about: "How fast the machine goes at rapid. Only the estimated time depends on it; the program does not hold it.",
-      mistakes: ["It is taken for a feed: it never cuts.", "Times of two machines are compared with the rapid of one."],
+      about: "Rapid traverse rate of the machine. Used only for the estimated time; not part of the program.",
+      mistakes: [
+        "Confused with a feed: the tool never cuts at rapid traverse.",
+        "Times of two machines are compared with the rate of one.",
+      ],
     },
   },
   on: "on",
   off: "off",
   form: {
-    points: "Its points",
+    points: "Points",
     of: {
-      PS: "Programmed right before APPR, with R0.",
-      PH: "Worked out by the control from form and values.",
-      PA: "Stands in the APPR block.",
-      PE: "Stands in the last block of the contour.",
-      PN: "Outside: DEP LCT names it, the others work it out.",
+      PS: "Programmed directly before APPR, with R0.",
+      PH: "Calculated by the control from form and values.",
+      PA: "Programmed in the APPR block.",
+      PE: "Programmed in the last block of the contour.",
+      PN: "Outside the contour: programmed with DEP LCT, calculated with the other forms.",
     },
-    polar: "The point is given from the pole CC: by the distance PR and the angle PA.",
-    ownLead: "Drawn at the contour of your block.",
-    sampleLead: "Drawn at a corner, with a tool of 8 mm radius.",
-    way: "Way",
+    polar: "The point is defined from the pole CC by distance PR and angle PA.",
+    ownLead: "Shown at the contour of your block.",
+    sampleLead: "Shown at a corner, with a tool radius of 8 mm.",
+    way: "Path",
     danger: "Why PS→PH is dangerous",
     dangers: [
       "From PS to PH the control does not check whether the contour is damaged.",
-      "With LT, LN and CT this way runs at the feed programmed last: behind FMAX at rapid. With LCT it runs at the feed of its block.",
-      "Put PS on the side from which the contour begins, so that the straight line to PH is free. The app checks this line.",
+      "With LT, LN and CT this path runs at the last programmed feed: after FMAX at rapid traverse. With LCT it " +
+        "runs at the feed of the APPR block.",
+      "Place PS on the side where the contour begins, so that the straight line to PH is clear. The app checks " +
+        "this line.",
     ],
-    leaving: "Behind PN the next block goes its own way: PN has to be clear of part and chuck.",
+    leaving: "After PN the next block is executed: PN must be clear of part and chuck.",
     mistakes: {
-      all: "RL and RR are exchanged: the tool cuts its own width into the part.",
-      LT: "The element is not free where it is lengthened: the straight piece goes through a shoulder.",
-      LN: "The tool turns by 90° at the contour and stops for a moment: it leaves a mark on a finished face.",
-      CT: "The block has R0: an arc needs RL or RR. A minus in front of R puts the arc on the side of the workpiece.",
-      LCT: "The point outside lies within the circle of R: there is no tangent.",
+      all: "RL and RR are swapped: the tool cuts its own width into the part.",
+      LT: "The extension of the element is not clear: the straight line goes through a shoulder.",
+      LN: "The tool changes direction by 90° at the contour and stops briefly: it leaves a mark on a finished face.",
+      CT: "The block has R0: an arc requires RL or RR. A negative R places the arc on the side of the workpiece.",
+      LCT: "The outside point is inside the circle of R: no tangent is possible.",
     },
-    others: "The other forms",
+    others: "Other forms",
   },
   elements: {
-    lead: "The contour stands behind the main program, under a label that CYCL DEF 14 names. Its direction decides from where it is cut.",
-    title: "Its elements",
+    lead:
+      "The contour is a subprogram after the main program, under the label selected by CYCL DEF 14. The direction " +
+      "of the contour determines the machining direction.",
+    title: "Elements",
     of: {
-      L: "Straight to its end point. A coordinate that is missing stays as it was.",
-      RND: "Rounds the corner between the elements before and behind it.",
-      CHF: "Cuts the corner off, by the same length on both sides.",
-      CR: "Arc to its end point with a radius; a minus takes the longer way.",
+      L: "Straight line to the end point. A missing coordinate stays unchanged.",
+      RND: "Rounds the corner between the previous and the next element.",
+      CHF: "Chamfers the corner, with the same length on both sides.",
+      CR: "Arc to the end point with a radius; a negative radius gives the larger arc.",
       CC: "Centre of the next C, and pole of the polar elements.",
-      C: "Arc about CC to its end point, in the direction DR.",
-      CT: "Arc to its end point that goes on from the element before without a corner.",
-      LP: "Straight to a point that distance and angle from CC give.",
+      C: "Arc about CC to the end point, in direction DR.",
+      CT: "Arc to the end point, tangential to the previous element.",
+      LP: "Straight line to a point defined by distance and angle from CC.",
       CP: "Arc about CC up to an angle.",
-      CTP: "Arc without a corner to a point given from CC.",
-      UDC: "Undercut of a standard form between two elements.",
+      CTP: "Tangential arc to a point defined from CC.",
+      UDC: "Undercut of standard form between two elements.",
       GRV: "Recess in the middle of a straight element.",
     },
     mistakes: [
-      "The first line is taken for an element: it is the start point only.",
-      "X is typed as a radius; it is a ⌀.",
-      "RND or CHF stands first or last: there is no corner.",
-      "A rounding is longer than the elements beside it.",
-      "The contour goes on into the chuck.",
+      "The first line is taken for an element: it is only the start point.",
+      "X is entered as a radius; it is a ⌀.",
+      "RND or CHF is first or last: there is no corner.",
+      "A rounding is too large for the adjacent elements.",
+      "The contour extends into the chuck.",
     ],
   },
 };

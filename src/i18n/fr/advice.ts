@@ -3,31 +3,31 @@ import { typeset } from "./typography/typeset.ts";
 
 export const advice: AdviceTexts = typeset({
   title: "Conseils",
-  lead: "Règles du métier appliquées à vos valeurs. Ce sont des estimations : machine, revêtement et serrage ne sont pas connus ici.",
-  none: "Rien à conseiller sur ces valeurs.",
-  nothingOpen: "Ouvrez un travail pour obtenir des conseils sur ses valeurs.",
+  lead: "Règles empiriques appliquées à vos valeurs. Estimations : machine, revêtement et serrage ne sont pas connus.",
+  none: "Aucun conseil sur ces valeurs.",
+  nothingOpen: "Ouvrir un programme pour obtenir des conseils sur ses valeurs.",
   mark: (n) => (n === 1 ? "1 conseil" : `${n} conseils`),
-  show: "Donner des conseils",
-  take: (value) => `Prendre ${value}`,
+  show: "Afficher les conseils",
+  take: (value) => `Utiliser ${value}`,
   operation: (n, cycle) => `Opération ${n}, cycle ${cycle}`,
   of: {
     depthOverEdge: (depth, edge, most) =>
-      `La passe fait ${depth} mm, l’arête ${edge} mm. Deux tiers, soit ${most} mm, est ce qu’une arête devrait porter.`,
-    feedOverNose: (feed, nose, most) =>
-      `Une avance de ${feed} mm dépasse 0,8 du rayon de bec ${nose} mm. Jusqu’à ${most} mm, le bec tient.`,
+      `La passe fait ${depth} mm, l’arête ${edge} mm. Max. deux tiers de l’arête : ${most} mm.`,
+    feedOverNose: (feed, nose, most) => `L’avance ${feed} mm dépasse 0,8 × rayon de bec ${nose} mm. Max. ${most} mm.`,
     rough: (rz, feed, nose, wanted, better) =>
-      `Avance ${feed} mm et bec ${nose} mm laissent Rz ${rz} µm (f² / 8r). Rz ${wanted} µm demande ${better} mm.`,
+      `Avance ${feed} mm et rayon de bec ${nose} mm donnent Rz ${rz} µm (f² / 8r). Pour Rz ${wanted} µm : ${better} mm.`,
     power: (power, most, speed, better) =>
-      `Environ ${power} kW à ${speed} m/min (Kienzle) ; la broche a ${most} kW. Une passe de ${better} mm s’en contente.`,
+      `Environ ${power} kW à ${speed} m/min (Kienzle) ; la broche a ${most} kW. Suffisant pour une passe de ${better} mm.`,
     speedLimited: (limit, held, smallest, left) =>
-      `Avec SMAX ${limit}, la vitesse de coupe est tenue jusqu’à ⌀ ${held}. À ⌀ ${smallest}, il n’en reste que ${left} m/min.`,
+      `Avec SMAX ${limit}, la vitesse de coupe est constante jusqu’à ⌀ ${held}. À ⌀ ${smallest}, il ne reste que ${left} m/min.`,
     noLimit: (speed) =>
-      `${speed} m/min sans SMAX : vers l’axe, la broche tourne aussi vite qu’elle peut. Donnez une limite.`,
-    speedFar: (speed, usual) => `${speed} m/min est loin des ${usual} m/min usuels au départ pour cette matière.`,
+      `${speed} m/min sans SMAX : vers l’axe, la broche tourne à sa vitesse maximale. Indiquer une limite.`,
+    speedFar: (speed, usual) =>
+      `${speed} m/min est loin de la valeur de départ usuelle pour cette matière : ${usual} m/min.`,
   },
   material: "Matière",
   ofDevice: "celle de cet appareil",
-  deviceMaterial: "Matière des travaux qui n’en nomment pas",
+  deviceMaterial: "Matière par défaut",
   groups: {
     P: "acier",
     M: "acier inoxydable",
@@ -38,10 +38,11 @@ export const advice: AdviceTexts = typeset({
   },
   starting: "Valeurs de départ",
   startingLead:
-    "Pour carbure revêtu, CBN pour l’acier trempé, pour commencer ; le fabricant de la plaquette sait mieux.",
+    "Pour carbure revêtu, CBN pour l’acier trempé. Valeurs de départ ; suivre les données du fabricant de la " +
+    "plaquette.",
   start: (material, speeds) => `${material} : ${speeds} pour commencer.`,
   startSource: "Estimation d’après des manuels : carbure revêtu, CBN pour l’acier trempé.",
-  startOwn: "D’après votre propre tableau.",
+  startOwn: "D’après votre tableau.",
   values: {
     roughSpeed: "vc ébauche",
     roughFeed: "f ébauche",
@@ -55,20 +56,21 @@ export const advice: AdviceTexts = typeset({
   table: {
     title: "Données de coupe de l’atelier",
     lead:
-      "Remplacez les valeurs par les vôtres ; elles restent sur cet appareil et vont dans le fichier de tout. " +
-      "kc1.1 et mc d’origine suivent les tables de Röhm (aciers, fonte grise) et d’Iscar (les autres) : des estimations.",
+      "Remplacer les valeurs par les vôtres ; elles sont enregistrées sur cet appareil et font partie de la " +
+      "sauvegarde. kc1.1 et mc par défaut suivent les tables de Röhm (aciers, fonte grise) et d’Iscar (les " +
+      "autres) : des estimations.",
     name: "Matière",
     group: "Groupe",
     power: "Puissance de la broche, kW",
     add: "Ajouter une matière",
     remove: (name) => `Supprimer ${name}`,
-    reset: "Revenir aux valeurs fournies",
-    save: "Enregistrer en fichier",
-    open: "Depuis un fichier",
-    taken: "Le fichier a été repris.",
+    reset: "Restaurer les valeurs par défaut",
+    save: "Exporter",
+    open: "Importer",
+    taken: "Le fichier a été importé.",
     wrong: "Ce fichier ne contient pas de données de coupe.",
     cell: (what, name) => `${what}, ${name}`,
     newName: "Nouvelle matière",
-    refused: "Cette valeur ne peut pas figurer ici ; la dernière possible compte.",
+    refused: "Valeur non valide ; la dernière valeur valide s’applique.",
   },
 } satisfies AdviceTexts);

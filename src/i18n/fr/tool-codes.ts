@@ -3,22 +3,24 @@ import { typeset } from "./typography/typeset.ts";
 
 export const toolCodes = typeset<ToolCodeTexts>({
   label: "Code ISO de plaquette ou de porte-outil",
-  hint: "Par exemple DNMG 15 06 08, PDJNL 2525M15 ou A25R-SCLCR 09 ; aussi les deux sur une ligne. Entrée reprend.",
-  says: "Ce que dit le code",
-  fills: "Ce qui sera rempli",
-  take: "Reprendre",
-  nothing: "Ce que dit le code figure déjà dans les colonnes.",
-  taken: (code, n) => (n === 1 ? `${code} : 1 colonne remplie.` : `${code} : ${n} colonnes remplies.`),
+  hint:
+    "Par exemple DNMG 15 06 08, PDJNL 2525M15 ou A25R-SCLCR 09 ; les deux sur une ligne également. Entrée applique " +
+    "le code.",
+  says: "Signification du code",
+  fills: "Champs à renseigner",
+  take: "Appliquer",
+  nothing: "Les champs ont déjà ces valeurs.",
+  taken: (code, n) => (n === 1 ? `${code} : 1 champ renseigné.` : `${code} : ${n} champs renseignés.`),
   readName: (code) => `Lire le nom ${code} comme un code`,
   empty: "vide",
   outline: "contour",
   newOutline: "nouveau contour",
   notCovered: {
-    thread: "Les codes d’outils à fileter sont ceux des fabricants : non couverts.",
-    groove: "Les codes d’outils à gorges sont ceux des fabricants : non couverts.",
+    thread: "Les codes d’outils à fileter dépendent du fabricant : non pris en charge.",
+    groove: "Les codes d’outils à gorges dépendent du fabricant : non pris en charge.",
     unknown: "Pas un code ISO 1832, ISO 5608 ou ISO 6261.",
   },
-  unknownPart: "non couvert",
+  unknownPart: "non pris en charge",
   unsure: "les sources divergent",
   part: (part, said) => `${part} : ${said}`,
   parts: {
@@ -98,24 +100,26 @@ export const toolCodes = typeset<ToolCodeTexts>({
     sizesDiffer: (insert, holder) => `La plaquette est de taille ${insert}, le porte-outil reçoit ${holder}.`,
     clearancesDiffer: (insert, holder) =>
       `La plaquette a la dépouille ${insert}, le porte-outil est prévu pour ${holder}.`,
-    rowAngle: (row, code) => `P-ANGLE vaut ${row}° ; le porte-outil reçoit des plaquettes de ${code}°. P-ANGLE reste.`,
+    rowAngle: (row, code) =>
+      `P-ANGLE vaut ${row}° ; le porte-outil reçoit des plaquettes de ${code}°. P-ANGLE inchangé.`,
     rowEdge: (row, code) =>
-      `CUTLENGTH vaut ${row} mm ; le porte-outil reçoit des arêtes de ${code} mm. CUTLENGTH reste.`,
-    inch: "Code en pouces : cotes en millimètres, rayon de bec par son nom métrique.",
-    inchHolder: "Code en pouces : le corps n’est pas couvert, les lettres le sont.",
-    cornerMissing: "Le rayon de bec n’est pas dans le code : RS reste.",
-    sizeUnsure: "Aucune plaquette usuelle n’a cette taille : les chiffres valent comme longueur d’arête.",
+      `CUTLENGTH vaut ${row} mm ; le porte-outil reçoit des arêtes de ${code} mm. CUTLENGTH inchangé.`,
+    inch: "Code en pouces : cotes converties en millimètres, rayon de bec avec sa désignation métrique.",
+    inchHolder: "Code en pouces : cotes du corps non prises en charge, lettres lues.",
+    cornerMissing: "Le code ne contient pas de rayon de bec : RS inchangé.",
+    sizeUnsure: "Aucune plaquette usuelle n’a cette taille : les chiffres sont lus comme longueur d’arête.",
     onlyCorner: "Seules les deux arêtes au bec sont dessinées, pas le reste de la plaquette.",
-    endCutting: "Ce type coupe dans l’autre direction : T-ANGLE et TO restent à régler.",
-    leftBar: "Une barre à gauche est entrée avec TO 7 comme une barre à droite ; la broche tourne dans l’autre sens.",
+    endCutting: "Ce type coupe dans l’autre direction : T-ANGLE et TO sont à régler.",
+    leftBar: "Une barre à gauche est saisie avec TO 7 comme une barre à droite ; le sens de broche est inversé.",
     headDrawn:
-      "Corps selon le code ; sa position et le contour de la tête sont ceux de porte-outils usuels. À comparer au catalogue.",
-    special: "X est une forme spéciale : sa signification n’est que dans le catalogue.",
-    unsure: (letter, angle) => `Lettre ${letter} : ${angle}° n’est pas confirmé. À comparer au catalogue.`,
+      "Corps selon le code ; position et contour de la tête comme pour les porte-outils usuels. À comparer au " +
+      "catalogue.",
+    special: "X est une forme spéciale : voir le catalogue.",
+    unsure: (letter, angle) => `Lettre ${letter} : ${angle}° n’est pas vérifié. À comparer au catalogue.`,
     noShank: {
-      seat: "La position du corps ne découle pas de ce type : le porte-outil reste.",
-      reach: "La position du corps n’est pas connue pour cette taille : le porte-outil reste.",
-      round: "Pour plaquettes rondes, la position du corps n’est connue qu’en neutre : le porte-outil reste.",
+      seat: "La position du corps ne découle pas de ce type : porte-outil inchangé.",
+      reach: "La position du corps n’est pas connue pour cette taille : porte-outil inchangé.",
+      round: "Pour plaquettes rondes, la position du corps n’est connue qu’en neutre : porte-outil inchangé.",
     },
   },
 });

@@ -2,8 +2,8 @@ import type { ToolsTexts } from "../../en/tables/tools.ts";
 
 export const tools = {
   back: "Zurück",
-  backLong: "Zurück zur Arbeit",
-  table: "Drehwerkzeuge dieses Geräts",
+  backLong: "Zurück zum Programm",
+  table: "Drehwerkzeuge auf diesem Gerät",
   lead: "Auf diesem Gerät gespeichert, gilt für alle Programme.",
   count: (n) => (n === 1 ? "1 Werkzeug" : `${n} Werkzeuge`),
   wrongCount: (n) => (n === 1 ? "1 mit Fehler" : `${n} mit Fehler`),
@@ -18,16 +18,17 @@ export const tools = {
   remove: "Löschen",
   removeLong: (tool) => `${tool} löschen`,
   removed: (tool) => `Gelöscht: ${tool}.`,
-  restored: "Es gelten die mitgelieferten Werkzeuge.",
+  restored: "Standardwerkzeuge wiederhergestellt.",
   undo: "Rückgängig",
-  restore: "Mitgelieferte",
-  restoreLong: "Diese Tabelle durch die mitgelieferten Werkzeuge ersetzen",
+  restore: "Standardwerkzeuge …",
+  restoreLong: "Diese Tabelle durch die Standardwerkzeuge ersetzen",
 
-  kinds: { name: "Tabellen dieses Geräts", turning: "Drehen", milling: "Fräsen und Bohren" },
-  millTable: "Fräs- und Bohrwerkzeuge dieses Geräts",
-  millNote: "Hier zählt nur der Radius mit seinem Aufmaß; Längen werden nur für die Steuerung mitgeführt.",
+  kinds: { name: "Tabellen auf diesem Gerät", turning: "Drehen", milling: "Fräsen und Bohren" },
+  millTable: "Fräs- und Bohrwerkzeuge auf diesem Gerät",
+  millNote: "Hier wird nur der Radius mit Aufmaß verwendet; Längen werden nur für die Steuerung mitgeführt.",
   drillNote:
-    "R mit Aufmaß, Spitzenwinkel und Schneidenlänge ergeben beim Drehen die Bohrung auf der Achse; Längen werden nur für die " +
+    "R mit Aufmaß, Spitzenwinkel und Schneidenlänge bestimmen beim Drehen die Bohrung auf der Drehachse; Längen " +
+    "werden nur für die " +
     "Steuerung mitgeführt.",
   mill: "Fräser",
   millDrawing: "Werkzeug maßstäblich",
@@ -42,7 +43,7 @@ export const tools = {
     tip: "Spitze",
     insert: "Schneidplatte",
     setting: "Längen und Verschleiß",
-    holder: "Halter (nur für Kollision)",
+    holder: "Halter (nur Kollisionsprüfung)",
   },
   columns: {
     T: "Werkzeugnummer",
@@ -70,7 +71,7 @@ export const tools = {
     PITCH: "Gewindesteigung",
   },
   drillAngle: "Spitzenwinkel",
-  toothHeight: "Höhe des Zahns",
+  toothHeight: "Zahnhöhe",
   holder: {
     width: "Schaftbreite",
     length: "Schaftlänge",
@@ -79,19 +80,20 @@ export const tools = {
     axis: "Schaft längs",
     head: "Kopf: Ecken Z/X ab der Spitze",
   },
-  axes: { "": "wie üblich für TO", X: "X, quer zur Spindel", Z: "Z, wie eine Bohrstange" },
+  axes: { "": "Standard für TO", X: "X, quer zur Spindel", Z: "Z, wie eine Bohrstange" },
   headHint: "Leerzeichen zwischen Ecken, Semikolon zwischen Teilen. X ist ein Radius.",
   field: (column, meaning) => `${column}: ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `von ${type} nicht genutzt`,
   keptOnly:
-    "Längen und Orientierung werden nur für die Steuerung mitgeführt; die Bahn ist die der theoretischen Schneidenspitze. " +
-    "DZL und DXL sagen, wie weit das Werkzeug von den gemessenen Längen abweicht: Die Steuerung rechnet sie ein, Bahn und " +
-    "Werkstück bleiben gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt. DYL liegt außerhalb der Drehebene: Mit einem " +
+    "Längen und Orientierung werden nur für die Steuerung mitgeführt; die Bahn ist die der theoretischen " +
+    "Schneidenspitze. " +
+    "DZL und DXL sind Abweichungen von den gemessenen Längen: Die Steuerung rechnet sie ein, Bahn und Werkstück " +
+    "bleiben gleich. FUNCTION TURNDATA CORR verschiebt den Schnitt. DYL liegt außerhalb der Drehebene: Mit einem " +
     "Wert ungleich 0 ist die Bahn nicht geprüft.",
   anyType: "Wählen",
 
-  orientation: "TO: wohin die Schneidenspitze zeigt",
+  orientation: "TO: Werkzeugorientierung",
   orientationOf: (to, where) => `TO ${to}: ${where}`,
   directions: ["−Z −X", "−X", "+Z −X", "+Z", "+Z +X", "+X", "−Z +X", "−Z", "rund, ohne Richtung"],
   orientationHint: "Z nach rechts, X nach oben. 1 dreht außen nach −Z, 7 ist die übliche Bohrstange.",
@@ -99,16 +101,15 @@ export const tools = {
   drawing: "Schneide maßstäblich",
   scale: (length) => `${length} mm`,
   size: (width, height) => `${width} × ${height} mm in Z und X`,
-  lastPossible: "Letzte mögliche Schneide; die Spalten darunter ergeben noch keine.",
+  lastPossible: "Letzte gültige Schneide; die Spalten darunter sind noch nicht gültig.",
   noDrawing: "Noch keine Schneide: Spalten ausfüllen.",
 
   files: "Import und Export",
   import: "Importieren",
   unconfirmed:
-    "Spaltenaufbau von TOOLTURN.TRN und TOOL.T und Bereiche der Spalten: aus der Erinnerung, nicht an einer gedruckten Seite " +
-    "geprüft. An der Steuerung vergleichen.",
+    "Spaltenaufbau und Bereiche von TOOLTURN.TRN und TOOL.T: nicht am Handbuch geprüft; an der Steuerung prüfen.",
   importedWrong: (n) => (n === 1 ? "1 Zeile hat einen Fehler." : `${n} Zeilen haben einen Fehler.`),
-  cutShort: "Die Endmarke [END] fehlt: Die Datei ist vielleicht abgeschnitten.",
+  cutShort: "Die Endmarke [END] fehlt: Die Datei ist eventuell unvollständig.",
   exported: (file, n) => (n === 1 ? `${file}: 1 Werkzeug.` : `${file}: ${n} Werkzeuge.`),
   exportedWithout: (names) => `Wegen Fehlern weggelassen: ${names}.`,
   problems: {

@@ -18,11 +18,11 @@ export const cycles = {
   evidence: {
     A: "gedruckt in einem Handbuch dieser Steuerung",
     B: "gedruckt für eine verwandte Steuerung",
-    L: "von den Drehsteuerungen, aus denen diese Zyklen stammen",
-    I: "aus gedruckten Angaben erschlossen",
-    K1: "sicher aus der Erinnerung, nicht an einer gedruckten Seite geprüft",
-    K2: "aus der Erinnerung, nicht an einer gedruckten Seite geprüft",
-    K3: "unsicher, nicht an einer gedruckten Seite geprüft",
+    L: "von den Drehmaschinensteuerungen, aus denen diese Zyklen stammen",
+    I: "aus gedruckten Angaben abgeleitet",
+    K1: "nicht am Handbuch geprüft, recht sicher",
+    K2: "nicht am Handbuch geprüft",
+    K3: "nicht am Handbuch geprüft, unsicher",
   },
   kinds: {
     choice: "Auswahl",

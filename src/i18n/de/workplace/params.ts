@@ -12,7 +12,7 @@ export const params = {
     prompt: "Bearbeitungs-Umfang (0/1/2/3)?",
     printed,
     label: "Bearbeitungs-Umfang",
-    explanation: "Was der Zyklus macht: Schruppen, Schlichten oder beides.",
+    explanation: "Bearbeitungsumfang des Zyklus: Schruppen, Schlichten oder beides.",
     choices: {
       0: "Schruppen und Schlichten",
       1: "nur Schruppen",
@@ -30,9 +30,7 @@ export const params = {
     prompt: "Sicherheitsabstand?",
     printed,
     label: "Sicherheitsabstand (reserviert)",
-    explanation:
-      "Reserviert: In diesem Zyklus hat der Wert keine Funktion. Abgehoben wird um einen festen Abstand. Unsere Auslegung; an der " +
-      "Steuerung prüfen.",
+    explanation: "Reserviert: In diesem Zyklus hat der Wert keine Funktion. Abheben mit festem Abstand.",
   },
   startDiameter: {
     prompt: "Durchmesser Konturstart?",
@@ -51,7 +49,9 @@ export const params = {
     prompt: "Durchmesser Konturende?",
     printed,
     label: "Ende ⌀",
-    explanation: "X des Konturendes als Durchmesser. Zusammen mit dem Start entscheidet er zwischen außen und innen.",
+    explanation:
+      "X des Konturendes als Durchmesser. Zusammen mit dem Startdurchmesser entscheidet er zwischen Außen- und " +
+      "Innenbearbeitung.",
   },
   endZ: {
     prompt: "Konturende Z?",
@@ -64,24 +64,24 @@ export const params = {
     printed,
     label: "Winkel Umfangsfläche",
     explanation:
-      "Winkel zwischen Umfangsfläche und Drehachse; 0 ist ein Zylinder. Die Fläche neigt sich in den Zerspanbereich hinein, nie " +
-      "darunter. Unsere Auslegung; an der Steuerung prüfen.",
+      "Winkel zwischen Umfangsfläche und Drehachse; 0 ist ein Zylinder. Die Fläche neigt sich in den " +
+      "Zerspanbereich hinein, nie " +
+      "darunter.",
   },
   flankAngle: {
     prompt: "Winkel Flanke?",
     printed,
     label: "Flankenwinkel",
     explanation:
-      "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Der Einstich wird zum Grund hin schmaler, nie " +
-      "breiter als seine Öffnung. Unsere Auslegung; an der Steuerung prüfen.",
+      "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Der Einstich wird zum Grund " +
+      "hin schmaler.",
   },
   faceAngle: {
     prompt: "Winkel Planfläche?",
     printed,
     label: "Winkel Planfläche",
     explanation:
-      "Neigung der Planfläche; 0 steht rechtwinklig zur Drehachse. Die Fläche neigt sich in den Zerspanbereich hinein. Unsere " +
-      "Auslegung; an der Steuerung prüfen.",
+      "Neigung der Planfläche; 0 steht rechtwinklig zur Drehachse. Die Fläche neigt sich in den Zerspanbereich hinein.",
   },
   secondFlankAngle: {
     prompt: "Winkel zweite Flanke?",
@@ -93,7 +93,7 @@ export const params = {
     prompt: "Typ Startelement (0/1/2)?",
     printed,
     label: "Startelement",
-    explanation: "Was die Kante am Konturstart bricht.",
+    explanation: "Element an der Kante am Konturstart.",
     choices: element,
   },
   startElementSize: {
@@ -107,13 +107,13 @@ export const params = {
     printed,
     label: "Eckenradius",
     explanation:
-      "Radius in der Innenecke. 0 oder keine Eingabe: scharfe Ecke, in der die Schneide ihren Schneidenradius stehen lässt.",
+      "Radius in der Innenecke. 0 oder keine Eingabe: scharfe Ecke, in der der Schneidenradius des Werkzeugs bleibt.",
   },
   endElement: {
     prompt: "Typ Endelement (0/1/2)?",
     printed,
     label: "Endelement",
-    explanation: "Was die Kante am Konturende bricht.",
+    explanation: "Element an der Kante am Konturende.",
     choices: element,
   },
   endElementSize: {
@@ -127,32 +127,32 @@ export const params = {
     printed,
     label: "Max. Zustellung",
     explanation:
-      "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum " +
-      "oft kleiner, und es bleibt kein Schleifschnitt.",
+      "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die tatsächliche " +
+      "Zustellung ist oft kleiner, Schleifschnitte entfallen.",
   },
   infeedAxial: {
     prompt: "Maximale Schnitttiefe?",
     printed,
     label: "Max. Zustellung",
     explanation:
-      "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft " +
-      "kleiner, und es bleibt kein Schleifschnitt. 0: ein Schnitt.",
+      "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die tatsächliche Zustellung " +
+      "ist oft kleiner, Schleifschnitte entfallen. 0: ein Schnitt.",
   },
   infeedGroove: {
     prompt: "Maximale Schnitttiefe?",
     printed,
     label: "Max. Zustellung",
     explanation:
-      "Größte Zustellung je Schnitt, in Z, gleichmäßig aufgeteilt. Die Handbuchseite nennt sie radial; bei einem axialen Einstich " +
-      "wird aber in Z zugestellt, wir halten das für einen Druckfehler. An der Steuerung prüfen.",
+      "Größte Zustellung je Schnitt, in Z, gleichmäßig aufgeteilt. Das Handbuch nennt die Zustellung radial, ein " +
+      "axialer Einstich hat seine Zustellung aber in Z; nicht geprüft.",
   },
   roughingFeed: {
     prompt: "Vorschub Schruppen?",
     printed,
     label: "Vorschub Schruppen",
     explanation:
-      "Vorschub der Schruppschnitte: mit M136 in mm pro Umdrehung, sonst in mm pro Minute. FAUTO nimmt den Vorschub aus dem " +
-      "Werkzeugaufruf.",
+      "Vorschub der Schruppschnitte: mit M136 in mm pro Umdrehung, sonst in mm pro Minute. FAUTO übernimmt den " +
+      "Vorschub aus dem Werkzeugaufruf.",
   },
   oversizeDiameter: {
     prompt: "Aufmaß Durchmesser?",
@@ -171,14 +171,14 @@ export const params = {
     printed,
     label: "Vorschub Schlichten",
     explanation:
-      "Vorschub des Schlichtschnitts: mit M136 in mm pro Umdrehung, sonst in mm pro Minute. FAUTO nimmt den Vorschub aus dem " +
-      "Werkzeugaufruf.",
+      "Vorschub des Schlichtschnitts: mit M136 in mm pro Umdrehung, sonst in mm pro Minute. FAUTO übernimmt den " +
+      "Vorschub aus dem Werkzeugaufruf.",
   },
   smoothing: {
     prompt: "Konturglättung (0/1/2)?",
     printed,
     label: "Konturglättung",
-    explanation: "Wie die Stufen zwischen den Schnitten weggenommen werden und wie das Werkzeug abhebt.",
+    explanation: "Wie die Stufen zwischen den Schnitten abgetragen werden und wie das Werkzeug abhebt.",
     choices: {
       0: "nach jedem Schnitt entlang der Kontur, innerhalb der Zustellung",
       1: "einmal nach dem letzten Schnitt entlang der ganzen Kontur; hebt unter 45° ab",
@@ -193,28 +193,31 @@ export const params = {
     choices: {
       0: "wie programmiert",
       1: "gegen die programmierte Richtung",
-      2: "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Werkzeugorientierung 1 schneidet als 7)",
+      2:
+        "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Werkzeugorientierung 1 " +
+        "schneidet als 7)",
     },
   },
   plunging: {
     prompt: "Eintauchen erlauben (0/1)?",
     printed,
     label: "Eintauchen",
-    explanation: "Ob Konturelemente bearbeitet werden, die ins Material fallen.",
-    choices: { 0: "fallende Elemente bleiben stehen", 1: "fallende Elemente werden bearbeitet" },
+    explanation: "Ob eintauchende Konturelemente bearbeitet werden.",
+    choices: { 0: "eintauchende Elemente nicht bearbeiten", 1: "eintauchende Elemente bearbeiten" },
   },
   plungingFeed: {
     prompt: "Vorschub Eintauchen (0=auto)?",
     printed,
     label: "Vorschub Eintauchen",
-    explanation: "Vorschub auf Elementen, die ins Material fallen. 0 oder keine Eingabe: Vorschub der Drehbearbeitung.",
+    explanation: "Vorschub auf eintauchenden Konturelementen. 0 oder keine Eingabe: Vorschub der Drehbearbeitung.",
   },
   limits: {
     prompt: "Schnittbegrenzung (0/1)?",
     printed,
     label: "Schnittbegrenzung",
     explanation:
-      "Begrenzt die bearbeitete Kontur auf eine Seite von Q480 und Q482: die Seite, auf der das Werkzeug beim Aufruf steht. An- " +
+      "Begrenzt die bearbeitete Kontur auf eine Seite von Q480 und Q482: die Seite, auf der das Werkzeug beim " +
+      "Aufruf steht. An- " +
       "und Abfahrwege dürfen die Grenzen überschreiten.",
     choices: { 0: "keine Begrenzung", 1: "Begrenzung bei Q480 und Q482" },
   },
@@ -242,17 +245,17 @@ export const params = {
     printed,
     label: "Versatzbreite",
     explanation:
-      "Verkürzt ab der zweiten Zustellung jeden Schnitt und entlastet so die Schneide seitlich. 0: 0,1 mm je Schnitt. Was an den " +
-      "Flanken stehen bleibt, wird am Ende des Schruppens abgetragen. Die Summe darf 80 % der wirksamen Breite erreichen; gezählt " +
-      "wird je Seite. Unsere Auslegung; an der Steuerung prüfen.",
+      "Verkürzt ab der zweiten Zustellung jeden Schnitt und verringert so den seitlichen Druck auf die Schneide. " +
+      "0: 0,1 mm je Schnitt. Das Restmaterial an den Flanken wird am Ende des Schruppens abgetragen. Die Summe " +
+      "je Seite darf 80 % der wirksamen Breite erreichen.",
   },
   depthCompensation: {
     prompt: "Tiefenkorrektur Schlichten?",
     printed,
     label: "Tiefenkorrektur",
     explanation:
-      "Verschiebt den Grund beim Schlichten und gleicht so aus, dass sich die Schneide beim seitlichen Drehen neigt: positiv " +
-      "wird der Einstich flacher, negativ tiefer. Unsere Auslegung des Vorzeichens; an der Steuerung prüfen.",
+      "Verschiebt den Grund beim Schlichten und gleicht so das Kippen der Schneide beim seitlichen Drehen aus: " +
+      "positiv wird der Einstich flacher, negativ tiefer.",
   },
   ...turning,
   ...recessing,

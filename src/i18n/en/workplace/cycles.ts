@@ -17,12 +17,12 @@ export const cycles = {
   },
   evidence: {
     A: "printed in a manual page of this control",
-    B: "printed for a sister control",
-    L: "taken from the lathe controls these cycles come from",
-    I: "inferred from printed facts",
-    K1: "clearly recalled, not checked against a printed page",
-    K2: "recalled, not checked against a printed page",
-    K3: "uncertain, not checked against a printed page",
+    B: "printed for a related control",
+    L: "taken from the lathe controls that these cycles come from",
+    I: "derived from printed facts",
+    K1: "not verified against a manual, high confidence",
+    K2: "not verified against a manual, medium confidence",
+    K3: "not verified against a manual, low confidence",
   },
   kinds: {
     choice: "choice",

@@ -24,21 +24,21 @@ export const params = {
     prompt: "Set-up clearance?",
     printed,
     label: "Set-up clearance",
-    explanation: "Distance kept from the material when the tool pre-positions and when it retracts.",
+    explanation: "Distance to the material for pre-positioning and retraction.",
   },
   clearanceReserved: {
     prompt: "Set-up clearance?",
     printed,
     label: "Set-up clearance (reserved)",
-    explanation:
-      "Reserved: in this cycle the value has no function. The lift-offs use a fixed clearance. Our reading; verify on your control.",
+    explanation: "Reserved: the value has no function in this cycle. Retractions use a fixed clearance.",
   },
   startDiameter: {
     prompt: "Diameter at contour start?",
     printed,
     label: "Start ⌀",
     explanation:
-      "X of the contour start, as a diameter. Greater than Q493: outside machining. Smaller than Q493: inside machining.",
+      "X of the contour start, as a diameter. Greater than Q493: outside machining. Smaller than Q493: inside " +
+      "machining.",
   },
   startZ: {
     prompt: "Contour start in Z?",
@@ -50,7 +50,9 @@ export const params = {
     prompt: "Diameter at contour end?",
     printed,
     label: "End ⌀",
-    explanation: "X of the contour end, as a diameter. Together with the start it decides between outside and inside.",
+    explanation:
+      "X of the contour end, as a diameter. Together with the start diameter, it decides between outside and " +
+      "inside machining.",
   },
   endZ: {
     prompt: "Contour end in Z?",
@@ -63,23 +65,24 @@ export const params = {
     printed,
     label: "Surface angle",
     explanation:
-      "Angle between the circumferential surface and the rotary axis; 0 is a cylinder. The surface leans into the area to be " +
-      "cut, never below it. Our reading; verify on your control.",
+      "Angle between the circumferential surface and the rotary axis; 0 is a cylinder. The surface is inclined " +
+      "into the area to be machined, never below it.",
   },
   flankAngle: {
     prompt: "Angle of flank?",
     printed,
     label: "Flank angle",
     explanation:
-      "Angle between the flank at the contour start and a parallel to the rotary axis. The groove gets narrower towards its " +
-      "floor, never wider than its opening. Our reading; verify on your control.",
+      "Angle between the flank at the contour start and a parallel to the rotary axis. The recess gets narrower " +
+      "towards the floor.",
   },
   faceAngle: {
     prompt: "Angle of face?",
     printed,
     label: "Face angle",
     explanation:
-      "Lean of the face; 0 is square to the rotary axis. The face leans into the area to be cut. Our reading; verify on your control.",
+      "Inclination of the face; 0 is perpendicular to the rotary axis. The face is inclined into the area to be " +
+      "machined.",
   },
   secondFlankAngle: {
     prompt: "Angle of second flank?",
@@ -91,7 +94,7 @@ export const params = {
     prompt: "Type of starting element (0/1/2)?",
     printed,
     label: "Start element",
-    explanation: "What breaks the edge at the contour start.",
+    explanation: "Element on the edge at the contour start.",
     choices: element,
   },
   startElementSize: {
@@ -104,14 +107,13 @@ export const params = {
     prompt: "Radius at contour corner?",
     printed,
     label: "Corner radius",
-    explanation:
-      "Radius in the inside corner. 0 or no entry: a sharp corner, in which the insert leaves its own radius.",
+    explanation: "Radius in the inside corner. 0 or no entry: a sharp corner, in which the tool nose radius remains.",
   },
   endElement: {
     prompt: "Type of end element (0/1/2)?",
     printed,
     label: "End element",
-    explanation: "What breaks the edge at the contour end.",
+    explanation: "Element on the edge at the contour end.",
     choices: element,
   },
   endElementSize: {
@@ -125,37 +127,38 @@ export const params = {
     printed,
     label: "Max. infeed",
     explanation:
-      "Largest infeed per pass, on the radius. The depth is divided evenly, so the real infeed is often smaller and no thin last " +
-      "cut remains.",
+      "Largest infeed per pass, on the radius. The depth is divided evenly, so the actual infeed is often " +
+      "smaller, without a thin last cut.",
   },
   infeedAxial: {
     prompt: "Maximum cutting depth?",
     printed,
     label: "Max. infeed",
     explanation:
-      "Largest infeed per pass, along Z. The depth is divided evenly, so the real infeed is often smaller and no thin last cut " +
-      "remains. 0: one pass.",
+      "Largest infeed per pass, along Z. The depth is divided evenly, so the actual infeed is often smaller, " +
+      "without a thin last cut. 0: one pass.",
   },
   infeedGroove: {
     prompt: "Maximum cutting depth?",
     printed,
     label: "Max. infeed",
     explanation:
-      "Largest infeed per pass, along Z, divided evenly. The manual page calls it radial; an axial groove is fed along Z, so we " +
-      "take that for a slip. Verify on your control.",
+      "Largest infeed per pass, along Z, divided evenly. The manual calls the infeed radial, but an axial recess " +
+      "has its infeed in Z; unverified.",
   },
   roughingFeed: {
     prompt: "Roughing feed rate?",
     printed,
     label: "Roughing feed",
     explanation:
-      "Feed of the roughing passes: mm per revolution with M136, mm per minute without. FAUTO takes the feed of the tool call.",
+      "Feed of the roughing passes: mm per revolution with M136, mm per minute without. FAUTO takes the feed of " +
+      "the tool call.",
   },
   oversizeDiameter: {
     prompt: "Oversize for diameter?",
     printed,
     label: "Oversize ⌀",
-    explanation: "Stock left on the diameter for finishing; half of it stays on each side.",
+    explanation: "Stock left on the diameter for finishing; half of it on each side.",
   },
   oversizeZ: {
     prompt: "Oversize in Z?",
@@ -168,13 +171,14 @@ export const params = {
     printed,
     label: "Finishing feed",
     explanation:
-      "Feed of the finishing cut: mm per revolution with M136, mm per minute without. FAUTO takes the feed of the tool call.",
+      "Feed of the finishing cut: mm per revolution with M136, mm per minute without. FAUTO takes the feed of " +
+      "the tool call.",
   },
   smoothing: {
     prompt: "Contour smoothing (0/1/2)?",
     printed,
     label: "Smoothing",
-    explanation: "How the steps between the passes are taken away, and how the tool lifts off.",
+    explanation: "How the steps between passes are removed, and how the tool lifts off.",
     choices: {
       0: "after each pass along the contour, within the infeed",
       1: "once after the last pass, along the whole contour; lifts off at 45°",
@@ -203,14 +207,16 @@ export const params = {
     prompt: "Plunging feed rate (0=auto)?",
     printed,
     label: "Plunging feed",
-    explanation: "Feed on elements that fall into the material. 0 or no entry: the feed of the turning operation.",
+    explanation:
+      "Feed on contour elements that descend into the material. 0 or no entry: the feed of the turning operation.",
   },
   limits: {
     prompt: "Machining limits (0/1)?",
     printed,
     label: "Limits",
     explanation:
-      "Restricts the contour that is cut to one side of Q480 and Q482: the side on which the tool stands at the call. Approach " +
+      "Restricts the machined contour to one side of Q480 and Q482: the side on which the tool is at the call. " +
+      "Approach " +
       "and departure may cross the limits.",
     choices: { 0: "no limits", 1: "limits at Q480 and Q482" },
   },
@@ -238,17 +244,17 @@ export const params = {
     printed,
     label: "Offset width",
     explanation:
-      "Shortens each pass from the second infeed on, which relieves the insert sideways. 0: 0.1 mm per pass. What stays on the " +
-      "walls is taken at the end of roughing. The sum may reach 80 % of the effective width; we add up per side. Our reading; " +
-      "verify on your control.",
+      "Shortens each pass from the second infeed on, which reduces the lateral load on the insert. 0: 0.1 mm per " +
+      "pass. The residual material on the walls is removed at the end of roughing. The sum per side may reach 80 " +
+      "% of the effective width.",
   },
   depthCompensation: {
     prompt: "Finishing depth compensation?",
     printed,
     label: "Depth compensation",
     explanation:
-      "Shifts the floor of the finishing cut, to make up for the tilt of the insert while it turns sideways: positive leaves the " +
-      "groove shallower, negative makes it deeper. Our reading of the sign; verify on your control.",
+      "Shifts the floor of the finishing cut to compensate for the tilt of the insert during lateral turning: a " +
+      "positive value makes the recess shallower, a negative value deeper.",
   },
   ...turning,
   ...recessing,

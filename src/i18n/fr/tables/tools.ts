@@ -2,9 +2,9 @@ import type { ToolsTexts } from "../../en/tables/tools.ts";
 
 export const tools = {
   back: "Retour",
-  backLong: "Retour au travail",
-  table: "Outils de tournage de cet appareil",
-  lead: "Conservé sur cet appareil, valable pour tous les programmes.",
+  backLong: "Retour au programme",
+  table: "Outils de tournage sur cet appareil",
+  lead: "Enregistré sur cet appareil, valable pour tous les programmes.",
   count: (n) => (n === 1 ? "1 outil" : `${n} outils`),
   wrongCount: (n) => `${n} avec erreur`,
   select: (tool) => `Éditer : ${tool}`,
@@ -18,16 +18,17 @@ export const tools = {
   remove: "Supprimer",
   removeLong: (tool) => `Supprimer : ${tool}`,
   removed: (tool) => `Supprimé : ${tool}.`,
-  restored: "Les outils fournis sont en place.",
+  restored: "Outils par défaut restaurés.",
   undo: "Annuler",
-  restore: "Outils fournis",
-  restoreLong: "Remplacer ce tableau par les outils fournis",
+  restore: "Outils par défaut …",
+  restoreLong: "Remplacer ce tableau par les outils par défaut",
 
-  kinds: { name: "Tableaux de cet appareil", turning: "Tournage", milling: "Fraisage et perçage" },
-  millTable: "Outils de fraisage et de perçage de cet appareil",
-  millNote: "Seul compte ici le rayon avec sa surépaisseur ; les longueurs sont conservées pour la commande.",
+  kinds: { name: "Tableaux sur cet appareil", turning: "Tournage", milling: "Fraisage et perçage" },
+  millTable: "Outils de fraisage et de perçage sur cet appareil",
+  millNote: "Seul le rayon avec sa surépaisseur est utilisé ici ; les longueurs sont conservées pour la commande.",
   drillNote:
-    "R avec sa surépaisseur, l’angle de pointe et les arêtes font le perçage sur l’axe en tournage ; les longueurs sont conservées " +
+    "En tournage, R avec sa surépaisseur, l’angle de pointe et la longueur d’arête déterminent le perçage sur " +
+    "l’axe ; les longueurs sont conservées " +
     "pour la commande.",
   mill: "fraise",
   millDrawing: "Outil à l’échelle",
@@ -42,7 +43,7 @@ export const tools = {
     tip: "Pointe",
     insert: "Plaquette",
     setting: "Longueurs et usure",
-    holder: "Porte-outil (collision seulement)",
+    holder: "Porte-outil (contrôle de collision)",
   },
   columns: {
     T: "numéro d’outil",
@@ -52,21 +53,21 @@ export const tools = {
     DZL: "surépaisseur longueur 1",
     DXL: "surépaisseur longueur 2",
     DYL: "surépaisseur longueur 3, en Y",
-    RS: "rayon de plaquette",
+    RS: "rayon de bec",
     DRS: "surépaisseur du rayon",
     TO: "orientation de l’outil",
     ORI: "orientation de broche",
     "T-ANGLE": "angle d’inclinaison",
     "P-ANGLE": "angle de pointe",
-    CUTLENGTH: "longueur de la dent",
-    CUTWIDTH: "largeur de la dent",
+    CUTLENGTH: "longueur d’arête",
+    CUTWIDTH: "largeur d’arête",
     DCW: "surépaisseur de la largeur",
     TYPE: "type d’outil",
     L: "longueur d’outil",
     R: "rayon d’outil",
     DL: "surépaisseur de la longueur",
     DR: "surépaisseur du rayon",
-    LCUTS: "longueur des arêtes",
+    LCUTS: "longueur d’arête",
     PITCH: "pas du filetage",
   },
   drillAngle: "angle de pointe",
@@ -79,19 +80,21 @@ export const tools = {
     axis: "Corps suivant",
     head: "Tête : coins Z/X depuis la pointe",
   },
-  axes: { "": "selon TO", X: "X, en travers de la broche", Z: "Z, comme une barre d’alésage" },
+  axes: { "": "par défaut selon TO", X: "X, perpendiculaire à la broche", Z: "Z, comme une barre d’alésage" },
   headHint: "Un espace entre les coins, un point-virgule entre les parties. X est un rayon.",
   field: (column, meaning) => `${column} : ${meaning}`,
   units: { mm: "mm", degrees: "°" },
   unused: (type) => `sans effet pour ${type}`,
   keptOnly:
-    "Longueurs et orientation sont conservées pour la commande ; la trajectoire est celle de la pointe théorique. DZL et DXL " +
-    "sont l’écart de l’outil à ses longueurs mesurées : la commande les ajoute, ni trajectoire ni brut ne changent. FUNCTION " +
-    "TURNDATA CORR déplace la coupe. DYL est hors du plan de tournage : avec une valeur différente de 0, la trajectoire n’est pas " +
+    "Longueurs et orientation sont conservées pour la commande ; la trajectoire est celle de la pointe " +
+    "théorique. DZL et DXL sont les écarts aux longueurs mesurées : la commande les ajoute, la trajectoire et la " +
+    "pièce brute ne changent pas. FUNCTION " +
+    "TURNDATA CORR déplace la coupe. DYL est hors du plan de tournage : avec une valeur différente de 0, la " +
+    "trajectoire n’est pas " +
     "vérifiée.",
   anyType: "Choisir",
 
-  orientation: "TO : où regarde la pointe",
+  orientation: "TO : orientation de l’outil",
   orientationOf: (to, where) => `TO ${to} : ${where}`,
   directions: ["−Z −X", "−X", "+Z −X", "+Z", "+Z +X", "+X", "−Z +X", "−Z", "ronde, sans direction"],
   orientationHint: "Z vers la droite, X vers le haut. 1 usine l’extérieur vers −Z, 7 est la barre d’alésage courante.",
@@ -99,18 +102,17 @@ export const tools = {
   drawing: "Plaquette à l’échelle",
   scale: (length) => `${length} mm`,
   size: (width, height) => `${width} × ${height} mm en Z et X`,
-  lastPossible: "Dernière plaquette possible ; les colonnes ci-dessous n’en forment pas encore.",
+  lastPossible: "Dernière plaquette valide ; les colonnes ci-dessous ne sont pas encore valides.",
   noDrawing: "Pas encore de plaquette : remplir les colonnes.",
 
   files: "Importer et exporter",
   import: "Importer",
   unconfirmed:
-    "Disposition de TOOLTURN.TRN et TOOL.T et plages des colonnes : de mémoire, non vérifiées sur une page imprimée. Comparer " +
-    "sur la commande.",
+    "Colonnes et plages de TOOLTURN.TRN et TOOL.T : non vérifiées dans un manuel ; à vérifier sur la commande.",
   importedWrong: (n) => (n === 1 ? "1 ligne a une erreur." : `${n} lignes ont une erreur.`),
-  cutShort: "La marque de fin [END] manque : le fichier est peut-être tronqué.",
+  cutShort: "La marque de fin [END] manque : le fichier est peut-être incomplet.",
   exported: (file, n) => (n === 1 ? `${file} : 1 outil.` : `${file} : ${n} outils.`),
-  exportedWithout: (names) => `Laissés de côté à cause d’erreurs : ${names}.`,
+  exportedWithout: (names) => `Omis à cause d’erreurs : ${names}.`,
   problems: {
     noRows: (file) => `${file} ne contient aucun outil.`,
     columnsMissing: (file, names) => `${file} n’est pas un tableau d’outils : il manque les colonnes ${names}.`,

@@ -17,12 +17,12 @@ export const cycles = {
   },
   evidence: {
     A: "imprimé dans un manuel de cette commande",
-    B: "imprimé pour une commande sœur",
-    L: "repris des commandes de tour dont viennent ces cycles",
+    B: "imprimé pour une commande apparentée",
+    L: "repris des commandes de tour dont ces cycles sont issus",
     I: "déduit de faits imprimés",
-    K1: "de mémoire sûre, non vérifié sur une page imprimée",
-    K2: "de mémoire, non vérifié sur une page imprimée",
-    K3: "incertain, non vérifié sur une page imprimée",
+    K1: "non vérifié dans un manuel, plutôt sûr",
+    K2: "non vérifié dans un manuel",
+    K3: "non vérifié dans un manuel, incertain",
   },
   kinds: {
     choice: "choix",

@@ -24,22 +24,21 @@ export const params = {
     prompt: "Distance d'approche?",
     printed,
     label: "Distance d’approche",
-    explanation: "Distance gardée à la matière au prépositionnement et au retrait.",
+    explanation: "Distance à la matière pour le prépositionnement et le retrait.",
   },
   clearanceReserved: {
     prompt: "Distance d'approche?",
     printed,
     label: "Distance d’approche (réservé)",
-    explanation:
-      "Réservé : dans ce cycle, la valeur n’a aucune fonction. Les dégagements prennent une distance fixe. Notre lecture ; à " +
-      "vérifier sur la commande.",
+    explanation: "Réservé : dans ce cycle, la valeur n’a aucune fonction. Les dégagements utilisent une distance fixe.",
   },
   startDiameter: {
     prompt: "Diamètre de départ du contour?",
     printed,
     label: "⌀ départ",
     explanation:
-      "X du départ du contour, au diamètre. Supérieur à Q493 : usinage extérieur. Inférieur à Q493 : usinage intérieur.",
+      "X du départ du contour, au diamètre. Supérieur à Q493 : usinage extérieur. Inférieur à Q493 : usinage " +
+      "intérieur.",
   },
   startZ: {
     prompt: "Départ de contour Z?",
@@ -51,7 +50,9 @@ export const params = {
     prompt: "Diamètre fin de contour?",
     printed,
     label: "⌀ fin",
-    explanation: "X de la fin du contour, au diamètre. Avec le départ, il décide entre extérieur et intérieur.",
+    explanation:
+      "X de la fin du contour, au diamètre. Avec le diamètre de départ, il décide entre usinage extérieur et " +
+      "intérieur.",
   },
   endZ: {
     prompt: "Fin de contour Z?",
@@ -64,36 +65,35 @@ export const params = {
     printed,
     label: "Angle du pourtour",
     explanation:
-      "Angle entre le pourtour et l’axe de rotation ; 0 donne un cylindre. La surface penche vers la zone à usiner, jamais en " +
-      "dessous. Notre lecture ; à vérifier sur la commande.",
+      "Angle entre la surface périphérique et l’axe rotatif ; 0 donne un cylindre. La surface est inclinée vers " +
+      "la zone à usiner, jamais en dessous.",
   },
   flankAngle: {
     prompt: "Angle du flanc?",
     printed,
     label: "Angle du flanc",
     explanation:
-      "Angle entre le flanc au départ du contour et la parallèle à l’axe de rotation. La gorge se resserre vers le fond, elle " +
-      "n’est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
+      "Angle entre le flanc au départ du contour et la parallèle à l’axe rotatif. La gorge se resserre vers le fond.",
   },
   faceAngle: {
     prompt: "Angle face transversale?",
     printed,
     label: "Angle de la face",
     explanation:
-      "Inclinaison de la face ; 0 est perpendiculaire à l’axe de rotation. La face penche vers la zone à usiner. Notre lecture ; " +
-      "à vérifier sur la commande.",
+      "Inclinaison de la face transversale ; 0 est perpendiculaire à l’axe rotatif. La face est inclinée vers la " +
+      "zone à usiner.",
   },
   secondFlankAngle: {
     prompt: "Angle du deuxième flanc?",
     printed,
     label: "Angle du 2e flanc",
-    explanation: "Angle entre le flanc en fin de contour et la parallèle à l’axe de rotation.",
+    explanation: "Angle entre le flanc en fin de contour et la parallèle à l’axe rotatif.",
   },
   startElement: {
     prompt: "Type élément de départ (0/1/2)?",
     printed,
     label: "Élément de départ",
-    explanation: "Ce qui casse l’arête au départ du contour.",
+    explanation: "Élément sur l’arête au départ du contour.",
     choices: element,
   },
   startElementSize: {
@@ -106,13 +106,13 @@ export const params = {
     prompt: "Rayon au coin du contour?",
     printed,
     label: "Rayon de coin",
-    explanation: "Rayon du coin intérieur. 0 ou rien : angle vif, où la plaquette laisse son propre rayon.",
+    explanation: "Rayon du coin intérieur. 0 ou aucune valeur : coin vif, où reste le rayon de bec.",
   },
   endElement: {
     prompt: "Type élément final (0/1/2)?",
     printed,
     label: "Élément final",
-    explanation: "Ce qui casse l’arête à la fin du contour.",
+    explanation: "Élément sur l’arête à la fin du contour.",
     choices: element,
   },
   endElementSize: {
@@ -126,56 +126,58 @@ export const params = {
     printed,
     label: "Passe max.",
     explanation:
-      "Passe la plus grande, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans " +
-      "dernière passe trop mince.",
+      "Passe maximale, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus " +
+      "petite, sans dernière passe trop mince.",
   },
   infeedAxial: {
     prompt: "Plongée max.?",
     printed,
     label: "Passe max.",
     explanation:
-      "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans " +
-      "dernière passe trop mince. 0 : une seule passe.",
+      "Passe maximale, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, " +
+      "sans dernière passe trop mince. 0 : une seule passe.",
   },
   infeedGroove: {
     prompt: "Plongée max.?",
     printed,
     label: "Passe max.",
     explanation:
-      "Passe la plus grande, en Z, répartie uniformément. La page du manuel la dit radiale ; une gorge axiale se prend en Z, " +
-      "nous y voyons une erreur d’impression. À vérifier sur la commande.",
+      "Passe maximale, en Z, répartie uniformément. Le manuel la dit radiale, mais une gorge axiale a sa prise " +
+      "de passe en Z ; non vérifié.",
   },
   roughingFeed: {
     prompt: "Avance d'ébauche?",
     printed,
     label: "Avance d’ébauche",
     explanation:
-      "Avance des passes d’ébauche : en mm par tour avec M136, sinon en mm par minute. FAUTO prend l’avance de l’appel d’outil.",
+      "Avance des passes d’ébauche : en mm par tour avec M136, sinon en mm par minute. FAUTO reprend l’avance de " +
+      "l’appel d’outil.",
   },
   oversizeDiameter: {
     prompt: "Surépaisseur diamètre ?",
     printed,
     label: "Surépaisseur ⌀",
-    explanation: "Matière laissée sur le diamètre pour la finition ; il en reste la moitié de chaque côté.",
+    explanation: "Surépaisseur de finition sur le diamètre ; la moitié de chaque côté.",
   },
   oversizeZ: {
     prompt: "Surépaisseur Z?",
     printed,
     label: "Surépaisseur Z",
-    explanation: "Matière laissée sur les faces pour la finition, en Z.",
+    explanation: "Surépaisseur de finition sur les faces, en Z.",
   },
   finishingFeed: {
     prompt: "Avance de finition?",
     printed,
     label: "Avance de finition",
     explanation:
-      "Avance de la passe de finition : en mm par tour avec M136, sinon en mm par minute. FAUTO prend l’avance de l’appel d’outil.",
+      "Avance de la passe de finition : en mm par tour avec M136, sinon en mm par minute. FAUTO reprend l’avance " +
+      "de l’appel d’outil.",
   },
   smoothing: {
     prompt: "Lissage du contour (0/1/2)?",
     printed,
     label: "Lissage",
-    explanation: "Comment disparaissent les marches entre les passes, et comment l’outil se relève.",
+    explanation: "Comment les marches entre les passes sont enlevées et comment l’outil se relève.",
     choices: {
       0: "après chaque passe le long du contour, dans la passe",
       1: "une fois après la dernière passe, sur tout le contour ; relevage à 45°",
@@ -197,21 +199,22 @@ export const params = {
     prompt: "Autoriser la plongée (0/1)?",
     printed,
     label: "Plongée",
-    explanation: "Si les éléments qui descendent dans la matière sont usinés.",
+    explanation: "Si les éléments de contour en plongée sont usinés.",
     choices: { 0: "éléments en plongée non usinés", 1: "éléments en plongée usinés" },
   },
   plungingFeed: {
     prompt: "Avance plongée (0=autom.)?",
     printed,
     label: "Avance de plongée",
-    explanation: "Avance sur les éléments qui descendent dans la matière. 0 ou rien : l’avance de tournage.",
+    explanation: "Avance sur les éléments de contour en plongée. 0 ou aucune valeur : l’avance de tournage.",
   },
   limits: {
     prompt: "Limites d'usinage (0/1)?",
     printed,
     label: "Limites",
     explanation:
-      "Restreint le contour usiné à un côté de Q480 et Q482 : celui où se trouve l’outil à l’appel. L’approche et la sortie " +
+      "Restreint le contour usiné à un côté de Q480 et Q482 : celui où se trouve l’outil à l’appel. L’approche " +
+      "et la sortie " +
       "peuvent franchir les limites.",
     choices: { 0: "pas de limite", 1: "limites à Q480 et Q482" },
   },
@@ -239,17 +242,17 @@ export const params = {
     printed,
     label: "Largeur de décalage",
     explanation:
-      "Raccourcit chaque passe à partir de la deuxième, ce qui soulage l’arête latéralement. 0 : 0,1 mm par passe. Ce qui reste " +
-      "sur les flancs part à la fin de l’ébauche. La somme peut atteindre 80 % de la largeur effective ; nous cumulons par côté. " +
-      "Notre lecture ; à vérifier sur la commande.",
+      "Raccourcit chaque passe à partir de la deuxième, ce qui réduit la pression latérale sur l’arête. 0 : 0,1 " +
+      "mm par passe. La matière résiduelle sur les flancs est enlevée à la fin de l’ébauche. La somme par côté " +
+      "peut atteindre 80 % de la largeur effective.",
   },
   depthCompensation: {
     prompt: "Correction de prof. finition?",
     printed,
     label: "Correction de profondeur",
     explanation:
-      "Déplace le fond lors de la finition, pour compenser l’arête qui bascule en tournant latéralement : positive, la gorge est " +
-      "moins profonde ; négative, plus profonde. Notre lecture du signe ; à vérifier sur la commande.",
+      "Déplace le fond lors de la finition, pour compenser le basculement de l’arête pendant le tournage latéral " +
+      ": positive, la gorge est moins profonde ; négative, plus profonde.",
   },
   ...turning,
   ...recessing,

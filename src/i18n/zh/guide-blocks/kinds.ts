@@ -1,4 +1,4 @@
-/** What each kind of block does, the rule of the control for it, and what is often done wrong with it. */
+/** Function of each kind of block, the rule of the control, and common mistakes. */
 export const blockKinds = {
   begin: {
     about: "第一个程序段：程序的名称和单位。",
@@ -17,18 +17,18 @@ export const blockKinds = {
   },
   blankCylinder: {
     about: "要车削的棒料或圆盘：⌀ 或半径、长度、端面到 Z0 的距离，以及孔。",
-    rule: "毛坯只用于仿真；机床并不知道它。",
-    mistakes: ["毛坯比实际的小：机床在切削的地方，图中却是空的。"],
+    rule: "毛坯只用于仿真。",
+    mistakes: ["毛坯比实际的小：机床切削的地方，仿真中没有材料。"],
   },
   blankRotation: {
     about: "锻件或铸件毛坯：绕轴旋转的轮廓。",
     rule: "轮廓在标签之后或在文件中，按其 DIM 计算。",
-    mistakes: ["轮廓没有回到轴线：无人知道材料到哪里为止。"],
+    mistakes: ["轮廓没有回到轴线：材料的边界未定义。"],
   },
   blankFile: {
-    about: "以文件（STL）中的实体作毛坯。它被保留，此处不仿真。",
-    rule: "文件与程序放在一起；TARGET 给出成品件。",
-    mistakes: ["文件没有随程序一起带走。"],
+    about: "以 STL 文件作毛坯。保留，不仿真。",
+    rule: "文件与程序在同一文件夹中；TARGET 选择成品。",
+    mistakes: ["文件没有随程序一起导出。"],
   },
   toolDefinition: {
     about: "在程序本身给出刀具长度和半径的旧方式。",
@@ -36,17 +36,17 @@ export const blockKinds = {
     mistakes: ["用于车刀：车刀需要车刀表。"],
   },
   toolCall: {
-    about: "换刀；不写刀具时只改变转速、进给或差值。其后在定位之前，无人知道刀尖在哪里。",
+    about: "换刀；不写刀具时只改变转速、进给或差值。其后到下一次定位之前，刀尖位置未知。",
     rule: "它结束 FUNCTION TURNDATA CORR 的值和半径补偿。",
-    mistakes: ["其后的第一段只写一个轴：另一个轴从任意位置过来。"],
+    mistakes: ["其后的第一段只有一个轴：另一个轴的位置未定义。"],
   },
   mode: {
-    about: "在车削和铣削之间切换。车削时 X 是 ⌀，旋转的是工件主轴。",
-    rule: "第一个车削程序段之前写 MODE TURN；机床可能要求运动模型。",
+    about: "在车削和铣削之间切换。车削时 X 是 ⌀，车削主轴有效。",
+    rule: "第一个车削程序段之前写 MODE TURN；机床可能要求运动模型名称。",
     mistakes: ["缺少它：X 按半径计算，车削循环被拒绝。"],
   },
   spin: {
-    about: "工件转多快：恒定切削速度加上限，或固定转速。",
+    about: "车削主轴的转速：恒定切削速度加上限，或固定转速。",
     rule: "有效到下一个为止。它不启动主轴：由 M3 或 M4 启动。",
     mistakes: ["它在第一次切削之后。"],
   },
@@ -56,7 +56,7 @@ export const blockKinds = {
     mistakes: ["符号弄反：DXL 增大，外径变大。"],
   },
   turnBlank: {
-    about: "毛坯跟踪：数控系统记住已切去的部分，循环不再空切。",
+    about: "毛坯跟踪：数控系统记录已切除的材料，循环避免空切。",
     rule: "在 BLANK 与 BLANK OFF 之间有效；轮廓必须封闭。",
     mistakes: ["第二次装夹时仍有效：还按旧毛坯计算。"],
   },
@@ -107,14 +107,14 @@ export const blockKinds = {
     mistakes: ["输入了斜边长度；应为沿边的长度。"],
   },
   free: {
-    about: "自由轮廓的一个元素：图纸给多少写多少。它被保留，此处不运行。",
+    about: "自由轮廓的一个元素：图纸给多少写多少。保留，不仿真。",
     rule: "数控系统由所有元素一起算出缺少的值。",
     mistakes: ["没有元素给得足够：无解。"],
   },
   undercut: {
     about: "圆柱与端面之间的标准退刀槽。未写的字取自标准。",
     rule: "它在循环的轮廓中，位于两个元素之间。",
-    mistakes: ["它在主程序中：在那里不起作用。"],
+    mistakes: ["编写在主程序中：不起作用。"],
   },
   groove: { about: "前面直线中的凹槽。", rule: "它在循环的轮廓中。", mistakes: ["它比所在元素能容纳的宽。"] },
   label: {
@@ -148,9 +148,9 @@ export const blockKinds = {
     mistakes: ["中间删了一行：循环把下一行当作它。"],
   },
   cycle: {
-    about: "此处保留而不运行的循环：其值保持不变。",
+    about: "保留但不仿真的循环：其值不变。",
     rule: "在调用处或所在处起作用。",
-    mistakes: ["把它的作用当作已验证：从这里起报告说明并非如此。"],
+    mistakes: ["其作用被当作已验证：从此处起程序未验证。"],
   },
   cycleCall: {
     about: "从刀具所在处运行最后定义的循环。",
@@ -159,7 +159,7 @@ export const blockKinds = {
   },
   selectContour: {
     about: "从文件取下一个循环的轮廓。",
-    rule: "文件与程序放在一起。",
+    rule: "文件与程序在同一文件夹中。",
     mistakes: ["文件名缺少扩展名。"],
   },
   contourDefinition: {
@@ -167,10 +167,10 @@ export const blockKinds = {
     rule: "P 是区域，I 是岛，V 是空腔。",
     mistakes: ["岛写在它所在的区域之前。"],
   },
-  declareContour: { about: "为轮廓公式给轮廓命名。", rule: "原样保留，此处不运行。", mistakes: ["名称用了两次。"] },
+  declareContour: { about: "为轮廓公式给轮廓命名。", rule: "原样保留，不仿真。", mistakes: ["名称用了两次。"] },
   contourFormula: {
     about: "连接已声明的轮廓：并、交、差。",
-    rule: "原样保留，此处不运行。",
+    rule: "原样保留，不仿真。",
     mistakes: ["缺少括号：运算从左算起。"],
   },
   callProgram: {
@@ -185,12 +185,12 @@ export const blockKinds = {
   },
   callSelected: { about: "运行最后选定的程序。", rule: "前面有 SEL PGM。", mistakes: ["什么都没有选。"] },
   datum: {
-    about: "移动原点：以后从那里计算。",
+    about: "移动原点：其后的坐标以新原点为基准。",
     rule: "有效到下一个；RESET 取消。",
     mistakes: ["在程序后半部分仍然有效。"],
   },
   datumTable: {
-    about: "按表中的一行移动原点。表里是什么，这里无人知道。",
+    about: "按原点表中的一行移动原点。该表在此未知。",
     rule: "必须已选定该表。",
     mistakes: ["机床上激活的是另一张表。"],
   },
@@ -198,7 +198,7 @@ export const blockKinds = {
   rotation: { about: "绕原点旋转铣削程序段的平面。", rule: "RESET 结束。", mistakes: ["极点也一起旋转。"] },
   scale: { about: "放大或缩小铣削坐标。", rule: "RESET 结束。", mistakes: ["输入了百分数：99 会放大 99 倍。"] },
   plane: {
-    about: "倾斜加工面，或将其复位。倾斜加工此处不运行。",
+    about: "倾斜加工面，或将其复位。倾斜加工不仿真。",
     rule: "MOVE、TURN 或 STAY 说明各轴如何动作。",
     mistakes: ["车削前没有复位。"],
   },
@@ -218,9 +218,9 @@ export const blockKinds = {
     rule: "若无 M 功能另行规定，主轴和冷却液保持开启。",
     mistakes: ["它在切削中：切削刃在一处摩擦。"],
   },
-  comment: { about: "写给读程序的人的话。", rule: "不改变任何东西。", mistakes: ["注释中的值后来已改变。"] },
+  comment: { about: "供阅读程序的文字。", rule: "不影响加工。", mistakes: ["注释中的值后来已改变。"] },
   structure: {
-    about: "程序各部分列表中的标题。",
+    about: "程序结构中的标题（结构项）。",
     rule: "数控系统的结构视图显示它。",
     mistakes: ["移动了各部分，标题却留在原处。"],
   },

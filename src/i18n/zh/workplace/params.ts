@@ -14,7 +14,7 @@ export const params = {
     prompt: "加工操作(0/1/2/3)?",
     printed,
     label: "加工操作",
-    explanation: "循环的加工范围：粗加工、精加工或两者。",
+    explanation: "循环的加工范围：粗加工、精加工或完整加工。",
     choices: { 0: "粗加工和精加工", 1: "仅粗加工", 2: "仅精加工至最终尺寸", 3: "仅精加工至余量" },
   },
   clearance: {
@@ -27,7 +27,7 @@ export const params = {
     prompt: "安全高度?",
     printed,
     label: "安全高度（保留）",
-    explanation: "保留：该值在本循环中不起作用，退刀使用固定距离。此为我们的理解，请在数控系统上核实。",
+    explanation: "保留：该值在本循环中不起作用，退刀使用固定距离。",
   },
   startDiameter: {
     prompt: "轮廓起点直径?",
@@ -57,21 +57,19 @@ export const params = {
     prompt: "圆周面角度?",
     printed: unprinted,
     label: "圆周面角度",
-    explanation:
-      "圆周面与旋转轴之间的夹角；0为圆柱面。该面只向加工区内倾斜，不会低于轮廓。此为我们的理解，请在数控系统上核实。",
+    explanation: "圆周面与旋转轴之间的夹角；0为圆柱面。该面只向加工区内倾斜，不会低于轮廓。",
   },
   flankAngle: {
     prompt: "侧面角度?",
     printed: unprinted,
     label: "侧面角度",
-    explanation:
-      "轮廓起点处侧面与旋转轴平行线之间的夹角。槽向槽底变窄，不会宽于槽口。此为我们的理解，请在数控系统上核实。",
+    explanation: "轮廓起点处侧面与旋转轴平行线之间的夹角。槽向槽底变窄。",
   },
   faceAngle: {
     prompt: "端面角度?",
     printed: unprinted,
     label: "端面角度",
-    explanation: "端面的倾斜角；0为垂直于旋转轴。端面向加工区内倾斜。此为我们的理解，请在数控系统上核实。",
+    explanation: "端面的倾斜角；0为垂直于旋转轴。端面向加工区内倾斜。",
   },
   secondFlankAngle: {
     prompt: "第二侧面角度?",
@@ -83,7 +81,7 @@ export const params = {
     prompt: "起始元素类型(0/1/2)?",
     printed: unprinted,
     label: "起始元素",
-    explanation: "轮廓起点处棱边的过渡形式。",
+    explanation: "轮廓起点处棱边的元素。",
     choices: element,
   },
   startElementSize: {
@@ -96,13 +94,13 @@ export const params = {
     prompt: "轮廓角半径?",
     printed: unprinted,
     label: "轮廓角半径",
-    explanation: "轮廓内角的半径。0或不输入：尖角，角内留下刀片自身的圆角。",
+    explanation: "轮廓内角的半径。0或不输入：尖角，角内保留刀尖半径。",
   },
   endElement: {
     prompt: "终止元素类型(0/1/2)?",
     printed: unprinted,
     label: "终止元素",
-    explanation: "轮廓终点处棱边的过渡形式。",
+    explanation: "轮廓终点处棱边的元素。",
     choices: element,
   },
   endElementSize: {
@@ -127,8 +125,7 @@ export const params = {
     prompt: "最大切削深度?",
     printed,
     label: "最大进刀量",
-    explanation:
-      "每刀沿Z轴的最大进刀量，均匀分配。手册页写为径向，但轴向槽沿Z轴进刀，我们视其为印刷错误。请在数控系统上核实。",
+    explanation: "每刀沿Z轴的最大进刀量，均匀分配。手册写为径向，但轴向槽沿Z轴进刀；未验证。",
   },
   roughingFeed: {
     prompt: "粗加工进给速率?",
@@ -172,7 +169,7 @@ export const params = {
     prompt: "允许切入(0/1)?",
     printed,
     label: "切入",
-    explanation: "是否加工切入材料的下降元素。",
+    explanation: "是否加工切入轮廓元素。",
     choices: { 0: "不加工切入元素", 1: "加工切入元素" },
   },
   plungingFeed: {
@@ -212,14 +209,13 @@ export const params = {
     printed: unprinted,
     label: "偏移宽度",
     explanation:
-      "从第二次进刀起缩短每次切削，以减小刀片的侧向负荷。0：每刀0.1毫米。侧壁上的残留材料在粗加工结束时切除。总和可达有效宽度的80%；我们按每侧累计。此为我们的理解，请在数控系统上核实。",
+      "从第二次进刀起缩短每次切削，以减小刀片的侧向负荷。0：每刀0.1毫米。侧壁上的残余材料在粗加工结束时切除。每侧总和可达有效宽度的80%。",
   },
   depthCompensation: {
     prompt: "精加工深度补偿?",
     printed: unprinted,
     label: "深度补偿",
-    explanation:
-      "移动精加工的槽底，补偿刀片横向车削时的倾斜：正值使槽变浅，负值使槽变深。符号为我们的理解，请在数控系统上核实。",
+    explanation: "移动精加工的槽底，补偿刀片横向车削时的倾斜：正值使槽变浅，负值使槽变深。",
   },
   ...turning,
   ...recessing,

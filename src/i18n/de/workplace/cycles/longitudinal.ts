@@ -1,18 +1,18 @@
 import type { CycleTexts } from "../../../cycle-text.ts";
-import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
+import { edgeLength, freeContour, inclination, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = [
-  "achsparallel zustellen im Eilgang",
-  "längs schneiden mit Schruppvorschub",
-  "um die Zustellung zurückziehen",
+  "achsparallele Zustellung im Eilgang",
+  "Längsschnitt mit Vorschub Schruppen",
+  "Rückzug um die Zustellung",
   "im Eilgang zum Anfang des Schnitts",
   "wiederholen, bis die Kontur erreicht ist",
   "im Eilgang zum Zyklusstart",
 ];
 const finish = [
-  "achsparallel zustellen im Eilgang",
+  "achsparallele Zustellung im Eilgang",
   "Kontur von Start bis Ende schlichten",
-  "um den Sicherheitsabstand zurückziehen",
+  "Rückzug um den Sicherheitsabstand",
   "im Eilgang zum Zyklusstart",
 ];
 const notes = [turnMode, safePosition, edgeLength];
@@ -22,12 +22,14 @@ export const longitudinal = {
     name: "Kontur längs",
     summary: "Dreht eine freie Kontur aus einem Unterprogramm, in Längsrichtung.",
     description: [
-      "Dreht eine beliebige Kontur in Längsrichtung: Wellen und Bohrungen mit Absätzen, Kegeln, Bögen, Freistichen und " +
-        "Einstichen. Die Kontur steht in einem Unterprogramm und wird mit Zyklus 14 oder SEL CONTOUR benannt.",
-      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter von der Drehachse weg als die Kontur: " +
-        "Außenbearbeitung. Näher daran: Innenbearbeitung. Dazwischen entscheidet das Werkzeug, je nachdem wohin seine Spitze " +
-        "zeigt. Unsere Auslegung; an der Steuerung prüfen.",
-      "Die Kontur wird in der programmierten Richtung zerspant. Liegt X des Startpunkts unter dem Konturstart, fährt das " +
+      "Dreht eine beliebige Kontur in Längsrichtung: Wellen und Bohrungen mit Absätzen, Kegeln, Kreisbögen, " +
+        "Freistichen und " +
+        "Einstichen. Die Kontur ist ein Unterprogramm, gewählt mit Zyklus 14 oder SEL CONTOUR.",
+      "Schruppen achsparallel, Schlichten oder Komplettbearbeitung. Startpunkt weiter von der Drehachse weg als " +
+        "die Kontur: " +
+        "Außenbearbeitung. Näher daran: Innenbearbeitung. Dazwischen entscheidet die Werkzeugorientierung.",
+      "Die Kontur wird in der programmierten Richtung bearbeitet. Liegt X des Startpunkts unter dem Konturstart, " +
+        "fährt das " +
         "Werkzeug zuerst in X auf den Konturstart; beim Schlichten auf Sicherheitsabstand.",
     ],
     rough,
@@ -38,9 +40,11 @@ export const longitudinal = {
     name: "Absatz längs",
     summary: "Dreht einen rechtwinkligen Absatz längs, von der Werkzeugposition aus.",
     description: [
-      "Dreht einen Zylinder und die Planfläche dahinter. Die Position des Werkzeugs beim Aufruf ist die eine Ecke des " +
-        "Zerspanbereichs, das programmierte Ende die andere; Winkel und gebrochene Kanten gibt es nicht.",
-      "Schruppt achsparallel, schlichtet oder macht beides. Startpunkt weiter von der Drehachse weg als Q493: " +
+      "Dreht einen Zylinder und die Planfläche dahinter. Die Position des Werkzeugs beim Aufruf ist die eine " +
+        "Ecke des " +
+        "Zerspanbereichs, das programmierte Ende die andere, ohne Winkel, Fasen und Rundungen.",
+      "Schruppen achsparallel, Schlichten oder Komplettbearbeitung. Startpunkt weiter von der Drehachse weg als " +
+        "Q493: " +
         "Außenbearbeitung. Näher daran: Innenbearbeitung.",
     ],
     rough,
@@ -51,27 +55,32 @@ export const longitudinal = {
     name: "Absatz längs erweitert",
     summary: "Dreht einen Absatz längs, mit Fasen, Winkeln und Eckenradius.",
     description: [
-      "Dreht einen Absatz in Längsrichtung. Die Kanten an Konturstart und Konturende können eine Fase oder einen Radius " +
-        "bekommen, Umfangsfläche und Planfläche können geneigt, die Innenecke kann verrundet sein.",
-      "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. " +
+      "Dreht einen Absatz in Längsrichtung. Die Kanten an Konturstart und Konturende können eine Fase oder einen " +
+        "Radius haben, Umfangsfläche und Planfläche können geneigt, die Innenecke verrundet sein.",
+      "Schruppen achsparallel, Schlichten oder Komplettbearbeitung. Startdurchmesser größer als Enddurchmesser: " +
+        "Außenbearbeitung. " +
         "Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand; beim " +
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand; " +
+        "beim " +
         "Schlichten zuerst in Z auf Sicherheitsabstand.",
     ],
     rough,
     finish,
-    notes,
+    notes: [...notes, inclination],
   },
   813: {
     name: "Drehen Eintauchen längs",
     summary: "Dreht hinter einer Flanke in einen Zylinder ein, in Längsrichtung.",
     description: [
-      "Dreht einen Bereich, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, einen Zylinder entlang " +
+      "Dreht einen Bereich, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, einen " +
+        "Zylinder entlang " +
         "und bis an eine rechtwinklige Planfläche am Ende.",
-      "Was vor dem Konturstart steht, bleibt in der Höhe von Q491 stehen. Unsere Auslegung; an der Steuerung prüfen.",
-      "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. " +
+      "Material vor dem Konturstart wird nicht bearbeitet; es bleibt auf der Höhe von Q491.",
+      "Schruppen achsparallel, Schlichten oder Komplettbearbeitung. Startdurchmesser größer als Enddurchmesser: " +
+        "Außenbearbeitung. " +
         "Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand vor den " +
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand " +
+        "vor den " +
         "Konturstart.",
     ],
     rough,
@@ -80,16 +89,19 @@ export const longitudinal = {
   },
   814: {
     name: "Drehen Eintauchen längs erweitert",
-    summary:
-      "Dreht hinter einer Flanke in einen Zylinder ein, mit gebrochenen Kanten, Eckenradien und geneigter Planfläche.",
+    summary: "Dreht hinter einer Flanke in einen Zylinder ein, mit Fasen, Radien und geneigter Planfläche.",
     description: [
-      "Dreht einen Bereich, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, einen Zylinder entlang " +
-        "und eine Planfläche am Ende hinauf. Die Kanten an beiden Enden können eine Fase oder einen Radius bekommen, beide " +
+      "Dreht einen Bereich, in den das Werkzeug eintauchen muss: eine Flanke am Konturstart hinab, einen " +
+        "Zylinder entlang " +
+        "und eine Planfläche am Ende hinauf. Die Kanten an beiden Enden können eine Fase oder einen Radius " +
+        "haben, beide " +
         "Ecken am Zylinder können verrundet, die Planfläche kann geneigt sein.",
-      "Was vor dem Konturstart steht, bleibt in der Höhe von Q491 stehen. Unsere Auslegung; an der Steuerung prüfen.",
-      "Schruppt achsparallel, schlichtet oder macht beides. Startdurchmesser größer als Enddurchmesser: Außenbearbeitung. " +
+      "Material vor dem Konturstart wird nicht bearbeitet; es bleibt auf der Höhe von Q491.",
+      "Schruppen achsparallel, Schlichten oder Komplettbearbeitung. Startdurchmesser größer als Enddurchmesser: " +
+        "Außenbearbeitung. " +
         "Kleiner: Innenbearbeitung.",
-      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand vor den " +
+      "Liegt der Startpunkt im Zerspanbereich, fährt das Werkzeug zuerst in X, dann in Z auf Sicherheitsabstand " +
+        "vor den " +
         "Konturstart.",
     ],
     rough,
@@ -100,35 +112,38 @@ export const longitudinal = {
     name: "Drehen konturparallel",
     summary: "Zerspant eine freie Kontur mit Schnitten parallel zu ihr, wie an einem Guss- oder Schmiedeteil.",
     description: [
-      "Dreht eine Kontur aus einem Unterprogramm. Als Rohteil gilt die Kontur mit einem Aufmaß ringsum; die Schnitte laufen an der Kontur " +
-        "entlang, jeder näher an ihr, statt längs der Achse.",
-      "Schruppt, schlichtet oder macht beides. Die Richtung, in der die Kontur programmiert ist, ist die Bearbeitungsrichtung. Der " +
-        "Startpunkt entscheidet zwischen außen und innen.",
-      "Liegt der Startpunkt hinter dem Konturanfang, fährt das Werkzeug zuerst in Z auf den Sicherheitsabstand davor, beim Schruppen wie " +
+      "Dreht eine Kontur aus einem Unterprogramm. Als Rohteil gilt die Kontur mit einem Aufmaß ringsum; die " +
+        "Schnitte verlaufen konturparallel, jeder näher an der Kontur, statt achsparallel.",
+      "Schruppen, Schlichten oder Komplettbearbeitung. Die programmierte Richtung der Kontur ist die " +
+        "Bearbeitungsrichtung. Der Startpunkt entscheidet zwischen Außen- und Innenbearbeitung.",
+      "Liegt der Startpunkt hinter dem Konturstart, fährt das Werkzeug zuerst in Z auf den Sicherheitsabstand " +
+        "davor, beim Schruppen wie " +
         "beim Schlichten.",
     ],
     rough: [
-      "im Eilgang zustellen vor den Schnitt",
-      "entlang der Kontur schneiden mit Schruppvorschub",
-      "in X zurück zur Startposition mit Schruppvorschub",
+      "Zustellung im Eilgang vor den Schnitt",
+      "Schnitt entlang der Kontur mit Vorschub Schruppen",
+      "in X zurück zur Startposition mit Vorschub Schruppen",
       "im Eilgang zum Anfang des nächsten Schnitts",
       "wiederholen, bis das Aufmaß erreicht ist",
       "im Eilgang zum Zyklusstart",
     ],
     finish: [
-      "zustellen im Eilgang",
+      "Zustellung im Eilgang",
       "Kontur von Start bis Ende schlichten",
-      "um den Sicherheitsabstand abheben",
+      "Rückzug um den Sicherheitsabstand",
       "im Eilgang zum Zyklusstart",
     ],
     notes: [
       turnMode,
-      "Zyklus 14 muss vor dem Aufruf das Unterprogramm der Kontur nennen.",
-      "Der erste Schnitt liegt eine Zustellung unter dem Aufmaß, wo auch immer der Startpunkt steht: Wo das Rohteil dicker ist, wird er " +
-        "tiefer. Unsere Auslegung; an der Steuerung prüfen.",
-      "Die Handbuchseite unterscheidet außen und innen nach Konturanfang und Konturende. Hier entscheidet die Seite des Startpunkts: Nach " +
-        "der Handbuchseite wäre eine Welle, die zum Futter hin dicker wird, eine Innenbearbeitung. An der Steuerung prüfen.",
-      "In einer Innenecke der Kontur nimmt ein Schnitt kurz mehr als seine Zustellung: bei einem rechten Winkel bis zu einem Sechstel.",
+      "Vor dem Aufruf mit Zyklus 14 das Unterprogramm der Kontur wählen.",
+      "Der erste Schnitt liegt unabhängig vom Startpunkt eine Zustellung unter dem Aufmaß: Wo das Rohteil dicker " +
+        "ist, wird der Schnitt tiefer.",
+      "Das Handbuch unterscheidet Außen- und Innenbearbeitung nach Konturstart und Konturende; hier entscheidet " +
+        "die Seite des Startpunkts. Nach dem Handbuch wäre eine Welle, die zum Futter hin dicker wird, eine " +
+        "Innenbearbeitung. Nicht geprüft.",
+      "In einer Innenecke der Kontur ist der Schnitt kurzzeitig tiefer als die Zustellung: bei einem rechten " +
+        "Winkel um bis zu ein Sechstel.",
       edgeLength,
     ],
   },

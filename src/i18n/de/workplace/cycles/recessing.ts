@@ -5,7 +5,7 @@ const rough = [
   "ins Volle stechen mit dem Vorschub im Vollen, bis auf das Aufmaß",
   "am Grund verweilen, dann aus dem Einstich zurückziehen",
   "seitlich um die Überlappung, vor dem Werkstück",
-  "neben dem vorigen Stich einstechen, mit Schruppvorschub",
+  "neben dem vorigen Stich einstechen, mit Vorschub Schruppen",
   "wiederholen bis zur Breite, dann schräge oder runde Flanken",
   "im Eilgang zum Zyklusstart",
 ];
@@ -20,29 +20,27 @@ const finish = [
   "im Eilgang zum Zyklusstart",
 ];
 const order =
-  "Schruppt vom Grund zu einer Flanke und zurück zur anderen, schlichtet oder macht beides. Beim Kammstechen " +
-  "kommen erst die vollen Stiche, dann die Stege dazwischen.";
+  "Schruppen vom Grund zu einer Flanke und zurück zur anderen, Schlichten oder Komplettbearbeitung. Beim " +
+  "Kammstechen zuerst die vollen Stiche, dann die Stege dazwischen.";
 const notes = [
   turnMode,
   safePosition,
-  "Zwei Stiche liegen nie weiter auseinander als der ebene Teil der Schneide (Breite minus zweimal Radius), wenn " +
-    "der mindestens halb so breit ist: So bleibt dazwischen nichts stehen.",
-  "Ein Einstich, der tiefer ist als CUTLENGTH, wird mit einer Meldung nur so tief gestochen, wie die Schneide lang " +
-    "ist.",
-  "Parameterliste und Schritte sind aus der Erinnerung; eine gedruckte Seite liegt uns nicht vor. Unsere Auslegung; an " +
-    "der Steuerung prüfen.",
+  "Ist der ebene Teil der Schneide (Breite minus zweimal Radius) mindestens halb so breit wie die Schneide, ist " +
+    "der Versatz der Stiche nie größer als dieser Teil: Dazwischen bleibt kein Restmaterial.",
+  "Ein Einstich tiefer als CUTLENGTH wird nur bis zu dieser Tiefe gefertigt, mit Meldung.",
+  "Parameterliste und Schritte sind nicht am Handbuch geprüft; an der Steuerung prüfen.",
 ];
 const sections =
-  "Eine Kontur mit mehreren Tälern wird Abschnitt für Abschnitt gestochen, jeder bis zum Grund und an den Flanken " +
-  "entlang vor dem nächsten.";
+  "Eine Kontur mit mehreren Konturtälern wird Abschnitt für Abschnitt bearbeitet: Grund und Flanken eines " +
+  "Abschnitts vor dem nächsten.";
 
 export const recessing = {
   860: {
     name: "Stechen Kontur radial",
     summary: "Sticht eine Kontur in Zylinder oder Bohrung, mit beliebig vielen Einstichen.",
     description: [
-      "Nimmt weg, was zwischen der Kontur eines Unterprogramms und dem Startpunkt liegt, mit Stichen zur Achse hin, in " +
-        "der Bohrung von ihr weg. Zyklus 14 nennt vorher die Kontur.",
+      "Trägt das Material zwischen der Kontur eines Unterprogramms und dem Startpunkt ab, mit Stichen zur Achse " +
+        "hin, in der Bohrung von der Achse weg. Zyklus 14 wählt vorher die Kontur.",
       order,
       sections,
     ],
@@ -52,7 +50,7 @@ export const recessing = {
   },
   861: {
     name: "Stechen einfach radial",
-    summary: "Sticht einen Einstich mit geraden Flanken in Zylinder oder Bohrung, vom Startpunkt zu einer Ecke.",
+    summary: "Sticht einen Einstich mit senkrechten Flanken in Zylinder oder Bohrung, vom Startpunkt zu einer Ecke.",
     description: [
       "Fertigt im Zylinder oder in der Bohrung einen Einstich zwischen dem Startpunkt des Zyklus und der Ecke Q493, " +
         "Q494, mit Stichen nebeneinander. Der Startpunkt ist die erste Ecke des Einstichs.",
@@ -66,8 +64,8 @@ export const recessing = {
     name: "Stechen erweitert radial",
     summary: "Sticht einen Einstich in Zylinder oder Bohrung, mit geneigten Flanken, Fasen und Eckenradien.",
     description: [
-      "Fertigt im Zylinder oder in der Bohrung einen Einstich mit Stichen nebeneinander. Die Kanten können eine Fase " +
-        "oder einen Radius bekommen, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",
+      "Fertigt im Zylinder oder in der Bohrung einen Einstich mit Stichen nebeneinander. Die Kanten können eine " +
+        "Fase oder einen Radius haben, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",
       order,
     ],
     rough,
@@ -78,8 +76,8 @@ export const recessing = {
     name: "Stechen Kontur axial",
     summary: "Sticht eine Kontur in eine Planfläche, mit beliebig vielen Einstichen.",
     description: [
-      "Nimmt weg, was zwischen der Kontur eines Unterprogramms und dem Startpunkt liegt, mit Stichen entlang der " +
-        "Achse. Zyklus 14 nennt vorher die Kontur.",
+      "Trägt das Material zwischen der Kontur eines Unterprogramms und dem Startpunkt ab, mit Stichen entlang " +
+        "der Achse. Zyklus 14 wählt vorher die Kontur.",
       order,
       sections,
     ],
@@ -89,7 +87,7 @@ export const recessing = {
   },
   871: {
     name: "Stechen einfach axial",
-    summary: "Sticht einen Einstich mit geraden Flanken in eine Planfläche, vom Startpunkt zu einer Ecke.",
+    summary: "Sticht einen Einstich mit senkrechten Flanken in eine Planfläche, vom Startpunkt zu einer Ecke.",
     description: [
       "Fertigt in der Planfläche einen Einstich zwischen dem Startpunkt des Zyklus und der Ecke Q493, Q494, mit " +
         "Stichen nebeneinander. Der Startpunkt ist die erste Ecke des Einstichs.",
@@ -103,8 +101,8 @@ export const recessing = {
     name: "Stechen erweitert axial",
     summary: "Sticht einen Einstich in eine Planfläche, mit geneigten Flanken, Fasen und Eckenradien.",
     description: [
-      "Fertigt in der Planfläche einen Einstich mit Stichen nebeneinander. Die Kanten können eine Fase oder einen " +
-        "Radius bekommen, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",
+      "Fertigt in der Planfläche einen Einstich mit Stichen nebeneinander. Die Kanten können eine Fase oder " +
+        "einen Radius haben, beide Flanken können geneigt, die Ecken am Grund verrundet sein.",
       order,
     ],
     rough,

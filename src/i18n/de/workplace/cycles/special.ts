@@ -6,7 +6,8 @@ export const special = {
     name: "Koordinatensystem anpassen",
     summary: "Passt das Koordinatensystem des Drehens an ein angestelltes oder gedrehtes Werkzeug an.",
     description: [
-      "Beschreibt, wie das Werkzeug zum Werkstück steht: um seine Achse gedreht, umgekehrt, angestellt. Der Zyklus wirkt ab " +
+      "Beschreibt, wie das Werkzeug zum Werkstück steht: um seine Achse gedreht, umgekehrt, angestellt. Der " +
+        "Zyklus wirkt ab " +
         "seiner Definition und braucht keinen Aufruf.",
       "Vor dem Drehen und nach jedem Werkzeugwechsel einsetzen.",
     ],
@@ -14,23 +15,25 @@ export const special = {
     finish: [],
     notes: [
       turnMode,
-      "Mit allen Winkeln 0, ohne umgekehrtes Werkzeug und mit Q535 = 0 oder 3 ändert er nichts, und das Programm läuft " +
-        "weiter. Mit allen anderen Werten bleibt der Satz im Programm, aber dahinter ist nichts geprüft.",
-      "Neuere Software kennt dazu den Rückzugsparameter Q599; er bleibt im Programm.",
+      "Mit allen Winkeln 0, ohne umgekehrtes Werkzeug und mit Q535 = 0 oder 3 ändert der Zyklus nichts. Mit " +
+        "anderen Werten bleibt der Satz im Programm, wird nicht simuliert, und ab hier ist das Programm nicht " +
+        "geprüft.",
+      "Neuere Software hat zusätzlich den Rückzugsparameter Q599; der Parameter bleibt im Programm.",
     ],
   },
   801: {
     name: "Koordinatensystem zurücksetzen",
-    summary: "Nimmt zurück, was Zyklus 800 angepasst hat.",
+    summary: "Hebt die Anpassung durch Zyklus 800 auf.",
     description: [
-      "Setzt das Koordinatensystem des Drehens zurück. Er hat keine Parameter, wirkt ab seiner Definition und braucht " +
-        "keinen Aufruf.",
+      "Setzt das Koordinatensystem des Drehens zurück. Der Zyklus hat keine Parameter, wirkt ab seiner " +
+        "Definition und braucht keinen Aufruf.",
     ],
     rough: [],
     finish: [],
     notes: [
       turnMode,
-      "Was nach Zyklus 800 nicht geprüft ist, bleibt es auch danach: Die Stellung der Maschine ist hier nicht bekannt.",
+      "Ein nach Zyklus 800 nicht geprüftes Programm bleibt nicht geprüft: Die Stellung der Maschine ist hier " +
+        "nicht bekannt.",
     ],
   },
 } satisfies CycleTexts;

@@ -2,52 +2,49 @@ import type { Sentences } from "../../../message-texts.ts";
 
 const RULES = {
   signOfAngle: (word: string) =>
-    `Winkel und DR haben verschiedene Vorzeichen (${word}): Die Steuerung lehnt den Bogen ab. Beiden dasselbe Vorzeichen geben.`,
+    `Winkel und DR haben verschiedene Vorzeichen (${word}): Die Steuerung lehnt den Kreisbogen ab. Gleiches Vorzeichen programmieren.`,
   zeroBehindCorner: (word: string) =>
-    `Dieser Satz hinter ${word} bewegt nichts: Mit einem Element der Länge 0 kann die Steuerung keine Ecke runden oder fasen.`,
+    `Dieser Satz nach ${word} hat die Länge 0: Die Steuerung kann damit keine Ecke runden oder fasen.`,
   emptyCentre: (word: string) =>
-    `${word} ohne Koordinaten übernimmt den letzten Punkt, der Satz davor nennt aber nur eine ` +
-    `Achse: dort oder in ${word} beide Koordinaten programmieren.`,
+    `${word} ohne Koordinaten übernimmt den letzten Punkt, der Satz davor enthält aber nur eine Achse: dort oder in ${word} beide Koordinaten programmieren.`,
   sideOnArc: (word: string) =>
     `Die Radiuskorrektur darf nicht auf einem Kreisbogen beginnen (${word}): RL oder RR in einem Geradensatz davor programmieren.`,
   toolCallCompensated: (word: string) =>
     `Bei diesem TOOL CALL ist ${word} aktiv: Die Steuerung lehnt ihn ab. Vorher R0 programmieren.`,
 };
 
-/** What holds while a program runs: spindle, speeds, holes, and the printed rules of the control. */
+/** Messages about a running program: spindle, speeds, holes, and the printed rules of the control. */
 export const running = {
   spindleStopped: ({ how, block }) => {
     const by = block === undefined ? "" : ` in Satz ${block}`;
     return {
       stopped:
         block === undefined
-          ? "Die Spindel steht hier: Kein M3, M4, M303 oder M304 hat sie gestartet."
-          : `Die Spindel steht hier: Satz ${block} hat sie angehalten. Vor diesem Schnitt M3, M4, M303 oder M304 programmieren.`,
+          ? "Die Spindel steht hier: M3, M4, M303 oder M304 fehlt."
+          : `Die Spindel steht hier, gestoppt in Satz ${block}. Vor diesem Schnitt M3, M4, M303 oder M304 programmieren.`,
       noSpeed: "Die Spindel hat hier keine Drehzahl: vor diesem Schnitt FUNCTION TURNDATA SPIN programmieren.",
-      hand: `Die Spindel dreht für dieses Werkzeug in die falsche Richtung, festgelegt${by}. Die andere Drehrichtung programmieren.`,
+      hand: `Falsche Spindeldrehrichtung für dieses Werkzeug, festgelegt${by}. Andere Drehrichtung programmieren.`,
     }[how];
   },
   holeMissing: ({ tool, diameter, z }, w) =>
     `Werkzeug ${tool} fährt im Vorschub bis Z${w.signed(z)}, wo keine Bohrung ist: vorher mit mindestens ${w.diameter(diameter)} bohren.`,
   speedUnlimited: ({ diameter, block }, w) =>
-    `Die konstante Schnittgeschwindigkeit hat kein SMAX, und Satz ${block} kommt bis ${w.diameter(
+    `Konstante Schnittgeschwindigkeit ohne SMAX, und Satz ${block} erreicht ${w.diameter(
       diameter,
-    )}: Dort steigt die Drehzahl unbegrenzt. ` + "SMAX programmieren.",
+    )}: Dort ist die Drehzahl unbegrenzt. ` + "SMAX programmieren.",
   speedUnlikely: ({ speed, most, of }, w) =>
     of === "material"
-      ? `Eine Schnittgeschwindigkeit von ${w.number(speed)} m/min ist mehr, als Werkstoffe beim Drehen zulassen (${w.number(most)} m/min).`
-      : `${w.number(speed)} 1/min sind mehr, als die Spindel der Maschine kann (${w.number(most)} 1/min).`,
+      ? `Schnittgeschwindigkeit ${w.number(speed)} m/min überschreitet das Maximum beim Drehen (${w.number(most)} m/min).`
+      : `${w.number(speed)} 1/min überschreiten die maximale Spindeldrehzahl der Maschine (${w.number(most)} 1/min).`,
   offCentre: ({ y }, w) =>
-    `Das Werkzeug dreht ${w.length(
-      y,
-    )} in Y neben der Mitte: Was es dort zerspant, ist nicht geprüft. Y+0 programmieren und die Verschiebung in Y zurücknehmen.`,
+    `Das Werkzeug liegt in Y ${w.length(y)} außermittig: Der Schnitt ist nicht geprüft. Y+0 programmieren und die Verschiebung in Y aufheben.`,
   toolIndexUnknown: ({ tool, rows }, w) =>
-    `Werkzeug ${w.text(tool)} steht nicht in der Tabelle: ${
-      rows.length > 0 ? `Von diesem Werkzeug hat sie ${rows.join(", ")}` : "Sie hat keine Zeile dieses Werkzeugs"
+    `Werkzeug ${w.text(tool)} ist nicht in der Tabelle: ${
+      rows.length > 0 ? `von diesem Werkzeug nur ${rows.join(", ")}` : "keine Zeile dieses Werkzeugs"
     }.`,
   firstElement: ({ word }, w) =>
     `Eine Kontur darf nicht mit ${w.text(
       word,
-    )} beginnen: Die Steuerung kennt keinen Punkt davor. Mit einem Geradensatz beginnen, der X und Z nennt.`,
+    )} beginnen: Davor ist kein Punkt bekannt. Mit einem Geradensatz mit X und Z beginnen.`,
   controlRule: ({ rule, word }, w) => RULES[rule](w.text(word)),
 } satisfies Partial<Sentences>;

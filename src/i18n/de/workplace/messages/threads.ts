@@ -1,57 +1,52 @@
 import type { MessagesTexts } from "../../../message-texts.ts";
 import type { Write } from "../../../write.ts";
 
-/** What a finding offers, where it offers something. */
+/** The value that a finding proposes, if it proposes one. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : ` Nächster möglicher Wert: ${say(value)}.`;
+  value === undefined ? "" : ` Nächster gültiger Wert: ${say(value)}.`;
 
 const ALL_ALONG =
-  " Kein üblicher Anlauf führt daran vorbei: Gewinde am freien Ende beginnen oder dort vorher einen Freistich drehen.";
-/** A place on the axis that a thread runs along: a Z, or in a face a diameter. */
+  " Kein üblicher Anlaufweg vermeidet das: Gewinde am freien Ende beginnen oder dort vorher einen Freistich drehen.";
+/** A position on the synchronized axis of a thread: Z, or a diameter in a face. */
 const placeOn = (axis: "X" | "Z", value: number, w: Write): string =>
   axis === "X" ? `X${w.diameter(value)}` : `Z${w.signed(value)}`;
 
 export const threads = {
-  pitchZero: () => "Ein Gewinde braucht eine Steigung größer als 0.",
+  pitchZero: () => "Ein Gewinde benötigt eine Steigung größer als 0.",
   depthFromPitch: (d, w) =>
-    `Tiefe aus der Steigung, metrisches ISO-Profil: ${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(d.depth)} im Radius.`,
+    `Tiefe aus der Steigung, metrisches ISO-Profil: ${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(d.depth)} auf den Radius.`,
   depthOfOtherProfile: (d, w) =>
-    `Q473 = 0 nimmt die Tiefe des metrischen Profils: ${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(
+    `Q473 = 0 verwendet die Tiefe des metrischen Profils: ${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(
       d.depth,
-    )}. Dieser Faktor gehört zu ` +
-    `60°; die Schneide hat ${w.angle(d.angle)}. ${
+    )}. Dieser Faktor gilt für 60°; die Schneide hat ${w.angle(d.angle)}. ${
       d.right === undefined
-        ? "Gewindetiefe ihres Profils eingeben."
+        ? "Gewindetiefe dieses Profils eingeben."
         : `Whitworth (55°): ${w.number(d.right)} × Steigung.`
     }${nearest(d.nearest, w.size)}`,
   toothAssumed: (d, w) =>
-    `CUTLENGTH des Gewindewerkzeugs ist leer: Als Zahnhöhe gelten ${w.length(
-      d.height,
-    )}. Zahnhöhe eingeben, damit Absätze neben dem Gewinde mit ` + "der wirklichen Schneide geprüft werden.",
+    `CUTLENGTH des Gewindewerkzeugs ist leer: Angenommen wird die Zahnhöhe ${w.length(d.height)}. Zahnhöhe eingeben, um Absätze neben dem Gewinde mit der tatsächlichen Schneide zu prüfen.`,
   threadOverInsert: (d, w) =>
-    `${w.length(d.depth)} sind tiefer, als die Schneide hoch ist: ${w.length(
-      d.most,
-    )}. Ein Gewindewerkzeug mit höherem Zahn (CUTLENGTH) nehmen.`,
+    `Tiefe ${w.length(d.depth)} ist größer als die Zahnhöhe ${w.length(d.most)}. Gewindewerkzeug mit höherem Zahn (CUTLENGTH) verwenden.`,
   threadMeets: (d, w) =>
-    `${d.place === "over" ? "" : `Im ${d.place === "before" ? "Anlauf" : "Überlauf"} läuft das Werkzeug ins Material. `}Bei ${w.place(
+    `${d.place === "over" ? "" : `Im ${d.place === "before" ? "Anlaufweg" : "Überlaufweg"} fährt das Werkzeug ins Material. `}Bei ${w.place(
       d.x,
       d.z,
-    )} stehen ${w.length(d.over)} Material über den Gewindespitzen${
+    )} sind ${w.length(d.over)} Material über den Gewindespitzen${
       d.most === undefined
         ? d.place === "over"
-          ? ": Der erste Schnitt nimmt sie mit, zwischen den Gängen bleiben sie stehen."
+          ? ": Der erste Schnitt trägt auch dieses Material ab, zwischen den Gängen bleibt es."
           : "."
-        : `; die Schneide hat Platz für ${w.size(d.most)}.`
+        : `; die Schneide hat Freiraum für ${w.size(d.most)}.`
     }`,
   flankInfeedTooSteep: (d, w) =>
-    `Mit ${w.angle(d.angle)} verletzen die Schnitte die fertige Flanke: höchstens der halbe Spitzenwinkel, ${w.angle(d.most)}.` +
+    `Mit ${w.angle(d.angle)} verletzen die Schnitte die fertige Flanke: max. der halbe Spitzenwinkel, ${w.angle(d.most)}.` +
     nearest(d.nearest, w.angle),
   runOutTooLong: (d, w) =>
-    `Der Auslauf von ${w.size(d.size)} ist länger als das Gewinde: höchstens ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
+    `Der Auslauf von ${w.size(d.size)} ist länger als das Gewinde: max. ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
   threadTurnsBack: (d) =>
-    `Das Gewinde muss vom Start zum Ende entlang ${d.axis} weiterlaufen: Diese Achse ist mit der Spindel gekoppelt.`,
+    `Das Gewinde muss von Start bis Ende entlang ${d.axis} in einer Richtung verlaufen: Diese Achse läuft synchron zur Spindel.`,
   runInBlocked: (d, w) =>
-    `Wo der Anlauf beginnt, bei ${w.place(d.x, d.z)}, stünde das Werkzeug im Material.${
+    `Am Beginn des Anlaufwegs, ${w.place(d.x, d.z)}, wäre das Werkzeug im Material.${
       d.nearest === undefined ? ALL_ALONG : nearest(d.nearest, w.size)
     }`,
   threadSurfaceSpeed: (d, w) =>
@@ -59,23 +54,19 @@ export const threads = {
       d.slow === undefined || d.fast === undefined ? "" : `, von ${w.number(d.slow)} bis ${w.number(d.fast)} 1/min`
     }; die Schnitte treffen womöglich nicht denselben Gang. VCONST:OFF mit S programmieren.`,
   threadOverruns: (d, w) =>
-    `Das Gewinde endet bei ${placeOn(d.axis, d.end, w)} und läuft über bis ${placeOn(d.axis, d.to, w)}; ${
-      d.meets === "shaft" ? "dort schneidet es" : "dort trifft eine Flanke der Schneide den Absatz und schneidet"
-    } bei ${w.place(d.x, d.z)} ${w.area(
-      d.area,
-    )} des Fertigteils weg. Gewinde früher enden lassen (Q494), Gewindeauslauf (Q474) angeben oder ` +
+    `Das Gewinde endet bei ${placeOn(d.axis, d.end, w)} mit Überlauf bis ${placeOn(d.axis, d.to, w)}; ${
+      d.meets === "shaft" ? "Konturverletzung" : "die Flanke der Schneide trifft den Absatz, Konturverletzung"
+    } bei ${w.place(d.x, d.z)}: ${w.area(d.area)}. Gewinde früher enden lassen (Q494), Gewindeauslauf (Q474) angeben oder ` +
     "vorher einen ausreichend breiten Freistich (DIN 76) drehen.",
   crestMissing: (d, w) =>
-    `Den Gewindespitzen fehlen ${w.length(d.missing)}: Es ist zu wenig Material da. Richtig wäre ${
+    `An den Gewindespitzen fehlen ${w.length(d.missing)}: zu wenig Material. Richtig: ${
       "diameter" in d ? w.diameter(d.diameter) : `Z${w.signed(d.z)}`
     }.`,
   threadTooMany: (d, w) =>
-    `${w.number(d.turns)} Spindelumdrehungen in allen Schnitten sind mehr als ${w.number(d.most)}.`,
-  taperImpossible: (d, w) => `Ein Winkel von ${w.angle(d.angle)} führt vom Anfang des Gewindes zu keinem Ende.`,
+    `${w.number(d.turns)} Spindelumdrehungen in allen Schnitten überschreiten das Maximum ${w.number(d.most)}.`,
+  taperImpossible: (d, w) => `Mit dem Winkel ${w.angle(d.angle)} hat das Gewinde keinen Endpunkt.`,
   threadFeedOverLimit: (d, w) =>
-    `Drehzahl ${w.number(d.speed)} × Steigung ergibt ${w.number(d.feed)} mm/min, mehr als die Achse kann: ${w.number(d.most)}. Bis ` +
-    `${w.number(d.upTo)} 1/min kann sie folgen.`,
+    `Drehzahl ${w.number(d.speed)} × Steigung = ${w.number(d.feed)} mm/min überschreitet den maximalen Achsvorschub ${w.number(d.most)}. Max. ${w.number(d.upTo)} 1/min.`,
   runInShort: (d, w) =>
-    `Bei ${w.number(d.speed)} 1/min ist der Anlauf von ${w.size(d.runIn)} zu kurz für den Vorschub: Drehzahl × Steigung / 400 ergibt ` +
-    `${w.length(d.needed)}. Unsere Faustregel.${nearest(d.nearest, w.size)}`,
+    `Bei ${w.number(d.speed)} 1/min ist der Anlaufweg von ${w.size(d.runIn)} zu kurz für den Vorschub. Faustregel: Drehzahl × Steigung / 400 = ${w.length(d.needed)}.${nearest(d.nearest, w.size)}`,
 } satisfies Partial<MessagesTexts["of"]>;

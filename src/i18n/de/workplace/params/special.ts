@@ -5,9 +5,7 @@ export const special = {
     prompt: "Aufmaß Rohteil?",
     printed: false,
     label: "Aufmaß Rohteil",
-    explanation:
-      "Was vor dem Zyklus auf der Kontur steht, überall senkrecht zu ihr gemessen, auch an Planflächen. " +
-      "Unsere Auslegung; an der Steuerung prüfen.",
+    explanation: "Aufmaß auf der Kontur vor dem Zyklus, senkrecht zur Kontur gemessen, auch an Planflächen.",
   },
   cuttingLines: {
     prompt: "Art der Schnittlinien (0/1)?",
@@ -15,7 +13,7 @@ export const special = {
     label: "Schnittlinien",
     explanation: "Wie das Aufmaß in Schnitte aufgeteilt wird.",
     choices: {
-      0: "konstanter Spanquerschnitt: längere Schnitte sind dünner, jeder nimmt dieselbe Fläche",
+      0: "konstanter Spanquerschnitt: längere Schnitte sind dünner, jeder trägt dieselbe Fläche ab",
       1: "äquidistant: jeder Schnitt gleich dick",
     },
   },
@@ -30,23 +28,26 @@ export const special = {
     printed: false,
     label: "Präzessionswinkel",
     explanation:
-      "Dreht das Koordinatensystem um die Spindelachse Z. Stehen beide Spindeln parallel, ist jeder Winkel möglich, sonst sind nur " +
+      "Dreht das Koordinatensystem um die Spindelachse Z. Stehen beide Spindeln parallel, ist jeder Winkel " +
+      "möglich, sonst sind nur " +
       "zwei Winkel sinnvoll.",
   },
   reverseTool: {
     prompt: "Werkzeug umkehren (0=nein/1=ja)?",
     printed: false,
     label: "Werkzeug umkehren",
-    explanation: "Dreht das Werkzeug um seine Achse um; die Schneide liegt dann gespiegelt.",
-    choices: { 0: "wie es steht", 1: "um 180° gedreht" },
+    explanation: "Dreht das Werkzeug um 180° um seine Achse; die Schneide ist dann gespiegelt.",
+    choices: { 0: "nicht umgekehrt", 1: "um 180° gedreht" },
   },
   inclinedMachining: {
     prompt: "Angestellte Bearbeitung (0/1/2/3)?",
     printed: false,
     label: "Angestellte Bearbeitung",
-    explanation: "Wie die Schwenkachsen auf den Anstellwinkel fahren.",
+    explanation: "Wie die Schwenkachsen den Anstellwinkel erreichen.",
     choices: {
-      0: "Schwenkachsen stehen bereits: Das Koordinatensystem folgt ihnen; die Steuerung verlangt M144 oder M128/TCPM",
+      0:
+        "Schwenkachsen sind bereits positioniert: Das Koordinatensystem folgt ihnen; die Steuerung verlangt M144 " +
+        "oder M128/TCPM",
       1: "Schwenkachsen positionieren, mit Ausgleichsbewegung der Werkzeugspitze",
       2: "Schwenkachsen positionieren, ohne Ausgleichsbewegung",
       3: "Achswinkel nur berechnen (Q120, Q121, Q122), ohne Bewegung; danach die Schwenkachsen positionieren",
@@ -68,7 +69,7 @@ export const special = {
     prompt: "Vorzugsrichtung Anstellwinkel?",
     printed: false,
     label: "Vorzugsrichtung",
-    explanation: "Welche von mehreren Stellungen der Schwenkachsen genommen wird.",
+    explanation: "Welche von mehreren möglichen Stellungen die Schwenkachsen anfahren.",
     choices: {
       0: "die nächste",
       1: "zwischen 0° und +180°",
@@ -82,7 +83,8 @@ export const special = {
     printed: false,
     label: "Exzentrisches Drehen",
     explanation:
-      "Koppelt die Achsen zum Drehen außerhalb der Tischmitte. Andere Werte als 0 und 3 bleiben im Programm, sind aber nicht geprüft.",
+      "Koppelt die Achsen zum Drehen außerhalb der Tischmitte. Andere Werte als 0 und 3 bleiben im Programm, " +
+      "sind aber nicht geprüft.",
     choices: {
       0: "Kopplungen aus",
       1: "Kopplungen ein, Drehung um den Bezugspunkt",

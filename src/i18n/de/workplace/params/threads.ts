@@ -17,22 +17,21 @@ export const threads = {
     label: "Gewindelage",
     explanation:
       "Ob das Gewinde außen oder innen geschnitten wird. Der Nenndurchmesser liegt außen an der Spitze, innen am " +
-      "Grund. Unsere Auslegung; an der Steuerung prüfen.",
+      "Grund.",
     choices: { 0: "Außengewinde", 1: "Innengewinde" },
   },
   threadOrientation: {
     prompt: "Gewindeorientierung (0=längs/1=plan)?",
     printed,
     label: "Gewindeorientierung",
-    explanation: "Welche Achse mit der Spindel gekoppelt ist: Entlang dieser Achse wird die Steigung gemessen.",
+    explanation: "Achse, die synchron zur Spindel läuft: Die Steigung wird entlang dieser Achse gemessen.",
     choices: { 0: "längs, parallel zur Achse", 1: "plan, in einer Stirnfläche" },
   },
   threadDiameter: {
     prompt: "Gewindedurchmesser?",
     printed,
     label: "Gewinde ⌀",
-    explanation:
-      "Nenndurchmesser: beim Außengewinde an der Spitze, beim Innengewinde am Grund. Unsere Auslegung; an der Steuerung prüfen.",
+    explanation: "Nenndurchmesser: beim Außengewinde an der Spitze, beim Innengewinde am Grund.",
   },
   threadStartDiameter: {
     prompt: "Durchmesser Gewindestart?",
@@ -52,44 +51,44 @@ export const threads = {
     label: "Steigung",
     explanation:
       "Weg des Werkzeugs in einer Spindelumdrehung. Beim mehrgängigen Gewinde ist das die Steigung eines Gangs; " +
-      "von Gang zu Gang liegt die Teilung: Steigung durch Anzahl der Gänge. Unsere Auslegung; an der Steuerung prüfen.",
+      "der Abstand von Gang zu Gang ist die Teilung: Steigung durch Anzahl der Gänge.",
   },
   threadDepth: {
     prompt: "Gewindetiefe?",
     printed,
     label: "Tiefe",
     explanation:
-      "Tiefe im Radius. 0: aus der Steigung, wie bei metrischem ISO-Gewinde (außen 0,6134, innen 0,5413 × Steigung).",
+      "Tiefe auf den Radius. 0: aus der Steigung, wie bei metrischem ISO-Gewinde (außen 0,6134, innen 0,5413 × " +
+      "Steigung).",
   },
   threadRunOut: {
     prompt: "Gewindeauslauf?",
     printed,
     label: "Auslauf",
     explanation:
-      "Weg am Gewindeende, auf dem das Werkzeug von der Tiefe zur Spitze ansteigt. 0: Es hebt erst nach dem " +
-      "Überlaufweg ab, aus voller Tiefe.",
+      "Weg am Gewindeende, auf dem das Werkzeug von der Tiefe zur Spitze ansteigt. 0: Das Werkzeug hebt erst " +
+      "nach dem Überlaufweg ab, aus voller Tiefe.",
   },
   threadRunIn: {
     prompt: "Anlaufweg?",
     printed,
     label: "Anlaufweg",
-    explanation: "Weg vor dem Gewinde, auf dem die Achse auf den Vorschub kommt.",
+    explanation: "Weg vor dem Gewinde, auf dem die Achse auf den Vorschub beschleunigt.",
   },
   threadOverrun: {
     prompt: "Überlaufweg?",
     printed,
     label: "Überlaufweg",
     explanation:
-      "Weg hinter dem Gewinde, auf dem die Achse zum Stehen kommt. Ohne Auslauf wird er in voller Tiefe " +
-      "gefahren: Dort muss ein Freistich sein.",
+      "Weg hinter dem Gewinde, auf dem die Achse abbremst. Ohne Auslauf wird der Überlaufweg in voller Tiefe " +
+      "gefahren: Ein Freistich ist nötig.",
   },
   taperForm: {
     prompt: "Maßangabe Kegel (0-4)?",
     printed,
     label: "Kegel durch",
     explanation:
-      "Welche Werte die Linie des Gewindes beschreiben. Der Winkel Q469 öffnet sich von einer Parallelen zur " +
-      "Achse in Schnittrichtung. Unsere Auslegung; an der Steuerung prüfen.",
+      "Werte, die die Gewindelinie festlegen. Der Winkel Q469 zählt von einer Parallelen zur Achse in Schnittrichtung.",
     choices: {
       0: "Start- und Endpunkt",
       1: "Endpunkt, Startdurchmesser, Winkel",
@@ -103,14 +102,15 @@ export const threads = {
     printed,
     label: "Kegelwinkel",
     explanation:
-      "Winkel zwischen Gewindelinie und Achse, positiv, wo der Durchmesser in Schnittrichtung wächst. Ohne Wirkung mit Q464 = 0.",
+      "Winkel zwischen Gewindelinie und Achse, positiv, wo der Durchmesser in Schnittrichtung wächst. Ohne " +
+      "Wirkung mit Q464 = 0.",
   },
   firstInfeed: {
     prompt: "Maximale Schnitttiefe?",
     printed,
     label: "Erste Zustellung",
     explanation:
-      "Tiefe des ersten Schnitts im Radius. Bei konstantem Spanquerschnitt wird jede weitere Zustellung " +
+      "Tiefe des ersten Schnitts auf den Radius. Bei konstantem Spanquerschnitt wird jede weitere Zustellung " +
       "kleiner, aber nie kleiner als ein Zwanzigstel der ersten.",
   },
   infeedAngle: {
@@ -118,8 +118,8 @@ export const threads = {
     printed,
     label: "Zustellwinkel",
     explanation:
-      "Richtung der Zustellung gegen die Senkrechte auf das Gewinde: Mit der Tiefe wandert das Werkzeug auch " +
-      "seitlich, sodass vor allem die vordere Flanke schneidet. Höchstens der halbe Spitzenwinkel der Schneidplatte.",
+      "Richtung der Zustellung gegen die Senkrechte auf das Gewinde: Das Werkzeug verfährt auch seitlich, vor " +
+      "allem die vordere Flanke schneidet. Höchstens der halbe Spitzenwinkel der Schneidplatte.",
   },
   infeedType: {
     prompt: "Zustellart (0/1)?",
@@ -132,7 +132,7 @@ export const threads = {
     prompt: "Startwinkel?",
     printed,
     label: "Startwinkel",
-    explanation: "Winkel der Spindel, bei dem das Gewinde beginnt: Er dreht das Gewinde um die Achse.",
+    explanation: "Spindelwinkel, bei dem das Gewinde beginnt: Er dreht das Gewinde um die Achse.",
   },
   threadStarts: {
     prompt: "Anzahl Gewindegänge?",
@@ -144,6 +144,6 @@ export const threads = {
     prompt: "Anzahl Leerschnitte?",
     printed,
     label: "Leerschnitte",
-    explanation: "Schnitte auf fertiger Tiefe ohne Zustellung, je Gang.",
+    explanation: "Schnitte auf Fertigtiefe ohne Zustellung, je Gang.",
   },
 } satisfies SomeParamTexts;

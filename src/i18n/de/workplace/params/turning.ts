@@ -9,7 +9,9 @@ export const turning = {
     choices: {
       0: "wie programmiert",
       1: "gegen die programmierte Richtung",
-      2: "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Werkzeugorientierung 1 schneidet als 3)",
+      2:
+        "gegen die programmierte Richtung, Schneide in Vorschubrichtung gespiegelt (Werkzeugorientierung 1 " +
+        "schneidet als 3)",
     },
   },
   flankAngleRadial: {
@@ -17,8 +19,8 @@ export const turning = {
     printed: false,
     label: "Flankenwinkel",
     explanation:
-      "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Der Einstich wird zum Grund hin schmaler, " +
-      "nie breiter als seine Öffnung. Unsere Auslegung; an der Steuerung prüfen.",
+      "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Der Einstich wird zum Grund " +
+      "hin schmaler.",
   },
   secondFlankAngleRadial: {
     prompt: "Winkel zweite Flanke?",
@@ -31,31 +33,33 @@ export const turning = {
     printed: false,
     label: "Max. Zustellung",
     explanation:
-      "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist darum oft " +
-      "kleiner, und es bleibt kein Schleifschnitt.",
+      "Größte Zustellung je Schnitt, in Z. Die Tiefe wird gleichmäßig aufgeteilt; die tatsächliche Zustellung " +
+      "ist oft kleiner, Schleifschnitte entfallen.",
   },
   infeedContour: {
     prompt: "Maximale Schnitttiefe?",
     printed: false,
     label: "Max. Zustellung",
     explanation:
-      "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die wirkliche Zustellung ist " +
-      "darum oft kleiner, und es bleibt kein Schleifschnitt. 0: ein Schnitt.",
+      "Größte Zustellung je Schnitt, auf den Radius. Die Tiefe wird gleichmäßig aufgeteilt; die tatsächliche " +
+      "Zustellung ist oft kleiner, Schleifschnitte entfallen. 0: ein Schnitt.",
   },
   plungeAngle: {
     prompt: "Winkel Flanke?",
     printed: false,
     label: "Flankenwinkel",
     explanation:
-      "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Die Flanke fällt vom Konturstart in den " +
-      "Zerspanbereich hinein, nie hinter die Kante. Unsere Auslegung; an der Steuerung prüfen.",
+      "Winkel zwischen der Flanke am Konturstart und der Senkrechten zur Drehachse. Die Flanke fällt vom " +
+      "Konturstart in den " +
+      "Zerspanbereich hinein, nie hinter die Kante.",
   },
   plungeAngleFace: {
     prompt: "Winkel Flanke?",
     printed: false,
     label: "Flankenwinkel",
     explanation:
-      "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Die Flanke fällt vom Konturstart in den " +
-      "Zerspanbereich hinein, nie hinter die Kante. Unsere Auslegung; an der Steuerung prüfen.",
+      "Winkel zwischen der Flanke am Konturstart und der Parallelen zur Drehachse. Die Flanke fällt vom " +
+      "Konturstart in den " +
+      "Zerspanbereich hinein, nie hinter die Kante.",
   },
 } satisfies SomeParamTexts;

@@ -1,21 +1,26 @@
 export const turnMode =
   "Runs only in FUNCTION MODE TURN. On a TNC7 the machine builder must have enabled the function.";
 export const safePosition =
-  "Before the call, position the tool with R0 at a safe place: that point is the cycle start and decides how much is cut.";
+  "Before the call, position the tool with R0 at a safe position: this is the cycle start and determines the " +
+  "area to be machined.";
 export const edgeLength =
-  "A CUTLENGTH in the tool table limits the infeed in roughing; the infeed is then reduced, with a warning.";
-/** What holds for every cycle that takes its contour from a subprogram. */
+  "CUTLENGTH in the tool table limits the roughing infeed; a larger infeed is reduced, with a warning.";
+/** Notes of every cycle that takes its contour from a subprogram. */
 export const freeContour = [
-  "Danger of collision: the machining limit restricts the contour that is cut, but approach and departure may cross it. " +
-    "Stand the tool, before the call, on the side of the limit that is to be cut.",
+  "Danger of collision: the machining limit restricts the machined contour, but approach and departure may cross " +
+    "it. Before the call, position the tool on the side of the limit that is to be machined.",
   turnMode,
   safePosition,
-  "The shape of the insert is taken into account so that no element is damaged. What the tool cannot reach stays, with a warning.",
-  "Cycle 14 with the label of the contour, or SEL CONTOUR with its file, must stand before the call.",
+  "The insert geometry is taken into account so that no contour element is damaged. Where the tool cannot reach, " +
+    "residual material remains, with a warning.",
+  "Cycle 14 with the label of the contour, or SEL CONTOUR with its file, must be programmed before the call.",
   "Local parameters (QL) used in the contour must be set in the contour subprogram itself.",
   edgeLength,
 ];
-/** What holds where a tool plunges and no feed is asked for it. */
+/** Note of the cycles that plunge without a plunging feed. */
 export const plunging =
-  "The tool plunges at the roughing feed: these cycles ask for no feed of its own. A flank steeper than the insert can " +
-  "follow keeps material, with a warning.";
+  "The tool plunges at the roughing feed: these cycles have no separate plunging feed. On a flank steeper than " +
+  "the insert can follow, residual material remains, with a warning.";
+/** Note of cycle 812: a printed list, with one fact that the page leaves open. */
+export const inclination =
+  "Not printed, hence unverified: the direction in which Q495 and Q496 incline surface and face.";

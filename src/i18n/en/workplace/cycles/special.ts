@@ -4,32 +4,33 @@ import { turnMode } from "./notes.ts";
 export const special = {
   800: {
     name: "Adjust the coordinate system",
-    summary: "Fits the coordinate system of turning to a tilted or rotated tool.",
+    summary: "Adapts the turning coordinate system to an inclined or rotated tool.",
     description: [
-      "Says how the tool stands to the workpiece: turned about its axis, upside down, tilted. It acts where it stands in the " +
-        "program and needs no call.",
-      "Call it before turning and after every tool change.",
+      "Describes the tool relative to the workpiece: rotated about its axis, reversed, inclined. The cycle is " +
+        "effective from its definition and needs no call.",
+      "Program the cycle before turning and after every tool change.",
     ],
     rough: [],
     finish: [],
     notes: [
       turnMode,
-      "With all angles 0, without a reversed tool and with Q535 = 0 or 3 it changes nothing, and the program is run on. With " +
-        "anything else the block is kept, and nothing behind it is proved.",
-      "Newer software adds a retraction parameter Q599; it is kept.",
+      "With all angles 0, without a reversed tool and with Q535 = 0 or 3 the cycle changes nothing. With any " +
+        "other values the block is kept but not simulated, and the program is unverified from here.",
+      "Newer software adds the retraction parameter Q599; the parameter is kept.",
     ],
   },
   801: {
     name: "Reset the coordinate system",
-    summary: "Takes back what cycle 800 has fitted.",
+    summary: "Cancels the adaptation by cycle 800.",
     description: [
-      "Puts the coordinate system of turning back. It has no parameters, acts where it stands in the program and needs no call.",
+      "Resets the turning coordinate system. The cycle has no parameters, is effective from its definition and " +
+        "needs no call.",
     ],
     rough: [],
     finish: [],
     notes: [
       turnMode,
-      "Whatever cycle 800 has left unproved stays so: where the machine stands then, nobody here knows.",
+      "A program unverified after cycle 800 remains unverified: the position of the machine is not known here.",
     ],
   },
 } satisfies CycleTexts;

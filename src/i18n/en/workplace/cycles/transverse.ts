@@ -2,20 +2,20 @@ import type { CycleTexts } from "../../../cycle-text.ts";
 import { edgeLength, freeContour, plunging, safePosition, turnMode } from "./notes.ts";
 
 const rough = [
-  "paraxial infeed at rapid",
-  "cut crosswise at the roughing feed",
+  "paraxial infeed at rapid traverse",
+  "transverse cut at the roughing feed",
   "retract by the infeed",
-  "back to the start of the cut at rapid",
+  "return to the start of the cut at rapid traverse",
   "repeat until the contour is reached",
-  "back to the cycle start at rapid",
+  "return to the cycle start at rapid traverse",
 ];
 const finish = [
-  "infeed at rapid",
+  "infeed at rapid traverse",
   "finish the contour from start to end",
   "retract by the set-up clearance",
-  "back to the cycle start at rapid",
+  "return to the cycle start at rapid traverse",
 ];
-/** Of the cycles that have a contour of their own. */
+/** Steps and notes of the cycles that describe the contour by parameters. */
 const own = { rough, finish, notes: [turnMode, safePosition, edgeLength] };
 
 export const transverse = {
@@ -23,11 +23,13 @@ export const transverse = {
     name: "Contour, transverse",
     summary: "Cuts a free contour from a subprogram, across the axis.",
     description: [
-      "Turns any contour crosswise. The contour stands in a subprogram of lines, roundings, chamfers and arcs, named by cycle 14 " +
-        "or SEL CONTOUR.",
-      "Roughs with paraxial passes, finishes, or both. First contour point greater in X than the last: outside machining. " +
+      "Turns any contour transversely. The contour is a subprogram of lines, roundings, chamfers and arcs, " +
+        "selected by cycle 14 or SEL CONTOUR.",
+      "Roughs with paraxial passes, finishes, or both. X of the contour start greater than X of the contour end: " +
+        "outside machining. " +
         "Smaller: inside machining.",
-      "If Z of the start point is below the contour start, the tool first moves in Z to the contour start; for finishing, to the " +
+      "If Z of the start point is below the contour start, the tool first moves in Z to the contour start; for " +
+        "finishing, to the " +
         "set-up clearance.",
     ],
     rough,
@@ -36,11 +38,12 @@ export const transverse = {
   },
   821: {
     name: "Shoulder, face",
-    summary: "Faces a square shoulder across the axis, from where the tool stands.",
+    summary: "Faces a square shoulder across the axis, from the tool position.",
     description: [
-      "Turns a face and the cylinder at its end. The point where the tool stands at the call is one corner of the area to be " +
-        "cut, the programmed end is the other; there are no angles and no broken edges.",
-      "Roughs with paraxial passes across the axis, finishes, or both. Start point farther from the axis than Q493: outside " +
+      "Turns a face and the cylinder at its end. The tool position at the call is one corner of the area to be " +
+        "machined, the programmed end is the other; there are no angles, chamfers or roundings.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start point farther from the axis than " +
+        "Q493: outside " +
         "machining. Nearer: inside machining.",
     ],
     ...own,
@@ -49,11 +52,13 @@ export const transverse = {
     name: "Shoulder, face, extended",
     summary: "Faces a shoulder across the axis, with chamfers, angles and a corner radius.",
     description: [
-      "Turns a shoulder crosswise. The edges at the contour start and end can get a chamfer or a radius, the face and the " +
-        "circumferential surface can lean, and the inside corner can be rounded.",
-      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside " +
+      "Turns a shoulder transversely. The edges at the contour start and end can have a chamfer or a radius, the " +
+        "face and the circumferential surface can be inclined, and the inside corner can be rounded.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: " +
+        "outside " +
         "machining. Smaller: inside machining.",
-      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance.",
+      "If the start point is in the area to be machined, the tool first moves in Z, then in X, to the set-up " +
+        "clearance.",
     ],
     ...own,
   },
@@ -61,13 +66,15 @@ export const transverse = {
     name: "Plunge turning, transverse",
     summary: "Cuts behind a flank into a face, across the axis.",
     description: [
-      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, across a floor, " +
-        "and up to a square wall at the end.",
-      "What stands beside the contour start stays, in the plane of Q492. Our reading; verify on your control.",
-      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside " +
+      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, " +
+        "across a floor, " +
+        "and up to a perpendicular wall at the end.",
+      "Material next to the contour start is not machined; it remains in the plane of Q492.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: " +
+        "outside " +
         "machining. Smaller: inside machining.",
-      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance beside " +
-        "the contour start.",
+      "If the start point is in the area to be machined, the tool first moves in Z, then in X, to the set-up " +
+        "clearance next to the contour start.",
     ],
     rough,
     finish,
@@ -75,16 +82,18 @@ export const transverse = {
   },
   824: {
     name: "Plunge turning, transverse, extended",
-    summary: "Cuts behind a flank into a face, with broken edges, corner radii and a leaning wall.",
+    summary: "Cuts behind a flank into a face, with chamfers, radii and an inclined wall.",
     description: [
-      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, across a floor, " +
-        "and up a wall at the end. The edges at either end can get a chamfer or a radius, both corners on the floor can be " +
-        "rounded, and the wall can lean.",
-      "What stands beside the contour start stays, in the plane of Q492. Our reading; verify on your control.",
-      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: outside " +
+      "Turns an area in a face that the tool can only reach by plunging: down a flank at the contour start, " +
+        "across a floor, " +
+        "and up a wall at the end. The edges at both ends can have a chamfer or a radius, both corners on the " +
+        "floor can be rounded, and the wall can be inclined.",
+      "Material next to the contour start is not machined; it remains in the plane of Q492.",
+      "Roughs with paraxial passes across the axis, finishes, or both. Start diameter greater than end diameter: " +
+        "outside " +
         "machining. Smaller: inside machining.",
-      "If the start point lies in the area to be cut, the tool first moves in Z, then in X, to the set-up clearance beside " +
-        "the contour start.",
+      "If the start point is in the area to be machined, the tool first moves in Z, then in X, to the set-up " +
+        "clearance next to the contour start.",
     ],
     rough,
     finish,

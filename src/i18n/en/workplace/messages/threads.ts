@@ -1,77 +1,72 @@
 import type { MessagesTexts } from "../../../message-texts.ts";
 import type { Write } from "../../../write.ts";
 
-/** What a finding offers, where it offers something. */
+/** The value that a finding proposes, if it proposes one. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : ` Nearest value that works: ${say(value)}.`;
+  value === undefined ? "" : ` Nearest valid value: ${say(value)}.`;
 
-const ALL_ALONG = " No usual run-in leads past it: start the thread at its free end, or turn a relief there first.";
-/** A place on the axis that a thread runs along: a Z, or in a face a diameter. */
+const ALL_ALONG = " No usual run-in avoids it: start the thread at its free end, or turn an undercut there first.";
+/** A position on the synchronized axis of a thread: Z, or a diameter in a face. */
 const placeOn = (axis: "X" | "Z", value: number, w: Write): string =>
   axis === "X" ? `X${w.diameter(value)}` : `Z${w.signed(value)}`;
 
 export const threads = {
-  pitchZero: () => "A thread needs a pitch greater than 0.",
+  pitchZero: () => "A thread requires a pitch greater than 0.",
   depthFromPitch: (d, w) =>
     `Depth from the pitch, metric ISO profile: ${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(d.depth)} on the radius.`,
   depthOfOtherProfile: (d, w) =>
-    `Q473 = 0 takes the depth of the metric profile: ${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(
+    `Q473 = 0 uses the depth of the metric profile: ${w.number(d.factor)} × ${w.size(d.pitch)} = ${w.length(
       d.depth,
-    )}. That factor belongs to ` +
-    `60°; this insert has ${w.angle(d.angle)}. ${
-      d.right === undefined ? "Enter the depth of its profile." : `Whitworth (55°): ${w.number(d.right)} × the pitch.`
+    )}. This factor applies to 60°; the insert has ${w.angle(d.angle)}. ${
+      d.right === undefined
+        ? "Enter the thread depth of this profile."
+        : `Whitworth (55°): ${w.number(d.right)} × the pitch.`
     }${nearest(d.nearest, w.size)}`,
   toothAssumed: (d, w) =>
-    `CUTLENGTH of the thread tool is empty: the tooth is taken to be ${w.length(
-      d.height,
-    )} high. Enter its height, so that shoulders beside the ` + "thread are checked with the real insert.",
+    `CUTLENGTH of the thread tool is empty: a tooth height of ${w.length(d.height)} is assumed. Enter the height to check shoulders next to the thread with the actual insert.`,
   threadOverInsert: (d, w) =>
-    `${w.length(d.depth)} are deeper than the insert is high: ${w.length(d.most)}. Take a thread tool with a higher tooth (CUTLENGTH).`,
+    `Depth ${w.length(d.depth)} exceeds the tooth height ${w.length(d.most)}. Use a thread tool with a higher tooth (CUTLENGTH).`,
   threadMeets: (d, w) =>
     `${d.place === "over" ? "" : `In the ${d.place === "before" ? "run-in" : "overrun"} the tool runs into material. `}At ${w.place(
       d.x,
       d.z,
-    )}, ${w.length(d.over)} of material stand over the crest of the thread${
+    )}, there are ${w.length(d.over)} of material above the thread crest${
       d.most === undefined
         ? d.place === "over"
-          ? ": the first pass takes them as well, and between the grooves they stay."
+          ? ": the first pass cuts this too; between the threads it remains."
           : "."
-        : `; the insert has room for ${w.size(d.most)}.`
+        : `; the insert has clearance for ${w.size(d.most)}.`
     }`,
   flankInfeedTooSteep: (d, w) =>
-    `With ${w.angle(d.angle)} the passes cut into the finished flank: at most half the point angle, ${w.angle(d.most)}.${nearest(
+    `With ${w.angle(d.angle)} the passes damage the finished flank: max. half the point angle, ${w.angle(d.most)}.${nearest(
       d.nearest,
       w.angle,
     )}`,
   runOutTooLong: (d, w) =>
-    `The run-out of ${w.size(d.size)} is longer than the thread: at most ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
+    `The run-out of ${w.size(d.size)} is longer than the thread: max. ${w.size(d.max)}.${nearest(d.nearest, w.size)}`,
   threadTurnsBack: (d) =>
-    `The thread has to run on along ${d.axis} from start to end: that axis is locked to the spindle.`,
+    `The thread must run in one direction along ${d.axis} from start to end: this axis is synchronized to the spindle.`,
   runInBlocked: (d, w) =>
-    `Where the run-in begins, at ${w.place(d.x, d.z)}, the tool would stand in material.${
+    `At the start of the run-in, ${w.place(d.x, d.z)}, the tool would be in the material.${
       d.nearest === undefined ? ALL_ALONG : nearest(d.nearest, w.size)
     }`,
   threadSurfaceSpeed: (d, w) =>
     `Thread at a constant surface speed (VCONST:ON, ${w.number(d.cuttingSpeed)} m/min): the speed follows the diameter${
       d.slow === undefined || d.fast === undefined ? "" : `, from ${w.number(d.slow)} to ${w.number(d.fast)} rpm`
-    }, and the passes may not meet the same groove. Program VCONST:OFF with S.`,
+    }, so the passes may not follow the same thread. Program VCONST:OFF with S.`,
   threadOverruns: (d, w) =>
     `The thread ends at ${placeOn(d.axis, d.end, w)} and overruns to ${placeOn(d.axis, d.to, w)}; ${
-      d.meets === "shaft" ? "there it cuts" : "there a flank of the insert meets the shoulder, which loses"
-    } ${w.area(d.area)} of the finished part, at ${w.place(
-      d.x,
-      d.z,
-    )}. End the thread earlier (Q494), lift along a run-out (Q474), or turn a relief (DIN 76) that is wide enough.`,
+      d.meets === "shaft" ? "contour damage there:" : "the insert flank hits the shoulder, contour damage:"
+    } ${w.area(d.area)} at ${w.place(d.x, d.z)}. End the thread earlier (Q494), use a run-out (Q474), or turn a wide enough undercut (DIN 76).`,
   crestMissing: (d, w) =>
-    `The crest of the thread is missing by ${w.length(d.missing)}: there is not enough material. Right would be ${
+    `The thread crest lacks ${w.length(d.missing)}: not enough material. Correct: ${
       "diameter" in d ? w.diameter(d.diameter) : `Z${w.signed(d.z)}`
     }.`,
-  threadTooMany: (d, w) => `${w.number(d.turns)} turns of the spindle in all passes are more than ${w.number(d.most)}.`,
-  taperImpossible: (d, w) => `An angle of ${w.angle(d.angle)} leads from the start of the thread to no end.`,
+  threadTooMany: (d, w) =>
+    `${w.number(d.turns)} spindle revolutions in all passes exceed the maximum of ${w.number(d.most)}.`,
+  taperImpossible: (d, w) => `With an angle of ${w.angle(d.angle)} the thread has no end point.`,
   threadFeedOverLimit: (d, w) =>
-    `Speed ${w.number(d.speed)} × pitch is a feed of ${w.number(d.feed)} mm/min, more than the axis can: ${w.number(d.most)}. Up to ` +
-    `${w.number(d.upTo)} rpm it can follow.`,
+    `Speed ${w.number(d.speed)} × pitch = ${w.number(d.feed)} mm/min exceeds the maximum axis feed ${w.number(d.most)}. Max. ${w.number(d.upTo)} rpm.`,
   runInShort: (d, w) =>
-    `At ${w.number(d.speed)} rpm the run-in of ${w.size(d.runIn)} is too short to reach the feed: speed × pitch / 400 gives ` +
-    `${w.length(d.needed)}. Our rule of thumb.${nearest(d.nearest, w.size)}`,
+    `At ${w.number(d.speed)} rpm the run-in of ${w.size(d.runIn)} is too short to reach the feed. Rule of thumb: speed × pitch / 400 = ${w.length(d.needed)}.${nearest(d.nearest, w.size)}`,
 } satisfies Partial<MessagesTexts["of"]>;

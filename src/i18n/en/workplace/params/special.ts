@@ -5,8 +5,7 @@ export const special = {
     prompt: "Allowance on the blank?",
     printed: false,
     label: "Blank allowance",
-    explanation:
-      "What stands on the contour before the cycle, measured square to it everywhere, also on faces. Our reading; verify on your control.",
+    explanation: "Allowance on the contour before the cycle, measured perpendicular to the contour, on faces too.",
   },
   cuttingLines: {
     prompt: "Type of cutting lines (0/1)?",
@@ -14,36 +13,36 @@ export const special = {
     label: "Cutting lines",
     explanation: "How the allowance is divided into passes.",
     choices: {
-      0: "constant chip cross-section: longer passes are thinner, each takes the same area",
-      1: "equidistant: each pass as thick as the others",
+      0: "constant chip cross-section: longer passes are thinner, each removes the same area",
+      1: "equidistant: all passes have the same thickness",
     },
   },
   infeedParallel: {
     prompt: "Maximum cutting depth?",
     printed: false,
     label: "Max. infeed",
-    explanation: "The most that one pass takes, measured square to the contour. 0: everything in one pass.",
+    explanation: "Maximum infeed per pass, measured perpendicular to the contour. 0: one pass.",
   },
   precessionAngle: {
     prompt: "Precession angle?",
     printed: false,
     label: "Precession angle",
     explanation:
-      "Turns the coordinate system about the spindle axis Z. Where both spindles are parallel any angle is possible, otherwise only " +
-      "two angles make sense.",
+      "Rotates the coordinate system about the spindle axis Z. If both spindles are parallel, any angle is " +
+      "possible; otherwise only two angles make sense.",
   },
   reverseTool: {
     prompt: "Reverse tool (0=no/1=yes)?",
     printed: false,
     label: "Reverse tool",
-    explanation: "Turns the tool upside down about its axis, which mirrors it.",
-    choices: { 0: "as it stands", 1: "turned by 180°" },
+    explanation: "Rotates the tool by 180° about its axis, which mirrors the cutting edge.",
+    choices: { 0: "not reversed", 1: "rotated by 180°" },
   },
   inclinedMachining: {
     prompt: "Inclined machining (0/1/2/3)?",
     printed: false,
     label: "Inclined machining",
-    explanation: "How the tilting axes go to the angle of incidence.",
+    explanation: "How the tilting axes reach the angle of incidence.",
     choices: {
       0: "axes already positioned: the coordinate system follows them; the control asks for M144 or M128/TCPM",
       1: "position the axes, with compensating movement of the tip",
@@ -55,19 +54,19 @@ export const special = {
     prompt: "Angle of incidence?",
     printed: false,
     label: "Angle of incidence",
-    explanation: "Angle by which the tool is tilted against the workpiece.",
+    explanation: "Angle by which the tool is inclined to the workpiece.",
   },
   tiltingFeed: {
     prompt: "Feed rate for positioning?",
     printed: false,
     label: "Positioning feed",
-    explanation: "Feed at which the tilting axes move, mm/min.",
+    explanation: "Feed of the tilting axes, mm/min.",
   },
   preferredDirection: {
     prompt: "Preferred dir. of incid. angle?",
     printed: false,
     label: "Preferred direction",
-    explanation: "Which of several positions of the tilting axes is taken.",
+    explanation: "Which of several possible positions the tilting axes take.",
     choices: {
       0: "the nearest",
       1: "between 0° and +180°",
@@ -81,11 +80,11 @@ export const special = {
     printed: false,
     label: "Eccentric turning",
     explanation:
-      "Couples the axes for turning away from the centre of the table. Other values than 0 and 3 are kept and not proved.",
+      "Couples the axes for turning off the table centre. Values other than 0 and 3 are kept but not verified.",
     choices: {
       0: "switch couplings off",
-      1: "switch couplings on, rotate round the preset",
-      2: "switch couplings on, rotate round the datum",
+      1: "switch couplings on, rotate about the preset",
+      2: "switch couplings on, rotate about the datum",
       3: "leave couplings as they are",
     },
   },

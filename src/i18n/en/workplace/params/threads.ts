@@ -8,8 +8,8 @@ export const threads = {
     printed,
     label: "Set-up clearance",
     explanation:
-      "Distance kept when the tool lifts between the passes. In this cycle it is the run-in too: so far in " +
-      "front of the start each pass begins.",
+      "Lift-off distance between passes. In this cycle also the run-in: each pass begins at this distance in " +
+      "front of the start.",
   },
   threadPosition: {
     prompt: "Thread position (0=ext./1=int.)?",
@@ -17,22 +17,21 @@ export const threads = {
     label: "Position",
     explanation:
       "Whether the thread is cut outside or inside. The nominal diameter is the crest outside and the root " +
-      "inside. Our reading; verify on your control.",
+      "inside.",
     choices: { 0: "external thread", 1: "internal thread" },
   },
   threadOrientation: {
     prompt: "Thread orientation (0=long./1=transv.)?",
     printed,
     label: "Orientation",
-    explanation: "Which axis is locked to the spindle: the pitch is measured along it.",
+    explanation: "Axis that is synchronized to the spindle: the pitch is measured along this axis.",
     choices: { 0: "along the axis", 1: "across the axis, in a face" },
   },
   threadDiameter: {
     prompt: "Thread diameter?",
     printed,
     label: "Thread ⌀",
-    explanation:
-      "Nominal diameter: the crest of an external thread, the root of an internal one. Our reading; verify on your control.",
+    explanation: "Nominal diameter: the crest of an external thread, the root of an internal one.",
   },
   threadStartDiameter: {
     prompt: "Diameter at thread start?",
@@ -51,8 +50,8 @@ export const threads = {
     printed,
     label: "Pitch",
     explanation:
-      "Way of the tool in one turn of the spindle. With several starts that is the lead; from groove to groove " +
-      "it is the part of it that each start has. Our reading; verify on your control.",
+      "Tool travel per spindle revolution. With several starts this is the lead; the distance from thread to " +
+      "thread is the lead divided by the number of starts.",
   },
   threadDepth: {
     prompt: "Thread depth?",
@@ -66,29 +65,30 @@ export const threads = {
     printed,
     label: "Run-out",
     explanation:
-      "Way at the end of the thread over which the tool rises from the depth to the crest. 0: it leaves behind " +
-      "the overrun, at full depth.",
+      "Distance at the end of the thread over which the tool rises from full depth to the crest. 0: the tool " +
+      "retracts after the overrun, from full depth.",
   },
   threadRunIn: {
     prompt: "Starting path?",
     printed,
     label: "Run-in",
-    explanation: "Way in front of the thread on which the axis gets up to the feed.",
+    explanation: "Distance in front of the thread in which the axis accelerates to the feed.",
   },
   threadOverrun: {
     prompt: "Overrun path?",
     printed,
     label: "Overrun",
     explanation:
-      "Way behind the thread on which the axis comes to rest. Without a run-out it is cut at full depth: there has to be an undercut.",
+      "Distance behind the thread in which the axis decelerates. Without a run-out it is traversed at full " +
+      "depth: an undercut is required.",
   },
   taperForm: {
     prompt: "Dimension type of taper (0-4)?",
     printed,
     label: "Taper given by",
     explanation:
-      "Which values describe the line of the thread. The angle of Q469 opens from a parallel to the axis in " +
-      "cutting direction. Our reading; verify on your control.",
+      "Values that define the line of the thread. The angle Q469 is measured from a parallel to the axis in " +
+      "cutting direction.",
     choices: {
       0: "start and end point",
       1: "end point, start diameter, angle",
@@ -102,7 +102,7 @@ export const threads = {
     printed,
     label: "Taper angle",
     explanation:
-      "Angle between the line of the thread and the axis, positive where the diameter grows in cutting " +
+      "Angle between the line of the thread and the axis, positive if the diameter increases in cutting " +
       "direction. Not used with Q464 = 0.",
   },
   firstInfeed: {
@@ -110,16 +110,16 @@ export const threads = {
     printed,
     label: "First infeed",
     explanation:
-      "Depth of the first cut, on the radius. With a constant chip cross-section each further infeed is " +
-      "smaller, but never less than a twentieth of the first.",
+      "Depth of the first cut, on the radius. With a constant chip cross-section each following infeed is " +
+      "smaller, but never less than one twentieth of the first.",
   },
   infeedAngle: {
     prompt: "Angle of infeed?",
     printed,
     label: "Infeed angle",
     explanation:
-      "Direction of the infeed against the perpendicular to the thread: with the depth the tool moves sideways " +
-      "too, so that mostly the leading flank cuts. At most half the point angle of the insert.",
+      "Direction of the infeed relative to the perpendicular to the thread: the tool also moves laterally, so " +
+      "mostly the leading flank cuts. At most half the point angle of the insert.",
   },
   infeedType: {
     prompt: "Type of infeed (0/1)?",
@@ -132,19 +132,18 @@ export const threads = {
     prompt: "Starting angle?",
     printed,
     label: "Starting angle",
-    explanation: "Angle of the spindle at which the thread begins: it turns the thread round the axis.",
+    explanation: "Spindle angle at which the thread begins: it rotates the thread about the axis.",
   },
   threadStarts: {
     prompt: "Number of threads?",
     printed,
     label: "Starts",
-    explanation:
-      "Number of grooves that run beside each other; each begins 360° divided by this number after the one before.",
+    explanation: "Number of thread starts; each begins 360° divided by this number after the previous one.",
   },
   airCuts: {
     prompt: "Number of air cuts?",
     printed,
     label: "Air cuts",
-    explanation: "Passes at the finished depth without infeed, for each start.",
+    explanation: "Passes at the final depth without infeed, for each start.",
   },
 } satisfies SomeParamTexts;

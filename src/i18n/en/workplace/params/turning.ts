@@ -17,8 +17,8 @@ export const turning = {
     printed: false,
     label: "Flank angle",
     explanation:
-      "Angle between the flank at the contour start and a perpendicular to the rotary axis. The groove gets narrower towards " +
-      "its floor, never wider than its opening. Our reading; verify on your control.",
+      "Angle between the flank at the contour start and a perpendicular to the rotary axis. The recess gets " +
+      "narrower towards the floor.",
   },
   secondFlankAngleRadial: {
     prompt: "Angle of second flank?",
@@ -31,30 +31,31 @@ export const turning = {
     printed: false,
     label: "Max. infeed",
     explanation:
-      "Largest infeed per pass, along Z. The depth is divided evenly, so the real infeed is often smaller and no thin last cut remains.",
+      "Largest infeed per pass, along Z. The depth is divided evenly, so the actual infeed is often smaller, " +
+      "without a thin last cut.",
   },
   infeedContour: {
     prompt: "Maximum cutting depth?",
     printed: false,
     label: "Max. infeed",
     explanation:
-      "Largest infeed per pass, on the radius. The depth is divided evenly, so the real infeed is often smaller and no thin " +
-      "last cut remains. 0: one pass.",
+      "Largest infeed per pass, on the radius. The depth is divided evenly, so the actual infeed is often " +
+      "smaller, without a thin last cut. 0: one pass.",
   },
   plungeAngle: {
     prompt: "Angle of flank?",
     printed: false,
     label: "Flank angle",
     explanation:
-      "Angle between the flank at the contour start and a perpendicular to the rotary axis. The flank falls from the contour " +
-      "start into the area to be cut, never behind the edge. Our reading; verify on your control.",
+      "Angle between the flank at the contour start and a perpendicular to the rotary axis. The flank descends " +
+      "from the contour start into the area to be machined, never behind the edge.",
   },
   plungeAngleFace: {
     prompt: "Angle of flank?",
     printed: false,
     label: "Flank angle",
     explanation:
-      "Angle between the flank at the contour start and a parallel to the rotary axis. The flank falls from the contour " +
-      "start into the area to be cut, never behind the edge. Our reading; verify on your control.",
+      "Angle between the flank at the contour start and a parallel to the rotary axis. The flank descends from " +
+      "the contour start into the area to be machined, never behind the edge.",
   },
 } satisfies SomeParamTexts;

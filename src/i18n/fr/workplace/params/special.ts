@@ -6,8 +6,7 @@ export const special = {
     printed: false,
     label: "Surépaisseur brut",
     explanation:
-      "Ce qui se trouve sur le contour avant le cycle, mesuré partout perpendiculairement à lui, aussi sur les faces. " +
-      "Notre lecture ; à vérifier sur la commande.",
+      "Surépaisseur sur le contour avant le cycle, mesurée perpendiculairement au contour, aussi sur les faces.",
   },
   cuttingLines: {
     prompt: "Type de lignes de coupe (0/1)?",
@@ -15,7 +14,7 @@ export const special = {
     label: "Lignes de coupe",
     explanation: "Comment la surépaisseur est divisée en passes.",
     choices: {
-      0: "section de copeau constante : les passes plus longues sont plus minces, chacune prend la même aire",
+      0: "section de copeau constante : les passes plus longues sont plus minces, chacune enlève la même aire",
       1: "équidistantes : toutes les passes de même épaisseur",
     },
   },
@@ -23,28 +22,29 @@ export const special = {
     prompt: "Plongée max.?",
     printed: false,
     label: "Passe max.",
-    explanation: "Le plus qu’une passe enlève, mesuré perpendiculairement au contour. 0 : tout en une passe.",
+    explanation: "Passe maximale, mesurée perpendiculairement au contour. 0 : une seule passe.",
   },
   precessionAngle: {
     prompt: "Angle de précession?",
     printed: false,
     label: "Angle de précession",
     explanation:
-      "Tourne le système de coordonnées autour de l’axe de broche Z. Si les deux broches sont parallèles, tout angle est possible ; " +
+      "Fait pivoter le système de coordonnées autour de l’axe de broche Z. Si les deux broches sont parallèles, " +
+      "tout angle est possible ; " +
       "sinon, deux angles seulement conviennent.",
   },
   reverseTool: {
     prompt: "Inverser outil (0=non/1=oui)?",
     printed: false,
     label: "Inverser outil",
-    explanation: "Retourne l’outil autour de son axe, ce qui le met en miroir.",
-    choices: { 0: "tel quel", 1: "tourné de 180°" },
+    explanation: "Tourne l’outil de 180° autour de son axe ; l’arête est alors en miroir.",
+    choices: { 0: "non inversé", 1: "tourné de 180°" },
   },
   inclinedMachining: {
     prompt: "Usinage incliné (0/1/2/3)?",
     printed: false,
     label: "Usinage incliné",
-    explanation: "Comment les axes inclinés vont à l’angle d’inclinaison.",
+    explanation: "Comment les axes inclinés atteignent l’angle d’inclinaison.",
     choices: {
       0: "axes déjà positionnés : le système de coordonnées les suit ; la commande demande M144 ou M128/TCPM",
       1: "positionner les axes, avec mouvement de compensation de la pointe",
@@ -62,13 +62,13 @@ export const special = {
     prompt: "Avance de positionnement?",
     printed: false,
     label: "Avance de positionnement",
-    explanation: "Avance à laquelle se déplacent les axes inclinés, mm/min.",
+    explanation: "Avance des axes inclinés, en mm/min.",
   },
   preferredDirection: {
     prompt: "Direction privilégiée angle incl.?",
     printed: false,
     label: "Direction privilégiée",
-    explanation: "Laquelle des positions des axes inclinés est prise.",
+    explanation: "Laquelle des positions possibles les axes inclinés prennent.",
     choices: {
       0: "la plus proche",
       1: "entre 0° et +180°",
@@ -82,7 +82,8 @@ export const special = {
     printed: false,
     label: "Tournage excentré",
     explanation:
-      "Couple les axes pour tourner hors du centre de la table. Les valeurs autres que 0 et 3 sont conservées et non contrôlées.",
+      "Couple les axes pour tourner hors du centre de la table. Les valeurs autres que 0 et 3 sont conservées, " +
+      "mais non vérifiées.",
     choices: {
       0: "couplages désactivés",
       1: "couplages activés, rotation autour du point d’origine",

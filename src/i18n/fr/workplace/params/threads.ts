@@ -8,8 +8,8 @@ export const threads = {
     printed,
     label: "Distance d’approche",
     explanation:
-      "Distance gardée quand l’outil se dégage entre les passes. Dans ce cycle, c’est aussi l’engagement : " +
-      "chaque passe débute d’autant avant le départ.",
+      "Distance de dégagement entre les passes. Dans ce cycle, c’est aussi la course d’engagement : chaque passe " +
+      "commence à cette distance avant le départ.",
   },
   threadPosition: {
     prompt: "Position du filetage (0=ext./1=int.)?",
@@ -17,22 +17,21 @@ export const threads = {
     label: "Position",
     explanation:
       "Filetage à l’extérieur ou à l’intérieur. Le diamètre nominal est le sommet à l’extérieur, le fond à " +
-      "l’intérieur. Notre lecture ; à vérifier sur la commande.",
+      "l’intérieur.",
     choices: { 0: "filetage extérieur", 1: "filetage intérieur" },
   },
   threadOrientation: {
     prompt: "Orientation du filetage (0=long./1=transv.)?",
     printed,
     label: "Orientation",
-    explanation: "Axe lié à la broche : le pas est mesuré le long de cet axe.",
+    explanation: "Axe synchronisé avec la broche : le pas est mesuré le long de cet axe.",
     choices: { 0: "longitudinale, parallèle à l’axe", 1: "transversale, dans une face" },
   },
   threadDiameter: {
     prompt: "Diamètre du filetage?",
     printed,
     label: "⌀ filetage",
-    explanation:
-      "Diamètre nominal : sommet d’un filetage extérieur, fond d’un filetage intérieur. Notre lecture ; à vérifier sur la commande.",
+    explanation: "Diamètre nominal : sommet d’un filetage extérieur, fond d’un filetage intérieur.",
   },
   threadStartDiameter: {
     prompt: "Diamètre au départ du filetage?",
@@ -51,8 +50,8 @@ export const threads = {
     printed,
     label: "Pas",
     explanation:
-      "Course de l’outil par tour de broche. Avec plusieurs filets, c’est le pas hélicoïdal ; d’un sillon au " +
-      "suivant il y a la part de chaque filet. Notre lecture ; à vérifier sur la commande.",
+      "Course de l’outil par tour de broche. Avec plusieurs filets, c’est le pas hélicoïdal ; l’écart d’un filet " +
+      "au suivant est ce pas divisé par le nombre de filets.",
   },
   threadDepth: {
     prompt: "Profondeur du filetage?",
@@ -67,29 +66,30 @@ export const threads = {
     printed,
     label: "Sortie",
     explanation:
-      "Course à la fin du filetage sur laquelle l’outil remonte du fond au sommet. 0 : il se dégage après le " +
-      "dépassement, à pleine profondeur.",
+      "Course à la fin du filetage sur laquelle l’outil remonte du fond au sommet. 0 : l’outil se dégage après " +
+      "le dépassement, depuis la pleine profondeur.",
   },
   threadRunIn: {
     prompt: "Course d'engagement?",
     printed,
     label: "Engagement",
-    explanation: "Course avant le filetage sur laquelle l’axe atteint l’avance.",
+    explanation: "Course avant le filetage sur laquelle l’axe accélère jusqu’à l’avance.",
   },
   threadOverrun: {
     prompt: "Course de dépassement?",
     printed,
     label: "Dépassement",
     explanation:
-      "Course après le filetage sur laquelle l’axe s’arrête. Sans sortie elle se fait à pleine profondeur : il y faut un dégagement.",
+      "Course après le filetage sur laquelle l’axe freine. Sans sortie, cette course se fait à pleine profondeur " +
+      ": un dégagement est nécessaire.",
   },
   taperForm: {
     prompt: "Type de cotation du cône (0-4)?",
     printed,
     label: "Cône défini par",
     explanation:
-      "Valeurs qui décrivent la ligne du filetage. L’angle Q469 s’ouvre depuis une parallèle à l’axe dans le " +
-      "sens de coupe. Notre lecture ; à vérifier sur la commande.",
+      "Valeurs qui définissent la ligne du filetage. L’angle Q469 se mesure depuis une parallèle à l’axe dans le " +
+      "sens de coupe.",
     choices: {
       0: "points de départ et de fin",
       1: "point de fin, diamètre de départ, angle",
@@ -120,7 +120,7 @@ export const threads = {
     label: "Angle de pénétration",
     explanation:
       "Direction de la prise de passe par rapport à la perpendiculaire au filetage : l’outil se décale aussi " +
-      "latéralement, le flanc avant coupe surtout. Au plus la moitié de l’angle de pointe.",
+      "latéralement, et c’est surtout le flanc avant qui coupe. Au plus la moitié de l’angle de pointe.",
   },
   infeedType: {
     prompt: "Type de prise de passe (0/1)?",
@@ -133,13 +133,13 @@ export const threads = {
     prompt: "Angle de départ?",
     printed,
     label: "Angle de départ",
-    explanation: "Angle de la broche où débute le filetage : il tourne le filetage autour de l’axe.",
+    explanation: "Angle de broche où commence le filetage : il décale le filetage autour de l’axe.",
   },
   threadStarts: {
     prompt: "Nombre de filets?",
     printed,
     label: "Filets",
-    explanation: "Nombre de filets côte à côte ; chacun débute 360° divisés par ce nombre après le précédent.",
+    explanation: "Nombre de filets ; chacun commence 360° divisés par ce nombre après le précédent.",
   },
   airCuts: {
     prompt: "Nombre de passes à vide?",

@@ -17,21 +17,21 @@ export const turning = {
     printed: false,
     label: "Angle du flanc",
     explanation:
-      "Angle entre le flanc au départ du contour et la perpendiculaire à l’axe de rotation. La gorge se resserre vers le fond, " +
-      "elle n’est jamais plus large que son ouverture. Notre lecture ; à vérifier sur la commande.",
+      "Angle entre le flanc au départ du contour et la perpendiculaire à l’axe rotatif. La gorge se resserre " +
+      "vers le fond.",
   },
   secondFlankAngleRadial: {
     prompt: "Angle du deuxième flanc?",
     printed: false,
     label: "Angle du 2e flanc",
-    explanation: "Angle entre le flanc en fin de contour et la perpendiculaire à l’axe de rotation.",
+    explanation: "Angle entre le flanc en fin de contour et la perpendiculaire à l’axe rotatif.",
   },
   infeedFace: {
     prompt: "Plongée max.?",
     printed: false,
     label: "Passe max.",
     explanation:
-      "Passe la plus grande, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans " +
+      "Passe maximale, en Z. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, sans " +
       "dernière passe trop mince.",
   },
   infeedContour: {
@@ -39,7 +39,7 @@ export const turning = {
     printed: false,
     label: "Passe max.",
     explanation:
-      "Passe la plus grande, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, " +
+      "Passe maximale, au rayon. La profondeur est répartie uniformément : la passe réelle est souvent plus petite, " +
       "sans dernière passe trop mince. 0 : une seule passe.",
   },
   plungeAngle: {
@@ -47,15 +47,17 @@ export const turning = {
     printed: false,
     label: "Angle du flanc",
     explanation:
-      "Angle entre le flanc au départ du contour et la perpendiculaire à l’axe de rotation. Le flanc descend du départ du " +
-      "contour dans la zone à usiner, jamais derrière l’arête. Notre lecture ; à vérifier sur la commande.",
+      "Angle entre le flanc au départ du contour et la perpendiculaire à l’axe rotatif. Le flanc descend du " +
+      "départ du " +
+      "contour dans la zone à usiner, jamais derrière l’arête.",
   },
   plungeAngleFace: {
     prompt: "Angle du flanc?",
     printed: false,
     label: "Angle du flanc",
     explanation:
-      "Angle entre le flanc au départ du contour et la parallèle à l’axe de rotation. Le flanc descend du départ du contour " +
-      "dans la zone à usiner, jamais derrière l’arête. Notre lecture ; à vérifier sur la commande.",
+      "Angle entre le flanc au départ du contour et la parallèle à l’axe rotatif. Le flanc descend du départ du " +
+      "contour " +
+      "dans la zone à usiner, jamais derrière l’arête.",
   },
 } satisfies SomeParamTexts;

@@ -3,7 +3,7 @@ import { safePosition, turnMode } from "./notes.ts";
 
 const steps = [
   "快移至安全高度和本刀深度",
-  "切削，进给与主轴同步",
+  "车螺纹，进给与主轴同步",
   "快移退刀至安全高度",
   "快移返回，按Q467进刀",
   "重复直至达到深度",
@@ -13,7 +13,7 @@ const steps = [
 ];
 const thread = [
   "每刀从导入段走到螺纹终点，与主轴同步；各刀之间快移返回。切屑截面恒定时，深度按刀次的平方根增加。",
-  "公称直径在外螺纹为牙顶，在内螺纹为牙底。从起点Z切到终点Z；旋向由此方向和主轴转向决定。此为我们的理解，请在数控系统上核实。",
+  "公称直径在外螺纹为牙顶，在内螺纹为牙底。从起点Z切到终点Z；旋向由此方向和主轴转向决定。",
 ];
 const notes = [turnMode, safePosition, "车螺纹时进给倍率不起作用。", "刀具TYPE为THREAD，刀尖垂直指向材料。"];
 
@@ -21,7 +21,7 @@ export const threads = {
   830: {
     name: "平行轮廓螺纹",
     summary: "沿自由轮廓车削螺纹。",
-    description: [...thread, "轮廓为公称直径线，必须沿同步轴单向前进。圆弧按弦切削。由循环14指定。"],
+    description: [...thread, "轮廓为公称直径线，必须沿同步轴单向前进。圆弧按弦切削。轮廓由循环14指定。"],
     rough: steps,
     finish: [],
     notes,
@@ -29,7 +29,7 @@ export const threads = {
   831: {
     name: "纵向螺纹",
     summary: "在圆柱上车削外螺纹或内螺纹。",
-    description: [...thread, "导入段为安全高度Q460，越程为主轴一转。此为我们的理解，请在数控系统上核实。"],
+    description: [...thread, "导入段为安全高度Q460，越程为主轴一转。"],
     rough: steps,
     finish: [],
     notes,

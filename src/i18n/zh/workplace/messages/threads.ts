@@ -1,12 +1,12 @@
 import type { MessagesTexts } from "../../../message-texts.ts";
 import type { Write } from "../../../write.ts";
 
-/** What a finding offers, where it offers something. */
+/** The value that a finding proposes, if it proposes one. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
-  value === undefined ? "" : `最接近的可用值：${say(value)}。`;
+  value === undefined ? "" : `最接近的有效值：${say(value)}。`;
 
-const ALL_ALONG = "常用的导入长度都无法避开：请从自由端开始螺纹，或先在该处车退刀槽。";
-/** A place on the axis that a thread runs along: a Z, or in a face a diameter. */
+const ALL_ALONG = "常用的导入行程都无法避开：请从自由端开始螺纹，或先在该处车退刀槽。";
+/** A position on the synchronized axis of a thread: Z, or a diameter in a face. */
 const placeOn = (axis: "X" | "Z", value: number, w: Write): string =>
   axis === "X" ? `X${w.diameter(value)}` : `Z${w.signed(value)}`;
 
@@ -29,12 +29,12 @@ export const threads = {
     )}，材料高出螺纹牙顶${w.length(d.over)}${
       d.most === undefined
         ? d.place === "over"
-          ? "：第一刀会一并切除，牙槽之间的则留下。"
+          ? "：第一刀也切除该材料，牙槽之间的保留。"
           : "。"
         : `；刀片只能容纳${w.length(d.most)}。`
     }`,
   flankInfeedTooSteep: (d, w) =>
-    `角度${w.angle(d.angle)}会使各刀切入成品牙侧：最多为刀尖角的一半${w.angle(d.most)}。${nearest(d.nearest, w.angle)}`,
+    `角度${w.angle(d.angle)}使各刀损伤成品牙侧：最多为刀尖角的一半${w.angle(d.most)}。${nearest(d.nearest, w.angle)}`,
   runOutTooLong: (d, w) => `退尾长度${w.size(d.size)}大于螺纹长度：最多${w.size(d.max)}。${nearest(d.nearest, w.size)}`,
   threadTurnsBack: (d) => `螺纹必须从起点到终点沿${d.axis}单向前进：该轴与主轴同步。`,
   runInBlocked: (d, w) =>
@@ -45,18 +45,14 @@ export const threads = {
     }，各刀可能不在同一牙槽中。请编程VCONST:OFF和S。`,
   threadOverruns: (d, w) =>
     `螺纹在${placeOn(d.axis, d.end, w)}结束，越程到${placeOn(d.axis, d.to, w)}；${
-      d.meets === "shaft" ? "在那里切掉" : "在那里刀片侧刃碰到台阶，切掉"
-    }成品工件${w.area(d.area)}，位于${w.place(d.x, d.z)}。请提前结束螺纹（Q494）、编程退尾（Q474）或先车足够宽的退刀槽（DIN 76）。`,
+      d.meets === "shaft" ? "轮廓损伤" : "刀片侧刃碰到台阶，轮廓损伤"
+    }${w.area(d.area)}，位于${w.place(d.x, d.z)}。请提前结束螺纹（Q494）、编程退尾（Q474）或先车足够宽的退刀槽（DIN 76）。`,
   crestMissing: (d, w) =>
     `螺纹牙顶缺少${w.length(d.missing)}：材料不足。正确的尺寸为${"diameter" in d ? w.diameter(d.diameter) : `Z${w.signed(d.z)}`}。`,
-  threadTooMany: (d, w) => `所有走刀共${w.number(d.turns)}转主轴，超过${w.number(d.most)}。`,
+  threadTooMany: (d, w) => `所有走刀共${w.number(d.turns)}转主轴，超过最大值${w.number(d.most)}。`,
   taperImpossible: (d, w) => `角度${w.angle(d.angle)}无法从螺纹起点到达终点。`,
   threadFeedOverLimit: (d, w) =>
-    `转速${w.number(d.speed)} × 螺距的进给为${w.number(d.feed)} mm/min，超过轴的能力${w.number(d.most)}。转速不超过${w.number(
-      d.upTo,
-    )} 转/分时可以跟随。`,
+    `转速${w.number(d.speed)} × 螺距的进给为${w.number(d.feed)} mm/min，超过轴的最大进给${w.number(d.most)}。最高转速${w.number(d.upTo)} 转/分。`,
   runInShort: (d, w) =>
-    `转速${w.number(d.speed)} 转/分时，导入段${w.size(d.runIn)}太短，达不到进给速率：转速 × 螺距 / 400 为${w.size(
-      d.needed,
-    )} mm。我们的经验法则。${nearest(d.nearest, w.size)}`,
+    `转速${w.number(d.speed)} 转/分时，导入段${w.size(d.runIn)}太短，达不到进给速率。经验法则：转速 × 螺距 / 400 = ${w.size(d.needed)} mm。${nearest(d.nearest, w.size)}`,
 } satisfies Partial<MessagesTexts["of"]>;

@@ -5,9 +5,7 @@ export const recessing = {
     prompt: "切槽深度限制?",
     printed: false,
     label: "深度限制",
-    explanation:
-      "一次切入的最大深度。更深的切入被均匀分段，段间刀具退回0.5毫米以断屑。0：一次切到底。此为我们的理解，" +
-      "请在数控系统上核实。",
+    explanation: "一次切入的最大深度。更深的切入被均匀分段，段间刀具退回0.5毫米以断屑。0：一次切到底。",
   },
   recessingOverlap: {
     prompt: "切槽重叠?",
@@ -26,7 +24,7 @@ export const recessing = {
     prompt: "退刀方式(0/1)?",
     printed: false,
     label: "退刀",
-    explanation: "刀具如何离开切口。此为我们的理解，请在数控系统上核实。",
+    explanation: "刀具如何离开切口。",
     choices: { 0: "沿轮廓直接退出", 1: "先斜向离开侧壁，再退出" },
   },
   dwellTurns: {

@@ -5,7 +5,7 @@ export const special = {
     prompt: "毛坯余量?",
     printed: false,
     label: "毛坯余量",
-    explanation: "循环之前轮廓上的余量，处处垂直于轮廓测量，端面也一样。此为我们的理解，请在数控系统上核实。",
+    explanation: "循环之前轮廓上的余量，垂直于轮廓测量，端面也一样。",
   },
   cuttingLines: {
     prompt: "切削线类型(0/1)?",
@@ -18,7 +18,7 @@ export const special = {
     prompt: "最大切削深度?",
     printed: false,
     label: "最大进刀量",
-    explanation: "一次走刀最多切除的量，垂直于轮廓测量。0：一次切完。",
+    explanation: "每次走刀的最大进刀量，垂直于轮廓测量。0：一次走刀。",
   },
   precessionAngle: {
     prompt: "进动角?",
@@ -30,8 +30,8 @@ export const special = {
     prompt: "翻转刀具(0=否/1=是)?",
     printed: false,
     label: "翻转刀具",
-    explanation: "将刀具绕自身轴翻转，即镜像。",
-    choices: { 0: "保持不变", 1: "旋转180°" },
+    explanation: "将刀具绕自身轴旋转180°，切削刃成镜像。",
+    choices: { 0: "不翻转", 1: "旋转180°" },
   },
   inclinedMachining: {
     prompt: "倾斜加工(0/1/2/3)?",
@@ -74,7 +74,7 @@ export const special = {
     prompt: "偏心车削(0-3)?",
     printed: false,
     label: "偏心车削",
-    explanation: "为偏离工作台中心的车削耦合各轴。0和3以外的值保留但不作验证。",
+    explanation: "为偏离工作台中心的车削耦合各轴。0和3以外的值保留，但未验证。",
     choices: { 0: "关闭耦合", 1: "打开耦合，绕预设点旋转", 2: "打开耦合，绕原点旋转", 3: "耦合保持不变" },
   },
   eccentricWithoutStop: {

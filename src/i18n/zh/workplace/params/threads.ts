@@ -13,7 +13,7 @@ export const threads = {
     prompt: "螺纹位置(0=外/1=内)?",
     printed,
     label: "位置",
-    explanation: "加工外螺纹还是内螺纹。公称直径在外螺纹为牙顶，在内螺纹为牙底。此为我们的理解，请在数控系统上核实。",
+    explanation: "加工外螺纹还是内螺纹。公称直径在外螺纹为牙顶，在内螺纹为牙底。",
     choices: { 0: "外螺纹", 1: "内螺纹" },
   },
   threadOrientation: {
@@ -27,7 +27,7 @@ export const threads = {
     prompt: "螺纹直径?",
     printed,
     label: "螺纹直径",
-    explanation: "公称直径：外螺纹的牙顶，内螺纹的牙底。此为我们的理解，请在数控系统上核实。",
+    explanation: "公称直径：外螺纹的牙顶，内螺纹的牙底。",
   },
   threadStartDiameter: {
     prompt: "螺纹起点直径?",
@@ -45,8 +45,7 @@ export const threads = {
     prompt: "螺距?",
     printed,
     label: "螺距",
-    explanation:
-      "主轴转一圈时刀具的行程。多头螺纹时为导程；相邻牙槽之间为每头所占的部分。此为我们的理解，请在数控系统上核实。",
+    explanation: "主轴转一圈时刀具的行程。多头螺纹时为导程；相邻牙槽的间距为导程除以头数。",
   },
   threadDepth: {
     prompt: "螺纹深度?",
@@ -58,20 +57,20 @@ export const threads = {
     prompt: "螺纹退尾长度?",
     printed,
     label: "退尾",
-    explanation: "螺纹末端刀具从牙底升到牙顶的行程。0：越程之后才以全深退刀。",
+    explanation: "螺纹末端刀具从牙底升到牙顶的行程。0：刀具在越程之后才从全深退刀。",
   },
   threadRunIn: { prompt: "导入行程?", printed, label: "导入段", explanation: "螺纹前使轴加速到进给速率的行程。" },
   threadOverrun: {
     prompt: "越程?",
     printed,
     label: "越程",
-    explanation: "螺纹后使轴停下的行程。没有退尾时以全深走过：此处须有退刀槽。",
+    explanation: "螺纹后使轴停下的行程。没有退尾时以全深走过越程：须有退刀槽。",
   },
   taperForm: {
     prompt: "锥度标注方式(0-4)?",
     printed,
     label: "锥度由",
-    explanation: "用哪些值描述螺纹线。Q469的角度从切削方向的轴线平行线起算。此为我们的理解，请在数控系统上核实。",
+    explanation: "用哪些值描述螺纹线。Q469的角度从切削方向的轴线平行线起算。",
     choices: {
       0: "起点和终点",
       1: "终点、起点直径、角度",

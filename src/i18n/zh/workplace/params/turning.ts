@@ -12,8 +12,7 @@ export const turning = {
     prompt: "侧面角度?",
     printed: false,
     label: "侧面角度",
-    explanation:
-      "轮廓起点处侧面与旋转轴垂线之间的夹角。槽向槽底变窄，不会宽于槽口。此为我们的理解，请在数控系统上核实。",
+    explanation: "轮廓起点处侧面与旋转轴垂线之间的夹角。槽向槽底变窄。",
   },
   secondFlankAngleRadial: {
     prompt: "第二侧面角度?",
@@ -38,14 +37,12 @@ export const turning = {
     prompt: "侧面角度?",
     printed: false,
     label: "侧面角度",
-    explanation:
-      "轮廓起点处侧面与旋转轴垂线之间的夹角。侧面从轮廓起点向加工区内下降，不会到棱边之后。此为我们的理解，请在数控系统上核实。",
+    explanation: "轮廓起点处侧面与旋转轴垂线之间的夹角。侧面从轮廓起点向加工区内下降，不会到棱边之后。",
   },
   plungeAngleFace: {
     prompt: "侧面角度?",
     printed: false,
     label: "侧面角度",
-    explanation:
-      "轮廓起点处侧面与旋转轴平行线之间的夹角。侧面从轮廓起点向加工区内下降，不会到棱边之后。此为我们的理解，请在数控系统上核实。",
+    explanation: "轮廓起点处侧面与旋转轴平行线之间的夹角。侧面从轮廓起点向加工区内下降，不会到棱边之后。",
   },
 } satisfies SomeParamTexts;
