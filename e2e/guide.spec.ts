@@ -61,10 +61,10 @@ test("the numbered steps are played by keys and by finger; cutting data are the 
   await page.goto(".?clock=manual#/guide/812");
   const player = page.getByRole("region", { name: t.steps.title });
   const step = (name: string) => player.getByRole("button", { name: new RegExp(name) });
-  await expect(step("cut lengthwise")).toBeVisible();
+  await expect(step("longitudinal cut")).toBeVisible();
   await page.reload();
-  await step("cut lengthwise").click();
-  await expect(step("cut lengthwise")).toHaveAttribute("aria-current", "step");
+  await step("longitudinal cut").click();
+  await expect(step("longitudinal cut")).toHaveAttribute("aria-current", "step");
   const picture = player.getByRole("img");
   const before = await picture.innerHTML();
   await turnwise.lathe.advance(700);

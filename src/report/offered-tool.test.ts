@@ -31,7 +31,7 @@ test("a corner too sharp for the insert keeps its radius, and the tool that make
   const { otherTool } = found?.data as { otherTool?: number };
   const tool = shippedTools.find(({ T }) => T === otherTool);
   expect(tool?.RS).toBeLessThanOrEqual(0.4);
-  expect(found?.text).toContain(`Tool ${otherTool} ${tool?.NAME} can make this contour.`);
+  expect(found?.text).toContain(`Tool ${otherTool} ${tool?.NAME} is suitable for this contour.`);
 });
 
 test("where no tool of the table makes it none is named", () => {

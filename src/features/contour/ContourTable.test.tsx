@@ -162,7 +162,7 @@ test("polar elements have distance and angle with an I key each, and say what th
 
 test("a polar element without a pole says so, also under the drawing", () => {
   shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { kind: "LP", words: { PR: "30", PA: "0" } })]);
-  expect(screen.getAllByText("The block needs a pole CC before it.", { exact: false })).toHaveLength(2);
+  expect(screen.getAllByText("The block requires a pole CC before it.", { exact: false })).toHaveLength(2);
 });
 
 /** A table so long that its digits are drawn before anything is told of them. */

@@ -41,8 +41,8 @@ afterEach(cleanup);
 test("typing in one cell is one step of undo, and other tools stay as they are", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
-  await user.clear(field("RS: cutting edge radius"));
-  await user.type(field("RS: cutting edge radius"), "1.25");
+  await user.clear(field("RS: tool nose radius"));
+  await user.type(field("RS: tool nose radius"), "1.25");
   expect(toolTable().tools[0]?.RS).toBe(1.25);
   expect(toolTable().tools.slice(1)).toEqual(shippedTools.slice(1));
   expect(steps()).toBe(1);
@@ -75,7 +75,7 @@ test("a cell that cannot be used is said at its column, refused for programs, an
     .map((id) => document.getElementById(id)?.textContent ?? "")
     .join(" ");
   expect(described).toContain("It must be less than 85.");
-  expect(within(screen.getByRole("figure")).getByText(/Last possible insert/)).toBeTruthy();
+  expect(within(screen.getByRole("figure")).getByText(/Last valid insert/)).toBeTruthy();
   expect([...toolTable().refused.keys()]).toEqual([1]);
   expect(screen.getByText("1 with an error")).toBeTruthy();
 });
@@ -83,17 +83,17 @@ test("a cell that cannot be used is said at its column, refused for programs, an
 test("columns that a type has no use for cannot be typed into and keep their values", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
-  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "BUTTON");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: tool type" }), "BUTTON");
   for (const name of [
     "T-ANGLE: setting angle",
     "P-ANGLE: point angle",
-    "CUTLENGTH: length of the cutting edge",
-    "CUTWIDTH: width of the cutting edge",
+    "CUTLENGTH: edge length",
+    "CUTWIDTH: edge width",
     "DCW: oversize of the width",
   ])
     expect(field(name).disabled).toBe(true);
   expect(field("T-ANGLE: setting angle").value).toBe("95");
-  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "ROUGH");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: tool type" }), "ROUGH");
   expect(toolTable().tools).toEqual(shippedTools);
 });
 
@@ -220,20 +220,20 @@ test("a drill shows only the columns that it has, stands among the milling tools
   const user = userEvent.setup();
   await user.click(screen.getByRole("button", { name: "Milling and drilling" }));
   await user.click(screen.getByRole("button", { name: "New tool" }));
-  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "DRILL");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: tool type" }), "DRILL");
   const names = screen
     .getAllByRole<HTMLInputElement>("textbox")
     .map((each) => each.getAttribute("aria-label")?.split(":")[0]);
   expect(names).toEqual(["T", "NAME", "R", "DR", "L", "DL", "T-ANGLE", "LCUTS"]);
   await user.type(field("R: tool radius"), "4,25");
   await user.type(field("T-ANGLE: point angle"), "118");
-  await user.type(field("LCUTS: length of the edges"), "47");
+  await user.type(field("LCUTS: edge length"), "47");
   expect(toolTable().mills).toEqual([{ T: 16, NAME: "", TYPE: "DRILL", R: 4.25, "T-ANGLE": 118, LCUTS: 47 }]);
   expect(screen.getByRole("figure", { name: "Tool to scale" }).textContent).toContain("8.5 mm · 118°");
-  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "TAP");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: tool type" }), "TAP");
   await user.type(field("PITCH: thread pitch"), "1.25");
   expect(toolTable().mills).toEqual([{ T: 16, NAME: "", TYPE: "TAP", R: 4.25, LCUTS: 47, PITCH: 1.25 }]);
-  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: type of tool" }), "MILL");
+  await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: tool type" }), "MILL");
   expect(screen.queryByRole("textbox", { name: "PITCH: thread pitch" })).toBeNull();
   expect(toolTable().mills).toEqual([{ T: 16, NAME: "", R: 4.25 }]);
 });
@@ -245,7 +245,7 @@ test("a code is read while it is typed, and Enter fills what it says as one step
   const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
   const before = steps();
   await user.type(code, "dnmg 15 06 08");
-  const said = within(screen.getByRole("list", { name: "What the code says" }))
+  const said = within(screen.getByRole("list", { name: "Meaning of the code" }))
     .getAllByRole("listitem")
     .map((item) => item.textContent);
   expect(said[0]).toBe("D Shape: rhombic, 55°");
@@ -277,14 +277,14 @@ test("a code that is not covered says so, one that contradicts the row too, and 
   await user.type(code, "16ER AG60");
   expect(screen.getByText(/Codes of thread tools/)).toBeTruthy();
   await user.type(code, "{Escape}PDJNR 2525M15");
-  expect(screen.getByText("P-ANGLE is 80°; the holder takes inserts of 55°. P-ANGLE stays.")).toBeTruthy();
+  expect(screen.getByText("P-ANGLE is 80°; the holder takes inserts of 55°. P-ANGLE unchanged.")).toBeTruthy();
   await user.type(code, "{Escape}");
   await user.clear(field("NAME: tool name"));
   await user.type(field("NAME: tool name"), "ccmt 09t304");
   await user.click(screen.getByRole("button", { name: "Read the name CCMT 09T304 as a code" }));
   expect(code.value).toBe("CCMT 09T304");
   expect(
-    within(screen.getByRole("list", { name: "What will be filled" }))
+    within(screen.getByRole("list", { name: "Fields to be set" }))
       .getAllByRole("listitem")
       .map((item) => item.textContent),
   ).toEqual(["CUTLENGTH 12 → 9.67", "RS 0.8 → 0.4"]);

@@ -151,7 +151,7 @@ test("in an inch program a value is offered, and said, in inches: what the tool 
   expect(repair?.text).toBe(0.4724);
   expect(repair && print(repair.next())).toContain("Q463=+0.4724 ");
   const said = issueText(texts("en"), lengthsOf("en", outcome.run.program.unit), entry.issue, 812);
-  expect(said).toBe("Infeed 0.9 is more than CUTLENGTH 0.4724: it is reduced to 0.4724.");
+  expect(said).toBe("Infeed 0.9 exceeds CUTLENGTH 0.4724: reduced to 0.4724.");
   const mend = (body: string) => repairsOf(parse(body), { ...entry, at: "Q463" }, "en", NC_OUTPUTS.manual)[0];
   expect(mend(text.replace(" INCH\n1", " MM\n1"))?.text).toBe(12);
 });

@@ -30,5 +30,5 @@ test("a cycle without prompts says so, and has no way back to one", () => {
   show(3, null);
   expect(screen.getByRole("heading", { name: "This cycle has no prompts" })).toBeDefined();
   expect(screen.queryByRole("button", { name: "Back to the first prompt" })).toBeNull();
-  expect(screen.getByText(/acts where it stands/)).toBeDefined();
+  expect(screen.getByText(/effective from its definition/)).toBeDefined();
 });

@@ -326,7 +326,7 @@ export const messages = {
           d.nearest,
         )}.`,
         length: `The contour reaches Z${w.signed(d.contour)}, the blank only Z${w.signed(d.blank)}. Proposed: ${w.size(d.nearest)}.`,
-        allowance: `The contour begins at Z${w.signed(d.contour)}, the blank at Z${w.signed(d.blank)}: air cuts. Proposed: ${w.signed(
+        allowance: `The contour begins at Z${w.signed(d.contour)}, the blank at Z${w.signed(d.blank)}: the first passes cut air. Proposed: ${w.signed(
           d.nearest,
         )}.`,
         thread: `The thread is ${w.diameter(d.contour)}, the blank ${w.diameter(d.blank)}. Proposed: ${w.diameter(d.nearest)}.`,
@@ -344,7 +344,7 @@ export const messages = {
     arcImpossible: () => "No arc fits these values.",
     radiusCompensation: (d) => `${d.side} is recognized, but the path is not compensated.`,
     compensationUndefined: (d) =>
-      `${d.side} with tip orientation TO ${d.orientation}: the compensation direction is undefined. Use a tool whose tip points to a corner, or program the path with R0.`,
+      `${d.side} with tip orientation TO ${d.orientation}: the compensation direction is not defined. Use a tool whose tip points to a corner, or program the path with R0.`,
     sideChanged: () => "Between RL and RR the control requires a block with R0.",
     approachWithoutContour: (d) => `${d.form} requires an adjacent contour element.`,
     lengthDelta: (d) =>
