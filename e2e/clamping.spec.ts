@@ -6,7 +6,7 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 /** The sentence of a contact with the jaws. */
-const CONTACT = "The tool runs into the jaws";
+const CONTACT = "The tool collides with the jaws";
 
 /** What a spot of the picture looks like: Z, and X as a diameter. */
 async function spot({ page, lathe, t }: Turnwise, z: number, x: number): Promise<string> {

@@ -26,7 +26,7 @@ test("from a prompt to the page of its parameter, to a word, and back; advice is
   await expect(values.getByRole("listitem")).toHaveCount(3);
   await expect(values.getByRole("img")).toHaveCount(3);
   await expect(values).toContainText(t.values.yours);
-  await expect(main.getByRole("region", { name: t.acts.title }).getByText(t.acts.here)).toHaveCount(3);
+  await expect(main.getByRole("region", { name: t.acts.title }).getByText(t.acts.here, { exact: true })).toHaveCount(3);
   await expect
     .poll(() => main.getByRole("region", { name: t.mistakes }).getByRole("listitem").count())
     .toBeGreaterThan(3);

@@ -185,7 +185,8 @@ export class ProgramEditor {
   total(name: string): Locator {
     return this.context.page
       .getByRole("region", { name: this.words.total, exact: true })
-      .locator(".effect-cell", { hasText: name })
+      .locator(".effect-cell")
+      .filter({ has: this.context.page.locator("dt", { hasText: name }) })
       .locator("dd");
   }
 
