@@ -8,31 +8,23 @@ test("a question is answered once, with the same object", () => {
   expect(answers.once("b", make)).not.toBe(answers.once("a", make));
 });
 
-test("what was asked for longest ago is forgotten when answers take too much memory", () => {
-  const answers = new Answers(1000);
+test("what was asked for longest ago is forgotten, but not what one run has asked for", () => {
+  const answers = new Answers(0);
   let made = 0;
-  const ask = (question: string) =>
-    answers.once(
-      question,
-      () => (made += 1),
-      () => 2,
-    );
-  for (const question of ["a", "b", "c"]) ask(question);
-  expect(made).toBe(3);
-  ask("a");
-  ask("d");
-  expect(made).toBe(4);
-  ask("a");
-  expect(made).toBe(4);
-  ask("b");
-  expect(made).toBe(5);
-});
-
-test("an answer that is larger than the memory is kept until the next one", () => {
-  const answers = new Answers(100);
-  const make = () => ({});
-  const large = answers.once("large", make, () => 1000);
-  expect(answers.once("large", make, () => 1000)).toBe(large);
+  const runs = (...questions: readonly string[]): number => {
+    made = 0;
+    for (const question of questions) answers.once(question, () => (made += 1));
+    answers.runEnded();
+    return made;
+  };
+  expect(runs("a", "b", "c")).toBe(3);
+  expect(runs("a", "b", "c")).toBe(0);
+  // Twice as much as the largest run is kept.
+  expect(runs("d")).toBe(1);
+  expect(runs("a", "b", "c")).toBe(0);
+  for (const other of ["e", "f", "g", "h", "i", "j"]) runs(other);
+  expect(runs("j", "i", "h")).toBe(0);
+  expect(runs("a")).toBe(1);
 });
 
 test("equal values are the same object with the same name, and −0 is not 0", () => {

@@ -1,5 +1,10 @@
-/** About what an object of an answer takes in memory, and what all answers may take together, bytes. */
-const [OBJECT, MOST] = [150, 50_000_000];
+/** About what an object of an answer takes in memory, bytes. */
+const OBJECT = 150;
+/**
+ * What all answers may take together, bytes, and how many times what the largest run has asked for: an edit at the end
+ * of a long program must not cost the answers of its beginning.
+ */
+const [MOST, RUNS] = [1_000_000, 2];
 
 /** A list with more entries is written out once, and stands by its name in other questions. */
 const LONG_LIST = 50;
@@ -21,6 +26,9 @@ export class Answers {
   private readonly labels = new WeakMap<object, string>();
   private bytes = 0;
   private count = 0;
+  /** Bytes that this run has asked for, and the most that one has. */
+  private asked = 0;
+  private largest = 0;
 
   constructor(private readonly most = MOST) {}
 
@@ -28,6 +36,7 @@ export class Answers {
   once<Answer>(question: string, make: () => Answer, size: (answer: Answer) => number = () => 1): Answer {
     const known = this.kept.get(question);
     if (known) {
+      this.asked += known.bytes;
       this.kept.delete(question);
       this.kept.set(question, known);
       return known.answer as Answer;
@@ -36,12 +45,20 @@ export class Answers {
       bytes = question.length + OBJECT * size(answer);
     this.kept.set(question, { answer, bytes });
     this.bytes += bytes;
+    this.asked += bytes;
+    const most = this.most + RUNS * Math.max(this.largest, this.asked);
     for (const [oldest, { bytes: freed }] of this.kept) {
-      if (this.bytes <= this.most || oldest === question) break;
+      if (this.bytes <= most || oldest === question) break;
       this.kept.delete(oldest);
       this.bytes -= freed;
     }
     return answer;
+  }
+
+  /** A run has come to its end: what it asked for is known together. */
+  runEnded(): void {
+    this.largest = Math.max(this.largest, this.asked);
+    this.asked = 0;
   }
 
   /** A plain value that never changes, as the first object that was equal to it. */

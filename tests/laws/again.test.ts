@@ -140,7 +140,10 @@ const ran = ({ text, nose }: State) => run(parse(text), { ...shop(nose), tracing
 /** Runs one state after the other, with what is known of the ones before. */
 function running(): typeof ran {
   const [memory, read, runs] = [new Answers(), readingAgain(), runningAgain()];
-  return ({ text, nose }) => runs(read(text), { ...shop(nose), tracing, memory }, []);
+  return ({ text, nose }) => {
+    memory.runEnded();
+    return runs(read(text), { ...shop(nose), tracing, memory }, []);
+  };
 }
 
 /** Edits a text step by step: each state runs and is proved as it does alone. */

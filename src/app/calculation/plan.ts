@@ -68,10 +68,14 @@ interface Planner {
 export function planner(memory = new Answers()): Planner {
   const runs = runningAgain();
   const by: By = { memory, tracing, read: readingAgain() };
+  const ended = <Made extends Planned | null>(made: Made): Made => {
+    if (made) memory.runEnded();
+    return made;
+  };
   const whole = (request: Request, atStage: (stage: Stage) => void = silent) =>
-    planBy(request, atStage, by, runs) ?? never("a run without an end", request);
+    ended(planBy(request, atStage, by, runs)) ?? never("a run without an end", request);
   return Object.assign(whole, {
     part: (request: Request, goesOn: () => boolean) =>
-      planBy(request, silent, by, (program, shop, beside) => runs.part(program, shop, beside, goesOn)),
+      ended(planBy(request, silent, by, (program, shop, beside) => runs.part(program, shop, beside, goesOn))),
   });
 }
