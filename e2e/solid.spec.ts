@@ -32,7 +32,7 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   await start.beginWithExample(812);
   await effect.proved();
   await lathe.section.selectOption("solid");
-  await expect(picture).toHaveAccessibleName(/quarter cut away/);
+  await expect(picture).toHaveAccessibleName(/quarter section/);
   await expect(lathe.view.locator(".lathe-picture")).toHaveCount(0);
   await looksRight(page);
 
@@ -43,7 +43,7 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
     now = await changed(now);
   }
   await field.getByRole("button", { name: words.quarter, exact: true }).click();
-  await expect(picture).not.toHaveAccessibleName(/quarter cut away/);
+  await expect(picture).not.toHaveAccessibleName(/quarter section/);
   now = await changed(now);
   await field.getByRole("button", { name: words.iso, exact: true }).click();
   now = await changed(now);
