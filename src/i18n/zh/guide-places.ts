@@ -5,7 +5,7 @@ export const guidePlaces = {
   setup: "设置",
   approach: "接近与离开",
   contour: "轮廓",
-  ownCycles: "自有循环",
+  ownCycles: "自定义循环",
   runWith: "用下列每个值仿真该循环。",
   places: {
     "blank.outside": {
