@@ -30,7 +30,7 @@ const TERMS: Partial<Record<TermId, Readonly<Record<LessonLanguage, OneTerm>>>> 
     zh: ["切削点", /切点/],
   },
   noseRadius: {
-    en: ["Nose radius (RS)", /tip radius|insert radius of/i],
+    en: ["Tool nose radius (RS)", /tip radius|insert radius of/i],
     de: ["Schneidenradius (RS)", /Plattenradius|Nasenradius|Spitzenradius/],
     fr: ["Rayon de bec (RS)", /rayon de pointe|rayon du nez/i],
     zh: ["刀尖半径（RS）", /刀鼻|刀头半径/],
@@ -56,12 +56,12 @@ const TERMS: Partial<Record<TermId, Readonly<Record<LessonLanguage, OneTerm>>>> 
     fr: ["Dégagement"],
     zh: ["退刀槽", /越程槽/],
   },
-  runIn: { en: ["Run-in"], de: ["Anlauf"], fr: ["Course d’approche du filet"], zh: ["导入段", /引入段/] },
+  runIn: { en: ["Run-in"], de: ["Anlaufweg"], fr: ["Course d’engagement"], zh: ["导入段", /引入段/] },
   limit: {
     en: ["Machining limit"],
-    de: ["Bearbeitungsgrenze"],
+    de: ["Schnittbegrenzung"],
     fr: ["Limite d’usinage"],
-    zh: ["加工限位", /加工界限/],
+    zh: ["加工极限", /加工界限/],
   },
   speedLimit: {
     en: ["Speed limit (SMAX)"],
@@ -71,11 +71,18 @@ const TERMS: Partial<Record<TermId, Readonly<Record<LessonLanguage, OneTerm>>>> 
   },
   holder: { en: ["Holder"], de: ["Halter"], fr: ["Porte-outil"], zh: ["刀杆", /刀柄/] },
   residue: {
-    en: ["Residue"],
+    en: ["Residual material"],
     de: ["Restmaterial"],
     fr: ["Matière résiduelle", /matière restante/i],
-    zh: ["残留材料", /残料/],
+    zh: ["残余材料", /残料/],
   },
+  gouge: {
+    en: ["Contour damage"],
+    de: ["Konturverletzung"],
+    fr: ["Violation de contour"],
+    zh: ["轮廓损伤"],
+  },
+  rapid: { en: ["Rapid traverse"], de: ["Eilgang"], fr: ["Avance rapide"], zh: ["快移"] },
   airPass: { en: ["Air pass"], de: ["Luftschnitt"], fr: ["Passe à vide"], zh: ["空走刀"] },
 };
 

@@ -40,8 +40,8 @@ export const courseTask = {
   gone: "缺少这个练习的文件。您的程序没有变。",
 
   is: {
-    part: "与图纸一致，不多切，无残留材料",
-    partLeaving: (area) => `与图纸一致，残留材料最多 ${area}`,
+    part: "与图纸一致，不多切，无残余材料",
+    partLeaving: (area) => `与图纸一致，残余材料最多 ${area}`,
     size: {
       diameter: (size, z) => `Z ${z} 处 ⌀ ${size}`,
       bore: (size, z) => `Z ${z} 处内孔 ⌀ ${size}`,
@@ -49,7 +49,7 @@ export const courseTask = {
     },
     drawn: (n) => `${n} 个尺寸符合图纸`,
     drawnWrong: (n, wrong) => `${n} 个尺寸符合图纸：${wrong} 个尚未达到`,
-    safe: "无错误，快速移动不碰材料，刀杆不碰材料",
+    safe: "无错误，快移不碰材料，刀杆不碰材料",
     clean: "无警告",
     depth: (mm) => `每刀最多 ${mm} mm`,
     speed: (rpm) => `最高 ${rpm} rpm`,
@@ -74,11 +74,11 @@ export const courseTask = {
     unproved: (what) => `${what} 不在仿真范围内，其后无法检查`,
     unprovedMilling: "铣削不作检查",
     blank: "毛坯与练习的毛坯不同",
-    rapid: "快速移动穿过材料",
+    rapid: "快移穿过材料",
     holder: "刀杆碰到材料",
     gouge: "轮廓损伤",
     missing: (mm) => `切入工件 ${mm} mm`,
-    residue: (mm) => `有残留材料，最厚 ${mm} mm`,
+    residue: (mm) => `有残余材料，最厚 ${mm} mm`,
     noThread: (name) => `缺少螺纹 ${name}：牙顶与牙底之间没有切出螺旋槽`,
     threadPitch: (name, is, asked) => `螺纹 ${name} 的螺距为 ${is} mm，应为 ${asked}`,
     turnedRound: {
@@ -149,10 +149,10 @@ export const courseTask = {
   score: {
     title: "得分",
     of: (points) => `${points} 分，满分 100`,
-    parts: { proof: "遵守规则", residue: "残留材料", time: "时间", tools: "刀具" },
+    parts: { proof: "遵守规则", residue: "残余材料", time: "时间", tools: "刀具" },
     better: {
       proof: (is, of) => `${of} 条规则中遵守了 ${is} 条，每条分值相同。`,
-      residue: (is) => `残留材料 ${is}，越少得分越高。`,
+      residue: (is) => `残余材料 ${is}，越少得分越高。`,
       time: (is, par) => `${is} s；${par} s 得满分：少走刀、缩短空行程或加大进给。`,
       tools: (is, par) => `${is} 把刀；${par} 把得满分。`,
     },
