@@ -325,7 +325,7 @@ export const courseTeach = {
     tries: "Tries",
     hints: "Hints",
     solution: "Solution shown",
-    time: "Time worked",
+    time: "Worked",
     steps: "Steps",
     machining: "Machining",
     again: "Run here",
