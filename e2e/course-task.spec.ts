@@ -56,7 +56,7 @@ test("a task by keyboard: a wrong try says where and which step; hints, solution
   await turnwise.effect.proved();
   await task.check.press("Enter");
   await expect(task.mark).toContainText(
-    /mm too much was cut at ⌀[\d.]+, Z-[\d.]+: block \d+, (pass \d+|finishing cut)/,
+    /Cut [\d.]+ mm into the part at ⌀[\d.]+, Z-[\d.]+: block \d+, (pass \d+|finishing cut)/,
   );
   await expect(lathe.mark("1")).toBeVisible();
   await looksRightInBoth(page, "a task with a wrong try");
@@ -113,10 +113,10 @@ test("what is foretold, a fault that is found and mended, and a drawing with its
   await task.run.press("Enter");
   await expect(strip).toBeVisible();
   const said = task.panel.getByRole("listitem").first();
-  await expect(said).toContainText("You said 19 passes.");
-  const [, passes = ""] = /It is (\d+) passes/.exec(await said.innerText()) ?? [];
-  await expect(task.panel.getByRole("listitem").nth(1)).toContainText("It is");
-  const [, infeed = ""] = /It is ([\d.]+) mm/.exec(await task.panel.getByRole("listitem").nth(1).innerText()) ?? [];
+  await expect(said).toContainText("Your answer: 19 passes.");
+  const [, passes = ""] = /Correct: (\d+) passes/.exec(await said.innerText()) ?? [];
+  await expect(task.panel.getByRole("listitem").nth(1)).toContainText("Correct");
+  const [, infeed = ""] = /Correct: ([\d.]+) mm/.exec(await task.panel.getByRole("listitem").nth(1).innerText()) ?? [];
   await task.again.press("Enter");
   await expect(strip).toBeHidden();
   await task.field("answer").fill(passes);
@@ -140,7 +140,7 @@ test("what is foretold, a fault that is found and mended, and a drawing with its
     words.foretell.right(words.foretell.isBlock("11")),
   );
   await task.check.press("Enter");
-  await expect(task.mark).toContainText(/^\d?\s*A rapid runs into steel at ⌀[\d.]+, Z-[\d.]+: block 11/);
+  await expect(task.mark).toContainText(/^\d?\s*Rapid traverse into material at ⌀[\d.]+, Z-[\d.]+: block 11/);
   await editor.text.press("ControlOrMeta+a");
   await page.keyboard.insertText(fault.solution.join("\n"));
   await task.check.press("Enter");

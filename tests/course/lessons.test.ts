@@ -99,6 +99,11 @@ describe.each(named)("%s", (name, raw) => {
     });
   });
 
+  test("no page is longer than a screen of text", () => {
+    const long = (words.en?.pages ?? []).map((text) => text.split(/\s+/).length).filter((count) => count > 106);
+    expect(long).toEqual([]);
+  });
+
   test("its example runs", () => {
     if (example) expect(ran(example).steps.length).toBeGreaterThan(0);
   });

@@ -29,22 +29,22 @@ test.each([
   expect(told(shoulder, from, to)[0]).toBe(said);
 });
 
-test("every place where steel stays names the call that should have taken it, and none that may be there by itself", () => {
-  const places = told(shoulder, "8 L X+63.5 Z+2", "8 L X+63.5 Z-5").filter((line) => line.startsWith("Steel stays"));
+test("every place with material left names the call that should have taken it, and none that may be there by itself", () => {
+  const places = told(shoulder, "8 L X+63.5 Z+2", "8 L X+63.5 Z-5").filter((line) => line.startsWith("Material left"));
   expect(places).toHaveLength(1);
-  expect(places[0]).toMatch(/^Steel stays, up to 0\.2\d mm thick at ⌀48\.\d+, Z-0\.\d+: block 9$/);
+  expect(places[0]).toMatch(/^Material left, up to 0\.2\d mm thick at ⌀48\.\d+, Z-0\.\d+: block 9$/);
   expect(
     told(shoulder, "Q494=-27.4", "Q494=+27.4").filter(
-      (line) => line.startsWith("Steel stays") && !line.endsWith("block 9"),
+      (line) => line.startsWith("Material left") && !line.endsWith("block 9"),
     ),
   ).toEqual([]);
 });
 
 test("a thread of another pitch is told once, by its pitch; one that is not there as that", () => {
   const pitch = told(rod, "Q472=+1.5", "Q472=+2").filter((line) => line.includes("Z-"));
-  expect(pitch).toEqual(["The thread M30×1.5 has a pitch of 2 mm in place of 1.5 at ⌀30, Z-12: block 9"]);
+  expect(pitch).toEqual(["Thread M30×1.5 has a pitch of 2 mm instead of 1.5 at ⌀30, Z-12: block 9"]);
   expect(told(rod, "Q494=-24", "Q494=+24")).toContainEqual(
-    expect.stringMatching(/^The thread M30×1\.5 is not there: no groove is cut .* at ⌀30, Z-12/),
+    expect.stringMatching(/^Thread M30×1\.5 is missing: no groove is cut .* at ⌀30, Z-12/),
   );
 });
 
@@ -53,6 +53,6 @@ test.each([
   ["Q483=+0.5", "Q483=+16"],
 ])("a finishing cut that takes what was never roughed is too deep: %s → %s", (from, to) => {
   expect(told(shoulder, from, to)).toContainEqual(
-    expect.stringMatching(/^A pass takes 7\.\d+ mm; 2\.5 mm are allowed: block 9, finishing cut$/),
+    expect.stringMatching(/^A pass is 7\.\d+ mm deep; 2\.5 mm are allowed: block 9, finishing cut$/),
   );
 });

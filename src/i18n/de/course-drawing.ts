@@ -2,11 +2,11 @@ import type { CourseDrawingTexts } from "../en/course-drawing.ts";
 
 export const courseDrawing = {
   drawingOf: (name: string) => `Werkstattzeichnung ${name}`,
-  none: "Das Teil lässt sich nicht zeichnen: Sein Umriss hat einen Fehler.",
+  none: "Das Teil lässt sich nicht zeichnen: Seine Kontur hat einen Fehler.",
   calculating: "Das Programm wird noch berechnet.",
-  noPart: "Es gibt nichts zu zeichnen: Das Programm dreht kein Teil oder nennt kein Rohteil.",
-  older: "Älter als das Eingegebene: Die neuesten Werte ergeben keine Bahn",
-  unproved: "Ein Teil des Programms wird nicht simuliert: das Teil, soweit es bekannt ist",
+  noPart: "Es gibt nichts zu zeichnen: Das Programm dreht kein Teil oder definiert kein Rohteil.",
+  older: "Veraltet: Die letzten Werte ergeben keine Bahn",
+  unproved: "Nicht vollständig simuliert: Die Zeichnung zeigt das Teil, soweit simuliert",
   file: "zeichnung",
   list: "Maße als Liste",
   print: "Zeichnung drucken",
@@ -36,7 +36,7 @@ export const courseDrawing = {
   allowance: (value: string) => `${value} vor Z0`,
   tolerances: "ISO 2768 – m",
   tolerancesHint: "Maße ohne Abmaße: nach ISO 2768-1, Klasse mittel",
-  leftOut: (n: number) => (n === 1 ? "1 Angabe steht nur in der Liste" : `${n} Angaben stehen nur in der Liste`),
+  leftOut: (n: number) => (n === 1 ? "1 Angabe nur in der Liste" : `${n} Angaben nur in der Liste`),
   brackets: "( ) Rohteil, Hilfsmaß",
   kinds: {
     diameter: "Durchmesser",
@@ -45,7 +45,7 @@ export const courseDrawing = {
     chamfer: "Fase",
     radius: "Radius",
     thread: "Gewinde",
-    mark: "Rautiefe höchstens",
+    mark: "Größte Rautiefe",
     blank: "Rohteil",
   },
   atTwo: (from: string, to: string) => `von Z ${from} bis Z ${to}`,

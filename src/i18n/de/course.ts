@@ -3,11 +3,11 @@ import type { CourseTexts } from "../en/course.ts";
 export const course = {
   title: "Kurs",
   lead:
-    "Drehen mit den Zyklen der Steuerung, vom ersten Absatz bis zum ganzen Teil. Jede Lektion hat ein paar Seiten mit bewegtem Bild und " +
+    "Drehen mit den Zyklen der Steuerung, vom ersten Absatz bis zum fertigen Teil. Jede Lektion hat einige Seiten mit animiertem Bild und " +
     "Aufgaben im echten Editor.",
   entrance: {
     name: "Kurs",
-    about: "Lektionen mit Aufgaben, vom ersten Absatz bis zum ganzen Teil",
+    about: "Lektionen mit Aufgaben, vom ersten Absatz bis zum fertigen Teil",
     goOn: (lesson) => `Weiter mit Lektion ${lesson}`,
   },
   lessons: "Lektionen",
@@ -23,8 +23,8 @@ export const course = {
   states: {
     new: "nicht begonnen",
     tried: "versucht",
-    alone: "allein gelöst",
-    hints: "mit Hinweisen gelöst",
+    alone: "ohne Hilfe gelöst",
+    hints: "mit Tipps gelöst",
     solution: "mit gezeigter Lösung gelöst",
   },
   kinds: { make: "Programmieren", fault: "Fehler finden", predict: "Vorhersagen", drawing: "Nach Zeichnung" },
@@ -40,28 +40,28 @@ export const course = {
   toTasks: "Zu den Aufgaben",
   nextLesson: (n, title) => `Nächste Lektion: ${n}, ${title}`,
   example: "Beispiel im Editor öffnen",
-  exampleLead: "Das Programm dieser Lektion, um Werte auszuprobieren. Ihre Arbeit bleibt; Zurück führt wieder hierher.",
+  exampleLead:
+    "Das Programm dieser Lektion, um Werte auszuprobieren. Ihre Programme bleiben erhalten; Zurück führt wieder hierher.",
   noTasksYet: "Diese Lektion hat keine Aufgaben.",
 
   picture: {
     name: "Bild der Lektion",
     working: "Das Bild wird berechnet.",
     failed: "Das Bild konnte nicht berechnet werden.",
-    play: "Bild abspielen",
-    pause: "Bild anhalten",
+    play: "Wiedergabe",
+    pause: "Pause",
     first: "An den Anfang",
-    back: "Eine Bewegung zurück",
-    forward: "Eine Bewegung weiter",
-    scrub: "Zeitpunkt im Bild",
+    back: "Vorige Bewegung",
+    forward: "Nächste Bewegung",
+    scrub: "Position der Wiedergabe",
     program: "Das Programm zum Bild",
     openProgram: "Dieses Programm im Editor öffnen",
   },
 
   anew: "Kurs neu beginnen",
   cancel: "Abbrechen",
-  begunAnew: "Der Kurs beginnt neu. Rückgängig bringt das Erreichte zurück.",
-  damaged: "Was im Kurs erreicht wurde, war nicht lesbar. Es wurde beiseitegelegt, der Kurs beginnt neu.",
+  begunAnew: "Der Kurs wurde neu begonnen. Rückgängig stellt Ihren Lernstand wieder her.",
+  damaged: "Ihr Lernstand war nicht lesbar. Die beschädigten Daten wurden beiseitegelegt, der Kurs beginnt neu.",
   notKept:
-    "Dieser Browser behält nicht, was im Kurs erreicht wird. Sichern Sie alles als eine Datei (Einstellungen), bevor Sie die Seite " +
-    "schließen.",
+    "Dieser Browser speichert Ihren Lernstand nicht. Sichern Sie Ihre Daten in den Einstellungen, bevor Sie die Seite schließen.",
 } satisfies CourseTexts;

@@ -1,33 +1,33 @@
 import type { Shape } from "../shape.ts";
 
 /**
- * The pages of the course: the list of lessons, a lesson with its picture, how far one has come. Numbers arrive as
+ * The pages of the course: the list of lessons, a lesson with its picture, the progress. Numbers arrive as
  * text.
  */
 export const course = {
   title: "Course",
   lead:
-    "Turning with the cycles of the control, from the first shoulder to a whole part. Each lesson is a few pages with a picture that " +
-    "moves, and tasks in the real editor.",
+    "Turning with the cycles of the control, from the first shoulder to a complete part. Each lesson has a few pages with an animated " +
+    "picture, and exercises in the real editor.",
   entrance: {
     name: "Course",
-    about: "Lessons with tasks, from the first shoulder to a whole part",
-    goOn: (lesson: string) => `Go on with lesson ${lesson}`,
+    about: "Lessons with exercises, from the first shoulder to a complete part",
+    goOn: (lesson: string) => `Continue with lesson ${lesson}`,
   },
   lessons: "Lessons",
   lesson: (n: string) => `Lesson ${n}`,
   openLesson: (n: string, title: string) => `Lesson ${n}, ${title}`,
-  begin: "Begin with lesson 1",
-  goOn: (n: string, title: string) => `Go on: lesson ${n}, ${title}`,
-  passed: (n: string, of: string) => `${n} of ${of} tasks passed`,
-  allPassed: "All tasks passed",
-  noTasks: "No tasks",
+  begin: "Start with lesson 1",
+  goOn: (n: string, title: string) => `Continue: lesson ${n}, ${title}`,
+  passed: (n: string, of: string) => `${n} of ${of} exercises passed`,
+  allPassed: "All exercises passed",
+  noTasks: "No exercises",
   read: "read",
   here: "You are here",
   states: {
-    new: "not begun",
+    new: "not started",
     tried: "tried",
-    alone: "passed alone",
+    alone: "passed unaided",
     hints: "passed with hints",
     solution: "passed with the solution shown",
   },
@@ -38,35 +38,35 @@ export const course = {
   pages: "Pages of the lesson",
   page: (n: string) => `Page ${n}`,
   pageOf: (n: string, of: string) => `Page ${n} of ${of}`,
-  tasks: "Tasks",
+  tasks: "Exercises",
   previous: "Back",
   next: "Next",
-  toTasks: "To the tasks",
+  toTasks: "To the exercises",
   nextLesson: (n: string, title: string) => `Next lesson: ${n}, ${title}`,
   example: "Open the example in the editor",
-  exampleLead: "The program of this lesson, to try values in. Your work is kept; Back leads here again.",
-  noTasksYet: "This lesson has no tasks.",
+  exampleLead: "The program of this lesson, for trying out values. Your own programs are kept; Back returns here.",
+  noTasksYet: "This lesson has no exercises.",
 
   picture: {
     name: "Picture of the lesson",
-    working: "The picture is being made.",
-    failed: "The picture could not be made.",
-    play: "Play the picture",
-    pause: "Hold the picture",
+    working: "The picture is being calculated.",
+    failed: "The picture could not be calculated.",
+    play: "Play",
+    pause: "Pause",
     first: "To the start",
-    back: "One move back",
-    forward: "One move on",
-    scrub: "Moment of the picture",
-    program: "The program of the picture",
+    back: "Previous move",
+    forward: "Next move",
+    scrub: "Position in the animation",
+    program: "Program shown in the picture",
     openProgram: "Open this program in the editor",
   },
 
-  anew: "Begin the course anew",
+  anew: "Restart course",
   cancel: "Cancel",
-  begunAnew: "The course begins anew. Undo brings back what was reached.",
-  damaged: "What was reached in the course could not be read. It was set aside, and the course begins anew.",
-  notKept:
-    "This browser does not keep what is reached in the course. Save everything as one file in the settings before you close the page.",
+  begunAnew: "The course was restarted. Undo restores your progress.",
+  damaged:
+    "Your progress in the course could not be read. The damaged data were set aside, and the course starts over.",
+  notKept: "This browser does not store your progress. Back up your data in the settings before you close the page.",
 };
 
 export type CourseTexts = Shape<typeof course>;

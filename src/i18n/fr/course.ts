@@ -3,11 +3,11 @@ import type { CourseTexts } from "../en/course.ts";
 export const course = {
   title: "Cours",
   lead:
-    "Tourner avec les cycles de la commande, du premier épaulement à la pièce entière. Chaque leçon tient en quelques pages avec une " +
+    "Tourner avec les cycles de la commande, du premier épaulement à la pièce complète. Chaque leçon comprend quelques pages avec une " +
     "image animée, et des exercices dans le véritable éditeur.",
   entrance: {
     name: "Cours",
-    about: "Leçons et exercices, du premier épaulement à la pièce entière",
+    about: "Leçons et exercices, du premier épaulement à la pièce complète",
     goOn: (lesson) => `Continuer la leçon ${lesson}`,
   },
   lessons: "Leçons",
@@ -21,13 +21,13 @@ export const course = {
   read: "lue",
   here: "Vous êtes ici",
   states: {
-    new: "pas commencé",
+    new: "non commencé",
     tried: "essayé",
-    alone: "réussi seul",
+    alone: "réussi sans aide",
     hints: "réussi avec des indices",
-    solution: "réussi après avoir vu la solution",
+    solution: "réussi, solution montrée",
   },
-  kinds: { make: "Programmer", fault: "Trouver la faute", predict: "Prédire", drawing: "D’après un dessin" },
+  kinds: { make: "Programmer", fault: "Trouver l’erreur", predict: "Prédire", drawing: "D’après un dessin" },
 
   missing: "Cette leçon ne fait pas partie du cours.",
   toList: "Toutes les leçons",
@@ -40,27 +40,29 @@ export const course = {
   toTasks: "Aux exercices",
   nextLesson: (n, title) => `Leçon suivante : ${n}, ${title}`,
   example: "Ouvrir l’exemple dans l’éditeur",
-  exampleLead: "Le programme de cette leçon, pour essayer des valeurs. Votre travail est conservé ; Retour ramène ici.",
+  exampleLead:
+    "Le programme de cette leçon, pour essayer des valeurs. Vos programmes sont conservés ; Retour ramène ici.",
   noTasksYet: "Cette leçon n’a pas d’exercice.",
 
   picture: {
     name: "Image de la leçon",
-    working: "L’image se calcule.",
+    working: "Calcul de l’image …",
     failed: "L’image n’a pas pu être calculée.",
-    play: "Lancer l’image",
-    pause: "Arrêter l’image",
+    play: "Lecture",
+    pause: "Pause",
     first: "Au début",
-    back: "Un déplacement en arrière",
-    forward: "Un déplacement en avant",
-    scrub: "Instant de l’image",
+    back: "Déplacement précédent",
+    forward: "Déplacement suivant",
+    scrub: "Position de la lecture",
     program: "Le programme de l’image",
     openProgram: "Ouvrir ce programme dans l’éditeur",
   },
 
   anew: "Recommencer le cours",
   cancel: "Annuler",
-  begunAnew: "Le cours recommence. Annuler ramène ce qui avait été atteint.",
-  damaged: "Ce qui a été atteint dans le cours n’a pas pu être lu. Cela a été mis de côté et le cours recommence.",
+  begunAnew: "Le cours a été recommencé. Annuler rétablit votre progression.",
+  damaged:
+    "Votre progression n’a pas pu être lue. Les données endommagées ont été mises de côté et le cours recommence.",
   notKept:
-    "Ce navigateur ne conserve pas ce qui est atteint dans le cours. Enregistrez tout dans un fichier (réglages) avant de fermer la page.",
+    "Ce navigateur n’enregistre pas votre progression. Sauvegardez vos données dans les réglages avant de fermer la page.",
 } satisfies CourseTexts;

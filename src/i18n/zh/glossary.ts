@@ -57,7 +57,7 @@ export const glossary: GlossaryTexts = {
     name: "粗糙度（Rz）",
     text: "进给纹的高度。仅由刀尖形成时约为 f² / (8 · r)：进给减半，高度为四分之一。",
   },
-  gouge: { name: "轮廓损伤", text: "切入成品的切削，无法修复。", also: "轮廓损伤" },
+  gouge: { name: "轮廓损伤", text: "切入成品的切削，无法修复。", also: "切伤轮廓" },
   airPass: { name: "空走刀", text: "没有切到材料的走刀。" },
   plunging: { name: "切入", text: "沿下降侧面或直接向下切入材料。Q487 允许切入，Q488 为切入进给。" },
   limit: { name: "加工极限", text: "直径（Q480）或 Z 位置（Q482），循环不加工其外的轮廓。", also: "加工限位" },

@@ -71,7 +71,7 @@ export function goalText(t: CourseTaskTexts, language: Language, goal: TaskGoal)
     case "passes":
       return is[goal.kind](goal.limit);
     case "tools":
-      return is.tools(listed(t, goal.tools.map(String)));
+      return is.tools(listed(t, goal.tools.map(String)), goal.tools.length);
     case "cycles":
     case "without":
       return is[goal.kind](String(goal.cycle));
