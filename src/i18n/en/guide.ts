@@ -71,7 +71,7 @@ export const guide = {
     finish: "Finishing",
     watch: "Watch the steps",
   },
-  takeBack: "Undo",
+  takeBack: "Restore value",
   taken: (what: string, value: string) => `${what} = ${value} is now in your program.`,
   mistakes: "Common mistakes",
   terms: "Terms",
