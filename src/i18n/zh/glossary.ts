@@ -5,7 +5,7 @@ export const glossary: GlossaryTexts = {
   blank: { name: "毛坯", text: "第一刀之前的材料，由 BLK FORM 定义：圆柱、管或轮廓。" },
   stock: { name: "余料", text: "当前的材料：毛坯减去此前各刀切除的部分。" },
   finishedPart: { name: "成品", text: "全部切削之后图纸所要求的工件，任何一刀都不得损伤。" },
-  residue: { name: "残余材料", text: "刀片无法到达而留在轮廓上的材料：内角、侧面背后、极限处。", also: "残留材料" },
+  residue: { name: "残余材料", text: "刀片无法到达而留在轮廓上的材料：内角、侧面背后、极限处。", also: "残余材料" },
   contour: { name: "轮廓", text: "成品表面的直线与圆弧，按加工方向。" },
   cornerElement: { name: "倒角、圆角", text: "两个元素之间的角，或台阶起点、终点处棱边的过渡元素。" },
   shoulder: { name: "台阶", text: "圆柱面与端面在内角处相交。" },

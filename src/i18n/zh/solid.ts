@@ -16,7 +16,7 @@ export const solid: SolidTexts = {
   noBlank: "未定义毛坯：仅显示路径。",
   surfaces: "表面",
   textures: { raw: "未加工", rough: "粗加工", thread: "螺纹", finished: "精加工" },
-  marked: { residual: "残留材料", gouge: "轮廓损伤、碰撞" },
+  marked: { residual: "残余材料", gouge: "轮廓损伤、碰撞" },
   missing: "此浏览器没有 WebGL，无法显示三维图，改为显示剖面。",
   lost: "与显卡的连接中断。三维图恢复之前显示剖面。",
   again: "重试三维图",

@@ -44,7 +44,7 @@ export const page = {
     beyond: "比数控系统显示得更多",
     beyondAll: {
       typing: { what: "输入时", how: "走刀次数、实际进刀量、时间和切屑截面积" },
-      residue: { what: "残留材料", how: "在哪里、为什么、哪把刀能切到" },
+      residue: { what: "残余材料", how: "在哪里、为什么、哪把刀能切到" },
       proof: { what: "检查", how: "无轮廓损伤，材料内无快移；否则指出程序段" },
       steps: { what: "逐步", how: "手册中的步骤随刀具同步显示" },
       approach: { what: "APPR 和 DEP", how: "全部八种功能，用于您的轮廓" },
@@ -117,7 +117,7 @@ export const page = {
     infeedUnit: "mm/刀",
     time: "时间",
     chip: "切屑截面积",
-    residual: "残留材料",
+    residual: "残余材料",
     none: "无",
     unknown: "–",
     waiting: "这些值不能生成刀具路径，显示上一次有效仿真。",
