@@ -114,7 +114,7 @@ function questionOf(machine: Machine, memory: Answers, asked: CalledCycle): stri
   return [
     `call ${cycle.number}`,
     memory.written([start, datum, inch, toolFeed, perRevolution, rapid, spindle]),
-    memory.written([called !== null, machine.run.traced !== null, told, ...defined.values, ...defined.troubled]),
+    memory.written([called !== null, machine.run.traced !== null, told, [...defined.values], [...defined.troubled]]),
     contour ? memory.nameOf(contour) : "",
     memory.nameOf(tool),
     stock ? memory.nameOf(stock) : "",
