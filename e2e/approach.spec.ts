@@ -3,7 +3,7 @@ import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a milled program shows its plane, and its approach is changed by prompt, by dragging, by another form", async ({
+test("a milled program shows its plane; its approach is edited by prompt, by dragging and by changing the form", async ({
   page,
 }) => {
   const { editor, t } = await Turnwise.open(page);
@@ -95,13 +95,11 @@ test("milled stock is drawn, and its path leads to its block", async ({ page }) 
   await stage.focus();
   await page.keyboard.press("End");
   await expect(plane.getByText(t.approach.milled.drawn)).toBeVisible();
-  // Nothing of the plate stands where the square was cut round; its middle is untouched.
+  // The plate is removed around the square; the middle of the square is untouched.
   await accessible(page);
 });
 
-test("a program that turns and mills shows the picture that a choice, a finding or playing belongs to", async ({
-  page,
-}) => {
+test("a program that turns and mills switches the view by selection, finding and playback", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openFile("MIXED.H", new TextEncoder().encode(MIXED));
   const plane = page.getByRole("region", { name: t.approach.view });
@@ -116,14 +114,14 @@ test("a program that turns and mills shows the picture that a choice, a finding 
   await expect(plane).toBeVisible();
   await editor.line("L X+58.6").click();
   await expect(lathe).toBeVisible();
-  // Played on, the picture goes over to what is milled.
+  // Playback continues into the milled part, so the view changes to the plane.
   await page.getByRole("combobox", { name: t.lathe.speed }).selectOption("100");
   await lathe.getByRole("group", { name: t.lathe.title }).focus();
   await page.keyboard.press("Space");
   await expect(plane).toBeVisible();
 });
 
-/** A pocket with a mouth of 9 mm, and a tool of 10. */
+/** A pocket with a 9 mm mouth, and a 10 mm tool. */
 const NARROW = `0 BEGIN PGM NARROW MM
 1 TOOL DEF 1 L+0 R+5
 2 TOOL CALL 1 Z S4000
@@ -144,7 +142,7 @@ const NARROW = `0 BEGIN PGM NARROW MM
 17 END PGM NARROW MM
 `;
 
-test("a mouth narrower than the tool is told at its place, with the radius that passes", async ({ page }) => {
+test("a mouth narrower than the tool is reported at its place, with the largest radius that fits", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.openFile("NARROW.h", Buffer.from(NARROW));
   await editor.show("findings");

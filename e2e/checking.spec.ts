@@ -4,9 +4,11 @@ import { provedIn } from "./pages/effect.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/* The path is drawn by the page in the frame of the keystroke; the worker proves it, and until then that is said. */
+/*
+ * The page draws the path in the frame of the keystroke; until the worker has verified it, the strip says "checking".
+ */
 
-/** From the next page on nothing reaches the worker while `hold` says so, and everything when it no longer does. */
+/** From the next navigation on, blocks messages to the worker while `hold` returns true. */
 async function holdable(page: Page): Promise<(hold: boolean) => Promise<void>> {
   await page.addInitScript(() => {
     const send: (this: Worker, ...sent: Parameters<Worker["postMessage"]>) => void = Worker.prototype.postMessage;
@@ -25,13 +27,13 @@ async function holdable(page: Page): Promise<(hold: boolean) => Promise<void>> {
   return (hold) => page.evaluate((detail) => void dispatchEvent(new CustomEvent("hold-worker", { detail })), hold);
 }
 
-/** The page plans as soon as the part that does it is there. */
+/** The page plans by itself as soon as the planning part is loaded. */
 const plans = (page: Page) =>
   page.waitForFunction(() =>
     performance.getEntriesByType("resource").some(({ name }) => /\/plan-[^/]+\.js$/.test(name)),
   );
 
-test("a changed value moves the path at once, and what is not proved yet says that it is being checked", async ({
+test("a changed value moves the path at once, and an unverified result says that it is being checked", async ({
   page,
 }) => {
   const hold = await holdable(page);
@@ -51,8 +53,7 @@ test("a changed value moves the path at once, and what is not proved yet says th
   const box = await effect.strip.boundingBox();
   let [passes, infeed]: readonly [string | null, number] = [null, 2.1];
 
-  // A machine that does many other things takes longer for a plan now and then than the page waits for: it is tried
-  // again.
+  // On a busy machine a plan can take longer than the page waits for: retry.
   await expect(async () => {
     await hold(false);
     infeed -= 0.1;
@@ -79,7 +80,7 @@ test("a changed value moves the path at once, and what is not proved yet says th
 test.describe("at 1024x768", () => {
   test.use({ viewport: { width: 1024, height: 768 } });
 
-  test("the picture keeps its size while the strip says more and less with each value", async ({ page }) => {
+  test("the picture keeps its size while the strip shows more or less", async ({ page }) => {
     const { editor, dialog, lathe, t } = await Turnwise.open(page);
     await editor.openFile("FLANGE.h", readFileSync("src/examples/flange.h"));
     await editor.show("structure");

@@ -5,7 +5,7 @@ import { Turnwise } from "./pages/turnwise.ts";
 /** Smallest target for a gloved finger, px. */
 const TARGET = 44;
 
-test("a cycle by a word of another language, and again from those used last", async ({ page }) => {
+test("find a cycle by a word of another language, and again among the recent ones", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { start, dialog } = turnwise;
   await start.search.fill("epaulement");
@@ -18,7 +18,7 @@ test("a cycle by a word of another language, and again from those used last", as
   await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q215"));
 });
 
-test("arrow keys go through the rows of a group and from its buttons to the next", async ({ page }) => {
+test("arrow keys move through the rows of a group and from its buttons to the next", async ({ page }) => {
   const { start } = await Turnwise.open(page);
   await start.search.focus();
   await page.keyboard.press("ArrowDown");
@@ -45,7 +45,7 @@ test("on a phone the groups are folded, and a search passes axe", async ({ page 
     expect((await button.boundingBox())?.height).toBeGreaterThanOrEqual(TARGET);
 });
 
-test("a cycle is put into a program by the same chooser", async ({ page }) => {
+test("a cycle is inserted into a program with the same chooser", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   await editor.create();
@@ -59,7 +59,7 @@ test("a cycle is put into a program by the same chooser", async ({ page }) => {
   await expect(page.getByRole("heading", { name: t.cycles.of[852].name })).toBeVisible();
 });
 
-test("a cycle that acts in a program is put into one, and one that is only kept says so", async ({ page }) => {
+test("a cycle that acts in a program is inserted; one that is not simulated says so", async ({ page }) => {
   const { start, editor, dialog, t } = await Turnwise.open(page);
   const says = page.getByRole("group", { name: t.chooser.cycles }).getByRole("status");
   const called = (number: number, name: string) => t.page.start.cycle(number, name);

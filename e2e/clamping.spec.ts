@@ -5,16 +5,16 @@ import { pictureAt } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** The sentence of a contact with the jaws. */
+/** The message about a contact with the jaws. */
 const CONTACT = "The tool collides with the jaws";
 
-/** What a spot of the picture looks like: Z, and X as a diameter. */
+/** Classifies the pixel at a spot of the picture: Z, and X as a diameter. */
 async function spot({ page, lathe, t }: Turnwise, z: number, x: number): Promise<string> {
   const at = await pictureAt(page, lathe.view.getByRole("group", { name: t.lathe.title, exact: true }), z, x);
   return (await page.screenshot({ clip: { x: at.x - 1, y: at.y - 1, width: 2, height: 2 } })).toString("base64");
 }
 
-test("a work's clamping: stated, drawn to scale, run into at its block, changed until it is proved, kept and printed", async ({
+test("clamping of a work: set, drawn to scale, collision at its block, corrected until verified, saved and printed", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);
@@ -38,20 +38,20 @@ test("a work's clamping: stated, drawn to scale, run into at its block, changed 
   await effect.proved();
   await expect(lathe.view).not.toContainText(t.lathe.held.note);
   await looksRightInBoth(page, "set-up with a clamping");
-  // To scale: steel begins at Z-75, beside the bar.
+  // To scale: the jaws begin at Z-75, beside the bar.
   const steel = await spot(turnwise, -82, 92);
   expect(await spot(turnwise, -76, 92)).toBe(steel);
   expect(await spot(turnwise, -74, 92)).not.toBe(steel);
   expect(await spot(turnwise, -64, 104)).not.toBe(steel);
 
-  // The switch of the tailstock stands before its fields, and these before the limits.
+  // The tailstock switch precedes its fields, and these precede the limits.
   await clamping.tailstock.check();
   const top = async (of: typeof clamping.tailstock) => (await of.boundingBox())?.y ?? 0;
   const tops = [await top(clamping.tailstock), await top(clamping.field("QUILL")), await top(clamping.field("LIMITZ"))];
   expect(tops).toEqual(tops.toSorted((a, b) => a - b));
   await clamping.tailstock.uncheck();
 
-  // Jaws that reach over what is turned.
+  // Jaws that reach over the turned length.
   await clamping.field("FACE").fill("-50");
   await clamping.field("LENGTH").fill("50");
   await expect(effect.cell("proof")).not.toHaveText(provedIn(t));
@@ -75,7 +75,7 @@ test("a work's clamping: stated, drawn to scale, run into at its block, changed 
   await looksRightInBoth(page, "the setup sheet with a clamping");
 });
 
-test("a program's clamping is a comment that its dialog writes, goes along in a link and stays", async ({
+test("the clamping of a program is a comment: written by its dialog, carried by a link, saved", async ({
   page,
   browser,
 }) => {
@@ -122,7 +122,7 @@ test("a program's clamping is a comment that its dialog writes, goes along in a 
   await received.editor.show("text");
   await received.clamping.openDialog();
   await looksRight(receiver);
-  // The keypad of a number stands below; the next tap meets what it is for.
+  // The keypad is open at the bottom; the next tap still reaches its target.
   await received.clamping.field("SIZE").tap();
   await expect(receiver.getByRole("group", { name: t.dialog.keypad, exact: true })).toBeVisible();
   await received.clamping.tailstock.tap();

@@ -4,7 +4,7 @@ import { looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a changed infeed is told with what comes of it, by keyboard, and leads to its block", async ({ page }) => {
+test("a changed infeed is listed with its effect, by keyboard, and leads to its block", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   await editor.openExample("flange");
@@ -17,7 +17,7 @@ test("a changed infeed is told with what comes of it, by keyboard, and leads to 
   await page.keyboard.press("Escape");
   await expect(page.getByRole("button", { name: t.page.text.compare, exact: true })).toBeFocused();
 
-  // Another state of the same program comes by the clipboard: with two other values, and another title.
+  // Paste another state of the same program: two other values and another title.
   const text = await readFile("src/examples/flange.h", "utf8");
   const other = text
     .replace("Q463=+3 ;", "Q463=+4 ;")
@@ -54,7 +54,7 @@ test("a changed infeed is told with what comes of it, by keyboard, and leads to 
   await expect(editor.line("CYCL DEF 812")).toBeInViewport();
 });
 
-test("a cycle work is compared by its printed program, with an earlier one", async ({ page }) => {
+test("a cycle work is compared with an earlier one by its NC program", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { t } = turnwise;
   await turnwise.start.beginWithExample(812);

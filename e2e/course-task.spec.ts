@@ -12,7 +12,7 @@ interface TaskFile {
 const taskFile = (id: string): TaskFile =>
   JSON.parse(readFileSync(new URL(`../src/course/tasks/${id}.json`, import.meta.url), "utf8"));
 
-/** Opens the tasks of a lesson and begins one of them. */
+/** Opens the tasks of a lesson and starts one of them. */
 async function begin(
   turnwise: Turnwise,
   lesson: string,
@@ -25,9 +25,7 @@ async function begin(
   await expect(turnwise.task.assignment).toBeVisible();
 }
 
-test("a task by keyboard: a wrong try says where and which step; hints, solution, passed, found again", async ({
-  page,
-}) => {
+test("a task by keyboard: a wrong try names place and step; hints, solution, passed, resumed", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { task, dialog, lathe } = turnwise;
   const { words } = task;
@@ -41,7 +39,7 @@ test("a task by keyboard: a wrong try says where and which step; hints, solution
   await task.panel.getByRole("button", { name: words.goTo("Q493") }).press("Enter");
   await expect(dialog.value).toBeFocused();
 
-  // The radius where the diameter is asked for.
+  // Enters the radius where the diameter belongs.
   const values: readonly (readonly [string, string])[] = [
     ["Q493", "24.1"],
     ["Q494", "-27.4"],
@@ -91,7 +89,7 @@ test("a task by keyboard: a wrong try says where and which step; hints, solution
   await expect(dialog.line("Q493")).toContainText("48.2");
 });
 
-test("what is foretold, a fault that is found and mended, and a drawing with its score", async ({ page }) => {
+test("predictions, a fault that is found and fixed, and a drawing with its score", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { task, editor, lathe } = turnwise;
   const { words } = task;
@@ -160,9 +158,7 @@ test("what is foretold, a fault that is found and mended, and a drawing with its
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
 
-  test("a fault by finger, in German: the place is tapped on the part, and nothing covers the picture", async ({
-    page,
-  }) => {
+  test("a fault by finger, in German: tap its place on the part; nothing covers the picture", async ({ page }) => {
     const turnwise = await Turnwise.open(page, { language: "de" });
     const { task, lathe } = turnwise;
     const { words } = task;

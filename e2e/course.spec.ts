@@ -4,7 +4,7 @@ import { settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the course by keyboard: a lesson to its end, a value slid, example and task opened, all found again", async ({
+test("the course by keyboard: a lesson to its end, a slider moved, example and task opened, all resumed", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
@@ -90,7 +90,7 @@ test("the course by keyboard: a lesson to its end, a value slid, example and tas
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, reducedMotion: "reduce" });
 
-  test("a lesson by finger, in German: it stands still until it is played, and pages are turned across the text", async ({
+  test("a lesson by finger, in German: paused until played, and a swipe across the text turns pages", async ({
     page,
   }) => {
     const turnwise = await Turnwise.open(page, { language: "de" });

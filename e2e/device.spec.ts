@@ -7,7 +7,7 @@ import { Turnwise } from "./pages/turnwise.ts";
 
 const button = (within: Page | Locator, name: string) => within.getByRole("button", { name, exact: true });
 
-/** What a press hands to the downloads: its name and its bytes. */
+/** Name and bytes of the file that a click downloads. */
 async function downloaded(page: Page, press: () => Promise<void>) {
   const [download] = await Promise.all([page.waitForEvent("download"), press()]);
   return {
@@ -17,7 +17,7 @@ async function downloaded(page: Page, press: () => Promise<void>) {
   };
 }
 
-/** A cycle and a program, both kept. */
+/** Saves a cycle and a program. */
 async function twoWorks(page: Page): Promise<Turnwise> {
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);
@@ -31,9 +31,7 @@ async function twoWorks(page: Page): Promise<Turnwise> {
   return turnwise;
 }
 
-test("all works by keyboard: sought, called otherwise, doubled, deleted and brought back, at every size", async ({
-  page,
-}) => {
+test("all works by keyboard: searched, renamed, duplicated, deleted and restored, at every size", async ({ page }) => {
   const turnwise = await twoWorks(page);
   await page.getByRole("link", { name: turnwise.t.page.start.allWorks(2) }).press("Enter");
   const search = page.getByRole("searchbox", { name: t.works.search });
@@ -79,13 +77,10 @@ test("all works by keyboard: sought, called otherwise, doubled, deleted and brou
   await expect(rows).toHaveCount(2);
 });
 
-test("everything as one file comes back on another device, and nothing there is written over", async ({
-  page,
-  browser,
-}) => {
+test("a backup restores on another device and overwrites nothing there", async ({ page, browser }) => {
   const turnwise = await twoWorks(page);
   await turnwise.settings.open();
-  // What is kept on the device is counted and listed by and by: the way out stays where it was pressed.
+  // The stored works are counted in the background: the button must not move meanwhile.
   const close = button(turnwise.settings.dialog, turnwise.t.page.close);
   const before = await close.boundingBox();
   await expect(turnwise.settings.saveAll).toBeVisible();
@@ -129,7 +124,7 @@ test("everything as one file comes back on another device, and nothing there is 
   await elsewhere.page.goBack();
   await expect(elsewhere.dialog.line("Q493")).toContainText("49.5");
 
-  // Such a file may also be opened as programs are, and one that was cut short says so.
+  // A backup also opens like a program file; a truncated one says so.
   await elsewhere.page.getByRole("link", { name: elsewhere.t.page.home }).click();
   const cut = { ...file, buffer: file.buffer.subarray(0, file.buffer.length - 30) };
   await elsewhere.page.locator(".program-ways input[type=file]:not([webkitdirectory])").setInputFiles(cut);
@@ -137,7 +132,7 @@ test("everything as one file comes back on another device, and nothing there is 
   await other.close();
 });
 
-test("a full disk and refused storage are said, work goes on, and what is not kept leaves as a file", async ({
+test("a full disk and refused storage are reported, editing continues, and unsaved works can be exported", async ({
   page,
   browser,
 }) => {
@@ -186,10 +181,7 @@ test("a full disk and refused storage are said, work goes on, and what is not ke
   await refused.close();
 });
 
-test("a fault of the page leaves the work, a way out of it, and a report that stays here", async ({
-  page,
-  context,
-}) => {
+test("an error of the page keeps the work, offers an export, and stores a local report", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.route(/assets\/ToolPage-.*\.js/, (route) =>
     route.fulfill({

@@ -20,7 +20,7 @@ test("a file that is opened and saved unchanged keeps its bytes; one changed val
   expect(await editor.downloaded()).toEqual(Buffer.from(STRANGE.replace("X+50", "X+52.5"), "latin1"));
 });
 
-test("the shipped program of six tools and eight cycles runs clean, and its parts lead to their blocks", async ({
+test("the default program of six tools and eight cycles runs clean, and its parts lead to their blocks", async ({
   page,
 }) => {
   const { editor, t } = await Turnwise.open(page);
@@ -37,7 +37,7 @@ test("the shipped program of six tools and eight cycles runs clean, and its part
   await expect(editor.field("tool")).toHaveValue("15");
 });
 
-test("typing and dialog are the same edit, with one history", async ({ page }) => {
+test("typing and dialog make the same edit, with one history", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, dialog, t } = turnwise;
   await editor.openExample("shoulder");
@@ -61,9 +61,7 @@ test("typing and dialog are the same edit, with one history", async ({ page }) =
   await expect(editor.line("Q463=+2.4")).toBeVisible();
 });
 
-test("one history: text, tools and the way to another work are undone in their order; text just typed stays", async ({
-  page,
-}) => {
+test("one history: text, tools and a switch of works are undone in order; text just typed stays", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, tools, t } = turnwise;
   await editor.openExample("shoulder");
@@ -100,7 +98,7 @@ test("one history: text, tools and the way to another work are undone in their o
   await expect(editor.line("CYCL CALL ;FIRST LAST")).toBeVisible();
 });
 
-test("blocks are put in, doubled, moved and deleted by dialog", async ({ page }) => {
+test("blocks are inserted, duplicated, moved and deleted by dialog", async ({ page }) => {
   const { editor } = await Turnwise.open(page);
   await editor.paste("0 BEGIN PGM A MM\n1 L X+10\n2 M30\n3 END PGM A MM\n");
   await editor.line("L X+10").click();
@@ -136,7 +134,7 @@ test("a share link opens the same program, and a reload keeps what was typed", a
   await expect(other.editor.line("CYCL CALL ;KEPT")).toBeVisible();
 });
 
-test("what is not understood is said in the margin and hides nothing behind it", async ({ page }) => {
+test("an unknown block is marked in the margin and hides nothing after it", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.paste(
     "0 BEGIN PGM A MM\n1 STRANGE WORDS\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n4 L X+10 Z+2 F0.2\n5 M30\n6 END PGM A MM\n",

@@ -7,7 +7,7 @@ import { looksRight } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** Name and bytes of the file that a button hands to the downloads. */
+/** Name and bytes of the file that a button downloads. */
 async function downloaded(button: Locator): Promise<{ readonly name: string; readonly bytes: Buffer }> {
   const waiting = button.page().waitForEvent("download");
   await button.click();
@@ -15,7 +15,7 @@ async function downloaded(button: Locator): Promise<{ readonly name: string; rea
   return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
 }
 
-/** What the triangles of a binary STL file enclose, mm³, and how far they reach along the spindle. */
+/** Volume of a binary STL file, mm³, and its extent along the spindle. */
 function measured(bytes: Buffer) {
   const count = bytes.readUInt32LE(80);
   expect(bytes.length).toBe(84 + 50 * count);
@@ -29,9 +29,7 @@ function measured(bytes: Buffer) {
   return { volume: volume / 6, left, right };
 }
 
-test("the part leaves as bodies and drawings that other programs read, from a cycle and from a program", async ({
-  page,
-}) => {
+test("the part is exported as bodies and drawings, from a cycle and from a program", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { effect, lathe, start, t } = turnwise;
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
@@ -50,7 +48,7 @@ test("the part leaves as bodies and drawings that other programs read, from a cy
   expect(whole.right - whole.left).toBeCloseTo(100, 3);
   expect(finished.volume).toBeLessThan(0.8 * whole.volume);
   await expect(dialog.getByRole("status")).toContainText("SHOULDER812_part.stl");
-  // Nothing is cut yet: the stock of this moment is the blank. At the end it is the part.
+  // Nothing is cut yet, so the current stock is the blank. At the end it is the part.
   const now = measured((await save(words.body.stock, "STL")).bytes);
   expect(now.volume).toBeCloseTo(whole.volume, 0);
   await page.keyboard.press("Escape");

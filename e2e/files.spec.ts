@@ -34,7 +34,7 @@ Q506=+0 ;CONTOUR SMOOTHING
 `;
 const AWAY = "0 BEGIN PGM AWAY MM\n1 L X+95 Z+52 R0 FMAX\n2 END PGM AWAY MM\n";
 
-test("files that are dropped together run together, a missing one is said and added, and a reload keeps them", async ({
+test("files dropped together run together, a missing one is reported and added, and a reload keeps them", async ({
   page,
 }) => {
   // The browser's own question for files can not be answered from here; the plain one can.
@@ -65,9 +65,7 @@ test("files that are dropped together run together, a missing one is said and ad
   await expect(verdict).toHaveText(provedIn(t));
 });
 
-test("a called program is looked at and edited, the one that calls runs again, and another one may run", async ({
-  page,
-}) => {
+test("a called program is shown and edited, its caller runs again, and another program can run", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, findings, t } = turnwise;
   const passes = editor.total(t.page.effect.passes);
@@ -117,7 +115,7 @@ test("a called program is looked at and edited, the one that calls runs again, a
   await expect(editor.file("MAIN.h")).toBeFocused();
 });
 
-test("blocks behind a skip mark are left out by a switch of the work", async ({ page }) => {
+test("a switch of the work skips the blocks with a skip mark", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   const operations = editor.total(t.editor.operations);
@@ -153,11 +151,11 @@ test("a link carries the files of a work and its switch", async ({ page, context
   await expect(opened.total(t.editor.operations)).toHaveText("1");
 });
 
-test("of a folder with several programs one is opened with what it calls, or all, each as a work of its own", async ({
+test("from a folder with several programs, open one with the programs it calls, or all as separate works", async ({
   page,
 }) => {
-  // The browser's own question for a folder can not be answered from here: it is one of the page's own place on the
-  // device.
+  // The folder picker of the browser can not be operated from here: it returns a folder of the origin private file
+  // system.
   await page.addInitScript(() =>
     Object.assign(window, {
       showDirectoryPicker: async () => (await navigator.storage.getDirectory()).getDirectoryHandle("job"),

@@ -2,7 +2,9 @@ import { looksRight } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** A whole program whose only cycle is called while milling, with a tool that leaves material in a sharp corner. */
+/**
+ * A program whose only cycle is called in milling mode, with a tool that leaves residual material in a sharp corner.
+ */
 const MILLING = `0 BEGIN PGM FAULT MM
 1 BLK FORM CYLINDER Z D61.3 L80 DIST+0
 2 FUNCTION MODE MILL
@@ -37,7 +39,7 @@ Q506=+0
 12 END PGM FAULT MM
 `;
 
-/** A cycle that the catalogue does not have: kept, and nothing is proved behind it. */
+/** A cycle missing from the catalogue: it is kept, and everything after it is unverified. */
 const KEPT = `0 BEGIN PGM KEPT MM
 1 BLK FORM CYLINDER Z D60 L80 DIST+0
 2 FUNCTION MODE TURN
@@ -50,7 +52,9 @@ Q450=+0
 8 END PGM KEPT MM
 `;
 
-test("a program that is not simulated is never called proved, and says from which block on", async ({ page }) => {
+test("a program that is not simulated is never called verified, and names the block where that begins", async ({
+  page,
+}) => {
   const { editor, findings, t } = await Turnwise.open(page);
   await editor.paste(KEPT);
   const proof = editor.total(t.findings.verdict.title);
@@ -63,7 +67,7 @@ test("a program that is not simulated is never called proved, and says from whic
   await expect(page.getByText(t.findings.verdict.proved)).toHaveCount(0);
 });
 
-test("a program with faults leaves only when it is meant to: copying, downloading and sharing ask, in words", async ({
+test("a program with errors leaves only on confirmation: copying, downloading and sharing ask first", async ({
   page,
 }) => {
   const { editor, findings, handing, t } = await Turnwise.open(page);
@@ -93,7 +97,7 @@ test("a program with faults leaves only when it is meant to: copying, downloadin
   await expect(page.getByRole("status").filter({ hasText: t.findings.leaving.withFaults(1) })).toBeVisible();
 });
 
-test("the missing block is put in from the list, and then nothing is asked any more", async ({ page }) => {
+test("the missing block is inserted from the list, and then nothing is asked any more", async ({ page }) => {
   const { editor, findings, t } = await Turnwise.open(page);
   await editor.paste(MILLING);
   await editor.show("findings");
@@ -104,7 +108,7 @@ test("the missing block is put in from the list, and then nothing is asked any m
   expect((await editor.downloaded()).toString()).toContain("FUNCTION MODE TURN");
 });
 
-test("what stays leads to its place in the picture, and to a tool that takes it", async ({ page }) => {
+test("residual material leads to its place in the picture, and to a tool that removes it", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, effect, findings, lathe, program, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -126,7 +130,9 @@ test("what stays leads to its place in the picture, and to a tool that takes it"
   await expect(program.blocks.filter({ hasText: `TOOL CALL ${tool}` })).toBeVisible();
 });
 
-test("all prompts answered is not said over a missing contour: the way leads there", async ({ page }) => {
+test("with a missing contour the dialog does not report all prompts answered, and leads to the contour", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, t } = turnwise;
   await turnwise.start.beginWithExample(820);

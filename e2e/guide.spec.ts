@@ -5,14 +5,12 @@ import { looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("from a prompt to the page of its parameter, to a word, and back; advice is marked and taken", async ({
-  page,
-}) => {
+test("from a prompt to its parameter page, to a term, and back; advice is marked and applied", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   await turnwise.start.beginWithExample(812);
   const { dialog } = turnwise;
 
-  // A pass deeper than the spindle can pull is marked at its prompt, and does not stand among the findings.
+  // A pass too deep for the spindle power is marked at its prompt, not listed among the findings.
   await dialog.open("Q463");
   await dialog.type("7.9");
   await expect(page.getByRole("button", { name: advice.mark(1) })).toBeVisible();
@@ -32,14 +30,14 @@ test("from a prompt to the page of its parameter, to a word, and back; advice is
     .toBeGreaterThan(3);
   await looksRightInBoth(page, "a parameter");
 
-  // The better value is one press, and undo takes it back.
+  // One click applies the better value, and undo reverts it.
   const said = main.getByRole("region", { name: advice.title, exact: true });
   await said.getByRole("button").first().click();
   await expect(said).toHaveCount(0);
   await turnwise.undo();
   await expect(said).toBeVisible();
 
-  // A word, and the way back to where one was: the prompt is still open.
+  // Open a term and go back: the prompt is still open.
   await main.getByRole("button", { name: glossary.infeed.name, exact: true }).click();
   await expect(page).toHaveURL(/#\/glossary\/infeed$/);
   await main.getByRole("searchbox", { name: t.glossary.search }).fill("nose r");
@@ -50,13 +48,13 @@ test("from a prompt to the page of its parameter, to a word, and back; advice is
   await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q463"));
   await expect(dialog.value).toHaveValue("7.9");
 
-  // Back and forward go there too.
+  // Back and Forward go there too.
   await page.goBack();
   await page.goForward();
   await expect(dialog.question).toHaveText(dialog.promptOf(812, "Q463"));
 });
 
-test("the numbered steps are played by keys and by finger; cutting data are the shop's own", async ({ page }) => {
+test("the numbered steps play by keys and by finger; cutting data are the shop's own", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   await page.goto(".?clock=manual#/guide/812");
   const player = page.getByRole("region", { name: t.steps.title });
@@ -93,7 +91,7 @@ test("the numbered steps are played by keys and by finger; cutting data are the 
   await page.reload();
   await expect(speed).toHaveValue("143");
 
-  // Out as a file, and in again; a file that is none takes nothing.
+  // Export the table and import it again; a file of another kind imports nothing.
   const [download] = await Promise.all([
     page.waitForEvent("download"),
     page.getByRole("button", { name: advice.table.save }).click(),

@@ -5,18 +5,18 @@ import { expect, test } from "./pages/test.ts";
 import { looksRight } from "./pages/look.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** The bytes that a button of a dialog hands to the downloads. */
+/** The bytes that a button of a dialog downloads. */
 async function downloaded(button: Locator): Promise<string> {
   const waiting = button.page().waitForEvent("download");
   await button.click();
   return (await readFile(await (await waiting).path())).toString();
 }
 
-test("a work handed on gives the same report to the byte elsewhere, and its tools may stay", async ({
+test("a shared work gives the same report, byte for byte, elsewhere, and its tools can be kept", async ({
   page,
   browser,
 }) => {
-  // The sender has a tool of his own under number 3.
+  // The sender has another tool number 3.
   const sender = await Turnwise.open(page);
   await sender.tools.open();
   await sender.tools.rowButton(3).click();
@@ -47,7 +47,7 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
     proof: { verdict: "proved" },
   });
 
-  // The receiver has the shipped tools and works at something else.
+  // The receiver has the default tools and another work open.
   const context = await browser.newContext();
   const receiver = await Turnwise.open(await context.newPage());
   const other = receiver.page;
@@ -59,7 +59,7 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
   await expect(inside.getByRole("listitem").filter({ hasText: "T3" })).toContainText(words.state.differs);
   await expect(inside.getByRole("listitem").filter({ hasText: "T1 CNMG" })).toContainText(words.state.same);
   await looksRight(other);
-  // Nothing was opened: what was there is still there.
+  // Nothing was opened: the other work is still there.
   await other.keyboard.press("Escape");
   await expect(receiver.dialog.question).toBeVisible();
   await other.goto("about:blank");
@@ -76,7 +76,7 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
   expect(await receiver.handing.link()).toBe(link);
   await other.keyboard.press("Escape");
 
-  // The tool with other values is put beside his own, and the program calls it there.
+  // The tool that differs is added under another number, and the program calls that number.
   await receiver.handing.line.getByRole("button").click();
   const { tools } = receiver.handing;
   await expect(tools.getByRole("row").filter({ hasText: "RS" })).toContainText("0.4");
@@ -104,7 +104,7 @@ test("a work handed on gives the same report to the byte elsewhere, and its tool
   await receiver.tools.rowButton(16).click();
   await expect(receiver.tools.cell("RS")).toHaveValue("3");
   await receiver.tools.close();
-  // Step by step back: his table in use, the calls, the kept tools.
+  // Undo step by step: the device table in use, the calls, the tools that were kept.
   await receiver.undo();
   await expect(receiver.handing.line).toBeVisible();
   await receiver.undo();

@@ -72,7 +72,7 @@ test("every place can be reloaded at its address", async ({ page }) => {
   await expect(findings).toHaveAttribute("aria-selected", "true");
 });
 
-test("the address of a work that is not here says so", async ({ page }) => {
+test("the address of a missing work says so", async ({ page }) => {
   const { t, start } = await Turnwise.open(page);
   await page.goto("./#/work/nowhere/contour");
   await expect(page.getByText(t.page.notice.workNotHere)).toBeVisible();

@@ -14,7 +14,7 @@ test("a reload in the middle of typing loses nothing", async ({ page }) => {
   await expect(dialog.line("Q494")).toContainText("-41.25");
 });
 
-test("of two tabs on one work one has it: it is taken over with the last key, given back, or copied", async ({
+test("one work in two tabs: one tab has it; it can be taken over with the last key, given back, or copied", async ({
   page,
   context,
 }) => {
@@ -65,7 +65,7 @@ test("a damaged save is set aside with a message, and the page opens", async ({ 
 });
 
 /**
- * Breaks every save on the device, as soon as the open work is written with what lists show of it; their number, 0
+ * Breaks every save on the device, as soon as the open work is stored with its list entry; returns their number, 0
  * before.
  */
 function damageSaves(page: Page): Promise<number> {

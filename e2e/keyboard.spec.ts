@@ -3,7 +3,10 @@ import { tabTo } from "./pages/keyboard.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 import { answers, type Answers } from "./pages/values.ts";
 
-/** Values of our own, so that nothing can pass by showing the example. The contour is the printed one, deeper. */
+/**
+ * Values that differ from the example, so that showing the example can not pass. The contour is the printed one,
+ * deeper.
+ */
 const JOBS: readonly { cycle: number; own: Answers; expected: readonly string[]; contour?: boolean }[] = [
   {
     cycle: 812,
@@ -117,7 +120,7 @@ test("dimensions of the contour are chosen and typed on the drawing by keyboard 
   await turnwise.start.beginWithExample(820);
   await turnwise.show("contour");
   await tabTo(page, contour.canvas);
-  // On the way the keyboard went through the table: its last element is the chosen one.
+  // On its way, focus passed through the table: its last element is the selected one.
   for (let i = 0; i < 2; i += 1) await keyboard.press("ArrowLeft");
   await expect(contour.drawing).toHaveAccessibleName(new RegExp(t.contour.drawingElement(4)));
   const x = t.contour.xOf(4),

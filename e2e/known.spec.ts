@@ -1,7 +1,7 @@
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a groove from empty prompts: after each value the picture says what is known of it, in one's own numbers", async ({
+test("a groove from empty prompts: after each value the picture shows what is known so far, with the typed numbers", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);
@@ -19,7 +19,7 @@ test("a groove from empty prompts: after each value the picture says what is kno
 
   await known(t.lathe.known.nothing);
   await expect(help).toHaveAccessibleName(new RegExp(t.help.partial.replace(".", "\\.")));
-  // The set-up is asked for first; here what it proposes stays.
+  // The set-up is asked first; accept its proposals.
   await dialog.open("Q215");
   await expect(dialog.line("Q460")).toHaveAccessibleName(new RegExp(t.dialog.idle));
 

@@ -5,7 +5,7 @@ import { built } from "./pages/built.ts";
 import { ambiguous, controls } from "./pages/controls.ts";
 import { expect, test } from "./pages/test.ts";
 
-/* By names alone, with the page objects that other test projects have, and with nothing of this project but them. */
+/* Uses names only: the page objects that other test projects get, and nothing else of this project. */
 const { Turnwise } = built;
 
 for (const language of LANGUAGES) {
@@ -32,7 +32,7 @@ for (const language of LANGUAGES) {
   });
 }
 
-test("with a held clock and a seed two runs give the same addresses, dates and files, byte by byte", async ({
+test("with a manual clock and a seed two runs give the same addresses, dates and files, byte by byte", async ({
   browser,
 }) => {
   const run = async () => {

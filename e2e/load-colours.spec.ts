@@ -3,7 +3,7 @@ import { load as en } from "../src/i18n/en/load.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("roughness and load by colour: scale, worst place, values under the pointer, list, other values, other language", async ({
+test("colour map of roughness and load: scale, worst place, values under the pointer, list, other values, other language", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);
@@ -14,13 +14,13 @@ test("roughness and load by colour: scale, worst place, values under the pointer
   const strip = (name: string) => page.getByRole("region", { name, exact: true });
   const lines = lathe.picture.locator(".load-line");
 
-  await test.step("nothing of it is there, or was fetched, before it is chosen", async () => {
+  await test.step("nothing of the colour map is present or fetched before it is chosen", async () => {
     await expect(lines).toHaveCount(0);
     const fetched = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
     expect(fetched.filter((name) => /LoadStrip|LoadLines/.test(name))).toEqual([]);
   });
 
-  await test.step("the roughness of the finished surface, with its rule; the tool goes to the roughest place", async () => {
+  await test.step("roughness of the finished surface, with its rule; the tool goes to the roughest place", async () => {
     await lathe.colours.selectOption("roughness");
     const told = strip(en.names.roughness);
     await expect(told).toContainText("f²/(8·r)");
@@ -49,7 +49,7 @@ test("roughness and load by colour: scale, worst place, values under the pointer
     await expect(told.getByText(en.here, { exact: true })).toBeVisible();
   });
 
-  await test.step("where the spindle is at its limit, and the same as a list for each operation", async () => {
+  await test.step("where the spindle is at its limit, and the same as a list by operation", async () => {
     await lathe.colours.selectOption("speed");
     const told = strip(en.names.speed);
     await expect(told.getByRole("list", { name: en.scale })).toContainText(en.limited);

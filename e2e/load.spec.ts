@@ -10,7 +10,7 @@ test("the first load is small, and asks no other host", async ({ page, baseURL }
   const foreign: string[] = [];
   const complaints: string[] = [];
   let isFirst = true;
-  // What the browser fetches at rest, before it is asked for, is no part of the first load.
+  // What the browser prefetches when idle is no part of the first load.
   await page.addInitScript(() => {
     window.requestIdleCallback = () => 0;
   });

@@ -4,7 +4,7 @@ import { accessible, looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("machine data: a preset, a value that is wrong, the file out and in, and the time that comes of them", async ({
+test("machine data: a preset, an invalid value, export and import, and their effect on the running time", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);

@@ -9,7 +9,7 @@ test.use({ hasTouch: true });
 
 const { kinds } = measure;
 
-test("diameter, length, radius, angle by keys: they stay, follow a value, go onto the sheet, are undone", async ({
+test("diameter, length, radius, angle by keys: kept, updated by a value, printed on the sheet, undone", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);
@@ -21,7 +21,7 @@ test("diameter, length, radius, angle by keys: they stay, follow a value, go ont
     for (const key of keys) await page.keyboard.press(key);
   };
   await lathe.button("ruler").press("Enter");
-  // The keys belong to the picture at once, and wait for the tools where these are late.
+  // The picture takes the keys at once, and buffers them while the tools load.
   await press("d", "n", "n", "n", "n", "Enter");
   const tools = lathe.view.getByRole("toolbar", { name: measure.tools });
   await expect(tools.getByRole("button", { name: kinds.diameter })).toHaveAttribute("aria-pressed", "true");
@@ -34,7 +34,7 @@ test("diameter, length, radius, angle by keys: they stay, follow a value, go ont
   await expect(label(/^Length \d+\.\d+, contour/)).toBeVisible();
   await accessible(page);
 
-  // The cone is another one with another angle: its numbers go along.
+  // With another angle the cone differs; its measurements follow.
   await press("Escape");
   await dialog.set("Q495", "7");
   await expect(label(`${kinds.angle} 7.000°, contour`)).toBeVisible();
@@ -60,9 +60,7 @@ test("diameter, length, radius, angle by keys: they stay, follow a value, go ont
   await expect(drawing).not.toContainText("R1.500");
 });
 
-test("by touch: a tap on a surface, a finger beside the point, a text that is moved, and all of it cleared", async ({
-  page,
-}) => {
+test("by touch: tap a surface, place the cross beside the finger, move a label, clear all", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, effect } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -74,7 +72,7 @@ test("by touch: a tap on a surface, a finger beside the point, a text that is mo
   await page.touchscreen.tap(bar.x, bar.y + 3);
   const one = lathe.view.getByRole("button", { name: /^Diameter ⌀75\.000/ });
   await expect(one).toBeVisible();
-  // The cross stands above the finger, so that the point is seen.
+  // The cross is above the finger, so that the point is visible.
   const cone = await pictureAt(page, stage, -30, 55.2);
   await dragFinger(page, { x: cone.x - 60, y: cone.y + 30 }, { x: cone.x, y: cone.y + 64 });
   await expect(lathe.view.getByRole("button", { name: /^Diameter ⌀5\d\.\d{3}, contour/ })).toBeVisible();
@@ -99,7 +97,7 @@ test("by touch: a tap on a surface, a finger beside the point, a text that is mo
 test("an angle in the plane by keys alone", async ({ page }) => {
   const { editor, lathe, t } = await Turnwise.open(page);
   await editor.openExample("plate");
-  // Until it is known what is milled the view of the lathe stands there, with a ruler of its own.
+  // Until the milling is known, the lathe view is shown, with its own ruler.
   await page.getByRole("region", { name: t.approach.view }).waitFor();
   await lathe.button("ruler").press("Enter");
   await expect(lathe.view.getByRole("toolbar", { name: measure.tools })).toBeVisible();

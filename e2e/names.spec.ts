@@ -5,23 +5,25 @@ import { ambiguous, controls, kinds } from "./pages/controls.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** The golden, and how long a screen is given to become what it says, ms: one whose names changed takes that long. */
+/** The snapshot, and the time a screen gets to show its names, ms; a changed name takes all of it. */
 const LIST = new URL("names.txt", import.meta.url),
   LATEST = 15_000;
 
 /*
- * Roles and names are what tests of others hold on to: e2e/names.txt lists each under the first screen that has it, and
- * changing one is a decision. After it, `npm run e2e -- names --update-snapshots` writes the list anew.
+ * External tests rely on roles and names: e2e/names.txt lists each under the first screen that has it, and changing one
+ * is a decision. After one, `npm run e2e -- names --update-snapshots` rewrites the list.
  */
-test("every control of every screen has the name it is known by, and no other has it", async ({ page }) => {
+test("every control of every screen has the name listed for it, and no other control has that name", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page, { heldClock: true, seed: 7 });
   const { comparison, course, dialog, editor, effect, handing, own, settings, sheet, start, t, tools, works } =
     turnwise;
   const home = () => page.getByRole("link", { name: t.page.home }).click();
   const screens: string[] = [];
   const known = new Set<string>();
-  // What comes a moment later is waited for, by the names that are known; that they are all there and no others is
-  // compared at the end.
+  // Waits for the listed names, since some appear late. The comparison at the end checks that all are there, and no
+  // others.
   const listed = (existsSync(LIST) ? readFileSync(LIST, "utf8") : "").trimEnd().split("\n\n");
   const look = async (screen: string, part = page.locator("body")) => {
     const fresh = async () => kinds(await controls(part)).filter((kind) => !known.has(kind));

@@ -5,7 +5,7 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 import { offline as en } from "../src/i18n/en/offline.ts";
 
-/** Only these journeys have a service worker. */
+/** Only these tests use a service worker. */
 test.use({ serviceWorkers: "allow" });
 
 let site: Site;
@@ -25,17 +25,17 @@ async function openPage(page: Page): Promise<Turnwise> {
   return Turnwise.at(page);
 }
 
-/** Waits until the settings say that the whole page is here. */
+/** Waits until the settings report that the whole page is stored. */
 async function kept(turnwise: Turnwise): Promise<void> {
   await turnwise.settings.open();
   await expect(turnwise.settings.dialog.getByRole("status").filter({ hasText: en.kept.kept })).toBeVisible();
   await turnwise.page.keyboard.press("Escape");
 }
 
-/** The script that a page was started with. */
+/** The script that a page was started from. */
 const version = (page: Page) => page.locator("script[type=module][src]").getAttribute("src");
 
-test("in flight mode: home screen, example, edit, proof, copy, languages, tools, Back, and a killed worker", async ({
+test("in flight mode: home screen, example, edit, check, copy, languages, tools, Back, and a killed worker", async ({
   page,
   context,
 }) => {
@@ -62,7 +62,7 @@ test("in flight mode: home screen, example, edit, proof, copy, languages, tools,
   await turnwise.effect.proved();
   const passes = await turnwise.effect.cell("passes").textContent();
 
-  // The browser takes the calculation away, at rest; the next value is calculated all the same.
+  // The browser discards the idle calculation worker; the next value is still calculated.
   for (const worker of screen.workers()) await worker.evaluate(() => self.close());
   await turnwise.dialog.set("Q463", "1.1");
   await expect(turnwise.effect.cell("passes")).not.toHaveText(passes ?? "");
@@ -90,7 +90,7 @@ test("in flight mode: home screen, example, edit, proof, copy, languages, tools,
   await expect(screen.getByRole("dialog", { name: Turnwise.at(screen, "de").t.operations.newProgram })).toBeVisible();
 });
 
-test("half an update changes nothing; a whole one is said, waits for the button, and loses nothing", async ({
+test("a partial update changes nothing; a complete one is announced, waits for the button, and loses nothing", async ({
   page,
   context,
 }) => {
@@ -106,7 +106,7 @@ test("half an update changes nothing; a whole one is said, waits for the button,
   };
   const says = (text: string) => turnwise.settings.dialog.getByRole("status").filter({ hasText: text });
 
-  // The line breaks in the middle; then a server gives an old page beside a new list.
+  // The connection breaks halfway; then a server returns an old page with a new list.
   const newer = newerVersion();
   site.serve(newer, (path) => /^assets\/[a-f]/i.test(path));
   await look();
@@ -134,7 +134,7 @@ test("half an update changes nothing; a whole one is said, waits for the button,
   expect(await version(page)).not.toBe(old);
   await turnwise.effect.proved();
 
-  // The other tab goes on with its own parts, which no server has any more, until it is loaded again.
+  // The other tab keeps using its own parts, which no server has any more, until it is reloaded.
   await expect(other.page.getByText(en.elsewhere)).toBeVisible();
   expect(await version(other.page)).toBe(old);
   const keeps = () =>
@@ -157,10 +157,12 @@ test("half an update changes nothing; a whole one is said, waits for the button,
   await expect.poll(keeps).toBe(false);
 });
 
-test("a part that does not come is said, keeps what is open, and comes with the network", async ({ browser }) => {
+test("a part that fails to load is reported, keeps the open work, and loads once the network is back", async ({
+  browser,
+}) => {
   const context = await browser.newContext({ serviceWorkers: "block" });
   context.on("weberror", (error) => faults.push(error.error().message));
-  // Nothing is fetched before it is asked for.
+  // Nothing is fetched before it is needed.
   await context.addInitScript(() => {
     window.requestIdleCallback = () => 0;
   });
@@ -178,14 +180,14 @@ test("a part that does not come is said, keeps what is open, and comes with the 
   await context.setOffline(false);
   await expect(tools.row(1)).toBeVisible();
   await expect(page.getByText(missing.offline)).toBeHidden();
-  // With its style sheet, which did not come the first time either.
+  // With its style sheet, which failed the first time as well.
   await expect(page.getByRole("table").first()).toHaveCSS("border-spacing", "0px");
   await tools.close();
   await start.beginWithExample(812);
   await turnwise.effect.proved();
   await dialog.set("Q463", "2.4");
 
-  // The server has another version, and not this part.
+  // The server has another version, without this part.
   site.serve(newerVersion());
   await page.getByRole("button", { name: t.page.settings, exact: true }).click();
   await expect(page.getByText(missing.gone)).toBeVisible();

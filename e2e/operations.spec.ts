@@ -7,7 +7,7 @@ import { Turnwise } from "./pages/turnwise.ts";
 
 const flange = readFileSync(new URL("../src/examples/flange.h", import.meta.url), "utf8");
 
-test("operations of the flange are doubled, moved, switched off and taken back to the byte", async ({ page }) => {
+test("operations of the flange are duplicated, moved, skipped and restored byte for byte", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   const text = async () => (await editor.downloaded()).toString();
@@ -24,7 +24,7 @@ test("operations of the flange are doubled, moved, switched off and taken back t
   await editor.operationTool("up").click();
   expect(await text()).toBe(flange);
 
-  // Taken by its grip it goes where it is let go.
+  // Dragged by its grip, it moves to where it is dropped.
   await editor.dragOperation(3, 4);
   await expect(editor.total(t.editor.toolChanges)).toHaveText("8");
   await editor.dragOperation(4, 3);
@@ -88,9 +88,7 @@ test("a program of three operations from nothing, by keyboard alone", async ({ p
   await expect(editor.total(t.editor.operations)).toHaveText("2");
 });
 
-test("a new program that is given up at its first operation is a sane one, and offers the operation again", async ({
-  page,
-}) => {
+test("a new program cancelled at its first operation is valid, and offers the operation again", async ({ page }) => {
   const { editor, t } = await Turnwise.open(page);
   await editor.create();
   await editor.show("structure");

@@ -18,7 +18,7 @@ const PROGRAM = `0 BEGIN PGM PULL MM
 `;
 const stored = "turnwise/own-cycles";
 
-test("an unknown block is described, its dialog changes the text, and it is put in a second time after a reload", async ({
+test("an unknown block is described, its dialog changes the text, and it is inserted again after a reload", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);
@@ -79,7 +79,7 @@ test("an unknown block is described, its dialog changes the text, and it is put 
   expect((await editor.downloaded()).toString()).toContain(second);
 });
 
-test("by keyboard alone: from the settings, a cycle is made, kept, deleted and taken back", async ({ page }) => {
+test("by keyboard alone: from the settings, a cycle is created, kept, deleted and restored", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { own, t } = turnwise;
   const { keyboard } = page;

@@ -12,7 +12,7 @@ const parameter = (id: string, q: string, prompt: string, more: object) => ({
   choices: "",
   ...more,
 });
-/** One that can be used, and one with errors. */
+/** One usable description, and one with errors. */
 const KEPT = JSON.stringify({
   version: 1,
   cycles: [

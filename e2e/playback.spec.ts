@@ -3,8 +3,8 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 /**
- * What is painted as material, one letter for each small square of the canvas: how single edge pixels are rounded does
- * not count.
+ * The painted material, one letter for each small square of the canvas, so that rounding of single edge pixels does not
+ * count.
  */
 const stock = (turnwise: Turnwise) =>
   turnwise.lathe.picture.locator("canvas.material").evaluate((element) => {
@@ -23,7 +23,7 @@ const stock = (turnwise: Turnwise) =>
     return squares;
   });
 
-test("playing with a held clock: time moves when the test says so, and the step of the manual is shown", async ({
+test("playing with a manual clock: the test advances the time, and the step of the manual is shown", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
@@ -66,7 +66,7 @@ test("playing, stepping and seeking show the same stock", async ({ page }) => {
   expect(sought).not.toBeNull();
 });
 
-/** How the picture of the material is shaded, or another canvas of it: the mean of each square. */
+/** Shading of the material, or of another canvas: the mean of each square. */
 const shades = (turnwise: Turnwise, canvas = "canvas.material") =>
   turnwise.lathe.picture.locator(canvas).evaluate((element) => {
     const { width, height } = element as HTMLCanvasElement,
@@ -86,11 +86,11 @@ const shades = (turnwise: Turnwise, canvas = "canvas.material") =>
     return squares;
   });
 
-/** Squares that are shaded differently in two pictures. */
+/** Squares whose shading differs between two pictures. */
 const differing = (one: readonly number[], other: readonly number[]) =>
   one.filter((v, i) => Math.abs(v - (other[i] ?? 0)) > 6).length;
 
-test("while it plays by itself the worker paints the stock, as the page does at rest", async ({ page }) => {
+test("during playback the worker paints the stock exactly as the page does when paused", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, effect } = turnwise,
     layer = lathe.picture.locator(".played canvas");
@@ -115,7 +115,7 @@ test("while it plays by itself the worker paints the stock, as the page does at 
   }
 });
 
-test("in each view, and with X down, the work looks the same when it was played and when it is looked at anew", async ({
+test("in each view, and with X down, the stock looks the same after playing and after a reload of the view", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
@@ -152,7 +152,7 @@ test("keys of the lathe view, and reduced motion", async ({ page }) => {
   await expect(lathe.picture).toHaveAccessibleName(new RegExp(t.lathe.atStart));
 });
 
-test("the chip that is cut stands at the edge and in numbers, and passes that are done fade", async ({ page }) => {
+test("the current chip is shown at the edge and in numbers, and finished passes fade", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, effect } = turnwise;
   await turnwise.start.beginWithExample(812);

@@ -22,7 +22,9 @@ test("files of both controls, and labels in a language of their own", async ({ p
   expect(await program.copy()).toContain("Q463=+3 ;MAX. CUTTING DEPTH ~");
 });
 
-test("the look of the manual is a view: what leaves is the file, and the file is one press away", async ({ page }) => {
+test("the printed form of the manual is a view: copy and download give the file, which is one click away", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { program, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -32,7 +34,7 @@ test("the look of the manual is a view: what leaves is the file, and the file is
   expect(await program.copy()).toContain("CYCL DEF 812  SHOULDER, LONG. EXT. ~");
   expect(await readFile(await (await program.download()).path(), "utf8")).toContain("Q215=+0 ;MACHINING OPERATION ~");
   await looksRight(page);
-  // Marked text of the whole program goes as the file, too.
+  // Selecting and copying the whole program gives the file, too.
   await page.evaluate(() => navigator.clipboard.writeText(""));
   await program.blocks.first().click();
   await page.evaluate(() => getSelection()?.selectAllChildren(document.querySelector(".program-text") as Element));
@@ -42,7 +44,7 @@ test("the look of the manual is a view: what leaves is the file, and the file is
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("~");
 });
 
-test("DIN/ISO: shown, copied and downloaded the same; what it opens as runs the same", async ({ page }) => {
+test("DIN/ISO: shown, copied and downloaded alike; reopened, it runs the same", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, program, sheet, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -70,7 +72,7 @@ test("DIN/ISO: shown, copied and downloaded the same; what it opens as runs the 
   expect(await readFile(await (await again).path(), "utf8")).toBe(text);
 });
 
-test("the machine's own functions, line ends and name stay with the work", async ({ page }) => {
+test("machine functions, line ends and name stay with the work", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { program, t } = turnwise;
   await turnwise.start.beginWithExample(811);
@@ -88,7 +90,7 @@ test("the machine's own functions, line ends and name stay with the work", async
   const text = await program.copy();
   expect(text.startsWith("BEGIN PGM SHOULDER811 MM\r\n")).toBe(true);
   expect(text).toMatch(/FMAX {2}M403\r\nCYCL CALL\r\nM140 MB MAX\r\nM5\r\nM30\r\n/);
-  // What is pointed at is known without numbers, too.
+  // Pointing selects a block even in a file without numbers.
   await program.blocks.last().getByRole("code").click();
   await page.reload();
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("M403");
@@ -97,7 +99,9 @@ test("the machine's own functions, line ends and name stay with the work", async
   await expect.poll(async () => (await program.shown()).join("\n")).toContain("M140 MB MAX");
 });
 
-test("a program in the look of the manual is told to be no file, and gets its ~ with one press", async ({ page }) => {
+test("a program in the printed form of the manual is reported as no NC file, and one click adds its ~", async ({
+  page,
+}) => {
   const { editor, program, t } = await Turnwise.open(page);
   await editor.paste(UNTIED);
   await expect(program.fileNote).toContainText(t.page.text.untied);
@@ -126,7 +130,7 @@ test("the download is the text on the screen, under the program's name", async (
     );
 });
 
-test("where the clipboard is refused the text is offered, selected", async ({ page }) => {
+test("if the clipboard is refused, the text is offered, selected", async ({ page }) => {
   await page.addInitScript(() => {
     Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("refused")) } });
     document.execCommand = () => false;

@@ -3,7 +3,7 @@ import { looksRight } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a cut below the contour of a cycle is asked about, and one press says that it is meant", async ({ page }) => {
+test("a cut below the contour of a cycle asks for confirmation, and one click confirms it", async ({ page }) => {
   const { editor, findings, t } = await Turnwise.open(page);
   await editor.paste(await readFile("tests/proof/groove-by-feed-below-a-contour.h", "utf8"));
   await editor.show("findings");
@@ -16,7 +16,7 @@ test("a cut below the contour of a cycle is asked about, and one press says that
   await expect(editor.text).toContainText("INTENDED CUT");
 });
 
-test("a part that is parted off leaves the picture, and turning it is an error", async ({ page }) => {
+test("a part that is parted off leaves the picture, and turning it afterwards is an error", async ({ page }) => {
   const { editor, findings, t } = await Turnwise.open(page, { language: "de" });
   await editor.paste(await readFile("tests/proof/parted-off-then-turned.h", "utf8"));
   await expect(editor.total(t.findings.verdict.title)).toContainText(t.findings.verdict.faults(1));

@@ -3,7 +3,7 @@ import { provedIn } from "./pages/effect.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("wrong input says what is wrong and what would work, and the picture stays", async ({ page }) => {
+test("invalid input says what is wrong and which value works, and the picture stays", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, effect, lathe, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -20,7 +20,7 @@ test("wrong input says what is wrong and what would work, and the picture stays"
 
   await dialog.type("2000");
   await expect(dialog.messages).toContainText("999.999");
-  // The limit is said; nobody would type it, so it is no offer.
+  // The limit is shown, but not offered as a value: nobody would type it.
   await expect(dialog.messages.getByRole("button")).toHaveCount(0);
   await dialog.type("2.5");
   await expect(dialog.value).toHaveAttribute("aria-invalid", "false");
@@ -33,9 +33,7 @@ test("wrong input says what is wrong and what would work, and the picture stays"
   await expect(lathe.view).not.toContainText(t.lathe.outdated);
 });
 
-test("a block of a program that is half typed keeps the last good picture, until it is right or left", async ({
-  page,
-}) => {
+test("a half-typed block keeps the last valid picture, until it is completed or left", async ({ page }) => {
   const { editor, dialog, lathe, t } = await Turnwise.open(page);
   await editor.openFile("FLANGE.h", readFileSync("src/examples/flange.h"));
   const passes = editor.total(t.page.effect.passes),
@@ -60,7 +58,7 @@ test("a block of a program that is half typed keeps the last good picture, until
   await editor.line("Q493=+62").click();
   await page.keyboard.press("Home");
   for (let i = 0; i < 6; i += 1) await page.keyboard.press("ArrowRight");
-  // Both digits at once: with one of them the block is whole, and drawn.
+  // Deletes both digits at once: with one digit left the block would be valid, and drawn.
   for (let i = 0; i < 2; i += 1) await page.keyboard.press("Shift+ArrowRight");
   await page.keyboard.press("Delete");
   await expect(editor.line("Q493=+ ")).toBeVisible();
@@ -76,7 +74,7 @@ test("a block of a program that is half typed keeps the last good picture, until
   await expect(passes).not.toHaveText(all);
 });
 
-test("a half typed word of an approach keeps the last good picture too", async ({ page }) => {
+test("a half-typed word of an approach keeps the last valid picture too", async ({ page }) => {
   const { editor, dialog, t } = await Turnwise.open(page);
   await editor.openFile("PLATE.h", readFileSync("src/examples/plate.h"));
   await editor.line("APPR LT").click();

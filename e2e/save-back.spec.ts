@@ -5,10 +5,7 @@ import { looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/**
- * What the older character set holds, bytes without a character among them, line ends of all kinds, and no line end at
- * the end.
- */
+/** Characters of the older encoding, undefined bytes, mixed line ends, and no line end at the end of the file. */
 const AWKWARD = [
   ...Buffer.from("0 BEGIN PGM AWK MM\r\n1 ; ", "latin1"),
   ...Array.from({ length: 128 }, (_, i) => 128 + i),
@@ -31,11 +28,8 @@ const onDevice = (page: Page) =>
     return [...new Uint8Array(await (await (await root.getFileHandle("AWK.H")).getFile()).arrayBuffer())];
   });
 
-test("a file is saved back to the byte after a reload, and never over what somebody else wrote there", async ({
-  page,
-}) => {
-  // The browser's own question for files can not be answered from here: the files are those of the page's own place on
-  // the device.
+test("a file is saved back byte for byte after a reload, and never over foreign changes", async ({ page }) => {
+  // The file picker of the browser can not be operated from here: it returns files of the origin private file system.
   await page.addInitScript(() =>
     Object.assign(window, {
       showOpenFilePicker: async () => [await (await navigator.storage.getDirectory()).getFileHandle("AWK.H")],
@@ -43,12 +37,12 @@ test("a file is saved back to the byte after a reload, and never over what someb
   );
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
-  // A file can not be read in the moment in which the page puts another in its place.
+  // A file can not be read at the moment the page replaces it.
   const held = async () => Buffer.from(await onDevice(page).catch(() => [])).toString("latin1");
   const holds = (text: string) => expect.poll(held).toBe(text);
   const typeBehind = async (text: string) => {
     await editor.line("X+63.4").click();
-    // Where the line ends of a file are mixed, their returns are characters.
+    // In a file with mixed line ends, carriage returns are characters.
     await page.keyboard.press("End");
     await page.keyboard.press("ArrowLeft");
     await page.keyboard.type(text);
@@ -67,7 +61,7 @@ test("a file is saved back to the byte after a reload, and never over what someb
   const edited = Buffer.from(AWKWARD).toString("latin1").replace("FMAX", "FMAX M8");
   await holds(edited);
 
-  // Somebody else changes a value of it.
+  // Another program changes a value in the file.
   const others = edited.replace("TOOL CALL 1", "TOOL CALL 3");
   await put(page, [...Buffer.from(others, "latin1")]);
   await typeBehind(" M5");
@@ -85,7 +79,7 @@ test("a file is saved back to the byte after a reload, and never over what someb
   await question.getByRole("button", { name: filesWords.overwrite, exact: true }).click();
   await holds(edited.replace("M8", "M8 M5"));
 
-  // A character that the file can not hold is said before it is saved; a file that is gone is said as well.
+  // Characters that the encoding lacks are reported before saving; so is a deleted file.
   await typeBehind(" ;→");
   await expect(page.getByText(t.editor.otherEncoding("→", "AWK.H"))).toBeVisible();
   await page.evaluate(async () => (await navigator.storage.getDirectory()).removeEntry("AWK.H"));

@@ -2,7 +2,7 @@ import { looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/* Few journeys with many screens each: looking at a screen takes less time than coming there. */
+/* Few tests with many screens each: checking a screen takes less time than reaching it. */
 
 test("the start, the settings and the files of a work pass axe, and fit", async ({ page }) => {
   const turnwise = await Turnwise.open(page);

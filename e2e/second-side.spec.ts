@@ -5,7 +5,7 @@ import { looksRight } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("what a program leaves is turned round and goes on as a program of its own", async ({ page }) => {
+test("the finished part of a program is turned around and continues as a new program", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, effect, start, t } = turnwise;
   const dialog = page.getByRole("dialog", { name: words.title, exact: true });
@@ -35,12 +35,12 @@ test("what a program leaves is turned round and goes on as a program of its own"
   await page.goForward();
   await expect(editor.text).toContainText("BEGIN PGM SHOULDER812_2 MM");
 
-  // Turned again it is the third clamping.
+  // Turned around again, it is the third clamping.
   await ask();
   await expect(dialog).toContainText("SHOULDER812_3");
 });
 
-test("of a bar and the part that came off it the part is turned round; the dialog fits a phone", async ({ page }) => {
+test("after parting off, choose bar or part to turn around; the dialog fits a phone", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, t } = turnwise;
   await page.setViewportSize({ width: 390, height: 664 });
@@ -56,7 +56,7 @@ test("of a bar and the part that came off it the part is turned round; the dialo
   await looksRight(page);
 });
 
-test("a program with errors leaves nothing to turn round, and it is said why", async ({ page }) => {
+test("a program with errors leaves no part to turn around, and the dialog says why", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { language: "de" });
   const { editor, t } = turnwise;
   await editor.paste(

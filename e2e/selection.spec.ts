@@ -4,14 +4,14 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 const FLANGE = readFileSync(new URL("../src/examples/flange.h", import.meta.url), "utf8");
-/** The infeed of the first roughing cycle, mistyped: far more than the others take. */
+/** The mistyped infeed of the first roughing cycle: far larger than the others. */
 const WRONG = FLANGE.replace("Q463=+3 ;MAX. CUTTING DEPTH", "Q463=+0.3 ;MAX. CUTTING DEPTH");
 
 const stageOf = (turnwise: Turnwise) => turnwise.lathe.view.getByRole("group", { name: turnwise.t.lathe.title });
 
 const differing = (text: string) => text.split(/\r?\n/).filter((line, i) => line !== FLANGE.split(/\r?\n/)[i]);
 
-test("a wrong infeed is found in the picture and mended at its prompt; nothing else changes", async ({ page }) => {
+test("a wrong infeed is found in the picture and fixed at its prompt; nothing else changes", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, lathe, dialog, program } = turnwise;
   await editor.paste(WRONG);
@@ -47,7 +47,7 @@ test("the same by keyboard: from the picture to the prompt and back", async ({ p
   expect(differing(await program.copy())).toEqual([]);
 });
 
-test("a line of the text takes the tool to where its block begins, and marks its path", async ({ page }) => {
+test("a line of the text moves the tool to the start of its block, and marks its path", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, lathe, t } = turnwise;
   await editor.openExample("flange");
@@ -89,7 +89,7 @@ test("in the workplace of one cycle: line, prompt, path and step are the same pl
   await expect(lathe.running).toContainText("Step 2 of 6");
 });
 
-test("paths are narrowed to what runs, or hidden, and that is remembered", async ({ page }) => {
+test("the path display is limited to the current cycle or hidden, and remembered", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, effect, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -125,7 +125,7 @@ test("a drag with the ruler measures, and leaves the picture where it is", async
   expect(await pictureAt(page, stage, -90, 20)).toEqual(from);
 });
 
-test("a changed value says what it was, and the path before it stays for two seconds", async ({ page }) => {
+test("a changed value shows the previous one, and the previous path stays for two seconds", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   const { lathe, dialog, effect } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -146,7 +146,7 @@ test("a changed value says what it was, and the path before it stays for two sec
   await expect(effect.cell("passes")).not.toHaveAttribute("data-was");
 });
 
-test("two settings side by side, and back to the pinned one in one step", async ({ page }) => {
+test("two settings compared, and the pinned one restored in one step", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, dialog, effect, t } = turnwise;
   await turnwise.start.beginWithExample(812);
@@ -169,7 +169,7 @@ test("two settings side by side, and back to the pinned one in one step", async 
   await expect(card).toHaveCount(0);
 });
 
-test("a dimension in the help picture opens its prompt; a measured way goes into the open one", async ({ page }) => {
+test("a dimension in the help picture opens its prompt; a measured length goes into the open one", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe, dialog, effect, t } = turnwise;
   await turnwise.start.beginWithExample(812);

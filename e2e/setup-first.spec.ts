@@ -1,10 +1,10 @@
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** Keys beside the characters of values that a shoulder from the empty page takes at most. */
+/** Most keys that a shoulder from the empty page may take beyond its values. */
 const MOST_KEYS = 25;
 
-test("a shoulder from the empty page by keyboard alone, in few keys beside its values", async ({ page }) => {
+test("a shoulder from the empty page by keyboard alone, with few keys beyond its values", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, effect, program, t } = turnwise;
   const { keyboard } = page;
@@ -47,9 +47,7 @@ test("a shoulder from the empty page by keyboard alone, in few keys beside its v
   expect(keys).toBeLessThan(MOST_KEYS);
 });
 
-test("a groove from Z0 is cut in the blank that is proposed, and a forgotten minus is asked about", async ({
-  page,
-}) => {
+test("a groove from Z0 is cut in the proposed blank, and a forgotten minus sign is queried", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, effect, t } = turnwise;
   await turnwise.start.beginEmpty(852);
@@ -72,7 +70,7 @@ test("a groove from Z0 is cut in the blank that is proposed, and a forgotten min
   await expect(effect.cell("passes")).not.toHaveText("0");
 });
 
-test("a blank that somebody has set is asked about at the value that does not fit it", async ({ page }) => {
+test("with a blank that the user has set, a value that does not fit it is queried at its prompt", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, program, t } = turnwise;
   await turnwise.start.beginEmpty(812);
@@ -87,7 +85,7 @@ test("a blank that somebody has set is asked about at the value that does not fi
   await expect(dialog.messages.getByRole("button")).toHaveCount(0);
 });
 
-test("a free contour is asked for first, and its dialog does not end without it", async ({ page }) => {
+test("a free contour is asked first, and the dialog does not end without it", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { dialog, contour, t } = turnwise;
   await turnwise.start.beginEmpty(820);

@@ -1,7 +1,7 @@
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a tool that cannot make the contour says so at once, and names one that can", async ({ page }) => {
+test("a tool that cannot make the contour is reported at once, with one that can", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { setup, effect, program, t } = turnwise;
   await turnwise.start.beginWithExample(852);
@@ -16,7 +16,7 @@ test("a tool that cannot make the contour says so at once, and names one that ca
   await effect.proved();
 });
 
-test("a start point that stands in the material is said at its field, and the picture follows the blank", async ({
+test("a start point inside the material is reported at its field, and the picture follows the blank", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);

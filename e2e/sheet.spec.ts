@@ -4,7 +4,7 @@ import { accessible, looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the setup sheet of a program: what stands on it, remarks that stay, its pages", async ({ page }) => {
+test("the setup sheet of a program: contents, saved remarks, pages", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, sheet, t } = turnwise;
   await editor.openExample("flange");
@@ -44,7 +44,7 @@ test("the setup sheet of a program: what stands on it, remarks that stay, its pa
   await expect(editor.total(t.editor.operations)).toHaveText("8");
 });
 
-test("the sheet of a cycle, in German on a phone; a program with faults is marked; the workplace prints its program", async ({
+test("the sheet of a cycle, in German on a phone; a program with errors is marked; the workplace prints its program", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page, { language: "de" });
@@ -69,7 +69,7 @@ test("the sheet of a cycle, in German on a phone; a program with faults is marke
   await expect(sheet.preview.getByRole("heading", { name: sheet.words.stamp.faults })).toBeVisible();
 });
 
-test("the setup sheet of an inch program is in inches, its tools in mm; so is what comes of a difference", async ({
+test("the setup sheet of an inch program is in inches, its tools in mm; so are the effects in a comparison", async ({
   page,
 }) => {
   const { editor, sheet, t } = await Turnwise.open(page);

@@ -5,7 +5,7 @@ import { frames, settledBox } from "./pages/picture.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("the turned body in space: turned, cut open, at any moment; the section where the graphics card is gone", async ({
+test("the turned body in 3D: rotated, cut open, at any moment; the section if the graphics card is lost", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);
@@ -16,7 +16,7 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
     createHash("sha1")
       .update(await picture.screenshot())
       .digest("hex");
-  /** What is seen once it is another picture than before, and stays. */
+  /** The next picture that differs from the previous one, once it no longer changes. */
   const changed = async (before: string) => {
     let now = before;
     await expect
@@ -57,16 +57,16 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   await page.mouse.move(box.x + 260, box.y + 170, { steps: 4 });
   await page.mouse.up();
   now = await changed(now);
-  // Nothing is drawn as long as nothing changes.
+  // No frames are drawn while nothing changes.
   await frames(page, 24);
   expect(await seen()).toBe(now);
   await lathe.button("last").click();
   now = await changed(now);
   await expect(picture).toHaveAccessibleName(/Block|block/);
-  // The body itself is there: what its surfaces stand for is told with it.
+  // The body is shown, with the legend of its surfaces.
   await expect(field.getByRole("list", { name: words.surfaces, exact: true })).toContainText(words.textures.finished);
 
-  // Measuring is done in the section; after it the body is back.
+  // Measuring switches to the section; afterwards the body is back.
   await lathe.button("ruler").click();
   await expect(field).toHaveCount(0);
   await lathe.button("ruler").click();
@@ -87,7 +87,7 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   await expect(field).toHaveCount(0);
   await expect(lathe.view.locator(".lathe-picture")).toBeVisible();
 
-  // No WebGL at all, until there is: the choice is kept, the section is shown and says why.
+  // Without WebGL the choice is kept, and the section is shown with the reason.
   await lathe.section.selectOption("solid");
   await page.addInitScript(() => {
     const before = HTMLCanvasElement.prototype.getContext;
@@ -105,7 +105,7 @@ test("the turned body in space: turned, cut open, at any moment; the section whe
   await expect(lathe.view.locator(".lathe-picture")).toHaveCount(0);
 });
 
-test("on small screens the named views can be pressed while something is told by colour", async ({ page }) => {
+test("on small screens the named views can be pressed while a colour map is shown", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { effect, lathe, start } = turnwise;
   await start.beginWithExample(812);

@@ -3,18 +3,18 @@ import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
 /*
- * Every changed value has to reach the picture. How long that takes is printed, never judged: it says more about the
- * machine than about the page (docs/performance.md has what was measured on a quiet one). What is judged is what does
- * not depend on it.
+ * Every changed value has to reach the picture. The times are printed, not judged: they depend on the machine more than
+ * on the page (docs/performance.md has times of a quiet one). Only results that do not depend on the machine are
+ * judged.
  */
 test.describe.configure({ mode: "serial" });
 
-/** Edits of a measurement, and of the look at memory; the growth that those may leave behind, bytes. */
+/** Edits per measurement of time and of memory; allowed growth of memory, bytes. */
 const EDITS = Number(process.env["EDITS"] ?? 20);
 const MANY = 300;
 const GROWTH = 3_000_000;
 
-/** Oversizes, each another one: every one moves the path. */
+/** Oversizes that all differ, so that every one moves the path. */
 const oversizes = (count: number, from = 0) =>
   Array.from({ length: count }, (_, i) => (0.1 + ((i + from) % 300) / 1000).toFixed(3));
 

@@ -11,7 +11,7 @@ const SIZES = [
   [2560, 1440],
 ] as const;
 
-test("the start page is right at every size, for the first visit and with work", async ({ page }) => {
+test("the start page is right at every size, on the first visit and with stored works", async ({ page }) => {
   const turnwise = await Turnwise.open(page, { heldClock: true });
   const { t, start } = turnwise;
   const atEverySize = async (visit: string) => {
@@ -29,7 +29,7 @@ test("the start page is right at every size, for the first visit and with work",
   await atEverySize("the start with work");
 });
 
-test("the picture on the start page plays, is held, and stands still where motion is not wanted", async ({ page }) => {
+test("the picture on the start page plays, pauses, and stands still with reduced motion", async ({ page }) => {
   const { t, lathe } = await Turnwise.open(page, { heldClock: true });
   const tool = page.locator("[data-live=tool]");
   const { live } = t.page.start;
@@ -47,7 +47,7 @@ test("the picture on the start page plays, is held, and stands still where motio
   await expect(page.getByRole("button", { name: live.play, exact: true })).toBeVisible();
 });
 
-test("kept work stands first, opens with one press, and is taken out with a way back", async ({ page }) => {
+test("stored works come first, open with one click, and are deleted with an undo", async ({ page }) => {
   const { t, start, dialog } = await Turnwise.open(page);
   await start.beginWithExample(852);
   await expect(dialog.question).toBeVisible();
@@ -64,7 +64,7 @@ test("kept work stands first, opens with one press, and is taken out with a way 
   await expect(dialog.question).toBeVisible();
 });
 
-test("one search finds an example, a cycle and a kept work", async ({ page }) => {
+test("one search finds an example, a cycle and a stored work", async ({ page }) => {
   const { t, start, dialog } = await Turnwise.open(page);
   await start.beginWithExample(812);
   await expect(dialog.question).toBeVisible();

@@ -5,7 +5,7 @@ import { looksRightInBoth } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-/** The name and the text of the file that a button hands to the downloads. */
+/** Name and text of the file that a button downloads. */
 async function downloaded(button: Locator): Promise<readonly [string, string]> {
   const waiting = button.page().waitForEvent("download");
   await button.click();
@@ -22,7 +22,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await instructor.editor.openExample("shoulder");
   await instructor.teaching.make();
 
-  // What is missing is named; the part and the rules are there already.
+  // Missing fields are named; part and rules are filled in already.
   await expect(instructor.teaching.check).toContainText(words.needs.title);
   await expect(form.getByRole("checkbox", { name: words.rule.depth, exact: true })).toBeChecked();
   await instructor.teaching.tell(title, "Turn the shoulder of the drawing.");
@@ -32,7 +32,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await expect(form.getByRole("img")).toBeVisible();
   await looksRightInBoth(page, "the form of a task");
 
-  // A rule that its own answer breaks keeps the task in.
+  // An answer that breaks a rule blocks sharing.
   const depth = form.getByRole("textbox", { name: words.rule.depth, exact: true }),
     was = await depth.inputValue();
   await depth.fill("0.3");
@@ -40,7 +40,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await expect(form.getByRole("button", { name: words.tryIt, exact: true })).toBeDisabled();
   await depth.fill(was);
   await expect(instructor.teaching.check).toHaveText(words.passes);
-  // What lies open may not pass as it is.
+  // The start program must not pass unchanged.
   await form.getByRole("radio", { name: words.starts.program, exact: true }).check();
   await expect(instructor.teaching.check).toContainText(words.idle);
   await form.getByRole("checkbox", { name: words.fault.minus, exact: true }).check();
@@ -53,7 +53,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
     words: { en: { title } },
     sizes: [{ upper: 0.05, lower: -0.05 }],
   });
-  // A form that is closed, and a page that goes, lose nothing.
+  // Closing the form, or leaving the page, loses nothing.
   await page.keyboard.press("Escape");
   await expect(form).toBeHidden();
   await page.reload();
@@ -61,7 +61,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   await expect(form.getByLabel(words.name, { exact: true })).toHaveValue(title);
   await page.keyboard.press("Escape");
 
-  // The learner: the link is shown before anything is kept.
+  // The learner: the link shows its contents before anything is stored.
   const context = await browser.newContext();
   const learner = await Turnwise.open(await context.newPage());
   const other = learner.page;
@@ -89,7 +89,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
     await expect(panel).toContainText(courseTask.passedFor.alone, { timeout: 2000 });
   }).toPass();
 
-  // It stands under the course, as passed, and is handed in.
+  // It is listed below the course, as passed, and is handed in.
   await other.getByRole("link", { name: learner.t.page.home }).click();
   await learner.course.open();
   await expect(learner.teaching.kept).toContainText(learner.course.words.states.alone);
@@ -110,7 +110,7 @@ test("a task from an instructor to a learner by link, and its result back", asyn
   const answer = await learner.teaching.link(handIn);
   await context.close();
 
-  // The instructor reads it, by the file and by the link.
+  // The instructor reads it, from the file and from the link.
   await instructor.editor.drop({ [resultFile]: handed });
   const results = instructor.teaching.results("Ada 7");
   const row = results.getByRole("row", { name: new RegExp(`^${title}`) });

@@ -6,9 +6,7 @@ import { looksRight } from "./pages/look.ts";
 import { words } from "./pages/words.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a tool of one's own by keyboard alone: made, kept over a reload, offered in the set-up and run with", async ({
-  page,
-}) => {
+test("a new tool by keyboard alone: created, kept over a reload, offered in the set-up and used", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { tools, setup, effect, t } = turnwise;
   const { keyboard } = page;
@@ -55,7 +53,7 @@ test("a tool of one's own by keyboard alone: made, kept over a reload, offered i
   await expect(page.getByRole("tabpanel")).toContainText("RS -1");
 });
 
-test("undo and redo, duplicate, delete and the shipped tools", async ({ page }) => {
+test("undo and redo, duplicate, delete and restore the default tools", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { tools } = turnwise;
   await tools.open();
@@ -82,7 +80,7 @@ test("undo and redo, duplicate, delete and the shipped tools", async ({ page }) 
   await expect(tools.rowButton(16)).toBeVisible();
 });
 
-test("TO by its picture, columns that a type has no use for, and a sum", async ({ page }) => {
+test("TO by its picture, columns unused by a type, and a sum", async ({ page }) => {
   const { tools, t } = await Turnwise.open(page);
   await tools.open();
   const shape = () => tools.drawing.locator("path.shape-insert").getAttribute("d");
@@ -107,7 +105,7 @@ test("TO by its picture, columns that a type has no use for, and a sum", async (
 const codes = words("en", "tool-codes"),
   files = words("en", "tool-files");
 
-test("out and in again, as JSON and as column text", async ({ page }) => {
+test("export and import again, as JSON and as column text", async ({ page }) => {
   const { tools, t } = await Turnwise.open(page);
   await tools.open();
   const json = await tools.export("json");
@@ -146,7 +144,7 @@ test("out and in again, as JSON and as column text", async ({ page }) => {
   await expect(tools.status).toContainText(t.tools.exportedWithout("50"));
 });
 
-/* A table as a control keeps it: windows-1252, a description, columns that have no place here, decimal comma, a sister tool. */
+/* A table as a control stores it: windows-1252, a description, unknown columns, decimal comma, a replacement tool. */
 const SHOP = [
   "BEGIN TOOLTURN.TRN MM Version: 'Update:110.24'",
   "#STRUCTBEGIN",
@@ -160,7 +158,7 @@ const SHOP = [
   "",
 ].join("\r\n");
 
-test("a shop's table comes back to the byte but for the tool that changed, and a sheet adds to it", async ({
+test("a shop's table is written back byte for byte except for the changed tool, and a sheet adds to it", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);
@@ -202,7 +200,7 @@ test("a shop's table comes back to the byte but for the tool that changed, and a
   );
 });
 
-test("codes typed by keyboard make a tool with its holder, and a proved program runs with it", async ({ page }) => {
+test("codes typed by keyboard make a tool with its holder, and a verified program runs with it", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { tools, setup, effect, t } = turnwise;
   const { keyboard } = page;
@@ -272,7 +270,7 @@ test("two tabs share one table", async ({ page, context }) => {
   await expect(second.tools.row(1)).toContainText("FROM-FIRST");
 });
 
-test("a damaged table is set aside with a message, and the shipped tools are in place", async ({ page }) => {
+test("a damaged table is set aside with a message, and the default tools are used", async ({ page }) => {
   await page.addInitScript(() => localStorage.setItem("turnwise/tools", "{broken"));
   const { tools, t } = await Turnwise.open(page);
   await expect(page.getByText(t.page.notice.toolsDamaged)).toBeVisible();

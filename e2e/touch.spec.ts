@@ -95,7 +95,7 @@ test("a contour of five elements by touch: drawn, a diameter changed on the draw
   }
 });
 
-test("every number field brings the keypad and stays in sight above it; a name keeps the keyboard of the device", async ({
+test("every number field opens the keypad and stays visible above it; a name field keeps the system keyboard", async ({
   page,
 }) => {
   const turnwise = await Turnwise.open(page);
@@ -151,7 +151,7 @@ test("a program of three operations from nothing, by touch alone", async ({ page
     expect((await button.boundingBox())?.height ?? TARGET).toBeGreaterThanOrEqual(44);
 });
 
-test("a wrong infeed is mended by touch: the pass in the picture, its prompt, the keypad", async ({ page }) => {
+test("a wrong infeed is fixed by touch: the pass in the picture, its prompt, the keypad", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { editor, lathe, dialog, t } = turnwise;
   const flange = readFileSync(new URL("../src/examples/flange.h", import.meta.url), "utf8");
@@ -168,7 +168,7 @@ test("a wrong infeed is mended by touch: the pass in the picture, its prompt, th
   await expect(passes).toHaveText("25");
 });
 
-/** Phones and tablets, held upright and lying, windows of half a screen, and a notebook. */
+/** Phones and tablets, upright and landscape, windows of half a screen, and a notebook. */
 const SCREENS = [
   "320x640",
   "390x844",
@@ -181,7 +181,9 @@ const SCREENS = [
   "1280x800",
 ] as const;
 
-test("nothing sticks out of any screen, with usual and with large letters, where words are long", async ({ page }) => {
+test("nothing overflows any screen sideways, with normal and large letters, in a language with long words", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page, { language: "fr" });
   const { settings } = turnwise;
   const fitEverywhere = async (what: string) => {

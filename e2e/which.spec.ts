@@ -3,7 +3,9 @@ import { looksRight } from "./pages/look.ts";
 import { expect, test } from "./pages/test.ts";
 import { Turnwise } from "./pages/turnwise.ts";
 
-test("a shape in a sentence shows the ways to make it, and the best begins a work that is proved", async ({ page }) => {
+test("a shape described in a sentence lists the cycles that make it, and the best one starts a verified work", async ({
+  page,
+}) => {
   const turnwise = await Turnwise.open(page);
   const { effect, t } = turnwise;
   await page.getByRole("button", { name: t.page.start.which, exact: true }).click();
@@ -23,7 +25,7 @@ test("a shape in a sentence shows the ways to make it, and the best begins a wor
   await effect.proved();
 });
 
-test("the contour of an opened work can be asked about, from the lathe, by keyboard", async ({ page }) => {
+test("the contour of an open work can be queried, from the lathe view, by keyboard", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { effect, t } = turnwise;
   await turnwise.start.beginWithExample(812);

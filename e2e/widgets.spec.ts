@@ -7,7 +7,7 @@ const press = async (page: Page, ...keys: readonly string[]) => {
   for (const key of keys) await page.keyboard.press(key);
 };
 
-test("a toolbar is one stop of Tab, and arrows move inside it", async ({ page }) => {
+test("a toolbar is one Tab stop, and arrows move inside it", async ({ page }) => {
   const turnwise = await Turnwise.open(page);
   const { lathe } = turnwise;
   await turnwise.start.beginWithExample(820);

@@ -6,13 +6,13 @@ import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import { simulate, simulating } from "../src/sim/simulate.ts";
 import { tracing } from "../src/sim/tracing.ts";
 
-/** Programs of several operations that are changed at one of them. */
+/** Programs of several operations, of which one changes. */
 const PROGRAMS = ["flange", "shaft"] as const;
 const shop = { tools: shippedTools, rapid: 10_000 };
-/** As many states of a program are tried in turn: what is known of the ones before is of use to none of them. */
+/** Number of different states tried in turn: results of earlier states cannot be reused. */
 const STATES = 64;
 
-/** Where in a program it is changed, as a part of its operations, or by a comment that moves nothing. */
+/** The changed operation, as a fraction of the program; null: a comment that moves nothing. */
 export const PLACES = [
   ["first", 0],
   ["middle", 0.5],
@@ -21,8 +21,8 @@ export const PLACES = [
 ] as const;
 
 /**
- * A program with another safety clearance in one of its cycles, each time another: each move to its start is another
- * one then.
+ * A program with another safety clearance in one of its cycles, different each time: this changes each move to its
+ * start.
  */
 export function changedAt(text: string, place: number | null, count: number): string {
   if (place === null) return text.replace("END PGM", `; ${count}\n$&`);
@@ -33,7 +33,7 @@ export function changedAt(text: string, place: number | null, count: number): st
   return `${text.slice(0, end)}.${100 + (count % STATES)}${text.slice(end).replace(/^\.\d+/, "")}`;
 }
 
-/** Plans one state of a program after the other, as the page does with each key. */
+/** Plans one state of a program after another, as the page does with each key. */
 export function planningAgain(): (text: string) => ReturnType<typeof run> {
   const plan = planner(),
     table = { tools: shippedTools, mills: [], refused: new Map() };
@@ -41,8 +41,8 @@ export function planningAgain(): (text: string) => ReturnType<typeof run> {
 }
 
 /**
- * What a change of the first, the middle and the last operation costs: from the beginning, and from what is known of
- * the state before.
+ * The cost of a change of the first, the middle and the last operation: planned from scratch, and from the previous
+ * state.
  */
 export function* changedOperations(): Generator<readonly [name: string, work: (count: number) => unknown]> {
   for (const name of PROGRAMS) {

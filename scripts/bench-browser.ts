@@ -40,7 +40,7 @@ function measureCase(
   }
 }
 
-/** The work is calculated and drawn when its timeline can be moved and the calculation is no longer spoken of. */
+/** The calculation is finished when the timeline is enabled and no progress is shown. */
 async function openWork({ page, turnwise }: Bench, work: MeasuredWork): Promise<void> {
   await work.open(turnwise);
   await page.waitForFunction(
@@ -50,7 +50,7 @@ async function openWork({ page, turnwise }: Bench, work: MeasuredWork): Promise<
   await page.waitForTimeout(1500);
 }
 
-/** What is being measured, and what came of it: a long run that ends early has said so much. */
+/** Announces a measurement before its result, so that a long run that ends early has shown something. */
 const begin = (what: string) => void process.stderr.write(what);
 const say = (result: string) => void process.stderr.write(`${result}\n`);
 
@@ -100,14 +100,14 @@ async function measureScreen(
 }
 
 /**
- * `npm run bench:browser`: what the built page does with the frames of Chromium on several screens, beside an empty
- * page, and how long it is from a key to the drawing. All of it takes half an hour. One case takes seconds:
+ * `npm run bench:browser`: frame rates of the built page in Chromium on several screens, compared with an empty page,
+ * and times from a key to the drawing. All of it takes half an hour. One case takes seconds:
  *
  *     npm run --silent bench:browser -- --quick --screen="1440x900 slow" --work=flange --case=10x
  *
- * `--screen`, `--work` and `--case` take names or parts of them, with commas; `--rounds`, `--seconds` and `--keys` say
- * how much is measured, `--quick` that it is little; `--built=FOLDER` measures another build; `--json` prints one
- * object in place of the tables, which are Markdown; `--write` puts them into docs/performance.md as well.
+ * `--screen`, `--work` and `--case` take names or parts of them, separated by commas; `--rounds`, `--seconds` and
+ * `--keys` set the amount, `--quick` a small one; `--built=FOLDER` measures another build; `--json` prints one object
+ * instead of the Markdown tables; `--write` also updates docs/performance.md.
  */
 export async function main(args: readonly string[]): Promise<number> {
   const options = readOptions(args);

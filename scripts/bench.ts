@@ -27,22 +27,22 @@ interface Measured {
   readonly ratio: number;
 }
 
-/** What is repeated, and how often: at least and at most so many times, but no longer than it takes. */
+/** A repeated measurement with its least and greatest number of rounds, limited by time. */
 interface BenchCase {
   readonly name: string;
-  /** Is given a count that grows, so that no result can be kept. */
+  /** Gets a growing count, so that no result can be cached. */
   readonly work: (count: number) => unknown;
-  /** Rounds that are not counted, and the least that are. */
+  /** Number of warm-up rounds, and the least number of counted rounds. */
   readonly least: number;
 }
 
-/** How long one measurement goes on at most, ms, and how often it is repeated at least and at most. */
+/** Time limit of one measurement, ms, and its least and greatest number of rounds. */
 const PATIENCE = 4000;
 const [LEAST, MOST] = [20, 400];
 
 const rounded = (value: number) => Number(value.toFixed(3));
 
-/** Beside the reference loop: what else the machine does weighs on both. */
+/** Relates times to the reference loop, which is slowed by other load on the machine in the same way. */
 function beside(times: () => readonly number[]): Measured {
   const before = referenceTime(),
     sorted = [...times()].sort((a, b) => a - b),
@@ -62,7 +62,7 @@ function timed(work: () => unknown): number {
   return performance.now() - began;
 }
 
-/** Repeats with a warm-up that is not counted. */
+/** Repeats a case after an uncounted warm-up. */
 const measured = ({ work, least }: BenchCase): Measured =>
   beside(() => {
     const times: number[] = [];
@@ -75,7 +75,7 @@ const measured = ({ work, least }: BenchCase): Measured =>
   });
 
 const labels = ncLabels("en");
-/** The same job with its oversize in Z changed a little: a real edit, another text and another path each time. */
+/** The same job with a slightly different oversize in Z: a real edit, another text and another path each time. */
 const changed = (job: SetJob, count: number): SetJob => {
   const draft = job.drafts[job.cycle] ?? {};
   return { ...job, drafts: { [job.cycle]: { ...draft, Q484: (0.1 + (count % 200) * 0.001).toFixed(3) } } };
@@ -85,7 +85,7 @@ const stock = (text: string) => {
   const made = planned(text);
   return { made, simulation: simulate(made) };
 };
-/** From a changed value to everything that is drawn: text, moves, stock, proof, picture. */
+/** From a changed value to everything on screen: text, moves, stock, proof, picture. */
 const update = (job: SetJob, count: number) => {
   const { made, simulation } = stock(printJob(changed(job, count), labels));
   const scene = sceneOf({
@@ -97,9 +97,9 @@ const update = (job: SetJob, count: number) => {
   return [scene, ringData(simulation.final)];
 };
 
-/** How large the program is that has grown. */
+/** Size of a grown program. */
 const GROWN = { operations: 100, moves: 50_000 };
-/** What takes seconds is repeated this often at least. */
+/** Least number of rounds for cases that take seconds. */
 const FEW = 2;
 
 const benchCase = (name: string, work: BenchCase["work"], least = LEAST): BenchCase => ({ name, work, least });
@@ -126,7 +126,7 @@ const seekIn = (name: string, text: () => string): BenchCase => {
 };
 
 /**
- * What has grown: contours of 1,000 elements, and 100 operations with 50,000 moves, whole and changed at the last
+ * Large cases: contours of 1,000 elements, and 100 operations with 50,000 moves, from scratch and changed at the last
  * operation.
  */
 function* grownCases(): Generator<BenchCase> {
@@ -175,17 +175,17 @@ function* allCases(): Generator<BenchCase> {
   for (const [name, work] of changedOperations()) yield benchCase(name, work);
 }
 
-/** All cases whose names hold a word, or all. */
+/** All cases whose names contain a word, or all. */
 function measureAll(word: string): Record<string, Measured> {
   const results: Record<string, Measured> = {};
   const program10000 = longProgram(10_000);
-  // Before anything has warmed up, as when a file is opened first.
+  // Before any warm-up, as when the first file is opened.
   if (word === "") results["parse 10000 cold"] = beside(() => [timed(() => parse(program10000))]);
   for (const each of allCases()) if (each.name.includes(word)) results[each.name] = measured(each);
   return results;
 }
 
-/** Programs at the bounds that are measured, each in a process of its own. */
+/** Programs at the size limits, each measured in a process of its own. */
 const LARGE = [
   "10 MB of cuts",
   "10 MB of milling",
@@ -197,7 +197,7 @@ const LARGE = [
   "contour of 20,000 elements",
 ] as const satisfies readonly (keyof typeof largePrograms)[];
 
-/** Processor time in ms from text to report, and the highest memory of its process in MB. */
+/** Processor time in ms from text to report, and the peak memory of its process in MB. */
 interface Large {
   readonly parsed: number;
   readonly ran: number;
@@ -209,7 +209,7 @@ interface Large {
   readonly verdict: string;
 }
 
-/** One program alone in a process that may use no more memory than a tablet has; null when it needs more. */
+/** One program alone in a process limited to the memory of a tablet; null when it needs more. */
 function large(name: (typeof LARGE)[number]): Large | null {
   const done = spawnSync(process.execPath, ["--max-old-space-size=800", "scripts/run.mjs", "large", name], {
     encoding: "utf8",
@@ -218,7 +218,7 @@ function large(name: (typeof LARGE)[number]): Large | null {
 }
 
 const FRAME = 16;
-/** What each time may be at most, ms (median), by how its name begins; every other one is a frame. */
+/** Limits of the median, ms, by the beginning of the name; all other cases must fit in one frame. */
 const LIMITS: readonly (readonly [string, number])[] = [
   ["parse", 50],
   ["verify", 30],
@@ -252,7 +252,7 @@ function resultRow([name, each]: readonly [string, Measured]): readonly string[]
 
 /**
  * `npm run bench`: a table of times; with --json one object on one line. `--only=WORD` measures the cases whose names
- * hold the word, and leaves out the programs at the bounds; `--write` puts all of it into docs/performance.md as well.
+ * contain the word, without the programs at the size limits; `--write` also updates docs/performance.md.
  */
 export function main(args: readonly string[]): number {
   const only = args.find((arg) => arg.startsWith("--only="))?.slice("--only=".length) ?? "";

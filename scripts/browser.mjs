@@ -18,7 +18,7 @@ function playwrightsOwn() {
   }
 }
 
-/** Path of a Chromium that starts: the named one, Playwright's own, or the system's; null when there is none. */
+/** Path of a working Chromium: the specified one, Playwright's own, or the system's; null without one. */
 export function findBrowser() {
   const system = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
   return [process.env.CHROMIUM_PATH, playwrightsOwn(), ...system].find(runs) ?? null;
@@ -47,13 +47,13 @@ export function ensureBrowser() {
   return own;
 }
 
-/** `node scripts/browser.mjs` sees to it that there is one. */
+/** `node scripts/browser.mjs` makes sure that there is one. */
 if (process.argv[1] === fileURLToPath(import.meta.url)) ensureBrowser();
 
 /**
- * Parts of Chromium that are left out. The last two are lists below the address bar: each is a page of its own for
- * every page that is opened, seen by nobody, and takes as much time as the page. The others are those that Playwright
- * leaves out: of two such lists Chromium takes the last.
+ * Parts of Chromium that are disabled. The last two are lists below the address bar: each is an invisible page for
+ * every open page and takes as much time as that page. The others are those that Playwright disables: Chromium takes
+ * only the last of two such lists.
  */
 const LEFT_OUT = [
   "AvoidUnnecessaryBeforeUnloadCheckSync",
@@ -73,7 +73,7 @@ const LEFT_OUT = [
   "WebUIOmniboxAimPopup",
 ];
 
-/** What Chromium needs to run as root, to stay off the network and to do nothing besides. */
+/** Flags for Chromium to run as root, stay off the network and do nothing in the background. */
 export const browserFlags = [
   "--no-sandbox",
   `--disable-features=${LEFT_OUT.join(",")}`,

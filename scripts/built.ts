@@ -2,7 +2,7 @@ import { spawnSync } from "node:child_process";
 import { existsSync, readdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 
-/** The newest time in a folder, or of a file. */
+/** The newest modification time in a folder, or of a file. */
 function newest(path: string): number {
   const about = statSync(path);
   if (!about.isDirectory()) return about.mtimeMs;
@@ -19,7 +19,7 @@ const SOURCES = [
   "scripts/menu.ts",
 ];
 
-/** The folder of the built page. Builds it first when it is older than its sources. */
+/** The folder of the built page, rebuilt first if it is older than its sources. */
 export function built(): string {
   const page = "dist/index.html";
   if (!existsSync(page) || statSync(page).mtimeMs < Math.max(...SOURCES.map(newest))) {

@@ -4,7 +4,7 @@ import { dirname, join } from "node:path";
 import { promisify } from "node:util";
 import { root } from "./packages.mjs";
 
-/** A file with all it imports as the text of one module for Node. */
+/** A file with all its imports as the text of one module for Node. */
 async function oneModule(entry, { minify = false, plugins = [], external = [] } = {}) {
   const { build } = await import("vite");
   const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
@@ -41,7 +41,7 @@ export const bundle = (name, how) => oneModule(`scripts/${name}.ts`, { external:
 
 const PROMPT_IDS = "/e2e/pages/prompt-ids.ts";
 
-/** The table of the prompts' names in place of the catalogue that it is made from. */
+/** Replaces the catalogue with the table of prompt names that is made from it. */
 const promptIds = {
   name: "prompt-ids",
   async load(id) {
@@ -60,9 +60,7 @@ function stamp(path) {
   return `${size} ${mtimeMs}`;
 }
 
-/**
- * The types that were made last, if nothing has changed since that they come from: the compiler takes seconds for them.
- */
+/** The cached types, if none of their sources has changed: compiling them takes seconds. */
 function keptTypes() {
   try {
     const { stamps, types } = JSON.parse(readFileSync(KEPT_TYPES, "utf8"));

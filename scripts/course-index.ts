@@ -15,14 +15,14 @@ const files = (folder: string): readonly unknown[] =>
         .sort()
         .map((name): unknown => JSON.parse(readFileSync(join("src", "course", folder, name), "utf8")));
 
-/** What ships with the page says something. */
+/** The texts of shipped content in a language; every language has some. */
 function told<T>(words: InLanguages<T>, language: Language, id: string): T {
   const found = inScreenLanguage(words, language);
   if (found === undefined) throw new Error(`${id} says nothing`);
   return found;
 }
 
-/** What is told of all lessons without opening any, in a language. */
+/** The facts of all lessons that the list shows without opening a lesson, in a language. */
 export function courseIndex(lessons: readonly Lesson[], tasks: readonly Task[], language: Language): CourseIndex {
   const byId = new Map(tasks.map((task) => [task.id, task]));
   return {

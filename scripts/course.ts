@@ -20,7 +20,7 @@ function placeOf({ place }: TaskMark): string {
   return place ? ` at X${short(toDiameter(place.r))} Z${short(place.z)}` : "";
 }
 
-/** One mark in one line. */
+/** A mark on one line. */
 function told(mark: TaskMark, task: Task): string {
   const { rule, passed, value, limit, block, step, operation, q, about, size, entry, reason, issue } = mark;
   const asked = size === undefined ? undefined : task.sizes?.[size];
@@ -67,7 +67,7 @@ function show(title: string, task: Task, program: readonly string[], whole: bool
 function tellTask(file: string, task: Task): boolean {
   const wanted = task.part ? wantedPart(task.part) : null;
   if (wanted) {
-    write(`blank ${short(areaOf(wanted.blank))} mm², wanted part ${short(areaOf(wanted.rings))} mm²`);
+    write(`blank ${short(areaOf(wanted.blank))} mm², target part ${short(areaOf(wanted.rings))} mm²`);
     for (const ring of wanted.rings)
       write(
         `  X${ring
@@ -106,7 +106,7 @@ function tell(file: string): boolean {
   return problems.length === 0;
 }
 
-/** `npm run course -- FILE.json …`: how each answer of a task is judged, and what is wrong with a task or a lesson. */
+/** `npm run course -- FILE.json …`: how each answer of a task is judged, and the problems of a task or a lesson. */
 export function main(files: readonly string[]): number {
   if (files.length === 0) {
     write(`usage: npm run --silent course -- FILE.json …   (languages ${LESSON_LANGUAGES.join(", ")})`);

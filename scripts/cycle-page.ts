@@ -58,7 +58,7 @@ function row(q: string, p: Param): string {
   return `| ${cells.map(cell).join(" | ")} |`;
 }
 
-/** The table of the parameters, and what its tags mean; nothing for a cycle without any. */
+/** The table of the parameters, and the meaning of its tags; empty for a cycle without any. */
 function parameters({ params: list }: Cycle): string[] {
   const rows = Object.entries(list).map(([q, p]) => row(q, p));
   if (rows.length === 0) return [];
@@ -82,7 +82,7 @@ const parts: Readonly<Record<AttestedPart, string>> = {
   firstFinishing: "the first step of finishing",
 };
 
-/** Where the list comes from, and what else is printed. */
+/** The source of the list, and the other facts that a page prints. */
 function sourceOf({ manual, partly, evidence }: Cycle): string {
   if (manual) return `${manual.document}, section ${manual.section}${manual.page ? `, page ${manual.page}` : ""}`;
   const list = `parameter list recalled (${cycles.evidence[evidence]}), compare on your control`;
@@ -91,7 +91,7 @@ function sourceOf({ manual, partly, evidence }: Cycle): string {
     : list;
 }
 
-/** The page of one cycle, all of it from the catalogue and the English texts. */
+/** The page of one cycle, generated from the catalogue and the English texts. */
 export function cyclePage(cycle: Cycle): string {
   const number = cycle.number as CycleNumber;
   const text = cycles.of[number];

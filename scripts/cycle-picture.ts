@@ -13,7 +13,7 @@ import { helpRules, styled } from "./page-colours.ts";
 
 const SIZE = { width: 520, height: 340 };
 
-/** The hatches of the part and of what is cut, as the page has them. */
+/** Hatches of the part and of the machined area, as on the page. */
 const HATCHES = [
   ["part", 7, 45],
   ["cut", 5, -45],
@@ -25,7 +25,7 @@ const HATCHES = [
   )
   .join("");
 
-/** The help picture of the example of a cycle, without colours of its own; null for a cycle that cuts nothing. */
+/** The help picture of a cycle's example, without colours of its own; null for a cycle that cuts nothing. */
 export function cyclePicture(cycle: Cycle): string | null {
   const job = exampleJob(cycle);
   const { values } = readDraft(cycle, exampleDraft(cycle));
@@ -56,7 +56,7 @@ export function cyclePicture(cycle: Cycle): string | null {
     .replaceAll(/data-lens="(\S+) (\S+) (\S+)"/g, 'style="clip-path: circle($3px at $1px $2px)"');
 }
 
-/** The style of such pictures; the figures are laid out for letters of one width. */
+/** The style of such pictures; their figures are laid out for a fixed-width font. */
 export const pictureRules = (): string =>
   [
     helpRules(),
@@ -64,10 +64,10 @@ export const pictureRules = (): string =>
     ".help-picture .fill-part { fill: url(#hatch-part); }",
     ".help-picture .fill-cut { fill: url(#hatch-cut); }",
   ].join("\n");
-/** What they share. */
+/** The hatches that all pictures share. */
 export const pictureHatches = (): string => `<defs>${HATCHES}</defs>`;
 
-/** The same as a file of its own, light or dark as the system is. */
+/** The picture as a separate file, light or dark as the system is. */
 export function cycleSvg(cycle: Cycle): string | null {
   const drawn = cyclePicture(cycle);
   const head = drawn?.indexOf(">") ?? 0;

@@ -8,8 +8,8 @@ import { klartextPage } from "./klartext-page.ts";
 import { machineJsonSchema } from "./machine-schema.ts";
 
 /**
- * `npm run docs`: writes the page of every cycle, its picture beside it, the page of all blocks, the page of DIN/ISO
- * and the schema of machine files. Runs in the project folder.
+ * `npm run docs`: writes the page of every cycle with its picture, the page of all blocks, the page of DIN/ISO and the
+ * schema of machine files. Runs in the project folder.
  */
 export function main(): number {
   const folder = join("docs", "cycles");

@@ -27,7 +27,7 @@ const clock = (seconds: number) =>
   `${Math.floor(seconds / 60)}:${String(Math.round(seconds) % 60).padStart(2, "0")} min`;
 const many = (n: number, one: string) => `${n} ${one}${n === 1 ? "" : "es"}`;
 
-/** The part, what is left of the stock, and the path, from back to front. */
+/** The part, the remaining stock, and the path, from back to front. */
 function picture(made: Run, simulation: Simulation): string {
   const scene = sceneOf({
     blank: made.blank,
@@ -47,7 +47,7 @@ function picture(made: Run, simulation: Simulation): string {
   return svgText(shapes, fitted(scene.bounds, SIZE, MARGIN, true), SIZE).replace("<svg ", '<svg class="work" ');
 }
 
-/** The verdict in a few words. */
+/** The verdict in short. */
 function verdictText({ verdict }: Judged, left: number): string {
   if (verdict === "faults") return "Errors";
   if (verdict === "incomplete") return findings.verdict.unproved;
@@ -60,7 +60,7 @@ interface Work {
   readonly figure: string;
 }
 
-/** One golden program with an operation that is turned; null for one without. */
+/** One golden program with a turning operation; null for one without. */
 function work(name: string, text: string): Work | null {
   const made = run(parse(text), { tools: shippedTools, rapid: RAPID });
   const [first] = made.operations;
@@ -81,7 +81,7 @@ function work(name: string, text: string): Work | null {
   };
 }
 
-/** The drawing of a cycle under its number and name. */
+/** The help picture of a cycle under its number and name. */
 function cycleFigure(cycle: Cycle): string {
   const drawn = cyclePicture(cycle);
   const name = `${cycle.number} ${cycles.of[cycle.number as CycleNumber].name}`;
@@ -113,12 +113,12 @@ code { font-family: var(--number-font); font-weight: 600; }
 @media print { figure { break-inside: avoid; } }
 `;
 
-/** Families as the chooser has them. */
+/** Families in the order of the chooser. */
 const ORDER: readonly Group[] = ["longitudinal", "transverse", "recessTurning", "recessing", "thread"];
 
 /**
- * The page: of each family its cycles with their help pictures, and every golden program that it begins. Runs in the
- * project folder.
+ * The page: for each family its cycles with their help pictures, and the golden programs that start with one of them.
+ * Runs in the project folder.
  */
 export function page(): string {
   const folder = join("tests", "programs");

@@ -1,6 +1,6 @@
 /**
- * `node scripts/icons.mjs`: draws public/icon.svg into the pictures that home screens want, with the Chromium of the
- * journeys. What it writes to public/icons/ belongs to the tree: run it when the drawing changes.
+ * `node scripts/icons.mjs`: renders public/icon.svg as the icons of home screens, with the Chromium of the e2e tests.
+ * The output in public/icons/ is committed: run the script when the drawing changes.
  */
 import { createRequire } from "node:module";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -9,7 +9,7 @@ import { browserFlags, ensureBrowser } from "./browser.mjs";
 import { root } from "./packages.mjs";
 
 const drawing = readFileSync(join(root, "public", "icon.svg"), "utf8");
-/** The same without rounded corners and smaller, for systems that cut their own shape: its middle 80 % always stays. */
+/** The icon without rounded corners and smaller, for systems that crop it: the middle 80 % is always visible. */
 const whole = drawing
   .replace(/ rx="\d+"/, "")
   .replace(

@@ -5,7 +5,7 @@ import { parse } from "../src/nc/parse.ts";
 const cell = (text: string) => text.replaceAll("|", "\\|");
 const code = (lines: readonly string[]) => lines.map((line) => `\`${cell(line)}\``).join("<br>");
 
-/** The example of a word as a block of DIN/ISO, without its number where it has one. */
+/** The example of a word as a block of DIN/ISO, without its number if it has one. */
 const isoExample = (klartext: string) =>
   isoProgramText(parse(`${klartext}\n`))
     .text.trimEnd()
@@ -18,7 +18,7 @@ function row(w: IsoWord): string {
   return `| \`${w.word}\` | ${klartext} | ${read} | ${w.evidence} | ${w.source} |\n`;
 }
 
-/** Words in a line of the page. */
+/** Words per line of the page. */
 const IN_A_LINE = 16;
 const recalled = isoWords
   .filter(isRecalledIsoWord)

@@ -4,7 +4,7 @@ import { filesByName } from "../src/program/state/program-files.ts";
 import { acts, run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
-/** Blocks as a program writes them, for each kind of statement that the reader knows. */
+/** Blocks as programs contain them, for each kind of statement that the reader knows. */
 const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
   empty: [""],
   comment: ["; TEXT"],
@@ -74,7 +74,7 @@ const BLOCKS: Readonly<Record<Statement["kind"], readonly string[]>> = {
   ],
 };
 
-/** What happens to a block: it is run; kept without effect; or kept, and the program is unverified from there on. */
+/** Treatment of a block: run; kept without effect; or kept, with the program unverified from there on. */
 export const FATES = ["run", "kept", "unverified"] as const;
 export type Fate = (typeof FATES)[number];
 
@@ -90,9 +90,9 @@ const PLACES = {
   milling: ["FUNCTION MODE MILL", "CC X+30 Y+0", "L X+60 Y+0 Z+20 R0 F400", "L X+50 Z+5"],
 } as const;
 
-/** What a block needs before it. */
+/** Blocks that another block needs before it. */
 const FIRST: Readonly<Record<string, readonly string[]>> = { "CALL SELECTED PGM": ['SEL PGM "DRILL.H"'] };
-/** Blocks whose work shows when a cycle takes the contour that they name. */
+/** Blocks whose effect shows only when a cycle uses the contour that they name. */
 const TAKEN: ReadonlySet<Statement["kind"]> = new Set(["selectContour", "contourDefinition"]);
 const TAKING = {
   turning: [
@@ -104,7 +104,7 @@ const TAKING = {
   milling: ["CYCL DEF 22 ROUGH-OUT ~\nQ10=+5", "CYCL CALL"],
 } as const;
 
-/** Files that lie beside the small program. */
+/** Files next to the small program. */
 const FILES = filesByName(
   [
     { name: "DRILL.H", text: "0 BEGIN PGM DRILL MM\n1 L IZ+5 FMAX\n2 END PGM DRILL MM\n" },
@@ -116,12 +116,12 @@ const FILES = filesByName(
   parse,
 );
 
-/** The block in a small program, and what that program says of it. */
+/** The treatment of a block in a small program. */
 function fateOf(block: string, place: keyof typeof PLACES): Fate {
   const first = FIRST[block] ?? [];
   const before = ["BEGIN PGM K MM", "BLK FORM CYLINDER Z D80 L100 DIST+0", "TOOL CALL 1", ...PLACES[place], ...first];
   const behind = ["L X+62 IZ+1", "M30", "LBL 7", "L X+70 Z-9", "L X+50", "L Z+0", "LBL 0", "END PGM K MM"];
-  // What a cycle does shows when it is called, and a contour when a cycle takes it.
+  // A cycle has an effect only when called, a contour only when a cycle uses it.
   const kind = parse(`0 ${block}`).blocks[0]?.statement.kind ?? "empty";
   const called = TAKEN.has(kind)
     ? TAKING[place]

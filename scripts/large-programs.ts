@@ -20,13 +20,13 @@ const program = (body: readonly string[], behind: readonly string[] = []) =>
   numbered([...HEAD, ...body, "M30", ...behind, TAIL[1] ?? ""]);
 const times = <T>(count: number, line: (i: number) => T): T[] => Array.from({ length: count }, (_, i) => line(i));
 
-/** A tip that goes up and down along the work, a little deeper each time: every move cuts. */
+/** A tip that moves up and down along the part, a little deeper each time: every move cuts. */
 const zigzag = (i: number) => {
   const [lap, at] = [Math.floor(i / 400), i % 400];
   const along = lap % 2 === 0 ? at : 399 - at;
   return `L X+${(99 - lap * 0.05 + (i % 2) * 0.04).toFixed(3)} Z-${(along * 0.25 + 0.011).toFixed(3)}${i === 0 ? " F0.2" : ""}`;
 };
-/** Every move cuts, and every one is a rapid: a finding for each. */
+/** Every move is a rapid that cuts: a finding for each. */
 const rapids = (i: number) => `${zigzag(i).replace(" F0.2", "")} FMAX`;
 
 /** The definition of a printed cycle with other values. */
@@ -39,7 +39,7 @@ function cycle(number: number, values: Readonly<Record<string, string>>): string
   );
 }
 
-/** A shoulder of 3 mm from a diameter, roughed in so many passes. */
+/** A shoulder of 3 mm from a diameter, roughed in a number of passes. */
 const shoulder = (from: number, passes: number) =>
   cycle(812, {
     Q491: `+${from}`,
@@ -53,21 +53,21 @@ const shoulder = (from: number, passes: number) =>
     Q460: "+0.5",
   });
 
-/** Operations with so many passes each, each on the material that the one before left. */
+/** Operations with a number of passes each, each on the material that the previous one left. */
 const passes = (operations: number, each: number) =>
   program(times(operations, (i) => [shoulder(100 - i * 6, each), `L X+${100 - i * 6} Z+2 FMAX`, "CYCL CALL"]).flat());
 
-/** Moves of a pass, and those of an operation beside its passes. */
+/** Moves of a pass, and the other moves of an operation. */
 const [MOVES_OF_PASS, MOVES_BESIDE] = [5, 10];
 
 /**
- * A program that has grown: so many operations that rough and finish ever smaller and shorter shoulders, each on the
- * material that the one before left and with its share of so many moves.
+ * A grown program: operations that rough and finish ever smaller and shorter shoulders, each on the material that the
+ * previous one left and with its share of the moves.
  */
 export function grownProgram(operations: number, moves: number): string {
   const step = 80 / operations,
     count = Math.max(1, Math.round((moves / operations - MOVES_BESIDE) / MOVES_OF_PASS));
-  // The control knows thousandths: what they do not divide stays for finishing.
+  // The control has thousandths: the remainder of the division is left for finishing.
   const infeed = Math.max(1, Math.floor((500 * step) / count)) / 1000,
     oversize = step - 2 * infeed * count;
   return program(
@@ -93,7 +93,7 @@ export function grownProgram(operations: number, moves: number): string {
 }
 
 /**
- * A plate with a square round which is milled after an approach, and a face that is roughed in so many short cuts at
+ * A plate with a square contour that is milled after an approach, and a face that is roughed in many short cuts at
  * three depths.
  */
 export function milledProgram(cuts: number): string {
@@ -138,7 +138,7 @@ const untilFull = (line: (i: number) => string) => {
 };
 
 /**
- * Programs at the bounds of what is read, run and simulated: by size, by blocks, by moves, by passes, by loops and by
+ * Programs at the limits of reading, running and simulating: by size, by blocks, by moves, by passes, by loops and by
  * faults.
  */
 export const largePrograms = {

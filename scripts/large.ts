@@ -6,14 +6,15 @@ import { verdictOf } from "../src/report/verdict.ts";
 import { simulate } from "../src/sim/simulate.ts";
 import { largePrograms } from "./large-programs.ts";
 
-/** Milliseconds of processor time, so that other work on the machine does not count. */
+/** Processor time, ms, so that other load on the machine does not count. */
 const cpu = () => {
   const { user, system } = process.cpuUsage();
   return (user + system) / 1000;
 };
 
 /**
- * `node scripts/run.mjs large NAME …`: processor times in ms and the highest memory in MB of each named program, alone.
+ * `node scripts/run.mjs large NAME …`: processor times in ms and the peak memory in MB of each named program, one at a
+ * time.
  */
 export function main(names: readonly string[]): number {
   for (const name of names.length > 0 ? names : Object.keys(largePrograms)) {

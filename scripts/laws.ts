@@ -9,7 +9,7 @@ import type { FoundCase } from "../tests/laws/found-case.ts";
 import { brokenByPlan } from "../tests/laws/plan-laws.ts";
 import { situations } from "../tests/laws/situation.ts";
 
-/** Machining operations (Q215), and set-ups that one process draws before the next one takes over. */
+/** Machining operations (Q215), and the number of set-ups for one process. */
 const OPERATIONS = [0, 1, 2, 3];
 const SHARE = 250;
 
@@ -20,7 +20,7 @@ interface Job {
   readonly cases: number;
   readonly seed: number;
 }
-/** What came of it: every set-up that breaks a law, as it was drawn. */
+/** The result: every set-up that breaks a law. */
 interface Outcome {
   readonly tried: number;
   readonly found: readonly FoundCase[];
@@ -30,8 +30,8 @@ interface Outcome {
 const drawnFor = (number: number, operation: number) => situations(operation).find((s) => s.cycle.number === number);
 
 /**
- * Draws set-ups and holds each to the laws. None is made smaller: at a contour that takes longer than to draw thousands
- * more.
+ * Draws set-ups and checks each against the laws. Failing set-ups are not shrunk: at a contour that takes longer than
+ * drawing thousands more.
  */
 function tried({ cycle: number, operation, cases, seed }: Job): Outcome {
   const cycle = cycleByNumber(number);
@@ -44,7 +44,7 @@ function tried({ cycle: number, operation, cases, seed }: Job): Outcome {
   return { tried: cases, found };
 }
 
-/** The same in a process of its own. */
+/** Runs a job in a process of its own. */
 function inProcess(job: Job): Promise<Outcome> {
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [...process.argv.slice(1, 3), "--job", JSON.stringify(job)], {
@@ -64,9 +64,9 @@ const option = (args: readonly string[], name: string, otherwise: number) => {
 };
 
 /**
- * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: N set-ups of each cycle (10,000), cut twice and held to
- * every law. A set-up that breaks one is written to tests/laws/found, where `npm test` tries it from then on. 1 when
- * there was one.
+ * `npm run laws [-- --cases=N] [-- --seed=N] [-- --cycle=N]`: draws N set-ups of each cycle (10,000), cuts each twice
+ * and checks every law. A set-up that breaks a law is written to tests/laws/found, where `npm test` tries it from then
+ * on. Returns 1 if there was one.
  */
 export async function main(args: readonly string[]): Promise<number> {
   if (args[0] === "--job") {

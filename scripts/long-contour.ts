@@ -2,13 +2,13 @@ import { cycleByNumber } from "../src/cycles/index.ts";
 import { never } from "../src/kernel/never.ts";
 import { exampleJob, newRow, type ContourRow, type SetJob } from "../src/program/job/job.ts";
 
-/** ⌀ and Z of the outer and the inner end, mm; how many waves lie between them and how deep they are. */
+/** ⌀ and Z of the outer and the inner end, mm; number and depth of the waves between them. */
 const RIM = { x: 200, z: -30 };
 const NOSE = { x: 20, z: 0 };
 const WAVES = 12;
 const DEPTH = 0.8;
 
-/** A waved contour: after the start point lines and arcs in turn, `elements` of them. */
+/** A waved contour: after the start point, lines and arcs in turn, `elements` of them. */
 function waves(elements: number, from: typeof RIM, to: typeof RIM): ContourRow[] {
   return Array.from({ length: elements + 1 }, (_, i): ContourRow => {
     const part = i / elements;
@@ -26,7 +26,7 @@ export function printedExample(cycle: number): SetJob {
   return known ? exampleJob(known) : never("a cycle that is not in the catalogue", cycle);
 }
 
-/** A free contour of many elements on a blank that contains it, in the direction in which its cycle cuts. */
+/** A free contour of many elements on a blank that contains it, in the cutting direction of its cycle. */
 export const longContour = (cycle: number, elements: number): SetJob => ({
   ...printedExample(cycle),
   name: "WAVES",

@@ -2,7 +2,7 @@ import { ncLabels } from "../src/i18n/nc-labels.ts";
 import { printJob } from "../src/program/job/print-job.ts";
 import { printedExample } from "./long-contour.ts";
 
-/** Each this many blocks one is a cycle definition; the others are lines, as in programs of that length. */
+/** One block in this many is a cycle definition; the others are lines, as in programs of that length. */
 const BETWEEN_CYCLES = 200;
 
 /** A program of `blocks` numbered blocks: lines and cycle definitions. */

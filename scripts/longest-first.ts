@@ -1,9 +1,6 @@
 import type { TestSpecification, Vitest } from "vitest/node";
 
-/**
- * Test files that work long, the longest first. Files are begun by their size where nothing else is known, and these
- * are short.
- */
+/** The slowest test files, slowest first. Vitest otherwise starts with the largest files, and these are small. */
 const LONGEST = ["/tests/laws/cut.test.ts", "/tests/help/help.test.ts", "/tests/laws/"];
 
 const rank = ({ moduleId }: TestSpecification): number => {
@@ -12,7 +9,7 @@ const rank = ({ moduleId }: TestSpecification): number => {
 };
 
 /**
- * The usual order of test files, but what works longest is begun first: begun last, one core would wait for the other.
+ * The usual order of test files, but the slowest start first: if they started last, one core would wait for the other.
  */
 export class LongestFirst {
   constructor(private readonly run: Vitest) {}

@@ -28,8 +28,8 @@ function outlineOf(cycle: Cycle, job: Job): Outline | null {
 }
 
 /**
- * Exchanges what two texts say, so that what was outside is inside: the diameters of the contour, or its only one with
- * the start point.
+ * Exchanges two texts, so that an outside example becomes an inside one: the two diameters of the contour, or its only
+ * diameter and the start point.
  */
 function turnedInside(cycle: Cycle, job: Job): Job {
   const found = Object.entries(cycle.params)
@@ -52,7 +52,7 @@ function turnedInside(cycle: Cycle, job: Job): Job {
   };
 }
 
-/** What a cycle makes of its example, and of the same the other way round where that is inside. */
+/** The picture of a cycle's example, and its mirrored inside version if that is valid. */
 function pictograms(cycle: Cycle): readonly Pictogram[] {
   const example = exampleJob(cycle);
   const [outside, inside] = [example, turnedInside(cycle, example)].map((job) => {
@@ -70,9 +70,9 @@ const row = (cycle: Cycle): MenuCycle => ({
   pictograms: cycle.acts ? [] : pictograms(cycle),
 });
 
-/** What the first screen has to know of the catalogue: it is computed once, when the page is built. */
+/** The facts of the catalogue on the first screen: computed when the page is built. */
 export const menu: readonly MenuCycle[] = cuttingCycles.map(row);
-/** What is no work by itself: it can be put into a program. */
+/** Cycles that are no operation: they can be put into a program. */
 const acting = actingCycles.map(row);
 
 /** The modules that the page imports by the names in src/app/fields/chooser/cycle-menu.d.ts, by their ids. */

@@ -1,7 +1,7 @@
 /**
  * `npm run mutants [-- --write] [WORD …]`: plants each fault of tests/mutants/*.json in a copy of the tree, one at a
- * time, and runs the fast tests there. A fault that no test sees survives, and the command fails; so it does when the
- * text of a fault is no longer in its file. WORD chooses faults by their file or description. `--write` puts the table
+ * time, and runs the fast tests there. A fault that no test detects survives, and the command fails; it also fails when
+ * the text of a fault is no longer in its file. WORD selects faults by file or description. `--write` puts the table
  * into docs/verification.md.
  */
 import { spawn } from "node:child_process";
@@ -13,19 +13,13 @@ import { ensurePackages, root } from "./packages.mjs";
 const args = process.argv.slice(2);
 const words = args.filter((a) => !a.startsWith("--"));
 const WRITE = args.includes("--write");
-/**
- * Copies that are tried side by side, and cases per law: a fault that needs thousands of cases to be seen is one that
- * survives.
- */
+/** Number of parallel copies, and cases per law: a fault that only thousands of cases reveal counts as a survivor. */
 const SIDE_BY_SIDE = Number(process.env.JOBS ?? 2);
 const LAW_CASES = process.env.LAW_CASES ?? "10";
-/** Seconds a run may take: a fault that makes a path endless is one that is seen. */
+/** Timeout of a run, s: a fault that makes a path endless counts as detected. */
 const PATIENCE = Number(process.env.PATIENCE ?? 600);
 
-/**
- * Tests in the order in which they are tried; goldens last, since a golden says that something changed and not what is
- * right.
- */
+/** Test folders in order; goldens last, since a golden says that something changed and not what is right. */
 const STAGES = [
   {
     kind: "unit",
@@ -58,7 +52,7 @@ const STAGES = [
 ];
 
 const folder = join(root, "tests", "mutants");
-/** What is planted: `find` stands exactly once in `file`. `tests` are tried first, because they look at that place. */
+/** The faults: `find` is in `file` exactly once. `tests` run first, because they test that place. */
 const all = readdirSync(folder)
   .filter((name) => name.endsWith(".json"))
   .sort()
@@ -120,14 +114,14 @@ function firstFailure(base, tests) {
           if (bad) break;
         }
       } catch {
-        // A run that wrote no report failed all the same.
+        // A run without a report counts as failed.
       }
       resolve({ file, test });
     }),
   );
 }
 
-/** The first test that sees a fault, one list of tests after the other, or null. */
+/** The first test that detects a fault, one list of tests after another, or null. */
 async function tried(base, mutant, lists) {
   const restore = planted(base, mutant);
   try {
@@ -160,10 +154,10 @@ if (stale.length > 0) {
 
 const results = [];
 const bases = Array.from({ length: Math.min(SIDE_BY_SIDE, chosen.length) }, copied);
-/** Tries faults side by side and hands back those that no test saw; `tests` is all that may be run for them. */
+/** Tries faults in parallel and returns those that no test detected; `tests` is every test that may run for them. */
 async function round(mutants, tests, listsOf) {
   if (mutants.length === 0) return [];
-  // Without a fault everything has to pass, or every fault would seem to be found.
+  // Without a fault everything must pass, or every fault would seem to be detected.
   const clean = await firstFailure(bases[0], tests);
   if (clean) throw new Error(`the tests fail without a fault: ${clean.file}: ${clean.test}`);
   const [waiting, unseen] = [[...mutants], []];
@@ -186,7 +180,7 @@ async function round(mutants, tests, listsOf) {
 }
 
 try {
-  // Most are seen by the tests that look at their place; only the others need all tests.
+  // Most faults are detected by the tests for their place; only the others need all tests.
   const near = chosen.filter((m) => m.tests);
   const unseen = await round(near, [...new Set(near.flatMap((m) => m.tests))], (m) => [m.tests]);
   const lists = STAGES.map((s) => s.tests);

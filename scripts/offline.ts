@@ -3,22 +3,18 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join, sep } from "node:path";
 import { build, runnerImport, type Plugin, type Rolldown } from "vite";
 
-/** A file of the site as workbox takes it: `revision` is null where the name itself changes with what is in it. */
+/** A file of the site for workbox: `revision` is null where the file name contains a hash of the content. */
 export interface KeptFile {
   readonly url: string;
   readonly revision: string | null;
   readonly integrity: string;
 }
 
-/**
- * Scripts of Fontsource that no screen language and no name in western Europe needs; the system's own font stands in
- * for them.
- */
+/** Fontsource subsets that no screen language and no name in western Europe needs; the system font replaces them. */
 const SPARE_FONT = /-(?:cyrillic|cyrillic-ext|greek-ext|vietnamese)-wght-/;
 
 /**
- * True for a file of the build that the page can ask for; what is run by Node, maps and packed copies stay with the
- * server.
+ * True for a file of the build that the page can request; Node scripts, maps and compressed copies stay on the server.
  */
 export const isKept = (path: string): boolean =>
   /\.(?:html|js|css|svg|png|woff2|webmanifest)$/.test(path) &&
@@ -26,7 +22,7 @@ export const isKept = (path: string): boolean =>
   !/(?:^|\/)\./.test(path) &&
   !SPARE_FONT.test(path);
 
-/** The site in a folder as a list that tells every change of every file. */
+/** The files of the site in a folder, each with a revision for its content. */
 export function keptFiles(folder: string): readonly KeptFile[] {
   const paths = readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((e) => e.isFile())
@@ -46,7 +42,7 @@ export function keptFiles(folder: string): readonly KeptFile[] {
     });
 }
 
-/** The service worker as one script that holds the list of the site. */
+/** The service worker as one script that contains the list of the site. */
 async function serviceWorker(root: string, files: readonly KeptFile[]): Promise<string> {
   const made = await build({
     root,
@@ -70,7 +66,7 @@ async function serviceWorker(root: string, files: readonly KeptFile[]): Promise<
 
 /**
  * Makes the site installable and complete without a network: manifests, their link in the page, and the service worker
- * with the list of everything that the build wrote. The list is made last, of the files as they lie there.
+ * with the list of all built files. The list is made last, from the written files.
  */
 export function offline(): Plugin {
   let root = "";
@@ -91,7 +87,7 @@ export function offline(): Plugin {
       },
     ],
     async generateBundle() {
-      // The server in one file, for those who have nothing but the folder.
+      // The server in one file, for users who have only the folder.
       this.emitFile({
         type: "asset",
         fileName: "serve.mjs",

@@ -12,7 +12,7 @@ export const root = fileURLToPath(new URL("..", import.meta.url));
 
 const lock = (path) => JSON.parse(readFileSync(join(root, path), "utf8")).packages;
 
-/** True when every package that the lock file names is there in the same version; other platforms' binaries aside. */
+/** True when every package of the lock file is installed in the same version, except binaries of other platforms. */
 function installed() {
   const kept = join("node_modules", ".package-lock.json");
   if (!existsSync(join(root, kept))) return false;
@@ -24,8 +24,8 @@ function installed() {
 }
 
 /**
- * Installs with `npm ci` when node_modules is missing or stale. Everything npm says goes to standard error, so that
- * standard output stays clean for reports.
+ * Installs with `npm ci` when node_modules is missing or stale. npm's output goes to standard error, so that standard
+ * output stays clean for reports.
  */
 export function ensurePackages() {
   const [major, minor] = process.versions.node.split(".").map(Number);

@@ -4,7 +4,7 @@ import { join } from "node:path";
 /* Reads the style sheets of the page, so that a static drawing has its colours. Runs in the project folder. */
 const sheet = (path: string) => readFileSync(join("src", "app", path), "utf8");
 
-/** The declarations of all rules with a selector that stand at the beginning of a line: those of no `@media`. */
+/** The declarations of all rules whose selector is at the beginning of a line, so without those in `@media`. */
 const rulesOf = (css: string, selector: string): string =>
   css
     .split("\n")
@@ -24,11 +24,11 @@ function colours(used: string): string {
   return `:root{color-scheme:light dark;${of(":root")}}@media (prefers-color-scheme: dark){:root{${of(':root[data-theme="dark"]')}}}`;
 }
 
-/** A sheet with the colours that it names, on few lines. */
+/** A style sheet with the colours that it uses, on few lines. */
 export const styled = (css: string): string =>
   (colours(css) + css.replace(/\/\*.*?\*\//gs, "")).replace(/\s+/g, " ").trim();
 
-/** How the help picture is drawn, for an `svg` of that class. */
+/** The style of the help picture, for an `svg` of that class. */
 export const helpRules = (): string =>
   [
     ...(sheet("pictures/help/help.css").split("@media")[0] ?? "").matchAll(

@@ -1,8 +1,7 @@
 /**
- * `node scripts/page-types.mjs`: writes the types of the page objects to standard output, as the text of one file that
- * needs Playwright's own types and no other, with the files that they come from: `{ types, from }`. The classes come
- * from the compiler; a type of the page that they name is taken over as it is written there, or, where it is computed
- * from values, as what it comes to.
+ * `node scripts/page-types.mjs`: writes the types of the page objects to standard output as the text of one file that
+ * needs only Playwright's own types, with its source files: `{ types, from }`. The classes come from the compiler;
+ * types of the page that they use are copied, or expanded where they are computed from values.
  */
 import { join } from "node:path";
 import ts from "typescript";
@@ -29,16 +28,16 @@ const checker = program.getTypeChecker();
 const printer = ts.createPrinter();
 const isOurs = (file) => file.fileName.startsWith(join(root, "src")) || file.fileName.startsWith(join(root, "e2e"));
 
-/** Types that would bring the kernel with them, and that no test of the page needs whole. */
+/** Types that would pull in the kernel, and that no test of the page needs in full. */
 const PLAIN = { Sentences: "Readonly<Record<string, unknown>>" };
 
-/** What an import or a re-export stands for. */
+/** The symbol behind an import or a re-export. */
 const meant = (symbol) => (symbol && symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol);
 
-/** Declarations that the file has to hold, by name, in the order in which they are named. */
+/** Declarations that the file must contain, by name, in the order of first use. */
 const held = new Map();
 
-/** Notes the types of this project that a declaration names. */
+/** Records the types of this project that a declaration uses. */
 function follow(node) {
   const named = ts.isTypeReferenceNode(node)
     ? node.typeName
@@ -54,12 +53,12 @@ function follow(node) {
   ts.forEachChild(node, follow);
 }
 
-/** Whether a type is computed from a value, which this file does not have. */
+/** Whether a type is computed from a value that this file does not have. */
 function needsValues(node) {
   return ts.isTypeQueryNode(node) || (ts.forEachChild(node, (child) => needsValues(child) || undefined) ?? false);
 }
 
-/** Whether a type is a list of plain values, which says more than how it is made. */
+/** Whether a type is a union of literals, which is clearer than its definition. */
 const isList = (type) => type.isUnion() && type.types.every((each) => each.isLiteral());
 
 function take(symbol, declaration) {
@@ -105,7 +104,7 @@ for (const page of pages) {
     } else if (ts.isClassDeclaration(statement) && shown.has(statement.name.text))
       classes.push(statement.getFullText().trim());
   }
-  // Of the classes' own files too: types beside them, and those that they import.
+  // Also from the files of the classes: types next to them, and imported types.
   for (const statement of page.statements) if (ts.isClassDeclaration(statement)) follow(statement);
 }
 const imports = [...fromPlaywright]

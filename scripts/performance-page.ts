@@ -2,10 +2,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 
 const PAGE = "docs/performance.md";
 
-/**
- * Puts lines into docs/performance.md, in place of those between the marks of this name: `<!-- name -->` and `<!--
- * /name -->`.
- */
+/** Replaces the lines between the marks of a name in docs/performance.md: `<!-- name -->` and `<!-- /name -->`. */
 export function writeIntoPage(name: string, lines: readonly string[]): void {
   const page = readFileSync(PAGE, "utf8"),
     [begin, end] = [`<!-- ${name} -->`, `<!-- /${name} -->`];
@@ -14,7 +11,7 @@ export function writeIntoPage(name: string, lines: readonly string[]): void {
   writeFileSync(PAGE, `${page.slice(0, from + begin.length)}\n${lines.join("\n").trim()}\n${page.slice(to)}`);
 }
 
-/** A table as Markdown has it: the first columns of words, the others of numbers. */
+/** A Markdown table: the first columns contain words, the others numbers. */
 export function markdownTable(words: number, head: readonly string[], rows: readonly (readonly string[])[]): string[] {
   const wide = head.map((name, i) => Math.max(3, name.length, ...rows.map((row) => row[i]?.length ?? 0)));
   const line = (cells: readonly string[]) =>

@@ -10,16 +10,16 @@ import { built } from "./built.ts";
 const FOLDER = "docs/pictures";
 const SCREEN = { width: 1440, height: 900 };
 const ANIMATION = { width: 1280, height: 800 };
-/** One moment on every clock and the same names in each run: apart from smoothed edges a picture changes only with the page. */
+/** A fixed clock and fixed names in each run: apart from smoothed edges, a picture changes only with the page. */
 const HELD = { heldClock: "2026-11-27T09:00", seed: 8 };
 
-/** A fresh visitor's page. */
+/** The page for a new visitor. */
 async function visit(browser: Browser, address: string, viewport: typeof SCREEN): Promise<Turnwise> {
   const context = await browser.newContext({ baseURL: address, viewport, locale: "en-US", serviceWorkers: "block" });
   return Turnwise.open(await context.newPage(), HELD);
 }
 
-/** Waits until the page has calculated and painted what it was asked for. */
+/** Waits until the page is calculated and painted. */
 async function rest({ page, lathe }: Turnwise): Promise<void> {
   await page.waitForFunction(() => document.querySelector(".working") === null);
   await page.waitForTimeout(600);
@@ -27,13 +27,13 @@ async function rest({ page, lathe }: Turnwise): Promise<void> {
   await frames(page, 3);
 }
 
-/** Moves the tool to a share of the running time. */
+/** Moves the tool to a fraction of the running time. */
 async function moveTo(share: number, turnwise: Turnwise): Promise<void> {
   await seek({ turnwise }, share);
   await rest(turnwise);
 }
 
-/** What each still picture shows. The name is the file's. */
+/** The scene of each still picture, by file name. */
 const STILLS: Readonly<Record<string, (turnwise: Turnwise) => Promise<void>>> = {
   async prompts(turnwise) {
     const { start, effect, dialog } = turnwise;
@@ -69,13 +69,13 @@ const STILLS: Readonly<Record<string, (turnwise: Turnwise) => Promise<void>>> = 
   },
 };
 
-/** The frames of an animation, each with the time for which it is shown, ms. */
+/** A frame of an animation, with its duration, ms. */
 interface Frame {
   readonly png: Buffer;
   readonly delay: number;
 }
 
-/** A value is typed key by key, the path follows, and the tool runs. */
+/** Types a value key by key, with the path following, and plays the program. */
 async function film(turnwise: Turnwise): Promise<readonly Frame[]> {
   const { start, effect, dialog, lathe, page } = turnwise;
   const taken: { png: Buffer; delay: number }[] = [];
@@ -116,7 +116,7 @@ async function film(turnwise: Turnwise): Promise<readonly Frame[]> {
   return taken;
 }
 
-/** The pixels of a picture, as the browser decodes them. */
+/** The pixels of a picture, decoded by the browser. */
 async function pixels(page: Page, png: Buffer): Promise<Uint8ClampedArray<ArrayBuffer>> {
   const decoded = await page.evaluate(async (base64) => {
     const response = await fetch(`data:image/png;base64,${base64}`);

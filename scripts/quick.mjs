@@ -1,6 +1,6 @@
 /**
- * `npm run quick`: the inner loop. Types, lint of the files that changed since the last commit, and the tests beside
- * them, with few random cases: for every few minutes of work. With nothing changed, those of the last commit.
+ * `npm run quick`: the inner loop, for every few minutes of work. Types, lint of the files that changed since the last
+ * commit, and the nearby tests, with few random cases. With no change, uses the files of the last commit.
  */
 import { execFileSync, spawn } from "node:child_process";
 import { join } from "node:path";
@@ -18,9 +18,7 @@ const files =
 
 const cache = join(root, "node_modules", ".cache", "turnwise");
 const bin = (...path) => join(root, "node_modules", ...path);
-/**
- * The folders whose tests look at a file most nearly: its own, and for the kernel the cycles that are planned with it.
- */
+/** The folders of the nearest tests of a file: its own, and for the kernel also the cycles. */
 function nearest(file) {
   const [top, layer, feature] = file.split("/");
   if (top !== "src") return [file.endsWith(".test.ts") ? file : `tests/architecture.test.ts`];

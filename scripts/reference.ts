@@ -1,11 +1,11 @@
-/** The machine that limits are meant for: what the reference loop takes there, ms. */
+/** Duration of the reference loop on the machine for which limits are stated, ms. */
 export const REFERENCE = 4;
 
 /**
- * The reference loop: a fixed amount of arithmetic, of typed arrays and of work on rings of points, as the proof has
- * it. A time divided by that of this loop beside it can be compared between machines, and between a quiet and a busy
- * hour of one. It is one function without a name from outside, so that it can be sent into a page as text. Returns a
- * number that depends on all of it, the same every time.
+ * The reference loop: a fixed amount of arithmetic, typed arrays and ring operations, similar to the proof. A time
+ * divided by that of this loop can be compared between machines, and between a quiet and a busy hour of one machine. It
+ * uses no outside name, so that it can be sent into a page as text. Returns a number that depends on all of the work,
+ * the same every time.
  */
 export function referenceWork(): number {
   const [points, cuts, cells] = [600, 40, 20_000];
@@ -19,7 +19,7 @@ export function referenceWork(): number {
   });
   let sum = 0;
   for (let cut = 0; cut < cuts; cut += 1) {
-    // Half of the plane is taken away from the ring, each time in another direction.
+    // Cuts half of the plane from the ring, each time in another direction.
     const angle = 2 * Math.PI * next(),
       [nz, nr] = [Math.cos(angle), Math.sin(angle)],
       limit = 39.5 - cut * 0.1;
@@ -51,7 +51,7 @@ export function referenceWork(): number {
   return sum;
 }
 
-/** The middle one of some numbers; of an even count the mean of the two. */
+/** The median of some numbers; for an even count the mean of the middle two. */
 export function middle(numbers: readonly number[]): number {
   const sorted = [...numbers].sort((a, b) => a - b),
     half = sorted.length / 2;
@@ -59,7 +59,7 @@ export function middle(numbers: readonly number[]): number {
   return below === undefined || above === undefined ? Number.NaN : (below + above) / 2;
 }
 
-/** How long the reference loop takes now, in this process, ms: the middle one of a few rounds. */
+/** Duration of the reference loop in this process, ms: the median of a few rounds. */
 export function referenceTime(rounds = 5): number {
   return middle(
     Array.from({ length: rounds }, () => {

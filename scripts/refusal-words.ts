@@ -11,7 +11,7 @@ type Sentences = { readonly [C in RefusalCode]: (data: RefusalData[C]) => string
 
 const plural = (n: number, one: string, more: string) => `${n} ${n === 1 ? one : more}`;
 
-/** One sentence for each code, about the place that stands before it. */
+/** One sentence for each code, to follow the place. */
 const SENTENCES: Sentences = {
   beginMissing: ({ text }) =>
     `the program does not begin here with BEGIN PGM (%NAME in DIN/ISO)${text === "" ? "" : `, but with "${text}"`}`,
@@ -41,7 +41,7 @@ const SENTENCES: Sentences = {
   starMissing: () => 'the block does not end in " *"',
 };
 
-/** What a refusal says, without its place. */
+/** The sentence of a refusal, without its place. */
 export const refusalText = (refused: FileRefusal): string =>
   (SENTENCES[refused.code] as (data: FileRefusal["data"]) => string)(refused.data);
 

@@ -1,7 +1,7 @@
 /**
- * `node scripts/run.mjs NAME …`: runs scripts/NAME.ts on plain Node. The script is bundled once with all it imports and
- * kept in node_modules/.cache until a source file changes, so that it starts at once. It exports
- * `main(args): exit status`. Only what the script prints goes to standard output.
+ * `node scripts/run.mjs NAME …`: runs scripts/NAME.ts on plain Node. The script is bundled once with all its imports
+ * and cached in node_modules/.cache until a source file changes, so that it starts at once. It exports `main(args):
+ * exit status`. Only the script's own output goes to standard output.
  */
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, renameSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -11,7 +11,7 @@ import { ensurePackages, root } from "./packages.mjs";
 
 const [name = "", ...args] = process.argv.slice(2);
 
-/** Every file a bundle may come from, with its size and time. */
+/** Every possible source file of a bundle, with its size and time. */
 function fingerprint() {
   const hash = createHash("sha256");
   const walk = (folder) => {
@@ -50,7 +50,7 @@ async function bundled() {
 try {
   ensurePackages();
   const { main } = await import(pathToFileURL(await bundled()).href);
-  // npm runs scripts in the project folder; files are named from where the command was typed.
+  // npm runs scripts in the project folder; file names are relative to the folder of the caller.
   if (name === "verify" && process.env.INIT_CWD) process.chdir(process.env.INIT_CWD);
   process.exitCode = await main(args);
 } catch (error) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env node
 /**
  * Serves the built page with nothing but Node: `node serve.mjs [--port 8080] [--host 127.0.0.1] [--under /turnwise/]
- * [--cert FILE --key FILE] [FOLDER]`. The build puts a copy beside the page, which serves the folder that it lies in.
- * What it sends with each file is written down for other servers in docs/serving.md.
+ * [--cert FILE --key FILE] [FOLDER]`. The build puts a copy beside the page, which serves its own folder.
+ * docs/serving.md lists the headers of each file for other servers.
  */
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync } from "node:fs";
@@ -15,8 +15,8 @@ import { promisify } from "node:util";
 import { brotliCompress, constants, gzip } from "node:zlib";
 
 /**
- * What the page may load: itself only. Style attributes come from the editor and the drawings. The page says the same
- * of itself.
+ * Sources that the page may load: only its own. Style attributes come from the editor and the drawings. The page
+ * contains the same policy.
  */
 export const contentPolicy = [
   "default-src 'none'",
@@ -31,7 +31,7 @@ export const contentPolicy = [
   "form-action 'none'",
 ].join("; ");
 
-/** Sent with every file. Who may show the page in a frame can only be said here. */
+/** Sent with every file. Only a header can say who may show the page in a frame. */
 export const securityHeaders = {
   "Content-Security-Policy": `${contentPolicy}; frame-ancestors 'self'`,
   "X-Content-Type-Options": "nosniff",
@@ -43,10 +43,10 @@ export const securityHeaders = {
   "Cross-Origin-Resource-Policy": "same-origin",
 };
 
-/** Files below assets/ change their name with what is in them; all others are asked for again each time. */
+/** Files in assets/ have a hash in their name; all others are revalidated each time. */
 export const cacheRules = { assets: "public, max-age=31536000, immutable", others: "no-cache" };
 
-/** Types by the end of the name. */
+/** Content types by file extension. */
 export const types = {
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript; charset=utf-8",
@@ -66,7 +66,7 @@ const packers = {
   gzip: (content) => promisify(gzip)(content, { level: 9 }),
 };
 
-/** The packing that a browser takes, the smaller one first. */
+/** The best compression that a browser accepts. */
 function packingFor(accepted = "") {
   const wanted = accepted
     .split(",")
@@ -76,10 +76,7 @@ function packingFor(accepted = "") {
   return Object.keys(packers).find((name) => wanted.includes(name)) ?? null;
 }
 
-/**
- * The file that a path names, or null: nothing outside the folder and nothing hidden is ever given, by whatever
- * spelling.
- */
+/** The file for a path, or null: nothing outside the folder and nothing hidden is ever served, in any spelling. */
 async function fileOf(root, path) {
   let name;
   try {
@@ -98,11 +95,11 @@ async function fileOf(root, path) {
   }
 }
 
-/** Answers requests for the files of a folder, below a path that begins and ends with a stroke. */
+/** Answers requests for the files of a folder, below a path that begins and ends with a slash. */
 export function site(folder, under = "/") {
   const packed = new Map();
 
-  /** What a file holds, as it is sent, and a mark for it. */
+  /** The content of a file as sent, and its ETag. */
   async function contentOf({ found, version }, packing) {
     const key = `${packing} ${found}`;
     const known = packed.get(key);
@@ -147,7 +144,7 @@ export function site(folder, under = "/") {
   };
 }
 
-/** A path with a stroke before and behind. */
+/** A path with a slash at both ends. */
 export const wholePath = (path) =>
   `/${path
     .split("/")

@@ -1,7 +1,7 @@
 /**
- * Fails when the page has grown past what it may make an operator wait for, compressed as a server sends it. Two sums,
- * each with the largest of the languages: all JavaScript that the first screen needs, and all that is fetched until the
- * dialog of a cycle works, its calculation in the worker included.
+ * Fails when the page is larger than its limits, compressed as a server sends it. Two sums, each with the largest
+ * language: all JavaScript of the first screen, and everything that is fetched until the dialog of a cycle works,
+ * including its calculation in the worker.
  */
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -16,14 +16,14 @@ const read = (path) => readFileSync(join(dist, path), "utf8");
 const weight = (path) => gzipSync(read(path)).length;
 const manifest = JSON.parse(read(".vite/manifest.json"));
 
-/** A part of the build by its name in the manifest. */
+/** A chunk of the build by its name in the manifest. */
 function part(name) {
   const found = manifest[name];
   if (!found) throw new Error(`The build has no ${name}: build first, and keep the names of this script in step.`);
   return found;
 }
 
-/** Files of a part and of everything that it cannot start without. */
+/** Files of a chunk and of all its static imports. */
 function filesOf(name, seen = new Set()) {
   const { file, imports = [] } = part(name);
   if (seen.has(file)) return seen;
@@ -35,7 +35,7 @@ const sum = (files) => [...files].reduce((total, file) => total + weight(file), 
 const union = (names) => new Set(names.flatMap((name) => [...filesOf(name)]));
 
 const languages = Object.keys(manifest).flatMap((name) => /^src\/i18n\/(\w+)\/first\.ts$/.exec(name)?.[1] ?? []);
-/** The language whose texts weigh most. */
+/** The language with the largest texts. */
 function largest(namesOf) {
   const sets = languages.map((language) => union(namesOf(language)));
   return sets.sort((a, b) => sum(b) - sum(a))[0];
@@ -44,7 +44,7 @@ function largest(namesOf) {
 const worker = readdirSync(join(dist, "assets")).find((name) => /^worker-[\w-]+\.js$/.test(name));
 if (!worker) throw new Error("The worker is not where it is looked for.");
 
-/** A file and those that it cannot start without: the worker is in no manifest. */
+/** A file and its static imports: the worker is in no manifest. */
 function withImports(file, seen = new Set()) {
   if (seen.has(file)) return seen;
   seen.add(file);

@@ -16,7 +16,7 @@ import { heldPlane } from "../src/view/held-plane.ts";
 import { thumbBox, thumbnailOf, thumbPlace, thumbRings, type Thumbnail, type ViewBox } from "../src/view/thumbnail.ts";
 
 const RAPID = 10_000;
-/** The program that plays, and the examples with the names of their files. Runs in the project folder. */
+/** The program of the live picture, and the files of the examples. Runs in the project folder. */
 const LIVE = "shoulder";
 const FILES: Readonly<Record<ExampleId, string>> = {
   shaft: "shaft",
@@ -31,13 +31,13 @@ const FILES: Readonly<Record<ExampleId, string>> = {
 const ran = (file: string): Run =>
   run(parse(readFileSync(join("src", "examples", `${file}.h`), "utf8")), { tools: shippedTools, rapid: RAPID });
 
-/** Finer than any screen draws these, mm. */
+/** Finer than any screen shows, mm. */
 const FINE = 0.05;
 const drawn = (rings: readonly Ring[]) => thumbRings(rings, FINE);
 
 const rounded = (v: number) => Math.round(v * 100) / 100;
 
-/** The way of a mill, seen from above; Y points up. */
+/** The path of a mill, seen from above; Y points up. */
 function planeThumbnail({ plane }: Run): Thumbnail | null {
   const cut = plane.filter(({ kind }) => kind !== "rapid");
   const all = cut.flatMap(({ from, to }) => [from, to]);
@@ -59,9 +59,9 @@ function thumbnail(file: string): Thumbnail | null {
   return made.operations.length === 0 ? planeThumbnail(made) : thumbnailOf(made.blank, simulate(made).final);
 }
 
-/** Speeds of the picture, mm a second: it shows the order of things, not their time. */
+/** Speeds of the picture, mm/s: it shows the order of moves, not their time. */
 const SHOWN = { rapid: 150, feed: 34 };
-/** Pieces of an arc. */
+/** Segments of an arc. */
 const PIECES = 8;
 
 const pointsTo = ({ from, move }: Step): readonly Pt[] =>
@@ -71,7 +71,7 @@ const pointsTo = ({ from, move }: Step): readonly Pt[] =>
       )
     : [move.to];
 
-/** What a place of the way belongs to. */
+/** The pass of a step: 0 for a rapid, -1 for a finishing cut. */
 const passOf = ({ move }: Step): number => {
   if (move.kind === "rapid") return 0;
   return move.run === "finish" ? -1 : (move.pass ?? 0);
@@ -126,7 +126,7 @@ function live(file: string): LiveRun {
   };
 }
 
-/** What the start page shows of programs: computed once, when the page is built. */
+/** The pictures of programs on the start page: computed when the page is built. */
 export function startPictures(): StartPictures {
   const examples = Object.entries(FILES).flatMap(([id, file]) => {
     const made = thumbnail(file);

@@ -1,7 +1,7 @@
 /**
- * `npm test`: installs what is missing, then checks types and style and builds, then runs unit tests with goldens and
- * laws, size and the journeys in Chromium. Stops after the first stage that fails; the last line says how many tests
- * passed and failed.
+ * `npm test`: installs missing packages, then checks types and style and builds, then runs unit tests with goldens and
+ * laws, the size check and the e2e tests in Chromium. Stops after the first failing stage; the last line counts passed
+ * and failed tests.
  */
 import { spawn } from "node:child_process";
 import { mkdirSync, readFileSync, rmSync } from "node:fs";
@@ -10,12 +10,12 @@ import { join } from "node:path";
 import { ensureBrowser } from "./browser.mjs";
 import { ensurePackages, root } from "./packages.mjs";
 
-/** What Prettier looks after, as in `npm run format`. */
+/** Files formatted by Prettier, as in `npm run format`. */
 const SOURCES = "**/*.{ts,tsx,mjs,js}";
 const results = join(root, "node_modules", ".cache", "turnwise");
 const bin = (...path) => join(root, "node_modules", ...path);
 
-/** Counts of one report file; a report that is missing counts nothing. */
+/** Counts of one report file; a missing report counts as zero. */
 function counted(file, count) {
   try {
     return count(JSON.parse(readFileSync(file, "utf8")));
@@ -26,7 +26,7 @@ function counted(file, count) {
 const unitReport = join(results, "unit.json");
 const journeyReport = join(results, "journeys.json");
 const unitCount = () => counted(unitReport, (r) => ({ passed: r.numPassedTests, failed: r.numFailedTests }));
-/** A journey that passes when it is tried again has passed; Playwright names it as flaky, above. */
+/** An e2e test that passes on retry counts as passed; Playwright lists it as flaky, above. */
 const journeyCount = () =>
   counted(journeyReport, (r) => ({ passed: r.stats.expected + r.stats.flaky, failed: r.stats.unexpected }));
 
@@ -39,8 +39,8 @@ const unit = [
 ];
 
 /**
- * Stages run one after the other; of the commands of one stage as many at once as there are cores, the longest first.
- * The journeys have the machine for themselves.
+ * Stages run one after another; the commands of one stage in parallel on all cores, the longest first. The e2e tests
+ * run alone.
  */
 const stages = [
   [
@@ -80,7 +80,7 @@ function run({ name, args, browser }) {
   );
 }
 
-/** Whether each command of a stage was good, in their order. */
+/** Whether each command of a stage succeeded, in order. */
 async function runAll(commands) {
   const good = [];
   const waiting = commands.entries();

@@ -25,13 +25,13 @@ import { simulate } from "../src/sim/simulate.ts";
 import { tracing } from "../src/sim/tracing.ts";
 import { LOADING_CONTROLS, refusalLines, type RefusedPlace, refusedPlaces } from "./refusal-words.ts";
 
-/** Rapid rate of the times where no machine file states any, mm/min. */
+/** Rapid rate for times without a machine file, mm/min. */
 const RAPID = 10_000;
 
-/** A command line that can not be carried out; its message is the one line on standard error. */
+/** A command line that cannot be carried out; its message is the one line on standard error. */
 class Refusal extends Error {}
 
-/** Names standard input where a program is asked for. */
+/** Stands for standard input in place of a program file. */
 const STDIN = "-";
 
 const usage = (called: string): string =>
@@ -66,12 +66,12 @@ interface Command {
   readonly json: boolean;
   readonly print: boolean;
   readonly control: Control;
-  /** The control that would load the file; null when nobody asked. */
+  /** The control that would load the file; null without `--as`. */
   readonly as: LoadingControl | null;
   readonly skip: boolean;
 }
 
-/** What is asked about the command itself, and runs nothing. */
+/** Answers to questions about the command itself; null where there are none. */
 function answer(args: readonly string[], called: string): string | null {
   if (args.includes("--help") || args.includes("-h")) return help(called);
   return args.includes("--version") ? `Turnwise ${import.meta.env.VITE_VERSION}\n` : null;
@@ -129,7 +129,9 @@ function bytes(path: string): Buffer {
   }
 }
 
-/** Refuses a file that can not be read before the first one is: a list of files is done as a whole or not at all. */
+/**
+ * Refuses an unreadable file before the first one is processed: a list of files is processed completely or not at all.
+ */
 function readable(path: string): void {
   if (path === STDIN) return;
   try {
@@ -145,7 +147,7 @@ interface Decoded {
   readonly encoding: "utf8" | "latin1";
 }
 
-/** Programs of older controls are not UTF-8: what can not be is read byte by byte. */
+/** Programs of older controls are not UTF-8: invalid text is read byte by byte. */
 function decoded(data: Buffer): Decoded {
   try {
     return { text: new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(data), encoding: "utf8" };
@@ -171,11 +173,11 @@ function machineIn(path: string | null): MachineData | null {
   );
 }
 
-/** A program as Klartext, with what a DIN/ISO program lost on the way there. */
+/** A program as Klartext, with the losses of a DIN/ISO translation. */
 const asKlartext = (text: string): KlartextOfIso =>
   isIsoText(text) ? klartextOfIso(text, LAYOUTS.tnc7, isoNames(ncLabels("en"))) : { text, issues: [] };
 
-/** What is said of a translation, beside the blocks that were not understood: the reader of Klartext says those. */
+/** Issues of a translation, without the blocks that were not understood: the Klartext reader reports those. */
 const lostIn = (issues: readonly IsoIssue[]): Report["issues"] =>
   issues.flatMap((i) => {
     const text =
@@ -189,7 +191,7 @@ const lostIn = (issues: readonly IsoIssue[]): Report["issues"] =>
       : [{ code: i.code, severity: i.severity, ...(i.number !== null && { block: i.number }), data: i.data, text }];
   });
 
-/** How a program is run. */
+/** Options of a run. */
 interface Setting {
   readonly control?: Control;
   readonly files?: ProgramFiles;
@@ -199,7 +201,8 @@ interface Setting {
 }
 
 /**
- * Reads and runs a program. Its blocks are not kept: of a long one they would fill the memory that the report needs.
+ * Reads and runs a program. Its blocks are discarded: those of a long program would fill the memory that the report
+ * needs.
  */
 function ran(text: string, shop: ShopTools, setting: Setting) {
   const started = performance.now();
@@ -220,7 +223,7 @@ export function verified(file: string, text: string, shop: ShopTools, setting: S
   return lost.length > 0 ? { ...made, issues: [...lost, ...made.issues] } : made;
 }
 
-/** The names of a folder's files by what they are compared by; empty where it can not be read. */
+/** The names of a folder's files, by their comparison form; empty where the folder cannot be read. */
 function namesIn(folder: string): ReadonlyMap<string, string> {
   try {
     return new Map(
@@ -235,7 +238,7 @@ function namesIn(folder: string): ReadonlyMap<string, string> {
 }
 
 /**
- * What a program can call: the files that lie in its folder, and those that were given with it; each is read when it is
+ * The files that a program can call: those in its folder, and those on the command line; each is read when it is
  * called.
  */
 function besides(path: string, given: ReadonlyMap<string, string>): ProgramFiles {
@@ -264,12 +267,12 @@ function besides(path: string, given: ReadonlyMap<string, string>): ProgramFiles
   };
 }
 
-/** The report of a file, with what a control refuses of it where `--as` asks for that. */
+/** The report of a file, with the control's refusals if `--as` asks for them. */
 export interface FileReport extends Report {
   readonly refused?: readonly RefusedPlace[];
 }
 
-/** A report as it is written: one JSON object on a line, or a summary with the refusals below it. */
+/** A report as written: one JSON object on a line, or a summary with the refusals below it. */
 function written(
   made: Report,
   text: string,
@@ -284,10 +287,10 @@ function written(
 
 /**
  * `npm run --silent verify -- FILE.h …`: 0 no error, 1 an error in a program, 2 the command could not run. `called` is
- * how its user called it.
+ * the command as its user typed it.
  */
 export function main(args: readonly string[], called = "npm run --silent verify --"): number {
-  // Whole folders of long programs go through one process: it tidies up before its memory has doubled.
+  // One process reads whole folders of long programs: collect garbage before the heap has doubled.
   setFlagsFromString("--heap-growing-percent=30");
   try {
     const about = answer(args, called);

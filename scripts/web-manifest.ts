@@ -16,7 +16,7 @@ const icon = (name: string, size: number, purpose: "any" | "maskable") => ({
   purpose,
 });
 
-/** What a home screen is told; every address in it is relative, so that the site may lie in any folder. */
+/** The manifest for home screens; every address in it is relative, so that the site can be in any folder. */
 export function webManifest(language: Language): object {
   const t = texts(language).page;
   const way = (name: string, address: string) => ({ name, url: `./#/${address}`, icons: [icon("icon", 192, "any")] });

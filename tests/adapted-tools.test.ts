@@ -98,7 +98,7 @@ test("a tool that Q499 = 2 mirrors cuts as the mirrored tool, in the stock too",
 test("a contour that begins with a falling wall is finished from the top of the wall", () => {
   const { done, simulation } = cut(8, contour(1), 16);
   const finish = done.steps.filter((s) => s.move.phase === "finish");
-  // The tip of the blade lies in its middle, 1.5 mm beside the corner that runs down the wall.
+  // The tip of the blade is in the middle of its edge, 1.5 mm from the corner that runs down the wall.
   const onWall = finish.find((s) => Math.abs(toDiameter(s.from.r) - 23) < 0.001 && s.move.to.z < -20);
   expect(onWall?.from.z).toBeCloseTo(-0.2, 3);
   expect(simulation.proof.gouge).toBe(0);
@@ -106,7 +106,7 @@ test("a contour that begins with a falling wall is finished from the top of the 
   expect(simulation.final.flat().some((p) => Math.abs(toDiameter(p.r) - 20) < 0.01 && p.z > -1)).toBe(true);
 });
 
-describe("what a leaning edge leaves is laid to that edge", () => {
+describe("residue of a sloping edge is attributed to that edge", () => {
   test("a tool set at 75 degrees before a square shoulder", () => {
     const { simulation, issues } = cut(20, shoulder, 75);
     expect(simulation.proof.residual.map((r) => r.reason)).toEqual(["mainEdge"]);

@@ -2,7 +2,9 @@ import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { code, projectFolder, projectPath, sources } from "./sources.ts";
 
-/** What a layer may import: names of layers and packages; `types` lists those of which only types may come. */
+/**
+ * The allowed imports of a layer: names of layers and packages; `types` lists those from which only types are allowed.
+ */
 interface Rule {
   readonly values: readonly string[];
   readonly types?: readonly string[];
@@ -21,7 +23,7 @@ const RULES: Record<string, Rule> = {
   examples: { values: [] },
 };
 const layerOf = (path: string) => path.split("/")[1] ?? "";
-/** The layers that are the page. */
+/** The layers of the page. */
 const PAGE = ["app", "features", "shell"];
 const all = sources("src");
 const layered = all.filter((s) => layerOf(s.path) in RULES);
@@ -63,13 +65,10 @@ const DOUBLED = new RegExp(
     String.raw`([\w.]*\.[xr]) \+ \1\b`,
   ].join("|"),
 );
-/**
- * A number that is called a radius or a diameter without the functions for it, or the factor between them taken from a
- * 1.
- */
+/** A number cast to a radius or a diameter without its functions, or the factor between them derived from a 1. */
 const FORCED = /\bas (?:Radius|Diameter)\b|\bto(?:Radius|Diameter)\(\s*(?:radius|diameter)\(\s*[\d.]*[1-9]/;
 const MEAN = /\([^()]*\+[^()]*\)\s*\/\s*2\b/g;
-/** Whether a line makes a diameter of a radius or the other way round. Pictures also have an x, in pixels. */
+/** Whether a line converts between radius and diameter. Pictures also have an x, in pixels. */
 const converts = (line: string, layer: string) =>
   FORCED.test(line) || (layer !== "view" && DOUBLED.test(line.replaceAll(MEAN, "")));
 
@@ -101,7 +100,7 @@ describe("what one file keeps to itself", () => {
       (s) => /\b(?:localStorage|sessionStorage|indexedDB)\b/.test(code(s.text)) || /"idb-keyval"/.test(s.text),
     );
     expect(asks.map((s) => s.path).sort()).toEqual(["src/app/base/database.ts", "src/app/base/kept.ts"]);
-    // Each thing that is kept is declared once, under a key of its own.
+    // Each stored item is declared once, under its own key.
     const keys = page
       .flatMap((s) => [
         ...s.text.matchAll(/\b(?:kept(?:Text|Data)(?:<.*>)?|database)\("([\w-]+)"|\brecord\(\{\s*key: "([\w-]+)"/g),
@@ -181,7 +180,7 @@ describe("what one file keeps to itself", () => {
   test("no cycle number outside the catalogue, the texts and the help picture", () => {
     const numbers = projectFolder("src/cycles").flatMap((name) => /^c(\d+)\.ts$/.exec(name)?.[1] ?? []);
     expect(numbers.length).toBeGreaterThan(2);
-    // A number in quotes is a value as it is typed.
+    // A quoted number is a typed value.
     const pattern = new RegExp(`(?<![\\d."])(?:${numbers.join("|")})(?![\\d."])`);
     const found = all
       .filter((s) => !["cycles", "i18n"].includes(layerOf(s.path)) && !s.path.startsWith("src/view/help/"))
@@ -251,7 +250,10 @@ describe("what is nowhere", () => {
   });
 });
 
-/** What decides whether two numbers agree is a constant with a name and a reason, here or in kernel/tolerance.ts. */
+/**
+ * The tolerance that decides whether two numbers agree is a constant with a name and a reason, here or in
+ * kernel/tolerance.ts.
+ */
 test("no tolerance without a name", () => {
   const bare = (line: string) => /\de-\d/.test(line) && !/^(?:export )?const [A-Z_]+ = /.test(line);
   const found = all.flatMap(({ path, text }) =>
@@ -264,7 +266,7 @@ test("no tolerance without a name", () => {
 });
 
 /**
- * Style sheets name the conditions of app/media.ts; only its lathe and contour panels ask for their own width, by
+ * Style sheets use the conditions of app/media.ts; only its lathe and contour panels query their own width, by
  * container.
  */
 test("breakpoints exist once", () => {
@@ -281,7 +283,7 @@ test("breakpoints exist once", () => {
   expect([...bare, ...queries.map(({ path }) => path)]).toEqual([]);
 });
 
-/** What imports each other can only be read together; types count too. */
+/** Files that import each other can only be understood together; types count too. */
 test("no files import each other in a circle", () => {
   const targets = new Map(all.map((s) => [s.path, s.imports.filter((i) => i.relative).map((i) => i.target)]));
   const state = new Map<string, "open" | "done">();
@@ -311,7 +313,7 @@ test("no exported name means two things in one layer, room or feature", () => {
 });
 
 describe("packages", () => {
-  /** Needed by name or by another package; nothing imports them. */
+  /** Packages that are used by name or by another package, and never imported. */
   const unimported = new Set([
     "@types/node",
     "@types/react",

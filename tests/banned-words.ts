@@ -1,6 +1,6 @@
 import type { Language } from "../src/i18n/languages.ts";
 
-/** What no text says, and the better words: terms of the control, of CAM and of software, not riddles. */
+/** Banned words with better ones: terms of the control, of CAM and of software instead of riddles. */
 export type Banned = readonly (readonly [pattern: RegExp, better: string])[];
 
 const en: Banned = [

@@ -15,13 +15,13 @@ test("the reference loop is the same every time, also as text in another place",
   expect(runInNewContext(`(${String(referenceWork)})()`)).toBe(once);
 });
 
-test("the middle one of numbers in any order", () => {
+test("the median of numbers in any order", () => {
   expect(middle([7.25, 0.5, 11])).toBe(7.25);
   expect(middle([7.5, 0.5, 11, 2.25])).toBe(4.875);
   expect(middle([])).toBeNaN();
 });
 
-test("a case of the browser bench is asked for by its name or by a part of it", () => {
+test("a case of the browser bench is selected by its name or by a part of it", () => {
   const names = (args: string[]) => readOptions(args).screens.map(({ name }) => name);
   expect(names(["--screen=1440x900"])).toEqual(["1440x900"]);
   expect(names(["--screen=slow"])).toEqual(["1440x900 slow", "1024x768 slow", "768x1024 slow"]);
@@ -32,7 +32,7 @@ test("a case of the browser bench is asked for by its name or by a part of it", 
   expect(() => readOptions(["--seconds=none"])).toThrow("above zero");
 });
 
-test("a grown program has as many operations and about as many moves as it is asked for", () => {
+test("a grown program has the requested operations and about the requested moves", () => {
   const made = run(parse(grownProgram(7, 1130)), { tools: shippedTools, rapid: 10_000 });
   expect(made.operations).toHaveLength(7);
   expect(made.issues.filter(({ issue }) => issue.severity === "error")).toEqual([]);

@@ -24,7 +24,7 @@ const PRINTED: Readonly<Record<number, string>> = {
     "0.3, Q483 0.4, Q484 0.2, Q505 0.2, Q463 2, Q507 0, Q508 0, Q509 0, Q488 0",
 };
 
-/** Ranges that the pages of each cycle print. */
+/** Ranges printed on the page of each cycle. */
 const RANGES: Readonly<Record<number, Readonly<Record<string, readonly [number, number]>>>> = {
   812: { Q463: [0.001, 999.999], Q483: [0, 99.999], Q215: [0, 3], Q501: [0, 2], Q503: [0, 2], Q506: [0, 2] },
   820: {
@@ -47,9 +47,9 @@ const RANGES: Readonly<Record<number, Readonly<Record<string, readonly [number, 
   800: { Q530: [0, 3] },
 };
 
-/** Parameters of recalled lists that a page of the control names, with what they mean. */
+/** Parameters of recalled lists whose meaning a page of the control prints. */
 const ATTESTED: Readonly<Record<number, readonly string[]>> = { 800: ["Q497", "Q530", "Q531"], 815: ["Q463", "Q478"] };
-/** Cycles whose list no page prints and whose English name one does. */
+/** Cycles whose English name a page prints, but not their list. */
 const NAMED: Readonly<Record<number, string>> = { 800: "ADJUST XZ SYSTEM", 815: "CONTOUR-PAR. TURNING" };
 
 /** The same Q may measure different things in different cycles. */
@@ -190,7 +190,7 @@ describe.each(cycles)("cycle %i", (number, cycle) => {
     }
   });
 
-  test("has a program to hold it against: a printed one where there is one", () => {
+  test("has a program to compare with: a printed one where available", () => {
     const named = isPrinted ? `cycle-${number}-` : `cycle-${number}.h`;
     expect(projectFolder("tests/programs").filter((name) => name.startsWith(named))).not.toEqual([]);
   });
@@ -259,7 +259,7 @@ describe.each(cycles)("cycle %i", (number, cycle) => {
 });
 
 describe("the catalogue", () => {
-  test("holds each number once, and finds it", () => {
+  test("contains each number once, and finds it", () => {
     expect(new Set(catalogue.map((c) => c.number)).size).toBe(catalogue.length);
     for (const cycle of catalogue) expect(cycleByNumber(cycle.number)).toBe(cycle);
     expect(cycleByNumber(7)).toBeUndefined();

@@ -18,8 +18,7 @@ const typed = (p: Param) => {
   return fc.oneof({ weight: 40, arbitrary: usual }, { weight: 1, arbitrary: odd });
 };
 /**
- * A position is typed without a limit, and printed as typed: beyond ±99999.9999 the text is refused, so none is drawn
- * here.
+ * A typed position has no limit and is printed as typed: beyond ±99999.9999 the text is refused, so none is generated.
  */
 const length = fc.oneof(
   { weight: 20, arbitrary: fc.integer({ min: -60000, max: 90000 }).map((n) => String(n / 1000)) },
@@ -64,7 +63,7 @@ const outputs = fc.record({
   capitals: fc.boolean(),
 });
 
-/** Jobs as they may be typed, mostly with values of their ranges, in each language, layout and setting. */
+/** Jobs as a user may type them, usually with values in range, in each language, layout and setting. */
 export const typedJobs: fc.Arbitrary<SetJob> = fc.constantFrom(...cuttingCycles).chain((cycle) =>
   fc
     .record({
@@ -84,7 +83,7 @@ export const typedJobs: fc.Arbitrary<SetJob> = fc.constantFrom(...cuttingCycles)
     .map(({ draft, ...rest }) => ({ ...exampleJob(cycle), drafts: { [cycle.number]: draft }, ...rest })),
 );
 
-/** Largest positions, deltas and feeds of the input formats, and how many parameters of a program there are. */
+/** Limits of positions, deltas and feeds in the input formats, and the number of parameters of a program. */
 const [POSITION, DELTA, FEED, LOCAL] = [99999.9999, 99.9999, 99999.999, 500];
 const DELTAS = ["deltaLength", "deltaRadius"];
 const POSITIVE = ["feed", "functionFeed", "speed", "cuttingSpeed", "limit"];
@@ -96,7 +95,7 @@ function within(n: number, key: string): number {
 }
 const rounded = (n: number) => Math.round(n * 10000) / 10000;
 
-/** The same value with numbers and parameters that a control holds; `key` is the word that it belongs to. */
+/** The value with numbers and parameters that a control can store; `key` is the word of the value. */
 function held(value: unknown, key: string): unknown {
   if (typeof value === "number") return rounded(within(value, key));
   if (typeof value === "string") {
@@ -110,7 +109,7 @@ function held(value: unknown, key: string): unknown {
   return Object.fromEntries(Object.entries(value).map(([name, each]) => [name, held(each, under(name))]));
 }
 
-/** Statements that make a program: their values are those that a control holds, and each label is set once. */
+/** Statements of a valid program: their values are storable on a control, and each label is set once. */
 export function heldByControl(list: readonly Statement[]): readonly Statement[] {
   const labels = new Set<string | number>([0]);
   return list

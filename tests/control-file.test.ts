@@ -19,14 +19,14 @@ import { heldByControl, typedJobs } from "./control-file-texts.ts";
 import { statements } from "./laws/statements.ts";
 import { projectFile, projectFolder } from "./sources.ts";
 
-/** What both controls refuse, with its line in front: nothing in a text that the printer may hand on. */
+/** The refusals of both controls, with line numbers: none in a text that the printer may output. */
 const refused = (text: string) =>
   (["tnc640", "tnc7"] as const).flatMap((control) =>
     refusals(text, control).map(
       (r) => `${r.code} ${JSON.stringify(r.data)} in line ${r.line}: ${text.split(/\r\n|\n|\r/)[r.line - 1]}`,
     ),
   );
-/** The same of the DIN/ISO twin of a program. */
+/** The refusals of a program converted to DIN/ISO. */
 function refusedAsIso(klartext: string): readonly string[] {
   const { text } = isoProgramText(parse(klartext));
   const lines = text.split(/\r\n|\n|\r/);
@@ -34,7 +34,7 @@ function refusedAsIso(klartext: string): readonly string[] {
     (r) => `${r.code} ${JSON.stringify(r.data)} in line ${r.line}: ${lines[r.line - 1]}`,
   );
 }
-/** File layouts: the look of the manual is none. */
+/** File layouts, without the manual's layout. */
 const FILES: readonly Style[] = [
   ...(["tnc640", "tnc7"] as const).map((name) => LAYOUTS[name]),
   {
@@ -131,16 +131,13 @@ describe("the look of the manual is refused where its first list is", () => {
   });
 });
 
-/** Lines of a manual without a frame. */
+/** Lines of a manual without BEGIN and END. */
 const isPiece = (text: string) => !text.includes("BEGIN PGM") || !text.includes("END PGM");
-/** The first line of a list that the line before does not announce, from 0; -1 in a file that a control loads. */
+/** Index of the first list line that the previous line does not announce; -1 in a file that a control loads. */
 const firstStray = (lines: readonly string[]) =>
   lines.findIndex((line, i) => /^Q\d+\s*[=+-]/.test(line) && !/~\s*$/.test(lines[i - 1] ?? ""));
 
-/**
- * A program that ships or is tested: a control loads it, or it has the look of the manual and is refused for that,
- * where it begins.
- */
+/** A shipped or tested program: a control loads it, or it has the manual's layout and is refused there. */
 function isFileOrLook(text: string): void {
   const lines = text.split(/\r?\n/);
   const stray = firstStray(lines);

@@ -10,10 +10,7 @@ import { printJob } from "../src/program/job/print-job.ts";
 import { run } from "../src/program/run/run.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
-/*
- * The example of every cycle, as the page begins a work with it: whoever meets a cycle for the first time sees a
- * program that is proved.
- */
+/* The example of every cycle as a new program starts with it: a user's first program with a cycle must be proved. */
 const cutting = cuttingCycles;
 const tools = { tools: shippedTools, refused: new Map() };
 
@@ -30,7 +27,7 @@ describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the examp
     },
   );
 
-  test("runs with its tool from its start point, cuts nothing it should not, and is proved", () => {
+  test("runs with its tool from its start point, without contour damage, and is proved", () => {
     const text = printJob(exampleJob(cycle), ncLabels("en"));
     const { operations } = run(parse(text), { tools: shippedTools, rapid: 10_000 });
     expect(operations.map((o) => [o.cycle, o.tool.T])).toEqual([[number, cycle.setup.tool]]);
@@ -42,9 +39,9 @@ describe.each(cutting.map((cycle) => [cycle.number, cycle] as const))("the examp
   });
 });
 
-/** A round nose leaves something in the square corner of these, which is their contour. */
+/** Cycles whose contour has a square corner, where a round nose leaves material. */
 const SQUARE = [811, 813, 821, 823];
-/** What is told of an example and cannot be helped: a taper is cut in a cylinder, for a set-up has no other blank. */
+/** Unavoidable findings of an example: a taper is cut from a cylinder, since a set-up has no other blank. */
 const TOLD: Readonly<Record<number, readonly string[]>> = {
   832: ["deeperThanInfeed", "materialLeft", "threadMeets"],
 };
@@ -65,7 +62,7 @@ test.each(SQUARE)(
     const { proof, operations } = verified("example.h", printJob(exampleJob(cycle), ncLabels("en")), tools);
     const nose = Number(operations[0]?.tool["RS"]);
     expect(proof.residual.map((left) => left.reason)).toEqual(["insertRadius"]);
-    // The simulation cuts with chords half a micron off.
+    // The simulation uses chords with an error of half a micron.
     expect(Math.abs((proof.residual[0]?.area ?? NaN) - (1 - Math.PI / 4) * nose ** 2)).toBeLessThan(0.002);
   },
 );

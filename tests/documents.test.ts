@@ -31,7 +31,7 @@ describe("pages written from the catalogue", () => {
   });
 });
 
-describe("what documents name exists", () => {
+describe("names in documents exist", () => {
   const documents = [
     "README.md",
     "CONTRIBUTING.md",
@@ -56,7 +56,7 @@ describe("what documents name exists", () => {
     const missing = [...links.map((to) => join(dirname(path), to)), ...files].filter(
       (to) => !existsSync(projectPath(to)),
     );
-    // A file may be named by the end of its path.
+    // A document may name a file by the end of its path.
     const short = [...text.matchAll(/`((?!dist\/)[\w.-]+\/[\w./-]+\.(?:tsx?|mjs|css))`/g)].map(([, to = ""]) => to);
     const lost = short.filter((to) => !known.some((each) => each.endsWith(`/${to}`)));
     expect([...missing, ...lost]).toEqual([]);

@@ -1,7 +1,7 @@
 import { labelsOverlap, type LabelBox } from "../src/view/help/labels.ts";
 import type { WorkshopPrint } from "../src/view/drawing/workshop-drawing.ts";
 
-/** A box without the air around its letters. */
+/** A box without the margin around its letters. */
 const letters = ({ x, y, width, height }: LabelBox): LabelBox => ({
   x: x + 0.8,
   y: y + 0.8,
@@ -11,7 +11,7 @@ const letters = ({ x, y, width, height }: LabelBox): LabelBox => ({
 
 type Spot = readonly [x: number, y: number];
 
-/** The straight lines of a path; curves are left out. */
+/** The straight lines of a path, without its curves. */
 const straights = (d: string): (readonly [Spot, Spot])[] =>
   [...d.matchAll(/M[^MQaZ]+/g)].flatMap(([line]) => {
     const numbers = [...line.matchAll(/-?\d+(?:\.\d+)?/g)].map(([n]) => Number(n));
@@ -22,7 +22,7 @@ const straights = (d: string): (readonly [Spot, Spot])[] =>
     return line.includes("H") ? [] : spots.slice(1).map((to, i) => [spots[i] ?? to, to] as const);
   });
 
-/** Whether a line goes through a box, by its places in small steps. */
+/** Whether a line crosses a box, sampled in small steps. */
 function crosses([[ax, ay], [bx, by]]: readonly [Spot, Spot], { x, y, width, height }: LabelBox): boolean {
   const steps = Math.ceil(Math.hypot(bx - ax, by - ay) / 0.2);
   return Array.from({ length: steps + 1 }, (_, i) => i / Math.max(1, steps)).some((share) => {
@@ -31,7 +31,7 @@ function crosses([[ax, ay], [bx, by]]: readonly [Spot, Spot], { x, y, width, hei
   });
 }
 
-/** What is wrong with a drawing as a print. */
+/** The faults of a drawing as a print. */
 export function faultsOf({ texts, shapes, width, height }: WorkshopPrint): string[] {
   const over = texts.flatMap((a, i) =>
     texts

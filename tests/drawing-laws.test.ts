@@ -42,7 +42,7 @@ describe.each(drawings)("%s", (_, drawn) => {
   });
 });
 
-/** A shaft of steps with broken edges and a bore of steps, in tenths of a millimetre. */
+/** A stepped shaft with broken edges and a stepped bore, in tenths of a millimetre. */
 const turned = fc.record({
   steps: fc.array(
     fc.record({
@@ -117,7 +117,7 @@ test("any turned part is a legible print on one sheet", () => {
   );
 });
 
-/** What is wrong with the print of a generated part. */
+/** The faults in the print of a generated part. */
 function wrongWith(turned: Parameters<typeof partOf>[0], language: keyof typeof LANGUAGES): readonly string[] {
   const drawn = drawnTask(partOf(turned)),
     print = drawn && drawingOnSheet(drawn, LANGUAGES[language], SHEET);
@@ -133,7 +133,7 @@ const THROUGH = "a thin line through";
 test("a part of any size with undercuts, grooves, threads, cones and chamfers, outside and inside, is a legible print on one sheet", () => {
   fc.assert(
     fc.property(turnedParts, languages, (turned, language) => {
-      // Of two hundred parts one or two are so crowded that a leader crosses a number: it stays legible over its line.
+      // In one or two of two hundred parts a leader has to cross a number, which stays legible over the line.
       expect(wrongWith(turned, language).filter((fault) => !fault.startsWith(THROUGH))).toEqual([]);
     }),
     { numRuns: 80 },

@@ -5,10 +5,7 @@ type Drawn = Parameters<typeof drawnTask>[0];
 type Sizes = NonNullable<Drawn["sizes"]>;
 type Threads = NonNullable<NonNullable<Drawn["part"]>["threads"]>;
 
-/**
- * How a step of a generated part is given, in tenths of a millimetre before it is scaled; `feature`: what is cut into
- * its surface.
- */
+/** A step of a generated part, in tenths of a millimetre before scaling; `feature`: a cut into its surface. */
 interface Step {
   readonly rise: number;
   readonly long: number;
@@ -31,7 +28,7 @@ const DEVIATIONS = [
   { upper: -0.007, lower: -0.028 },
 ] as const;
 
-/** Pins of a watch to shafts of a mill. */
+/** From a watch pin to a mill shaft. */
 export const SCALES = [0.05, 0.21, 1, 4.3, 11] as const;
 
 /**
@@ -46,7 +43,7 @@ export const turnedParts = fc.record({
 });
 export type TurnedPart = typeof turnedParts extends fc.Arbitrary<infer P> ? P : never;
 
-/** The part as a task has it. */
+/** The part in the form of a task. */
 export function partOf({ scale, long, outside, inside, rest }: TurnedPart): Drawn {
   const round = (value: number): number => Math.round(value * scale * 1000) / 1000;
   const at = (x: number, z: number) => `L X${round(2 * x)} Z${round(z)}`;

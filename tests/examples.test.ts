@@ -48,7 +48,7 @@ describe("the flange", () => {
     expect(new Set(done.operations.map((o) => o.cycle)).size).toBe(3);
   });
 
-  test("comes out as one ring with the drawn diameters and lengths", () => {
+  test("becomes one ring with the drawn diameters and lengths", () => {
     expect(simulation.final.length).toBe(1);
     const corners = (simulation.final[0] ?? []).map((p) => ({ x: toDiameter(p.r), z: p.z }));
     const has = (x: number, z: number) => corners.some((p) => Math.abs(p.x - x) < 0.02 && Math.abs(p.z - z) < 0.02);
@@ -67,13 +67,13 @@ describe("the shaft", () => {
   const corners = simulation.final.flat().map((p) => ({ x: toDiameter(p.r), z: p.z }));
   const within = (from: number, to: number) => corners.filter((p) => p.z < from && p.z > to);
 
-  test("has ten operations of six cycles, and nothing of it is left unproved", () => {
+  test("has ten operations of six cycles, all proved", () => {
     expect(done.operations.map((o) => o.cycle)).toEqual([821, 810, 810, 862, 842, 831, 812, 812, 842, 831]);
     expect(done.unproved).toEqual([]);
     expect(simulation.proof.residual).toEqual([]);
   });
 
-  test("comes out with its taper, undercut, grooves, bore and threads", () => {
+  test("has its taper, undercut, grooves, bore and threads", () => {
     const has = (x: number, z: number) => corners.some((p) => Math.abs(p.x - x) < 0.02 && Math.abs(p.z - z) < 0.02);
     // The ends of the taper, the floor of the undercut before the shoulder, the wall behind the last cylinder.
     expect([has(66, -26), has(72, -46), has(91.6, -104)]).toEqual([true, true, false]);

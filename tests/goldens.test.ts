@@ -25,7 +25,7 @@ describe("every program of the folder", () => {
   });
 });
 
-describe("broken programs say what their first line expects", () => {
+describe("broken programs report what their first line expects", () => {
   test.each(broken)("%s", (_, text) => {
     const expected = /^; expect: (.*)$/m.exec(text)?.[1] ?? "";
     const program = parse(text);
@@ -36,7 +36,7 @@ describe("broken programs say what their first line expects", () => {
   });
 });
 
-/** Programs with pieces copied, dropped, exchanged or with numbers changed. */
+/** Programs with pieces copied, dropped, swapped or with changed numbers. */
 const damaged = fc
   .tuple(
     fc.constantFrom(...programs.map(([, text]) => text)),

@@ -13,7 +13,7 @@ import { typedJobs } from "./control-file-texts.ts";
 const shop = { tools: shippedTools, rapid: 10_000 };
 
 describe("whatever is typed", () => {
-  test("both layouts and the look of the manual say the same, and the text is read as it was meant", () => {
+  test("all layouts have the same content, and the text is read as intended", () => {
     fc.assert(
       fc.property(typedJobs, (job) => {
         const cycle = cuttingCycles.find((c) => c.number === job.cycle);

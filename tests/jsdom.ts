@@ -5,10 +5,10 @@ import { menuWords } from "../src/i18n/menu-words.ts";
 import "../src/shell/slots.ts";
 import { partOf } from "../src/app/base/settings/loaded-texts.ts";
 
-/** For what never comes: on a slow machine a component may take long to show what it was given, ms. */
+/** Timeout for something that never appears: on a slow machine a component may take long to render, ms. */
 configure({ asyncUtilTimeout: 60_000 });
 
-/** Component tests have all languages at hand; the page fetches the one it shows. */
+/** Component tests have all languages loaded; the page fetches only the one it shows. */
 for (const language of LANGUAGES) {
   const all = texts(language);
   partOf("workplace").provide(language, all);

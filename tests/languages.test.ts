@@ -7,7 +7,7 @@ const names = sources("src/i18n/en")
   .flatMap(({ path }) => /^src\/i18n\/en\/([\w-]+)\.ts$/.exec(path)?.[1] ?? [])
   .filter((name) => name !== "parts") as readonly PartName[];
 
-/** What texts are made of, by their keys. How many items a list has is a matter of the language. */
+/** The shape of texts, by their keys. The length of a list depends on the language. */
 function shapeOf(texts: unknown): unknown {
   if (typeof texts !== "object" || texts === null) return typeof texts;
   if (Array.isArray(texts)) return "list";
@@ -18,7 +18,7 @@ function shapeOf(texts: unknown): unknown {
   );
 }
 
-/** What a term of the glossary has in some languages only, and what is often done wrong with a few parameters. */
+/** Parts with keys that some languages lack: terms of the glossary, common mistakes with a few parameters. */
 const OWN: ReadonlySet<PartName> = new Set(["glossary", "mistakes"]);
 
 describe.each(LANGUAGES.filter((language) => language !== "en"))("the texts in %s", (language) => {
@@ -29,10 +29,7 @@ describe.each(LANGUAGES.filter((language) => language !== "en"))("the texts in %
   });
 });
 
-/**
- * A new language of the screen is its folder and its line; what is said in languages of NC text and of lessons stands
- * beside it.
- */
+/** A new screen language is its folder and its line; languages of NC text and of lessons are listed next to it. */
 test("no screen language is named outside its folder and the list of languages", () => {
   const named = /["'/](?:de|fr|zh)["'/]|^\s*(?:de|fr|zh):|[{,] ?(?:de|fr|zh)\b ?[,:}]/;
   const may = /^src\/(?:i18n\/(?:languages\.ts|nc-labels\.ts|\w\w\/|nc\/)|nc\/nc-languages\.ts)/;

@@ -28,8 +28,8 @@ import { tipAt } from "../src/view/tip.ts";
 import type { Run } from "../src/program/state/run-types.ts";
 
 /**
- * The lathe view, kept as drawings: the work as it is painted, path and contour, the tool in its holder, and the chip
- * that it cuts. The printed examples, a bore, a thread, recesses in the face and around.
+ * Drawings of the lathe view: the painted stock, path and contour, the tool in its holder, and the chip. The printed
+ * examples, a bore, a thread, recesses in the face and on the circumference.
  */
 const programs = import.meta.glob<string>("./programs/*.h", { query: "?raw", import: "default", eager: true });
 
@@ -57,7 +57,7 @@ function textOf(name: string): string {
 
 type Section = "half" | "full" | "outside";
 
-/** Lines and areas in the light colours of the page, as far as they are told by form. */
+/** Lines and areas in the light colours of the page, as far as their shape distinguishes them. */
 const STYLE = [
   ".over path{fill:none;vector-effect:non-scaling-stroke}",
   ".shape-blank{stroke:#52606d;stroke-dasharray:10 3 2 3}",
@@ -83,7 +83,7 @@ const STYLE = [
 const paths = (shapes: readonly { readonly role: string; readonly d: string }[]) =>
   shapes.map(({ role, d }) => `<path class="shape-${role}" d="${d}"/>`).join("\n");
 
-/** The tool of a moment with its holder, as far as the work leaves it to be seen. */
+/** The tool with its holder at a moment, where the stock does not hide it. */
 function toolText(
   steps: Run["steps"],
   stock: readonly Ring[],
@@ -115,7 +115,7 @@ function toolText(
     : tool;
 }
 
-/** The chip of a moment, the edge that cuts it and its thickness. */
+/** The chip at a moment, the cutting edge and the chip thickness. */
 function chipDrawing(chip: Chip | null, at: Place, { scale, xUp }: Camera): string {
   if (!chip) return "";
   const { area, edge } = drawnChip(chip),
@@ -128,7 +128,7 @@ function chipDrawing(chip: Chip | null, at: Place, { scale, xUp }: Camera): stri
   );
 }
 
-/** All that lies over the work. */
+/** The layers over the stock. */
 function overlay(
   made: Run,
   simulation: Simulation,
@@ -156,7 +156,7 @@ function overlay(
   ].join("\n");
 }
 
-/** The first moment of a share of the run in which something is cut. */
+/** The first cutting moment after a share of the run. */
 function cuttingMoment({ steps, spindles }: Run, simulation: Simulation, share: number): PlayPosition {
   const chipOf = chipsOf(steps, spindles, playerOf(simulation)),
     from = Math.floor(share * steps.length);

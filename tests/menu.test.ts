@@ -24,7 +24,7 @@ describe.each(LANGUAGES)("the words of the menu in %s", (language) => {
     const { name, summary } = texts(language).cycles.of[number as 812];
     expect(words.of[number]).toMatchObject({ name, summary });
   });
-  test("hold no text of a dialog", () =>
+  test("contain no text of a dialog", () =>
     expect(JSON.stringify(words)).not.toContain(texts(language).cycles.of[812].description[0]));
 });
 
@@ -45,7 +45,7 @@ describe("drawings", () => {
     },
   );
 
-  test("the inside of a cycle is another drawing than its outside", () => {
+  test("inside and outside of a cycle have different drawings", () => {
     const twice = menu.filter(({ pictograms }) => pictograms.length === 2);
     expect(twice.length).toBeGreaterThan(0);
     for (const {

@@ -9,7 +9,7 @@ import { sources } from "./sources.ts";
 
 type DataOf<C extends AnyCode> = Extract<AnyIssue, { code: C }>["data"];
 
-/** One case of every code there is; the compiler asks for the next one. */
+/** One sample of every code; the compiler requires one for a new code. */
 const SAMPLES: { readonly [C in AnyCode]: DataOf<C> } = {
   missing: {},
   pitchZero: {},
@@ -288,7 +288,7 @@ describe("numbers of a language", () => {
     expect(formatFixed("de", 1.25, 1)).toMatch(/^1,[23]$/);
   });
 
-  test("law: what is written reads back within its decimals", () => {
+  test("law: a written number reads back within its decimals", () => {
     fc.assert(
       fc.property(
         fc.double({ min: -1e6, max: 1e6, noNaN: true }),
@@ -300,7 +300,7 @@ describe("numbers of a language", () => {
   });
 });
 
-/** A text that nobody shows is still translated, three times. */
+/** A text that is never shown would still be translated three times. */
 test("every text of the screen has a name that something else in the tree says", () => {
   const isText = (path: string) => /^src\/i18n\/\w+\//.test(path);
   const all = sources("src");

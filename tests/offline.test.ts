@@ -59,7 +59,7 @@ test("the list names each file with its content; a changed one is another entry"
   expect(before[1]?.integrity).toContain(before[1]?.revision);
 });
 
-/** Width and height as a PNG says them, pixels. */
+/** Width and height in the header of a PNG, pixels. */
 function pngSize(src: string): readonly [number, number] {
   const png = readFileSync(projectPath(`public/${src}`));
   return [png.readUInt32BE(16), png.readUInt32BE(20)];

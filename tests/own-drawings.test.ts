@@ -17,7 +17,7 @@ import { faultsOf } from "./drawing-faults.ts";
 const SHEET = { width: 275, height: 158 },
   words = printWords(english, "en");
 
-/** The part that comes of a program, as its drawing has it. */
+/** The drawing of the part that a program makes. */
 function drawn(text: string, known: Parameters<typeof drawnProgram>[2] = null): DrawnTask | null {
   const answer = answerOf(text),
     wanted = finishedBody(answer.simulation, answer.run.operations);
@@ -25,13 +25,13 @@ function drawn(text: string, known: Parameters<typeof drawnProgram>[2] = null): 
 }
 const example = (name: string) => readFileSync(new URL(`../src/examples/${name}.h`, import.meta.url), "utf8");
 const printOf = (part: DrawnTask | null) => part && drawingOnSheet(part, words, SHEET);
-/** The sizes of a drawing, kind by kind, as they are written. */
+/** The sizes of a drawing as written, by kind. */
 const sizesOf = (part: DrawnTask | null) =>
   (printOf(part)?.list ?? [])
     .map(({ kind, size }) => `${kind} ${[size.text, size.upper, size.lower].filter(Boolean).join(" ")}`)
     .sort();
 
-test("a program of eight operations is drawn with the sizes of its contours, and not with those of chords", () => {
+test("a program of eight operations is drawn with the sizes of its contours, not of chords", () => {
   expect(sizesOf(drawn(example("flange")))).toEqual([
     "blank (⌀100)",
     "blank (⌀24)",
@@ -80,7 +80,7 @@ const BAR = (moves: string) =>
   `0 BEGIN PGM A MM\n1 BLK FORM CYLINDER Z D48 L93.7 DIST+0.7\n2 FUNCTION MODE TURN\n3 TOOL CALL 1\n` +
   `4 FUNCTION TURNDATA SPIN VCONST:OFF S800\n5 M136\n${moves}90 M30\n91 END PGM A MM\n`;
 
-test("what is turned by hand alone is drawn as it is made; what is not turned is not drawn", () => {
+test("a part turned only by hand is drawn as made; an unturned one is not drawn", () => {
   expect(sizesOf(drawn(BAR("6 L X+41.36 Z+2 R0 FMAX M303\n7 L Z-23.4 F0.2\n8 L X+52\n")))).toEqual([
     "blank (⌀48)",
     "diameter ⌀41.36",
@@ -91,7 +91,7 @@ test("what is turned by hand alone is drawn as it is made; what is not turned is
   expect(drawn(BAR("6 L X+60 Z+2 R0 FMAX M303\n7 L Z-23.4 F0.2\n"))).toBeNull();
 });
 
-test("of what is parted off the piece in front is the part", () => {
+test("of a parted-off bar, the front piece is the part", () => {
   const parted = BAR("")
     .replace("3 TOOL CALL 1", "3 TOOL CALL 10")
     .replace("D48", "D36")
@@ -100,7 +100,7 @@ test("of what is parted off the piece in front is the part", () => {
   expect(boxAround([...(part?.rings ?? [])]).left).toBeGreaterThan(-33);
 });
 
-test("deviations that a task gives stand on the part that has the very size, and on no other", () => {
+test("a task's deviations are drawn only on a part with exactly that size", () => {
   const known = (nominal: number) => ({
     sizes: [{ kind: "diameter" as const, at: -20, nominal, upper: 0, lower: -0.03 }],
     rules: {},
@@ -109,7 +109,7 @@ test("deviations that a task gives stand on the part that has the very size, and
   expect(sizesOf(drawn(example("flange"), known(62.2)))).toContain("diameter ⌀62");
 });
 
-test("the sheet is a file of its own: everything within its frame, and names as they are written", () => {
+test("the sheet is a separate file: everything within its frame, and names as written", () => {
   const part = drawn(example("groove")),
     print = printOf(part);
   if (!part || !print) throw new Error("nothing drawn");

@@ -6,7 +6,7 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import type * as Pages from "../e2e/pages/index.ts";
 import { pageObjects } from "../scripts/bundle.mjs";
 
-/** A test project of a shop: the two files of the build and Playwright, and nothing of this checkout. */
+/** A shop's test project: the two files of the build and Playwright, nothing of this checkout. */
 let folder = "";
 let made: Awaited<ReturnType<typeof pageObjects>>;
 
@@ -19,7 +19,7 @@ beforeAll(async () => {
 });
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** What the compiler says about each test of the shop, and about the types that they stand on, at its strictest. */
+/** Compiler errors of each test of the shop, and of the types that it uses, with the strictest options. */
 function complaints(texts: readonly string[]): readonly string[] {
   const paths = texts.map((text, i) => {
     const path = join(folder, `shop${i}.spec.mts`);
@@ -52,7 +52,7 @@ test("a shoulder", async ({ page }) => {
   ${line}
 });`;
 
-/** The part of the documentation that lists the page objects: the name of each as a test writes it. */
+/** The documented page objects, as tests name them. */
 const documented = [...readFileSync("docs/automation.md", "utf8").matchAll(/^\| `(\w+)` \|/gm)].map(([, name]) => name);
 
 describe("the page objects as a module", () => {
@@ -61,7 +61,7 @@ describe("the page objects as a module", () => {
     expect(made.code).not.toMatch(/\brequire\(|\bzod\b/);
     expect([...made.types.matchAll(/from "(.*)"/g)].map(([, from]) => from)).toEqual(["@playwright/test"]);
   });
-  test("type a test of a project that has nothing but Playwright, and refuse what there is not", () => {
+  test("type-check a test project that has only Playwright, and refuse unknown members", () => {
     const right = `await turnwise.dialog.set("Q463", "2,4");
   await turnwise.show("setup");
   await expect(turnwise.effect.cell("passes")).toHaveText("6");
@@ -78,7 +78,7 @@ describe("the page objects as a module", () => {
     expect([types, said]).toEqual(["", ""]);
     for (const [i, [line, named]] of wrong.entries()) expect(rest[i], line).toContain(named);
   });
-  test("are the objects that the documentation lists, each with what it drives", async () => {
+  test("are the objects that the documentation lists, each with its members", async () => {
     const { Turnwise } = (await import(join(folder, "playwright.mjs"))) as typeof Pages;
     const turnwise = Turnwise.at({} as never);
     const classOf = (part: object) => part.constructor.name;

@@ -6,8 +6,8 @@ import { GRID } from "../src/kernel/tolerance.ts";
 import { axial, radius } from "../src/kernel/units.ts";
 
 /**
- * The cases that decided which polygon engine is used (docs/decisions/0001): each is one that another port of the same
- * library gets wrong. They hold for whatever engine kernel/clip.ts uses.
+ * The cases that decided the choice of polygon engine (docs/decisions/0001): another port of the same library gets each
+ * of them wrong. They apply to any engine of kernel/clip.ts.
  */
 const ring = (...points: readonly (readonly [number, number])[]): Ring =>
   points.map(([z, r]) => ({ z: axial(z), r: radius(r) }));
@@ -27,7 +27,7 @@ describe("the polygon engine", () => {
       [-1021013, 204201],
     );
     const before = JSON.stringify([triangle, pentagon]);
-    // The reference implementation in C++ leaves 66 589 013 square units.
+    // The C++ reference implementation leaves 66 589 013 square units.
     expect(areaOf(difference([triangle], [pentagon])) / GRID / GRID).toBeCloseTo(66_589_013, -3);
     expect(JSON.stringify([triangle, pentagon])).toBe(before);
   });
@@ -47,13 +47,13 @@ describe("the polygon engine", () => {
     const distinct = new Set(points.map((p) => `${p.z} ${p.r}`));
     expect(distinct.size).toBe(points.length);
     expect(stock.every((r) => r.length > 2 && areaOf([r]) !== 0)).toBe(true);
-    // Every cut can leave at most the two walls and the floor of its step.
+    // Every cut can leave at most two walls and the floor of its step.
     expect(points.length).toBeLessThan(4 * cuts);
     const swept = union(Array.from({ length: cuts }, (_, i) => box(-i * 0.1 - 0.3, 39 - (i % 7) * 0.25, 0.4, 50)));
     expect(areaOf(stock)).toBeCloseTo(areaOf(difference([box(-100, 0, 100, 40)], swept)), 4);
   });
 
-  test("leaves what is not finite out, and keeps the rest", () => {
+  test("leaves out non-finite points, and keeps the rest", () => {
     const broken = ring([0, 0], [Number.NaN, 1], [1, 1]);
     expect(areaOf(union([broken, box(0, 0, 2, 2)]))).toBeCloseTo(4, 9);
     expect(offset([box(0, 0, 1, 1)], Number.POSITIVE_INFINITY)).toEqual([]);

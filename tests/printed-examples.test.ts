@@ -8,7 +8,7 @@ import { printAsInManual, printJob } from "../src/program/job/print-job.ts";
 
 const programs = import.meta.glob<string>("./programs/cycle-*.h", { query: "?raw", import: "default", eager: true });
 
-/** The misprints of the pages put right, block numbers taken away. */
+/** A page's text with its misprints corrected, without block numbers. */
 const comparable = (text: string) =>
   text
     .replaceAll("Q493+50", "Q493=+50")
@@ -16,7 +16,7 @@ const comparable = (text: string) =>
     .split("\n")
     .map((line) => line.replace(/^\d+( +)/, "#$1"));
 
-/** One printed page sets one blank before M303, two others two: we print two. */
+/** One printed page has one space before M303, two others two: we print two. */
 const positioning = (lines: string[]) =>
   lines.map((line) => (/M303/.test(line) ? line.replace(/FMAX +M/, "FMAX M") : line));
 
@@ -31,7 +31,7 @@ describe("the printed examples, from their example values", () => {
     const printed = programs[`./programs/${file}.h`];
     if (!cycle || printed === undefined) throw new Error(`${number}: no cycle or no example`);
     const job = { ...exampleJob(cycle), layout, ncLanguage };
-    // The French pages leave out ` ~`: what they show is a view, and the file stands beside it.
+    // The French pages omit ` ~`: they show a view, and the file has the mark.
     const text = layout === "tnc640" ? printAsInManual(job, ncLabels(ncLanguage)) : printJob(job, ncLabels(ncLanguage));
     const ours = positioning(comparable(text));
     const page = positioning(comparable(printed.trimEnd()));

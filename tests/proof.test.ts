@@ -4,9 +4,9 @@ import { STOCK_FAULTS } from "../src/sim/simulation.ts";
 import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 
 /*
- * Programs with what their proof must say, in their first line: `code@block`, `-code`, `verdict=…`, `holder=…`,
+ * Programs with the expected proof in their first line: `code@block`, `-code`, `verdict=…`, `holder=…`,
  * `deepest=depth/allowed` (within 0.02 mm), `residual=reason`, `-residual=reason`, and `tools=…`: tools in this order
- * among those that would take the largest region.
+ * among those proposed for the largest region.
  */
 const programs = Object.entries(
   import.meta.glob<string>("./proof/*.h", { query: "?raw", import: "default", eager: true }),

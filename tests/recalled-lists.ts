@@ -1,5 +1,5 @@
 /**
- * Q number and example value of each line of the cycles that no page we hold prints, in the order in which a control
+ * Q number and example value of each line of the cycles that no page we have prints, in the order in which a control
  * writes them; as recalled (turning cycles of TNC 640 and TNC7), clearly or probably right.
  */
 export const RECALLED: Readonly<Record<number, string>> = {

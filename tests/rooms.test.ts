@@ -3,10 +3,10 @@ import { code, sources } from "./sources.ts";
 
 const all = sources("src");
 const layerOf = (path: string) => path.split("/")[1] ?? "";
-/** The layers that are the page. */
+/** The layers of the page. */
 const PAGE = ["app", "features", "shell"];
 
-/** Rooms of the page from the ground up: each imports those below it, and of features none another one. */
+/** Rooms of the page from the bottom up: each imports only rooms below; features do not import each other. */
 const ROOMS = [
   "base",
   "place",
@@ -27,7 +27,7 @@ describe("rooms of the page", () => {
     if (!PAGE.includes(layer)) return null;
     return { floor: ROOMS.indexOf(layer === "app" ? name : layer), feature: layer === "features" ? name : null };
   };
-  /** Tests may look at a room through those above it. */
+  /** Tests may import a room through those above it. */
   const inPage = all.filter((s) => placeOf(s.path) && !/\.test\.tsx?$/.test(s.path));
 
   test("every file of the page stands in a room", () => {
@@ -50,7 +50,7 @@ describe("rooms of the page", () => {
   });
 });
 
-test("a feature is known from outside by its index, which fetches its parts, and by its part of the first screen", () => {
+test("a feature is imported only by its index, which fetches its parts, and by its part of the first screen", () => {
   const featureOf = (path: string) => (layerOf(path) === "features" ? path.split("/")[2] : null);
   const wrong = all
     .filter((s) => !/\.test\.tsx?$/.test(s.path))
@@ -70,7 +70,7 @@ test("a feature is known from outside by its index, which fetches its parts, and
   expect(indexes.filter((s) => / from "/.test(code(s.text))).map((s) => s.path)).toEqual([]);
 });
 
-/** Folders of a layer from the ground up; "" are its files that stand in none. */
+/** Folders of a layer from the bottom up; "" contains its files outside any folder. */
 const FOLDERS: Readonly<Record<string, readonly string[]>> = {
   kernel: ["", "geometry", "area", "plan", "reach", "contour", "solve", "time", "plane", "cutter", "free", "strategy"],
   program: [
@@ -111,7 +111,7 @@ describe.each(Object.entries(FOLDERS))("folders of %s", (layer, folders) => {
   });
 });
 
-/** Variables of modules that change, all of them, and why each is no store: nobody but its file may look at it. */
+/** All mutable module variables, each with the reason why it is no store: only its own file may access it. */
 const STATE: Readonly<Record<string, string>> = {
   "src/app/base/chance.ts: here": "goes on counting where the device keeps nothing",
   "src/app/calculation/played-milling.ts: asked": "the outcome whose milling was asked for, until its answer is here",

@@ -33,7 +33,7 @@ describe("the program of the next clamping", () => {
     expect(said.filter(({ severity }) => severity !== "info")).toEqual([]);
   });
 
-  test("begins as the one before began to turn, with nothing of its mills and parameters", () => {
+  test("begins like the previous program's turning, without its milling and parameters", () => {
     const first = (...lines: readonly string[]) =>
       secondSide(
         parse(["BEGIN PGM A MM", "BLK FORM CYLINDER Z D40 L60", ...lines, "M30", "END PGM A MM", ""].join("\n")),
@@ -59,11 +59,11 @@ describe("the program of the next clamping", () => {
     ]);
   });
 
-  test("where nothing is left there is no program", () => {
+  test("without remaining stock there is no program", () => {
     expect(secondSide(parse("BEGIN PGM A MM\nEND PGM A MM\n"), [], { allowance: 0, output })).toBe("");
   });
 
-  test("a cavity that nothing leads to stays one", () => {
+  test("a closed cavity stays one", () => {
     const program = parse("BEGIN PGM A MM\nM30\nEND PGM A MM\n");
     const ring = (z0: number, r0: number, z1: number, r1: number) =>
       parse(`BEGIN PGM B MM\nBLK FORM CYLINDER Z R${r1} L${z1 - z0} DIST${z1} RI${r0}\nM30\nEND PGM B MM\n`);
@@ -75,7 +75,7 @@ describe("the program of the next clamping", () => {
     expect(text).not.toMatch(/^\d/m);
   });
 
-  test("is named after the one before", () => {
+  test("is named after the previous program", () => {
     expect(["PART", "PART_2", "PART_50", "A".repeat(32)].map(nextClampingName)).toEqual([
       "PART_2",
       "PART_3",

@@ -31,7 +31,7 @@ afterAll(() => {
   rmSync(folder, { recursive: true });
 });
 
-/** Asks for a path as it is spelled. */
+/** Requests a path exactly as spelled. */
 function ask(
   path: string,
   headers: Record<string, string> = {},
@@ -88,12 +88,12 @@ test.each([
   expect(body.toString()).not.toContain("secret");
 });
 
-test("the way to the page is shown, with what was asked", async () => {
+test("a request outside the folder is redirected to the page, with its query", async () => {
   expect((await ask("/")).headers.location).toBe("/shop/");
   expect((await ask("/shop?clock=manual")).headers.location).toBe("/shop/?clock=manual");
 });
 
-test("texts are packed as the browser takes them, fonts are not", async () => {
+test("texts are compressed as the browser accepts, fonts are not", async () => {
   const path = "/shop/assets/part-Zk3.js";
   const brotli = await ask(path, { "accept-encoding": "gzip, deflate, br;q=0.9" });
   expect([brotli.headers["content-encoding"], brotliDecompressSync(brotli.body).toString()]).toEqual(["br", SCRIPT]);
@@ -107,7 +107,7 @@ test("texts are packed as the browser takes them, fonts are not", async () => {
   );
 });
 
-test("what has not changed is not sent again, until it has", async () => {
+test("an unchanged file is not sent again", async () => {
   const { etag = "" } = (await ask("/shop/sw.js")).headers;
   const again = await ask("/shop/sw.js", { "if-none-match": `"other", ${etag}` });
   expect([again.statusCode, again.body.length]).toEqual([304, 0]);
@@ -158,7 +158,7 @@ describe("docs/serving.md says what the code sends", () => {
       expect(page).toContain(value.length > 40 ? `| \`${name}\` | see below |` : `| \`${name}\` | \`${value}\` |`);
   });
 
-  test("the page itself carries the same policy, but for what only a server can say", () => {
+  test("the page contains the same policy, except directives that only a server can send", () => {
     expect(securityHeaders["Content-Security-Policy"]).toBe(`${contentPolicy}; frame-ancestors 'self'`);
   });
 });

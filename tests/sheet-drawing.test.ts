@@ -35,7 +35,7 @@ function drawnWork(text: string): DrawnWork {
   };
 }
 
-/** What is wrong with a drawing: texts over one another or outside of it. */
+/** The faults of a drawing: overlapping texts or texts outside it. */
 function faultsOf({ texts, width, height }: PartDrawing): readonly string[] {
   const over = texts.flatMap((a, i) =>
     texts
@@ -68,7 +68,7 @@ describe("no dimension over another, none outside", () => {
     }
   });
 
-  test("of any size in any room", () => {
+  test("any size in any room", () => {
     const works = [...examples.slice(0, 4), ...programs].map(([, text]) => drawnWork(text));
     const scaled = (work: DrawnWork, k: number): DrawnWork => {
       const ring = (points: DrawnWork["blank"][number]) =>
@@ -91,7 +91,7 @@ describe("no dimension over another, none outside", () => {
   });
 });
 
-describe("what a drawing says", () => {
+describe("the content of a drawing", () => {
   const drawing = (name: string) => {
     const found = programs.find(([own]) => own === name);
     const made = partDrawing(drawnWork(found?.[1] ?? ""), words, ROOM);
@@ -115,7 +115,7 @@ describe("what a drawing says", () => {
     );
   });
 
-  test("to scale: shoulders stand as far apart on paper as their leaders say", () => {
+  test("to scale: shoulders are as far apart on paper as their dimensions state", () => {
     const made = drawing("flange");
     const begin = (of: string) => {
       const thin = made.shapes
@@ -130,7 +130,7 @@ describe("what a drawing says", () => {
     expect(begin("-4") - begin("-58")).toBeCloseTo(54 * factorOf(made.scale), 1);
   });
 
-  test("nothing to draw is said", () => {
+  test("an empty drawing says so", () => {
     expect(partDrawing({ blank: [], finished: [], contours: [] }, words, ROOM)).toBe(null);
   });
 });

@@ -6,13 +6,13 @@ import { shippedTools } from "../src/program/tools/shipped-tools.ts";
 import type { Report } from "../src/report/report.ts";
 import tools from "./shop/tools.json?raw";
 
-/** What is said of an ordinary program beside its verdict, which is always that it is proved. */
+/** The expected report of an ordinary program, besides its verdict, which is always that it is proved. */
 interface Said {
-  /** Infos that tell something worth knowing. Others are needless words. */
+  /** Useful infos. Any other info is noise. */
   readonly infos?: readonly string[];
-  /** Parts that the program parts off: each is named, once. */
+  /** Number of parts that the program parts off: each is reported once. */
   readonly partsOff?: number;
-  /** Most material that stays beyond the drawn contours, mm². */
+  /** Most residual material over the drawn contours, mm². */
   readonly left?: number;
 }
 
@@ -20,17 +20,17 @@ const programs = import.meta.glob<string>("./shop/*.h", { query: "?raw", import:
 const nameOf = (path: string) => path.replace(/^\.\/shop\/|\.h$/g, "");
 
 /**
- * Programs as setters write them, each with paths that were read by eye. They hold the proof to what a shop sees every
- * day: nobody reads findings any more where each third program has one that is none.
+ * Programs as setters write them, each with manually checked paths. They test the proof on everyday programs: nobody
+ * reads findings if every third program has a false one.
  */
 const shop: Readonly<Record<string, Said>> = {
   "bar-parts": { partsOff: 3 },
   boring: {},
   bush: { partsOff: 1 },
-  // What the insert leaves in the corners of the simple shoulders is their contour.
+  // The insert's residue in the corners of the simple shoulders is part of their contour.
   chamfers: { infos: ["materialLeft"], left: 0.28 },
   "circlip-shaft": {},
-  // Its collet is stated: nothing meets it, and what is parted off is named.
+  // Its collet is stated: nothing touches it, and the parted-off part is reported.
   "collet-ring": { partsOff: 1 },
   cone: { infos: ["airPasses"] },
   "drill-tap": {},
@@ -57,7 +57,7 @@ const shopTools = (() => {
   return over(shippedTools, read);
 })();
 
-/** Everything that a report says other than it should, in words. */
+/** The differences between a report and its expectation, in words. */
 function differences(r: Report, { infos = [], partsOff = 0, left = 0 }: Said): string[] {
   const { proof } = r;
   const stays = proof.residual.reduce((sum, each) => sum + each.area, 0);
@@ -78,7 +78,7 @@ describe("programs as they are written in shops", () => {
   });
   for (const [name, said] of Object.entries(shop)) {
     const text = programs[`./shop/${name}.h`] ?? "";
-    test(`${name} is proved without a needless word`, () => {
+    test(`${name} is proved without a needless finding`, () => {
       expect(differences(verified(`${name}.h`, text, shopTools), said)).toEqual([]);
     });
     test(`${name} is a file that a control loads`, () => {

@@ -4,13 +4,13 @@ import { fileURLToPath } from "node:url";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");
 
-/** One import or re-export: where it points, and whether only types come across. */
+/** An import or re-export: its target, and whether it imports only types. */
 export interface Import {
   /** Path from the project folder for a relative import, the package name otherwise. */
   readonly target: string;
   readonly relative: boolean;
   readonly typesOnly: boolean;
-  /** Fetched when it is asked for, not with the file. */
+  /** Loaded on demand, not with the file. */
   readonly lazy: boolean;
 }
 /** One source file, by its path from the project folder. */
@@ -51,7 +51,7 @@ function imports(path: string, text: string): Import[] {
   });
 }
 
-/** All TypeScript files below `folder`; tests and their fixtures aside. */
+/** All TypeScript files below `folder`, without tests and their fixtures. */
 export function sources(folder: string): Source[] {
   return readdirSync(join(root, folder), { recursive: true, withFileTypes: true })
     .filter((e) => e.isFile() && /\.tsx?$/.test(e.name) && !/\.test(-d)?\.tsx?$/.test(e.name))

@@ -6,7 +6,7 @@ import { afterAll, beforeAll, describe, expect, test, vi } from "vitest";
 import { bundle } from "../scripts/bundle.mjs";
 import { main } from "../scripts/verify.ts";
 
-/** A folder with verify.mjs as the build makes it, programs and tools: no checkout and no packages. */
+/** A folder with the built verify.mjs, programs and tools: no checkout and no packages. */
 let folder = "";
 
 const GROOVE = "tests/programs/groove-852.h";
@@ -31,12 +31,12 @@ beforeAll(async () => {
 });
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** Runs the file itself, by its first line, with nothing of this project in reach. */
+/** Runs the file itself, by its shebang line, without access to this project. */
 function alone(args: readonly string[], { input = "", cwd = folder } = {}) {
   const { status, stdout, stderr } = spawnSync(join(folder, "verify.mjs"), args, { cwd, input, encoding: "utf8" });
   return { status, out: stdout, err: stderr };
 }
-/** The same by the command of the checkout. */
+/** Runs the command of the checkout. */
 function checkout(args: readonly string[]) {
   let [out, err] = ["", ""];
   const spies = [
@@ -52,7 +52,7 @@ function checkout(args: readonly string[]) {
     for (const spy of spies) spy.mockRestore();
   }
 }
-/** How long a run took is all that may differ. */
+/** Only the durations may differ. */
 const timeless = (ran: ReturnType<typeof alone>) => ({
   ...ran,
   out: ran.out.replaceAll(/"milliseconds":\{[^}]*\}/g, ""),
@@ -102,7 +102,7 @@ describe("verify.mjs", () => {
     expect(status).toBe(0);
     expect(alone(["-", "-"], { input })).toMatchObject({ status: 2, out: "", err: "verify: - can be read once\n" });
   });
-  test("names itself as it is called", () => {
+  test("uses the name by which it was called", () => {
     const { status, out } = alone(["--help"]);
     expect(status).toBe(0);
     expect(out).toMatch(/^usage: node verify\.mjs FILE\.h/);

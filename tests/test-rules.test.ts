@@ -14,14 +14,14 @@ const tests = text(
   }),
 );
 
-/** Tests have to pass on a machine many times slower and busy. */
-describe("what no test does", () => {
+/** Tests must pass on a machine that is many times slower and busy. */
+describe("rules for tests", () => {
   test("there are tests to look at", () => {
     expect(journeys.length).toBeGreaterThan(10);
     expect(tests.length).toBeGreaterThan(50);
   });
 
-  test("none looks at a clock: what a time says about is the machine", () => {
+  test("none reads a clock: a time depends on the machine", () => {
     expect(
       [...journeys, ...tests]
         .filter(([, t]) => /performance\.now|Date\.now\(\)|test\.slow\(|setTimeout\(\d/.test(t))
@@ -29,7 +29,7 @@ describe("what no test does", () => {
     ).toEqual([]);
   });
 
-  test("no law is ended by the time, and one that fails looks for no smaller case unless it is asked to", () => {
+  test("no law has a time limit, and a failing one shrinks its case only on request", () => {
     expect(
       tests
         .filter(([, t]) => /interruptAfterTimeLimit|skipAllAfterTimeLimit|endOnFailure/.test(t))
@@ -50,13 +50,13 @@ describe("what no test does", () => {
     if (endOnFailure) expect(tried).toBe(1);
   });
 
-  test("every journey runs with the test that can be slowed, and waits for things, not for a time", () => {
+  test("every e2e test uses the test that can be slowed, and waits for conditions, not for a time", () => {
     expect(
       journeys
         .filter(([, t]) => /from "@playwright\/test"/.test(t.replace(/import type .*\n/g, "")))
         .map(([path]) => path),
     ).toEqual([]);
-    // A clock that is held has to be seen standing still for a while.
+    // A held clock must be seen standing still for a while.
     expect(
       journeys
         .filter(([path, t]) => t.includes("waitForTimeout") && !path.endsWith("playback.spec.ts"))
@@ -65,8 +65,8 @@ describe("what no test does", () => {
   });
 });
 
-/** A planted fault whose place has gone is a fault that nothing looks for any more. */
-test("every planted fault still has its one place", () => {
+/** A planted fault whose place is gone tests nothing. */
+test("every planted fault still has exactly one place", () => {
   const faults = readdirSync(projectPath("tests/mutants")).flatMap(
     (name) =>
       JSON.parse(readFileSync(projectPath(`tests/mutants/${name}`), "utf8")) as readonly {

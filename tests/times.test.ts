@@ -15,7 +15,7 @@ function machineIn(name: string) {
   return read.machine;
 }
 
-/** The table of docs/times.md: the figures that were calculated by hand. */
+/** The table of docs/times.md: manually calculated figures. */
 const [head = [], , ...rows] =
   projectFile("docs/times.md")
     .split("\n## Six programs calculated by hand\n")[1]
@@ -36,7 +36,7 @@ const CAUSES = [
   "total",
 ] as const satisfies readonly (keyof ReportTime)[];
 
-describe("times that were calculated by hand", () => {
+describe("times calculated by hand", () => {
   test("the table has its columns and six programs", () => {
     expect(head.slice(2)).toEqual(CAUSES);
     expect(rows.slice(0, 6).map(([name]) => name)).toEqual([
@@ -61,7 +61,7 @@ describe("times that were calculated by hand", () => {
   );
 });
 
-describe("a time says what it contains", () => {
+describe("a time states its contents", () => {
   const timeOf = (machine?: ReturnType<typeof machineIn>) =>
     verified("changes.h", projectFile("tests/times/changes.h"), shop, machine ? { machine } : {}).time;
 
@@ -75,7 +75,7 @@ describe("a time says what it contains", () => {
     });
   });
 
-  test("each part that the machine states is in, and no other", () => {
+  test("it contains exactly the parts that the machine states", () => {
     expect(timeOf({ name: "A" })).toMatchObject({
       contains: ["cutting", "rapid", "dwell"],
       machine: "A",

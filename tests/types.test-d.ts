@@ -1,5 +1,5 @@
 /**
- * What the compiler has to refuse. Nothing here runs: `tsc` reads it, and an expected error that does not come is
+ * Code that the compiler must refuse. Nothing here runs: `tsc` reads it, and an expected error that does not occur is
  * itself an error.
  */
 import { diameterParam, lengthParam, radial, type Values } from "../src/cycles/params.ts";

@@ -1,4 +1,4 @@
-/** The rules a form is checked by, as data: what trips each, and what just passes it. */
+/** The validation rules of a form as data: a case that breaks each rule, and one that just passes. */
 import type { ContourElement } from "../src/kernel/contour/contour.ts";
 import type { Code, Severity } from "../src/kernel/plan/issue.ts";
 import type { Tool } from "../src/kernel/plan/tool.ts";
@@ -9,7 +9,7 @@ export const at = (x: number, z: number) => ({ z: axial(z), r: toRadius(diameter
 const line = (x: number, z: number): ContourElement => ({ kind: "line", to: at(x, z) });
 const round = (size: number): ContourElement => ({ kind: "round", size });
 
-/** The contour that the manual prints for the free-contour cycle. */
+/** The contour printed for the free-contour cycle. */
 export const printed = [line(75, -20), line(50, -20), round(2), line(20, -25), round(2), line(20, 0)];
 
 export interface Case {
@@ -20,7 +20,7 @@ export interface Case {
   readonly contour?: readonly ContourElement[];
 }
 
-/** A rule: a case that trips it, at which field and how hard, and one beside it that does not. */
+/** A rule: a case that breaks it, with field and severity, and a similar case that does not. */
 export interface Rule {
   readonly name: string;
   readonly cycle: number;
@@ -29,7 +29,7 @@ export interface Rule {
   readonly severity: Severity;
   readonly trips: Case;
   readonly passes: Case;
-  /** The nearest value named does not go into this field, or depends on others. */
+  /** The proposed value does not fit this field, or depends on others. */
   readonly nearestElsewhere?: true;
 }
 

@@ -43,11 +43,11 @@ describe.each(rules.map((rule) => [`${rule.name} (${rule.cycle} ${rule.code})`, 
     expect(issues.find((i) => i.code === rule.code && i.at === rule.field)?.severity).toBe(rule.severity);
   });
 
-  test("is not found beside it", () => {
+  test("is not found in the similar case", () => {
     expect(codes(check(rule.cycle, rule.passes).issues)).not.toContain(`${rule.code} ${rule.field}`);
   });
 
-  test("names a value that works", () => {
+  test("proposes a value that works", () => {
     const found = check(rule.cycle, rule.trips).issues.find((i) => i.code === rule.code && i.at === rule.field);
     const nearest = found ? nearestOf(found) : null;
     if (nearest === null || rule.nearestElsewhere) return;

@@ -86,7 +86,7 @@ describe("verify --as", () => {
     main([file("file.h", program("4 M30")), "--as", "iso", "--json"]);
     expect(reports()[0]?.refused?.map(({ code }) => code)).toContain("beginMissing");
   });
-  test("of many refusals the summary lists 20", () => {
+  test("the summary lists 20 of many refusals", () => {
     main([file("file.h", program(...Array.from({ length: 25 }, () => "LOOP"))), "--as", "tnc7"]);
     expect(out.match(/unknown word "LOOP"/g)).toHaveLength(20);
     expect(out).toMatch(/: a TNC7 would not load it: and 5 more\n$/);

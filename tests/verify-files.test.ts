@@ -58,7 +58,7 @@ const ran = (...args: string[]): Ran => {
   };
 };
 
-describe("programs beside the program", () => {
+describe("programs in the folder of the program", () => {
   const SUB = called(["L X+83.9 FMAX"]);
   test.each([
     ["in quotes", 'CALL PGM "SUB.H"', "SUB.H"],
@@ -89,14 +89,14 @@ describe("programs beside the program", () => {
   ])("one that is missing: %s", (_, name) => {
     file(name, SUB);
     const r = ran(file("main.h", turned(["CALL PGM SUB", "L IZ-1 FMAX"])));
-    // Where the tool was brought before, and nowhere behind.
+    // Where the tool was moved before, and nowhere after.
     expect(r).toEqual({ status: 0, places: ["91.3 40.7"], codes: ["notProved"], unproved: ["CALL PGM"] });
   });
   test("a folder of that name is no program", () => {
     mkdirSync(join(folder, "SUB.H"));
     expect(ran(file("main.h", turned(["CALL PGM SUB"]))).unproved).toEqual(["CALL PGM"]);
   });
-  test("one beside the program comes before one that was given from elsewhere, which comes before none", () => {
+  test("the program's folder takes precedence over files from the command line", () => {
     mkdirSync(join(folder, "far"));
     const far = file("far/SUB.H", called(["L X+61.7 FMAX"]));
     const path = file("main.h", turned(["CALL PGM SUB"]));
@@ -104,7 +104,7 @@ describe("programs beside the program", () => {
     file("SUB.H", SUB);
     expect(ran(path, far).places.at(-1)).toBe("83.9 40.7");
   });
-  test("a contour in a file, by either way to name it", () => {
+  test("a contour in a file, named in either way", () => {
     const cycle =
       "CYCL DEF 820 TURN CONTOUR TRANSV. ~\nQ215=+0 ~\nQ460=+2 ~\nQ499=+0 ~\nQ463=+2 ~\nQ478=+0.3 ~\nQ483=+0 ~\nQ484=+0 ~\n" +
       "Q505=+0.2 ~\nQ487=+1 ~\nQ488=+0 ~\nQ479=+0 ~\nQ480=+0 ~\nQ482=+0 ~\nQ506=+0";
@@ -128,7 +128,7 @@ describe("programs beside the program", () => {
 describe("--skip leaves out the blocks behind a skip mark", () => {
   const lines = ["/ L X+71.3 FMAX", "L Z+12.9 FMAX", "CALL PGM SUB"];
   const sub = "0 BEGIN PGM SUB MM\n/1 L X+66.1 FMAX\n2 /L IZ-1 FMAX\n3 L IZ-2.5 FMAX\n4 END PGM SUB MM\n";
-  test("of the program and of those that it calls", () => {
+  test("in the program and in those that it calls", () => {
     file("SUB.H", sub);
     const path = file("main.h", turned(lines));
     expect(ran(path).places).toEqual(["71.3 40.7", "71.3 12.9", "66.1 12.9", "66.1 11.9", "66.1 9.4"]);

@@ -105,7 +105,7 @@ describe("verify", () => {
     expect(main([program("shoulder-812")])).toBe(0);
     expect(out).toMatch(/cycle 812, tool 1 .*\n.*contour damage 0 mm².*\n.*0 errors/s);
   });
-  test("a cycle that nobody here knows is named by its number and name, and nothing behind its call is proved", () => {
+  test("an unknown cycle is reported by number and name, and nothing after its call is proved", () => {
     const cycle = ["CYCL DEF 317 BAR PULLER ~", "  Q1711=+31.7 ;PULL LENGTH", "L X+30 Z+1.5 R0 FMAX", "CYCL CALL"];
     const text = [
       "BEGIN PGM A MM",
@@ -155,7 +155,7 @@ describe("verify", () => {
     expect(main([program("shoulder-812"), "--json", "--tools", tools])).toBe(1);
     expect(reports()[0]?.issues.map((i) => `${i.code} ${i.at} ${i.block}`)).toContain("toolColumn RS 3");
   });
-  test("--machine: its times go into the report and the summary, which say what they contain", () => {
+  test("--machine: its times are in the report and the summary, which state their contents", () => {
     const machine = file(
       "m.json",
       JSON.stringify({ format: "turnwise-machine/1", name: "Lathe 7", rapid: { x: 9000, z: 12_500 }, toolChange: 3.7 }),
@@ -204,7 +204,7 @@ describe("verify", () => {
     expect(main([program("shoulder-812"), "--tools", file("t.json", text)])).toBe(2);
     expect(err).toMatch(/^verify: tools file .+\n$/);
   });
-  test("--print gives the bytes of the file, whatever their encoding", () => {
+  test("--print outputs the bytes of the file, in any encoding", () => {
     const latin = Buffer.from("0 BEGIN PGM A MM\r\n1 ; Fr\xe4sen \xd8\r\n2 END PGM A MM", "latin1");
     const path = file("l.h", latin);
     expect(main([path, program("layout-cam-de"), "--print"])).toBe(0);

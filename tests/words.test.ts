@@ -7,13 +7,13 @@ import { typeset } from "../src/i18n/fr/typography/typeset.ts";
 import { BANNED } from "./banned-words.ts";
 import { projectPath, sources } from "./sources.ts";
 
-/** A text with the place it comes from. A value that is filled in reads {}. */
+/** A text with its source. A placeholder reads {}. */
 interface Text {
   readonly from: string;
   readonly text: string;
 }
 
-/** An expression as a text, or null where it is none. */
+/** The text of an expression, or null. */
 function textOf(node: ts.Node): string | null {
   if (ts.isStringLiteral(node) || ts.isNoSubstitutionTemplateLiteral(node)) return node.text;
   if (ts.isTemplateExpression(node))
@@ -23,7 +23,7 @@ function textOf(node: ts.Node): string | null {
   return left === null && right === null ? null : `${left ?? "{}"}${right ?? "{}"}`;
 }
 
-/** The texts in a source file: its literals, without names of modules and keys. */
+/** The texts in a source file: its literals, without module names and keys. */
 function textsOf(path: string, source: string): readonly Text[] {
   const found: Text[] = [];
   const visit = (node: ts.Node): void => {
@@ -31,7 +31,7 @@ function textsOf(path: string, source: string): readonly Text[] {
     const text = textOf(node);
     if (text !== null && !(ts.isPropertyAssignment(node.parent) && node.parent.name === node))
       found.push({ from: path, text });
-    // A template holds texts in its values; a joined text is one.
+    // A template contains texts in its values; a joined text is one.
     if (text === null || ts.isTemplateExpression(node)) ts.forEachChild(node, visit);
   };
   visit(ts.createSourceFile(path, source, ts.ScriptTarget.Latest, true));
@@ -62,7 +62,7 @@ const lessons = (language: Language): readonly Text[] =>
       }),
   );
 
-/** Where texts say what no text says, with the better words. */
+/** Banned words in texts, with the better words. */
 const faults = (language: Language, texts: readonly Text[]): readonly string[] =>
   texts.flatMap(({ from, text }) =>
     BANNED[language].flatMap(([pattern, better]) => {
@@ -71,7 +71,7 @@ const faults = (language: Language, texts: readonly Text[]): readonly string[] =
     }),
   );
 
-test("a banned word that is planted is found", () => {
+test("a planted banned word is found", () => {
   const planted = textsOf(
     "en.ts",
     'const t = { "hand on": "Share", a: "Hand on", b: (n) => `Take ${n}`, c: "Mend " + "it" };',
@@ -97,19 +97,19 @@ describe.each(LANGUAGES)("the words in %s", (language) => {
     ).toEqual([]);
   });
 
-  test("the screens say no banned word", () => {
+  test("the screens contain no banned word", () => {
     const texts = screens(language);
     expect(texts.length).toBeGreaterThan(1000);
     expect(faults(language, texts)).toEqual([]);
   });
 
-  test("the lessons say no banned word", () => {
+  test("the lessons contain no banned word", () => {
     const texts = lessons(language);
     expect(texts.length).toBeGreaterThan(300);
     expect(faults(language, texts)).toEqual([]);
   });
 
-  test("the glossary explains the words that the screens say", async () => {
+  test("the glossary explains the words of the screens", async () => {
     expect(faults(language, stringsIn(await loadTexts(language, "glossary"), "glossary"))).toEqual([]);
   });
 });

@@ -9,7 +9,7 @@ import { workshopDrawing, type WorkshopPrint } from "../src/view/drawing/worksho
 import { NEXT, nominalWidth, SMALL, widthOf } from "../src/view/drawing/paper.ts";
 import { FIGURES } from "../src/view/sheet/sizes.ts";
 
-/** What of a task is drawn. */
+/** The drawn data of a task. */
 type Drawn = Pick<Task, "part" | "sizes" | "rules">;
 
 const shaft: Drawn = {
@@ -156,7 +156,7 @@ function drawn(work: Drawn, room: keyof typeof ROOMS, language: "en" | "de" = "e
   return print;
 }
 
-/** The drawing as a file, its letters as the page places them. */
+/** The drawing as a file, with its letters as placed on the page. */
 function svgOf({ width, height, shapes, texts }: WorkshopPrint): string {
   const n = (v: number) => String(Math.round(v * 100) / 100 + 0);
   const style =
@@ -195,7 +195,7 @@ describe.each(Object.entries(works))("%s", (name, work) => {
       `drawings/${name}-${room}.svg`,
     );
   });
-  test.each(["wide", "narrow"] as const)("has no text over another, none outside, %s", (room) => {
+  test.each(["wide", "narrow"] as const)("has no overlapping text and none outside, %s", (room) => {
     const { texts, width, height } = drawn(work, room);
     const over = texts.flatMap((a, i) =>
       texts
@@ -210,7 +210,7 @@ describe.each(Object.entries(works))("%s", (name, work) => {
   });
 });
 
-test("each size stands in the list, with its deviations", () => {
+test("each size is in the list, with its deviations", () => {
   const { list, general } = drawn(flange, "wide");
   expect(general).toBe("Rz 16");
   expect(list.find(({ kind }) => kind === "bore")?.size).toEqual({ text: "⌀40", upper: "+0.025", lower: "0" });

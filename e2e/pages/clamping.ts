@@ -5,7 +5,7 @@ import { words } from "./words.ts";
 
 type Word = keyof ClampingTexts["words"];
 
-/** What holds the work: in the set-up of a cycle, or in the dialog of a program. */
+/** Clamping of the work: in the set-up of a cycle, or in the dialog of a program. */
 export class ClampingPage {
   readonly words: ClampingTexts;
   constructor(private readonly context: Context) {
@@ -22,7 +22,7 @@ export class ClampingPage {
     await expect(this.dialog).toBeVisible();
   }
 
-  /** The button that begins with a proposed clamping. */
+  /** The button that starts with a proposed clamping. */
   get state(): Locator {
     return this.context.page.getByRole("button", { name: this.words.state, exact: true });
   }
@@ -35,7 +35,7 @@ export class ClampingPage {
     return this.context.page.getByRole("checkbox", { name: this.words.tailstock, exact: true });
   }
 
-  /** The field of a word of a chuck that grips outside. */
+  /** The field of a word, for a chuck that grips outside. */
   field(word: Word): Locator {
     const name = word === "D" ? this.words.grips.chuckOutside : this.words.words[word];
     return this.context.page.getByRole("textbox", { name, exact: true });

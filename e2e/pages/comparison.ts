@@ -3,7 +3,7 @@ import type { CompareTexts } from "../../src/i18n/en/compare.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
-/** The open program against another one, block by block in meaning. */
+/** Compares the open program with another one, block by block in meaning. */
 export class Comparison {
   private readonly words: CompareTexts;
 
@@ -25,7 +25,7 @@ export class Comparison {
     await this.button(this.context.t.page.close).click();
   }
 
-  /** What the program is compared with: a state of its own, or a kept work by its name. */
+  /** The other program: an earlier state, or a stored work by its name. */
   get other(): Locator {
     return this.dialog.getByRole("combobox", { name: this.words.with, exact: true });
   }
@@ -52,12 +52,12 @@ export class Comparison {
     await this.button(this.words.clipboard).click();
   }
 
-  /** How many differences of which kind there are, or that there are none. */
+  /** The number of differences by kind, or that there are none. */
   get summary(): Locator {
     return this.dialog.getByRole("region", { name: this.words.whole, exact: true }).getByRole("status");
   }
 
-  /** What comes of the differences for the whole program: time, infeed, passes, what stays. */
+  /** Effect of the differences on the whole program: time, infeed, passes, residual material. */
   get consequences(): Locator {
     return this.dialog.getByRole("list", { name: this.words.whole, exact: true }).getByRole("listitem");
   }

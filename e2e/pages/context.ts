@@ -2,7 +2,7 @@ import type { Page } from "@playwright/test";
 import type { TableTexts, Texts } from "../../src/i18n/index.ts";
 import type { Language } from "../../src/i18n/languages.ts";
 
-/** What every page object is made of: the browser page and the texts of its screen language. */
+/** Shared by all page objects: the browser page and the texts of its screen language. */
 export interface Context {
   readonly page: Page;
   readonly t: Texts & TableTexts;

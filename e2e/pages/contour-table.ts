@@ -60,7 +60,7 @@ export class ContourTable {
     return this.canvas.getByRole("img");
   }
 
-  /** Which picture stands in the middle. */
+  /** The choice of the picture in the middle. */
   view(view: "draw" | "lathe"): Locator {
     const { label, [view]: name } = this.context.t.contour.views;
     return this.context.page
@@ -73,7 +73,7 @@ export class ContourTable {
     return this.canvas.getByRole("button", { name: this.context.t.contour.dimension(field, "") });
   }
 
-  /** The field that a dimension becomes when it is pressed. */
+  /** The field that a dimension becomes when it is clicked. */
   dimensionField(field: string): Locator {
     return this.canvas.getByRole("textbox", { name: this.context.t.contour.inDrawing(field), exact: true });
   }

@@ -1,6 +1,6 @@
 import type { Locator } from "@playwright/test";
 
-/** Roles that something can be done with. */
+/** Roles of controls that can be operated. */
 const OPERABLE = new Set([
   "button",
   "checkbox",
@@ -20,7 +20,7 @@ const OPERABLE = new Set([
 /** A control as assistive technology knows it. */
 export interface Control {
   readonly role: string;
-  /** Empty where it has none. */
+  /** Empty if it has none. */
   readonly name: string;
 }
 
@@ -39,17 +39,14 @@ export async function controls(part: Locator): Promise<readonly Control[]> {
   return snapshot.split("\n").flatMap((line) => controlOf(line) ?? []);
 }
 
-/**
- * A name without what comes from values: numbers, what a numbered thing holds, the name of a tool, and what is
- * proposed.
- */
+/** A name without the parts that depend on values: numbers, contents of numbered things, tool names, proposals. */
 const bare = (name: string): string =>
   name
     .replaceAll(/[-−+]?\d+(?:[.,:]\d+)*/g, "#")
     .replace(/^(\w* ?#[^:,]*): .*$/, "$1: …")
     .replace(/\b([Tt]ool|Use:) # .*$/, "$1 # …");
 
-/** Role and name of each kind of control, sorted; what differs in values alone is one kind. */
+/** Role and name of each kind of control, sorted; controls that differ in values alone are one kind. */
 export function kinds(found: readonly Control[]): readonly string[] {
   return [
     ...new Set(
@@ -63,7 +60,7 @@ export function kinds(found: readonly Control[]): readonly string[] {
   ].sort();
 }
 
-/** Controls that cannot be told apart by role and name, or that have no name. */
+/** Controls that share role and name with another one, or have no name. */
 export function ambiguous(found: readonly Control[]): readonly string[] {
   const all = found.map(({ role, name }) => `${role} "${name}"`);
   return [...new Set(all.filter((one, i) => one.endsWith('""') || all.indexOf(one) !== i))].sort();

@@ -10,7 +10,7 @@ export class Course {
     this.words = words(context.language, "course");
   }
 
-  /** The way into it on the start page. */
+  /** The link to the course on the start page. */
   get entrance(): Locator {
     return this.context.page
       .locator(".start-page")
@@ -69,7 +69,7 @@ export class Course {
     return this.picture.getByRole("button", { name: this.words.picture.pause, exact: true });
   }
 
-  /** The moment that the picture shows, as a share of a thousand. */
+  /** The moment shown by the picture, in thousandths. */
   get moment(): Locator {
     return this.picture.getByRole("slider", { name: this.words.picture.scrub, exact: true });
   }
@@ -79,7 +79,7 @@ export class Course {
     return this.context.page.getByRole("slider", { name: new RegExp(`^${q} `) });
   }
 
-  /** A number that comes of the values of the page, by its name on the page. */
+  /** A number that depends on the values of the page, by its name on the page. */
   fact(name: string): Locator {
     return this.picture
       .locator("dl > div")
@@ -100,7 +100,7 @@ export class Course {
     return this.context.page.getByRole("link", { name: this.words.previous, exact: true });
   }
 
-  /** The button that begins a task, on the page of the tasks. */
+  /** The button that starts a task, on the page of the tasks. */
   task(title: string): Locator {
     return this.context.page.getByRole("button", { name: title });
   }

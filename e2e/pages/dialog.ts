@@ -10,7 +10,7 @@ export class Dialog {
     return this.context.page.getByRole("region", { name: this.context.t.dialog.active, exact: true });
   }
 
-  /** The heading of the open prompt: its question, or what the end of the dialog says. */
+  /** The heading of the open prompt: its question, or the text at the end of the dialog. */
   get question(): Locator {
     return this.active.getByRole("heading");
   }
@@ -29,7 +29,7 @@ export class Dialog {
     return this.choices.getByRole("radio").nth(number);
   }
 
-  /** What is wrong with the open prompt, as read out. */
+  /** The error of the open prompt, as read out. */
   get messages(): Locator {
     return this.active.getByRole("status", { name: this.context.t.findings.title });
   }
@@ -76,7 +76,7 @@ export class Dialog {
     await this.line(q).click();
   }
 
-  /** Types into the open prompt with the keyboard, over what stands there. It stays open. */
+  /** Types into the open prompt with the keyboard, replacing its value. It stays open. */
   async type(text: string): Promise<void> {
     const { keyboard } = this.context.page;
     if (await this.value.count()) {

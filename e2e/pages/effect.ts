@@ -4,15 +4,15 @@ import type { Context } from "./context.ts";
 type EffectCell = "passes" | "infeed" | "time" | "chip" | "residual" | "proof";
 
 /**
- * Any verdict that the path is proved, in the words of a language; nobody states for which diameters an axial blade is
- * ground.
+ * Any verdict that the path is verified, in one language. The grinding diameter of an axial blade is never stated, so
+ * that doubt is allowed.
  */
 export function provedIn({ findings: { verdict } }: Context["t"]): RegExp {
   const [proved = ""] = verdict.proved.split(/[\s:：]/);
   return new RegExp(`^(?:${proved}|${verdict.curvatureUnknown})`);
 }
 
-/** What the values do, updated while they are typed. */
+/** The effect of the values, updated while they are typed. */
 export class Effect {
   constructor(private readonly context: Context) {}
 
@@ -29,7 +29,7 @@ export class Effect {
     return this.strip.locator("div").filter({ has: name }).getByRole("definition");
   }
 
-  /** Waits until the program as it stands is proved. */
+  /** Waits until the current program is verified. */
   async proved(): Promise<void> {
     await expect(this.cell("proof")).toHaveText(provedIn(this.context.t));
   }

@@ -21,12 +21,12 @@ export class Findings {
     return this.panel.getByRole("list", { name: this.words.list, exact: true }).getByRole("listitem");
   }
 
-  /** The mark of a finding that is to be seen in the picture, in the list. */
+  /** The mark of a finding with a place in the picture, in the list. */
   mark(mark: string): Locator {
     return this.panel.getByRole("button", { name: this.words.show(mark), exact: true });
   }
 
-  /** A button of the list: a way to a place, or what mends a finding. */
+  /** A button of the list: goes to a place, or fixes a finding. */
   button(name: string): Locator {
     return this.panel.getByRole("button", { name, exact: true }).first();
   }

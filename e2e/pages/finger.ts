@@ -6,8 +6,7 @@ interface Spot {
 }
 
 /**
- * The browser drops a tap that follows within 90 ms of a drag, as a bounce. No finger is elsewhere so soon: it travels
- * this long, ms.
+ * The browser drops a tap within 90 ms of a drag as a bounce. A real finger is slower: time between two touches, ms.
  */
 const TRAVEL = 250;
 

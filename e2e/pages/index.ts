@@ -1,6 +1,4 @@
-/**
- * What the build hands to other test projects as dist/playwright.mjs: nothing else of this folder is meant for them.
- */
+/** Exports of dist/playwright.mjs, for other test projects; the rest of this folder is internal. */
 export { ClampingPage } from "./clamping.ts";
 export { Comparison } from "./comparison.ts";
 export { ContourTable } from "./contour-table.ts";

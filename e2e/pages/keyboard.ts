@@ -1,9 +1,9 @@
 import type { Locator, Page } from "@playwright/test";
 
-/** Stops of the Tab key that a screen of this page may have at most. */
+/** Most Tab stops that a screen may have. */
 const MOST_STOPS = 120;
 
-/** Goes to an element with the Tab key alone, as somebody without a mouse does. */
+/** Reaches an element with the Tab key alone. */
 export async function tabTo(page: Page, target: Locator, key: "Tab" | "Shift+Tab" = "Tab"): Promise<void> {
   for (let i = 0; i < MOST_STOPS; i += 1) {
     if (await target.evaluate((element) => element === document.activeElement)) return;

@@ -24,15 +24,12 @@ export class Lathe {
     return this.view.getByRole("button", { name: this.context.t.lathe[name], exact: true });
   }
 
-  /** How the work is shown: cut or from outside. */
+  /** How the work is shown: section or from outside. */
   get section(): Locator {
     return this.view.getByRole("combobox", { name: this.context.t.lathe.sections.title, exact: true });
   }
 
-  /**
-   * Shows the work cut, from outside or in space; where there is little room the choice is behind a button, and goes
-   * there again.
-   */
+  /** Selects section, outside or 3D view; on narrow screens it unfolds the choice first and folds it again. */
   async shows(view: string): Promise<void> {
     const fold = this.view.getByRole("button", { name: this.context.t.lathe.viewTools, exact: true }),
       folded = !(await this.section.isVisible());
@@ -41,7 +38,7 @@ export class Lathe {
     if (folded && (await this.section.isVisible())) await fold.click();
   }
 
-  /** What is told by colour along path or surface. */
+  /** The choice of the colour map of path or surface. */
   get colours(): Locator {
     return this.view.getByRole("combobox", { name: this.context.t.lathe.colours.title, exact: true });
   }
@@ -54,17 +51,17 @@ export class Lathe {
     return this.view.getByRole("combobox", { name: this.context.t.lathe.speed, exact: true });
   }
 
-  /** Position, feed, phase and the step of the manual that runs. */
+  /** Position, feed, phase and the current step of the manual. */
   get running(): Locator {
     return this.view.getByRole("group", { name: this.context.t.lathe.now, exact: true });
   }
 
-  /** The mark of a finding in the picture: a number, or a letter for what stays. */
+  /** The mark of a finding in the picture: a number, or a letter for residual material. */
   mark(mark: string): Locator {
     return this.view.getByRole("button", { name: new RegExp(`^${mark}: `) });
   }
 
-  /** Moves the held clock on; the page has to be opened with `heldClock`. */
+  /** Advances the manual clock; the page has to be opened with `heldClock`. */
   async advance(milliseconds: number): Promise<void> {
     await this.context.page.evaluate((ms) => window.__turnwiseClock?.advance(ms), milliseconds);
   }

@@ -2,10 +2,10 @@ import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
 import { expect } from "./test.ts";
 
-/** Rules about colours: the only ones that can tell the two appearances apart. */
+/** Rules about colours: only these can differ between light and dark. */
 const OF_COLOURS = ["color-contrast", "link-in-text-block"];
 
-/** Waits for what moves or changes its colours and comes to an end: half-way it is neither. */
+/** Waits for finite animations and transitions: halfway through, colours are neither. */
 const atRest = (page: Page): Promise<void> =>
   page.evaluate(async () => {
     const ending = document
@@ -16,10 +16,10 @@ const atRest = (page: Page): Promise<void> =>
     await Promise.allSettled(ending.map(({ finished }) => finished));
   });
 
-/** The rules of axe that the page breaks, all of them or some, named with the elements that break them. */
+/** The axe rules that the page breaks, out of all or some, with the elements that break them. */
 async function broken(page: Page, rules?: string[]): Promise<readonly string[]> {
   await atRest(page);
-  // In the page itself, brought there once and telling only what is wrong, it takes a fifth of the time.
+  // Injected once, and reporting violations only, axe takes a fifth of the time.
   const isThere = await page.evaluate(() => "axe" in window);
   const axe = new AxeBuilder(isThere ? { page, axeSource: "0;" } : { page })
     .setLegacyMode()
@@ -34,31 +34,31 @@ async function broken(page: Page, rules?: string[]): Promise<readonly string[]> 
   );
 }
 
-/** How far the page sticks out sideways, px. */
+/** Horizontal overflow of the page, px. */
 const excess = (page: Page): Promise<number> =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
 
 const softly = expect.configure({ soft: true });
 
 /**
- * Nothing sticks out of the screen sideways, when the page has arranged itself; of one of several screens its name is
- * told, and the journey goes on.
+ * The page has no horizontal overflow once its layout has settled. Soft: the failure names the screen, and the test
+ * continues.
  */
 export const fits = (page: Page, screen: string): Promise<void> =>
   softly.poll(() => excess(page), { message: `width of ${screen}`, timeout: 5000 }).toBeLessThanOrEqual(0);
 
-/** No violation of the rules of axe. */
+/** The page breaks no axe rule. */
 export const accessible = async (page: Page): Promise<void> => expect(await broken(page)).toEqual([]);
 
-/** The screen passes axe, and nothing sticks out of it sideways. */
+/** The page breaks no axe rule, and has no horizontal overflow. */
 export async function looksRight(page: Page): Promise<void> {
   await accessible(page);
   expect(await excess(page)).toBeLessThanOrEqual(0);
 }
 
 /**
- * The same in the light and in the dark appearance, for one of several screens of a journey: what is wrong with it is
- * told by its name, and the journey goes on. Leaves the page light.
+ * The same in light and dark, for one of several screens of a test. Soft: the failure names the screen, and the test
+ * continues. Leaves the page light.
  */
 export async function looksRightInBoth(page: Page, screen: string): Promise<void> {
   await page.emulateMedia({ colorScheme: "dark" });

@@ -3,7 +3,7 @@ import type { Turnwise } from "./turnwise.ts";
 
 /**
  * Times inside the page, in ms, from a typed character to the new picture on the screen: text, worker, stock and
- * drawing included. The open prompt has to be a number; `values` are typed into it one after the other.
+ * drawing included. Types `values` one after the other into the open prompt, which has to be a number.
  */
 export async function editTimes({ page, lathe, dialog }: Turnwise, values: readonly string[]): Promise<number[]> {
   const field = await dialog.value.elementHandle();
@@ -35,7 +35,7 @@ export async function editTimes({ page, lathe, dialog }: Turnwise, values: reado
   );
 }
 
-/** Bytes of living objects on the page, after a collection. */
+/** Bytes of live objects on the page, after a garbage collection. */
 export async function heap(page: Page): Promise<number> {
   const session = await page.context().newCDPSession(page);
   await session.send("HeapProfiler.collectGarbage");
@@ -45,6 +45,6 @@ export async function heap(page: Page): Promise<number> {
   return usedSize;
 }
 
-/** The value below which this part of the times lies. */
+/** The percentile: this share of the times is below the returned value. */
 export const quantile = (times: readonly number[], part: number): number =>
   [...times].sort((a, b) => a - b)[Math.min(times.length - 1, Math.floor(part * times.length))] ?? Number.NaN;

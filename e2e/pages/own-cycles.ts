@@ -4,7 +4,7 @@ import type { Context } from "./context.ts";
 
 type OwnCell = keyof OwnTexts["cells"];
 
-/** The operator's own cycles: their list, the form of one, and the ways that lead there. */
+/** The operator's own cycles: their list, the form of one, and the buttons that lead there. */
 export class OwnCycles {
   constructor(private readonly context: Context) {}
 
@@ -12,7 +12,7 @@ export class OwnCycles {
     return this.context.t.own;
   }
 
-  /** From the block of a cycle that the page does not know. */
+  /** From the block of an unknown cycle. */
   get describe(): Locator {
     return this.button(this.words.describe);
   }
@@ -64,12 +64,12 @@ export class OwnCycles {
     return this.context.page.getByRole("combobox", { name: `${q}: ${this.words.kind}`, exact: true });
   }
 
-  /** The block as it will stand in a program. */
+  /** The block as it will be written to a program. */
   get text(): Locator {
     return this.context.page.getByRole("figure", { name: this.words.text });
   }
 
-  /** Their group where a cycle is chosen. */
+  /** The group of own cycles in the cycle chooser. */
   get group(): Locator {
     return this.context.page.getByRole("region", { name: this.context.t.page.own.title, exact: true });
   }

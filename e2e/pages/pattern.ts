@@ -5,6 +5,6 @@ export const plainText = (text: string): string =>
     .replaceAll("\u202f", " ")
     .replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
-/** A name that holds a number which is not known. */
+/** Matches a name with any number in it. */
 export const counted = (name: (n: number) => string): RegExp =>
   new RegExp(`^${plainText(name(12345)).replace(/12.?345/, "\\d+")}$`);

@@ -8,14 +8,14 @@ export interface Box {
   readonly height: number;
 }
 
-/** Waits until the page has painted so many pictures. */
+/** Waits until the page has painted this many frames. */
 export async function frames(page: Page, count: number): Promise<void> {
   await page.evaluate(async (n) => {
     for (let i = 0; i < n; i += 1) await new Promise(requestAnimationFrame);
   }, count);
 }
 
-/** What is read twice alike, some pictures apart. */
+/** Reads until two readings some frames apart agree. */
 async function settled<T>(page: Page, read: () => Promise<T>): Promise<T> {
   for (let last = JSON.stringify(await read()); ;) {
     await frames(page, 3);
@@ -26,7 +26,7 @@ async function settled<T>(page: Page, read: () => Promise<T>): Promise<T> {
   }
 }
 
-/** The place of something on the screen, once it no longer moves. */
+/** The box of an element on the screen, once it no longer moves. */
 export async function settledBox(part: Locator): Promise<Box> {
   await part.waitFor();
   const box = await settled(part.page(), () => part.boundingBox());
@@ -34,7 +34,7 @@ export async function settledBox(part: Locator): Promise<Box> {
   return box;
 }
 
-/** A place of the picture by the numbers on its scales, once the path is drawn: Z, and X as a diameter. */
+/** The screen position of Z, and X as a diameter, from the scales, once the path is drawn. */
 export async function pictureAt(
   page: Page,
   stage: Locator,

@@ -24,7 +24,7 @@ export class ProgramEditor {
     await expect(this.text).toBeVisible();
   }
 
-  /** Opens bytes as a file of the device would be. */
+  /** Opens bytes as a file of the device. */
   async openFile(name: string, bytes: Uint8Array): Promise<void> {
     await this.context.page.locator("input[type=file]:not([webkitdirectory])").setInputFiles({
       name,
@@ -111,7 +111,7 @@ export class ProgramEditor {
       .first();
   }
 
-  /** What the list of parts is narrowed to. */
+  /** The filter of the list of parts. */
   async filter(kind: keyof Context["t"]["editor"]["filters"]): Promise<void> {
     await this.context.page.getByRole("combobox", { name: this.words.filter, exact: true }).selectOption(kind);
   }
@@ -125,7 +125,7 @@ export class ProgramEditor {
       });
   }
 
-  /** Takes an operation by its grip to the place of another one; both are counted from 1. */
+  /** Drags an operation by its grip to the place of another one; both are counted from 1. */
   async dragOperation(number: number, to: number): Promise<void> {
     const {
       page: { mouse },
@@ -143,17 +143,17 @@ export class ProgramEditor {
     await mouse.up();
   }
 
-  /** What can be done with the open operation. */
+  /** The actions of the open operation. */
   operationTool(name: "duplicate" | "up" | "down" | "switchOff" | "switchOn" | "retool" | "remove"): Locator {
     return this.context.page.getByRole("button", { name: this.context.t.operations[name], exact: true });
   }
 
-  /** The dialog that asks for an operation. */
+  /** The dialog of a new operation. */
   get inserting(): Locator {
     return this.context.page.getByRole("dialog", { name: this.context.t.operations.insert, exact: true });
   }
 
-  /** Begins a program with its blank, from the start page or the top line, and leaves out its first operation. */
+  /** Creates a program with its blank, from the start page or the top line, and skips its first operation. */
   async create(from: "start" | "top" = "start"): Promise<void> {
     const { page, t } = this.context;
     await page
@@ -171,7 +171,7 @@ export class ProgramEditor {
       .getByRole("button", { name: this.words[name], exact: true });
   }
 
-  /** Puts a block of this kind behind the open one. */
+  /** Inserts a block of this kind after the open one. */
   async insert(kind: keyof Context["t"]["editor"]["kinds"]): Promise<void> {
     await this.tool("insertLong").click();
     await this.context.page
@@ -190,7 +190,7 @@ export class ProgramEditor {
       .locator("dd");
   }
 
-  /** The bytes that a download of the program gives. */
+  /** The downloaded bytes of the program. */
   async downloaded(): Promise<Buffer> {
     const { page, t } = this.context;
     const waiting = page.waitForEvent("download");

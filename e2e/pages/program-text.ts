@@ -15,12 +15,12 @@ export class ProgramText {
     return this.panel.getByRole("list", { name: this.context.t.page.text.blocks, exact: true }).getByRole("listitem");
   }
 
-  /** The block of the move that is shown in the lathe view. */
+  /** The block of the current move in the lathe view. */
   get runningBlock(): Locator {
     return this.panel.locator("[aria-current=step]");
   }
 
-  /** Which control the text is for, and in which form it leaves. */
+  /** The choice of the control and of the file format for export. */
   get fileNote(): Locator {
     return this.panel.locator(".program-file");
   }
@@ -29,7 +29,7 @@ export class ProgramText {
     return this.context.page.getByRole("button", { name: new RegExp(`^${this.context.t.page.text.copyLong}`) }).first();
   }
 
-  /** What is said once the program is on the clipboard. */
+  /** The confirmation once the program is on the clipboard. */
   get confirmation(): Locator {
     return this.context.page
       .getByRole("status")
@@ -41,17 +41,14 @@ export class ProgramText {
     return (await this.panel.getByRole("code").allTextContents()).map((line) => line.trimEnd());
   }
 
-  /**
-   * Presses the button and returns what is on the clipboard then: all pages of a browser have the same one, so it is
-   * emptied before.
-   */
+  /** Clicks the button and returns the clipboard. All pages of a browser share it, so it is emptied first. */
   async copy(): Promise<string> {
     await this.context.page.evaluate(() => navigator.clipboard.writeText(""));
     await this.copyButton.click();
     return this.clipboard();
   }
 
-  /** What is on the clipboard, once it holds a program. */
+  /** The clipboard, once it holds a program. */
   async clipboard(): Promise<string> {
     const read = () => this.context.page.evaluate(() => navigator.clipboard.readText());
     await expect.poll(read).toContain("END PGM");

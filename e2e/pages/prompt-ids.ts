@@ -1,9 +1,7 @@
 import { catalogue } from "../../src/cycles/index.ts";
 import type { ParamTextId } from "../../src/cycles/index.ts";
 
-/**
- * Which text asks for each Q parameter of each cycle. The build takes these names over in place of the whole catalogue.
- */
+/** Text id of each Q parameter of each cycle. The build inlines this table instead of the whole catalogue. */
 export const promptIds: Readonly<Record<number, Readonly<Record<string, ParamTextId>>>> = Object.fromEntries(
   catalogue.map(({ number, params }) => [
     number,

@@ -3,7 +3,7 @@ import { SCREEN_LANGUAGES, type Language } from "../../src/i18n/languages.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
-/** Language, appearance and motion, and what is kept on the device. */
+/** Language, appearance and motion, and the data stored on the device. */
 export class SettingsPage {
   constructor(private readonly context: Context) {}
 
@@ -17,7 +17,7 @@ export class SettingsPage {
     await this.dialog.waitFor();
   }
 
-  /** Changes the screen language; from then on every name on the page is one of that language. */
+  /** Changes the screen language; from then on, all names on the page are in that language. */
   async chooseLanguage(language: Language): Promise<void> {
     await this.open();
     await this.dialog.getByRole("combobox", { name: this.context.t.page.screenLanguage, exact: true }).selectOption({
@@ -26,7 +26,7 @@ export class SettingsPage {
     await this.context.page.getByRole("button", { name: words(language, "workplace").page.close, exact: true }).click();
   }
 
-  /** Makes all letters larger, or as large as usual, with the dialog open. */
+  /** Makes all letters large, or the default size, with the dialog open. */
   async chooseLetters(size: "usual" | "presentation"): Promise<void> {
     await this.dialog.getByRole("combobox", { name: this.context.t.page.size, exact: true }).selectOption(size);
   }
@@ -37,19 +37,19 @@ export class SettingsPage {
     return this.dialog.getByRole("region", { name: title, exact: true });
   }
 
-  /** The button that saves all works, tools, own cycles, settings and the progress of the course as one file. */
+  /** The button that saves a backup: all works, tools, own cycles, settings and course progress in one file. */
   get saveAll(): Locator {
     return this.dialog.getByRole("button", { name: this.device.exportLong, exact: true });
   }
 
-  /** Saves everything as one file, with the dialog open. */
+  /** Saves a backup, with the dialog open. */
   async export(): Promise<Download> {
     const waiting = this.context.page.waitForEvent("download");
     await this.saveAll.click();
     return waiting;
   }
 
-  /** Brings a saved file in, with the dialog open, as far as the question what to take of it. */
+  /** Opens a backup, with the dialog open, up to the question what to restore. */
   async import(name: string, bytes: Uint8Array): Promise<void> {
     const choosing = this.context.page.waitForEvent("filechooser");
     await this.dialog.getByRole("button", { name: this.device.importLong, exact: true }).click();

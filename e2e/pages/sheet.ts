@@ -37,7 +37,7 @@ export class SetupSheetPage {
     return this.context.page.getByRole("checkbox", { name: this.words.withProgram, exact: true });
   }
 
-  /** What the browser prints of the page: how many pages, and the size of the first one, points. */
+  /** Prints the page: number of pages, and the size of the first one, points. */
   async printed(): Promise<{ readonly pages: number; readonly size: readonly number[] }> {
     const pdf = (await this.context.page.pdf({ preferCSSPageSize: true })).toString("latin1");
     const size =

@@ -10,8 +10,8 @@ const BUILT = new URL("../../dist", import.meta.url).pathname;
 const UNDER = "/shop/turnwise/";
 
 /**
- * Makes of the built site another version of it: every hashed name is another one, wherever it is written, and the list
- * of the service worker is that of the new files. Gives its folder.
+ * Copies the built site as another version: renames every hashed file and all references to it, and updates the list of
+ * the service worker. Returns its folder.
  */
 export function newerVersion(): string {
   const folder = mkdtempSync(join(tmpdir(), "turnwise-newer-"));
@@ -38,11 +38,11 @@ export function newerVersion(): string {
   return folder;
 }
 
-/** A server of the built site below a path, which can be told to fail as servers do. */
+/** A server for the built site below a path, which can be told to fail in the ways servers do. */
 export class Site {
   private folder = BUILT;
   private fails: (path: string) => boolean = () => false;
-  /** Paths that were asked for, without the folder of the site. */
+  /** Requested paths, without the folder of the site. */
   readonly asked: string[] = [];
 
   private constructor(private readonly server: Server) {}
@@ -64,7 +64,7 @@ export class Site {
     return `http://127.0.0.1:${(this.server.address() as AddressInfo).port}${UNDER}`;
   }
 
-  /** From now on this folder is served, without the paths for which the line breaks. */
+  /** Serves this folder from now on; the connection breaks on the listed paths. */
   serve(folder: string, fails: (path: string) => boolean = () => false): void {
     this.folder = folder;
     this.fails = fails;

@@ -3,7 +3,7 @@ import type { CycleNumber } from "../../src/cycles/index.ts";
 import { promptIds } from "./prompt-ids.ts";
 import type { Context } from "./context.ts";
 
-/** The first screen: a row for every cycle, and earlier work. */
+/** The first screen: a row for every cycle, and stored works. */
 export class Start {
   constructor(private readonly context: Context) {}
 
@@ -19,24 +19,24 @@ export class Start {
     });
   }
 
-  /** Searches the cycles by number, name or shop word; on the start page examples and earlier work too. */
+  /** Searches the cycles by number, name or shop term; on the start page, examples and stored works too. */
   get search(): Locator {
     const { page, t } = this.context;
     const named = (name: string) => page.getByRole("searchbox", { name, exact: true });
     return named(t.page.start.search).or(named(t.chooser.search));
   }
 
-  /** The cycles that were used last. */
+  /** The recently used cycles. */
   get recent(): Locator {
     return this.context.page.getByRole("region", { name: this.context.t.chooser.recent, exact: true });
   }
 
-  /** The head of a group, which folds its cycles away. */
+  /** The head of a group, which folds its cycles. */
   group(name: string): Locator {
     return this.context.page.getByRole("region", { name, exact: true }).getByRole("heading").getByRole("button");
   }
 
-  /** Begins by the row of a cycle; where the groups are folded, by its number in the search. */
+  /** Starts by the row of a cycle; if the groups are folded, by searching for its number. */
   private async begin(cycle: number, withExample: boolean): Promise<void> {
     await this.search.waitFor();
     if (!(await this.button(cycle, withExample).isVisible())) await this.search.fill(String(cycle));
@@ -51,7 +51,7 @@ export class Start {
     await this.begin(cycle, true);
   }
 
-  /** Earlier work of this name. */
+  /** The stored work of this name. */
   kept(name: string): Locator {
     const { page, t } = this.context;
     return page.getByRole("button", { name: t.page.start.continueWork(name), exact: true });

@@ -3,21 +3,21 @@ import type { CourseTaskTexts } from "../../src/i18n/en/course-task.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
-/** A task of the course over the work that it is: what is asked, the goals, the check, and what became of it. */
+/** The panel of a course task above its work: assignment, goals, check and result. */
 export class TaskPanel {
   readonly words: CourseTaskTexts;
   constructor(private readonly context: Context) {
     this.words = words(context.language, "course-task");
   }
 
-  /** The whole panel: beside the work, or unfolded on a small screen in its place. */
+  /** The whole panel: beside the work, or in its place on a small screen. */
   get panel(): Locator {
     const { page } = this.context;
     const name = new RegExp(`^${this.words.region("")}`);
     return page.getByRole("region", { name }).or(page.getByRole("main", { name }));
   }
 
-  /** How it stands, in one line. */
+  /** The status of the task, in one line. */
   get status(): Locator {
     return this.panel.getByRole("status");
   }
@@ -39,12 +39,12 @@ export class TaskPanel {
     return this.button(this.words.fold);
   }
 
-  /** What is asked, unfolded. */
+  /** The unfolded assignment. */
   get assignment(): Locator {
     return this.panel.getByRole("region", { name: this.words.unfold, exact: true });
   }
 
-  /** A goal of the list, by characters of it. */
+  /** A goal of the list, by part of its text. */
   goal(characters: string): Locator {
     return this.panel
       .getByRole("region", { name: this.words.goals, exact: true })
@@ -52,7 +52,7 @@ export class TaskPanel {
       .filter({ hasText: characters });
   }
 
-  /** What is wrong, one at a time: a press goes there. */
+  /** The marks, one at a time: a click shows the place. */
   get mark(): Locator {
     return this.panel.getByRole("button", { name: /^\d+: / });
   }
@@ -61,7 +61,7 @@ export class TaskPanel {
     return this.button(this.words.next);
   }
 
-  /** A field of what is foretold. */
+  /** A field of the prediction. */
   field(name: "answer" | "x" | "z" | "block"): Locator {
     return this.panel.getByRole("textbox", { name: this.words.foretell[name], exact: true });
   }

@@ -3,7 +3,7 @@ import type { CourseTeachTexts } from "../../src/i18n/en/course-teach.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
-/** What an instructor does: makes a task of the open program, hands it out, reads results. */
+/** The instructor's side: makes a task from the open program, shares it, reads results. */
 export class Teaching {
   readonly words: CourseTeachTexts;
   constructor(private readonly context: Context) {
@@ -15,13 +15,13 @@ export class Teaching {
     return this.context.page.getByRole("dialog", { name: this.words.title, exact: true });
   }
 
-  /** Opens the form, once the program has been run. */
+  /** Opens the form, and waits until the program has run. */
   async make(): Promise<void> {
     await this.context.page.getByRole("button", { name: this.context.t.page.text.makeTask, exact: true }).click();
     await expect(this.form.getByLabel(this.words.name, { exact: true })).toBeVisible();
   }
 
-  /** Fills in what has to be told. */
+  /** Fills in the required texts. */
   async tell(title: string, ask: string): Promise<void> {
     await this.form.getByLabel(this.words.name, { exact: true }).fill(title);
     await this.form.getByLabel(this.words.ask, { exact: true }).fill(ask);
@@ -29,7 +29,7 @@ export class Teaching {
       await this.form.getByLabel(hint, { exact: true }).fill(`${i + 1}. ${title}`);
   }
 
-  /** Whether the answer passes. */
+  /** The status: whether the answer passes. */
   get check(): Locator {
     return this.form.getByRole("region", { name: this.words.check, exact: true }).getByRole("status");
   }
@@ -39,7 +39,7 @@ export class Teaching {
     return dialog.getByRole("textbox", { name: new RegExp(`^${this.words.link} `) }).inputValue();
   }
 
-  /** A task that came from outside, before it is kept. */
+  /** A received task, before it is kept. */
   incoming(title: string): Locator {
     return this.context.page.getByRole("dialog", { name: this.words.incoming.title(title), exact: true });
   }
@@ -49,12 +49,12 @@ export class Teaching {
     return this.context.page.getByRole("region", { name: this.words.own.title, exact: true });
   }
 
-  /** The dialog that gathers results. */
+  /** The dialog that collects results to hand in. */
   get handIn(): Locator {
     return this.context.page.getByRole("dialog", { name: this.words.hand.title, exact: true });
   }
 
-  /** Results that were handed in under a name. */
+  /** Results received under a name. */
   results(name: string): Locator {
     return this.context.page.getByRole("dialog", { name: this.words.results.title(name), exact: true });
   }

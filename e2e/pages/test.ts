@@ -1,6 +1,6 @@
 import { expect, test as plain, type Page } from "@playwright/test";
 
-/** How many times slower the processor of the page is made: `THROTTLE=4 npm run e2e` is a small tablet. */
+/** CPU slowdown of the page: `THROTTLE=4 npm run e2e` is like a small tablet. */
 const rate = Number(process.env["THROTTLE"] ?? 1);
 
 async function slowed(page: Page): Promise<void> {
@@ -8,7 +8,7 @@ async function slowed(page: Page): Promise<void> {
   await session.send("Emulation.setCPUThrottlingRate", { rate });
 }
 
-/** Every journey runs with this `test`, so that all of them can be run as on a slow machine. */
+/** Every spec file uses this `test`, so that all of them can run with a slowed CPU. */
 export const test = plain.extend({
   context: async ({ context }, use) => {
     if (rate > 1) context.on("page", (page) => void slowed(page).catch(() => undefined));

@@ -4,7 +4,7 @@ import { plainText } from "./pattern.ts";
 import { words } from "./words.ts";
 import type { Context } from "./context.ts";
 
-/** The tool table: the rows of the device on one side, the columns of the open row on the other. */
+/** The tool table: the tools of the device on one side, the columns of the open tool on the other. */
 export class ToolTable {
   constructor(private readonly context: Context) {}
 
@@ -82,7 +82,7 @@ export class ToolTable {
       .or(this.form.getByRole("figure", { name: millDrawing, exact: true }));
   }
 
-  /** What came of a file, of deleting, of putting the shipped tools back. */
+  /** The status after an import, a deletion, or restoring the default tools. */
   get status(): Locator {
     return this.context.page.locator(".tool-status");
   }
@@ -103,12 +103,12 @@ export class ToolTable {
     return this.button(this.context.t.tools.restoreLong);
   }
 
-  /** The undo that stands beside what was just done. */
+  /** The undo button in the status of the last action. */
   get takeBack(): Locator {
     return this.status.getByRole("button", { name: `${this.context.t.tools.undo} – ` });
   }
 
-  /** Chooses a file to import; text is taken as UTF-8. What it brings is then shown in `incoming`. */
+  /** Chooses a file to import; text is encoded as UTF-8. `incoming` then shows its contents. */
   async choose(...files: readonly { readonly name: string; readonly content: string | Buffer }[]): Promise<void> {
     const choosing = this.context.page.waitForEvent("filechooser");
     await this.button(this.words.files.importLong).click();
@@ -119,14 +119,14 @@ export class ToolTable {
     );
   }
 
-  /** What chosen files would do to the table. */
+  /** The import dialog: changes that the chosen files would make to the table. */
   get incoming(): Locator {
     return this.context.page.getByRole("dialog", {
       name: new RegExp(plainText(this.words.files.title("§")).replace("§", ".*")),
     });
   }
 
-  /** Takes over what files bring: all of it, or the tools with new numbers. */
+  /** Imports the files: all tools, or those with new numbers only. */
   async take(choice: "all" | "new" = "all"): Promise<void> {
     const { takeAll, takeNew } = this.words.files;
     const [before = "", behind = ""] = (choice === "all" ? takeAll : takeNew)(0).split("0");
@@ -136,13 +136,13 @@ export class ToolTable {
     await this.incoming.waitFor({ state: "hidden" });
   }
 
-  /** Chooses a file and takes all of it over. */
+  /** Chooses a file and imports all of it. */
   async import(name: string, text: string): Promise<void> {
     await this.choose({ name, content: text });
     await this.take();
   }
 
-  /** Downloads the table and gives the file; `again` is the file that tools came from, with their changes. */
+  /** Downloads the table and returns the file; `again` is the file the tools came from, with the changes. */
   async export(
     kind: "json" | "csv" | "text" | "millText" | "again",
   ): Promise<{ name: string; text: string; bytes: Buffer }> {
@@ -164,7 +164,7 @@ export class ToolTable {
     return { name: download.suggestedFilename(), text: bytes.toString("utf8"), bytes };
   }
 
-  /** Where the code of an insert or a holder is typed; Enter takes it over. */
+  /** The field for the code of an insert or a holder; Enter applies it. */
   get code(): Locator {
     return this.form.getByRole("textbox", { name: this.words.codes.label, exact: true });
   }
@@ -183,7 +183,7 @@ export class ToolTable {
     return this.named(select, `${plainText(toolName(String(number), ""))}(?![\\d.]).*`);
   }
 
-  /** A name that has the tool somewhere in it. */
+  /** Matches a name that contains the tool. */
   private named(long: (tool: string) => string, tool = ".*"): RegExp {
     const [before = "", behind = ""] = long("§").split("§");
     return new RegExp(`^${plainText(before)}${tool}${plainText(behind)}(,|$)`);

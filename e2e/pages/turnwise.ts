@@ -25,14 +25,11 @@ import { words } from "./words.ts";
 import { WorksList } from "./works.ts";
 
 export interface Options {
-  /** Screen language; English if not said. */
+  /** Screen language; English by default. */
   readonly language?: Language;
-  /**
-   * Time stands still until `lathe.advance(milliseconds)`; a text is the local time at which it stands:
-   * "2026-11-21T08:00".
-   */
+  /** Time stands still until `lathe.advance(milliseconds)`; a string is the local start time: "2026-11-21T08:00". */
   readonly heldClock?: boolean | string;
-  /** Whatever is drawn by lot comes out the same in a fresh context: names of works, addresses, ids in files. */
+  /** Seed of all random values in a fresh context: names of works, addresses, ids in files. */
   readonly seed?: number;
   readonly theme?: "light" | "dark";
 }
@@ -109,7 +106,7 @@ export class Turnwise {
     return new Turnwise(page, language);
   }
 
-  /** Shows one of the panels that take turns; on a wide screen some are always there. */
+  /** Shows one of the tabbed panels; on a wide screen some are always visible. */
   async show(section: "prompts" | "setup" | "contour" | "findings" | "program"): Promise<void> {
     const tab = this.page.getByRole("tab", {
       name: new RegExp(`^${section === "findings" ? this.t.findings.title : this.t.page[section]}`),

@@ -1,13 +1,10 @@
 import { saysNothing } from "../../src/cycles/effect.ts";
 import { cycleByNumber } from "../../src/cycles/index.ts";
 
-/** A value to answer each prompt of a cycle with, in the order of the prompts. */
+/** A value for each prompt of a cycle, in the order of the prompts. */
 export type Answers = Readonly<Record<string, string>>;
 
-/**
- * The printed example values of a cycle, with some of one's own; without those that ENT passes by, because they have no
- * effect.
- */
+/** The printed example values of a cycle, with overrides; without prompts that have no effect, which ENT skips. */
 export function answers(cycle: number, own: Answers = {}): Answers {
   const params = Object.entries(cycleByNumber(cycle)?.params ?? {});
   const all = params.map(([q, p]) => [q, p, own[q] ?? String(p.example)] as const);

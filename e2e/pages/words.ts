@@ -1,7 +1,7 @@
 import { LANGUAGES, type Language } from "../../src/i18n/languages.ts";
 import type { PartName, PartTexts } from "../../src/i18n/parts.ts";
 
-/** The parts of the texts that page objects speak in. */
+/** The text parts that page objects use. */
 const NAMES = [
   "clamping",
   "compare",
@@ -19,10 +19,7 @@ const NAMES = [
 ] as const satisfies readonly PartName[];
 type Name = (typeof NAMES)[number];
 
-/**
- * All of them, read beforehand: Playwright runs these files as they are, without what Vite makes of the page's own
- * loader.
- */
+/** Loaded up front: Playwright runs these files without Vite's transformation of the page's loader. */
 const read = new Map(
   await Promise.all(
     LANGUAGES.flatMap((language) =>
@@ -34,6 +31,6 @@ const read = new Map(
   ),
 );
 
-/** What the page says in a language. */
+/** The page texts of a language. */
 export const words = <N extends Name>(language: Language, name: N): PartTexts<N> =>
   read.get(`${language}/${name}`) as PartTexts<N>;

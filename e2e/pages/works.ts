@@ -4,7 +4,7 @@ import { counted } from "./pattern.ts";
 import type { Context } from "./context.ts";
 import { words } from "./words.ts";
 
-/** The list of all works that are kept on the device. */
+/** The list of all works stored on the device. */
 export class WorksList {
   private readonly words: DeviceTexts["works"];
 
@@ -29,7 +29,7 @@ export class WorksList {
     return this.context.page.getByRole("searchbox", { name: this.words.search, exact: true });
   }
 
-  /** Puts the list in another order. */
+  /** Sorts the list. */
   async sort(order: "newest" | "name" | "kind" | "size"): Promise<void> {
     await this.context.page
       .getByRole("combobox", { name: this.words.sort, exact: true })
@@ -46,7 +46,7 @@ export class WorksList {
     return this.button(this.words.open(name));
   }
 
-  /** Calls a work otherwise. */
+  /** Renames a work. */
   async rename(name: string, newName: string): Promise<void> {
     await this.button(this.words.rename(name)).click();
     const field = this.context.page.getByRole("textbox", { name: this.words.newName(name), exact: true });
@@ -63,12 +63,12 @@ export class WorksList {
     await this.button(this.words.remove(name)).click();
   }
 
-  /** The undo that stands beside what was just done. */
+  /** The undo button in the status of the last action. */
   get takeBack(): Locator {
     return this.context.page.getByRole("status").getByRole("button", { name: `${this.context.t.page.undo} – ` });
   }
 
-  /** Marks a work for what is done with several. */
+  /** Selects a work for the actions on several works. */
   select(name: string): Locator {
     return this.context.page.getByRole("checkbox", { name: this.words.select(name), exact: true });
   }
@@ -77,7 +77,7 @@ export class WorksList {
     return this.context.page.getByRole("checkbox", { name: this.words.selectAll, exact: true });
   }
 
-  /** Saves the marked works as one file. */
+  /** Saves the selected works as one file. */
   async saveSelected(): Promise<Download> {
     const waiting = this.context.page.waitForEvent("download");
     await this.button(this.words.saveSelected).click();

@@ -10,7 +10,7 @@ import type { Screen } from "./screens.ts";
 
 const EMPTY = "/empty.html";
 
-/** Serves a built page, and beside it one that is empty. */
+/** Serves a built page, and an empty page for comparison. */
 export async function serveBuilt(folder: string): Promise<{ readonly address: string; readonly close: () => void }> {
   const answer = site(folder);
   const server = createServer((request, response) => {
@@ -21,37 +21,36 @@ export async function serveBuilt(folder: string): Promise<{ readonly address: st
   return { address: `http://127.0.0.1:${(server.address() as AddressInfo).port}/`, close: () => server.close() };
 }
 
-/** Chromium as the journeys start it. */
+/** Chromium with the flags of the e2e tests. */
 export function startBrowser(): Promise<Browser> {
   const executablePath = process.env["CHROMIUM_PATH"] ?? findBrowser();
   return chromium.launch({ args: browserFlags, ...(executablePath ? { executablePath } : {}) });
 }
 
-/** How to make the processor of a page slower; 1 is full speed. */
+/** Returns a function that slows down the processor of a page; 1 is full speed. */
 async function slowing(page: Page): Promise<(rate: number) => Promise<void>> {
   const session = await page.context().newCDPSession(page);
   return async (rate) => void (await session.send("Emulation.setCPUThrottlingRate", { rate }));
 }
 
-/** The page on a screen, and the empty one beside it. */
+/** The page on a screen, and the empty page for comparison. */
 export interface Bench {
   readonly context: BrowserContext;
   readonly page: Page;
   readonly turnwise: Turnwise;
   readonly empty: Page;
   /**
-   * Makes the page as slow as the screen says, or the empty one in its place: a slowed page takes a core, also behind
-   * another.
+   * Slows down the page as the screen requires, or the empty page: a slowed page takes a core even in the background.
    */
   readonly slow: (which: "page" | "empty") => Promise<void>;
 }
 
-/** Room for a slow page on a busy machine, ms. */
+/** Timeout for a slow page on a busy machine, ms. */
 const PATIENCE = 300_000;
 
 /**
- * Opens the page and the empty one. `watched`: it notes what is drawn after a key, which costs a little; frames are
- * counted without.
+ * Opens the page and the empty page. `watched`: records what is drawn after a key, at a small cost; frames are counted
+ * without it.
  */
 export async function openBench(browser: Browser, address: string, screen: Screen, watched: boolean): Promise<Bench> {
   const { width, height, pixels, touch, slower } = screen;
@@ -82,10 +81,10 @@ export async function openBench(browser: Browser, address: string, screen: Scree
   };
 }
 
-/** How long the reference loop takes in a page, ms: the middle one of three. */
+/** Duration of the reference loop in a page, ms: the median of three. */
 export async function referenceIn(page: Page): Promise<number> {
   const times: number[] = [];
-  // As text: the page may not make functions out of text itself.
+  // As text, because the page's content policy forbids making functions from text.
   const timed = `(() => { const work = ${String(
     referenceWork,
   )}; const began = performance.now(); work(); return performance.now() - began; })()`;

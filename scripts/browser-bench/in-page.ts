@@ -1,20 +1,20 @@
 /**
- * What is measured inside a page. Each function is sent there as text, so it uses nothing from outside itself; times
+ * Measurements inside a page. Each function is sent to the page as text, so it uses nothing from outside itself; times
  * are ms of the page.
  */
 
-/** Frames of a stretch of time. */
+/** Frames in a period of time. */
 export interface Frames {
   readonly perSecond: number;
   /** Time from one frame to the next, ms. */
   readonly median: number;
   readonly p95: number;
   readonly worst: number;
-  /** Tasks of more than 50 ms: how long each of them took. */
+  /** Durations of the tasks of more than 50 ms. */
   readonly long: readonly number[];
 }
 
-/** Counts the frames of the next so many ms. */
+/** Counts the frames during a period, ms. */
 export async function countFrames(lasts: number): Promise<Frames> {
   const long: number[] = [];
   const observer = new PerformanceObserver((list) => {
@@ -43,7 +43,7 @@ export async function countFrames(lasts: number): Promise<Frames> {
 }
 
 /**
- * A box of 100 points that is moved with every frame, on a page with nothing else: what any page can reach that shows a
+ * Moves a box of 100 points with every frame on an otherwise empty page: the best frame rate of any page that shows a
  * change.
  */
 export function moveBox(): void {
@@ -59,24 +59,23 @@ export function moveBox(): void {
   requestAnimationFrame(frame);
 }
 
-/** Takes the box away again. */
+/** Removes the box. */
 export const removeBox = (): void => document.querySelector("div")?.remove();
 
-/** What `watchDrawing` leaves on the page. */
+/** The record of `watchDrawing` on the page. */
 export interface Watched {
   /**
-   * When the last key went down, when its digit was drawn, when the path was next drawn after it, and when the picture
-   * was last drawn; painting included, ms.
+   * Times of the last key, of its digit on screen, of the next path and of the latest picture; painting included, ms.
    */
   key: number;
   digit: number;
   path: number;
   picture: number;
-  /** Questions to the worker that are not answered. */
+  /** Number of requests that the worker has not answered. */
   asked: number;
-  /** When a key went down, the picture changed or the worker answered last. */
+  /** Time of the latest key, picture change or worker answer. */
   stir: number;
-  /** Tasks of more than 50 ms since a key went down: how long each of them took. */
+  /** Durations of the tasks of more than 50 ms since the last key. */
   tasks: number[];
 }
 
@@ -87,14 +86,13 @@ declare global {
 }
 
 /**
- * Before a page is loaded: notes when a key goes down, when path and material are drawn anew in the picture of the
- * lathe, and what is asked of the worker. A change counts when the frame that shows it is painted, as far as the page's
- * own thread goes.
+ * Installed before a page loads: records keys, redraws of path and material in the lathe view, and requests to the
+ * worker. A change counts when the frame that shows it is painted, as far as the page's own thread can tell.
  */
 export function watchDrawing(): void {
   const watched: Watched = { key: 0, digit: 0, path: 0, picture: 0, asked: 0, stir: 0, tasks: [] };
   window.__watched = watched;
-  /** Changes that the next painted frame shows. */
+  /** Changes that the next painted frame will show. */
   let path = false,
     picture = false;
   const changed = (isPath: boolean) => {
@@ -168,8 +166,7 @@ export function watchDrawing(): void {
 }
 
 /**
- * Waits for the path, and then until nothing has stirred for so long: what it took from the key, null where nothing was
- * drawn.
+ * Waits for the path, and then for a period without activity. Returns times from the key; null where nothing was drawn.
  */
 export async function drawnAfterKey({
   quiet,

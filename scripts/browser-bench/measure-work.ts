@@ -6,50 +6,55 @@ import type { BenchOptions } from "./options.ts";
 import type { Screen } from "./screens.ts";
 import type { MeasuredWork } from "./works.ts";
 
-/** Frames of the page beside those of the empty page: the middle one of all rounds, and the worst of all. */
+/** Frames of the page compared with the empty page: the median of all rounds, and the worst. */
 export interface FrameResult {
-  /** Frames a second of the empty page, and of the measured one. */
+  /** Frames per second of the empty page, and of the measured page. */
   readonly empty: number;
   readonly perSecond: number;
-  /** What part of the empty page's frames there were, in the middle one of the rounds. */
+  /** Frames as a share of the empty page's, median of the rounds. */
   readonly share: number;
   readonly p95: number;
   readonly worst: number;
-  /** Tasks of more than 50 ms in all rounds, and the longest of them. */
+  /** Number of tasks of more than 50 ms in all rounds, and the longest of them. */
   readonly long: number;
   readonly longest: number;
 }
 
-/** Times from a key to what is drawn, ms, and what part of them the reference loop would take there. */
+/** Times from a key to the drawing, ms, and the duration of the reference loop in the same page. */
 export interface KeyResult {
   readonly reference: number;
-  /** To the frame that shows the digit itself. */
+  /** Time to the frame that shows the digit itself. */
   readonly digit: { readonly median: number; readonly p95: number };
   readonly path: { readonly median: number; readonly p95: number };
   readonly picture: { readonly median: number; readonly p95: number };
   readonly keys: number;
-  /** Tasks of more than 50 ms from a key until the picture is whole, of all keys, and the longest of them. */
+  /**
+   * Number of tasks of more than 50 ms between a key and the complete picture, over all keys, and the longest of them.
+   */
   readonly long: number;
   readonly longest: number;
 }
 
-/** Everything that was measured on one screen. */
+/** All measurements on one screen. */
 export interface ScreenResults {
   readonly screen: Screen;
   /** A page with nothing but a moving box. */
   readonly box: FrameResult | null;
-  /** By work and case: "flange 10x". */
+  /** By program and case: "flange 10x". */
   readonly frames: Readonly<Record<string, FrameResult>>;
-  /** By work. */
+  /** By program. */
   readonly keys: Readonly<Record<string, KeyResult>>;
 }
 
-/** Each round lies between two looks at the empty page, so that what else the machine does weighs on both. */
+/**
+ * Duration of a baseline measurement, ms. The empty page is measured before and after each round, so that other load on
+ * the machine affects both.
+ */
 const LOOK_MS = 1200;
-/** Time for what a press has begun to get going, ms. */
+/** Time to settle after a click, ms. */
 const SETTLE = 400;
 
-/** A page behind another one gets a frame a second: what is looked at has to be in front. */
+/** The frame rate of the empty page. A page in the background gets one frame per second, so it must be in front. */
 async function look({ empty, slow }: Bench): Promise<number> {
   await empty.bringToFront();
   await slow("empty");
@@ -86,7 +91,7 @@ async function paired(
 }
 
 /**
- * A page with a moving box and nothing else, beside the empty one: what can be reached at all where something is drawn.
+ * The best possible frame rate while something is drawn: a page with only a moving box, compared with the empty page.
  */
 export async function measureBox(bench: Bench, options: BenchOptions): Promise<FrameResult> {
   const box = { ...bench, page: bench.empty, slow: () => bench.slow("empty") };
@@ -96,7 +101,7 @@ export async function measureBox(bench: Bench, options: BenchOptions): Promise<F
   });
 }
 
-/** Takes the tool to a part of the whole time. */
+/** Moves the tool to a fraction of the running time. */
 export async function seek({ turnwise }: Pick<Bench, "turnwise">, part: number): Promise<void> {
   await turnwise.lathe.timeline.evaluate((input: HTMLInputElement, value) => {
     Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(input, String(value * 1000));
@@ -104,7 +109,7 @@ export async function seek({ turnwise }: Pick<Bench, "turnwise">, part: number):
   }, part);
 }
 
-/** Frames while a work plays so many times as fast as the machine, each round from another place of it. */
+/** Frames while a program plays at a multiple of machine speed, each round from another position. */
 export async function measurePlaying(
   bench: Bench,
   work: MeasuredWork,
@@ -129,18 +134,18 @@ export async function measurePlaying(
   return result;
 }
 
-/** Whatever is measured meanwhile is seen in space; afterwards the section is back. */
+/** Runs a measurement in the 3D view, then restores the section. */
 async function inSpace<Result>({ page, turnwise: { lathe } }: Bench, measure: () => Promise<Result>): Promise<Result> {
   await lathe.shows("solid");
   await page.waitForSelector(".solid-field > canvas");
-  // The library is fetched and its programs are made ready with the first picture.
+  // The library is fetched, and its shaders are compiled, with the first picture.
   await page.waitForTimeout(5 * SETTLE);
   const result = await measure();
   await lathe.shows("half");
   return result;
 }
 
-/** Frames while a work plays in space. */
+/** Frames while a program plays in the 3D view. */
 export const measureSpace = (
   bench: Bench,
   work: MeasuredWork,
@@ -148,11 +153,11 @@ export const measureSpace = (
   options: BenchOptions,
 ): Promise<FrameResult> => inSpace(bench, () => measurePlaying(bench, work, rate, options));
 
-/** Frames while the body is turned by hand, at rest in the middle of the work. */
+/** Frames while the body is turned by hand, paused in the middle of the program. */
 export const measureOrbit = (bench: Bench, work: MeasuredWork, options: BenchOptions): Promise<FrameResult> =>
   inSpace(bench, () => measureLooking(bench, work, "orbit", options));
 
-/** Goes on with something until it is told to stop. */
+/** Repeats a step until the returned function is called. */
 function goingOn(step: (count: number) => Promise<void>): () => Promise<void> {
   let goes = true;
   const done = (async () => {
@@ -164,7 +169,7 @@ function goingOn(step: (count: number) => Promise<void>): () => Promise<void> {
   };
 }
 
-/** Frames while the picture is dragged about or turned, or zoomed in and out, at rest in the middle of the work. */
+/** Frames while the picture is dragged, turned or zoomed, paused in the middle of the program. */
 export async function measureLooking(
   bench: Bench,
   work: MeasuredWork,
@@ -198,14 +203,14 @@ export async function measureLooking(
 }
 
 /**
- * A picture is whole when nothing has stirred for so long, longer than the page waits for a pause in typing; or it is
- * given up, ms.
+ * A picture is complete after this period without activity, longer than the page's debounce of typing; `patience` is
+ * the timeout, ms.
  */
 const SEEN = { quiet: 900, patience: 60_000 };
 
 /**
- * From a pressed key to the new path, and to the whole new picture: at the end of the work, where its stock shows every
- * change.
+ * From a pressed key to the new path, and to the complete new picture: at the end of the program, where its stock shows
+ * every change.
  */
 export async function measureKeys(bench: Bench, work: MeasuredWork, options: BenchOptions): Promise<KeyResult> {
   const { page, turnwise } = bench;

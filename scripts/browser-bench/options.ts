@@ -1,7 +1,7 @@
 import { SCREENS, type Screen } from "./screens.ts";
 import { WORKS, type MeasuredWork } from "./works.ts";
 
-/** What can be measured of a work on a screen; "3d" plays it ten times as fast in space, "orbit" turns it there. */
+/** The cases for a program on a screen; "3d" plays it ten times as fast in the 3D view, "orbit" turns it there. */
 export const CASES = ["1x", "10x", "pan", "zoom", "3d", "orbit", "key"] as const;
 export type CaseName = (typeof CASES)[number];
 
@@ -9,18 +9,18 @@ export interface BenchOptions {
   readonly screens: readonly Screen[];
   readonly works: readonly MeasuredWork[];
   readonly cases: readonly CaseName[];
-  /** How often frames are counted, and for how long each time, s; how many keys are pressed. */
+  /** Number of rounds that count frames, duration of each, s; number of keys pressed. */
   readonly rounds: number;
   readonly seconds: number;
   readonly keys: number;
-  /** The folder of the built page; null: this project's own, built when it is older than its sources. */
+  /** The folder of the built page; null: this project's own, rebuilt when it is older than its sources. */
   readonly built: string | null;
   readonly isJson: boolean;
-  /** The tables are put into docs/performance.md as well. */
+  /** Whether the tables are also written to docs/performance.md. */
   readonly isWritten: boolean;
 }
 
-/** Those that an option names, wholly or by a part of their names; all where it is not given. */
+/** The items that an option names, in full or in part; all where the option is missing. */
 function chosenOf<T>(
   option: string,
   given: string | undefined,
@@ -38,7 +38,7 @@ function chosenOf<T>(
 
 const KNOWN = ["screen", "work", "case", "rounds", "seconds", "keys", "built", "json", "write", "quick"];
 
-/** Reads what follows the command. */
+/** Reads the command line. */
 export function readOptions(args: readonly string[]): BenchOptions {
   const given = new Map(
     args.map((arg) => {

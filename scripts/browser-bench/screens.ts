@@ -1,6 +1,4 @@
-/**
- * A screen that is measured: its size in points, pixels for a point, and how many times the processor is slowed down.
- */
+/** A measured screen: its size in points, pixels per point, and the factor that slows the processor down. */
 export interface Screen {
   readonly name: string;
   readonly width: number;
@@ -8,16 +6,14 @@ export interface Screen {
   readonly pixels: number;
   readonly slower: number;
   readonly touch: boolean;
-  /**
-   * The least share of the frames of an empty page while the flange plays; null where frames a second are asked for.
-   */
+  /** The least share of an empty page's frames while the flange plays; null where the limit is in frames per second. */
   readonly share: number | null;
   readonly perSecond: number | null;
-  /** The most that may pass from a key to the path, ms. */
+  /** The longest time from a key to the path, ms. */
   readonly key: number;
 }
 
-/** What a tablet is taken for: a processor that is six times slower, two pixels for a point. */
+/** Model of a tablet: a processor six times slower, two pixels per point. */
 const TABLET = { pixels: 2, slower: 6, share: 0.8, perSecond: null, key: 50 };
 const QUICK = { slower: 1, touch: false, key: 16 };
 

@@ -6,10 +6,7 @@ import type { Screen } from "./screens.ts";
 const percent = (part: number) => `${Math.round(part * 100)} %`;
 const missed = (limit: string, isKept: boolean) => (isKept ? limit : `${limit}, missed`);
 
-/**
- * What is asked of frames: a share of the empty page's, or so many a second; nothing of works that are larger than
- * usual.
- */
+/** The limit of frames: a share of the empty page's, or frames per second; none for unusually large programs. */
 function frameLimit(screen: Screen, name: string, { share, perSecond }: FrameResult): string {
   if (!/^(flange|812) \d+x$/.test(name)) return "";
   if (screen.perSecond !== null) return missed(`${screen.perSecond} a second`, perSecond >= screen.perSecond);
@@ -31,7 +28,7 @@ const frameRow = (screen: Screen, name: string, each: FrameResult, limit: string
   longTasks(each),
 ];
 
-/** Frames while something moves, beside those of the empty page. */
+/** Frames while something moves, compared with the empty page. */
 export function frameTable(results: readonly ScreenResults[]): string[] {
   const rows = results.flatMap(({ screen, box, frames }) => [
     ...(box ? [frameRow(screen, "moving box", box, "")] : []),
@@ -49,8 +46,8 @@ export function frameTable(results: readonly ScreenResults[]): string[] {
 }
 
 /**
- * A part of the time to the path is waiting for the screen's next picture, which no quicker machine shortens: the limit
- * is kept in ms, or, where the machine is slower than the one that is meant, as a ratio.
+ * Part of the time to the path is spent waiting for the next screen refresh, which no faster machine shortens. So the
+ * limit applies in ms, or as a ratio where the machine is slower than the reference machine.
  */
 function keyRow(screen: Screen, name: string, { reference, digit, path, picture, long, longest }: KeyResult): string[] {
   const times = [digit.median, path.median, path.p95, picture.median, picture.p95].map((time) => time.toFixed(0));
@@ -68,7 +65,7 @@ function keyRow(screen: Screen, name: string, { reference, digit, path, picture,
   ];
 }
 
-/** From a key to the drawing; as ratios they are in units of the reference loop in the same page. */
+/** From a key to the drawing; ratios are in units of the reference loop in the same page. */
 export function keyTable(results: readonly ScreenResults[]): string[] {
   const rows = results.flatMap(({ screen, keys }) =>
     Object.entries(keys).map(([name, each]) => keyRow(screen, name, each)),

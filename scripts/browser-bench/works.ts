@@ -6,23 +6,23 @@ import { printJob } from "../../src/program/job/print-job.ts";
 import { longContour } from "../long-contour.ts";
 import { grownProgram, milledProgram } from "../large-programs.ts";
 
-/** What is opened to be measured, and where something is typed into it. */
+/** A measured program, and the prompt for typing. */
 export interface MeasuredWork {
   readonly name: string;
-  /** Shares of the whole time at which playing is measured: cuts, and not the ways to the tool change. */
+  /** Shares of the running time from which playback is measured: while cutting, not on the way to the tool change. */
   readonly from: readonly number[];
   readonly open: (turnwise: Turnwise) => Promise<void>;
-  /** Opens a prompt whose value moves the path with every digit. */
+  /** Opens a prompt where every digit changes the path. */
   readonly ask: (turnwise: Turnwise) => Promise<void>;
 }
 
-/** Operations of the grown program, and the moves that all of them make. */
+/** Operations and moves of the grown program. */
 const GROWN = { operations: 100, moves: 50_000 };
 
-/** A contour of so many elements, which cycle 820 follows. */
+/** A contour of 1,000 elements for cycle 820. */
 const CONTOUR = longContour(820, 1000);
 
-/** Opens the dialog of an operation of a program, at one of its prompts. */
+/** Opens the dialog of an operation at one of its prompts. */
 const askOperation =
   (number: number, q: string) =>
   async ({ editor, dialog }: Turnwise) => {
@@ -79,7 +79,7 @@ export const WORKS: readonly MeasuredWork[] = [
     from: [0.1, 0.25, 0.4, 0.55, 0.7],
     async open({ page, handing }) {
       const link = linkOf(page.url().replace(/#.*/, ""), CONTOUR);
-      // As if it came from elsewhere: behind the mark alone nothing is loaded.
+      // As a link from outside: changing only the hash would not reload the page.
       await page.goto("about:blank");
       await page.goto(link);
       await handing.open();

@@ -11,16 +11,19 @@ export interface LabelSet {
 
 /** One of the two languages of program files. The cursor of each function stands at the first word of a block. */
 export interface Dialect {
-  /** What stands before a block number. */
+  /** The letter in front of a block number. */
   readonly letter: "" | "N";
-  /** What ends a block. */
+  /** Whether blocks end in `*`. */
   readonly star: boolean;
   readonly units: readonly string[];
-  /** Which side of the program the block is; the cursor then is behind its words. `isBegun`: the program has begun. */
+  /**
+   * Whether the block begins or ends the program; the cursor is then behind its words. `isBegun`: the program has
+   * begun.
+   */
   frame(cursor: LineCursor, isBegun: boolean): "begin" | "end" | null;
   /** Words that open a list of Q parameters; empty for any other block. */
   listOpener(cursor: LineCursor): string;
-  /** What is wrong with a block, or with the head of a list. */
+  /** The first fault of a block, or of the head of a list. */
   checkBlock(cursor: LineCursor): LineRefusal | null;
   labelSet(cursor: LineCursor): LabelSet | null;
   /** Whether a line opens a block of its own. */

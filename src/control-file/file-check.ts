@@ -22,7 +22,7 @@ export class FileCheck {
     this.found.push({ line, column: refused.at + 1, block, code: refused.code, data: refused.data } as FileRefusal);
   }
 
-  /** Notes a label that is set; the line of the same label before it, null where there is none. */
+  /** Records a label; returns the line of an earlier equal label, or null. */
   label(name: string, line: number): number | null {
     const first = this.labels.get(name);
     if (first === undefined) this.labels.set(name, line);

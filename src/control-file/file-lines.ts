@@ -1,6 +1,6 @@
 import { isBlank, isDigit } from "./line-cursor.ts";
 
-/** One line of a file with what stands around its words; all places count from 0 within the line. */
+/** One line of a file, split into words, number and comment; positions count from 0 within the line. */
 export interface FileLine {
   /** From 1. */
   readonly line: number;
@@ -10,9 +10,9 @@ export interface FileLine {
    */
   readonly from: number;
   readonly to: number;
-  /** The block number as digits; empty where none stands. */
+  /** The block number as digits; empty without one. */
   readonly number: string;
-  /** What stands in the place of a number and is none; empty where all is well. */
+  /** Text in place of the number that is no number; empty if correct. */
   readonly wrongNumber: string;
   /** Where a comment starts; -1 without one. */
   readonly comment: number;
@@ -50,7 +50,7 @@ function commentOf(text: string, from: number): number {
   return -1;
 }
 
-/** Reads what stands around the words of a line. `letter` is what stands before a block number: N in DIN/ISO. */
+/** Splits a line. `letter`: the letter in front of a block number, N in DIN/ISO. */
 export function fileLine(text: string, line: number, letter: "" | "N"): FileLine {
   let at = 0;
   const spaces = () => {
@@ -81,10 +81,7 @@ export function fileLine(text: string, line: number, letter: "" | "N"): FileLine
   return { line, text, from: at, to, number, wrongNumber, comment, tilde };
 }
 
-/**
- * What looks like a block number at the beginning of a line and is none: a sign, a point, or a letter before or within
- * it.
- */
+/** Text that looks like a block number but is none: with a sign, a point, or a letter before or within it. */
 function wrongOf(text: string, start: number, number: string, letter: "" | "N"): string {
   const behind = start + number.length + (letter !== "" && number !== "" ? 1 : 0);
   const next = text.charAt(behind);
@@ -123,6 +120,6 @@ export function endOfWords(
 /** A line without words and without a comment. */
 export const isEmptyLine = (line: FileLine) =>
   line.from >= line.to && line.comment < 0 && line.number === "" && line.tilde < 0;
-/** A line that a reader sees and a control skips: a comment, or a structure item, which starts with `*`. */
+/** A line that the control skips: a comment, or a structure item, which starts with `*`. */
 export const isRemark = (line: FileLine) =>
   line.from < line.text.length && (line.comment === line.from || line.text.charAt(line.from) === "*");

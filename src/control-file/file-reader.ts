@@ -16,19 +16,19 @@ interface OpenBlock {
   readonly isNumbered: boolean;
   /** The whole block is a remark, in which a `~` may be part of the text. */
   readonly isText: boolean;
-  /** The line before, where it ended in `~`. */
+  /** The previous line, if it ended in `~`. */
   tilde: FileLine | null;
-  /** Some line of the block ended in `~`. */
+  /** Whether any line of the block ended in `~`. */
   hadTilde: boolean;
-  /** The line before, where it had neither `~` nor the `*` that ends a DIN/ISO block. */
+  /** The previous line, if it had neither `~` nor the `*` that ends a DIN/ISO block. */
   unended: FileLine | null;
-  /** Place in the refusals of the list that lacks `~`; -1 while it lacks none. */
+  /** Index of the refusal for the list without `~`; -1 without one. */
   refusedAt: number;
-  /** Something in the block was refused: the rest of it is not looked into. */
+  /** Something in the block was refused: the rest is not checked. */
   isRefused: boolean;
 }
 
-/** What a control refuses in a file of one language, in the order of its lines. */
+/** The refusals of a control for a file of one language, in line order. */
 export function readFile(text: string, dialect: Dialect): readonly FileRefusal[] {
   const reader = new FileReader(dialect);
   linesOf(text).forEach((line, i) => reader.read(fileLine(line, i + 1, dialect.letter)));
@@ -94,7 +94,7 @@ class FileReader {
     if (this.readFrame(line, cursor())) return;
     if (list !== "") return this.readHead(line, cursor(), open);
     const refused = dialect.checkBlock(cursor());
-    // What goes on in the next line is not looked into, its first word aside.
+    // A line that continues is checked in its first word only.
     const isWhole = !tilde || line.comment >= 0;
     if (isWhole || (refused?.code === "unknownWord" && refused.at === line.from)) this.refuse(line, open, refused);
     if (!refused) this.readLabel(line, cursor());
@@ -112,9 +112,7 @@ class FileReader {
     this.check.add(line.line, refused);
   }
 
-  /**
-   * Beginning and end of the program; true when the line is one of them. What stands outside of both is refused once.
-   */
+  /** Reads the beginning and end of the program; true for such a line. Text outside both is refused once. */
   private readFrame(line: FileLine, cursor: LineCursor): boolean {
     const side = this.dialect.frame(cursor, this.hasBegin);
     const text = line.text.slice(line.from, Math.min(line.to, line.from + QUOTED));
@@ -148,7 +146,7 @@ class FileReader {
     );
   }
 
-  /** Nothing more comes of the open block: what should have ended it or gone on with it is missing. */
+  /** Ends the open block and reports a missing continuation or end. */
   private close(): void {
     const { open } = this;
     if (!open) return;
@@ -173,7 +171,7 @@ class FileReader {
     this.refuse(line, open, takeParameters(new LineCursor(line.text, line.from, to)));
   }
 
-  /** A line of a list that the line before did not announce. */
+  /** Reads a list line that the previous line did not announce with `~`. */
   private readStray(line: FileLine, open: OpenBlock): void {
     const { found } = this.check;
     const first = found[open.refusedAt];

@@ -53,7 +53,7 @@ export function takeFormula(cursor: LineCursor, word: string): LineRefusal | nul
   return bracket === undefined ? null : refuse(bracket, "bracketOpen", {});
 }
 
-/** Takes a value, or what may stand before one; true while a value still has to come. */
+/** Takes a value, or a sign, function or bracket before one; true while a value must still follow. */
 function takeOperand(cursor: LineCursor, word: string, open: number[]): LineRefusal | boolean {
   const c = cursor.char();
   if (c === "(") {
@@ -120,7 +120,7 @@ function takeOperator(cursor: LineCursor, open: number[]): LineRefusal | boolean
     : unknown(cursor);
 }
 
-/** Takes what stands between brackets, whatever it is. */
+/** Takes any text between brackets. */
 function takeBrackets(cursor: LineCursor, word: string): LineRefusal | null {
   cursor.blanks();
   const from = cursor.at;

@@ -1,10 +1,10 @@
 import { isBlank, type LineCursor } from "./line-cursor.ts";
 import { refuse, type LineRefusal } from "./refusal.ts";
 
-/** Characters that separate folders, drives and texts on a control, and so stand in no name of a program. */
+/** Characters that separate folders, drives and texts on a control, so a program name cannot contain them. */
 const NOT_IN_NAMES = '\\/:*?"<>|';
 
-/** A program name with where it stands. */
+/** A program name with its position. */
 export interface FrameName {
   readonly name: string;
   readonly at: number;

@@ -19,7 +19,7 @@ import {
   valueStarts,
 } from "./values.ts";
 
-/** Functions without a DIN/ISO word: they stand in the file as in Klartext. */
+/** Functions without a DIN/ISO word, which are written as in Klartext. */
 export const KLARTEXT_FUNCTIONS: readonly string[] = [
   "FUNCTION BLK TRANS APPR DEP UDC GRV PLANE SEL CYCL TCH CONTOUR PATTERN POLARKIN DECLARE SQL FN IF GLOBAL TABDATA MONITORING SECTION",
   "FL FLT FC FCT FPOL FSELECT SPL LN CALL CC TOOL",
@@ -37,7 +37,7 @@ const MOST_FUNCTIONS = 4;
 /** First number of the cycles that take Q parameters; lower numbers are functions with words. */
 const FIRST_CYCLE = 200;
 /**
- * G98 sets a label, G99 defines a tool by its length L, G28 mirrors axes, which have no value, and T of G62 is a
+ * G98 sets a label, G99 defines a tool by its length L, G28 mirrors axes (without a value), and T of G62 is a
  * tolerance.
  */
 const [LABEL_FUNCTION, TOOL_DEFINITION, MIRROR, TOLERANCE] = [98, 99, 28, 62];
@@ -142,7 +142,7 @@ function takeAddresses(cursor: LineCursor): LineRefusal | null {
   return null;
 }
 
-/** `last` is the number of the G function before. */
+/** `last`: the number of the preceding G function. */
 function takeAddress(cursor: LineCursor, c: string, last: number): LineRefusal | null {
   const from = cursor.at;
   const letters = cursor.letters();
@@ -210,7 +210,7 @@ function valueStartsBehind(cursor: LineCursor, letters: number): boolean {
   return starts;
 }
 
-/** A label, and behind a comma how often the part behind it is repeated, which may be read as its decimals: `L1,5`. */
+/** A label, and after a comma the repeat count, which may look like decimals: `L1,5`. */
 function takeLabel(cursor: LineCursor, last: number): LineRefusal | null {
   const refused = takeNumberOrName(cursor, "L", LABEL);
   if (last === LABEL_FUNCTION) return refused;

@@ -4,7 +4,7 @@ import { refusals } from "./refusals.ts";
 const file = (...lines: readonly string[]) => ["%A G71 *", ...lines, "N99999999 %A G71 *"].join("\r\n");
 const found = (text: string) => refusals(text, "iso").map((r) => `${r.code} ${r.block}:${r.line}:${r.column}`);
 
-describe("one DIN/ISO line that a control refuses, and its neighbour that it takes", () => {
+describe("one DIN/ISO line that a control refuses, and a similar one that it accepts", () => {
   test.each([
     ["N10 G01 X+5", "starMissing 10:2:12", "N10 G01 X+5*"],
     ["N10 G820 Q215=+0", "starMissing 10:2:17", "N10 G820 Q215=+0 Q460=+2 *"],
@@ -100,7 +100,7 @@ describe("any text", () => {
     "BEGIN PGM ",
     "%",
   ];
-  test.each(openers)("behind %j is read", (opener) => {
+  test.each(openers)("after %j is read", (opener) => {
     for (const text of [...hostile, ...more]) {
       for (const control of ["tnc640", "tnc7", "iso"] as const) {
         const found = refusals(opener + text, control);

@@ -34,7 +34,7 @@ const SELECTED = ["CONTOUR", "PGM", "TABLE", "PATTERN"];
 
 const unknown = (cursor: LineCursor) => refuse(cursor.at, "unknownWord", { text: cursor.piece() });
 
-/** Content that is not looked into: only its texts have to end. */
+/** Unchecked content: only its quoted texts must be closed. */
 export const takeAnything: Check = (cursor) => {
   while (cursor.at < cursor.end) {
     if (cursor.char() !== '"') cursor.at += 1;
@@ -51,7 +51,7 @@ const takeText: Check = (cursor) => {
 
 const nothingMore: Check = (cursor) => (cursor.done ? null : unknown(cursor));
 
-/** One of some words, and what has to follow each of them. */
+/** One of several words, each with its own continuation. */
 function oneOf(cursor: LineCursor, words: Readonly<Record<string, Check>>): LineRefusal | null {
   cursor.blanks();
   const word = Object.keys(words).find((each) => cursor.takeWord(each));
@@ -249,7 +249,7 @@ const free: Check = (cursor) => takePathWords(cursor, "free");
 const vectors: Check = (cursor) => takePathWords(cursor, "vectors");
 const definition: Check = (cursor) => oneOf(cursor, { DEF: takeAnything });
 
-/** Every word that opens a block, and what may stand behind it. */
+/** Every word that opens a block, with the check of the text after it. */
 const OPENERS: Readonly<Record<string, Check>> = {
   ...allOf(["L", "C", "CR", "CT", "CTP", "LP", "CP", "CC", "STOP"], words),
   ...allOf(["FL", "FLT", "FC", "FCT", "FPOL"], free),

@@ -3,7 +3,7 @@ import { checkKlartextBlock, isOpener } from "./klartext-block.ts";
 import { LineCursor } from "./line-cursor.ts";
 import { listOpener } from "./list.ts";
 
-/** Klartext, as a TNC 640 and a TNC7 write it: nothing is known that only one of them refuses. */
+/** Klartext of the TNC 640 and TNC7: no refusal by only one of them is known. */
 export const KLARTEXT: Dialect = {
   letter: "",
   star: false,

@@ -13,7 +13,7 @@ export class LineCursor {
     readonly end: number,
   ) {}
 
-  /** The character here, or `ahead` characters further on; empty behind the end. */
+  /** The character here, or `ahead` characters further on; empty beyond the end. */
   char(ahead = 0): string {
     return this.at + ahead < this.end ? this.text.charAt(this.at + ahead) : "";
   }
@@ -28,7 +28,7 @@ export class LineCursor {
     return this.at >= this.end;
   }
 
-  /** The letters and underscores from here on, in capitals; does not move. */
+  /** The letters and underscores from here on, in capitals; the cursor stays. */
   letters(): string {
     let to = this.at;
     while (to < this.end && (isLetter(this.text.charAt(to)) || this.text.charAt(to) === "_")) to += 1;
@@ -59,7 +59,7 @@ export class LineCursor {
     return true;
   }
 
-  /** What stands here up to the next blank, shortened; does not move. */
+  /** The text from here to the next blank, shortened; the cursor stays. */
   piece(): string {
     let to = this.at;
     while (to < this.end && to - this.at < QUOTED && !isBlank(this.text.charAt(to))) to += 1;

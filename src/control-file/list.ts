@@ -65,13 +65,13 @@ function takeParameterValue(cursor: LineCursor, word: string): LineRefusal | nul
   return takeValue(cursor, word, ANY_VALUE);
 }
 
-/** First number of the parameters that cycles have for themselves. */
+/** First number of the Q parameters reserved for cycles. */
 const FIRST_OF_CYCLES = 200;
 
 /**
- * Whether a line behind a list continues it in the look of the manual, without `~`. An assignment of the operator's own
- * behind a list is a block: it has a low number and blanks around `=`. `isNumbered`: the list has a block number, and
- * this line has none; `isClosed`: the list had its `~` up to the line before.
+ * Whether a line after a list continues it in the manual's layout, without `~`. The operator's own assignment is a
+ * block: it has a low number and blanks around `=`. `isNumbered`: the list has a block number, and this line has none;
+ * `isClosed`: the list had its `~` up to the previous line.
  */
 export function looksLikeList(line: FileLine, isNumbered: boolean, isClosed: boolean): boolean {
   if (line.number !== "" || line.wrongNumber !== "") return false;

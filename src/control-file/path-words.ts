@@ -2,7 +2,7 @@ import { isBlank, isDigit, type LineCursor } from "./line-cursor.ts";
 import { refuse, type LineRefusal } from "./refusal.ts";
 import { ANY_VALUE, FEED, LOOSE, M_FUNCTION, type NumberFormat, POSITION, takeValue, valueStarts } from "./values.ts";
 
-/** What may stand behind the letters of a word. */
+/** What may follow the letters of a word. */
 type Behind = NumberFormat | "nothing" | "sign" | "feed" | "radius" | "retract" | "function";
 /** Words that a control also writes without a value, for "as before": `L X+5 R F M`. */
 const MAY_BE_EMPTY: readonly Behind[] = ["feed", "radius", "function"];
@@ -28,7 +28,7 @@ const PATH: WordTable = new Map<string, Behind>([
   ["R", "radius"],
   ["M", "function"],
 ]);
-/** What some M functions take behind them: M120 LA, M140 MB, M124 T. */
+/** Words that follow some M functions: M120 LA, M140 MB, M124 T. */
 const BEHIND_FUNCTIONS: WordTable = new Map<string, Behind>([
   ["LA", ANY_VALUE],
   ["MB", "retract"],
@@ -37,7 +37,7 @@ const BEHIND_FUNCTIONS: WordTable = new Map<string, Behind>([
 const FREE: WordTable = new Map<string, Behind>([["CLSD", "sign"]]);
 const LONGEST = 6;
 
-/** Which further words a path block takes: those of free contours, or the components of vectors and splines. */
+/** Further words of a path block: those of free contours, or the components of vectors and splines. */
 export type MoreWords = "none" | "free" | "vectors";
 
 const isEmptyWord = (cursor: LineCursor, behind: Behind) =>
@@ -105,9 +105,7 @@ function takeBehind(cursor: LineCursor, word: string, behind: Behind): LineRefus
   }
 }
 
-/**
- * The longest word of the tables that stands here with what it needs behind it; the cursor then is behind its letters.
- */
+/** The longest word of the tables at the cursor, with the kind of its value; the cursor is then behind its letters. */
 function wordHere(
   cursor: LineCursor,
   tables: readonly WordTable[],
@@ -145,7 +143,7 @@ function takeLooseWord(cursor: LineCursor): boolean {
   return false;
 }
 
-/** What is wrong with the word here, which no table has. */
+/** The refusal of a word that no table has. */
 export function unknownHere(cursor: LineCursor, known: (word: string) => boolean): LineRefusal {
   const letters = cursor.letters();
   const next = cursor.char(letters.length);
@@ -177,7 +175,7 @@ export function takePathWords(cursor: LineCursor, more: MoreWords = "none"): Lin
   return null;
 }
 
-/** Takes words of the form NAME and number, with or without a colon between them; null in `names` takes any name. */
+/** Takes words of the form NAME and number, with or without a colon; null in `names` allows any name. */
 export function takeNamedWords(cursor: LineCursor, names: Readonly<Record<string, NumberFormat>>): LineRefusal | null {
   while (!cursor.done) {
     const from = cursor.at;
@@ -193,7 +191,7 @@ export function takeNamedWords(cursor: LineCursor, names: Readonly<Record<string
   return null;
 }
 
-/** The letters here are a name, or a name with the letters of a parameter behind it: `RQL3`. */
+/** The name at the start of the letters, which may include those of a parameter: `RQL3`. */
 function longestName(letters: string, names: Readonly<Record<string, NumberFormat>>): string | null {
   for (const behind of ["", "Q", "QL", "QR"]) {
     const word = behind !== "" && letters.endsWith(behind) ? letters.slice(0, -behind.length) : letters;

@@ -1,7 +1,7 @@
-/** The controls that load a file: Klartext of the TNC 640 and TNC7, or DIN/ISO of both. */
+/** The control that loads a file: Klartext of the TNC 640 or TNC7, or DIN/ISO of both. */
 export type LoadingControl = "tnc640" | "tnc7" | "iso";
 
-/** What a control refuses in a file, by code with the data of its sentence. */
+/** Refusals of a control, by code with the data of the message. */
 export interface RefusalData {
   /** The first block is not `BEGIN PGM`, or not `%NAME`. */
   readonly beginMissing: { readonly text: string };
@@ -16,9 +16,9 @@ export interface RefusalData {
   readonly nameDiffers: { readonly begin: string; readonly end: string };
   /** Neither MM nor INCH behind the name; neither G71 nor G70 in DIN/ISO. */
   readonly unitMissing: { readonly units: string };
-  /** What stands in the place of the block number is no whole number. */
+  /** The text in place of the block number is no whole number. */
   readonly blockNumber: { readonly text: string };
-  /** A list over several lines without ` ~`; `lines` counts the lines that become blocks of their own. */
+  /** A list over several lines without ` ~`; `lines`: how many lines become blocks of their own. */
   readonly listWithoutTilde: { readonly list: string; readonly lines: number };
   /** A line ends in `~`, and no line of the same block follows. */
   readonly tildeAtEnd: Readonly<Record<never, never>>;
@@ -40,7 +40,7 @@ export interface RefusalData {
   };
   /** A fifth M function in one block. */
   readonly tooManyFunctions: { readonly text: string; readonly most: number };
-  /** A label that is set a second time; `line` is that of the first. */
+  /** A label that is set twice; `line`: line of the first. */
   readonly labelTwice: { readonly label: string; readonly line: number };
   readonly stringOpen: Readonly<Record<never, never>>;
   readonly bracketOpen: Readonly<Record<never, never>>;
@@ -54,14 +54,14 @@ export type FileRefusal = {
   [C in RefusalCode]: {
     readonly line: number;
     readonly column: number;
-    /** Number of the block, as printed or counted on from the block before; null where there is no block. */
+    /** Number of the block, as printed or counted on from the previous block; null without a block. */
     readonly block: number | null;
     readonly code: C;
     readonly data: RefusalData[C];
   };
 }[RefusalCode];
 
-/** A refusal within one line, before its line and block are known; `at` counts from 0. */
+/** A refusal within one line, without line and block; `at` counts from 0. */
 export type LineRefusal = {
   [C in RefusalCode]: { readonly at: number; readonly code: C; readonly data: RefusalData[C] };
 }[RefusalCode];

@@ -5,7 +5,7 @@ const file = (...lines: readonly string[]) => ["0 BEGIN PGM A MM", ...lines, "99
 /** Each refusal as `code block:line:column`. */
 const found = (text: string) => refusals(text, "tnc640").map((r) => `${r.code} ${r.block}:${r.line}:${r.column}`);
 
-describe("one line that a control refuses, and its neighbour that it takes", () => {
+describe("one line that a control refuses, and a similar one that it accepts", () => {
   test.each([
     // Words.
     ["1 LX+5 GRID", "unknownWord 1:2:8", "1 LX+5 R0"],

@@ -1,7 +1,7 @@
 import { isDigit, type LineCursor } from "./line-cursor.ts";
 import { refuse, type LineRefusal } from "./refusal.ts";
 
-/** The input format of a word: its range, and digits in front of the point and behind it. */
+/** The input format of a word: its range, and digits before and after the decimal point. */
 export interface NumberFormat {
   readonly least: number;
   readonly most: number;
@@ -31,10 +31,10 @@ export const ANY_VALUE = format(-999999999.999999, 999999999.999999, 6);
 /** Components of vectors and splines, and constants of formulas: only their form is checked. */
 export const LOOSE = format(-Infinity, Infinity, Infinity, Infinity);
 
-/** How many parameters of a kind there are. */
+/** The highest parameter number of each kind. */
 const LAST_PARAMETER: Readonly<Record<string, number>> = { Q: 1999, QS: 1999, QL: 499, QR: 499, QC: 1999 };
 
-/** The name of a kind of parameter when one with its number stands `ahead` of the cursor; empty otherwise. */
+/** The kind of a numbered parameter `ahead` of the cursor; empty without one. */
 export function parameterKind(cursor: LineCursor, ahead = 0): string {
   if (cursor.char(ahead).toUpperCase() !== "Q") return "";
   if (isDigit(cursor.char(ahead + 1))) return "Q";
@@ -54,7 +54,7 @@ export function takeParameter(cursor: LineCursor): LineRefusal | null {
     : refuse(from, "outOfRange", { word: kind, text: digits.slice(0, 40), least: 0, most });
 }
 
-/** Whether a number or a parameter starts behind the blanks here; does not move. */
+/** Whether a number or a parameter follows after blanks; the cursor stays. */
 export function valueStarts(cursor: LineCursor): boolean {
   const from = cursor.at;
   cursor.blanks();
@@ -68,7 +68,7 @@ const isPoint = (c: string) => c === "." || c === ",";
 const isNumberStart = (cursor: LineCursor) =>
   isDigit(cursor.char()) || (isPoint(cursor.char()) && isDigit(cursor.char(1)));
 
-/** Takes the number, parameter or named parameter behind `word`; `numbers` is the format of numbers. */
+/** Takes the number, parameter or named parameter after `word`; `numbers`: format of numbers. */
 export function takeValue(cursor: LineCursor, word: string, numbers: NumberFormat): LineRefusal | null {
   const start = cursor.at;
   if (!valueStarts(cursor)) return refuse(start, "valueMissing", { word });
@@ -83,7 +83,7 @@ export function takeValue(cursor: LineCursor, word: string, numbers: NumberForma
   return takeNumber(cursor, from, word, numbers);
 }
 
-/** `{LENGTH}`: a parameter with a name, as newer software has it. */
+/** `{LENGTH}`: a named parameter of newer software. */
 function takeNamed(cursor: LineCursor): LineRefusal | null {
   const close = cursor.text.indexOf("}", cursor.at);
   if (close < 0 || close >= cursor.end) return refuse(cursor.at, "bracketOpen", {});

@@ -1,7 +1,7 @@
 import type { RuleName, TaskJudgement, TaskMark } from "./judge/judgement.ts";
 import type { Task, TaskRules, TaskSize } from "./task.ts";
 
-/** What a task wants, as one line of its list of goals. */
+/** One goal of a task, a line of its list of goals. */
 export type TaskGoal =
   | { readonly kind: "foretold"; readonly entry: number; readonly of: number }
   | { readonly kind: "part"; readonly residue: number | null }
@@ -16,10 +16,10 @@ export type TaskGoal =
   | { readonly kind: "rz"; readonly entry: number; readonly asked: NonNullable<TaskRules["rz"]>[number] }
   | { readonly kind: "words"; readonly entry: number; readonly word: string };
 
-/** So much may stay beside a part without being said, mm²: what an insert leaves of a sharp corner. */
+/** Residue that no goal mentions, mm²: an insert leaves about this much in a sharp corner. */
 const UNSAID = 0.05;
 
-/** The goals of a task, in the order in which they are looked at. */
+/** The goals of a task, in the order of its list. */
 export function goalsOf({ kind, part, sizes = [], rules, predict = [] }: Task): readonly TaskGoal[] {
   const foretold = predict.map((_, entry): TaskGoal => ({ kind: "foretold", entry, of: predict.length }));
   if (kind === "predict") return foretold;
@@ -72,17 +72,17 @@ function isAbout(goal: TaskGoal, mark: TaskMark): boolean {
   }
 }
 
-/** What the judgement finds wrong with a goal. */
+/** The marks of a judgement that fail a goal. */
 export const marksOn = (goal: TaskGoal, judgement: TaskJudgement | null): readonly TaskMark[] =>
   judgement?.marks.filter((mark) => !mark.passed && isAbout(goal, mark)) ?? [];
 
-/** A size or a surface of the drawing, with what is wrong with it. */
+/** A size or a surface of the drawing, with its failed marks. */
 export interface DrawnGoal {
   readonly goal: TaskGoal;
   readonly marks: readonly TaskMark[];
 }
 
-/** The goals that a drawing shows, those that are not met before the others, and the rest of the goals around them. */
+/** Splits the goals into those before the drawing, those in the drawing (unmet ones first) and those after it. */
 export function gathered(
   goals: readonly TaskGoal[],
   judgement: TaskJudgement | null,
@@ -98,7 +98,7 @@ export function gathered(
   };
 }
 
-/** Whether a goal is met: by what was foretold, each answer right or not, or by the judgement on the work. */
+/** Whether a goal is met: by the predictions (each right or not), or else by the judgement of the program. */
 export const isMet = (goal: TaskGoal, judgement: TaskJudgement | null, foretold: readonly boolean[]): boolean =>
   goal.kind === "foretold"
     ? foretold[goal.entry] === true

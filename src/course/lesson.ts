@@ -2,8 +2,8 @@ import { z } from "zod/mini";
 import { inLanguages, words } from "./words.ts";
 
 /*
- * A lesson is one file: a few pages, each a text beside a moving picture that the kernel makes from a program; an
- * example to play with; and the tasks that follow. Its words stand in it in the four languages.
+ * A lesson is one file: a few pages, each with a text and an animation that the kernel computes from a program; an
+ * example to edit; and the tasks that follow. The file contains its texts in all four languages.
  */
 
 const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), z.maxLength(400));
@@ -12,26 +12,23 @@ const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), 
 const span = z.tuple([z.number(), z.number()]);
 
 const page = z.object({
-  /** The program whose run is the picture; absent: that of the page before. */
+  /** The program of the animation; absent: that of the previous page. */
   program: z.optional(lines),
-  /** Which moves are played, as blocks of the program ("from" to "to", both included); absent: all. */
+  /** The moves that are played, as blocks of the program ("from" to "to", inclusive); absent: all. */
   blocks: z.optional(z.object({ from: z.int(), to: z.int() })),
-  /** Where it stands when the page opens: "start", "end", or playing at once. */
+  /** State of the animation when the page opens: at "start", at "end", or playing. */
   begins: z._default(z.enum(["start", "end", "play"]), "play"),
-  /** A value that the learner may slide beside the text: the picture follows. */
+  /** A parameter with a slider beside the text; the picture follows its value. */
   slide: z.optional(z.object({ q: z.string(), from: z.number(), to: z.number(), step: z.number() })),
-  /**
-   * What of the lathe is seen: from one ⌀ to another and from one Z to another, mm; absent: the blank with all that is
-   * fed.
-   */
+  /** Visible section: from one ⌀ to another and from one Z to another, mm; absent: the blank and all feed moves. */
   frame: z.optional(z.object({ x: span, z: span })),
-  /** What the picture is drawn with beside path and stock. */
+  /** What the picture shows in addition to path and stock. */
   shows: z.optional(z.enum(["residue", "roughness", "depth", "speed"])),
 });
 
 const told = z.object({
   title: words,
-  /** One sentence: what one can do afterwards. */
+  /** One sentence: what the learner can do after the lesson. */
   aim: words,
   /** One text for each page: a paragraph or two. */
   pages: z.array(words).check(z.minLength(1), z.maxLength(8)),
@@ -42,11 +39,11 @@ export const lessonSchema = z.object({
   /** Order in the course, from 1. */
   number: z.int(),
   pages: z.array(page).check(z.minLength(1), z.maxLength(8)),
-  /** A program that is opened in the editor to play with. */
+  /** A program that opens in the editor. */
   example: z.optional(lines),
   /**
-   * Ids of its tasks, in order. They stay where a lesson moves, the number in them too: progress is kept by them, and
-   * nobody reads it.
+   * Ids of its tasks, in order. An id never changes, even when the lesson number in it does: progress is stored by ids,
+   * and nobody reads them.
    */
   tasks: z.array(z.string()),
   words: inLanguages(told),

@@ -3,7 +3,7 @@ import { cycleGiving, operationsPlayed, stepsPlayed, valueIn, withSlid } from ".
 
 const steps = [6, 8, 9, 9, 9, 10, 11].map((block) => ({ block }));
 
-describe("what is played", () => {
+describe("played steps", () => {
   test.each([
     [undefined, { first: 0, last: 6 }],
     [
@@ -24,9 +24,10 @@ describe("what is played", () => {
     ],
   ])("%j", (blocks, wanted) => expect(stepsPlayed(steps, blocks)).toEqual(wanted));
 
-  test("nothing of nothing", () => expect(stepsPlayed([], { from: 1, to: 3 })).toEqual({ first: 0, last: -1 }));
+  test("an empty program plays nothing", () =>
+    expect(stepsPlayed([], { from: 1, to: 3 })).toEqual({ first: 0, last: -1 }));
 
-  test("the calls within it, but for those that cut nothing", () => {
+  test("the calls within the steps, except those that cut nothing", () => {
     const calls = [
       { firstStep: 0, lastStep: 1 },
       { firstStep: 2, lastStep: 4 },
@@ -41,7 +42,7 @@ describe("what is played", () => {
   });
 });
 
-describe("a value that is slid", () => {
+describe("a value with a slider", () => {
   const lines = [
     "7 CYCL DEF 811 ~",
     "Q463=+2.5 ;MAX. CUTTING DEPTH ~",
@@ -49,7 +50,7 @@ describe("a value that is slid", () => {
     "Q4630=+1 ~",
     "11 Q463=+3",
   ];
-  test("stands in its own place alone, with a sign", () => {
+  test("changes only its own parameter, with a sign", () => {
     expect(withSlid(lines, "Q463", 0.1 + 0.2)).toEqual([
       lines[0],
       "Q463=+0.3 ;MAX. CUTTING DEPTH ~",
@@ -60,12 +61,12 @@ describe("a value that is slid", () => {
     expect(withSlid(lines, "Q494", -31.25)[2]).toBe("  Q494=-31.25 ;CONTOUR END IN Z ~");
     expect(withSlid(lines, "Q494", 0)[2]).toBe("  Q494=+0 ;CONTOUR END IN Z ~");
   });
-  test("is read where it is first given", () => {
+  test("is read where it is first set", () => {
     expect(valueIn(lines, "Q463")).toBe(2.5);
     expect(valueIn(lines, "Q494")).toBe(-35);
     expect(valueIn(lines, "Q500")).toBeNull();
   });
-  test("belongs to the cycle before it, whose own line may carry it", () => {
+  test("belongs to the previous cycle, whose own line may contain it", () => {
     const program = [
       "6 CYCL DEF 800 ADJUST XZ SYSTEM ~",
       "Q530=+0",

@@ -7,10 +7,7 @@ export interface Played {
   readonly last: number;
 }
 
-/**
- * The steps of some blocks of a program, both included; all of them where none is named, or none of these moves
- * anything.
- */
+/** The steps of some blocks of a program, inclusive; all steps where no block is given, or none of them moves. */
 export function stepsPlayed(
   steps: readonly Pick<Step, "block">[],
   blocks?: { readonly from: number; readonly to: number },
@@ -22,20 +19,20 @@ export function stepsPlayed(
   return first < 0 ? all : { first, last: steps.findLastIndex(isPlayed) };
 }
 
-/** The cycle calls whose steps are played. */
+/** The cycle calls within the played steps. */
 export const operationsPlayed = <O extends Pick<Operation, "firstStep" | "lastStep">>(
   operations: readonly O[],
   { first, last }: Played,
 ) => operations.filter(({ firstStep, lastStep }) => lastStep >= firstStep && lastStep >= first && firstStep <= last);
 
-/** As a control writes a value: with its sign, without zeros behind. */
+/** A value as a control writes it: signed, without trailing zeros. */
 const written = (value: number): string => `${value < 0 ? "" : "+"}${Number(value.toFixed(4))}`;
 
-/** The lines of a program with another value wherever a parameter is given one. */
+/** Lines of a program with another value at each place that sets a parameter. */
 export const withSlid = (lines: readonly string[], q: string, value: number): readonly string[] =>
   lines.map((line) => line.replace(new RegExp(`^(\\s*${q}=)[+-]?[\\d.]+`), `$1${written(value)}`));
 
-/** The value that a parameter is first given in the lines of a program; null where it is given none. */
+/** The first value of a parameter in the lines of a program; null without one. */
 export function valueIn(lines: readonly string[], q: string): number | null {
   for (const line of lines) {
     const found = new RegExp(`^\\s*${q}=([+-]?[\\d.]+)`).exec(line)?.[1];
@@ -44,7 +41,7 @@ export function valueIn(lines: readonly string[], q: string): number | null {
   return null;
 }
 
-/** The number of the cycle that first gives a parameter its value in the lines of a program; null where none does. */
+/** The number of the cycle that first sets a parameter in the lines of a program; null without one. */
 export function cycleGiving(lines: readonly string[], q: string): number | null {
   let cycle: number | null = null;
   for (const line of lines) {

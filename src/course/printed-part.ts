@@ -4,8 +4,8 @@ import type { Task } from "./task.ts";
 import { wantedPart, type WantedPart, type WantedThread } from "./wanted-part.ts";
 
 /**
- * A thread as it is drawn: its stretch of the surface, the radius of its ground (null where it has no one), its name.
- * Part space, mm.
+ * A thread on a drawing: its stretch of the surface, the radius of its root (null where it varies), its name. Part
+ * space, mm.
  */
 export interface DrawnThread {
   readonly from: Pt;
@@ -14,20 +14,20 @@ export interface DrawnThread {
   readonly name: string;
 }
 
-/** What a workshop drawing of a task shows. */
+/** The content of a task's workshop drawing. */
 export interface DrawnTask extends WantedPart {
   readonly sizes: NonNullable<Task["sizes"]>;
   readonly threads: readonly DrawnThread[];
   readonly marks: NonNullable<Task["rules"]["rz"]>;
 }
 
-/** A thread of a part as it is drawn. */
+/** A thread of a part for the drawing. */
 export function drawnThread({ from, to, crest, root, name }: WantedThread): DrawnThread {
   const [surface, ground] = [toRadius(diameter(crest)), toRadius(diameter(root))];
   return { from: at(from, surface), to: at(to, surface), ground, name };
 }
 
-/** What is drawn of a task: its part with threads, sizes and marks; null where it has no part. */
+/** The drawing of a task: its part with threads, sizes and marks; null without a part. */
 export function drawnTask({ part, sizes, rules }: Pick<Task, "part" | "sizes" | "rules">): DrawnTask | null {
   if (!part) return null;
   return {

@@ -16,11 +16,11 @@ import { traced } from "./made/traced.ts";
 import { drawnThread, type DrawnTask, type DrawnThread } from "./printed-part.ts";
 import type { Task } from "./task.ts";
 
-/** A piece that came off is the part where it is at least this share of all that is left. */
+/** A piece that came off is the part if it has at least this share of all remaining material. */
 const PIECE = 0.02;
-/** What grooves took is filled so much wider, mm, that no thread of chords stays between them and the crest. */
+/** Grooves are filled this much wider, mm, so that no chord slivers remain between them and the crest. */
 const OVER = 4 * SLIVER;
-/** A given size is that of the part where it is this near, mm. */
+/** A given size belongs to the part if it is this near, mm. */
 const SAME_SIZE = 0.005;
 /** Past every part, mm. */
 const FAR = 10_000;
@@ -32,7 +32,7 @@ const ringOf = (left: number, right: number, low: number, high: number): Ring =>
   at(left, high),
 ];
 
-/** The piece at the free end: what is parted off lies in front of the rest of the bar. */
+/** The piece at the free end: a parted-off part is in front of the bar. */
 function pieceOf(finished: readonly Ring[]): readonly Ring[] {
   const least = PIECE * areaOf(finished);
   const [first] = regionsOf(finished, least)
@@ -42,7 +42,8 @@ function pieceOf(finished: readonly Ring[]): readonly Ring[] {
 }
 
 /**
- * What thread cuts took that other operations leave, up to the crest where that is known: what a drawing does not show.
+ * The cuts of threads into surfaces that other operations made, up to the crest where that is known: a drawing does not
+ * show grooves.
  */
 function threadGrooves({ run, simulation }: Answer, threads: readonly ThreadDraft[]): readonly Ring[] {
   const isThread = (operation: number | null) =>
@@ -61,7 +62,7 @@ function threadGrooves({ run, simulation }: Answer, threads: readonly ThreadDraf
   return difference(intersection(taken, left), over);
 }
 
-/** Threads that have no diameter, as on a cone, by their pitch. */
+/** Threads without a single diameter, as on a cone, named by their pitch. */
 function pitchesOf({ run }: Answer, threads: readonly ThreadDraft[]): readonly DrawnThread[] {
   const isNamed = (z: number) => threads.some(({ from, to }) => z < Math.max(from, to) && z > Math.min(from, to));
   return run.operations.flatMap(({ plan: { thread, contour } }): readonly DrawnThread[] => {
@@ -71,7 +72,7 @@ function pitchesOf({ run }: Answer, threads: readonly ThreadDraft[]): readonly D
   });
 }
 
-/** Cuts between the cycles along an axis: the tip itself is the surface that they leave. */
+/** Cuts outside cycles along an axis: the tip itself makes the surface. */
 const straightCuts = ({ run }: Answer): readonly Segment[] =>
   run.steps.flatMap(({ from, move, operation }) =>
     operation === null &&
@@ -81,13 +82,12 @@ const straightCuts = ({ run }: Answer): readonly Segment[] =>
       : [],
   );
 
-/** What is known of the part of a program beside its path: sizes with their deviations, and marks of surfaces. */
+/** Known facts of a part that its path does not show: sizes with deviations, and surface marks. */
 export type KnownOfPart = Pick<Task, "sizes" | "rules">;
 
 /**
- * What a workshop drawing of a program shows: the part at the free end with the elements of its contours, threads by
- * name and crest. `finished`: what is left of the blank, as it should be or as it is. Null where nothing is turned of
- * it.
+ * The workshop drawing of a program: the part at the free end with the elements of its contours, threads by name and
+ * crest. `finished`: the remaining material, nominal or actual. Null where nothing is turned.
  */
 export function drawnProgram(
   answer: Answer,

@@ -18,7 +18,7 @@ import {
 const state = (progress: CourseProgress, task = "q463") => stateOfTask(progressOfTask(progress, task));
 
 describe("how a task was passed", () => {
-  test("nothing, a try, alone, with hints, with the solution", () => {
+  test("not begun, tried, unaided, with hints, with the solution", () => {
     expect(state(NO_PROGRESS)).toBe("new");
     const tried = withTry(NO_PROGRESS, "q463");
     expect(state(tried)).toBe("tried");
@@ -29,7 +29,7 @@ describe("how a task was passed", () => {
     expect(state(withPass(withSolution(withHint(tried, "q463", 3), "q463"), "q463", { when: 17 }))).toBe("solution");
   });
 
-  test("what is looked at afterwards takes nothing back", () => {
+  test("hints shown after passing change nothing", () => {
     const alone = withPass(NO_PROGRESS, "q463", { when: 17, seconds: 61.25 });
     const later = withPass(withSolution(withHint(alone, "q463", 3), "q463"), "q463", {
       when: 99,
@@ -47,15 +47,16 @@ describe("how a task was passed", () => {
     });
   });
 
-  test("a hint that was shown stays shown", () =>
+  test("a hint stays shown", () =>
     expect(progressOfTask(withHint(withHint(NO_PROGRESS, "q463", 3), "q463", 1), "q463").hints).toBe(3));
 
-  test("a name of the language is a task like any other", () => expect(state(NO_PROGRESS, "constructor")).toBe("new"));
+  test("a JavaScript property name is an ordinary task id", () =>
+    expect(state(NO_PROGRESS, "constructor")).toBe("new"));
 });
 
 describe("the place", () => {
   const at = (page: number | "tasks") => ({ lesson: "tool", number: 2, page });
-  test("a lesson is read when its tasks are reached", () => {
+  test("a lesson counts as read when its tasks are reached", () => {
     const third = withPlace(NO_PROGRESS, at(3));
     expect([third.read, third.last]).toEqual([[], at(3)]);
     const end = withPlace(third, at("tasks"));
@@ -97,8 +98,8 @@ function after(progress: CourseProgress, each: Event): CourseProgress {
 const made = fc.array(event, { maxLength: 12 }).map((events) => events.reduce(after, NO_PROGRESS));
 const RANK = ["alone", "hints", "solution", "tried", "new"];
 
-describe("what comes from elsewhere", () => {
-  test("is never worse afterwards than on either side, and brought in again it changes nothing", () =>
+describe("imported progress", () => {
+  test("is at least as good as either side, and a second import changes nothing", () =>
     fc.assert(
       fc.property(made, made, (mine, brought) => {
         const both = mergedProgress(mine, brought);
@@ -117,7 +118,7 @@ describe("what comes from elsewhere", () => {
       }),
     ));
 
-  test("what was kept is read again, and what is damaged is not", () => {
+  test("stored progress is read again; damaged progress is not", () => {
     fc.assert(
       fc.property(made, (progress) => {
         expect(progressShape.parse(JSON.parse(JSON.stringify(progress)))).toEqual(progress);
@@ -131,7 +132,7 @@ describe("what comes from elsewhere", () => {
       expect(progressShape.safeParse(JSON.parse(bad)).success, bad).toBe(false);
   });
 
-  test("only nothing is nothing", () => {
+  test("only untouched progress is empty", () => {
     expect(isEmptyProgress(NO_PROGRESS)).toBe(true);
     expect(isEmptyProgress(withTry(NO_PROGRESS, "a-1"))).toBe(false);
     expect(isEmptyProgress(withPlace(NO_PROGRESS, { lesson: "tool", number: 2, page: 1 }))).toBe(false);

@@ -1,27 +1,27 @@
 import { z } from "zod/mini";
 
 /*
- * How far somebody has come in the course. It is kept by the ids of lessons and tasks, so that those that come or go
- * with another edition lose nothing. Everything here is plain data; what keeps it is the page's.
+ * A learner's progress in the course. It is stored by the ids of lessons and tasks, so that lessons added or removed in
+ * another version lose nothing. Everything here is plain data; the page stores it.
  */
 
 /** How a task was passed: without help, after hints, or after its solution was shown. The first is the best. */
 export const WAYS_PASSED = ["alone", "hints", "solution"] as const;
 export type WayPassed = (typeof WAYS_PASSED)[number];
 
-/** The stages of a hint. */
+/** The number of hints of a task. */
 const STAGES = 3;
 const count = z.int().check(z.gte(0), z.lte(1_000_000));
 
 const taskProgress = z.object({
-  /** Answers that were checked. */
+  /** Number of answers checked. */
   tries: count,
-  /** Stages of its hint that were shown, and whether its solution was: both before it was passed. */
+  /** Number of hints shown, and whether the solution was shown, both before the task was passed. */
   hints: z.int().check(z.gte(0), z.lte(STAGES)),
   solution: z.boolean(),
-  /** The best way it was passed, and when it first was so, ms since 1970; null while it is not. */
+  /** The best way in which it was passed, and when for the first time, ms since 1970; null while not passed. */
   passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: z.number() })),
-  /** Least machining time of an answer that passed, s, and greatest score; null where there is none. */
+  /** Shortest machining time of a passing answer, s, and greatest score; null without one. */
   seconds: z.nullable(z.number()),
   score: z.nullable(z.number()),
 });
@@ -33,14 +33,14 @@ export type LessonPage = z.output<typeof lessonPage>;
 
 const id = z.string().check(z.minLength(1), z.maxLength(100));
 const place = z.object({ lesson: id, number: count, page: lessonPage });
-/** Where somebody was last: the lesson, its number in the course, and its page. */
+/** Where the learner was last: the lesson, its number in the course, and its page. */
 export type CourseMark = z.output<typeof place>;
 
-/** A progress as it is kept. */
+/** Progress as stored. */
 export const progressShape = z.object({
   version: z.literal(1),
   tasks: z.record(id, taskProgress),
-  /** Lessons that were read to their end. */
+  /** Lessons read to the end. */
   read: z.array(id).check(z.maxLength(1000)),
   last: z.nullable(place),
 });
@@ -49,7 +49,7 @@ export type CourseProgress = z.output<typeof progressShape>;
 export const NO_PROGRESS: CourseProgress = { version: 1, tasks: {}, read: [], last: null };
 const NOT_BEGUN: TaskProgress = { tries: 0, hints: 0, solution: false, passed: null, seconds: null, score: null };
 
-/** What is known of a task. */
+/** The progress of a task. */
 export const progressOfTask = ({ tasks }: CourseProgress, task: string): TaskProgress =>
   (Object.hasOwn(tasks, task) && tasks[task]) || NOT_BEGUN;
 
@@ -66,7 +66,7 @@ const changed = (
 export const withTry = (progress: CourseProgress, task: string): CourseProgress =>
   changed(progress, task, (now) => ({ ...now, tries: now.tries + 1 }));
 
-/** The hint of a task was shown up to a stage, from 1. What is looked at after it was passed takes nothing back. */
+/** Hints of a task were shown up to a number, from 1. After the task is passed they change nothing. */
 export const withHint = (progress: CourseProgress, task: string, stage: number): CourseProgress =>
   changed(progress, task, (now) => ({ ...now, hints: Math.min(STAGES, Math.max(now.hints, stage)) }));
 
@@ -76,7 +76,7 @@ export const withSolution = (progress: CourseProgress, task: string): CourseProg
 
 const rank = (passed: TaskProgress["passed"]): number =>
   passed ? WAYS_PASSED.indexOf(passed.way) : WAYS_PASSED.length;
-/** The better of two; of equal ones the earlier. */
+/** The better of two passes; of equal ones the earlier. */
 function betterPass(one: TaskProgress["passed"], other: TaskProgress["passed"]): TaskProgress["passed"] {
   if (!one || !other) return one ?? other;
   if (rank(one) !== rank(other)) return rank(one) < rank(other) ? one : other;
@@ -87,19 +87,16 @@ const least = (one: number | null, other: number | null): number | null =>
 const greatest = (one: number | null, other: number | null): number | null =>
   one === null || other === null ? (one ?? other) : Math.max(one, other);
 
-/** What an answer that passed was worth. */
+/** An answer that passed. */
 export interface PassedAnswer {
   /** ms since 1970. */
   readonly when: number;
-  /** Machining time, s, and score, where they were asked. */
+  /** Machining time, s, and score, where the task has them. */
   readonly seconds?: number;
   readonly score?: number;
 }
 
-/**
- * A task was passed: alone, if neither hint nor solution was shown before. A better way that it was passed before
- * stays.
- */
+/** A task was passed: unaided if neither hint nor solution was shown before. A better earlier pass is kept. */
 export const withPass = (
   progress: CourseProgress,
   task: string,
@@ -116,7 +113,7 @@ export const withPass = (
     };
   });
 
-/** A lesson was opened at a page; at its tasks it is read to its end. */
+/** A lesson was opened at a page; at its tasks it counts as read. */
 export function withPlace(progress: CourseProgress, last: CourseMark): CourseProgress {
   const { lesson, number, page } = last;
   const is = progress.last;
@@ -125,14 +122,14 @@ export function withPlace(progress: CourseProgress, last: CourseMark): CoursePro
   return { ...progress, read, last };
 }
 
-/** How a task stands: not begun, tried, or passed in one of the three ways. */
+/** State of a task: not begun, tried, or passed in one of the three ways. */
 export type TaskState = "new" | "tried" | WayPassed;
 export function stateOfTask({ tries, hints, solution, passed }: TaskProgress): TaskState {
   if (passed) return passed.way;
   return tries > 0 || hints > 0 || solution ? "tried" : "new";
 }
 
-/** Two of the same tasks, with the better of each: nothing that was reached is lost on either side. */
+/** Merges the progress of one task: the better of each value is kept. */
 function mergedTask(one: TaskProgress, other: TaskProgress): TaskProgress {
   return {
     tries: Math.max(one.tries, other.tries),
@@ -144,7 +141,7 @@ function mergedTask(one: TaskProgress, other: TaskProgress): TaskProgress {
   };
 }
 
-/** What was reached here, with what was reached elsewhere. The place is the one of here, where there is one. */
+/** Merges two progresses. The place is the local one, if there is one. */
 export function mergedProgress(mine: CourseProgress, brought: CourseProgress): CourseProgress {
   const tasks = { ...mine.tasks };
   for (const [task, theirs] of Object.entries(brought.tasks))

@@ -6,13 +6,10 @@ import type { Draft } from "../program/job/read-draft.ts";
 import { startOfTask } from "./start-of.ts";
 import type { Task } from "./task.ts";
 
-/** Words of NC text that nobody reads. */
+/** NC words for text that nobody reads. */
 const PLAIN: Labels = { cycleName: String, label: (text) => text, contour: { title: "CONTOUR", label: "LABEL" } };
 
-/**
- * The program of the prompts that lie open in the beginning, with other values in them; null where a task begins
- * otherwise.
- */
+/** The program of the starting prompts, with other values in them; null where a task starts otherwise. */
 export function promptsText(task: Task, values?: Draft): string | null {
   const begun = startOfTask(task);
   if (begun.kind !== "job") return null;
@@ -20,9 +17,7 @@ export function promptsText(task: Task, values?: Draft): string | null {
   return printJob(withSetup(job, setupOf(job, shippedTools)), PLAIN);
 }
 
-/**
- * What the solution has in the prompts of the cycle that lies open in the beginning; null where it does not call it.
- */
+/** The solution's values for the starting cycle; null where the solution does not call it. */
 export function solutionValues({ start, solution }: Task): Draft | null {
   if (!("cycle" in start) || !solution) return null;
   const { blocks } = parse(solution.join("\n"));

@@ -56,13 +56,13 @@ test.each([
   ["no blank", { part: { blank: ["BLK FORM"], outside: ["L X+0 Z+0"] } }, ["part contour"]],
 ])("%s is told by its field", (_, more, told) => expect(faults(more)).toEqual(told));
 
-test("what nobody knows is left out, and named", () => {
+test("unknown fields are left out and named", () => {
   const raw = { ...(task({ rules: { depht: 2, depth: 1.7 }, sizes: [] }) as object), ruels: {} };
   const read = readTask(raw);
   expect(read).toMatchObject({ left: ["rules.depht", "ruels"], task: { rules: { depth: 1.7 } } });
 });
 
-test("keys of prototypes are no fields", () => {
+test("prototype keys are no fields", () => {
   const read = readTask(
     JSON.parse('{"__proto__":{"kind":"drawing"},"constructor":1,"start":{"cycle":811,"values":{"__proto__":"1"}}}'),
   );
@@ -70,6 +70,4 @@ test("keys of prototypes are no fields", () => {
   expect(({} as { kind?: string }).kind).toBeUndefined();
 });
 
-test.each([null, 7, "x", [], [[]]])("%j is no task, and says so", (raw) =>
-  expect("faults" in readTask(raw)).toBe(true),
-);
+test.each([null, 7, "x", [], [[]]])("%j is rejected as a task", (raw) => expect("faults" in readTask(raw)).toBe(true));

@@ -4,26 +4,26 @@ import { taskSchema, type Task } from "./task.ts";
 import { wantedPart } from "./wanted-part.ts";
 
 /*
- * A task that came from outside, written by hand perhaps: what is wrong with it is told field by field, so that its
- * writer can mend it.
+ * Reads a task from outside, perhaps written by hand: faults are reported field by field, so that its author can fix
+ * them.
  */
 
 /**
- * Something that keeps a file from being a task. `path`: as docs/tasks.md names fields, with the place in a list:
+ * A fault that keeps a file from being a task. `path`: named as in docs/tasks.md, with the index in a list:
  * "sizes[2].upper".
  */
 export interface FieldFault {
   readonly path: string;
   readonly kind: "missing" | "type" | "large" | "small" | "form" | "oneOf" | "count" | "unknown" | "contour";
-  /** The type that it has to be, the limit, the count, or what it may be. */
+  /** The required type, the limit, the count, or the allowed values. */
   readonly wanted: string;
 }
 
-/** A task with the paths of fields that nobody knows and that were left out; or what is wrong with it. */
+/** A task with the paths of unknown fields that were left out; or its faults. */
 export type ReadTask =
   { readonly task: Task; readonly left: readonly string[] } | { readonly faults: readonly FieldFault[] };
 
-/** What a schema says of one field. */
+/** A schema issue of one field. */
 interface Told {
   readonly code?: string | undefined;
   readonly path: readonly PropertyKey[];
@@ -34,7 +34,7 @@ interface Told {
   readonly errors?: readonly (readonly Told[])[] | undefined;
 }
 
-/** A path in words: `["sizes", 2, "upper"]` is "sizes[2].upper". */
+/** A path as text: `["sizes", 2, "upper"]` is "sizes[2].upper". */
 const written = (path: readonly PropertyKey[]): string =>
   path.reduce<string>(
     (so, key) => (typeof key === "number" ? `${so}[${key}]` : `${so}${so === "" ? "" : "."}${String(key)}`),
@@ -53,7 +53,7 @@ const fault = (path: readonly PropertyKey[], kind: FieldFault["kind"], wanted: u
   wanted: String(wanted),
 });
 
-/** The choice of several that something was meant to be: a name that is wrong weighs more than all that is missing. */
+/** Finds the branch of a union that was probably meant: a wrong name weighs more than any number of missing fields. */
 const WRONG_NAME = 100;
 const weight = (faults: readonly FieldFault[]): number =>
   faults.reduce((sum, { kind }) => sum + (kind === "oneOf" ? WRONG_NAME : 1), 0);
@@ -66,7 +66,7 @@ function ofUnion(
   const branches = errors.map((told) =>
     told.flatMap((each) => faultsOf(raw, { ...each, path: [...path, ...each.path] })),
   );
-  // All of them want another name: those that may stand there are told.
+  // All branches require another name at one place: report the allowed names.
   const named = branches.map((each) => each.find(({ kind }) => kind === "oneOf"));
   if (named.every((each) => each !== undefined && each.path === named[0]?.path))
     return [{ path: named[0]?.path ?? "", kind: "oneOf", wanted: named.map((each) => each?.wanted).join(", ") }];
@@ -103,7 +103,7 @@ function faultsOf(raw: unknown, told: Told): readonly FieldFault[] {
   }
 }
 
-/** Paths of fields that a schema did not take over. */
+/** Paths of fields that a schema dropped. */
 function leftOut(raw: unknown, taken: unknown, path: readonly PropertyKey[] = []): readonly string[] {
   if (Array.isArray(raw) && Array.isArray(taken))
     return raw.flatMap((each, i) => leftOut(each, taken[i], [...path, i]));
@@ -115,7 +115,7 @@ function leftOut(raw: unknown, taken: unknown, path: readonly PropertyKey[] = []
   );
 }
 
-/** Prompts that the cycle of a beginning does not have, or a cycle that is not known here. */
+/** Parameters that the starting cycle does not have, or an unknown cycle. */
 function strangeValues(start: Task["start"]): readonly FieldFault[] {
   if (!("cycle" in start)) return [];
   const cycle = cycleByNumber(start.cycle);
@@ -125,7 +125,7 @@ function strangeValues(start: Task["start"]): readonly FieldFault[] {
     .map((q) => fault(["start", "values", q], "unknown"));
 }
 
-/** What a task says of itself that does not go together. */
+/** Fields of a task that contradict each other. */
 function contradictions({ kind, words, predict = [], start, part }: Task): readonly FieldFault[] {
   const told = Object.entries(words).flatMap(([language, said]) => {
     const path = ["words", language],
@@ -158,6 +158,6 @@ export function readTask(raw: unknown): ReadTask {
   return faults.length > 0 ? { faults } : { task: read.data, left: leftOut(raw, read.data) };
 }
 
-/** The format that a file names; null where it names none. */
+/** The format stated in a file; null without one. */
 export const formatOf = (raw: unknown): string | null =>
   typeof raw === "object" && raw !== null && "format" in raw && typeof raw.format === "string" ? raw.format : null;

@@ -14,8 +14,8 @@ const task = (more: Partial<Record<keyof Task, unknown>>): Task =>
     ...more,
   });
 
-describe("where a task begins", () => {
-  test("a cycle has the values that are given and no others", () => {
+describe("the start of a task", () => {
+  test("a cycle has only the given values", () => {
     const start = startOfTask(
       task({ start: { cycle: 811, values: { Q460: "1.7" }, tool: 3, at: { x: "83.4", z: "2.6" } } }),
     );
@@ -32,7 +32,7 @@ describe("where a task begins", () => {
     });
   });
 
-  test("a contour is there as rows of its table, corners between its lines", () => {
+  test("a contour becomes rows of its table, with corners between its lines", () => {
     const start = startOfTask(
       task({ start: { cycle: 810, contour: ["L X+21.3 Z+0", "RND R1.4", "L Z-17.9", "L X+44"] } }),
     );
@@ -45,14 +45,14 @@ describe("where a task begins", () => {
     ]);
   });
 
-  test("a program is there as it stands, under its own name: that of the task might tell what is wrong with it", () =>
+  test("a program is unchanged and keeps its own name: the task's name might reveal the fault", () =>
     expect(startOfTask(task({ start: { program: ["0 BEGIN PGM A MM", "1 END PGM A MM"] } }))).toEqual({
       kind: "program",
       name: "A.h",
       text: "0 BEGIN PGM A MM\n1 END PGM A MM\n",
     }));
 
-  test("its name has no number of a lesson: that may move", () =>
+  test("its name has no lesson number, since lessons may move", () =>
     expect([
       startOfTask(task({ id: "l12-820-empty", start: { empty: true } })),
       startOfTask(task({ id: "l12-cap", start: { cycle: 812 } })),
@@ -74,7 +74,7 @@ describe("where a task begins", () => {
   });
 });
 
-test("a task brings the shipped tools that it allows", () => {
+test("a task offers the shipped tools that it allows", () => {
   const all = toolsOfTask(task({ start: { empty: true } }));
   expect(all.length).toBe(shippedTools.length);
   expect(

@@ -10,7 +10,7 @@ import { shippedList, type ToolList } from "../program/tools/tool-list.ts";
 import { cellOf } from "../program/tools/tool-entry.ts";
 import { shownId, type Task } from "./task.ts";
 
-/** What lies open when a task begins. */
+/** What opens when a task starts. */
 export type TaskStart =
   | { readonly kind: "job"; readonly job: Job }
   | { readonly kind: "program"; readonly name: string; readonly text: string };
@@ -18,17 +18,17 @@ export type TaskStart =
 /** Lines of a program as one text. */
 export const programOfLines = (lines: readonly string[]): string => lines.map((line) => `${line}\n`).join("");
 
-/** The texts of the blocks of a program, several lines of one together, each with its line end. */
+/** The texts of a program's blocks, each with all its lines and their line ends. */
 export const blocksOfLines = (lines: readonly string[]): readonly string[] =>
   parse(programOfLines(lines)).blocks.map(({ raw }) => raw);
 
-/** The name that the work of a task has on the control. */
+/** The program name of a task on the control. */
 const nameOf = (task: Task): string => nameOnControl(shownId(task).toUpperCase());
 
-/** The name that a program gives itself. */
+/** The name that a program states for itself. */
 const ownName = ([first = ""]: readonly string[]): string | undefined => /\bBEGIN\s+PGM\s+(\S+)/.exec(first)?.[1];
 
-/** A program with nothing but the blank of the wanted part, if there is one, that runs to its end. */
+/** A program with nothing but the blank of the target part, if there is one, that runs to its end. */
 function emptyText(task: Task): string {
   const name = nameOf(task);
   const blank = task.part ? parse(programOfLines(task.part.blank)).blocks.map(({ statement }) => statement) : [];
@@ -48,13 +48,13 @@ function emptyText(task: Task): string {
 }
 
 /**
- * What lies open when a task begins: the prompts of its cycle with the values that it gives and no others, its program,
- * or an empty one. Of a cycle that is not known here an empty program is left.
+ * What opens when a task starts: the prompts of its cycle with only the given values, its program, or an empty one. An
+ * unknown cycle also starts with an empty program.
  */
 export function startOfTask(task: Task): TaskStart {
   const { start } = task;
   const program = (text: string, name = nameOf(task)): TaskStart => ({ kind: "program", name: `${name}.h`, text });
-  // A program keeps its own name: that of the task might tell what is wrong with it.
+  // A program keeps its own name: the name of the task might reveal its fault.
   if ("program" in start) return program(programOfLines(start.program), ownName(start.program));
   const cycle = "cycle" in start ? cycleByNumber(start.cycle) : undefined;
   if (!("cycle" in start) || !cycle) return program(emptyText(task));
@@ -75,8 +75,8 @@ export function startOfTask(task: Task): TaskStart {
 }
 
 /**
- * The shipped tools that a task allows, all of them where it names none: what is learned does not depend on the table
- * of a device.
+ * The shipped tools that a task allows, all of them where it names none: a task does not depend on the device's tool
+ * table.
  */
 export function toolsOfTask({ rules: { tools } }: Task): ToolList {
   return tools ? shippedList.filter((entry) => tools.includes(Number(cellOf(entry, "T")))) : shippedList;

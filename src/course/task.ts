@@ -4,29 +4,28 @@ import { RULES } from "./judge/judgement.ts";
 import { inLanguages, words } from "./words.ts";
 
 /*
- * A task is one file: what is asked, what is there at the beginning, the wanted part, the rules that the answer is
- * judged by, hints, one answer that passes, and wrong ones with the place where each shows. docs/tasks.md describes it
- * for instructors.
+ * A task is one file: the assignment, the starting state, the target part, the rules of the judgement, hints, one
+ * answer that passes, and wrong answers with the place of each fault. docs/tasks.md describes it for instructors.
  */
 
 export const TASK_FORMAT = "turnwise-task/1";
 
-/** Most lines of a program in a task, and most of anything else that is listed. */
+/** Most lines of a program in a task, and most entries of any other list. */
 const MOST = { lines: 2000, listed: 60 };
 const id = z.string().check(z.regex(/^[a-z0-9][a-z0-9-]{1,60}$/));
 const lines = z.array(z.string().check(z.maxLength(200))).check(z.minLength(1), z.maxLength(MOST.lines));
 const listed = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.maxLength(MOST.listed));
 const typed = z.string().check(z.maxLength(40));
-/** Greatest number of a task, in each of its units: no lathe is a kilometre long. */
+/** Greatest number in a task, in any unit: no lathe is a kilometre long. */
 const LARGEST = 1_000_000;
 const finite = z.number().check(z.gte(-LARGEST), z.lte(LARGEST));
 
-/** What lies open when the task begins: prompts of one cycle, a program, or nothing but a new program. */
+/** What opens when the task starts: prompts of one cycle, a program, or an empty program. */
 const start = z.union([
   z.object({
-    /** Number of the cycle whose prompts lie open. */
+    /** Number of the cycle whose prompts open. */
     cycle: z.int(),
-    /** Values that are there already, as typed, by Q; the other prompts are empty. */
+    /** Given values, as typed, by Q; the other prompts are empty. */
     values: z._default(z.record(z.string().check(z.regex(/^Q\d+$/)), typed), {}),
     /** Blank as typed, mm: outside and bore as ⌀; absent: proposed. */
     blank: z.optional(z.object({ outside: typed, bore: typed, length: typed, allowance: typed })),
@@ -41,9 +40,9 @@ const start = z.union([
 ]);
 
 /**
- * The wanted part. `outside` is its outline as lines of a contour subprogram from the axis or the bore at the free end
- * to where the blank is left as it is; what lies behind the last point (farther along −Z) stays as the blank. `bore` is
- * that of the hollow, from the free end inwards to where the hollow of the blank, or its full steel, is left as it is.
+ * The target part. `outside` is its outline as lines of a contour subprogram, from the axis or the bore at the free end
+ * to the unmachined blank; behind the last point (farther along −Z) the part is as the blank. `bore` is the outline of
+ * the hollow, from the free end inwards to the unmachined hollow or the solid of the blank.
  */
 const part = z.object({
   /** `BLK FORM` line or lines. */
@@ -51,15 +50,15 @@ const part = z.object({
   outside: z.optional(lines),
   bore: z.optional(lines),
   /**
-   * Threads, which the outline draws by their crest: between crest and root (⌀) grooves must be there, all along and
-   * nearly down to the root, and `pitch` mm apart where it is given. `name` is for the drawing: "M36×2".
+   * Threads; the outline draws their crest. Between crest and root (⌀) there must be grooves over the full length,
+   * nearly down to the root, `pitch` mm apart if given. `name` is for the drawing: "M36×2".
    */
   threads: z.optional(
     listed(z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: z.optional(finite), name: typed })),
   ),
 });
 
-/** A size that is measured on the made part. Nominal and measured sizes mm; `upper` and `lower` are deviations. */
+/** A size measured on the made part. Nominal and measured sizes mm; `upper` and `lower` are deviations. */
 const size = z.object({
   /**
    * "diameter": outside at Z = at; "bore": inside at Z = at; "face": Z of the first material from the free end at ⌀ =
@@ -73,16 +72,17 @@ const size = z.object({
 });
 
 /**
- * The rules of the shop. What is absent is not asked; gouges of the wanted part and rapids in stock are never allowed.
+ * The rules of the shop. An absent rule is not checked; contour damage on the target part and rapids in stock are never
+ * allowed.
  */
 const rules = z.object({
-  /** Most steel that may stay beside the wanted part, mm² of the half section; by default 0.05. */
+  /** Most excess material on the target part, mm² of the half section; by default 0.05. */
   residue: z.optional(finite),
-  /** Most steel that may be missing from it, mm²; by default 0.01. */
+  /** Most material missing from it, mm²; by default 0.01. */
   missing: z.optional(finite),
-  /** Whether the proof must be without errors and warnings of its own; default: errors alone count. */
+  /** Whether warnings fail the task too; default: only errors do. */
   clean: z.optional(z.boolean()),
-  /** Greatest real depth of a roughing pass, mm; greatest programmed spindle limit or speed, rpm. */
+  /** Greatest actual depth of a roughing pass, mm; greatest programmed spindle limit or speed, rpm. */
   depth: z.optional(finite),
   speed: z.optional(finite),
   /** The only tools that may be called; most tools; most seconds. */
@@ -92,29 +92,23 @@ const rules = z.object({
   /** Cycles that must be called; cycles that must not. */
   cycles: z.optional(listed(z.int())),
   without: z.optional(listed(z.int())),
-  /**
-   * Values that a parameter must have wherever it stands in a called cycle (of `cycle`, if given): from and to, both
-   * included.
-   */
+  /** Range of a parameter in every called cycle (only in `cycle`, if given): from and to, inclusive. */
   values: z.optional(
     listed(z.object({ q: typed, cycle: z.optional(z.int()), from: z.optional(finite), to: z.optional(finite) })),
   ),
   /** Exact number of roughing passes of all called cycles. */
   passes: z.optional(z.int()),
-  /** Greatest theoretical roughness Rz of the wanted part's surfaces, µm, between two Z. */
+  /** Greatest theoretical Rz of the target part's surfaces, µm, between two Z. */
   rz: z.optional(listed(z.object({ from: finite, to: finite, most: finite }))),
-  /** Words that must stand in the text of some block, each of them: "M136", "APPR LCT". */
+  /** Words that must each be in the text of some block: "M136", "APPR LCT". */
   words: z.optional(listed(z.string().check(z.maxLength(200)))),
 });
 
-/**
- * What the learner says before the run; the truth comes from the kernel, but for `choice`, where the task says which
- * one is right.
- */
+/** A prediction before the run. The right answer comes from the kernel; for `choice` and `block` the task states it. */
 const prediction = z.union([
   /**
-   * A number: passes, real infeed mm, seconds, residue mm², or a size as of `sizes`. Right within `within`: by default
-   * passes are to be exact, the others as two decimals show them.
+   * A number: passes, real infeed mm, seconds, residue mm², or a size as in `sizes`. Tolerance `within`: by default
+   * passes must be exact, the others agree to two decimals.
    */
   z.object({
     ask: z.enum(["passes", "infeed", "seconds", "residue"]),
@@ -123,14 +117,11 @@ const prediction = z.union([
     within: z.optional(finite),
   }),
   z.object({ ask: z.enum(["diameter", "bore", "face"]), at: finite, within: z.optional(finite) }),
-  /**
-   * A place on the part: where material stays, or where the part is hurt, or where the first rapid runs into steel.
-   * Within so many mm.
-   */
+  /** A place on the part: residual material, contour damage, or the first rapid through material. Tolerance in mm. */
   z.object({ ask: z.enum(["residuePlace", "gougePlace", "rapidPlace"]), within: z._default(finite, 3) }),
   /** One of `words.choices`, from 0. */
   z.object({ ask: z.literal("choice"), right: z.int() }),
-  /** The block that has the fault: any of these numbers. */
+  /** The block with the fault: any of these numbers. */
   z.object({ ask: z.literal("block"), right: listed(z.int()).check(z.minLength(1)) }),
 ]);
 
@@ -143,20 +134,20 @@ const told = z.object({
   ask: words,
   /** Three stages: where to look; what is behind it; what to do. */
   hints: z.tuple([words, words, words]),
-  /** What is asked before the run, one text for each of `predict`. */
+  /** Questions before the run, one text for each of `predict`. */
   questions: z.optional(listed(words)),
-  /** What a `choice` offers, one list for each of `predict` (empty for others). */
+  /** The options of a `choice`, one list for each of `predict` (empty for others). */
   choices: z.optional(listed(listed(words))),
-  /** Told when it is passed: what was learned. */
+  /** Shown when the task is passed: what was learned. */
   learned: z.optional(words),
 });
 
-/** An answer that must be refused. */
+/** An answer that must fail. */
 const wrong = z.object({
   program: lines,
-  /** The rule that refuses it. */
+  /** The rule that it must fail. */
   rule: z.enum(RULES),
-  /** Where on the part it shows (⌀ and Z, within 3 mm) or in which block; at least one of both. */
+  /** The place of the fault on the part (⌀ and Z, within 3 mm) or its block; at least one of the two. */
   at: z.optional(z.object({ x: finite, z: finite })),
   block: z.optional(z.int()),
 });
@@ -165,19 +156,16 @@ export const taskSchema = z.object({
   format: z.literal(TASK_FORMAT),
   id,
   /**
-   * "make": a part or a block is made; "fault": a program with a fault is mended; "predict": the run is foretold,
-   * nothing is written; "drawing": free programming from a workshop drawing, with a score.
+   * "make": make a part or a block; "fault": fix a program with a fault; "predict": predict the run, nothing is
+   * written; "drawing": free programming from a workshop drawing, with a score.
    */
   kind: z.enum(["make", "fault", "predict", "drawing"]),
   start,
   part: z.optional(part),
   sizes: z.optional(listed(size)),
-  /**
-   * What it is turned from, by the id of a material of the shipped cutting data: for the drawing's title block and the
-   * advice.
-   */
+  /** Id of a material of the shipped cutting data: for the drawing's title block and the advice. */
   material: z.optional(materialId),
-  /** Surface marks of the drawing are those of `rules.rz`. */
+  /** The drawing takes its surface marks from `rules.rz`. */
   rules: z._default(rules, {}),
   predict: z.optional(listed(prediction)),
   /** What a good answer of a "drawing" needs: seconds and tools for full marks. */
@@ -191,8 +179,8 @@ export const taskSchema = z.object({
 export type Task = z.infer<typeof taskSchema>;
 
 /**
- * A task's id as people read it, in names of programs and on drawings: without the number of the lesson that it was
- * made for. Lessons move, ids stay: progress is kept by them.
+ * A task's id as shown in program names and on drawings: without the number of its original lesson. Lessons move, but
+ * ids never change: progress is stored by them.
  */
 export const shownId = ({ id }: Pick<Task, "id">): string => id.replace(/^l\d\d-/, "");
 

@@ -30,7 +30,7 @@ test("a place is a diameter and Z; below the axis it is the same", () => {
   expect(toldBy({ ask: "passes" }, "7")).toBe(7);
 });
 
-test("answers are held to the run, each by its own question", () => {
+test("predictions are compared with the run, each by its question", () => {
   const task = taskOf("l03-how-many-passes");
   const answer = begun(task);
   const { passes = 0, infeed = 0 } = answer.run.operations[0]?.plan ?? {};
@@ -45,7 +45,7 @@ describe("goals", () => {
   const task = taskOf("l03-equal-passes");
   const kinds = goalsOf(task).map(({ kind }) => kind);
 
-  test("are what the rules ask for, and that nothing is hurt", () =>
+  test("are the rules of the task, and no contour damage", () =>
     expect(kinds).toEqual(["part", "safe", "depth", "passes"]));
 
   test("are met one by one", () => {
@@ -59,7 +59,7 @@ describe("goals", () => {
     expect(met(task.wrong?.[0]?.program ?? [])).toEqual(["part", "safe", "depth"]);
   });
 
-  test("what was foretold is a goal of its own, and the only one where nothing is made", () => {
+  test("a prediction is a goal of its own, and the only one where nothing is made", () => {
     expect(goalsOf(taskOf("l03-how-many-passes"))).toEqual([
       { kind: "foretold", entry: 0, of: 2 },
       { kind: "foretold", entry: 1, of: 2 },

@@ -4,7 +4,7 @@ import type { Answer } from "./judge/judgement.ts";
 import { isRight, truthOf, type Foretold, type Truth } from "./judge/predicting.ts";
 import type { Prediction, Task } from "./task.ts";
 
-/** What kind of answer a question wants. */
+/** The kind of answer to a question. */
 export type AnswerKind = "number" | "place" | "choice" | "block";
 
 export function answerKindOf({ ask }: Prediction): AnswerKind {
@@ -12,23 +12,23 @@ export function answerKindOf({ ask }: Prediction): AnswerKind {
   return ask.endsWith("Place") ? "place" : "number";
 }
 
-/** A typed number with point or comma; null where it is none. */
+/** A typed number with point or comma; null where the text is no number. */
 export function typedNumber(text: string): number | null {
   const plain = text.trim().replace(",", ".").replace("−", "-");
   return /^[+-]?(?:\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;
 }
 
-/** A typed place: ⌀ and Z with a blank between; null where one of them is none. Below the axis is the same place. */
+/** A typed place: ⌀ and Z separated by a space; null where one is no number. Below the axis is the same place. */
 export function typedPlace(text: string): Pt | null {
   const [x = null, z = null] = text.split(" ").map(typedNumber);
   return x === null || z === null ? null : at(axial(z), toRadius(diameter(Math.abs(x))));
 }
 
-/** What a text says to a question; null where it says nothing. */
+/** The prediction in a text; null where the text has none. */
 export const toldBy = (prediction: Prediction, text: string): Foretold | null =>
   answerKindOf(prediction) === "place" ? typedPlace(text) : typedNumber(text);
 
-/** What was told beside what is so. */
+/** A prediction with the right answer. */
 export interface ComparedAnswer {
   readonly prediction: Prediction;
   readonly told: Foretold | null;
@@ -36,7 +36,7 @@ export interface ComparedAnswer {
   readonly right: boolean;
 }
 
-/** Holds the answers of a learner, as typed, to the run of the program that the questions are about. */
+/** Compares a learner's predictions, as typed, with the run of the program in question. */
 export const compareTold = (task: Task, texts: readonly string[], answer: Answer): readonly ComparedAnswer[] =>
   (task.predict ?? []).map((prediction, i) => {
     const told = toldBy(prediction, texts[i] ?? "");

@@ -12,13 +12,13 @@ test("a part without outlines is its blank", () => {
   expect(area({ blank })).toBeCloseTo((31.7 - 8.5) * 81, 3);
 });
 
-test("behind the end of its outside the blank stays, before it nothing stands out", () => {
-  // Face at Z0, ⌀41.3 to Z-22.7: behind it the blank as it is.
+test("behind the end of its outside the blank is unmachined, before it nothing protrudes", () => {
+  // Face at Z0, ⌀41.3 to Z-22.7: behind it the unmachined blank.
   const outside = ["L X+17 Z+0", "L X+41.3", "L Z-22.7"];
   expect(area({ blank, outside })).toBeCloseTo((20.65 - 8.5) * 22.7 + (31.7 - 8.5) * (81 - 1.5 - 22.7), 2);
 });
 
-test("chamfers, radii and grooves of the face are of the outline", () => {
+test("chamfers, radii and grooves of the face belong to the outline", () => {
   const outside = [
     "L X+17 Z+0",
     "L X+25",
@@ -35,13 +35,13 @@ test("chamfers, radii and grooves of the face are of the outline", () => {
   expect(area({ blank, outside })).toBeCloseTo(full - 4 * 3.1 - 1.3 ** 2 / 2 + 2.2 ** 2 * (1 - Math.PI / 4), 2);
 });
 
-test("a bore is taken out from the free end inwards", () => {
+test("a bore is removed from the free end inwards", () => {
   const outside = ["L X+0 Z+0", "L X+63.4"],
     bore = ["L X+35.2 Z+0", "L Z-14.6", "L X+17"];
   expect(area({ blank, outside, bore })).toBeCloseTo((31.7 - 8.5) * 79.5 - (17.6 - 8.5) * 14.6, 2);
 });
 
-test("an outline that can not be read is told", () => {
+test("an unreadable outline is reported", () => {
   expect(wantedPart({ blank, outside: ["L X+20 Z+0", "CR X+30 Z-40 R2 DR+"] }).issues).not.toEqual([]);
 });
 

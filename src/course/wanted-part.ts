@@ -14,29 +14,26 @@ import type { Task } from "./task.ts";
 
 type Found = RunFinding["issue"];
 
-/** The wanted part of a task as shapes. Part space, mm. */
+/** The target part of a task as shapes. Part space, mm. */
 export interface WantedPart {
   readonly blank: readonly Ring[];
   /** Its outlines from the free end, arcs kept; empty where the task states none. */
   readonly outside: readonly Segment[];
   readonly bore: readonly Segment[];
-  /** What is to be left of the blank. */
+  /** The finished half section. */
   readonly rings: readonly Ring[];
-  /** What of that nothing may cut away: all but the grooves of its threads. */
+  /** The area that no tool may cut: the part without the grooves of its threads. */
   readonly solid: readonly Ring[];
-  /** What is wrong with blank and outlines; empty for a part that can be judged by. */
+  /** Faults of the blank and the outlines; empty for a usable part. */
   readonly issues: readonly Found[];
 }
 
 const framed = (lines: readonly string[]) => parse(["BEGIN PGM PART MM", ...lines, "END PGM PART MM", ""].join("\n"));
-/** No tool is called where only a blank or a contour is read. */
+/** Reading a blank or a contour calls no tool. */
 const SHOP = { tools: [], rapid: 1 } as const;
 const faulty = (issues: readonly Found[]) => issues.filter((i) => i.severity === "error");
 
-/**
- * The half section that `BLK FORM` lines state, empty where they state none. The contours that they name stand behind
- * them, with LBL.
- */
+/** The half section that `BLK FORM` lines define, empty without any. Contours that they name follow with LBL. */
 export function blankOfLines(lines: readonly string[]): {
   readonly rings: readonly Ring[];
   readonly issues: readonly Found[];
@@ -60,7 +57,7 @@ export function outlineOfLines(lines: readonly string[]): {
 }
 
 const counterClockwise = (ring: Ring): Ring => (areaOf([ring]) < 0 ? ring.toReversed() : ring);
-/** A chain of points closed by others, as an area; nothing where there is no chain. */
+/** A chain of points closed into an area; empty without a chain. */
 const closed = (chain: readonly Pt[], round: (first: Pt, last: Pt) => Pt[]): Ring[] => {
   const [first, last] = [chain[0], chain.at(-1)];
   return first && last ? union([counterClockwise([...chain, ...round(first, last)])]) : [];
@@ -68,19 +65,19 @@ const closed = (chain: readonly Pt[], round: (first: Pt, last: Pt) => Pt[]): Rin
 
 export type WantedThread = NonNullable<NonNullable<Task["part"]>["threads"]>[number];
 
-/** Between crest and root of a thread, all along. */
+/** The band between crest and root of a thread, over its full length. */
 export function bandOfThread({ from, to, crest, root }: WantedThread): Ring {
   const [left, right] = [Math.min(from, to), Math.max(from, to)];
   const [one, other] = [toRadius(diameter(crest)), toRadius(diameter(root))];
   return counterClockwise([at(left, one), at(right, one), at(right, other), at(left, other)]);
 }
 
-/** Past everything that is drawn, mm. */
+/** Distance beyond the drawing, mm. */
 const PAST = 100;
 
 /**
- * The wanted part: the blank within the outside and without the bore; what lies behind the end of an outline stays as
- * the blank is.
+ * The target part: the blank inside the outside outline and without the bore; behind the end of an outline the blank is
+ * unmachined.
  */
 export function wantedPart(wanted: NonNullable<Task["part"]>): WantedPart {
   const blank = blankOfLines(wanted.blank);
@@ -89,7 +86,7 @@ export function wantedPart(wanted: NonNullable<Task["part"]>): WantedPart {
   const { right, high } = boxAround([...blank.rings, outer, inner]);
   const far = Math.max(right, high) + PAST;
   const gone = [
-    // In front of its first point and outside of its last one, whether the outline runs back on itself between or not.
+    // In front of the first point and outside the last one, even where the outline runs back on itself in between.
     ...closed(outer, (first, last) => [at(last.z, far), at(far, far), at(far, 0), at(first.z, 0)]),
     ...closed(inner, (first, last) => [at(last.z, 0), at(far, 0), at(far, first.r)]),
   ];

@@ -51,15 +51,15 @@ function startProblems({ start }: Task): string[] {
     .map((q) => `cycle ${start.cycle} has no ${q}`);
 }
 
-/** Whether what lies open in the beginning passes already: then there is nothing to do. */
+/** Problem: the starting state passes already, so there is nothing to do. */
 function idle(task: Task): string[] {
   const begun = begunText(task) ?? "BEGIN PGM EMPTY MM\nEND PGM EMPTY MM";
   return judge(task, answerOf(begun)).passed ? ["what lies open in the beginning passes already"] : [];
 }
 
 /**
- * Whether the values of the solution pass where they are typed into the prompts that lie open: with their blank, tool
- * and start point.
+ * Problem: the solution's values do not pass when typed into the starting prompts, with their blank, tool and start
+ * point.
  */
 function untypable(task: Task): string[] {
   const values = solutionValues(task);
@@ -76,7 +76,7 @@ function untypable(task: Task): string[] {
 function answerProblems(task: Task): string[] {
   const wanted = task.part ? wantedPart(task.part) : null;
   const out = (wanted?.issues ?? []).map((p) => `part: ${p.code} ${JSON.stringify(p.data)}`);
-  if (wanted && wanted.rings.length === 0) out.push("the wanted part is empty");
+  if (wanted && wanted.rings.length === 0) out.push("the target part is empty");
   if (!task.solution) return [...out, "no solution"];
   const judged = judge(task, answerOf(task.solution.join("\n")));
   for (const m of judged.marks)
@@ -92,11 +92,11 @@ function answerProblems(task: Task): string[] {
   return [...out, ...idle(task), ...untypable(task)];
 }
 
-/** What lies open in the beginning, as a program; null where that is an empty one. */
+/** The starting state as a program; null for an empty one. */
 const begunText = (task: Task): string | null =>
   "program" in task.start ? task.start.program.join("\n") : promptsText(task);
 
-/** Whether what is to be foretold is there in the run of what lies open. */
+/** Problem: the run of the starting state does not contain what a question asks for. */
 function predictionProblems(task: Task): string[] {
   if (!task.predict?.length) return [];
   const begun = begunText(task);
@@ -113,10 +113,10 @@ function predictionProblems(task: Task): string[] {
   });
 }
 
-/** Rules that look at the program as a whole. */
+/** Rules about the program as a whole, without a place. */
 const PLACELESS: readonly string[] = ["seconds", "cycles", "words", "passes", "mostTools", "blank", "values"];
 
-/** What is wrong with a task that ships with the page; nothing of one that is whole. */
+/** The problems of a shipped task; empty without any. */
 export function taskProblems(task: Task, file: string): string[] {
   const out = stem(file) === task.id ? [] : [`the id is ${task.id}`];
   out.push(...wordProblems(task), ...startProblems(task), ...predictionProblems(task));
@@ -127,7 +127,7 @@ export function taskProblems(task: Task, file: string): string[] {
   return out;
 }
 
-/** What runs, and whether it has errors. */
+/** The errors of a run. */
 function programErrors(lines: readonly string[]): string[] {
   const made: Run = run(parse(lines.join("\n")), { tools: shippedTools, rapid: TASK_RAPID });
   return made.issues
@@ -135,7 +135,7 @@ function programErrors(lines: readonly string[]): string[] {
     .map((f) => `block ${f.block}: ${f.issue.code} ${JSON.stringify(f.issue.data)}`);
 }
 
-/** What is wrong with a lesson that ships with the page; nothing of one that is whole. */
+/** The problems of a shipped lesson; empty without any. */
 export function lessonProblems(lesson: Lesson, file: string): string[] {
   const out: string[] = [];
   const name = `${String(lesson.number).padStart(2, "0")}-${lesson.id}`;

@@ -5,10 +5,7 @@ import { LESSON_LANGUAGES, type Language, type LessonLanguage } from "../i18n/la
 const LONGEST = 2000;
 export const words = z.string().check(z.minLength(1), z.maxLength(LONGEST));
 
-/**
- * Something in the languages of lessons; what ships with the page is there in all of them, what an instructor wrote in
- * one at least.
- */
+/** A value by lesson language; shipped content has all of them, an instructor's at least one. */
 export type InLanguages<T> = Readonly<Partial<Record<LessonLanguage, T | undefined>>>;
 
 /** Its schema. */
@@ -21,13 +18,13 @@ export const inLanguages = <S extends z.core.$ZodType>(schema: S) =>
   );
 
 /**
- * The language that something is shown in: that of the screen where it is there, or else the first that it has;
- * undefined without any.
+ * The language in which a value is shown: the screen language if available, else the first one that is; undefined
+ * without any.
  */
 export const shownLanguageOf = (said: InLanguages<unknown>, screen: Language): LessonLanguage | undefined =>
   [screen, ...LESSON_LANGUAGES].find((each): each is LessonLanguage => said[each as LessonLanguage] !== undefined);
 
-/** What it says there. */
+/** The value in that language. */
 export function inScreenLanguage<T>(said: InLanguages<T>, screen: Language): T | undefined {
   const language = shownLanguageOf(said, screen);
   return language && said[language];

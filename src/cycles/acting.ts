@@ -11,7 +11,7 @@ const NOTHING: Outline = {
   issues: [],
 };
 
-/** A cycle that acts where it is defined: it has neither contour nor path, and is no work by itself. */
+/** A cycle that acts where it is defined: it has neither contour nor path and is no operation. */
 export const defineActing = <const P extends Params, const N extends number>(
   cycle: Pick<Cycle<P, N>, "number" | "evidence" | "partly" | "params"> & { readonly acts: Acting },
 ): Cycle<P, N> => ({

@@ -10,7 +10,7 @@ export interface ActsIn {
 type Acting = readonly [rough: readonly number[], finish: readonly number[]];
 type Sequence = Exclude<Group, "special">;
 
-/** The step that stands for the rounds after the first one: "repeat until …". */
+/** The step that repeats the steps before it: "repeat until …". */
 const REPEATS: Readonly<Record<Sequence, number>> = {
   longitudinal: 5,
   transverse: 5,
@@ -120,7 +120,7 @@ const TABLES: Readonly<Record<Sequence, Partial<Record<Topic, Acting>>>> = {
 
 const upTo = (count: number) => Array.from({ length: count }, (_, i) => i + 1);
 
-/** The steps of a cycle in which one of its values acts: those of our reading of the printed sequences. */
+/** The steps of a cycle in which one of its values acts, by our reading of the printed sequences. */
 export function actsIn(
   { group, steps }: Pick<Cycle, "group" | "steps">,
   { shown, reserved }: Pick<Param, "shown" | "reserved">,
@@ -131,6 +131,6 @@ export function actsIn(
   return { rough, finish };
 }
 
-/** The step of roughing that repeats those before it; null where there is none. */
+/** The roughing step that repeats the steps before it; null without one. */
 export const repeatedIn = ({ group }: Pick<Cycle, "group">): number | null =>
   group === "special" ? null : REPEATS[group];

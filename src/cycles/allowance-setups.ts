@@ -9,10 +9,10 @@ import { dice, type Draw, type Setups } from "./drawn-setup.ts";
 
 const { box, common, half, mm, mostly } = dice;
 
-/** Two to six stretches along the axis that step, lean and bulge either way, with corners between them. */
+/** Two to six segments along the axis with steps, tapers and arcs either way, and corners between them. */
 function drawnProfile(draw: Draw, along: 1 | -1, out: 1 | -1): Segment[] | null {
   const usual = half(draw, 14, 30);
-  // Now and then the face in front belongs to the contour, from the axis.
+  // Sometimes the face in front belongs to the contour, from the axis.
   let here = at(mm(draw, -3, 3), out > 0 ? mostly(draw, usual, draw.one(radius(0), radius(-0.8))) : usual);
   const made: ContourElement[] = [{ kind: "line", to: here }];
   const count = draw.whole(2, 6);
@@ -37,10 +37,10 @@ function drawnProfile(draw: Draw, along: 1 | -1, out: 1 | -1): Segment[] | null 
     : [...built.segments];
 }
 
-/** Which way a pointed tip looks, outside (1) or inside and towards −Z (1) or +Z. */
+/** Orientation of a pointed tip: outside (1) or inside, towards −Z (1) or +Z. */
 const TURNED = { "1/1": 1, "1/-1": 3, "-1/1": 7, "-1/-1": 5 } as const;
 
-/** What was cast round a contour, closed on the axis or in the thick of a wall. */
+/** A casting round a contour, closed on the axis or inside a wall. */
 function casting(contour: readonly Segment[], along: 1 | -1, out: 1 | -1, allowance: number): Ring {
   const frame = { transverse: false, signU: along > 0 ? -1 : 1, signV: out } as const;
   const line = part
@@ -56,10 +56,7 @@ function casting(contour: readonly Segment[], along: 1 | -1, out: 1 | -1, allowa
 /** Chords and the grid of areas differ by less, mm². */
 const SAME_AREA = 0.01;
 
-/**
- * Whether a ring does not cross itself: beside a contour that is shorter than its allowance there is no casting that
- * one could hold.
- */
+/** Whether a ring does not cross itself: a contour shorter than its allowance has no possible casting. */
 const isPlain = (ring: Ring): boolean =>
   ring.length > 2 && Math.abs(areaOf(union([ring])) - areaOfRing(ring)) < SAME_AREA;
 
@@ -94,7 +91,7 @@ export const allowanceSetups: Setups = (draw) => {
     },
     contour,
     tool: { T, TO: T === 11 ? (out > 0 ? 2 : 6) : TURNED[`${out}/${along}`] },
-    // Now and then above the contour, from where the cycle goes in front of it.
+    // Sometimes above the contour: the cycle then moves in front of it.
     start: at(
       first.from.z + along * mostly(draw, mm(draw, 0, 8), -mm(draw, 0, Math.abs(first.from.z - last.to.z))),
       start,

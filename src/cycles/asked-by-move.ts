@@ -1,15 +1,14 @@
 import type { Move } from "../kernel/plan/move.ts";
 import type { Params, Topic } from "./params.ts";
 
-/** How the values that made a move are shown, the one that decides most about it first. */
+/** The topics of the values that make a move, the most decisive first. */
 const MADE_BY: Readonly<Record<Move["run"], readonly Topic[]>> = {
   rough: ["infeed", "roughingFeed"],
   finish: ["finishingFeed"],
 };
 
 /**
- * The Q of a cycle that decides most about a move: the infeed of a roughing pass, the feed of a finishing cut; null
- * where it has none.
+ * The Q that decides most about a move: the infeed of a roughing pass, the feed of a finishing cut; null without one.
  */
 export function askedByMove(params: Params, { run }: Pick<Move, "run">): string | null {
   const qs = MADE_BY[run].map((topic) => Object.keys(params).find((q) => params[q]?.shown === topic));

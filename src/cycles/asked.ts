@@ -2,12 +2,12 @@ import type { LeftOnPurpose } from "../kernel/plan/plan.ts";
 import type { Cycle } from "./define.ts";
 import type { Params, Values } from "./params.ts";
 
-/** Operations that leave the oversize: roughing alone, and finishing to it. */
+/** Operations that leave the oversize: roughing alone, and finishing to oversize. */
 const TO_OVERSIZE: readonly number[] = [1, 3];
 
 /**
- * What a cycle is asked to leave by its values: the oversize of roughing alone or of finishing to it, and the radius of
- * the insert in a corner to which no radius is given. Contours of their own may ask for any corner.
+ * Material that the values of a cycle leave intentionally: the oversize of roughing alone or of finishing to oversize,
+ * and the nose radius in a corner without a radius. Programmed contours may require any corner.
  */
 export function askedOf({ params, contour, group }: Cycle, values: Values<Params>): LeftOnPurpose {
   const valueOf = (text: string) => {

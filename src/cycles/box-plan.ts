@@ -10,7 +10,7 @@ import { atParameters } from "./roles.ts";
 import type { BoxOutline, ShoulderValues } from "./shoulder-outline.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
 
-/** What a cycle that cuts a box by levels asks for beside the box. */
+/** The values of a cycle that cuts a box by levels, besides the box. */
 export interface LeveledValues {
   readonly Q215: number;
   readonly Q460: Length;
@@ -22,7 +22,7 @@ export interface LeveledValues {
   readonly Q506: number;
 }
 
-/** Cuts a box by levels: shoulders (81x, 82x) and contours that a tool plunges into. */
+/** Plans a box by levels: shoulders (81x, 82x) and contours that a tool plunges into. */
 export function planBox(outline: BoxOutline, v: LeveledValues & ShoulderValues, setting: Setting): Plan {
   const none = refused(outline);
   if (none) return none;
@@ -41,7 +41,7 @@ export function planBox(outline: BoxOutline, v: LeveledValues & ShoulderValues, 
       smoothing: v.Q506,
       limit: null,
       outerHeight: toFlat(frame, at(v.Q492, toRadius(v.Q491))).v,
-      // What a tool plunges behind stays where it is.
+      // The part in front of a plunging contour is not cut.
       partInFront: outline.sunk,
       startRule: "shoulder",
     },

@@ -20,6 +20,6 @@ export const c800 = defineActing({
     }),
     { Q497: "meaning", Q530: "values", Q531: "meaning" },
   ),
-  // Q530 = 3 moves nothing; the coordinate system changes all the same where Q531 is not 0.
+  // Q530 = 3 moves nothing, but the coordinate system still changes unless Q531 is 0.
   acts: { neutral: { Q497: [0], Q498: [0], Q531: [0], Q535: [0, 3] } },
 });

@@ -1,4 +1,4 @@
 import { defineActing } from "./acting.ts";
 
-/** Takes back what the cycle before this number has fitted; where that changed nothing, this does not either. */
+/** Cancels cycle 800; has no effect where 800 had none. */
 export const c801 = defineActing({ number: 801, evidence: "K1", params: {}, acts: { neutral: {} } });

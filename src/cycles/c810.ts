@@ -7,7 +7,7 @@ import { contourSetups, type Setups } from "./drawn-setup.ts";
 
 const { Q215, Q460, Q499, Q478, Q483, Q484, Q505, Q487, Q488, Q479, Q480, Q482, Q506 } = c820.params;
 
-/** A shaft for the example, ours: a chamfer, a neck between two cylinders, and a shoulder. */
+/** Our own example, a shaft: a chamfer, a neck between two cylinders, and a shoulder. */
 const shaft: readonly Row[] = [
   { kind: "L", x: "28", z: "0" },
   { kind: "L", x: "30", z: "-1" },
@@ -56,5 +56,5 @@ export const c810 = defineCycle({
   plan: (v, setting, given) => planFree(v, setting, given, false),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups810: Setups = contourSetups(false);

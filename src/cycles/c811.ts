@@ -6,7 +6,7 @@ import { planSimple, simpleShoulder } from "./simple-shoulder.ts";
 
 const { Q215, Q460, Q493, Q494, Q463, Q478, Q483, Q484, Q505, Q506 } = c812.params;
 
-/** Shoulder, longitudinal: a cylinder and a face, from where the tool stands. */
+/** Shoulder, longitudinal: a cylinder and a face, from the tip at the call. */
 export const c811 = defineCycle({
   number: 811,
   group: "longitudinal",
@@ -20,5 +20,5 @@ export const c811 = defineCycle({
   plan: (v, setting) => planSimple(v, setting, false),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups811: Setups = simple(shoulderSetups);

@@ -59,5 +59,5 @@ export const c812 = defineCycle({
   plan: (v, setting) => planBox(shoulderOutline(v, false), v, setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups812: Setups = shoulderSetups;

@@ -8,7 +8,7 @@ import { boxFrame, PLAIN, type ShoulderValues } from "./shoulder-outline.ts";
 
 const { Q215, Q460, Q491, Q492, Q493, Q494, Q495, Q463, Q478, Q483, Q484, Q505, Q506 } = c814.params;
 
-/** The values of the extended twin with nothing at the corners. */
+/** Adds the values of the extended cycle, with nothing at the corners. */
 const whole = <V extends Omit<ShoulderValues, keyof typeof PLAIN>>(v: V) => ({ ...v, ...PLAIN });
 
 /** Plunge turning, longitudinal: behind a flank, along a cylinder, to a square face. */
@@ -26,5 +26,5 @@ export const c813 = defineCycle({
   plan: (v, setting) => planBox(recessOutline(whole(v), boxFrame(v, false)), whole(v), setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups813: Setups = unbroken(plungeSetups(false));

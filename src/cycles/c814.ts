@@ -9,7 +9,7 @@ import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
 const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q496, Q503, Q504, Q463, Q478, Q483, Q484, Q505, Q506 } =
   c812.params;
 
-/** The contour: down a flank, along a cylinder, up a face, between an edge that stays in front and one behind. */
+/** The contour: down a flank, along a cylinder, up a face, between an edge in front and one behind. */
 const outlineOf = (v: ShoulderValues) => recessOutline(v, boxFrame(v, false));
 
 /**
@@ -50,5 +50,5 @@ export const c814 = defineCycle({
   plan: (v, setting) => planBox(outlineOf(v), v, setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups814: Setups = plungeSetups(false);

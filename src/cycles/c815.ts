@@ -88,5 +88,5 @@ export const c815 = defineCycle({
   },
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups815: Setups = allowanceSetups;

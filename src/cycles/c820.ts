@@ -50,5 +50,5 @@ export const c820 = defineCycle({
   plan: (v, setting, given) => planFree(v, setting, given, true),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups820: Setups = contourSetups(true);

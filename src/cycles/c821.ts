@@ -7,7 +7,7 @@ import { planSimple, simpleShoulder } from "./simple-shoulder.ts";
 
 const { Q215, Q460, Q493, Q494, Q463, Q478, Q483, Q484, Q505, Q506 } = c822.params;
 
-/** Shoulder, transverse: a face and a cylinder, from where the tool stands. */
+/** Shoulder, transverse: a face and a cylinder, from the tip at the call. */
 export const c821 = defineCycle({
   number: 821,
   group: "transverse",
@@ -32,5 +32,5 @@ export const c821 = defineCycle({
   plan: (v, setting) => planSimple(v, setting, true),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups821: Setups = simple(faceSetups);

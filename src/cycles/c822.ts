@@ -43,5 +43,5 @@ export const c822 = defineCycle({
   plan: (v, setting) => planBox(shoulderOutline(v, true), v, setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups822: Setups = faceSetups;

@@ -10,7 +10,7 @@ import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
 const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q496, Q503, Q504, Q463, Q478, Q483, Q484, Q505, Q506 } =
   c822.params;
 
-/** The contour: down a flank, across a floor, up a wall, between an edge that stays in front and one behind. */
+/** The contour: down a flank, across a floor, up a wall, between an edge in front and one behind. */
 const outlineOf = (v: ShoulderValues) => recessOutline(v, boxFrame(v, true));
 
 /**
@@ -52,5 +52,5 @@ export const c824 = defineCycle({
   plan: (v, setting) => planBox(outlineOf(v), v, setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups824: Setups = plungeSetups(true);

@@ -36,7 +36,7 @@ export const c830 = defineCycle({
     tool: 12,
     blank: { outside: "80", bore: "", length: "90", allowance: "0" },
     start: { x: "90", z: "10" },
-    // Along the cylinder: no blank of a set-up is a cone, and over the crest of a taper its material would stand.
+    // A cylinder: no set-up has a conical blank, and excess material would stand over the crest of a taper.
     contour: [
       { kind: "L", x: "80", z: "0" },
       { kind: "L", z: "-35" },
@@ -55,5 +55,5 @@ export const c830 = defineCycle({
   },
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups830: Setups = threadContourSetups;

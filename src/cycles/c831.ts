@@ -71,7 +71,7 @@ export const c831 = defineCycle({
   },
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups831: Setups = (draw) => {
   const drawn = threadSetups(draw, false);
   if (!drawn) return null;

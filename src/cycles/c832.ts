@@ -80,7 +80,8 @@ export const c832 = defineCycle({
   setup: {
     name: "TAPERTHREAD",
     tool: 12,
-    // Slender: over the crest of a steeper taper more of the cylinder would stand than the tooth of an insert is high.
+    // A slight taper: over the crest of a steeper one the cylindrical blank would be higher than the tooth of an
+    // insert.
     blank: { outside: "102", bore: "", length: "100", allowance: "0" },
     start: { x: "112", z: "10" },
     contour: printedContour,
@@ -95,5 +96,5 @@ export const c832 = defineCycle({
   },
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups832: Setups = (draw) => threadSetups(draw, true);

@@ -60,5 +60,5 @@ export const c840 = defineCycle({
   plan: (v, setting, given) => planFreeRecess(v, setting, given, false),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups840: Setups = freeRecesses(false);

@@ -30,5 +30,5 @@ export const c841 = defineCycle({
   },
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups841: Setups = simpleRecesses(radialRecesses, false);

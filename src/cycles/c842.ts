@@ -9,8 +9,8 @@ const { Q215, Q460, Q491, Q492, Q493, Q494, Q501, Q502, Q500, Q503, Q504, Q478, 
   c852.params;
 
 /**
- * Recess turning, radial, extended: a groove in a cylinder or in a bore; its walls lean against the perpendicular to
- * the axis.
+ * Recess turning, radial, extended: a groove in a cylinder or in a bore; the wall angles count from the perpendicular
+ * to the axis.
  */
 export const c842 = defineCycle({
   number: 842,
@@ -58,5 +58,5 @@ export const c842 = defineCycle({
   plan: (v, setting) => planRecessTurning(v, finishedRecess(v, false), setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups842: Setups = radialRecesses;

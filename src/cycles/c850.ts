@@ -59,5 +59,5 @@ export const c850 = defineCycle({
   plan: (v, setting, given) => planFreeRecess(v, setting, given, true),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups850: Setups = freeRecesses(true);

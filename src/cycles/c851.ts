@@ -46,5 +46,5 @@ export const c851 = defineCycle({
   },
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups851: Setups = simpleRecesses(axialRecesses, true);

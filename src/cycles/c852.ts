@@ -69,8 +69,8 @@ export const c852 = defineCycle({
       filledIn: 0,
     }),
   },
-  // The groove is printed 20 mm behind Z0, and its tool is 35 mm long: the face of this blank stands where the groove
-  // starts.
+  // The printed groove is 20 mm behind Z0 and its tool is 35 mm long, so the face of this blank is at the start of the
+  // groove.
   setup: {
     name: "GROOVE",
     tool: 8,
@@ -83,5 +83,5 @@ export const c852 = defineCycle({
   plan: (v, setting) => planRecessTurning(v, finishedRecess(v, true), setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups852: Setups = axialRecesses;

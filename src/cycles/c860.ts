@@ -29,5 +29,5 @@ export const c860 = defineCycle({
   plan: (v, setting, given) => planFreeRecessing(v, setting, given, false),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups860: Setups = plungedSetups(freeRecesses(false));

@@ -36,5 +36,5 @@ export const c861 = defineCycle({
   },
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups861: Setups = plungedSetups(simpleRecesses(radialRecesses, false));

@@ -50,5 +50,5 @@ export const c862 = defineCycle({
   plan: (v, setting) => planRecessing(v, recessingOutline(v, false), setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups862: Setups = plungedSetups(radialRecesses);

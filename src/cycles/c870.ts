@@ -44,5 +44,5 @@ export const c870 = defineCycle({
   plan: (v, setting, given) => planFreeRecessing(v, setting, given, true),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups870: Setups = plungedSetups(freeRecesses(true));

@@ -36,5 +36,5 @@ export const c871 = defineCycle({
   },
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups871: Setups = plungedSetups(simpleRecesses(axialRecesses, true));

@@ -50,5 +50,5 @@ export const c872 = defineCycle({
   plan: (v, setting) => planRecessing(v, recessingOutline(v, true), setting),
 });
 
-/** Set-ups that the laws hold this cycle to. */
+/** Random set-ups for the laws. */
 export const setups872: Setups = plungedSetups(axialRecesses);

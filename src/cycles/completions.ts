@@ -3,43 +3,43 @@ import { neutralOf, type SomeValues } from "./effect.ts";
 import { firstValues } from "./first-values.ts";
 import type { Param, Params, Values } from "./params.ts";
 
-/** What a few values of a cycle draw together with others in place of those that are missing. */
+/** The outline of a few values, with substitutes for the missing ones. */
 export interface Completion {
   readonly values: Values<Params>;
   readonly outline: Outline;
 }
 
-/** A position on the contour: a diameter or a Z that a shop drawing would have. */
+/** A position on the contour: a diameter or a Z as on a shop drawing. */
 export const isPosition = ({ kind, shown }: Param): boolean =>
   (kind === "diameter" || kind === "axial") && shown === "outline";
 
-/** It corrects what a drawing says: as long as it is missing, nothing is corrected. */
+/** A correction of the drawing: while it is missing, nothing is corrected. */
 const isCorrection = ({ shown }: Param): boolean => shown === "depthCompensation";
 
 /**
- * How long a part is taken to be, on the radius or along Z, where nothing says it: against its radius, and at least,
+ * Assumed extent of a part on the radius or along Z, where no value states it: as a share of its radius, and at least,
  * mm.
  */
 const [SHARE, LEAST] = [0.4, 5];
 
 /**
- * How far what is missing lies from what is typed, in such lengths, with the direction of the example or against it;
- * far where a wall that leans needs the room, and near where it would take too much of it.
+ * Distance of a missing position from a typed one, in such extents, in the example's direction or against it: far where
+ * a sloping wall needs the room, near where it would take too much of it.
  */
 const WAYS = [1, 0.73, -1, -0.61, 2.9, 11.3, -3.1, -9.7, 0.29, -0.23] as const;
 
 /**
- * How much longer than wide the rest is, one after the other: a wall that leans far fits only into what is long, or
- * short. Below zero it goes the other way along Z: a contour that is cut as in the example may rise where that falls.
+ * Length-to-width ratios that are tried in turn: a steep or a flat wall fits only certain proportions. Negative values
+ * reverse Z: a contour cut as in the example may rise where that one falls.
  */
 const STRETCH = [1, 3.7, -1, 0.27, 1.9, -4.3] as const;
 
-/** Small sizes and angles that are tried one after the other, so that they fit whatever is typed: mm, degrees. */
+/** Small sizes and angles that are tried in turn to fit the typed values: mm, degrees. */
 const SIZES = [0, 0.0137, 0.031, 0.0473] as const;
 
 const typedOf = (known: SomeValues, q: string): number | null => (typeof known[q] === "number" ? known[q] : null);
 
-/** Positions in place of those that are missing, from those of the same kind that are typed. */
+/** Substitutes for missing positions, from typed positions of the same kind. */
 function positionsFor(
   params: Params,
   known: SomeValues,
@@ -69,9 +69,7 @@ function positionsFor(
 
 const inRange = ({ range: [min, max] }: Param, n: number): number => Math.min(max, Math.max(min, n));
 
-/**
- * A small value in place of one that is missing, another one with each number; of a choice each of its values in turn.
- */
+/** A substitute for a small missing value, different for each number; for a choice, its values in turn. */
 function smallOf(p: Param, n: number): number {
   if (isCorrection(p)) return neutralOf(p);
   if (p.choices) return p.choices[n % p.choices.length] as number;
@@ -88,12 +86,12 @@ function completion(cycle: Cycle, values: SomeValues, given: Given): Completion 
   return isPossible(outline) ? { values: whole, outline } : null;
 }
 
-/** How often each missing value is drawn anew: every choice comes up, with each direction of the rest. */
+/** Number of draws: every choice is drawn with every direction of the other values. */
 const DRAWS = STRETCH.length * WAYS.length;
 
 /**
- * Contours that agree with a few values and differ in everything that is missing, but for corrections. One where
- * nothing is; none where so little fits that a missing value is the same in all of them.
+ * Contours that share the typed values and differ in everything that is missing, except corrections. A single one where
+ * nothing is missing; none where a missing value would be the same in all of them.
  */
 export function completions(cycle: Cycle, known: SomeValues, given: Given): readonly Completion[] {
   const missing = Object.entries<Param>(cycle.params).filter(([q]) => known[q] === undefined);
@@ -114,9 +112,8 @@ export function completions(cycle: Cycle, known: SomeValues, given: Given): read
 }
 
 /**
- * Values to draw a few typed ones with, as a control's own help does: what is missing is as it was before, or else has
- * the look of the example, in proportion to what is typed. Null where the typed ones make no contour whatever the
- * others are.
+ * Substitutes for drawing a few typed values, as a control's own help does: missing values are the previous ones, or
+ * have the proportions of the example. Null where the typed values allow no contour.
  */
 export function likelyCompletion(
   cycle: Cycle,

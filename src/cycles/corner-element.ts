@@ -10,7 +10,7 @@ export const cornerElementOf = (type: number, size: number): CornerElement | nul
 /** A rounded inner corner; sharp when the radius is 0. */
 export const roundOf = (radius: number): CornerElement | null => (radius > 0 ? { kind: "round", size: radius } : null);
 
-/** A corner of a cycle's contour: the element on it, and the Q that sizes it. */
+/** A corner of a cycle's contour: its element, and the Q with its size. */
 export interface NamedCorner {
   readonly element: CornerElement | null;
   readonly q: string;
@@ -55,7 +55,7 @@ export function namedContour(
   return { contour: inner.map((s) => s.segment), names: inner.map((s) => s.name), issues };
 }
 
-/** How many segments at either end of a contour belong to its start and its end element. */
+/** The number of segments that belong to the start element and to the end element of a contour. */
 export function edgesOf(
   names: readonly string[],
   start: string,
@@ -64,5 +64,5 @@ export function edgesOf(
   return { start: names.filter((n) => n === start).length, end: names.filter((n) => n === end).length };
 }
 
-/** The legs of a contour that runs on beyond its ends: longer than any part, mm. */
+/** Length of the legs beyond both ends of a contour: longer than any part, mm. */
 export const LEG = 1e5;

@@ -3,23 +3,20 @@ import { at, part, type Pt, type Ring, type Segment } from "../kernel/geometry/p
 import type { TipOrientation } from "../kernel/plan/tool.ts";
 import { inDegrees, radians, radius, rounded, toDiameter } from "../kernel/units.ts";
 
-/**
- * Numbers by chance, for set-ups that nobody thought of. Whoever asks for a set-up brings the dice: nothing here rolls
- * any.
- */
+/** Random numbers for set-ups that nobody thought of. The caller provides the generator. */
 export interface Draw {
-  /** One of these, each as likely. */
+  /** One of these, with equal probability. */
   one<T>(...of: readonly T[]): T;
   /** A whole number. */
   whole(min: number, max: number): number;
 }
 
-/** A set-up of a cycle as it was drawn: its values without Q215, and what fits them. mm; Q values as they are typed. */
+/** A random set-up of a cycle: its values without Q215, and tool, start and blank to match. mm; Q values as typed. */
 export interface DrawnSetup {
   readonly values: Readonly<Record<string, number>>;
-  /** Of a free-contour cycle. */
+  /** For a free-contour cycle. */
   readonly contour: readonly Segment[] | null;
-  /** A shipped tool, the tip turned towards the work, and what else is different. */
+  /** A shipped tool, the orientation of its tip, and other changed columns. */
   readonly tool: {
     readonly T: number;
     readonly TO: TipOrientation;
@@ -27,12 +24,12 @@ export interface DrawnSetup {
     readonly CUTWIDTH?: number;
     readonly CUTLENGTH?: number;
   };
-  /** Where the tip stands at the call when nothing is wrong. */
+  /** The tip at the call in a valid set-up. */
   readonly start: Pt;
   readonly blank: Ring;
 }
 
-/** Draws a set-up; null when what was drawn makes no contour at all. */
+/** Draws a set-up; null when the draw makes no contour. */
 export type Setups = (draw: Draw) => DrawnSetup | null;
 
 /** A length on the grid of a control. */
@@ -40,18 +37,18 @@ export const mm = (draw: Draw, min: number, max: number) =>
   draw.whole(Math.round(min * 1000), Math.round(max * 1000)) / 1000;
 /** An angle from 0. */
 const angle = (draw: Draw, max: number) => draw.whole(0, max * 10_000) / 10_000;
-/** Half a diameter on that grid. */
+/** A radius from a diameter on that grid. */
 export const half = (draw: Draw, min: number, max: number) => radius(draw.whole(min * 2000, max * 2000) / 2000);
-/** Mostly the first, now and then the other. */
+/** Usually the first, sometimes the other. */
 export const mostly = <T>(draw: Draw, usual: T, other: T) => draw.one(usual, usual, usual, usual, usual, other, other);
 
-/** A box, whichever of its corners comes first. */
+/** A box from two opposite corners. */
 export function box(z0: number, z1: number, r0: number, r1: number): Ring {
   const [left, right, low, high] = [Math.min(z0, z1), Math.max(z0, z1), Math.min(r0, r1), Math.max(r0, r1)];
   return [at(left, low), at(right, low), at(right, high), at(left, high)];
 }
 
-/** Values that every roughing cycle has. */
+/** Values of every roughing cycle. */
 const common = (draw: Draw) => ({
   Q460: mm(draw, 0.5, 4),
   Q478: 0.3,
@@ -60,7 +57,7 @@ const common = (draw: Draw) => ({
   Q505: 0.1,
   Q463: mm(draw, 0.3, 5),
 });
-/** Start element, corner and end element of the cycles that have their own contour. */
+/** Start element, corner and end element of the cycles with their own contour. */
 const elements = (draw: Draw) => ({
   Q501: draw.one(0, 1, 2),
   Q502: mm(draw, 0, 2),
@@ -69,27 +66,29 @@ const elements = (draw: Draw) => ({
   Q504: mm(draw, 0, 2),
 });
 
-/** Which way a tip points: from outside or inside towards the work, from +Z or −Z. */
+/** Orientation of a tip that cuts outside or inside, from +Z or −Z. */
 const tipOf = (out: 1 | -1, along: 1 | -1): TipOrientation => (out > 0 ? (along > 0 ? 1 : 3) : along > 0 ? 7 : 5);
-/** Where a button points that cuts along the axis, or across it. */
+/** Orientation of a button tool that cuts along the axis, or across it. */
 const squareTip = (out: 1 | -1, along: 1 | -1, transverse: boolean): TipOrientation =>
   transverse ? (along > 0 ? 8 : 4) : out > 0 ? 2 : 6;
 
-/** An end on the axis, or beyond it as a setter types it. */
+/** An end on the axis, or beyond it as setters program it. */
 const atAxis = (draw: Draw) => radius(draw.one(0, 0, -0.8, -0.2));
-/** An angle of a wall, now and then one of the whole degrees that flanks of inserts have as well. */
+/** A wall angle, sometimes in whole degrees as flanks of inserts are. */
 const wallAngle = (draw: Draw, max: number) => draw.one(0, angle(draw, max), draw.whole(0, max));
 
-/** Less than what a control keeps, mm: on either side of it a depth is a whole number of infeeds, or not. */
+/**
+ * Less than the resolution of a control, mm: it makes a depth just more or just less than a whole number of infeeds.
+ */
 const HAIR = 1e-4;
 
-/** Now and then an infeed that goes into a depth as often as it can, to a hair. */
+/** Sometimes an infeed that divides a depth exactly, or just not. */
 function infeedInto(draw: Draw, depth: number, usual: number): number {
   const exact = (depth + draw.one(0, HAIR, -HAIR)) / draw.whole(1, 7);
   return mostly(draw, usual, exact > 0.3 ? exact : usual);
 }
 
-/** Set-ups of the shoulder cycles: outside and inside, towards −Z and +Z, now and then up to the axis and past it. */
+/** Set-ups of the shoulder cycles: outside and inside, towards −Z and +Z, sometimes up to the axis and past it. */
 const boxSetups =
   (transverse: boolean): Setups =>
   (draw) => {
@@ -103,7 +102,7 @@ const boxSetups =
     const deep = transverse ? mm(draw, 2, 19) : mm(draw, 1, 15);
     const [over, before] = [draw.one(0, mm(draw, -2, 6)), mm(draw, 0, 8)];
     const axis = mostly(draw, null, atAxis(draw));
-    // Away from the axis a face begins there.
+    // A face that is cut away from the axis begins on it.
     const r1 = axis !== null && transverse && out < 0 ? axis : r;
     const end = axis !== null && out > 0 ? axis : radius(r - out * deep);
     const usual = common(draw);
@@ -117,7 +116,7 @@ const boxSetups =
         Q463: infeedInto(draw, depth, usual.Q463),
         Q495: wallAngle(draw, 20),
         Q496: wallAngle(draw, 30),
-        // An edge on the axis is none that could be broken, and what is faced there is mostly square.
+        // An edge on the axis cannot be broken, and a face to the axis is usually square.
         ...(axis !== null && {
           Q501: 0,
           Q503: 0,
@@ -142,10 +141,7 @@ const boxSetups =
 export const shoulderSetups = boxSetups(false);
 export const faceSetups = boxSetups(true);
 
-/**
- * Set-ups of the cycles that plunge behind a flank: outside and inside, towards −Z and +Z, with an edge that stays in
- * front.
- */
+/** Set-ups of the cycles that plunge behind a flank: outside and inside, towards −Z and +Z, with an edge in front. */
 export const plungeSetups =
   (transverse: boolean): Setups =>
   (draw) => {
@@ -157,7 +153,7 @@ export const plungeSetups =
     ];
     const [wide, deep] = transverse ? [mm(draw, 6, 20), mm(draw, 1, 12)] : [mm(draw, 10, 60), mm(draw, 1, 12)];
     const z2 = rounded(z1 - along * (transverse ? deep : wide));
-    // A flank that takes three quarters of the width at the most.
+    // The flank takes at most three quarters of the width.
     const steepest = Math.min(85, Math.floor(inDegrees(Math.atan2(0.75 * wide, deep))));
     const [over, before, room] = [draw.one(0, mm(draw, 0, 6)), mm(draw, 0, 8), mm(draw, 1, 9)];
     const usual = common(draw);
@@ -198,16 +194,16 @@ const without =
     );
   };
 
-/** Set-ups of a twin that breaks no edge, rounds no corner and has no angle at its end. */
+/** Set-ups of a cycle without edges, corner radii or an angle at its end. */
 const CORNERS = ["Q496", "Q500", "Q501", "Q502", "Q503", "Q504"];
 export const unbroken = (setups: Setups): Setups => without(setups, CORNERS);
 
-/** Set-ups of the simple twin of a cycle: it asks for the second corner of the box only. */
+/** Set-ups of a simple cycle: it has only the second corner of the box. */
 export const simple = (setups: Setups): Setups => without(setups, ["Q491", "Q492", "Q495", ...CORNERS]);
 
 /**
- * Two to six stretches on and on in the cutting direction, up and down, with corners between them, now and then an arc
- * or an end on the axis. `place`: where a point lies that is so far on and so high.
+ * Two to six segments in the cutting direction, rising and falling, with corners between them, sometimes an arc or an
+ * end on the axis. `place`: the point at a distance `on` along the contour and a height `up`.
  */
 function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis: boolean): ContourElement[] {
   const [first, count] = [place(0, 0), draw.whole(2, 6)];
@@ -216,7 +212,7 @@ function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis:
   for (let i = 1; i <= count; i += 1) {
     const step = draw.one(mm(draw, 0.5, 6), mm(draw, 0.5, 6), 0);
     const usual = mm(draw, -6, 6);
-    // Whole degrees, as flanks of inserts have them too.
+    // Whole degrees, as flanks of inserts have them.
     const degrees = mostly(draw, null, draw.whole(-60, 60));
     const rise = degrees === null || step === 0 ? usual : rounded(step * Math.tan(radians(degrees)));
     [on, up] = [rounded(on + step), rounded(up + (step === 0 ? Math.abs(rise) + 0.5 : rise))];
@@ -237,12 +233,12 @@ function drawnContour(draw: Draw, place: (on: number, up: number) => Pt, toAxis:
   return made;
 }
 
-/** What a free contour needs round it: where it begins and runs, which way is out, and what it is cut from. */
+/** Set-up of a free contour: its start, its direction, its open side, and the blank. */
 interface Free {
   readonly place: (on: number, up: number) => Pt;
   readonly toAxis: boolean;
   readonly tool: { readonly T: number; readonly TO: TipOrientation };
-  /** Start point and blank over the points of the contour. */
+  /** Start point and blank that enclose the points of the contour. */
   readonly round: (points: readonly Pt[]) => { readonly start: Pt; readonly blank: Ring };
 }
 
@@ -270,7 +266,7 @@ function freeAcross(draw: Draw): Free {
 /** Along the axis towards −Z or +Z, a shaft or a bore. */
 function freeAlong(draw: Draw): Free {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
-  // Now and then the face in front belongs to the contour, from the axis.
+  // Sometimes the face in front belongs to the contour, from the axis.
   const face = out > 0 ? mostly(draw, null, draw.one(0, 0, -0.8)) : null;
   const first = at(mm(draw, -5, 5), mm(draw, 20, 45));
   const T = draw.one(2, 1, 3, 11);
@@ -293,7 +289,7 @@ function freeAlong(draw: Draw): Free {
   };
 }
 
-/** Machining limits: mostly through the contour, one of them or both; else anywhere. */
+/** Machining limits: usually through the contour, one or both of them; else anywhere. */
 function limits(draw: Draw, points: readonly Pt[]): Readonly<Record<string, number>> {
   const through = (all: readonly number[]) => mm(draw, Math.min(...all), Math.max(...all));
   const [x, z] = [toDiameter(radius(through(points.map((p) => p.r)))), through(points.map((p) => p.z))];
@@ -302,8 +298,8 @@ function limits(draw: Draw, points: readonly Pt[]): Readonly<Record<string, numb
 }
 
 /**
- * Set-ups of the free contours that are cut by levels, in both directions, with limits on every side. A contour that
- * crosses itself is refused before any cycle sees it.
+ * Set-ups of free contours that are cut by levels, in both directions, with limits on every side. A contour that
+ * crosses itself is refused before any cycle gets it.
  */
 export const contourSetups =
   (transverse: boolean): Setups =>
@@ -327,5 +323,5 @@ export const contourSetups =
     };
   };
 
-/** What other families draw their set-ups with. */
+/** The generators that other families use. */
 export const dice = { mm, angle, half, mostly, box, common, elements, contour: drawnContour, limits };

@@ -6,7 +6,7 @@ import type { TipOrientation } from "../kernel/plan/tool.ts";
 import { rounded, toDiameter } from "../kernel/units.ts";
 import { box, half, mm, mostly, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts";
 
-/** Values that every thread cycle has. */
+/** Values of every thread cycle. */
 function threadValues(draw: Draw, out: 1 | -1) {
   const starts = draw.one(1, 1, 2, 3);
   const pitch = mm(draw, 0.5, 3);
@@ -31,7 +31,7 @@ function threadValues(draw: Draw, out: 1 | -1) {
   return { values, depth };
 }
 
-/** A tooth over whose tip material may stand as high as these set-ups have it, mm. */
+/** Height of a tooth that clears any material in these set-ups, mm. */
 const HIGH = 12;
 
 const tool = (out: 1 | -1, tooth = HIGH): DrawnSetup["tool"] => ({
@@ -40,9 +40,9 @@ const tool = (out: 1 | -1, tooth = HIGH): DrawnSetup["tool"] => ({
   CUTLENGTH: tooth,
 });
 
-/** Half as wide as the shipped thread tools are at the height of their tooth, mm: 60° about a nose of 0.1. */
+/** Half the width of the shipped thread tools at the height of their tooth, mm: 60° about a nose of 0.1. */
 const besideTip = (tooth: number) => (tooth + 0.1) * Math.tan(Math.PI / 6);
-/** So little behind a flank a shoulder is clear of it, mm. */
+/** A shoulder this far behind a flank is clear of it, mm. */
 const CLEAR = 0.005;
 
 /**
@@ -79,8 +79,7 @@ function faceThread(draw: Draw): DrawnSetup {
 }
 
 /**
- * A thread along the axis, outside and inside, towards −Z and +Z; `extended`: on a cone too, however that is
- * dimensioned.
+ * A thread along the axis, outside and inside, towards −Z and +Z; `extended`: also on a cone, in every dimensioning.
  */
 function longThread(draw: Draw, extended: boolean): DrawnSetup {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
@@ -100,7 +99,7 @@ function longThread(draw: Draw, extended: boolean): DrawnSetup {
     surface,
     out > 0 ? 0 : surface + 25,
   );
-  // At its bounds: a tooth as high as the thread is deep, and a shoulder right behind the flank of the last pass.
+  // The limit case: a tooth as high as the thread is deep, and a shoulder right behind the flank of the last pass.
   const crest = out > 0 ? high : low - depth;
   const tooth = !extended && Math.abs(surface - crest) < ROUND ? draw.one(HIGH, depth, depth + 0.5) : HIGH;
   const behind = z2 - along * (values.Q472 + besideTip(tooth) + CLEAR);
@@ -123,7 +122,9 @@ function longThread(draw: Draw, extended: boolean): DrawnSetup {
 export const threadSetups = (draw: Draw, extended: boolean): DrawnSetup =>
   extended && draw.one(false, false, true) ? faceThread(draw) : longThread(draw, extended);
 
-/** Set-ups of a thread along a free contour: lines, tapers and now and then an arc, always onwards along the axis. */
+/**
+ * Set-ups of a thread along a free contour: lines, tapers and sometimes an arc, always in one direction along the axis.
+ */
 export const threadContourSetups: Setups = (draw) => {
   const [out, along] = [draw.one<1 | -1>(1, -1), draw.one<1 | -1>(1, -1)];
   const { values, depth } = threadValues(draw, out);

@@ -1,21 +1,18 @@
 import type { Param } from "./params.ts";
 
-/** A few values of a cycle, by Q: those that are known. */
+/** The known values of a cycle, by Q. */
 export type SomeValues = Readonly<Record<string, number | "auto" | undefined>>;
 
 /**
- * Whether a value says nothing beside the others that are known: it is reserved, or what it belongs to is not there. As
- * long as that is not known, it says something.
+ * Whether a value has no effect with the other known values: it is reserved, or its condition is not met. While the
+ * condition is unknown, it has an effect.
  */
 export function saysNothing({ reserved, counts }: Pick<Param, "reserved" | "counts">, known: SomeValues): boolean {
   const decides = counts === null ? undefined : known[counts.q];
   return reserved || (typeof decides === "number" && counts?.among.includes(decides) === false);
 }
 
-/**
- * What stands in the program where a value that says nothing is left out: 0, or what is next to it among those that may
- * be entered.
- */
+/** The value that the program contains in place of one without effect: 0, or the nearest allowed value. */
 export function neutralOf({ range: [min, max], choices }: Pick<Param, "range" | "choices">): number {
   if (choices) return choices.includes(0) ? 0 : (choices[0] as number);
   return Math.min(max, Math.max(min, 0));

@@ -8,7 +8,7 @@ import { FAR } from "../kernel/strategy/ground.ts";
 import { toDiameter, toRadius, type Axial, type Diameter } from "../kernel/units.ts";
 import type { Dimension, Given, Outline } from "./define.ts";
 
-/** The values of a free-contour cycle that shape its outline. */
+/** The values of a free-contour cycle that affect its outline. */
 export interface FreeValues {
   readonly Q499: number;
   readonly Q479: number;
@@ -42,8 +42,8 @@ export function freeOutline(v: FreeValues, given: Given, transverse: boolean): O
 }
 
 /**
- * The end of a contour from which the part cannot go on across the cutting direction, because an element of the contour
- * is in the way.
+ * The end of a contour past which the part cannot continue across the cutting direction, because an element of the
+ * contour is in the way.
  */
 function coveredEnd(contour: readonly Segment[], { transverse, signU }: Frame): Pt | null {
   const [first, last] = [contour[0] as Segment, contour.at(-1) as Segment];
@@ -65,8 +65,8 @@ function limitDimensions(v: FreeValues, contour: readonly Segment[]): Dimension[
 }
 
 /**
- * On which side of a contour a point lies that is farther from the axis than all of it, or nearer; null between the
- * two.
+ * The side of a contour on which a point lies if it is farther from the axis than the whole contour, or nearer; null
+ * between.
  */
 function sideOf(contour: readonly Segment[], start: Pt | null): "outside" | "inside" | null {
   const points = contour.flatMap((s) => [s.from, s.to]);
@@ -75,8 +75,8 @@ function sideOf(contour: readonly Segment[], start: Pt | null): "outside" | "ins
 }
 
 /**
- * How strategy space lies: u runs from the first towards the last point; the open side is +Z or away from the axis, or
- * `open` is false.
+ * Orientation of strategy space: u runs from the first towards the last point; the open side is +Z or away from the
+ * axis, or the opposite where `open` is false.
  */
 function freeFrame(contour: readonly Segment[], transverse: boolean, open: boolean): Frame {
   const [first, last] = [contour[0]?.from, contour.at(-1)?.to];
@@ -85,9 +85,9 @@ function freeFrame(contour: readonly Segment[], transverse: boolean, open: boole
 }
 
 /**
- * The frame as it is cut. The open side of a transverse contour is −Z only when a tool that points to +Z stands behind
- * the contour (decision 0010). The open side of a longitudinal one is away from the axis when the start point lies
- * farther out than the contour; between its nearest and its farthest point the tip says which way it cuts.
+ * The frame for cutting. The open side of a transverse contour is −Z only when a tool that points to +Z is behind the
+ * contour (decision 0010). The open side of a longitudinal contour is away from the axis when the start point is
+ * farther out than the contour; between its nearest and its farthest point the tip orientation decides.
  */
 export function frameAt(contour: readonly Segment[], transverse: boolean, { start, tool }: Setting): Frame {
   const points = contour.flatMap((s) => [s.from, s.to]);
@@ -98,8 +98,8 @@ export function frameAt(contour: readonly Segment[], transverse: boolean, { star
 }
 
 /**
- * The same for a tool that plunges: it works from outside, between the heights of the contour, when it points to the
- * axis.
+ * The frame for a tool that plunges: between the heights of the contour, a tip that points to the axis works from
+ * outside.
  */
 export function plungeFrame(contour: readonly Segment[], transverse: boolean, setting: Setting): Frame {
   const rs = contour.flatMap((s) => [s.from.r, s.to.r]);

@@ -11,13 +11,13 @@ import { refused } from "./refused.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
-/** What a cycle that cuts a free contour by levels asks for. */
+/** The values of a cycle that cuts a free contour by levels. */
 interface FreeLeveled extends LeveledValues, FreeValues {
   readonly Q487: number;
   readonly Q488: Feed | "auto";
 }
 
-/** Cuts the contour of a subprogram by levels, along the axis or across it. */
+/** Plans the contour of a subprogram by levels, along the axis or across it. */
 export function planFree(v: FreeLeveled, setting: Setting, given: Given, transverse: boolean): Plan {
   const outline = freeOutline(v, given, transverse);
   const none = refused(outline);

@@ -65,18 +65,18 @@ type Listed = (typeof list)[number];
 /** All cycles in menu order. */
 export const catalogue: readonly Cycle[] = list;
 
-/** Those that a work can be made of: they cut. The others act where a program defines them. */
+/** Cycles that cut. The others act where a program defines them. */
 export const cuttingCycles: readonly Cycle[] = catalogue.filter((c) => !c.acts);
-/** Those that act where they are defined. */
+/** Cycles that act where they are defined. */
 export const actingCycles: readonly Cycle[] = catalogue.filter((c) => c.acts);
 
 /** The numbers of the catalogue: a cycle without texts is a compile error. */
 export type CycleNumber = Listed["number"];
 
-/** Every key that a parameter of the catalogue takes its texts from: a key without texts is a compile error. */
+/** Every text key of a parameter in the catalogue: a key without texts is a compile error. */
 export type ParamTextId = { [N in CycleNumber]: TextOf<Extract<Listed, { number: N }>["params"]> }[CycleNumber];
 
-/** Those of them whose parameter is a choice: their texts say what each choice means. */
+/** The keys of choices: their texts explain each choice. */
 export type ChoiceTextId = { [N in CycleNumber]: ChoiceTextOf<Extract<Listed, { number: N }>["params"]> }[CycleNumber];
 type ChoiceTextOf<P extends Params> = { [Q in keyof P]: P[Q] extends Param<"choice", infer T> ? T : never }[keyof P];
 type TextOf<P extends Params> = P[keyof P]["text"];

@@ -1,6 +1,6 @@
 /**
- * Cycles of turning that are read, shown and kept, and not run: their labels in the order in which a control writes
- * them, as recalled (probably right).
+ * Turning cycles that are read, shown and preserved, but not simulated: their labels in the order in which a control
+ * writes them, as recalled (probably right).
  */
 const KEPT = {
   880:
@@ -22,7 +22,7 @@ const KEPT = {
   892: "Q450 MAXIMUM RUNOUT, Q451 SPEED",
 } as const;
 
-/** Numbers of the cycles that are kept and not run: one without a name is a compile error in each language. */
+/** Numbers of these cycles: a number without a name is a compile error in each language. */
 export type KeptNumber = keyof typeof KEPT;
 
 export const keptNumbers = Object.keys(KEPT).map(Number) as KeptNumber[];

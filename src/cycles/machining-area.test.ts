@@ -3,7 +3,7 @@ import { at, type Pt } from "../kernel/geometry/point.ts";
 import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { cycleByNumber } from "./index.ts";
 
-/** Along the cut, where the area and the contour of a cycle begin when its tool starts at a place before them. */
+/** Where the area and the contour of a cycle begin along the cut, for a tool that starts in front of them. */
 function begins(number: number, start: Pt, along: "z" | "r"): { area: number; contour: number } {
   const cycle = cycleByNumber(number);
   const tool = shippedTools.find((t) => t.T === cycle?.setup.tool);
@@ -19,12 +19,12 @@ function begins(number: number, start: Pt, along: "z" | "r"): { area: number; co
   return { area: Math.max(...plan.area.map((p) => p[along])), contour: plan.contour[0]?.from[along] ?? NaN };
 }
 
-test("what stands in front of a shoulder is cut from the start point on", () => {
+test("material in front of a shoulder is cut from the start point on", () => {
   expect(begins(812, at(6.3, 40), "z").area).toBeCloseTo(6.3, 6);
   expect(begins(822, at(4, 44.2), "r").area).toBeCloseTo(44.2, 6);
 });
 
-test("what stands in front of a contour that is plunged into stays, wherever the tool starts", () => {
+test("material in front of a plunging contour is never cut, from any start point", () => {
   for (const { area, contour } of [begins(814, at(6.3, 40), "z"), begins(824, at(4, 44.2), "r")])
     expect(area).toBeCloseTo(contour, 6);
 });

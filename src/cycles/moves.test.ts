@@ -43,7 +43,7 @@ function listing(moves: readonly Move[]): string {
     .join(" ");
 }
 
-/** What a cycle makes of one line. */
+/** The moves of one line. */
 function planned(line: string): string {
   const [head = "", tail = ""] = line.split("|");
   const [, cycleNumber = "", x = "", z = ""] = /^(\d+) from (\S+?)\/(\S+)/.exec(head.trim()) ?? [];

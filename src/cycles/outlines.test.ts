@@ -5,8 +5,8 @@ import { c820 } from "./c820.ts";
 import { cycleByNumber } from "./index.ts";
 
 /*
- * Contours by the box rule (decision "The box rule"), their corners worked out on paper: [z, r], in machining
- * direction. The lengths are of different size everywhere, so that nothing can be exchanged unseen.
+ * Contours by the box rule (decision "The box rule"), their corners calculated by hand: [z, r], in machining direction.
+ * All lengths differ, so that any mix-up shows.
  */
 const tan = (degrees: number) => Math.tan(radians(degrees));
 const plain = { Q500: 0, Q501: 0, Q503: 0, Q495: 0, Q496: 0 };
@@ -226,7 +226,7 @@ test("a free contour that crosses itself, or ends behind itself, is drawn and re
   expect(outlined(along([-6.4, 10], [-4.5, 37.5]))).toEqual([1]);
 });
 
-test("a simple shoulder lies between the tip at the call and its end, outside or inside by that tip", () => {
+test("a simple shoulder extends from the tip at the call to its end, outside or inside by that tip", () => {
   const corners = (number: number, start: readonly [number, number]) => {
     const cycle = cycleByNumber(number);
     const values = Object.fromEntries(Object.entries(cycle?.params ?? {}).map(([q, p]) => [q, p.example]));

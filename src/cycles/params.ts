@@ -5,7 +5,7 @@ import type { Axial, Degrees, Diameter, Feed, Length, Radius } from "../kernel/u
  */
 export type Evidence = "A" | "B" | "L" | "I" | "K1" | "K2" | "K3";
 
-/** What a value measures. It belongs to cycle and Q together: Q463 is radial in one cycle and axial in another. */
+/** The quantity of a value. It belongs to cycle and Q together: Q463 is radial in one cycle and axial in another. */
 export type Kind =
   | "choice"
   | "diameter"
@@ -21,10 +21,10 @@ export type Kind =
   | "percent"
   | "revolutions";
 
-/** What the recessing cycles ask for beside the rest. */
+/** Topics of the recessing cycles only. */
 type PlungeTopic = "depthLimit" | "overlap" | "solidFeed" | "retraction" | "dwell" | "comb";
 
-/** What a thread has for itself. */
+/** Topics of threads only. */
 type ThreadTopic =
   | "threadPosition"
   | "threadOrientation"
@@ -37,7 +37,7 @@ type ThreadTopic =
   | "threadStarts"
   | "airCuts";
 
-/** How the help picture explains a value: by a dimension of the outline, or by what the cycle does with it. */
+/** How the help picture explains a value: by a dimension of the outline, or by an effect of the cycle. */
 export type Topic =
   | ThreadTopic
   | PlungeTopic
@@ -63,7 +63,7 @@ export type Topic =
   | "allowance"
   | "cuttingLines";
 
-/** The value a kind yields. A feed is a number or "auto" (FAUTO). */
+/** The value of a kind. A feed is a number or "auto" (FAUTO). */
 interface ValueOf {
   choice: number;
   diameter: Diameter;
@@ -80,13 +80,13 @@ interface ValueOf {
   revolutions: number;
 }
 
-/** Where a value says something: only where another one of its cycle is among these. */
+/** Condition under which a value has an effect: another value of its cycle is one of these. */
 export interface Condition {
   readonly q: string;
   readonly among: readonly number[];
 }
 
-/** What only roughing reads, what only finishing reads (Q215), and what only a limit of the area reads (Q479). */
+/** Values for roughing only, for finishing only (Q215), and for a limited area only (Q479). */
 export const roughs: Condition = { q: "Q215", among: [0, 1] };
 export const finishes: Condition = { q: "Q215", among: [0, 2, 3] };
 export const limited: Condition = { q: "Q479", among: [1] };
@@ -96,7 +96,7 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   /** Key of prompt, explanation and NC label in `i18n`. */
   readonly text: T;
   readonly range: readonly [min: number, max: number];
-  /** Where the range comes from. */
+  /** Evidence for the range. */
   readonly rangeEvidence: Evidence;
   /** Value of the printed example. */
   readonly example: number;
@@ -105,29 +105,27 @@ export interface Param<K extends Kind = Kind, T extends string = string> {
   readonly incremental: boolean;
   readonly choices?: readonly number[];
   readonly evidence: Evidence;
-  /** Decimals that the control keeps of this value. */
+  /** Number of decimals on the control. */
   readonly decimals: number;
-  /** The value says nothing in this cycle (printed as reserved). */
+  /** The value has no effect in this cycle (printed as reserved). */
   readonly reserved: boolean;
   /** How the help picture explains it. */
   readonly shown: Topic;
-  /** The end of the contour that it belongs to, in machining direction. */
+  /** The end of the contour that the value belongs to, in machining direction. */
   readonly place: "start" | "end";
-  /** The Q that says what this is the size of: a chamfer or a radius. */
+  /** The Q of the element whose size this is: a chamfer or a radius. */
   readonly sizes?: string;
-  /**
-   * It says something only where this holds; the size of an element only where there is one. Null: always, as far as is
-   * certain.
-   */
+  /** Condition for an effect; the size of an element needs an element. Null: always, as far as is certain. */
   readonly counts: Condition | null;
   /** It is the radius of a rounded corner; 0 leaves the corner sharp. */
   readonly rounds: boolean;
   /** A feed of axes that do not cut: M136 does not make it one per revolution. */
   readonly perMinute: boolean;
-  /** It is a dimension of the drawing: a finding may question its sign, and never offers another value. */
+  /** It is a dimension of the drawing: a finding may question its sign but never proposes another value. */
   readonly drawn: boolean;
   /**
-   * What a control fills in where a list written by older software lacks this parameter (K2); null where no list may.
+   * The value that a control fills in where a list written by older software lacks this parameter (K2); null where no
+   * list may lack it.
    */
   readonly filledIn: number | null;
 }
@@ -154,7 +152,7 @@ interface Options {
   filledIn?: number;
 }
 
-/** What is shown of a drawing, and what of the shape in a help picture is a measure of it. */
+/** Topics that a drawing shows, and the kinds that are sizes of the shape in a help picture. */
 const DRAWN: ReadonlySet<Topic> = new Set<Topic>([
   "element",
   "pitch",
@@ -220,18 +218,18 @@ export const lengthParam = maker("length");
 export const angle = maker("angle");
 /** mm/rev or mm/min, or FAUTO. */
 export const feedParam = maker("feed");
-/** How often, without a unit. */
+/** A count, without a unit. */
 export const countParam = maker("count");
-/** A share of something, without a unit. */
+/** A factor, without a unit. */
 export const factorParam = maker("factor");
-/** A share of something in percent. */
+/** A share in percent. */
 export const percentParam = maker("percent");
 /** Turns of the spindle. */
 export const revolutionsParam = maker("revolutions");
 
 /**
- * Parameters of a list that no page we hold prints, each with the tag of that: `K1` clearly recalled, its range
- * probably right. They may be taken over from a cycle whose list is printed.
+ * Tags the parameters of a list that no page we have prints: `K1` clearly recalled, its range probably right. They may
+ * come from a cycle whose list is printed.
  */
 export const recalled = <const P extends Params>(params: P): P =>
   Object.fromEntries(Object.entries(params).map(([q, p]) => [q, { ...p, evidence: "K1", rangeEvidence: "K2" }])) as P;
@@ -239,5 +237,5 @@ export const recalled = <const P extends Params>(params: P): P =>
 /** The same parameter with another value in the example of the list. */
 export const exampleOf = <P extends Param>(param: P, example: number): P => ({ ...param, example });
 
-/** Whether a whole list is recalled: that is said once, for the cycle, and not again for each of its parameters. */
+/** Whether a whole list is recalled: this is shown once per cycle, not per parameter. */
 export const isRecalled = ({ evidence }: { readonly evidence: Evidence }): boolean => evidence.startsWith("K");

@@ -8,8 +8,8 @@ import type { Params, Values } from "./params.ts";
 const ROUGHING = 1;
 
 /**
- * What a cycle plans for a point: a picture of its values shows levels, area and reach before there is any tool. It
- * stands where the contour begins, as high as the contour goes, and roughs whatever the operation is.
+ * The plan of a cycle for a point instead of a tool: a picture of the values shows levels, area and reach before a tool
+ * is chosen. The point starts at the start of the contour, at its greatest height, and always roughs.
  */
 export function pointPlan(cycle: Cycle, values: Values<Params>, { contour, frame }: Outline, given: Given): Plan {
   const elements = contour.map((s) => segmentToFlat(frame, s));

@@ -12,12 +12,12 @@ import { refused } from "./refused.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
-/** What turning the recesses of a programmed contour asks for. */
+/** The values for turning the recesses of a programmed contour. */
 type FreeRecess = FreeValues & TurnedRecess;
 
 /**
- * The programmed contour in machining direction; the tool goes in from its open side, and the part goes on beyond both
- * its ends.
+ * The programmed contour in machining direction; the tool goes in from its open side, and the part continues past both
+ * ends.
  */
 export function freeRecess(v: FreeRecess, given: Given, transverse: boolean): Outline {
   const outline = freeOutline(v, given, transverse);
@@ -25,7 +25,7 @@ export function freeRecess(v: FreeRecess, given: Given, transverse: boolean): Ou
 }
 
 /**
- * A programmed contour has no one floor: Q509 shifts all of it, positive out of the material (decision "Sections of a
+ * A programmed contour has several floors: Q509 shifts all of it, positive out of the material (decision "Sections of a
  * recess").
  */
 function shifted(contour: readonly Segment[], { transverse, signV }: Frame, by: number): readonly Segment[] {
@@ -33,7 +33,7 @@ function shifted(contour: readonly Segment[], { transverse, signV }: Frame, by: 
   return by === 0 ? contour : contour.map((s) => part.shifted(s, offset));
 }
 
-/** Cuts the recesses of a programmed contour, in a cylinder or in a face. */
+/** Plans the recesses of a programmed contour, in a cylinder or in a face. */
 export function planFreeRecess(v: FreeRecess, setting: Setting, given: Given, transverse: boolean): Plan {
   const outline = freeOutline(v, given, transverse);
   const none = refused(outline);

@@ -16,9 +16,9 @@ export interface RecessOutline extends BoxOutline {
 }
 
 /**
- * Contour of an extended recess inside its box (decision "The box rule"): both walls hinge on the edges of the opening
- * and lean inwards. Cut across the axis, the opening lies in the plane Q492 and the floor at Q494 (85x); else the
- * opening lies on the diameter Q491 and the floor on Q493 (84x).
+ * Contour of an extended recess inside its box (decision "The box rule"): both walls pivot on the edges of the opening
+ * and slope inwards. Cut across the axis, the opening is in the plane Q492 and the floor at Q494 (85x); otherwise the
+ * opening is on the diameter Q491 and the floor on Q493 (84x).
  */
 export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
   const axialGroove = frame.transverse;
@@ -43,7 +43,7 @@ export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
   const tooWide = v.Q500 > widest + ROUND;
   if (tooWide) issues.push(issue("cornersTooWide", "error", { radius: v.Q500, max: widest }, "Q500"));
   const round = roundOf(tooWide ? 0 : v.Q500);
-  // Towards the axis a leg ends there: an outer element cannot be longer.
+  // A leg towards the axis ends there: an outer element cannot be longer.
   const start = axialGroove && r1 < r2 ? Math.max(r1, JOINED) : LEG;
   const end = axialGroove && r2 < r1 ? Math.max(r2, JOINED) : LEG;
   const mouth = axialGroove ? "Q492" : "Q491";
@@ -73,10 +73,10 @@ export function recessOutline(v: ShoulderValues, frame: Frame): RecessOutline {
   return { ...none, ...built, dimensions, issues: [...issues, ...built.issues], opening: W, floor: w2 - w1 };
 }
 
-/** Walls stand upright in strategy space: their angles count from there. */
+/** Walls are upright in strategy space: their angles count from there. */
 const angleAt = (_q: string, direction: number) => 90 - Math.abs(direction);
 
-/** A point a little from `p` towards `q`: where a leader points from. */
+/** A point a quarter of the way from `p` to `q`, for a leader line. */
 const beyond = (p: Pt, q: Pt): Pt => pt(p.z + (q.z - p.z) / 4, p.r + (q.r - p.r) / 4);
 
 function dimensionsOf(

@@ -26,13 +26,13 @@ import { atParameters, type Roles } from "./roles.ts";
 import { boxFrame, type ShoulderValues } from "./shoulder-outline.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
 
-/** The ends of a recess, and where Q509 puts its floor. */
+/** The ends of a recess. */
 type Ends = Pick<ShoulderValues, "Q491" | "Q492" | "Q493" | "Q494">;
 type Shifted = { readonly Q509: number };
 
 /**
- * The finished recess: with the floor where Q509 shifts it, positive out of the material (decision "Recess turning").
- * Along Z in a face, on the radius in a cylinder.
+ * The finished recess, its floor shifted by Q509, positive out of the material (decision "Recess turning"): along Z in
+ * a face, on the radius in a cylinder.
  */
 export function finishedRecess(v: ShoulderValues & Shifted, transverse: boolean): RecessOutline {
   const frame = boxFrame(v, transverse);
@@ -42,7 +42,7 @@ export function finishedRecess(v: ShoulderValues & Shifted, transverse: boolean)
   return recessOutline({ ...v, ...floor }, frame);
 }
 
-/** What turning a recess asks for, whatever its contour. */
+/** The values for turning a recess, whatever its contour. */
 export interface TurnedRecess extends Shifted {
   readonly Q215: number;
   readonly Q478: Feed | "auto";
@@ -54,9 +54,9 @@ export interface TurnedRecess extends Shifted {
   readonly Q508: number;
   readonly Q488: Feed | "auto";
 }
-/** What is done to a recess, and what it keeps on its walls. */
+/** The operation on a recess, and its oversizes. */
 type Worked = Pick<TurnedRecess, "Q215" | "Q483" | "Q484">;
-/** The same between two walls. */
+/** The values of a recess between two walls. */
 type RecessTurning = ShoulderValues & TurnedRecess;
 
 /** The path of a recess-turning cycle with its own contour; `outline` is the finished recess. */
@@ -97,9 +97,9 @@ const rolesIn = (frame: Frame): Roles => ({
 });
 
 /**
- * A bar that is wider than the floor, with the oversize on both walls, cannot reach it; wider than the opening, not at
- * all. Where the bar alone fits, less oversize mends it; else a narrower tool does: the width of a recess is that of
- * the drawing.
+ * A bar wider than the floor, with the oversize on both walls, cannot reach it; one wider than the opening cannot
+ * enter. Where the bar alone fits, less oversize is enough; otherwise the recess needs a narrower tool, since its width
+ * is that of the drawing.
  */
 export function narrowIssue({ frame, floor, opening }: RecessOutline, v: Worked, tool: Tool): Issue[] {
   if (!isBar(tool)) return [];
@@ -113,22 +113,18 @@ export function narrowIssue({ frame, floor, opening }: RecessOutline, v: Worked,
   return [issue("recessNarrowerThanTool", needed > opening + SAME ? "error" : "warning", data, fits ? at : "tool")];
 }
 
-/** Opening of a simple recess in pictures that know no start point yet: so wide and so deep, mm. */
+/** Assumed opening of a simple recess while the start point is unknown: width and depth, mm. */
 const ASSUMED = { wide: 30, deep: 12.5 };
 
 /**
- * The first corner of a simple recess: the tip at the call; where that is not known yet, one that makes a groove from
- * outside.
+ * The first corner of a simple recess: the tip at the call; while that is unknown, one that makes an outside groove.
  */
 function firstCorner(v: Pick<Ends, "Q493" | "Q494">, transverse: boolean, { start }: Given): Pt {
   const [z, r] = transverse ? [ASSUMED.deep, ASSUMED.deep] : [ASSUMED.wide, ASSUMED.deep];
   return start ?? part.point(v.Q494 + z, toRadius(v.Q493) + r);
 }
 
-/**
- * A simple recess as the extended one that it is: from the tip at the call, with upright walls, and nothing at its
- * corners.
- */
+/** The extended values of a simple recess: from the tip at the call, with upright walls, and nothing at its corners. */
 export function simpleRecess<V extends Pick<Ends, "Q493" | "Q494">>(
   v: V,
   transverse: boolean,
@@ -150,10 +146,7 @@ export function simpleRecess<V extends Pick<Ends, "Q493" | "Q494">>(
   };
 }
 
-/**
- * The outline of a simple recess speaks of its own two parameters; what the others would say is a matter of the start
- * point.
- */
+/** The outline of a simple recess reports at its own two parameters; issues of the others belong to the start point. */
 export function simpleOutline(outline: RecessOutline): RecessOutline {
   const { transverse } = outline.frame;
   const own: Readonly<Record<string, string>> = {

@@ -5,15 +5,15 @@ import { dice, type Draw, type DrawnSetup, type Setups } from "./drawn-setup.ts"
 
 const { angle, box, common, elements, half, mm, mostly } = dice;
 
-/** What a control keeps no more of, mm: by so little less a recess is as wide as its tool all the same. */
+/** Less than the resolution of a control, mm: a recess may be this much narrower than its tool. */
 const HAIR = 1e-4;
 /**
- * Mostly the usual width; now and then that of the blade between the oversizes, or hardly more or less. `kept`: on both
- * walls.
+ * Usually the usual width; sometimes that of the blade between the oversizes, or just more or less. `kept`: oversize of
+ * both walls together.
  */
 const widthOf = (draw: Draw, usual: number, blade: number, kept: number) =>
   mostly(draw, usual, blade + kept + draw.one(0, HAIR, -HAIR, 0.05, -0.05, 0.3));
-/** Now and then an infeed that goes into a depth as often as it can, to a hair. */
+/** Sometimes an infeed that divides a depth exactly, or just not. */
 const infeedInto = (draw: Draw, usual: number, depth: number) =>
   mostly(draw, usual, Math.max(0.3, (depth + draw.one(0, HAIR, -HAIR)) / draw.whole(1, 5)));
 
@@ -22,7 +22,7 @@ interface RecessSetup extends DrawnSetup {
   readonly corner: Pt;
 }
 
-/** Values that every recess-turning cycle has. */
+/** Values of every recess-turning cycle. */
 const turnedValues = (draw: Draw) => ({
   ...common(draw),
   Q507: draw.one(0, 1),
@@ -43,7 +43,7 @@ const axialTool = (draw: Draw, along: 1 | -1) => ({
   CUTWIDTH: draw.one(2, 3, 4),
   RS: draw.one(0, 0.2, 0.4),
 });
-/** A bar that points at the axis or away from it, its tip in the middle of the edge or at either corner. */
+/** A bar that points at the axis or away from it, with its tip in the middle of the edge or at either corner. */
 const radialTool = (draw: Draw, out: 1 | -1) => ({
   T: out > 0 ? 9 : 14,
   TO:
@@ -100,7 +100,7 @@ export const radialRecesses = (draw: Draw): RecessSetup => {
   };
 };
 
-/** The same for the simple cycles, whose first corner is the tip at the call. */
+/** Set-ups of the simple cycles, whose first corner is the tip at the call. */
 export const simpleRecesses =
   (extended: (draw: Draw) => RecessSetup, transverse: boolean): Setups =>
   (draw) => {
@@ -116,12 +116,12 @@ export const simpleRecesses =
     };
   };
 
-/** What the simple cycles do not ask for. */
+/** Parameters that the simple cycles do not have. */
 const OWN_CORNERS = ["Q491", "Q492", "Q495", "Q501", "Q502", "Q500", "Q496", "Q503", "Q504"];
 
 /**
- * Stretches over and in a part: walls, floors, tapers, arcs, with corners between them; `depth` mm at the most, from
- * `wide` mm on.
+ * Segments over and in a part: walls, floors, tapers, arcs, with corners between them; at most `depth` mm deep, from a
+ * width of `wide` mm.
  */
 function valleys(
   draw: Draw,
@@ -144,8 +144,8 @@ function valleys(
 }
 
 /**
- * Set-ups of the free recess-turning contours, in a cylinder, a bore or a face, in both directions, with limits on
- * every side.
+ * Set-ups of free recess-turning contours, in a cylinder, a bore or a face, in both directions, with limits on every
+ * side.
  */
 export const freeRecesses =
   (transverse: boolean): Setups =>

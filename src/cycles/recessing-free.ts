@@ -8,23 +8,20 @@ import { refused } from "./refused.ts";
 import { atParameters } from "./roles.ts";
 import { angleIssues, withIssues } from "./tool-issues.ts";
 
-/**
- * The values of a recessing cycle that shape its outline: it knows limits, and no other direction than the programmed
- * one.
- */
+/** The values of a recessing cycle that affect its outline: limits, but no reversed direction. */
 interface Limited {
   readonly Q479: number;
   readonly Q480: Diameter;
   readonly Q482: Axial;
 }
 
-/** The programmed contour; the tool goes in from its open side, and the part goes on beyond both its ends. */
+/** The programmed contour; the tool goes in from its open side, and the part continues past both ends. */
 export const freeRecessing = (v: Limited, given: Given, transverse: boolean): Outline => ({
   ...freeOutline({ ...v, Q499: 0 }, given, transverse),
   sunk: true,
 });
 
-/** Cuts a programmed contour by plunges, in a cylinder or in a face. */
+/** Plans a programmed contour by plunges, in a cylinder or in a face. */
 export function planFreeRecessing(
   v: Limited & PlungeValues,
   setting: Setting,

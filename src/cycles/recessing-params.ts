@@ -1,6 +1,6 @@
 import { axialDepth, choice, factorParam, percentParam, radial, revolutionsParam, roughs } from "./params.ts";
 
-/** What the recessing cycles have behind their limit of a plunge, in the order of their lists. */
+/** The parameters of the recessing cycles after the limit of a plunge, in the order of their lists. */
 const side = {
   Q510: factorParam("recessingOverlap", [0.001, 1], 0.8, { shown: "overlap", counts: roughs, filledIn: 0.8 }),
   Q511: percentParam("solidFeed", [0.001, 150], 100, { shown: "solidFeed", counts: roughs, filledIn: 100 }),
@@ -9,7 +9,7 @@ const side = {
   Q562: choice("combRecessing", [0, 1], 0, { shown: "comb", counts: roughs, filledIn: 0 }),
 };
 
-/** The end of the list of every recessing cycle: the limit of a plunge runs on the radius, or along Z. */
+/** The end of every recessing list: the limit of a plunge is on the radius, or along Z. */
 export const radialPlunges = {
   Q463: radial("plungeLimit", [0, 99.999], 0, { shown: "depthLimit", filledIn: 0 }),
   ...side,

@@ -11,7 +11,7 @@ import { atParameters } from "./roles.ts";
 import type { ShoulderValues } from "./shoulder-outline.ts";
 import { angleIssues, cornerIssue, withIssues } from "./tool-issues.ts";
 
-/** What every recessing cycle asks for beside its contour. */
+/** The values of every recessing cycle besides its contour. */
 export interface PlungeValues {
   readonly Q215: number;
   readonly Q460: number;
@@ -27,7 +27,7 @@ export interface PlungeValues {
   readonly Q562: number;
 }
 
-/** Plunges over any contour. */
+/** Plans any contour by plunges. */
 export function planPlunges(
   v: PlungeValues,
   on: { readonly contour: readonly Segment[]; readonly frame: Frame },
@@ -56,7 +56,7 @@ export function planPlunges(
   );
 }
 
-/** The finished recess of a cycle with its own contour: nothing shifts its floor. */
+/** The finished recess of a cycle with its own contour; its floor is never shifted. */
 export const recessingOutline = (v: ShoulderValues, transverse: boolean): RecessOutline =>
   finishedRecess({ ...v, Q509: 0 }, transverse);
 

@@ -2,7 +2,7 @@ import { dice, type Draw, type Setups } from "./drawn-setup.ts";
 
 const { mm, mostly } = dice;
 
-/** Values that every recessing cycle has behind its limit of a plunge. */
+/** Values of every recessing cycle after its limit of a plunge. */
 const plunged = (draw: Draw) => ({
   Q463: mostly(draw, 0, mm(draw, 0.5, 9)),
   Q510: draw.one(0.8, 1, mm(draw, 0.4, 1)),
@@ -12,10 +12,10 @@ const plunged = (draw: Draw) => ({
   Q562: draw.one(0, 1),
 });
 
-/** What recess turning asks for and recessing does not. */
+/** Parameters that recess turning has and recessing does not. */
 const TURNED = ["Q507", "Q508", "Q509", "Q488", "Q499"];
 
-/** Set-ups of recess turning as recessing has them. */
+/** Set-ups of recess turning, converted to recessing. */
 export const plungedSetups =
   (turned: Setups): Setups =>
   (draw) => {

@@ -3,8 +3,8 @@ import { empty } from "../kernel/strategy/leveled.ts";
 import type { Outline } from "./define.ts";
 
 /**
- * The plan of values that describe no contour, or one that cannot be cut: nothing but its reasons. Null when there is
- * one to plan.
+ * A plan with issues and no moves, for values without a contour or with one that cannot be cut. Null when the contour
+ * can be planned.
  */
 export const refused = ({ contour, issues }: Outline): Plan | null =>
   contour.length === 0 || issues.length > 0 ? empty(issues, contour) : null;

@@ -12,7 +12,7 @@ export interface Roles {
   readonly overlap?: string;
   readonly limitX?: string;
   readonly limitZ?: string;
-  /** Of roles that only one strategy has. */
+  /** Roles of one strategy only. */
   readonly others?: Readonly<Record<string, string>>;
 }
 
@@ -55,7 +55,7 @@ function inCycle(found: Issue, frame: Frame, q: Roles): Issue {
   return offer === null ? limited : withOffer(limited, written(frame, axis, offer));
 }
 
-/** A plan whose issues stand at the parameters of the cycle. */
+/** A plan with its issues at the parameters of the cycle. */
 export const atParameters = (plan: Plan, frame: Frame, q: Roles): Plan => ({
   ...plan,
   issues: plan.issues.map((i) => inCycle(i, frame, q)),

@@ -16,7 +16,7 @@ import { cornerElementOf, LEG, namedContour, type NamedContour, roundOf } from "
 import type { Dimension, Outline } from "./define.ts";
 import { JOINED } from "../kernel/tolerance.ts";
 
-/** The values that shape an extended shoulder, by what they mean. */
+/** The values of an extended shoulder that affect its contour. */
 export interface ShoulderValues {
   readonly Q491: Diameter;
   readonly Q492: Axial;
@@ -33,20 +33,18 @@ export interface ShoulderValues {
   readonly Q504: Length;
 }
 
-/** What cycles without elements, corner radii and an angle at the end have in their place. */
+/** The values that a cycle without elements, corner radii and an angle at the end uses instead. */
 export const PLAIN = { Q501: 0, Q502: length(0), Q500: length(0), Q496: degrees(0), Q503: 0, Q504: length(0) } as const;
 
 const pt = part.point;
 
-/** An outline inside a box, with what a plan needs of it. */
+/** An outline inside a box, with the data that a plan needs. */
 export interface BoxOutline extends Outline, NamedContour {
-  /**
-   * The value that an angle has whose wall runs in a direction: degrees against the cutting direction, positive rising.
-   */
+  /** The value of an angle whose wall runs in a direction: degrees against the cutting direction, positive rising. */
   readonly angleAt: (q: string, direction: number) => number;
 }
 
-/** How strategy space lies over a box: from its first corner to its second, the second one deeper. */
+/** Orientation of strategy space over a box: from its first corner to its second, deeper corner. */
 export const boxFrame = (v: Pick<ShoulderValues, "Q491" | "Q492" | "Q493" | "Q494">, transverse: boolean): Frame =>
   transverse
     ? { transverse, signU: v.Q491 > v.Q493 ? -1 : 1, signV: v.Q494 < v.Q492 ? 1 : -1 }
@@ -54,8 +52,8 @@ export const boxFrame = (v: Pick<ShoulderValues, "Q491" | "Q492" | "Q493" | "Q49
 
 /**
  * Contour of a shoulder inside its box (decision "The box rule"), in cutting direction: start element, surface at the
- * depth of the second corner, inner corner, wall up at its place, end element. Along the axis the surface is a
- * circumferential one and the wall a face; across it the surface is the face.
+ * depth of the second corner, inner corner, wall, end element. Along the axis the surface is circumferential and the
+ * wall is a face; across it the surface is the face.
  */
 export function shoulderOutline(v: ShoulderValues, transverse: boolean): BoxOutline {
   const issues: Issue[] = equalEnds(v);
@@ -98,7 +96,7 @@ export function shoulderOutline(v: ShoulderValues, transverse: boolean): BoxOutl
 
 const angleAt = (q: string, direction: number) => (q === "Q496" ? 90 - direction : direction);
 
-/** A contour whose start and end agree in a coordinate has no area, nor has one that lies wholly beyond the axis. */
+/** A contour whose start and end agree in a coordinate has no area, and neither has one wholly beyond the axis. */
 export function equalEnds(v: { Q491: Diameter; Q492: Axial; Q493: Diameter; Q494: Axial }): Issue[] {
   const issues: Issue[] = [];
   if (v.Q491 === v.Q493) issues.push(issue("startEqualsEnd", "error", { other: "Q491", value: v.Q493 }, "Q493"));

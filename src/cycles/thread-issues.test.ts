@@ -14,7 +14,7 @@ interface Other {
   readonly inside?: boolean;
   readonly columns?: Partial<Tool>;
 }
-/** A tooth of 10 mm: what stands beside the thread is then in its way, not over its crest. */
+/** A tooth of 10 mm: material beside the thread is then in its way, not over its crest. */
 const HIGH: Other = { columns: { CUTLENGTH: length(10) } };
 
 function planOf(
@@ -37,7 +37,7 @@ function planOf(
 function planned(...asked: Parameters<typeof planOf>) {
   const plan = planOf(...asked);
   const errors = plan.issues.filter((i) => i.severity === "error");
-  // What is refused has no path, and what is not has one.
+  // A refused thread has no path; any other has one.
   expect(plan.moves.length > 0).toBe(errors.length === 0);
   return errors;
 }
@@ -52,7 +52,7 @@ describe("an insert that is too low is refused", () => {
     expect(planned({ Q473: 2.501 }, [shaft], { columns: { CUTLENGTH: length(2.501) } })).toEqual([]);
   });
 
-  test("and one whose CUTLENGTH is empty is not: it is taken to be as high as the thread is deep, which is told", () => {
+  test("and one with an empty CUTLENGTH is not: its height is assumed to be the thread depth, which is reported", () => {
     const told = (Q473: number) => {
       const plan = planOf({ Q473 }, [shaft], { columns: { CUTLENGTH: length(0) } });
       expect(plan.issues.filter((i) => i.severity === "error")).toEqual([]);
@@ -63,7 +63,7 @@ describe("an insert that is too low is refused", () => {
     expect(planOf({ Q473: 1.2 }).issues.map((i) => i.code)).not.toContain("toothAssumed");
   });
 
-  test("for what stands over the thread, together with its depth", () => {
+  test("for material over the thread, together with its depth", () => {
     expect(planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 21.5)])).toEqual([]);
     const [found, ...more] = planned({ Q473: 1, Q463: 0.5 }, [box(0, -100, 22)]);
     expect(more).toEqual([]);
@@ -84,7 +84,7 @@ describe("an insert that is too low is refused", () => {
     ]);
   });
 
-  test("but what the overrun runs into is told, and cut to be seen in the stock", () => {
+  test("but material in the overrun is reported, and cut so that the stock shows it", () => {
     const behind = (plan: ReturnType<typeof planOf>) => {
       expect([plan.moves.length > 0, plan.issues.filter((i) => i.severity === "error")]).toEqual([true, []]);
       return plan.issues.filter((i) => i.code === "threadMeets");
@@ -99,7 +99,7 @@ describe("an insert that is too low is refused", () => {
     ]);
   });
 
-  test("and the bottom of a bore is refused, over which there is no way back", () => {
+  test("and the bottom of a bore is refused, since the tool cannot retract over it", () => {
     const bored: Ring[] = [[at(0, 12), at(0, 40), at(-70, 40), at(-70, 0), at(-31.1, 0), at(-31.1, 12)]];
     expect(planned({ Q471: 1, Q491: 26 }, bored, { inside: true })).toMatchObject([
       {
@@ -111,21 +111,21 @@ describe("an insert that is too low is refused", () => {
   });
 });
 
-test("a run-in that begins in material is refused with the shortest that does not", () => {
+test("a run-in that begins in material is refused, with the shortest free one proposed", () => {
   expect(planned({})).toEqual([]);
   const collar = box(15, 0, 20);
   const [found, ...more] = planned({}, [shaft, collar]);
   expect(more).toEqual([]);
   expect(found).toMatchObject({ code: "runInBlocked", at: "Q460" });
   const { nearest } = found?.data as { nearest: number };
-  // In steps that a setter types.
+  // In steps that a setter would type.
   expect(nearest).toBe(16);
   expect(planned({ Q460: nearest }, [shaft, collar])).toEqual([]);
   expect(planned({ Q460: nearest - 0.5 }, [shaft, collar])).toMatchObject([{ code: "runInBlocked" }]);
 });
 
-test("a run-in that is blocked all the way has no offer", () => {
-  // Ten turns of 2 mm are a run-in that somebody programs; thirty are none.
+test("a run-in that is blocked everywhere has no proposal", () => {
+  // Ten turns of 2 mm are a usual run-in; thirty are not.
   for (const [end, offers] of [
     [18, true],
     [21, false],
@@ -156,7 +156,7 @@ test("on a cone a tooth has to be higher than the thread is deep: its crest rise
   expect(codes(2.23, 10)).toEqual([]);
 });
 
-test("the depth of the metric profile is told as such to an insert with another angle", () => {
+test("the depth of the metric profile is reported as such for an insert with another angle", () => {
   const told = (angle: number, Q473 = 0) =>
     planOf({ Q472: 1.814, Q473 }, [shaft], { columns: { "P-ANGLE": degrees(angle) } }).issues.filter(
       (i) => i.at === "Q473",
@@ -175,7 +175,7 @@ test("the depth of the metric profile is told as such to an insert with another 
   expect(told(55, 1.162)).toEqual([]);
 });
 
-test("an infeed of thousands of passes is refused with one that somebody programs", () => {
+test("an infeed of thousands of passes is refused, with a usual one proposed", () => {
   const [found] = planned({ Q473: 2.4, Q463: 0.001, Q468: 1, Q472: 2 });
   expect(found).toMatchObject({ code: "tooManyPasses", at: "Q463", data: { nearest: 0.05 } });
   expect(planOf({ Q473: 2.4, Q463: 0.05, Q468: 1 }).passes).toBeLessThanOrEqual(60);
@@ -184,13 +184,13 @@ test("an infeed of thousands of passes is refused with one that somebody program
   );
 });
 
-test("more turns than anybody means are refused at the pitch", () => {
+test("an unreasonable number of turns is refused at the pitch", () => {
   expect(planned({ Q472: 0.2, Q473: 0.1 })).toEqual([]);
   expect(planned({ Q472: 0.0003, Q473: 0.1 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
-  // A tooth of a few thousandths: the section alone would take a minute.
+  // A tooth of a few thousandths: computing its section would take a minute.
   expect(planned({ Q472: 0.0013, Q473: 0.1 })).toMatchObject([
     { code: "threadTooMany", at: "Q472", data: { most: 10_000 } },
   ]);
-  // Passes and starts count as well: each goes along all of the thread.
+  // Passes and starts count as well: each runs along the whole thread.
   expect(planned({ Q472: 0.2, Q473: 0.1, Q475: 500, Q476: 9 })).toMatchObject([{ code: "threadTooMany", at: "Q472" }]);
 });

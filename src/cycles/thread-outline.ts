@@ -15,7 +15,7 @@ import {
 } from "../kernel/units.ts";
 import type { Dimension, Outline } from "./define.ts";
 
-/** The values of every thread cycle that shape what is drawn of it. */
+/** The values of every thread cycle that its picture shows. */
 export interface ThreadValues {
   readonly Q471: number;
   readonly Q472: Length;
@@ -28,7 +28,7 @@ export interface ThreadValues {
 /** Degrees. */
 const SQUARE = 90;
 
-/** How a taper may be dimensioned (Q464). */
+/** Ways to dimension a taper (Q464). */
 export const TAPER = { points: 0, endStartX: 1, endStartZ: 2, startEndX: 3, startEndZ: 4 } as const;
 
 export interface TaperValues {
@@ -42,7 +42,7 @@ export interface TaperValues {
 
 const pt = part.point;
 
-/** What is wrong with the ends of a straight thread. */
+/** Issues of the ends of a straight thread. */
 function endIssues(
   from: Pt,
   to: Pt,
@@ -62,7 +62,7 @@ function endIssues(
   return issues;
 }
 
-/** How strategy space lies over a thread: along it, and out of the material. */
+/** Orientation of strategy space: along the thread, and out of the material. */
 export const threadFrame = (from: Pt, to: Pt, transverse: boolean, inside: boolean): Frame =>
   transverse
     ? { transverse, signU: to.r < from.r ? -1 : 1, signV: 1 }
@@ -72,7 +72,7 @@ export const threadFrame = (from: Pt, to: Pt, transverse: boolean, inside: boole
 export const depthOf = (v: ThreadValues): number =>
   v.Q473 > 0 ? v.Q473 : (v.Q472 / Math.max(1, v.Q475)) * (v.Q471 === 1 ? METRIC.inside : METRIC.outside);
 
-/** A thread on a straight line between two points, with the dimensions that all thread cycles share. */
+/** A thread on a straight line between two points, with the dimensions of all thread cycles. */
 export function straightThread(
   v: ThreadValues & { readonly Q465?: Length; readonly Q466?: Length },
   given: { Q491: Diameter; Q493?: Diameter; Q492: Axial; Q494: Axial },
@@ -91,10 +91,7 @@ export function straightThread(
   };
 }
 
-/**
- * What has a place on the line of a thread whatever its cycle: run-in, run-out, pitch, depth and the direction of
- * infeed.
- */
+/** Dimensions on the line of a thread in any cycle: run-in, run-out, pitch, depth and the direction of infeed. */
 export function threadDimensions(
   v: ThreadValues & { readonly Q465?: Length; readonly Q466?: Length },
   from: Pt,
@@ -103,7 +100,7 @@ export function threadDimensions(
 ): Dimension[] {
   const size = part.apart(from, to);
   const on = (way: number): Pt => pt(from.z + ((to.z - from.z) * way) / size, from.r + ((to.r - from.r) * way) / size);
-  // An inside thread is drawn by its nominal line too: its depth lies above that.
+  // An inside thread is also drawn by its nominal line: its depth is above that line.
   const sign = (v.Q471 === 1 ? 1 : -1) * frame.signV;
   const off = (p: Pt, by: number): Pt => (frame.transverse ? pt(p.z + sign * by, p.r) : pt(p.z, p.r + sign * by));
   const form = frame.transverse ? "r" : "z";
@@ -128,9 +125,8 @@ export function threadDimensions(
 }
 
 /**
- * Start and end of a taper, whichever of their coordinates are given. The angle opens from a line along the axis in the
- * direction of cutting, positive where the diameter grows. A Z that is not given lies on the side of the start point of
- * the cycle.
+ * Start and end of a taper, from whichever coordinates are given. The angle opens from a line along the axis in the
+ * cutting direction, positive where the diameter grows. A missing Z is on the side of the cycle's start point.
  */
 export function taperEnds(
   v: TaperValues,
@@ -138,7 +134,7 @@ export function taperEnds(
 ): { readonly from: Pt; readonly to: Pt; readonly issues: readonly Issue[] } {
   const [r1, r2] = [toRadius(v.Q491), toRadius(v.Q493)];
   const [from, to] = [pt(v.Q492, r1), pt(v.Q494, r2)];
-  // Square to the axis or beyond, a line never comes forward.
+  // Square to the axis or beyond, a line never advances along it.
   if (v.Q464 !== TAPER.points && Math.abs(v.Q469) >= SQUARE)
     return { from, to, issues: [issue("taperImpossible", "error", { angle: v.Q469 }, "Q469")] };
   const slope = Math.tan(radians(v.Q469));

@@ -4,7 +4,8 @@ import { angle, axialParam, choice, countParam, diameterParam, lengthParam, radi
 const ON_DIAMETER = [-99999.999, 99999.999] as const;
 
 /**
- * What the thread cycles ask for, each with the value of the recalled examples; a cycle takes them in its own order.
+ * The parameters of the thread cycles, with the values of the recalled examples; each cycle takes them in its own
+ * order.
  */
 export const threadParams = {
   Q471: choice("threadPosition", [0, 1], 0, { shown: "threadPosition" }),
@@ -29,7 +30,7 @@ export const threadParams = {
   Q476: countParam("airCuts", [0, 255], 30, { shown: "airCuts" }),
 };
 
-/** What a nominal size fills; `diameters` where the cycle asks for any. */
+/** The parameters that a nominal size fills; `diameters` where the cycle has any. */
 export const threadRoles = (...diameters: readonly string[]): ThreadRoles => ({
   position: "Q471",
   pitch: "Q472",
@@ -40,7 +41,6 @@ export const threadRoles = (...diameters: readonly string[]): ThreadRoles => ({
 });
 
 /**
- * The recalled example has 30 grooves and 30 air cuts: a pitch of 0.067 mm, and half an hour in which nothing is to be
- * seen.
+ * The recalled example has 30 grooves and 30 air cuts: a pitch of 0.067 mm, and half an hour without anything to see.
  */
 export const oneGroove = { Q475: 1, Q476: 1 } as const;

@@ -6,7 +6,7 @@ import type { Degrees, Length, Radius } from "../kernel/units.ts";
 import { atParameters, type Roles } from "./roles.ts";
 import type { ThreadValues } from "./thread-outline.ts";
 
-/** What every thread cycle asks for. */
+/** The values of every thread cycle. */
 interface Threading extends ThreadValues {
   readonly Q460: Length;
   readonly Q463: Radius;
@@ -29,8 +29,8 @@ const ROLES: Roles = {
 };
 
 /**
- * Cuts a thread along a line; what it is, how long its ways in and out are, and which prompts name what others do, the
- * cycle says.
+ * Plans a thread along a line; the cycle states the kind of line, the lengths of run-in and overrun, and the prompts
+ * for the roles.
  */
 export function planThreadOn(
   v: Threading,
@@ -38,7 +38,7 @@ export function planThreadOn(
   ways: { readonly runIn: number; readonly overrun: number; readonly named?: Readonly<Record<string, string>> },
   setting: Setting,
 ): Plan {
-  // The open side of a face is that from which the tip points into it.
+  // A face is open on the side from which the tip points into it.
   const behind = line.frame.transverse && [3, 4, 5].includes(setting.tool.TO);
   const frame: Frame = behind ? { ...line.frame, signV: -1 } : line.frame;
   const plan = planThread(

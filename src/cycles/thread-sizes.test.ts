@@ -9,7 +9,7 @@ test("a size is found however it is typed", () => {
   expect(named("m20x1,5")).toEqual(["M20×1.5"]);
   expect(named("M20")).toEqual(["M20", "M20×2", "M20×1.5", "M20×1"]);
   expect(named("M20x2.5")).toEqual(["M20"]);
-  // Without a coarse pitch there is no size that is named by its diameter alone.
+  // A diameter without a coarse pitch is no size by itself.
   expect(named("M40")).toEqual(["M40×3", "M40×2", "M40×1.5"]);
   expect(named("G½")).toEqual(["G1/2"]);
   expect(named('g 1 1/2"')).toEqual(["G1 1/2"]);
@@ -30,7 +30,7 @@ test("it gives pitch, depth and diameter, one start, and no infeed steeper than 
   expect(values("Tr20x4", true)).toEqual({ Q472: 4, Q473: 2.25, Q475: 1, Q491: 20.5, Q493: 20.5, Q467: 15 });
 });
 
-test("no size stands twice, and none is deeper than its pitch", () => {
+test("no size occurs twice, and none is deeper than its pitch", () => {
   expect(new Set(threadSizes.map((s) => s.name)).size).toBe(threadSizes.length);
   for (const s of threadSizes) {
     expect([s.name, s.outside.depth > s.pitch / 2 && s.outside.depth < s.pitch]).toEqual([s.name, true]);

@@ -3,17 +3,17 @@ import { rounded } from "../kernel/units.ts";
 import type { ThreadRoles } from "./define.ts";
 
 /**
- * A thread by its name in the trade: facts of ISO 261 and 262 (metric), ISO 228 (pipe) and ISO 2904 (trapezoidal). mm
- * and degrees.
+ * A thread by its trade name: facts of ISO 261 and 262 (metric), ISO 228 (pipe) and ISO 2904 (trapezoidal). mm and
+ * degrees.
  */
 export interface ThreadSize {
   readonly name: string;
-  /** Other ways to write it. */
+  /** Alternative spellings. */
   readonly also: readonly string[];
   readonly pitch: number;
-  /** Angle between the flanks, which the insert has to have. */
+  /** Angle between the flanks, which the insert must have. */
   readonly angle: 60 | 55 | 30;
-  /** Crest of the external thread, root of the internal one, and the depth of each on the radius. */
+  /** Crest diameter of the external thread, root diameter of the internal one, and the depth of each on the radius. */
   readonly outside: { readonly diameter: number; readonly depth: number };
   readonly inside: { readonly diameter: number; readonly depth: number };
 }
@@ -137,7 +137,7 @@ const HALVES: Readonly<Record<string, string>> = {
   "⅝": "5/8",
   "⅞": "7/8",
 };
-/** A name however it is typed: M20x1,5, G 1 1/2", tr 20*4. */
+/** A name for comparison, however it is typed: M20x1,5, G 1 1/2", tr 20*4. */
 const plain = (name: string) =>
   name
     .replace(/[½¼¾⅛⅜⅝⅞]/g, (c) => HALVES[c] ?? c)
@@ -146,7 +146,7 @@ const plain = (name: string) =>
     .replace(/[×*]/g, "x")
     .replaceAll(",", ".");
 
-/** Sizes whose name begins with what was typed, those of just that name first. */
+/** Sizes whose name begins with the typed text, exact matches first. */
 export function sizesNamed(typed: string): ThreadSize[] {
   const asked = plain(typed);
   if (asked === "") return [];
@@ -157,8 +157,7 @@ export function sizesNamed(typed: string): ThreadSize[] {
 }
 
 /**
- * The values that a size gives a cycle, by Q. `flank`: the infeed angle that stands there; it may be at most half the
- * point angle.
+ * The values of a size for a cycle, by Q. `flank`: the current infeed angle; it may be at most half the point angle.
  */
 export function valuesOf(
   size: ThreadSize,

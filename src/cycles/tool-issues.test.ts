@@ -24,7 +24,7 @@ const along = (...points: (readonly [z: number, r: number])[]): Segment[] =>
 const told = (contour: Segment[], elements: number[]) =>
   angleIssues({ contour, elements }, tool, frame, (_q, direction) => direction);
 
-test("of a contour, the element that leans farthest beyond is told, in its programmed place", () => {
+test("in a contour, the element that exceeds the limit most is reported, at its programmed place", () => {
   const contour = along([-20, 37.5], [-20, 25], [-31, 15], [-43, 7]);
   const [found, ...more] = told(contour, [3, 2, 1]);
   expect(more).toEqual([]);

@@ -13,23 +13,20 @@ import { ROUND } from "../kernel/tolerance.ts";
 /** Rounding of angles, radians. */
 const ANGLE = 1e-6;
 
-/**
- * A contour with the Q that each segment comes from, or with the places of its segments in a programmed contour, from
- * 1.
- */
+/** A contour with the Q of each segment, or with the index of each segment in a programmed contour, from 1. */
 interface Named {
   readonly contour: readonly Segment[];
   readonly names?: readonly string[];
   readonly elements?: readonly number[];
 }
 
-/** An angle in degrees between half a turn back (which it is not) and half a turn on. */
+/** An angle in degrees, above −180 and up to 180. */
 const halfTurns = (degrees: number) => 180 - ((((180 - degrees) % 360) + 360) % 360);
 
 /**
- * Straight elements whose direction the nose cannot take, because a flank of the insert touches first; of one Q, or of
- * a programmed contour, the one that leans farthest beyond what it can. `asValue` turns a direction (degrees against
- * the cutting direction, positive rising) into a value of a Q.
+ * Straight elements whose direction the nose cannot follow, because a flank of the insert touches first; for each Q, or
+ * in a programmed contour, the element that exceeds the limit most. `asValue` turns a direction (degrees against the
+ * cutting direction, positive rising) into a value of a Q.
  */
 export function angleIssues(
   { contour, names, elements }: Named,
@@ -39,7 +36,7 @@ export function angleIssues(
 ): Issue[] {
   const shape = inFrame(insertShape(tool), frame);
   const edgeAt = (i: number) => {
-    // What stays beside a bar is laid to its width as well.
+    // Residual material beside a bar is attributed to its width as well.
     if (isBar(tool)) return "toolWidth";
     return shape[(i + shape.length) % shape.length]?.feature === "mainEdge" ? "mainEdge" : "secondaryEdge";
   };
@@ -92,7 +89,7 @@ export function angleIssues(
   return [...found.values()].map((f) => f.issue);
 }
 
-/** A programmed corner radius that the insert is too round for. */
+/** A programmed corner radius that is smaller than the nose radius. */
 export function cornerIssue(corner: Length, tool: Tool): Issue[] {
   const insert = noseRadius(tool);
   return corner > 0 && corner < insert - ROUND
@@ -100,6 +97,6 @@ export function cornerIssue(corner: Length, tool: Tool): Issue[] {
     : [];
 }
 
-/** A plan with what its tool cannot follow; a tool that is unfit altogether needs no details. */
+/** A plan with angle issues of its tool; a tool that is unfit altogether needs no details. */
 export const withIssues = (plan: Plan, found: readonly Issue[]): Plan =>
   plan.issues.some((i) => i.code === "toolUnfit") ? plan : { ...plan, issues: [...plan.issues, ...found] };

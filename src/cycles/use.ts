@@ -2,7 +2,7 @@ import type { Cycle, TurnedShape, Use } from "./define.ts";
 import { firstValues } from "./first-values.ts";
 import type { Values } from "./params.ts";
 
-/** What a group makes with a contour of its own. */
+/** The shapes of a group with a contour of its own. */
 const OF_GROUP: Readonly<Record<Cycle["group"], readonly TurnedShape[]>> = {
   special: [],
   longitudinal: ["step"],
@@ -15,11 +15,11 @@ const OF_GROUP: Readonly<Record<Cycle["group"], readonly TurnedShape[]>> = {
 /** A flank at the start of a shoulder goes into the material: that is a plunge. */
 const falls = ({ params }: Cycle) => Object.values(params).some((p) => p.text === "flankAngle");
 
-/** What a cycle is proposed for: as its file says, or as its group and its contour tell. */
+/** The shapes for which a cycle is proposed: stated in its file, or derived from its group and its contour. */
 export function useOf(cycle: Cycle): Use {
   if (cycle.use) return cycle.use;
   const { group, contour } = cycle;
-  // A thread along a contour is chosen by that contour.
+  // A thread along a contour is proposed for that contour only.
   if (group === "thread" || group === "special") return { shapes: contour === "own" ? OF_GROUP[group] : [] };
   if (contour === "free") return { shapes: ["free"] };
   const turned = group === "longitudinal" || group === "transverse";

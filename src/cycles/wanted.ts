@@ -2,35 +2,35 @@ import type { Segment } from "../kernel/geometry/point.ts";
 import { rounded, toRadius, type Axial, type Diameter, type Length } from "../kernel/units.ts";
 import type { Cycle, TurnedShape } from "./define.ts";
 
-/** Where something is turned: on the circumference, in a bore, on a face. */
+/** Where a shape is turned: on the circumference, in a bore, on a face. */
 export type Site = "outside" | "inside" | "face";
 
-/** A corner of the box round a shape, as a program writes it. */
+/** A corner of the box round a shape, as programmed. */
 export interface Corner {
   readonly diameter: Diameter;
   readonly z: Axial;
 }
 
-/** What somebody wants to turn, in the words of a shop; which cycle does it is the question. */
+/** The shape that the user wants to turn, in shop terms; the app finds the cycle. */
 export interface Wanted {
   readonly site: Site;
   readonly shape: TurnedShape;
-  /** The corner where the shape begins, on the open side, and the one across: its depth and its end. */
+  /** The corner where the shape begins, on the open side, and the opposite corner: its depth and its end. */
   readonly from: Corner;
   readonly to: Corner;
-  /** Of a taper or of flanks, degrees, as the angles of the cycles count; 0: square. */
+  /** Angle of a taper or of flanks, degrees, as the cycles count it; 0: square. */
   readonly angle: number;
-  /** Of a thread, mm. */
+  /** Pitch of a thread, mm. */
   readonly pitch: number;
-  /** Of a free contour: the stretch that is to be turned, in any direction. */
+  /** The section of a free contour, in either direction. */
   readonly contour: readonly Segment[] | null;
-  /** What stands on the shape before, square to it, mm; 0: all of it is solid. */
+  /** Stock allowance square to the shape, mm; 0: turned from solid. */
   readonly allowance: Length | 0;
 }
 
 /**
- * An angle of a cycle. That of a face stays square; a taper is one of the surface, of a plunge and a groove it is one
- * of the flanks.
+ * An angle of a cycle. A face stays square; a taper is an angle of the surface, in a plunge and a groove an angle of
+ * the flanks.
  */
 function angleFor(text: string, q: string, { shape, angle }: Wanted): number {
   if (text === "faceAngle") return 0;
@@ -38,11 +38,11 @@ function angleFor(text: string, q: string, { shape, angle }: Wanted): number {
   return shape === "groove" || (shape === "plunge" && q === "Q495") ? angle : 0;
 }
 
-/** How far the farthest corner of a solid box stands from the shape in it. */
+/** The distance of the farthest corner of a solid box from the shape in it. */
 const depthOfBox = (from: Corner, to: Corner) =>
   rounded(Math.min(Math.abs(toRadius(from.diameter) - toRadius(to.diameter)), Math.abs(from.z - to.z)));
 
-/** Values of the geometry by their Q, which mean the same in each cycle that has them. */
+/** Geometry values by their Q, with the same meaning in each cycle. */
 const GEOMETRY: Readonly<Record<string, (wanted: Wanted, text: string) => number>> = {
   Q491: ({ from }) => from.diameter,
   Q492: ({ from }) => from.z,
@@ -63,18 +63,18 @@ const GEOMETRY: Readonly<Record<string, (wanted: Wanted, text: string) => number
   Q485: ({ allowance, from, to }) => allowance || depthOfBox(from, to),
 };
 
-/** The values of a cycle for what is wanted, by Q; all that is no geometry as in its printed example. */
+/** The values of a cycle for a requested shape, by Q; all other values as in its printed example. */
 export const valuesFor = ({ params }: Cycle, wanted: Wanted): Readonly<Record<string, number>> =>
   Object.fromEntries(
     Object.entries(params).map(([q, { text, example }]) => [q, GEOMETRY[q]?.(wanted, text) ?? example]),
   );
 
-/** Whether a cycle can lean what is wanted, when that leans. */
+/** Whether a cycle can make the requested angle. */
 export const canLean = (cycle: Cycle, wanted: Wanted): boolean => {
   if (wanted.angle === 0 || cycle.contour === "free") return true;
   const values = valuesFor(cycle, wanted);
   return values["Q495"] === wanted.angle || values["Q496"] === wanted.angle;
 };
 
-/** A cycle without a start diameter of its own begins its contour where the tip stands at the call. */
+/** A cycle without a start diameter of its own begins its contour at the tip at the call. */
 export const beginsAtTip = ({ contour, params }: Cycle): boolean => contour === "own" && params["Q491"] === undefined;

@@ -8,7 +8,7 @@ test("a question is answered once, with the same object", () => {
   expect(answers.once("b", make)).not.toBe(answers.once("a", make));
 });
 
-test("what was asked for longest ago is forgotten, but not what one run has asked for", () => {
+test("the least recently used answers are dropped, but none that one run has used", () => {
   const answers = new Answers(0);
   let made = 0;
   const runs = (...questions: readonly string[]): number => {
@@ -19,7 +19,7 @@ test("what was asked for longest ago is forgotten, but not what one run has aske
   };
   expect(runs("a", "b", "c")).toBe(3);
   expect(runs("a", "b", "c")).toBe(0);
-  // Twice as much as the largest run is kept.
+  // The cache keeps twice as much as the largest run uses.
   expect(runs("d")).toBe(1);
   expect(runs("a", "b", "c")).toBe(0);
   for (const other of ["e", "f", "g", "h", "i", "j"]) runs(other);
@@ -44,7 +44,7 @@ test("a label belongs to one object", () => {
   expect(answers.labelOf(a)).not.toBe(answers.labelOf(b));
 });
 
-test("a long list stands by its name in a question", () => {
+test("a long list is replaced by its name in a question", () => {
   const answers = new Answers();
   const long = (last: number) => Array.from({ length: 60 }, (_, i) => (i === 59 ? last : i));
   expect(answers.written({ long: long(1) })).toBe(answers.written({ long: long(1) }));

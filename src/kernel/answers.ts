@@ -1,12 +1,12 @@
-/** About what an object of an answer takes in memory, bytes. */
+/** Approximate memory of one object of an answer, bytes. */
 const OBJECT = 150;
 /**
- * What all answers may take together, bytes, and how many times what the largest run has asked for: an edit at the end
- * of a long program must not cost the answers of its beginning.
+ * Memory of all answers together, bytes, plus this many times the memory of the largest run: an edit at the end of a
+ * long program must not evict the answers of its beginning.
  */
 const [MOST, RUNS] = [1_000_000, 2];
 
-/** A list with more entries is written out once, and stands by its name in other questions. */
+/** A longer list is serialized once; other questions contain its name instead. */
 const LONG_LIST = 50;
 
 interface Kept {
@@ -15,24 +15,23 @@ interface Kept {
 }
 
 /**
- * Remembers what pure functions gave: the same question has the same answer, as the same object. A question is text
- * that holds everything the answer depends on. When all of them take too much memory, those that were asked for longest
- * ago are forgotten.
+ * Caches the results of pure functions: the same question returns the same object. A question is text that contains
+ * everything the answer depends on. Above the memory limit, the least recently used answers are dropped.
  */
 export class Answers {
-  /** The answer that was asked for longest ago comes first. */
+  /** Least recently used first. */
   private readonly kept = new Map<string, Kept>();
   private readonly values = new WeakMap<object, { readonly first: object; readonly name: string }>();
   private readonly labels = new WeakMap<object, string>();
   private bytes = 0;
   private count = 0;
-  /** Bytes that this run has asked for, and the most that one has. */
+  /** Bytes used by the current run, and by the largest run. */
   private asked = 0;
   private largest = 0;
 
   constructor(private readonly most = MOST) {}
 
-  /** `size`: how many objects an answer holds. */
+  /** Cached answer to `question`, else the result of `make`. `size`: number of objects in an answer. */
   once<Answer>(question: string, make: () => Answer, size: (answer: Answer) => number = () => 1): Answer {
     const known = this.kept.get(question);
     if (known) {
@@ -55,23 +54,23 @@ export class Answers {
     return answer;
   }
 
-  /** A run has come to its end: what it asked for is known together. */
+  /** Ends a run, so that its total memory can be compared with the largest run. */
   runEnded(): void {
     this.largest = Math.max(this.largest, this.asked);
     this.asked = 0;
   }
 
-  /** A plain value that never changes, as the first object that was equal to it. */
+  /** The first object that was equal to this plain, immutable value. */
   same<Value extends object>(value: Value): Value {
     return this.known(value).first as Value;
   }
 
-  /** What stands for a plain value in questions: equal values have the same name. */
+  /** Name of a plain value in questions: equal values have the same name. */
   nameOf(value: object): string {
     return this.known(value).name;
   }
 
-  /** What stands for an object in questions: each object has a label of its own, whatever it holds. */
+  /** Label of an object in questions: each object has its own, whatever it contains. */
   labelOf(value: object): string {
     const label = this.labels.get(value) ?? this.next();
     this.labels.set(value, label);

@@ -17,7 +17,7 @@ export type Axial = Of<"axial">;
 export type Length = Of<"length">;
 /** An angle in degrees. */
 export type Degrees = Of<"degrees">;
-/** A feed; its unit (mm/rev or mm/min) travels beside it. */
+/** A feed; its unit (mm/rev or mm/min) is stored separately. */
 export type Feed = Of<"feed">;
 
 export const diameter = (n: number) => n as Diameter;
@@ -31,7 +31,7 @@ export const feed = (n: number) => n as Feed;
 export const toRadius = (d: Diameter) => (d / 2) as Radius;
 /** The only place where X is doubled. */
 export const toDiameter = (r: Radius) => (r * 2) as Diameter;
-/** A diameter oversize as the length it leaves on each side. */
+/** The length per side of an oversize given as a diameter. */
 export const perSide = (d: Diameter) => (d / 2) as Length;
 
 /** Degrees to radians, for trigonometry inside the kernel. */
@@ -39,33 +39,33 @@ export const radians = (a: number) => (a * Math.PI) / 180;
 /** Radians to degrees. */
 export const inDegrees = (a: number) => degrees((a * 180) / Math.PI);
 
-/** Steps of a size in one mm that a control prints. */
+/** Steps per mm of a size that a control displays. */
 const STEPS = 1000;
 /** The finest step of a size, mm. */
 export const STEP = 1 / STEPS;
 /**
- * A size on that grid: the nearest, the next below and the next above. Rounding of doubles moves no size to its
- * neighbour.
+ * A size rounded to that grid: nearest, down and up. A rounding error of doubles moves no size to the neighbouring
+ * step.
  */
 export const rounded = (size: number) => Math.round(size * STEPS) / STEPS;
 export const roundedDown = (size: number) => Math.floor(size * STEPS + SAME_STEP) / STEPS;
 export const roundedUp = (size: number) => Math.ceil(size * STEPS - SAME_STEP) / STEPS;
-/** The next size up on a coarser grid, as a setter types it, mm. */
+/** Rounds up to a coarser grid, as an operator types it, mm. */
 export const roundedUpTo = (step: number, size: number) => rounded(Math.ceil(size / step - SAME_STEP) * step);
 
-/** Steps of an angle in one degree that a control prints. */
+/** Steps per degree of an angle that a control displays. */
 const ANGLE_STEPS = 10_000;
-/** An angle on that grid, and the next one that is really below it. */
+/** An angle rounded to that grid, and the next smaller one that is strictly below it. */
 export const roundedAngle = (angle: number) => Math.round(angle * ANGLE_STEPS) / ANGLE_STEPS;
 export const angleUnder = (angle: number) => (Math.ceil(angle * ANGLE_STEPS - SAME_STEP) - 1) / ANGLE_STEPS;
 
 /** An inch in mm. */
 export const INCH = 25.4;
-/** What the numbers of a program count in, and how many mm one of it is. */
+/** Unit of the numbers of a program, and its length in mm. */
 export type LengthUnit = "mm" | "inch";
 export const IN_MM: Readonly<Record<LengthUnit, number>> = { mm: 1, inch: INCH };
-/** A length in inches on the grid that a control keeps of it: one decimal more than of millimetres. */
+/** A length in inches on the grid of a control: one decimal more than in millimetres. */
 export const roundedInch = (inches: number) => Math.round(inches * STEPS * 10) / (STEPS * 10);
 
-/** The radius of a ⌀ that is kept as plain data, mm. */
+/** The radius of a ⌀ stored as a plain number, mm. */
 export const radiusOf = (across: number): Radius => toRadius(diameter(across));

@@ -34,11 +34,11 @@ describe("one block changes", () => {
     expect(set(text, 1, "Q201", -3.5)).toBe(text.replace("-21,732", "-3,5"));
     expect(set(text, 1, "Q200", 7)).toBe(text.replace("Q200=5 ", "Q200=7 "));
   });
-  test("a misprint in the line that changes is put right, others stay", () => {
+  test("a misprint in the changed line is corrected, others stay", () => {
     const text = "1 CYCL DEF 99 N\nQ491+50 ;A\nQ492+1 ;B\nQ499 =+0 ;C\n";
     expect(set(text, 0, "Q491", 20)).toBe("1 CYCL DEF 99 N\nQ491=+20 ;A\nQ492+1 ;B\nQ499 =+0 ;C\n");
   });
-  test("a feed whose F stands apart from its value", () => {
+  test("a feed with a blank between F and value", () => {
     const text = "1 CYCL DEF 99 N\nQ478=F AUTO ;A\nQ488= F 0.2 ;B\nQ499=+1 ;F AUTO\n";
     expect(set(text, 0, "Q478", 0.25)).toBe(text.replace("=F AUTO", "=+0.25"));
     expect(set(text, 0, "Q488", "max")).toBe(text.replace("F 0.2", "FMAX"));
@@ -56,15 +56,15 @@ describe("one block changes", () => {
 
 describe("blocks come and go", () => {
   const text = "8 L X+1\n9 ; note\n10 L X+2\n; unnumbered\n11 L X+3";
-  test("insert counts on", () =>
+  test("insert renumbers the following blocks", () =>
     expect(print(withInserted(parse(text), 1, line(x(9))))).toBe(
       "8 L X+1\n9 L X+9 FMAX\n10 ; note\n11 L X+2\n; unnumbered\n12 L X+3",
     ));
-  test("append after a last line without line end", () =>
+  test("append after a last line without a line end", () =>
     expect(print(withInserted(parse(text), 5, line(x(9))))).toBe(`${text}\n12 L X+9 FMAX\n`));
-  test("delete counts on", () =>
+  test("delete renumbers the following blocks", () =>
     expect(print(withoutBlocks(parse(text), 1))).toBe("8 L X+1\n9 L X+2\n; unnumbered\n10 L X+3"));
-  test("numbers that are right already are left alone", () => {
+  test("correct numbers are left alone", () => {
     const program = parse(text);
     expect(print(renumbered(program, 1))).toBe(text);
   });
@@ -80,7 +80,7 @@ const statements = fc.constantFrom<Statement[]>(
   },
 );
 
-test("an edit touches no other block, and the text reads as the edit says", () => {
+test("an edit touches no other block, and the text reads back as edited", () => {
   fc.assert(
     fc.property(
       fc.constantFrom(...samples),

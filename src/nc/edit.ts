@@ -8,14 +8,14 @@ import type { Style } from "./style.ts";
 
 const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
 
-/** Number and skip mark exactly as they stand in front of a block. */
+/** Number and skip mark in front of a block, exactly as written. */
 const headOf = (raw: string) =>
   /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:[Nn]?\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/.exec(raw)?.[0] ?? "";
 const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;
 
-/** When only values of a cycle change, only their characters change: labels, columns and spacing stay. */
+/** The text with changed cycle values only: labels, columns and spacing stay. Null where more than values changed. */
 function withValues(raw: string, before: CycleStatement, after: CycleStatement, style: Style): string | null {
   const shape = (s: CycleStatement) => ({ ...s, parameters: s.parameters.map((p) => [p.q, p.label]) });
   if (!same(shape(before), shape(after))) return null;
@@ -34,7 +34,7 @@ function withValues(raw: string, before: CycleStatement, after: CycleStatement, 
   return text;
 }
 
-/** The text of a statement in the place of a block: its number, mark, comment and line end stay. */
+/** The text of a block with another statement: number, skip mark, comment and line end stay. */
 function rewritten(block: Block, statement: Statement, style: Style): string {
   const end = lineEndOf(block.raw);
   const body = block.raw.slice(0, block.raw.length - end.length);
@@ -74,7 +74,7 @@ function commentOf(body: string): string {
 }
 
 /**
- * Replaces what one block says. Only its text changes, in the style of its surroundings; the same statement changes
+ * Replaces the statement of one block. Only its text changes, in the surrounding style; the same statement changes
  * nothing.
  */
 export function withBlock(program: Program, index: number, statement: Statement): Program {
@@ -84,14 +84,14 @@ export function withBlock(program: Program, index: number, statement: Statement)
   return { blocks: program.blocks.toSpliced(index, 1, ...parse(raw).blocks) };
 }
 
-/** Puts a statement in front of the block at `index` (or at the end), numbered on when its neighbours are. */
+/** Inserts a statement before the block at `index` (or at the end), numbered if its neighbours are. */
 export function withInserted(program: Program, index: number, statement: Statement): Program {
   const style = styleAt(program, Math.min(index, program.blocks.length - 1));
   const numbered = program.blocks.some((b) => b.number !== null);
   const number = program.blocks[index]?.number ?? nextNumber(program.blocks.slice(0, index));
   const before = program.blocks[index - 1];
   const open = before !== undefined && lineEndOf(before.raw) === "";
-  // Where the blocks beside it are numbered N10, so is this one.
+  // Uses N numbers where neighbouring blocks do.
   const letter = [program.blocks[index], before].some((b) => b && /^[ \t]*\/?[ \t]*N\d/i.test(b.raw)) ? "N" : "";
   const text =
     (numbered && statement.kind !== "empty" ? `${letter}${number} ` : "") +
@@ -101,14 +101,14 @@ export function withInserted(program: Program, index: number, statement: Stateme
   return renumbered({ blocks: blocks.toSpliced(index, 0, ...parse(text).blocks) }, index + 1);
 }
 
-/** Takes blocks out and counts the ones behind on. */
+/** Removes blocks and renumbers the following ones. */
 export function withoutBlocks(program: Program, index: number, count = 1): Program {
   return renumbered({ blocks: program.blocks.toSpliced(index, count) }, index);
 }
 
 const nextNumber = (blocks: readonly Block[]) => (blocks.findLast((b) => b.number !== null)?.number ?? -1) + 1;
 
-/** Counts block numbers on from `index`, up to the first that is right already; only the digits change. */
+/** Renumbers blocks from `index` up to the first correct number; only the digits change. */
 export function renumbered(program: Program, index: number): Program {
   let next = nextNumber(program.blocks.slice(0, index));
   const blocks = [...program.blocks];

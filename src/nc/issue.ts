@@ -1,6 +1,6 @@
 /**
- * What the reader finds in the text: a code with its data and its place, never a sentence. Languages make the
- * sentences, so a new code is a compile error in every language until it has its text.
+ * A finding of the reader: a code with data and place, never a sentence. The sentences belong to the languages, so a
+ * new code is a compile error in every language until it has a text.
  */
 export type NcSeverity = "error" | "warning" | "info";
 
@@ -15,11 +15,11 @@ interface Data {
   equalsMissing: { text: string };
   /** A blank between a Q number and its equals sign in a cycle. */
   blankBeforeEquals: { text: string };
-  /** A number that can not be read. */
+  /** A number that cannot be read. */
   badNumber: { text: string };
   /** A block needs this word. */
   wordMissing: { word: string };
-  /** A block number that does not follow the one before by one. */
+  /** A block number that is not the previous one plus one. */
   blockNumber: { found: number; expected: number };
   /** A block without a number in a program that numbers its blocks. */
   blockNumberMissing: { expected: number };

@@ -111,7 +111,7 @@ const lineWord = fc.oneof(
 );
 const spacing = fc.constantFrom(" ", "  ", "\t", "");
 
-test("a straight line is read in one step as it is word by word", () => {
+test("the one-step reader and the word-by-word reader agree on straight lines", () => {
   fc.assert(
     fc.property(
       fc.constantFrom("L ", "L\t", "L", "LX"),
@@ -121,7 +121,7 @@ test("a straight line is read in one step as it is word by word", () => {
         const text = `5 ${head}${words.map((w) => w.join("")).join("")}${tail}`;
         const [whole, bare] = [parse(`${text};c`).blocks[0], parse(text).blocks[0]];
         if (text.includes("~") || text.includes(";")) return;
-        // A comment keeps the one-step reader away.
+        // A comment bypasses the one-step reader.
         expect(bare?.statement).toEqual(whole?.statement);
         expect(bare?.issues).toEqual(whole?.issues);
       },

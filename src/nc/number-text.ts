@@ -1,6 +1,6 @@
 import type { Value } from "./words.ts";
 
-/** How numbers are written: with a plus sign or not, with point or comma. */
+/** Number format: plus sign or not, decimal point or comma. */
 export interface NumberStyle {
   readonly plus: boolean;
   readonly decimal: "." | ",";

@@ -1,2 +1,2 @@
-/** The same characters as a text of their own: a piece of a long text keeps all of it in memory. */
+/** A copy of a text slice, since a slice keeps the whole source text in memory. */
 export const ownText = (piece: string): string => ` ${piece}`.slice(1);

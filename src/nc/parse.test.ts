@@ -27,11 +27,11 @@ describe("blocks", () => {
     expect(lines("CYCL DEF 207 N ~\nQ200=+2 ~\nQ201=-5\nQ1999 = 25\nL X+1")).toEqual([3, 1, 1]);
     expect(lines("CYCL DEF 207 N ~\nQ200=+2\nQ201=-5\nL X+1")).toEqual([3, 1]);
   });
-  test("a mark of continuation in front of a new block is said and goes no further", () => {
+  test("a continuation mark before a new block is reported and ignored", () => {
     expect(parse("1 CYCL DEF 7 N ~\nQ1=1 ~\n2 M3\n").blocks).toHaveLength(2);
     expect(said("1 CYCL DEF 7 N ~\nQ1=1 ~\n2 M3")).toEqual(["continuationOpen 3:7"]);
   });
-  test("places count lines over blocks of any line end", () =>
+  test("line positions are correct for any line end", () =>
     expect(startLines(parse("1 M3\r\n2 CYCL DEF 7 N ~\rQ1=1\n3 M4"))).toEqual([1, 2, 4]));
 });
 
@@ -83,7 +83,7 @@ describe("spellings of posts and of older controls", () => {
   });
 });
 
-describe("findings have a place, and a fix where it is plain", () => {
+describe("findings have a place, and a fix where it is obvious", () => {
   test.each([
     ["1 L X+1 FOO", "wordNotUnderstood 2:9"],
     ["1 L X+1 X+2", "wordTwice 2:9"],
@@ -95,7 +95,7 @@ describe("findings have a place, and a fix where it is plain", () => {
     ["1 CR X+1 DR+", "wordMissing 2:3"],
     [`1 FC D${"9".repeat(400)}`, "badNumber 2:7"],
   ])("%j", (text, finding) => expect(said(text)).toEqual([finding]));
-  test("the fix of a misprint gives a text without it", () => {
+  test("the fix of a misprint removes it", () => {
     for (const text of ["1 CYCL DEF 7 N ~\nQ491+5 ;A\n", "1 CYCL DEF 7 N ~\nQ491 =+5 ;A\n"]) {
       const fix = issuesOf(parse(text)).find((i) => i.fix)?.fix;
       if (!fix) throw new Error("no fix");
@@ -111,7 +111,7 @@ describe("findings have a place, and a fix where it is plain", () => {
     ]);
     expect(issuesOf(parse("M3\n")).map((i) => i.code)).toEqual(["frameMissing", "frameMissing"]);
   });
-  test("a program in DIN/ISO is refused by its name, once; one such block in Klartext is that block's matter", () => {
+  test("a DIN/ISO program is refused as such, once; a single such block in Klartext is a finding of that block", () => {
     const errors = (text: string) =>
       issuesOf(parse(text))
         .filter((i) => i.severity === "error")
@@ -195,7 +195,7 @@ test.each([
   expect(print(parse(text))).toBe(text);
 });
 
-test("an area of several lines is read with everything in its place", () => {
+test("an area of several lines is read with correct positions", () => {
   const block = one("7 CONTOUR DEF ~\n  P1 = LBL 1 ~ \n  I12 = QS4 DEPTH0.5");
   expect(block?.statement).toEqual({
     kind: "contourDefinition",
@@ -212,7 +212,7 @@ test("an area of several lines is read with everything in its place", () => {
   expect(block?.lines).toBe(3);
 });
 
-test("10,000 blocks are read, each as it would be alone", () => {
+test("10,000 blocks are read, each as if alone", () => {
   const text = Array.from({ length: 10_000 }, (_, i) => `${i} L  X+${i % 90}.5 Z-${i % 70} R0 FMAX  M3\n`).join("");
   const { blocks } = parse(text);
   expect(blocks).toHaveLength(10_000);
@@ -220,7 +220,7 @@ test("10,000 blocks are read, each as it would be alone", () => {
     expect(blocks[i]?.statement).toEqual(one(`${i} L  X+${i % 90}.5 Z-${i % 70} R0 FMAX  M3`)?.statement);
 });
 
-test("a program that counts in tens is told so once, a jump in it again", () => {
+test("numbering in tens is reported once, a jump in it again", () => {
   const counted = (...numbers: number[]) =>
     issuesOf(parse(numbers.map((n) => `${n} M8\n`).join("")))
       .filter((i) => i.code === "blockNumber")
@@ -237,7 +237,7 @@ test("a program that counts in tens is told so once, a jump in it again", () => 
   ]);
 });
 
-test("a line longer than any block is kept and said, not read word by word", () => {
+test("a line longer than any block is kept and reported, not read word by word", () => {
   const long = `1 L ${"X+1 ".repeat(5000)}\n`;
   const program = parse(long);
   expect(print(program)).toBe(long);
@@ -246,7 +246,7 @@ test("a line longer than any block is kept and said, not read word by word", () 
   expect(parse(`1 L ${"X+1 ".repeat(2000)}\n`).blocks[0]?.statement.kind).toBe("path");
 });
 
-test("words in a row that are not understood are one finding, as long as they are", () => {
+test("consecutive words that are not understood are one finding over their full length", () => {
   const issues = one("5 L FOO  BAR X+5 BAZ Z-1")?.issues ?? [];
   const [first, second] = issues;
   expect(first).toMatchObject({ code: "wordNotUnderstood", offset: 4, length: 8, data: { text: "FOO  BAR" } });

@@ -36,9 +36,8 @@ function blockLine(text: string, from: number, to: number, offset: number): Bloc
 const NONE: readonly BlockIssue[] = [];
 
 /**
- * Blocks that were read before, by their text and by whether a line that they announce is missing: with each key a
- * program is read again of which one line is another. They are read from a text of their own, so that they keep no
- * other alive.
+ * Cached blocks, by text and by whether an announced line is missing: each key press rereads a program with one changed
+ * line. They are read from a detached copy of their text, so that they keep no other text in memory.
  */
 const known = [new Map<string, Block>(), new Map<string, Block>()] as const;
 const MOST_KNOWN = 500;
@@ -65,10 +64,7 @@ function readBlock(text: string, s: Slice): Block {
   return read;
 }
 
-/**
- * Where the first line of a list ends that should go on with ` ~` and does not, over the text of the block; null where
- * all do.
- */
+/** The end of the first list line without its ` ~`, as an offset in the block; null where none is missing. */
 function tildeMissing(text: string, { starts, ends }: Lines, { first, last }: Slice): number | null {
   let open: number | null = null;
   for (let i = first; i <= last; i += 1) {
@@ -119,9 +115,7 @@ function readWords(text: string, all: Lines, s: Slice): Block {
   };
 }
 
-/**
- * Reads any text. Never throws; what is not understood stays in the text and is said. `print` gives the same text back.
- */
+/** Reads any text. Never throws; text that is not understood is kept and reported. `print` returns the same text. */
 export function parse(text: string): Program {
   return { blocks: splitBlocks(text, splitLines(text)).map((s) => readBlock(text, s)) };
 }

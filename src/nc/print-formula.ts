@@ -51,7 +51,7 @@ function bare(f: Formula, style: Style): string {
     }
     default: {
       const rank = RANK[f.kind];
-      // Of equal signs the left one is worked out first, but for powers.
+      // Operators of equal rank are evaluated from the left, except powers.
       const [left, right] = f.kind === "power" ? [rank + 1, rank] : [rank, rank + 1];
       return `${formulaText(f.left, style, left)} ${SIGNS[f.kind]} ${formulaText(f.right, style, right)}`;
     }

@@ -20,8 +20,8 @@ export interface Signs {
 }
 
 /**
- * The words of a path block in the order of the control, each with the blanks in front of it. The TNC 640 sets two
- * blanks before the third axis and before M, as its printed positioning blocks show.
+ * The words of a path block in the control's order, each with its leading blanks. The TNC 640 writes two blanks before
+ * the third axis and before M, as its printed positioning blocks show.
  */
 export function wordsText(words: Words, style: Style, signs: Signs = { length: true, radius: true }): string {
   const parts: string[] = [];
@@ -49,7 +49,7 @@ export function wordsText(words: Words, style: Style, signs: Signs = { length: t
   return parts.join("");
 }
 
-/** A value of a cycle as it is written; nothing for one that is not set. */
+/** The text of a cycle value; empty for an unset one. */
 export function parameterValueText(value: CycleParameter["value"], style: Style): string {
   if (value === null) return "";
   if (value === "auto") return "FAUTO";

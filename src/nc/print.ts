@@ -5,7 +5,7 @@ import type { Style } from "./style.ts";
 /** The lines of a statement without block number and line ends; only cycles have more than one. */
 export const statementLines = (s: Statement, style: Style): readonly string[] => klartext.lines(s, style);
 
-/** What stands in front of a statement: number and skip mark. The TNC 640 sets two blanks before the older cycles. */
+/** The text before a statement: number and skip mark. The TNC 640 writes two blanks before older cycles. */
 export function headText(number: number | null, skip: boolean, s: Statement, style: Style): string {
   const mark = skip ? "/" : "";
   return number === null ? mark : `${mark}${number}${style.wide && s.kind === "cycleLine" ? "  " : " "}`;

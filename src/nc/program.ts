@@ -1,9 +1,7 @@
 import type { BlockIssue, NcIssue } from "./issue.ts";
 import type { Statement } from "./statement.ts";
 
-/**
- * One block with its exact text. Blocks hold no places of their own, so replacing one leaves all others as they are.
- */
+/** One block with its exact text. Blocks store no positions, so replacing one leaves all others unchanged. */
 export interface Block {
   /** Exactly as read: all lines with their line ends. */
   readonly raw: string;
@@ -19,7 +17,7 @@ export interface Block {
   readonly issues: readonly BlockIssue[];
 }
 
-/** A program as text and meaning at once. */
+/** A program, as text and as statements. */
 export interface Program {
   readonly blocks: readonly Block[];
 }
@@ -38,7 +36,7 @@ export function startLines(program: Program): number[] {
 }
 
 /**
- * Number of each block: as printed, or counted on from the one before. Comments and blank lines count only when
+ * Number of each block: as printed, or counted on from the previous one. Comments and blank lines count only when
  * numbered.
  */
 export function blockNumbers(program: Program): number[] {
@@ -51,7 +49,7 @@ export function blockNumbers(program: Program): number[] {
   });
 }
 
-/** Lines and columns (both from 0) of rising offsets inside a block, in one walk. */
+/** Lines and columns (both from 0) of ascending offsets inside a block, in one pass. */
 function places(raw: string, offsets: readonly number[]): { line: number; column: number }[] {
   let [line, start, i] = [0, 0, 0];
   return offsets.map((offset) => {
@@ -73,10 +71,10 @@ const inIso = ({ raw, statement }: Block): boolean => statement.kind === "unknow
 /** A list over several lines without ` ~` between them. */
 export const isUntied = ({ issues }: Block): boolean => issues.some((i) => i.code === "listWithoutTilde");
 
-/** All findings of the reader, those between blocks included, in the order of the text. */
+/** All findings of the reader in text order, including those between blocks. */
 export const issuesOf = (program: Program): NcIssue[] => [...eachIssue(program)];
 
-/** The same one after the other: a long program may have more than should be in memory at once. */
+/** The same one by one: a long program may have too many for memory. */
 export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
   const said = ({ statement: { kind } }: Block) => kind !== "empty" && kind !== "comment";
   const missing = (which: "BEGIN PGM" | "END PGM", place: { line: number; offset: number }): NcIssue => ({
@@ -94,14 +92,14 @@ export function* eachIssue({ blocks }: Program): Generator<NcIssue> {
   let [offset, line] = [0, 1];
   let expected: number | null = null;
   let step = 1;
-  // One cure writes ` ~` into every list, so they are one finding, at the first.
+  // One fix writes ` ~` into every list, so they are one finding, at the first.
   let untied = blocks.filter(isUntied).length;
   for (const b of blocks) {
     const at = { line, column: 1, offset, length: 0, severity: "info" as const };
     const { kind } = b.statement;
     if (b.number !== null) {
       const by: number = expected === null ? 1 : b.number - expected + 1;
-      // A program that counts in tens is said once, where it begins to.
+      // Numbering in tens is reported once, where it begins.
       if (expected !== null && by !== 1 && !(by > 1 && by === step))
         yield { code: "blockNumber", ...at, data: { found: b.number, expected } };
       step = by;

@@ -10,12 +10,12 @@ export interface BlockLine {
   readonly comment: string | null;
 }
 
-/** Of a cycle, and of its line; some posts leave a blank before the point. */
+/** The number of a cycle and of its line; some posts leave a blank before the point. */
 const NUMBER = /(?:(\d{1,2})[ \t]+\.(\d{1,3})(?!\S)|(\d{1,9})(?:\.(\d{1,3}))?(?![\d.]))/y;
 const Q_HEAD = new RegExp(String.raw`(${NUMBER_PARAMETER})([ \t]*)(=?)[ \t]*`, "iy");
 const Q_VALUE = new RegExp(String.raw`(?:F?[ \t]*(MAX|AUTO)(?![A-Z])|F?[ \t]*(${VALUE}))`, "iy");
 
-/** The number of a cycle, and that of its line where it has one; null where no number stands there. */
+/** The number of a cycle, and of its line if present; null without a number. */
 export function takeCycleNumber(scan: Scan): { readonly cycle: number; readonly line: number | null } | null {
   const m = scan.take(NUMBER);
   if (!m) return null;

@@ -8,13 +8,13 @@ const UNDEFINED = /SET[ \t]+UNDEFINED(?![A-Z])/iy;
 const NUMBER = new RegExp(String.raw`(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER}|PI(?![A-Z]))`, "iy");
 const CALL = /(SIN|COS|TAN|ASIN|ACOS|ATAN|SQRT|SQ|LN|LOG|EXP|NEG|INT|ABS|FRAC|SGN)(?![A-Z])/iy;
 const FN = /FN[ \t]*(1?\d)[ \t]*:/iy;
-/** Functions of one value: what stands before it may be left out of FN 5 only, which older programs do. */
+/** Functions of one value. Only FN 5 may omit the function word, as older programs do. */
 const FN_CALL: Readonly<Record<number, { readonly word: RegExp; readonly name: string }>> = {
   5: { word: /(?:SQRT(?![A-Z]))?/iy, name: "SQRT" },
   6: { word: /SIN(?![A-Z])/iy, name: "SIN" },
   7: { word: /COS(?![A-Z])/iy, name: "COS" },
 };
-/** Signs between the two values of the others. */
+/** Operators of functions with two values. */
 const FN_SIGN: Readonly<
   Record<
     string,
@@ -33,7 +33,7 @@ const DEEPEST = 50;
 /** So are longer chains, since a chain nests as well. */
 const LONGEST = 500;
 
-/** Sum, product, power, sign, call and bracket, in the usual order; null when it makes no sense. */
+/** Reads sum, product, power, sign, call and bracket with the usual precedence; null for an invalid formula. */
 class FormulaReader {
   private depth = 0;
   private values = 0;
@@ -57,7 +57,7 @@ class FormulaReader {
     return left;
   }
 
-  /** Powers of powers are worked out from the right, all other signs from the left. */
+  /** Powers are evaluated from the right, all other operators from the left. */
   private power(): Formula | null {
     const left = this.factor();
     if (!left || !this.scan.take(/\^/y)) return left;
@@ -106,7 +106,7 @@ function negated(f: Extract<Formula, { kind: "value" }>): Formula {
   return { kind: "value", value: { ...value, negative: !value.negative } };
 }
 
-/** A parameter and what it gets. */
+/** A parameter and its new value. */
 export interface Assignment {
   readonly fn: FunctionNumber | null;
   readonly target: string;

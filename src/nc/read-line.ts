@@ -3,7 +3,7 @@ import type { AxisName, AxisWord, Compensation, FeedWord, Words } from "./words.
 
 const NUMBER = String.raw`([+-]?\d+(?:[.,]\d+)?)`;
 const axis = (name: string) => String.raw`(?:(I?)${name}${NUMBER}[ \t]*)?`;
-/** A straight line as nearly every program writes it, up to the end of its text line. */
+/** A straight line in its usual form, up to the end of its text line. */
 const LINE = new RegExp(
   String.raw`L[ \t]+${axis("X")}${axis("Y")}${axis("Z")}(?:(R0|(?:RL|RR)(?![A-Z]))[ \t]*)?` +
     String.raw`(?:F(?:(MAX|AUTO)(?![A-Z])|(\d+(?:[.,]\d+)?))[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?:M(\d{1,4})[ \t]*)?(?![^\r\n])`,
@@ -11,19 +11,19 @@ const LINE = new RegExp(
 );
 const AXES: readonly AxisName[] = ["X", "Y", "Z"];
 
-/** What NUMBER matched; null beyond what can be counted. Never -0. */
+/** The number matched by NUMBER; null beyond the safe range. Never -0. */
 function number(text: string): number | null {
   const n = Number(text.includes(",") ? text.replace(",", ".") : text);
   return n === 0 ? 0 : Number.isFinite(n) ? n : null;
 }
 
-/** One for all of them: most lines have none of these words. */
+/** Shared empty list: most lines have none of these words. */
 const NONE: readonly never[] = [];
 
 /**
- * Reads a straight line in its usual form in one step, exactly as the word by word reader would; null for any other,
- * which that reader then takes. Long programs are mostly such lines, and a program that was just opened is read before
- * anything has warmed up.
+ * Reads a straight line in its usual form in one step, exactly as the word-by-word reader would; null for any other,
+ * which that reader handles. Long programs consist mostly of such lines, and a program just opened is read before the
+ * engine has warmed up.
  */
 export function readLine(text: string, at: number): Statement | null {
   LINE.lastIndex = at;

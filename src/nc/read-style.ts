@@ -2,10 +2,10 @@ import type { Block, Program } from "./program.ts";
 import { LAYOUTS, type Style } from "./style.ts";
 import { NUMBER_PARAMETER } from "./value.ts";
 
-/** How far round a block other blocks are asked for their style. */
+/** How many blocks around a block may define its style. */
 const NEIGHBOURS = 40;
 
-/** What the texts of blocks say about style, nearest first; the first that shows a choice decides it. */
+/** A style choice from the texts of blocks, nearest first; the first that shows it decides. */
 function seen<T>(texts: readonly string[], show: (raw: string) => T | null, otherwise: T): T {
   for (const raw of texts) {
     const found = show(raw);
@@ -15,7 +15,7 @@ function seen<T>(texts: readonly string[], show: (raw: string) => T | null, othe
 }
 
 const INDENTED = new RegExp(String.raw`[\r\n]([ \t]*)${NUMBER_PARAMETER}[ \t]*=`, "i");
-/** Without comments and names, which show nothing: M48X2 is no X. */
+/** The text without comments and names, which show no style: M48X2 is no X. */
 const code = (raw: string) => raw.replace(/;[^\r\n]*/g, "").replace(/(?:\b(?:BEGIN|END) PGM |\* - )[^\r\n]*/gi, "");
 const newLine = (raw: string) => (/\r\n|\n|\r/.exec(raw)?.[0] as Style["newLine"] | undefined) ?? null;
 const wide = (raw: string) =>
@@ -51,7 +51,7 @@ export function styleAt(program: Program, index: number): Style {
   return {
     newLine: seen(texts, newLine, base.newLine),
     wide: seen(texts, wide, base.wide),
-    // Whatever the lists round it look like: what is written has to load.
+    // Regardless of surrounding lists: a written list must load.
     continued: true,
     plus: seen(texts, plus, base.plus),
     decimal: seen(texts, decimal, base.decimal),

@@ -50,7 +50,7 @@ function onePart(scan: Scan): TextFormula | null {
   return scan.take(CLOSE) ? made : null;
 }
 
-/** Text in quotes, a QS parameter, a function of them, or several joined by `||`; null when it is none. */
+/** Text in quotes, a QS parameter, a function of them, or several joined by `||`; null for anything else. */
 function readText(scan: Scan): TextFormula | null {
   const parts: TextFormula[] = [];
   do {
@@ -61,7 +61,7 @@ function readText(scan: Scan): TextFormula | null {
   return parts.length === 1 ? (parts[0] ?? null) : { kind: "joined", parts };
 }
 
-/** A text parameter and what it gets. */
+/** A text parameter and its new text. */
 export interface TextAssignment {
   readonly declared: boolean;
   readonly target: string;
@@ -76,10 +76,7 @@ export function readTextAssignment(scan: Scan): TextAssignment | null {
   return { declared: target[1] !== undefined, target: (target[2] ?? "").toUpperCase(), text };
 }
 
-/**
- * A number that a text gives: its length, where another stands in it, what it says, how it compares. Null when none
- * stands here.
- */
+/** A numeric function of texts: length, search, conversion, comparison. Null without one. */
 export function readNumberOfText(scan: Scan): Formula | null {
   const name = scan.take(NUMBER_OF_TEXT)?.[1]?.toUpperCase() as
     Extract<Formula, { kind: "ofText" }>["name"] | undefined;

@@ -9,7 +9,7 @@ const WORD = new RegExp(
 );
 const COMPENSATION = /R[ \t]?0(?![\d.,])|(?:RL|RR)(?![A-Z])/iy;
 const SIDE = /(RL|RR)(?![A-Z])/iy;
-/** Older controls print R, F and M also where nothing was typed for them: what was in force stays so. */
+/** Older controls print R, F and M even without a value: the modal state stays unchanged. */
 const UNTYPED = /[RFM](?![^ \t\u00a0])/iy;
 const TURN = /DR[ \t]*([+-])/iy;
 
@@ -20,7 +20,7 @@ const isLetter = (scan: Scan, letter: number) => (scan.text.charCodeAt(scan.at) 
 
 export const axisName = (letter: string) => letter.toUpperCase() as AxisName;
 
-/** Functions that take a feed of their own: what F stands behind them belongs to them. */
+/** Functions with a feed of their own: an F after them belongs to them. */
 const WITH_FEED: ReadonlySet<number> = new Set([128, 140]);
 const feedKey = (functions: readonly number[]) => (functions.some((m) => WITH_FEED.has(m)) ? "functionFeed" : "feed");
 

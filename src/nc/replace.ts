@@ -1,6 +1,6 @@
 import type { Block, Program } from "./program.ts";
 
-/** What stands in front of a block's number: blanks, a skip mark, the letter N. */
+/** The text before a block's number: blanks, a skip mark, the letter N. */
 const NUMBER = /^([ \t\u00a0\ufeff]*\/?[ \t]*[Nn]?)\d+/;
 const SKIP = /^([ \t\u00a0\ufeff]*)\/[ \t]*/;
 const LINE_END = /(?:\r\n|\n|\r)$/;
@@ -13,14 +13,14 @@ const shiftedBy = (block: Block, by: number): Block["issues"] =>
     ...(found.fix && { fix: { ...found.fix, offset: found.fix.offset + by } }),
   })) as Block["issues"];
 
-/** A block under another number; one that has none stays without. */
+/** A block with another number; a block without a number stays without. */
 export function withNumber(block: Block, number: number): Block {
   if (block.number === null || block.number === number) return block;
   const raw = block.raw.replace(NUMBER, `$1${number}`);
   return { ...block, number, raw, issues: shiftedBy(block, raw.length - block.raw.length) };
 }
 
-/** A block behind a skip mark, or without one; all else in it stays as it is. */
+/** A block with or without a skip mark; everything else stays unchanged. */
 export function withSkip(block: Block, skip: boolean): Block {
   if (block.skip === skip) return block;
   const raw = skip
@@ -31,7 +31,7 @@ export function withSkip(block: Block, skip: boolean): Block {
   return { ...block, skip, raw, issues: shiftedBy(block, raw.length - block.raw.length) };
 }
 
-/** By how much the file counts on from block to block. */
+/** The block number increment of the file. */
 function stepOf(blocks: readonly Block[]): number {
   const counts = new Map<number, number>();
   let before: number | null = null;
@@ -46,7 +46,7 @@ function stepOf(blocks: readonly Block[]): number {
 const numbersOf = (blocks: readonly Block[]): readonly number[] =>
   blocks.flatMap(({ number }) => (number === null ? [] : [number]));
 
-/** Gives the numbered ones among blocks these numbers in their order. */
+/** Assigns these numbers to the numbered blocks in order. */
 function renumberedBy(blocks: readonly Block[], numbers: readonly number[]): readonly Block[] {
   let next = 0;
   return blocks.map((block) => {
@@ -58,9 +58,9 @@ function renumberedBy(blocks: readonly Block[], numbers: readonly number[]): rea
 }
 
 /**
- * The program with other blocks, of which some may be its own: those at either end that are its own stay as they are.
- * The rest take the numbers that stood there, in their order; where there are more or fewer than before, they count on
- * as the file does, and so do those behind. A last line without a line end stays the only one.
+ * The program with other blocks. Unchanged blocks at either end stay as they are; the rest take the old numbers in
+ * order. With more or fewer blocks the numbering continues in the increment of the file, also for the blocks after
+ * them. A last line without a line end stays the only one.
  */
 export function withBlocks(program: Program, wanted: readonly Block[]): Program {
   const old = program.blocks;

@@ -37,7 +37,7 @@ const edits = fc.array(fc.tuple(fc.double({ min: 0, max: 1, noNaN: true }), fc.n
   maxLength: 12,
 });
 
-test("reading again near a change gives what reading the whole text gives", () => {
+test("rereading near a change equals reading the whole text", () => {
   fc.assert(
     fc.property(fc.constantFrom(...texts, "", texts.join("")), edits, (start, changes) => {
       let text = start;

@@ -2,14 +2,14 @@ import { ownText } from "./own-text.ts";
 import { parse } from "./parse.ts";
 import type { Block, Program } from "./program.ts";
 
-/** A program that is read again piece by piece while its text is typed: blocks, and where each starts in the text. */
+/** An incrementally read program: its blocks, and where each starts in the text. */
 export interface Reading {
   readonly program: Program;
   /** Offset of each block, and of the end of the text: one more than there are blocks. */
   readonly starts: readonly number[];
 }
 
-/** Some characters of a text in the place of others: `from` to `to` of the old text became `length` characters. */
+/** A text change: characters `from` to `to` of the old text became `length` characters. */
 export interface Change {
   readonly from: number;
   readonly to: number;
@@ -18,7 +18,7 @@ export interface Change {
 
 /** The splitter looks at most this many written blocks ahead of a boundary. */
 const LOOKS_AHEAD = 4;
-/** Blocks behind a change that are read again at first; doubled until old and new boundaries meet. */
+/** Blocks after a change that are reread at first; doubled until old and new boundaries meet. */
 const BEHIND = 16;
 
 function startsOf(blocks: readonly Block[]): number[] {
@@ -37,7 +37,7 @@ export function readingOf(text: string): Reading {
   return { program, starts: startsOf(program.blocks) };
 }
 
-/** Index of the block that holds an offset; the last block at the end of the text, -1 in an empty one. */
+/** Index of the block at an offset; the last block at the end of the text, -1 in an empty text. */
 export function blockAt({ starts }: Pick<Reading, "starts">, offset: number): number {
   let [low, high] = [0, starts.length - 2];
   if (high < 0) return -1;
@@ -51,7 +51,7 @@ export function blockAt({ starts }: Pick<Reading, "starts">, offset: number): nu
 
 const written = (b: Block | undefined) => b !== undefined && b.statement.kind !== "empty";
 
-/** The block from which reading again must begin so that everything that looks ahead to `index` is read too. */
+/** Where rereading must start so that everything that looks ahead to `index` is read too. */
 function beginning(blocks: readonly Block[], index: number): number {
   let at = Math.max(0, index);
   for (let seen = 0; at > 0 && seen < LOOKS_AHEAD;) {
@@ -62,8 +62,8 @@ function beginning(blocks: readonly Block[], index: number): number {
 }
 
 /**
- * The reading after a change, with the same result as reading the whole text again. Only the blocks near the change are
- * read; all others stay the same objects. `slice` gives a stretch of the new text.
+ * The reading after a change, equal to reading the whole text again. Only blocks near the change are read; all others
+ * stay the same objects. `slice`: returns a stretch of the new text.
  */
 export function reread(old: Reading, change: Change, slice: (from: number, to: number) => string): Reading {
   const { blocks } = old.program;
@@ -104,9 +104,7 @@ function meeting(
   return null;
 }
 
-/**
- * What one text has become another by: everything between what both begin with and what both end with, in whole blocks.
- */
+/** The change between two texts: everything between their common beginning and common end, in whole blocks. */
 function changeTo({ program: { blocks }, starts }: Reading, text: string): Change {
   const whole = starts.at(-1) ?? 0,
     by = text.length - whole,
@@ -124,9 +122,7 @@ function changeTo({ program: { blocks }, starts }: Reading, text: string): Chang
   return { from, to, length: to + by - from };
 }
 
-/**
- * Reads one state of a text after the other: of each only the blocks that are others than before, and those near them.
- */
+/** Reads successive states of a text: only the changed blocks and those near them. */
 export function readingAgain(): (text: string) => Program {
   let last: Reading | null = null;
   return (text) => {

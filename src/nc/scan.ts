@@ -12,7 +12,7 @@ export class Scan {
     readonly offset: number,
   ) {}
 
-  /** Takes what a sticky pattern matches here, behind blanks. */
+  /** Takes the match of a sticky pattern here, after blanks. */
   take(pattern: RegExp): RegExpExecArray | null {
     this.blanks();
     pattern.lastIndex = this.at;
@@ -44,7 +44,7 @@ export class Scan {
     return this.text.slice(from, this.at);
   }
 
-  /** Reads a matched value; a number beyond counting becomes an issue. */
+  /** Reads a matched value; a number beyond the safe range becomes an issue. */
   value(text: string): Value | null {
     const value = readValue(text);
     if (value === null)
@@ -64,10 +64,7 @@ export class Scan {
     this.issues.push({ ...i, offset, length, ...put } as BlockIssue);
   }
 
-  /**
-   * Draws the last issue out to `end` where it is about the words just before: what is not understood in one piece is
-   * one issue.
-   */
+  /** Extends the last issue to `end` where it ends just before: adjacent unknown words are one issue. */
   private extended(end: number): boolean {
     const last = this.issues.at(-1);
     if (last?.code !== "wordNotUnderstood") return false;
@@ -82,13 +79,13 @@ export class Scan {
     return true;
   }
 
-  /** Goes back to where something was tried that is not there; what was found then is forgotten. */
+  /** Returns to a position after a failed attempt, dropping the issues found since. */
   back(at: number): void {
     this.at = at;
     this.issues.length = 0;
   }
 
-  /** A word that was taken is not understood. */
+  /** Reports a taken word as not understood. */
   unread(word: string): void {
     this.issue({ code: "wordNotUnderstood", severity: "warning", data: { text: word.slice(0, 40) } }, word.length);
   }
@@ -103,7 +100,7 @@ export class Scan {
     });
   }
 
-  /** Everything that is left is kept and not understood. */
+  /** Takes all remaining words as not understood. */
   leftOver(): string[] {
     const extra: string[] = [];
     while (!this.done) {

@@ -6,7 +6,7 @@ export interface Lines {
   readonly ends: readonly number[];
 }
 
-/** One block as lines, with what stands in front of its statement. */
+/** One block as lines, with number and skip mark. */
 export interface Slice {
   /** Offsets over the whole text: the block with its line ends. */
   readonly from: number;
@@ -18,7 +18,7 @@ export interface Slice {
   readonly skip: boolean;
   /** Where the statement starts, behind number and skip mark. */
   readonly body: number;
-  /** The last line announces a continuation that does not come. */
+  /** The last line announces a missing continuation. */
   readonly open: boolean;
 }
 
@@ -60,10 +60,7 @@ const matchAt = (pattern: RegExp, text: string, at: number): RegExpExecArray | n
 /** A number with more digits than a block number can have is none. */
 const printed = (digits: string | undefined) => (digits !== undefined && digits.length <= 9 ? Number(digits) : null);
 
-/**
- * The block structure of a text: lines that belong together, by `~` or, in the older layout, Q lines behind their
- * cycle.
- */
+/** The block structure of a text: joined lines, by `~` or, in the older layout, Q lines after their cycle. */
 export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
   const count = starts.length;
   const blank = (i: number) => {
@@ -95,7 +92,7 @@ export function splitBlocks(text: string, { starts, ends }: Lines): Slice[] {
     let last = first;
     let open = tilde(first);
     let tildes = open;
-    // Behind a list with ` ~` a line with a blank before the equals sign is a formula: `Q215=+0` is a value, `Q1999 =
+    // After a list with ` ~`, a line with a blank before the equals sign is a formula: `Q215=+0` is a value, `Q1999 =
     // 25` a block.
     const isValue = (m: RegExpExecArray) => !tildes || !/\d[ \t\u00a0]+=/.test(m[0]);
     const belongs = (m: RegExpExecArray | null, k: number) =>

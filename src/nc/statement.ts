@@ -1,7 +1,7 @@
 import type { BlockDefinition, StatementOfWords } from "./blocks/define.ts";
 import type { blocks } from "./blocks/index.ts";
 
-/** What one block says: the kind of the block, and the words that its declaration names. */
+/** The content of a block: its kind, and the words of its declaration. */
 export type Statement = StatementIn<(typeof blocks)[number]>;
 type StatementIn<B> = B extends BlockDefinition<infer K, infer W> ? StatementOfWords<K, W> : never;
 

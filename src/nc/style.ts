@@ -1,6 +1,6 @@
 import type { NumberStyle } from "./number-text.ts";
 
-/** How blocks are written. Every choice is one that printed or real programs show. */
+/** The writing style of blocks. Every option occurs in printed or real programs. */
 export interface Style extends NumberStyle {
   /** The two-space forms of the TNC 640: `L  X+75`, `LBL  2`, `CYCL DEF 200  NAME`. */
   readonly wide: boolean;
@@ -19,8 +19,8 @@ export type LayoutName = "tnc640" | "tnc7" | "manual";
 const common = { plus: true, decimal: ".", indent: "", rapid: "FMAX", spacedWords: false, newLine: "\n" } as const;
 
 /**
- * Program files of the two controls, and the look of the TNC 640 manual of 2019, which no control loads: its lists have
- * no ` ~`.
+ * Program files of the two controls, and the layout of the TNC 640 manual of 2019, which no control loads: its lists
+ * have no ` ~`.
  */
 export const LAYOUTS: Readonly<Record<LayoutName, Style>> = {
   tnc640: { ...common, wide: true, continued: true },

@@ -22,26 +22,26 @@ describe("a list of a cycle without ~", () => {
       [[2, 16, { places: 1 }]],
       "CYCL DEF 200 B ~\r\n  Q200=-2.75 ;C ~\r\n  Q201=-18\r\n",
     ],
-    // The misprint of a page stays as it is: it has a finding of its own.
+    // A printed misprint stays: it has its own finding.
     [
       "7 CYCL DEF 852  E\nQ491=+75\nQ493+50 ;F\n",
       [[1, 18, { places: 1 }]],
       "7 CYCL DEF 852  E ~\nQ491=+75 ~\nQ493+50 ;F\n",
     ],
-    // A label that was wrapped where a page was copied stands on one line again.
+    // A label wrapped by copying a page is on one line again.
     [
       "7 CYCL DEF 200 DRILL\nQ200=+2 ;SET-UP\nCLEARANCE\nQ201=-5.5\n",
       [[1, 21, { places: 1 }]],
       "7 CYCL DEF 200 DRILL ~\nQ200=+2 ;SET-UP CLEARANCE ~\nQ201=-5.5\n",
     ],
-  ])("%j is told where it begins, and gets it", (text, places, whole) => {
+  ])("%j is reported where it begins, and fixed", (text, places, whole) => {
     expect(said(text)).toEqual(places);
     expect(cured(text)).toBe(whole);
     expect(said(cured(text))).toEqual([]);
     expect(parse(cured(text)).blocks[0]?.statement).toEqual(parse(text).blocks[0]?.statement);
   });
 
-  test("all lists of a program are one finding, at the first, and one cure", () => {
+  test("all lists of a program are one finding, at the first, and one fix", () => {
     const text =
       "1 CYCL DEF 811 A\nQ215=+0\n2 CYCL CALL\n3 CYCL DEF 812 B ~\nQ215=+1\n4 CYCL DEF 821 C\nQ215=+2\nQ460=+1.5\n";
     expect(said(text)).toEqual([[1, 17, { places: 2 }]]);
@@ -54,7 +54,7 @@ describe("a list of a cycle without ~", () => {
     "CYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL2\n",
     "CYCL DEF 200 Q200=+2 Q201=-3\n",
     "CYCL DEF 811 A ~\n\nQ215=+0\n",
-  ])("%j says nothing and stays", (text) => {
+  ])("%j has no finding and stays", (text) => {
     expect(said(text)).toEqual([]);
     expect(cured(text)).toBe(text);
   });

@@ -7,9 +7,7 @@ const LINE = /[^\r\n]*(?:\r\n|\n|\r|$)/g;
 const VALUE_LINE = /^[ \t\u00a0]*Q[LR]?\d+[ \t]*(?:=|[+-])/i;
 const HEAD = /^[ \t\u00a0\ufeff]*\/?[ \t]*(?:[Nn]?\d+(?![\d.,])[ \t\u00a0]*\/?)?[ \t\u00a0]*/;
 
-/**
- * A list with ` ~` at the end of each line but the last; a name or label that was wrapped is written on one line again.
- */
+/** A list with ` ~` at the end of each line but the last; a wrapped name or label is joined to one line. */
 function tied(program: Program, index: number, block: Block): readonly Block[] {
   const lines = (block.raw.match(LINE) ?? []).filter((line) => line !== "");
   const written = lines.flatMap((line, i) => (line.trim() === "" ? [] : [i]));

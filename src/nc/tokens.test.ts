@@ -4,7 +4,7 @@ import { tokensOf } from "./tokens.ts";
 
 const shown = (line: string) => tokensOf(line).map((t) => `${t.kind}:${line.slice(t.from, t.to)}`);
 
-test("the stretches of usual blocks", () => {
+test("the tokens of usual blocks", () => {
   expect(shown("12 L  X+75 IZ-0.5 R0 FMAX  M303 ;there")).toEqual([
     "number:12",
     "keyword:L",

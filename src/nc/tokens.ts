@@ -1,11 +1,11 @@
 import { Scan } from "./scan.ts";
 import { PARAMETER } from "./value.ts";
 
-/** What a stretch of a line is, for colouring. */
+/** The kind of a token, for colouring. */
 export type TokenKind =
   "number" | "keyword" | "parameter" | "value" | "word" | "comment" | "structure" | "string" | "name" | "mark";
 
-/** A stretch of one line, from and to in characters. */
+/** A token of one line, from and to in characters. */
 export interface Token {
   readonly kind: TokenKind;
   readonly from: number;
@@ -35,10 +35,10 @@ const ADDRESS = new RegExp(
 );
 const VALUE = /[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)/y;
 const MARK = /[~=:+\-*/()%^]/y;
-/** Behind these a free name follows, not words with values. */
+/** Keywords followed by a free name, not by words with values. */
 const NAMES = /^(?:CYCLE?[ \t]*DEF|BEGIN|END)/i;
 
-/** Splits one line into stretches for colouring; never throws, and leaves out what says nothing. */
+/** Splits one line into tokens for colouring, without blanks and plain text; never throws. */
 export function tokensOf(line: string): Token[] {
   const scan = new Scan(line, 0);
   const tokens: Token[] = [];

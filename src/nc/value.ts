@@ -4,11 +4,11 @@ import type { Parameter, Value } from "./words.ts";
 export const NUMBER_PARAMETER = String.raw`Q[LR]?\d{1,4}(?!\d)`;
 /** A parameter that holds text: QS1. */
 export const TEXT_PARAMETER = String.raw`QS\d{1,4}(?!\d)`;
-/** Any parameter: text stands where a name or a number may stand. */
+/** Any parameter: text parameters may replace names and numbers. */
 export const PARAMETER = `(?:${NUMBER_PARAMETER}|${TEXT_PARAMETER})`;
 const ALONE = new RegExp(String.raw`^\s*([+-]?)\s*(${PARAMETER})\s*$`, "i");
 
-/** The parameter that a text is, with its sign, when it is that and nothing else. */
+/** The parameter with its sign, if the text is only a parameter. */
 export function parameterOf(text: string): Parameter | null {
   const m = ALONE.exec(text);
   return m ? { parameter: (m[2] ?? "").toUpperCase(), negative: m[1] === "-" } : null;
@@ -17,7 +17,7 @@ export function parameterOf(text: string): Parameter | null {
 /** A number with point or comma, or a parameter, with an optional sign; blanks may stand behind the sign. */
 export const VALUE = String.raw`[+-]?[ \t]*(?:\d+(?:[.,]\d*)?|[.,]\d+|${PARAMETER})`;
 
-/** Reads what `VALUE` matched; null when the number is beyond what can be counted. */
+/** Reads a match of `VALUE`; null for a number beyond the safe range. */
 export function readValue(text: string): Value | null {
   const negative = text.charCodeAt(0) === 45;
   const bare = negative || text.charCodeAt(0) === 43 ? text.slice(1).trimStart() : text;

@@ -1,4 +1,4 @@
-/** A Q, QL, QR or QS parameter where a number may stand, with its sign. */
+/** A Q, QL, QR or QS parameter in place of a number, with its sign. */
 export interface Parameter {
   readonly parameter: string;
   readonly negative: boolean;
@@ -20,11 +20,11 @@ export interface PolarWord {
   readonly value: Value;
   readonly incremental: boolean;
 }
-/** FMAX, FAUTO, or a number with its unit as the letters say it. */
+/** FMAX, FAUTO, or a number with its unit letters. */
 export type FeedWord = "max" | "auto" | { readonly value: Value; readonly unit: "F" | "FU" | "FZ" };
 export type Compensation = "R0" | "RL" | "RR";
 
-/** The words that a path block may carry, each at most once except axes and M functions. */
+/** The words of a path block, each at most once except axes and M functions. */
 export interface Words {
   readonly axes: readonly AxisWord[];
   readonly polarRadius?: PolarWord;
@@ -47,7 +47,7 @@ export interface Words {
   readonly retract?: Value | "max";
   /** A feed behind M140 or M128: it belongs to that function, not to the path. */
   readonly functionFeed?: FeedWord;
-  /** Words that are kept and not understood. */
+  /** Words that are not understood but stored. */
   readonly extra: readonly string[];
 }
 /** A block without words. */
@@ -64,7 +64,7 @@ export type FreeForm = (typeof FREE_FORMS)[number];
 export interface CycleParameter {
   /** "Q215". */
   readonly q: string;
-  /** null when what stands there can not be read. */
+  /** null where the text cannot be read. */
   readonly value: Value | "auto" | "max" | null;
   /** Text behind `;`, without the continuation mark. */
   readonly label: string | null;
@@ -85,7 +85,7 @@ export type Formula =
       readonly kind: "ofText";
       readonly name: "TONUMB" | "INSTR" | "STRLEN" | "STRCOMP";
       readonly source: TextFormula;
-      /** What INSTR looks for and STRCOMP compares with. */
+      /** The text searched by INSTR or compared by STRCOMP. */
       readonly search: TextFormula | null;
       readonly begin: Value | null;
     }
@@ -107,10 +107,10 @@ export type TextFormula =
 /** The file that a block names, or the parameter that holds its name. */
 export type FileName = string | Parameter;
 
-/** Where an outline stands: behind a label of the program, or in a file. */
+/** The source of an outline: a label of the program, or a file. */
 export type OutlinePlace = { readonly label: Label | Parameter } | { readonly file: FileName };
 
-/** Where an outline of a blank stands: behind a label, or in a file. */
+/** The source of a blank outline: a label, or a file. */
 export type OutlineSource = { readonly label: Label } | { readonly file: FileName };
 
 /** One area of CONTOUR DEF: pocket, island or void, by its label or its file. */
@@ -128,9 +128,9 @@ export interface NamedWord {
 }
 
 export const COMPARISONS = ["EQU", "NE", "GT", "LT", "IS DEFINED", "IS UNDEFINED"] as const;
-/** What a jump asks of two values, or of one parameter. */
+/** The condition of a jump on two values, or on one parameter. */
 export type Comparison = (typeof COMPARISONS)[number];
 
-/** FN functions that set a parameter to what they work out. */
+/** FN functions that assign their result to a parameter. */
 export const FUNCTION_NUMBERS = [0, 1, 2, 3, 4, 5, 6, 7, 8, 13] as const;
 export type FunctionNumber = (typeof FUNCTION_NUMBERS)[number];

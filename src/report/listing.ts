@@ -55,7 +55,7 @@ function approachLine(a: ApproachRun): string {
   return `# block ${a.block}: ${a.departing ? "DEP" : "APPR"} ${a.form}: ${points.join(", ")}`;
 }
 
-/** A whole run as text: operations, moves by block, findings. */
+/** A run as text: operations, moves by block, findings. */
 export function listing(run: Run): string {
   const lines: string[] = [];
   let operation: number | null = -1;

@@ -3,7 +3,7 @@ import type { Tool } from "../kernel/plan/tool.ts";
 import type { Operation } from "../program/state/run-types.ts";
 import { betterTool } from "../program/tools/which-tool.ts";
 
-/** Findings that another tool would mend: a dimension of the drawing stays as it is. */
+/** Findings that another tool would fix: dimensions of the drawing stay unchanged. */
 export const BY_TOOL: ReadonlySet<string> = new Set([
   "toolUnfit",
   "toolCannotCutSideways",
@@ -12,11 +12,11 @@ export const BY_TOOL: ReadonlySet<string> = new Set([
   "cornerSmallerThanInsert",
 ]);
 
-/** Operations that tools are looked for in one report: each costs a plan for each tool. */
+/** Most operations per report for which tools are tried: each costs a plan per tool. */
 const MOST = 40;
 
 /**
- * The tool of a table that makes the contour of an operation, tried; null where none does. A loop over a call is tried
+ * The tool of a table that makes the contour of an operation, by trial; null without one. A loop over a call is tried
  * once.
  */
 export function toolsOffered(tools: readonly Tool[]): (operation: Operation) => Tool | null {

@@ -37,7 +37,7 @@ test("a few places are listed one by one where the list has a mark for each", ()
   expect(placesJoined([stays(40, 1), stays(30, 2), stays(20, 4)], 2)).toHaveLength(1);
 });
 
-test("what says something else of the same code stays: a value of a parameter is no place", () => {
+test("findings of one code with different data stay separate: a parameter value is no place", () => {
   const deep = (infeed: number) => ({
     issue: issue("infeedOverCutLength", "warning", { infeed, cutLength: 4 }, "Q463"),
     work: "7",

@@ -1,16 +1,16 @@
 import type { AnyCode, AnyIssue } from "../i18n/message-texts.ts";
 import type { Operation, RunFinding } from "../program/state/run-types.ts";
 
-/** What is joined: a finding, and in words the piece of work that it belongs to, as a block with its cycle. */
+/** A finding with the key of its operation, as a block with its cycle. */
 export interface FindingOfWork {
   readonly issue: AnyIssue;
   readonly work: string;
 }
 
-/** Of findings that were joined, all of them in their order; the first has given block and place. */
+/** A finding that may represent several, listed in order; block and place are those of the first. */
 export type Joined<T extends FindingOfWork> = T & { readonly together?: readonly T[] };
 
-/** Findings in the stock: each has a place of its own, and what else it says is the kind. */
+/** Findings in the stock: each has its own place, and all other data defines the kind. */
 const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
   "materialLeft",
   "gouge",
@@ -26,7 +26,7 @@ const IN_STOCK: ReadonlySet<AnyCode> = new Set<AnyCode>([
   "cutOnLoosePiece",
 ]);
 
-/** Which finding is of the same kind: the same words about the same work, its place and its area aside. */
+/** The kind of a finding: equal data for the same operation, except place and area. */
 function kindOf({ issue, work }: FindingOfWork): string {
   const {
     x: _x,
@@ -43,7 +43,7 @@ function kindOf({ issue, work }: FindingOfWork): string {
   ]);
 }
 
-/** The piece of work that a finding belongs to: its block, in its file, and there the definition of its operation. */
+/** The operation key of a finding: its block, in its file, and the definition of its operation. */
 export function workOf(
   { block, inFile }: Pick<RunFinding, "block"> & { readonly inFile?: RunFinding["inFile"] | undefined },
   operation: Pick<Operation, "cycle" | "definedLine" | "definedFile"> | undefined,
@@ -57,7 +57,7 @@ export function workOf(
 const areaOf = ({ issue }: FindingOfWork): number =>
   "area" in issue.data && typeof issue.data.area === "number" ? issue.data.area : 0;
 
-/** In how many places a finding was met. */
+/** The number of places of a finding. */
 export const placesOf = ({ data }: AnyIssue): number =>
   "places" in data && typeof data.places === "number" ? data.places : 1;
 
@@ -72,9 +72,8 @@ function joinedOf<T extends FindingOfWork>(first: T, together: readonly T[]): Jo
 }
 
 /**
- * Places of one kind at one piece of work as one finding, where there are more than `few` of them: it stands where the
- * first stood, `data.places` counts them, and `data.area` is that of all of them. A loop over a cycle is one piece of
- * work.
+ * Joins findings of one kind and operation, where there are more than `few`. The joined finding takes the position of
+ * the first, `data.places` counts them, and `data.area` is their sum. A loop over a cycle is one operation.
  */
 export function placesJoined<T extends FindingOfWork>(found: readonly T[], few = 1): Joined<T>[] {
   const kinds = new Map<string, T[]>();

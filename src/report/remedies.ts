@@ -14,7 +14,10 @@ export interface Remedy {
   readonly stays: number;
 }
 
-/** What another tool could take. A limit, a forbidden plunge, an oversize or a correction stays with every tool. */
+/**
+ * Residual material that another tool could remove. A limit, a forbidden plunge, an oversize or a tool compensation
+ * leaves it with every tool.
+ */
 const OF_TOOL: ReadonlySet<Reason> = new Set<Reason>([
   "insertRadius",
   "mainEdge",
@@ -22,18 +25,15 @@ const OF_TOOL: ReadonlySet<Reason> = new Set<Reason>([
   "toolWidth",
   "cutLength",
 ]);
-/** A tool that leaves more than this part of a region does not take it. */
+/** A tool that leaves more than this share of a region is no remedy. */
 const MOST_LEFT = 0.5;
-/** What a plan may not say about a tool that is to help. */
+/** Issues that rule out a tool. */
 const AGAINST: ReadonlySet<string> = new Set(["toolCannotCutSideways", "flanksNotChecked"]);
 
-/** What is asked of the operation that left it. */
+/** The operation that left the residual material. */
 type Operation = Pick<Ran, "cycle" | "tool" | "feedUnit" | "call">;
 
-/**
- * The path that a tool would take in place of the one called: same cycle, same values, same start; null when it can
- * not.
- */
+/** The plan with another tool: same cycle, same values, same start; null where it is impossible. */
 function planWith(tool: Tool, { cycle: number, call, feedUnit }: Operation): Plan | null {
   const cycle = cycleByNumber(number);
   if (!cycle || !call || checkTool(tool).length > 0) return null;
@@ -46,8 +46,8 @@ function planWith(tool: Tool, { cycle: number, call, feedUnit }: Operation): Pla
 }
 
 /**
- * Tools of a table that would take what an operation left, tried out one by one, the one that leaves least first. Each
- * costs a plan for each operation, so ask when someone wants to know; plans are kept as long as the function is.
+ * Tools of a table that would remove the residual material of an operation, by trial, the least residue first. Each
+ * costs a plan per operation, so call it on demand; plans are cached as long as the function.
  */
 export function remedies(tools: readonly Tool[]): (operation: Operation, left: Residual) => Remedy[] {
   const plans = new Map<Operation, readonly (readonly [Tool, Plan])[]>();

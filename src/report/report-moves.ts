@@ -4,8 +4,8 @@ import type { PlaneStep } from "../program/tools/plane-types.ts";
 import type { Run } from "../program/state/run-types.ts";
 
 /**
- * End points of the theoretical tip; X and the X of a centre are diameters. Of milling: end points of the tool centre,
- * X and Y as they are, no Z as long as the program has named none.
+ * End points of the theoretical tip; X and centre X are diameters. In milling: end points of the tool centre, X and Y
+ * as programmed, no Z before the program sets one.
  */
 export interface ReportMove {
   readonly kind: Move["kind"];
@@ -18,16 +18,16 @@ export interface ReportMove {
   readonly dir?: "cw" | "ccw";
   readonly feed?: number;
   readonly feedUnit?: "mm/rev" | "mm/min";
-  /** The tool stands still for so many turns of the spindle; absent in every other move. */
+  /** Dwell in spindle revolutions; absent in all other moves. */
   readonly dwell?: number;
   readonly phase: Move["phase"];
   readonly pass?: number;
   readonly block: number;
-  /** File of the called program that moves; `block` is that of the call then. */
+  /** File of the called program; `block` is then that of the call. */
   readonly file?: string;
 }
 
-/** A move of a turned block, as it is reported. */
+/** A turning move as reported. */
 export function reportedMove(move: Move, block: number): ReportMove {
   const { phase, pass } = move;
   const common = { x: toDiameter(move.to.r), z: move.to.z, phase, ...(pass !== undefined && { pass }), block };
@@ -87,7 +87,7 @@ function planeMoveOf(s: PlaneStep): ReportMove {
   };
 }
 
-/** Motion outside cycles in the order it runs: turning and milling in turn. */
+/** Motion outside cycles in execution order, turning and milling mixed. */
 export function outsideCycles(run: Run): ReportMove[] {
   const out: ReportMove[] = [];
   let next = 0;

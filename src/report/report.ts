@@ -32,7 +32,7 @@ export interface ReportIssue {
   readonly severity: Severity;
   readonly at?: string;
   readonly block?: number;
-  /** Where it stands in the file of a called program; `block` is that of the call then. */
+  /** Its place in the file of a called program; `block` is then that of the call. */
   readonly inFile?: NonNullable<RunFinding["inFile"]>;
   readonly data?: object;
   readonly text: string;
@@ -68,14 +68,15 @@ export interface Milliseconds {
 }
 
 /**
- * What one program does, as data for other programs. Lengths mm, also of inch programs, but for the data of its issues.
+ * The result of one program as data for other programs. Lengths are in mm also for inch programs, except in the data of
+ * issues.
  */
 export interface Report {
   readonly format: "turnwise-report/1";
   readonly file: string;
   readonly program: Run["program"];
   readonly stock: { readonly initial: readonly ReportRing[]; readonly final: readonly ReportRing[] };
-  /** What holds the work as it is stated; null: not stated, and nobody has looked whether anything meets it. */
+  /** The stated clamping; null: not stated, so contacts with it are not checked. */
   readonly clamping: Clamping | null;
   readonly operations: readonly ReportOperation[];
   readonly moves: readonly ReportMove[];
@@ -100,12 +101,12 @@ export interface Report {
   readonly milliseconds: Milliseconds;
 }
 
-/** Running time by what it passes for, s, and what it was worked out with. */
+/** Running time by category, s, and the data used for it. */
 export interface ReportTime extends Times, Omit<Timing, "beside" | "turning"> {}
 
 /** Arcs of a reported contour stay this near to their circle: 1 µm. */
 const CONTOUR_CHORD = 0.001;
-/** Smaller rests are not reported, mm². */
+/** Smaller residues are not reported, mm². */
 const LEAST_RESIDUAL = 0.01;
 
 const pointOf = (p: Pt): ReportPoint => [p.z, p.r];
@@ -121,13 +122,13 @@ function contourOf(contour: readonly Segment[]): ReportPoint[] {
     : [];
 }
 
-/** A finding of the run or of the stock; `cycle` tells what the value at its place measures. */
+/** A finding of the run or of the stock; `cycle`: to find the kind of the value it concerns. */
 interface Said extends Pick<RunFinding, "block" | "operation" | "inFile"> {
   readonly issue: AnyIssue;
   readonly cycle: number | null;
 }
 
-/** Offers that are none of a length, or one of a tool table, which counts in mm in any program. */
+/** Issues whose offered value is no length, or is one of the tool table, which is in mm in any program. */
 const OTHER_OFFERS: ReadonlySet<AnyIssue["code"]> = new Set([
   "notWhole",
   "notAChoice",
@@ -140,16 +141,13 @@ const OTHER_OFFERS: ReadonlySet<AnyIssue["code"]> = new Set([
 /** Decimals of an offer in another unit than mm, as its sentence shows it. */
 const OFFERED = 5;
 
-/** Whether what a finding offers is a length. */
+/** Whether the value offered by a finding is a length. */
 function offersLength({ code, data }: AnyIssue, kind: Kind | undefined): boolean {
   if (kind !== undefined) return isLength(kind);
   return !OTHER_OFFERS.has(code) && !("quantity" in data && (data.quantity === "angle" || data.quantity === "tangent"));
 }
 
-/**
- * The data of a finding: what its sentence prints and what it offers in the unit of the program, as they are read
- * together.
- */
+/** The data of a finding, with printed and offered values in the unit of the program. */
 function dataOf(found: AnyIssue, field: Kind | undefined, { unit, per }: Lengths): object {
   const { data } = found;
   if (unit === "mm") return data;
@@ -179,29 +177,29 @@ function issueOf({ issue: found, block, cycle, inFile }: Said, spoken: Lengths):
   };
 }
 
-/** An issue with the tool of the table that mends it. */
+/** An issue with a tool of the table that fixes it. */
 function withTool(found: ReportIssue, { T, NAME }: Tool, spoken: Lengths): ReportIssue {
   const offer = message(spoken, issue("betterTool", "info", { tool: T, name: NAME }));
   return { ...found, data: { ...found.data, otherTool: T }, text: `${found.text} ${offer}` };
 }
 
-/** Everything a check needs: what the program did and what became of the stock. */
+/** Inputs of a report: the run and its simulation. */
 export interface Checked {
   readonly file: string;
   readonly run: Run;
   readonly simulation: Pick<Simulation, "final" | "findings" | "proof">;
   readonly milliseconds: Milliseconds;
-  /** Tools to try on what stays; none without. */
+  /** Tools to try on residual material; none if absent. */
   readonly tools?: readonly Tool[];
 }
 
-/** Regions that tools are tried on, the largest first: each costs a cut for each tool. */
+/** Most regions on which tools are tried, the largest first: each costs a cut per tool. */
 const MOST_TRIED = 40;
 
-/** The effect that stands for all milling, in the list of what is not proved. */
+/** The entry for all milling in the list of unverified parts. */
 const MILLING = "FUNCTION MODE MILL";
 
-/** What is not proved, milling included. */
+/** The unverified parts, milling included. */
 function unprovedOf(judged: Judged): { block: number; what: string }[] {
   return judged.reasons.flatMap((r) =>
     r.kind === "unproved"

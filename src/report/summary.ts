@@ -16,14 +16,14 @@ const operationLine = (o: ReportOperation) =>
   `  block ${o.block}: cycle ${o.cycle}, tool ${o.tool["T"]} ${o.tool["NAME"]}, from X${fixed(o.start.x, 3)} Z${fixed(o.start.z, 3)}: ` +
   `${o.passes} passes of ${fixed(o.infeed, 3)} mm, ${o.moves.length} moves, ${duration(o.seconds)}`;
 
-/** What a time can lack, as it is told. */
+/** Parts that a running time may lack, in words. */
 const LACKED = [
   ["acceleration", "acceleration"],
   ["toolChange", "tool changes"],
   ["spindle", "spindle run-up"],
 ] as const;
 
-/** The running time by its causes, and what it was worked out with. */
+/** The running time by category, and the data used for it. */
 function timeLine({
   total,
   cutting,
@@ -106,7 +106,7 @@ const NOTES = {
   residue: "more than 1 mm² residual material",
   cutLength: "the cutting edge is too short for the depth",
 } as const;
-/** "Verified" is said of path and stock alone. */
+/** "Verified" refers to path and stock only. */
 const SEE_NOTES = "Path verified, with notes";
 const VERDICTS = { proved: "Verified", faults: "Errors found", incomplete: "Not fully simulated" } as const;
 
@@ -116,14 +116,14 @@ const verdictLines = ({ verdict, reasons }: Report["proof"]) => [
   ...reasons.map((r) => `    ${because(r)}`),
 ];
 
-/** What was measured of the cuts. */
+/** The measured cuts. */
 function cutLine({ cut, airPasses, deepest, holder }: Report["proof"]): string {
   const allowed = deepest && (deepest.allowed > 0 ? `${fixed(deepest.allowed, 3)} mm allowed` : "no limit set");
   const depth = deepest ? `, deepest pass ${fixed(deepest.depth, 3)} mm (${allowed})` : "";
   return `  cut ${fixed(cut, 3)} mm²${depth}, ${many(airPasses, "air pass", "air passes")}, holder ${holder}`;
 }
 
-/** What holds the work; where that is not stated nobody has looked for contact with it. */
+/** The clamping; if not stated, contacts with it are not checked. */
 const clampingLine = ({ clamping: c }: Report): string =>
   c
     ? `  clamping: ${KIND_WORDS[c.kind].toLowerCase()}, D${fixed(c.diameter, 3)}, front at Z${fixed(c.face, 3)}${
@@ -135,7 +135,7 @@ const leftLine = (r: Report["proof"]["residual"][number]) =>
   `    ${fixed(r.area, 3)} mm², up to ${fixed(r.thickness, 3)} mm thick: ${r.reason}` +
   (r.tools.length > 0 ? `; suitable tools: ${r.tools.join(", ")}` : "");
 
-/** A report for reading: the verdict first, then what runs, what the check found, and every finding with its block. */
+/** The report as text: verdict, operations, check results, and every finding with its block. */
 export function summary(r: Report): string {
   const { gouge, rapidInStock, residual } = r.proof;
   const left = residual.reduce((sum, piece) => sum + piece.area, 0);

@@ -32,7 +32,7 @@ function expectSame(text: string, list: ToolList): ToolList {
 }
 
 const examples = readdirSync("src/examples").filter((name) => name.endsWith(".h"));
-test.each(examples)("%s comes to the same report with the tools it uses alone", (name) => {
+test.each(examples)("%s gives the same report with only the tools it uses", (name) => {
   const text = readFileSync(`src/examples/${name}`, "utf8");
   const used = expectSame(text, shippedList);
   expect(used.length).toBeLessThan(shippedList.length);
@@ -47,7 +47,7 @@ const part = (call: string) =>
   "CYCL DEF 811 SHOULDER, LONGITDNL. ~\nQ215=+0 ~\nQ460=+2 ~\nQ493=+41.27 ~\nQ494=-33.85 ~\nQ463=+2.35 ~\nQ478=+0.3 ~\nQ483=+0.5 ~\n" +
   "Q484=+0.15 ~\nQ505=+0.2 ~\nQ506=+0\nCYCL CALL\nM30\nEND PGM S MM\n";
 
-test("a tool that is called by its name, with an index, or not at all comes along; one that nobody has stays missing", () => {
+test("a tool called by name, with an index, or not at all is included; a missing one stays missing", () => {
   const numbersOf = (list: ToolList) => list.map(({ cells }) => cells.T);
   const named = shippedList.find(({ cells }) => cells.T === "3")?.cells.NAME ?? "";
   expect(numbersOf(expectSame(part(`TOOL CALL "${named}"`), shippedList))).toContain("3");
@@ -55,17 +55,17 @@ test("a tool that is called by its name, with an index, or not at all comes alon
   expect(numbersOf(expectSame(part("TOOL CALL 3.2"), shippedList))).toContain("3");
   expect(reportWith(part("TOOL CALL 97"), shippedList).issues.map(({ code }) => code)).toContain("toolUnknown");
   expect(numbersOf(expectSame(part("TOOL CALL 97"), shippedList))).not.toContain("97");
-  // The tool that stands in for none is named by the report.
+  // The report names the tool used in place of a missing one.
   expect(expectSame(part(";no tool"), shippedList).length).toBeGreaterThan(0);
 });
 
-test("a tool with impossible columns comes along as it is, and is refused for the same reason", () => {
+test("a tool with invalid columns is included unchanged, and refused for the same reason", () => {
   const list = changed(3, { RS: "-1" });
   expect(expectSame(part("TOOL CALL 3"), list).map(({ cells }) => cells.RS)).toContain("-1");
   expect(reportWith(part("TOOL CALL 3"), list).issues.map(({ code }) => code)).toContain("toolColumn");
 });
 
-test("tools that would take what stays come along", () => {
+test("tools that would remove residual material are included", () => {
   const list = changed(3, { RS: "3" });
   const used = expectSame(part("TOOL CALL 3"), list);
   const named = reportWith(part("TOOL CALL 3"), list).proof.residual.flatMap(({ tools }) => tools);
@@ -73,7 +73,7 @@ test("tools that would take what stays come along", () => {
   expect(used.map(({ cells }) => Number(cells.T))).toEqual(expect.arrayContaining([3, ...named]));
 });
 
-test("where a call is worked out by the program every tool comes along", () => {
+test("where the program computes a call, every tool is included", () => {
   const text = part("Q7 = 3\nTOOL CALL Q7");
   expect(usedTools([parse(text)], reportWith(text, shippedList))).toBeNull();
   expect(rowsCalled(shippedList, null)).toEqual(shippedList);

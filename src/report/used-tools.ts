@@ -1,18 +1,18 @@
 import type { Program } from "../nc/program.ts";
 import type { Report } from "./report.ts";
 
-/** A tool as it is called: by its number, with or without an index, or by its name. */
+/** A tool as called: by number, with or without an index, or by name. */
 export type CalledAs = number | string;
 
-/** Tools that a finding names and its program does not call: one that stands in, or one that would do better. */
+/** Tools named by a finding but not called by the program: a replacement, or a better one. */
 const namedIn = (data: object = {}): CalledAs[] => {
   const { tool, otherTool } = data as { readonly tool?: unknown; readonly otherTool?: unknown };
   return [tool, otherTool].filter((each): each is CalledAs => typeof each === "number" || typeof each === "string");
 };
 
 /**
- * The tools that programs need to come to the same report: all that they call, wherever it is, and all that the report
- * names. Null where that cannot be told, because a call is worked out while the program runs.
+ * The tools that programs need to give the same report: all called tools, and all tools named in the report. Null where
+ * a call is computed while the program runs.
  */
 export function usedTools(programs: readonly Program[], report: Report): readonly CalledAs[] | null {
   const called = programs.flatMap(({ blocks }) =>

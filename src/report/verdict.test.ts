@@ -46,11 +46,11 @@ const judge = (text: string, own = tools) => {
   return verdictOf(made, simulate(made));
 };
 
-test("a clean program with a described holder is proved, and clear", () => {
+test("a clean program with a described holder is verified, and clear", () => {
   expect(judge(head + cycle + end)).toEqual({ verdict: "proved", reasons: [], clear: true });
 });
 
-test("a holder that nobody described leaves the verdict, but is never clear", () => {
+test("an undescribed holder keeps the verdict, but is never clear", () => {
   const bare = tools.map(({ holder: _, ...t }) => t);
   expect(judge(head + cycle + end, bare)).toEqual({
     verdict: "proved",
@@ -59,7 +59,7 @@ test("a holder that nobody described leaves the verdict, but is never clear", ()
   });
 });
 
-test("flanks that nobody described are not clear either", () => {
+test("undescribed flanks are not clear either", () => {
   const open = tools.map(({ "P-ANGLE": _, ...t }) => t);
   const judged = judge(head + cycle + end, open);
   expect(judged.clear).toBe(false);
@@ -79,19 +79,19 @@ test("no operation at all is incomplete", () => {
   expect(judge(head + end)).toMatchObject({ verdict: "incomplete", reasons: [{ kind: "noOperation", block: null }] });
 });
 
-test("a cycle that is kept and not run makes it incomplete from its block on", () => {
+test("a cycle that is not simulated makes it incomplete from its block on", () => {
   const kept = `10 CYCL DEF 835 TIEFLOCH ~\n Q460=+2\n11 L X+75 Z+2 R0 FMAX\n12 CYCL CALL\n13 M30\n14 END PGM V MM\n`;
   const judged = judge(head + cycle + kept);
   expect(judged.verdict).toBe("incomplete");
   expect(judged.reasons).toContainEqual({ kind: "unproved", block: 12, what: "CYCL DEF 835 TIEFLOCH" });
 });
 
-test("milling between turning is not proved", () => {
+test("milling between turning is not verified", () => {
   const milled = "10 FUNCTION MODE MILL\n11 L X+50 Y+0 R0 FMAX\n12 L X+60 Y+7 R0 F200\n13 M30\n14 END PGM V MM\n";
   expect(judge(head + cycle + milled).reasons).toContainEqual({ kind: "milling", block: 12 });
 });
 
-test("a fault outweighs a gap: both are told, the fault first", () => {
+test("a fault outweighs a gap: both are reported, the fault first", () => {
   const rapid = `${head}7 L X-12.5 Z-20 FMAX\n8 M30\n9 END PGM V MM\n`;
   const judged = judge(rapid);
   expect(judged.verdict).toBe("faults");

@@ -5,25 +5,25 @@ import { REAL_AREA } from "../kernel/area/real-area.ts";
 import { STOCK_FAULTS, type StockFinding, type Simulation, type Verdict } from "../sim/simulation.ts";
 
 /**
- * Why a verdict is what it is, as data: the block where it begins (null: the whole program) and what it is about.
- * `file` is that of a called program in which it stands; the block is that of the call then.
+ * A reason for a verdict, as data: the block where it begins (null: the whole program) and its subject. `file`: the
+ * called program with the reason; the block is then that of the call.
  */
 export type VerdictReason =
   /** Errors that the run found in the program: how many, and the block of the first. */
   | { readonly kind: "error"; readonly block: number | null; readonly count: number; readonly file?: string }
-  /** Found in the stock: how many places, and mm² of all of them. */
+  /** Found in the stock: number of places and total mm². */
   | { readonly kind: StockFinding["kind"]; readonly block: number; readonly count: number; readonly area: number }
-  /** Something was read and not simulated; nothing is proved from its block on. */
+  /** Something was read but not simulated; everything from its block on is unverified. */
   | { readonly kind: "unproved"; readonly block: number | null; readonly what: string; readonly file?: string }
-  /** Milling changes the stock, which the half plane can not show. */
+  /** Milling changes the stock in a way that the half plane cannot show. */
   | { readonly kind: "milling"; readonly block: number }
   | { readonly kind: "nothingCut"; readonly block: number; readonly operation: number }
   | { readonly kind: "noOperation"; readonly block: null }
-  /** Path and stock are proved, and yet it is hardly what is wanted. */
+  /** Path and stock are verified, but the result is probably not intended. */
   | { readonly kind: "notes"; readonly block: number | null; readonly notes: readonly VerdictNote[] }
   /**
-   * The verdict stands, but nobody has looked at the holder of this tool, the flanks of its insert, or the curvature of
-   * its blade.
+   * The verdict holds, but the holder of this tool, the flanks of its insert, or the curvature of its blade were not
+   * checked.
    */
   | {
       readonly kind: "holderUnknown" | "flanksUnknown" | "curvatureUnknown";
@@ -33,16 +33,16 @@ export type VerdictReason =
     };
 
 /**
- * A feed that nobody means, most passes of an operation in the air, much that stays, an operation that the edge is too
- * short for.
+ * An implausible feed, mostly air passes of an operation, much residual material, or a cutting edge too short for an
+ * operation.
  */
 export type VerdictNote = "feed" | "air" | "residue" | "cutLength";
 
-/** The verdict over a whole run with all that speaks for it, the gravest first. */
+/** The verdict on a run with all its reasons, the gravest first. */
 export interface Judged {
   readonly verdict: Verdict;
   readonly reasons: readonly VerdictReason[];
-  /** True when it is proved and nothing was left unlooked at: only then may a screen show green. */
+  /** True when verified with nothing unchecked: only then may a screen show green. */
   readonly clear: boolean;
 }
 
@@ -72,7 +72,7 @@ function faultsOf(run: Run, { findings }: Pick<Simulation, "findings">): Verdict
   return out;
 }
 
-/** What was not simulated or did nothing, in the order of the program where that is known. */
+/** Parts that were not simulated or had no effect, in program order where known. */
 function gapsOf(run: Run, { findings, proof }: Pick<Simulation, "findings" | "proof">): VerdictReason[] {
   const out: VerdictReason[] = proof.unproved.map(({ block, what, file }) => ({
     kind: "unproved",
@@ -93,10 +93,10 @@ function gapsOf(run: Run, { findings, proof }: Pick<Simulation, "findings" | "pr
   return out;
 }
 
-/** Residue that is no longer a corner, mm². */
+/** Residual material larger than a corner, mm². */
 const MUCH = 1;
 
-/** What a setter has to see before he calls it proved, in one reason. */
+/** Everything a setter should see before calling the program verified, in one reason. */
 function notesOf(run: Run, { operations, residual }: Simulation["proof"]): VerdictReason[] {
   const left = residual.filter((r) => !r.isAsked);
   const isInAir = ({ plan: { passes } }: Run["operations"][number], i: number): boolean => {

@@ -1,7 +1,7 @@
 import { useTexts } from "../app/base/settings/use-texts.ts";
 import { showContourView, useContourPlace } from "../app/place/contour-place.ts";
 
-/** Which picture stands in the middle while a contour is edited: its drawing or the lathe. */
+/** The picture in the middle while a contour is edited: its drawing or the lathe. */
 export function ContourViews() {
   const t = useTexts().contour.views;
   const view = useContourPlace((p) => p.view);

@@ -10,7 +10,7 @@ function Broken(): never {
   throw new Error("planted");
 }
 
-test("a page that fails says that the work is kept, and offers ways back", () => {
+test("a page that fails says that the work is saved, and offers ways back", () => {
   changeSettings({ language: "en" });
   const quiet = vi.spyOn(console, "error").mockImplementation(() => undefined);
   render(

@@ -11,7 +11,7 @@ interface State {
   readonly crashed: boolean;
 }
 
-/** It may not come, after a fault of the page least of all: then the page does without. */
+/** It may fail to load, above all after an error of the page: the page does without. */
 const CrashHelp = lazyPart(async () => ({ default: (await fetchCrashHelp()).CrashHelp }));
 
 /** Shows nothing where its content fails. */
@@ -27,14 +27,14 @@ class Unless extends Component<{ readonly children: ReactNode }, State> {
   }
 }
 
-/** The start page, whatever the address says: what is open there may be what fails. */
+/** Reloads at the start page, whatever the address says: the open work may be the cause. */
 function startOver(): void {
   rememberWork(null);
   history.replaceState(null, "", `${location.pathname}${location.search}#/`);
   location.reload();
 }
 
-/** Keeps the work when the page itself fails: it is on the device already, and there is a way back to it. */
+/** Offers a way back to the work after an error of the page: the work is already saved on the device. */
 export class CrashGuard extends Component<{ readonly children: ReactNode }, State> {
   override state: State = { crashed: false };
 

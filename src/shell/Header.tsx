@@ -13,18 +13,18 @@ import { CreateProgram } from "../features/start/first.ts";
 const SettingsDialog = lazyPart(async () => ({ default: (await import("./SettingsDialog.tsx")).SettingsDialog }));
 
 /**
- * The way to a new program from the home screen (scripts/offline.ts). The address is another one as soon as the page
- * follows it.
+ * The page was opened by "New program" on the home screen (scripts/offline.ts). Read once: the address changes as soon
+ * as the page follows it.
  */
 const ASKED_NEW = location.hash === "#/new";
 
-/** The address says where the page is, so a link into it cannot stand there. */
+/** Focuses the prompts by script: the address names the place, so a link to an anchor cannot be used. */
 function toPrompts(event: MouseEvent): void {
   event.preventDefault();
   document.getElementById("prompts")?.querySelector<HTMLElement>("button, input, [tabindex]")?.focus();
 }
 
-/** The top line: what is open, undo and redo, a new program, settings. */
+/** The header: name of the open work, undo and redo, new program, settings. */
 export function Header() {
   const t = useTexts("first");
   const job = useEditor((s) => s.job);

@@ -4,7 +4,7 @@ import { dismissDamaged, unkeptNames, unkeptWorks, useKeeping } from "../app/rec
 import { fetchExportWorks } from "../features/works/index.ts";
 import { useTexts } from "../app/base/settings/use-texts.ts";
 
-/** The works that are nowhere but in this page, as files. */
+/** Downloads the works that exist only in this page. */
 function DownloadUnkept() {
   const t = useTexts("first").page.notice;
   const works = unkeptWorks();
@@ -29,7 +29,7 @@ function DownloadUnkept() {
   );
 }
 
-/** What happened to saved work, until it is dismissed. */
+/** Notices about saved work, until they are dismissed. */
 export function Notices() {
   const t = useTexts("first").page.notice;
   const { damaged } = useKeeping();

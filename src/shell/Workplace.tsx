@@ -37,7 +37,7 @@ import { useThirdColumn } from "../app/base/use-media.ts";
 import { useToolList } from "../app/document/work-tools.ts";
 import { fetchContourStage, fetchContourTable } from "../features/contour/index.ts";
 
-/** Loaded when its section is first shown, or before that when there is nothing else to do. */
+/** Loaded when its section is first shown, or earlier when the browser is idle. */
 const fetchSetup = () => import("../app/fields/setup/SetupPanel.tsx");
 const SetupPanel = lazyPart(async () => ({ default: (await fetchSetup()).SetupPanel }));
 const fetchFindings = () => import("../app/findings/FindingsPanel.tsx");
@@ -68,10 +68,10 @@ function JobWorkplace({ read }: { readonly read: JobReading }) {
   const view = useContourPlace((p) => p.view);
   const host = useJobHost(read);
   const tools = useToolList();
-  // What is drawn without a path comes a moment after a key, so that it costs those nothing that draw one.
+  // Drawings without a path update a moment after the key, so that they do not delay the path.
   const late = useLater(read);
   const known = useMemo(() => knownWork(late.cycle, late.job, late.reading, givenOf(late), tools), [late, tools]);
-  // The same blank is the same object: what is drawn of it is drawn once.
+  // An equal blank stays the same object: drawings of it are cached.
   const [blank, keepBlank] = useState(known.blank);
   if (!sameRings(blank, known.blank)) keepBlank(known.blank);
   const measured = useMeasuredTarget(read, setPrompt);

@@ -14,7 +14,7 @@ import { App } from "./App.tsx";
 import { CrashGuard } from "./CrashGuard.tsx";
 import { followAddress } from "./follow-address.ts";
 
-/** A language that is added while the page runs: English, with each text between marks. */
+/** An added language: English, with each text between marks. */
 const added = "xx" as Language;
 
 function marked(value: unknown): unknown {
@@ -34,7 +34,7 @@ const [cycle] = cuttingCycles;
 let stops: readonly (() => void)[] = [];
 
 beforeAll(async () => {
-  // What jsdom does not have.
+  // Missing in jsdom.
   Object.assign(HTMLDialogElement.prototype, { close: () => undefined, showModal: () => undefined });
   Element.prototype.scrollTo = () => undefined;
   Object.assign(SCREEN_LANGUAGES, { [added]: { ...SCREEN_LANGUAGES.en, name: "⟦English⟧" } });
@@ -52,7 +52,7 @@ afterAll(() => {
   changeSettings({ language: "en" });
 });
 
-/** Shows an address, and waits for a text that is there alone. */
+/** Shows an address, and waits for a text that only its page has. */
 async function shows(hash: string, text: string): Promise<void> {
   location.hash = hash;
   await waitFor(() => expect(document.body.innerHTML).toContain(text), { timeout: 20000 });

@@ -33,18 +33,18 @@ beforeEach(() => {
 });
 afterEach(() => stops.forEach((stop) => stop()));
 
-/** Waits as long as a slow machine may take. */
+/** Waits for a condition, also on a slow machine. */
 const until = (holds: () => void) => vi.waitFor(holds, { timeout: 20_000 });
 const settled = () => new Promise((done) => setTimeout(done));
 const is = (hash: string) => until(() => expect(location.hash).toBe(hash));
-/** Starts a work; its name. */
+/** Starts a work; returns its key. */
 async function started(): Promise<string> {
   startWork(job);
   await settled();
   return useEditor.getState().work ?? "";
 }
 
-test("Back closes a dialog first, and an address that is typed closes it on the way there", async () => {
+test("Back closes a dialog first, and so does a typed address", async () => {
   const work = await started();
   showSection("setup");
   await is(`#/work/${work}/setup`);
@@ -88,7 +88,7 @@ test("Back goes through tools, set-up and work to the start page, and Forward th
   await until(() => expect([location.hash, usePlace.getState().tools.row]).toEqual(["#/tools/5", "r5"]));
 });
 
-test("what is changed in one go, and what does not change, is one entry or none", async () => {
+test("changes in one task are one entry, and no change is none", async () => {
   const before = history.length;
   showTools("r3");
   uncover();
@@ -102,7 +102,7 @@ test("what is changed in one go, and what does not change, is one entry or none"
   expect(history.length).toBe(before + 1);
 });
 
-test("going through the rows of a table is no journey, and closing it goes back", async () => {
+test("selecting rows of a table adds no entries, and closing it goes back", async () => {
   const work = await started();
   const before = history.length;
   showTools();
@@ -118,7 +118,7 @@ test("going through the rows of a table is no journey, and closing it goes back"
   await is("#/tools/7");
 });
 
-test("the question which cycle has an entry, and the own cycles too", async () => {
+test("the dialog that finds a cycle has an entry, and the own cycles too", async () => {
   showWhich();
   await is("#/which");
   history.back();
@@ -129,21 +129,21 @@ test("the question which cycle has an entry, and the own cycles too", async () =
   await is("#/");
 });
 
-test("a work that is gone leads to the start page, which says so", async () => {
+test("a deleted work leads to the start page, which says so", async () => {
   location.hash = "#/work/gone/setup";
   await until(() => expect(useNotices.getState().notices).toContain("workNotHere"));
   await is("#/");
   expect(useEditor.getState().work).toBeNull();
 });
 
-test("an address that names nothing gives way to the present one", async () => {
+test("an invalid address is replaced by the present one", async () => {
   const work = await started();
   location.hash = "#/kitchen";
   await is(`#/work/${work}`);
   expect(useEditor.getState().work).toBe(work);
 });
 
-test("Back to a work finds the prompt that was open there", async () => {
+test("Back to a work opens the prompt that was open there", async () => {
   const work = await started();
   openPrompt("Q494", "-3.25");
   await until(() => expect(history.state).toMatchObject({ prompt: "Q494" }));
@@ -154,7 +154,7 @@ test("Back to a work finds the prompt that was open there", async () => {
   await until(() => expect(usePlace.getState()).toMatchObject({ prompt: "Q494", before: "-3.25" }));
 });
 
-test("a prompt that is left at once for a page over the work is open again, however far one goes back and forward", async () => {
+test("a prompt left at once for a page over the work is open again, however far one goes back and forward", async () => {
   const work = await started(),
     third = Object.keys(cycle.params)[2] ?? "";
   openPrompt(third, "7.9");

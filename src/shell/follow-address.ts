@@ -5,10 +5,10 @@ import { isCover, usePlace } from "../app/place/place.ts";
 import { isShareLink, parseAddress, printAddress } from "../app/place/address.ts";
 import { goTo, here } from "./here.ts";
 
-/** What the browser keeps with each entry of its history, over a reload too. */
+/** State of each entry of the browser's history, which survives a reload. */
 const text = z.string().check(z.maxLength(500));
 const entryShape = z.object({
-  /** Address of the entry that this one was reached from. */
+  /** Address of the previous entry. */
   from: z.nullable(z.string()),
   /** The open prompt, and its text when it opened, for Escape. */
   prompt: z.nullable(text),
@@ -23,10 +23,10 @@ function entryOf(raw: unknown): Entry | null {
 
 const entry = (): Entry | null => entryOf(history.state);
 
-/** The present entry as it was when the page went away: a browser notes nothing in its history any more by then. */
+/** The state of the present entry when the page went away: browsers no longer save history changes at that point. */
 const LEFT = keptData("place", z.object({ address: z.nullable(z.string()), note: entryShape }), "tab");
 
-/** The entry that the page before this one left at the same address. */
+/** The entry that the previous page saved at the same address; read once. */
 function left(): Entry | null {
   const kept = LEFT.get();
   LEFT.set(null);
@@ -39,16 +39,16 @@ export function resumePrompt(): void {
   if (kept && usePlace.getState().prompt === null) usePlace.setState({ prompt: kept.prompt, before: kept.before });
 }
 
-/** Rest before the open prompt is noted in the history, which browsers allow a few times a second only, ms. */
+/** Debounce before the open prompt is saved in the history, ms: browsers allow few changes a second. */
 const REST = 400;
 
-/** Pages over the work that have a button of their own to leave them. */
+/** Pages over the work with their own close button. */
 const isOver = (hash: string): boolean => {
   const address = parseAddress(hash);
   return address !== null && (isCover(address) || (address.page === "work" && address.which));
 };
 
-/** Rows of one table are one place: going through them is no journey. */
+/** Rows of one table share one entry of the history. */
 const isSamePage = (a: string, b: string): boolean => {
   const [one, other] = [parseAddress(a), parseAddress(b)];
   return (
@@ -61,10 +61,7 @@ const noteOf = (from: string | null): Entry => {
   return { from, prompt, before: before.slice(0, 500) };
 };
 
-/**
- * Closes what stands before the page; true when something did. The question which cycle makes a shape has an address of
- * its own.
- */
+/** Closes open dialogs; true if there were any. The dialog that finds a cycle has its own address and stays. */
 function closeDialogs(): boolean {
   const open = [...document.querySelectorAll<HTMLDialogElement>("dialog[open]:not(.which)")];
   for (const dialog of open) dialog.close();
@@ -72,16 +69,16 @@ function closeDialogs(): boolean {
 }
 
 /**
- * From now on the browser's history and address go along with what the page shows, and what the page shows with Back
- * and Forward. The place says what is seen; the address only follows it. `begun` is the address that the page has
- * opened: it may have been changed while that went on.
+ * Keeps the browser's history and address in step with the page, and the page with Back and Forward. The place decides
+ * what is shown; the address follows it. `begun` is the address that the page has opened: it may have changed
+ * meanwhile.
  */
 export function followAddress(begun = location.hash): () => void {
   /** Address of the present entry, as this page wrote it. */
   let shown = parseAddress(location.hash) ? location.hash : null;
-  /** A page closed itself: the browser is on its way back to the entry before. */
+  /** A page was closed by its button: the browser is going back to the previous entry. */
   let returning = false;
-  /** Places that were asked for; only the last one counts. */
+  /** Number of requested places; only the last one counts. */
   let asked = 0;
   let going = false;
   let waiting = false;
@@ -103,14 +100,14 @@ export function followAddress(begun = location.hash): () => void {
       returning = true;
       return history.back();
     }
-    // The entry that stays behind knows the prompt that is open in it; a page over the work changes none.
+    // Saves the open prompt in the entry that is left; a page over the work changes no prompt.
     if (isOver(now)) noteNow();
     clearTimeout(rest);
     rest = undefined;
     history.pushState(noteOf(shown), "", now);
     shown = now;
   };
-  // All that one press changes is one step.
+  // All changes of one task are one entry.
   const soon = () => {
     if (waiting) return;
     waiting = true;
@@ -123,7 +120,7 @@ export function followAddress(begun = location.hash): () => void {
       shown = place ? location.hash : null;
       return soon();
     }
-    // A share link is opened where links are; anything else leads nowhere.
+    // Share links are opened elsewhere; other addresses are invalid.
     if (!place && location.hash !== "") {
       shown = null;
       return isShareLink(location.hash) ? undefined : replace();

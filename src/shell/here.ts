@@ -30,7 +30,7 @@ function toolsHere(): ToolsAddress {
   return { page: "tools", number, milling: number === null && kind === "milling" };
 }
 
-/** Address of the page that is seen. */
+/** Address of the page on top. */
 export function here(): Address {
   const place = usePlace.getState(),
     page = seen(place);
@@ -52,7 +52,7 @@ export function here(): Address {
     case "work": {
       if (work === null) return { page: "start", which };
       if (page.page === "sheet") return { page: "sheet", work };
-      // What opens a prompt asks for the prompts: in a program they are those of the block.
+      // Opening a prompt sets the section "prompts": in a program those are in the block.
       const isShown = sectionsOf(program !== null).includes(place.section);
       return { page: "work", work, section: isShown ? place.section : program ? "block" : "prompts", which };
     }
@@ -61,9 +61,7 @@ export function here(): Address {
   }
 }
 
-/**
- * Shows a work, in its place where another tab has it; a work that is not on this device is said so, on the start page.
- */
+/** Shows a work, or that another tab has it; a work that is not on this device is announced on the start page. */
 async function showNamed({ work, section }: Pick<WorkAddress, "work" | "section">): Promise<void> {
   if (useEditor.getState().work !== work) {
     if (elsewhere(usePlace.getState())?.work === work) return uncoverAll();
@@ -98,7 +96,7 @@ export async function goTo(address: Address): Promise<void> {
     case "tools":
       return showRow(address);
     case "sheet":
-      // The sheet lies over the section of its work that was shown last.
+      // The sheet is over the last section of its work.
       await showNamed({ work: address.work, section: usePlace.getState().section });
       if (useEditor.getState().work === address.work) cover({ page: "sheet" });
       return;

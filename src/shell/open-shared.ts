@@ -6,8 +6,8 @@ import { fetchOpenTaught } from "../features/course/index.ts";
 const PROBLEMS = { tooLarge: "linkTooLarge", newer: "linkNewer", damaged: "linkDamaged" } as const;
 
 /**
- * Shows what the page's address carries, once: the address is plain again afterwards. Nothing is opened before the
- * operator says so, and what is open stays.
+ * Shows the content of a share link, once: it is then removed from the address. Nothing is opened before the operator
+ * confirms, and the open work stays.
  */
 export async function openShared(): Promise<void> {
   const { hash } = location;

@@ -6,9 +6,7 @@ import { claimPatiently, keepState, noteWritten, unkeptWorks, useKeeping } from 
 import { readSave } from "../app/records/save-file.ts";
 import { leaveBehind, leftBehind, rememberedWork, rememberWork } from "../app/records/tab.ts";
 
-/**
- * Writes what the page before could not write in time; what the device does not take stays behind for the next page.
- */
+/** Saves what the previous page could not save in time; what still cannot be saved is left for the next page. */
 async function catchUp(): Promise<void> {
   for (const { work, file: raw } of leftBehind()) {
     const file = readSave(raw);
@@ -18,13 +16,10 @@ async function catchUp(): Promise<void> {
   if (unkeptWorks().length === 0) leaveBehind([]);
 }
 
-/**
- * What the page's address asks to be opened: a work by its name, null for the start page; undefined where it says
- * nothing of it.
- */
+/** The work requested by the address: its key, null for the start page; undefined if the address names none. */
 export type AskedWork = string | null | undefined;
 
-/** The work to begin with: the one that is asked for, what this tab had open, or the newest one in a new tab. */
+/** The first work to open: the requested one, the one last open in this tab, or the newest in a new tab. */
 function firstWork(asked: AskedWork, works: readonly Kept[]): Kept | undefined {
   const remembered = asked === undefined ? rememberedWork() : (asked ?? "");
   if (remembered === null) return works[0];
@@ -34,9 +29,7 @@ function firstWork(asked: AskedWork, works: readonly Kept[]): Kept | undefined {
   return found;
 }
 
-/**
- * Opens what was asked for, what this tab had open, or the newest work in a new tab, or the start page. Never fails.
- */
+/** Opens the requested work, the one last open in this tab, the newest in a new tab, or the start page. Never fails. */
 export async function resume(asked: AskedWork = undefined): Promise<void> {
   await catchUp();
   const found = await findWorks();

@@ -18,7 +18,7 @@ import { fetchPromptMore, fetchSetupStart } from "../features/guide/index.ts";
 import { fetchHandOnDialog } from "../features/handing/index.ts";
 import { fetchWhichCycle } from "../features/which/index.ts";
 
-/* Which feature gives the parts that others show. Each is fetched when it is first shown. */
+/* The features that provide the parts of slots. Each is fetched when it is first shown. */
 whichSlot.fill(async () => (await fetchWhichCycle()).WhichCycle);
 handOnSlot.fill(async () => (await fetchHandOnDialog()).HandOnDialog);
 exportSlot.fill(async () => (await fetchPartExport()).PartExport);

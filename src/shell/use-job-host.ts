@@ -16,7 +16,7 @@ import { nearestOf, type FindingsHost, type Mend, type Target } from "../app/fin
 /** Decimals of a start point. */
 const START_DECIMALS = 3;
 
-/** A change by a button: a step of undo of its own. */
+/** A change by a button is its own step of undo. */
 const oneStep = (change: () => void) => () => {
   closeStep();
   change();

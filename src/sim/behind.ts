@@ -8,16 +8,16 @@ import { placeIn } from "./region.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import type { Sweep } from "./sweep.ts";
 
-/** The rear plane and the outside of a blank are met by less than this, mm. */
+/** Contact tolerance at the rear plane and the outside of a blank, mm. */
 const MEETS = 0.01;
 /** A drill or a boring bar may run through the far end of a bore by this much, mm: a spindle is hollow. */
 const RUN_THROUGH = 5;
-/** This much of the outside has to stay at the rear end for something to be left to hold, mm. */
+/** Length of the outside that must remain at the rear end to leave something to grip, mm. */
 const LEAST_HELD = 1;
 
 /**
- * What a sweep covers behind the blank and below its diameter. What holds the work stands there, and nobody knows
- * where; inside the blank's outline a tool may run through.
+ * The area swept behind the blank and below its diameter, where an unknown chuck grips. Inside the blank's outline a
+ * tool may run through.
  */
 export function behind(sweep: Sweep, rear: RearEnd): Ring[] {
   const meets = sweep.pieces.some(({ box }) => box.left < rear.z - MEETS && box.low < rear.outside - MEETS);
@@ -28,21 +28,18 @@ export function behind(sweep: Sweep, rear: RearEnd): Ring[] {
   return real(inBox(sweep.rings, beyond));
 }
 
-/** The last piece in front of the rear end. */
+/** The last LEAST_HELD mm in front of the rear end. */
 const lastOf = ({ z }: RearEnd): Box => ({ left: z, right: z + LEAST_HELD, low: 0, high: Infinity });
-/** The largest radius of an area there, mm. */
+/** The largest radius of an area at the rear end, mm. */
 const outsideAt = (area: readonly Ring[], rear: RearEnd): number => boxAround(inBox(area, lastOf(rear))).high;
 
-/**
- * Where the outside of a blank is turned away to the very end at which it is held, a point there; null: something is
- * left to hold.
- */
+/** A point at the rear end where the outside has been turned away completely; null where enough is left to grip. */
 export function unheldAt(blank: readonly Ring[], stock: readonly Ring[], rear: RearEnd | null): Pt | null {
   if (!rear || areaOf(stock) === 0 || outsideAt(stock, rear) >= outsideAt(blank, rear) - MEETS) return null;
   return placeIn(inBox(stock, lastOf(rear))[0] ?? []);
 }
 
-/** The last operation that is to cut at the rear end; null where none is. */
+/** The last operation whose machining area reaches the rear end; null where none does. */
 export function cutsAtRear(operations: readonly SimulatedOperation[], rear: RearEnd): number | null {
   const found = operations.findLastIndex(({ plan }) => inBox([plan.area], lastOf(rear)).length > 0);
   return found < 0 ? null : found;

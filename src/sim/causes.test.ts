@@ -37,7 +37,7 @@ test.each<[string, ProofIssue[], string[]]>([
   expect(told(all)).toEqual(expected);
 });
 
-test("an operation that failed by an error of its plan says nothing of the stock that follows from it", () => {
+test("an operation with a plan error does not report the stock issues it causes", () => {
   const all = [at(nothing, 0), at(air, 0), at(left, 0), at(rapid, 0), at(nothing, 1), at(left, 1), at(left, 2)];
   expect(
     causesAlone(all, { failed: new Set([0, 2]), questioned: new Set() }).map(({ issue, operation }) => [
@@ -50,7 +50,7 @@ test("an operation that failed by an error of its plan says nothing of the stock
   ]);
 });
 
-test("a questioned dimension explains what tool and stock say at its operation, not damage", () => {
+test("a questioned dimension explains the tool and stock issues of its operation, but not damage", () => {
   const all = [at(nothing, 0), at(holder, 0), at(left, 0), at(gouge, 0), at(holder, 1)];
   const found = causesAlone(all, { failed: new Set(), questioned: new Set([0]) });
   expect(found.map(({ issue, operation }) => [operation, issue.code])).toEqual([

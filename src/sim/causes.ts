@@ -1,6 +1,6 @@
 import type { Code, Issue } from "../kernel/plan/issue.ts";
 
-/** An issue of the proof with where it belongs; block and operation are null for what is left at the end. */
+/** A simulation issue with its place; block and operation are null for residual material found at the end. */
 export interface ProofIssue {
   readonly issue: Issue;
   readonly step: number | null;
@@ -11,12 +11,9 @@ export interface ProofIssue {
 /** Questions about a dimension of the drawing whose sign or order is impossible. */
 export const QUESTIONS: ReadonlySet<string> = new Set<Code>(["endInFront", "endsExchanged"]);
 
-/**
- * What follows where an error of values, tool or plan kept an operation from its path: that error has been reported by
- * the run.
- */
+/** Consequences of an operation without a tool path: the run has already reported the error of values, tool or plan. */
 const FOLLOWS_FAILURE: readonly Code[] = ["nothingCut", "airPasses", "materialLeft"];
-/** What follows where a dimension is questioned: all that tool and stock say to it, damage aside. */
+/** Consequences of a questioned dimension: every tool and stock issue of that operation except damage. */
 const FOLLOWS_QUESTION: ReadonlySet<string> = new Set<Code>([
   ...FOLLOWS_FAILURE,
   "toolUnfit",
@@ -39,7 +36,7 @@ const FOLLOWS_QUESTION: ReadonlySet<string> = new Set<Code>([
 /** Whether a finding follows from a dimension that is questioned at the same operation. */
 export const followsQuestion = (code: string): boolean => FOLLOWS_QUESTION.has(code);
 
-/** Operations whose run has said already why they did not do what was wanted. */
+/** Operations whose run has already reported why they did not cut as intended. */
 export interface Explained {
   readonly failed: ReadonlySet<number>;
   readonly questioned: ReadonlySet<number>;
@@ -47,7 +44,8 @@ export interface Explained {
 const NONE: Explained = { failed: new Set(), questioned: new Set() };
 
 /**
- * What follows from a finding at the same operation, or at the same block outside operations: the cause alone is told.
+ * Issues caused by another one at the same operation (outside operations: at the same block). Only the cause is
+ * reported.
  */
 const FOLLOWS: Readonly<Partial<Record<Code, readonly Code[]>>> = {
   cutOnLoosePiece: ["nothingCut", "airPasses", "deeperThanInfeed", "materialLeft"],
@@ -58,7 +56,7 @@ const FOLLOWS: Readonly<Partial<Record<Code, readonly Code[]>>> = {
 const sameWork = (a: ProofIssue, b: ProofIssue): boolean =>
   a.operation === null ? b.operation === null && a.block === b.block : a.operation === b.operation;
 
-/** A rapid that runs into the finished part is told as a rapid. */
+/** A rapid into the finished part is reported as a rapid, not as contour damage. */
 const isRapidAlike = ({ issue, step }: ProofIssue, other: ProofIssue): boolean =>
   issue.code === "gouge" && other.issue.code === "rapidInStock" && other.step === step;
 
@@ -67,7 +65,7 @@ const isExplained = ({ issue, operation }: ProofIssue, { failed, questioned }: E
   ((failed.has(operation) && FOLLOWS_FAILURE.includes(issue.code)) ||
     (questioned.has(operation) && followsQuestion(issue.code)));
 
-/** Findings without those that follow from another one, or from what the run has said of their operation. */
+/** Findings without those that another finding, or the run itself, explains. */
 export const causesAlone = (found: readonly ProofIssue[], explained: Explained = NONE): ProofIssue[] =>
   found.filter(
     (f) =>

@@ -19,36 +19,36 @@ import { largest, placeIn } from "./region.ts";
 import type { AnyFinding, SimulatedOperation } from "./simulation.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
-/** Moves that do damage, after which damage is no longer looked for: looking costs far more where there is some. */
+/** After this many damaging moves the check stops: it costs far more where there is damage. */
 export const MOST_CONTACTS = 1000;
-/** The finished part (shrunk) with its edges, to see gouges, and the surfaces of which it is made. */
+/** The finished part (shrunk) with its edges, to detect contour damage, and its contour surfaces. */
 export interface Finished {
   readonly rings: readonly Ring[];
   readonly edges: Edges;
   readonly surfaces: readonly Surface[];
 }
 
-/** What a step is held against beside the stock. */
+/** What a step is checked against, besides the stock. */
 export interface Against {
   readonly steps: readonly Step[];
   readonly finished: Finished;
-  /** What holds the blank; null where there is none. */
+  /** The work holding; null without a blank. */
   readonly hold: WorkHold | null;
-  /** A clamping is stated: what stands behind the blank is known. */
+  /** True where a clamping is stated, so that the space behind the blank is known. */
   readonly isClamped: boolean;
-  /** What has come off and is no longer there. */
+  /** Pieces that have come off and are gone. */
   readonly loose: Loose | null;
   readonly outlines: (tool: Tool) => Outlines;
   readonly operations: readonly SimulatedOperation[];
 }
 
-/** The tool stands where a rapid has brought it: what it meets there the rapid has run into. */
+/** The step as the rapid that positioned the tool: any contact there was made by that rapid. */
 const broughtTo = (step: Step): Step => ({
   ...step,
   move: { kind: "rapid", phase: "position", run: "rough", step: 0, to: step.from },
 });
 
-/** What goes wrong in a step, before its sweep is taken from the stock. */
+/** The damage done by a step, checked before its sweep is subtracted from the stock. */
 export function check(index: number, sweep: Sweep, cut: Cutting, against: Against): AnyFinding[] {
   const { steps, finished, hold, loose } = against;
   const step = steps[index] as Step,
@@ -81,7 +81,7 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
     const [low, high] = [Math.min(from.z, to.z), Math.max(from.z, to.z)];
     return real(inBox(cut.stock(), { left: low, right: high, low: 0, high: radius }));
   };
-  // The quick look joins many pieces at once; what it finds is looked at again in the stock itself.
+  // The quick check joins many pieces at once, so its hits are confirmed in the stock itself.
   const sure = (area: Ring[]) => (area.length === 0 ? area : real(intersection(cut.stock(), area)));
   const touches = near(sweep, now.meets).length > 0;
   const met =
@@ -91,7 +91,7 @@ export function check(index: number, sweep: Sweep, cut: Cutting, against: Agains
     const taken = sure(real(inStock([sweep], now)));
     report("rapidInStock", met.length > 0 ? real(difference(taken, met)) : taken);
   }
-  // A bore is cut by the shape of the drill: the contours of turning cycles say nothing of it.
+  // The drill's shape makes the bore: contours of turning cycles do not apply to it.
   if (touches && !isDrill(step.tool) && sweep.pieces.some((p) => finished.edges.meets(p))) {
     const taken = sure(real(inStock([sweep], now, finished.rings)));
     if (taken.length === 0 || !isPlainCut(step)) report("gouge", taken);

@@ -14,16 +14,16 @@ import { apart, sweptBox } from "./resume.ts";
 import type { AnyFinding } from "./simulation.ts";
 import { sweptBy, type Sweep } from "./sweep.ts";
 
-/** A chord of an arc is this near to it where a holder is looked at, mm. */
+/** Chord error of arcs in the holder check, mm. */
 const HOLDER_CHORD = 0.01;
 
-/** What a sweep has in common with a body, without what is only touched. */
+/** The overlap of sweeps with a clamping body, without mere touching. */
 const met = ({ rings }: ClampBody, sweeps: readonly Sweep[]): Ring[] =>
   real(intersection(rings, merged(sweeps.flatMap((sweep) => sweep.rings))));
 
 /**
- * Where tools and holders meet what the work is held by, in any move: the bodies stand as they are whatever has been
- * cut, so nothing of the stock is asked. After as many contacts as are looked for in the stock nobody looks any more.
+ * Contacts of tools and holders with the clamping, in any move. The bodies do not change while cutting, so no stock is
+ * needed. The check stops after as many contacts as that of the stock.
  */
 export function clampContacts(
   steps: readonly Step[],

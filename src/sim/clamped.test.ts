@@ -21,7 +21,7 @@ describe("pieces that a run leaves", () => {
     part = box(-31.4, 4.1, 0, 14.9),
     chip = box(0, 10, 0.5, 11.1);
 
-  test("the chuck holds what stands; what came off is the largest first, and a chip is no piece", () => {
+  test("the final stock is in the chuck; loose pieces come largest first, without chips", () => {
     const small = box(-10, 0, 0, 3);
     expect(
       leftPieces({ final: [bar], proof: proofWith(loose(30, small), loose(339, part), loose(0.55, chip)) }),
@@ -31,7 +31,7 @@ describe("pieces that a run leaves", () => {
     });
   });
 
-  test("a cavity belongs to the piece that is round it, and nothing left is no piece", () => {
+  test("a cavity belongs to the piece around it; without stock there is no piece", () => {
     const cavity: Ring = [...box(-60, 4, -50, 6)].reverse();
     expect(leftPieces({ final: [bar, cavity], proof: proofWith() })).toEqual({ held: [bar, cavity], off: [] });
     expect(leftPieces({ final: [chip], proof: proofWith() })).toEqual({ held: null, off: [] });

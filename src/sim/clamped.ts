@@ -2,18 +2,17 @@ import type { Ring } from "../kernel/geometry/point.ts";
 import { regionsOf } from "./region.ts";
 import type { Simulation } from "./simulation.ts";
 
-/** What a run leaves, piece by piece: each an outline with its cavities. */
+/** The pieces at the end of a run, each an outline with its cavities. */
 export interface LeftPieces {
-  /** The piece in the chuck. Null where nothing is left. */
+  /** The piece in the chuck; null where nothing is left. */
   readonly held: readonly Ring[] | null;
   /** Pieces that came off, the largest first. */
   readonly off: readonly (readonly Ring[])[];
 }
 
-/** Less is no piece but a chip or a skin, mm². */
+/** Smallest area of a piece; anything smaller is a chip or a skin, mm². */
 const PIECE = 1;
 
-/** The pieces that a run leaves. */
 export function leftPieces({ final, proof }: Pick<Simulation, "final" | "proof">): LeftPieces {
   const [held] = regionsOf(final, PIECE).toSorted((a, b) => b.area - a.area);
   const off = proof.loose.filter(({ area }) => area > PIECE).toSorted((a, b) => b.area - a.area);

@@ -5,23 +5,23 @@ import { boxAround, gapBetween } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 import type { AnyFinding } from "./simulation.ts";
 
-/** Moves whose places are nearer than this do the same damage, mm. */
+/** Findings nearer to each other than this are the same damage, mm. */
 const SAME_PLACE = 0.1;
-/** Findings that are kept apart; what comes after them is added to the last of its kind. */
+/** Most separate findings; later ones are added to the last of their kind. */
 const MOST = 500;
-/** Rings that are kept before they are merged. */
+/** Rings collected before they are merged. */
 const RINGS = 64;
 
 interface Kept {
   finding: AnyFinding;
   box: Box;
-  /** Area of the largest single piece, which gives the place. */
+  /** Area of the largest single piece, which sets the marked place. */
   largest: number;
-  /** Rings after which they are merged: twice what the last merging left, so that merging does not become the work. */
+  /** Ring count that triggers a merge: twice the result of the last one, to limit the cost. */
   many: number;
 }
 
-/** Gathers what moves do wrong, and makes one finding of moves that do it in the same place. */
+/** Collects damage, and joins moves that do the same damage in one place. */
 export interface Collector {
   add(found: readonly AnyFinding[]): void;
   all(): AnyFinding[];
@@ -35,18 +35,18 @@ const around = (a: Box, b: Box): Box => ({
 });
 
 /**
- * A gouge and a rapid take away what they find, so their areas add up; a holder leaves it, as a clamping stays, and
- * finds it again.
+ * Contour damage and rapids remove material, so their areas add up. Holder and clamping contacts recur in the same
+ * place.
  */
 const staysThere = (f: AnyFinding) => f.kind === "holderContact" || f.kind === "clampContact";
 
-/** What goes on over several blocks: a groove is cut in more than one. */
+/** Findings that may span several blocks, such as a groove below the contour. */
 const goesOn = (f: AnyFinding) => staysThere(f) || f.kind === "cutBelowContour";
-/** Sweeps in a place where no stock is are the same place each time. */
+/** Findings without stock cover the same place each time. */
 const covers = (f: AnyFinding) =>
   staysThere(f) || f.kind === "cutOnLoosePiece" || f.kind === "rapidBehindBlank" || f.kind === "feedBehindBlank";
 
-/** What belongs together: of a spindle that stands still everything that is cut until it is started. */
+/** The key of findings that belong together: with a stopped spindle, every cut until it starts. */
 function groupOf(f: AnyFinding): string {
   if (f.idle) return `${f.idle.how} ${f.idle.by ?? ""}`;
   const part = f.clamp ? `${f.clamp.part} ${f.clamp.by} ` : "";
@@ -54,8 +54,7 @@ function groupOf(f: AnyFinding): string {
 }
 
 /**
- * Begins to gather. Moves of one cycle call belong together, outside cycles those of one block; a holder that touches,
- * however it goes on.
+ * Starts a collection. Damage is joined per cycle call, outside cycles per block, and holder contact across all moves.
  */
 export function collector(): Collector {
   const kept: Kept[] = [];

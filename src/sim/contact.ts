@@ -4,10 +4,10 @@ import { boxBeyond, inBox } from "../kernel/area/box.ts";
 import { merged, near, type Present } from "./cutting.ts";
 import type { Sweep } from "./sweep.ts";
 
-/** What one sweep had in common with the stock last: a rapid is asked for what it did wrong, and for what it took. */
+/** Caches the last contact of a sweep: a rapid needs it for the check and for the removed area. */
 const asked = new WeakMap<Sweep, { readonly now: Present; readonly rings: Ring[] }>();
 
-/** What sweeps have in common with an area and with the stock as it is now. */
+/** The overlap of sweeps with the present stock, and with an area where one is given. */
 export function inStock(sweeps: readonly Sweep[], now: Present, within: readonly Ring[] | null = null): Ring[] {
   const [alone] = sweeps.length === 1 && !within ? sweeps : [];
   const known = alone && asked.get(alone);

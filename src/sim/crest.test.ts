@@ -38,7 +38,7 @@ describe("a crest is missing", () => {
       r: 20,
       inFace: false,
     });
-    // Thinner than the root: nothing will be cut, and the same is right.
+    // Thinner than the root: nothing will be cut, and the finding is the same.
     expect(crestMissing(outside, [shaft(15)])).toMatchObject({ missing: expect.closeTo(5, 9), r: 20 });
     expect(crestMissing(outside, [])).toBeNull();
   });
@@ -50,7 +50,7 @@ describe("a crest is missing", () => {
     expect(crestMissing(inside, [bored(20.6)])).toMatchObject({ missing: expect.closeTo(0.6, 9), r: 20 });
   });
 
-  test("not at a chamfer and a relief, but over more than half of the thread", () => {
+  test("not at a chamfer or a relief, but over more than half of the thread", () => {
     const chamfered: Ring = [
       at(-60, 0),
       at(0, 0),
@@ -68,7 +68,7 @@ describe("a crest is missing", () => {
     expect(crestMissing(outside, [stepped(-15)])).toMatchObject({ missing: expect.closeTo(1, 9) });
   });
 
-  test("not where its grooves are there already, and what stands between them counts", () => {
+  test("not where its grooves exist already: the material between them counts", () => {
     const grooves = (r: number): Pt[] =>
       Array.from({ length: 12 }, (_, k) => [
         at(-2 * k - 0.1, r),
@@ -79,7 +79,7 @@ describe("a crest is missing", () => {
     expect(crestMissing(outside, [shaft(19.5, ...grooves(19.5))])).toMatchObject({ missing: expect.closeTo(0.5, 9) });
   });
 
-  test("of a cone and of a face as well, whichever way they run", () => {
+  test("on tapers and faces as well, in either direction", () => {
     const cone = planOf([at(-24, 21.2), at(0, 20)], at(0, 1));
     const turnedTo = (less: number): Ring => [
       at(-60, 0),
@@ -90,7 +90,7 @@ describe("a crest is missing", () => {
     ];
     expect(crestMissing(cone, [turnedTo(0)])).toBeNull();
     const { missing, r } = crestMissing(cone, [turnedTo(0.6)]) ?? {};
-    // The window of a pitch sees the higher side of it.
+    // Within one pitch, the higher side counts.
     expect(missing).toBeGreaterThan(0.53);
     expect(r).toBeGreaterThan(20.3);
     expect(r).toBeLessThan(20.9);
@@ -138,7 +138,7 @@ describe("damage behind the end of a thread", () => {
   }
   const way: ThreadWay = { crest: outside.thread?.crest ?? [], stop: at(-26, 18.8), openSide: at(0, 1) };
 
-  test("says how far the thread overruns, and whether a flank met a shoulder", () => {
+  test("gives the overrun of the thread, and whether a flank hit a shoulder", () => {
     expect(told(at(-25.5, 19.2), way)).toMatchObject({
       code: "threadOverruns",
       severity: "error",
@@ -147,13 +147,13 @@ describe("damage behind the end of a thread", () => {
     expect(told(at(-27.5, 21), way)).toMatchObject({ code: "threadOverruns", data: { meets: "shoulder" } });
   });
 
-  test("is a cut into the part where it lies elsewhere, or no thread was cut", () => {
+  test("is plain contour damage elsewhere, or where no thread was cut", () => {
     expect(told(at(-23.9, 19.2), way)).toMatchObject({ code: "gouge" });
     expect(told(at(3, 19.2), way)).toMatchObject({ code: "gouge" });
     expect(told(at(-25.5, 19.2), null)).toMatchObject({ code: "gouge" });
   });
 
-  test("is told along X in a face, with its diameters", () => {
+  test("is reported along X on a face, with diameters", () => {
     const inFace: ThreadWay = { crest: [at(0, 40), at(0, 20)], stop: at(-1.2, 18), openSide: at(1, 0) };
     expect(told(at(-0.8, 18.5), inFace)).toMatchObject({ data: { meets: "shaft", axis: "X", end: 40, to: 36 } });
     expect(told(at(0.8, 17.5), inFace)).toMatchObject({ data: { meets: "shoulder" } });

@@ -3,17 +3,17 @@ import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { SAME } from "../kernel/tolerance.ts";
 import type { MissingCrest } from "./simulation.ts";
 
-/** A crest lower than this part of the depth is none. */
+/** A crest lower by more than this share of the thread depth is missing. */
 const TOLD = 0.1;
-/** Part of a thread over which its crest may be missing: a chamfer at its start, a relief at its end. */
+/** Share of a thread that may lack its crest: a chamfer at its start, a relief at its end. */
 const MOST = 0.5;
-/** Places of a thread that are looked at: so many in a pitch, and so many at all. */
+/** Sample places per pitch, and at most in total. */
 const PLACES = { perPitch: 16, most: 20_000 } as const;
 
 /** A point along a thread (u) and out of its material (v). */
 type Place = readonly [u: number, v: number];
 
-/** How high stock stands over the crest, for each of equal stretches of it; -Infinity where there is none. */
+/** Stock height over the crest, for equal stretches of it; -Infinity where there is no stock. */
 function heightsOver(
   crest: readonly Place[],
   stock: readonly (readonly Place[])[],
@@ -46,8 +46,8 @@ function heightsOver(
 }
 
 /**
- * How much of the crest a thread has not got, before its first pass: a shaft that is too thin for it, a bore that is
- * too wide. Of grooves that are there already the material beside them counts.
+ * The missing crest height of a thread before its first pass: the shaft is too thin, or the bore too wide. Where
+ * grooves exist already, the material beside them counts.
  */
 export function crestMissing({ thread, openSide }: Plan, stock: readonly Ring[]): MissingCrest | null {
   const depth = thread?.depths.at(-1);

@@ -31,7 +31,7 @@ const stepsThrough = (points: readonly (readonly [number, number])[]): Step[] =>
   });
 const ways = fc.array(fc.tuple(mm(-55, 5), mm(-4, 36)), { minLength: 2, maxLength: 40 });
 
-test("a stock made up anew again and again is the blank less all that was swept, to rounding", () => {
+test("a stock recomputed again and again is the blank less all sweeps, to rounding", () => {
   fc.assert(
     fc.property(ways, (points) => {
       const steps = stepsThrough(points);
@@ -49,7 +49,7 @@ test("a stock made up anew again and again is the blank less all that was swept,
   );
 });
 
-test("whoever asks in between, the stock is the same to the last bit, and what was given before does not change", () => {
+test("queries in between do not change the stock by a bit, nor earlier results", () => {
   fc.assert(
     fc.property(ways, (points) => {
       const [quiet, asked] = [cutting([blank]), cutting([blank])];

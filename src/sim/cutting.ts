@@ -4,14 +4,12 @@ import { sidesOf, type Edges } from "./edges.ts";
 import type { ConvexPiece } from "./piece.ts";
 import type { Sweep } from "./sweep.ts";
 
-/** Rings, or merged groups of them, that are merged in one go. Many that overlap cost the square of their number. */
+/** Rings, or merged groups of rings, per merge. The cost is the square of their number where many overlap. */
 const GROUP = 4;
-/** Points swept that may wait before they are taken from the stock, beside as many as that stock has. */
+/** Swept points that may be pending before they are subtracted, in addition to the points of the stock. */
 const RECENT = 40;
 
-/**
- * Rings that are merged in groups of groups as they come. The same rings in the same order always give the same areas.
- */
+/** Merges rings in groups of groups as they arrive. The same rings in the same order always give the same areas. */
 function heap(levels: Ring[][][] = [[]]) {
   /** levels[0] are single rings; each entry of levels[n] is GROUP entries of levels[n - 1] merged. */
   function keep(entry: Ring[], level: number): void {
@@ -36,7 +34,7 @@ export function merged(rings: readonly Ring[]): Ring[] {
   return all.all();
 }
 
-/** The stock at one moment: an area less what has been swept since that was made up. Later cuts do not change it. */
+/** The stock at one moment: a base area less the sweeps since it was computed. Later cuts do not change it. */
 export interface Present {
   readonly base: readonly Ring[];
   readonly gone: readonly Ring[];
@@ -44,10 +42,10 @@ export interface Present {
   meets(piece: ConvexPiece): boolean;
 }
 
-/** What a sweep met last: the same is asked for checks, for the measure and for the cut. */
+/** Caches the last query of a sweep: check, measurement and cut ask for the same rings. */
 const asked = new WeakMap<Sweep, { readonly by: Present["meets"]; readonly rings: readonly Ring[] }>();
 
-/** The rings of a sweep as far as it may meet a stock. */
+/** The rings of the parts of a sweep that may meet a stock. */
 export function near(sweep: Sweep, meets: Present["meets"]): readonly Ring[] {
   const known = asked.get(sweep);
   if (known?.by === meets) return known.rings;
@@ -60,26 +58,26 @@ export function near(sweep: Sweep, meets: Present["meets"]): readonly Ring[] {
 const pointsOf = (rings: readonly Ring[]) => rings.reduce((sum, ring) => sum + ring.length, 0);
 
 /**
- * Stock that is being cut: an area, and what has been swept since that was made up. It is made up anew after so many
- * points, so that little is left to take away for those who ask. The same sweeps added in the same order always give
- * the same stock, to the last bit.
+ * Stock being cut: a base area, and the sweeps since it was computed. The base is recomputed after a number of swept
+ * points, so that little is pending at each query. The same sweeps in the same order always give the same stock, to the
+ * last bit.
  */
 export interface Cutting {
-  /** The stock it began with. */
+  /** The initial stock. */
   readonly initial: readonly Ring[];
   /** Convex pieces of the sweeps that met the stock. */
   readonly pieces: number;
-  /** Takes away what is swept. What does not meet the stock is passed over. */
+  /** Subtracts a sweep; parts that do not meet the stock are skipped. */
   add(sweep: Sweep): void;
   /** The stock for checks. */
   present(): Present;
   /** The stock now, less a further sweep that is not kept. */
   stock(further?: Sweep): readonly Ring[];
-  /** The same as it stands now: what is cut from one of them is not cut from the other. */
+  /** An independent copy of the present state. */
   copy(): Cutting;
 }
 
-/** What is known while a stock is being cut. */
+/** The state of a stock being cut. */
 interface Standing {
   readonly initial: readonly Ring[];
   readonly base: readonly Ring[];
@@ -89,14 +87,14 @@ interface Standing {
   readonly pieces: number;
 }
 
-/** Begins to cut a stock. */
+/** Starts cutting a stock. */
 export const cutting = (initial: readonly Ring[]): Cutting =>
   cuttingOn({ initial, base: initial, edges: sidesOf(initial), recent: heap(), waiting: 0, pieces: 0 });
 
 function cuttingOn({ initial, ...from }: Standing): Cutting {
   let { base, edges, recent, waiting, pieces } = from;
   let now: Present | null = null;
-  /** The stock now, kept for those who look again before anything else is cut. */
+  /** The present stock, cached until the next cut. */
   let standing: readonly Ring[] | null = null;
 
   return {

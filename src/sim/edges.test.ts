@@ -26,22 +26,21 @@ const convex = fc
     }),
   );
 
-test("a piece that has area in common with an area meets it, and one that is clear of it does not", () => {
+test("a piece that overlaps an area meets it, and one clear of it does not", () => {
   fc.assert(
     fc.property(areas, convex, (area, piece) => {
       const common = areaOf(intersection(area, [piece]));
       const meets = sidesOf(area).meets(convexPieceOf(piece));
       if (common > 0.01) expect(meets).toBe(true);
       if (!meets) expect(common).toBeLessThan(0.01);
-      // A needle that ends in the piece has less in common with it than the polygon engine's grid shows: clear is what
-      // keeps its distance.
+      // A needle that ends in the piece overlaps it by less than the polygon grid: only a piece at a distance is clear.
       if (areaOf(intersection(offset(area, 0.01), [piece])) === 0) expect(meets).toBe(false);
     }),
     { numRuns: 1500 },
   );
 });
 
-test("lying against an edge is not meeting", () => {
+test("touching an edge is not meeting", () => {
   const edges = sidesOf([box(0, 0, 10, 10)]);
   expect(edges.meets(boxPiece(10, 0, 20, 10))).toBe(false);
   expect(edges.meets(boxPiece(-5, 10, 20, 20))).toBe(false);
@@ -51,7 +50,7 @@ test("lying against an edge is not meeting", () => {
   expect(sidesOf([]).meets(boxPiece(0, 0, 1, 1))).toBe(false);
 });
 
-test("what lies in a box keeps its area under the non-zero rule", () => {
+test("clipping to a box keeps the area under the non-zero rule", () => {
   fc.assert(
     fc.property(areas, spot, spot, (area, a, b) => {
       const [left, right, low, high] = [
@@ -68,7 +67,7 @@ test("what lies in a box keeps its area under the non-zero rule", () => {
   );
 });
 
-test("the hull along a way is the convex hull of both ends", () => {
+test("the hull along a path is the convex hull of both ends", () => {
   fc.assert(
     fc.property(convex, spot, spot, (outline, from, to) => {
       const hull = hullAlong(outline, from, to);

@@ -1,13 +1,13 @@
 import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import type { ConvexPiece } from "./piece.ts";
 
-/** The edges of an area in columns along z, to ask quickly whether a convex piece meets it. */
+/** The edges of an area in columns along z, for a quick test whether a convex piece meets the area. */
 export interface Edges {
   /** False when the piece surely has no area in common with this one. */
   meets(piece: ConvexPiece): boolean;
 }
 
-/** Edges per column that we aim at, and the most columns worth keeping. */
+/** Target number of edges per column, and the most columns worth storing. */
 const PER_COLUMN = 4;
 const MOST_COLUMNS = 1024;
 
@@ -67,7 +67,7 @@ export function sidesOf(area: readonly Ring[]): Edges {
   const seen = new Int32Array(count).fill(-1);
   let question = 0;
 
-  /** Whether an edge runs through the inside of a piece: what stays of it after each side. */
+  /** Whether an edge runs through the inside of a piece: clips it at each side in turn. */
   function enters(e: number, { box, sides }: ConvexPiece): boolean {
     const [az, ar, bz, br] = [z0[e] as number, r0[e] as number, z1[e] as number, r1[e] as number];
     if ((ar < box.low && br < box.low) || (ar > box.high && br > box.high)) return false;
@@ -88,7 +88,7 @@ export function sidesOf(area: readonly Ring[]): Edges {
     return true;
   }
 
-  /** Whether a point lies inside: the edges above it, counted by their direction. */
+  /** Whether a point lies inside: sums the directions of the edges above it. */
   function holds(z: number, r: number): boolean {
     let winding = 0;
     const c = columnOf(z);
@@ -119,7 +119,7 @@ export function sidesOf(area: readonly Ring[]): Edges {
           if (enters(e, piece)) return true;
         }
       }
-      // Above all edges and below all of them there is nothing.
+      // There is no area above all edges or below all of them.
       if (beside) return false;
       const [p, q, s] = [
         ring[0] as Pt,

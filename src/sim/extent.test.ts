@@ -13,7 +13,7 @@ const circle = (size: number): Ring =>
     at(3 + size * Math.cos((i * Math.PI) / 200), 9 + size * Math.sin((i * Math.PI) / 200)),
   );
 
-test("a box is as deep as it is high along the axis asked for, and as thick as its narrow side", () => {
+test("a box is as deep as its extent along the axis, and as thick as its narrow side", () => {
   fc.assert(
     fc.property(mm(-50, 50), mm(1, 60), mm(0.1, 40), mm(0.1, 40), (z, r, w, h) => {
       const area = [box(z, r, z + w, r + h)];
@@ -25,7 +25,7 @@ test("a box is as deep as it is high along the axis asked for, and as thick as i
   );
 });
 
-test("two layers over each other count each for itself, a hairline between them does not", () => {
+test("two layers count separately, but not with only a hairline between them", () => {
   expect(deepestAlong([box(0, 0, 10, 2), box(0, 5, 10, 8.3)], at(0, 1))).toBeCloseTo(3.3, 6);
   expect(deepestAlong([box(0, 0, 10, 2), box(0, 2.001, 10, 3.3)], at(0, 1))).toBeCloseTo(3.3, 6);
 });
@@ -36,7 +36,7 @@ test("a slanted band is as thick as it is square to itself, however deep it is",
   expect(deepestAlong([band], at(0, 1))).toBeCloseTo(2.8, 3);
 });
 
-test("what lies round a hole is as thick as the way from hole to outline; a circle as its diameter", () => {
+test("an area around a hole is as thick as the distance from hole to outline; a circle as its diameter", () => {
   const ring = difference([box(0, 0, 30, 30)], [box(4, 4, 27, 27)]);
   expect(Math.abs(thicknessOf(ring) - (4 * 2) / (1 + Math.SQRT1_2))).toBeLessThan(0.7);
   expect(thicknessOf([circle(2.7)])).toBeCloseTo(5.4, 1);

@@ -6,12 +6,14 @@ import { boxAround } from "../kernel/area/box.ts";
 import { hypotenuse } from "../kernel/geometry/vectors.ts";
 import { scanCrossings } from "./scan.ts";
 
-/** So far beside a corner an area is looked at, mm: the corner itself belongs to both sides. */
+/** Distance of a sample from a corner, mm: the corner itself belongs to both sides. */
 const BESIDE = 2e-5;
-/** Corners nearer than this are looked at together: between them little changes. */
+/** Corners nearer than this are sampled together, since little changes between them, mm. */
 const NEAR_CORNERS = 0.01;
 
-/** Places beside the corners of an area, each with another one SLIVER farther on: what is thinner than that is none. */
+/**
+ * Sample places beside the corners of an area, each with a second one SLIVER farther on: anything thinner is ignored.
+ */
 function besides(corners: readonly number[]): (readonly [number, number])[] {
   const sorted = [...corners].sort((a, b) => a - b);
   const out: (readonly [number, number])[] = [];
@@ -32,9 +34,8 @@ function besides(corners: readonly number[]): (readonly [number, number])[] {
 }
 
 /**
- * The longest way that lies in an area along a direction, mm; gaps thinner than SLIVER do not end it, and what is
- * thinner than that across is passed over. Between two corners of the outlines it changes evenly, so it is longest
- * beside one.
+ * The longest stretch inside an area along a direction, mm. Gaps thinner than SLIVER do not end it, and parts thinner
+ * than that across are ignored. It changes evenly between two corners, so the maximum is beside a corner.
  */
 export function deepestAlong(area: readonly Ring[], direction: { readonly z: number; readonly r: number }): number {
   const up = Math.abs(direction.r) >= Math.abs(direction.z);
@@ -65,14 +66,15 @@ export function deepestAlong(area: readonly Ring[], direction: { readonly z: num
   return deepest;
 }
 
-/** Lines on which room for a circle is looked for, in its diameter. */
+/** Spacing of the test lines, as a share of the diameter. */
 const GRATING = 0.25;
-/** With more lines than this looking costs more than it saves. */
+/** With more lines the test costs more than it saves. */
 const MOST_LINES = 4000;
 
 /**
- * False when surely no circle of a diameter (mm) fits into an area. One that fits meets three lines in a row, the
- * middle one within half a space of its centre, and each of them in the whole of the shortest chord that this leaves.
+ * False when surely no circle of a diameter (mm) fits into an area. A circle that fits meets three lines in a row, the
+ * middle one within half a spacing of its centre. It crosses each of them over at least the shortest chord that this
+ * allows.
  */
 export function hasRoomFor(area: readonly Ring[], diameter: number): boolean {
   const box = boxAround(area);
@@ -104,13 +106,13 @@ const lengthOf = (ring: Ring) =>
     return sum + hypotenuse(q.z - p.z, q.r - p.r);
   }, 0);
 
-/** How near a thickness is told, as a part of itself, and how often it is tried at most. */
+/** Relative tolerance of a thickness, and the most tries. */
 const NEAR = 0.02;
 const TRIES = 14;
 
 /**
  * Diameter of the largest circle that fits into an area, mm. A circle of area / outline always fits, and nearly fills a
- * band; from there on larger ones are tried.
+ * band; the search goes up from there.
  */
 export function thicknessOf(area: readonly Ring[]): number {
   const outline = area.reduce((sum, ring) => sum + lengthOf(ring), 0);

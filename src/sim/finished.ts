@@ -4,23 +4,23 @@ import { CHORD, SLIVER } from "../kernel/tolerance.ts";
 import { madeOf } from "./made.ts";
 import type { SimulatedOperation, Simulation } from "./simulation.ts";
 
-/** Everything that the operations together take away when they are perfect. */
+/** The union of the machining areas of all operations. */
 export const machiningArea = (operations: readonly SimulatedOperation[]): Ring[] =>
   union(operations.map((o) => o.plan.area));
 
 /**
- * The finished part as far as the operations know it, shrunk by SLIVER because tools and contours both carry a chord
- * error. What one operation takes away may lie inside the part of an earlier one: a groove in a turned cylinder.
+ * The finished part as far as the operations define it, shrunk by SLIVER for the chord errors of tools and contours.
+ * One operation's area may lie inside the part of an earlier one: a groove in a turned cylinder.
  */
 export function finishedPart(operations: readonly SimulatedOperation[]): Ring[] {
   const parts = union(operations.map((o) => o.plan.part));
   return parts.length === 0 ? [] : offset(difference(parts, machiningArea(operations)), -SLIVER);
 }
 
-/** Material that is missing by less than this is the chord error of both sides, mm. */
+/** Missing material below this is chord error of both sides, mm. */
 const MISSING = 2 * SLIVER;
 
-/** A finished part less what feed moves outside of cycles took of it on purpose: what is missing and is no fault. */
+/** A finished part less what feed moves outside cycles cut from it on purpose. */
 export function lessPlainCuts(part: readonly Ring[], simulation: Simulation): readonly Ring[] {
   const kept = union([...madeOf(simulation), ...simulation.findings.flatMap((f) => offset(f.rings, MISSING))]);
   const gone = offset(difference(part, kept), -MISSING / 2);

@@ -19,7 +19,7 @@ const CENTRES: Clamping = {
   tailstock: { quill: 40, tip: -2, angle: 60 },
 };
 
-/** How far from the axis pieces of a stock begin that are held, and others. */
+/** Inner radii of the held pieces and of the loose ones. */
 function parted(blank: readonly Ring[], clamping: Clamping | null, stock: readonly Ring[]) {
   const hold = holdOf(blank, clamping) ?? expect.fail("a blank");
   const apart = brokenApart(stock, hold);
@@ -36,13 +36,14 @@ describe("a core cut out of a bar through its whole length", () => {
     core = box(-80, 0, 0, 10),
     tube = box(-80, 13, 0, 30),
     stock = [tube, core];
-  test("nothing is stated: both reach the rear end and are held", () => expect(parted(bar, null, stock)).toBeNull());
+  test("without a clamping both pieces reach the rear end and are held", () =>
+    expect(parted(bar, null, stock)).toBeNull());
   test.each(["chuckOutside", "softJaws", "collet"] as const)("%s holds what is in its grip", (kind) =>
     expect(parted(bar, { ...OUTSIDE, kind }, stock)).toEqual({ held: [13], loose: [0] }),
   );
-  test("jaws that do not reach the blank say nothing of what is held", () =>
+  test("jaws that do not reach the blank are ignored", () =>
     expect(parted(bar, { ...OUTSIDE, diameter: 80 }, stock)).toBeNull());
-  test("where all in the grip is gone the rear end counts", () => {
+  test("with nothing left in the grip the rear end counts", () => {
     const rest = [box(-80, 0, -70, 8), box(-50, 0, 0, 10)];
     expect(parted(bar, { ...OUTSIDE, face: -70, length: 10 }, rest)?.held).toHaveLength(1);
   });
@@ -62,11 +63,11 @@ describe("a bar cut through", () => {
     const apart = brokenApart(stock, holdOf(bar, clamping) ?? expect.fail("a blank"));
     return apart && { held: boxAround(apart.held), loose: boxAround(apart.loose.map(({ outline }) => outline)) };
   };
-  test("loses its front in a chuck, with a tailstock in front of it as well", () => {
+  test("loses its front in a chuck, even with a tailstock", () => {
     for (const clamping of [null, OUTSIDE, { ...OUTSIDE, tailstock: CENTRES.tailstock ?? expect.fail("a centre") }])
       expect(ends(clamping)).toMatchObject({ held: { right: -43 }, loose: { left: -40 } });
   });
-  test("between centres holds both ends, and nothing of what lies between them", () => {
+  test("between centres both ends are held, and nothing between them", () => {
     expect(ends(CENTRES)).toBeNull();
     const between = box(-50, 0, -30, 15);
     expect(ends(CENTRES, [box(-80, 0, -52, 30), between, box(-28, 0, 0, 30)])).toEqual({
@@ -78,7 +79,7 @@ describe("a bar cut through", () => {
     expect(ends({ ...CENTRES, tailstock: { quill: 40, tip: 3, angle: 60 } })).toMatchObject({ loose: { left: -40 } }));
 });
 
-test("what changes no grip holds the same", () => {
+test("changes outside the grip keep the same hold", () => {
   expect(sameHold(OUTSIDE, { ...OUTSIDE, size: 160, limit: { z: -50 } })).toBe(true);
   expect(sameHold(OUTSIDE, { ...OUTSIDE, tailstock: { quill: 20, tip: -2, angle: 60 } })).toBe(true);
   for (const other of [null, CENTRES, { ...OUTSIDE, face: -59 }, { ...OUTSIDE, diameter: 59 }])

@@ -17,27 +17,27 @@ export interface RearEnd {
   readonly outside: number;
 }
 
-/** What holds a work. */
+/** The work holding. */
 export interface WorkHold {
   readonly rear: RearEnd;
   /** Where a stated clamping grips; null where the rear end holds. */
   readonly zones: readonly Ring[] | null;
 }
 
-/** Where a blank ends. */
+/** The rear end of a blank. */
 function rearOf(blank: readonly Ring[]): RearEnd | null {
   if (areaOf(blank) < REAL_AREA) return null;
   const { left, high } = boxAround(blank);
   return { z: left, outside: high };
 }
 
-/** What holds a blank: a stated clamping that grips it, or its rear end. Null where there is no blank. */
+/** The work holding: the stated clamping if it grips the blank, else the rear end. Null without a blank. */
 export function holdOf(blank: readonly Ring[], clamping: Clamping | null): WorkHold | null {
   const rear = rearOf(blank);
   return rear && { rear, zones: clamping && !missesBlank(clamping, blank) ? gripZones(clamping, blank) : null };
 }
 
-/** What of a clamping says where it grips. */
+/** The fields of a clamping that define its grip. */
 const gripOf = (c: Clamping | null) =>
   c && [c.kind, c.diameter, c.length, c.face, c.kind === "centres" ? c.tailstock : null];
 
@@ -47,13 +47,13 @@ export const sameHold = (a: Clamping | null, b: Clamping | null): boolean =>
 
 const ringsOf = (regions: readonly Region[]): Ring[] => regions.flatMap(({ outline, holes }) => [outline, ...holes]);
 
-/** What hangs together with what holds the work, and what does not any more. */
+/** A stock split into the held part and the loose pieces. */
 interface Apart {
   readonly held: readonly Ring[];
   readonly loose: readonly Region[];
 }
 
-/** The same, found before a step. */
+/** A split found before a step. */
 export interface Parted extends Apart {
   readonly step: number;
 }
@@ -62,7 +62,7 @@ export interface Parted extends Apart {
 const gripped = (regions: readonly Region[], zones: readonly Ring[]): readonly Region[] =>
   regions.filter((region) => areaOf(intersection(ringsOf([region]), zones)) >= REAL_AREA);
 
-/** The pieces at the rear end; where nothing reaches it any more, the one that reaches farthest back. */
+/** The pieces at the rear end; where none reaches it, the piece that reaches farthest back. */
 function atRear(regions: readonly Region[], rear: RearEnd): readonly Region[] {
   const back = ({ outline }: Region) => boxAround([outline]).left;
   const farthest = Math.max(rear.z, Math.min(...regions.map(back)));
@@ -70,8 +70,8 @@ function atRear(regions: readonly Region[], rear: RearEnd): readonly Region[] {
 }
 
 /**
- * Parts a stock into what is held and what is loose; null where all of it hangs together. A clamping with nothing left
- * in its grip has met the tool, which is an error of its own: then the rear end counts.
+ * Splits a stock into held and loose; null where it is in one piece. With nothing left in the grip of the clamping (an
+ * error of its own) the rear end counts.
  */
 export function brokenApart(stock: readonly Ring[], { rear, zones }: WorkHold): Apart | null {
   if (stock.filter((ring) => areaOfRing(ring) > 0).length < 2) return null;
@@ -87,14 +87,14 @@ export function brokenApart(stock: readonly Ring[], { rear, zones }: WorkHold): 
 function shapeOf({ outline }: Region, held: readonly Ring[]): LooseShape {
   const [own, stays] = [boxAround([outline]), boxAround(held)];
   if (own.left >= stays.right - SAME) return "piece";
-  // Where both stand side by side along Z, the one farther from the axis is round the other.
+  // Where both overlap along Z, the one farther from the axis is around the other.
   const beside = held.flat().filter((p) => p.z >= own.left && p.z <= own.right);
   const high = Math.max(...beside.map((p) => p.r));
   if (own.low <= SAME && !(high > own.high)) return "piece";
   return own.high > high ? "ring" : "slug";
 }
 
-/** The pieces that came loose; crumbs leave unnamed. */
+/** The pieces that came loose, without crumbs. */
 export function loosePieces({ step, held, loose }: Parted, steps: readonly Step[]): LoosePiece[] {
   const by = steps[step - 1];
   return loose.flatMap((region) => {
@@ -116,33 +116,33 @@ export function loosePieces({ step, held, loose }: Parted, steps: readonly Step[
   });
 }
 
-/** How deep below its surface a piece is cut at least, mm. */
+/** Depth below the surface at which a loose piece counts as cut, mm. */
 const SKIN = 0.05;
 
-/** What has come off, to ask what meets it. */
+/** Loose pieces, prepared for contact checks. */
 export interface Loose {
   readonly rings: readonly Ring[];
   readonly edges: Edges;
-  /** Without its skin: a tip that runs there cuts, one that runs along the outside does not. */
+  /** Without the skin: a tip that runs inside cuts, one along the outside does not. */
   readonly inside: readonly Ring[];
 }
 
-/** Where a run's work is held, and what has come off it. */
+/** The work holding of a run, and the pieces that have come off. */
 export interface Holding {
   hold(): WorkHold | null;
   /** The blank as it was stated. */
   blank(): readonly Ring[];
-  /** What has come off before a step. */
+  /** The loose pieces before a step. */
   loose(step: number): Loose | null;
-  /** Looks at what still hangs together before a step; null: all of it. */
+  /** Checks before a step whether the stock is in one piece; null: it is. */
   look(step: number, stock: readonly Ring[]): Parted | null;
   /** Another blank is stated. */
   change(blank: readonly Ring[]): void;
-  /** Each time that something came off. */
+  /** All splits of the run. */
   parted(): readonly Parted[];
 }
 
-/** Begins to hold a blank; `before` is what came off in the steps that are not looked at again. */
+/** Starts with a blank; `before`: splits in steps that are not simulated again. */
 export function holding(blank: readonly Ring[], clamping: Clamping | null, before: readonly Parted[]): Holding {
   let [now, hold] = [blank, holdOf(blank, clamping)];
   const parted = [...before];
@@ -173,16 +173,16 @@ export function holding(blank: readonly Ring[], clamping: Clamping | null, befor
   };
 }
 
-/** The pieces in front of what is held, as areas: a part that is cut off the bar. */
+/** The areas of pieces in front of the held part: parts cut off the bar. */
 export const partsOff = ({ held, loose }: Parted): Ring[] =>
   ringsOf(loose.filter((region) => shapeOf(region, held) === "piece"));
 
-/** Less of a ring or slug than this part of it is left where a cut takes it away whole: nobody wants to turn it. */
+/** A cut that leaves less than this share of a ring or slug removes it whole: nobody means to turn it. */
 const TAKEN_WHOLE = 0.1;
 
 /**
- * A cut on loose pieces as far as it is one: the area that it would have taken of them. A ring or a slug that it would
- * have taken whole is what earlier cuts left standing.
+ * The finding of a cut on loose pieces, with the area cut from them. A ring or slug that is removed whole was left by
+ * earlier cuts and does not count.
  */
 export function onLoosePieces(finding: AnyFinding, pieces: readonly LoosePiece[]): AnyFinding[] {
   const met = pieces
@@ -198,16 +198,16 @@ export function onLoosePieces(finding: AnyFinding, pieces: readonly LoosePiece[]
   return [{ ...finding, rings, area: areaOf(rings), place: placeIn(largest(rings)), other: first.by }];
 }
 
-/** A tip this near to the axis may part the work, mm. */
+/** A tip this near to the axis may part off the work, mm. */
 const NEAR_AXIS = 2;
 /** Whether a motion outside cycles may part the work off by itself. */
 const mayPart = ({ tool, from, move }: Step): boolean =>
   isBar(tool) || Math.min(Math.abs(from.r), Math.abs(move.to.r)) < NEAR_AXIS;
 
 /**
- * Whether a cut ends before a step, so that it is looked at what still hangs together: behind an operation, and behind
- * a run of feed moves or of rapids that may part the work. Other cuts by hand are looked at together, behind the last
- * one of their tool.
+ * Whether a cut ends before a step, so that the stock is checked for loose pieces: after an operation, and after a run
+ * of feeds or rapids that may part off the work. Other cuts outside cycles are checked together, after the last one of
+ * their tool.
  */
 export function cutEnds(steps: readonly Step[], index: number): boolean {
   const [before, next] = [steps[index - 1], steps[index]];

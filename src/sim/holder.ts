@@ -10,12 +10,12 @@ import type { Outlines } from "./outlines.ts";
 import { convexPieceOf } from "./piece.ts";
 import { hullAlong, notBehind, rightOf, sweptBy, turned, waypoints } from "./sweep.ts";
 
-/** A holder on an arc is looked at along chords this near to it, mm. */
+/** Chord error of arcs in the holder check, mm. */
 const HOLDER_CHORD = 0.01;
-/** A move is looked at in this many parts to tell whether the holder or the edge comes first. */
+/** Parts of a move in which the order of holder and edge is checked. */
 const PARTS = 16;
 
-/** The rectangle round what an outline covers at all points of a way. */
+/** The bounding rectangle of an outline at all points of a path. */
 function rectangle(outline: Ring, points: readonly Pt[]): Ring {
   const [own, way] = [boxOf(outline), boxOf(points)];
   const [left, right] = [own.left + way.left, own.right + way.right];
@@ -29,9 +29,8 @@ function rectangle(outline: Ring, points: readonly Pt[]): Ring {
 }
 
 /**
- * False when a holder surely touches nothing in a step: along each chord of the way what it covers meets no stock, but
- * for what the insert covers along the same chord, and nothing of it that does not follow behind the insert meets any.
- * Asks the edges of the stock only.
+ * False when a holder surely touches nothing in a step. Along each chord its sweep meets no stock outside the insert's
+ * sweep, and its part that does not follow behind the insert meets no stock. Uses only the edges of the stock.
  */
 export function mayTouch(step: Step, { holder, insert }: Outlines, now: Present): boolean {
   const meets = (rings: readonly Ring[]) =>
@@ -53,8 +52,8 @@ export function mayTouch(step: Step, { holder, insert }: Outlines, now: Present)
 }
 
 /**
- * The holder touches what neither the moves before nor this one, up to the same moment, have cut away. On a straight
- * way the insert is there first where a point of the holder lies behind it; on an arc it is looked at part by part.
+ * The stock touched by the holder that no move up to the same moment has cut away. On a straight path the insert comes
+ * first where a point of the holder lies behind it; arcs are checked part by part.
  */
 export function holderContact(step: Step, outlines: Outlines, now: Present): Ring[] {
   const sweeps = (parts: readonly Ring[], fraction = 1) =>
@@ -78,6 +77,5 @@ export function holderContact(step: Step, outlines: Outlines, now: Present): Rin
   return [];
 }
 
-/** What a holder touches in a step. */
 export const holderHits = (step: Step, outlines: Outlines, now: Present): Ring[] =>
   step.move.kind === "thread" || mayTouch(step, outlines, now) ? holderContact(step, outlines, now) : [];

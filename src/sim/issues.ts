@@ -7,10 +7,10 @@ import { MOST_CONTACTS } from "./check.ts";
 import { isTooDeep } from "./measure.ts";
 import type { AnyFinding, Depth, LoosePiece, OperationProof, Residual, Simulation, ThreadWay } from "./simulation.ts";
 
-/** Heights above the crest of a thread that are measuring, not a shoulder, mm. */
+/** Tolerance above the crest of a thread, below which there is no shoulder, mm. */
 const OVER_CREST = 0.05;
 
-/** Damage behind the end of a thread, by its cause; null where it lies elsewhere. */
+/** The overrun of a thread as an issue, by its cause; null for damage elsewhere. */
 function overrun({ crest, stop, openSide }: ThreadWay, { place, area }: AnyFinding): Issue | null {
   const [before, last] = [crest.at(-2), crest.at(-1)];
   if (!before || !last) return null;
@@ -63,7 +63,7 @@ function fromFinding(f: AnyFinding, operations: readonly OperationProof[]): Proo
   return { issue: (way && overrun(way, f)) ?? whatOf(f), step: f.step, block: f.block, operation: f.operation };
 }
 
-/** What came off. A ring or a slug is told as a warning, and so is a piece that nobody parted off on purpose. */
+/** A loose piece as an issue. Rings, slugs and pieces that were not parted off on purpose are warnings. */
 function fromLoose({ shape, isPartedOff, area, place, step, block, operation }: LoosePiece): ProofIssue {
   const data = { area, block, x: toDiameter(place.r), z: place.z };
   const what = isPartedOff ? issue("partedOff", "info", data) : issue("cameLoose", "warning", { shape, ...data });
@@ -100,7 +100,7 @@ function fromResidual(r: Residual): ProofIssue {
   };
 }
 
-/** What the stock says about one operation: where it began, what it took at once, and what it took at all. */
+/** The stock issues of one operation: start point, depth of cut and removed material. */
 function fromOperation(
   { cut, airPasses, deepest, thickest, behindLimits, startInMaterial: start, crest }: OperationProof,
   operation: number,
@@ -141,7 +141,7 @@ function fromOperation(
   return out;
 }
 
-/** A blank that was stated after cuts: what it leaves out, or what it has though that has been cut. */
+/** Issues of blanks stated after cuts: missing material, or material already cut. */
 const fromStated = ({ stated }: Simulation["proof"]): ProofIssue[] =>
   stated.flatMap(({ step, block, what, lacks, adds }) => {
     const found =
@@ -166,8 +166,8 @@ const fromUnlooked = ({ unlooked }: Simulation["proof"]): ProofIssue[] =>
     : [];
 
 /**
- * What the simulation found, as issues: contacts of moves, then what each operation did, then each region that stays;
- * what follows from another finding is left out. X is a diameter.
+ * The simulation's findings as issues: contacts of moves, then operations, then residual material, without consequences
+ * of other findings. X is a diameter.
  */
 export const stockIssues = (simulation: Pick<Simulation, "findings" | "proof">): ProofIssue[] =>
   causesAlone(

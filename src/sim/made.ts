@@ -1,10 +1,7 @@
 import type { Ring } from "../kernel/geometry/point.ts";
 import type { Simulation } from "./simulation.ts";
 
-/**
- * What a program has made by its end: what is still held, and the parts that it has cut off from the blank that is in
- * the chuck.
- */
+/** The parts produced by a program: the piece still held, and the parts cut off from the present blank. */
 export function madeOf({
   final,
   checkpoints,

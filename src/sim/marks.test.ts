@@ -16,7 +16,7 @@ const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0
 const tool: Tool = { T: 3, NAME: "BUTTON", TYPE: "BUTTON", TO: 2, RS: length(0.7) };
 const blank = [box(-90, 0, 0, 31)];
 
-/** Moves that each go a little into another place. */
+/** Moves that each cut a little in a different place. */
 function steps(count: number, kind: "rapid" | "feed"): Step[] {
   const purpose = { phase: "rough", run: "rough", step: 1 } as const;
   let from = at(2, 33);
@@ -30,7 +30,7 @@ function steps(count: number, kind: "rapid" | "feed"): Step[] {
   });
 }
 
-test("kept stocks stay within their points, the first among them, and all marks stay", () => {
+test("stored stocks respect the point limit, keep the first, and never lose a mark", () => {
   const marks = marksOf([], 500);
   for (let i = 0; i < 1000; i += 1) marks.add(i * 50, [box(-i - 1, 0, 0, 1 + i)]);
   const all = marks.all();
@@ -42,7 +42,7 @@ test("kept stocks stay within their points, the first among them, and all marks 
   for (const { step, stock } of kept) expect(unpacked(stock ?? [])).toEqual([box(-step / 50 - 1, 0, 0, 1 + step / 50)]);
 });
 
-test("a run of which few stocks are kept gives the same stock at every moment, to the last bit, in any order", () => {
+test("a run with few stored stocks gives the same stock at every moment, to the last bit, in any order", () => {
   const whole = simulate({ blank, steps: steps(900, "feed"), operations: [], unproved: [] });
   expect(whole.checkpoints.length).toBeGreaterThan(15);
   const thin = { ...whole, checkpoints: whole.checkpoints.map((c, i) => (i % 8 === 0 ? c : { ...c, stock: null })) };
@@ -51,7 +51,7 @@ test("a run of which few stocks are kept gives the same stock at every moment, t
     for (const fraction of [0, 0.37]) expect(other.at({ step, fraction })).toEqual(one.at({ step, fraction }));
 });
 
-test("beyond a thousand moves that do damage no more are looked at, and that is said where it begins", () => {
+test("after a thousand damaging moves the check stops, and reports where", () => {
   const clean = simulate({ blank, steps: steps(2 * MOST_CONTACTS + 300, "feed"), operations: [], unproved: [] });
   expect(clean.proof.unlooked).toBeNull();
   const bad = steps(2 * MOST_CONTACTS + 300, "rapid").map((s, i) => ({

@@ -2,23 +2,23 @@ import { packed } from "../kernel/area/clip.ts";
 import type { Ring } from "../kernel/geometry/point.ts";
 import type { Checkpoint } from "./simulation.ts";
 
-/** Points of all kept stocks together: 16 bytes each, so 24 MB. */
+/** Points of all stored stocks together: 16 bytes each, so 24 MB. */
 const MOST_POINTS = 1_500_000;
 
-/** Whether the stock of a mark is not what the cuts before it left. */
+/** Whether the stock of a mark was replaced (stated or split), not left by the cuts before it. */
 export const isGiven = ({ isStated, isParted }: Checkpoint): boolean => (isStated ?? isParted) === true;
 
-/** The marks of a run, with no more kept stocks than fit into memory. */
+/** The marks of a run, with as many stored stocks as fit into memory. */
 export interface StockMarks {
-  /** `given`: this stock is not what was left before, and is never let go. */
+  /** `given`: the stock was replaced here, so it is never dropped. */
   add(step: number, stock: readonly Ring[], given?: "isStated" | "isParted"): void;
   all(): readonly Checkpoint[];
 }
 
 /**
- * Begins to mark, behind marks of which all stocks are kept. When the stocks have more points than are kept, every
- * second one is let go, and then only every second of those that follow is kept: seeking cuts a longer way again, and a
- * run of any length fits into the same memory.
+ * Starts after earlier marks whose stocks are all stored. Above the point limit every second stock is dropped, and from
+ * then on only every second is stored: seeking recomputes longer stretches, but a run of any length fits into the same
+ * memory.
  */
 export function marksOf(before: readonly Checkpoint[] = [], most = MOST_POINTS): StockMarks {
   const marks = [...before];

@@ -78,7 +78,7 @@ function run(tool: Tool, start: Pt, moves: readonly Move[], plan: Partial<Plan> 
 const codes = (s: ReturnType<typeof run>) => stockIssues(s).map((i) => i.issue.code);
 
 describe("the real depth of a roughing pass", () => {
-  test("is what stands over it, not what the cycle counts from", () => {
+  test("is the stock above it, not the cycle's nominal infeed", () => {
     const s = run(rougher, at(2, 25.3), [
       cut(-30, 25.3, "rough", 1),
       cut(-30, 31, "rough", 1),
@@ -95,7 +95,7 @@ describe("the real depth of a roughing pass", () => {
       issue: { severity: "warning", data: { allowed: 2, pass: 1 } },
     });
   });
-  test("a hair more than allowed is not told, nor anything without a limit", () => {
+  test("a hair more than allowed is not reported, nor any depth without a limit", () => {
     expect(codes(run(rougher, at(2, 27.96), [cut(-30, 27.96, "rough", 1)]))).not.toContain("deeperThanInfeed");
     expect(codes(run(rougher, at(2, 27.9), [cut(-30, 27.9, "rough", 1)]))).toContain("deeperThanInfeed");
     expect(codes(run(rougher, at(2, 20), [cut(-30, 20, "rough", 1)], { most: length(0) }))).not.toContain(
@@ -107,32 +107,32 @@ describe("the real depth of a roughing pass", () => {
     expect(s.proof.deepest?.depth).toBeCloseTo(3, 2);
     expect(codes(s)).toContain("deeperThanInfeed");
   });
-  test("of passes along the contour is square to it, and at a right angle a sixth more is no fault", () => {
+  test("of contour-parallel passes is square to the contour; a sixth more in a right angle is no fault", () => {
     const bend = [cut(-20, 27, "rough", 1), cut(-20, 33, "rough", 1)];
     const along = (allowed: number) => run(bar, at(2, 27), bend, { isParallel: true, most: length(allowed) });
     expect(along(3).proof.deepest).toBeNull();
     expect(along(2.4).proof.deepest).toMatchObject({ allowed: 2.4, pass: 1 });
     expect(codes(along(2.4))).toContain("deeperThanInfeed");
-    // Up a face, what lies in the direction of infeed is the whole face.
+    // Up a face, the infeed direction measures the whole face.
     const face = (isParallel: boolean) =>
       run(bar, at(-2, 10), [cut(-2, 31, "rough", 1)], { isParallel, most: length(3) });
     expect(codes(face(true))).not.toContain("deeperThanInfeed");
     expect(codes(face(false))).toContain("deeperThanInfeed");
   });
-  test("a plunge counts what it takes in its direction", () => {
+  test("a plunge is measured in its own direction", () => {
     expect(run(bar, at(-20, 31), [cut(-20, 27.4, "rough", 1)]).proof.deepest?.depth).toBeCloseTo(2.6, 2);
   });
 });
 
 describe("smoothing and finishing", () => {
-  test("may take the oversize and one infeed, square to the path", () => {
+  test("may cut the oversize plus one infeed, square to the path", () => {
     expect(codes(run(rougher, at(2, 27.85), [cut(-30, 27.85, "finish")]))).not.toContain("deeperThanInfeed");
     const s = run(rougher, at(2, 27.1), [cut(-30, 27.1, "finish")]);
     expect(s.proof.operations[0]?.thickest).toMatchObject({ allowed: 2.2, step: 0 });
     expect(s.proof.operations[0]?.thickest?.depth).toBeCloseTo(2.9, 1);
     expect(s.proof.deepest).toBeNull();
   });
-  test("a cut down a face is as thick as what it takes off the face", () => {
+  test("a cut down a face is as thick as the layer it removes", () => {
     const face = [cut(-0.4, 32, "finish"), cut(-0.4, 2, "finish")];
     expect(codes(run(bar, at(1, 32), face))).not.toContain("deeperThanInfeed");
   });
@@ -159,7 +159,7 @@ test("passes in the air are counted once, however many moves they have; a pass o
   );
 });
 
-test("what is cut is what feed moves removed: neither rapids nor the same way again", () => {
+test("the cut area is that of feed moves, without rapids and repeated paths", () => {
   const s = run(bar, at(-20, 32), [
     cut(-20, 25, "rough", 1),
     cut(-20, 32, "rough", 1),
@@ -180,11 +180,11 @@ test("an operation that cut nothing says so, unless an error kept it from cuttin
   expect(codes(run(rougher, at(2, 40), [cut(-30, 40, "rough", 1)]))).not.toContain("airPasses");
 });
 
-test("a start point in the stock is told, one that touches it is not", () => {
+test("a start point in the stock is reported, one that touches it is not", () => {
   expect(codes(run(rougher, at(-20, 29), [cut(-20, 35)]))).toContain("startInMaterial");
   expect(codes(run(rougher, at(-20, 30), [cut(-20, 35)]))).not.toContain("startInMaterial");
   expect(codes(run(bar, at(-20, -29), [cut(-20, -35)]))).toContain("startInMaterial");
-  // Beside the work on this side, in it on the other: the bar reaches from −33 up to −3.
+  // Clear of the work on this side, inside it on the other: the bar reaches from −33 to −3.
   expect(codes(run(bar, at(-20, -33), [cut(-20, -40)]))).toContain("startInMaterial");
 });
 
@@ -201,10 +201,10 @@ describe("material behind a machining limit", () => {
       run: then,
     },
   ];
-  test("is told at its limit, with the place and the move that took it", () => {
+  test("is reported at its limit, with the place and the move", () => {
     const s = run(rougher, at(2, 33), [...along(-11.2, "rough"), ...along(-24.8, "rough")], { limits: [plane] });
     const [b] = behind(s);
-    // Less what nose and main edge leave in the corner.
+    // Less the residue of nose and main edge in the corner.
     expect(b?.area).toBeGreaterThan(3.5 * 2.3 - 0.3);
     expect(b?.area).toBeLessThan(3.5 * 2.3 - 0.2);
     expect(b).toMatchObject({ step: 5, block: 15, finishing: false, limit: { at: "Q482" } });
@@ -216,14 +216,14 @@ describe("material behind a machining limit", () => {
       }),
     );
   });
-  test("is no news where the cut ends at the limit, beside it, or where nothing stood", () => {
+  test("is not reported where the cut ends at the limit, or where there was no stock", () => {
     expect(behind(run(rougher, at(2, 33), along(-21.3, "rough"), { limits: [plane] }))).toEqual([]);
     expect(behind(run(rougher, at(2, 33), along(-24.8, "rough")))).toEqual([]);
     expect(
       behind(run(rougher, at(2, 33), [rapid(2, 30.1), cut(-24.8, 30.1, "rough", 1)], { limits: [plane, cylinder] })),
     ).toEqual([]);
   });
-  test("is no news as long as nobody would measure it: a tenth of a millimetre behind, however long", () => {
+  test("is not reported up to a tenth of a millimetre, whatever its length", () => {
     const to = (z: number) => behind(run(rougher, at(2, 33), along(z, "rough"), { limits: [plane] }));
     expect(to(-21.393)).toEqual([]);
     expect(to(-21.407)).toMatchObject([{ limit: { at: "Q482" } }]);
@@ -234,7 +234,7 @@ describe("material behind a machining limit", () => {
     expect(cylinderAt(27.78)).toEqual([]);
     expect(cylinderAt(27.82)[0]?.area).toBeGreaterThan(24 * 0.1);
   });
-  test("is told of every limit that was crossed, and whether roughing alone would leave it", () => {
+  test("is reported for every crossed limit, and whether roughing alone would leave it", () => {
     const both = run(rougher, at(2, 33), along(-24.8, "rough"), { limits: [plane, cylinder] });
     expect(behind(both).map((b) => [b.limit.at, b.finishing])).toEqual([
       ["Q482", false],
@@ -263,7 +263,7 @@ describe("the other side of the axis", () => {
     rapid(-12, 40),
   ];
   const plan = { part: box(-50, 0, 0, 26.5), area: box(-50, 26.5, 0, 40) };
-  test.each([rougher, bar])("sweeps what its mirror image sweeps: $NAME", (tool) => {
+  test.each([rougher, bar])("sweeps the same as its mirror image: $NAME", (tool) => {
     const here = run(tool, at(-20, 35), moves, plan);
     const there = run({ ...tool, TO: other(tool.TO) }, at(-20, -35), moves.map(flipped), {
       ...plan,
@@ -309,7 +309,7 @@ describe("the other side of the axis", () => {
 describe("one cause is one finding", () => {
   const part = { part: box(-50, 0, 0, 25), area: box(-50, 25, 0, 40) };
   const steps = Array.from({ length: 10 }, (_, i) => cut(-5 - i, 24.5, "rough", 1));
-  test("moves that cut the part in one place are one, with the sum and the first step", () => {
+  test("moves that damage the part in one place are one finding, with the sum and the first step", () => {
     const s = run(bar, at(-5, 24.5), steps, part);
     expect(s.findings).toHaveLength(1);
     expect(s.findings[0]).toMatchObject({ kind: "gouge", moves: 10, step: 0 });
@@ -334,7 +334,7 @@ describe("one cause is one finding", () => {
     expect(s.findings[0]?.moves).toBe(12);
     expect(s.findings[0]?.area).toBeLessThan(14 * 3);
   });
-  test("hundreds of places stay few findings, and the sums whole", () => {
+  test("hundreds of places give few findings with complete sums", () => {
     const many = Array.from({ length: 1200 }, (_, i) => [
       rapid(-0.04 * i - 1, 33),
       rapid(-0.04 * i - 1, 30 - 0.01 * (i % 7)),

@@ -19,20 +19,18 @@ import { largest, placeIn } from "./region.ts";
 import type { BehindLimit, Depth, MissingCrest, OperationProof, SimulatedOperation, ThreadWay } from "./simulation.ts";
 import { turned, type Sweep } from "./sweep.ts";
 
-/** Real depths may pass what is allowed by this much before it is told, mm. */
+/** Tolerance above the allowed depth of cut, mm. */
 const TOLD = 0.05;
-/** What lies behind a machining limit by less than this is no news, however long it is, mm (decision 0034). */
+/** Material this little behind a machining limit is not reported, mm (decision 0034). */
 const BEHIND = 0.1;
-/** What is as thick everywhere has room for a circle this many times as wide where it bends at a right angle. */
+/** In a right-angle bend, a layer of even thickness has room for a circle this many times as wide. */
 const BEND = (2 * Math.SQRT2) / (1 + Math.SQRT2);
-/**
- * A run of moves is measured in stretches of at most this many convex pieces: the cost of joining them is their square.
- */
+/** Most convex pieces of a measured stretch: joining them costs their square. */
 const LONG = 100;
 
 type Phase = Move["phase"];
 
-/** Feed moves in a row that do the same work, with the stock as it was before the first of them. */
+/** Consecutive feed moves of the same work, with the stock before the first of them. */
 interface Stretch {
   readonly operation: number;
   readonly phase: Phase;
@@ -45,9 +43,9 @@ interface Stretch {
   pieces: number;
 }
 
-/** A measured depth without its block: blocks shift while a step stays the same. */
+/** A measured depth without its block: editing shifts blocks, but not steps. */
 type Measured = Omit<Depth, "block">;
-/** The same of what was taken behind a limit; `roughing`: roughing took some of it. */
+/** Material cut behind a limit, without its block; `roughing`: roughing cut some of it. */
 type Crossed = Omit<BehindLimit, "block" | "place" | "finishing"> & { readonly roughing: boolean };
 
 interface Sums {
@@ -61,41 +59,38 @@ interface Sums {
   crest?: MissingCrest | null;
 }
 
-/** How far measuring has come before a step. */
+/** The state of the measurement before a step. */
 export interface MeasuredSoFar {
-  /** The operation of that step, what was measured of it, and the moves under way. */
+  /** The operation of that step, its measurements so far, and the unfinished stretch. */
   readonly operation: number | null;
   readonly sums: Sums | null;
   readonly run: Stretch | null;
 }
 
-/** What was measured in an earlier run up to a step that this one goes on from. */
+/** Measurements of an earlier run up to the step at which this one resumes. */
 export interface MeasuredBefore {
   readonly state: MeasuredSoFar;
   readonly step: number;
-  /** Of each operation of that run, at its end. */
+  /** Final measurements of each operation of that run. */
   readonly sums: readonly Sums[];
 }
 
-/** Measures in the stock what each operation does. */
+/** Measures the effect of each operation on the stock. */
 export interface StockMeasure {
-  /** A step and its sweep, before that is taken from the stock. */
+  /** Adds a step and its sweep, before the sweep is subtracted from the stock. */
   add(step: Step, index: number, sweep: Sweep, outlines: Outlines, cut: Cutting): void;
-  /** What is known before a step that belongs to an operation. */
+  /** The state before a step of an operation. */
   state(operation: number | null): MeasuredSoFar;
-  /** The steps give the blocks. */
+  /** The results, with blocks taken from the steps. */
   results(steps: readonly Step[]): OperationProof[];
-  /** What the next run can go on from; after the results. */
+  /** State for the next run; call after `results`. */
   sums(): readonly Sums[];
 }
 
 /** The greatest infeed that a plan allows, mm; 0 when its values set none. */
 const mostOf = ({ plan }: SimulatedOperation) => plan.most;
 
-/**
- * What a smoothing or finishing cut may take, square to its path, mm: the oversize and one infeed; 0 when that is not
- * known.
- */
+/** The greatest cut of smoothing or finishing, square to its path, mm: oversize plus one infeed; 0 when unknown. */
 function mostBeside({ plan }: SimulatedOperation): number {
   const infeed = plan.most > 0 ? plan.most : plan.infeed;
   return plan.oversize && infeed > 0 ? Math.max(plan.oversize.z, plan.oversize.r) + infeed : 0;
@@ -103,7 +98,7 @@ function mostBeside({ plan }: SimulatedOperation): number {
 
 const copyOf = (sums: Sums): Sums => ({ ...sums, passes: new Map(sums.passes) });
 
-/** Begins to measure the operations of a run, or goes on where an earlier run was the same up to a step. */
+/** Starts measuring a run, or resumes where an earlier run was the same up to a step. */
 export function measuring(
   operations: readonly SimulatedOperation[],
   blank: readonly Ring[],
@@ -131,7 +126,7 @@ export function measuring(
     const area = areaOf(taken);
     sum.cut += area;
     const passes = done.phase === "rough" && done.pass !== undefined;
-    // The air cuts of a thread, which come after its passes, are asked for.
+    // The air passes (spring cuts) after the passes of a thread are intended.
     const threads = done.phase === "thread" && done.pass !== undefined && done.pass <= operation.plan.passes;
     if ((passes || threads) && done.pass !== undefined)
       sum.passes.set(done.pass, (sum.passes.get(done.pass) ?? 0) + area);
@@ -178,7 +173,7 @@ export function measuring(
       run.pieces += sweep.pieces.length;
     },
     state(operation) {
-      // A step of another operation ends the moves under way.
+      // A step of another operation ends the stretch.
       if (run?.operation !== operation) close();
       const own = operation === null ? undefined : sums[operation];
       return { operation, sums: own ? copyOf(own) : null, run: run && { ...run, sweeps: [...run.sweeps] } };
@@ -225,10 +220,7 @@ function standsIn(insert: Ring, { z, r }: Pt, cut: Cutting): boolean {
 
 type Where = Pick<Depth, "step" | "pass">;
 
-/**
- * An area put upright, so that what lies along the infeed of a thread lies along the open side: a pass steps along its
- * flank.
- */
+/** An area sheared so that a thread's infeed direction becomes the open side: a pass steps along its flank. */
 function upright(area: readonly Ring[], { openSide, thread }: SimulatedOperation["plan"]): readonly Ring[] {
   if (!thread || thread.slope === 0) return area;
   const { z, r } = thread.out;
@@ -239,7 +231,7 @@ function upright(area: readonly Ring[], { openSide, thread }: SimulatedOperation
   return area.map((ring) => ring.map(across));
 }
 
-/** The deeper of a depth and that of an area just taken, measured in the direction of infeed. */
+/** The deeper of a depth and that of the area just cut, measured in the infeed direction. */
 function deeper(
   known: Measured | null,
   taken: readonly Ring[],
@@ -255,8 +247,8 @@ function deeper(
 }
 
 /**
- * The thicker of a cut beside the contour and one just taken, when that is more than allowed, and in a bend so many
- * times.
+ * The thicker of a finishing cut and the one just made, where it exceeds the allowed thickness; bends may exceed it by
+ * BEND.
  */
 function thicker(
   known: Measured | null,
@@ -267,13 +259,13 @@ function thicker(
 ): Measured | null {
   if (allowed === 0) return known;
   const told = Math.max(allowed * bend + TOLD, known?.depth ?? 0);
-  // The steps of a thousand passes in a wall take long to shrink, and are thinner than anything that is told.
+  // Simplified first: the steps of a thousand passes in a wall take long to shrink, and are below the tolerance.
   const plain = simplified(taken, SLIVER);
   if (!hasRoomFor(plain, told) || offset(plain, -told / 2).length === 0) return known;
   return { depth: thicknessOf(plain), allowed, ...where };
 }
 
-/** What lies behind a limit, as a box. */
+/** The side behind a limit as a box. */
 const behindOf = ({ axis, value, behind }: MachiningLimit): Box => {
   const box = { left: -Infinity, right: Infinity, low: -Infinity, high: Infinity };
   if (axis === "z") return behind > 0 ? { ...box, left: value } : { ...box, right: value };
@@ -287,7 +279,7 @@ function behindBy(ring: Ring, { axis, value, behind }: MachiningLimit): number {
   return behind > 0 ? most - value : value - least;
 }
 
-/** What is known of the limits that were crossed, and what a run of moves took behind one of them. */
+/** The crossed limits so far, with the material that a run of moves cut behind one of them. */
 function crossing(
   known: readonly Crossed[],
   limit: MachiningLimit,
@@ -315,5 +307,5 @@ function crossing(
   return [...known.filter((c) => c !== before), crossed];
 }
 
-/** Whether a measured depth is more than a script or an operator has to bear. */
+/** Whether a measured depth exceeds the allowed one beyond tolerance. */
 export const isTooDeep = ({ depth, allowed }: Depth): boolean => allowed > 0 && depth > allowed + TOLD;

@@ -11,14 +11,14 @@ import { plainRun } from "./plain-cut.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
 
-/** The tip of a tool, as a spot of this size, mm: the insert behind it may stand where a piece was. */
+/** The tool tip as a small square, mm: the insert behind it may cover the place of a gone piece. */
 const SPOT: Ring = [at(-0.02, -0.02), at(0.02, -0.02), at(0.02, 0.02), at(-0.02, 0.02)];
-/** What a cut has left lies against its sweep this near, mm. */
+/** Distance at which the remaining stock touches a sweep, mm. */
 const AGAINST = 0.02;
 
 /**
- * Whether a feed move works on what has come off: its tip runs there, and so does the area of its operation. A run of
- * plain cuts does when none of it cuts what is still held: a tool may come and go where a piece was.
+ * Whether a feed move cuts loose material: its tip runs inside it, and the area of its operation covers it. A run of
+ * plain cuts does when none of it cuts the held part: a tool may pass where a piece was.
  */
 export function worksOn(
   loose: Loose,
@@ -37,7 +37,7 @@ export function worksOn(
   const step = steps[index] as Step;
   if (real(intersection(loose.inside, sweptBy(SPOT, step).rings)).length === 0) return false;
   const operation = operations[step.operation ?? -1];
-  // A tool that is fed to a bar which does not turn stops it, and cuts nothing.
+  // A bar stop: the tool feeds against a stopped bar and cuts nothing.
   if (!operation && step.idle?.how === "stopped") return false;
   if (operation) return real(intersection(loose.inside, [operation.plan.area])).length > 0;
   const [first, last] = plainRun(steps, index);

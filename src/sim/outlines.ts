@@ -4,16 +4,16 @@ import type { Ring } from "../kernel/geometry/point.ts";
 import { CHORD } from "../kernel/tolerance.ts";
 import type { Tool } from "../kernel/plan/tool.ts";
 
-/** What a tool is for the simulation: convex polygons relative to the theoretical tip. */
+/** The shape of a tool: convex polygons relative to the theoretical tip. */
 export interface Outlines {
   readonly insert: Ring;
-  /** What is checked for contact: the insert, or its nose alone while its flanks are unknown. */
+  /** The part checked for contact: the insert, or only its nose where the flanks are unknown. */
   readonly checked: Ring;
   /** The parts of the holder; none when the tool has none. */
   readonly holder: readonly Ring[];
 }
 
-/** A memory of outlines for one run, so that each tool is flattened once. */
+/** Caches the outlines of a run, so that each tool is flattened once. */
 export function outlinesOf(): (tool: Tool) => Outlines {
   const known = new Map<Tool, Outlines>();
   return (tool) => {

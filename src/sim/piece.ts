@@ -3,10 +3,10 @@ import { GRID } from "../kernel/tolerance.ts";
 import { boxOf } from "../kernel/area/box.ts";
 import type { Box } from "../kernel/geometry/segments.ts";
 
-/** A convex piece that goes less deep than this into an area only touches it: two steps of the polygon grid. */
+/** A convex piece that overlaps an area by less only touches it: two steps of the polygon grid. */
 const GLANCE = 2 * GRID;
 
-/** A convex ring (counter-clockwise) with its box and its sides, ready to be asked many times. */
+/** A convex ring (counter-clockwise) with its box and sides, prepared for many queries. */
 export interface ConvexPiece {
   readonly ring: Ring;
   readonly box: Box;

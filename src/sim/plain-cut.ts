@@ -14,19 +14,13 @@ import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweptBy, turned } from "./sweep.ts";
 
-/*
- * Feed moves outside cycles cut what the program wants cut: whether one that goes below the contour of a cycle may be
- * meant is told here.
- */
+/* Feed moves outside cycles may cut below the contour of a cycle on purpose. This module decides which of them do. */
 
-/**
- * A region lies against a surface where they are this near, mm; both carry chord errors, and the finished part is
- * shrunk.
- */
+/** Distance at which a region touches a surface, mm: both carry chord errors, and the finished part is shrunk. */
 const AGAINST = 0.02;
-/** Moves that are looked at for an end of the part: it is cut in few. */
+/** Most moves that make an end of the part. */
 const FEW = 40;
-/** Less of a surface than this is the corner at which it ends, mm. */
+/** Shorter contact with a surface is only its end corner, mm. */
 const LEAST_SURFACE = 0.1;
 
 /** The contour of an operation as a line. */
@@ -37,7 +31,7 @@ export interface Surface {
   readonly isInside: boolean;
 }
 
-/** The surfaces that operations make; `first` is the index of the first of them in the run. */
+/** The contour surfaces of operations; `first`: index of the first operation in the run. */
 export const contourSurfaces = (operations: readonly SimulatedOperation[], first: number): Surface[] =>
   operations.flatMap(({ plan }, i) =>
     plan.contour.length === 0 || plan.moves.length === 0
@@ -49,10 +43,7 @@ export const contourSurfaces = (operations: readonly SimulatedOperation[], first
 export const isPlainCut = (step: Step | undefined): step is Step =>
   step !== undefined && step.operation === null && step.move.kind !== "rapid";
 
-/**
- * Where the run of plain cuts begins and ends that a step belongs to, both included: a rapid, a cycle or another tool
- * ends it.
- */
+/** First and last step of the run of plain cuts around a step: a rapid, a cycle or another tool ends it. */
 export function plainRun(steps: readonly Step[], index: number): readonly [first: number, last: number] {
   const belongs = (i: number) => isPlainCut(steps[i]) && steps[i]?.tool === steps[index]?.tool;
   let [first, last] = [index, index];
@@ -61,7 +52,7 @@ export function plainRun(steps: readonly Step[], index: number): readonly [first
   return [first, last];
 }
 
-/** The first of the steps outside cycles that the same tool makes up to a step. */
+/** The first step of the same tool outside cycles, back from a step. */
 export function plainSince(steps: readonly Step[], index: number): number {
   let first = index;
   while (steps[first - 1]?.operation === null && steps[first - 1]?.tool === steps[index]?.tool) first -= 1;
@@ -70,10 +61,10 @@ export function plainSince(steps: readonly Step[], index: number): number {
 
 /** A boring bar points away from the axis. */
 const bores = (tool: Tool): boolean => tipDirection(tool.TO).v > 0;
-/** Tools that make a shape by themselves. */
+/** Tools whose own shape makes the contour. */
 const makesShape = (tool: Tool): boolean => isBar(tool) || tool.TYPE === "THREAD" || bores(tool);
 
-/** What a cut takes, and which faces are none of a surface for it. */
+/** The area of a plain cut with its tool and stock. */
 interface Taking {
   readonly area: readonly Ring[];
   readonly tool: Tool;
@@ -81,8 +72,8 @@ interface Taking {
 }
 
 /**
- * From which Z on faces are not looked at: a face ends where a bore begins, so that boring takes nothing of any, and
- * the one in front ends where the outside is turned.
+ * The Z from which faces are ignored: boring cuts only where a face ends, and the front face ends where the outside is
+ * turned.
  */
 function facesEndAt({ area, tool, stock }: Taking): number {
   if (bores(tool)) return -Infinity;
@@ -91,7 +82,7 @@ function facesEndAt({ area, tool, stock }: Taking): number {
   return own.high >= outside - AGAINST ? boxAround(stock).right - AGAINST : Infinity;
 }
 
-/** How much of a surface lies against an area, mm; faces from a Z on are left out. */
+/** Contact length of a surface with an area, mm, without faces from a Z on. */
 function lengthAgainst({ line, isInside: inBore }: Surface, wide: readonly Ring[], faces: number): number {
   const box = boxAround(wide);
   const holds = (p: Pt) =>
@@ -117,7 +108,7 @@ function lengthAgainst({ line, isInside: inBore }: Surface, wide: readonly Ring[
   return length;
 }
 
-/** The surfaces that a cut takes away. */
+/** The surfaces that a cut removes. */
 export function surfacesIn(taking: Taking, surfaces: readonly Surface[]): Surface[] {
   const wide = offset(taking.area, AGAINST),
     faces = facesEndAt(taking);
@@ -128,7 +119,7 @@ const crossProduct = (o: Pt, a: Pt, b: Pt) => (a.z - o.z) * (b.r - o.r) - (a.r -
 const crosses = (a: Pt, b: Pt, c: Pt, d: Pt): boolean =>
   crossProduct(a, b, c) * crossProduct(a, b, d) < 0 && crossProduct(c, d, a) * crossProduct(c, d, b) < 0;
 
-/** Whether the insert goes through a surface from one side to the other: one that runs along below it does not. */
+/** Whether the insert crosses a surface; running along below it does not count. */
 function goesThrough({ line }: Surface, step: Step, insert: Ring): boolean {
   const ways = [at(0, 0), ...insert].map(
     (p) => [at(step.from.z + p.z, step.from.r + p.r), at(step.move.to.z + p.z, step.move.to.r + p.r)] as const,
@@ -136,7 +127,7 @@ function goesThrough({ line }: Surface, step: Step, insert: Ring): boolean {
   return line.slice(1).some((q, i) => ways.some(([a, b]) => crosses(a, b, line[i] as Pt, q)));
 }
 
-/** What a plain cut is held against beside the stock. */
+/** What a plain cut is checked against, besides the stock. */
 export interface Beside {
   readonly steps: readonly Step[];
   readonly surfaces: readonly Surface[];
@@ -144,18 +135,18 @@ export interface Beside {
   readonly outlines: (tool: Tool) => Outlines;
 }
 
-/** What a plain cut below the contour of an operation is; "meant" is no fault, unless what follows it changes. */
+/** The verdict on a plain cut below a contour. "meant" is no fault, unless later moves change it. */
 export interface PlainCut {
   readonly kind: "gouge" | "cutBelowContour" | "meant";
-  /** The operation whose contour is taken first. */
+  /** The first operation whose contour is cut. */
   readonly below: number;
 }
 
 /**
- * Judges a plain cut that takes `area` of the finished part in a stock. Inside the part, where no contour of a cycle is
- * taken away, it makes a surface of its own. An end of the part or a broken edge is meant, as is what the program says
- * to be. It goes through a finished surface by mistake when it makes none of the shapes that are cut on purpose:
- * compensated, with a tool that does not rough, or from outside the stock to outside of it.
+ * Judges a plain cut that removes `area` of the finished part. Inside the part, where it removes no contour of a cycle,
+ * it makes a surface of its own. An end of the part, a broken edge and a stated intention are meant. It crosses a
+ * finished surface by mistake when it makes none of the shapes that are cut on purpose: compensated, with a tool that
+ * does not rough, or from outside the stock to outside of it.
  */
 export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting, beside: Beside): PlainCut | null {
   const { steps, surfaces, outlines } = beside;
@@ -178,8 +169,8 @@ export function judgePlainCut(index: number, area: readonly Ring[], cut: Cutting
 }
 
 /**
- * Whether a cut makes an end of the part: what its tool cuts there before anything else leaves nothing in front of it
- * that is still held. A part is faced so, and parted off, which may take a groove and a chamfer before.
+ * Whether a cut makes an end of the part: after the cuts of its tool there, up to the next operation or tool, no held
+ * material is left in front. This is facing or parting, which may cut a groove and a chamfer first.
  */
 function makesEnd(
   index: number,
@@ -206,13 +197,10 @@ function makesEnd(
   return areaOf(real(inBox(held, front))) < REAL_AREA;
 }
 
-/**
- * A chamfer or a rounding is at most so many times as long as it is wide, and an edge turns by more than this, as a
- * sine.
- */
+/** Greatest length-to-width ratio of a chamfer or rounding, and the least turn of an edge, as a sine. */
 const [SLIM, EDGE] = [4, 0.25];
 
-/** Whether a cut takes an outer edge of the stock away, as a chamfer does. */
+/** Whether a cut removes an outer edge of the stock, as a chamfer does. */
 function breaksEdge(area: readonly Ring[], stock: readonly Ring[]): boolean {
   const wide = offset(area, AGAINST),
     { left, right, low, high } = boxAround(area);

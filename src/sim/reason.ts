@@ -8,9 +8,9 @@ import type { Outlines } from "./outlines.ts";
 import type { SimulatedOperation } from "./simulation.ts";
 import { sweepAlong } from "./sweep.ts";
 
-/** A region and a swept piece whose outlines are this near lie against each other, mm; regions are rounded by less. */
+/** Distance at which a region touches a swept piece, mm; regions are rounded by less. */
 const AGAINST = 0.02;
-/** Points looked at on the outline of a region. */
+/** Sample points on the outline of a region. */
 const SAMPLES = 200;
 
 interface Sample {
@@ -19,7 +19,7 @@ interface Sample {
   readonly weight: number;
 }
 
-/** Points spread evenly over an outline, each with the length it stands for. */
+/** Points spread evenly over an outline, each weighted with its share of the length. */
 function samplesOf(ring: Ring): Sample[] {
   const out: Sample[] = [];
   const edge = (a: Pt, b: Pt) => hypotenuse(b.z - a.z, b.r - a.r);
@@ -51,18 +51,19 @@ function against(piece: Ring, box: Box, s: Sample): boolean {
   return worst >= -AGAINST;
 }
 
-/** Without any reach there is nothing to lie against: what the plan complains of, else the edge that leads. */
+/** The reason where an operation has no reach: the limit that the plan reports, else the secondary edge. */
 function withoutReach(operation: SimulatedOperation): Reason {
   if (isBar(operation.tool)) return "toolWidth";
   return operation.plan.issues.some((i) => i.code === "limitOnWrongSide") ? "limit" : "secondaryEdge";
 }
 
-/** Longest corner that a nose leaves, in nose radii: between elements that meet at 45 degrees it leaves 2.4. */
+/** Longest corner left by a nose, in nose radii: between elements at 45 degrees it is 2.4. */
 const NOSE_CORNER = 3;
 
 /**
- * A nose leaves a corner of its own size, in a square one a square of its radius. What is larger a wide bar leaves by
- * its width; another insert by the edge that acts nearest to it, or that keeps it from the angle of an element.
+ * The reason for residual material between contour elements. Up to the size of a nose corner it is the nose radius.
+ * Larger residue is due to the width of a grooving tool, or to the edge that acts nearest to it or cannot follow an
+ * element's angle.
  */
 function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason | null): Reason {
   const bar = isBar(operation.tool);
@@ -74,9 +75,9 @@ function betweenContours(box: Box, operation: SimulatedOperation, acting: Reason
 }
 
 /**
- * Why a region stays that the deepest path of an operation can not take. The stretches of that path against which the
- * region lies decide, the longest first; where all of them lie on the contour, it is what the insert leaves between
- * two, and where it lies against none of them, the nearest.
+ * The reason why the deepest path of an operation leaves a region. The longest contact with limited stretches of that
+ * path decides. Where all contact is with the contour, the insert leaves it between two elements; without contact the
+ * nearest stretch decides.
  */
 export function reasonFor(ring: Ring, operation: SimulatedOperation, outlines: Outlines): Reason {
   const reach = operation.plan.reach;

@@ -19,16 +19,16 @@ export const LEAST_RESIDUAL = 0.01;
 
 const ORIGIN = at(0, 0);
 
-/** What is known of shapes: the outlines of tools, and how thick an area is. */
+/** Cached shapes: the outlines of tools, and the thickness of areas. */
 export interface KnownShapes {
   readonly outlines: (tool: Tool) => Outlines;
   readonly thickness: (area: readonly Ring[]) => number;
 }
 
-/** Which path of a plan is meant, and with which insert. */
+/** Selects a path of a plan. */
 type PathOf = (plan: Plan) => readonly Reach[];
 
-/** What is left of an area when each operation has gone along a path of its plan, with everything above that path. */
+/** The area left when each operation has run along a path of its plan and cleared everything above it. */
 function leftBy(
   area: readonly Ring[],
   operations: readonly SimulatedOperation[],
@@ -45,7 +45,7 @@ function leftBy(
   return [...cut.stock()];
 }
 
-/** What an insert clears along a path: the path itself and everything on its open side. */
+/** The area cleared by an insert along a path: its sweep and everything on its open side. */
 function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring): Generator<Sweep> {
   if (insert.length < 3 || area.length < 3) return;
   const box = boxOf(area);
@@ -54,10 +54,7 @@ function* coverOf({ area, openSide }: Plan, path: readonly Reach[], insert: Ring
   for (const stretch of path) yield coveredOn(cover, stretch.path);
 }
 
-/**
- * What stays of a region when a tool goes along the deepest path of a plan made for it, mm²: how one tool compares to
- * another.
- */
+/** Residual area of a region after a tool runs the deepest path of a plan made for it, mm²: compares tools. */
 export function staysAfter(region: Ring, plan: Plan, tool: Tool): number {
   const { insert } = outlinesOf()(plan.tool ?? tool);
   const cut = cutting([region]);
@@ -65,7 +62,7 @@ export function staysAfter(region: Ring, plan: Plan, tool: Tool): number {
   return areaOf(opened(cut.stock(), SLIVER));
 }
 
-/** A tool as it stands without FUNCTION TURNDATA CORR; the same object each time, so that its outline is made once. */
+/** A tool without FUNCTION TURNDATA CORR; the same object each time, so that its outline is computed once. */
 const bareTools = new WeakMap<Tool, Tool>();
 function uncorrected(tool: Tool): Tool {
   if (!tool.correction) return tool;
@@ -79,7 +76,7 @@ function uncorrected(tool: Tool): Tool {
 /** The tool as the cycle adapts it. */
 const toolOf = (operation: SimulatedOperation): Tool => operation.plan.tool ?? operation.tool;
 
-/** The last operation whose area holds a region; the last of all when it lies between areas. */
+/** The last operation whose area contains a region; the last operation where none does. */
 function ownerOf(region: Region, operations: readonly SimulatedOperation[]): number {
   const place = placeIn(region.outline);
   const index = operations.findLastIndex((o) => isInside(o.plan.area, place));
@@ -87,21 +84,18 @@ function ownerOf(region: Region, operations: readonly SimulatedOperation[]): num
 }
 
 /**
- * Material inside the areas of the operations that is still there at the end, thin slivers apart. What the deepest path
- * of a tool would take is oversize, or steps between passes where it stands out over the oversize. The rest the
- * correction of a tool leaves, or a machining limit, or it is explained by the stretch of the path that keeps the
- * insert away.
+ * Residual material inside the operations' areas at the end, without slivers. Material that the deepest path of a tool
+ * would clear is oversize, or, above the oversize, steps between passes. The rest is due to tool compensation, to a
+ * machining limit, or to the part of the path that keeps the insert away.
  */
 export function residualOf(final: readonly Ring[], all: readonly SimulatedOperation[], known: KnownShapes): Residual[] {
-  // An operation without a path has said why; that its whole area stays is no second finding.
+  // An operation without a path has already reported why; its residue would be a second finding.
   const operations = all.map((o) => (o.plan.moves.length > 0 ? o : { ...o, plan: { ...o.plan, area: [] } }));
   const area = machiningArea(operations);
   return [...withinAreas(final, area, operations, known), ...overThreads(final, area, operations, known)];
 }
 
-/**
- * What stands over the crest of a thread and is in the area of no operation: each thread leaves it between its grooves.
- */
+/** Material above the crest of a thread in no operation's area: each thread leaves it between its grooves. */
 const overThreads = (
   final: readonly Ring[],
   area: readonly Ring[],
@@ -126,7 +120,7 @@ const residualAt = (region: Region, operation: number, reason: Reason, { thickne
   operation,
 });
 
-/** What is still there in the areas of the operations. */
+/** Residual material in the areas of the operations. */
 function withinAreas(
   final: readonly Ring[],
   whole: readonly Ring[],

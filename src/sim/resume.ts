@@ -17,45 +17,42 @@ import type { Checkpoint, SimulatedOperation, SimulationInput, AnyFinding } from
 import { sweptBy, waypoints } from "./sweep.ts";
 
 /*
- * A changed run goes on from where it was the same: what stood there, what was found and measured until then is that of
- * the run before.
+ * A changed run resumes where it still equals the previous one: stock, findings and measurements up to there are
+ * reused.
  */
 
-/** How far a simulation has come before a step. */
+/** The state of a simulation before a step. */
 export interface Snapshot {
   readonly step: number;
   readonly cut: Cutting;
-  /** The step at which cutting began anew, and how many marks there are. */
+  /** The step at which the stock was last recomputed, and the number of marks. */
   readonly marked: number;
   readonly marks: number;
   readonly byRapids: number;
   readonly measure: MeasuredSoFar;
 }
 
-/** What is kept of a simulation for the one that follows. */
+/** The state of a simulation that the next one can reuse. */
 export interface Former {
   readonly input: SimulationInput;
   readonly snapshots: readonly Snapshot[];
   readonly marks: readonly Checkpoint[];
-  /** What each step did wrong, by its index. */
+  /** Damage by step index. */
   readonly damage: ReadonlyMap<number, readonly AnyFinding[]>;
   readonly sums: ReturnType<StockMeasure["sums"]>;
-  /** The finished part at the beginning. */
+  /** The finished part of the first set-up. */
   readonly finished: Finished;
-  /** What came off. */
+  /** Pieces that came off. */
   readonly parted: readonly Parted[];
 }
 
-/**
- * Where a simulation goes on, and the steps before that have to be looked at again, because the finished part is
- * another one there.
- */
+/** The snapshot to resume from, and earlier steps to check again because the finished part differs there. */
 export interface Resumed {
   readonly from: Snapshot;
   readonly recheck: readonly number[];
 }
 
-/** What the measure of an operation reads of its plan. */
+/** Whether two plans agree in everything that measuring uses. */
 const sameMeasure = ({ plan: a }: SimulatedOperation, { plan: b }: SimulatedOperation): boolean =>
   a.isParallel === b.isParallel &&
   a.most === b.most &&
@@ -72,7 +69,7 @@ const sameLimits = (a: readonly MachiningLimit[], b: readonly MachiningLimit[]):
   a.length === b.length &&
   a.every((l, i) => l.at === b[i]?.at && l.axis === b[i].axis && l.value === b[i].value && l.behind === b[i].behind);
 
-/** The number of steps that two runs have in common at their beginning; a blank that is stated later ends it. */
+/** The number of leading steps that two runs have in common; a blank stated later ends them. */
 function commonSteps(a: SimulationInput, b: SimulationInput): number {
   const same = sameSteps();
   const most = Math.min(
@@ -90,12 +87,12 @@ function commonSteps(a: SimulationInput, b: SimulationInput): number {
   return count;
 }
 
-/** The box of what an outline sweeps in a step; null where it has none. */
+/** The bounding box of an outline's sweep in a step; null without an outline. */
 export function sweptBox(outline: Ring, step: Step): Box | null {
   if (outline.length < 3) return null;
   const [own, way] = [boxOf(outline), boxOf(waypoints(step, 1))];
   const [low, high] = [own.low + way.low, own.high + way.high];
-  // What lies across the axis turns round to this side.
+  // Parts beyond the axis are mirrored to this side.
   return {
     left: own.left + way.left,
     right: own.right + way.right,
@@ -108,7 +105,10 @@ export function sweptBox(outline: Ring, step: Step): Box | null {
 export const apart = (a: Box, b: Box): boolean =>
   a.right < b.left || b.right < a.left || a.high < b.low || b.high < a.low;
 
-/** The steps before one that sweep where two finished parts differ, and those that have cut into the one before. */
+/**
+ * Steps before a limit to check again: those that sweep where the two finished parts differ, and those that cut into
+ * the previous finished part.
+ */
 function touching(
   former: Former,
   input: SimulationInput,
@@ -119,7 +119,7 @@ function touching(
   const lines = (of: readonly Surface[]) => of.map(({ line }) => line);
   const isSame = sameRings(former.finished.rings, finished);
   const sameSurfaces = sameRings(lines(former.finished.surfaces), lines(surfaces));
-  // What is meant with a plain cut shows in what its tool does next, which may be something else now.
+  // Whether a plain cut is meant depends on the tool's next moves, which may have changed.
   const open = input.steps[until - 1]?.operation === null ? plainSince(input.steps, until - 1) : until;
   const judged = (i: number) =>
     former.damage.get(i)?.some(({ kind }) => kind === "gouge" || kind === "cutBelowContour") === true;
@@ -143,17 +143,14 @@ function touching(
   });
 }
 
-/** Whether what holds the work is stated. */
+/** Whether a clamping is stated. */
 export const hasClamping = ({ clamping }: SimulationInput): boolean => clamping !== null && clamping !== undefined;
 
-/** Whether two runs begin with the same blank, held in the same places. */
+/** Whether two runs start with the same blank and the same grip. */
 const sameBlank = (a: SimulationInput, b: SimulationInput): boolean =>
   sameRings(a.blank, b.blank) && sameHold(a.clamping?.clamping ?? null, b.clamping?.clamping ?? null);
 
-/**
- * Of some runs the one that has most in common with another at its beginning, where something of that was kept; the
- * first of them.
- */
+/** The first known run with the most leading steps in common with a new one. */
 export function nearestRun(known: readonly Former[], input: SimulationInput): Former | null {
   const [first, ...others] = known;
   if (!first || others.length === 0) return first ?? null;
@@ -161,7 +158,7 @@ export function nearestRun(known: readonly Former[], input: SimulationInput): Fo
   return known[common.indexOf(Math.max(...common))] ?? null;
 }
 
-/** Where a run goes on from the one before it; null where they have nothing in common that was kept. */
+/** Where a run can resume from a previous one; null without a common snapshot. */
 export function resumed(
   former: Former,
   input: SimulationInput,
@@ -170,7 +167,7 @@ export function resumed(
 ): Resumed | null {
   if (!sameBlank(former.input, input)) return null;
   const common = commonSteps(former.input, input);
-  // A step of another operation has ended what was measured before it.
+  // A step of another operation has closed the measurement before it.
   const from = former.snapshots.findLast(
     ({ step, measure }) =>
       step < common || (step === common && (input.steps[step]?.operation ?? null) === measure.operation),
@@ -178,13 +175,13 @@ export function resumed(
   return from ? { from, recheck: touching(former, input, finished, from.step, outlines) } : null;
 }
 
-/** Steps between two snapshots at least, and snapshots that are kept about. */
+/** Least steps between two snapshots, and about the most snapshots. */
 const LEAST_STEPS = 8;
 const MOST_SNAPSHOTS = 200;
 
 /**
- * Before which steps of a run a snapshot is kept, beside the one at its end: where operations begin, and at even
- * distances.
+ * Selects the steps before which a snapshot is stored, besides the one at the end: starts of operations, and even
+ * intervals.
  */
 export function snapshotSteps({ steps, operations }: SimulationInput): (step: number) => boolean {
   const every = Math.max(LEAST_STEPS, Math.ceil(steps.length / MOST_SNAPSHOTS));

@@ -14,7 +14,7 @@ export const sameRings = (a: readonly Ring[], b: readonly Ring[]): boolean =>
       return ring.length === other.length && ring.every((p, k) => samePoint(p, other[k] as Pt));
     }));
 
-/** Whether two moves do the same to a stock: with which feed is of no account. */
+/** Whether two moves cut the same; the feed does not matter. */
 function sameMove(a: Move, b: Move): boolean {
   if (a.kind !== b.kind || a.phase !== b.phase || a.pass !== b.pass || !samePoint(a.to, b.to)) return false;
   if (a.kind === "arc" && b.kind === "arc") return a.turn === b.turn && samePoint(a.centre, b.centre);
@@ -23,7 +23,7 @@ function sameMove(a: Move, b: Move): boolean {
   return true;
 }
 
-/** Compares steps by what they do to a stock, of tools by their values; each tool is looked at once. */
+/** Compares steps by their effect on the stock. Tools are compared by value, each pair once. */
 export function sameSteps(): (a: Step, b: Step) => boolean {
   const written = new WeakMap<Tool, string>();
   const writing = (tool: Tool): string => {

@@ -1,11 +1,11 @@
 import type { Pt, Ring } from "../kernel/geometry/point.ts";
 
-/** Which axis the lines run along on which an area is looked at. */
+/** The axis that scan lines run along. */
 export type Along = "z" | "r";
 
 /**
- * Where straight lines along an axis cross the outlines of an area: for each line, by its place across that axis, the
- * places along it in rising order, in and out in turn. The places of the lines must rise.
+ * Crossings of lines along an axis with the outlines of an area: for each line, ascending places along it, entering and
+ * leaving in turn. `lines`: their ascending places across the axis.
  */
 export function scanCrossings(area: readonly Ring[], along: Along, lines: readonly number[]): number[][] {
   const across = along === "z" ? "r" : "z";

@@ -6,8 +6,8 @@ import { contourSurfaces } from "./plain-cut.ts";
 import type { Residual, SimulatedOperation } from "./simulation.ts";
 
 /**
- * Each set-up of the work. Where another blank is stated, the stock so far is judged by the operations so far, and the
- * contours of the previous set-up no longer count.
+ * The set-ups of a run. Where another blank is stated, residual material so far is computed, and contours of the
+ * previous set-up no longer count.
  */
 export function setupsOf(
   operations: readonly SimulatedOperation[],
@@ -31,7 +31,7 @@ export function setupsOf(
     atFirst,
     begunBefore,
     finished: () => finished,
-    /** Pieces that are parted off take with them what the operations so far have left on them. */
+    /** Records the residual material on pieces that are parted off. */
     partOff(pieces: readonly Ring[], step: number): void {
       left.push(...until(pieces, begunBefore(step)));
     },

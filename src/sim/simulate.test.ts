@@ -105,7 +105,7 @@ describe("removed areas follow the formulas", () => {
     const s = run(button, at(-37, 27), [arc]);
     expect(blankArea - areaOf(s.final)).toBeCloseTo((Math.PI / 4) * (15 ** 2 - 9 ** 2) + (Math.PI * 9) / 2, 1);
   });
-  test("parting leaves the piece that is held, and names the one that is not", () => {
+  test("parting leaves the held piece and reports the other", () => {
     const { final, proof } = run(bar, at(-20, 32), [cut(-20, -1)]);
     expect(final).toHaveLength(1);
     expect(proof.loose).toMatchObject([{ shape: "piece", isPartedOff: true, block: 10 }]);
@@ -113,7 +113,7 @@ describe("removed areas follow the formulas", () => {
 });
 
 describe("rapid moves", () => {
-  test("gliding back over a surface just cut is no contact", () => {
+  test("returning along a surface just cut is no contact", () => {
     const s = run(rougher, at(2, 27), [cut(-30, 27), rapid(2, 27), rapid(-30, 27), cut(-30, 40), rapid(2, 40)]);
     expect(s.findings).toEqual([]);
     expect(s.proof.rapidInStock).toBe(0);
@@ -131,7 +131,7 @@ describe("rapid moves", () => {
     expect(place.z).toBeCloseTo(-20, 1);
     expect(place.r).toBeCloseTo(29, 0);
   });
-  test("what the batch before has just taken away is not there any more", () => {
+  test("material removed by the previous batch is gone", () => {
     const s = run(bar, at(-20, 32), [cut(-20, 25), cut(-20, 32), rapid(-20, 25), rapid(-20, 32)]);
     expect(s.findings).toEqual([]);
   });
@@ -143,7 +143,7 @@ describe("gouge", () => {
     area: box(-50, 25, 2, 32),
     reach: [{ path: line(at(2, 25), at(-50, 25)), reason: null }],
   };
-  test("cutting along the contour is none", () => {
+  test("cutting along the contour is no damage", () => {
     expect(run(rougher, at(2, 25), [cut(-50, 25)], plan).proof.gouge).toBe(0);
   });
   test("half a millimetre too deep is found by its area, and only by the move that cut it", () => {
@@ -211,7 +211,7 @@ describe("holder", () => {
   });
 });
 
-describe("what stays", () => {
+describe("residual material", () => {
   const shoulder = (reason: null | "secondaryEdge") => ({
     part: [at(-50, 0), at(0, 0), at(0, 20), at(-30, 20), at(-30, 30), at(-50, 30)],
     area: box(-30, 20, 2, 32),
@@ -222,23 +222,23 @@ describe("what stays", () => {
   });
   const finish = [cut(2, 20), cut(-30, 20), cut(-30, 32)];
   const rough = [cut(2, 26), cut(-30, 26), cut(-30, 33), rapid(2, 33), rapid(2, 20), cut(-30, 20), cut(-30, 33)];
-  test("a sharp inner corner keeps what the nose leaves", () => {
+  test("a sharp inner corner keeps the residue of the nose radius", () => {
     const s = run(rougher, at(2, 35), rough, shoulder(null));
     expect(s.proof.gouge).toBe(0);
     expect(s.proof.residual.map((r) => r.reason)).toEqual(["insertRadius"]);
     expect(s.proof.residual[0]!.area).toBeCloseTo((1 - Math.PI / 4) * 0.64, 1);
   });
-  test("a stretch with a reason gives it", () => {
+  test("a stretch with a reason passes it on", () => {
     expect(run(rougher, at(2, 35), rough, shoulder("secondaryEdge")).proof.residual.map((r) => r.reason)).toEqual([
       "secondaryEdge",
     ]);
   });
-  test("what no move has taken is oversize, beside what can not be taken", () => {
+  test("uncut material is oversize, apart from material that cannot be cut", () => {
     const s = run(rougher, at(2, 35), [cut(2, 26), cut(-30, 26), cut(-30, 33)], shoulder(null));
     expect(s.proof.residual.map((r) => r.reason)).toEqual(["insertRadius", "oversize"]);
     expect(s.proof.residual[1]!.area).toBeCloseTo(30 * 6, 0);
   });
-  test("nothing stays of a plain cylinder", () => {
+  test("a plain cylinder leaves no residual material", () => {
     const plan = {
       part: box(-50, 0, 0, 25),
       area: box(-50, 25, 2, 32),
@@ -246,7 +246,7 @@ describe("what stays", () => {
     };
     expect(run(rougher, at(2, 25), [cut(-55, 25), cut(-55, 33)], plan).proof.residual).toEqual([]);
   });
-  test("in a bore, what the path cannot take has its own reason however far the bore is open across the axis", () => {
+  test("in a bore, residue keeps its own reason although the bore is open across the axis", () => {
     const plan = {
       part: box(-50, 20, 0, 30),
       area: box(-30, 0, -20, 20),

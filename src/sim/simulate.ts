@@ -34,7 +34,7 @@ import { sweptBy, type Sweep } from "./sweep.ts";
 
 /** Moves from one checkpoint to the next. */
 export const CHECKPOINT_STEPS = 50;
-/** Convex pieces after which a checkpoint comes sooner: long arcs have many. */
+/** Convex pieces that trigger an earlier checkpoint: long arcs have many. */
 export const CHECKPOINT_PIECES = 400;
 
 function startTimesOf(steps: readonly Step[]): Float64Array {
@@ -48,7 +48,7 @@ function startTimesOf(steps: readonly Step[]): Float64Array {
 const total = (findings: readonly StockFinding[], kind: StockFinding["kind"]) =>
   findings.reduce((sum, f) => (f.kind === kind ? sum + f.area : sum), 0);
 
-/** Cutting that begins anew now and then, always after the same steps. */
+/** Cutting that recomputes its stock periodically, always after the same steps. */
 function walk(from: Cutting, marked: number) {
   let [cut, begun] = [from, marked];
   const begin = (step: number, stock: readonly Ring[]): Cutting => {
@@ -57,7 +57,7 @@ function walk(from: Cutting, marked: number) {
   };
   return {
     begin,
-    /** What is cut by a step; `marks` is told when cutting begins anew there. */
+    /** The stock before a step; calls `mark` when it is recomputed there. */
     before(step: number, mark?: (stock: readonly Ring[]) => void): Cutting {
       if (step - begun < CHECKPOINT_STEPS && cut.pieces < CHECKPOINT_PIECES) return cut;
       begin(step, cut.stock());
@@ -68,7 +68,7 @@ function walk(from: Cutting, marked: number) {
   };
 }
 
-/** The damage of the steps before the one that a run goes on from; steps that have to be looked at again are. */
+/** The damage of the steps before the resumed one, with the steps in `recheck` checked again. */
 function damageBefore(
   { from, recheck }: Resumed,
   former: Former,
@@ -103,20 +103,20 @@ function damageBefore(
   return damage;
 }
 
-/** Contacts, after so many of which nobody looks any more. */
+/** Findings that count towards MOST_CONTACTS. */
 const CONTACTS: ReadonlySet<AnyFinding["kind"]> = new Set(["gouge", "rapidInStock", "holderContact"]);
 
-/** What a step sweeps, and what it does wrong in a stock. */
+/** The sweep of a step, and the check for its damage in a stock. */
 type Look = (step: Step, index: number) => { readonly sweep: Sweep; readonly check: (cut: Cutting) => AnyFinding[] };
 
-/** What is made of shapes: computed, or known from earlier simulations. */
+/** Measurements of shapes: computed, or cached from earlier simulations. */
 interface Measuring {
   readonly thickness: KnownShapes["thickness"];
   readonly residual: typeof residualOf;
 }
 const COMPUTED: Measuring = { thickness: thicknessOf, residual: residualOf };
 
-/** The same, as far as it is not known yet. Plans that were kept are the same objects, as tools are. */
+/** Cached measurements. Reused plans are the same objects, as tools are. */
 const rememberedIn = (answers: Answers): Measuring => ({
   thickness: (area) => answers.once(`thickness ${answers.written(area)}`, () => thicknessOf(area)),
   residual(final, all, shapes) {
@@ -127,13 +127,13 @@ const rememberedIn = (answers: Answers): Measuring => ({
   },
 });
 
-/** Cuts the blank by every step and looks at each before it cuts. */
+/** Cuts the blank step by step, checking each before its cut. */
 export const simulate = (input: SimulationInput): Simulation => simulated(input, null, COMPUTED).simulation;
 
-/** How many runs are known, the newest first, and the steps that all of them may have but for the newest. */
+/** Most cached runs, the newest first, and the most steps of all but the newest. */
 const [MOST_KNOWN, MOST_KNOWN_STEPS] = [4, 200_000];
 
-/** The runs that stay known when another one comes. */
+/** The cached runs after adding the newest. */
 function withNewest(newest: Former | null, known: readonly Former[]): readonly Former[] {
   let steps = 0;
   const others = known.filter(({ input }) => (steps += input.steps.length) <= MOST_KNOWN_STEPS);
@@ -141,8 +141,8 @@ function withNewest(newest: Former | null, known: readonly Former[]): readonly F
 }
 
 /**
- * Simulates runs one after the other. What comes is the same as of `simulate`; what the beginning of a run has in
- * common with one of the last runs is not cut and not looked at again.
+ * Simulates successive runs with the results of `simulate`. A beginning in common with a recent run is neither cut nor
+ * checked again.
  */
 export function simulating(answers = new Answers()): (input: SimulationInput) => Simulation {
   let known: readonly Former[] = [];
@@ -158,7 +158,7 @@ export function simulating(answers = new Answers()): (input: SimulationInput) =>
 const fallen = (parted: readonly Parted[]): number =>
   parted.reduce((sum, { loose }) => sum + loose.reduce((all, { area }) => all + area, 0), 0);
 
-/** A finding with what only the whole run tells of it; none where that shows it to be no fault. */
+/** A finding completed by the whole run; none where that shows it to be no fault. */
 function settled(
   f: AnyFinding,
   loose: readonly LoosePiece[],
@@ -208,7 +208,7 @@ function simulated(
     former && resume ? damageBefore(resume, former, input, look) : new Map<number, readonly AnyFinding[]>();
   const isContact = (found: readonly AnyFinding[]) => found.some((f) => CONTACTS.has(f.kind));
   let contacts = [...damage.values()].filter(isContact).length;
-  // Where nobody looks any more depends on all that was found before.
+  // Where the check stops depends on all earlier findings, so this run cannot resume.
   if (contacts >= MOST_CONTACTS && resume) return simulated(input, null, { thickness, residual });
   const marks = marksOf(former && from ? former.marks.slice(0, from.marks) : [{ step: 0, stock: packed(blank) }]);
   const measure = measuring(
@@ -224,10 +224,10 @@ function simulated(
   const statements = statedBlanks(input.stated ?? []);
   for (const parted of held.parted()) setups.partOff(partsOff(parted), parted.step);
   const unheld: Omit<Unheld, "block">[] = [];
-  /** Whether nothing was cut since it was last looked at what hangs together. */
+  /** Whether nothing was cut since the last check for loose pieces. */
   let isWhole = false;
 
-  /** What a cut that has ended leaves hanging together. */
+  /** Splits off loose pieces after a cut has ended. */
   function lookWhole(i: number, isReplaced: boolean): void {
     if (isWhole || !cutEnds(steps, i)) return;
     isWhole = true;
@@ -238,7 +238,7 @@ function simulated(
     at.begin(i, parted.held);
     marks.add(i, parted.held, "isParted");
   }
-  /** Whether something is left to hold, before another blank takes its place or at the end. */
+  /** Checks that enough is left to grip, before another blank is stated or at the end. */
   function lookHeld(stock: readonly Ring[], end: number): void {
     const rear = held.hold()?.rear ?? null,
       place = unheldAt(held.blank(), stock, rear);
@@ -252,7 +252,7 @@ function simulated(
       rear: rear.z,
     });
   }
-  /** Notes a snapshot before a step of an operation: another program may go on there in another way. */
+  /** Stores a snapshot before a step of an operation, from which another program may resume. */
   function note(step: number, operation: number | null): void {
     const { cut, marked } = at.present();
     const measured = { byRapids, measure: measure.state(operation) };

@@ -12,16 +12,16 @@ export interface SimulatedOperation {
   readonly tool: Tool;
   readonly firstStep: number;
   readonly lastStep: number;
-  /** Issues of values, tool and plan: one that failed is not blamed for what it did not cut. */
+  /** Issues of values, tool and plan: a failed operation is not blamed for uncut material. */
   readonly issues?: readonly Issue[];
 }
 
-/** What is simulated. The blank is what stands in the chuck at the first step. */
+/** Inputs of a simulation. The blank is the one in the chuck at the first step. */
 export interface SimulationInput {
   readonly blank: readonly Ring[];
   /** Blanks that are stated later, in the order of their steps; none where absent. */
   readonly stated?: readonly Stated[];
-  /** What the work is held by, where that is stated. */
+  /** The clamping, where stated. */
   readonly clamping?: Clamped | null;
   readonly steps: readonly Step[];
   readonly operations: readonly SimulatedOperation[];
@@ -36,19 +36,19 @@ export interface PlayPosition {
 }
 
 /**
- * A mark before step `step`, where cutting begins anew with the stock as it is. Steps between are cut again from the
- * nearest mark before that has its stock; long runs keep those of some marks only.
+ * A mark before step `step`, at which the stock is recomputed. Steps between marks are cut again from the nearest
+ * earlier mark with a stored stock; long runs store only some.
  */
 export interface Checkpoint {
   readonly step: number;
   readonly stock: PackedRings | null;
-  /** True where the program states another blank: its stock is kept, and is not what was left before. */
+  /** True where the program states another blank: the stock is stored, and is not the result of the cuts before. */
   readonly isStated?: true;
-  /** True where pieces came loose: its stock is kept, and is what is still held. */
+  /** True where pieces came loose: the stock is stored, and is the part still held. */
   readonly isParted?: true;
 }
 
-/** What must not happen in a stock. */
+/** Faults found in the stock. */
 export const STOCK_FAULTS = [
   "gouge",
   "rapidInStock",
@@ -61,38 +61,37 @@ export const STOCK_FAULTS = [
 ] as const;
 export type StockFault = (typeof STOCK_FAULTS)[number];
 
-/** What may be meant: plain cuts below the contour of a cycle, and feeds behind the blank. */
+/** Findings that may be intended: plain cuts below the contour of a cycle, and feeds behind the blank. */
 export type StockRemark = "cutBelowContour" | "feedBehindBlank";
 
-/** Something found by the stock: where the tool cut the finished part, ran into material, or stood behind the blank. */
+/** A finding in the stock: the tool damaged the finished part, ran into material, or was behind the blank. */
 export interface StockFinding<Kind = StockFault> {
   readonly kind: Kind;
-  /** What of the clamping was met, and by what; of a clampContact only. */
+  /** The clamping part that was hit, and by what; only for clampContact. */
   readonly clamp?: { readonly part: ClampPart; readonly by: "tool" | "holder" };
   readonly step: number;
   readonly block: number;
   readonly operation: number | null;
-  /** A point inside the place, for the mark in the picture. */
+  /** A point inside the finding's area, for the mark in the picture. */
   readonly place: Pt;
   /** mm² in the half plane. */
   readonly area: number;
   readonly rings: readonly Ring[];
-  /** Why the spindle does not turn as it must, where that is the fault. */
+  /** Why the spindle does not turn as required, where that is the fault. */
   readonly idle?: Idle;
   /** The hole that is missing, mm, and the number of the tool that needs it. */
   readonly hole?: NeededHole & { readonly tool: number };
-  /** Moves that did it in this place; `step` is the first of them. */
+  /** Number of moves with this finding in this place; `step` is the first. */
   readonly moves: number;
   /**
-   * The block that it is about beside its own: the cycle whose contour a plain cut goes below, or what cut a piece
-   * loose.
+   * A second block of the finding: the cycle whose contour a plain cut goes below, or the block that cut a piece loose.
    */
   readonly other?: number;
   /** The operation whose contour a plain cut goes below. */
   readonly below?: number;
-  /** Where the blank ends that it is behind of, Z in mm. */
+  /** The rear end of the blank, Z in mm; only for feeds behind the blank. */
   readonly rear?: number;
-  /** A plain cut below a contour that is no fault; it is kept while the run may still change. */
+  /** A plain cut below a contour that is no fault; stored because later moves may change the verdict. */
   readonly isMeant?: true;
 }
 
@@ -109,27 +108,27 @@ export interface Residual {
   readonly place: Pt;
   /** The operation that should have taken it. */
   readonly operation: number;
-  /** True where the values of that operation ask for it. */
+  /** True where the values of that operation intend it. */
   readonly isAsked?: true;
 }
 
-/** What became of a blank that was stated while the program ran, mm². */
+/** The comparison of a blank stated during the run with the stock there, mm². */
 export interface StatedProof {
   readonly step: number;
   readonly block: number;
   readonly what: string;
-  /** What stood beyond the outline: nobody knows where it went. */
+  /** Stock outside the stated outline, removed in an unknown way. */
   readonly lacks: number;
-  /** What the outline has where nothing stood any more. */
+  /** Area of the stated outline where the stock had already been cut. */
   readonly adds: number;
 }
 
-/** A piece lies in front of what is held, round it as a ring, or inside it as a slug. */
+/** A piece is in front of the held part, a ring around it, a slug inside it. */
 export type LooseShape = "piece" | "ring" | "slug";
 
 /** A piece that no longer hangs together with the clamped end. It has left the stock. */
 export interface LoosePiece {
-  /** Index of the step that comes after it fell off. */
+  /** Index of the step after it came off. */
   readonly step: number;
   /** The block that cut it loose. */
   readonly block: number;
@@ -148,37 +147,37 @@ export interface Proof {
   readonly gouge: number;
   readonly rapidInStock: number;
   readonly residual: readonly Residual[];
-  /** Stock that feed moves removed; also what rapids did, from `unlooked` on. */
+  /** Stock removed by feed moves; from `unlooked` on by rapids as well. */
   readonly cut: number;
   /** Roughing passes and passes of a thread that touched no stock. */
   readonly airPasses: number;
-  /** The roughing pass that goes deepest into the stock against what its cycle allows, mm; null without roughing. */
+  /** The deepest roughing pass in the stock against the allowed depth, mm; null without roughing. */
   readonly deepest: Depth | null;
   /** Whether a holder touched the stock or the clamping; unknown when a tool that moved has none. */
   readonly holder: "clear" | "contact" | "unknown";
   /**
-   * From this step on nobody looked for gouges, rapids in stock and contacts of the holder, because there are too many;
-   * null: all were looked for.
+   * From this step on, contour damage, rapids in stock and holder contacts were not checked, because there were too
+   * many; null: all were checked.
    */
   readonly unlooked: { readonly step: number; readonly block: number } | null;
   readonly unproved: readonly Unproved[];
   readonly stated: readonly StatedProof[];
-  /** What came off the held end, in the order of the run; it has left the stock. */
+  /** Pieces that came off the held part, in the order of the run; they have left the stock. */
   readonly loose: readonly LoosePiece[];
-  /** Where the outside is turned to the very end at which the blank is held; null: something is left to hold. */
+  /** Where the outside is turned away up to the rear end; null: enough is left to grip. */
   readonly unheld: Unheld | null;
   readonly remarks: readonly StockFinding<StockRemark>[];
   /** For each operation of the run, in its order. */
   readonly operations: readonly OperationProof[];
 }
 
-/** The operation or the block that left nothing to hold at the rear end, and a place there. */
+/** The operation or block that left nothing to grip at the rear end, with a point there. */
 export interface Unheld {
   readonly step: number;
   readonly block: number;
   readonly operation: number | null;
   readonly place: Pt;
-  /** Where the blank ends, Z in mm. */
+  /** The rear end of the blank, Z in mm. */
   readonly rear: number;
 }
 
@@ -192,65 +191,61 @@ export interface Depth {
   readonly pass?: number;
 }
 
-/** Material that an operation took on the side of a limit that is not to be cut. */
+/** Material that an operation cut behind a machining limit. */
 export interface BehindLimit {
   readonly limit: MachiningLimit;
   /** mm² of the half plane. */
   readonly area: number;
-  /** The largest piece of it, a point inside, and the first of the moves that took it. */
+  /** The largest piece of it, a point inside, and the first move that cut it. */
   readonly ring: Ring;
   readonly place: Pt;
   readonly step: number;
   readonly block: number;
-  /** True when roughing ran as well, and took nothing there. */
+  /** True when roughing ran as well, but cut nothing there. */
   readonly finishing: boolean;
 }
 
-/** How much material lacks at the crest of a thread, mm, and where that crest would be. */
+/** Missing material at the crest of a thread, mm, and the nominal place of that crest. */
 export interface MissingCrest {
   readonly missing: number;
-  /** The thread lies in a face: it lacks along Z. */
+  /** The thread is on a face: the material is missing along Z. */
   readonly inFace: boolean;
   readonly z: number;
   readonly r: number;
 }
 
-/** Where a thread runs, for what it does wrong behind its end. */
+/** The path of a thread, to find its overrun. */
 export interface ThreadWay {
   readonly crest: readonly Pt[];
-  /** Where the tip comes to a stop. */
+  /** Where the tip stops. */
   readonly stop: Pt;
   /** Unit direction out of the material. */
   readonly openSide: Pt;
 }
 
-/** What one operation did to the stock. */
+/** The effect of one operation on the stock. */
 export interface OperationProof {
   /** Stock that its feed moves removed, mm² of the half plane. */
   readonly cut: number;
   /** Roughing passes and passes of a thread that touched no stock. */
   readonly airPasses: number;
-  /** Of a thread, before its first pass; null where its crest is there. */
+  /** For a thread, before its first pass; null where its crest is complete. */
   readonly crest: MissingCrest | null;
-  /** Null of other operations. */
+  /** Null for operations other than threads. */
   readonly thread: ThreadWay | null;
-  /**
-   * The roughing pass that goes deepest, along the direction of infeed, against the greatest infeed; null without
-   * roughing.
-   */
+  /** The deepest roughing pass, along the infeed direction, against the greatest infeed; null without roughing. */
   readonly deepest: Depth | null;
   /**
-   * The smoothing or finishing cut that takes more than the oversize and one infeed, square to its path; null when none
-   * does.
+   * The smoothing or finishing cut that exceeds the oversize plus one infeed, square to its path; null where none does.
    */
   readonly thickest: Depth | null;
-  /** What was taken behind each machining limit that was crossed in material. */
+  /** Material cut behind each crossed machining limit. */
   readonly behindLimits: readonly BehindLimit[];
-  /** Where the insert stands in the stock when the operation begins; null where it is free. */
+  /** Where the insert is inside the stock at the start of the operation; null where it is clear. */
   readonly startInMaterial: Pt | null;
-  /** True when an error kept it from its path, or there was no stock: that it cut nothing is no news then. */
+  /** True when an error prevented its path, or there was no stock: cutting nothing is then not reported. */
   readonly hasFailed: boolean;
-  /** The sign or the order of a dimension is questioned: what tool and stock say to it follows from that. */
+  /** The sign or order of a dimension is questioned: tool and stock issues follow from that. */
   readonly isQuestioned: boolean;
 }
 

@@ -5,19 +5,19 @@ import type { Stated, Unproved } from "../kernel/time/step.ts";
 import type { Cutting } from "./cutting.ts";
 import type { StatedProof } from "./simulation.ts";
 
-/** Blanks that a program states while it runs, held to what stands there by then. */
+/** Blanks stated during a run, compared with the stock at that moment. */
 export interface StatedBlanks {
-  /** What stands from a step on, where a blank that is stated there has another shape; null: what was left. */
+  /** The new stock from a step on, where a stated blank changes it; null: unchanged. */
   at(step: number, cut: Cutting): readonly Ring[] | null;
   all(): readonly StatedProof[];
-  /** By how much they have changed the stock, mm². */
+  /** Total change of the stock by stated blanks, mm². */
   added(): number;
   unproved(): readonly Unproved[];
 }
 
 /**
- * Material that was cut does not come back: an outline that has more than what stands changes nothing. One that lacks
- * material is believed, since the work may have been turned round or milled, and nothing is proved behind it.
+ * Cut material does not come back: a larger outline changes nothing. A smaller one is accepted, since the work may have
+ * been turned round or milled, and everything after it is unverified.
  */
 export function statedBlanks(stated: readonly Stated[]): StatedBlanks {
   const held: StatedProof[] = [];

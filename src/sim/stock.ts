@@ -6,19 +6,16 @@ import { outlinesOf } from "./outlines.ts";
 import type { Checkpoint, PlayPosition, Simulation } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
 
-/**
- * Gives the stock at any moment of a run. Going on from the last moment asked for is cheapest; the result is the same.
- */
+/** The stock at any moment of a run. Moving on from the last query is cheapest; the result is the same. */
 export interface Player {
   at(position: PlayPosition): readonly Ring[];
   /**
-   * The stock at the beginning of a step. Those of the last few steps are kept, so that looking back over one turn
-   * costs nothing.
+   * The stock at the start of a step. The last few steps are cached, so that looking back one revolution costs nothing.
    */
   before(step: number): Present;
 }
 
-/** Steps before the running one whose stock is kept for looking back. */
+/** Steps before the running one whose stock is cached for looking back. */
 const RECENT_STEPS = 32;
 
 /** The position inside the run that is nearest to the given one. */
@@ -43,17 +40,17 @@ function markFor(checkpoints: readonly Checkpoint[], step: number): number {
 }
 
 /**
- * A player of one simulation. However a moment is reached, its stock is that of a mark before it less the same pieces
- * in the same order, begun anew at the same marks, so playing, stepping and seeking give the same stock.
+ * A player of one simulation. The stock of a moment is always that of an earlier mark less the same pieces in the same
+ * order, recomputed at the same marks. So playing, stepping and seeking give the same stock.
  */
 export function playerOf(simulation: Simulation): Player {
   const outlines = outlinesOf();
   const { checkpoints } = simulation;
   let now: { mark: number; next: number; cut: Cutting } | null = null;
-  /** What stood at the beginning of the last steps. */
+  /** The stock at the start of the last steps. */
   const recent = new Map<number, Present>();
 
-  /** The nearest mark at or before a step that has its stock. */
+  /** The nearest mark at or before a step with a stored stock. */
   function keptFor(step: number): number {
     let mark = markFor(checkpoints, step);
     while (mark > 0 && !checkpoints[mark]?.stock) mark -= 1;
@@ -105,7 +102,7 @@ export function playerOf(simulation: Simulation): Player {
 export const stockAt = (simulation: Simulation, position: PlayPosition): readonly Ring[] =>
   playerOf(simulation).at(position);
 
-/** Tells whether two moments of a run stand in the same blank: the program states no other one between them. */
+/** Whether two moments of a run are in the same blank, with no other one stated between them. */
 export function sameBlank({
   checkpoints,
 }: Pick<Simulation, "checkpoints">): (one: PlayPosition, other: PlayPosition) => boolean {
@@ -113,7 +110,7 @@ export function sameBlank({
   return (one, other) => stated.every((step) => step <= one.step === step <= other.step);
 }
 
-/** Everything that a run begins with or that is stated in its place later. */
+/** The initial blank and all blanks stated later. */
 export const blanksOf = ({ blank, checkpoints }: Pick<Simulation, "blank" | "checkpoints">): readonly Ring[] => [
   ...blank,
   ...checkpoints.flatMap(({ isStated, stock }) => (isStated && stock ? unpacked(stock) : [])),

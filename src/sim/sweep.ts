@@ -13,8 +13,8 @@ const { flattened, pointOn } = part;
 const finite = (p: Pt) => Number.isFinite(p.z) && Number.isFinite(p.r);
 
 /**
- * What a convex outline (counter-clockwise, relative to the tip) covers while the tip goes straight from `from` to
- * `to`: the convex hull of both positions. Edges that look forward stand at the end, the others at the beginning.
+ * The convex hull of a convex outline (counter-clockwise, relative to the tip) at both ends of a straight path. Edges
+ * that look forward are placed at the end, the others at the start.
  */
 export function hullAlong(outline: Ring, from: Pt, to: Pt): Ring {
   const dz = to.z - from.z;
@@ -47,10 +47,7 @@ export function hullAlong(outline: Ring, from: Pt, to: Pt): Ring {
 /** Longer than any tool, mm. */
 const FAR = 10_000;
 
-/**
- * The convex pieces of a convex outline that do not lie behind another one, seen along a way: what of it does not
- * follow in the other's track.
- */
+/** The convex pieces of a convex outline outside the track of another one along a path. */
 export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] {
   const [dz, dr] = [to.z - from.z, to.r - from.r];
   const size = hypotenuse(dz, dr);
@@ -63,10 +60,7 @@ export function notBehind(outline: Ring, other: Ring, from: Pt, to: Pt): Ring[] 
   });
 }
 
-/**
- * What of a convex ring lies to the right of a straight line, outside a counter-clockwise outline that has it as an
- * edge.
- */
+/** The part of a convex ring to the right of a straight line: outside a counter-clockwise outline with that edge. */
 export function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
   const out: Pt[] = [];
   const beside = (a: Pt) => (q.r - p.r) * (a.z - p.z) - (q.z - p.z) * (a.r - p.r);
@@ -85,8 +79,8 @@ export function rightOf(ring: Ring, p: Pt, q: Pt): Ring {
 }
 
 /**
- * The tip's way through a step up to `fraction`, as chords. The chords of a part are those of the whole, so a longer
- * part covers a shorter one.
+ * The tip's path through a step up to `fraction`, as chords. Chords of a part are those of the whole, so a longer part
+ * covers a shorter one.
  */
 export function waypoints(step: Step, fraction: number, chord = CHORD): Pt[] {
   const path = pathOf(step.from, step.move);
@@ -98,10 +92,7 @@ export function waypoints(step: Step, fraction: number, chord = CHORD): Pt[] {
   return [...points.slice(0, whole + 1), pointOn({ kind: "line", from: last, to: next }, at - whole)];
 }
 
-/**
- * The work turns: what is swept on the other side of the axis (r < 0) is swept on this side. There is no stock at r <
- * 0.
- */
+/** The work rotates, so a sweep beyond the axis (r < 0) is mirrored to this side. There is no stock at r < 0. */
 export function turned(ring: Ring): Ring[] {
   let [lowest, highest] = [Infinity, -Infinity];
   for (const { r } of ring) {
@@ -122,8 +113,8 @@ function alongPoints(outline: Ring, points: readonly Pt[], across: (ring: Ring) 
 }
 
 /**
- * What is swept: convex pieces, to ask what it meets, and rings (by the non-zero rule) that cover the same area with
- * fewer points, to cut with.
+ * A swept area: convex pieces for contact queries, and rings (by the non-zero rule) with fewer points of the same area
+ * for cutting.
  */
 export interface Sweep {
   readonly pieces: readonly ConvexPiece[];
@@ -135,7 +126,7 @@ function sweptAlong(outline: Ring, points: readonly Pt[], across: (ring: Ring) =
   return { pieces: piecesOf(hulls), rings: hulls.length < 3 ? hulls : across(trackAlong(outline, points)) };
 }
 
-/** What an outline covers in the half plane of the stock while it cuts a thread: its own shape, once a turn. */
+/** The sweep of a thread move in the half plane: the outline's own shape, once per revolution. */
 function stamped(outline: Ring, from: Pt, move: ThreadMove, fraction: number): Sweep {
   const places = stampsOf(from, move)
     .filter((s) => s.fraction <= fraction)
@@ -145,23 +136,20 @@ function stamped(outline: Ring, from: Pt, move: ThreadMove, fraction: number): S
   return { pieces: piecesOf(rings), rings };
 }
 
-/** Everything that an outline sweeps in a step up to `fraction`, on this side of the axis. */
+/** The sweep of an outline in a step up to `fraction`, on this side of the axis. */
 export function sweptBy(outline: Ring, step: Step, fraction = 1, chord = CHORD): Sweep {
   if (!(fraction > 0)) return { pieces: [], rings: [] };
   if (step.move.kind === "thread") return stamped(outline, step.from, step.move, fraction);
   return sweptAlong(outline, waypoints(step, fraction, chord));
 }
 
-/**
- * Everything that an outline covers along a path and no tool sweeps: what of it lies across the axis does not turn
- * round to this side.
- */
+/** The area that an outline covers along a path without rotation: parts beyond the axis are not mirrored. */
 export const coveredOn = (outline: Ring, path: Segment, chord = CHORD): Sweep =>
   sweptAlong(outline, flattened(path, chord), asItIs);
 
-/** Everything that an outline covers in a step up to `fraction`, as convex pieces. */
+/** The sweep of an outline in a step up to `fraction`, as convex pieces. */
 export const sweepOf = (outline: Ring, step: Step, fraction = 1): Ring[] =>
   alongPoints(outline, waypoints(step, fraction));
 
-/** Everything that an outline covers along a path, as convex pieces. */
+/** The area that an outline covers along a path, as convex pieces. */
 export const sweepAlong = (outline: Ring, path: Segment): Ring[] => alongPoints(outline, flattened(path, CHORD));

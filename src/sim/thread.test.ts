@@ -26,7 +26,7 @@ const thread = (to: Pt, angle: number, stops = false): ThreadMove => ({
 });
 const step = (from: Pt, move: Step["move"]): Step => ({ from, move, tool, block: 1, operation: null, seconds: 1 });
 
-test("a thread meets the plane of the stock once a turn, from its angle on, and where the tool stops", () => {
+test("a thread crosses the half plane once per revolution, from its angle on, and where the tool stops", () => {
   const from = at(4.1, 12.9);
   const places = (angle: number, stops = false) =>
     stampsOf(from, thread(at(-4, 12.9), angle, stops)).map((s) => Number(s.at.z.toFixed(6)));
@@ -36,7 +36,7 @@ test("a thread meets the plane of the stock once a turn, from its angle on, and 
   expect(places(90, true)).toEqual([2.075, -0.625, -3.325, -4]);
 });
 
-test("a thread that goes on with the angle it has reached is the thread in one", () => {
+test("a thread continued at its reached angle equals the thread in one move", () => {
   const [from, middle, to] = [at(4.1, 12.9), at(-9.37, 12.9), at(-31, 12.9)];
   const reached = (250 + 360 * turnsIn(from, thread(middle, 0))) % 360;
   const whole = stampsOf(from, thread(to, 250)).map((s) => s.at.z);
@@ -45,11 +45,11 @@ test("a thread that goes on with the angle it has reached is the thread in one",
   parts.forEach((z, i) => expect(z).toBeCloseTo(whole[i] ?? NaN, 9));
 });
 
-test("it leaves teeth a lead apart, and the band between crest and root is not gone", () => {
+test("it leaves teeth a lead apart, and does not remove the band between crest and root", () => {
   const steps = [step(at(4.1, 12.9), thread(at(-29.3, 12.9), 40, true))];
   const simulation = simulate({ blank, steps, operations: [], unproved: [] });
   const groove = 1.4 ** 2 * Math.tan(Math.PI / 6);
-  // Eleven turns in the part, and the groove where the tool stops.
+  // Eleven revolutions in the part, and the groove where the tool stops.
   const stamps = stampsOf(at(4.1, 12.9), steps[0]?.move as ThreadMove).filter((s) => s.at.z < -0.9);
   expect(areaOf(blank) - areaOf(simulation.final)).toBeCloseTo(stamps.length * groove, 1);
   const player = playerOf(simulation);

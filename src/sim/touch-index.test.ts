@@ -15,7 +15,7 @@ import { touchIndex } from "./touch-index.ts";
 
 const [tool, other] = shippedTools as [Step["tool"], Step["tool"]];
 
-/** The same by looking at every sweep. */
+/** Reference result, from every sweep. */
 function latestOf(steps: readonly Step[], z: number, r: number, now: number, fraction: number): number {
   const touches = (step: Step, part: number) =>
     step.move.kind !== "rapid" &&
@@ -43,7 +43,7 @@ const move = fc.record({
   second: fc.boolean(),
 });
 
-/** Moves one after the other with two tools; an arc goes round a point square to the middle of its way. */
+/** Successive moves with two tools; an arc is centred square to the middle of its chord. */
 function stepsOf(start: Pt, moves: readonly { to: Pt; kind: "rapid" | "feed" | "arc"; second: boolean }[]): Step[] {
   let from = start;
   return moves.map(({ to, kind, second }): Step => {
@@ -55,7 +55,7 @@ function stepsOf(start: Pt, moves: readonly { to: Pt; kind: "rapid" | "feed" | "
   });
 }
 
-test("the latest move that touches a place is the one that is found by looking at each of them", () => {
+test("the index finds the same latest touching move as a test of each move", () => {
   fc.assert(
     fc.property(
       place,
@@ -67,7 +67,7 @@ test("the latest move that touches a place is the one that is found by looking a
         const steps = stepsOf(start, moves),
           now = seed % (steps.length + 1),
           index = touchIndex(steps);
-        // Ends of moves lie on edges of what was swept.
+        // Ends of moves lie on edges of the sweep.
         for (const { z, r } of [...places, ...moves.slice(0, 9).map(({ to }) => to)])
           expect(index.latest(z, r, { step: now, fraction: tenths / 10 }, -1)).toBe(
             latestOf(steps, z, r, now, tenths / 10),
@@ -78,7 +78,7 @@ test("the latest move that touches a place is the one that is found by looking a
   );
 });
 
-test("the index of a run that begins as another one answers as its own", () => {
+test("an index derived from a run with the same beginning gives the same answers", () => {
   const { steps } = run(parse(boring), { tools: shippedTools, rapid: 10_000 });
   const more = [...steps, ...steps.slice(3, 71)],
     first = touchIndex(steps),

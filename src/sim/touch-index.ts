@@ -9,27 +9,27 @@ import { convexPieceOf, type ConvexPiece } from "./piece.ts";
 import type { PlayPosition } from "./simulation.ts";
 import { sweptBy } from "./sweep.ts";
 
-/** Finds which move has a place on the edge of what it swept. */
+/** Finds the move whose sweep has a point on its edge. */
 export interface TouchIndex {
-  /** The latest cutting move after `after` that has begun at `now` and touches a place; −1 where there is none. */
+  /** The latest cutting move after `after`, begun at `now` or before, that touches a point; −1 without one. */
   readonly latest: (z: number, r: number, now: PlayPosition, after: number) => number;
-  /** The same for another run: what begins with the same steps is not looked through again. */
+  /** The index of another run; leading steps in common are not indexed again. */
   readonly of: (steps: readonly Step[]) => TouchIndex;
 }
 
-/** Sweeps that are remembered. */
+/** Most cached sweeps. */
 const MOST = 2000;
-/** So many steps are one block, and so many blocks one group, as powers of two. */
+/** Steps per block and blocks per group, as powers of two. */
 const BLOCK = 5,
   GROUP = 10;
 
 const cuts = ({ move, from }: Step) => move.kind !== "rapid" && (move.to.z !== from.z || move.to.r !== from.r);
 
-/** The box of the way of a step, wide enough for any of its arcs. */
+/** The bounding box of a step's path, wide enough for any arc. */
 function wayBox({ from, move }: Step): Box {
   const path = pathOf(from, move);
   if (path.kind === "arc") {
-    // An arc whose ends lie on two circles reaches farther than one round its beginning.
+    // An arc whose ends are on two circles reaches farther than the circle through its start.
     const { startRadius, endRadius } = part.polarOf(path),
       { left, right, low, high } = part.boxOf(path);
     const by = SAME + Math.abs(startRadius - endRadius);
@@ -43,7 +43,7 @@ function wayBox({ from, move }: Step): Box {
   };
 }
 
-/** Whether a place lies in a piece or on its edge. */
+/** Whether a point is in a piece or on its edge. */
 function touches({ box, sides }: ConvexPiece, z: number, r: number): boolean {
   if (z < box.left - SAME || z > box.right + SAME || r < box.low - SAME || r > box.high + SAME) return false;
   for (let i = 0; i < sides.length; i += 3) {
@@ -53,9 +53,8 @@ function touches({ box, sides }: ConvexPiece, z: number, r: number): boolean {
 }
 
 /**
- * Whether a convex outline may touch a place while its tip stands somewhere in a box: none of its sides has all of them
- * beyond it. The sides of a piece lie a little further in than those of its ring, so SAME beyond a side of the ring is
- * more than enough.
+ * Whether a convex outline may touch a point with its tip anywhere in a box: no side has the whole box beyond it. The
+ * sides of a piece are slightly inside those of its ring, so SAME beyond a side of the ring is enough.
  */
 function mayTouch({ sides, box }: ConvexPiece, way: Box, z: number, r: number): boolean {
   const left = z - way.right,
@@ -72,7 +71,7 @@ function mayTouch({ sides, box }: ConvexPiece, way: Box, z: number, r: number): 
   return true;
 }
 
-/** The same for a tip that goes straight: there is a moment at which the place lies beyond none of the sides. */
+/** The same for a straight path: at some moment the point is beyond none of the sides. */
 function mayTouchAlong({ sides, box }: ConvexPiece, from: Pt, to: Pt, z: number, r: number): boolean {
   if (z < Math.min(from.z, to.z) + box.left - SAME || z > Math.max(from.z, to.z) + box.right + SAME) return false;
   if (r < Math.min(from.r, to.r) + box.low - SAME || r > Math.max(from.r, to.r) + box.high + SAME) return false;
@@ -90,12 +89,12 @@ function mayTouchAlong({ sides, box }: ConvexPiece, from: Pt, to: Pt, z: number,
   return true;
 }
 
-/** Where the tips of some cuts go: a box, and their tool; null where it is more than one. */
+/** The tip paths of some cuts: their box and tool; null for several tools. */
 interface Ways extends Box {
   readonly tool: Tool | null;
 }
 
-/** All of some ways, or null where there are none. */
+/** The union of some path boxes; null without any. */
 function around(all: Iterable<Ways | null>): Ways | null {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity],
     tool: Tool | null | undefined;
@@ -110,30 +109,30 @@ function around(all: Iterable<Ways | null>): Ways | null {
   return tool === undefined ? null : { left, right, low, high, tool };
 }
 
-/** The way of a step that cuts; what is not finite sweeps nothing. */
+/** The path box of a cutting step; null for non-finite moves. */
 function wayOf(step: Step): Ways | null {
   if (!cuts(step)) return null;
   const way = wayBox(step);
   return Number.isFinite(way.left + way.right + way.low + way.high) ? { ...way, tool: step.tool } : null;
 }
 
-/** The steps of a run with the ways of its blocks and groups of steps. */
+/** The steps of a run with the path boxes of its blocks and groups. */
 interface Blocks {
   readonly steps: readonly Step[];
   readonly blocks: readonly (Ways | null)[];
   readonly groups: readonly (Ways | null)[];
 }
 
-/** Of lists of so many each. */
+/** The number of lists of 2^power entries. */
 const counted = (count: number, power: number) => Math.ceil(count / 2 ** power);
 
-/** What is known of tools and of arcs, for one run after the other. */
+/** Cached tool outlines and path boxes, shared by successive runs. */
 interface Shapes {
   readonly outlines: WeakMap<Tool, ConvexPiece>;
   readonly ways: WeakMap<Step, Ways | null>;
 }
 
-/** The way of a step; that of an arc is worked out once. */
+/** The path box of a step; cached for arcs. */
 function knownWay(step: Step, { ways }: Shapes): Ways | null {
   if (step.move.kind !== "arc") return wayOf(step);
   const known = ways.get(step);
@@ -143,7 +142,7 @@ function knownWay(step: Step, { ways }: Shapes): Ways | null {
   return made;
 }
 
-/** `before`: another run, whose blocks are those of this one where they have the very same steps. */
+/** `before`: another run, whose blocks are reused where the steps are identical. */
 function blocksOf(steps: readonly Step[], shapes: Shapes, before: Blocks | null): Blocks {
   const isSame = (from: number, to: number): boolean => {
     if (!before || to > before.steps.length) return false;
@@ -164,7 +163,7 @@ function blocksOf(steps: readonly Step[], shapes: Shapes, before: Blocks | null)
   return { steps, blocks, groups };
 }
 
-/** Prepares the moves of a run to be asked which of them touches a place. */
+/** Builds the index of a run. */
 export const touchIndex = (steps: readonly Step[]): TouchIndex =>
   indexOf(steps, null, { outlines: new WeakMap(), ways: new WeakMap() });
 
@@ -194,7 +193,7 @@ function indexOf(steps: readonly Step[], before: Blocks | null, shapes: Shapes):
     return have;
   }
 
-  /** What is swept beyond the axis is swept on this side: there it is looked for as well. */
+  /** Sweeps beyond the axis are mirrored to this side, so both sides are searched. */
   function mayBeAt(ways: Ways | null, z: number, r: number): boolean {
     if (!ways?.tool) return ways !== null;
     const outline = outlineOf(ways.tool);

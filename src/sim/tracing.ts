@@ -6,13 +6,13 @@ import { brokenApart, holdOf } from "./held.ts";
 import { outlinesOf } from "./outlines.ts";
 import { sweptBy } from "./sweep.ts";
 
-/** A blank that is cut: what stands, and the same behind further steps. What comes off is gone then. */
+/** A blank being cut: its stock, and the state after further steps, without loose pieces. */
 interface Traced {
   readonly stock: readonly Ring[];
   cut(steps: readonly Step[]): Traced;
 }
 
-/** Begins to cut a blank, without looking at what the steps do wrong. */
+/** Starts cutting a blank without checking for damage. */
 export function tracing(blank: readonly Ring[], clamping: Clamping | null): Traced {
   const outlines = outlinesOf();
   const hold = holdOf(blank, clamping);

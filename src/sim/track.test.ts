@@ -16,7 +16,7 @@ const outlines = fc
   .map((spots) => hullOf(spots).map(([z, r]) => at(z, r)))
   .filter((ring) => ring.length > 2 && areaOf([ring]) > 0.1);
 
-/** The track against the hulls along its chords, one by one: the area that only one of them has, mm². */
+/** The area in which the track and the union of the hulls along its chords differ, mm². */
 function apart(outline: Ring, way: readonly Pt[]): number {
   const hulls = union(way.slice(1).map((to, i) => hullAlong(outline, way[i] as Pt, to)));
   const track = union([trackAlong(outline, way)]);
@@ -47,7 +47,7 @@ describe("the track of an outline is the union of the hulls along its chords", (
       { numRuns: 200 },
     );
   });
-  test("there and back along its own way, along the edges of the outline, and without a way at all", () => {
+  test("back along its own path, along the edges of the outline, and without any path", () => {
     const square = [at(0, 0), at(2, 0), at(2, 2), at(0, 2)];
     expect(apart(square, [at(0, 0), at(10, 0), at(0, 0), at(0, 7), at(0, 3)])).toBeLessThan(ROUNDING);
     expect(areaOf(union([trackAlong(square, [at(0, 0), at(10, 0), at(10, 8), at(3, 8), at(3, 0)])]))).toBeCloseTo(

@@ -3,17 +3,16 @@ import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
 /** Shorter edges are rounding of an outline, mm. */
 const NO_EDGE = 1e-7;
 
-/** A ring without points that lie on the one before. */
+/** A ring without repeated points. */
 function withEdges(ring: Ring): Ring {
   const differs = (p: Pt, q: Pt) => Math.abs(p.z - q.z) > NO_EDGE || Math.abs(p.r - q.r) > NO_EDGE;
   return ring.filter((p, i) => differs(p, ring[(i + ring.length - 1) % ring.length] as Pt));
 }
 
 /**
- * What a convex outline (counter-clockwise, relative to the tip) covers along chords, as one closed curve: out along
- * the side on the right of the way, and back along the other. It may cross itself; by the non-zero rule it is the union
- * of the hulls along all chords (the convolution of path and outline), with two points for each chord instead of a
- * whole outline.
+ * The area that a convex outline (counter-clockwise, relative to the tip) covers along chords, as one closed curve: out
+ * on the right of the path, back on the other side. It may cross itself; by the non-zero rule it is the union of the
+ * hulls along all chords (the convolution of path and outline), with two points per chord instead of a whole outline.
  */
 export function trackAlong(outline: Ring, way: readonly Pt[]): Ring {
   const around = withEdges(outline);
@@ -32,14 +31,14 @@ export function trackAlong(outline: Ring, way: readonly Pt[]): Ring {
     return dz * (q.r - p.r) - dr * (q.z - p.z) > 0;
   };
   const last = points.length - 1;
-  /** Out and back again: the way from point to point. */
+  /** The path there and back, point by point. */
   const visit = (i: number) => points[i <= last ? i : 2 * last - i] as Pt;
   const chord = (i: number) => {
     const [p, q] = [visit(i), visit(i + 1)];
     return [q.z - p.z, q.r - p.r] as const;
   };
   let [dz, dr] = chord(0);
-  /** The corner of the outline farthest to the right of the way. */
+  /** The corner of the outline farthest to the right of the path. */
   let corner = Math.max(
     0,
     around.findIndex((_, i) => leftOf(dz, dr, i) && !leftOf(dz, dr, i - 1)),
@@ -49,7 +48,7 @@ export function trackAlong(outline: Ring, way: readonly Pt[]): Ring {
     const at = visit(i + 1);
     put(at, corner);
     const [nz, nr] = i + 1 < 2 * last ? chord(i + 1) : chord(0);
-    // At both ends the way turns back, to the left.
+    // At both ends the path reverses, to the left.
     const right = i + 1 !== last && i + 1 !== 2 * last && dz * nr - dr * nz < 0;
     const step = right ? -1 : 1;
     for (let k = 0; k < count && (right ? leftOf(nz, nr, corner - 1) : !leftOf(nz, nr, corner)); k += 1) {

@@ -8,7 +8,7 @@ const room = { left: 60, right: 415, top: 14, bottom: 280 },
 const camera: Camera = { scale: 2.5, zero: { x: 301, y: 153 }, xUp: true };
 const none = { boxes: [], areas: [], lines: [] };
 
-test("beside the mark comes first; every place is in the room, and those above and below leave its height free", () => {
+test("the place beside the mark comes first; all places fit the room, and those above and below clear the mark's height", () => {
   const places = placesBeside({ x: 415, y: 97.5 }, size, room);
   expect(places[0]).toEqual({ x: 317, y: 81, width: 86, height: 33 });
   for (const { y } of places) {
@@ -19,7 +19,7 @@ test("beside the mark comes first; every place is in the room, and those above a
 });
 test("at the left edge the text stands to the right of the mark", () =>
   expect(placesBeside({ x: 60, y: 97.5 }, size, room)[0]?.x).toBe(72));
-test("at the upper edge no text stands over it", () =>
+test("at the upper edge no text is placed above the mark", () =>
   expect(Math.min(...placesBeside({ x: 200, y: 14 }, size, room).map(({ y }) => y))).toBe(14));
 
 test("a line through the first place moves the text above it, one beside it does not", () => {
@@ -34,7 +34,7 @@ test("a line that slants past a corner of the box is not in the way", () => {
   expect(leastCovering(places, { ...none, lines: [[at(38, 10), at(46, 20)]] }, camera, 0)).toBe(0);
   expect(leastCovering(places, { ...none, lines: [[at(30, 10), at(40, 20)]] }, camera, 0)).toBe(1);
 });
-test("where nothing is free it rather covers lines than a mark, and stays where it was", () => {
+test("without free space the text covers lines rather than a mark, and keeps its place", () => {
   const places = placesBeside({ x: 415, y: 97.5 }, size, room);
   const lines = [-100, -40, 0, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50].map((r) => [at(-90, r), at(60, r)]);
   const boxes = [{ x: 300, y: 60, width: 100, height: 60 }];
@@ -45,17 +45,17 @@ test("where nothing is free it rather covers lines than a mark, and stays where 
 });
 
 const mark = { x: 415, y: 97.5 };
-test("above and below the mark it stands over it as well, further from the work", () => {
+test("above and below the mark the text may also be in line with the mark, farther from the work", () => {
   const right = placesBeside(mark, size, room).map(({ x, width }) => x + width);
   expect(new Set(right)).toEqual(new Set([403, 425]));
   expect(placesBeside({ x: 60, y: 97.5 }, size, room).map(({ x }) => x)).toContain(50);
 });
-test("held back by the edge of the picture it does not stand on the mark", () => {
+test("a text held back by the picture edge does not cover the mark", () => {
   const low = { x: 415, y: 278 };
   for (const { x, y, width, height } of placesBeside(low, size, room))
     if (x + width > low.x - 9) expect(y + height <= low.y - 9 || y >= low.y + 9).toBe(true);
 });
-test("in the taken corner stands nothing", () => {
+test("no text is placed in the taken corner", () => {
   const taken = { x: 375, y: 0, width: 56, height: 104 };
   const places = placesBeside(mark, size, room, taken);
   expect(places[0]).toEqual({ x: 289, y: 81, ...size });
@@ -63,7 +63,7 @@ test("in the taken corner stands nothing", () => {
 });
 test.each([
   [
-    "on free ground beside the work, over the mark rather than beside it",
+    "on the free background beside the work, in line with the mark rather than beside it",
     { x: 100, y: 20, width: 236, height: 250 },
     339,
   ],
@@ -73,7 +73,7 @@ test.each([
   const places = placesBeside(mark, size, room);
   expect(places[leastCovering(places, { ...none, areas: [work] }, camera, 0)]?.x).toBe(x);
 });
-test("a mark is kept free even where the work is covered for it", () => {
+test("a mark stays free even if the text then covers the work", () => {
   const places = placesBeside(mark, size, room),
     boxes = [{ x: 405, y: 0, width: 40, height: 300 }];
   expect(

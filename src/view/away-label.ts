@@ -4,17 +4,17 @@ import type { Seen } from "./edge-mark.ts";
 import { labelsOverlap, type LabelBox } from "./help/labels.ts";
 
 /**
- * From a mark to the text beside it, how far a text over it reaches beyond it, and from its height to a text above or
- * below it, pixels.
+ * Distance from a mark to the text beside it, overhang of a text above or below a mark, and vertical distance from a
+ * mark to such a text, pixels.
  */
 const BESIDE = 12,
   BEYOND = 10,
   OFF = 9;
-/** Rows above and below a mark, the best first: beside it, then clear of its height, and a little further off. */
+/** Rows above and below a mark, the best first: at the mark, then clear of its height, then a little farther off. */
 const ROWS = [0, -1, 1, -1.5, 1.5, -2, 2] as const;
 
 /**
- * What a text should not lie on: marks on the screen, areas of which a part may rather be covered, and lines of the
+ * What a text should keep clear of: marks on the screen, areas that may be covered in part if need be, and lines of the
  * part, mm.
  */
 export interface Busy {
@@ -24,9 +24,8 @@ export interface Busy {
 }
 
 /**
- * The places where a text of some size may stand by a mark at the edge of a picture, the best first: beside it, and
- * above and below it in line with it or beside it. What would lie on the `taken` corner of the picture stands left of
- * it.
+ * Candidate places for a text beside a mark at the edge of a picture, the best first: beside the mark, then above and
+ * below it. A text that would overlap the `taken` corner of the picture moves to the left of that corner.
  */
 export function placesBeside(
   mark: Place,
@@ -40,7 +39,7 @@ export function placesBeside(
   return ROWS.flatMap((row) => {
     const middle = mark.y + row * (height / 2 + OFF),
       y = Math.max(room.top, Math.min(room.bottom - height, middle - height / 2));
-    // Where the edge of the picture holds it back at the height of the mark it does not stand on it.
+    // A text that the picture edge pushes back to the height of the mark must not cover the mark.
     const isOff = y >= mark.y + OFF || y + height <= mark.y - OFF;
     return (isOff ? [over, beside] : [beside]).map((x) => {
       const box = { x, y, width, height };
@@ -65,14 +64,14 @@ function goesThrough(from: Pt, to: Pt, low: Pt, high: Pt): boolean {
   return enters <= leaves;
 }
 
-/** How many quarters of a text lie on an area: as many as are begun. */
+/** How many quarters of a text overlap an area, rounded up. */
 function quartersOn(box: LabelBox, area: LabelBox): number {
   const wide = Math.min(box.x + box.width, area.x + area.width) - Math.max(box.x, area.x);
   const tall = Math.min(box.y + box.height, area.y + area.height) - Math.max(box.y, area.y);
   return wide > 0 && tall > 0 ? Math.ceil((4 * wide * tall) / (box.width * box.height)) : 0;
 }
 
-/** How much a text would cover there: lines that run through it, areas by how much of it lies on them, and boxes. */
+/** The cost of a text in a box: lines through it, areas by the share of the text on them, and other boxes. */
 function covers(box: LabelBox, { boxes, areas, lines }: Busy, camera: Camera): number {
   const [a, b] = [toPlace(camera, box), toPlace(camera, { x: box.x + box.width, y: box.y + box.height })];
   const low = { z: a.z, r: a.r < b.r ? a.r : b.r },
@@ -84,14 +83,11 @@ function covers(box: LabelBox, { boxes, areas, lines }: Busy, camera: Camera): n
   for (const area of areas) count += AREA * quartersOn(box, area);
   return count + BOX * boxes.filter((other) => labelsOverlap(box, other)).length;
 }
-/** As many lines count as much as a quarter of a text on an area, or a box. */
+/** Cost of a quarter of a text on an area, and of a box, in lines. */
 const AREA = 20,
   BOX = 1000;
 
-/**
- * Which of the places covers least. The one of before stays as long as no other covers less: a text that moves on does
- * not jump about.
- */
+/** Index of the place that covers least. The previous place wins a tie, so that a moving text does not jump about. */
 export function leastCovering(places: readonly LabelBox[], busy: Busy, camera: Camera, before: number): number {
   const order = [before, ...places.keys()].filter((i) => i in places);
   let best = 0,

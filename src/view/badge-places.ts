@@ -1,19 +1,16 @@
 import type { Place } from "./camera.ts";
 import type { Seen } from "./edge-mark.ts";
 
-/** Where a badge stands from its place, pixels: beside it, so that the place stays to be seen. */
+/** Offset of a badge from its place, pixels, so that the place itself stays visible. */
 const ASIDE = { x: 18, y: -18 };
 /** Badges nearer than this would hide one another; half of the badge itself, pixels. */
 const APART = 24,
   HALF = 11;
-/** Width that one takes which stands for several places, pixels. */
+/** Width of a badge that several places share, pixels. */
 const SHARED = 44;
-/**
- * The share of the width of the picture that a row of them may take: more of them would hide what they speak of behind
- * their leaders.
- */
+/** Largest share of the picture's width for a row of badges; a wider one would hide the part behind its leaders. */
 const WIDEST = 0.6;
-/** A row of badges stands higher over its places by this much for each of them, up to the second, pixels. */
+/** Extra height of a row above its places for each badge after the first, and its maximum, pixels. */
 const RISE = 5,
   HIGHEST = 40;
 
@@ -24,7 +21,7 @@ interface Asked {
 
 const near = (a: Place, b: Place) => Math.abs(a.x - b.x) < APART && Math.abs(a.y - b.y) < APART;
 
-/** Those whose badges would hide one another if each stood beside its place, together. */
+/** Groups of places whose badges would hide one another if each were beside its place. */
 function crowdsOf(places: readonly Place[]): Asked[][] {
   const crowds: Asked[][] = [];
   places.forEach((place, index) => {
@@ -38,8 +35,8 @@ function crowdsOf(places: readonly Place[]): Asked[][] {
 }
 
 /**
- * The badges of a crowd, from left to right as its places lie: one for each place, or, where no row holds so many, one
- * for neighbours.
+ * The badges of a crowd, left to right in the order of their places: one per place or, in a row without room for so
+ * many, one per group of neighbours.
  */
 interface Row {
   readonly shares: readonly (readonly Asked[])[];
@@ -58,7 +55,7 @@ function rowOf(crowd: readonly Asked[], { left, right }: Seen): Row {
   };
 }
 
-/** Where a row stands: over its places, so that leaders hardly cross. */
+/** Places of the badges of a row: above the places they belong to, so that leaders hardly cross. */
 function rowOver({ shares, pitch }: Row, crowd: readonly Asked[], seen: Seen): readonly Place[] {
   const middle = crowd.reduce((sum, { place }) => sum + place.x, 0) / crowd.length + (crowd.length > 1 ? 0 : ASIDE.x);
   const over = Math.min(...crowd.map(({ place }) => place.y)) + ASIDE.y - Math.min(HIGHEST, RISE * (crowd.length - 1));
@@ -69,7 +66,7 @@ function rowOver({ shares, pitch }: Row, crowd: readonly Asked[], seen: Seen): r
 }
 
 /**
- * Columns and rows by which a whole crowd may be shifted, the nearest first: rather to a side than down on the work.
+ * Columns and rows by which a whole crowd may be shifted, the nearest first; sideways rather than down onto the work.
  */
 const SIDE = 4,
   FAR = 12,
@@ -83,9 +80,9 @@ function seemsFar({ x, y }: Place): number {
 }
 
 /**
- * The middle of the badge of each place: beside it, or, where badges would hide one another, in a row over their
- * places, in which neighbours share one where it would be too long. Nothing stands on what stands there already, nor
- * out of what is seen, as long as there is room above or below.
+ * The centre of the badge of each place: beside the place, or in a row above the places where badges would hide one
+ * another. In a row that is too long, neighbours share a badge. While there is room above or below, no badge covers
+ * another or leaves the visible area.
  */
 export function badgePlaces(places: readonly Place[], seen: Seen): readonly Place[] {
   const put: (Place & { readonly pitch: number })[] = [],

@@ -7,7 +7,7 @@ const track = trackOf(seconds.map((each) => ({ seconds: each })));
 const told = (between: readonly [number, number], fine: number, round: readonly number[] = []) =>
   bendsBetween(track, between, fine, (step) => round.includes(step));
 
-test("a way bends where moves end, and goes on from where the next one begins", () => {
+test("the direction changes where a move ends, and the next stretch starts where the next move begins", () => {
   const bends = told([0.5, 6], 0.01);
   expect(bends.map(({ seconds: s }) => s.toFixed(3))).toEqual(["1.370", "5.582"]);
   // The second move takes no time: the tip is somewhere else at once.
@@ -15,7 +15,7 @@ test("a way bends where moves end, and goes on from where the next one begins", 
   expect(bends[1]?.to).toEqual({ step: 3, fraction: 1 });
 });
 
-test("bends lie inside what is asked for, and no closer together than they are told apart", () => {
+test("direction changes lie inside the interval, no closer together than the resolution", () => {
   expect(told([1.4, 5.5], 0.01)).toEqual([]);
   expect(told([0, 6.4], 0.0015).map(({ seconds: s }) => s.toFixed(3))).toEqual(["1.370", "1.372", "5.582"]);
   for (const fine of [0.013, 0.31, 2.7]) {
@@ -27,7 +27,7 @@ test("bends lie inside what is asked for, and no closer together than they are t
   }
 });
 
-test("a round move bends all the way", () => {
+test("an arc changes direction all along", () => {
   const bends = told([1.5, 5.5], 0.37, [3]);
   expect(bends).toHaveLength(10);
   for (const { seconds: s, from } of bends)

@@ -2,8 +2,8 @@ import type { PlayPosition } from "../sim/simulation.ts";
 import { positionAt, type PlayedTrack } from "./playback.ts";
 
 /**
- * A moment of a run at which what goes along with the tool may change its direction: where it comes to, and where it
- * goes on from.
+ * A moment of a run at which the tool may change direction: the position at the end of one stretch, and the position at
+ * the start of the next.
  */
 export interface WayBend {
   /** Machine seconds from the start of the run. */
@@ -13,8 +13,8 @@ export interface WayBend {
 }
 
 /**
- * The moments between two others, machine seconds, at which the tip may turn: the ends of moves and, within a round
- * one, every `fine` seconds. Of those that lie closer together than that the first one stands for all.
+ * Moments between two others, machine seconds, at which the tip may change direction: the ends of moves and, within an
+ * arc, every `fine` seconds. Of moments closer together than `fine`, only the first counts.
  */
 export function bendsBetween(
   track: PlayedTrack,

@@ -34,7 +34,7 @@ test("Z runs to the right, X the way the switch says", () => {
   );
 });
 
-test("zooming keeps what lies under the pointer", () => {
+test("zooming keeps the point under the pointer", () => {
   fc.assert(
     fc.property(camera, place, number(0.2, 5), (c, at, factor) => {
       const before = toPlace(c, at),
@@ -55,7 +55,7 @@ test("panning there and back is no change", () => {
   );
 });
 
-test("pinching takes what lies between the fingers along", () => {
+test("pinching moves the points under the fingers along", () => {
   fc.assert(
     fc.property(camera, place, place, number(-100, 100), (c, a, b, shift) => {
       fc.pre(Math.hypot(a.x - b.x, a.y - b.y) > 20);

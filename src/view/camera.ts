@@ -31,7 +31,7 @@ export interface Camera {
   readonly xUp: boolean;
 }
 
-/** Pixels per mm between which a drawing of a turned part still says something. */
+/** Useful range of scales for the drawing of a turned part, pixels per mm. */
 export const SCALE = { min: 0.05, max: 2000 } as const;
 
 const sign = (camera: Camera) => (camera.xUp ? -1 : 1);
@@ -64,7 +64,7 @@ export const panned = (camera: Camera, dx: number, dy: number): Camera => ({
   zero: { x: camera.zero.x + dx, y: camera.zero.y + dy },
 });
 
-/** Zooms by a factor; what lies under `at` stays there. */
+/** Zooms by a factor; the point under `at` keeps its place. */
 export function zoomed(camera: Camera, factor: number, at: Place): Camera {
   const scale = Math.min(SCALE.max, Math.max(SCALE.min, camera.scale * factor));
   const real = scale / camera.scale;
@@ -76,8 +76,8 @@ export function zoomed(camera: Camera, factor: number, at: Place): Camera {
 }
 
 /**
- * How a drawing for one camera lies where another one looks: first grown by a factor from the picture's corner, then
- * moved, pixels.
+ * Transform that puts a drawing made for one camera under another: scale by a factor from the picture's corner, then
+ * shift, pixels.
  */
 export function sheetShift(
   drawn: Camera,
@@ -88,7 +88,8 @@ export function sheetShift(
 }
 
 /**
- * The corners of what a camera sees, as places in a drawing for another one, and how much that drawing is grown there.
+ * The corners of what a camera shows, in the coordinates of a drawing made for another camera, and the scale factor of
+ * that drawing there.
  */
 export function seenFrom(
   drawn: Camera,
@@ -99,7 +100,7 @@ export function seenFrom(
   return { from: { x: -x / grown, y: -y / grown }, to: { x: (width - x) / grown, y: (height - y) / grown }, grown };
 }
 
-/** Two fingers: what lay under each goes with it (their mean moves, their distance scales). */
+/** Two fingers: the points under both follow (their mean moves, their distance scales). */
 export function pinched(camera: Camera, before: readonly [Place, Place], after: readonly [Place, Place]): Camera {
   const mean = ([a, b]: readonly [Place, Place]): Place => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
   const apart = ([a, b]: readonly [Place, Place]) => Math.hypot(a.x - b.x, a.y - b.y);

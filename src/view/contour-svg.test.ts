@@ -25,7 +25,7 @@ test("a contour is drawn in its true size, arcs as arcs, with room round it", ()
   );
 });
 
-test("an arc that bulges beyond its ends lies in the drawing; nothing makes none", () => {
+test("an arc that bulges beyond its ends is inside the drawing; no contour gives no drawing", () => {
   const bow: Segment = { kind: "arc", from: at(0, 10), to: at(-20, 10), centre: at(-10, 10), turn: "ccw" };
   expect(contourSvg([{ name: "A", segments: [bow] }])).toContain('viewBox="-25 -25 30 20"');
   expect(contourSvg([])).toBe(null);

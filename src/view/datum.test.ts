@@ -22,7 +22,7 @@ const shown = (lines: string) => {
   });
 };
 
-test("the datum stands where the program counts from at each step, and at the end where it was left", () => {
+test("the mark shows the datum of each step, and at the end the last datum", () => {
   expect(
     shown("TRANS DATUM AXIS X+4 Z-12.5\nL Z+30 FMAX\nTRANS DATUM RESET\nL Z+5 FMAX\nTRANS DATUM AXIS Z+3"),
   ).toEqual([
@@ -33,7 +33,7 @@ test("the datum stands where the program counts from at each step, and at the en
   ]);
 });
 
-test("a program that shifts nothing, or takes it back before it moves, has no marks of its own", () => {
+test("a program that never moves with a shifted datum has no datum marks", () => {
   expect(turned("L Z+3 FMAX").datums).toEqual([]);
   expect(turned("TRANS DATUM AXIS Z-9\nTRANS DATUM RESET\nL Z+3 FMAX").datums).toEqual([]);
 });

@@ -3,7 +3,7 @@ import { edgeMark } from "./edge-mark.ts";
 
 const shown = { left: 46, right: 431, top: 3, bottom: 297 };
 
-test("a place in the picture has none, on the very edge neither", () => {
+test("a place in the picture has no mark, nor has one exactly on the edge", () => {
   expect(edgeMark({ x: 100.3, y: 50 }, shown)).toBeNull();
   expect(edgeMark({ x: 431, y: 297 }, shown)).toBeNull();
 });

@@ -1,6 +1,6 @@
 import type { Place } from "./camera.ts";
 
-/** What a picture shows, CSS pixels. */
+/** The visible area of a picture, CSS pixels. */
 export interface Seen {
   readonly left: number;
   readonly right: number;
@@ -9,15 +9,15 @@ export interface Seen {
 }
 
 /**
- * Where a place beyond the edge is pointed to: the nearest place on the edge, and which way it lies, degrees clockwise
- * from right.
+ * The mark of a place outside the visible area: the nearest point on the edge, and the direction to the place, degrees
+ * clockwise from right.
  */
 export interface EdgeMark {
   readonly at: Place;
   readonly turn: number;
 }
 
-/** The mark of a place that is not to be seen; null where it is. */
+/** The mark of a place outside the visible area; null if the place is visible. */
 export function edgeMark(place: Place, { left, right, top, bottom }: Seen): EdgeMark | null {
   const at = { x: Math.min(right, Math.max(left, place.x)), y: Math.min(bottom, Math.max(top, place.y)) };
   if (at.x === place.x && at.y === place.y) return null;

@@ -2,8 +2,8 @@ import { at, type Pt, type Ring } from "../kernel/geometry/point.ts";
 import type { Bounds } from "./camera.ts";
 
 /**
- * The rear end of a blank as drawings mark what is held: a plane with short lines behind it. Nothing is said of what
- * holds it.
+ * The rear end of a blank with the drawing symbol for clamping: a plane with short lines behind it, without any
+ * clamping device.
  */
 export interface HeldPlane {
   /** The plane, from the axis or the bore to the outside. */
@@ -11,10 +11,10 @@ export interface HeldPlane {
   readonly hatch: readonly (readonly [Pt, Pt])[];
 }
 
-/** Length of the short lines as a part of the radius, and between which it stays, mm. */
+/** Length of the short lines as a share of the radius, and its limits, mm. */
 const LINES = { share: 0.18, least: 1, most: 12 } as const;
 
-/** The plane at the rear end of a blank that is held nobody knows how. */
+/** The plane at the rear end of a blank whose clamping is not stated. */
 export function heldPlane(blank: readonly Ring[], { left, high }: Bounds): HeldPlane {
   const low = Math.min(
     high,

@@ -6,7 +6,7 @@ import { shippedTools } from "../program/tools/shipped-tools.ts";
 import { MOST_STRETCHES, pathStretches, progressOf, wholePath, type KnownLines } from "./passes.ts";
 import { toolpath } from "./scene.ts";
 
-/** So many passes of one call: in by rapid, a cut, out and back. */
+/** Steps of so many passes of one call: rapid to the cut, cut, lift off, back. */
 function passes(count: number, operation: number | null = 0): Step[] {
   const tool = shippedTools[0];
   if (!tool) throw new Error("no tool");
@@ -37,7 +37,7 @@ test("each pass is a stretch of its own, and all of them together are the path",
   expect(stretches[2]?.shapes).toEqual(toolpath(steps.slice(8, 12)));
   const whole = wholePath(stretches);
   expect(whole.map(({ role }) => role)).toEqual(["rapid", "feed"]);
-  // A stretch begins anew where the one before it ended: every line is there once.
+  // A stretch begins where the previous one ended: every line is drawn once.
   const lines = (d: string | undefined) => d?.split("L").length;
   expect(whole.map(({ d }) => lines(d))).toEqual(toolpath(steps).map(({ d }) => lines(d)));
   expect(stretches[2]?.shapes.map(({ role }) => role)).toEqual(["rapid", "feed"]);
@@ -52,7 +52,7 @@ test("between the cycles a rapid after a cut begins the next stretch", () => {
   ]);
 });
 
-test.each([97, 500, 12_500])("%i passes are no more stretches than may be, without a gap", (count) => {
+test.each([97, 500, 12_500])("%i passes make no more stretches than allowed, without a gap", (count) => {
   const steps = passes(count),
     stretches = pathStretches(steps);
   expect(stretches.length).toBeGreaterThan(MOST_STRETCHES / 3);
@@ -73,13 +73,13 @@ test("a part of a run keeps the numbers of its steps", () => {
   expect(pathStretches([])).toEqual([]);
 });
 
-test("what is behind the running step is done, forwards and back", () => {
+test("stretches before the running step are done, forwards and backwards", () => {
   const stretches = pathStretches(passes(4));
   const at = (step: number) => stretches.map((each) => progressOf(each, step)[0]).join("");
   expect([0, 3, 4, 11, 15, 16, 5].map(at)).toEqual(["rccc", "rccc", "drcc", "ddrc", "dddr", "dddd", "drcc"]);
 });
 
-test("where a call of many changes, the lines of all others are those of before", () => {
+test("when one call of many changes, the lines of all others are reused", () => {
   const call = (operation: number, count: number) => passes(count, operation);
   const calls = Array.from({ length: 31 }, (_, i) => call(i, 33 + (i % 3))),
     known: KnownLines = new WeakMap();

@@ -2,20 +2,20 @@ import type { Step } from "../kernel/time/step.ts";
 import { moveData, startData } from "./path.ts";
 import { PATH_ROLES, pathRole, tipWays, toolpath, type Shape, type TipWays } from "./scene.ts";
 
-/** The lines that draw some moves, and where their tips go. */
+/** The lines that draw some moves, and the area that their tips reach. */
 interface Drawn {
   readonly shapes: readonly Shape[];
   readonly ways: readonly TipWays[];
 }
 
-/** Moves that follow one another, first and last included, and the lines that draw them. */
+/** Consecutive moves, first and last included, and the lines that draw them. */
 export interface PathStretch extends Drawn {
   readonly first: number;
   readonly last: number;
 }
 
 /**
- * Stretches of a path that may change their look one by one: more would cost every picture, and could not be told
+ * Limit of path stretches that change their look one by one: more would slow down every frame, and could not be told
  * apart.
  */
 export const MOST_STRETCHES = 96;
@@ -31,8 +31,8 @@ const beginsCall = (before: Step, step: Step): boolean =>
   step.operation !== null && step.operation !== before.operation;
 
 /**
- * Steps of a stretch at least, of so many in all: one of 1, 2, 3, 4, 6, 8, 12 …, which stays the same while a path
- * grows a little, so that what nobody has changed is the same stretches again.
+ * Least number of steps per stretch: one of 1, 2, 3, 4, 6, 8, 12 …. The number stays the same while a path grows a
+ * little, so that unchanged moves form the same stretches again.
  */
 function leastOf(count: number, most: number): number {
   const share = Math.max(1, count / most),
@@ -40,10 +40,10 @@ function leastOf(count: number, most: number): number {
   return power > 2 && 0.75 * power >= share ? 0.75 * power : power;
 }
 
-/** The lines of stretches by the first of their steps that a cycle made: what goes the same way is not made again. */
+/** Cached lines of stretches by their first step that a cycle made, so that unchanged stretches are not drawn again. */
 export type KnownLines = WeakMap<Step, { readonly steps: readonly Step[]; readonly drawn: Drawn }>;
 
-/** Steps of calls that stay the same are the very same; what moves between them is made anew with each run. */
+/** Steps of unchanged calls keep their identity; the moves between calls are new objects in each run. */
 const drawsAlike = (a: Step | undefined, b: Step | undefined): boolean =>
   a?.operation === null &&
   b?.operation === null &&
@@ -52,7 +52,7 @@ const drawsAlike = (a: Step | undefined, b: Step | undefined): boolean =>
   moveData(a.from, a.move) === moveData(b.from, b.move) &&
   startData(a.from) === startData(b.from);
 
-/** Whether some steps draw what others draw from an index on. */
+/** Whether some steps draw the same lines as others from an index on. */
 function isAlike(some: readonly Step[], others: readonly Step[], from: number): boolean {
   for (let i = 0; i < some.length; i += 1)
     if (some[i] !== others[from + i] && !drawsAlike(some[i], others[from + i])) return false;
@@ -72,9 +72,9 @@ function linesOf(steps: readonly Step[], from: number, to: number, known: KnownL
 }
 
 /**
- * A part of a run as stretches of whole passes, in their order, each with a path for every form of line. Where there
- * are too many passes, several that follow one another are one stretch; but a call begins a stretch unless the one
- * before would be very short.
+ * A part of a run as stretches of whole passes, in order, each with one path per form of line. With too many passes,
+ * several consecutive ones share a stretch; a call still begins a new stretch unless the previous one would be very
+ * short.
  */
 export function pathStretches(
   steps: readonly Step[],
@@ -104,7 +104,7 @@ export function pathStretches(
 /** All stretches as one path for each form of line. */
 export const wholePath = (stretches: readonly PathStretch[]): readonly Shape[] =>
   PATH_ROLES.flatMap((role) => {
-    // Put together by and by, a long text is only written out when somebody reads it.
+    // The engine concatenates lazily: a long text is only built when it is read.
     let d = "";
     for (const { shapes } of stretches) d += shapes.find((shape) => shape.role === role)?.d ?? "";
     return d ? [{ role, d }] : [];
@@ -113,7 +113,7 @@ export const wholePath = (stretches: readonly PathStretch[]): readonly Shape[] =
 /** How far a stretch is: to come, running or done. */
 export type Progress = "coming" | "running" | "done";
 
-/** What is said of a stretch while a step runs; behind the last step everything is done. */
+/** The state of a stretch while a step runs; after the last step everything is done. */
 export function progressOf({ first, last }: PathStretch, step: number): Progress {
   if (step > last) return "done";
   return step < first ? "coming" : "running";

@@ -32,7 +32,7 @@ function arc(path: Extract<Segment, { kind: "arc" }>): string {
 
 const line = (path: Segment) => (path.kind === "arc" ? arc(path) : `L${at(path.to)}`);
 
-/** One motion from where the tip stands; without the leading "M". */
+/** One motion from the tip's position, without the leading "M". */
 export const moveData = (from: Pt, move: Move): string =>
   move.kind === "arc"
     ? arc({ kind: "arc", from, to: move.to, centre: move.centre, turn: move.turn })

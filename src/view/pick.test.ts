@@ -23,11 +23,11 @@ const steps: readonly Step[] = [
   step(at(2.3, 28.4), { kind: "feed", to: at(-41.9, 25.1) }),
 ];
 
-test("the move that cuts is meant where a rapid lies on it", () => {
+test("where a rapid lies on a cut, the cut is picked", () => {
   expect(moveAt(steps, at(-17.7, 28.45), 0.3)).toBe(1);
   expect(moveAt(steps, at(2.35, 30.2), 0.3)).toBe(0);
 });
-test("nothing is meant beside the path, or where its moves are hidden", () => {
+test("nothing is picked beside the path, or where its moves are hidden", () => {
   expect(moveAt(steps, at(-17.7, 29.9), 0.3)).toBeNull();
   expect(moveAt(steps, at(-17.7, 28.45), 0.3, (i) => i !== 1)).toBe(2);
 });

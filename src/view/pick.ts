@@ -3,13 +3,13 @@ import type { Step } from "../kernel/time/step.ts";
 import { pathOf } from "../kernel/time/time.ts";
 import type { PlayPosition } from "../sim/simulation.ts";
 
-/** How the steps of a path are looked at: the way of each, and whether it cuts. */
+/** Access to the steps of a path: the way of each, and whether it cuts. */
 export interface Looked<S> {
   readonly wayOf: (step: S) => Segment;
   readonly cuts: (step: S) => boolean;
 }
 
-/** Boxes round all moves, four numbers each: a pointer over a long path looks at numbers, not at arcs. */
+/** Boxes round all moves, four numbers each, so that a hit test on a long path compares numbers instead of arcs. */
 const boxes = new WeakMap<readonly unknown[], Float64Array>();
 
 const SIDES = 4;
@@ -27,8 +27,8 @@ function boxesOf<S>(steps: readonly S[], { wayOf }: Looked<S>): Float64Array {
 }
 
 /**
- * The step nearest to a place, within `reach` mm; of steps on the same way the one that cuts, then the last. Null where
- * none is near. `shown` says which steps are there to be pointed at.
+ * The step nearest to a place, within `reach` mm; of steps on the same way the one that cuts, then the last. Null if
+ * none is near. `shown` tells which steps can be picked.
  */
 export function nearestStep<S>(
   steps: readonly S[],
@@ -60,7 +60,7 @@ export function nearestStep<S>(
 /** A moment this far along a move still belongs to it. */
 const ALMOST_DONE = 0.999;
 
-/** How far along its way a step comes nearest to a place, 0 … 1 but for its very end. */
+/** Fraction of a step's way that is nearest to a place: 0 … 1, but never its very end. */
 export function fractionNear(way: Segment, place: Pt): number {
   const long = part.lengthOf(way);
   const done = long > 0 ? part.along(way, part.nearestOn(way, place)) / long : 0;

@@ -24,12 +24,12 @@ interface Room {
   readonly bottom: number;
 }
 
-/** What a contour is drawn as, beside itself. */
+/** How a contour is drawn, apart from its line. */
 interface Shape {
   readonly open: Open;
-  /** A groove: the part stands at both ends. */
+  /** A groove: the part continues at both ends. */
   readonly sunk: boolean;
-  /** Of a face: what is cut lies at the bore. */
+  /** In face machining: the area to cut is at the bore. */
   readonly bored: boolean;
 }
 
@@ -44,9 +44,7 @@ const spread = (values: readonly number[]) => {
   return { low, long: high - low };
 };
 
-/**
- * Lays points into a room, larger in one direction than in the other where that shows more, but not beyond recognition.
- */
+/** Fits points into a room, stretched in one direction where that shows more, but not beyond recognition. */
 function fitted(points: readonly Place[], room: Room): Place[] {
   const [x, y] = [spread(points.map((p) => p.x)), spread(points.map((p) => p.y))];
   const [wide, high] = [room.right - room.left, room.bottom - room.top];
@@ -65,7 +63,7 @@ const across = (open: Open) => {
   return { u: u ?? Number, v: v ?? Number, place };
 };
 
-/** Teeth in place of a smooth line. */
+/** Replaces a smooth line by thread teeth. */
 function toothed(line: readonly Place[], open: Open): Place[] {
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last) return [];
@@ -83,14 +81,14 @@ function baseOf({ open }: Shape): number {
   return open === "out" ? -PICTOGRAM.axis : EDGE.top;
 }
 
-/** The outline of the part: the contour, the stretch beyond each end at which it stands, and its back. */
+/** The outline of the part: the contour, the stretch beyond each end where the part continues, and its back. */
 function bodyOf(line: readonly Place[], shape: Shape): Place[] {
   const { open, sunk } = shape;
   const { u, v, place } = across(open);
   const [low, high] = open === "face" ? [EDGE.top, PICTOGRAM.axis] : [EDGE.left, EDGE.right];
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last) return [];
-  /** The end that stands higher has the part beyond it; of two alike it is the one at the chuck. */
+  /** The part continues beyond the higher end; of two equal ends it is the one at the chuck. */
   const level = Math.abs(v(first) - v(last)) < 1;
   const beyond = (end: Place, other: Place) => sunk || (level ? u(end) < u(other) : v(end) > v(other));
   const edge = (end: Place, other: Place) => (beyond(end, other) ? place(u(end) < u(other) ? low : high, v(end)) : end);
@@ -99,7 +97,7 @@ function bodyOf(line: readonly Place[], shape: Shape): Place[] {
   return [place(u(from), base), from, ...line, to, place(u(to), base)];
 }
 
-/** What lies between the contour and its highest point. */
+/** The area between the contour and its highest point. */
 function cutOf(line: readonly Place[], open: Open): Place[] {
   const { u, v, place } = across(open);
   const top = Math.max(...line.map(v));

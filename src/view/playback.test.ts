@@ -43,7 +43,7 @@ const exists = ({ track: t, position }: Playback) => {
   expect(Number.isInteger(position.step)).toBe(true);
 };
 
-test("whatever is pressed, the position exists", () => {
+test("after any action the position exists", () => {
   fc.assert(
     fc.property(track, fc.array(action, { maxLength: 30 }), (t, actions) => {
       let p = atStart(t);
@@ -87,7 +87,7 @@ test("time never runs backwards and stops at the end", () => {
   );
 });
 
-test("forward walks every move once, back walks them home", () => {
+test("forward steps through every move once, back returns through all of them", () => {
   fc.assert(
     fc.property(track, (t) => {
       let p = atStart(t);

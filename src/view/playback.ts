@@ -36,7 +36,7 @@ const START: PlayPosition = { step: 0, fraction: 0 };
 
 type Timed = readonly { readonly seconds: number }[];
 
-/** Several places ask for that of one run. */
+/** Cache: several callers need the track of the same run. */
 const tracks = new WeakMap<Timed, PlayedTrack>();
 
 /** The track of moves that last so long; a duration that is no number counts as none. */
@@ -50,7 +50,7 @@ export function trackOf(steps: Timed): PlayedTrack {
   return track;
 }
 
-/** Where the playback stands before anything is loaded or played. */
+/** The playback before anything is loaded or played. */
 export const atStart = (track: PlayedTrack, rate = 1): Playback => ({ track, position: START, playing: false, rate });
 
 const count = (track: PlayedTrack) => track.ends.length;
@@ -140,12 +140,12 @@ export function reduce(p: Playback, action: Action): Playback {
   }
 }
 
-/** Time goes on from where it stands, and never back, even where rounding of long runs would have it. */
+/** Advances the time; never backwards, even with the rounding errors of long runs. */
 function later(p: Playback, seconds: number): PlayPosition {
   const next = positionAt(p.track, secondsAt(p.track, p.position) + seconds);
   const back = next.step < p.position.step || (next.step === p.position.step && next.fraction < p.position.fraction);
   return back ? p.position : next;
 }
 
-/** Without motion: what is shown while playing is the end of the last whole move. */
+/** Without motion, playback shows the end of the last whole move. */
 export const settled = (position: PlayPosition): PlayPosition => ({ step: position.step, fraction: 0 });

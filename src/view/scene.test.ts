@@ -102,7 +102,7 @@ test("every move is drawn once: as many strokes as moves", () => {
   expect(strokes.reduce((sum, n) => sum + n, 0)).toBe(steps.length);
 });
 
-test("plunging is told before the phase, a rapid before all", () => {
+test("plunging takes precedence over the phase, a rapid over everything", () => {
   expect(steps.map((s) => pathRole(s.move))).toEqual([
     "rapid",
     "feed",
@@ -140,6 +140,6 @@ test("the bar of a run covers its whole time once", () => {
   expect(covered).toBeCloseTo(1, 3);
 });
 
-test("a picture of nothing has a place", () => {
+test("an empty picture still has bounds", () => {
   expect(sceneOf({ blank: [], contours: [], steps: [] }).shapes).toEqual([]);
 });

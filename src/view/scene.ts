@@ -22,33 +22,33 @@ export interface Shape {
   readonly d: string;
 }
 
-/** What the still part of the picture is made of. */
+/** Content of the static part of the picture. */
 export interface SceneParts {
   readonly blank: readonly Ring[];
-  /** What holds it; null or absent where that is not stated. */
+  /** The clamping; null or absent if not stated. */
   readonly clamping?: Clamped | null;
   readonly contours: readonly (readonly Segment[])[];
   readonly steps: readonly Step[];
-  /** The lines of their path where they are made already. */
+  /** Lines of the path, if already made. */
   readonly path?: readonly Shape[];
-  /** Where their tips go, where that is known already. */
+  /** Boxes of the tip positions, if already known. */
   readonly ways?: readonly TipWays[];
-  /** A contour as far as it is known, where it is not whole yet. */
+  /** The known part of a contour that is not complete yet. */
   readonly sketch?: readonly Segment[];
-  /** Points beside all that which are to be seen as well. */
+  /** Further points that must be visible. */
   readonly near?: readonly Pt[];
-  /** Where a tool stands before there is a path, and which. */
+  /** Position of a tool before there is a path, and the tool. */
   readonly waits?: { readonly at: Pt; readonly tool: Tool | null } | null;
 }
 
-/** The still part of the picture, from back to front, and the box that shows all of it. */
+/** The static part of the picture, from back to front, and the box that contains all of it. */
 export interface Scene {
   readonly shapes: readonly Shape[];
   readonly chuck: ChuckDrawing | null;
   readonly bounds: Bounds;
 }
 
-/** The form of a move: plunging is told first, then the phase; positioning feeds look like feeds. */
+/** The form of a move: plunging takes precedence over the phase; positioning feeds look like feeds. */
 export function pathRole(move: Move): PathRole {
   if (move.kind === "rapid") return "rapid";
   if (move.kind === "thread") return "thread";
@@ -77,10 +77,10 @@ export function toolpath(steps: readonly Step[]): readonly Shape[] {
   });
 }
 
-/** Inserts are drawn with chords this fine when only their size counts, mm. */
+/** Chord tolerance of inserts when only their size counts, mm. */
 const COARSE = 0.2;
 
-/** The box round an insert whose tip goes through a box; no more of it than `most` mm from the tip to each side. */
+/** The box round an insert whose tip moves through a box, at most `most` mm from the tip to each side. */
 function insertBox(way: Bounds, tool: Tool, most = Infinity): Bounds {
   const insert = boundsOf(insertOutline(tool, COARSE)),
     within = (by: number) => Math.max(-most, Math.min(most, by));
@@ -94,7 +94,7 @@ function insertBox(way: Bounds, tool: Tool, most = Infinity): Bounds {
     : way;
 }
 
-/** Where the tip of a tool goes in some moves, all of cycles or all of path blocks. */
+/** The box of a tool's tip positions in some moves, all of cycles or all of path blocks. */
 export interface TipWays extends Bounds {
   readonly tool: Tool;
   readonly inCycle: boolean;
@@ -109,7 +109,7 @@ const grown = (box: TipWays | undefined, tool: Tool, inCycle: boolean, from: Pt,
   high: Math.max(box?.high ?? from.r, from.r, to.r),
 });
 
-/** The boxes of all tips of some steps. */
+/** The boxes of all tip positions in some steps. */
 export function tipWays(steps: readonly Step[]): readonly TipWays[] {
   const own = new Map<Tool, TipWays>(),
     between = new Map<Tool, TipWays>();
@@ -120,20 +120,20 @@ export function tipWays(steps: readonly Step[]): readonly TipWays[] {
   return [...own.values(), ...between.values()];
 }
 
-/** The box round every place of every insert. */
+/** The box round every position of every insert. */
 export const workingBox = (ways: readonly TipWays[], most = Infinity): Bounds | null =>
   ways.reduce<Bounds | null>(
     (all, way) => (way.left <= way.right && way.low <= way.high ? joined(all, insertBox(way, way.tool, most)) : all),
     null,
   );
 
-/** A picture of nothing still has a place: 100 mm of axis. */
+/** Fallback for an empty picture: 100 mm of axis. */
 const EMPTY: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 
-/** Space left round everything, mm per mm of its size. */
+/** Margin, mm per mm of size. */
 const AIR = 0.02;
 
-/** The picture frames the cycles; positioning from far away (a tool change) does not make the work small. */
+/** The picture frames the cycles, so that positioning from far away (a tool change) does not shrink the work. */
 function framed(ways: readonly TipWays[]): readonly TipWays[] {
   const cutting = ways.filter(({ inCycle }) => inCycle);
   return cutting.length > 0 ? cutting : ways;
@@ -164,14 +164,14 @@ export function sceneOf({
   if (blank.length > 0) shapes.push({ role: "blank", d: ringData(blank) });
   if (sketch.length > 0) shapes.push({ role: "sketch", d: segmentData(sketch) });
   shapes.push(...contourShapes(contours), ...(drawn ?? toolpath(steps)));
-  // Beside a tiny part an insert would be most of the picture.
+  // On a tiny part an insert would fill most of the picture.
   const most = material ? material.high : Infinity;
   const tip = boundsOf(waits ? [waits.at] : []),
     standing = tip && waits?.tool ? insertBox(tip, waits.tool, most) : tip;
   const seen =
     joined(joined(material, joined(joined(workingBox(framed(all), most), standing), outline)), chuck?.seen ?? null) ??
     EMPTY;
-  // Below the axis there is the other half of the work.
+  // The other half of the work is below the axis.
   const axis = { ...seen, low: Math.min(low, -(material?.high ?? 0)) };
   return { shapes, chuck, bounds: grownBounds(axis, AIR * Math.max(axis.right - axis.left, axis.high - axis.low)) };
 }

@@ -30,7 +30,7 @@ const areaOf = (points: readonly { x: number; y: number }[]) =>
     }, 0),
   ) / 2;
 
-test("the chips of all passes together are the groove, and with a constant cross-section one is as large as the other", () => {
+test("the chips of all passes together are the groove, and with a constant cross-section all chips are of equal size", () => {
   const drawing = threadProfile(thread, 300, 200);
   const chips = drawing?.chips ?? [];
   expect(chips.map((c) => c.pass)).toEqual([1, 2, 3, 4]);

@@ -1,6 +1,6 @@
 import type { ThreadPlan } from "../kernel/plan/plan.ts";
 
-/** The chip of one pass: what of the groove it takes that no pass before it took, as a closed line of the drawing. */
+/** The chip of one pass: the part of the groove that no earlier pass removed, as a closed line of the drawing. */
 export interface ThreadChip {
   /** From 1. */
   readonly pass: number;
@@ -22,12 +22,12 @@ export interface ThreadProfile {
   readonly chips: readonly ThreadChip[];
 }
 
-/** More passes than this are drawn as so many steps: single ones could not be told apart. */
+/** Limit of drawn passes. More passes are drawn in this many steps, because single ones could not be told apart. */
 const MOST = 40;
 const SAMPLES = 160;
 const EDGE = 6;
 
-/** Depth of a groove at a place when the tip stands at `tip` and `deep` mm below the crest; 0 beside it. */
+/** Depth of a groove at a place, with the tip at `tip`, `deep` mm below the crest; 0 outside the groove. */
 function depthAt(side: ThreadPlan["side"], u: number, tip: number, deep: number): number {
   const at = u - tip;
   for (let i = 1; i < side.length; i += 1) {

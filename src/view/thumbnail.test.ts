@@ -16,7 +16,7 @@ test("the part lies in its blank, the box holds both sides of the axis, and X po
   expect(top + height).toBeCloseTo(-top, 6);
 });
 
-test("a thousand places of a fine arc become few", () => {
+test("a fine arc of a thousand points is reduced to few", () => {
   const arc = Array.from({ length: 1000 }, (_, i) => at(-i * 0.07, 9 + 3 * Math.sin(i / 300)));
   expect(thumbnailOf(blank, [[...arc, at(-70, 0), at(0, 0)]])?.part.length).toBeLessThan(6000);
 });

@@ -1,28 +1,28 @@
 import type { Pt, Ring } from "../kernel/geometry/point.ts";
 import { boundsOf } from "./bounds.ts";
 
-/** Numbers of an SVG `viewBox`. Such a picture is in part space turned up: x is z, y is −r, both mm. */
+/** Numbers of an SVG `viewBox`, in part space with X up: x is z, y is −r, both mm. */
 export type ViewBox = readonly [left: number, top: number, width: number, height: number];
 
-/** A part in small, as it comes out of its program, and what it was turned from. */
+/** A small picture of a part as its program makes it, with its blank. */
 export interface Thumbnail {
   readonly box: ViewBox;
   readonly part: string;
   readonly blank: string;
-  /** The way of a mill in the plane, where nothing is turned. */
+  /** The path of a mill in the plane, if nothing is turned. */
   readonly plane?: string;
 }
 
-/** Places nearer to each other than this part of the picture's width are one. */
+/** Points closer together than this share of the picture's width are merged. */
 const FINE = 1 / 400;
-/** Space left round the part, of the picture's width. */
+/** Margin round the part, as a share of the picture's width. */
 const AIR = 0.03;
 
 const n = (v: number) => String(Math.round(v * 100) / 100 + 0);
 /** A place in such a picture, as path data. */
 export const thumbPlace = (p: Pt): string => `${n(p.z)} ${n(-p.r)}`;
 
-/** A ring without the places that no small picture shows. */
+/** A ring without the points that are too fine for a small picture. */
 function coarse(ring: Ring, fine: number): Ring {
   const kept: Pt[] = [];
   for (const p of ring) {

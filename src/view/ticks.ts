@@ -6,7 +6,7 @@ export interface Ticks {
   readonly values: readonly number[];
 }
 
-/** A scale never shows more marks than this, whatever it is asked. */
+/** Upper limit of marks on a scale, whatever the request. */
 const MOST = 200;
 
 /** Steps of 1, 2 or 5 times a power of ten, at least `apart` units from each other, that fall between two values. */

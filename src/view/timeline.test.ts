@@ -21,7 +21,7 @@ test("the bar has a stretch for each run of cuts and of rapids, as parts of the 
   });
 });
 
-test("what no screen could show apart is one stretch, and nothing of it is lost", () => {
+test("stretches too short for any screen are merged, and no time is lost", () => {
   const steps = Array.from({ length: 50_000 }, (_, i) =>
     step(i % 2 === 0 ? "feed" : "rapid", i % 2 === 0 ? 0.31 : 0.02),
   );
@@ -30,7 +30,7 @@ test("what no screen could show apart is one stretch, and nothing of it is lost"
   expect(rapid).toMatch(/^M0\.0000\d+ 0H1V1H0\.0000\d+Z$/);
 });
 
-test("what takes no time has no stretch, and a call that is left and taken up again has two names", () => {
+test("a step without duration has no stretch, and a resumed call has two entries", () => {
   const steps = [step("rapid", 0), step("feed", 4, 0), step("feed", 1, null), step("feed", 5, 0), step("rapid", 0, 1)];
   const { rapid, operations } = timeBar(steps, trackOf(steps));
   expect(rapid).toBe("");

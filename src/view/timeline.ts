@@ -16,9 +16,9 @@ export interface TimeBar {
   readonly operations: readonly { readonly operation: number; readonly from: number; readonly to: number }[];
 }
 
-/** Boundaries nearer than this part of the bar would only make it grey. */
+/** Boundaries closer together than this share of the bar would only turn it grey. */
 const NEAR = 0.006;
-/** Stretches of a kind that lie this near, as a part of the bar, are one: no screen shows what is between them. */
+/** Stretches of one kind this close together, as a share of the bar, are merged: no screen shows the gap. */
 const ONE = 1 / 8000;
 
 const n = (v: number) => String(Math.round(v * 1e5) / 1e5);

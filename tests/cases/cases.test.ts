@@ -22,7 +22,7 @@ const nameOf = (path: string) => path.replace(/^\.\/|\.h$/g, "");
 const LEAD = 4.1;
 const near = (a: number | undefined, b: number) => Math.abs((a ?? NaN) - b) < 0.005;
 
-/** Everything that a report says other than it should, in words. */
+/** The differences between a report and its expectation, in words. */
 function differences(r: Report, e: Expected): string[] {
   const out: string[] = [];
   const wrong = (when: boolean, what: string) => void (when && out.push(what));
@@ -92,7 +92,7 @@ function differences(r: Report, e: Expected): string[] {
   return [...out, ...ofMotion(r, e)];
 }
 
-/** The same of its moves. */
+/** Differences of the moves. */
 function ofMotion(r: Report, e: Expected): string[] {
   const out: string[] = [];
   const wrong = (when: boolean, what: string) => void (when && out.push(what));

@@ -1,6 +1,6 @@
 import type { Expected } from "./expectation.ts";
 
-/** What was asked for, and what only follows from something else that is told. */
+/** Programs with a cause that is reported, and consequences that are not reported again. */
 export const expectedCauses: Readonly<Record<string, Expected>> = {
   "oversize-asked-for": {
     says: "the oversize of Q215 = 3 was asked for",

@@ -5,7 +5,7 @@ const TAP = { T: 47, NAME: "TAP10", TYPE: "TAP", R: 5, PITCH: 1.5, LCUTS: 40 };
 const CORE = { T: 48, NAME: "DRILL85", TYPE: "DRILL", R: 4.25, "T-ANGLE": 140, LCUTS: 60 };
 const rule = { has: { controlRule: 1 }, mostErrors: 1, tools: [MILL] };
 
-/** The same of programs whose fault shows as they run: spindle and speeds, holes, the centre, rules of the control. */
+/** Expected reports of faults in running programs: spindle and speeds, holes, the centre, rules of the control. */
 export const running: Readonly<Record<string, Expected>> = {
   "plain-cut-spindle-stopped": {
     says: "a plain cut while the spindle stands, once, at the first block that meets material",

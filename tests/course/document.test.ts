@@ -23,7 +23,7 @@ describe("docs/tasks.md", () => {
     expect(named("Fields").toSorted()).toEqual(fields.toSorted());
   });
 
-  test("says of every field whether it is needed", () => {
+  test("states for every field whether it is required", () => {
     const said = [...projectFile("docs/tasks.md").matchAll(/^\| `([^`]+)` \| needed/gm)].map(([, name = ""]) => name);
     expect(said.toSorted()).toEqual(neededFields(taskSchema as unknown as Schema).toSorted());
   });
@@ -39,7 +39,7 @@ describe("docs/tasks.md", () => {
       new Set(["make", "fault", "predict", "drawing"]),
     ));
 
-  test.each(examples)("shows a task that opens whole and is right: %#", (raw) => {
+  test.each(examples)("shows a task that opens completely and is right: %#", (raw) => {
     const task = taskSchema.parse(raw);
     expect(readTask(raw)).toEqual({ task, left: [] });
     expect(taskProblems(task, `${task.id}.json`).filter((p) => !/^no (?:words in|wrong answer)/.test(p))).toEqual([]);

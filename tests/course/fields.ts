@@ -1,6 +1,6 @@
 import { LESSON_LANGUAGES } from "../../src/i18n/languages.ts";
 
-/** What a schema of zod says of itself, as far as its fields go. */
+/** The definition of a zod schema, as far as its fields need it. */
 interface Definition {
   readonly type: string;
   readonly shape?: Readonly<Record<string, Schema>>;
@@ -15,12 +15,10 @@ export interface Schema {
 
 const languages: readonly string[] = LESSON_LANGUAGES;
 
-/** Whether something that has a schema can be left out. */
+/** Whether the value of a schema is optional. */
 const canBeLeft = ({ def }: Schema): boolean => def.type === "optional" || def.type === "default";
 
-/**
- * The fields that cannot be left out where the group is there that they stand in; of a choice, wherever it has them.
- */
+/** The fields that are required where their group is present; for a union, the required fields of each branch. */
 export function neededFields({ def }: Schema, path = ""): string[] {
   if (def.shape) {
     return Object.entries(def.shape).flatMap(([name, inner]) => {
@@ -38,8 +36,8 @@ export function neededFields({ def }: Schema, path = ""): string[] {
 }
 
 /**
- * Every field of a schema by its path: "part.threads[].pitch". Of a choice the fields of all that may stand there; the
- * languages are one, "words.en".
+ * Every field of a schema by its path: "part.threads[].pitch". A union contributes the fields of all branches; the
+ * languages count as one, "words.en".
  */
 export function fieldsOf({ def }: Schema, path = ""): string[] {
   if (def.shape) {

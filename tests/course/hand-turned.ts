@@ -4,13 +4,13 @@ import { judge } from "../../src/course/judge/judge.ts";
 import type { RuleName, TaskJudgement } from "../../src/course/judge/judgement.ts";
 import { TASK_FORMAT, taskSchema, type Task } from "../../src/course/task.ts";
 
-/** Sizes on the grid of a control, awkward ones. */
+/** Uneven sizes on the grid of a control. */
 export const mm = (min: number, max: number) =>
   fc.integer({ min: Math.round(min * 1000), max: Math.round(max * 1000) }).map((n) => n / 1000);
 
 /**
- * A shoulder turned by hand in one pass: blank ⌀, finished ⌀, and its length; the nose of the tool leaves its radius in
- * the corner.
+ * A shoulder turned by hand in one pass: blank ⌀, finished ⌀, and length; the tool leaves its nose radius in the
+ * corner.
  */
 export interface Shoulder {
   readonly outer: number;
@@ -19,7 +19,7 @@ export interface Shoulder {
 }
 /** Nose radius of tool 1, mm. */
 export const NOSE = 0.8;
-/** How far the blank goes on behind the shoulder, mm. */
+/** Length of the blank behind the shoulder, mm. */
 const BEHIND = 31.7;
 
 export const shoulders: fc.Arbitrary<Shoulder> = fc
@@ -35,7 +35,7 @@ interface Written {
   readonly tool?: number;
   readonly spin?: string;
   readonly feed?: number;
-  /** Lines in place of the two blocks that turn the shoulder. */
+  /** Lines that replace the two blocks for the shoulder. */
   readonly cuts?: readonly string[];
   readonly blank?: string;
   readonly before?: readonly string[];
@@ -45,7 +45,9 @@ export const blankLine = ({ outer, length }: Shoulder) =>
   `BLK FORM CYLINDER Z D${outer} L${(length + BEHIND).toFixed(3)} DIST+0`;
 const INCH = 25.4;
 
-/** A whole program. Block 6 stands in front of the face, 7 turns along it, 8 goes out along the shoulder. */
+/**
+ * A whole program. Block 6 moves to the front of the face, 7 turns along the cylinder, 8 retracts along the shoulder.
+ */
 export function programOf(
   s: Shoulder,
   { unit = "MM", tool = 1, spin, feed = 0.2, cuts, blank, before = [] }: Written = {},
@@ -68,7 +70,7 @@ export function programOf(
   ].join("\n");
 }
 
-/** A task that asks for a shoulder as a nose leaves it. */
+/** A task for a shoulder with the nose radius in its corner. */
 export const taskOf = (s: Shoulder, more: Partial<Task> = {}): Task =>
   taskSchema.parse({
     format: TASK_FORMAT,

@@ -8,11 +8,11 @@ import "../seed.ts";
 import { blankLine, judged, mm, NOSE, programOf, refusedBy, shoulders, sumOf, taskOf } from "./hand-turned.ts";
 
 /*
- * What a judge of parts must see, worked out on paper: a shoulder too thin is missing a band of its length, a step that
- * was left is a band of its depth. Where a nose rounds the corner both parts carry the same rounding.
+ * Results of the judge, calculated by hand: a shoulder that is too thin is missing a band of its length, and a step
+ * that was left is a band of its depth. Where a nose rounds the corner, both parts have the same rounding.
  */
 const RUNS = Number(process.env["LAW_CASES"] ?? 12);
-/** Chords, and slivers that the judge passes over, for a band of some length, mm². */
+/** Tolerance for a band of some length, mm²: chords, and slivers that the judge ignores. */
 const near = (area: number, length: number) => [area - 0.006 * length - 0.01, area + 0.006 * length + 0.01] as const;
 
 const law = <T>(arbitrary: fc.Arbitrary<T>, holds: (value: T) => void) =>
@@ -25,7 +25,7 @@ describe("a shoulder", () => {
       expect(refusedBy(judged(taskOf(s), programOf(s, { unit: "INCH" })))).toEqual([]);
     }));
 
-  test("passes whatever the way: in two passes, face first, with parameters", () =>
+  test("passes in any way: in two passes, face first, with parameters", () =>
     law(shoulders, (s) => {
       const middle = Math.round((s.outer + s.diameter) * 500) / 1000;
       const two = [
@@ -49,7 +49,7 @@ describe("a shoulder", () => {
       expect(refusedBy(judged(taskOf(s), programOf(s, { cuts: counted })))).toEqual([]);
     }));
 
-  test("that is thinner is missing a band of its length: block 7 took it, there", () =>
+  test("that is thinner is missing a band of its length, cut there by block 7", () =>
     law(fc.tuple(shoulders, mm(0.02, 0.6)), ([s, deeper]) => {
       for (const unit of ["MM", "INCH"] as const) {
         const found = judged(taskOf(s), programOf({ ...s, diameter: s.diameter - 2 * deeper }, { unit }));
@@ -79,7 +79,7 @@ describe("a shoulder", () => {
       expect(first?.operation).toBeUndefined();
     }));
 
-  test("that is longer has the band behind it missing, by the block that went there first", () =>
+  test("that is longer is missing the band behind it, cut by the first block there", () =>
     law(fc.tuple(shoulders, mm(0.05, 3)), ([s, longer]) => {
       const found = judged(taskOf(s), programOf({ ...s, length: s.length + longer }, { blank: blankLine(s) }));
       expect(refusedBy(found)).toEqual(["missing"]);
@@ -90,7 +90,7 @@ describe("a shoulder", () => {
       expect(found.marks.find((m) => m.rule === "missing")?.block).toBe(7);
     }));
 
-  test("drawn sharp keeps what the nose leaves in the corner", () =>
+  test("drawn sharp may keep the nose radius in its corner", () =>
     law(shoulders, (s) => {
       const sharp = taskOf(s);
       const part = {
@@ -104,7 +104,7 @@ describe("a shoulder", () => {
       expect(refusedBy(judged({ ...sharp, part, rules: { residue: 0.16 } }, programOf(s)))).toEqual([]);
     }));
 
-  test("reached by a rapid through the steel is refused though the part is right", () =>
+  test("reached by a rapid through material is refused although the part is right", () =>
     law(shoulders, (s) => {
       const cuts = [`7 L Z-${(s.length / 2).toFixed(3)} FMAX`, `7 L Z-${s.length} F0.2`, `8 L X${s.outer + 2}`];
       const found = judged(taskOf(s), programOf(s, { cuts }));
@@ -116,7 +116,7 @@ describe("a shoulder", () => {
       );
     }));
 
-  test("stated as the blank is no answer, nor is another bar, nor nothing", () =>
+  test("stated as the blank is no answer, nor is another bar or an empty program", () =>
     law(shoulders, (s) => {
       const finished = "BLK FORM ROTATION Z DIM_D LBL 1";
       const contour = [
@@ -155,7 +155,7 @@ const lines = (steps: Stairs) => {
 };
 
 describe("areas", () => {
-  test("of two stairs are those of their strips, whichever stands out", () =>
+  test("of two stairs are those of their strips, whichever protrudes", () =>
     fc.assert(
       fc.property(stairs, stairs, (one, other) => {
         const blank = [`BLK FORM CYLINDER Z D${D} L${-BACK + 1} DIST+1`];
@@ -169,14 +169,14 @@ describe("areas", () => {
           if (gap > 0) out += gap * wide;
           else back -= gap * wide;
         });
-        // Strips thinner than a sliver are none.
+        // Strips thinner than a sliver do not count.
         expect(Math.abs(areaOf(beyond(a ?? [], b ?? [])) - out)).toBeLessThan(0.01 * 40 + 0.02);
         expect(Math.abs(areaOf(beyond(b ?? [], a ?? [])) - back)).toBeLessThan(0.01 * 40 + 0.02);
       }),
       { numRuns: 60 },
     ));
 
-  test("of a bore: what is behind it stays, full or hollow", () =>
+  test("of a bore: the blank behind it is unmachined, solid or hollow", () =>
     fc.assert(
       fc.property(mm(12, 30), mm(2, 9), mm(5, 40), fc.boolean(), (d, hollow, deep, isTube) => {
         const blank = [`BLK FORM CYLINDER Z D${D} L90 DIST+1.5${isTube ? ` DI${hollow}` : ""}`];
@@ -191,9 +191,9 @@ describe("areas", () => {
       { numRuns: 30 },
     ));
 
-  test("of an outline that runs back on itself leave the neck behind the last point alone", () => {
+  test("of an outline that runs back on itself do not touch the neck behind the last point", () => {
     const blank = [`BLK FORM CYLINDER Z D60 L90 DIST+0`];
-    // A collar of 7.3 mm, and a neck of ⌀31.4 from Z-20 on that hangs 4 mm behind the place where the blank goes on.
+    // A collar of 7.3 mm, and a neck of ⌀31.4 from Z-20 that extends 4 mm behind the start of the unmachined blank.
     const rings = wantedPart({
       blank,
       outside: ["L X+0 Z+0", "L X+48.6", "L Z-7.3", "L X+31.4", "L Z-24", "L X+60 Z-20"],

@@ -17,13 +17,13 @@ const named = Object.entries(files).map(
 );
 const ran = (lines: readonly string[]) => run(parse(programOfLines(lines)), { tools: shippedTools, rapid: 10_000 });
 
-/** The programs of the pages, each with that of a page before where it has none of its own. */
+/** The programs of the pages; a page without one has that of an earlier page. */
 function programs({ pages }: Lesson): readonly (readonly string[])[] {
   let last: readonly string[] = [];
   return pages.map(({ program }) => (last = program ?? last));
 }
 
-test("the lessons are numbered from 1 without a gap, and none is there twice", () => {
+test("the lessons are numbered from 1 without gaps or duplicates", () => {
   const all = named.map(([, raw]) => lessonSchema.parse(raw));
   expect(all.map(({ number }) => number).toSorted((a, b) => a - b)).toEqual(all.map((_, i) => i + 1));
   expect(new Set(all.map(({ id }) => id)).size).toBe(all.length);
@@ -41,13 +41,13 @@ describe.each(named)("%s", (name, raw) => {
   const lesson = lessonSchema.parse(raw);
   const { pages, words, example } = lesson;
 
-  test("is named as its file, and says every page in every language", () => {
+  test("is named as its file, and has every page in every language", () => {
     expect(name).toBe(`${String(lesson.number).padStart(2, "0")}-${lesson.id}`);
     for (const language of LESSON_LANGUAGES)
       expect([language, words[language]?.pages.length]).toEqual([language, pages.length]);
   });
 
-  test("its pictures move, from block to block as they say", () => {
+  test("its pictures move between the stated blocks", () => {
     programs(lesson).forEach((program, i) => {
       const { steps } = ran(program),
         { blocks } = pages[i] ?? {};
@@ -60,7 +60,7 @@ describe.each(named)("%s", (name, raw) => {
     });
   });
 
-  test("what a picture is framed to is where its moves are", () => {
+  test("the frame of a picture contains its moves", () => {
     programs(lesson).forEach((program, i) => {
       const { blocks, frame } = pages[i] ?? {};
       if (!frame) return;
@@ -83,7 +83,7 @@ describe.each(named)("%s", (name, raw) => {
     });
   });
 
-  test("what is slid stands in the program, within its ends, and makes a path all the way", () => {
+  test("a slider's parameter is in the program, within its range, and every value has a path", () => {
     programs(lesson).forEach((program, i) => {
       const { slide } = pages[i] ?? {};
       if (!slide) return;
@@ -119,7 +119,7 @@ describe("the printed examples", () => {
     eager: true,
   });
   const programOf = (cycle: number) => pages[`../programs/cycle-${cycle}-tnc640-fr.h`] ?? "";
-  /** Values and contour of a program: what a page prints, without its block numbers and its words. */
+  /** Values and contour of a program as a page prints them, without block numbers and words. */
   const said = (text: string) => ({
     values: Object.fromEntries(
       [...text.matchAll(/\b(Q\d+) ?=?([+-][\d.]+)/g)].map(([, q, value]) => [q, Number(value)]),
@@ -152,7 +152,7 @@ describe("the printed examples", () => {
   });
 });
 
-test("where a text names a lesson by its number, it is the one that is meant", () => {
+test("a lesson number in a text refers to the right lesson", () => {
   const all: Readonly<Record<string, unknown>> = { ...files, ...tasks };
   const names = /(?:lessons?|Lektion(?:en)?|leçons?) (\d+)|第 ?(\d+) ?课/gi;
   for (const language of LESSON_LANGUAGES) {

@@ -4,14 +4,14 @@ import { answerOf } from "../../src/course/judge/answer.ts";
 import { judge } from "../../src/course/judge/judge.ts";
 import { taskSchema } from "../../src/course/task.ts";
 
-/** Task, and what another good programmer writes in place of the stored solution. */
+/** Tasks, with changes that another good programmer might make to the stored solution. */
 const OTHER_WAYS: readonly {
   readonly id: string;
   readonly changes: readonly (readonly [from: string, to: string])[];
 }[] = [
   { id: "l22-pin", changes: [["TOOL CALL 3", "TOOL CALL 4"]] },
   { id: "l22-pin", changes: [["TOOL CALL 1", "TOOL CALL 3"]] },
-  // The middle of the tolerance in place of the nominal size.
+  // The middle of the tolerance instead of the nominal size.
   {
     id: "l22-pin",
     changes: [
@@ -49,7 +49,7 @@ const OTHER_WAYS: readonly {
       ["Q505=+0.085", "Q505=+0.12"],
     ],
   },
-  // The label of the contour renamed in place of the number in cycle 14.
+  // Another contour label instead of the number in cycle 14.
   {
     id: "l09-lost-contour",
     changes: [
@@ -57,7 +57,7 @@ const OTHER_WAYS: readonly {
       ["LBL 7", "LBL 1"],
     ],
   },
-  // The contour written the other way round in place of Q499.
+  // The contour in the opposite direction instead of Q499.
   {
     id: "l10-inside-out",
     changes: [

@@ -23,9 +23,9 @@ const text = programOf(
 );
 const truth = (asked: Prediction, program = text) => truthOf(asked, taskOf(s), answerOf(program));
 
-describe("what is foretold", () => {
+describe("predictions", () => {
   test("passes, infeed and sizes are those of the run", () => {
-    // 3.56 mm less 0.2 mm of oversize, in passes of 1.3 mm at most: three of 1.12 mm.
+    // 3.56 mm minus 0.2 mm of oversize, in passes of at most 1.3 mm: three of 1.12 mm.
     expect(truth({ ask: "passes" })).toEqual({ kind: "number", value: 3 });
     const infeed = truth({ ask: "infeed", operation: 0 });
     expect(isRight({ ask: "infeed", operation: 0 }, infeed, 1.12)).toBe(true);
@@ -38,7 +38,7 @@ describe("what is foretold", () => {
     expect(isRight({ ask: "passes" }, truth({ ask: "passes" }), 2)).toBe(false);
   });
 
-  test("where the run has no such thing nothing is right", () => {
+  test("nothing is right where the run has no such thing", () => {
     expect(truth({ ask: "passes", operation: 1 })).toEqual({ kind: "number", value: null });
     expect(isRight({ ask: "passes", operation: 1 }, truth({ ask: "passes", operation: 1 }), 0)).toBe(false);
     const rapid = { ask: "rapidPlace", within: 3 } as const;
@@ -63,7 +63,7 @@ describe("what is foretold", () => {
     expect(isRight(run, crash, at(-14, 33))).toBe(false);
   });
 
-  test("choices and blocks are what the task says", () => {
+  test("choices and blocks are those of the task", () => {
     expect(isRight({ ask: "choice", right: 2 }, truth({ ask: "choice", right: 2 }), 2)).toBe(true);
     expect(isRight({ ask: "choice", right: 2 }, truth({ ask: "choice", right: 2 }), 0)).toBe(false);
     const block = { ask: "block", right: [6, 8] } as const;
@@ -76,14 +76,14 @@ describe("the score of a free program", () => {
   const seconds = answerOf(programOf(s)).simulation.totalSeconds;
   const drawing = taskOf(s, { kind: "drawing", par: { seconds, tools: 1 }, rules: { speed: 2500 } });
 
-  test("is 100 where it is as good as par, and no more than 100", () => {
+  test("is 100 for an answer as good as par, and never more", () => {
     expect(judged(drawing, programOf(s)).score?.total).toBe(100);
     expect(judge({ ...drawing, par: { seconds: 3 * seconds, tools: 3 } }, answerOf(programOf(s))).score?.total).toBe(
       100,
     );
   });
 
-  test("loses what it is slower by, and what it has more of tools", () => {
+  test("decreases with more time and with more tools", () => {
     const parts = judged({ ...drawing, par: { seconds: seconds / 2, tools: 1 } }, programOf(s)).score?.parts;
     expect(parts?.find((p) => p.what === "time")).toMatchObject({
       points: Math.round(25 / 2),
@@ -97,11 +97,11 @@ describe("the score of a free program", () => {
     });
   });
 
-  test("counts a rule that does not hold, and what stays", () => {
+  test("decreases with a broken rule and with excess material", () => {
     const fast = judged({ ...drawing, rules: { speed: 1000 } }, programOf(s)).score;
     expect(fast?.parts.find((p) => p.what === "proof")?.points).toBeLessThan(40);
     expect(fast?.parts.find((p) => p.what === "residue")?.points).toBe(20);
-    // A band of 0.5 mm of 27.45 mm is 1.8 % of what there is to cut; 5 % are worth nothing.
+    // A band of 0.5 mm of 27.45 mm is 1.8 % of the material to cut; 5 % earn no points.
     const short = judged(
       drawing,
       programOf({ ...s, length: 26.95 }, { blank: "BLK FORM CYLINDER Z D71.3 L59.15 DIST+0" }),
@@ -112,16 +112,16 @@ describe("the score of a free program", () => {
     );
   });
 
-  test("is nothing where the part is hurt, or the tool runs into steel", () => {
+  test("is 0 with contour damage or a tool in material", () => {
     expect(judged(drawing, programOf({ ...s, diameter: 64 })).score?.total).toBe(0);
     expect(judged(drawing, programOf(s, { cuts: ["7 L Z-9 FMAX", "7 L Z-27.45 F0.2", "8 L X75"] })).score?.total).toBe(
       0,
     );
   });
 
-  test("is of drawings alone", () => expect(judged(taskOf(s), programOf(s)).score).toBeUndefined());
+  test("exists for drawings only", () => expect(judged(taskOf(s), programOf(s)).score).toBeUndefined());
 
-  test("the grooves of a thread hurt nothing; the collar behind them is hurt", () => {
+  test("grooves of a thread are no damage; a cut collar behind them is", () => {
     const collar = glandTask();
     const gouge = { ask: "gougePlace", within: 1.5 } as const;
     const found = truthOf(gouge, collar, answerOf("program" in collar.start ? collar.start.program.join("\n") : ""));

@@ -14,14 +14,14 @@ import { simulate } from "../../src/sim/simulate.ts";
 import "../seed.ts";
 import { judged, mm, programOf, refusedBy, shoulders, taskOf, type Shoulder } from "./hand-turned.ts";
 
-/* Every rule in pairs: what it must refuse and what it must not. */
+/* Every rule in pairs: an answer that it must refuse, and one that it must accept. */
 
 const s: Shoulder = { outer: 63.4, diameter: 57.82, length: 33.65 };
 const withRules = (rules: Task["rules"], more: Partial<Task> = {}) => taskOf(s, { rules, ...more });
 const marks = (rules: Task["rules"], text: string) => judged(withRules(rules), text).marks;
 const refuses = (rules: Task["rules"], text = programOf(s)) => refusedBy(judged(withRules(rules), text));
 
-/** The same shoulder with cycle 811, its prompts in their order. */
+/** The same shoulder with cycle 811, its prompts in order. */
 const called = (values: Readonly<Record<string, string>> = {}, before: readonly string[] = []) => {
   const all: Record<string, string> = {
     Q215: "+0",
@@ -49,10 +49,10 @@ const called = (values: Readonly<Record<string, string>> = {}, before: readonly 
 };
 
 describe("rules of the shop", () => {
-  test("the program of a cycle and that by hand make the same part", () => expect(refuses({}, called())).toEqual([]));
+  test("programs with a cycle and by hand make the same part", () => expect(refuses({}, called())).toEqual([]));
 
-  test("depth: by hand and by cycle, the real one", () => {
-    // 2.79 mm by hand in one pass; the cycle shares out what its oversize leaves, 2.59 mm.
+  test("depth: the actual one, by hand and by cycle", () => {
+    // 2.79 mm by hand in one pass; the cycle divides the remaining depth without the oversize, 2.59 mm.
     expect(refuses({ depth: 2.81 })).toEqual([]);
     const [deep] = marks({ depth: 2.7 }, programOf(s)).filter((m) => m.rule === "depth");
     expect(deep).toMatchObject({ passed: false, block: 7 });
@@ -72,7 +72,7 @@ describe("rules of the shop", () => {
     const constant = programOf(s, { spin: "FUNCTION TURNDATA SPIN VCONST:OFF S1137" });
     expect(refuses({ speed: 1137 }, constant)).toEqual([]);
     expect(refuses({ speed: 1136 }, constant)).toEqual(["speed"]);
-    // What is put right before anything moves was never in force.
+    // A value that is replaced before the first move never had an effect.
     expect(
       refuses(
         { speed: 1200 },
@@ -93,7 +93,7 @@ describe("rules of the shop", () => {
     expect(refuses({ mostTools: 2, tools: [1, 3] }, two)).toEqual([]);
   });
 
-  test("a feed that no lathe runs is an error, told by the time where that is limited; a real one a minute is none", () => {
+  test("an impossible feed is an error, reported by the time where that is limited; a real feed per minute is none", () => {
     const slow = called().replace("5 M136\n", "");
     const [mark] = marks({}, slow).filter((m) => !m.passed);
     expect(mark).toMatchObject({
@@ -127,7 +127,7 @@ describe("rules of the shop", () => {
     expect(refuses({ seconds: seconds + 0.01 })).toEqual([]);
   });
 
-  test("seconds and tools are those of tasks, whatever the work that an answer comes from has", () => {
+  test("seconds and tools are those of tasks, independent of the answer's own program", () => {
     const text = programOf(s);
     const ran = (tools: readonly Tool[], rapid: number) => {
       const made = run(parse(text), { tools, rapid });
@@ -149,18 +149,18 @@ describe("rules of the shop", () => {
     ]);
   });
 
-  test("cycles: called ones that cut, and ones that are not allowed", () => {
+  test("cycles: required ones must cut, others are not allowed", () => {
     expect(refuses({ cycles: [811] }, called())).toEqual([]);
     expect(refuses({ cycles: [811] })).toEqual(["cycles"]);
     expect(refuses({ cycles: [811, 812] }, called())).toEqual(["cycles"]);
     expect(refuses({ without: [812] }, called())).toEqual([]);
     expect(refuses({ without: [811] }, called())).toEqual(["without"]);
-    // By hand first, so that the cycle cuts nothing: it was called, and not used.
+    // By hand first, so that the cycle cuts nothing: it is called but not used.
     const hand = [`5 L X${s.diameter} Z2 R0 FMAX M303`, `6 L Z-${s.length} F0.2`, `6 L X${s.outer + 3}`, "6 L Z2 FMAX"];
     expect(refuses({ cycles: [811] }, called({}, hand))).toEqual(["cycles"]);
   });
 
-  test("values: from and to, of one cycle or of all, and not at all where nothing has them", () => {
+  test("values: from and to, for one cycle or all; missing where no cycle has them", () => {
     expect(refuses({ values: [{ q: "Q463", from: 1.7, to: 1.7 }] }, called())).toEqual([]);
     expect(refuses({ values: [{ q: "Q463", to: 1.69 }] }, called())).toEqual(["values"]);
     expect(refuses({ values: [{ q: "Q463", from: 1.71 }] }, called())).toEqual(["values"]);
@@ -181,7 +181,7 @@ describe("rules of the shop", () => {
     );
   });
 
-  test("passes: exactly so many", () => {
+  test("passes: the exact number", () => {
     expect(refuses({ passes: 2 }, called())).toEqual([]);
     expect(refuses({ passes: 3 }, called())).toEqual(["passes"]);
     expect(refuses({ passes: 3 }, called({ Q463: "+1" }))).toEqual([]);
@@ -189,7 +189,7 @@ describe("rules of the shop", () => {
     expect(refuses({ passes: 0 }, called({ Q215: "+2" }))).toEqual([]);
   });
 
-  test("rz: as f²/8r of the nose, on the stretch that is asked", () =>
+  test("rz: f²/8r of the nose, on the stated stretch", () =>
     fc.assert(
       fc.property(shoulders, mm(0.08, 0.4), (other, feed) => {
         // Tool 3: its nose of 0.4 mm forms the surface alone up to 0.42 mm a turn.
@@ -201,7 +201,7 @@ describe("rules of the shop", () => {
         const found = judged(asked(rz * 0.999), text);
         expect(refusedBy(found)).toEqual(["rz"]);
         expect(found.marks.find((m) => m.rule === "rz")?.value).toBeCloseTo(rz, 6);
-        // Behind the shoulder nothing was turned, so nothing is smooth there.
+        // Behind the shoulder nothing was turned, so there is no smooth surface.
         expect(
           refusedBy(
             judged(
@@ -216,7 +216,7 @@ describe("rules of the shop", () => {
       { numRuns: 8 },
     ));
 
-  test("words: in a block, as words of their own, whatever their spacing and signs; never in a remark", () => {
+  test("words: in a block, as whole words, with any spacing and signs; never in a comment", () => {
     const marked = programOf(s).replace("5 M136", "5 M136 ; M13 APPR LCT");
     expect(refuses({ words: ["M136"] }, marked)).toEqual([]);
     expect(refuses({ words: ["M13"] }, marked)).toEqual(["words"]);
@@ -228,23 +228,23 @@ describe("rules of the shop", () => {
     expect(refuses({ words: ["Q463=1"] }, called())).toEqual(["words"]);
   });
 
-  test("clean: warnings count where they are asked for", () => {
-    // No M303: the spindle stands still, which is an error with or without the rule.
+  test("clean: warnings count only where the rule is set", () => {
+    // No M303: the spindle is stopped, which is an error with or without the rule.
     const still = called().replace(" M303", "");
     expect(refuses({}, still)).toEqual(["errors"]);
     expect(refuses({ clean: true }, still)).toEqual(["errors"]);
-    // What its nose leaves in a corner without a radius is no warning, with a part to hold it to or without one.
+    // The nose radius left in a sharp corner is no warning, with or without a target part.
     expect(refuses({ clean: true }, called())).toEqual([]);
     expect(refusedBy(judged({ ...withRules({ clean: true }), part: undefined }, called()))).toEqual([]);
   });
 
-  test("what is not simulated is not proved", () => {
+  test("an unsimulated block is not proved", () => {
     const calls = programOf(s).replace("10 M30", "9 CALL PGM OTHER.H\n10 M30");
     expect(refuses({}, calls)).toEqual(["unproved"]);
     expect(marks({}, calls).find((m) => m.rule === "unproved")).toMatchObject({ block: 9, about: "CALL PGM" });
   });
 
-  test("an error in a block is told with its block", () => {
+  test("an error in a block is reported with its block", () => {
     const broken = called({ Q463: "-1" });
     expect(refuses({}, broken)).toContain("errors");
     expect(marks({}, broken).find((m) => m.rule === "errors" && m.q === "Q463")?.block).toBe(6);
@@ -271,7 +271,7 @@ describe("sizes", () => {
     expect(found.find((m) => !m.passed)).toMatchObject({ size: 1 });
     expect(found.find((m) => !m.passed)?.value).toBeCloseTo(57.82, 4);
   });
-  test("too small names the block that cut it, and there is none where there is no material", () => {
+  test("too small names the block that cut it; without material there is none", () => {
     const thin = programOf({ ...s, diameter: 57.7 });
     const mark = judged(
       sized([{ kind: "diameter", at: -17, nominal: 57.82, upper: 0.01, lower: -0.01 }]),

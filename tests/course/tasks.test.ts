@@ -14,21 +14,24 @@ const [tasks, lessons] = [filesIn("tasks"), filesIn("lessons")];
 describe("tasks that ship with the page", () => {
   it("have names of their own", () => expect(new Set(tasks).size).toBe(tasks.length));
 
-  it.each(tasks)("%s is whole: its solution passes and its wrong answers are refused where it says", (file) => {
-    const read = taskSchema.safeParse(dataOf("tasks", file));
-    expect(read.error?.issues ?? []).toEqual([]);
-    expect(taskProblems(taskSchema.parse(dataOf("tasks", file)), file)).toEqual([]);
-  });
+  it.each(tasks)(
+    "%s is complete: its solution passes and its wrong answers are refused at the stated place",
+    (file) => {
+      const read = taskSchema.safeParse(dataOf("tasks", file));
+      expect(read.error?.issues ?? []).toEqual([]);
+      expect(taskProblems(taskSchema.parse(dataOf("tasks", file)), file)).toEqual([]);
+    },
+  );
 });
 
 describe("lessons that ship with the page", () => {
-  it.each(lessons)("%s is whole: a text for each page, and programs that run", (file) => {
+  it.each(lessons)("%s is complete: a text for each page, and programs that run", (file) => {
     const read = lessonSchema.safeParse(dataOf("lessons", file));
     expect(read.error?.issues ?? []).toEqual([]);
     expect(lessonProblems(lessonSchema.parse(dataOf("lessons", file)), file)).toEqual([]);
   });
 
-  it("are numbered one by one, and name tasks that are there", () => {
+  it("are numbered consecutively, and name existing tasks", () => {
     const all = lessons.map((file) => lessonSchema.parse(dataOf("lessons", file)));
     const numbers = all.map((lesson) => lesson.number);
     expect(new Set(numbers).size).toBe(numbers.length);

@@ -3,11 +3,11 @@ import type { GlossaryTexts, TermId } from "../../src/i18n/glossary-text.ts";
 import { LESSON_LANGUAGES, type LessonLanguage } from "../../src/i18n/languages.ts";
 
 /*
- * One word for one thing, in each language, wherever a trainee reads it: lessons, tasks, glossary and the app itself.
+ * One word for one thing in each language, wherever a trainee reads it: lessons, tasks, glossary and the app itself.
  * The words are those of the control where it has one.
  */
 
-/** The name in the glossary, and what must not stand for it anywhere in that language. */
+/** The name in the glossary, and words that must never replace it in that language. */
 type OneTerm = readonly [name: string, ...never: RegExp[]];
 const TERMS: Partial<Record<TermId, Readonly<Record<LessonLanguage, OneTerm>>>> = {
   block: { en: ["Block"], de: ["Satz"], fr: ["Séquence", /\bblocs?\b/i], zh: ["程序段", /语句|程序句/] },
@@ -86,17 +86,17 @@ const TERMS: Partial<Record<TermId, Readonly<Record<LessonLanguage, OneTerm>>>> 
   airPass: { en: ["Air pass"], de: ["Luftschnitt"], fr: ["Passe à vide"], zh: ["空走刀"] },
 };
 
-/** What the glossary does not explain, yet must not be said in two ways. */
+/** Words that must not vary and are not in the glossary. */
 const NEVER: Readonly<Record<LessonLanguage, readonly RegExp[]>> = {
   en: [],
-  // a prompt is an Eingabe; the Spanfläche is a face of the tool, not the section of the chip, and that has one name
+  // a prompt is an Eingabe; Spanfläche is a tool face, not the chip section, which has one name only
   de: [/\bAbfragen?\b/, /Spanfläche/, /Spanungsquerschnitt/, /aus dem Gedächtnis/],
   fr: [/\binvites?\b/i],
   // the control, the axis
   zh: [/(?<!数)控制系统/, /轴心/],
 };
 
-/** What people may type to find something: other words for the same are its purpose. */
+/** Search terms: other words for the same thing are their purpose. */
 const SEARCHED = "/shop-words.ts";
 
 const sources = import.meta.glob<string>("../../src/i18n/*/**/*.ts", { eager: true, query: "?raw", import: "default" });
@@ -109,7 +109,7 @@ const courses = import.meta.glob<{ words: Record<LessonLanguage, unknown> }>(
   },
 );
 
-/** Every text of a language: what the course says, and the files of the app without their remarks. */
+/** Every text of a language: those of the course, and the files of the app without comments. */
 const texts = (language: LessonLanguage): readonly (readonly [where: string, text: string])[] => [
   ...Object.entries(courses).map(([path, { words }]) => [path, JSON.stringify(words[language])] as const),
   ...Object.entries(sources)
@@ -127,18 +127,18 @@ describe.each(LESSON_LANGUAGES)("the words of the trade in %s", (language) => {
   const all = texts(language),
     glossary = glossaries[`../../src/i18n/${language}/glossary.ts`];
 
-  test("are looked for in lessons, tasks and the app", () => {
+  test("are searched in lessons, tasks and the app", () => {
     expect(all.filter(([where]) => where.includes("/lessons/")).length).toBeGreaterThan(20);
     expect(all.filter(([where]) => where.includes("/tasks/")).length).toBeGreaterThan(60);
     expect(all.filter(([where]) => where.includes("/i18n/")).length).toBeGreaterThan(30);
   });
 
-  test("stand in the glossary as they are used", () => {
+  test("are in the glossary as they are used", () => {
     for (const [term, of] of Object.entries(TERMS))
       expect([term, glossary?.[term as TermId].name]).toEqual([term, of[language][0]]);
   });
 
-  test("are said in one way", () => {
+  test("do not vary", () => {
     const never = Object.values(TERMS).flatMap((of) => of[language].slice(1) as RegExp[]);
     expect([...never, ...NEVER[language]].flatMap((pattern) => found(language, pattern))).toEqual([]);
   });

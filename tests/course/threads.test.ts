@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { TASK_FORMAT, taskSchema } from "../../src/course/task.ts";
 import { judged, refusedBy } from "./hand-turned.ts";
 
-/** A bar with a thread cut by cycle 831, outside or in a bore; `undefined`: no thread at all. */
+/** A bar with a thread cut by cycle 831, outside or in a bore; `undefined`: without a thread. */
 function program(pitch: number | undefined, { depth = 0, to = -31.4, inside = false } = {}): string {
   const prompts: Record<string, number> = {
     Q471: inside ? 1 : 0,
@@ -66,7 +66,7 @@ const markOf = (text: string, asked: number | undefined, inside = false) => {
 };
 
 describe("a thread", () => {
-  test("is there, outside and inside, with its pitch", () => {
+  test("exists outside and inside, with its pitch", () => {
     for (const inside of [false, true]) {
       const { judgement, mark } = markOf(program(2, { inside }), 2, inside);
       expect(refusedBy(judgement)).toEqual([]);
@@ -81,7 +81,7 @@ describe("a thread", () => {
     }
     expect(refusedBy(markOf(program(1.75, { depth: 1.2 }), undefined).judgement)).toEqual([]);
   });
-  test("that is not cut, too shallow or too short stays as steel", () => {
+  test("that is missing, too shallow or too short leaves material", () => {
     expect(refusedBy(markOf(program(undefined), 2).judgement)).toEqual(["residue"]);
     expect(refusedBy(markOf(program(2, { depth: 0.9 }), 2).judgement)).toEqual(["residue"]);
     expect(refusedBy(markOf(program(2, { to: -22 }), 2).judgement)).toEqual(["residue"]);

@@ -4,7 +4,7 @@ import { taskSchema, type Task } from "../../src/course/task.ts";
 import { lessonProblems, taskProblems } from "../../src/course/whole.ts";
 import { projectFile } from "../sources.ts";
 
-/* What checks the files of the course has to see what is wrong with one: the example of the document, broken in one place at a time. */
+/* The checks of course files must detect faults: the example of the document, broken in one place at a time. */
 
 const [, example = ""] = /```json\n([\s\S]*?)```/.exec(projectFile("docs/tasks.md")) ?? [];
 const read = taskSchema.parse(JSON.parse(example));
@@ -17,7 +17,7 @@ const told = (more: object): Task["words"] => {
 };
 
 describe("a task that ships with the page", () => {
-  test("is whole", () => expect(problems({})).toEqual([]));
+  test("is complete", () => expect(problems({})).toEqual([]));
 
   test.each([
     ["another name", { id: "other" }, "the id is other"],
@@ -99,7 +99,7 @@ describe("a lesson that ships with the page", () => {
     tasks: [],
     words: { en: words, de: words, fr: words, zh: words },
   });
-  test("is whole", () => expect(lessonProblems(lesson, "07-law.json")).toEqual([]));
+  test("is complete", () => expect(lessonProblems(lesson, "07-law.json")).toEqual([]));
   test("is not under another name, without a text for a page, or with a program that has errors", () => {
     expect(lessonProblems(lesson, "8-law.json")).not.toEqual([]);
     expect(lessonProblems({ ...lesson, pages: [...lesson.pages, ...lesson.pages] }, "07-law.json")).toContain(

@@ -11,7 +11,7 @@ import rodFile from "../../src/course/tasks/l16-drawn-rod.json";
 
 const [shoulder, rod] = [shoulderFile, rodFile].map((file) => taskSchema.parse(file)) as [Task, Task];
 
-/** What a learner is told of the solution with one thing typed otherwise, the first first. */
+/** The messages for the solution with one change, the first one first. */
 function told(task: Task, from: string, to: string): string[] {
   const right = programOfLines(task.solution ?? []);
   expect(right).toContain(from);
@@ -25,11 +25,11 @@ test.each([
   ["a forgotten minus", "Q494=-27.4", "Q494=+27.4", "Z+27.4 is in front of the workpiece. -27.4?: block 7"],
   ["a diameter doubled", "Q493=+48.2", "Q493=+96.4", `${turnedRound.inside}: block 9`],
   ["a start within the steel", "8 L X+63.5 Z+2", "8 L X+40 Z+2", `${turnedRound.inside}: block 9`],
-])("%s is told as what it does to the cycle, not as a tool to be changed", (_, from, to, said) => {
+])("%s is reported by its effect on the cycle, not as a wrong tool", (_, from, to, said) => {
   expect(told(shoulder, from, to)[0]).toBe(said);
 });
 
-test("every place with material left names the call that should have taken it, and none that may be there by itself", () => {
+test("every place with material left names the call that should have cut it; allowed residue is not marked", () => {
   const places = told(shoulder, "8 L X+63.5 Z+2", "8 L X+63.5 Z-5").filter((line) => line.startsWith("Material left"));
   expect(places).toHaveLength(1);
   expect(places[0]).toMatch(/^Material left, up to 0\.2\d mm thick at ⌀48\.\d+, Z-0\.\d+: block 9$/);
@@ -40,7 +40,7 @@ test("every place with material left names the call that should have taken it, a
   ).toEqual([]);
 });
 
-test("a thread of another pitch is told once, by its pitch; one that is not there as that", () => {
+test("a thread of another pitch is reported once, by its pitch; a missing one as missing", () => {
   const pitch = told(rod, "Q472=+1.5", "Q472=+2").filter((line) => line.includes("Z-"));
   expect(pitch).toEqual(["Thread M30×1.5 has a pitch of 2 mm instead of 1.5 at ⌀30, Z-12: block 9"]);
   expect(told(rod, "Q494=-24", "Q494=+24")).toContainEqual(

@@ -19,7 +19,7 @@ const box = (left: number, right: number, low: number, high: number): Ring => [
 ];
 const spindle: Spindle = { kind: "surface", cuttingSpeed: 180, limit: 2500 };
 
-/** A shoulder with a rounded inner corner, roughed in even passes and finished, written down by hand. */
+/** A shoulder with a rounded inner corner, roughed in even passes and finished, moves written by hand. */
 export function handMadeMoves(passes: number, floor: number): Move[] {
   const moves: Move[] = [],
     cut = { feed: feed(0.3), feedUnit: "mm/rev" } as const,

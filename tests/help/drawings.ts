@@ -27,7 +27,7 @@ export const printedContour: Given = {
   start: null,
 };
 
-/** Those that have something to draw. */
+/** The cycles with a help picture. */
 export const cycles: readonly Cycle[] = cuttingCycles;
 export const exampleOf = (cycle: Cycle): Numbers => firstValues(cycle);
 
@@ -46,7 +46,7 @@ export function drawn(
   return helpDrawing({ params: cycle.params, values, outline, plan, active, size, speech });
 }
 
-/** Draws a cycle as long as values are missing. */
+/** Draws a cycle while values are missing. */
 export function partlyDrawn(cycle: Cycle, typed: Numbers, active: string | null, size: Size): HelpDrawing | null {
   const made = likelyCompletion(cycle, typed, printedContour);
   if (!made) return null;
@@ -66,6 +66,6 @@ export function partlyDrawn(cycle: Cycle, typed: Numbers, active: string | null,
   });
 }
 
-/** All marks, those inside a lens too. */
+/** All marks, including those inside a lens. */
 export const flat = (marks: readonly Mark[]): Mark[] =>
   marks.flatMap((m) => (m.kind === "detail" ? [m, ...flat(m.marks)] : [m]));

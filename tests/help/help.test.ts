@@ -34,10 +34,7 @@ describe.each(cycles.map((c) => [c.number, c] as const))("help picture of cycle 
   });
 });
 
-/**
- * A groove along the axis that no file of the catalogue has, with texts that nobody knows and a plan that is not
- * written yet.
- */
+/** A groove along the axis that is not in the catalogue, without known texts and without a plan. */
 const madeUp = defineCycle({
   number: 1,
   group: "recessTurning",
@@ -82,7 +79,7 @@ test("a drawing holds no colours, only roles", () => {
   expect(text).not.toMatch(/fill="|stroke="/);
 });
 
-describe("as long as values are missing", () => {
+describe("while values are missing", () => {
   test.each<[number, string, Numbers]>([
     [812, "Q502", { Q215: 1, Q460: 1.7, Q491: 38.46, Q492: 1.7, Q493: 26.04, Q494: -17.3, Q495: 2.5, Q501: 2 }],
     [820, "Q478", { Q215: 0, Q463: 1.35 }],
@@ -95,8 +92,8 @@ describe("as long as values are missing", () => {
     await expect(drawing && helpSvg(drawing)).toMatchFileSnapshot(`${number}-partial.svg`);
   });
 
-  test.each(cycles.map((c) => [c.number, c] as const))("cycle %i shows no number that nobody typed", (_, cycle) => {
-    // The diagrams of a choice carry the numbers that may be chosen.
+  test.each(cycles.map((c) => [c.number, c] as const))("cycle %i shows only typed numbers", (_, cycle) => {
+    // The diagrams of a choice contain its numbers.
     for (const q of Object.keys(cycle.params).filter((each) => !cycle.params[each]?.choices)) {
       const marks = flat(partlyDrawn(cycle, {}, q, size)?.marks ?? []);
       const texts = marks.flatMap((m) => (m.kind === "text" && m.role === "value" ? [m.text] : []));
@@ -122,7 +119,7 @@ describe("laws of the help picture", () => {
       drawing.labels.slice(i + 1).forEach((b) => expect(labelsOverlap(a, b), JSON.stringify([a, b])).toBe(false)),
     );
   });
-  test("the random values make contours often enough to mean something", () => {
+  test("the random values make contours often enough", () => {
     const made = cases(300).filter(({ cycle, values, q, size: s }) => drawn(cycle, values, q, s) !== null);
     expect(made.length).toBeGreaterThan(100);
   });

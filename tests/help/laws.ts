@@ -6,7 +6,7 @@ import type { Size } from "../../src/view/camera.ts";
 import type { Numbers } from "../../src/view/help/lettering.ts";
 import { cycles } from "./drawings.ts";
 
-/** One random picture: a cycle with values, which prompt is open, and how large it is. */
+/** A random picture: a cycle with values, its open prompt, and the size. */
 export interface Case {
   readonly cycle: Cycle;
   readonly values: Numbers;
@@ -17,7 +17,7 @@ export interface Case {
 const grid = (min: number, max: number) =>
   fc.integer({ min: Math.round(min * 1000), max: Math.round(max * 1000) }).map((n) => n / 1000);
 
-/** Values as a workshop has them, and now and then the ends of the printed range. */
+/** Typical shop values, and sometimes the ends of the printed range. */
 function valueOf(p: Param): fc.Arbitrary<number | "auto"> {
   if (p.choices) return fc.constantFrom(...p.choices);
   const [min, max] = p.range;
@@ -57,7 +57,7 @@ const picture: fc.Arbitrary<Case> = fc.constantFrom(...cycles).chain((cycle) =>
 /** Random pictures with a fixed seed. */
 export const cases = (count: number): Case[] => fc.sample(picture, { numRuns: count, seed: 7 });
 
-/** A longer run has LAW_RUNS=number. */
+/** LAW_RUNS=number makes a longer run. */
 const numRuns = Number(process.env["LAW_RUNS"] ?? 2000);
 
 /** A law over 2,000 random pictures. */

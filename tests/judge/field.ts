@@ -1,20 +1,20 @@
 import type { P } from "./insert.ts";
 
 /*
- * Areas as fine columns: in the middle of each column the stretches that are filled. No polygon is ever cut with
- * another, so nothing is shared with the simulation but the blank and the moves. Columns may stand along z, or along r,
- * whose walls the other way sees only to a column's width.
+ * Areas as fine columns, each with the filled stretches at its middle. No polygons are clipped, so only the blank and
+ * the moves are shared with the simulation. Columns run across z or across r; walls along a column are resolved only to
+ * its width.
  */
 
 /** Filled stretches of one column, from below: start, end, start, end … */
 export type Spans = readonly number[];
 
-/** A row of columns: where the first one begins, how wide each is, how many. */
+/** A row of columns: start of the first, width and number. */
 export interface Grid {
   readonly from: number;
   readonly width: number;
   readonly count: number;
-  /** "z": columns stand side by side along z and are filled along r; "r": the other way round. */
+  /** "z": columns are side by side along z and filled along r; "r": the other way round. */
   readonly along: "z" | "r";
 }
 export type Field = Spans[];
@@ -32,8 +32,8 @@ const turnOf = (ring: readonly P[]) =>
   }, 0);
 
 /**
- * What closed polygons fill together: where they wind round in the direction that most of their area has. Holes run
- * against it. `either`: loops of either direction count, as where a ring crosses itself.
+ * The union of closed polygons: places with a winding in the direction of most of their area. Holes have the other
+ * direction. `either`: both directions count, as where a ring crosses itself.
  */
 export function filled(g: Grid, rings: readonly (readonly P[])[], either = false): Field {
   const way = rings.reduce((sum, ring) => sum + turnOf(ring), 0) * (g.along === "z" ? 1 : -1);
@@ -42,7 +42,7 @@ export function filled(g: Grid, rings: readonly (readonly P[])[], either = false
     let a = ring[ring.length - 1] as P;
     for (const b of ring) {
       const [x0, x1] = [across(g, a), across(g, b)];
-      // One column more on both sides: where a side ends exactly in the middle of one, rounding must not decide.
+      // One more column on both sides: rounding must not decide where a side ends exactly in the middle of a column.
       const first = Math.max(0, Math.ceil((Math.min(x0, x1) - g.from) / g.width - 0.5) - 1);
       const last = Math.min(g.count - 1, Math.floor((Math.max(x0, x1) - g.from) / g.width - 0.5) + 1);
       for (let i = first; i <= last; i += 1) {
@@ -67,7 +67,7 @@ export function filled(g: Grid, rings: readonly (readonly P[])[], either = false
   });
 }
 
-/** Calls `each` with every column that a convex polygon crosses, and from where to where. */
+/** Calls `each` for every column that a convex polygon crosses, with the crossed stretch. */
 export function crossed(
   g: Grid,
   convex: readonly P[],
@@ -106,7 +106,7 @@ export function crossed(
   }
 }
 
-/** What two columns have in common. */
+/** The intersection of two columns. */
 export function common(a: Spans, b: Spans): number[] {
   const out: number[] = [];
   for (let i = 0, j = 0; i < a.length && j < b.length;) {
@@ -118,7 +118,7 @@ export function common(a: Spans, b: Spans): number[] {
   return out;
 }
 
-/** A column without what another fills. */
+/** A column minus another. */
 export function without(a: Spans, b: Spans): number[] {
   let left = [...a];
   for (let j = 0; j < b.length; j += 2) {
@@ -162,13 +162,13 @@ const merged = (all: readonly number[]): number[] => {
 };
 const moved = (a: Spans, by: number) => a.map((n, i) => (i % 2 === 0 ? n - by : n + by));
 
-/** A field grown by one column on both sides and by `by` mm along the columns: what is as near as this is the same. */
+/** A field grown by one column on both sides and by `by` mm along the columns: its tolerance zone. */
 export const grown = (f: Field, by: number): Field =>
   f.map((column, i) => merged(moved([...(f[i - 1] ?? []), ...column, ...(f[i + 1] ?? [])], by)));
 
 /**
- * The same inwards: what stays lies surely inside. The first and the last column have no neighbour and stay as they
- * are.
+ * A field shrunk likewise: the rest is certainly inside. The first and the last column have only one neighbour and are
+ * unchanged.
  */
 export const shrunk = (f: Field, by: number): Field =>
   f.map((column, i) =>
@@ -177,13 +177,11 @@ export const shrunk = (f: Field, by: number): Field =>
     ),
   );
 
-/** Column by column. */
+/** Combines two fields column by column. */
 export const each = (a: Field, b: Field, make: (a: Spans, b: Spans) => number[]): Field =>
   a.map((column, i) => make(column, b[i] ?? []));
 
-/**
- * Without the pieces that are smaller than `least` mm². Stretches of neighbouring columns that overlap are one piece.
- */
+/** Removes pieces smaller than `least` mm². Overlapping stretches of neighbouring columns are one piece. */
 export function withoutCrumbs(g: Grid, f: Field, least: number): Field {
   const columns = f.map((column, i) =>
     column.flatMap((low, k) => (k % 2 === 0 ? [{ i, low, high: column[k + 1] as number, piece: -1 }] : [])),

@@ -1,9 +1,6 @@
 import type { Field, Grid } from "./field.ts";
 
-/*
- * What hangs together with the rear end, by flooding the columns from there: nothing is shared with the simulation but
- * the blank.
- */
+/* The part connected to the rear end, by flood fill from there: only the blank is shared with the simulation. */
 
 interface Stretch {
   readonly i: number;
@@ -13,8 +10,8 @@ interface Stretch {
 }
 
 /**
- * The stretches of a field that hang together with what stands within a column of the plane z = `rear`, mm. Stretches
- * of neighbouring columns do when they overlap by more than `least` mm; a negative one joins what nearly touches.
+ * The stretches of a field that are connected to material within a column of the plane z = `rear`, mm. Stretches of
+ * neighbouring columns are connected if they overlap by more than `least` mm; a negative value joins near misses.
  */
 export function heldIn(grid: Grid, field: Field, rear: number, least: number): Field {
   const columns = field.map((column, i) =>

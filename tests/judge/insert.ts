@@ -1,8 +1,8 @@
 import type { Tool } from "../../src/kernel/plan/tool.ts";
 
 /*
- * The insert once more, from the columns of the tool table alone: a convex polygon about the theoretical tip. Nothing
- * here comes from the kernel, so that a wrong insert there is not a wrong insert here.
+ * A second model of the insert, from the columns of the tool table alone: a convex polygon about the theoretical tip.
+ * It uses nothing from the kernel, so that both cannot have the same fault.
  */
 
 /** A point of the half plane, mm: along the axis and away from it. */
@@ -11,7 +11,7 @@ export interface P {
   readonly r: number;
 }
 
-/** Points on a quarter of a nose: a radius of 3 mm is then right to a quarter of a micron. */
+/** Points on a quarter of a nose: the error at a radius of 3 mm is a quarter of a micron. */
 const QUARTER = 64;
 /** Length of an edge, and of a recessing bar, whose CUTLENGTH is empty, mm. */
 const EDGE = 12;
@@ -19,7 +19,7 @@ const BAR = 30;
 /** Height of the tooth of a thread insert whose CUTLENGTH is empty, mm. */
 const TOOTH = 2.5;
 
-/** Where the tip lies from the centre of the nose, in radii, by TO. */
+/** Position of the tip relative to the centre of the nose, in radii, by TO. */
 const TIP: readonly P[] = [
   { z: 0, r: 0 },
   { z: -1, r: -1 },
@@ -44,7 +44,7 @@ const circle = (centre: P, radius: number): P[] =>
         return { z: centre.z + radius * Math.cos(a), r: centre.r + radius * Math.sin(a) };
       });
 
-/** Smallest convex polygon round points, counter-clockwise: sorted along z, once below and once above. */
+/** Convex hull of points, counter-clockwise: sorted along z, lower side first. */
 export function hull(points: readonly P[]): P[] {
   const sorted = [...points].sort((a, b) => a.z - b.z || a.r - b.r);
   const half = (list: readonly P[]) => {
@@ -132,14 +132,16 @@ function bar(tool: Tool, nose: number): P[] {
   }
 }
 
-/** Length of a flank from where both would meet, for a tooth of this height over its tip; `half` in degrees. */
+/**
+ * Length of a flank from the intersection of both flanks, for a tooth of this height above its tip; `half` in degrees.
+ */
 function flankOf(height: number, nose: number, half: number): number {
   const lean = (half * Math.PI) / 180;
   return (height - nose + nose / Math.sin(lean)) / Math.cos(lean);
 }
 
 /**
- * What the insert covers, as a convex polygon about the theoretical tip (with the correction of FUNCTION TURNDATA
+ * The area of the insert as a convex polygon about the theoretical tip (including the correction of FUNCTION TURNDATA
  * CORR).
  */
 export function insertOf(tool: Tool): P[] {

@@ -10,7 +10,7 @@ import { areaOf, common, crossed, each, filled, grown, shrunk, without } from ".
 import { hull, insertOf, type P } from "./insert.ts";
 import { gridOver, judge, sumOf } from "./judge.ts";
 
-/* The second judge has to be right itself: areas that can be worked out on paper. */
+/* Checks of the second judge itself: areas calculated by hand. */
 
 const at = (z: number, r: number) => ({ z: axial(z), r: radius(r) });
 const box = (z0: number, r0: number, z1: number, r1: number) => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
@@ -56,7 +56,7 @@ describe("columns", () => {
     expect(areaOf(grid, each(shrunk(field, 0.01), field, without))).toBe(0);
     expect(areaOf(grid, each(field, shrunk(field, 0.01), without))).toBeGreaterThan(0.1);
   });
-  test("stretches: what two have in common and what one has alone make the whole", () => {
+  test("stretches: intersection and difference make the whole", () => {
     const spans = fc
       .array(mm(0, 9), { maxLength: 8 })
       .map((n) => n.sort((a, b) => a - b))
@@ -148,9 +148,9 @@ describe.each(["z", "r"] as const)("a cut on paper, columns along %s", (along) =
     );
   };
   test("a slot of 4 by 5", () => expect(Math.abs(run([], cut(-20, 15)).removed - 20)).toBeLessThan(0.11));
-  test("the same slot twice takes it once", () =>
+  test("the same slot twice is cut once", () =>
     expect(Math.abs(run([], cut(-20, 15), cut(-20, 25), cut(-20, 15)).removed - 20)).toBeLessThan(0.11));
-  test("across the axis: at −5 it has swept what stands at 5", () => {
+  test("across the axis: at −5 it cuts material at 5", () => {
     const across = run([], cut(-20, -5));
     expect(Math.abs(across.removed - 80)).toBeLessThan(0.25);
     const beyond = judge(blank, [{ from: at(-20, -60), move: cut(-20, -45), tool: bar }], [], grid);
@@ -162,7 +162,7 @@ describe.each(["z", "r"] as const)("a cut on paper, columns along %s", (along) =
     expect(sumOf(run([], rapid(-20, 15)), "rapid")).toBeGreaterThan(19);
     expect(sumOf(run([], cut(-20, 15), rapid(-20, 25), rapid(-20, 15)), "rapid")).toBe(0);
   });
-  test("a gouge is what is cut of the part", () => {
+  test("a gouge is a cut into the part", () => {
     const part = [
       [
         { z: -40, r: 0 },
@@ -174,7 +174,7 @@ describe.each(["z", "r"] as const)("a cut on paper, columns along %s", (along) =
     expect(Math.abs(sumOf(run(part, cut(-20, 15)), "gouge") - 4)).toBeLessThan(0.15);
     expect(sumOf(run(part, cut(-20, 16)), "gouge")).toBe(0);
   });
-  test("a tool that begins inside says so", () => {
+  test("a tool that begins in material is reported", () => {
     expect(run([], cut(-20, 15)).inside).toBe(false);
     expect(judge(blank, [{ from: at(-20, 18), move: cut(-20, 15), tool: bar }], [], grid).inside).toBe(true);
   });

@@ -5,18 +5,18 @@ import { heldIn } from "./held.ts";
 import { hull, insertOf, type P } from "./insert.ts";
 
 /*
- * A second stock simulation that shares no line with the first: it reads moves and tool columns, and cuts a blank of
- * fine columns. What it says and what `src/sim` says are compared by the laws.
+ * A second stock simulation that shares no line with the first: it reads moves and tool columns, and cuts a blank made
+ * of fine columns. The laws compare its results with those of `src/sim`.
  */
 
-/** One motion of the tip, as the simulation gets it too. */
+/** A motion of the tip, as in the simulation. */
 export interface Motion {
   readonly from: P;
   readonly move: Move;
   readonly tool: Tool;
 }
 
-/** Something that must not happen, in one motion, mm². What is thinner than `THIN` or one column is left out. */
+/** A fault in one motion, mm². Faults thinner than `THIN` or one column are ignored. */
 export interface Fault {
   readonly kind: "gouge" | "rapid";
   readonly motion: number;
@@ -27,19 +27,19 @@ export interface Verdict {
   readonly grid: Grid;
   readonly initial: Field;
   readonly final: Field;
-  /** mm² that all motions took, and of them the feeds. */
+  /** Area removed by all motions, and by the feeds, mm². */
   readonly removed: number;
   readonly cut: number;
   readonly faults: readonly Fault[];
-  /** The tool stands in the blank before anything moves. */
+  /** Whether the tool is in the blank before the first move. */
   readonly inside: boolean;
 }
 
-/** Arcs become chords this near; less than this both simulations may differ in depth, mm. */
+/** Chord error of arcs, mm; the depth in which both simulations may differ. */
 const CHORD = 0.0005;
 export const THIN = 0.006;
 
-/** Where the tip is along a move: its ends, and for an arc points in between. */
+/** Positions of the tip along a move: its ends, and for an arc points in between. */
 function stations(from: P, move: Move): P[] {
   if (move.kind !== "arc") return [from, move.to];
   const { centre, to } = move;
@@ -61,14 +61,11 @@ function stations(from: P, move: Move): P[] {
 }
 
 const at = (shape: readonly P[], p: P): P[] => shape.map((q) => ({ z: q.z + p.z, r: q.r + p.r }));
-/** The work turns: what is swept on the other side of the axis is swept on this one. */
+/** The workpiece rotates: a sweep on the other side of the axis is mirrored. */
 const both = (shape: P[]): P[][] =>
   shape.some((p) => p.r < 0) ? [shape, shape.map((p) => ({ z: p.z, r: -p.r })).reverse()] : [shape];
 
-/**
- * Where the tip of a thread meets the plane that is looked at: whenever the spindle has made a whole turn, and where it
- * rests.
- */
+/** Positions of a thread's tip in the section plane: at every whole revolution, and where the tip stops. */
 function meetings(from: P, move: Extract<Move, { kind: "thread" }>): P[] {
   const way = Math.abs(move.to[move.axis] - from[move.axis]);
   const out: P[] = [];
@@ -77,25 +74,25 @@ function meetings(from: P, move: Extract<Move, { kind: "thread" }>): P[] {
   return move.stops ? [...out, move.to] : out;
 }
 
-/** Convex pieces that a motion sweeps. */
+/** Convex pieces swept by a motion. */
 function swept({ from, move }: Motion, insert: readonly P[]): P[][] {
   if (move.kind === "thread") return meetings(from, move).flatMap((p) => both(at(insert, p)));
   const stops = stations(from, move);
   return stops.slice(1).flatMap((to, i) => both(hull([...at(insert, stops[i] as P), ...at(insert, to)])));
 }
 
-/** A grid of columns over rings, a column's width beyond them on both sides. */
+/** A grid of columns over rings, one column wider on both sides. */
 export function gridOver(rings: readonly (readonly P[])[], along: Grid["along"], width: number): Grid {
   const all = rings.flatMap((ring) => ring.map((p) => p[along]));
   const [low, high] = [Math.min(...all), Math.max(...all)];
-  // Off the round numbers that walls stand on.
+  // Off the round numbers at which walls are.
   const from = low - width * 1.37;
   return { along, width, from, count: Math.ceil((high - from) / width) + 1 };
 }
 
 /**
- * Cuts a blank by motions. `part`: the finished part, as closed polygons; nothing may cut there. `whole` tells behind
- * which motions a cut has ended: then only what hangs together with the rear end stays.
+ * Cuts a blank by motions. `part`: the finished part as closed polygons, which must not be cut. `whole` marks the
+ * motions that end a cut: after them only material connected to the rear end remains.
  */
 export function judge(
   blank: readonly (readonly P[])[],
@@ -161,6 +158,6 @@ export function judge(
   return { grid, initial, final: stock, removed: areaOf(grid, initial) - areaOf(grid, stock), cut, faults, inside };
 }
 
-/** Sum of the faults of one kind, mm². */
+/** Sum of the faults of a kind, mm². */
 export const sumOf = (v: Verdict, kind: Fault["kind"]): number =>
   v.faults.reduce((sum, f) => (f.kind === kind ? sum + f.area : sum), 0);

@@ -3,20 +3,21 @@ import type { P } from "./insert.ts";
 import { THIN } from "./judge.ts";
 
 /*
- * The least that an insert can leave of a part, found without any strategy: it stands at every place along the columns
- * as deep as the part lets it when it comes from the open side, and what no such insert covers stays.
+ * The least residual material that an insert can leave on a part, found without a strategy: the insert is placed at
+ * every position along the columns, as deep as the part allows from the open side; the area that it never covers
+ * remains.
  */
 
-/** Columns beside those that are judged, as wide as an insert. */
+/** Additional columns beside the judged ones, as wide as an insert. */
 const BESIDE = 500;
 
-/** Which way heights count: columns stand along `along`, and the open side is up (1) or down (−1) in them. */
+/** Orientation of heights: columns run along `along`, and the open side is up (1) or down (−1) in them. */
 export interface Open {
   readonly along: Grid["along"];
   readonly out: 1 | -1;
 }
 
-/** The side of an insert that faces the part, column by column from its first one. */
+/** The side of an insert that faces the part, by column from its first one. */
 interface LowerSide {
   readonly first: number;
   readonly low: readonly number[];
@@ -39,7 +40,7 @@ function lowerSide(insert: readonly P[], { along, out }: Open, width: number): L
   return { first, low };
 }
 
-/** How high a part stands, column by column, and what stays over it at the least. */
+/** The height of a part by column, and the least remaining height over it. */
 function leastOver(surface: readonly number[], { first, low }: LowerSide): number[] {
   const left = surface.map(() => Infinity);
   for (let tip = -low.length; tip < surface.length + low.length; tip += 1) {
@@ -56,9 +57,9 @@ function leastOver(surface: readonly number[], { first, low }: LowerSide): numbe
 }
 
 /**
- * What an insert leaves of everything over a part in the columns of a grid, down to the height `deep`. Walls count a
- * column thicker than they are, since that is how well columns know them: between two steep ones the insert would else
- * stand too deep by far.
+ * The residual material of an insert over a part in the columns of a grid, down to the height `deep`. Walls count as
+ * one column thicker, which is the resolution of columns: otherwise the insert would reach far too deep between two
+ * steep walls.
  */
 export function least(part: readonly P[], insert: readonly P[], open: Open, grid: Grid, deep: number): Field {
   const wide: Grid = { ...grid, from: grid.from - BESIDE * grid.width, count: grid.count + 2 * BESIDE };

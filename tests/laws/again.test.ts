@@ -12,8 +12,8 @@ import { tracing } from "../../src/sim/tracing.ts";
 import { movingPrograms } from "./moving-programs.ts";
 
 /*
- * A program that changes again and again, read, run and proved from what the one before left: all of it must be what it
- * is when it is made of that program alone.
+ * A program that changes repeatedly, read, run and proved incrementally: the result must equal that of the program
+ * alone.
  */
 
 const programs = import.meta.glob<string>(["../../src/examples/*.h", "../programs/**/*.h"], {
@@ -35,7 +35,7 @@ const shop = (nose: number) => ({
   rapid: 10_000,
 });
 
-/** A number somewhere in a program becomes another one; `of`: what stands in front of those that may. */
+/** Replaces a number in a program; `of`: the pattern before it. */
 function otherNumber({ text, ...rest }: State, which: number, by: number, of = "(?:Q\\d+=|[XZLD])[+-]?"): State {
   const places = [...text.matchAll(new RegExp(String.raw`(?<=${of})\d+(?:\.\d+)?`, "g"))];
   const place = places[which % Math.max(1, places.length)];
@@ -44,7 +44,7 @@ function otherNumber({ text, ...rest }: State, which: number, by: number, of = "
   return { text: text.slice(0, place.index) + value + text.slice(place.index + place[0].length), ...rest };
 }
 
-/** One digit of a program becomes another one: of a label, a repetition, a parameter, a tool, a coordinate. */
+/** Replaces one digit of a program: of a label, a repetition, a parameter, a tool, a coordinate. */
 function otherDigit({ text, ...rest }: State, which: number, by: number): State {
   const places = [...text.matchAll(/(?<=\D)\d/g)];
   const at = places[which % Math.max(1, places.length)]?.index ?? 0;
@@ -52,7 +52,7 @@ function otherDigit({ text, ...rest }: State, which: number, by: number): State 
   return { text: `${text.slice(0, at)}${digit}${text.slice(at + 1)}`, ...rest };
 }
 
-/** A label becomes another one of the program, where it is set or where it is called. */
+/** Replaces a label by another of the program, where it is set or where it is called. */
 function otherLabel({ text, ...rest }: State, which: number, by: number): State {
   const places = [...text.matchAll(/(?<=LBL )[1-9]\d*/g)];
   const [place, other] = [places[which % places.length], places[Math.floor(Math.abs(by) * 97) % places.length]];
@@ -60,7 +60,7 @@ function otherLabel({ text, ...rest }: State, which: number, by: number): State 
   return { ...rest, text: text.slice(0, place.index) + other[0] + text.slice(place.index + place[0].length) };
 }
 
-/** A jump is made where it was not, or not any more. */
+/** Inverts the condition of a jump. */
 function otherWay({ text, ...rest }: State, which: number): State {
   const places = [...text.matchAll(/FN 9: IF \S+ EQU|FN 10: IF \S+ NE/g)];
   const place = places[which % Math.max(1, places.length)];
@@ -118,7 +118,7 @@ const edits = fc.tuple(
   fc.integer({ min: -4000, max: 4000 }).map((n) => n / 913),
 );
 
-/** The state after one more change; the last of `before` is the one now. */
+/** The state after one more change; the last of `before` is the current one. */
 function edited(before: readonly State[], [kind, which, by]: readonly [string, number, number]): State {
   const state = before.at(-1) as State;
   if (kind === "undo") return before[Math.max(0, before.length - 2 - (which % 4))] ?? state;
@@ -137,7 +137,7 @@ function edited(before: readonly State[], [kind, which, by]: readonly [string, n
 
 const ran = ({ text, nose }: State) => run(parse(text), { ...shop(nose), tracing });
 
-/** Runs one state after the other, with what is known of the ones before. */
+/** Runs one state after another incrementally. */
 function running(): typeof ran {
   const [memory, read, runs] = [new Answers(), readingAgain(), runningAgain()];
   return ({ text, nose }) => {
@@ -146,14 +146,14 @@ function running(): typeof ran {
   };
 }
 
-/** Edits a text step by step: each state runs and is proved as it does alone. */
+/** Edits a text step by step: each state must run and be proved as it is alone. */
 function holdsFor(text: string, changes: readonly (readonly [string, number, number])[]): void {
   const [proved, runs] = [simulating(), running()];
   const states: State[] = [{ text, nose: 0 }];
   proved(runs({ text, nose: 0 }));
   let last: (typeof changes)[number] = ["number", 0, 1];
   for (const change of changes) {
-    // What is typed at one place is typed there again.
+    // The last changed place changes again.
     const [kind, , by] = change;
     last = kind === "again" ? [last[0], last[1], by] : change;
     const state = edited(states, last);
@@ -164,7 +164,7 @@ function holdsFor(text: string, changes: readonly (readonly [string, number, num
   }
 }
 
-test("a changed program with calls, jumps, shifts and parameters is run and proved as it is alone", () => {
+test("a changed program with calls, jumps, shifts and parameters is run and proved as from scratch", () => {
   fc.assert(fc.property(movingPrograms, fc.array(edits, { minLength: 4, maxLength: 8 }), holdsFor), {
     numRuns: Number(process.env["LAW_CASES"] ?? 20) * 4,
   });
@@ -186,11 +186,11 @@ test.each([
   );
 });
 
-/** The marks that two simulations have in common: the very same arrays, which nobody has made again. */
+/** The number of marks that two simulations share: identical arrays, not recomputed ones. */
 const kept = (a: Simulation, b: Simulation): number =>
   b.checkpoints.filter((mark, i) => mark.stock === a.checkpoints[i]?.stock).length;
 
-test("a changed end keeps the stock of what comes before it", () => {
+test("a changed end reuses the stock before it", () => {
   const text = textOf("shaft.h");
   const proved = simulating();
   const before = proved(ran({ text, nose: 0 }));
@@ -207,7 +207,7 @@ test("a changed end keeps the stock of what comes before it", () => {
   );
 });
 
-test("what was proved before is known when it comes again, and when nothing moves otherwise", () => {
+test("a proof is reused when a state returns, and when no move changes", () => {
   // Roughing alone leaves its oversize.
   const text = textOf("flange.h").replaceAll(/Q215=\+?0/g, "Q215=+1");
   const [proved, runs] = [simulating(), running()];
@@ -215,7 +215,7 @@ test("what was proved before is known when it comes again, and when nothing move
   const before = simulationOf(text);
   const noted = simulationOf(text.replace("END PGM", "; a note\n$&"));
   expect(kept(before, noted)).toBe(before.checkpoints.length);
-  // The first cycle is another one: all behind it is cut again.
+  // The first cycle changes: everything after it is cut again.
   const other = simulationOf(text.replace(/Q463=\+?[\d.]+/, "Q463=+1.37"));
   expect(kept(before, other)).toBeLessThan(before.checkpoints.length / 2);
   const again = simulationOf(text);

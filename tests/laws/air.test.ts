@@ -7,8 +7,8 @@ import { casesOf, situations, type Situation } from "./situation.ts";
 import { simulated, startsBadly } from "./worked-plans.ts";
 
 /*
- * A blank that is traced: roughing that leaves out what touches nothing cuts the same stock as roughing in full, in the
- * blank and in what an earlier call has left of it, and its rapids stay free.
+ * A traced blank: roughing without air cuts cuts the same stock as full roughing, in the blank and in the stock of an
+ * earlier call, and its rapids stay free.
  */
 const CASES = Number(process.env["LAW_CASES"] ?? 8);
 
@@ -27,15 +27,15 @@ function roughed(cycle: Cycle, s: Situation, blank: readonly Ring[], leavesOutAi
 const same = (a: readonly Ring[], b: readonly Ring[]) => areaOutside(a, b) + areaOutside(b, a);
 
 /**
- * Roughs a blank in full and without air cuts, and gives back what stands then; null where there is nothing to compare.
- * So it is where an insert reaches across the axis in passes through the air alone: roughing in full is refused.
+ * Roughs a blank with and without air cuts and returns both stocks; null where there is nothing to compare: full
+ * roughing is refused where an insert reaches across the axis in air cuts only.
  */
 function bothWays(cycle: Cycle, s: Situation, blank: readonly Ring[]): readonly Ring[] | null {
   const [full, short] = [roughed(cycle, s, blank, false), roughed(cycle, s, blank, true)];
   if (full.plan.issues.some((i) => i.code === "insertAcrossAxis")) return null;
   expect(short.simulation.proof.gouge).toBe(0);
-  // Called from a height within the material, roughing in full comes back through it at rapid; what that tears away is
-  // no cut.
+  // Called from a height inside the material, full roughing returns through the material at rapid, which is no valid
+  // cut.
   if (full.simulation.proof.rapidInStock > 0) return null;
   expect(same(full.simulation.final, short.simulation.final)).toBeLessThan(0.05);
   if (!startsBadly(full.plan)) expect(short.simulation.proof.rapidInStock).toBe(0);
@@ -51,7 +51,7 @@ const LEVELLED: readonly string[] = ["longitudinal", "transverse"];
 describe.each(situations(1).filter(({ cycle }) => LEVELLED.includes(cycle.group)))(
   "cycle $cycle.number",
   ({ cycle, arbitrary }) => {
-    test("cuts the same without its cuts in the air, and again in what it has left", () => {
+    test("cuts the same without air cuts, and again in the remaining stock", () => {
       fc.assert(
         fc.property(arbitrary, (s) => {
           const left = bothWays(cycle, s, s.blank);

@@ -9,7 +9,7 @@ const { apart, direction } = plane;
 
 /*
  * Laws over whole programs: random contours in all quadrants, every form of APPR and DEP, both sides, read from text as
- * a control would read it.
+ * on a control.
  */
 const word = (axis: string, value: number) => `${axis}${value < 0 ? "" : "+"}${Math.round(value * 1000) / 1000}`;
 const at = (p: PlanePoint) => `${word("X", p.x)} ${word("Y", p.y)}`;
@@ -77,7 +77,7 @@ const moved = (done: ReturnType<typeof runs>) => done.plane.filter((s) => s.cent
 const RUNS = { numRuns: 600 };
 
 describe("programs with every approach and departure", () => {
-  test("the path goes on where it was, in the plane and in the axis, and no number is NaN", () => {
+  test("the path is continuous in the plane and in the axis, and no number is NaN", () => {
     fc.assert(
       fc.property(situation, (s) => {
         const done = runs(s);
@@ -114,7 +114,7 @@ describe("programs with every approach and departure", () => {
     );
   });
 
-  test("without issues the way onto the contour and off it is smooth, or square for LN", () => {
+  test("without issues the path onto and off the contour is smooth, or square for LN", () => {
     let [seen, square] = [0, 0];
     fc.assert(
       fc.property(situation, (s) => {
@@ -171,7 +171,7 @@ describe("programs with every approach and departure", () => {
     );
   });
 
-  test("a proposed start point, LEN or R makes the way free", () => {
+  test("a proposed start point, LEN or R makes the path free", () => {
     let free = 0;
     fc.assert(
       fc.property(situation, (s) => {

@@ -5,8 +5,8 @@ import { UNDERCUT_FORMS, type RecessWords, type UndercutForm } from "../../src/k
 import type { Open } from "../judge/least.ts";
 
 /*
- * Contours with everything that a contour can have: on a shaft, in a bore and in a face; open at their beginning as a
- * shaft is at its end, or closed by walls at both ends as a recess is.
+ * Contours with every kind of element: on a shaft, in a bore and in a face; open at their start as at a shaft end, or
+ * closed by walls at both ends as in a recess.
  */
 
 export interface Shape {
@@ -14,28 +14,28 @@ export interface Shape {
   readonly elements: readonly ContourElement[];
 }
 
-/** Where a contour lies, and whether walls as high as `CLOSED` close it. */
+/** Position of a contour, and whether walls of the height `CLOSED` close it. */
 export interface Site extends Open {
   readonly closed: boolean;
 }
 
-/** The walls of a recess: how far they lean, and how wide their edges are, mm. */
+/** The walls of a recess: their slope, and the width of their edges, mm. */
 const CLOSED = { lean: 1.2, edge: 1.5 };
 /**
- * Height of these walls over the first floor, and of steps. Undercuts lie in cylinders: in a face those are the steps.
+ * Height of these walls above the first floor, and of steps. Undercuts are in cylinders: in a face those are the steps.
  */
 const heights = ({ along, closed }: Site) =>
   along === "r"
     ? { wall: 36, least: 5.5, most: 7, step: 5.6 }
     : { wall: 14, least: 2.5, most: 4, step: closed ? 2.1 : 3.4 };
 
-/** Where the contour goes: mm on along it and up out of the part, from its first point. */
+/** A point of the contour: mm along it and out of the part, from its first point. */
 const placeOn =
   ({ along, out }: Open) =>
   (on: number, up: number): Pt =>
     along === "z" ? at(-on, (out > 0 ? 12 : 64) + out * up) : at(up, 130 - on);
 
-/** Collects elements by how far on and up they go. */
+/** Collects elements by their distance and height. */
 function drawing(site: Site) {
   const place = placeOn(site);
   const elements: ContourElement[] = [];
@@ -43,7 +43,7 @@ function drawing(site: Site) {
   return {
     place,
     elements,
-    /** How far up the lines have come. */
+    /** Height of the highest line. */
     top: () => top,
     line: (on: number, up: number) => {
       top = Math.max(top, up);
@@ -60,7 +60,7 @@ function drawing(site: Site) {
   };
 }
 
-/** Each form with awkward measures. */
+/** Each form with uneven measures. */
 const FORMS: Readonly<Record<UndercutForm, RecessWords>> = {
   E: { R: 0.6, DEPTH: 0.35, BREADTH: 2.6, ANGLE: 15 },
   F: { R: 0.6, DEPTH: 0.3, BREADTH: 2.5, ANGLE: 15, FACEDEPTH: 0.2, FACEANGLE: 8 },
@@ -72,7 +72,7 @@ const FORMS: Readonly<Record<UndercutForm, RecessWords>> = {
 
 type Drawing = ReturnType<typeof drawing>;
 
-/** The first edge or wall of a shape; how far on and up it ends. */
+/** The first edge or wall of a shape; returns its end as distance and height. */
 function begun({ line }: Drawing, site: Site, chamfer: number): [on: number, up: number] {
   if (!site.closed) {
     line(0, 0);
@@ -86,7 +86,7 @@ function begun({ line }: Drawing, site: Site, chamfer: number): [on: number, up:
   return [edge + lean, 0];
 }
 
-/** The last wall of a shape, which is its highest: the blank over the end of a lower one belongs to no contour. */
+/** The last wall of a shape, and its highest: material beyond a lower end would belong to no contour. */
 function ended({ line, top }: Drawing, site: Site, on: number, up: number): void {
   line(on, up);
   const { lean, edge } = CLOSED;
@@ -95,7 +95,7 @@ function ended({ line, top }: Drawing, site: Site, on: number, up: number): void
   line(on + lean + edge, heights(site).wall);
 }
 
-/** Three to five features on and on: shoulders either way with an undercut or a corner, tapers, arcs, recesses. */
+/** Three to five features in a row: shoulders either way with an undercut or a corner, tapers, arcs, recesses. */
 export function drawnShape(draw: Draw, site: Site): Shape {
   const mm = (least: number, most: number) => draw.whole(least * 20, most * 20) / 20;
   const d = drawing(site);
@@ -164,7 +164,7 @@ export function everyForm(site: Site): Shape {
   return { name: "every form", elements: d.elements };
 }
 
-/** A valley in a valley, a ball, and a hollow that is as steep as a wall at its end. */
+/** A valley in a valley, a ball, and a hollow that ends as steep as a wall. */
 export function valleys(site: Site): Shape {
   const d = drawing(site);
   const [on, up] = begun(d, site, 0.8);

@@ -14,22 +14,20 @@ import { drawnShape, everyForm, valleys, type Shape, type Site } from "./best-sh
 import type { Situation } from "./situation.ts";
 import { planOf, stepsOf } from "./worked-plans.ts";
 
-/*
- * What a tool leaves of a programmed contour against what is the least that it can leave, which is found without any
- * strategy.
- */
+/* Compares the residual material of a programmed contour with the least possible, which is found without a strategy. */
 
-/** Width of the columns, mm. What is thinner than one of them or THIN is not seen. */
+/** Width of the columns, mm. Thinner areas, or those thinner than THIN, are not seen. */
 const WIDTH = 0.04;
-/** mm² that may stay over the least. */
+/** Allowed residual material above the least possible, mm². */
 const OVER = 0.05;
-/** How far the part goes on beyond the ends of a contour, and its blank, mm. */
+/** Extent of the part and of its blank beyond the ends of a contour, mm. */
 const ON = { part: 40, blank: 20 };
 
 const cycleOf = (number: number) => catalogue.find((c) => c.number === number) as Cycle;
 
 /**
- * What is cut of a contour in one setting, roughed and finished: what stays over the least, and what is gouged, mm².
+ * Roughs and finishes a contour in one setting; returns the residual material above the least possible, and the contour
+ * damage, mm².
  */
 function worked(shape: Shape, { number, T, ...site }: Row, values: Readonly<Record<string, number>> = {}) {
   const built = contourFrom(shape.elements);
@@ -46,7 +44,7 @@ function worked(shape: Shape, { number, T, ...site }: Row, values: Readonly<Reco
   const [top, low] =
     out > 0 ? [Math.max(...heights), Math.min(...heights)] : [Math.min(...heights), Math.max(...heights)];
   const deep = along === "z" && out > 0 ? 0 : low - out * 20;
-  /** In front a shaft ends, and a recess has more of the part. */
+  /** A shaft ends in front; the part with a recess continues there. */
   const front = (by: number) => first[across] + (site.closed ? by : 0);
   // Contours run towards −Z or to the axis.
   const beyond = (by: number) => last[across] - by;
@@ -63,7 +61,7 @@ function worked(shape: Shape, { number, T, ...site }: Row, values: Readonly<Reco
   const asked: Readonly<Record<string, number>> = {
     ...Object.fromEntries(Object.entries(cycle.params).map(([q, p]) => [q, p.example as number])),
     Q463: 3.4,
-    // All that stands over the contour of 815.
+    // All material over the contour of 815.
     Q485: Math.abs(top - low) + 1,
     ...values,
   };
@@ -95,7 +93,7 @@ const bore = { along: "z", out: -1, closed: false } as const;
 const face = { along: "r", out: 1, closed: false } as const;
 const recess = { closed: true } as const;
 
-/** Every cycle of a programmed contour, with tools that it is made for. */
+/** Every cycle of a programmed contour, with suitable tools. */
 const ROWS: readonly Row[] = [
   { number: 810, T: 2, ...shaft },
   { number: 810, T: 3, ...shaft },
@@ -112,10 +110,10 @@ const ROWS: readonly Row[] = [
   { number: 860, T: 14, ...bore, ...recess },
   { number: 870, T: 8, ...face, ...recess },
 ];
-/** Drawn contours of each: one of the machine's share of cases in three. */
+/** Number of drawn contours: a third of the machine's share of cases. */
 const CASES = Math.ceil(Number(process.env["LAW_CASES"] ?? 6) / 3);
 
-/** fast-check as dice of one seed: what was cut once is cut on every run. */
+/** fast-check as a generator with a fixed seed: every run cuts the same contours. */
 const shapes = (site: Row, seed: number): Shape[] =>
   fc.sample(
     fc.gen().map((g) =>
@@ -142,7 +140,7 @@ test.each(ROWS)("$number with T$T leaves what cannot be taken ($out along $along
   }
 });
 
-test("what roughing alone leaves is more than that", () => {
+test("roughing alone leaves more", () => {
   for (const row of ROWS.filter((r) => [3, 15, 9, 10].includes(r.T)))
     expect(worked(valleys(row), row, { Q215: 1 }).over, `${row.number}`).toBeGreaterThan(2);
 });

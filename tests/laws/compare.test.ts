@@ -18,7 +18,7 @@ const samples = Object.values({
 }).filter((text) => text.length < 40_000);
 const sample = fc.constantFrom(...samples);
 
-/** Differences other than in writing. */
+/** Differences in meaning, not only in writing. */
 const inMeaning = (a: string, b: string): readonly BlockDifference[] =>
   comparePrograms(parse(a), parse(b)).differences.filter(({ kind }) => kind !== "form" && kind !== "note");
 
@@ -33,7 +33,7 @@ const style = fc.record<Style>({
   newLine: fc.constantFrom("\n", "\r\n", "\r"),
 });
 
-/** What was wholly read, written anew; anything else as it stands. */
+/** Blocks that were read completely, printed again; all others unchanged. */
 const rewritten = ({ blocks }: Program, to: Style, first: number, step: number): string =>
   blocks
     .map((block, i) => {
@@ -97,7 +97,7 @@ describe("no difference in meaning", () => {
 
 const withValues = samples.filter((text) => /^ *Q\d+=[+-]?\d/m.test(text));
 
-test("one changed value of a cycle is that difference and no other", () => {
+test("one changed value of a cycle is the only difference", () => {
   expect(withValues.length).toBeGreaterThan(5);
   fc.assert(
     fc.property(fc.constantFrom(...withValues), fc.double({ min: 0, max: 1, noNaN: true }), (text, where) => {
@@ -123,7 +123,7 @@ test("one changed value of a cycle is that difference and no other", () => {
   );
 });
 
-/** A program with some of its blocks left out, doubled, moved or of another one. */
+/** A program with some of its blocks left out, doubled, moved or taken from another program. */
 const mixed = fc
   .tuple(
     sample,
@@ -160,7 +160,7 @@ const INVERSE = {
   form: "form",
 } as const;
 
-test("two programs swapped give the inverse, and each block is told once", () => {
+test("swapped programs give the inverse, and each block is reported once", () => {
   fc.assert(
     fc.property(mixed, ([one, other]) => {
       const [a, b] = [parse(one), parse(other)];
@@ -177,7 +177,7 @@ test("two programs swapped give the inverse, and each block is told once", () =>
         const told = there.differences.flatMap((each) => each[side] ?? []);
         expect(new Set(told).size).toBe(told.length);
       }
-      // Nothing is lost: what has no partner is said.
+      // Nothing is lost: a block without a partner is reported.
       const said = (program: Program) =>
         program.blocks.flatMap(({ statement: { kind } }, i) =>
           kind === "empty" || kind === "comment" || kind === "structure" ? [] : [i],
@@ -189,7 +189,7 @@ test("two programs swapped give the inverse, and each block is told once", () =>
   );
 });
 
-test("long programs are compared in steps that grow with their length, whatever they have in common", () => {
+test("the comparison takes steps proportional to the length of the programs", () => {
   const lines = (n: number, x: (i: number) => number) =>
     Array.from({ length: n }, (_, i) => `${i + 1} L X+${x(i)} Z-${i % 7} F0.2\n`).join("");
   const one = lines(20_000, (i) => (i * 37) % 1009);

@@ -14,33 +14,33 @@ import { startsBadly, stepsOf } from "./worked-plans.ts";
 import { looseOf, partOf, WIDTH, worked, type Worked } from "./worked.ts";
 
 /*
- * What must hold of every set-up once its moves have cut the stock, judged twice: by src/sim with polygons and by the
- * columns of tests/judge. Finishing alone (Q215 = 2, 3) is cut after the roughing of the same values.
+ * Laws of every set-up after its moves have cut the stock, judged twice: by src/sim with polygons and by the columns of
+ * tests/judge. Finishing alone (Q215 = 2, 3) is cut after the roughing of the same values.
  */
 
 /** Smaller areas are the chords of two curves that touch, mm². */
 const REAL = 0.02;
-/** Residue of less than 0.01 mm² in one piece is not reported; columns measure it no better than this. */
+/** Residue of less than 0.01 mm² in one piece is not reported; the resolution of columns is no better, mm². */
 const CRUMB = 0.012;
 
 export type CutLaw = (w: Worked) => Finding;
 
 const mm2 = (n: number) => `${n.toFixed(3)} mm²`;
 const most = (w: Worked, of: (v: Verdict) => number) => Math.max(...w.verdicts.map(of));
-/** What one field has beyond another and its surroundings, mm². */
+/** The area of one field outside another and its tolerance zone, mm². */
 const beyond = (g: Grid, a: Field, b: Field) => areaOf(g, each(a, grown(b, THIN), without));
 
-/** Whatever the start point: the finished part stays whole. */
+/** The finished part is never cut, from any start point. */
 const partStaysWhole: CutLaw = (w) => {
   const [ours, theirs] = [most(w, (v) => sumOf(v, "gouge")), w.simulation.proof.gouge];
   return ours > REAL || theirs > REAL ? `gouge ${mm2(theirs)}, by columns ${mm2(ours)}` : null;
 };
 
-/** Groups whose paths do not hang on the blank. */
+/** Groups whose paths do not depend on the blank. */
 const NO_BLANK: readonly string[] = ["longitudinal", "transverse", "recessTurning", "recessing"];
 /**
- * A path does not hang on BLK FORM: a blank that stands higher than the start point, or beside the area, is not looked
- * at. Where the start point lies below the contour, part of the area is higher than it.
+ * A path does not depend on BLK FORM: a blank that is higher than the start point, or beside the area, is ignored.
+ * Where the start point is below the contour, part of the area is higher than the start point.
  */
 const standsBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
   NO_BLANK.includes(cycle.group) &&
@@ -48,8 +48,8 @@ const standsBeside = ({ cycle, situation: { blank }, plans: [plan] }: Worked) =>
   (plan.issues.some((i) => i.code === "startBelowContour") || areaOutside(blank, [plan.area, plan.part]) > REAL);
 
 /**
- * Rapids touch nothing, unless the tool stood in the material when it was called. Finishing alone does not know what
- * steps roughing has left, so it is not held to this.
+ * Rapids touch nothing, unless the tool was in material at the call. Finishing alone is excepted: it does not know the
+ * steps that roughing has left.
  */
 const rapidsAreFree: CutLaw = (w) => {
   if (w.plans.length > 1 || w.verdicts.some((v) => v.inside) || standsBeside(w)) return null;
@@ -58,8 +58,8 @@ const rapidsAreFree: CutLaw = (w) => {
 };
 
 /**
- * Both simulations leave the same stock, but for one column's width and what is thinner than THIN along z or along r:
- * where a nose only touches a surface, chords that are half a micrometre off in depth are hundredths off in width.
+ * Both simulations leave the same stock, except for one column's width and areas thinner than THIN along z or along r:
+ * where a nose only touches a surface, an error of half a micrometre in depth is hundredths in width.
  */
 const judgesAgreeOnStock: CutLaw = (w) => {
   const least = (of: (v: Verdict) => number) => Math.min(...w.verdicts.map(of));
@@ -70,13 +70,13 @@ const judgesAgreeOnStock: CutLaw = (w) => {
   return `the columns keep ${mm2(more)} more and ${mm2(less)} less than the polygons`;
 };
 
-/** Pieces that hang on by less than this are judged by neither, mm; smaller ones are crumbs, mm². */
+/** Pieces connected by less than this, mm, or smaller than this, mm², are judged by neither. */
 const HANGS = 0.05;
-/** A rear end is one along this much, and when it is as high, mm. */
+/** A rear end has at least this length and height, mm. */
 const CLAMPED = 1;
 const PIECE = 0.1;
 
-/** What no longer hangs together with the rear end has left the stock, and nothing else has. */
+/** Material that is no longer connected to the rear end has left the stock, and nothing else has. */
 const judgesAgreeOnLoose: CutLaw = (w) => {
   if (w.plans.length > 1) return null;
   const rear = Math.min(...w.situation.blank.flat().map(({ z }) => z));
@@ -84,7 +84,7 @@ const judgesAgreeOnLoose: CutLaw = (w) => {
   const held = least(({ grid, final }) =>
     areaOf(grid, each(heldIn(grid, final, rear - WIDTH, HANGS), filled(grid, looseOf(w)), common)),
   );
-  // Where a cut has taken all that was clamped, or left a point of it, nothing tells what holds the rest.
+  // Where a cut has removed the clamped end, or left a point of it, the holding of the rest is unknown.
   if (w.verdicts.every(({ grid, final }) => areaOf(grid, heldIn(grid, final, rear, -HANGS)) === 0)) return null;
   const clamped = [at(rear, 0), at(rear + CLAMPED, 0), at(rear + CLAMPED, 1e4), at(rear, 1e4)];
   if (
@@ -107,7 +107,7 @@ const judgesAgreeOnLoose: CutLaw = (w) => {
   return loose > PIECE ? `${mm2(loose)} that hang on nothing are still there` : null;
 };
 
-/** What columns see that let go of loose pieces as cuts end: a way through where a piece was meets nothing. */
+/** The verdicts of columns that drop loose pieces as cuts end: a move through a former piece meets nothing. */
 function verdictsWithout({ situation, plans, simulation, verdicts }: Worked): readonly Verdict[] {
   if (simulation.proof.loose.length === 0) return verdicts;
   const steps = stepsOf(plans, situation);
@@ -116,8 +116,8 @@ function verdictsWithout({ situation, plans, simulation, verdicts }: Worked): re
 }
 
 /**
- * A fault that one of them sees well above its resolution, the other sees too; unless it has said that it looks no
- * further.
+ * A fault that one judge sees well above its resolution is also seen by the other, unless that one has reported a limit
+ * of its search.
  */
 const judgesAgreeOnFaults: CutLaw = (w) => {
   const clear = 0.2;
@@ -134,18 +134,17 @@ const judgesAgreeOnFaults: CutLaw = (w) => {
 };
 
 /**
- * What stays above the contour, and of a thread above its crest, is what the simulation reports as residue, and nothing
- * else.
+ * The material above the contour, or above the crest of a thread, is exactly the residue that the simulation reports.
  */
 const judgesAgreeOnResidue: CutLaw = (w) => {
   const area = w.plans.at(-1)?.area ?? [];
   const above = w.plans.at(-1)?.thread?.above;
   if (area.length < 3 || w.plans.length > 1 || w.plans[0]?.moves.length === 0) return null;
-  // What came loose lies nowhere, though the columns keep it where it was.
+  // A loose piece has no place, although the columns keep it where it was.
   const rings = [...w.simulation.proof.residual.map((r) => r.ring), ...looseOf(w)];
   for (const { grid, final } of w.verdicts) {
     const left = each(final, filled(grid, above ? [area, above] : [area], true), (a, b) => without(a, without(a, b)));
-    // What is thinner or smaller than the simulation looks at is left out on both sides.
+    // Areas below the simulation's thickness or size limit are ignored on both sides.
     const shown = withoutCrumbs(grid, thickOf(left), CRUMB);
     const thick = areaOf(grid, each(shown, grown(filled(grid, rings), 0.02), without));
     if (thick > 0.05) return `columns along ${grid.along} see residue of ${mm2(thick)} that is not reported`;
@@ -156,7 +155,7 @@ const judgesAgreeOnResidue: CutLaw = (w) => {
   }
   return null;
 };
-/** Without what is thinner than two columns or 0.02 mm. */
+/** A field without areas thinner than two columns or 0.02 mm. */
 const thickOf = (f: Field): Field =>
   f.map((column, i) => {
     const near = [f[i - 1] ?? [], f[i + 1] ?? []];
@@ -166,9 +165,7 @@ const thickOf = (f: Field): Field =>
     );
   });
 
-/**
- * Roughing and finishing leave nothing that the tool could reach; how far one goes that does not fit in is no promise.
- */
+/** Roughing and finishing leave nothing that the tool could reach; a tool that does not fit in is excepted. */
 const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, simulation }) => {
   if (!plan || values["Q215"] !== 0 || values["Q479"] === 1 || plan.passes === 0 || startsBadly(plan)) return null;
   if (plan.issues.some((i) => i.code === "recessNarrowerThanTool")) return null;
@@ -177,8 +174,8 @@ const nothingReachableStays: CutLaw = ({ plans: [plan], situation: { values }, s
 };
 
 /**
- * Roughing alone keeps the oversize: nothing of the part grown by it is cut. A rectangle holds the part moved to each
- * of its corners. An insert whose start point stands in the stock cuts there whatever the cycle does, which is told.
+ * Roughing alone keeps the oversize: the part grown by it is not cut. A rectangle contains the part shifted to each of
+ * its corners. An insert whose start point is in the stock cuts there anyway, which is reported.
  */
 const oversizeStays: CutLaw = (w) => {
   const {
@@ -190,7 +187,7 @@ const oversizeStays: CutLaw = (w) => {
   if (simulation.proof.operations[0]?.startInMaterial) return null;
   const cut = difference(blank, [...simulation.final, ...looseOf(w)]);
   const [dz, dr] = [values["Q484"] ?? 0, (values["Q483"] ?? 0) / 2];
-  // Beyond the axis there is no part that could keep any.
+  // Beyond the axis there is no part and no oversize.
   const far = 1e4;
   const solid = intersection([plan.part], [[at(-far, 0), at(far, 0), at(far, far), at(-far, far)]]);
   for (const [z, r] of [
@@ -210,14 +207,14 @@ const oversizeStays: CutLaw = (w) => {
 };
 
 /**
- * What is taken behind a machining limit, deeper than is no news, is told at it, and what is told there was taken. What
- * rapids took is told by itself.
+ * Material cut beyond a machining limit, deeper than `NEWS`, is reported at the limit, and reported material was cut.
+ * Material cut by rapids is reported separately.
  */
 const limitsHoldOrAreTold: CutLaw = (w) => {
   const { values, start } = w.situation;
   const far = 1000;
   const [x, z] = [(values["Q480"] ?? 0) / 2, values["Q482"] ?? 0];
-  // A start point on a limit stands on neither side of it.
+  // A start point on a limit is on neither side of the limit.
   if (values["Q479"] !== 1 || start.r === x || start.z === z) return null;
   const [xWay, zWay] = [start.r >= x ? -1 : 1, start.z >= z ? -1 : 1];
   const zones: readonly (readonly [string, (from: number) => P[]])[] = [
@@ -247,9 +244,9 @@ const limitsHoldOrAreTold: CutLaw = (w) => {
   }
   return null;
 };
-/** From this far behind a limit on what is taken is told, mm (decision 0034). */
+/** Cuts are reported from this depth beyond a limit, mm (decision 0034). */
 const NEWS = 0.1;
-/** A strip a column wide along a limit is seen by one of the judges only, mm². */
+/** Only one judge sees a strip one column wide along a limit, mm². */
 const LIMIT = 0.2;
 /** A strip: from a to b along one axis, from c to d along the other. */
 const across = (along: "z" | "r", a: number, b: number, c: number, d: number): P[] =>
@@ -260,14 +257,12 @@ const across = (along: "z" | "r", a: number, b: number, c: number, d: number): P
     [a, d],
   ].map(([p = 0, q = 0]) => (along === "z" ? { z: p, r: q } : { z: q, r: p }));
 
-/**
- * A pip on the axis of a face: mm² that are no matter, and the radius and the height within which it is looked for, mm.
- */
+/** A pip on the axis of a face: negligible area, mm², and the radius and height of the searched zone, mm. */
 const [PIP, NEAR] = [0.01, 0.3];
 
 /**
- * A face that ends on the axis or beyond it is clean: no pip stays on it. What an edge that leans leaves higher up
- * hangs on nothing.
+ * A face that ends on the axis or beyond it is clean: no pip is left. Residue of a sloping edge farther out is
+ * excepted.
  */
 const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => {
   const plan = plans.at(-1) as Plan;
@@ -277,7 +272,7 @@ const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => 
   );
   if (!face || !isFinished || plan.moves.length === 0 || values["Q479"] === 1 || values["Q487"] === 0) return null;
   if (plan.openSide.r < 0 || plan.issues.some((i) => i.code === "angleNotFollowed")) return null;
-  // What is drawn beyond the axis alone keeps the nose from facing it.
+  // A contour element beyond the axis keeps the nose from facing the axis.
   if (plan.contour.some(({ from, to }) => Math.max(from.r, to.r) < 0)) return null;
   const out =
     plan.openSide.z || (plan.contour[0] === face ? Math.sign(face.from.z - (plan.contour.at(-1) as Segment).to.z) : 1);
@@ -288,7 +283,7 @@ const facesAreClean: CutLaw = ({ plans, simulation, situation: { values } }) => 
   return polygonArea(pip) > PIP ? `a pip of ${mm2(polygonArea(pip))} stays on the axis` : null;
 };
 
-/** No roughing cut of a recess turned between its walls takes more at once than its infeed allows. */
+/** No roughing cut of a recess turned between its walls is deeper than its infeed. */
 const infeedIsKept: CutLaw = (w) => {
   const [plan] = w.plans;
   if (w.cycle.group !== "recessTurning" || w.cycle.contour !== "own" || !plan || w.plans.length > 1) return null;
@@ -304,10 +299,10 @@ const infeedIsKept: CutLaw = (w) => {
   const { depth, allowed } = operation.deepest;
   return depth > allowed + TOLD ? `a cut of ${depth.toFixed(3)} mm where ${allowed} are allowed` : null;
 };
-/** Less than this more is not told, mm. */
+/** Smaller excess is not reported, mm. */
 const TOLD = 0.05;
 
-/** By name, so that a case on file says which of them it broke. */
+/** By name, so that a stored case can state the broken laws. */
 export const cutLaws: Readonly<Record<string, CutLaw>> = {
   partStaysWhole,
   rapidsAreFree,
@@ -323,7 +318,7 @@ export const cutLaws: Readonly<Record<string, CutLaw>> = {
   infeedIsKept,
 };
 
-/** Every law that a situation breaks, with what it says. */
+/** Every law that a situation breaks, with its message. */
 export function brokenBy(cycle: Cycle, situation: Situation, laws: readonly string[] = Object.keys(cutLaws)): string[] {
   const w = worked(cycle, situation);
   return laws.flatMap((name) => {

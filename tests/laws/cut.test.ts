@@ -7,8 +7,8 @@ import { brokenByPlan } from "./plan-laws.ts";
 import { casesOf, situations, type Situation } from "./situation.ts";
 
 /*
- * Every set-up that can be drawn is cut twice and held to the laws of cut-laws.ts, whatever its start point. `npm run
- * laws` draws many more; what it finds lies in found/ and is tried here for ever.
+ * Every drawn set-up is cut twice and checked against the laws of cut-laws.ts, from any start point. `npm run laws`
+ * draws many more; the cases that it finds are in found/ and are always tried here.
  */
 const CASES = Number(process.env["LAW_CASES"] ?? 25);
 
@@ -24,7 +24,7 @@ for (const operation of [0, 1, 2, 3])
     });
   });
 
-/** How many set-ups are drawn to find some on the axis, and how many of those are tried. */
+/** Number of set-ups drawn to find some on the axis, and number of those tried. */
 const [DRAWN, ON_AXIS] = [60 + CASES, Math.ceil(CASES / 4)];
 
 describe("on the axis and beyond it", () => {
@@ -44,5 +44,5 @@ describe("set-ups that broke a law once", () => {
       const known = cycleByNumber(cycle);
       expect(known && [...brokenByPlan(known, situation), ...brokenBy(known, situation)]).toEqual([]);
     });
-  test("lie in a folder of their own", () => expect(found.every(([path]) => path.startsWith("./found"))).toBe(true));
+  test("are in a folder of their own", () => expect(found.every(([path]) => path.startsWith("./found"))).toBe(true));
 });

@@ -12,9 +12,8 @@ import type { Situation } from "./situation.ts";
 import { planOf, simulated } from "./worked-plans.ts";
 
 /*
- * Whatever way an insert is held and a neck is cut, the warning that an element of its contour cannot be followed and
- * the material that stays there name the same edge: also where it is the end of an edge that is too short for the neck
- * which meets the part.
+ * For any orientation of an insert and any neck, the warning about an element that cannot be followed and the reason of
+ * the residual material there name the same edge, even at the end of an edge that is too short for the neck.
  */
 const CASES = Number(process.env["LAW_CASES"] ?? 8);
 const EVERY: readonly TipOrientation[] = [1, 2, 3, 4, 5, 6, 7, 8, 9];
@@ -23,8 +22,8 @@ const FRAMES = ([false, true] as const).flatMap((transverse) =>
 );
 
 /**
- * Orientations that stand over the material and cut this way, and with which a contour behind the tool is taken for
- * one.
+ * Orientations that are above the material and cut in this direction, and for which a contour behind the tool counts as
+ * such.
  */
 const fitting = (f: Frame) =>
   EVERY.filter((TO) => {
@@ -49,10 +48,7 @@ const necks = fc.record({
 });
 type Neck = typeof necks extends fc.Arbitrary<infer N> ? N : never;
 
-/**
- * A neck that a blunt insert stands over: no nose comes near it, and it is narrower than a corner that a nose may
- * leave.
- */
+/** A neck under a blunt insert: no nose reaches it, and it is narrower than a corner that a nose may leave. */
 const FOUND: [Neck][] = [
   [
     {
@@ -70,7 +66,7 @@ const FOUND: [Neck][] = [
   ],
 ];
 
-/** The lowest height of the rim in strategy space, and where it begins: clear of the axis everywhere. */
+/** The lowest height of the rim in strategy space, and its start: always clear of the axis. */
 const RIM = { cylinder: 30, bore: -24, front: 0 } as const;
 const BEGINS = { inwards: -48, outwards: 12, along: 0 } as const;
 
@@ -133,14 +129,14 @@ function neckIn(frame: Frame, TO: TipOrientation, n: Neck): Situation & { readon
   };
 }
 
-/** Regions smaller than this lie in a corner and may be laid to the nose, mm². */
+/** Smaller regions are in a corner and may be attributed to the nose, mm². */
 const CLEAR = 0.4;
 const EDGES: readonly string[] = ["mainEdge", "secondaryEdge"];
 
 describe.each(FRAMES.flatMap((frame) => fitting(frame).map((TO) => ({ frame, TO, ...frame }))))(
   "transverse $transverse, along $signU, out $signV, orientation $TO",
   ({ frame, TO }) => {
-    test("what stays in a neck is laid to the edges that cannot follow its flanks", () => {
+    test("residue in a neck is attributed to the edges that cannot follow its flanks", () => {
       const cycle = cycleByNumber(frame.transverse ? 820 : 810) ?? never("no such cycle", frame);
       fc.assert(
         fc.property(necks, (n) => {
@@ -167,7 +163,7 @@ describe.each(FRAMES.flatMap((frame) => fitting(frame).map((TO) => ({ frame, TO,
   },
 );
 
-test("a bar before a wall that hangs over: both lay it to its width", () => {
+test("a bar before an overhanging wall: both attribute it to its width", () => {
   const points = [at(-14.2, 37.5), at(-15.1, 29.3), at(-31.4, 29.3), at(-27.3, 37.5)];
   const contour = points.slice(1).map((to, i): Segment => ({ kind: "line", from: points[i] as never, to }));
   const start = at(-14.2, 40);

@@ -7,14 +7,17 @@ import type { Param } from "../../src/cycles/params.ts";
 import { casesOf, situations, type Situation } from "./situation.ts";
 import { planOf } from "./worked-plans.ts";
 
-/* What a cycle's file says to be without effect has none: neither the plan nor the outline can tell one value of it from another. */
+/*
+ * A value that a cycle's file declares to be without effect must have none: plan and outline are the same for any
+ * value.
+ */
 const CASES = Number(process.env["LAW_CASES"] ?? 25);
 
-/** Another value that may be entered, from a share of the range; feeds may be FAUTO. */
+/** Another allowed value, from a share of the range; feeds may be FAUTO. */
 function valueAt({ kind, range: [min, max], choices, decimals }: Param, share: number): number | "auto" {
   if (choices) return choices[Math.floor(share * choices.length)] as number;
   if (kind === "feed" && share > 0.9) return "auto";
-  // Sizes of a part, where the range has them: nobody turns 99 m.
+  // Sizes of a real part, within the range: nobody turns 99 m.
   const [low, high] = [Math.max(min, -300), Math.min(max, 300)];
   return kept(low + share * (high - low), decimals);
 }
@@ -29,7 +32,7 @@ for (const operation of [0, 1, 2, 3])
     const conditions = Object.values<Param>(cycle.params).flatMap((p) => (p.counts === null ? [] : [p.counts.q]));
     const set = [...new Set(conditions)].filter((q) => q !== "Q215" && cycle.params[q]?.choices);
 
-    test("what is without effect changes nothing", () => {
+    test("a value without effect changes nothing", () => {
       fc.assert(
         fc.property(arbitrary, fc.array(share, { minLength: 40, maxLength: 40 }), (drawn, shares) => {
           const chosen = Object.fromEntries(
@@ -49,7 +52,7 @@ for (const operation of [0, 1, 2, 3])
     });
   });
 
-/** Set-ups of each operation that may be looked at until every prompt of a cycle has acted. */
+/** Most set-ups per operation that are tried until every prompt of a cycle has had an effect. */
 const LOOKED_AT = 40;
 
 test.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))(

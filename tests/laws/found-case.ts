@@ -1,9 +1,9 @@
 import type { Situation } from "./situation.ts";
 
-/** A set-up that broke a law, as it lies in found/: small, and tried with every run of the tests. */
+/** A set-up that broke a law, stored in found/: small, and tried in every test run. */
 export interface FoundCase {
   readonly cycle: number;
-  /** What the law said then. */
+  /** The messages of the laws at that time. */
   readonly said: readonly string[];
   readonly situation: Situation;
 }

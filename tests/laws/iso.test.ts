@@ -23,17 +23,17 @@ import { statements } from "./statements.ts";
 const style = LAYOUTS.tnc7;
 const shop = { tools: shippedTools, rapid: 10_000, tracing };
 
-/** What comes back of a Klartext text that went through DIN/ISO. */
+/** A Klartext text converted to DIN/ISO and back. */
 const through = (text: string, names?: IsoNames) => klartextOfIso(isoProgramText(parse(text)).text, style, names);
 
-/** Cycles without names and labels, which DIN/ISO does not hold. */
+/** Cycles without names and labels, which DIN/ISO does not contain. */
 function nameless(s: Statement): Statement {
   if (s.kind === "cycle") return { ...s, name: "", parameters: s.parameters.map((p) => ({ ...p, label: null })) };
   return s.kind === "cycleLine" && s.line === 0 ? { ...s, text: "" } : s;
 }
 const meant = (text: string) => parse(text).blocks.map((b) => nameless(b.statement));
 
-/** Cycles of numbered lines with texts that have words in DIN/ISO, so that their pairs are met. */
+/** Cycles of numbered lines whose texts have words in DIN/ISO, so that both are tested. */
 const number = fc
   .tuple(fc.integer({ min: -99999, max: 99999 }), fc.constantFrom(1, 100, 1000))
   .map(([n, s]) => (n === 0 ? 0 : n / s));
@@ -72,7 +72,7 @@ const older: fc.Arbitrary<Statement[]> = fc
     ["TITLE", ...texts].map((text, line) => ({ kind: "cycleLine", cycle, line, text })),
   );
 
-test("any statements come back from DIN/ISO, but for names and labels of cycles", () =>
+test("any statements come back from DIN/ISO, except names and labels of cycles", () =>
   fc.assert(
     fc.property(
       fc.array(
@@ -92,7 +92,7 @@ test("any statements come back from DIN/ISO, but for names and labels of cycles"
     { numRuns: 4000 },
   ));
 
-test("block numbers come back, and the names that are asked for", () =>
+test("block numbers come back, and requested names", () =>
   fc.assert(
     fc.property(fc.array(statements, { maxLength: 8 }), (list) => {
       const text = programText(
@@ -124,9 +124,9 @@ test("block numbers come back, and the names that are asked for", () =>
     { numRuns: 1000 },
   ));
 
-/** How a text is laid out: DIN/ISO does not hold it, and what comes back is well written. */
+/** Layout issues: DIN/ISO does not contain the layout, and the conversion back is well formed. */
 const OF_LAYOUT = /^! \w+ (?:listWithoutTilde|equalsMissing|blankBeforeEquals|continuationOpen)\b.*\n/gm;
-/** Moves and findings of a run, without lines of the text: a list may stand on others. */
+/** Moves and findings of a run, without line numbers: a list may be on other lines. */
 const moves = (text: string) =>
   listing(run(parse(text), shop))
     .replaceAll(OF_LAYOUT, "")
@@ -138,7 +138,7 @@ const programs = Object.entries(
 describe("every program of the folder runs the same after DIN/ISO", () => {
   test.each(programs)("%s", (_, text) => {
     const back = through(text);
-    // Two lists of printed examples count from where their manual page does.
+    // Two lists of printed examples count from the number on their manual page.
     const recounted = back.issues.length > 0;
     expect(back.issues.map((i) => i.code)).toEqual(recounted ? ["isoBlocksRecounted"] : []);
     const seen = (of: string) =>
@@ -165,7 +165,7 @@ describe("the example of every cycle runs the same after DIN/ISO", () => {
   });
 });
 
-/** DIN/ISO programs with pieces copied, dropped or exchanged. */
+/** DIN/ISO programs with pieces copied, dropped or swapped. */
 const damaged = fc
   .tuple(
     fc.constantFrom(...programs.map(([, text]) => isoProgramText(parse(text)).text)),
@@ -241,7 +241,7 @@ test("no text makes the reader throw, every finding has its place, and what it r
     { numRuns: 2000 },
   ));
 
-test("what can not be translated is kept and reported, never dropped", () =>
+test("untranslatable blocks are kept and reported, never dropped", () =>
   fc.assert(
     fc.property(damaged, (text) => {
       const read = klartextOfIso(text, style);

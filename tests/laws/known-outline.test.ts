@@ -11,27 +11,27 @@ import type { Params, Values } from "../../src/cycles/params.ts";
 
 const RUNS = 40;
 
-describe.each(situations(0))("what is known of the contour of cycle $cycle.number", ({ cycle, arbitrary }) => {
+describe.each(situations(0))("the known contour of cycle $cycle.number", ({ cycle, arbitrary }) => {
   const contourOf = (values: object, given: Parameters<Cycle["outline"]>[1]) => {
     const { contour, issues } = cycle.outline(values as Values<Params>, given);
     return issues.some((i) => i.severity === "error") ? [] : contour;
   };
-  test("is all of it when all is typed", () => {
+  test("is complete when all values are typed", () => {
     fc.assert(
       fc.property(arbitrary, ({ values, given }) => {
         const whole = contourOf(values, given);
-        // What no cycle can cut is drawn as it was programmed.
+        // A contour that no cycle can cut is drawn as programmed.
         const drawn = whole.length === 0 && cycle.contour === "free" ? given.contour : whole;
         expect(knownOutline(cycle, values, given).contour).toEqual(drawn);
       }),
       { numRuns: RUNS },
     );
   });
-  test("is a part of it while values are missing, and no less with one value more", () => {
+  test("is a part of it while values are missing, and never shrinks with one more value", () => {
     fc.assert(
       fc.property(arbitrary, fc.array(fc.boolean(), { minLength: 40, maxLength: 40 }), fc.nat(39), (s, typed, one) => {
         const few = Object.fromEntries(Object.entries(s.values).filter((_, i) => typed[i]));
-        // Nothing is corrected that is not typed.
+        // Only typed values are corrected.
         const corrections = Object.keys(cycle.params).filter(
           (c) => cycle.params[c]?.shown === "depthCompensation" && !(c in few),
         );
@@ -47,7 +47,7 @@ describe.each(situations(0))("what is known of the contour of cycle $cycle.numbe
             whole.some((w) => sameSegment(w, segment)),
             JSON.stringify([segment, few]),
           ).toBe(true);
-          // Where hardly anything fits any more, nothing is said.
+          // Where almost nothing fits any more, nothing is known.
           if (more.length > 0)
             expect(
               more.some((w) => sameSegment(w, segment)),
@@ -58,7 +58,7 @@ describe.each(situations(0))("what is known of the contour of cycle $cycle.numbe
       { numRuns: RUNS },
     );
   });
-  test("can be drawn with every value more", () => {
+  test("can be drawn with each additional value", () => {
     const example = firstValues(cycle);
     const given = { contour: null, start: null };
     if (cycle.contour === "free") return;
@@ -75,7 +75,7 @@ describe("a shoulder, value by value", () => {
   const of = (values: Record<string, number>) => knownOutline(cycle, values, { contour: null, start: null });
   const box = { Q491: 61.37, Q492: 0.8, Q493: 42.11, Q494: -23.9 };
 
-  test("an arc that falls or rises with the diameter at the end is not known before that is", () => {
+  test("an arc that falls or rises with the end diameter is unknown until that is typed", () => {
     const start = { Q491: 67.41, Q492: -4.156, Q495: 75, Q496: 0, Q500: 0, Q501: 2, Q502: 0.428 };
     const plunging = cycleByNumber(814) as Cycle,
       given = { contour: null, start: at(-4.148, 33.703) };
@@ -103,7 +103,7 @@ describe("a shoulder, value by value", () => {
     expect(contour).toEqual([]);
     expect(whole).toBe(false);
   });
-  test("an element is known as soon as nothing that is missing touches it", () => {
+  test("an element is known as soon as no missing value affects it", () => {
     const few = { ...box, Q495: 0, Q501: 1, Q502: 0.7, Q500: 0, Q496: 0 };
     expect(of(few).contour.map((s) => s.to.z.toFixed(3))).toEqual(["0.100", "-23.900"]);
     expect(of({ ...few, Q503: 0 })).toMatchObject({ whole: true, sketch: [] });
@@ -111,9 +111,9 @@ describe("a shoulder, value by value", () => {
   });
 });
 
-test("every cycle is here", () => expect(situations(0).map((s) => s.cycle)).toEqual(cuttingCycles));
+test("every cycle is tested", () => expect(situations(0).map((s) => s.cycle)).toEqual(cuttingCycles));
 
-test("a programmed contour is drawn although no cycle can cut it yet", () => {
+test("a programmed contour is drawn even if no cycle can cut it yet", () => {
   const flat = [{ kind: "line" as const, from: at(-3.3, 30.7), to: at(-18.1, 30.7) }];
   expect(knownOutline(cycleByNumber(820) as Cycle, { Q463: 1.35 }, { contour: flat, start: null })).toMatchObject({
     contour: flat,
@@ -121,7 +121,7 @@ test("a programmed contour is drawn although no cycle can cut it yet", () => {
   });
 });
 
-test("where only one side of a corner was tried, its rounding is not known", () => {
+test("a rounding is unknown while only one side of its corner was tried", () => {
   const few = { Q500: 0.001, Q495: 57, Q496: 0, Q493: 38.626, Q494: -10 };
   expect(knownOutline(cycleByNumber(814) as Cycle, few, { contour: null, start: at(0, 24) }).contour).toEqual([]);
 });

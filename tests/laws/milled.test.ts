@@ -7,14 +7,14 @@ import { run } from "../../src/program/run/run.ts";
 import type { PlaneStep } from "../../src/program/tools/plane-types.ts";
 
 /*
- * Laws over the stock of whole milling programs with RL and RR: what the app takes away is held against points of a
- * second reckoning that knows neither offsets nor polygons, only distances.
+ * Laws over the stock of whole milling programs with RL and RR: the removed area is compared with sample points of a
+ * second calculation that knows only distances, neither offsets nor polygons.
  */
 interface Spot {
   readonly x: number;
   readonly y: number;
 }
-/** A point of the programmed contour, and all directions that look square off it to the side of the tool. */
+/** A point of the programmed contour, and all directions perpendicular to it on the side of the tool. */
 interface Sample extends Spot {
   readonly off: readonly Spot[];
 }
@@ -40,7 +40,7 @@ const situation = fc.record({
 });
 type Situation = typeof situation extends fc.Arbitrary<infer T> ? T : never;
 
-/** One element: a line, or an arc of less than half a circle. */
+/** An element: a line, or an arc of less than half a circle. */
 interface Element {
   readonly from: Spot;
   readonly to: Spot;
@@ -120,7 +120,7 @@ function text(s: Situation, elements: readonly Element[]): string {
 const RUNS = 40;
 /** Between two points of a contour, mm. */
 const STEP = 0.2;
-/** The contour as points close together; a corner has every direction between the two of its neighbours. */
+/** The contour as dense points; a corner has every direction between those of its neighbours. */
 function samplesOf(elements: readonly Element[], side: string): Sample[] {
   const left = side === "RL" ? 1 : -1;
   const pieces = elements.map((e) => {
@@ -168,7 +168,7 @@ function samplesOf(elements: readonly Element[], side: string): Sample[] {
   return [...pieces.flat(), ...corners.flat()];
 }
 
-/** How far a point is from a motion in the plane, by its own reckoning. */
+/** The distance of a point from a motion in the plane, calculated independently. */
 function fromMotion(p: Spot, s: PlaneStep): number {
   if (s.centre && s.turn) {
     const c = s.centre,
@@ -206,7 +206,7 @@ function worked(s: Situation) {
   const standing = stock?.at({ step: done.plane.length, fraction: 0 }).standing[0] ?? [];
   return { elements, done, standing };
 }
-/** Points round a contour, the same for the same contour. */
+/** Random points round a contour, the same in every run. */
 function* points(elements: readonly Element[], reach: number, count: number): Generator<Spot> {
   const xs = elements.flatMap((e) => [e.from.x, e.to.x]),
     ys = elements.flatMap((e) => [e.from.y, e.to.y]);
@@ -220,7 +220,7 @@ function* points(elements: readonly Element[], reach: number, count: number): Ge
     yield { x: left + (right - left) * ((i * 0.7548776662) % 1), y: low + (high - low) * ((i * 0.569840291) % 1) };
 }
 
-/** A second reckoning by points is this near, mm. */
+/** Tolerance of the second calculation by points, mm. */
 const LEAST = 0.5;
 const isLow = (m: PlaneStep) => (m.to.z ?? 1) < 0 && (m.from.z ?? 1) < 0;
 const codes = (done: ReturnType<typeof worked>["done"]) =>
@@ -234,21 +234,21 @@ function waysOf({
     low = plane.filter(isLow);
   return [low.filter((m) => !leads.has(m.index)), low.filter((m) => leads.has(m.index))];
 }
-/** Centres of tools that touch the contour on the side of RL or RR and cut it nowhere. */
+/** Centres at which a tool touches the contour on the side of RL or RR and cuts it nowhere. */
 function freeCentres(elements: readonly Element[], { side, tool }: Situation): Spot[] {
   const samples = samplesOf(elements, side);
   const touching = samples.flatMap((q) => q.off.map((n) => ({ x: q.x + n.x * tool, y: q.y + n.y * tool })));
   return touching.filter((c) => samples.every((o) => far(o, c) >= tool - 0.01));
 }
 
-/** The same going round to the side of the tool: pockets, whose mouths are narrow. */
+/** The same with turns to the side of the tool: pockets with narrow mouths. */
 const inward = situation.map((s): Situation => ({
   ...s,
   corners: s.corners.map((c, i) => (i % 3 === 2 ? c : { ...c, turn: (s.side === "RL" ? 1 : -1) * Math.abs(c.turn) })),
 }));
-/** Some of them, the same on every run: of a few the tool cuts into the contour, and another radius would not. */
+/** A fixed selection: with a few of them the tool cuts into the contour, and another radius would not. */
 const SOME_CUT: [Situation][] = fc.sample(inward, { numRuns: RUNS, seed: 47 }).map((s) => [s]);
-/** Whether a contour comes back to itself: which side of it is material, nobody says then. */
+/** Whether a contour crosses itself: the side of the material is then undefined. */
 const crosses = (elements: readonly Element[], side: string) =>
   elements.some((e, i) =>
     elements
@@ -256,10 +256,7 @@ const crosses = (elements: readonly Element[], side: string) =>
       .some((o) => samplesOf([e], side).some((p) => samplesOf([o], side).some((q) => far(p, q) < STEP))),
   );
 
-/**
- * Whether a contour turns right back, as where two circles touch: on which side of it that corner lies, rounding
- * decides.
- */
+/** Whether a contour reverses, as where two circles touch: rounding then decides the side of that corner. */
 const turnsBack = (elements: readonly Element[], side: string) =>
   elements.slice(1).some((e, i) => {
     const [n, m] = [samplesOf(elements.slice(i, i + 1), side).at(-1)?.off[0], samplesOf([e], side)[0]?.off[0]];
@@ -267,7 +264,7 @@ const turnsBack = (elements: readonly Element[], side: string) =>
   });
 
 describe("the stock of programs with RL and RR", () => {
-  test("loses what stands within the radius of the tool of a motion, and nothing else", () => {
+  test("loses exactly the area within the tool radius of a motion", () => {
     let seen = 0;
     fc.assert(
       fc.property(situation, (s) => {
@@ -285,7 +282,7 @@ describe("the stock of programs with RL and RR", () => {
     expect(seen).toBeGreaterThan(250 * RUNS);
   });
 
-  test("is what a tool takes that touches the contour everywhere it can", () => {
+  test("loses the area of a tool that touches the contour wherever possible", () => {
     let free = 0;
     fc.assert(
       fc.property(situation, (s) => {
@@ -307,7 +304,7 @@ describe("the stock of programs with RL and RR", () => {
     expect(free).toBeGreaterThan(RUNS / 6);
   });
 
-  test("is not cut beyond the contour without a finding; that says how deep, and the radius it offers passes", () => {
+  test("is not cut beyond the contour without a finding with the depth and a radius that passes", () => {
     let [clear, said, offered] = [0, 0, 0];
     fc.assert(
       fc.property(inward, (s) => {

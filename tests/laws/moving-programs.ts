@@ -26,7 +26,7 @@ const along = (label: number): string[] => [
   "CYCL CALL",
 ];
 
-/** What one part of a program does; `label` is one of its own. */
+/** The effects that a part of a program may have; `label` is its own label. */
 const PARTS: Readonly<Record<string, (label: number, n: number) => readonly string[]>> = {
   cycle: (_, n) => [...shoulder(9 + n), "CYCL CALL"],
   calledTwice: (_, n) => [...shoulder(12 + n), "L Z+3 FMAX M99", `Q2 = Q2 - ${n}`, "L Z+2 FMAX M99"],
@@ -51,7 +51,7 @@ const PARTS: Readonly<Record<string, (label: number, n: number) => readonly stri
     "L Z-2 F0.2",
   ],
   free: (_, n) => ["L X+60 Z+3 FMAX", "L Z+1 F0.2", `FL X+64 Z-${n}`, "FLT X+70 Z-9", "FL X+84 Z-9", "L X+90 FMAX"],
-  // Where the first element ends follows from the second one.
+  // The end of the first element follows from the second element.
   freeTogether: (_, n) => ["L X+60 Z+3 FMAX", "L Z+1 F0.2", "FL AN180", `FL X+76 Z-${8 + n} AN135`, "L X+90 FMAX"],
   looped: (label) => [
     "Q1 = +3",
@@ -110,7 +110,7 @@ const TAIL = [
   "END PGM LAW MM",
 ];
 
-/** Parts that look ahead or come back are more often there. */
+/** Parts that look ahead or return occur more often. */
 const NAMES = [
   ...Object.keys(PARTS),
   "free",
@@ -122,7 +122,7 @@ const NAMES = [
   "contour",
 ];
 
-/** The text of a program of some parts. */
+/** Programs composed of some parts. */
 export const movingPrograms: fc.Arbitrary<string> = fc
   .array(fc.tuple(fc.constantFrom(...NAMES), fc.integer({ min: 1, max: 6 })), {
     minLength: 3,

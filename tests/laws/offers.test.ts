@@ -1,6 +1,6 @@
 /**
- * Laws of offers: what a finding proposes, for drawn set-ups of every cycle and for the examples with one value
- * disturbed.
+ * Laws of the values that findings propose, for drawn set-ups of every cycle and for the examples with one changed
+ * value.
  */
 import fc from "fast-check";
 import { expect, test } from "vitest";
@@ -24,7 +24,7 @@ import { situations } from "./situation.ts";
 
 type Numbers = Readonly<Record<string, number>>;
 
-/** What is found in values of any cycle, as a call says it: offers tried. */
+/** The issues of a cycle's values as a call reports them, with tried proposals. */
 function saidOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given) {
   const judge = judgeOf(cycle, setting, given);
   if (!judge) return { judge, raw: [], said: [] };
@@ -40,10 +40,10 @@ function saidOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given) {
   return { judge, raw, said: slip ?? triedOffers(cycle.params, usable, raw, judge, given.start) };
 }
 
-/** How many offers were looked at. */
+/** Number of proposals checked. */
 const looked = { parameters: 0, signs: 0 };
 
-/** What is wrong with the offers of a set-up, in words. */
+/** The faults of the proposals for a set-up, in words. */
 function faultsOf(cycle: Cycle, values: Numbers, setting: Setting, given: Given): string[] {
   const { judge, raw, said } = saidOf(cycle, values, setting, given);
   return said.flatMap((found): string[] => {
@@ -90,7 +90,7 @@ test.each(situations(0))(
 );
 
 const contour = contourFrom(printed).segments;
-/** Slips of a finger: a sign, and by turns too many digits or nothing at all. */
+/** Typing errors: a wrong sign, and in turn too many digits or 0. */
 const slipsOf = (value: number, turn: number): readonly number[] => [-value, turn % 2 === 0 ? value * 30 : 0];
 
 test("so do examples with a disturbed value", () => {

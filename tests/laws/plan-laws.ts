@@ -7,13 +7,13 @@ import type { TipOrientation } from "../../src/kernel/plan/tool.ts";
 import type { Finding, Situation } from "./situation.ts";
 import { planOf } from "./worked-plans.ts";
 
-/** What must hold of a path by itself, before anything is cut. */
+/** A law of a path by itself, before anything is cut. */
 export type PlanLaw = (cycle: Cycle, situation: Situation, plan: Plan) => Finding;
 
-/** Does this operation rough? */
+/** Whether the operation includes roughing. */
 const roughs = (s: Situation) => (s.values["Q215"] ?? 0) <= 1;
 
-/** The parameter of a cycle that is divided into even infeeds; a limit of a plunge, which 0 switches off, is none. */
+/** The parameter that is divided into even infeeds; a limit of a plunge, which 0 switches off, is none. */
 const infeedOf = (cycle: Cycle) => Object.entries(cycle.params).find(([, p]) => p.shown === "infeed")?.[0];
 
 const infeedsAreEven: PlanLaw = (cycle, s, plan) => {
@@ -42,8 +42,8 @@ const plungesAreLimited: PlanLaw = (cycle, s, plan) => {
 };
 
 /**
- * What is wrong with one move by itself. Over the axis it goes only as far as the contour does, and by the nose that
- * faces it clean.
+ * The fault of a single move. A move may cross the axis only as far as the contour does, and by the nose that faces it
+ * clean.
  */
 function wrongWith(m: Move, from: Pt, lowest: number): Finding {
   const where = `${m.kind} to Z ${m.to.z} R ${m.to.r}`;
@@ -59,7 +59,7 @@ function wrongWith(m: Move, from: Pt, lowest: number): Finding {
 const pathIsBounded: PlanLaw = (_, s, plan) => {
   const most = (plan.passes + 3) * (12 + 6 * (plan.contour.length + 4));
   if (plan.moves.length > most) return `${plan.moves.length} moves where ${most} is a lot`;
-  // A blade has two noses: the outermost one stands half its width away from the tip.
+  // A blade has two noses: the outer one is half its width from the tip.
   const past = Math.max(s.tool.RS, (s.tool.CUTWIDTH ?? 0) / 2);
   const lowest = Math.min(0, ...plan.contour.flatMap((e) => [e.from.r, e.to.r])) - past - SAME;
   let from = s.start;
@@ -71,7 +71,7 @@ const pathIsBounded: PlanLaw = (_, s, plan) => {
   return null;
 };
 
-/** k infeeds of exactly Q463 are k passes. */
+/** A depth of k infeeds of exactly Q463 takes k passes. */
 const divisionsAreExact: PlanLaw = (cycle, s, plan) => {
   const q = infeedOf(cycle);
   if (!roughs(s) || q === undefined || plan.passes === 0 || plan.passes > 200) return null;
@@ -79,7 +79,7 @@ const divisionsAreExact: PlanLaw = (cycle, s, plan) => {
   for (const k of [1, 2, 3, 7]) {
     if (depth / k < 0.3 || depth / k > (s.tool.CUTLENGTH ?? Infinity)) continue;
     const again = planOf(cycle, { ...s, values: { ...s.values, [q]: depth / k } });
-    // A start point that had to be moved makes another depth.
+    // A shifted start point changes the depth.
     if (Math.abs(again.passes * again.infeed - depth) < SAME && again.passes !== k)
       return `${again.passes} passes for ${k} infeeds`;
   }
@@ -97,21 +97,21 @@ export const mirrored = (s: Situation): Situation => ({
   given: { ...s.given, start: s.given.start && point(s.given.start) },
   blank: s.blank.map(ring),
 });
-/** What a move does, to the tenth of a micron. */
+/** A move as text, to a tenth of a micron. */
 const told = (m: Move, to: (p: Pt) => Pt) => {
   const places = m.kind === "arc" ? [m.to, m.centre] : [m.to];
   const numbers = places.map(to).flatMap((p) => [p.z, p.r].map((n) => Math.round(n * 1e4) / 1e4 + 0));
   return [m.kind, m.phase, m.pass, m.run, m.step, ...numbers].join(" ");
 };
 
-/** Is `b` on the straight way from `a` to `c`? */
+/** Whether `b` is on the straight line from `a` to `c`. */
 const isOnTheWay = (a: Pt, b: Pt, c: Pt) =>
   Math.abs(Math.hypot(b.z - a.z, b.r - a.r) + Math.hypot(c.z - b.z, c.r - b.r) - Math.hypot(c.z - a.z, c.r - a.r)) <
   SAME;
 
 /**
- * Every move as told, two lines of one piece as one: where a level meets its own continuation, the last digit says if
- * they are two. So it does on the way up beside a steep wall, where feed changes to rapid.
+ * All moves as text, two collinear lines joined: where a level meets its continuation, rounding decides whether there
+ * are two. The same applies to the way up beside a steep wall, where feed changes to rapid.
  */
 const allTold = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
   moves
@@ -129,9 +129,9 @@ const allTold = ({ moves }: Plan, start: Pt, to: (p: Pt) => Pt) =>
     .map((m) => told(m, to));
 
 /**
- * A set-up turned round in Z, tool and all, is the same work seen from the other side. A free contour across the axis
- * is open towards +Z whatever the tool (decision 0010), so only the cycles with their own contour turn round. An insert
- * that points straight at the axis leans to one side all the same: no other tool is its mirror image.
+ * A set-up mirrored in Z, including the tool, must give the mirrored path. A free contour across the axis is open
+ * towards +Z for any tool (decision 0010), so only the cycles with their own contour are mirrored. An insert that
+ * points straight at the axis still leans to one side: no tool is its mirror image.
  */
 const turnsRound: PlanLaw = (cycle, s, plan) => {
   if (cycle.contour !== "own" || (s.tool["T-ANGLE"] !== undefined && [2, 6].includes(s.tool.TO))) return null;
@@ -144,10 +144,10 @@ const turnsRound: PlanLaw = (cycle, s, plan) => {
   return codes === others ? null : `turned round, it says ${others || "nothing"} instead of ${codes || "nothing"}`;
 };
 
-/** Turning along the axis and across it. */
+/** Whether a cycle turns along the axis or across it. */
 const isTurning = (cycle: Cycle) => cycle.group === "longitudinal" || cycle.group === "transverse";
 
-/** Only a blank that is traced changes a path: what BLK FORM says is no matter. */
+/** Only a traced blank changes a path: BLK FORM has no effect. */
 const blankIsNoMatter: PlanLaw = (cycle, s, plan) => {
   if (!isTurning(cycle)) return null;
   const elsewhere = s.blank.map((r) => r.map((p) => at(p.z + 3, p.r + 2)));
@@ -156,9 +156,9 @@ const blankIsNoMatter: PlanLaw = (cycle, s, plan) => {
   return ours === theirs ? null : "another blank makes another path";
 };
 
-/** In a bore no way leads nearer to the axis than start point and contour, but for the passes over an allowance. */
+/** In a bore no move goes nearer to the axis than start point and contour, except the passes over an allowance. */
 const boreStaysClear: PlanLaw = (cycle, s, plan) => {
-  // The tip of a button that lies beside the cut is its middle, and comes nearer by the radius.
+  // The tip of a button beside the cut is its middle, and comes nearer by the radius.
   if (
     cycle.group !== "longitudinal" ||
     plan.openSide.r >= 0 ||
@@ -178,7 +178,7 @@ const boreStaysClear: PlanLaw = (cycle, s, plan) => {
 const isRecess = (cycle: Cycle) => cycle.group === "recessTurning" || cycle.group === "recessing";
 const says = (plan: Plan, ...codes: readonly string[]) => plan.issues.some((i) => codes.includes(i.code));
 const failed = (plan: Plan) => plan.moves.length === 0 || plan.issues.some((i) => i.severity === "error");
-/** How far a point lies out of the material. */
+/** The distance of a point out of the material. */
 const heightIn =
   ({ openSide }: Plan) =>
   (p: Pt): number =>
@@ -188,7 +188,7 @@ const heightIn =
 const keptOn = (s: Situation, plan: Plan): number =>
   plan.openSide.z === 0 ? (s.values["Q483"] ?? 0) / 2 : (s.values["Q484"] ?? 0);
 
-/** A recess that the tool fits into, exactly or with room to spare, is roughed down to its floor. */
+/** A recess that the tool fits into, exactly or with clearance, is roughed down to its floor. */
 const floorsAreReached: PlanLaw = (cycle, s, plan) => {
   if (!isRecess(cycle) || cycle.contour !== "own" || !roughs(s) || (s.values["Q500"] ?? 0) > 0) return null;
   if (plan.issues.some((i) => i.severity === "error") || says(plan, "recessNarrowerThanTool", "depthOverCutLength"))
@@ -212,11 +212,11 @@ const cutLengthCountsInMaterial: PlanLaw = (cycle, s, plan) => {
   return depth < edge - SAME ? `a depth of ${depth} is too much for an edge of ${edge}` : null;
 };
 
-/** A recess is left to the height of the start point, no higher, and the last way back to it is at rapid. */
+/** The tool leaves a recess at the height of the start point, no higher, and returns to it at rapid. */
 const recessesAreLeftAsPrinted: PlanLaw = (cycle, s, plan) => {
   if (!isRecess(cycle) || failed(plan)) return null;
   const height = heightIn(plan);
-  // A contour that keeps its oversize is as much higher.
+  // A contour that keeps its oversize is higher by it.
   const over = s.values["Q215"] === 3 ? keptOn(s, plan) : 0;
   const top = Math.max(height(s.start), ...part.flattenedChain(plan.contour, SAME / 10).map((p) => height(p) + over));
   const higher = plan.moves.find((m) => m.kind !== "arc" && height(m.to) > top + 2 * SAME);
@@ -228,7 +228,7 @@ const recessesAreLeftAsPrinted: PlanLaw = (cycle, s, plan) => {
     : null;
 };
 
-/** A recess runs the same path in whatever blank; only an edge that is too short for its depth looks at it. */
+/** A recess has the same path in any blank; only an edge that is too short for the depth depends on the blank. */
 const recessesIgnoreTheBlank: PlanLaw = (cycle, s, plan) => {
   if (!isRecess(cycle)) return null;
   const other = planOf(cycle, s, false);
@@ -238,7 +238,7 @@ const recessesIgnoreTheBlank: PlanLaw = (cycle, s, plan) => {
     : "another path where the blank is not known";
 };
 
-/** By name, so that a case on file says which of them it broke. */
+/** By name, so that a stored case can state the broken laws. */
 export const planLaws: Readonly<Record<string, PlanLaw>> = {
   infeedsAreEven,
   passesAreNumbered,
@@ -254,7 +254,7 @@ export const planLaws: Readonly<Record<string, PlanLaw>> = {
   recessesIgnoreTheBlank,
 };
 
-/** Every law of the path that a situation breaks, with what it says. */
+/** Every path law that a situation breaks, with its message. */
 export function brokenByPlan(cycle: Cycle, situation: Situation): string[] {
   const plan = planOf(cycle, situation);
   return Object.entries(planLaws).flatMap(([name, law]) => {

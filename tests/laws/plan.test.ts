@@ -3,12 +3,12 @@ import { describe, expect, test } from "vitest";
 import { brokenByPlan } from "./plan-laws.ts";
 import { casesOf, situations } from "./situation.ts";
 
-/* Every set-up that can be drawn is planned and held to the laws of plan-laws.ts. Planning is quick, so there are many. */
+/* Every drawn set-up is planned and checked against the laws of plan-laws.ts. Planning is fast, so there are many. */
 const CASES = 4 * Number(process.env["LAW_CASES"] ?? 25);
 
 for (const operation of [0, 1, 2, 3])
   describe.each(situations(operation))(`cycle $cycle.number, Q215 = ${operation}`, ({ cycle, arbitrary }) => {
-    test("runs a path that is bounded, even and the same from the other side", () => {
+    test("has a path that is bounded, even and mirrored from the other side", () => {
       fc.assert(
         fc.property(arbitrary, (s) => {
           expect(brokenByPlan(cycle, s)).toEqual([]);

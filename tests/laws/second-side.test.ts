@@ -12,18 +12,18 @@ import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 import { regionsOf } from "../../src/sim/region.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 
-/** Stock between two clampings may change by so much, mm²: the decimals of an inch are coarser. */
+/** Allowed change of the stock between two clampings, mm²: the decimals of an inch are coarser. */
 const SAME_STOCK = { MM: 0.01, INCH: 0.03 };
-/** Everything that stands nearer to a surface than this is that surface, mm: both sides have arcs as chords. */
+/** Distance within which a point is on a surface, mm: both sides have arcs as chords. */
 const NEAR = 0.006;
-/** The smallest piece that somebody turns round, mm². */
+/** The smallest piece worth turning round, mm². */
 const PIECE = 1;
 
 const grid = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
 const places = fc.tuple(grid(-65, 5), grid(-5, 45)).map(([z, r]) => at(z, r));
 const below: Ring = [at(-100, -100), at(100, -100), at(100, 0), at(-100, 0)];
 
-/** A bar or a tube less a few shapes with sharp or round corners: pieces, bores, undercuts and cavities. */
+/** A bar or a tube minus a few shapes with sharp or round corners: pieces, bores, undercuts and cavities. */
 const stocks = fc
   .tuple(
     fc.constantFrom(0, 5, 12.3456),
@@ -43,10 +43,10 @@ const FIRST = (unit: "MM" | "INCH") =>
   parse(`0 BEGIN PGM PART ${unit}\n1 TOOL CALL 1\n2 M30\n3 END PGM PART ${unit}\n`);
 const OUTPUT = NC_OUTPUTS.manual;
 const blankOf = (text: string): readonly Ring[] => run(parse(text), { tools: shippedTools, rapid: 10_000 }).blank;
-/** What is more than a skin of one stock beyond the other. */
+/** The area of one stock outside the other and its tolerance, mm². */
 const beyond = (a: readonly Ring[], b: readonly Ring[]) => areaOf(difference(a, offset(b, NEAR)));
 
-/** What differs between what should stand there and what a program says, in words. */
+/** The differences between the expected stock and a program's blank, in words. */
 function differences(should: readonly Ring[], is: readonly Ring[], unit: "MM" | "INCH"): string[] {
   const change = areaOf(is) - areaOf(should),
     [more, less] = [beyond(is, should), beyond(should, is)];
@@ -58,7 +58,7 @@ function differences(should: readonly Ring[], is: readonly Ring[], unit: "MM" | 
 
 const pieces = (stock: readonly Ring[]) => regionsOf(stock, PIECE).map(({ outline, holes }) => [outline, ...holes]);
 
-test("what is turned round is read back as what it was, and turned twice it is itself", () => {
+test("a reversed part is read back unchanged, and reversed twice it is the original", () => {
   fc.assert(
     fc.property(stocks, fc.constantFrom("MM", "INCH"), grid(0, 3), (stock, unit, allowance) => {
       for (const piece of pieces(stock)) {
@@ -78,7 +78,7 @@ const programs = Object.entries(
   import.meta.glob<string>(["../programs/*.h", "../shop/*.h"], { query: "?raw", import: "default", eager: true }),
 );
 
-test.each(programs)("the stock of %s goes into the next clamping as it is", (_, text) => {
+test.each(programs)("the stock of %s is the blank of the next clamping", (_, text) => {
   const program = parse(text),
     done = run(program, { tools: shippedTools, rapid: 10_000 });
   const stock = done.blank.length > 0 ? simulate(done).final : [];

@@ -8,8 +8,8 @@ import { length, rounded } from "../../src/kernel/units.ts";
 import { shippedTools } from "../../src/program/tools/shipped-tools.ts";
 
 /**
- * One random set-up of a cycle: values, contour, tool, start point and the blank that fits them. Plain data: it can be
- * written to a file.
+ * A random set-up of a cycle: values, contour, tool, start point and matching blank. Plain data: it can be written to a
+ * file.
  */
 export interface Situation {
   readonly values: Readonly<Record<string, number>>;
@@ -19,21 +19,21 @@ export interface Situation {
   readonly blank: readonly Ring[];
 }
 
-/** What a law has to say against a situation; null when it holds. */
+/** A law's message about a situation; null when the law holds. */
 export type Finding = string | null;
 
-/** fast-check as the dice of a cycle. */
+/** fast-check as the random generator of a cycle. */
 const drawing = (g: fc.GeneratorValue): Draw => ({
   one: <T>(...of: readonly T[]) => of[g(fc.nat, { max: of.length - 1 })] as T,
   whole: (min, max) => g(fc.integer, { min, max }),
 });
 
-/** Room round the blank that a start point is looked for in, mm. */
+/** Margin round the blank for start points, mm. */
 const ROOM = 15;
 
 /**
- * Mostly what was drawn; now and then a short cutting edge, a tool that points elsewhere, a start point anywhere round
- * the blank.
+ * Usually the drawn set-up; sometimes with a short cutting edge, another tool orientation, or a start point anywhere
+ * round the blank.
  */
 function situationOf({ values, contour, tool: { T, ...changed }, start, blank }: DrawnSetup, draw: Draw): Situation {
   const tool = shippedTools.find((x) => x.T === T) as Tool;
@@ -53,7 +53,7 @@ function situationOf({ values, contour, tool: { T, ...changed }, start, blank }:
       ...tool,
       ...(changed as Partial<Tool>),
       ...(!pointsThere && { TO: draw.whole(1, 8) as TipOrientation }),
-      // Where a set-up says how long the edge is, the rest of it may hang on that.
+      // A set-up that states the edge length may depend on it.
       ...(!wholeEdge && changed.CUTLENGTH === undefined && { CUTLENGTH: length(draw.whole(2000, 5000) / 1000) }),
     },
     start: called,
@@ -68,8 +68,8 @@ export const doing = (s: Situation, operation: number): Situation => ({
 });
 
 /**
- * Random situations for one machining operation (Q215). What makes no contour is drawn again at once: a filter would
- * draw the same.
+ * Random situations for one machining operation (Q215). A draw without a contour is repeated at once: a filter would
+ * repeat the same draw.
  */
 export const drawnFrom = (setups: Setups, operation: number): fc.Arbitrary<Situation> =>
   fc.gen().map((g) => {
@@ -79,7 +79,7 @@ export const drawnFrom = (setups: Setups, operation: number): fc.Arbitrary<Situa
     return doing(situationOf(drawn, draw), operation);
   });
 
-/** What each cycle's file says of its set-ups, by number. */
+/** The random set-ups of each cycle's file, by number. */
 const setups = new Map(
   Object.values(import.meta.glob<Record<string, unknown>>("../../src/cycles/c*.ts", { eager: true })).flatMap((file) =>
     Object.entries(file).flatMap(([name, value]): [number, Setups][] =>
@@ -88,10 +88,10 @@ const setups = new Map(
   ),
 );
 
-/** Whether a cycle is asked for a machining operation (Q215); one that is not has only the one that counts as 0. */
+/** Whether a cycle has a machining operation (Q215); one that does not has only the operation that counts as 0. */
 const choosesOperation = (cycle: Cycle) => Object.values(cycle.params).some((p) => p.shown === "operation");
 
-/** The cycles of the catalogue that cut, each with its random situations for one machining operation. */
+/** The cutting cycles of the catalogue, each with its random situations for one machining operation. */
 export const situations = (operation: number): { cycle: Cycle; arbitrary: fc.Arbitrary<Situation> }[] =>
   catalogue
     .filter((cycle) => cycle.group !== "special" && (operation === 0 || choosesOperation(cycle)))
@@ -102,7 +102,7 @@ export const situations = (operation: number): { cycle: Cycle; arbitrary: fc.Arb
     });
 
 /**
- * How many set-ups of a cycle `npm test` draws where one that a page prints draws `most`: the families share their
+ * Number of set-ups of a cycle in `npm test`, where a cycle with a printed list has `most`: the families share their
  * strategies.
  */
 export const casesOf = (cycle: Cycle, most: number): number => (cycle.evidence === "A" ? most : Math.ceil(most / 6));

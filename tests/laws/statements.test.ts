@@ -7,7 +7,7 @@ import type { Statement } from "../../src/nc/statement.ts";
 import { LAYOUTS, type Style } from "../../src/nc/style.ts";
 import { statements } from "./statements.ts";
 
-describe("parse after print gives the same statement", () => {
+describe("a printed statement parses to itself", () => {
   const styles: Style[] = [
     ...Object.values(LAYOUTS),
     {
@@ -35,14 +35,14 @@ describe("parse after print gives the same statement", () => {
   );
 });
 
-/** Ways to write one block that posts and older controls have, each with what it is made of. */
+/** Spellings of a block that posts and older controls use, each with its contents. */
 const number4 = fc.nat(9999);
 const numbered = fc
   .tuple(fc.constantFrom("N", "n", ""), number4, fc.constantFrom(" ", "  ", "\t"))
   .map(([n, at, gap]) => `${n}${at}${gap}`);
 const isPlain = (s: Statement) => s.kind !== "cycle" && s.kind !== "comment";
 
-describe("other spellings mean the same, and come back to the byte", () => {
+describe("other spellings mean the same, and are printed back byte for byte", () => {
   const style = LAYOUTS.tnc7;
   const same = (text: string, statement: Statement, numberOfBlock: number | null, skip: boolean) => {
     const program = parse(text);

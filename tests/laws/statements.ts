@@ -2,7 +2,7 @@ import * as fc from "fast-check";
 import type { Statement } from "../../src/nc/statement.ts";
 import type { AxisName, Formula, TextFormula, Value, Words } from "../../src/nc/words.ts";
 
-/* Statements of every kind, with values that a control can hold. */
+/* Statements of every kind, with values that a control can store. */
 
 const number = fc
   .tuple(fc.integer({ min: -99999999, max: 99999999 }), fc.constantFrom(1, 10, 100, 1000, 10000))
@@ -110,7 +110,7 @@ const formula: fc.Arbitrary<Formula> = fc.letrec<{ f: Formula }>((tie) => ({
     fc.record({ kind: fc.constant("call" as const), name: fc.constantFrom(...NAMES), of: tie("f") }),
   ),
 })).f;
-/** What each FN function works out of its values. */
+/** The operands of each FN function. */
 const one = value.map((v): Formula => ({ kind: "value", value: v }));
 const two = (kind: "sum" | "difference" | "product" | "quotient" | "length" | "angle") =>
   fc.record({ kind: fc.constant(kind), left: one, right: one }) as fc.Arbitrary<Formula>;
@@ -143,7 +143,7 @@ const place = fc.oneof(
 );
 const depth = maybe(value);
 const contourName = fc.nat(99).map((n) => `QC${n}`);
-/** Contours joined by signs, with brackets round some of them. */
+/** Contours joined by operators, with brackets round some of them. */
 const terms: fc.Arbitrary<readonly string[]> = fc.letrec<{ t: readonly string[] }>((tie) => ({
   t: fc.oneof(
     { maxDepth: 3 },
@@ -152,7 +152,7 @@ const terms: fc.Arbitrary<readonly string[]> = fc.letrec<{ t: readonly string[] 
     tie("t").map((inner) => ["(", ...inner, ")"]),
   ),
 })).t;
-/** Words that only elements of free contours have. */
+/** Words of free-contour elements only. */
 const freeWords = fc.uniqueArray(
   fc.oneof(
     fc.record({
@@ -164,7 +164,7 @@ const freeWords = fc.uniqueArray(
   { selector: (w) => w.name, maxLength: 4 },
 );
 
-/** Any statement as a reader may give it. */
+/** Any statement that a reader may return. */
 export const statements: fc.Arbitrary<Statement> = fc.oneof<fc.Arbitrary<Statement>[]>(
   fc
     .stringMatching(/^[ -~äß中]{0,20}$/)

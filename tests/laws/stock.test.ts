@@ -14,7 +14,7 @@ import type { PlayPosition, Simulation } from "../../src/sim/simulation.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 import { playerOf, stockAt } from "../../src/sim/stock.ts";
 
-/* Random tools on random ways through a cylinder: what must hold whatever they do. */
+/* Random tools on random paths through a cylinder: laws for any motion. */
 
 const RUNS = { numRuns: 60 };
 const at = (z: number, r: number): Pt => ({ z: axial(z), r: radius(r) });
@@ -75,14 +75,14 @@ const moments = (simulation: Simulation, fractions: readonly number[]): PlayPosi
     const all = f * simulation.steps.length;
     return { step: Math.floor(all), fraction: all - Math.floor(all) };
   });
-/** What stands and what has come off. */
+/** The stock together with the pieces that came off. */
 const wholeOf = ({ final, proof }: Simulation): readonly Ring[] => [
   ...final,
   ...proof.loose.flatMap(({ rings }) => rings),
 ];
 const unit = fc.double({ min: 0, max: 1, noNaN: true });
 
-test("playing on, stepping back and seeking give the same stock, to the last bit", () => {
+test("playing, stepping back and seeking give the same stock, bit for bit", () => {
   fc.assert(
     fc.property(programs, fc.array(unit, { minLength: 2, maxLength: 6 }), (steps, fractions) => {
       const simulation = run(steps);
@@ -118,7 +118,7 @@ test("the stock only shrinks, stays inside the blank and is always finite", () =
   );
 });
 
-test("going the same way a second time takes nothing more", () => {
+test("repeating the same path cuts nothing more", () => {
   fc.assert(
     fc.property(programs, (steps) => {
       const back: Step = {
@@ -133,7 +133,7 @@ test("going the same way a second time takes nothing more", () => {
   );
 });
 
-test("a slot straight through takes exactly what is as wide as the insert", () => {
+test("a straight slot removes exactly the width of the insert", () => {
   fc.assert(
     fc.property(tools, grid(-55, -5), (tool, z) => {
       const step = { tool, block: 1, operation: null, seconds: 1 };
@@ -176,7 +176,7 @@ function holds(rings: readonly Ring[], p: { z: number; r: number }): boolean {
   return odd;
 }
 
-test("point by point: gone where the insert has been, there where it has not", () => {
+test("point by point: removed exactly where the insert has been", () => {
   const samples = fc.array(fc.tuple(grid(-59.9, -0.1), grid(5.1, 39.9)), { minLength: 40, maxLength: 40 });
   const short = programs.map((steps) => steps.slice(0, 6));
   fc.assert(
@@ -190,7 +190,7 @@ test("point by point: gone where the insert has been, there where it has not", (
         return Array.from({ length: count + 1 }, (_, i) => part.pointOn(path, i / count));
       });
       for (const [z, r] of points) {
-        // The work turns: what is cut at -r is cut at r.
+        // The workpiece rotates: a cut at -r also cuts at r.
         const nearest = tips.reduce(
           (least, tip) => Math.min(least, outside(outline, tip, { z, r }), outside(outline, tip, { z, r: -r })),
           Infinity,

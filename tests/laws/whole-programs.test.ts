@@ -11,7 +11,7 @@ import { gridOver, judge, THIN } from "../judge/judge.ts";
 import { TOLD, wholePrograms } from "./whole-programs.ts";
 
 const CASES = Number(process.env["LAW_CASES"] ?? 25);
-/** Columns, mm, and the area in which both judges may differ, mm². */
+/** Column width, mm, and the area in which both judges may differ, mm². */
 const [WIDTH, SAME] = [0.05, 0.1];
 const MEANT = [
   "gouge",
@@ -24,7 +24,7 @@ const MEANT = [
   "nothingCut",
 ];
 
-test("whole programs: what is meant has no word, a planted fault has its own, and the columns leave the same stock", () => {
+test("whole programs: intended cuts have no finding, a planted fault has its own, and the columns leave the same stock", () => {
   fc.assert(
     fc.property(wholePrograms, ({ text, planted, parts }) => {
       const made = run(parse(text), { tools: shippedTools, rapid: 10_000 });

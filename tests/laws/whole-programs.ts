@@ -1,11 +1,11 @@
 import fc from "fast-check";
 
 /*
- * Whole programs of a shop at random: parts off the bar, each with a face, a shoulder, grooves and chamfers by cycle or
- * by feed, behind one another by a datum shift. What they are meant to make is known from how they are made.
+ * Random whole programs of a shop: parts off the bar, each with a face, a shoulder, grooves and chamfers by cycle or by
+ * feed, one behind another by a datum shift. The intended part is known from the construction.
  */
 
-/** What is wrong on purpose; null: nothing. */
+/** The planted fault; null: none. */
 export type Planted =
   | null
   | "turned after it was parted off"
@@ -15,7 +15,7 @@ export type Planted =
   | "turned behind the blank"
   | "turned over the whole length";
 
-/** What a planted fault must be told as. */
+/** The finding code expected for each planted fault. */
 export const TOLD: Readonly<Record<Exclude<Planted, null>, string>> = {
   "turned after it was parted off": "cutOnLoosePiece",
   "groove that nobody meant": "cutBelowContour",
@@ -31,7 +31,7 @@ interface PartOfBar {
   readonly shoulder: number;
   readonly length: number;
   readonly cycle: 811 | 812;
-  /** A groove on the turned cylinder and one on the bar behind the shoulder, by what they are cut. */
+  /** How a groove on the turned cylinder and one on the bar behind the shoulder are cut. */
   readonly grooves: readonly ["cycle" | "feed" | null, "cycle" | "feed" | null];
   readonly chamfer: boolean;
   readonly partedBy: "cycle" | "feed";
@@ -102,7 +102,7 @@ const recess = (bottom: number, from: number, width: number): string[] => [
   "CYCL CALL",
   ...away,
 ];
-/** The blade is counted by the middle of its edge. */
+/** The position of the blade is the middle of its edge. */
 const plunged = (bottom: number, from: number, meant: boolean): string[] => [
   ...toolOf(9),
   `L X+${OUTSIDE + 4} Z${from - BLADE / 2} FMAX`,
@@ -163,10 +163,7 @@ const PLANTED: readonly Planted[] = [
   "turned over the whole length",
 ];
 
-/**
- * The lines of a fault, with the datum at the face of the last part; `rear` is where the blank ends, counted from
- * there.
- */
+/** The lines of a fault, with the datum at the face of the last part; `rear` is the end of the blank, from there. */
 function faultLines(planted: Planted, part: PartOfBar, rear: number): readonly string[] {
   switch (planted) {
     case "turned after it was parted off":
@@ -200,7 +197,7 @@ function faultLines(planted: Planted, part: PartOfBar, rear: number): readonly s
   }
 }
 
-/** Programs that make what they mean to make, and such as have one fault. */
+/** Programs without a fault, and programs with one. */
 export const wholePrograms: fc.Arbitrary<WholeProgram> = fc
   .tuple(fc.array(parts, { minLength: 1, maxLength: 3 }), fc.constantFrom(...PLANTED), fc.boolean())
   .map(([made, planted, faced]) => {
@@ -208,7 +205,7 @@ export const wholePrograms: fc.Arbitrary<WholeProgram> = fc
     const total = made.reduce((sum, { length }) => sum + length + BLADE, 0);
     const blank = total + 60;
     const allowance = faced ? 1 : 0;
-    // What was parted off is turned where it was; the others come on the bar that is left.
+    // A parted-off piece is turned where it was; the other faults are on the remaining bar.
     const stays = planted === "turned after it was parted off";
     const shift = (by: number) => [
       "CYCL DEF 7.0 DATUM SHIFT",

@@ -4,7 +4,7 @@ import type { Step } from "../../src/kernel/time/step.ts";
 import { simulate } from "../../src/sim/simulate.ts";
 import type { Situation } from "./situation.ts";
 
-/** Plans a situation. `first`: nothing has cut the blank yet, so what stands there is known. */
+/** Plans a situation. `first`: nothing has cut the blank yet, so the stock is known. */
 export function planOf(cycle: Cycle, s: Situation, first = true): Plan {
   const setting: Setting = {
     tool: s.tool,
@@ -16,7 +16,7 @@ export function planOf(cycle: Cycle, s: Situation, first = true): Plan {
   return cycle.plan(s.values as never, setting, s.given);
 }
 
-/** The motions of plans that follow each other from the same start point. */
+/** The motions of consecutive plans from the same start point. */
 export function stepsOf(plans: readonly Plan[], s: Situation): Step[] {
   return plans.flatMap((plan, operation) => {
     let from = s.start;
@@ -28,7 +28,7 @@ export function stepsOf(plans: readonly Plan[], s: Situation): Step[] {
   });
 }
 
-/** Simulates plans in the blank of their situation, one after the other. */
+/** Simulates consecutive plans in the blank of their situation. */
 export function simulated(plans: readonly Plan[], s: Situation) {
   const steps = stepsOf(plans, s);
   let next = 0;
@@ -40,7 +40,7 @@ export function simulated(plans: readonly Plan[], s: Situation) {
   return simulate({ blank: s.blank, steps, operations, unproved: [] });
 }
 
-/** The plan says that it moves through the material because the start point stands there, or that it may. */
+/** Whether the plan reports that the start point is, or may be, in material. */
 export const startsBadly = (plan: Plan) =>
   plan.issues.some((i) =>
     ["startInArea", "startInMaterial", "startInsideEnvelope", "startBelowContour"].includes(i.code),

@@ -9,20 +9,20 @@ import { planOf, simulated, stepsOf } from "./worked-plans.ts";
 
 const { flattenedChain } = part;
 
-/** Width of the columns, mm. Both judges take what is thinner than this and shallower than THIN for the same. */
+/** Width of the columns, mm. Both judges treat areas thinner than this and shallower than THIN as equal. */
 export const WIDTH = 0.05;
 
-/** A situation with everything that the laws ask about it. */
+/** A situation with everything that the laws need. */
 export interface Worked {
   readonly cycle: Cycle;
   readonly situation: Situation;
-  /** The plans that run, one after the other; the last one is the operation that was asked for. */
+  /** The plans in order; the last one is the operation in question. */
   readonly plans: readonly Plan[];
   readonly simulation: Simulation;
   readonly verdicts: readonly Verdict[];
 }
 
-/** The finished part as the contour alone tells it: the contour, and everything behind it away from its open side. */
+/** The finished part as the contour alone defines it: the area behind the contour, away from its open side. */
 function behind(plan: Plan): P[] {
   const line = flattenedChain(plan.contour, 0.0005);
   const [first, last] = [line[0], line.at(-1)];
@@ -32,7 +32,7 @@ function behind(plan: Plan): P[] {
   return [...line, away(last), away(first)];
 }
 
-/** What no motion may cut: the part of the last operation. */
+/** The area that no motion may cut: the part of the last operation. */
 export function partOf(plans: readonly Plan[]): P[][] {
   const last = plans.at(-1);
   return last && last.contour.length > 0 ? [behind(last)] : [];
@@ -51,6 +51,6 @@ export function worked(cycle: Cycle, situation: Situation, width = WIDTH): Worke
   return { cycle, situation, plans, simulation: simulated(plans, situation), verdicts };
 }
 
-/** What came loose, wherever it was. */
+/** The loose pieces, wherever they were. */
 export const looseOf = ({ simulation }: Worked): readonly Ring[] =>
   simulation.proof.loose.flatMap(({ rings }) => rings);

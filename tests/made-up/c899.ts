@@ -4,7 +4,7 @@ import { type Setups, shoulderSetups } from "../../src/cycles/drawn-setup.ts";
 import { axial, degrees, length } from "../../src/kernel/units.ts";
 
 const { Q215, Q460, Q491, Q492, Q493, Q494, Q463, Q478, Q483, Q484, Q505, Q506 } = c812.params;
-/** What a plain shoulder does not ask for. */
+/** Values that a plain shoulder does not have. */
 const PLAIN = {
   Q495: degrees(0),
   Q501: 0,
@@ -15,7 +15,7 @@ const PLAIN = {
   Q504: length(0),
 } as const;
 
-/** A cycle that no control has: a shoulder with square edges, whose prompts stand in another order. */
+/** A cycle of no control: a shoulder with square edges, with its prompts in another order. */
 export const c899 = defineCycle({
   ...c812,
   number: 899,
@@ -25,7 +25,7 @@ export const c899 = defineCycle({
   plan: (v, setting, given) => c812.plan({ ...v, ...PLAIN, Q492: axial(v.Q492) }, setting, given),
 });
 
-/** Without the values that it does not have. */
+/** Set-ups without those values. */
 export const setups899: Setups = (draw) => {
   const drawn = shoulderSetups(draw);
   if (!drawn) return null;

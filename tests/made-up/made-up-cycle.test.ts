@@ -16,7 +16,10 @@ import { brokenBy } from "../laws/cut-laws.ts";
 import { drawnFrom } from "../laws/situation.ts";
 import { c899, setups899 } from "./c899.ts";
 
-/* A cycle is one file and one line of the index: this one is in neither the texts nor the tests, and everything runs with it. */
+/*
+ * A cycle is one file and one line of the index: this one is in neither the texts nor the tests, and everything works
+ * with it.
+ */
 vi.mock("../../src/cycles/index.ts", async (original) => {
   const index = await original<{ readonly catalogue: readonly Cycle[] }>();
   const { c899 } = await import("./c899.ts");
@@ -28,7 +31,7 @@ const cycle = c899 as unknown as Cycle;
 const text = printJob(exampleJob(cycle), ncLabels("en"));
 
 describe("a made-up cycle", () => {
-  test("is asked for in the order of its file, and what is typed becomes values", () => {
+  test("has its prompts in the order of its file, and typed text becomes values", () => {
     expect(cycleByNumber(899)).toBe(cycle);
     const { values, issues } = readDraft(cycle, { ...exampleDraft(cycle), Q493: "51.25" });
     expect(issues).toEqual([]);
@@ -45,7 +48,7 @@ describe("a made-up cycle", () => {
     expect(proof).toMatchObject({ verdict: "proved", gouge: 0 });
   });
 
-  test("has a help picture that dimensions what is asked for", () => {
+  test("has a help picture that dimensions its prompts", () => {
     for (const q of Object.keys(c899.params)) {
       const marks = drawn(cycle, exampleOf(cycle), q, { width: 460, height: 300 })?.marks ?? [];
       expect(marks.length).toBeGreaterThan(10);
@@ -53,7 +56,7 @@ describe("a made-up cycle", () => {
     }
   });
 
-  test("is held to the laws by the set-ups of its file", () => {
+  test("is checked against the laws by the set-ups of its file", () => {
     for (const operation of [0, 3])
       fc.assert(
         fc.property(drawnFrom(setups899, operation), (s) => {

@@ -1,4 +1,4 @@
-/** Line icons drawn for this project, 24 units square; decoration only, the name stands beside or in the label. */
+/** Line icons drawn for this project, 24 units square; decorative: the name is beside the icon or in the label. */
 const paths = {
   undo: "M4 9h10a6 6 0 0 1 0 12H9M4 9l5-5M4 9l5 5",
   redo: "M20 9H10a6 6 0 0 0 0 12h5M20 9l-5-5M20 9l-5 5",

@@ -6,9 +6,7 @@ interface Props extends HTMLAttributes<HTMLElement> {
   readonly as?: "p" | "div" | "span" | "li";
 }
 
-/**
- * A sentence with its icon in the colour of how bad it is: what is wrong with a field, or worth knowing of a dialog.
- */
+/** A sentence with an icon in the colour of its severity: an error of a field, or a note in a dialog. */
 export function Message({ tone, as: Element = "p", className = "", children, ...rest }: Props) {
   return (
     <Element {...rest} className={`field-message ${tone} ${className}`.trim()}>

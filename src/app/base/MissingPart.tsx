@@ -2,7 +2,7 @@ import { Icon } from "./Icon.tsx";
 import { dismissMissing, fetchMissing, useMissing } from "./parts.ts";
 import { useTexts } from "./settings/use-texts.ts";
 
-/** Says that a part of the page did not come; what is open stays. */
+/** Says that a part of the page could not be loaded. The open work stays. */
 export function MissingPart() {
   const t = useTexts("first").page.notice;
   const missing = useMissing((m) => m.missing);

@@ -4,26 +4,26 @@ import { useTexts } from "./settings/use-texts.ts";
 import "./modal.css";
 
 interface Props {
-  /** Undefined while its texts are on their way. */
+  /** Undefined while its texts are being loaded. */
   readonly title: string | undefined;
-  /** What stands above, where the name of the dialog says less. */
+  /** Visible heading, if it says more than the accessible name. */
   readonly heading?: string;
   readonly done: () => void;
   readonly className?: string;
-  /** What has the keyboard at first, where that is not the first control. */
+  /** Selector of the element that gets the focus first; by default the marked one. */
   readonly first?: string;
   readonly role?: "alertdialog";
-  /** What stands beside the title. */
+  /** Buttons beside the title. */
   readonly actions?: ReactNode;
-  /** Without a bar of its own for title and way out: the content has them. */
+  /** No title bar: the content has its own title and close button. */
   readonly isBare?: boolean;
   readonly ref?: RefObject<HTMLDialogElement | null>;
   readonly children: ReactNode;
 }
 
 /**
- * A dialog before the page, open as long as it is there. It closes before it goes, so that the keyboard returns to
- * where it was. Escape and the way out close it; its keys are its own, and a dialog in it closes for itself.
+ * A modal dialog, open while it is mounted. It closes before it unmounts, so that the focus returns to where it was.
+ * Escape and the close button close it; its key events do not reach the page, and a nested dialog closes alone.
  */
 export function ModalDialog({
   title,

@@ -3,7 +3,7 @@ import { drawnId, seedOf } from "./chance.ts";
 
 const UUID = /^[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$/;
 
-/** A device that has kept nothing yet, opened at this address. */
+/** A device with empty storage, opened at this address. */
 function freshDevice(search: string, { refuses = false } = {}): void {
   const kept = new Map<string, string>();
   vi.stubGlobal("location", { search });
@@ -15,7 +15,7 @@ function freshDevice(search: string, { refuses = false } = {}): void {
     },
   });
 }
-/** The module as a page that opens has it. */
+/** The module as a newly loaded page imports it. */
 const opened = async (): Promise<typeof drawnId> => {
   vi.resetModules();
   return (await import("./chance.ts")).drawnId;
@@ -36,14 +36,14 @@ describe("with a seed", () => {
     expect(new Set([...first, ...other]).size).toBe(80);
     for (const id of first) expect(id).toMatch(UUID);
   });
-  test("a reload goes on where the page before was, so that no name comes twice", async () => {
+  test("a reload continues the sequence of the previous page, so that no name repeats", async () => {
     freshDevice("?seed=7");
     const names = [...drawn(await opened(), 5), ...drawn(await opened(), 5)];
     expect(new Set(names).size).toBe(10);
     freshDevice("?seed=7");
     expect(drawn(await opened(), 10)).toEqual(names);
   });
-  test("nothing comes twice on a page that can keep nothing", async () => {
+  test("no name repeats on a page without storage", async () => {
     freshDevice("?seed=7", { refuses: true });
     expect(new Set(drawn(await opened(), 20)).size).toBe(20);
   });

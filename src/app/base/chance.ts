@@ -1,16 +1,16 @@
 import { keptText } from "./kept.ts";
 
 /**
- * The one place that draws by lot. With `?seed=7` in the address a fresh browser draws the same in every run, so that
- * names, addresses and files repeat. How often was drawn is kept on the device: a reload or a second tab goes on and
- * meets no name again.
+ * The only source of random ids. With `?seed=7` in the address a fresh browser draws the same ids in every run, so that
+ * names, addresses and files repeat. The number of draws is stored on the device: a reload or a second tab continues
+ * and never repeats an id.
  */
 const DRAWN = keptText("drawn");
 
-/** Bytes of an id. */
+/** Length of an id, bytes. */
 const SIZE = 16;
 
-/** One of many numbers from two, well mixed: the "lowbias32" steps of C. Wellons (hash-prospector). */
+/** A 32-bit hash of two numbers: the "lowbias32" steps of C. Wellons (hash-prospector). */
 function mixed(seed: number, count: number): number {
   let x = (seed ^ Math.imul(count, 0x9e3779b9)) >>> 0;
   x = Math.imul(x ^ (x >>> 16), 0x7feb352d);
@@ -26,7 +26,7 @@ export function seedOf(search: string): number | null {
 
 let here = 0;
 
-/** How often this device has drawn with a seed, this time included; only of this page where nothing can be kept. */
+/** Number of seeded draws on this device, including this one; only those of this page where storage is refused. */
 function counted(seed: number): number {
   here += 1;
   const [of, count] = (DRAWN.get() ?? "").split(" ").map(Number);
@@ -42,7 +42,7 @@ function bytes(): Uint8Array {
   return Uint8Array.from({ length: SIZE }, (_, i) => mixed(seed, count * SIZE + i));
 }
 
-/** A name that no other has: a random UUID (RFC 9562, version 4), also where the page is not served safely. */
+/** A random UUID (RFC 9562, version 4), also on a page without a secure context. */
 export function drawnId(): string {
   const hex = [...bytes()]
     .map((byte, i) => {

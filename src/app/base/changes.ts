@@ -1,13 +1,13 @@
 import { once } from "./once.ts";
 
-/** Something of the page that changes by itself, followed by what is worked out from it. */
+/** A counted source of changes of the page, for values that are derived from it. */
 export interface Changes {
   subscribe(listener: () => void): () => void;
-  /** How many there were since the first question. */
+  /** Number of changes since the first call. */
   count(): number;
 }
 
-/** `watch` is called with the first question, and then calls back with every change. */
+/** `watch` is called on first use, and then calls back with every change. */
 export function changes(watch: (changed: () => void) => void): Changes {
   let count = 0;
   const listeners = new Set<() => void>();

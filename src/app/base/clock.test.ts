@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
 import { heldTime, manualClock } from "./clock.ts";
 
-test("held time stands still and moves picture by picture", () => {
+test("manual time stands still and advances frame by frame", () => {
   const clock = manualClock();
   const seen: number[] = [];
   const look = (now: number) => {
@@ -15,7 +15,7 @@ test("held time stands still and moves picture by picture", () => {
   expect(clock.now()).toBe(40);
 });
 
-test("a cancelled picture does not come, and time never runs back", () => {
+test("a cancelled frame is not called, and time never runs backwards", () => {
   const clock = manualClock();
   let seen = 0;
   clock.frame(() => (seen += 1))();
@@ -32,11 +32,11 @@ test.each([
   ["?clock=manual", new Date(2026, 0, 1, 8, 0).getTime()],
   ["?seed=3&clock=2026-11-21T08:05", new Date(2026, 10, 21, 8, 5).getTime()],
   ["?clock=2026-03-07", new Date(2026, 2, 7).getTime()],
-])("time is held from the moment that %j names, in local time", (search, moment) =>
+])("manual time starts at the moment that %j names, in local time", (search, moment) =>
   expect(heldTime(search)).toBe(moment),
 );
 
-test("with a held clock the time of day goes on with the pictures, and real time is still there for pauses", async () => {
+test("with a manual clock the time of day advances with the frames, and pauses still use real time", async () => {
   vi.stubGlobal("location", { search: "?clock=2026-11-21T08:05" });
   vi.stubGlobal("window", {});
   vi.resetModules();

@@ -1,21 +1,21 @@
 /**
- * The one place that knows what time it is. Normally the browser's time; with `?clock=manual` in the address it stands
- * still until a test calls `window.__turnwiseClock.advance(milliseconds)`, so that every picture can be held and
- * repeated. With `?clock=2026-11-21T08:00` it stands at that moment of the local day, so that every date does so too.
+ * The only source of time. Normally that of the browser; with `?clock=manual` in the address time stands still until a
+ * test calls `window.__turnwiseClock.advance(milliseconds)`, so that every frame can be reproduced. With
+ * `?clock=2026-11-21T08:00` it starts at that local time, so that dates are reproducible too.
  */
 export interface Clock {
-  /** Whether time passes by itself, as it does for what the browser moves. */
+  /** Whether time passes by itself, so that the browser can run animations. */
   readonly flows: boolean;
   /** Milliseconds since the page was opened. */
   now(): number;
-  /** Calls once at the next picture; returns what cancels it. */
+  /** Calls once at the next frame; returns a function that cancels the call. */
   frame(callback: (now: number) => void): () => void;
 }
 
-/** What a test holds in its hand. */
+/** The control of time for tests. */
 export interface ManualClock {
   now(): number;
-  /** Moves time on, picture by picture. */
+  /** Advances time frame by frame. */
   advance(milliseconds: number): void;
 }
 
@@ -25,7 +25,7 @@ declare global {
   }
 }
 
-/** Time between two pictures of the manual clock, ms. */
+/** Frame interval of the manual clock, ms. */
 const PICTURE = 16;
 
 const browserClock: Clock = {
@@ -37,7 +37,7 @@ const browserClock: Clock = {
   },
 };
 
-/** A clock that only moves when told to. */
+/** A clock that only `advance` moves. */
 export function manualClock(): Clock & ManualClock {
   let time = 0;
   let waiting: ((now: number) => void)[] = [];
@@ -66,10 +66,10 @@ export function manualClock(): Clock & ManualClock {
   };
 }
 
-/** The day and the hour at which held time begins when the address names none, in local time. */
+/** Local time at which manual time starts when the address names none. */
 const FIRST_DAY = "2026-01-01T08:00";
 
-/** Where held time begins, in milliseconds since 1970; null where time is the browser's. */
+/** Start of manual time, ms since 1970; null where the browser's time is used. */
 export function heldTime(search: string): number | null {
   const asked = new URLSearchParams(search).get("clock");
   if (asked === null) return null;
@@ -88,17 +88,16 @@ function chosenClock(): Clock & { readonly time: () => number } {
 
 const chosen = chosenClock();
 
-/** The clock of this page's pictures. */
+/** The clock of this page's frames. */
 export const clock: Clock = chosen;
 
-/** The time of day, in milliseconds since 1970: of whatever carries a date. */
+/** The time of day, ms since 1970, for everything that carries a date. */
 export const time = (): number => chosen.time();
 
 /**
- * The moment, ms since 1970, that lies so many ms behind the beginning of this page or worker: they tell moments to
- * each other by it.
+ * Converts a time of this page or worker (ms since its start) to ms since 1970, which page and worker have in common.
  */
 export const dayMoment = (sinceBegin: number): number => performance.timeOrigin + sinceBegin;
 
-/** Milliseconds that really pass, held or not: for pauses, and for nothing that is shown or kept. */
+/** Real time, ms, also with a manual clock: for pauses only, never for anything shown or stored. */
 export const stopwatch = (): number => performance.now();

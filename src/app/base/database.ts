@@ -1,8 +1,8 @@
 import { createStore, del, entries, get, keys, set, setMany } from "idb-keyval";
 
 /**
- * A table of the browser's databases, in a database of its own. It is opened when it is first asked; a browser may
- * refuse each answer.
+ * A table in an IndexedDB database of the same name. It is opened on first use; any call may fail where the browser
+ * refuses.
  */
 export function database(name: string) {
   const store = createStore(`turnwise-${name}`, name);

@@ -1,24 +1,21 @@
 import type { z } from "zod/mini";
 
 /*
- * The one way to the browser's storage. What stands in it may be damaged, and a browser may refuse it altogether:
+ * The only access to the browser's key-value storage. Its contents may be damaged, and a browser may refuse access:
  * nothing here throws.
  */
 
-/**
- * The storage of the device, which all tabs share and which stays; or that of one tab, which outlasts a reload of the
- * page.
- */
+/** Storage of the device is permanent and shared by all tabs; storage of a tab survives a reload only. */
 type Area = "device" | "tab";
 const storageOf = (area: Area): Storage => (area === "tab" ? sessionStorage : localStorage);
 
-/** A text that the browser keeps. */
+/** A stored text. */
 export interface KeptText {
-  /** Null where there is none; undefined where the browser refuses storage. */
+  /** Null if there is none; undefined if the browser refuses storage. */
   get(): string | null | undefined;
-  /** Keeps a text, or none; false where the browser does not take it. */
+  /** Stores the text, or removes it (null); false if the browser refuses. */
   set(text: string | null): boolean;
-  /** Calls back with each text that another tab puts there. */
+  /** Calls back with each text that another tab stores. */
   follow(changed: (text: string | null) => void): void;
 }
 
@@ -44,13 +41,13 @@ export function keptText(key: string, area: Area = "device"): KeptText {
     },
     follow: (changed) =>
       addEventListener("storage", ({ storageArea, key: of, newValue }: StorageEvent) => {
-        // Without a name everything was cleared.
+        // Without a key the whole storage was cleared.
         if (storageArea === storageOf(area) && (of === name || of === null)) changed(newValue);
       }),
   };
 }
 
-/** What a text in JSON holds; undefined where it is none. */
+/** The value of a JSON text; undefined if the text is not JSON. */
 export function jsonOf(text: string | null | undefined): unknown {
   try {
     return JSON.parse(text ?? "");
@@ -59,7 +56,7 @@ export function jsonOf(text: string | null | undefined): unknown {
   }
 }
 
-/** Data in JSON under `turnwise/key`; null where there are none that fit. */
+/** JSON data under `turnwise/key`; null if there are none that match the schema. */
 export function keptData<T>(key: string, schema: z.ZodMiniType<T>, area: Area = "device") {
   const text = keptText(key, area);
   return {

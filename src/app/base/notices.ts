@@ -1,6 +1,6 @@
 import { create } from "zustand";
 
-/** What the page says above what is open, until somebody puts it away. */
+/** Notices above the open work, until somebody dismisses them. */
 export type Notice =
   | "notKept"
   | "storageFull"
@@ -23,10 +23,10 @@ export type Notice =
 
 export const useNotices = create<{ readonly notices: readonly Notice[] }>(() => ({ notices: [] }));
 
-/** Says something, once. */
+/** Shows a notice, once. */
 export const notice = (which: Notice): void =>
   useNotices.setState(({ notices }) => (notices.includes(which) ? { notices } : { notices: [...notices, which] }));
 
-/** Puts away what was said. */
+/** Removes a notice. */
 export const withdraw = (which: Notice): void =>
   useNotices.setState(({ notices }) => ({ notices: notices.filter((n) => n !== which) }));

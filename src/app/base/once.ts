@@ -1,10 +1,10 @@
-/** Makes something when it is first asked for; afterwards the same is given. */
+/** Makes a value on the first call and returns the same one afterwards. */
 export function once<T>(make: () => T): () => T {
   let made: { readonly value: T } | null = null;
   return () => (made ??= { value: make() }).value;
 }
 
-/** Keeps the newest result of a function: asked for the same again, it gives the same again. */
+/** Caches the last result of a function: the same arguments return the same result. */
 export function rememberingLast<A extends readonly unknown[], T>(make: (...of: A) => T): (...of: A) => T {
   let last: { readonly of: A; readonly value: T } | null = null;
   return (...of) => {
@@ -13,7 +13,7 @@ export function rememberingLast<A extends readonly unknown[], T>(make: (...of: A
   };
 }
 
-/** Runs a job that is never done twice at once: asked while it runs, it gives the promise of that run. */
+/** Runs a job never twice at once: a call during a run returns the promise of that run. */
 export function oneAtATime(job: () => Promise<void>): () => Promise<void> {
   let running: Promise<void> | null = null;
   return () =>
@@ -22,13 +22,13 @@ export function oneAtATime(job: () => Promise<void>): () => Promise<void> {
     }));
 }
 
-/** Numbers that no two callers share: 1, 2, … */
+/** Numbers that never repeat: 1, 2, … */
 export function counter(): () => number {
   let last = 0;
   return () => ++last;
 }
 
-/** Of several beginnings only the newest counts: each gives the way to ask whether it still is that. */
+/** Each call starts a new run and returns a check whether that run is still the newest. */
 export function onlyNewest(): () => () => boolean {
   let count = 0;
   return () => {
@@ -38,7 +38,7 @@ export function onlyNewest(): () => () => boolean {
   };
 }
 
-/** One timer: what it is started with replaces what it waited for. */
+/** One timer: a new start replaces the pending one. */
 export function restartable(): { start(run: () => void, ms?: number): void; stop(): void } {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const stop = () => clearTimeout(timer);

@@ -22,15 +22,15 @@ test.each([
   "error loading dynamically imported module: http://host/a.js",
   "Importing a module script failed.",
   "Unable to preload CSS for http://host/a.css",
-])("%s: a part that did not come", (message) => expect(isMissing(new TypeError(message))).toBe(true));
+])("%s: a failed import", (message) => expect(isMissing(new TypeError(message))).toBe(true));
 
-test("a fault of our own is none", async () => {
+test("an error of our own is no failed import", async () => {
   expect(isMissing(new TypeError("x is undefined"))).toBe(false);
   await expect(untilHere(() => Promise.reject(new TypeError("x is undefined")))).rejects.toThrow("x is undefined");
   expect(missing()).toBe("no");
 });
 
-test("a component that does not come is said, does not fail, and comes with the network", async () => {
+test("a component that cannot be loaded is announced, does not fail, and loads once the network is back", async () => {
   let asked = 0;
   const Part = lazyPart(() => {
     asked += 1;
@@ -53,7 +53,7 @@ test("a component that does not come is said, does not fail, and comes with the 
   expect(asked).toBe(3);
 });
 
-test("where the server answers and has no such part, that is said", async () => {
+test("a part that the server no longer has is announced as such", async () => {
   server.answers = true;
   const store = { has: false };
   const part = untilHere(() => (store.has ? Promise.resolve("here") : Promise.reject(GONE)));
@@ -63,7 +63,7 @@ test("where the server answers and has no such part, that is said", async () => 
   expect(await part).toBe("here");
 });
 
-test("what a press does not get is said and ends there", async () => {
+test("a failed import after a click is announced and not retried", async () => {
   followMissing();
   const refused = (reason: unknown) => {
     const event = new Event("unhandledrejection", { cancelable: true });
@@ -79,7 +79,7 @@ test("what a press does not get is said and ends there", async () => {
   expect(missing()).toBe("no");
 });
 
-test("a part waits for its style sheet, which is asked for again", async () => {
+test("a part waits for its style sheet, which is loaded again", async () => {
   followMissing();
   const link = document.createElement("link");
   link.rel = "stylesheet";

@@ -3,30 +3,30 @@ import { create } from "zustand";
 import { oneAtATime } from "./once.ts";
 
 /*
- * Parts of the page are fetched when they are first needed. One may not come: there is no network and the page is not
- * yet kept on the device, or the server has a newer version and the old part is gone. That is said above what is open,
- * and never ends anything.
+ * Parts of the page are fetched when they are first needed. A fetch may fail: there is no network and the page is not
+ * yet stored on the device, or the server has a newer version and the old part is gone. A notice above the open work
+ * says so; nothing else ends.
  */
 
-/** Whether a part is missed, and why: no network, or a server that does not have it. */
+/** Whether a part is missing, and why: no network, or a server that no longer has it. */
 export const useMissing = create<{ readonly missing: "no" | "offline" | "gone" }>(() => ({ missing: "no" }));
 
-/** What Chromium, Firefox, Safari and Vite say of a script or style that did not come. */
+/** Error messages of Chromium, Firefox, Safari and Vite for a script or style sheet that failed to load. */
 const NOT_HERE = /dynamically imported module|importing a module script|unable to preload css/i;
-/** True for the failure of a part that did not come. */
+/** True for the error of a failed import. */
 export const isMissing = (error: unknown): boolean => error instanceof Error && NOT_HERE.test(error.message);
 
-/** Those who wait for a part that did not come. */
+/** Retries of the imports that failed. */
 const waiting = new Set<() => void>();
 
-/** The service worker's own script is the one file that is always asked of the server. */
+/** Asks for the service worker's script: the one file that always comes from the server. */
 const answers = (): Promise<boolean> =>
   fetch(new URL("sw.js", document.baseURI), { method: "HEAD", cache: "no-store" }).then(
     ({ ok }) => ok,
     () => false,
   );
 
-/** Says that something did not come. */
+/** Announces that a part could not be loaded. */
 function miss(): void {
   const { missing } = useMissing.getState();
   if (missing === "no") useMissing.setState({ missing: "offline" });
@@ -35,10 +35,10 @@ function miss(): void {
   );
 }
 
-/** Puts the notice away. Who waits goes on waiting. */
+/** Removes the notice. Failed imports keep waiting for a retry. */
 export const dismissMissing = (): void => useMissing.setState({ missing: "no" });
 
-/** Style sheets that did not come. */
+/** Links of style sheets that failed to load. */
 const broken = new Set<HTMLLinkElement>();
 
 function mended(link: HTMLLinkElement): Promise<unknown> {
@@ -50,14 +50,14 @@ function mended(link: HTMLLinkElement): Promise<unknown> {
   });
 }
 
-/** Style sheets are asked for again here: Vite asks once for each, and a part would come without its own. */
+/** Loads failed style sheets again: Vite asks for each only once, and a part would appear unstyled. */
 const mendStyles = oneAtATime(async () => {
   const links = [...broken];
   broken.clear();
   await Promise.all(links.map(mended));
 });
 
-/** Asks again for everything that somebody waits for. */
+/** Retries every failed import. */
 export function fetchMissing(): void {
   dismissMissing();
   const all = [...waiting];
@@ -66,8 +66,8 @@ export function fetchMissing(): void {
 }
 
 /**
- * The part, however long it takes: what does not come is said, and fetched again when there is a network or somebody
- * asks.
+ * The part, however long it takes: a failure is announced, and the fetch repeated when the network is back or somebody
+ * asks for it.
  */
 export async function untilHere<T>(fetchPart: () => Promise<T>): Promise<T> {
   for (;;) {
@@ -84,11 +84,12 @@ export async function untilHere<T>(fetchPart: () => Promise<T>): Promise<T> {
 }
 
 /**
- * A component that is fetched when it is first shown. All of them are made here, so that none can fail by not coming.
+ * A component that is fetched when it is first shown. All of them are made here, so that none can fail by a failed
+ * import.
  */
 export const lazyPart: typeof lazy = (fetchPart) => lazy(() => untilHere(fetchPart));
 
-/** From now on what a press needs and does not get is said. The press itself is over: it may be made again. */
+/** Announces failed imports that follow a click. They are not retried: the click can be repeated. */
 export function followMissing(): void {
   addEventListener("unhandledrejection", (event) => {
     if (!isMissing(event.reason)) return;

@@ -1,14 +1,11 @@
 import { keptText } from "./kept.ts";
 
-/**
- * Notes on this device that the browser was asked to keep the works for good: it is asked once, and not again by
- * itself.
- */
+/** Stored once the browser was asked for permanent storage, so that it is not asked again by itself. */
 const ASKED = keptText("persist");
 
 const storage = (): StorageManager | undefined => (typeof navigator === "undefined" ? undefined : navigator.storage);
 
-/** Asks the browser to keep what lies on the device for good; false when it does not promise that. */
+/** Asks the browser for permanent storage; false if it does not grant it. */
 export async function askToPersist(): Promise<boolean> {
   try {
     return (await storage()?.persist()) ?? false;
@@ -17,12 +14,12 @@ export async function askToPersist(): Promise<boolean> {
   }
 }
 
-/** Asks once, when the first work was kept: then there is something to lose. */
+/** Asks once, after the first work was saved: then there is something to lose. */
 export function persistOnce(): void {
   if (ASKED.get() === null && ASKED.set("asked")) void askToPersist();
 }
 
-/** What is known of the storage of this device; null for what the browser does not say. */
+/** State of the storage of this device; null where the browser does not tell. */
 export interface StorageState {
   readonly persisted: boolean | null;
   /** Bytes. */

@@ -22,7 +22,7 @@ beforeEach(() => {
 });
 afterEach(() => vi.restoreAllMocks());
 
-test("it begins with what the device has, and each change is kept; what there is at first is not", () => {
+test("it starts with the stored value, and each change is stored; the initial value is not", () => {
   localStorage.setItem("turnwise/lengths", '{"version":3,"mm":[41.7,3.1]}');
   const here = lengths();
   expect(here.now()).toEqual([41.7, 3.1]);
@@ -34,7 +34,7 @@ test("it begins with what the device has, and each change is kept; what there is
   expect(kept()).toBeNull();
 });
 
-test("data of older versions come one version after the other, those of a newer one are set aside and said", () => {
+test("data of older versions are upgraded step by step; those of a newer one are set aside and reported", () => {
   const here = lengths();
   expect(here.read({ version: 1, mm: [2, 1] })).toEqual([25.4, 50.8]);
   expect(here.read({ version: 2, mm: [2, 1] })).toEqual([1, 2]);
@@ -49,7 +49,7 @@ test("data of older versions come one version after the other, those of a newer 
   ]);
 });
 
-test("another tab is followed, also when everything is cleared there", () => {
+test("changes of another tab are taken over, also a cleared storage", () => {
   const here = lengths();
   const said = (key: string | null, newValue: string | null) =>
     dispatchEvent(new StorageEvent("storage", { key, newValue, storageArea: localStorage }));
@@ -60,7 +60,7 @@ test("another tab is followed, also when everything is cleared there", () => {
   expect(here.now()).toEqual([7.3]);
 });
 
-test("a device that takes nothing says so; one that refuses storage altogether is not asked again", () => {
+test("a full storage is reported; a refused storage is not tried again", () => {
   const here = lengths();
   const set = vi.spyOn(Storage.prototype, "setItem").mockImplementation(() => {
     throw new DOMException("no room", "QuotaExceededError");

@@ -3,60 +3,53 @@ import { z } from "zod/mini";
 import { jsonOf, keptText } from "./kept.ts";
 import { isSameData } from "./same.ts";
 
-/**
- * A value that is kept. `trouble`: what was kept could not be read and was set aside, or the device does not take what
- * is changed.
- */
+/** A stored value. `trouble`: the stored data could not be read and were set aside, or the device refuses changes. */
 export interface Recorded<T> {
   readonly list: T;
   readonly trouble: "none" | "damaged" | "notKept";
 }
 
-/** What is said once of something that the device keeps. `K`: its data as they are kept, beside their version. */
+/** Declares a stored value. `K`: its data as stored, apart from their version. */
 export interface Declaration<T, K> {
-  /**
-   * Where the storage of the browser has it, behind `turnwise/`. What cannot be read is set aside under `key/damaged`.
-   */
+  /** Key in the browser's storage, after `turnwise/`. Unreadable data are moved to `key/damaged`. */
   readonly key: string;
   readonly version: number;
-  /** Data of this version and of all before that can be read. */
+  /** Schema of this version and of all earlier ones that can be read. */
   readonly schema: z.ZodMiniType<K>;
-  /** What makes a value of an older version, by its number, one of the next. */
+  /** Upgrades a value from the version of this number to the next. */
   readonly upgrades?: Readonly<Record<number, (value: T) => T>>;
   readonly from: (kept: K) => T;
   readonly to: (value: T) => object;
-  /**
-   * What there is where nothing is kept. It is not kept itself, so that another edition can begin with a better one.
-   */
+  /** Initial value. It is not stored, so that a later edition can start with a better one. */
   readonly first: T;
   readonly isSame?: (one: T, other: T) => boolean;
   /**
-   * Changes are steps of undo that outlast a reload. It is called with what they are steps of when another tab replaces
-   * the value.
+   * Set if changes are steps of undo that survive a reload. Called with the owner of the steps when another tab
+   * replaces the value.
    */
   readonly undo?: (of: object) => void;
-  /** Says that what was kept is damaged, or that the device does not take what is changed. */
+  /** Reports damaged data, or a device that refuses changes. */
   readonly say?: (trouble: "damaged" | "notKept") => void;
 }
 
-/** Something that the device keeps and that all tabs share. */
+/** A value that is stored on the device and shared by all tabs. */
 export interface KeptRecord<T> {
   readonly key: string;
   readonly first: T;
   readonly use: UseBoundStore<StoreApi<Recorded<T>>>;
   now(): T;
-  /** Puts a value in place; what its steps of undo are steps of. */
+  /** Sets the value; also the owner of its steps of undo. */
   put(value: T): void;
-  /** Puts a value in place that comes from the device or from another tab: nothing before it can be undone here. */
+  /** Sets a value from the device or another tab: earlier changes cannot be undone here. */
   replace(value: T): void;
   isSame(one: T, other: T): boolean;
-  /** Data as they are kept and archived. */
+  /** Data for storage and backup. */
   write(value: T): object;
-  /** A value from data that anybody may have written; null where they are damaged or of a newer version. */
+  /** A value from untrusted data; null if they are damaged or of a newer version. */
   read(raw: unknown): T | null;
 }
 
-/** A record of whatever kind, by its key. */
+/** A record of any type. */
 interface AnyRecord {
   readonly key: string;
   now(): unknown;
@@ -64,18 +57,15 @@ interface AnyRecord {
 }
 const undone: AnyRecord[] = [];
 
-/** The records whose steps of undo outlast a reload. */
+/** The records whose steps of undo survive a reload. */
 export const undoneRecords = (): readonly AnyRecord[] => undone;
 
-/** Rest before writing, ms. */
+/** Debounce before writing, ms. */
 const REST = 80;
 
 const versioned = z.object({ version: z.int() });
 
-/**
- * Declares something that the device keeps. From then on it is what the device has, each change is kept a moment after
- * it was made, and what another tab changes is taken over.
- */
+/** Declares a stored value: loads it, stores each change a moment later, and takes over changes of other tabs. */
 export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
   const { key, version, schema, upgrades = {}, from, to, first, isSame = isSameData, undo, say } = declared;
   const use = create<Recorded<T>>(() => ({ list: first, trouble: "none" }));
@@ -109,7 +99,7 @@ export function record<T, K>(declared: Declaration<T, K>): KeptRecord<T> {
   return made;
 }
 
-/** Keeps a record on the device and follows other tabs. */
+/** Stores a record on the device and follows other tabs. */
 function keep<T>(
   { key, first, use, now, replace, isSame, write, read }: KeptRecord<T>,
   say: (trouble: "damaged" | "notKept") => void,

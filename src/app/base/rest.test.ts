@@ -3,7 +3,7 @@ import { atRest } from "./rest.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 
-/** After how many of these rests, ms, something runs that wants 25 ms of rest; null: it never does. */
+/** After how many of these idle periods, ms, a callback runs that needs 25 ms; null: it never runs. */
 function runsAfter(rests: readonly number[]): number | null {
   const waiting: IdleRequestCallback[] = [];
   let ran = false;
@@ -16,7 +16,7 @@ function runsAfter(rests: readonly number[]): number | null {
   return found < 0 ? null : found + 1;
 }
 
-test("a long rest is waited for, or many pictures in a row that take little", () => {
+test("it waits for a long idle period, or for many frames in a row that take little", () => {
   expect(runsAfter([3.1, 14.2, 41.7])).toBe(3);
   expect(runsAfter(Array(40).fill(12.3))).toBe(8);
   expect(runsAfter(Array.from({ length: 40 }, (_, i) => (i % 7 === 6 ? 2.2 : 13.1)))).toBeNull();

@@ -1,9 +1,6 @@
 import { IDLE } from "./waits.ts";
 
-/**
- * Runs once the browser has nothing else to do, and will have nothing for at least so many ms. Gives the way to call it
- * off.
- */
+/** Runs once the browser is idle for at least `least` ms. Returns a function that cancels the call. */
 export function atRest(run: () => void, least = 0): () => void {
   if (typeof requestIdleCallback === "function") {
     let calm = 0;
@@ -20,8 +17,7 @@ export function atRest(run: () => void, least = 0): () => void {
 }
 
 /**
- * Fetches what comes next as soon as a hand moves or the browser rests. What does not come is fetched again when it is
- * needed.
+ * Prefetches a part on the first input or when the browser is idle. A failed fetch is repeated when the part is needed.
  */
 export function fetchAtRest(fetch: () => Promise<unknown>): () => void {
   const begins = ["pointermove", "pointerdown", "keydown"];

@@ -3,10 +3,7 @@ const isPlain = (a: unknown): a is Readonly<Record<string, unknown>> => {
   return kind === Object.prototype || kind === Array.prototype;
 };
 
-/**
- * Whether two pieces of plain data say the same, whatever the order of their fields. What they share is not looked
- * into.
- */
+/** Whether two pieces of plain data are equal, in any order of their members. Shared objects are not compared. */
 export function isSameData(a: unknown, b: unknown): boolean {
   if (a === b) return true;
   if (!isPlain(a) || !isPlain(b) || Array.isArray(a) !== Array.isArray(b)) return false;

@@ -1,12 +1,12 @@
-/** A part that a lower room shows and a higher one gives: who shows it knows its shape, and not where it comes from. */
+/** A component that a lower layer shows and a higher layer provides: the lower layer knows its type, not its origin. */
 export interface Slot<T> {
-  /** What was given; it fails where nothing was. */
+  /** The provided part; fails if there is none. */
   fetch(): Promise<T>;
-  /** From now on the part comes from there. */
+  /** Sets where the part comes from. */
   fill(fetchPart: () => Promise<T>): void;
 }
 
-/** An empty slot. `name` is said where nothing was given. */
+/** An empty slot. `name` appears in the error if nothing was provided. */
 export function slot<T>(name: string): Slot<T> {
   let given: () => Promise<T> = () => Promise.reject(new Error(`nothing was given for ${name}`));
   return {

@@ -33,20 +33,20 @@ beforeEach(() => {
 });
 afterEach(cleanup);
 
-test("what is typed is drawn first, and told to everything else when the picture is painted", async () => {
+test("the typed value is drawn first, and everything else updates after that frame is painted", async () => {
   type("12.57");
   expect([useHeld.getState().text, shown("at once"), shown("later")]).toEqual(["12.57", "12.57", "12.5"]);
   await expect.poll(() => shown("later")).toBe("12.57");
 });
 
-test("nothing is told twice, and what was typed last counts", async () => {
+test("updates come once, with the value typed last", async () => {
   type("12.57");
   type("12.571");
   expect(shown("later")).toBe("12.5");
   await expect.poll(() => shown("later")).toBe("12.571");
 });
 
-test("any other change tells what is held with it", () => {
+test("any other change flushes the pending updates with it", () => {
   type("12.57");
   act(() => useHeld.setState({ other: 4 }));
   expect(shown("later")).toBe("12.57");
@@ -58,7 +58,7 @@ test.each<[string, () => unknown]>([
   ["a digit elsewhere", () => fireEvent.keyDown(screen.getByRole("button"), { key: "7" })],
   ["a finger", () => fireEvent.pointerDown(screen.getByRole("button"))],
   ["the loss of the keyboard", () => fireEvent.focusOut(screen.getByLabelText("field"))],
-])("%s finds everything told", (_, acts) => {
+])("%s finds all updates flushed", (_, acts) => {
   let found: string | null = null;
   const look = () => (found = shown("later"));
   for (const event of ["keydown", "pointerdown", "focusout"]) document.body.addEventListener(event, look);
@@ -68,7 +68,7 @@ test.each<[string, () => unknown]>([
   expect(found).toBe("12.57");
 });
 
-test("work, text and result are told one after the other", async () => {
+test("work, text and result update one after the other", async () => {
   const said: string[] = [];
   const note = (name: string) => said.push(`${name}: ${[shown("later"), shown("result")].join(" ")}`);
   act(() =>
@@ -83,7 +83,7 @@ test("work, text and result are told one after the other", async () => {
   expect(said).toEqual(["drawn: 12.5 12.5", "text: 12.57 12.5"]);
 });
 
-test("a result that comes meanwhile waits its turn, and whoever acts finds it told", () => {
+test("a result that arrives meanwhile is queued, and an action finds it flushed", () => {
   type("12.57");
   act(() => useResult.setState({ of: "12.57" }));
   expect([shown("later"), shown("result")]).toEqual(["12.5", "12.5"]);
@@ -91,21 +91,21 @@ test("a result that comes meanwhile waits its turn, and whoever acts finds it to
   expect([shown("later"), shown("result")]).toEqual(["12.57", "12.57"]);
 });
 
-test("whoever acts while a result is rendered by and by finds it rendered", () => {
+test("an action during a deferred render finds the result rendered", () => {
   byAndBy(() => useResult.setState({ of: "12.571" }));
   expect(shown("result")).toBe("12.5");
   fireEvent.pointerDown(screen.getByRole("button"));
   expect(shown("result")).toBe("12.571");
 });
 
-test("a key that goes on with the number waits for nothing", () => {
+test("a key that continues the number flushes nothing", () => {
   type("12.57");
   fireEvent.keyDown(screen.getByLabelText("field"), { key: "3" });
   fireEvent.keyDown(screen.getByLabelText("field"), { key: "Backspace" });
   expect(shown("later")).toBe("12.5");
 });
 
-test("a field whose text nobody holds back shows what its owner makes of it", () => {
+test("a field without pending updates shows the text that its owner makes", () => {
   const Owned = () => {
     const [said, say] = useState("7.25");
     const [text, typeOn] = useTyping("of it", said, (next) => say(next.replace("x", "")));
@@ -116,7 +116,7 @@ test("a field whose text nobody holds back shows what its owner makes of it", ()
   expect(screen.getByLabelText<HTMLInputElement>("owned").value).toBe("7.2");
 });
 
-test("a field knows what was typed until it is told, and then what the work says", async () => {
+test("a field shows the typed text until the flush, and then that of the work", async () => {
   const Held = () => {
     const [text, typeOn] = useTyping(
       "of it",
@@ -138,7 +138,7 @@ const Of = memo(function Of({ of }: { readonly of: "of" | "other" }) {
   return <output aria-label="followed">{useResult((s) => s[of])}</output>;
 });
 
-test("a component follows what it selects of a result, and renders for nothing else", () => {
+test("a component follows what it selects of a result, and does not render otherwise", () => {
   const { rerender } = render(<Of of="of" />);
   renders.mockClear();
   act(() => useResult.setState({ other: "7" }));
@@ -148,7 +148,7 @@ test("a component follows what it selects of a result, and renders for nothing e
   expect(shown("followed")).toBe("7");
 });
 
-test("what a result became before a component listened is shown", () => {
+test("a change of a result before a component subscribes is shown", () => {
   const Early = () => {
     useLayoutEffect(() => useResult.setState({ of: "3.25" }), []);
     return <Of of="of" />;
@@ -157,7 +157,7 @@ test("what a result became before a component listened is shown", () => {
   expect(shown("followed")).toBe("3.25");
 });
 
-test("what a transition changes last counts, also where it looks like what is shown", async () => {
+test("the last change of a transition counts, also if it equals the shown value", async () => {
   render(<Of of="of" />);
   startTransition(() => useResult.setState({ of: "4.75" }));
   expect(shown("followed")).toBe("12.5");
@@ -167,7 +167,7 @@ test("what a transition changes last counts, also where it looks like what is sh
   expect(shown("followed")).toBe("12.5");
 });
 
-test("what may come late shows what was before while a key is drawn", async () => {
+test("a deferred part shows the previous state while a key is drawn", async () => {
   const seen: string[] = [];
   const Shows = ({ text }: { readonly text: string }) => void seen.push(text);
   const { rerender } = render(

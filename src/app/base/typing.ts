@@ -4,18 +4,17 @@ import { createStore, useStore, type StateCreator, type StoreApi, type UseBoundS
 import { once } from "./once.ts";
 
 /*
- * While somebody types, the field and the path are drawn first. Everything else that follows the work hears of the
- * change when that picture is painted, turn by turn, or at once before anything else happens on the page: nothing is
- * ever pressed that knows less than what was typed.
- *
- * React's `useDeferredValue` was tried for all of it: it renders between the key and its picture, each component renders
- * with the key all the same, and nothing brings a deferred value to its newest before a press (docs/decisions/0033).
+ * While somebody types, the field and the path are drawn first. Everything else that depends on the work updates after
+ * that frame is painted, group by group, or at once before any other action on the page: a button never acts on an
+ * older value than the field shows. React's `useDeferredValue` was tried for all of it: it renders between the key and
+ * its frame, each component still renders with the key, and nothing updates a deferred value before a click
+ * (docs/decisions/0033).
  */
 
-/** What is done when the next picture is painted, all of it together; by the calls that asked for it. */
+/** Callbacks for the next painted frame, run together; by the calls that asked for them. */
 const afterPainting = new Map<object, () => void>();
 
-/** A message comes behind the painting; a timer that is set with it would come before. */
+/** A message arrives after painting; a timer that is set with it would run before. */
 const painted = new MessageChannel();
 painted.port1.onmessage = () => {
   const due = [...afterPainting.values()];
@@ -24,8 +23,8 @@ painted.port1.onmessage = () => {
 };
 
 /**
- * Runs when the next picture is painted, soon where none is: nobody looks at a hidden page. Gives the way to call it
- * off.
+ * Runs after the next frame is painted, or soon on a hidden page, which paints none. Returns a function that cancels
+ * the call.
  */
 export function afterPicture(run: () => void): () => void {
   const tell = () => painted.port2.postMessage(null);
@@ -40,10 +39,7 @@ export function afterPicture(run: () => void): () => void {
   };
 }
 
-/**
- * The value as it stood when the last picture was painted: it follows a moment after a key, whose picture does not wait
- * for it.
- */
+/** The value as of the last painted frame: it follows a moment after a key, whose frame does not wait for it. */
 export function useLater<T>(value: T): T {
   const [late, follow] = useState({ value });
   const isLate = !Object.is(late.value, value);
@@ -52,25 +48,22 @@ export function useLater<T>(value: T): T {
 }
 
 /**
- * What may come a moment after a key, when the path is drawn: until then it shows the work as it was.
- * Nothing that is typed into belongs here, a field shows its key at once.
+ * Content that may follow a moment after a key, when the path is drawn; until then it shows the previous state. Never
+ * for anything that is typed into: a field shows its key at once.
  */
 export const Late = ({ children }: { readonly children: ReactNode }): ReactNode => useLater(children);
 
-/** Bring each component to the newest state. */
+/** Functions that render each component with the newest state. */
 const followers = new Set<() => void>();
 
 /**
- * What a component shows of a store, as its own state: what a transition changes in the store is rendered by and by, and
- * all who follow it change together. Zustand's own hook renders every change in one piece, however long that takes on a
- * slow device.
+ * A selection from a store as state of the component: a change in a transition is rendered with low priority, and all
+ * components that follow it change together. Zustand's own hook renders every change in one piece, however long that
+ * takes on a slow device.
  */
 function useFollowed<S, T>(store: StoreApi<S>, select: (state: S) => T): T {
   const [seen, see] = useState(() => ({ state: store.getState() }));
-  /**
-   * What was rendered last, or is about to be. A state that looks the same to this component takes its place in
-   * silence.
-   */
+  /** The state rendered last or about to be rendered. A state with an equal selection replaces it without a render. */
   const last = useRef(seen);
   const look = useEffectEvent(() => {
     const state = store.getState();
@@ -91,21 +84,19 @@ function useFollowed<S, T>(store: StoreApi<S>, select: (state: S) => T): T {
   return select(seen.state);
 }
 
-/**
- * Who hears of what was typed, each turn in a task of its own: all of them together are a long one on a slow device.
- */
+/** Groups of pending updates, each flushed in a task of its own: all together are a long task on a slow device. */
 const TURNS = ["work", "text", "result"] as const;
 type Turn = (typeof TURNS)[number];
 
-/** What is held back of what was typed. */
+/** Updates that are pending while somebody types. */
 const held = {
   tells: new Map<() => void, Turn>(),
   isTyping: false,
-  /** What was passed on last may not be rendered yet. */
+  /** The last flushed updates may not be rendered yet. */
   isBehind: false,
   callOff: (): void => undefined,
 };
-/** How often all that was typed has been passed on. */
+/** Number of complete flushes, and whether nothing is pending. */
 const passedOn = createStore<{ readonly count: number; readonly isAll: boolean }>(() => ({ count: 0, isAll: true }));
 
 function tellThose(turns: readonly Turn[]): void {
@@ -127,8 +118,7 @@ function tellByTurns(): void {
 }
 
 /**
- * Changes a result that comes by itself: what follows it is rendered by and by, or before somebody does something with
- * it.
+ * Changes a result that does not come from a key: its followers render as a transition, or at once before an action.
  */
 export function byAndBy(change: () => void): void {
   tellBeforeActing();
@@ -142,7 +132,7 @@ function tellAll(): void {
   held.isBehind = false;
 }
 
-/** Keys that go on with a number. */
+/** Keys that continue a number. */
 const typesOn = ({ key, ctrlKey, metaKey, altKey, target }: KeyboardEvent): boolean =>
   target instanceof HTMLInputElement &&
   !ctrlKey &&
@@ -150,10 +140,7 @@ const typesOn = ({ key, ctrlKey, metaKey, altKey, target }: KeyboardEvent): bool
   !altKey &&
   (key.length === 1 || key === "Backspace" || key === "Delete");
 
-/**
- * From now on everything hears of what was typed before a key, a finger or the loss of the keyboard does something
- * else.
- */
+/** Flushes the pending updates before a key, click, or loss of focus does anything else. */
 const tellBeforeActing = once(() => {
   const tell = (event: Event) => {
     if ((held.tells.size > 0 || held.isBehind) && !(event instanceof KeyboardEvent && typesOn(event)))
@@ -163,7 +150,7 @@ const tellBeforeActing = once(() => {
     addEventListener(act, tell, { capture: true });
 });
 
-/** Makes a change that somebody types; whether anything is held back of it. */
+/** Makes a change that somebody types; returns whether updates are pending after it. */
 export function whileTyping(change: () => void): boolean {
   held.isTyping = true;
   try {
@@ -179,19 +166,15 @@ export function whileTyping(change: () => void): boolean {
   return true;
 }
 
-/**
- * Leaves the showing of a text for the turns of what is typed just now; false where nobody types, and it is to be done
- * at once.
- */
+/** Queues the update of a text while somebody types; false if nobody types and it is to be done at once. */
 export function behindTyping(run: () => void): boolean {
   if (held.isTyping) held.tells.set(run, "text");
   return held.isTyping;
 }
 
 /**
- * A store whose followers among the components see what is typed a moment later; everything else reads and hears it at
- * once. A result that comes by itself while something is held waits its turn; any other change passes on all that is
- * held with it.
+ * A store whose components update a moment after typing; everything else reads and hears of changes at once. A result
+ * that arrives meanwhile is queued; any other change flushes all pending updates.
  */
 export function heldWhileTyping<S>(
   begin: StateCreator<S>,
@@ -213,7 +196,8 @@ export function heldWhileTyping<S>(
 }
 
 /**
- * The text of a field, and its typing: until the work has what was typed the field itself knows it. `of`: which place.
+ * The text of a field, and its setter: until the work has the typed text the field itself keeps it. `of`: the id of the
+ * field.
  */
 export function useTyping(
   of: string,

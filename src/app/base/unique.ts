@@ -1,6 +1,6 @@
 import { z } from "zod/mini";
 
-/** A check of rows from outside: no two have one id. */
+/** Checks untrusted rows: all ids are different. */
 export const uniqueIds = z.refine<readonly { readonly id: string }[]>(
   (rows) => new Set(rows.map(({ id }) => id)).size === rows.length,
 );

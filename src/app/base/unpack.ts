@@ -1,12 +1,12 @@
 import { Inflate } from "fflate";
 
-/** Packed bytes that are handed over in one go; each unpacks to about a thousand at most. */
+/** Packed bytes per step; a byte unpacks to about a thousand at most. */
 const CHUNK = 1024;
 
 /**
- * Unpacks deflated bytes piece by piece and stops as soon as they are more than `most`. Gives the number of bytes that
- * were unpacked: more than `most` when it stopped. `take` is given each piece up to the limit; `dictionary` is what the
- * packing began with. Throws on damaged bytes.
+ * Unpacks deflated bytes piece by piece and stops once they exceed `most`. Returns the number of unpacked bytes: more
+ * than `most` if it stopped. `take` gets each piece up to the limit; `dictionary` is that of the packing. Throws on
+ * damaged bytes.
  */
 export function inflateUpTo(
   packed: Uint8Array,

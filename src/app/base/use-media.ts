@@ -10,7 +10,7 @@ interface Watched {
 const never: Watched = { matches: () => false, subscribe: () => () => undefined };
 const watched = new Map<string, Watched>();
 
-/** One list per condition for the whole page: asking the browser anew costs time at every keystroke. */
+/** One cached media query per condition: asking the browser again costs time at every key. */
 function watch(condition: string): Watched {
   if (typeof matchMedia !== "function") return never;
   const known = watched.get(condition);
@@ -19,7 +19,7 @@ function watch(condition: string): Watched {
     print = matchMedia("print");
   let last = media.matches;
   const made: Watched = {
-    // A sheet of paper is no screen: what is printed stays as it was arranged.
+    // Printing keeps the layout of the screen.
     matches: () => {
       if (!print.matches) last = media.matches;
       return last;
@@ -33,22 +33,22 @@ function watch(condition: string): Watched {
   return made;
 }
 
-/** True where one of the page's conditions holds; follows it. */
+/** Whether one of the page's media conditions holds; follows changes. */
 export function useMedia(name: keyof typeof MEDIA): boolean {
   const { matches, subscribe } = watch(MEDIA[name]);
   return useSyncExternalStore(subscribe, matches, () => false);
 }
 
-/** True where the page shows its own keypad and large targets. */
+/** Whether the page shows its own keypad and large targets. */
 export const useFingers = (): boolean => useMedia("fingers");
 
-/** True where one of the page's conditions holds now. */
+/** Whether one of the page's media conditions holds now. */
 export const holds = (name: keyof typeof MEDIA): boolean => watch(MEDIA[name]).matches();
 
-/** Large type takes the room of the third column on screens of usual size. */
+/** On screens of usual size large type leaves no room for the third column. */
 const hasColumns = (wide: boolean, broad: boolean, presentation: boolean): boolean => wide && (broad || !presentation);
 
-/** True where the program stands beside the view, and not among the panels that take turns. */
+/** Whether the program is beside the view, and not one of the tabs. */
 export const useThirdColumn = (): boolean =>
   hasColumns(
     useMedia("wide"),
@@ -56,6 +56,6 @@ export const useThirdColumn = (): boolean =>
     useSettings((s) => s.presentation),
   );
 
-/** The same, as it is now. */
+/** The same outside of a component. */
 export const thirdColumn = (): boolean =>
   hasColumns(holds("wide"), holds("broad"), useSettings.getState().presentation);

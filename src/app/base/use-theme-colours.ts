@@ -7,14 +7,14 @@ const themes = changes((changed) => {
     new MutationObserver(changed).observe(document.documentElement, { attributeFilter: ["data-theme", "data-size"] });
 });
 
-/** Changes when the page takes on another theme: what paints with colours of its own reads them anew then. */
+/** Changes with the theme of the page: whoever paints with its colours has to read them again. */
 export const useTheme = (): number => useSyncExternalStore(themes.subscribe, themes.count, () => 0);
 
 const read = new WeakMap<object, { readonly theme: number; readonly colours: Record<string, string> }>();
 
 /**
- * The values that custom properties of the page have now, by the names they are wanted under. They are read once for a
- * theme: the browser works out the styles of the whole page to tell them.
+ * The current values of custom properties of the page, under the given names. They are read once per theme, since the
+ * browser computes the styles of the whole page for it.
  */
 export function pageColours<Name extends string>(names: Readonly<Record<Name, string>>): Record<Name, string> {
   const theme = themes.count(),

@@ -1,20 +1,20 @@
 import { create } from "zustand";
 
-/** What is known of the copy of the page on this device, and of a newer version. */
+/** State of the page's copy on this device, and of a newer version. */
 export interface Version {
-  /** Whether the whole page is here for use without a network; `failed` tries again when there is one. */
+  /** Whether the whole page is stored for use offline; `failed` retries when the network is back. */
   readonly kept: "impossible" | "coming" | "kept" | "failed";
-  /** A newer version that waits for its turn, or one that another tab put in use. */
+  /** A newer version that is ready, or that another tab has activated. */
   readonly newer: "none" | "ready" | "elsewhere";
-  /** The bar that says so was put off. */
+  /** The update bar was postponed. */
   readonly later: boolean;
   /** When the server was last asked for a newer version, ms of the clock. */
   readonly lookedAt: number;
-  /** What came of it. */
+  /** Result of that check. */
   readonly looked: "no" | "looking" | "coming" | "newest" | "unreachable" | "unfinished";
 }
 
-/** A page of the build, in a browser that can keep it. */
+/** A built page in a browser that can store it. */
 export const canKeep = import.meta.env.PROD && typeof navigator !== "undefined" && "serviceWorker" in navigator;
 
 export const useVersion = create<Version>(() => ({

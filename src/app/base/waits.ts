@@ -1,23 +1,23 @@
 /*
- * How long the page waits, and how long something may take, in one table: each number was measured (docs/performance.md)
- * and stands with its reason. All are ms unless another unit is named.
+ * Delays and time limits of the page in one table: each number was measured (docs/performance.md) and has its reason.
+ * All are ms unless another unit is named.
  */
 
-/** What planning on the page may cost. */
+/** Limits of planning on the page. */
 export const PLANNING = {
   /** Most plans take a tenth of this; the way through the worker takes several times as long. */
   onPage: 60,
-  /** A digit does not wait longer for its path: it is drawn first then. */
+  /** A digit waits no longer for its path: beyond this it is drawn first. */
   withDigit: 60,
   /** Texts up to this length are tried on the page before their pace is known, characters. */
   short: 20_000,
-  /** A program whose first run took longer than this is not planned ahead: the page would halt at rest. */
+  /** A program whose first run took longer is not planned ahead: the page would hang while idle. */
   warmUp: 600,
-  /** The same of a long text, which is planned in slices. */
+  /** The same for a long text, which is planned in slices. */
   longWarmUp: 4000,
   /** Longer texts are left to the worker: their first plan would still be in slices when the operator is done, characters. */
   longest: 400_000,
-  /** A slice at rest fits into a frame beside everything else. */
+  /** A slice while idle fits into a frame with everything else. */
   slice: 6,
   /** While somebody waits for its path a slice may take more than a frame. */
   sliceWaitedFor: 20,
@@ -25,50 +25,52 @@ export const PLANNING = {
   waitedFor: 1500,
 } as const;
 
-/** What the calculation waits for. */
+/** Delays of the calculation. */
 export const CALCULATING = {
-  /** Rest of the browser before something is planned ahead: shorter ones are pauses between two pictures. */
+  /** Idle time before something is planned ahead: shorter periods are gaps between two frames. */
   rest: 25,
-  /** The calculation of a work that was left is stopped after this, since the next one waits: a new worker takes longer. */
+  /**
+   * The calculation of a closed work is stopped after this, since the next one is pending: a new worker takes longer.
+   */
   leftWork: 400,
-  /** A worker that does not answer has lost its way: the longest programs take a tenth of this on a desk. */
+  /** Timeout of the worker: the longest programs take a tenth of this on a desktop. */
   answer: 120_000,
-  /** Between two looks whether a new worker holds its lock: it takes that long to start. */
+  /** Interval of checks whether a new worker holds its lock: it takes that long to start. */
   lock: 200,
-  /** Rest after a change before all tools are tried, which costs a plan for each. */
+  /** Debounce before all tools are tried, which costs a plan each. */
   otherTools: 120,
 } as const;
 
-/** Rest after a key in a text or a field. */
+/** Debounce after a key in a text or a field. */
 export const TYPING = {
   /** Before the panels of a text follow: cursor and prompts would jump with each key. */
   panels: 80,
-  /** Before a text that the page does not plan at once is calculated: a pause within a word is shorter. */
+  /** Before a text that the page cannot plan at once is calculated: a pause within a word is shorter. */
   rest: 150,
-  /** The same of a long text, whose calculation costs more than the pause. */
+  /** The same for a long text, whose calculation costs more than the pause. */
   longRest: 700,
-  /** A text is long from so many blocks on, blocks. */
+  /** A text is long from this length, blocks. */
   long: 1500,
   /** Before a work is written to the device, so that writing never delays the picture. */
   keep: 80,
 } as const;
 
-/** From when on a calculation is announced. */
+/** Delay before a calculation is announced. */
 export const ANNOUNCED = {
-  /** A mark for what is done sooner would only flicker. */
+  /** The mark of a shorter check would only flicker. */
   checking: 300,
-  /** What is done sooner is not worth a word. */
+  /** A shorter calculation is not worth a message. */
   working: 700,
-  /** Over a path whose proof has a mark of its own already. */
+  /** Over a path whose check already has its mark. */
   workingOverPath: 4000,
 } as const;
 
 /** When the browser is taken to be idle. */
 export const IDLE = {
-  /** Where a browser cannot tell, this is waited after the page was shown: by then it has been drawn. */
+  /** Without idle callbacks: delay after the page was shown, by then it has been drawn. */
   unknown: 1200,
-  /** Beside something that moves no browser reports a long rest: so many calm pictures in a row are one as well, pictures. */
+  /** During animations no browser reports a long idle period: this many calm frames in a row count as one, frames. */
   calmPictures: 8,
-  /** A picture is calm when it leaves so much of its time. */
+  /** A frame is calm if it leaves this much of its time. */
   calm: 6,
 } as const;

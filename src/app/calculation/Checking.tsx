@@ -4,13 +4,13 @@ import { useOutcome } from "./outcome.ts";
 import { useLong } from "./use-long.ts";
 import "./checking.css";
 
-/** Whether the worker is still at what is shown, and whether for so long that it is to be seen. */
+/** Whether the shown result is still being checked, and whether for so long that a mark is shown. */
 export function useChecking(): { readonly now: boolean; readonly seen: boolean } {
   const now = useOutcome((s) => s.stage !== null);
   return { now, seen: useLong(now, ANNOUNCED.checking) && now };
 }
 
-/** Beside a verdict that is not yet that of the present values. It takes no room of its own, so that nothing moves. */
+/** Mark beside a verdict that is not yet of the present values. It takes no room, so that nothing moves. */
 export function Checking() {
   const { checking } = useTexts().lathe;
   return <span className="checking" role="img" aria-label={checking} title={checking} />;

@@ -5,7 +5,7 @@ import { STAGES, useOutcome } from "./outcome.ts";
 import { useLong } from "./use-long.ts";
 import "./working.css";
 
-/** Over the picture: what a long calculation is at, and a way to stop it. */
+/** Stage of a long calculation, over the picture, with a button that stops it. */
 export function Working() {
   const { lathe: t } = useTexts();
   const stage = useOutcome((s) => s.stage);

@@ -12,21 +12,21 @@ import { engine, type Called } from "./engine.ts";
 import type { Request } from "./request.ts";
 
 /**
- * What takes time and is worked out only when somebody asks, as plain functions of plain data. Runs in the worker,
- * fetched by then.
+ * Slow calculations that run only on request, as pure functions of plain data. They run in the worker, which fetches
+ * them on first use.
  */
 export const advice = {
-  /** What each tool can do with the values of a work that is not run, from its own start point. */
+  /** What each tool can do with the values of a work that has not been run, from its own start point. */
   fitsOfWork(job: SetJob, tools: readonly Tool[]): readonly ToolFit[] | null {
     return engine.fits(job, { start: tipAtCall(job), feedUnit: job.perRevolution ? "mm/rev" : "mm/min", tools });
   },
 
-  /** The ways to make what is wanted, to be tried one by one. */
+  /** The operations that could make a shape, to be tried one by one. */
   ways(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
     return waysFor(wanted, stock, tools);
   },
 
-  /** What comes of one of them. */
+  /** Simulates one of them. */
   tryWay(
     proposal: Proposal,
     wanted: Wanted,
@@ -37,7 +37,7 @@ export const advice = {
     return tryWay(proposal, wanted, stock, { ...table, rapid, control, ...(machine && { machine }) });
   },
 
-  /** The tools that would take what a call left, the one that leaves least first. */
+  /** Tools that would remove the residual material of a call, the one with the least left first. */
   remediesOf(called: Called, left: Residual, tools: readonly Tool[]): readonly Remedy[] {
     return remedies(tools)(called, left);
   },

@@ -10,13 +10,10 @@ import { rapidOf, USUAL_RAPID } from "./request.ts";
 import { askAgain } from "./worker-life.ts";
 
 /*
- * What else the worker is asked for, beside the open work as it is typed.
+ * Requests to the worker other than the calculation of the open work.
  */
 
-/**
- * What comes of another program, beside the open one and with what it brings along itself; null when that cannot be
- * said.
- */
+/** The result of a program that is not open, with its own tools, machine and files; null if it cannot be calculated. */
 export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.getState().job): Promise<Outcome | null> {
   const { name, text, skipMarked = false } = program;
   try {
@@ -28,9 +25,7 @@ export async function outcomeBeside(program: ProgramWork, timedAs = useEditor.ge
   }
 }
 
-/**
- * The report on the open work as it stands, and the tools that it takes to come to it; null when that cannot be said.
- */
+/** The report on the open work in its present state, and the tools that it uses; null if it cannot be calculated. */
 export async function reportOf(work: Work, file: string): Promise<Reported | null> {
   const shop = { version: 0, table: toolTable(), control: controlInUse(), machine: await machineRead(machineInUse()) };
   try {
@@ -50,7 +45,7 @@ export async function reportOf(work: Work, file: string): Promise<Reported | nul
   }
 }
 
-/** The ways to make what is wanted, and what comes of each; null when that cannot be said. */
+/** The operations that could make a shape, and the result of each; null if it cannot be calculated. */
 export const comparison: Comparer = {
   async ways(wanted, stock) {
     try {

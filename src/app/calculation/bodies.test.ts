@@ -28,17 +28,17 @@ const made = (given: BodiesGiven): ShownBodies => {
   return given;
 };
 
-test("bodies are made anew only when stock or look are others, or when the page has none", () => {
+test("bodies are made again only if stock or look have changed, or if the page has none", () => {
   made(turnedBodies(outcome, at(0, 0, { hasLast: false })));
   expect(turnedBodies(outcome, at(0, 0))).toBe("same");
-  // Nothing is cut on the way to the first pass.
+  // Nothing is cut before the first pass.
   expect(turnedBodies(outcome, at(0, 0.7))).toBe("same");
   expect(turnedBodies(outcome, at(0, 0.7, { look: "b" }))).not.toBe("same");
   expect(turnedBodies(outcome, at(0, 0.7, { look: "b", hasLast: false }))).not.toBe("same");
   expect(turnedBodies(outcome, at(first + 9, 0.5, { look: "b" }))).not.toBe("same");
 });
 
-test("whatever is handed over is handed over once, and never what others share", () => {
+test("each buffer is transferred once, and never one that is shared", () => {
   const cut = made(turnedBodies(outcome, at(outcome.run.steps.length, 0)));
   expect(cut.told.textures).toContain("thread");
   expect(cut.told.rings).toBe(false);

@@ -12,14 +12,14 @@ import { runThreads } from "../../view/solid/thread-cuts.ts";
 import { surfacesOfRun } from "./moving.ts";
 import type { Outcome } from "./outcome.ts";
 
-/** What the page asks for again and again; `look` names everything besides the stock that decides how it looks. */
+/** Request of the page for each frame; `look` identifies everything but the stock that decides how it looks. */
 export interface BodiesWanted extends BodiesAsked {
   readonly look: string;
-  /** The page shows what it was given last: the same is not made again. */
+  /** The page still has the last bodies: unchanged ones are not made again. */
   readonly hasLast: boolean;
 }
 
-/** An answer: bodies, or the word that they are those of the answer before. */
+/** The bodies, or "same" if they equal those of the last answer. */
 export type BodiesGiven = ShownBodies | "same";
 
 interface Turned {
@@ -36,8 +36,7 @@ function turnedOf(outcome: Outcome): Turned {
     run: { steps, spindles },
     simulation,
   } = outcome;
-  // Threads ask for what stood before them: another player, so that the one that goes on with the time need not go
-  // back.
+  // Threads need the stock before them: a separate player, so that the one that follows the time need not go back.
   const threads = runThreads(steps, playerOf(simulation).at, { stated: statedSteps(simulation), spindles });
   const made: Turned = {
     last: null,
@@ -50,7 +49,7 @@ function turnedOf(outcome: Outcome): Turned {
 
 export { buffersOf };
 
-/** The bodies of an outcome at a moment. */
+/** The bodies of a result at a position. */
 export function turnedBodies(outcome: Outcome, { look, hasLast, ...asked }: BodiesWanted): BodiesGiven {
   const turned = turnedOf(outcome),
     rings = turned.stockAt(asked.position);

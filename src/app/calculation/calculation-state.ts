@@ -3,44 +3,44 @@ import type { Order, Part, Text, Told } from "./orders.ts";
 import type { Outcome, Planned, Stage } from "./outcome.ts";
 import { isQuick, UNKNOWN_PACE, type Pace } from "./pace.ts";
 
-/** What is to be calculated of the open work. */
+/** Input of the calculation, from the open work. */
 export interface Wanted {
-  /** The work that it is a text of: answers to another one do not count. */
+  /** Id of the work and file: answers for another one are ignored. */
   readonly of: string;
-  /** Its task asks before its run may be seen. */
+  /** Its task asks for a prediction before its run may be seen. */
   readonly isVeiled: boolean;
-  /** null: its values make no program. Absent: something that it needs is still being fetched. */
+  /** null: the values make no program. Absent: something that is needed is still being fetched. */
   readonly request?: Omit<Text, "version"> | null;
 }
 
-/** What can be waited for. */
+/** Events that the calculation can wait for. */
 export type Wait =
-  /** The code that plans is here. */
+  /** The planning code is loaded. */
   | "planner"
-  /** The browser rests. */
+  /** The browser is idle. */
   | "rest"
-  /** The picture of a digit is painted, and the page has answered. */
+  /** The frame of a digit is painted, and the page has handled its events. */
   | "digit"
-  /** The page has answered between two slices. */
+  /** The page has handled its events between two slices. */
   | "slice"
-  /** The picture of a path is painted. */
+  /** The frame of a path is painted. */
   | "picture"
-  /** Nobody types in the text any more. */
+  /** Nobody has typed in the text for a while. */
   | "quiet"
-  /** The work that was left had its time. */
+  /** The time limit of a closed work is over. */
   | "leftWork";
 
 export type CalculationEvent =
   | Told
-  /** `again`: also where nothing is other than before. */
+  /** `again`: also if nothing has changed. */
   | ({ readonly event: "edited"; readonly again?: boolean } & Wanted)
-  /** Somebody types in a text: half a word is no fault yet. `pause`: how long it is quiet behind it, ms. */
+  /** Somebody types in a text: half a word is no error yet. `pause`: time without a key that ends the typing, ms. */
   | { readonly event: "typed"; readonly pause: number }
   | { readonly event: "cancelled" }
   | { readonly event: "left" }
   | { readonly event: "rested"; readonly from: Wait };
 
-/** Shows what was made. `as`: with what changed it, as typed just now, or as something that comes by itself. */
+/** Shows a result. `as`: in the task of the key, as a typed change, or as a deferred update. */
 export type Show = { readonly do: "show" } & (
   | { readonly planned: Planned; readonly as: "now" | "typed" | "byItself" }
   | { readonly outcome: Outcome; readonly isBeginning?: true }
@@ -51,56 +51,56 @@ export type Effect =
   | { readonly on: "page"; readonly order: Order & { readonly do: "plan" } }
   | { readonly on: "worker"; readonly order: Order }
   | { readonly do: "wait"; readonly for: Wait; readonly ms?: number }
-  /** The lines of a path that will be wanted. */
+  /** Prepares the lines of a path before they are needed. */
   | { readonly do: "prepare"; readonly run: Run }
   | { readonly do: "stopWorker" | "forget" | "sayFailed" };
 
-/** A text on its way to its proof. */
+/** A text that is queued for its check. */
 export interface Queued {
   readonly request: Text;
   readonly isVeiled: boolean;
-  /** Its run, where it has been made. */
+  /** Its run, if it has been planned. */
   readonly planned: Planned | null;
 }
 
-/** A text that the page plans in the task of its key, or, where it waits for something, behind that. */
+/** A text that the page plans, in the task of its key or after the named wait. */
 export interface Planning extends Queued {
   readonly waits: "digit" | "slice" | null;
 }
 
-/** A text that the worker is at. */
+/** The text that the worker calculates. */
 export interface Ordered extends Queued {
   readonly at: "beginning" | "plan" | "proof";
   readonly stage: Stage;
-  /** Its answer, while somebody types. */
+  /** Its result, held back while somebody types. */
   readonly outcome: Outcome | null;
   readonly isGivenUp: boolean;
 }
 
 export interface Calculation {
-  /** Counts up with each text. */
+  /** Number of the newest text. */
   readonly version: number;
-  /** Answers up to this version are of works that were left. */
+  /** Results up to this version belong to closed works. */
   readonly left: number;
   readonly canPlan: boolean;
   readonly isTyping: boolean;
   readonly of: string | null;
   /** The newest text. */
   readonly request: Text | null;
-  /** What the page plans. */
+  /** The text that the page plans. */
   readonly page: Planning | null;
-  /** What the worker is to do next. */
+  /** The next text for the worker. */
   readonly next: Queued | null;
   readonly worker: Ordered | null;
   readonly isShown: boolean;
   readonly isPaused: boolean;
   readonly isStopped: boolean;
   readonly pace: Pace;
-  /** An opened work that the page plans ahead at rest, and the parts that are left of it; null: it has not begun. */
+  /** An opened work that the page plans ahead while idle, and the remaining parts; parts null: not begun. */
   readonly warmUp: { readonly request: Text; readonly parts: readonly Part[] | null } | null;
 }
 
-/** A state in which no work is open. */
+/** State without an open work. */
 export const NO_WORK = {
   of: null,
   request: null,
@@ -122,14 +122,14 @@ export const AT_REST: Calculation = {
   worker: null,
 };
 
-/** A state, and what is to be done. */
+/** The next state, and the effects to carry out. */
 export type Step = readonly [state: Calculation, effects: readonly Effect[]];
 
-/** Whether the page plans a text of a length, with what it can call, in the task of its key. */
+/** Whether the page plans a text of this length, its called files included, in the task of its key. */
 export const plansOnPage = ({ canPlan, pace, warmUp }: Calculation, characters: number): boolean =>
   canPlan && isQuick(pace, characters, warmUp !== null);
 
-/** What the operator is told of a calculation: what it is at, whether it was stopped, whether it waits for values. */
+/** What is shown of a calculation: its stage, whether it was stopped, and whether values are missing. */
 export function progressOf({ worker, left: until, page, next, isStopped, isPaused }: Calculation): {
   readonly stage: Stage | null;
   readonly stopped: boolean;

@@ -14,16 +14,16 @@ import type { Request } from "./request.ts";
 import { workerExecutor } from "./worker-executor.ts";
 import type { Engine } from "./worker.ts";
 
-/** Waits for a thing, however slow the machine is. */
+/** Waits for a condition, also on a slow machine. */
 const until = (holds: () => void) => vi.waitFor(holds, { timeout: 20_000 });
 
-/** Nothing takes any time: how fast this machine is decides nothing here. */
+/** The stopwatch stands still: the speed of this machine decides nothing here. */
 vi.mock(import("../base/clock.ts"), async (original) => ({ ...(await original()), stopwatch: () => 8.5 }));
 
 const [first, second] = cuttingCycles;
 if (!first || !second) throw new Error("the catalogue has no two cycles");
 
-/** The worker's own code, here: it answers when the test says so. */
+/** The code of the worker on the page: it answers when the test says so. */
 function worker() {
   const { update, planned, proved } = openWork();
   const asked: { readonly what: string; readonly request: Request; readonly answer: () => void }[] = [];
@@ -39,7 +39,7 @@ function worker() {
   return {
     asked,
     execute: workerExecutor((question) => question(served as unknown as Remote<Engine>)),
-    /** Answers what was asked first. */
+    /** Answers the oldest question. */
     async answer(): Promise<Request> {
       await until(() => expect(asked).not.toHaveLength(0));
       const next = asked.shift();
@@ -50,7 +50,7 @@ function worker() {
   };
 }
 
-/** A calculation with the page's and the worker's own code, in the hand of a test. */
+/** A calculation with the real code of page and worker, controlled by the test. */
 function started() {
   const page = pageExecutor();
   const served = worker();
@@ -86,7 +86,7 @@ afterEach(() => {
 const shown = () => useOutcome.getState().shown?.text ?? null;
 const typeInto = (draft: Readonly<Record<string, string>>) =>
   edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], ...draft } } }));
-/** The page can plan from now on. */
+/** Lets the page plan. */
 async function plansHere(): Promise<void> {
   await it.page.fetch();
   it.rest("planner");
@@ -102,7 +102,7 @@ test("a work is calculated when it is opened, and shown while it is open", async
   expect([shown(), it.asked]).toEqual([null, []]);
 });
 
-test("a work of the same cycle is another one", async () => {
+test("another work of the same cycle is calculated anew", async () => {
   begin({ ...exampleJob(first), name: "OTHER" }, "other");
   await it.answer();
   expect(shown()).toBeNull();
@@ -110,14 +110,14 @@ test("a work of the same cycle is another one", async () => {
   expect([shown(), text.includes("OTHER")]).toEqual([text, true]);
 });
 
-test("what changes nothing of the program is not calculated", async () => {
+test("a change that leaves the program the same is not calculated", async () => {
   await it.answer();
   useSettings.setState({ programFolded: true });
   edit((job) => ({ ...job, remarks: "turned twice" }));
   expect(it.asked).toEqual([]);
 });
 
-test("what the page plans is in the picture in the task of the key, and its proof comes with the very same run", async () => {
+test("a path planned on the page is shown in the task of the key, and its check comes with the very same run", async () => {
   const { text } = await it.answer();
   await plansHere();
   typeInto({ Q483: "0.37" });
@@ -134,7 +134,7 @@ test("what the page plans is in the picture in the task of the key, and its proo
   expect(whole).toEqual(engine.update(request));
 });
 
-test("while values are incomplete the picture stays, dimmed, until they are there again", async () => {
+test("while values are incomplete the last picture stays, dimmed, until they are complete again", async () => {
   const { text } = await it.answer();
   typeInto({ Q483: "" });
   expect(useOutcome.getState()).toMatchObject({ paused: true, dimmed: true, stage: null });
@@ -144,7 +144,7 @@ test("while values are incomplete the picture stays, dimmed, until they are ther
   expect(useOutcome.getState()).toMatchObject({ paused: false, dimmed: false });
 });
 
-test("stopped by the operator it says so, and goes on when it is wanted again", async () => {
+test("stopped by the operator, it says so and continues on request", async () => {
   await until(() => expect(it.asked).toHaveLength(1));
   it.calculation.cancel();
   expect(it.stopWorker).toHaveBeenCalledOnce();
@@ -155,7 +155,7 @@ test("stopped by the operator it says so, and goes on when it is wanted again", 
   expect(useOutcome.getState()).toMatchObject({ stopped: false, shown: { text } });
 });
 
-test("while somebody types in a text a result waits", async () => {
+test("a result waits while somebody types in a text", async () => {
   await until(() => expect(it.asked).toHaveLength(1));
   it.calculation.typed(150);
   const { text } = await it.answer();
@@ -181,7 +181,7 @@ test("the run of a task that asks first is hidden, and recalculated when it may 
   expect(useOutcome.getState().pictured?.run.steps.length).toBeGreaterThan(3);
 });
 
-test("of a long program the path is planned and seen before its proof, and a beginning before that", async () => {
+test("a long program shows its beginning first, then its path, then its check", async () => {
   const cut = "L X+1.25 Y+3.5\nL X-2.75 Y+0.5\n";
   const text = `BEGIN PGM LONG MM\nTOOL CALL 1 Z S900 F300\nL X+0 Y+0 Z+2 R0 FMAX\n${cut.repeat(36_000)}END PGM LONG MM\n`;
   begin({ name: "LONG.H", text, encoding: "utf-8" }, "long");

@@ -24,7 +24,7 @@ import { wantedNow } from "./wanted.ts";
 import { workerExecutor } from "./worker-executor.ts";
 import { askAgain, stopWorker } from "./worker-life.ts";
 
-/** Hear of the run of a long work that was planned at rest: what is made of it can be made before it is wanted. */
+/** Called with the run of a long work that was planned while idle, to prepare its drawing. */
 export const hearsAhead = new Set<(run: Run) => void>();
 
 function show(effect: Show): void {
@@ -38,21 +38,21 @@ function show(effect: Show): void {
   else byAndBy(take);
 }
 
-/** Who does what a calculation orders. */
+/** The executors and waits of a calculation. */
 export interface Means {
   readonly page: Executor<Order & { do: "plan" }>;
   readonly worker: Executor;
   readonly stopWorker: () => void;
-  /** Calls back when something has come that was waited for, `ms`: where that is a time. Gives the way to call it off. */
+  /** Calls back after an event, or after `ms`. Returns a function that cancels the wait. */
   readonly wait: (wait: Wait, ms: number | undefined, then: () => void) => () => void;
 }
 
-/** The calculation of the open work: holds its state, takes events, and has what follows from them done. */
+/** The calculation of the open work: holds its state, takes events, and carries out their effects. */
 export function createCalculation({ page, worker, stopWorker, wait }: Means) {
   let state = AT_REST;
   let isBusy = false;
   const events: CalculationEvent[] = [];
-  /** What is waited for; waiting for the same restarts it. */
+  /** Pending waits; waiting for the same event again restarts the wait. */
   const waits = new Map<Wait, () => void>();
 
   function carryOut(effect: Effect): void {
@@ -105,7 +105,7 @@ export function createCalculation({ page, worker, stopWorker, wait }: Means) {
   };
 
   return {
-    /** From now on each change of the work, of the tool table or of the control is calculated. */
+    /** Calculates each change of the work, the tool table, the settings or the machine. */
     start(): () => void {
       const now = () => follow();
       carryOut({ do: "wait", for: "planner" });
@@ -115,18 +115,18 @@ export function createCalculation({ page, worker, stopWorker, wait }: Means) {
         for (const stop of [...stops, ...waits.values()]) stop();
       };
     },
-    /** Calculates what is open once more. */
+    /** Calculates the open work again. */
     again: () => follow(true),
-    /** The same as of another work: nothing that was calculated of it counts. */
+    /** The same as for a new work: its earlier results are dropped. */
     recalculate() {
       dispatch({ event: "left" });
       follow(true);
     },
-    /** Ends a calculation that takes too long; text and last picture stay. */
+    /** Stops a calculation that takes too long; text and last picture stay. */
     cancel: () => dispatch({ event: "cancelled" }),
-    /** Somebody types in a text, and goes on within so many ms: results wait until then. */
+    /** Somebody types in a text: results wait until `pause` ms without a key. */
     typed: (pause: number) => dispatch({ event: "typed", pause }),
-    /** Whether a text of a length, with what it can call, is planned in the task of its key. */
+    /** Whether a text of this length, its called files included, is planned in the task of its key. */
     plansOnPage: (characters: number) => plansOnPage(state, characters),
   };
 }
@@ -138,7 +138,7 @@ const soon = (then: () => void, ms?: number) => {
   return () => clearTimeout(timer);
 };
 
-/** How the page waits. */
+/** The waits of the page. */
 function waitOnPage(wait: Wait, ms: number | undefined, then: () => void): () => void {
   switch (wait) {
     case "planner":

@@ -7,13 +7,13 @@ import { stopwatch } from "../base/clock.ts";
 /** Why no stock is drawn: the program has no blank for it, or too many motions. */
 export type NoStock = "noBlank" | "tooLong";
 
-/** A path of more motions is drawn without its stock. */
+/** Longer paths are drawn without stock, motions. */
 export const MOST_MILLED = 30_000;
 
-/** Motions that are cut between two looks at the watch. */
+/** Motions that are cut between two time checks. */
 const MOTIONS = 2;
 
-/** The blank as turning leaves it before each milled stretch; the box of BLK FORM is milled as the box that it is. */
+/** The stock as turning leaves it before each milled section; the box of BLK FORM is milled as a box. */
 function bodiesOf({ plane, steps, blank, cuboid }: Run, simulation: Simulation | null): MilledInput["bodies"] {
   const player = simulation && steps.length > 0 ? playerOf(simulation) : null;
   return plane.flatMap(({ turned }, step) => {
@@ -23,13 +23,13 @@ function bodiesOf({ plane, steps, blank, cuboid }: Run, simulation: Simulation |
   });
 }
 
-/** What the mills of a run leave of its stock, of which nothing is cut yet. */
+/** The stock of a run before any milling. */
 export function uncutStock(run: Run, simulation: Simulation | null): MilledStock | NoStock {
   if (run.plane.length > MOST_MILLED) return "tooLong";
   return milledStock({ motions: run.plane, bodies: bodiesOf(run, simulation) }) ?? "noBlank";
 }
 
-/** Cuts on for so many ms; true when all is cut. */
+/** Continues cutting for `time` ms; true when all is cut. */
 export function cutFor(stock: MilledStock, time: number): boolean {
   const until = stopwatch() + time;
   let all = false;

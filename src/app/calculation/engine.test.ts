@@ -36,7 +36,7 @@ const update = ({ name, text, files = [], skipMarked = false }: ProgramWork) =>
     control: "TNC 640",
   });
 
-test("the files beside a program are run as it calls them, the program itself among them", () => {
+test("the other files of a program are run as it calls them, the program itself included", () => {
   const made = update(work("CALL PGM DEF\nL X+63.4 Z+1.8 FMAX M303\nCYCL CALL", { "def.h": pgm(CYCLE) }));
   expect(
     made.run.operations.map(({ cycle, definedFile, definedIn, definedLine }) => [
@@ -52,7 +52,7 @@ test("the files beside a program are run as it calls them, the program itself am
   expect(update(work("CALL PGM MAIN")).run.issues.map((f) => f.issue.code)).toContain("programsTooDeep");
 });
 
-test("marked blocks are noticed in the program and in what it calls, and left out when that is wanted", () => {
+test("skip marks are found in the program and in called files, and their blocks are skipped on request", () => {
   const files = { "CUT.H": pgm("/L Z+40 FMAX"), "OTHER.H": pgm("/L Z+30 FMAX") };
   const steps = (w: ProgramWork) => update(w).run.steps.length;
   expect(update(work("L Z+45 FMAX", files)).marked).toBe(false);
@@ -62,7 +62,7 @@ test("marked blocks are noticed in the program and in what it calls, and left ou
   expect(steps(work(calls, files)) - steps(work(calls, files, true))).toBe(1);
 });
 
-test("a result is that of a work while text, files and switch are the same", () => {
+test("a result belongs to a work while text, files and skip switch are the same", () => {
   const made = work("CALL PGM CUT", { "CUT.H": pgm("L Z+40 FMAX") });
   const outcome = { ...update(made), files: filesOf(made), skipMarked: false };
   expect(isMadeFrom(outcome, made)).toBe(true);
@@ -72,7 +72,7 @@ test("a result is that of a work while text, files and switch are the same", () 
   expect(isMadeFrom(outcome, { ...made, skipMarked: true })).toBe(false);
 });
 
-test("a finding in a called program says its file in the list, and so does the verdict first of all", () => {
+test("a finding in a called program names its file in the list and in the verdict", () => {
   const outcome = update(work("CALL PGM CUT", { "cut.h": pgm("3 L X+Q77 FMAX\n4 CALL LBL 9") }));
   const entries = findingsOf(null, outcome);
   const missing = entries.find(({ issue }) => issue.code === "labelMissing");
@@ -83,7 +83,7 @@ test("a finding in a called program says its file in the list, and so does the v
   expect(verdictTitle(words.verdict, "en", own)).toBe("1 error");
 });
 
-test("what is not proved in a called program is said with its file", () => {
+test("an unverified part of a called program is named with its file", () => {
   const outcome = update(work("CALL PGM CUT", { "cut.h": pgm("6 CYCL DEF 19.0 WORKING PLANE\n7 CYCL DEF 19.1 B+10") }));
   const verdict = judged(findingsOf(null, outcome), outcome);
   expect(verdictTitle(words.verdict, "en", verdict)).toBe("cut.h not fully simulated");
@@ -92,7 +92,7 @@ test("what is not proved in a called program is said with its file", () => {
   expect(verdictTitle(words.verdict, "en", judged(findingsOf(null, own), own))).toBe(words.verdict.unproved);
 });
 
-test("each text shows its own findings; the program those of what it calls as well, at the call", () => {
+test("each text shows its own findings; the main program also those of called files, at the call", () => {
   const { run } = update(
     work("CALL PGM CUT\nCALL LBL 7", { "cut.h": pgm("4 CALL LBL 9"), "b.h": pgm("4 CALL LBL 9") }),
   );

@@ -14,36 +14,34 @@ import type { Outcome, Stage } from "./outcome.ts";
 import { planned, planner } from "./plan.ts";
 import type { Request } from "./request.ts";
 
-/** What tools are compared under. */
+/** The conditions for comparing tools. */
 export interface Circumstances {
   readonly start: Pt;
   readonly feedUnit: FeedUnit;
   readonly tools: readonly Tool[];
 }
 
-/** What trying other tools at a call of the run needs of it. */
+/** The data of a call that are needed to try other tools. */
 export type Called = Pick<Operation, "cycle" | "tool" | "feedUnit" | "call">;
 
-/** What an outcome is made by. */
+/** The functions that make a result. */
 interface Makers {
   readonly planned: typeof planned;
   readonly simulate: typeof simulate;
 }
 const FRESH: Makers = { planned, simulate };
 
-/**
- * What makes one outcome after the other of the same work: what stays the same is not planned, cut or looked at again.
- */
+/** Functions for successive results of one work: unchanged parts are not planned, cut or checked again. */
 export function makersAgain(): Makers {
   const answers = new Answers();
   return { planned: planner(answers), simulate: simulating(answers) };
 }
 
-/** What every work needs that takes time, as plain functions of plain data. Runs in a worker. */
+/** The slow calculations that every work needs, as pure functions of plain data. They run in a worker. */
 export const engine = {
   /**
-   * From the program text to moves, stock, proof and times. `atStage` is told what it begins; `by` may know the run
-   * before.
+   * From the program text to moves, stock, check and times. `atStage` is called as each stage begins; `by` may reuse
+   * the previous run.
    */
   update(request: Request, atStage: (stage: Stage) => void = () => undefined, by = FRESH): Outcome {
     const made = by.planned(request, atStage);

@@ -6,7 +6,7 @@ import { useEditor } from "../document/store.ts";
 import { fitsOf, fitsOfCall, fitsOfWork } from "./tool-questions.ts";
 import { useOutcome } from "./outcome.ts";
 
-/** What each tool can do on the open contour; null until it is known. Asked for only while someone looks. */
+/** What each tool can do on the open contour; null until it is known. Calculated only while it is shown. */
 export function useFits(): readonly ToolFit[] | null {
   const newest = useOutcome((s) => s.newest);
   const [fits, setFits] = useState<readonly ToolFit[] | null>(null);
@@ -27,7 +27,7 @@ export function useFits(): readonly ToolFit[] | null {
   return fits;
 }
 
-/** What comes of a question for all tools, asked a moment after the last change; null until it is known. */
+/** A debounced request for the fit of all tools; null until it is answered. */
 function useAsked(ask: (() => Promise<readonly ToolFit[] | null>) | null, of: unknown): readonly ToolFit[] | null {
   const [fits, setFits] = useState<{ readonly of: unknown; readonly fits: readonly ToolFit[] | null }>({
     of: null,
@@ -53,7 +53,7 @@ function useAsked(ask: (() => Promise<readonly ToolFit[] | null>) | null, of: un
 }
 
 /**
- * What each tool can do in place of the one that runs the cycle defined in a line of the program; null where it was not
+ * What each tool can do in place of the one whose cycle is defined in this line of the program; null if that was not
  * run.
  */
 export function useFitsOfLine(line: number | null): readonly ToolFit[] | null {

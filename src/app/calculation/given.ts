@@ -8,13 +8,13 @@ import { knownParameters } from "../../program/job/job-parameters.ts";
 import { SETUP_FIELDS } from "../../program/job/setup-fields.ts";
 import type { JobReading } from "../document/reading.ts";
 
-/** The contour of the table. */
+/** The contour from the table. */
 function contourOf(rows: Job["contour"]): Given["contour"] {
   const { segments } = readRows(rows).contour;
   return segments.length > 0 ? segments : null;
 }
 
-/** The start point as typed; null as long as it is no place. */
+/** The typed start point; null if it cannot be read. */
 function startOf(job: Job): Pt | null {
   const known = knownParameters(job);
   const x = readText(SETUP_FIELDS.startX, job.start.x, known).value;
@@ -22,7 +22,7 @@ function startOf(job: Job): Pt | null {
   return x === null || z === null ? null : at(z, toRadius(diameter(x)));
 }
 
-/** What the cycle of a job is given beside its values: the contour of the table, and the start point. */
+/** The inputs of a job's cycle other than its values: the contour from the table, and the start point. */
 export const givenOf = ({ cycle, job }: Pick<JobReading, "cycle" | "job">): Given => ({
   contour: cycle.contour === "free" ? contourOf(job.contour) : null,
   start: startOf(job),

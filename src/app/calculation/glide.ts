@@ -3,52 +3,49 @@ import type { WayBend } from "../../view/bends.ts";
 import { positionAt, secondsAt, type Playback, type PlayedTrack } from "../../view/playback.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
-/** The way of something on the page that goes along with a playback. */
+/** The path of an element that follows a playback. */
 export interface GlideWay {
-  /** The CSS transform that lays it where it belongs at a position; null where it belongs nowhere, and stays. */
+  /** The CSS transform at a position; null if there is none, and the element stays. */
   readonly at: (position: PlayPosition) => string | null;
   /**
-   * Where its way bends between two moments, machine seconds, told apart no finer than so many of them. Between bends
-   * it goes straight.
+   * Bends of the path between two times, machine seconds, no closer than `fine` seconds. Between bends the path is
+   * straight.
    */
   readonly bends: (track: PlayedTrack, between: readonly [number, number], fine: number) => readonly WayBend[];
   /**
-   * Goes in jerks, so many a second: all that lies between two things that move is drawn anew with each, where no
-   * graphics card helps.
+   * Steps per second, if the element moves in steps: without a graphics card each frame redraws everything between two
+   * moving elements.
    */
   readonly jerks?: number;
 }
 
-/** Something that goes along. */
+/** The handle of an element that follows a playback. */
 export interface Gliding {
-  /** Its way leads over other places of the page now. */
+  /** The path has changed: animates it again. */
   readonly again: () => void;
   readonly end: () => void;
 }
 
-/**
- * How far ahead the way is told to the browser, and when the next part of it follows, ms; how close together its bends
- * are told.
- */
+/** Length of the animation sent ahead and age at which the next is sent; smallest distance of bends. All in ms. */
 const AHEAD = 2000,
   NEXT = 1500,
   FINE = 8;
-/** Further from where it should be than this it is taken there at once, ms. */
+/** Largest deviation before the element jumps to its position, ms. */
 const ASIDE = 4;
 
-/** How a playback goes on by itself: from so many machine seconds at a moment of the clock, ms. */
+/** A running playback: from `from` machine seconds at the clock time `since`, ms. */
 export interface PlayCourse extends Pick<Playback, "track" | "rate"> {
   readonly from: number;
   readonly since: number;
 }
 
-/** Whether a playback at a moment of the clock is where its course took it. */
+/** Whether a playback at a clock time is where its course predicts. */
 export const isOnCourse = ({ track, rate, from, since }: PlayCourse, state: Playback, now: number): boolean =>
   track === state.track &&
   rate === state.rate &&
   Math.abs(from - secondsAt(track, state.position) + (rate * (now - since)) / 1000) < (ASIDE * rate) / 1000;
 
-/** A part of the way that was told. */
+/** A part of the path that was sent to the browser. */
 interface Told extends PlayCourse {
   readonly animation: Animation;
 }
@@ -74,9 +71,9 @@ function keyframes(
 }
 
 /**
- * Takes an element along with a playback. While it plays the browser moves the element by itself on a way that it is
- * told in parts, which costs the page nothing in between; at rest, without motion, and where time is held, the element
- * is laid where it belongs.
+ * Moves an element with a playback. While it plays the browser animates the element along parts of its path, which
+ * costs the page nothing in between; when paused, with reduced motion, or with a manual clock, the element is placed
+ * directly.
  */
 export function glide(element: HTMLElement, playback: PlaybackStore, way: GlideWay): Gliding {
   let told: Told | null = null;

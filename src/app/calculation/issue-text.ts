@@ -9,8 +9,8 @@ import { useLengths } from "./lengths.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 
 /**
- * The sentence of a finding in a screen language, with lengths as the program counts where that is said. `cycle` tells
- * what the value at its place measures.
+ * The sentence of a finding in a screen language, with lengths in the unit of the program. `cycle` decides what the
+ * value at its place measures.
  */
 export function issueText(texts: Texts, spoken: Spoken, found: AnyIssue, cycle: number | null): string {
   const at = "at" in found ? found.at : undefined;
@@ -18,16 +18,16 @@ export function issueText(texts: Texts, spoken: Spoken, found: AnyIssue, cycle: 
   return messageIn(texts, spoken, found, param?.kind);
 }
 
-/** Where something stands in the file of a called program, in words. */
+/** A place in the file of a called program, in words. */
 export const placeInFile = (
   { findings: t }: Texts,
   { file, block, line }: NonNullable<RunFinding["inFile"]>,
 ): string => (block === null ? t.lineOf(String(line), file) : t.blockOf(String(block), file));
 
-/** The cycle whose parameters findings may stand at: that of the job, or of the open block. */
+/** The cycle whose parameters findings may belong to: that of the job, or of the open block. */
 export const CycleInWork = createContext<number | null>(null);
 
-/** Says findings in the screen language. */
+/** The sentences of findings in the screen language. */
 export function useIssueText(): (found: AnyIssue) => string {
   const texts = useTexts();
   const lengths = useLengths();

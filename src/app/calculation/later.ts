@@ -3,8 +3,8 @@ import { atRest } from "../base/rest.ts";
 import { useEditor } from "../document/store.ts";
 
 /**
- * Starts the calculation when a work is open, or else when the browser rests: nothing is calculated before, and the
- * first screen need not wait for what does it.
+ * Starts the calculation when a work is open, or else when the browser is idle: the first screen does not wait for its
+ * code.
  */
 export function startEngineLater(): void {
   let started = false;

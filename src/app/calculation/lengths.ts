@@ -6,16 +6,13 @@ import { IN_MM, type LengthUnit } from "../../kernel/units.ts";
 import { useOutcome } from "./outcome.ts";
 import { useSettings } from "../base/settings/settings.ts";
 
-/** What the program of a picture counts in; where nothing is said, the open work tells it. */
+/** The unit of the pictured program; null: that of the open work. */
 export const CountedIn = createContext<LengthUnit | null>(null);
 
 /** How lengths are written for a program that counts in a unit. */
 export const lengthsOf = (language: Language, unit: LengthUnit): Lengths => lengthsIn(language, unit, IN_MM[unit]);
 
-/**
- * How lengths are written here: in the screen language, and in the unit of the program that they belong to; `run`: of
- * that one.
- */
+/** How lengths are written here: in the screen language, and in the unit of the program, by default the open one. */
 export function useLengths(run?: Pick<Run, "program">): Lengths {
   const language = useSettings((s) => s.language),
     around = useContext(CountedIn);

@@ -2,14 +2,14 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import type { LoadInput } from "../../sim/load/along.ts";
 import type { Outcome } from "./outcome.ts";
 
-/** What is needed to tell load and roughness of a run. */
+/** Data needed for load and roughness of a run. */
 export interface LoadRequest extends LoadInput {
   readonly final: readonly Ring[];
-  /** The first step since the work is held as it is. */
+  /** First step with the present clamping. */
   readonly first: number;
 }
 
-/** What of an outcome is looked at. */
+/** The data of a result for load and roughness. */
 export function loadRequestOf({
   run: { stated, steps, spindles },
   simulation: { blank, checkpoints, final },
@@ -18,13 +18,13 @@ export function loadRequestOf({
   return { blank, stated, steps, spindles, final, first };
 }
 
-/** An outcome by its version and its moves, of which the first blocks of a long text have fewer. */
+/** A result, identified by its version and its moves, of which the beginning of a long text has fewer. */
 export interface KnownOutcome {
   readonly version: number;
   readonly moves: number;
 }
 
-/** The same by what is milled. */
+/** The same by its milled motions. */
 export interface KnownMilling {
   readonly version: number;
   readonly motions: number;

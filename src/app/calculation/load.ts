@@ -3,10 +3,10 @@ import { roughnessOf, type RoughStretch } from "../../sim/load/roughness.ts";
 import { onlyNewest } from "../base/once.ts";
 import type { LoadRequest } from "./load-request.ts";
 
-/** The answers to older questions are not wanted any more. */
+/** Answers to older requests are dropped. */
 const begin = onlyNewest();
 
-/** Lets everything go before that was asked meanwhile. */
+/** Lets messages that arrived meanwhile be handled first. */
 const others = (): Promise<void> =>
   new Promise((done) => {
     const { port1, port2 } = new MessageChannel();
@@ -17,10 +17,7 @@ const others = (): Promise<void> =>
     port2.postMessage(null);
   });
 
-/**
- * What the tool bears along the path, measured a few moves at a time; null when something else is asked before it is
- * done.
- */
+/** Load of the tool along the path, calculated a few moves at a time; null if a newer request arrives first. */
 export async function pathLoad(request: LoadRequest): Promise<PathLoad | null> {
   const isNewest = begin();
   const going = loadAlong(request);

@@ -3,7 +3,7 @@ import type { MachineData } from "../../program/machine/machine-data.ts";
 import { rememberingLast } from "../base/once.ts";
 import { untilHere } from "../base/parts.ts";
 
-/** What reads machine files, fetched for the first one: most devices have none. */
+/** The reader of machine files, fetched for the first file: most devices have none. */
 export const useMachineReader = create<{ readonly read: ((text: string) => MachineData | null) | null }>(() => ({
   read: null,
 }));
@@ -16,8 +16,8 @@ async function fetchReader(): Promise<(text: string) => MachineData | null> {
 }
 
 /**
- * The machine of a kept text, null for none; undefined while what reads it is on its way, which `useMachineReader`
- * tells.
+ * The machine of a stored text, null for none; undefined while the reader is being fetched, which `useMachineReader`
+ * reports.
  */
 export function machineAtHand(text: string): MachineData | null | undefined {
   if (text === "") return null;
@@ -26,6 +26,6 @@ export function machineAtHand(text: string): MachineData | null | undefined {
   return read?.(text);
 }
 
-/** The same, once it can be read. */
+/** The same, after the reader is loaded. */
 export const machineRead = async (text: string): Promise<MachineData | null> =>
   text === "" ? null : (await fetchReader())(text);

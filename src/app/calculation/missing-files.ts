@@ -6,7 +6,7 @@ import { fileOf, type ProgramWork } from "../document/work.ts";
 /** A file name without its folder. */
 const bare = (name: string): string => name.trim().replace(/^.*[\\/:]/, "");
 
-/** The file that a finding misses beside the program, by its name without folder; null for findings of another kind. */
+/** The called file that a finding reports as missing, by its name without folder; null for other findings. */
 export function missingFile({ issue }: Pick<RunFinding, "issue">): string | null {
   if (issue.code !== "programNotOpened" && issue.code !== "contourInFile") return null;
   const name = bare(issue.data.file);

@@ -9,29 +9,29 @@ import type { PaintedRun } from "../../view/material/stock-painter.ts";
 import { surfacesOf, type Surfaces } from "../../view/material/surfaces.ts";
 import type { PlaybackStore } from "./playback-store.ts";
 
-/** What moves in the picture: a run on a playback, and the stock at any position of it. */
+/** A run on a playback, with the stock at any position. */
 export interface Moving extends PaintedRun {
-  /** All that stands there at some moment before it is cut: nothing ever stands beyond it. */
+  /** All blanks of the run: the stock never extends beyond them. */
   readonly blanks: readonly Ring[];
-  /** What the running cut takes off; null where it takes nothing, and as long as the run is only planned. */
+  /** The chip of the current cut; null if nothing is cut, and while the run is only planned. */
   readonly chipAt: (position: PlayPosition) => Chip | null;
   readonly playback: PlaybackStore;
 }
 
-/** What stands there before anything moves. */
+/** The scene before a run: blank, tool and start point. */
 export interface Waiting {
   readonly blank: readonly Ring[];
   readonly tool: Tool | null;
   readonly start: Pt | null;
 }
 
-/** The step that runs at a position; the last one at the end. */
+/** The step at a position; the last one at the end. */
 export const stepIndex = (steps: readonly Step[], position: PlayPosition): number =>
   Math.min(position.step, steps.length - 1);
 
 /**
- * What made the surfaces of a run, with its spindle for feeds per minute; `before`: those of a run that may begin as it
- * does.
+ * The cuts that made the surfaces of a run, with the spindle for feeds per minute; `before`: those of a run that may
+ * begin the same.
  */
 export const surfacesOfRun = ({ steps, spindles }: Run, before: Surfaces = surfacesOf([])): Surfaces =>
   before.again(

@@ -4,14 +4,14 @@ import type { Outcome, Planned, Stage } from "./outcome.ts";
 import { provedBeside, type Proved } from "./proved.ts";
 import type { Request } from "./request.ts";
 
-/** The states of the open work, one after the other: what is the same is not made again. Runs in the worker. */
+/** Calculates successive states of the open work, reusing unchanged parts. Runs in the worker. */
 export function openWork() {
   const makers = makersAgain();
   let newest: Outcome | null = null;
-  /** The run that was sent last, before its proof: it is not made twice. */
+  /** The run that was sent last, before its check: it is not planned twice. */
   let ahead: Planned | null = null;
 
-  /** The result with what its run took. What stands beside the open work, of no version, is another one each time. */
+  /** The result with the time of its run. Version 0 is a program other than the open work. */
   function update(request: Request, tell: (stage: Stage) => void = () => undefined): Outcome {
     const begun = stopwatch();
     let pace = 0;
@@ -28,7 +28,7 @@ export function openWork() {
   return {
     update,
 
-    /** The run of a request, of which `proved` then sends the proof. */
+    /** The run of a request; `proved` then sends its check. */
     planned(request: Request, tell?: (stage: Stage) => void): Planned {
       const begun = stopwatch();
       ahead = makers.planned(request, tell);
@@ -36,15 +36,15 @@ export function openWork() {
     },
 
     /**
-     * The proof of a request whose run the page has, without the marks that it has as well when `has` is the version
-     * of the last answer.
+     * The check of a request whose run the page has, without the checkpoints that the page has as well if `has` is the
+     * version of the last answer.
      */
     proved(request: Request, has: number | null, tell?: (stage: Stage) => void): Proved {
       const before = newest?.version === has ? newest : null;
       return provedBeside(update(request, tell).simulation, before?.simulation.checkpoints ?? []);
     },
 
-    /** The newest outcome: what is asked about it later need not be sent here again. */
+    /** The newest result: later requests about it need not send it again. */
     newest: (): Outcome | null => newest,
   };
 }

@@ -5,62 +5,59 @@ import { filesOf, type ProgramWork, type WorkFile } from "../document/work.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
-/** What comes of a program text without a stock. Plain data. */
+/** The result of a program text without its stock. Plain data. */
 interface Made {
-  /** Counts up with each text that is calculated. */
+  /** Number of the calculated text. */
   readonly version: number;
   readonly text: string;
-  /** The files beside it and the switch of the skip mark, as they were sent; absent for a job. */
+  /** The other files and the skip switch, as they were sent; absent for a job. */
   readonly files?: readonly WorkFile[];
   readonly skipMarked?: boolean;
-  /** The program, or one that it has called, has blocks behind a skip mark. */
+  /** The program or a called file has blocks with a skip mark. */
   readonly marked?: boolean;
   readonly run: Run;
-  /** Made of the first blocks of a long text, to be looked at until the whole is there. */
+  /** The result of the first blocks of a long text, shown until the whole is there. */
   readonly isBeginning?: boolean;
-  /** What reading and running took in the worker, ms; absent where it was made elsewhere. */
+  /** Time of reading and running in the worker, ms; absent if it was made elsewhere. */
   readonly pace?: number;
 }
 
-/** What the worker makes of a program text. */
+/** The whole result of a program text. */
 export interface Outcome extends Made {
   readonly simulation: Simulation;
 }
 
-/** What is made of a text first, by the page itself or by the worker: its path, of which nothing is proved yet. */
+/** The first result of a text, made by the page or the worker: its path, not yet checked. */
 export interface Planned extends Made {
   readonly simulation: null;
 }
 
-/** True when a result was made from a program as it stands. */
+/** Whether a result belongs to the program in its present state. */
 export const isMadeFrom = ({ text, files, skipMarked = false }: Made, program: ProgramWork): boolean =>
   text === program.text && files === filesOf(program) && skipMarked === (program.skipMarked ?? false);
 
-/** From text to proof. */
+/** From text to check. */
 export const STAGES = ["reading", "running", "proving"] as const;
 export type Stage = (typeof STAGES)[number];
 
 export interface OutcomeState {
-  /** The newest whole result, possible or not: its issues are the ones to show. */
+  /** The newest whole result, valid or not: its issues are the ones to show. */
   readonly newest: Outcome | null;
-  /** The newest whole result with a path, or before there is one the newest of all, with its blank. */
+  /** The newest whole result with a path; before there is one, the newest of all, with its blank. */
   readonly shown: Outcome | null;
-  /** What is planned, as long as it is not proved; steps and operations of the proof before are not those of it. */
+  /** The planned run until it is checked; steps and operations of the previous check are not those of this run. */
   readonly planned: Planned | null;
-  /**
-   * What the picture shows, and whose steps are the ones that are played: what is planned where that has a path, else
-   * what is shown.
-   */
+  /** The result that is shown and played: the planned run if it has a path, else `shown`. */
   readonly pictured: Outcome | Planned | null;
-  /** The picture is older than the values, because they make no path. */
+  /** The picture is older than the values, because they make no path yet. */
   readonly dimmed: boolean;
-  /** What the worker is at; null while it rests. */
+  /** Stage of the worker; null while it is idle. */
   readonly stage: Stage | null;
-  /** The operator stopped the calculation of what is open. */
+  /** The operator stopped the calculation of the open work. */
   readonly stopped: boolean;
-  /** Prompts are incomplete; nothing is calculated until they can be read again. */
+  /** Prompts are incomplete; nothing is calculated until they are complete again. */
   readonly paused: boolean;
-  /** A block of the text is half typed: it is calculated as it stands, and the picture stays as it was. */
+  /** A block of the text is half typed: it is calculated, but the picture stays. */
   readonly keeps: boolean;
 }
 
@@ -77,7 +74,7 @@ const none: OutcomeState = {
 };
 export const useOutcome = heldWhileTyping<OutcomeState>(() => none, "result");
 
-/** A cycle with its moves, or in a program without cycles any move, turned or milled. */
+/** True for a cycle with moves, or in a program without cycles for any move, turned or milled. */
 const makesPath = (made: Made | null) => {
   if (!made) return false;
   const { operations, steps, plane } = made.run;
@@ -86,7 +83,7 @@ const makesPath = (made: Made | null) => {
     : operations.some((o) => o.plan.moves.length > 0);
 };
 
-/** Whether a result takes the place of the one that is shown. */
+/** Whether a result replaces the shown one. */
 const replaces = (made: Made, { shown, keeps }: Pick<OutcomeState, "shown" | "keeps">): boolean =>
   !makesPath(shown) || (!keeps && makesPath(made));
 
@@ -96,7 +93,7 @@ function settled(s: OutcomeState): OutcomeState {
   return { ...s, pictured, dimmed: pictured !== null && (s.paused || s.keeps || pictured !== (planned ?? newest)) };
 }
 
-/** Takes a result in, unless a newer one is already there. */
+/** Stores a result, unless there is a newer one. */
 export function takeOutcome(outcome: Outcome): void {
   useOutcome.setState((s) => {
     if (s.newest && s.newest.version >= outcome.version) return s;
@@ -105,26 +102,26 @@ export function takeOutcome(outcome: Outcome): void {
   });
 }
 
-/** Takes in what is planned, unless something newer is already there. */
+/** Stores a planned run, unless there is a newer result. */
 export const takePlanned = (planned: Planned): void =>
   useOutcome.setState((s) =>
     Math.max(s.planned?.version ?? 0, s.newest?.version ?? 0) < planned.version ? settled({ ...s, planned }) : s,
   );
 
-/** Shows the beginning of a program as long as there is nothing else to look at. */
+/** Shows the beginning of a program while there is no other result. */
 export function showBeginning(outcome: Outcome): void {
   useOutcome.setState((s) =>
     s.shown || !makesPath(outcome) ? s : settled({ ...s, shown: { ...outcome, isBeginning: true } }),
   );
 }
 
-/** What is said of the calculation: what it is at, whether it was stopped, and whether it waits for values. */
+/** Sets the shown progress: the stage, whether it was stopped, and whether values are missing. */
 export const showProgress = ({ stage, stopped, paused }: Pick<OutcomeState, "stage" | "stopped" | "paused">): void =>
   useOutcome.setState((s) =>
     s.stage === stage && s.stopped === stopped && s.paused === paused ? s : settled({ ...s, stage, stopped, paused }),
   );
 
-/** A block of the text is half typed, or no longer: then what was calculated meanwhile is shown. */
+/** Holds the picture while a block of the text is half typed; afterwards the newest result is shown. */
 export const holdPicture = (keeps: boolean): void =>
   useOutcome.setState((s) => {
     if (s.keeps === keeps) return s;
@@ -133,7 +130,7 @@ export const holdPicture = (keeps: boolean): void =>
     return settled({ ...now, shown: newest && replaces(newest, now) ? newest : s.shown });
   });
 
-/** Another cycle or program: its first picture must not be that of the one before. */
+/** Clears the result for another cycle or program, which must not show the previous picture. */
 export function forgetOutcome(): void {
   chooseFinding(null);
   clearSelection();

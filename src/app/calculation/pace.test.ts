@@ -22,7 +22,7 @@ test.each<[runs: readonly number[], quick: boolean]>([
   [[1.3, 61.2, 61.2], true],
   [[1.3, 61.2, 61.2, 61.2], false],
   [[61.2, 61.2, 61.2, 59.4], true],
-])("of the last three runs of a short text one has to be quick: %j is %j", (runs, quick) => {
+])("one of the last three runs of a short text has to be quick: %j is %j", (runs, quick) => {
   expect(isQuick(onPage(runs), 17, false)).toBe(quick);
 });
 
@@ -47,7 +47,7 @@ test.each<[characters: number, took: number, may: boolean]>([
   expect(mayWarmUp(characters, took)).toBe(may);
 });
 
-test("the first run in the worker is the pace of a work, the files beside it are of its length", () => {
+test("the first run in the worker sets the pace of a work, and its other files count to its length", () => {
   expect(inWorker([1311.4, 9.3])).toMatchObject({ first: 1311.4, isKnown: false });
   expect(inWorker([60, 1311.4])).toMatchObject({ first: 60, isKnown: true });
   expect(lengthOf({ text: "L X+3.5", files: [{ name: "B.H", text: "M30" }] })).toBe(10);

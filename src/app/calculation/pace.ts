@@ -3,22 +3,25 @@ import type { Request } from "./request.ts";
 
 /** How fast the open work is planned. */
 export interface Pace {
-  /** What its last runs took, on the page or in the worker, ms. The quickest counts: others had to wait for something. */
+  /** Times of its last runs, on the page or in the worker, ms. The quickest counts: others may have been delayed. */
   readonly runs: readonly number[];
-  /** What its first run took in the worker, ms. */
+  /** Time of its first run in the worker, ms. */
   readonly first: number;
-  /** A long text has been planned on the page at rest, or its first run was quick: one of which nothing is known could halt it. */
+  /**
+   * A long text has been planned on the page while idle, or its first run was quick: an unmeasured one could block the
+   * page.
+   */
   readonly isKnown: boolean;
 }
 
-/** The pace of a work that was never run. */
+/** The pace of a work that has not been run. */
 export const UNKNOWN_PACE: Pace = { runs: [], first: Infinity, isKnown: false };
 
-/** Runs that decide whether the page plans, and whether a digit is drawn before its path. */
+/** Number of runs that decide whether the page plans, and whether a digit is drawn before its path. */
 const LAST = 3,
   LAST_SLOW = 4;
 
-/** Characters of a program and of all that it can call. */
+/** Characters of a program and of the files it can call. */
 export const lengthOf = ({ text, files = [] }: Pick<Request, "text" | "files">): number =>
   files.reduce((sum, file) => sum + file.text.length, text.length);
 
@@ -36,8 +39,8 @@ export function withRunInWorker(pace: Pace, took: number): Pace {
 }
 
 /**
- * Whether a text of a length is quickly planned. Of a long one that the page has not planned yet all of the last runs
- * have to be quick, and none is while it is planned ahead; of any other text one of them.
+ * Whether a text of this length is planned quickly. A long one not yet planned on the page needs all of the last runs
+ * to be quick, and is never quick while it is planned ahead; any other text needs one.
  */
 export function isQuick({ runs, isKnown }: Pace, characters: number, isPlannedAhead: boolean): boolean {
   const isFamiliar = characters <= PLANNING.short || isKnown;
@@ -47,12 +50,12 @@ export function isQuick({ runs, isKnown }: Pace, characters: number, isPlannedAh
 }
 
 /**
- * True where a digit is drawn before its path is planned: two of the last runs took longer than anybody waits for a
- * digit. One may have had to wait for something, and what was taken back is known and quick.
+ * Whether a digit is drawn before its path is planned: two of the last runs exceeded the limit for a digit. One may
+ * have been delayed, and a value that was undone is cached and quick.
  */
 export const isSlow = ({ runs }: Pace): boolean => (runs.toSorted((a, b) => b - a)[1] ?? 0) > PLANNING.withDigit;
 
-/** Whether a work that was run once may be planned on the page ahead of its first key. */
+/** Whether the page may plan a work ahead, after its first run. */
 export const mayWarmUp = (characters: number, took: number): boolean =>
   characters <= PLANNING.short
     ? took <= PLANNING.warmUp

@@ -11,7 +11,7 @@ const programs = import.meta.glob<string>(["../../../tests/programs/**/*.h", "..
   eager: true,
 });
 
-/** A name of the list by its end. */
+/** A program of the list by the end of its path. */
 const program = (name: string): string => Object.entries(programs).find(([path]) => path.endsWith(name))?.[1] ?? "";
 
 const requestOf = (text: string) => ({
@@ -35,7 +35,7 @@ test.each(
   expect(simulation.blank).toEqual(made.run.blank);
 });
 
-/** A number of a program becomes another one. */
+/** Changes one number of a program. */
 function changed(text: string, which: number, by: number): string {
   const places = [...text.matchAll(/(?<=(?:Q\d+=|[XZD])[+-]?)\d+(?:\.\d+)?/g)];
   const place = places[which % Math.max(1, places.length)];
@@ -43,14 +43,14 @@ function changed(text: string, which: number, by: number): string {
   return `${text.slice(0, place.index)}${Math.abs(Number(place[0]) + by).toFixed(3)}${text.slice(place.index + place[0].length)}`;
 }
 
-/** A line of a program goes away, or another one comes before it. */
+/** Removes a line of a program, or inserts lines before it. */
 function otherLines(text: string, which: number, ...added: readonly string[]): string {
   const lines = text.split("\n");
   lines.splice(2 + (which % Math.max(1, lines.length - 4)), added.length === 0 ? 1 : 0, ...added);
   return lines.join("\n");
 }
 
-/** The text after one more change; the last of `before` is the one now. */
+/** The text after one more change; the last of `before` is the present one. */
 function edited(before: readonly string[], [kind, which, by]: readonly [string, number, number]): string {
   const text = before.at(-1) ?? "";
   if (kind === "undo") return before[Math.max(0, before.length - 2 - (which % 3))] ?? text;
@@ -77,7 +77,7 @@ test.each(["flange.h", "shaft.h", "turn-blank.h", "turn-traced.h", "turn-datum.h
         plan(requestOf(program(name)));
         for (const change of changes) {
           texts.push(edited(texts, change));
-          // Each request of the page comes to the worker as a copy.
+          // Each request of the page arrives at the worker as a copy.
           const request = structuredClone(requestOf(texts.at(-1) ?? ""));
           expect(plan(request)).toEqual(planned(request));
         }
@@ -88,10 +88,10 @@ test.each(["flange.h", "shaft.h", "turn-blank.h", "turn-traced.h", "turn-datum.h
   60_000,
 );
 
-/** All programs that ship or are held by tests, right and wrong ones: labels, jumps, calls, free contours, milling. */
+/** All example programs and those of the tests, right and wrong ones: labels, jumps, calls, free contours, milling. */
 const all = Object.values(programs);
 
-/** Another digit in any block, as somebody types it: numbers, labels, words of any kind. */
+/** Types another digit in any block: numbers, labels, words of any kind. */
 function typed(text: string, which: number, digit: number): string {
   const places = [...text.matchAll(/(?<=\D)\d+/g)];
   const place = places[which % Math.max(1, places.length)];
@@ -100,7 +100,7 @@ function typed(text: string, which: number, digit: number): string {
   return digit < 3 ? text.slice(0, end - 1) + text.slice(end) : `${text.slice(0, end)}${digit}${text.slice(end)}`;
 }
 
-test("typed digit by digit any program is planned as it is when it is planned anew", () => {
+test("typed digit by digit, any program gets the same plan as from scratch", () => {
   const digits = fc.array(fc.tuple(fc.nat(9973), fc.nat(9), fc.boolean(), fc.nat(3)), { minLength: 2, maxLength: 5 });
   fc.assert(
     fc.property(fc.constantFrom(...all), digits, (text, changes) => {
@@ -110,7 +110,7 @@ test("typed digit by digit any program is planned as it is when it is planned an
       for (const [which, digit, isUndone, bits] of changes) {
         texts.push(isUndone ? (texts.at(-2) ?? text) : typed(texts.at(-1) ?? text, which, digit));
         const request = requestOf(texts.at(-1) ?? "");
-        // At rest a part of any state may have been planned before.
+        // While idle a part of any state may have been planned before.
         for (let bit = 0; bit < bits; bit += 1) plan.part(requestOf(texts.at(bit % texts.length) ?? ""), () => false);
         expect(plan(request)).toEqual(planned(request));
       }
@@ -119,7 +119,7 @@ test("typed digit by digit any program is planned as it is when it is planned an
   );
 }, 60_000);
 
-test("planned bit by bit any program is planned as it is in one piece, and a long one in many bits", () => {
+test("planned bit by bit, any program gets the same plan as in one piece, and a long one takes many bits", () => {
   const bitsOf = (text: string) => {
     const plan = planner(),
       request = requestOf(text);
@@ -134,7 +134,7 @@ test("planned bit by bit any program is planned as it is in one piece, and a lon
   const bits = all.map(bitsOf);
   expect(bits.filter((count) => count > 3).length).toBeGreaterThan(10);
   expect(bitsOf(program("shaft.h"))).toBeGreaterThan(8);
-  // A change in between is planned as well.
+  // A change in between is planned correctly.
   const plan = planner(),
     text = program("shaft.h");
   for (let bit = 0; bit < 5; bit += 1) expect(plan.part(requestOf(text), () => false)).toBeNull();
@@ -142,7 +142,7 @@ test("planned bit by bit any program is planned as it is in one piece, and a lon
   expect(plan(other)).toEqual(planned(other));
 }, 60_000);
 
-test("what a change leaves as it is is not planned again", () => {
+test("unchanged operations are not planned again", () => {
   const plan = planner();
   const text = program("turn-blank.h");
   const before = plan(requestOf(text)).run.operations;
@@ -154,7 +154,7 @@ test("what a change leaves as it is is not planned again", () => {
   );
 });
 
-test("an unchanged operation keeps its very steps, also when a change is taken back", () => {
+test("an unchanged operation keeps its identical steps, also after an undone change", () => {
   const plan = planner();
   const text = program("flange.h");
   const other = text.replace(/Q460=\+\d+(?![\s\S]*Q460=)/, "$&.37");
@@ -168,13 +168,13 @@ test("an unchanged operation keeps its very steps, also when a change is taken b
   expect(before?.operations.length).toBeGreaterThan(3);
 });
 
-/** The program with another oversize in one of its cycles. */
+/** The program with a different oversize in one of its cycles. */
 const otherOversize = (text: string, which: number, digits: string): string => {
   let count = -1;
   return text.replace(/Q484=\+[\d.]+/g, (given) => ((count += 1) === which ? `Q484=+0.${digits}` : given));
 };
 
-test.each([1, 4, 7])("what comes before a change of operation %i is not run again", (which) => {
+test.each([1, 4, 7])("operations before a change of operation %i are not run again", (which) => {
   const plan = planner();
   const text = program("flange.h");
   const before = plan(requestOf(text)).run.operations;
@@ -182,7 +182,7 @@ test.each([1, 4, 7])("what comes before a change of operation %i is not run agai
   expect(after.map((operation, i) => operation === before[i])).toEqual(before.map((_, i) => i < which));
 });
 
-test("what was said of a contour at the end stands at its new line when a block before it loses one", () => {
+test("a finding of a contour at the end moves to its new line when a block before it loses one", () => {
   const plan = planner();
   const text = program("flange.h").replace(/^74 L X\+20(\r?\n)/m, "74 L X+20$1CHF 1.3$1");
   const before = plan(requestOf(text));
@@ -194,7 +194,7 @@ test("what was said of a contour at the end stands at its new line when a block 
   expect(lineOf(after)).toBe(lineOf(before) - 1);
 });
 
-test("what was not run again for a long time is still known", () => {
+test("steps that were not run again for a long time are still cached", () => {
   const plan = planner();
   const text = program("flange.h");
   const { steps, operations } = plan(requestOf(text)).run;
@@ -207,7 +207,7 @@ test("what was not run again for a long time is still known", () => {
     expect(known(at).every((step, i) => step === steps[(operations[at]?.firstStep ?? 0) + i])).toBe(true);
 });
 
-test("a tool that changes is another tool, and one that comes as a copy is the same", () => {
+test("a changed tool is another tool, and a copy of a tool is the same", () => {
   const plan = planner();
   const request = requestOf(program("flange.h"));
   const first = plan(structuredClone(request)).run.operations[0];

@@ -12,13 +12,13 @@ import { tracing } from "../../sim/tracing.ts";
 import type { Planned, Stage } from "./outcome.ts";
 import type { Request } from "./request.ts";
 
-/** What reads, and what may be known of runs before. */
+/** The parser, and what may be known of previous runs. */
 interface By extends Pick<Shop, "tracing" | "memory"> {
   readonly read: (text: string) => Program;
 }
 const FRESH: By = { tracing, read: parse };
 
-/** Reads a request and runs it; a run that does not come to its end is none. */
+/** Reads a request and runs it; null if the run is not finished. */
 function planBy(
   request: Request,
   atStage: (stage: Stage) => void,
@@ -47,23 +47,23 @@ function planBy(
 
 const silent = () => undefined;
 
-/** From the program text to its moves: what the page and the worker do alike. `atStage` is told what it begins. */
+/** From the program text to its moves, for page and worker alike. `atStage` is called as each stage begins. */
 export const planned = (request: Request, atStage: (stage: Stage) => void = silent): Planned =>
   planBy(request, atStage, FRESH, run) ?? never("a run without an end", request);
 
-/** Plans one state of a work after the other. */
+/** Plans successive states of a work. */
 interface Planner {
   (request: Request, atStage?: (stage: Stage) => void): Planned;
   /**
-   * Plans a bit of a request more, as long as `goesOn` says so where it can be left; null while it has not come to its
-   * end.
+   * Continues planning a request while `goesOn` returns true at each point where it can pause; null until it is
+   * finished.
    */
   readonly part: (request: Request, goesOn: () => boolean) => Planned | null;
 }
 
 /**
- * Begins to plan a work: blocks that stay the same are not read again, what comes before the first that is another is
- * not run again, and cycles that stay the same are not planned again. What comes is the same as of `planned`.
+ * A planner for one work: unchanged blocks are not parsed again, nothing before the first change is run again, and
+ * unchanged cycles are not planned again. The result equals that of `planned`.
  */
 export function planner(memory = new Answers()): Planner {
   const runs = runningAgain();

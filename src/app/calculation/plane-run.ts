@@ -2,7 +2,7 @@ import type { ApproachRun } from "../../program/tools/plane-types.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import { planeScene, type PlaneScene } from "../../view/approach/plane-scene.ts";
 
-/** What the working plane shows of a run. */
+/** A run as the working plane shows it. */
 interface PlaneOfRun {
   readonly approaches: readonly ApproachRun[];
   readonly scene: PlaneScene;
@@ -10,7 +10,7 @@ interface PlaneOfRun {
 
 const known = new WeakMap<Run, PlaneOfRun>();
 
-/** Approaches and lines of a run in the working plane; made once of each run. */
+/** Approaches and lines of a run in the working plane, cached per run. */
 export function planeOfRun(run: Run): PlaneOfRun {
   const have = known.get(run);
   if (have) return have;

@@ -14,7 +14,7 @@ function playing(rate: number) {
   return { clock, store };
 }
 
-test("machine time passes as the clock does, times the rate", () => {
+test("machine time passes with the clock, times the rate", () => {
   const { clock, store } = playing(2);
   clock.advance(1250);
   expect(store.get().position.step).toBe(1);
@@ -51,14 +51,14 @@ test("without motion only ends of moves are shown while it plays", () => {
   expect(store.shown().fraction).toBeCloseTo(0.5, 6);
 });
 
-test("what is read changes no oftener than it can be read while it plays, and at once with a press and at the end", () => {
+test("read-outs update at a readable rate while it plays, and at once after a click and at the end", () => {
   const { clock, store } = playing(1);
   let looked = 0,
     read = 0;
   store.subscribe(() => (looked += 1));
   store.subscribeReader(() => (read += 1));
   clock.advance(1001);
-  // A picture every 16 ms; of those every eighth one is 120 ms or more after the one that was read before.
+  // A frame every 16 ms: every eighth one is at least 120 ms after the last read-out.
   expect(looked).toBe(63);
   expect(read).toBe(7);
   store.dispatch({ do: "seekSeconds", seconds: 0.31 });
@@ -71,7 +71,7 @@ test("what is read changes no oftener than it can be read while it plays, and at
   expect(read).toBe(beforeEnd + 1);
 });
 
-test("another work begins at its start and at rest, the same one goes on where it stands", () => {
+test("another work starts at its beginning and paused, the same one continues where it is", () => {
   const { clock, store } = playing(1),
     other = trackOf([{ seconds: 4 }, { seconds: 9 }]);
   store.playsOf("flange");

@@ -2,33 +2,30 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import { atStart, reduce, settled, trackOf, type Action, type Playback } from "../../view/playback.ts";
 import type { Clock } from "../base/clock.ts";
 
-/** A playback that runs on a clock, for anything on the page that shows or moves it. */
+/** A playback on a clock, for everything on the page that shows or moves it. */
 export interface PlaybackStore {
   readonly get: () => Playback;
   /** The position to show: without motion, only ends of moves while it plays. */
   readonly shown: () => PlayPosition;
-  /**
-   * The moment of the clock that the position belongs to, ms; null at rest, without motion, and where time does not
-   * pass by itself.
-   */
+  /** The clock time of the position, ms; null when paused, with reduced motion, or with a manual clock. */
   readonly since: () => number | null;
   /** Whether time passes by itself. */
   readonly flows: boolean;
   readonly dispatch: (action: Action) => void;
-  /** Says whose run is played from now on: another work begins at its start, the same one goes on where it stands. */
+  /** Sets the work that is played: another work starts at its beginning, the same one continues where it is. */
   readonly playsOf: (work: string | null) => void;
-  /** Calls after each change; returns what ends it. */
+  /** Calls after each change; returns a function that unsubscribes. */
   readonly subscribe: (listener: () => void) => () => void;
-  /** The same for what is read and not looked at: while it plays, no oftener than it can be read. */
+  /** The same for read-outs: while it plays, no oftener than they can be read. */
   readonly subscribeReader: (listener: () => void) => () => void;
-  /** Motion as usual, or from end of move to end of move. */
+  /** Reduced motion: only the ends of moves are shown. */
   readonly setStill: (still: boolean) => void;
 }
 
-/** Numbers that change oftener than this cannot be read, ms; each change of a text costs the page a layout. */
+/** Shortest readable interval of changing numbers, ms; each change of a text costs the page a layout. */
 const READABLE = 120;
 
-/** A new playback of an empty run. Time passes only while it plays, by the clock's pictures. */
+/** A new playback of an empty run. Time passes only while it plays, by the clock's frames. */
 export function createPlaybackStore(clock: Clock): PlaybackStore {
   let state = atStart(trackOf([]));
   let still = false;
@@ -57,7 +54,7 @@ export function createPlaybackStore(clock: Clock): PlaybackStore {
     if (next === state) return;
     state = next;
     for (const listener of [...listeners]) listener();
-    // What a press does is read at once, and where the playing ends.
+    // Read-outs update at once after a click and at the end of the playback.
     if (isTick && next.playing && last - read < READABLE) return;
     read = last;
     for (const reader of [...readers]) reader();

@@ -12,11 +12,11 @@ interface Milled {
 }
 const known = new WeakMap<Outcome, Milled | null>();
 
-/** Cutting takes turns with what else is asked here, ms. */
+/** Slice of cutting between other requests to the worker, ms. */
 const SLICE = 12;
 const turn = (): Promise<void> => new Promise((done) => setTimeout(done, 0));
 
-/** Cuts until nothing is left to be cut, or another outcome is what is asked about. */
+/** Cuts until all is cut, or another result is requested. */
 async function cutAll(outcome: Outcome, { stock }: Milled): Promise<void> {
   while (asked === outcome && !cutFor(stock, SLICE)) await turn();
 }
@@ -34,15 +34,13 @@ function milledOf(outcome: Outcome): Milled | null {
   return milled;
 }
 
-/** Waits until it is cut as far as a motion; false when something else is asked about before. */
+/** Waits until all motions before a step are cut; false if another result is requested first. */
 async function reaches(outcome: Outcome, { stock }: Milled, step: number): Promise<boolean> {
   while (asked === outcome && stock.reached() < Math.min(step, outcome.run.plane.length)) await turn();
   return asked === outcome;
 }
 
-/**
- * Paints the milled stock of an outcome as it stands at a position; null when something else was asked about meanwhile.
- */
+/** Paints the milled stock of a result at a position; null if another result was requested meanwhile. */
 export async function milledPicture(
   outcome: Outcome,
   look: MilledLook,
@@ -55,7 +53,7 @@ export async function milledPicture(
   return painted(look.origin, look.ratio, (pen) => painter.all(pen, look));
 }
 
-/** Paints it as it plays. Answers when the first picture is seen; false when it cannot be. */
+/** Paints the milled stock during playback. Resolves after the first frame; false if it cannot be painted. */
 export async function playMilling(
   outcome: Outcome,
   on: PlayedOn,

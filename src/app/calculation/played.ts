@@ -15,8 +15,8 @@ import { surfacesOfRun } from "./moving.ts";
 import type { Outcome } from "./outcome.ts";
 
 /**
- * How a run is played: so many machine seconds were over at a moment of the day, ms since 1970, and so many pass in a
- * second.
+ * The course of a playback: `seconds` of machine time at the time `since` (ms since 1970), and `rate` machine seconds
+ * per second.
  */
 export interface PlayedCourse {
   readonly seconds: number;
@@ -24,7 +24,7 @@ export interface PlayedCourse {
   readonly rate: number;
 }
 
-/** Where it is painted: a canvas by its name, which is sent the first time. */
+/** The canvas of a playback, by its name; the canvas itself is sent the first time. */
 export interface PlayedOn {
   readonly name: string;
   readonly canvas: OffscreenCanvas | null;
@@ -54,7 +54,7 @@ function playableOf(outcome: Outcome): Playable {
   return made;
 }
 
-/** The work and what stands round it, painted for another look. */
+/** Pictures of the stock and of what is around it, for another look. */
 export interface StockPictures {
   readonly work: ImageBitmap;
   readonly shop: ImageBitmap;
@@ -63,7 +63,7 @@ export interface StockPictures {
 const sized = ({ width, height }: Patch, ratio: number) =>
   [Math.round(width * ratio), Math.round(height * ratio)] as const;
 
-/** A part of a picture, painted on a canvas of its own. */
+/** Paints a part of a picture on its own canvas. */
 export function painted(
   part: Patch,
   ratio: number,
@@ -75,7 +75,7 @@ export function painted(
   return canvas.transferToImageBitmap();
 }
 
-/** Paints an outcome as it stands at a position. */
+/** Paints a result at a position. */
 export function stockPictures(outcome: Outcome, look: StockLook, position: PlayPosition): StockPictures {
   const painter = stockPainter(playableOf(outcome).run);
   painter.goTo(position);
@@ -85,23 +85,20 @@ export function stockPictures(outcome: Outcome, look: StockLook, position: PlayP
   };
 }
 
-/**
- * A canvas of more pixels than this is painted for every second picture: the browser lays all of it again under what
- * else is there.
- */
+/** A larger canvas is painted every second frame only, since the browser composites all of it again, pixels. */
 const MOST_EACH = 2_000_000;
 
-/** The canvas that was handed over last, by its name. */
+/** The canvas that was transferred last, by its name. */
 const here = new Map<string, OffscreenCanvas>();
-/** A play ends where the next one begins. */
+/** A playback ends when the next one begins. */
 const begin = onlyNewest();
 
-/** Nothing is painted any more. */
+/** Stops painting. */
 export const stopPlaying = (): void => void begin();
 
 const picture = (): Promise<number> => new Promise((done) => requestAnimationFrame(done));
 
-/** What is painted as it plays. */
+/** What is painted during playback. */
 interface Played<Look> {
   readonly painter: Pick<StockPainter, "goTo"> & {
     readonly all: (pen: OffscreenCanvasRenderingContext2D, look: Look) => void;
@@ -111,8 +108,8 @@ interface Played<Look> {
 }
 
 /**
- * Paints what plays, picture after picture, until something else is to be painted or nothing. Answers when the first
- * picture is seen; false when the canvas is not known here. `until` waits until a step can be painted.
+ * Paints frame after frame until another playback begins or painting is stopped. Resolves after the first frame; false
+ * if the canvas is unknown. `until` waits until a step can be painted.
  */
 export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio">>(
   { painter, track }: Played<Look>,
@@ -147,7 +144,7 @@ export async function playPainted<Look extends Pick<StockLook, "origin" | "ratio
   return isNewest();
 }
 
-/** The same of the turned stock of an outcome. */
+/** The same for the turned stock of a result. */
 export function play(outcome: Outcome, on: PlayedOn, look: StockLook, course: PlayedCourse): Promise<boolean> {
   const { run, track } = playableOf(outcome);
   return playPainted({ painter: stockPainter(run), track }, on, look, course);

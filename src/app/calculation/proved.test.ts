@@ -16,7 +16,7 @@ const requestOf = (text: string, version: number) => ({
   control: "TNC7" as const,
 });
 
-/** Values of the last, of the first and of the middle cycle change, and the first change is taken back. */
+/** Changes values of the last, the first and the middle cycle, and undoes the first change. */
 const texts = [
   flange,
   flange.replace(/Q460=\+\d+(?![\s\S]*Q460=)/, "$&.37"),
@@ -25,7 +25,7 @@ const texts = [
   flange,
 ];
 
-test("what is sent beside what the page has makes the whole simulation again", () => {
+test("the transferred part and what the page has make the whole simulation again", () => {
   const by = makersAgain();
   let last: Outcome | null = null;
   const shown: { simulation: Simulation }[] = [];
@@ -45,14 +45,14 @@ test("what is sent beside what the page has makes the whole simulation again", (
   expect(kept[2]).toBeLessThan(marks[2] ?? 0);
 });
 
-test("nothing is taken for known that the page does not have", () => {
+test("nothing is left out that the page does not have", () => {
   const { simulation } = engine.update(requestOf(flange, 3));
   const sent = provedBeside(simulation, []);
   expect(sent.kept).toBe(0);
   expect(simulationOf(sent, simulation, null)).toEqual(simulation);
 });
 
-test("marks are left out only beside the very answer that the page has", () => {
+test("checkpoints are left out only if the page has that very answer", () => {
   const work = openWork();
   const kept = [null, 1, 7, 3].map((has, i) => work.proved(requestOf(flange, i + 1), has).kept > 0);
   expect(kept).toEqual([false, true, false, true]);

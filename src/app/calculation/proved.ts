@@ -1,14 +1,14 @@
 import type { Run } from "../../program/state/run-types.ts";
 import type { Checkpoint, Simulation } from "../../sim/simulation.ts";
 
-/** A simulation without what the page has of it: its run, and the first marks of the one before. */
+/** A simulation without what the page already has: its run, and the first checkpoints of the previous one. */
 export interface Proved extends Omit<Simulation, "blank" | "steps"> {
-  /** How many of the marks before are marks of this one, and stand before those that are sent. */
+  /** Number of checkpoints of the previous simulation that are reused, in front of those that are sent. */
   readonly kept: number;
 }
 
 /**
- * What is sent of a simulation to a page that has the marks of the one before: unchanged marks are the very same
+ * The part of a simulation to send to a page that has the previous checkpoints: unchanged checkpoints are identical
  * objects.
  */
 export function provedBeside(
@@ -20,7 +20,7 @@ export function provedBeside(
   return { ...rest, kept, checkpoints: checkpoints.slice(kept) };
 }
 
-/** The whole of it again, with the run and the marks that the page has. */
+/** Restores the whole simulation from the run and the checkpoints that the page has. */
 export const simulationOf = (
   { kept, checkpoints, ...rest }: Proved,
   { blank, steps }: Pick<Run, "blank" | "steps">,

@@ -36,7 +36,7 @@ const planned = (version: number, took = 1.3, what: Planned | "part" | null = ma
   made: what,
   took,
 });
-/** `pace`: what the run took in the worker, which made it. */
+/** `pace`: time of the run, if the worker made it. */
 const proved = (version: number, pace?: number): CalculationEvent => ({
   event: "proved",
   version,
@@ -83,13 +83,13 @@ function played(rows: readonly Row[], begin: readonly CalculationEvent[]): reado
 }
 
 const HERE = rested("planner");
-/** A short work is open, proved and planned on the page. */
+/** A short work is open, planned on the page and checked. */
 const OPEN = [HERE, edit(), planned(1), rested("picture"), proved(1)];
 /** Two plans of it were slow. */
 const SLOW = [...OPEN, key("3"), planned(2, 61.2), key("4"), planned(3, 60.7), rested("picture"), proved(3)];
-/** A key that the page has planned, and the worker proves. */
+/** The page has planned a key, and the worker checks it. */
 const PROVING = [...OPEN, key("3"), planned(2), rested("picture")];
-/** A long work is open, of which nothing is planned on the page yet. */
+/** A long work is open and not yet planned on the page. */
 const LONG_OPEN = [HERE, edit(LONG), planned(1), proved(1, 1311.4)];
 
 test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[]]>([
@@ -99,7 +99,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     [[edit(), "worker proves 1"], [began(1, "running")], [proved(1, 9.4), "result 1"]],
   ],
   [
-    "what is quickly planned is planned on the page at once, and proved behind its picture with that run",
+    "a quick text is planned on the page at once, and checked with that run after its frame",
     [HERE],
     [
       [edit(), "page plans 1"],
@@ -109,11 +109,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
       [key("3"), "page plans 2"],
     ],
   ],
-  [
-    "nothing is calculated twice, unless it is wanted again",
-    OPEN,
-    [[edit()], [edit(SHORT, { again: true }), "page plans 2"]],
-  ],
+  ["nothing is calculated twice, except on request", OPEN, [[edit()], [edit(SHORT, { again: true }), "page plans 2"]]],
   [
     "another table of tools is another calculation of the same text",
     OPEN,
@@ -151,7 +147,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "where the worker fails what waits is begun with another one",
+    "when the worker fails, the queued text goes to a new one",
     [edit(), key("3")],
     [
       [{ event: "failed", version: 1 }, "sayFailed, stopWorker, worker proves 2"],
@@ -160,7 +156,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "the late answer of a work that was left counts for nothing",
+    "the late answer of a closed work is ignored",
     [edit()],
     [
       [left, "forget, wait for leftWork 400"],
@@ -172,7 +168,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "another work leaves the one before, which is given up when it takes long",
+    "another work closes the previous one, which is given up after a time limit",
     [edit()],
     [
       [edit("M30\n", { of: "shaft" }), "forget, wait for leftWork 400"],
@@ -182,27 +178,27 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "a work that is left while its path is only planned is not proved",
+    "a work that is closed while its path is only planned is not checked",
     [edit(HUGE), left],
     [[proved(1, 9.4)], [planned(1)]],
   ],
   [
-    "what is incomplete waits for nothing, and is calculated when the same values come again",
+    "incomplete values drop the queued text, which is calculated when the same values come again",
     [edit(), key("3")],
     [[edit(null)], [proved(1, 9.4), "result 1"], [key("3"), "worker proves 3"]],
   ],
   [
-    "what was calculated before values were emptied is known when they come again",
+    "a result from before values were emptied is kept for when they come again",
     OPEN,
     [[edit(null)], [edit()], [key("3"), "page plans 2"]],
   ],
   [
-    "what still has to be fetched is not calculated, but the work before it is left",
+    "a work that still needs a fetch is not calculated, but the previous work is closed",
     OPEN,
     [[{ event: "edited", of: "shaft", isVeiled: false }, "forget"]],
   ],
   [
-    "stopped by the operator nothing goes on, and late answers count for nothing",
+    "stopped by the operator, nothing continues, and late answers are ignored",
     [edit(), key("3")],
     [[cancelled, "stopWorker"], [proved(1, 9.4)], [key("3")], [edit(SHORT, { again: true }), "worker proves 3"]],
   ],
@@ -225,7 +221,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     [[left, "forget"], [rested("quiet")], [edit("M30\n", { of: "shaft" }), "worker proves 2"]],
   ],
   [
-    "what a task asks first is never planned where it could be seen",
+    "an exercise that asks for a prediction is never planned where it could be seen",
     [HERE],
     [
       [edit(SHORT, { isVeiled: true }), "worker proves 1"],
@@ -234,7 +230,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "where two plans were slow the digit is drawn first, and of several in a row the last is planned",
+    "after two slow plans the digit is drawn first, and of several in a row only the last is planned",
     SLOW,
     [
       [key("5"), "wait for digit"],
@@ -246,12 +242,12 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "what waits for a digit is forgotten with its work, with its values, and when it is stopped",
+    "a text that waits for a digit is dropped with its work, with its values, and when stopped",
     [...SLOW, key("5")],
     [[edit(null)], [rested("digit")], [key("5"), "wait for digit"], [cancelled], [rested("digit")]],
   ],
   [
-    "what takes long is planned by the worker, and seen before it is proved",
+    "a slow text is planned by the worker, and shown before it is checked",
     [HERE],
     [
       [edit(LONG), "worker plans 1"],
@@ -260,7 +256,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "what is typed while something long is planned is planned next, and only that is proved",
+    "a text typed while a slow one is planned comes next, and only that is checked",
     [HERE, edit(LONG)],
     [
       [key("3", LONG)],
@@ -269,7 +265,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "of a huge text the beginning is shown while there is nothing else",
+    "a huge text shows its beginning while there is nothing else",
     [],
     [
       [edit(HUGE), "worker proves beginning of 1"],
@@ -280,7 +276,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "an opened work is planned at rest, share by share, the last time remembered, and once",
+    "an opened work is planned while idle, once: share by share, the last time cached",
     [HERE, edit(LONG.slice(0, 9000)), planned(1, 1.3, null)],
     [
       [proved(1, 211.4), "result 1, wait for rest"],
@@ -305,9 +301,9 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     [HERE, edit(), planned(1, 1.3, null), proved(1, 211.4)],
     [[rested("rest"), "page plans 0.25 of 1"], [planned(1, 601)], [rested("rest")]],
   ],
-  ["nothing is planned ahead that took long", [HERE, edit(LONG), planned(1)], [[proved(1, 4001), "result 1"]]],
+  ["a slow work is not planned ahead", [HERE, edit(LONG), planned(1)], [[proved(1, 4001), "result 1"]]],
   [
-    "what can be planned ahead is, as soon as the page can plan",
+    "a work is planned ahead as soon as the page can plan",
     [edit(), proved(1, 211.4)],
     [
       [HERE, "wait for rest"],
@@ -315,7 +311,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "a long text is planned at rest slice by slice, and on the page from then on",
+    "a long text is planned slice by slice while idle, and on the page from then on",
     LONG_OPEN,
     [
       [rested("rest"), "page plans 6 ms of 1"],
@@ -327,7 +323,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "what is typed into a long text before that is planned in slices, with the page answering in between",
+    "before that, a long text is planned in slices, and the page answers in between",
     LONG_OPEN.with(-1, proved(1, 1311.4)),
     [
       [key("3", LONG), "wait for slice"],
@@ -342,7 +338,7 @@ test.each<[what: string, begin: readonly CalculationEvent[], rows: readonly Row[
     ],
   ],
   [
-    "a long text whose first run took so long that nobody waits for it is planned by the worker until then",
+    "until then a long text with a slow first run is planned by the worker",
     [HERE, edit(LONG), planned(1), proved(1, 1511.4)],
     [[key("3", LONG), "worker plans 2"]],
   ],
@@ -357,19 +353,19 @@ test.each<[what: string, events: readonly CalculationEvent[], stage: string | nu
     ["the worker proves", [edit(), began(1, "proving")], "proving", false, false],
     ["a path waits for its picture", [HERE, edit(), planned(1)], "reading", false, false],
     ["a planned text is not run again", [...PROVING, began(2, "running")], "reading", false, false],
-    ["its proof is news", [...PROVING, began(2, "proving")], "proving", false, false],
+    ["the check of a planned text begins", [...PROVING, began(2, "proving")], "proving", false, false],
     ["a digit is drawn first", [...SLOW, key("5")], "reading", false, false],
     ["all is proved", OPEN, null, false, false],
-    ["the worker is at a work that was left", [edit(), left], null, false, false],
+    ["the worker calculates a closed work", [edit(), left], null, false, false],
     ["the next one waits for it", [edit(), edit("M30\n", { of: "shaft" })], "reading", false, false],
     ["the operator stopped it", [edit(), cancelled], null, true, false],
     ["it goes on", [edit(), cancelled, edit(SHORT, { again: true })], "reading", false, false],
     ["it failed", [edit(), { event: "failed", version: 1 }], null, true, false],
-    ["a left one failed", [edit(), left, { event: "failed", version: 1 }], null, false, false],
+    ["the calculation of a closed work failed", [edit(), left, { event: "failed", version: 1 }], null, false, false],
     ["values are missing", [...OPEN, edit(null)], null, false, true],
     ["they are there again", [...OPEN, edit(null), edit()], null, false, false],
   ],
-)("what is said when %s", (_, events, stage, stopped, paused) => {
+)("the shown progress when %s", (_, events, stage, stopped, paused) => {
   expect(progressOf(after(events))).toEqual({ stage, stopped, paused });
 });
 

@@ -16,9 +16,9 @@ import type { Outcome, Planned } from "./outcome.ts";
 import { isQuick, isSlow, lengthOf, mayWarmUp, withRun, withRunInWorker } from "./pace.ts";
 
 /*
- * What is calculated of the open work, when, and where: a state, events, and the effects that follow. The page plans
- * what it plans quickly, in the task of the key; the worker proves it, and plans the rest. Each text is ordered from one
- * of them first, and the worker is at one text at a time: of those that wait only the newest counts.
+ * Decides what is calculated of the open work, when and where: a state, events, and their effects. The page plans what
+ * it can plan quickly, in the task of the key; the worker checks it, and plans the rest. Each text is first ordered
+ * from one of them, and the worker has one text at a time: of those queued only the newest counts.
  */
 
 const and = ([state, effects]: Step, next: (state: Calculation) => Step): Step => {
@@ -26,18 +26,18 @@ const and = ([state, effects]: Step, next: (state: Calculation) => Step): Step =
   return [after, [...effects, ...more]];
 };
 
-/** Of a text longer than this its beginning is shown first, which is this long, characters. */
+/** A text longer than this shows its beginning first; length of that beginning. Both in characters. */
 const [LONG_TEXT, BEGINNING] = [1_000_000, 300_000];
 const beginningOf = (text: string): string => text.slice(0, text.lastIndexOf("\n", BEGINNING) + 1);
 
 /**
- * Browsers run slowly what they run for the first time, and the path of the first key is to come as soon as any other:
- * shares of an opened text are planned at rest, then all of it, which is remembered. A long one is planned in slices.
+ * Code runs slowly the first time, and the path of the first key must be as quick as any other: shares of an opened
+ * text are planned while idle, then all of it, which is cached. A long one is planned in slices.
  */
 const PARTS: readonly Part[] = [{ share: 0.25 }, { share: 0.5 }, { share: 0.75 }, { share: 1 }, "whole"];
 const SLICES: readonly Part[] = [{ slice: PLANNING.slice }];
 
-/** Has the worker begin with what it is to do next, where it is free. */
+/** Gives the worker its next text, if it is free. */
 function begin(state: Calculation): Step {
   const { next, worker, isShown } = state;
   if (!next || worker) return [state, []];
@@ -45,7 +45,7 @@ function begin(state: Calculation): Step {
   return orderFrom({ ...state, next: null, isStopped: false }, next, isLong ? "beginning" : "plan");
 }
 
-/** Orders the next thing of a text: its beginning, its run where nobody has that and it is not made soon, its proof. */
+/** Orders the next step for a text: its beginning, its run if that is missing and not quick, or its check. */
 function orderFrom(state: Calculation, queued: Queued, from: Ordered["at"]): Step {
   const { request, isVeiled, planned } = queued;
   const isPlannedFirst = !planned && !isVeiled && !isQuick(state.pace, lengthOf(request), state.warmUp !== null);
@@ -75,8 +75,8 @@ const orderWhen = (state: Calculation, queued: Queued, waits: "digit" | "slice")
 ];
 
 /**
- * Whether a long text that the page has not planned yet is planned there in slices, between which it answers: at once
- * it would halt, and so it would with an answer of the worker that is as large as its path.
+ * Whether the page plans a long text in slices, since it has not planned it yet: in one piece it would block the page,
+ * and so would a result of the worker as large as its path.
  */
 const isSliced = ({ canPlan, pace, warmUp }: Calculation, characters: number): boolean =>
   canPlan && warmUp !== null && !pace.isKnown && pace.first <= PLANNING.waitedFor && characters > PLANNING.short;
@@ -88,7 +88,7 @@ function edited(state: Calculation, wanted: Wanted & { readonly again?: boolean 
   const { of, isVeiled, request, again = false } = wanted;
   if (state.of !== null && state.of !== of) return and(left(state), (now) => edited(now, wanted));
   if (request === undefined) return [{ ...state, of }, []];
-  // What waits is not calculated: should the same values come again, it is.
+  // A queued text is dropped: it is calculated if the same values come again.
   const isUndone = request === null && (state.next !== null || state.page !== null);
   if (request === null)
     return [{ ...state, of, page: null, next: null, isPaused: true, request: isUndone ? null : state.request }, []];
@@ -101,7 +101,7 @@ function edited(state: Calculation, wanted: Wanted & { readonly again?: boolean 
   return isSlow(now.pace) ? orderWhen(now, queued, "digit") : orderOnPage(now, queued, null);
 }
 
-/** Another work, or none: nothing is known of it, and what is still being calculated is not of it. */
+/** Another work, or none: drops all results, and those of the running calculation. */
 function left(state: Calculation): Step {
   const worker = state.worker?.outcome ? null : state.worker;
   return [
@@ -127,11 +127,11 @@ function plannedOnPage(state: Calculation, page: Planning, told: PlannedEvent): 
   if (made === "part") return orderWhen(state, page, "slice");
   const isInSlices = page.waits === "slice";
   const now = isInSlices ? state : { ...state, pace: withRun(state.pace, took) };
-  // The worker comes to the same fault, and says so.
+  // The worker fails the same way and reports it.
   if (!made) return queue(now, { ...page, planned: null });
   const step: Step = [
     { ...now, page: null, next: { ...page, planned: made } },
-    // What was planned is drawn before it is sent to the worker, which takes a copy.
+    // The planned path is drawn before it is sent to the worker, which costs a copy.
     [
       { do: "show", planned: made, as: page.waits ? "typed" : "now" },
       { do: "wait", for: "picture" },
@@ -140,7 +140,7 @@ function plannedOnPage(state: Calculation, page: Planning, told: PlannedEvent): 
   return isInSlices ? and(step, (after) => inAllSlices(after, made)) : step;
 }
 
-/** A long text has been planned on the page: from now on that is quick. */
+/** A long text has been planned on the page: from now on planning is quick. */
 const inAllSlices = (state: Calculation, { run }: Planned): Step => [
   {
     ...state,
@@ -153,13 +153,13 @@ const inAllSlices = (state: Calculation, { run }: Planned): Step => [
 function plannedInWorker(state: Calculation, worker: Ordered, { made, version }: PlannedEvent): Step {
   if (!made || made === "part" || version <= state.left) return begin({ ...state, worker: null });
   const step: Step = [state, [{ do: "show", planned: made, as: "byItself" }]];
-  // What was typed meanwhile is planned before anything is proved.
+  // A text typed meanwhile is planned before anything is checked.
   return and(step, (now) =>
     now.next ? begin({ ...now, worker: null }) : orderFrom(now, { ...worker, planned: made }, "proof"),
   );
 }
 
-/** Goes on planning an opened work at rest, as long as each part is quick. */
+/** Continues planning an opened work while idle, as long as each part is quick. */
 function warmedUp(state: Calculation, warmUp: NonNullable<Calculation["warmUp"]>, { made, took }: PlannedEvent): Step {
   const [part, ...more] = warmUp.parts ?? [];
   if (made === "part") return [state, [{ do: "wait", for: "rest" }]];
@@ -169,7 +169,7 @@ function warmedUp(state: Calculation, warmUp: NonNullable<Calculation["warmUp"]>
   return [{ ...state, pace, warmUp: { ...warmUp, parts } }, parts.length > 0 ? [{ do: "wait", for: "rest" }] : []];
 }
 
-/** Begins to plan an opened work at rest, once. */
+/** Starts planning an opened work while idle, once. */
 function warmUpOf(state: Calculation, request: Text): Step {
   if (state.warmUp?.parts) return [state, []];
   if (!state.canPlan) return [{ ...state, warmUp: { request, parts: null } }, []];
@@ -186,7 +186,7 @@ function proved(state: Calculation, { version, outcome }: Told & { readonly even
   return state.isTyping ? [{ ...state, worker: { ...worker, outcome } }, []] : settled(state, worker.request, outcome);
 }
 
-/** Takes a whole result in, and learns from it what the text takes. */
+/** Takes in a whole result, and measures the pace of the text. */
 function settled(state: Calculation, request: Text, outcome: Outcome): Step {
   const now = { ...state, worker: null, isShown: true };
   const { pace: took } = outcome;
@@ -196,7 +196,7 @@ function settled(state: Calculation, request: Text, outcome: Outcome): Step {
   return and(isOpened ? and(step, (after) => warmUpOf(after, request)) : step, begin);
 }
 
-/** The worker is stopped over what it is at. */
+/** Stops the worker's current task. */
 const stopped = (state: Calculation): Step => and([{ ...state, worker: null }, [{ do: "stopWorker" }]], begin);
 
 function rested(state: Calculation, from: Wait): Step {
@@ -229,7 +229,7 @@ function rested(state: Calculation, from: Wait): Step {
   }
 }
 
-/** The next state of a calculation, and what is to be done. */
+/** The next state of a calculation, and its effects. */
 export function reduce(state: Calculation, event: CalculationEvent): Step {
   switch (event.event) {
     case "edited":
@@ -238,7 +238,7 @@ export function reduce(state: Calculation, event: CalculationEvent): Step {
       return [{ ...state, isTyping: true }, [{ do: "wait", for: "quiet", ms: event.pause }]];
     case "began": {
       const { worker } = state;
-      // Of a text that is planned already only its proof is news.
+      // For a planned text only the stage of its check is news.
       const isNews = worker?.request.version === event.version && (!worker.planned || event.stage === "proving");
       return [isNews ? { ...state, worker: { ...worker, stage: event.stage } } : state, []];
     }

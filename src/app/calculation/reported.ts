@@ -4,17 +4,17 @@ import { usedTools, type CalledAs } from "../../report/used-tools.ts";
 import { engine } from "./engine.ts";
 import type { Request } from "./request.ts";
 
-/** What a work comes to, to be compared with what it comes to elsewhere. */
+/** The report on a work, for comparison with that of another device. */
 export interface Reported {
   /** The report as `verify --json` prints it, with no times of the calculation: the same work gives the same text. */
   readonly text: string;
-  /** The tools that it takes to come to it; null where that cannot be told. */
+  /** The tools that it uses; null if they are not known. */
   readonly used: readonly CalledAs[] | null;
 }
 
 const NO_TIME = { parse: 0, plan: 0, simulate: 0 };
 
-/** The report on a program. Runs in the worker, which fetches it when it is first asked for. */
+/** The report on a program. Runs in the worker, which fetches this code on first use. */
 export function reported(request: Request, file: string): Reported {
   const { run, simulation } = engine.update(request);
   const made = report({ file, run, simulation, milliseconds: NO_TIME, tools: request.table.tools }, "en");

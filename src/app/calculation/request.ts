@@ -12,15 +12,15 @@ export interface Request {
   readonly text: string;
   /** Name of its file. */
   readonly name?: string;
-  /** The files beside it: what it can call. */
+  /** Its other files, which it can call. */
   readonly files?: readonly Pick<WorkFile, "name" | "text">[];
-  /** Blocks behind a skip mark are left out. */
+  /** Blocks with a skip mark are skipped. */
   readonly skipMarked?: boolean;
   /** The tools that the program can call. */
   readonly table: ShopTools;
   /** Rapid rate for times where the machine states none, mm/min. */
   readonly rapid: number;
-  /** What times are worked out with beside it; null or absent where nothing is known of the machine. */
+  /** Machine data for times; null or absent if unknown. */
   readonly machine?: MachineData | null;
   /** How APPR and DEP move in the tool axis. */
   readonly control: Control;

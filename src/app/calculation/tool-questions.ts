@@ -10,15 +10,15 @@ import type { Outcome } from "./outcome.ts";
 import { askAgain } from "./worker-life.ts";
 
 /*
- * What the worker is asked about tools: which of the table can do what is open, and which would take what an operation
- * left.
+ * Requests to the worker about tools: which of the table suit the open work, and which remove the residual material of
+ * an operation.
  */
 
 const calledOf = ({ cycle, tool, feedUnit, call }: Operation): Called => ({ cycle, tool, feedUnit, call });
 
 /**
- * What each tool of the table can do in place of the one that an operation called, best first; null when that cannot be
- * said.
+ * What each tool of the table can do in place of the one an operation called, best first; null if it cannot be
+ * calculated.
  */
 export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit[] | null> {
   try {
@@ -29,8 +29,8 @@ export async function fitsOfCall(operation: Operation): Promise<readonly ToolFit
 }
 
 /**
- * The tools of the table that would take what an operation left, the one that leaves least first; null when that cannot
- * be said.
+ * The tools of the table that would remove an operation's residual material, least left first; null if it cannot be
+ * calculated.
  */
 export async function remediesOf(operation: Operation, left: Residual): Promise<readonly Remedy[] | null> {
   try {
@@ -40,7 +40,7 @@ export async function remediesOf(operation: Operation, left: Residual): Promise<
   }
 }
 
-/** What each tool of the table can do with the values of a job, best first; null when that cannot be said. */
+/** What each tool of the table can do with the values of a job, best first; null if it cannot be calculated. */
 export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolFit[] | null> {
   const { operations } = outcome.run;
   const call = operations[0];
@@ -54,7 +54,7 @@ export async function fitsOf(job: Job, outcome: Outcome): Promise<readonly ToolF
   }
 }
 
-/** The same for a work that is not run: from its own start point. */
+/** The same for a work that has not been run, from its own start point. */
 export async function fitsOfWork(job: SetJob): Promise<readonly ToolFit[] | null> {
   try {
     return await askAgain((engine) => engine.fitsOfWork(job, toolTable().tools));

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
 
-/** True once something has gone on for a while, ms. */
+/** True once `goesOn` has been true for `after` ms. */
 export function useLong(goesOn: boolean, after: number): boolean {
   const [long, setLong] = useState(false);
   useEffect(() => {

@@ -6,7 +6,7 @@ import { stockIssues } from "../../sim/issues.ts";
 import { veil } from "./veil.ts";
 import file from "../../course/tasks/l20-start-inside.json";
 
-test("before anything was foretold nothing of the run is told, and the contours stay to be looked at", () => {
+test("before a prediction nothing of the run is shown, but the contours are", () => {
   const task = taskSchema.parse(file);
   const whole = { version: 7, ...answerOf(programOfLines(task.solution ?? [])) };
   const { run, simulation, version } = veil(whole);

@@ -1,8 +1,6 @@
 import type { Outcome } from "./outcome.ts";
 
-/**
- * What may be seen of a program before anything was foretold: its blank and its contours, and nothing of what it does.
- */
+/** The part of a result that may be seen before a prediction: blank and contours, but no run. */
 export function veil({ run, simulation, ...made }: Outcome): Outcome {
   const operations = run.operations.map((operation) => ({
     ...operation,

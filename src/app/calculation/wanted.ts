@@ -8,7 +8,7 @@ import { filesOf } from "../document/work.ts";
 import type { Wanted } from "./calculation-state.ts";
 import { rapidOf, USUAL_RAPID } from "./request.ts";
 
-/** What is to be calculated of what is open now; null where no work is open, or none that is known. */
+/** Input of the calculation from the open work; null if no work is open, or its cycle is unknown. */
 export function wantedNow(): Wanted | null {
   const { job, program, work } = useEditor.getState();
   const read = job && readJob(job);
@@ -18,7 +18,7 @@ export function wantedNow(): Wanted | null {
   if (program) {
     const { text, name, skipMarked = false } = program;
     const of = `${work} ${fileKey(name)}`;
-    // A whole program is calculated as it stands, right or wrong.
+    // A whole program is always calculated, also with errors.
     const request = () => ({ text, name, files: filesOf(program), skipMarked, rapid: USUAL_RAPID, ...shop() });
     return { of, isVeiled, ...(machine !== undefined && { request: request() }) };
   }

@@ -10,7 +10,7 @@ const programs = import.meta.glob<string>("../../../tests/programs/**/*.h", {
   eager: true,
 });
 
-test("motions of milling programs arrive as they were sent", () => {
+test("motions of milling programs arrive unchanged", () => {
   const milled = Object.values(programs)
     .map(
       (text) =>

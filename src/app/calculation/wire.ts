@@ -2,23 +2,23 @@ import { transferHandlers } from "comlink";
 import type { PlaneStep, Spot } from "../../program/tools/plane-types.ts";
 import type { Outcome } from "./outcome.ts";
 
-/** What few steps have: it is sent as it is. */
+/** Members that few steps have, sent unpacked. */
 type Rare = Omit<
   PlaneStep,
   "kind" | "from" | "to" | "feed" | "feedUnit" | "radius" | "block" | "index" | "seconds" | "turned"
 >;
 
 /**
- * Motions of a milling program as columns. Half a million small objects take the page seconds to receive; two arrays
- * take nothing.
+ * Motions of a milling program as columns. Receiving half a million small objects takes the page seconds; typed arrays
+ * take no time.
  */
 export interface PackedPlane {
-  /** Twelve numbers a step; not a number where a step has none. */
+  /** Twelve numbers per step; NaN where a step has none. */
   readonly numbers: Float64Array<ArrayBuffer>;
   /** Kind and unit of the feed: places in `KINDS` and `UNITS`, one byte each. */
   readonly kinds: Uint8Array<ArrayBuffer>;
   readonly units: Uint8Array<ArrayBuffer>;
-  /** What the steps with such a number have besides. */
+  /** The rare members, by the index of their step. */
   readonly rare: ReadonlyMap<number, Rare>;
 }
 
@@ -66,7 +66,7 @@ interface Sent {
   readonly plane: PackedPlane;
 }
 
-/** Outcomes with more milled motions than this are sent packed. */
+/** Results with more milled motions are sent packed. */
 const MANY = 2000;
 
 const isLong = (value: unknown): value is Outcome =>
@@ -76,7 +76,7 @@ const isLong = (value: unknown): value is Outcome =>
   "simulation" in value &&
   (value as Outcome).run.plane.length > MANY;
 
-/** How outcomes pass between worker and page: both sides call this before the first one. */
+/** Registers the transfer of results between worker and page: both sides call this before the first one. */
 export function wireOutcomes(): void {
   transferHandlers.set("outcome", {
     canHandle: isLong,

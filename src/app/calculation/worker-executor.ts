@@ -6,11 +6,11 @@ import { simulationOf } from "./proved.ts";
 import type { askAgain } from "./worker-life.ts";
 
 /**
- * Has the worker plan and prove. A run that the page has made is not sent there: to take a copy of it costs both sides
- * more than to make it again where the one before is known (docs/performance.md).
+ * Plans and checks in the worker. A run that the page has planned is not sent there: copying it costs both sides more
+ * than planning it again from the previous one (docs/performance.md).
  */
 export function workerExecutor(ask: typeof askAgain): Executor {
-  /** The last answer: the marks of its simulation are not sent again. */
+  /** The last answer: its checkpoints are not sent again. */
   let answered: Pick<Outcome, "version" | "simulation"> | null = null;
 
   async function outcomeOf({ request, planned }: Order & { do: "prove" }, tell: (stage: Stage) => void) {

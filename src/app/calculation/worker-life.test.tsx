@@ -2,7 +2,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { isMissing } from "../base/parts.ts";
 import { WorkerEnded, workerLife } from "./worker-life.ts";
 
-/** What the workers were asked and have not answered. */
+/** Questions that the workers have not answered yet. */
 const asked: { readonly answer: (value: string) => void }[] = [];
 
 class FakeWorker extends EventTarget {
@@ -17,7 +17,7 @@ class FakeWorker extends EventTarget {
 }
 let workers: FakeWorker[] = [];
 let life: ReturnType<typeof workerLife<FakeWorker["engine"]>>;
-/** Who waits for the lock that a worker holds. */
+/** Callbacks that wait for the lock of a worker. */
 const locks = new Map<string, () => void>();
 const fakeLocks = {
   query: () => Promise.resolve({ held: workers.filter((w) => !w.ended).map(({ name }) => ({ name })) }),
@@ -37,14 +37,14 @@ beforeEach(() => {
 afterEach(() => life.stop());
 
 const question = (ask: typeof life.ask) => ask((engine) => engine.update());
-/** The browser takes a worker away without a word. */
+/** The browser ends a worker without an event. */
 async function kill(worker: FakeWorker | undefined): Promise<void> {
   await vi.waitFor(() => expect(locks.has(worker?.name ?? "")).toBe(true));
   if (worker) worker.ended = true;
   locks.get(worker?.name ?? "")?.();
 }
 
-test("a worker that is taken away without a word is replaced, and asked the same once more", async () => {
+test("a worker that ends without an event is replaced, and the question repeated once", async () => {
   const answer = question(life.askAgain);
   expect(workers).toHaveLength(1);
   await kill(workers[0]);
@@ -55,7 +55,7 @@ test("a worker that is taken away without a word is replaced, and asked the same
   expect(await answer).toBe("the second");
 });
 
-test("one that ends again over the same question is not asked a third time", async () => {
+test("a worker that ends again over the same question is not asked a third time", async () => {
   const answer = question(life.askAgain);
   const refused = expect(answer).rejects.toBeInstanceOf(WorkerEnded);
   await kill(workers[0]);
@@ -65,7 +65,7 @@ test("one that ends again over the same question is not asked a third time", asy
   expect(workers).toHaveLength(2);
 });
 
-test("taken away while it rests, it is another one that is asked next", async () => {
+test("after a worker ends while idle, the next question goes to a new one", async () => {
   const first = question(life.ask);
   asked[0]?.answer("a");
   expect(await first).toBe("a");
@@ -76,7 +76,7 @@ test("taken away while it rests, it is another one that is asked next", async ()
   expect(await second).toBe("b");
 });
 
-test("one that could not be fetched is a missing part of the page", async () => {
+test("a worker that could not be fetched is a missing part of the page", async () => {
   const answer = question(life.askAgain);
   const refused = answer.catch((error: unknown) => error);
   workers[0]?.dispatchEvent(new Event("error"));
@@ -84,7 +84,7 @@ test("one that could not be fetched is a missing part of the page", async () => 
   expect(workers).toHaveLength(1);
 });
 
-test("stopped by the page, it is not asked again", async () => {
+test("after a stop by the page the question is not repeated", async () => {
   const answer = question(life.askAgain);
   const refused = expect(answer).rejects.not.toBeInstanceOf(WorkerEnded);
   life.stop();

@@ -4,28 +4,27 @@ import type { Engine } from "./worker.ts";
 import { wireOutcomes } from "./wire.ts";
 
 /*
- * The worker that calculates: started when it is first asked, replaced when it has ended. A browser may end one without
- * a word, when the device has no memory left. It holds a lock while it lives; the browser gives that on when it has
- * ended, to the page.
+ * The calculation worker: started on first use, replaced after it has ended. A browser may end it without an event when
+ * memory is short. The worker holds a lock while it lives; the page gets the lock when the worker has ended.
  */
 
-/** The calculation ended before it had an answer, by no fault of what was asked. */
+/** The worker ended before it had an answer, not because of the question. */
 export class WorkerEnded extends Error {}
 
-/** A worker that does not come is a part of the page that does not come. */
+/** A worker that cannot be fetched counts as a missing part of the page. */
 const NOT_FETCHED = "Importing a module script failed: the calculation";
 
-/** A worker, and how it is asked. */
+/** A worker, and its proxy. */
 interface Started<E> {
   readonly worker: Pick<Worker, "addEventListener" | "terminate">;
   readonly engine: E;
   readonly release: () => void;
 }
 
-/** One worker after the other. `start` makes one with a name. */
+/** Runs one worker at a time. `start` makes one with a name. */
 export function workerLife<E>(start: (name: string) => Started<E>) {
   interface Life extends Started<E> {
-    /** Asked when the worker has ended. */
+    /** Called when the worker has ended. */
     readonly endings: Set<(why: Error) => void>;
   }
   let life: Life | null = null;
@@ -38,7 +37,7 @@ export function workerLife<E>(start: (name: string) => Started<E>) {
     for (const tell of ended.endings) tell(why);
   }
 
-  /** Waits for the lock of a worker, from the moment when the worker has it: it comes when the worker has ended. */
+  /** Waits for the lock of a worker, once the worker holds it: the page gets the lock when the worker has ended. */
   async function watch(watched: Life, name: string): Promise<void> {
     const locks = typeof navigator === "undefined" ? undefined : navigator.locks;
     if (!locks) return;
@@ -58,7 +57,7 @@ export function workerLife<E>(start: (name: string) => Started<E>) {
     const begun: Life = { ...start(name), endings: new Set() };
     life = begun;
     const broken = () => end(begun, new WorkerEnded("the calculation broke off"));
-    // One that could not be fetched never ran: the browser says no more than that.
+    // A worker that could not be fetched gives a plain Event without a message.
     begun.worker.addEventListener("error", (event) =>
       event instanceof ErrorEvent ? broken() : end(begun, new Error(NOT_FETCHED)),
     );
@@ -82,9 +81,9 @@ export function workerLife<E>(start: (name: string) => Started<E>) {
   }
 
   return {
-    /** The answer of the worker, or a failure when the worker ends, or when the answer does not come in time. */
+    /** The answer of the worker; fails if the worker ends, or if the answer takes too long. */
     ask,
-    /** The same, asked once more when the worker ended over it. */
+    /** The same, repeated once if the worker ended. */
     async askAgain<T>(question: (engine: E) => Promise<T>): Promise<T> {
       try {
         return await ask(question);

@@ -16,7 +16,7 @@ import { wireOutcomes } from "./wire.ts";
 z.config({ jitless: true });
 wireOutcomes();
 
-// Held as long as this worker lives, under its name: so the page learns when it has ended.
+// Held while this worker lives, under its name: so the page learns when it has ended.
 void navigator.locks?.request(self.name, () => new Promise<void>(() => undefined));
 
 const work = openWork();
@@ -39,7 +39,7 @@ const knownMilling = ({ version, motions }: KnownMilling): Outcome | null => {
   return newest?.version === version && newest.run.plane.length === motions ? newest : null;
 };
 
-/** What the page can ask: what every work needs is there at once, advice is fetched when it is first asked for. */
+/** The functions that the page can call: what every work needs is loaded at once, advice on first use. */
 const served = {
   ...engine,
   update: work.update,
@@ -54,19 +54,19 @@ const served = {
     const request = requestOf(of);
     return request && (await import("./load.ts")).roughness(request);
   },
-  /** Paints the stock of the newest outcome while it plays; false when it cannot. */
+  /** Paints the stock of the newest result during playback; false if it cannot. */
   async play(of: KnownOutcome, on: PlayedOn, look: StockLook, course: PlayedCourse): Promise<boolean> {
     const outcome = knownTurning(of);
     return outcome !== null && (await (await fetchPlayed()).play(outcome, on, look, course));
   },
-  /** Paints the newest outcome as it stands; null when it is not the one that is asked for. */
+  /** Paints the newest result at a position; null if another one is requested. */
   async stockPictures(of: KnownOutcome, look: StockLook, position: PlayPosition): Promise<StockPictures | null> {
     const outcome = knownTurning(of);
     if (!outcome) return null;
     const made = (await fetchPlayed()).stockPictures(outcome, look, position);
     return transfer(made, [made.work, made.shop]);
   },
-  /** The turned bodies of the newest outcome at a moment; null when it is not the one that is asked for. */
+  /** The turned bodies of the newest result at a position; null if another one is requested. */
   async bodies(of: KnownOutcome, wanted: BodiesWanted): Promise<BodiesGiven | null> {
     const { turnedBodies, buffersOf } = await import("./bodies.ts"),
       outcome = knownTurning(of);
@@ -74,12 +74,12 @@ const served = {
     const made = turnedBodies(outcome, wanted);
     return made === "same" ? made : transfer(made, buffersOf(made));
   },
-  /** Paints what is milled of the newest outcome while it plays; false when it cannot. */
+  /** Paints the milled stock of the newest result during playback; false if it cannot. */
   async playMilling(of: KnownMilling, on: PlayedOn, look: MilledLook, course: PlayedCourse): Promise<boolean> {
     const outcome = knownMilling(of);
     return outcome !== null && (await (await fetchMilling()).playMilling(outcome, on, look, course));
   },
-  /** Paints what is milled of the newest outcome as it stands; null when it is not the one that is asked for. */
+  /** Paints the milled stock of the newest result at a position; null if another one is requested. */
   async milledPicture(of: KnownMilling, look: MilledLook, position: PlayPosition): Promise<ImageBitmap | null> {
     const outcome = knownMilling(of),
       made = outcome && (await (await fetchMilling()).milledPicture(outcome, look, position));

@@ -1,6 +1,6 @@
 import { showWhich, type WhichRegion } from "../place/place.ts";
 
-/** Asks which cycle makes a shape; about a place of an opened work, when there is one. */
+/** Asks which cycle makes a shape; for a contour section of the open work, if there is one. */
 export function WhichButton({
   name,
   className,

@@ -8,12 +8,12 @@ import { anyNumber, readText, type Field } from "../../program/values/field.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { boxAroundContour, rowsOf } from "../../program/job/wanted-shape.ts";
 
-/** What stands in the chuck: all solid, the shape with an allowance, or what earlier operations have left. */
+/** The stock in the chuck: solid, the shape with an oversize, or what earlier operations have left. */
 export type StockChoice = "solid" | "preturned" | "now";
-/** Numbers of the sentence. */
+/** The numbers of the request. */
 export type Measure = "d1" | "d2" | "z1" | "z2" | "angle" | "pitch" | "allowance";
 
-/** The sentence as it stands: choices, and numbers as typed. */
+/** A request for an operation: choices, and numbers as typed. */
 export interface Sought {
   readonly site: Site;
   readonly shape: TurnedShape;
@@ -31,7 +31,7 @@ const field = (id: Measure, [least, most]: readonly [number, number]): Field => 
   decimals: 3,
 });
 
-/** What each number of the sentence takes, mm and degrees. */
+/** The field of each number, mm and degrees. */
 export const ASKED: Readonly<Record<Measure, Field>> = {
   d1: field("d1", [0, 99_999.999]),
   d2: field("d2", [0, 99_999.999]),
@@ -42,19 +42,19 @@ export const ASKED: Readonly<Record<Measure, Field>> = {
   allowance: field("allowance", [MORE, 99.999]),
 };
 
-/** What can be wrong between two numbers, and the number at which it is said. */
+/** A contradiction between two numbers, and the number where it is shown. */
 export interface AskingFault {
   readonly at: Measure | "contour";
   readonly code: "notSmaller" | "notLarger" | "same" | "contour";
 }
 
 export interface AskingReading {
-  /** Null as long as something is missing or wrong. */
+  /** Null while something is missing or wrong. */
   readonly wanted: Wanted | null;
   readonly fault: AskingFault | null;
 }
 
-/** The numbers that a shape asks for, in the order of the sentence. */
+/** The numbers that a shape needs, in display order. */
 export function measuresOf({ shape, stock }: Pick<Sought, "shape" | "stock">): readonly Measure[] {
   const allowance: readonly Measure[] = stock === "preturned" && canBePreturned(shape) ? ["allowance"] : [];
   switch (shape) {
@@ -67,7 +67,7 @@ export function measuresOf({ shape, stock }: Pick<Sought, "shape" | "stock">): r
   }
 }
 
-/** A groove and a thread are cut in what is finished round them. */
+/** Grooves and threads are cut into a finished surface. */
 export const canBePreturned = (shape: TurnedShape): boolean => shape !== "groove" && shape !== "thread";
 
 function faultOf({ site, shape }: Sought, n: Readonly<Record<Measure, number>>): AskingFault | null {
@@ -78,7 +78,7 @@ function faultOf({ site, shape }: Sought, n: Readonly<Record<Measure, number>>):
   return site === "inside" && n.d2 < n.d1 ? { at: "d2", code: "notLarger" } : null;
 }
 
-/** What is wanted, when all that is asked for can be read and fits together. */
+/** The wanted shape, if all its numbers can be read and agree. */
 export function readAsking(asking: Sought): AskingReading {
   const { site, shape, stock, typed, rows } = asking;
   const asked = measuresOf(asking);
@@ -119,7 +119,7 @@ const numbers = (d1: string, d2: string, z1: string, z2: string, angle = "0"): T
   allowance: "2",
 });
 
-/** Numbers to begin with, so that the ways of a shape can be seen before anything is typed. */
+/** Default numbers, so that the operations for a shape can be seen before anything is typed. */
 export function usualNumbers(site: Site, shape: TurnedShape): Typed {
   const inside = site === "inside";
   const [open, deep] = inside ? ["30", "40"] : ["75", "60"];
@@ -138,13 +138,13 @@ export function usualNumbers(site: Site, shape: TurnedShape): Typed {
   }
 }
 
-/** A number of a drawing as one types it. */
+/** A number of a drawing, as typed. */
 const asTyped = (n: number) => String(rounded(n));
 
-/** How near an end of a stretch has to be to its open side for a groove, as a share of its depth. */
+/** Largest distance of a groove's ends from its open side, as a share of its depth. */
 const AT_THE_EDGE = 0.1;
 
-/** What a stretch of a contour most likely is: a groove where it begins and ends at its open side, else any contour. */
+/** The likely shape of a contour section: a groove if it begins and ends at its open side, else a free contour. */
 function likelyShape(stretch: readonly Segment[], { d1, d2, z1, z2 }: Typed, site: Site): TurnedShape {
   const depth = ({ z, r }: Pt) =>
     site === "face"
@@ -155,7 +155,7 @@ function likelyShape(stretch: readonly Segment[], { d1, d2, z1, z2 }: Typed, sit
   return isValley ? "groove" : "free";
 }
 
-/** What a place of an opened work asks for: its stretch as a contour, and the box round it in the numbers. */
+/** The request for a section of an open work: the section as a contour, and its bounding box in the numbers. */
 export function soughtAt({ contour, first, last, site, begins }: WhichRegion): Sought {
   const stretch = contour.slice(first, last + 1);
   const { from, to } = boxAroundContour(stretch, site);

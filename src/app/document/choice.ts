@@ -1,9 +1,9 @@
 import { create } from "zustand";
 import type { ProgramWork } from "./work.ts";
 
-/** Several programs that were opened at once and do not call each other: which are opened is asked. */
+/** Several programs that were opened at once and do not call each other: the operator chooses which to open. */
 export interface ProgramChoice {
-  /** Each main program with what it calls. */
+  /** Each main program with its called files. */
   readonly works: readonly ProgramWork[];
   readonly skipped: number;
   readonly isCut: boolean;

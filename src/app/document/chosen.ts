@@ -1,8 +1,8 @@
 import { create } from "zustand";
 
 /**
- * Which finding is looked at, in the list and in the picture alike; `count` goes up each time it is asked for anew, and
- * `shown` is the last time that a picture went there.
+ * The selected finding, in the list and in the picture; `count` goes up with each selection, and `shown` is the last
+ * count that a picture went to.
  */
 export const useChosen = create<{ readonly id: string | null; readonly count: number; readonly shown: number }>(() => ({
   id: null,
@@ -10,6 +10,6 @@ export const useChosen = create<{ readonly id: string | null; readonly count: nu
   shown: 0,
 }));
 
-/** Shows a finding in the picture, or nothing. */
+/** Selects a finding, or none. */
 export const chooseFinding = (id: string | null): void =>
   useChosen.setState((c) => (id === null && c.id === null ? c : { ...c, id, count: c.count + 1 }));

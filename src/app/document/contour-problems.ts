@@ -3,7 +3,7 @@ import { readRows, type RowIssue } from "../../program/job/contour-rows.ts";
 import type { ContourRow } from "../../program/job/job.ts";
 import { hasBlock } from "../../program/job/print-contour.ts";
 
-/** Findings that only the table knows: in the program text an open or unreadable element does not stand at all. */
+/** Findings of the table only: an incomplete or unreadable element is not in the program text. */
 const ONLY_HERE: ReadonlySet<Issue["code"]> = new Set<Issue["code"]>([
   "elementFree",
   "elementContradicts",
@@ -15,7 +15,7 @@ const ONLY_HERE: ReadonlySet<Issue["code"]> = new Set<Issue["code"]>([
 ]);
 const read = new WeakMap<readonly ContourRow[], readonly Issue[]>();
 
-/** What is wrong with a contour table beyond what its program shows, read once per state of the table. */
+/** Findings of a contour table that its program does not show, cached per state of the table. */
 export function contourProblems(rows: readonly ContourRow[]): readonly Issue[] {
   const known = read.get(rows);
   if (known) return known;

@@ -1,9 +1,7 @@
 import type { KeptRecord } from "../base/record.ts";
 import { goesOn, noteChange } from "./steps.ts";
 
-/**
- * Changes a record as one step of undo; changes that name the same place, one after the other, are one step together.
- */
+/** Changes a record as one step of undo; successive changes at the same place are one step. */
 export function editRecord<T>(record: KeptRecord<T>, change: (value: T) => T, place: string | null = null): void {
   const before = record.now();
   const next = change(before);

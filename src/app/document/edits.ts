@@ -7,7 +7,7 @@ import { LONGEST_REMARKS, MOST_MEASURED, type ProgramWork } from "./work.ts";
 
 const noDraft: Draft = {};
 
-/** What was typed into the prompts of the job's cycle. */
+/** The typed texts of the prompts of the job's cycle. */
 export const draftOf = (job: Job): Draft => job.drafts[job.cycle] ?? noDraft;
 
 /** The typed text of one prompt of the job. */
@@ -22,7 +22,7 @@ export function setPrompt(q: string, text: string): void {
 export const setPrompts = (texts: Draft): void =>
   edit((job) => ({ ...job, drafts: { ...job.drafts, [job.cycle]: { ...draftOf(job), ...texts } } }));
 
-/** The value of a Q parameter that stands in prompts, as typed. */
+/** The typed value of a Q parameter that prompts use. */
 export const setParameter = (name: string, text: string): void =>
   edit((job) => ({ ...job, parameters: { ...job.parameters, [name]: text } }), `parameter ${name}`);
 
@@ -34,7 +34,7 @@ export const setBlank = (field: keyof BlankDraft, text: string): void =>
 export const setStart = (field: "x" | "z", text: string): void =>
   edit((job) => ({ ...job, start: { ...job.start, [field]: text } }), `start ${field}`);
 
-/** What the job is held by; null: nothing is stated. */
+/** Sets the clamping of the job; null: not stated. */
 export const setClamping = (clamping: ClampingDraft | null, place: string | null): void =>
   edit(({ clamping: _, ...job }) => ({ ...job, ...(clamping && { clamping }) }), place);
 
@@ -60,14 +60,11 @@ export const setContour = (contour: readonly ContourRow[], place: string | null 
 
 const NOTHING_MEASURED: readonly Measurement[] = [];
 
-/** What was measured in the picture of a work and stays there; the same list as long as nothing changes in it. */
+/** The measurements that a work keeps; the same list while nothing changes in it. */
 export const measuredIn = ({ job, program }: Editor): readonly Measurement[] =>
   (job ?? program)?.measured ?? NOTHING_MEASURED;
 
-/**
- * Changes what was measured, as one step of undo; changes at the same place, one after the other, are one step
- * together.
- */
+/** Changes the measurements as one step of undo; successive changes at the same place are one step. */
 export function setMeasured(
   change: (list: readonly Measurement[]) => readonly Measurement[],
   place: string | null = null,
@@ -79,7 +76,7 @@ export function setMeasured(
   else edit(put, place);
 }
 
-/** What the setup sheet of the open work says to the setter. */
+/** Sets the remarks of the setup sheet. */
 export function setRemarks(text: string): void {
   const remarks = text.slice(0, LONGEST_REMARKS);
   const put = <W extends { readonly remarks?: string }>(work: W): W =>
@@ -88,7 +85,7 @@ export function setRemarks(text: string): void {
   else edit(put, "remarks");
 }
 
-/** What the open work is turned from. */
+/** Sets the material of the open work. */
 export function setMaterial(material: string): void {
   const put = <W extends { readonly material?: string }>(work: W): W =>
     work.material === material ? work : { ...work, material };

@@ -1,6 +1,6 @@
 import type { Encoding } from "./work.ts";
 
-/** What the bytes 128 to 159 stand for in the older encoding; all others stand for the character of the same number. */
+/** Characters of the bytes 128 to 159 in Windows-1252; all other bytes are the character of the same number. */
 const SPECIAL = "€\u0081‚ƒ„…†‡ˆ‰Š‹Œ\u008dŽ\u008f\u0090‘’“”•–—˜™š›œ\u009džŸ";
 const FIRST = 128;
 
@@ -14,7 +14,7 @@ function fromLegacy(file: Uint8Array): string {
   return parts.join("");
 }
 
-/** The characters of a file: UTF-8 where it is that, otherwise the encoding of older controls. Nothing is left out. */
+/** The text of a file: UTF-8 if it is valid, otherwise the encoding of older controls. Nothing is left out. */
 export function decode(file: Uint8Array): { readonly text: string; readonly encoding: Encoding } {
   try {
     return { text: new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(file), encoding: "utf-8" };
@@ -23,13 +23,13 @@ export function decode(file: Uint8Array): { readonly text: string; readonly enco
   }
 }
 
-/** The bytes of a text; a character that the older encoding does not have makes it UTF-8. */
+/** The bytes of a text; a character outside the older encoding makes it UTF-8. */
 export function encode(text: string, encoding: Encoding): Uint8Array<ArrayBuffer> {
   const legacy = encoding === "windows-1252" ? Uint8Array.from(text, (c) => byteOf.get(c) ?? 0) : null;
   return legacy && fromLegacy(legacy) === text ? legacy : new TextEncoder().encode(text);
 }
 
-/** The first character of a file's text that its encoding does not have; null where it has them all. */
+/** The first character of a file's text that its encoding lacks; null if it has them all. */
 export function notIn({ text, encoding }: { readonly text: string; readonly encoding: Encoding }): string | null {
   if (encoding === "utf-8") return null;
   for (const character of text) if (!byteOf.has(character)) return character;

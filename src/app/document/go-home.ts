@@ -1,7 +1,7 @@
 import { showEntrance, toFirstPrompt, type Entrance } from "../place/place.ts";
 import { open, useEditor } from "./store.ts";
 
-/** Shows an entrance in place of the work. What was open remains on the device, and undo opens it again. */
+/** Shows an entrance page in place of the work. The work remains on the device, and undo opens it again. */
 export function goToEntrance(entrance: Entrance): void {
   toFirstPrompt();
   if (useEditor.getState().work !== null) open(null, null);

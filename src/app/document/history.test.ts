@@ -40,7 +40,7 @@ test("the setup sheet stays: it shows the work", () => {
   expect(seen(usePlace.getState()).page).toBe("sheet");
 });
 
-test("with nothing to take back the page stays", () => {
+test("with nothing to undo the page stays", () => {
   begin(exampleJob(cycle), "other");
   showGuide("guide", String(cycle.number), q);
   redoStep();

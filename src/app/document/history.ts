@@ -5,13 +5,13 @@ import { redo, undo, useSteps, type Way } from "./steps.ts";
 import { useEditor } from "./store.ts";
 import { useTools } from "./tool-store.ts";
 
-/** The entry of a list that was not in it before. */
+/** The id of an entry that is new in a list. */
 const changedIn = <E extends { readonly id: string }>(list: readonly E[], before: readonly E[]): string | undefined =>
   list.find((entry) => !before.includes(entry))?.id;
 
 /**
- * Goes one step through the history and shows what has changed: a row of the tools, a described cycle, or the work with
- * the prompt. Only the page of a parameter and the setup sheet are not left for it, which show the change themselves.
+ * Goes one step through the history and shows the change: a row of the tools, an own cycle, or the work with the
+ * prompt. The page of the parameter and the setup sheet stay open: they show the change themselves.
  */
 function goAndShow(way: Way, run: () => void): void {
   if (useSteps.getState()[way].length === 0) return;
@@ -35,7 +35,7 @@ function goAndShow(way: Way, run: () => void): void {
   else if (prompt !== undefined && usePlace.getState().section === "prompts") openPrompt(prompt, now?.[prompt] ?? "");
 }
 
-/** One step back, whatever was changed last. */
+/** Undoes the last change, of any kind. */
 export const undoStep = (): void => goAndShow("past", undo);
 export const redoStep = (): void => goAndShow("future", redo);
 

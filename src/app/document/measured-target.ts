@@ -8,7 +8,7 @@ import { closeStep } from "./steps.ts";
 /** A job counts in mm from the workpiece zero. */
 const PLAIN: Counting = { unit: 1, zero: WORKPIECE_ZERO };
 
-/** The open prompt of a cycle as a place for a measured value, which is a step of undo of its own. */
+/** The open prompt of a cycle as the target of a measured value; each value is a step of undo of its own. */
 export function useMeasuredTarget(
   read: JobReading | null,
   set: (q: string, text: string) => void,

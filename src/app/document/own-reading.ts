@@ -4,7 +4,7 @@ import { useOwn } from "./own-store.ts";
 
 const read = new WeakMap<OwnList, OwnLibrary>();
 
-/** The list read, once per state of it. */
+/** The parsed list of own cycles, cached per state. */
 export function libraryOf(list: OwnList): OwnLibrary {
   const known = read.get(list);
   if (known) return known;
@@ -13,8 +13,8 @@ export function libraryOf(list: OwnList): OwnLibrary {
   return made;
 }
 
-/** The description of a cycle as it is now; undefined where there is none that can be used. */
+/** The present description of a cycle; undefined if there is no valid one. */
 export const ownCycle = (number: number): OwnCycle | undefined => libraryOf(useOwn.getState().list).cycles.get(number);
 
-/** All that can be used; follows the list. */
+/** All valid own cycles; follows the list. */
 export const useOwnCycles = (): ReadonlyMap<number, OwnCycle> => libraryOf(useOwn((s) => s.list)).cycles;

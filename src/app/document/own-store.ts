@@ -21,7 +21,7 @@ const cycle = z.object({ id: text, number: text, name: text, parameters: z.array
 
 const NONE: OwnList = [];
 
-/** The cycles of this device's operator, as typed. They belong to no program: any of them may call one. */
+/** The own cycles of this device, as typed. They belong to no program: any program may call one. */
 export const ownRecord = record({
   key: "own-cycles",
   version: 1,
@@ -34,8 +34,6 @@ export const ownRecord = record({
 });
 export const useOwn = ownRecord.use;
 
-/**
- * Changes the list as one step of undo; changes that name the same place, one after the other, are one step together.
- */
+/** Changes the list as one step of undo; successive changes at the same place are one step. */
 export const editOwn = (change: (list: OwnList) => OwnList, place: string | null = null): void =>
   editRecord(ownRecord, change, place);

@@ -48,7 +48,7 @@ test.each(covers)("whatever opens another work shows it, under $page too", (over
   expect(useEditor.getState().work).toBe("second");
 });
 
-test("covers lie on each other and are closed one by one; tools and own cycles take each other's place", () => {
+test("covers are stacked and closed one by one; tools and own cycles replace each other", () => {
   begin(job, "first");
   showSheet();
   showTools("r5");
@@ -79,7 +79,7 @@ test("closing a work leads back to the entrance that it was opened from", () => 
   expect(page()).toBe("work");
 });
 
-test("a work begins in a section that its kind has", () => {
+test("a work opens in a section that its kind has", () => {
   begin(job, "first");
   showSection("setup");
   open({ name: "P", text: "BEGIN PGM P MM\nEND PGM P MM\n", encoding: "utf-8" }, "program");

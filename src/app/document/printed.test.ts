@@ -40,7 +40,7 @@ test.each<[string, string, readonly (readonly [number, number])[]]>([
       [99999999, 1],
     ],
   ],
-])("%s is told block by block", (_, text, blocks) => {
+])("%s is split into blocks", (_, text, blocks) => {
   expect(numbersOf(text)).toEqual(blocks);
   expect(blockCount(text)).toBe(blocks.length);
 });

@@ -8,8 +8,8 @@ import { setJobOf } from "./reading.ts";
 const printed = new WeakMap<SetJob, string>();
 
 /**
- * The program text of a job with its set-up, as a Klartext file of its control and in its own label language, made once
- * per state of the job: what is run and checked. Its tools are those of the open work where no others are given.
+ * The program text of a job with its set-up, which is run and checked: a Klartext file for its control in its own label
+ * language, cached per state of the job. Its tools are by default those of the open work.
  */
 export function printedText(typed: Job, tools?: readonly Tool[]): string {
   const job = setJobOf(typed, tools);
@@ -20,19 +20,19 @@ export function printedText(typed: Job, tools?: readonly Tool[]): string {
   return text;
 }
 
-/** The program of a job with the look of the printed manual, to read. */
+/** The program of a job in the layout of the printed manual, for reading. */
 export const manualText = (typed: Job): string => {
   const job = setJobOf(typed);
   return printAsInManual(job, ncLabels(job.ncLanguage));
 };
 
-/** A program as a DIN/ISO file, and the numbers of the blocks that have no DIN/ISO word and stand in it as Klartext. */
+/** A program as a DIN/ISO file; `kept`: numbers of the blocks without a DIN/ISO equivalent, which remain Klartext. */
 export interface IsoFile {
   readonly text: string;
   readonly kept: readonly number[];
 }
 
-/** A Klartext program in DIN/ISO; its printer is fetched when it is first needed. */
+/** Converts a Klartext program to DIN/ISO; the printer is fetched on first use. */
 export async function isoFile(text: string): Promise<IsoFile> {
   const [{ isoProgramText }, { parse }] = await untilHere(() =>
     Promise.all([import("../../nc/iso/print-iso.ts"), import("../../nc/parse.ts")]),
@@ -41,19 +41,19 @@ export async function isoFile(text: string): Promise<IsoFile> {
   return { text: made.text, kept: made.kept.map(({ number }) => number) };
 }
 
-/** What of a job leaves the page: the file that its control loads, whatever look is shown. */
+/** The exported text of a job: the file that its control loads, whatever layout is shown. */
 export async function leavingText(job: Job): Promise<string> {
   const text = printedText(job);
   return job.layout === "iso" ? (await isoFile(text)).text : text;
 }
 
-/** The name of the file of a job: that of BEGIN PGM, with the ending of its language. */
+/** The file name of a job: the name in BEGIN PGM with the extension of its format. */
 export const fileOfJob = (job: Job): string => `${programName(printedText(job))}.${job.layout === "iso" ? "i" : "h"}`;
 
 /** The name in BEGIN PGM, which is also the name of the file. */
 export const programName = (text: string): string => /BEGIN PGM (\S+)/.exec(text)?.[1] ?? "PROGRAM";
 
-/** One block of a program: its number, also where the file has none, and its lines. */
+/** One block of a program: its number, counted if the file has none, and its lines. */
 export interface PrintedBlock {
   readonly number: number;
   readonly lines: readonly string[];
@@ -62,9 +62,7 @@ export interface PrintedBlock {
 const NUMBER = /^\/?N?(\d+)\s/;
 const VALUE = /^\s*Q\d+ ?=/;
 
-/**
- * The blocks of a program by its lines: a list of a cycle goes on with ` ~`, in the look of the manual with its values.
- */
+/** Splits a program into blocks: a parameter list continues after ` ~`, in the manual layout with lines of values. */
 export function printedBlocks(text: string): readonly PrintedBlock[] {
   const blocks: { number: number; lines: string[] }[] = [];
   for (const line of text.split(/\r?\n/)) {

@@ -9,11 +9,11 @@ import { draftOf } from "./edits.ts";
 import { useEditor } from "./store.ts";
 import { toolTable, useToolList } from "./work-tools.ts";
 
-/** The open job with its cycle and what its prompts hold. */
+/** The open job with its cycle and the values of its prompts. */
 export interface JobReading {
-  /** With what is proposed where its set-up is not set. */
+  /** The job with proposed values where its set-up is empty. */
   readonly job: SetJob;
-  /** Null in a block of a program, which has none of its own. */
+  /** Null for a block of a program, which has no set-up of its own. */
   readonly setup: Setup | null;
   /** The tools that can be called. */
   readonly tools: readonly Tool[];
@@ -30,7 +30,7 @@ interface Completed {
 
 const completed = new WeakMap<Job, Completed>();
 
-/** A job with its set-up, made once per state of the job and of the tool table. */
+/** A job with its complete set-up, cached per state of the job and the tool table. */
 function completedBy(job: Job, tools: readonly Tool[]): Completed {
   const known = completed.get(job);
   if (known?.tools === tools) return known;
@@ -41,12 +41,12 @@ function completedBy(job: Job, tools: readonly Tool[]): Completed {
   return made;
 }
 
-/** The job with a value in every place of its set-up: what is printed, drawn and run. */
+/** The job with a complete set-up, for printing, drawing and running. */
 export const setJobOf = (job: Job, tools: readonly Tool[] = toolTable().tools): SetJob => completedBy(job, tools).job;
 
 const read = new WeakMap<SetJob, JobReading>();
 
-/** Reads the prompts of a job, once per state of the job; null when its cycle is not in the catalogue. */
+/** Reads the prompts of a job, cached per state; null if its cycle is not in the catalogue. */
 export function readJob(typed: Job, tools: readonly Tool[] = toolTable().tools): JobReading | null {
   const { job, setup } = completedBy(typed, tools);
   const known = read.get(job);

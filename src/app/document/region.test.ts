@@ -17,7 +17,7 @@ const shop = { tools: shippedTools, rapid: 10_000 };
 const free = catalogue.filter((c) => c.contour === "free" && c.setup.contour.length > 3 && c.group === "transverse");
 const labels = ncLabels("en");
 
-test("what stays asks for the stretch of the contour that it lies on, in the material as it is", () => {
+test("residual material requests the contour section it lies on, in the present stock", () => {
   for (const cycle of free) {
     const made = run(parse(printJob({ ...exampleJob(cycle), tool: 1 }, labels)), shop);
     const { proof, final } = simulate(made);
@@ -34,7 +34,7 @@ test("what stays asks for the stretch of the contour that it lies on, in the mat
   expect(free.length).toBeGreaterThan(0);
 });
 
-test("an operation added to a program runs behind the others, with a contour of its own", () => {
+test("an operation added to a program runs after the others, with its own contour", () => {
   for (const cycle of free) {
     const first = printJob(exampleJob(cycle), labels);
     const both = print(withOperation(parse(first), { ...exampleJob(cycle), tool: 3 }, labels));

@@ -9,7 +9,7 @@ export function siteOfOperation({ plan: { openSide } }: Operation): Site {
   return openSide.r < 0 ? "inside" : "outside";
 }
 
-/** The operation that runs at a step of a run, or its last one, with its whole contour; null where it has none. */
+/** The whole contour of the operation at a step of a run, or of the last one; null if it has none. */
 export function contourAt(run: Run, step: number, stock: readonly Ring[] = []): WhichRegion | null {
   const operation = run.operations[run.steps[step]?.operation ?? run.operations.length - 1];
   const contour = operation?.plan.contour ?? [];

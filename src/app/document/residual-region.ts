@@ -4,16 +4,16 @@ import type { Residual } from "../../sim/simulation.ts";
 import type { WhichRegion } from "../place/place.ts";
 import { siteOfOperation } from "./region.ts";
 
-/** What stays touches its contour within this, mm: a chord, and a sliver of the simulation. */
+/** Largest distance between residual material and its contour, mm: the chord error and slivers of the simulation. */
 const TOUCHES = 0.05;
 
-/** A straight element in two, where a point lies on it; whole where the point is at one of its ends, or for an arc. */
+/** Splits a straight element at a point on it; an arc, or a point at one of its ends, leaves it whole. */
 function splitAt(s: Segment, p: Pt): readonly Segment[] {
   if (s.kind === "arc" || part.apart(s.from, p) < TOUCHES || part.apart(s.to, p) < TOUCHES) return [s];
   return [part.line(s.from, p), part.line(p, s.to)];
 }
 
-/** The point of a stretch that lies farthest back or farthest on along an element. */
+/** The point of a ring that is farthest back or forward along an element. */
 function farthest(s: Segment, ring: Ring, way: 1 | -1): Pt {
   const near = ring.filter((p) => part.distanceTo(s, p) < TOUCHES).map((p) => part.nearestOn(s, p));
   return near.reduce(
@@ -22,7 +22,7 @@ function farthest(s: Segment, ring: Ring, way: 1 | -1): Pt {
   );
 }
 
-/** What stays, as a place to ask about: the stretch of the contour that it lies on. */
+/** The contour section that residual material lies on. */
 export function regionOfResidual({ ring }: Residual, operation: Operation, stock: readonly Ring[]): WhichRegion | null {
   const { contour } = operation.plan;
   const touched = contour.flatMap((s, i) => (ring.some((p) => part.distanceTo(s, p) < TOUCHES) ? [i] : []));

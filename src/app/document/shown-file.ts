@@ -3,12 +3,10 @@ import { fileKey } from "../../program/state/program-files.ts";
 import { useEditor } from "./store.ts";
 import { filesOf, fileOf, type ProgramWork, type WorkFile } from "./work.ts";
 
-/**
- * Key of the file whose text the editor shows; null for the program that runs. It is a place, and no part of the work.
- */
+/** Key of the file that the editor shows; null for the main program. It is a place, and no part of the work. */
 const useShownKey = create<{ readonly key: string | null }>(() => ({ key: null }));
 
-/** Shows the text of a file of the open work; one that it does not have shows the program. */
+/** Shows a file of the open work; an unknown name shows the main program. */
 export const showFile = (name: string | null): void =>
   useShownKey.setState({ key: name === null ? null : fileKey(name) });
 
@@ -18,24 +16,24 @@ const shownOf = (program: ProgramWork, key: string | null): WorkFile =>
 /** The file of a work whose text is shown. */
 export const shownFile = (program: ProgramWork): WorkFile => shownOf(program, useShownKey.getState().key);
 
-/** The same while it is not the program that runs, but one of those beside it. */
+/** The shown file if it is not the main program, else null. */
 const besideOf = (program: ProgramWork | null, key: string | null): WorkFile | null =>
   (program && key !== null && filesOf(program).find(({ name }) => fileKey(name) === key)) || null;
 
-/** The file beside the program that is shown in its place; null while that is the program itself. */
+/** The shown file of the open work if it is not the main program, else null. */
 export const shownBeside = (): WorkFile | null => besideOf(useEditor.getState().program, useShownKey.getState().key);
 
-/** Its name, followed by a component. */
+/** Its name, as a hook. */
 export function useShownBeside(): string | null {
   const key = useShownKey((s) => s.key);
   return useEditor((s) => besideOf(s.program, key)?.name ?? null);
 }
 
-/** Name of the file that is shown, followed by a component. */
+/** Name of the shown file, as a hook. */
 export function useShownName(): string {
   const key = useShownKey((s) => s.key);
   return useEditor((s) => (s.program ? shownOf(s.program, key).name : ""));
 }
 
-/** Hears of every change of what is shown. */
+/** Subscribes to changes of the shown file. */
 export const onShown = (listener: () => void): (() => void) => useShownKey.subscribe(listener);

@@ -1,20 +1,20 @@
 import { fileKey } from "../../program/state/program-files.ts";
 import type { Operation, RunFinding } from "../../program/state/run-types.ts";
 
-/** Where something stands: in the program that runs, or in a file that it calls. */
+/** A place in the main program, or in a file that it calls. */
 type Placed = Pick<RunFinding, "block" | "line"> & { readonly inFile?: RunFinding["inFile"] | undefined };
 
-/** True when a place is in the text of a file, null being the program that runs. */
+/** True if a place is in a file, null being the main program. */
 export const isIn = ({ inFile }: Pick<Placed, "inFile">, file: string | null): boolean =>
   file === null ? !inFile : inFile !== undefined && fileKey(inFile.file) === fileKey(file);
 
-/** A place as the text of its own file counts it. */
+/** A place by the lines and blocks of its own file. */
 export const ownPlace = ({ block, line, inFile }: Placed): Pick<RunFinding, "block" | "line"> =>
   inFile ?? { block, line };
 
 /**
- * The findings that belong to the text that is shown, at their places in it. In the program that runs those of a called
- * one stand at the call, and still say where they are.
+ * The findings of the shown text, at their places in it. In the main program those of a called file are at the call,
+ * and still name their file.
  */
 export function findingsShown(findings: readonly RunFinding[], file: string | null): readonly RunFinding[] {
   if (file === null) return findings;
@@ -23,11 +23,11 @@ export function findingsShown(findings: readonly RunFinding[], file: string | nu
     .map(({ issue, operation, ...at }) => ({ issue, operation, ...ownPlace(at) }));
 }
 
-/** True when the cycle of an operation is defined in the text of a file, null being the program that runs. */
+/** True if the cycle of an operation is defined in a file, null being the main program. */
 export const isDefinedIn = ({ definedFile }: Pick<Operation, "definedFile">, file: string | null): boolean =>
   file === null ? definedFile === undefined : definedFile !== undefined && fileKey(definedFile) === fileKey(file);
 
-/** Findings of a list that stand in the text of a file, null being the program that runs. */
+/** The findings of a list that are in a file, null being the main program. */
 export const findingsHere = <F extends Pick<Placed, "inFile">>(
   findings: readonly F[],
   file: string | null,

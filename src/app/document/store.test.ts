@@ -83,7 +83,7 @@ test("tools and work are undone in the order they were changed, and the changed 
   expect([value(first), cell()]).toEqual(["1", "0.7"]);
 });
 
-test("a table that comes from elsewhere takes its steps along, and no others", () => {
+test("a table that is replaced from outside loses its steps, and no others", () => {
   setPrompt(first, "1");
   setCell("r2", "RS", "0.7");
   toolRecord.replace(shippedList);
@@ -98,7 +98,7 @@ test("a change that changes nothing is no step", () => {
   expect(steps()).toBe(0);
 });
 
-test("what is typed and erased again is no step, and what is typed next belongs to no step before it", () => {
+test("a digit typed and erased is no step, and the next key joins no earlier step", () => {
   const before = value(second) ?? "";
   setPrompt(first, "17.3");
   setPrompt(second, `${before}4`);
@@ -110,7 +110,7 @@ test("what is typed and erased again is no step, and what is typed next belongs 
   expect([value(first), value(second)]).toEqual(["17.3", before]);
 });
 
-test("a whole state that is put in place anew is no step, and leaves what can be done again", () => {
+test("replacing a state with an equal one is no step, and keeps the redo steps", () => {
   setPrompt(first, "17.3");
   undo();
   edit((job) => ({ ...job, contour: job.contour.map((row) => ({ ...row })) }));
@@ -119,7 +119,7 @@ test("a whole state that is put in place anew is no step, and leaves what can be
   expect(value(first)).toBe("17.3");
 });
 
-test("changes of one button are one step, and take nothing of what was typed before along", () => {
+test("the changes of one button are one step, without anything typed before", () => {
   const [value0, outside0] = [value(first), useEditor.getState().job?.blank.outside];
   setPrompt(first, "17.3");
   asOneStep(() => setPrompt(first, "17.3"));

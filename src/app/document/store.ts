@@ -4,7 +4,7 @@ import { closeStep, forget, goesOn, note, noteChange, stepBetween } from "./step
 import { heldWhileTyping } from "../base/typing.ts";
 import { isProgram, type ProgramWork, type Work } from "./work.ts";
 
-/** What is worked on, and the name it is kept under on this device. */
+/** The open work, and the key it is saved under on this device. */
 export interface Editor {
   readonly job: Job | null;
   /** The open program; never together with a job. */
@@ -15,19 +15,16 @@ export interface Editor {
 
 export const useEditor = heldWhileTyping<Editor>(() => ({ job: null, program: null, work: null }));
 
-/**
- * What hands over changes that it still holds back: asked before the work is changed for another one, or the page goes
- * away.
- */
+/** Functions that flush buffered edits, called before another work is opened or the page goes away. */
 export const beforeLeaving = new Set<() => void>();
 
 export function handOver(): void {
   for (const hand of beforeLeaving) hand();
 }
 
-/** Puts a state of the open job in place; what its steps are steps of. */
+/** Sets the state of the open job; also the owner of its steps of undo. */
 export const putJob = (job: Job): void => useEditor.setState({ job });
-/** Opening a work, its undo and its redo all come through here: what they change is what is seen. */
+/** Opens a work, also by undo and redo: the work that changes is shown. */
 const putWork = (state: Editor): void => {
   handOver();
   useEditor.setState(state);
@@ -36,8 +33,8 @@ const putWork = (state: Editor): void => {
 };
 
 /**
- * Changes the job as one step of undo. Changes that name the same place, one after the other, are one step together:
- * a number is typed in one step, however many digits it has.
+ * Changes the job as one step of undo. Successive changes at the same place are one step: a number is one step, however
+ * many digits it has.
  */
 export function edit(change: (job: Job) => Job, place: string | null = null): void {
   const { job } = useEditor.getState();
@@ -48,11 +45,11 @@ export function edit(change: (job: Job) => Job, place: string | null = null): vo
   noteChange(putJob, job, next, goesOn(place));
 }
 
-/** Each work as it was when it was last opened, for comparing it with what became of it. */
+/** Each work as it was last opened, for comparison with its present state. */
 const opened = new Map<string, Work>();
 export const asOpened = (work: string): Work | null => opened.get(work) ?? null;
 
-/** Puts other work in place of this one, as one step of undo. */
+/** Replaces the open work, as one step of undo. */
 export function open(content: Work | null, work: string | null): void {
   if (content && work !== null) opened.set(work, content);
   closeStep();
@@ -64,19 +61,19 @@ export function open(content: Work | null, work: string | null): void {
   noteChange(putWork, before, useEditor.getState());
 }
 
-/** Puts the first work in place: there is nothing before it that undo could go back to. */
+/** Opens the first work: undo cannot go back behind it. */
 export function begin(content: Work | null, work: string | null): void {
   open(content, work);
   forget();
 }
 
-/** The text of the open program after a change. Its steps are noted where it is typed. */
+/** Sets the open program after a change. The editor of the text records the steps. */
 export const setProgram = (program: ProgramWork): void => useEditor.setState({ program });
 
-/** What steps that change more of a program than a text are steps of. */
+/** Owner of the steps that change more of a program than one text. */
 export const OF_FILES = {};
 
-/** Puts a state of a program in place, as long as it is open. */
+/** Restores a state of a program if that is still open. */
 export const putProgram =
   (work: string | null) =>
   (program: ProgramWork): boolean => {
@@ -86,10 +83,7 @@ export const putProgram =
     return true;
   };
 
-/**
- * Changes what belongs to the open program, as one step of undo; changes at the same place, one after the other, are
- * one step together.
- */
+/** Changes the open program as one step of undo; successive changes at the same place are one step. */
 export function changeProgram(change: (program: ProgramWork) => ProgramWork, place: string | null = null): void {
   handOver();
   const { program: before, work } = useEditor.getState();
@@ -100,16 +94,16 @@ export function changeProgram(change: (program: ProgramWork) => ProgramWork, pla
   note(stepBetween(putProgram(work), before, after, OF_FILES), on);
 }
 
-/** What the open work brings along in place of what the device has; nothing where none is open. */
+/** The open work's own tools, control and machine, which replace those of the device; empty if none is open. */
 export const handedOn = ({ job, program }: Editor): HandedOn => job ?? program ?? {};
 
-/** A work with something else that it brings along. */
+/** A work with another set of own tools, control and machine. */
 export const withHandedOn = <W extends Job | ProgramWork>(work: W, next: HandedOn): W => {
   const { tools: _, control: __, machine: ___, ...bare } = work;
   return { ...bare, ...next } as unknown as W;
 };
 
-/** Changes what the open work brings along, as one step of undo. */
+/** Changes the open work's own tools, control and machine as one step of undo. */
 export function setHandedOn(next: HandedOn): void {
   if (useEditor.getState().program) changeProgram((program) => withHandedOn(program, next));
   else edit((job) => withHandedOn(job, next));

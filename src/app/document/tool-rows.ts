@@ -5,5 +5,5 @@ const cellText = z.string().check(z.maxLength(500));
 const cells = z.partialRecord(z.enum([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS]), cellText);
 
 export const toolRow = z.object({ id: cellText, cells });
-/** Rows of a tool table from plain data that anybody may have written. */
+/** Rows of a tool table from untrusted data. */
 export const toolRows = z.array(toolRow);

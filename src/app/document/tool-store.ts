@@ -9,12 +9,12 @@ import { editRecord } from "./edit-record.ts";
 import { forget } from "./steps.ts";
 import { toolRow } from "./tool-rows.ts";
 
-/** Files that rows came from; a row names its file by the place in this list, and its line. */
+/** Imported files; a row refers to its file by the index in this list, and to its line. */
 const origin = z.object({ name: z.string(), text: z.string(), encoding: z.enum(["utf-8", "windows-1252"]) });
 const row = z.extend(toolRow, { line: z.optional(z.tuple([z.number(), z.number()])) });
 const table = z.object({ origins: z.optional(z.array(origin)), rows: z.array(row).check(uniqueIds) });
 
-/** A table as plain data, each file that rows came from once. */
+/** A table as plain data, with each imported file once. */
 function keptTable(list: ToolList): object {
   const origins = [...new Set(list.flatMap((entry) => (entry.line && hasFile(entry) ? entry.line.origin : [])))];
   const rows = list.map((entry) => ({
@@ -38,7 +38,7 @@ function listOf(kept: z.output<typeof table>): ToolList {
   });
 }
 
-/** A row as it was shipped but for its holder gets the holder; what was changed by hand stays as it is. */
+/** Adds the holder to an otherwise unchanged shipped row; a row changed by hand stays as it is. */
 function withShippedHolder(row: ToolList[number]): ToolList[number] {
   const held = (cell: string) => HOLDER_CELLS.some((each) => each === cell);
   const shipped = shippedList.find((each) => each.cells.T === row.cells.T);
@@ -47,15 +47,12 @@ function withShippedHolder(row: ToolList[number]): ToolList[number] {
   return sameList([bare], [row]) ? { ...row, cells: shipped.cells } : row;
 }
 
-/**
- * The tool table of this device, as typed. It belongs to no program: all of them call its tools but those that bring
- * their own.
- */
+/** The tool table of this device, as typed. All programs call its tools, except those with their own. */
 export const toolRecord = record({
   key: "tools",
   version: 2,
   schema: table,
-  // When tables of version 1 were kept the shipped tools had no holders.
+  // In tables of version 1 the shipped tools had no holders.
   upgrades: { 1: (list) => list.map(withShippedHolder) },
   from: listOf,
   to: keptTable,
@@ -68,7 +65,7 @@ export const useTools = toolRecord.use;
 
 const read = new WeakMap<ToolList, ToolListReading>();
 
-/** A table read, once per state of the table. */
+/** The parsed table, cached per state. */
 export function toolsOnDevice(list: ToolList): ToolListReading {
   const known = read.get(list);
   if (known) return known;
@@ -77,8 +74,6 @@ export function toolsOnDevice(list: ToolList): ToolListReading {
   return made;
 }
 
-/**
- * Changes the table as one step of undo; changes that name the same place, one after the other, are one step together.
- */
+/** Changes the table as one step of undo; successive changes at the same place are one step. */
 export const editTools = (change: (list: ToolList) => ToolList, place: string | null = null): void =>
   editRecord(toolRecord, change, place);

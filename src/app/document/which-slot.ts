@@ -2,6 +2,6 @@ import type { ComponentType } from "react";
 import { slot } from "../base/slot.ts";
 import type { WhichRegion } from "../place/place.ts";
 
-/** The question which cycle makes a shape, over the picture or a program. */
+/** The dialog that finds a cycle for a shape, over the picture or a program. */
 export const whichSlot =
   slot<ComponentType<{ readonly done: () => void; readonly region: WhichRegion | null }>>("which cycle");

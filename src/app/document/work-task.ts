@@ -1,13 +1,10 @@
 import type { TaskWork } from "../../program/job/job.ts";
 import { edit, changeProgram, useEditor, type Editor } from "./store.ts";
 
-/** The task that the open work is; undefined of any other work. */
+/** The exercise of the open work; undefined if it is none. */
 export const taskOfWork = ({ job, program }: Editor): TaskWork | undefined => (job ?? program)?.task;
 
-/**
- * Changes what the open work knows of its task, as one step of undo; changes at the same place in a row are one step
- * together.
- */
+/** Changes the exercise of the open work as one step of undo; successive changes at the same place are one step. */
 export function changeTask(change: (task: TaskWork) => TaskWork, place: string | null = null): void {
   const { program } = useEditor.getState();
   const changed = <W extends { readonly task?: TaskWork }>(work: W): W =>
@@ -16,7 +13,7 @@ export function changeTask(change: (task: TaskWork) => TaskWork, place: string |
   else edit(changed, place);
 }
 
-/** The answer to one question as it is typed. */
+/** Sets the typed answer to one question. */
 export const setTold = (question: number, text: string): void =>
   changeTask((task) => {
     const told = [...(task.told ?? [])];

@@ -5,35 +5,29 @@ import { useSettings } from "../base/settings/settings.ts";
 import { handedOn, useEditor } from "./store.ts";
 import { toolsOnDevice, useTools } from "./tool-store.ts";
 
-/** The tools that a work runs with: those it was handed on with, or the table of this device. */
+/** The tools of a work: its own, or the table of this device. */
 const listOf = ({ tools }: HandedOn): ToolList => tools ?? useTools.getState().list;
 
-/** How APPR and DEP move in a work: as it was handed on, or as this device is set. */
+/** How APPR and DEP move in a work: by its own control, or by the setting of this device. */
 const controlOf = ({ control }: HandedOn): Control => control ?? useSettings.getState().control;
 
-/** A task is judged without a machine, so its work is timed without one. */
+/** An exercise is graded without a machine, so its times are calculated without one. */
 type TimedWork = HandedOn & { readonly task?: TaskWork };
 
-/**
- * The text of the machine file that times of a work are worked out with: as it was handed on, or as this device is set.
- * Empty for none.
- */
+/** The machine file for the times of a work, as text: its own, or that of this device. Empty for none. */
 export const machineTextOf = ({ machine, task }: TimedWork): string =>
   task ? "" : (machine ?? useSettings.getState().machine);
 
-/**
- * What a work runs with, whether it is open or not: the tools that can be called, those that are refused, and the
- * control.
- */
+/** Tools and control of any work: the valid tools, the rejected ones, and the control. */
 export const shopOf = (work: HandedOn) => ({ table: toolsOnDevice(listOf(work)).table, control: controlOf(work) });
 
-/** The tools that the open work runs with. */
+/** The tool list of the open work. */
 export const listInUse = (): ToolList => listOf(handedOn(useEditor.getState()));
 
-/** The tools of the open work as they are now: those that can be called, and those that are refused. */
+/** The parsed tools of the open work: valid and rejected ones. */
 export const toolTable = () => toolsOnDevice(listInUse()).table;
 
-/** The tools that the open work can call; follows the work and the table. */
+/** The valid tools of the open work; follows the work and the table. */
 export function useToolList() {
   const shop = useTools((s) => s.list);
   const own = useEditor((s) => handedOn(s).tools);

@@ -5,7 +5,7 @@ const file = (name: string, text = name) => ({ name, text, encoding: "utf-8" as 
 const work: ProgramWork = { ...file("MAIN.h"), files: [file("Cut.h"), file("points.tab")], skipMarked: true };
 const names = (program: ProgramWork) => textsOf(program).map(({ name, text }) => `${name}=${text}`);
 
-test("a text is changed by the key of its file, in the program and beside it", () => {
+test("a text is changed by the key of its file, in the main program and in others", () => {
   expect(names(withText(work, "MAIN.H", "a"))).toEqual(["MAIN.h=a", "Cut.h=Cut.h", "points.tab=points.tab"]);
   expect(names(withText(work, "CUT.H", "b"))).toEqual(["MAIN.h=MAIN.h", "Cut.h=b", "points.tab=points.tab"]);
   expect(names(withText(work, "OTHER.H", "c"))).toEqual(names(work));
@@ -13,20 +13,20 @@ test("a text is changed by the key of its file, in the program and beside it", (
   expect(fileOf(work, "OTHER.H")).toBeUndefined();
 });
 
-test("a file is added, and one of the same name gives way to it", () => {
+test("a file is added, and replaces one of the same name", () => {
   expect(names(withFile(work, file("new.h")))).toEqual([...names(work), "new.h=new.h"]);
   expect(names(withFile(work, file("CUT.H", "2")))).toEqual(["MAIN.h=MAIN.h", "CUT.H=2", "points.tab=points.tab"]);
   expect(names(withFile(work, file("main.H", "2")))).toEqual(["main.H=2", "Cut.h=Cut.h", "points.tab=points.tab"]);
   expect(withFile(work, file("main.H", "2")).skipMarked).toBe(true);
 });
 
-test("a file is taken out; a work without files is as one that never had any", () => {
+test("a file is removed; a work without files equals one that never had any", () => {
   expect(names(withoutFile(work, "CUT.H"))).toEqual(["MAIN.h=MAIN.h", "points.tab=points.tab"]);
   expect(withoutFile({ ...file("A.h"), files: [file("B.h")] }, "B.H")).toEqual(file("A.h"));
   expect(filesOf(file("A.h"))).toBe(filesOf(file("B.h")));
 });
 
-test("another file runs, and the one that ran stands in its place", () => {
+test("another file becomes the main program, and the former one takes its place", () => {
   const other = withMain(work, "CUT.H");
   expect(names(other)).toEqual(["Cut.h=Cut.h", "MAIN.h=MAIN.h", "points.tab=points.tab"]);
   expect(other.skipMarked).toBe(true);

@@ -3,7 +3,7 @@ import type { HandedOn, Job, TaskWork } from "../../program/job/job.ts";
 import type { NcOutput } from "../../program/machine/nc-output.ts";
 import { fileKey } from "../../program/state/program-files.ts";
 
-/** How the bytes of a program file stand for characters. Controls also write files that are not UTF-8. */
+/** Encoding of a program file. Controls also write files that are not UTF-8. */
 export type Encoding = "utf-8" | "windows-1252";
 
 /** One text file of a work. */
@@ -15,40 +15,39 @@ export interface WorkFile {
   readonly encoding: Encoding;
 }
 
-/** A whole program as work: its state is its text, and what belongs to it. Everything else is made from it. */
+/** A whole program as work: its state is its text and the members below. Everything else is derived. */
 export interface ProgramWork extends WorkFile, HandedOn {
-  /** What was opened with it: programs that it calls, contours, tables. No two of a work have the same key. */
+  /** Its other files: called programs, contours, tables. All have different keys. */
   readonly files?: readonly WorkFile[];
-  /** Blocks behind a skip mark are left out. */
+  /** Blocks with a skip mark are skipped. */
   readonly skipMarked?: boolean;
   /**
-   * How blocks are written that the app adds; as the program writes them already, and as this device does where it is
-   * not set.
+   * NC output for blocks that the app adds; by default as the program already writes them, else as set on the device.
    */
   readonly output?: NcOutput;
-  /** What its setup sheet says to the setter. */
+  /** Remarks on its setup sheet. */
   readonly remarks?: string;
-  /** What it is turned from, by its id in the cutting data; that of the device where it names none. */
+  /** Id of its material in the cutting data; by default that of the device. */
   readonly material?: string;
-  /** What was measured in its picture and stays there, in the order in which it was measured. */
+  /** Measurements in its picture, in the order they were made. */
   readonly measured?: readonly Measurement[];
   readonly task?: TaskWork;
 }
 
-/** What a work brings along, and nothing else of it. */
+/** Only the own tools, control and machine of a work. */
 export const broughtBy = ({ tools, control, machine }: HandedOn): HandedOn => ({
   ...(tools && { tools }),
   ...(control && { control }),
   ...(machine !== undefined && { machine }),
 });
 
-/** Longest machine file that is read and kept, characters. */
+/** Longest machine file that is accepted, characters. */
 export const LONGEST_MACHINE = 10_000;
 
 /** Longest remarks of a setup sheet, characters: they fill a page. */
 export const LONGEST_REMARKS = 4000;
 
-/** Most measurements that a work keeps: a picture of more says nothing. */
+/** Most measurements of a work: a picture with more is unreadable. */
 export const MOST_MEASURED = 100;
 
 /** What an operator works on: one cycle by its prompts, or a whole program. */
@@ -58,13 +57,13 @@ export const isProgram = (work: Work): work is ProgramWork => "text" in work;
 
 const NO_FILES: readonly WorkFile[] = [];
 
-/** The files beside a program; the same list as long as nothing changes in them. */
+/** The other files of a program; the same list while nothing changes in them. */
 export const filesOf = ({ files = NO_FILES }: ProgramWork): readonly WorkFile[] => files;
 
-/** The program and the files beside it, the program first. */
+/** All files of a work, the main program first. */
 export const textsOf = (program: ProgramWork): readonly WorkFile[] => [program, ...filesOf(program)];
 
-/** The file of a key among those of a work; undefined when it is not one of them. */
+/** The file with a key in a work; undefined if there is none. */
 export const fileOf = (program: ProgramWork, key: string): WorkFile | undefined =>
   textsOf(program).find(({ name }) => fileKey(name) === key);
 
@@ -85,7 +84,7 @@ export function withText(program: ProgramWork, key: string, text: string): Progr
   );
 }
 
-/** The work with one more file; one of the same key gives way to it. */
+/** The work with a file added; it replaces one of the same key. */
 export function withFile(program: ProgramWork, file: WorkFile): ProgramWork {
   const key = fileKey(file.name);
   if (isNamed(key)(program)) return { ...program, ...plain(file) };
@@ -96,16 +95,14 @@ export function withFile(program: ProgramWork, file: WorkFile): ProgramWork {
   );
 }
 
-/** The work without one of the files beside its program. */
+/** The work without one of its other files. */
 export const withoutFile = (program: ProgramWork, key: string): ProgramWork =>
   withFiles(
     program,
     filesOf(program).filter((file) => !isNamed(key)(file)),
   );
 
-/**
- * The work with another of its files as the program that runs; the one that ran so far stands beside it, in its place.
- */
+/** The work with another file as the main program; the former one takes its place. */
 export function withMain(program: ProgramWork, key: string): ProgramWork {
   const main = filesOf(program).find(isNamed(key));
   if (!main) return program;

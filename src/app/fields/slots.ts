@@ -9,8 +9,7 @@ import type { ShownVerdict } from "../findings/verdict.ts";
 import type { GuidePath } from "../place/place.ts";
 
 /*
- * Parts that dialogs and pages show of features beside or above them. The shell says which feature gives each
- * (shell/slots.ts).
+ * Slots for parts of other features. The shell fills them (shell/slots.ts).
  */
 
 type Part<P> = ComponentType<P>;
@@ -36,7 +35,7 @@ export const contourTableSlot = slot<
   }>
 >("the table of a contour");
 
-/** What opens tasks and results that came as files. */
+/** Opens tasks and results from files. */
 export const taughtFilesSlot = slot<{
   readonly areTaught: (files: readonly File[]) => Promise<boolean>;
   readonly openTaughtFiles: (files: readonly File[]) => Promise<void>;

@@ -11,10 +11,10 @@ import { ToolOffer } from "./ToolOffer.tsx";
 import { useListed, useVerdict } from "./use-findings.ts";
 import { VerdictText } from "./VerdictText.tsx";
 
-/** Rows beyond these would say no more. */
+/** More rows would say no more. */
 const MOST = 300;
 
-/** One finding: what, where, the way there, and what mends it. */
+/** One finding: its message and place, with buttons that go there or fix it. */
 function Row({
   entry,
   host,
@@ -94,10 +94,7 @@ function Row({
   );
 }
 
-/**
- * The verdict and all findings of the open work, worst first: the only list there is, for prompts and whole programs
- * alike.
- */
+/** The verdict and all findings of the open work, worst first. Prompts and whole programs share this list. */
 export function FindingsPanel({ host }: { readonly host: FindingsHost }) {
   const {
     findings: t,

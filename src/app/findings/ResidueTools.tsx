@@ -11,13 +11,13 @@ import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 import { NO_AREA } from "./effect/effect.ts";
 
-/** Tools that are offered; the others leave more. */
+/** Most tools that are offered; the others leave more. */
 const MOST = 4;
 
-/** What stays for another reason than the tool stays with every tool. */
+/** Causes of residual material that another tool may avoid. */
 const byTool: ReadonlySet<string> = new Set(["insertRadius", "mainEdge", "secondaryEdge", "toolWidth", "cutLength"]);
 
-/** The tools of the table that would take what stays, tried when someone asks, the one that leaves least first. */
+/** Tools of the table that would remove residual material, tried on request, least left first. */
 export function ResidueTools({ entry, host }: { readonly entry: FindingEntry; readonly host: FindingsHost }) {
   const t = useTexts();
   const words = t.findings.residue;

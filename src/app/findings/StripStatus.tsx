@@ -3,7 +3,7 @@ import { showSection } from "../place/place.ts";
 import { useTexts } from "../base/settings/use-texts.ts";
 import { useListed, useVerdict } from "./use-findings.ts";
 
-/** How much was found, with the way to the list; what is only not done yet is said calmly. */
+/** The number of findings, with a button to the list; empty prompts alone look calm. */
 export function StripStatus({ otherwise = "" }: { readonly otherwise?: string }) {
   const {
     findings: t,

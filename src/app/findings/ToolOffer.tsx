@@ -7,10 +7,10 @@ import { useTexts } from "../base/settings/use-texts.ts";
 import type { FindingEntry } from "./entry.ts";
 import type { FindingsHost } from "./host.ts";
 
-/** Rest after the last change before tools are tried, ms: it costs a plan per tool. */
+/** Debounce before tools are tried, ms: it costs a plan per tool. */
 const REST = 120;
 
-/** A tool of the table that makes the contour where the chosen one can not; tried before it is offered. */
+/** A tool of the table that can make the contour if the chosen one cannot; it is tried before it is offered. */
 export function ToolOffer({ entry, host }: { readonly entry: FindingEntry; readonly host: FindingsHost }) {
   const t = useTexts().setup.tool;
   const newest = useOutcome((s) => s.newest);

@@ -13,7 +13,7 @@ const icons: Readonly<Record<ReturnType<typeof toneOf>, IconName | null>> = {
   none: null,
 };
 
-/** Reasons beyond these stand in the list. */
+/** Most reasons shown here; the list has all of them. */
 const MOST = 4;
 
 /**

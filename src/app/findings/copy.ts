@@ -2,12 +2,12 @@ import { create } from "zustand";
 import type { ShownVerdict } from "./verdict.ts";
 import { restartable } from "../base/once.ts";
 
-/** How the last copying went; null before it and once its message is gone. */
+/** Result of the last copy; null before it and once its message is gone. */
 export interface Copying {
   readonly state: "copied" | "refused" | null;
-  /** The text that was asked for. */
+  /** The copied text. */
   readonly text: string;
-  /** The verdict that went with it; null for what is no program. */
+  /** The verdict shown with it; null if the text is no program. */
   readonly verdict: ShownVerdict | null;
 }
 

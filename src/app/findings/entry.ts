@@ -6,22 +6,22 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import type { Bounds } from "../../view/camera.ts";
 import type { RunFinding } from "../../program/state/run-types.ts";
 
-/** Where a finding is to be seen in the picture, and when. */
+/** The place of a finding in the picture, and its position in the playback. */
 export interface FindingSpot {
   /** The section of the lathe, or the working plane of milling (X to the right, Y up, as points z and r). */
   readonly plane: "ZX" | "XY";
   readonly kind: "finding" | "residual";
-  /** Number of a finding, letter of a region that stays: the same in list and picture. */
+  /** Number of a finding, letter of residual material: the same in list and picture. */
   readonly mark: string;
   readonly place: Pt;
-  /** The box round it, mm. */
+  /** Its bounding box, mm. */
   readonly bounds: Bounds;
   readonly position: PlayPosition;
 }
 
-/** One line of the list of findings, whatever found it: a prompt, the contour table, the run or the stock. */
+/** One line of the list of findings, from a prompt, the contour table, the run or the stock. */
 export interface FindingEntry {
-  /** Names the line as long as nothing changes. */
+  /** Id of the line while nothing changes. */
   readonly id: string;
   readonly issue: AnyIssue;
   /** The field it belongs to: a Q number, "start.x", "tool", "contour" …; null when it belongs to none. */
@@ -30,31 +30,28 @@ export interface FindingEntry {
   readonly block: number | null;
   /** Line of the program text, from 1; null when it belongs to none. */
   readonly line: number | null;
-  /** Where it stands in the file of a called program; block and line are those of the call then. */
+  /** Its place in the file of a called program; block and line are then those of the call. */
   readonly inFile?: RunFinding["inFile"] | undefined;
   /** Index of its operation in the run. */
   readonly operation: number | null;
   readonly spot: FindingSpot | null;
-  /** Index into the proof's residue, for what stays. */
+  /** Index into the residual material of the check. */
   readonly residual: number | null;
-  /** Diameter of the largest circle in the residue, in all places of the finding, mm. */
+  /** Diameter of the largest circle in the residual material, over all places of the finding, mm. */
   readonly thickness: number | null;
 }
 
 const toDo: ReadonlySet<string> = new Set(["missing", "unknownParameter"]);
 
-/**
- * A prompt that is still empty, or a Q parameter that still waits for its value: something to do, not something done
- * wrong.
- */
+/** An empty prompt, or a Q parameter without a value: something to do, not an error. */
 export const isOpen = ({ issue }: Pick<FindingEntry, "issue">): boolean => toDo.has(issue.code);
 
-/** The same in the list: what a program lacks is a fault, what is not typed yet is none. */
+/** The same in the list: a value missing in a program is an error, an empty prompt is none. */
 export const isToDo = (entry: Pick<FindingEntry, "issue" | "block">): boolean => entry.block === null && isOpen(entry);
 
 export const isError = ({ issue }: Pick<FindingEntry, "issue">): boolean => issue.severity === "error";
 
-/** Findings about a tool name it, or the column of the tool table. */
+/** The places of findings about a tool: the tool, or a column of the tool table. */
 const toolPlaces: ReadonlySet<string> = new Set([
   "tool",
   "T",
@@ -79,10 +76,7 @@ export const isAboutTool = (at: string | null): boolean => at !== null && toolPl
 
 const weight: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2 };
 
-/**
- * What was found in the stock comes after what was found in the program, and what stays comes last: causes before
- * effects.
- */
+/** Findings of the stock. They come after those of the program, and residual material last: causes before effects. */
 const found: ReadonlySet<string> = new Set([
   "gouge",
   "threadOverruns",
@@ -105,11 +99,11 @@ function stage({ issue: { code } }: FindingEntry): number {
   return code === "materialLeft" ? 2 : Number(found.has(code));
 }
 
-/** Worst first; among equals the cause before its effect, then in the order of the text. */
+/** Worst first; among equals causes before effects, then in the order of the text. */
 export const inOrder = (entries: readonly FindingEntry[]): readonly FindingEntry[] =>
   entries.toSorted((a, b) => weight[a.issue.severity] - weight[b.issue.severity] || stage(a) - stage(b));
 
-/** A finding that stands at one field or block and nowhere in the picture. */
+/** A finding at a field or block, without a place in the picture. */
 export const entryAt = (
   issue: AnyIssue,
   at: string | null,

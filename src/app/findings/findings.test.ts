@@ -42,19 +42,19 @@ function found(job: Job) {
 }
 const codes = (job: Job) => found(job).entries.map(({ issue }) => issue.code);
 
-test.each([812, 852])("the printed example of %i has no fault and is proved", (number) => {
+test.each([812, 852])("the printed example of %i has no error and is verified", (number) => {
   const { verdict } = found(jobOf(number));
   expect(verdict).toMatchObject({ state: "proved", faults: 0, open: 0 });
 });
 
-test("what is not typed yet is neither a fault nor proved", () => {
+test("an empty prompt is neither an error nor verified", () => {
   const { entries, verdict } = found(jobOf(812, withPrompt("Q463", "")));
   expect(entries.every(isToDo)).toBe(true);
   expect(verdict).toMatchObject({ state: "none", faults: 0, open: 1 });
   expect(toneOf(verdict)).toBe("none");
 });
 
-test("a contour that is missing is a notice while prompts are open, and a fault when all are answered; it is said once", () => {
+test("a missing contour is a note while prompts are open, and an error when all are answered; it is listed once", () => {
   const empty = jobOf(820, (job) => ({ ...job, contour: [] }));
   expect(found(empty).verdict).toMatchObject({ state: "faults", faults: 1 });
   expect(codes(empty).filter((code) => code === "contourMissing" || code === "contourTooShort")).toEqual([
@@ -68,7 +68,7 @@ test("a contour that is missing is a notice while prompts are open, and a fault 
   ]);
 });
 
-test("a tool that cannot do it is the cause, and nothing that only follows from it is listed", () => {
+test("an unsuitable tool is listed as the cause, and its consequences are not", () => {
   const tool = shippedTools.find((t) => t.TYPE === "THREAD") ?? shippedTools.find((t) => t.TYPE === "RECESS");
   const { entries, verdict } = found(jobOf(812, (job) => ({ ...job, tool: tool?.T ?? 0 })));
   expect(entries[0]?.issue).toMatchObject({ code: "toolUnfit", severity: "error" });
@@ -76,7 +76,7 @@ test("a tool that cannot do it is the cause, and nothing that only follows from 
   expect(toneOf(verdict)).toBe("bad");
 });
 
-test("many places with the same left over are one finding, with all of it; a few are listed one by one", () => {
+test("many places with the same residual material are one finding with its total; a few are listed one by one", () => {
   const { entries, verdict } = found(jobOf(832));
   const stays = entries.filter(({ issue }) => issue.code === "materialLeft");
   expect(stays).toHaveLength(1);
@@ -141,7 +141,7 @@ END PGM P MM`);
   const spot = found[0]?.spot,
     radius = Number(tool);
   expect(spot).toMatchObject({ plane: "XY", place: { z: place.x, r: place.y } });
-  // The whole mill is in the picture then, and touches the place or is over it.
+  // The picture then has the whole mill, which touches the place or is above it.
   const step = outcome.run.plane[spot?.position.step ?? -1],
     at = step && spotOn(step, spot?.position.fraction ?? 0);
   expect(Math.hypot((at?.x ?? NaN) - place.x, (at?.y ?? NaN) - place.y)).toBeLessThan(radius + 0.01);
@@ -170,12 +170,12 @@ test.each([
     "TOOL CALL 1\nFUNCTION TURNDATA SPIN VCONST:OFF S520\nL X+91.3 Z+52 R0 FMAX M303\nL X+60.2 FMAX\nL Z-3.4 F0.2\n",
     "doubt",
   ],
-])("a program with %s: is there something that could be proved", (_, blocks, tone) => {
+])("a program with %s: is there anything to verify", (_, blocks, tone) => {
   const outcome = outcomeOf(around(blocks));
   const entries = findingsOf(null, outcome),
     verdict = judged(entries, outcome);
   expect([verdict.state, toneOf(verdict)]).toEqual(["incomplete", tone]);
-  // A part that was turned by hand may be right: what was looked at is said, and what could not be.
+  // A part turned with single moves may be right: the verdict says what was checked and what could not be.
   const { verdict: words } = english;
   expect(verdictTitle(words, "en", verdict)).toBe(tone === "doubt" ? words.noCycle : words.noOperation);
   expect(verdictReasons(words, verdict)).toEqual([
@@ -183,13 +183,13 @@ test.each([
   ]);
 });
 
-test("a forgotten minus is asked for first, and nothing that tool and stock say to it is listed beside", () => {
+test("a forgotten minus is questioned first, and findings of tool and stock that follow from it are not listed", () => {
   const { entries } = found(withPrompt("Q494", "55.4")(jobOf(812)));
   expect(entries[0]?.issue).toMatchObject({ code: "endInFront", severity: "error", data: { nearest: -55.4 } });
   expect(entries.filter(({ issue }) => issue.severity !== "info").map(({ issue }) => issue.code)).toEqual([
     "endInFront",
   ]);
-  // Nobody has set tool and blank: both are proposed for the value as it is typed.
+  // Tool and blank are not set: both are proposed for the typed value.
   const proposed = found(
     withPrompt("Q494", "55.4")(jobOf(812, (job) => ({ ...job, tool: null, blank: UNSET.blank, start: UNSET.start }))),
   );

@@ -23,21 +23,21 @@ const nowhere = {
 } as const;
 const atOf = (issue: AnyIssue): string | null => ("at" in issue ? (issue.at ?? null) : null);
 
-/** What the prompts and the contour table say by themselves, before anything is calculated. */
+/** Findings of the prompts and the contour table, before anything is calculated. */
 function typed(read: JobReading): readonly Found[] {
   const { setup, cycle, job, reading, tools } = read;
   const asked = setup ? setupQuestions({ setup, cycle, job, partial: reading.partial, tools }) : [];
   const prompts = [...reading.issues, ...asked].map((issue): Found => ({ ...nowhere, issue, at: issue.at ?? null }));
   if (read.cycle.contour !== "free") return prompts;
   const { contour } = read.job;
-  // As long as prompts are open, a contour that is not begun is not done wrong, only not done yet.
+  // While prompts are open, a contour not begun is no error, only not done yet.
   const missing = () =>
     contourIssue("contourMissing", read.reading.values ? "error" : "info", { label: "" }, "contour");
   const table = contour.length === 0 ? [missing()] : contourProblems(contour);
   return [...prompts, ...table.map((issue): Found => ({ ...nowhere, issue, at: "contour" }))];
 }
 
-/** What the run and the stock say. */
+/** Findings of the run and the stock. */
 function calculated({ run, simulation }: Outcome): readonly Found[] {
   const ran = run.issues.map((f): Found => {
     const spot = spotOfRun(run, f);
@@ -70,7 +70,8 @@ function calculated({ run, simulation }: Outcome): readonly Found[] {
 }
 
 /**
- * A tool that can not do the work at all, and what follows from it: another drawing or another value would not help.
+ * Codes for a tool that cannot do the work at all, and codes of its consequences: another contour or value would not
+ * help.
  */
 const wrongTool: ReadonlySet<string> = new Set(["toolUnfit", "toolOnWrongSide", "toolCannotCutSideways"]);
 const ofWrongTool: ReadonlySet<string> = new Set([
@@ -83,8 +84,8 @@ const ofWrongTool: ReadonlySet<string> = new Set([
 ]);
 
 /**
- * Without what only follows from something else that is listed, or says the same in other words: that nothing is proved
- * from a block on says more than that it is not simulated.
+ * Removes findings that only follow from a listed one, or repeat it: "not verified from this block" says more than "not
+ * simulated".
  */
 function withoutEchoes(all: readonly Found[]): readonly Found[] {
   const unfit = new Set(
@@ -108,10 +109,10 @@ function withoutEchoes(all: readonly Found[]): readonly Found[] {
   });
 }
 
-/** So many places of one kind are listed one by one: each has its own mark in the picture. */
+/** Up to this many places of one kind are listed one by one: each has its own mark in the picture. */
 const FEW = 5;
 
-/** Many places of one kind are one finding, as they are one in the report. */
+/** Joins many places of one kind to one finding, as in the report. */
 function withoutRows(all: readonly Found[], operations: Outcome["run"]["operations"]): readonly Found[] {
   const placed = all.map((found) => {
     const operation = found.operation === null ? undefined : operations[found.operation];
@@ -128,7 +129,7 @@ const thickest = (all: readonly Pick<Found, "thickness">[]): number | null =>
     null,
   );
 
-/** Numbers for what was found at a place, letters for what stays, in the order of the list. */
+/** Numbers for findings with a place, letters for residual material, in the order of the list. */
 function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
   let [numbers, letters] = [0, 0];
   return entries.map((entry) => {
@@ -139,24 +140,23 @@ function marked(entries: readonly FindingEntry[]): readonly FindingEntry[] {
 }
 
 /**
- * Without what follows from a dimension that the prompts question: its run has another set-up than the one that is
- * meant.
+ * Removes findings that follow from a dimension questioned by the prompts: the run has another set-up than the one
+ * intended.
  */
 function withoutAnswers(early: readonly Found[], late: readonly Found[]): readonly Found[] {
   const isAsked = early.some(({ issue }) => QUESTIONS.has(issue.code));
   return isAsked ? late.filter(({ issue }) => !followsQuestion(issue.code)) : late;
 }
 
-/** What prompts and program both question, as grave as the program has it. */
+/** Removes questions of the prompts that the program repeats, whose severity counts. */
 const once = (early: readonly Found[], late: readonly Found[]): readonly Found[] =>
   early.filter(
     ({ issue, at }) => !QUESTIONS.has(issue.code) || !late.some((l) => l.issue.code === issue.code && l.at === at),
   );
 
 /**
- * Everything found in the open work, worst first: what the prompts say at once, and what the last calculated program
- * says, as long as it is calculated from these values. Nothing twice. A program has no prompts of its own: `read` is
- * null.
+ * All findings of the open work, worst first, without repeats: those of the prompts at once, and those of the last
+ * calculated program if it belongs to these values. A program has no prompts of its own: `read` is null.
  */
 export function findingsOf(read: JobReading | null, outcome: Outcome | null): readonly FindingEntry[] {
   const early = read ? typed(read) : [];
@@ -167,7 +167,7 @@ export function findingsOf(read: JobReading | null, outcome: Outcome | null): re
     outcome?.run.operations ?? [],
   )) {
     const { issue, at, line, inFile } = found;
-    // The text of a job is made from its prompts: what both say is said once.
+    // The text of a job is made from its prompts: a finding of both is listed once.
     const key = JSON.stringify([issue.code, at, issue.data, read ? null : line, inFile]);
     if (!all.has(key)) all.set(key, { ...found, id: `${issue.code} ${at ?? ""} ${found.block ?? ""} ${all.size}` });
   }

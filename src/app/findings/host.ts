@@ -1,22 +1,22 @@
 import type { FindingEntry } from "./entry.ts";
 
-/** A button that mends what a finding says, in one step of undo. */
+/** A button that fixes a finding, in one step of undo. */
 export interface Mend {
   readonly name: string;
   readonly apply: () => void;
 }
 
-/** Where a finding is mended by hand. */
+/** The place where a finding is fixed by hand. */
 export interface Target {
   readonly name: string;
   readonly go: () => void;
 }
 
-/** What a workplace does for the list of findings: it knows prompts, blocks and how to change them. */
+/** The workplace behind the list of findings: it knows prompts, blocks and how to change them. */
 export interface FindingsHost {
   readonly targetOf: (entry: FindingEntry) => Target | null;
   readonly remediesOf: (entry: FindingEntry) => readonly Mend[];
-  /** The cycle in whose definition a finding stands: it tells what the value at its place measures. */
+  /** The cycle whose definition has the finding: it decides what the value at its place measures. */
   readonly cycleOf: (entry: FindingEntry) => number | null;
   /** Marks the place of a finding beside the list, without leaving the list. */
   readonly point: (entry: FindingEntry) => void;
@@ -26,7 +26,7 @@ export interface FindingsHost {
   readonly takeTool: (entry: FindingEntry, tool: number) => void;
 }
 
-/** The value that a finding offers; null where it offers none. */
+/** The value that a finding proposes, or null. */
 export const nearestOf = ({ issue }: FindingEntry): number | null =>
   "nearest" in issue.data && typeof issue.data.nearest === "number" && Number.isFinite(issue.data.nearest)
     ? issue.data.nearest

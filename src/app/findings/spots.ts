@@ -11,10 +11,13 @@ import { JOINED } from "../../kernel/tolerance.ts";
 
 type Unmarked = Omit<FindingSpot, "mark">;
 
-/** Half the edge of what is shown round a single point, mm. */
+/** Half the edge of the box around a single point, mm. */
 const ROUND = 2;
 
-/** A rapid is seen before it runs into the material, the others when they have happened. */
+/**
+ * Share of the step at which a finding is shown: a rapid before it enters the material, the others once they have
+ * happened.
+ */
 const SEEN = {
   rapidInStock: 0,
   gouge: 0.999,
@@ -29,13 +32,13 @@ const SEEN = {
   holeMissing: 0,
 } as const;
 
-/** The code under which a finding of the stock is told. */
+/** The issue code of a finding of the stock. */
 const codeOf = (kind: AnyFinding["kind"]) =>
   kind === "rapidBehindBlank" || kind === "feedBehindBlank" ? "behindBlank" : kind;
 
 const roundPoint = ({ z, r }: Pt): Bounds => ({ left: z - ROUND, right: z + ROUND, low: r - ROUND, high: r + ROUND });
 
-/** The box round some rings and a place, mm. */
+/** Bounding box of rings and a place, mm. */
 export function boundsRound(rings: readonly Ring[], place: Pt): Bounds {
   const box = roundPoint(place);
   let { left, right, low, high } = box;
@@ -51,19 +54,19 @@ export function boundsRound(rings: readonly Ring[], place: Pt): Bounds {
 
 const near = (a: number, b: number) => Math.abs(a - b) < JOINED;
 
-/** What is to be seen of an issue of the proof; for what stays its index and its thickness, mm. */
+/** The spot of an issue of the check; for residual material also its index and thickness, mm. */
 interface Seen {
   readonly spot: Unmarked;
   readonly residual?: number;
   readonly thickness?: number;
 }
 
-/** A place that is seen at a moment, with what lies round it. */
+/** A spot at a position, with the rings around it. */
 const spotIn = (rings: readonly Ring[], place: Pt, position: Unmarked["position"]): Seen => ({
   spot: { plane: "ZX", kind: "finding", place, bounds: boundsRound(rings, place), position },
 });
 
-/** A move, looked at when half of it is done. */
+/** The middle of a move. */
 function spotOfMove({ steps }: Simulation, step: number): Unmarked | null {
   const s = steps[step];
   if (!s) return null;
@@ -81,7 +84,7 @@ function spotOfMove({ steps }: Simulation, step: number): Unmarked | null {
   };
 }
 
-/** Where the simulation saw what an issue of the proof names; null for what has no place. */
+/** The spot of an issue in the simulation; null if it has no place. */
 export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue): Seen | null {
   const { findings, proof, steps } = simulation;
   const isAt =
@@ -132,12 +135,12 @@ export function spotOfProof(simulation: Simulation, { issue, step }: ProofIssue)
   }
 }
 
-/** Mills are seen whole beside what they cut: this many radii round the place. */
+/** Margin around a milled place, in tool radii: the whole mill is visible. */
 const RADII = 3;
 
 /**
- * A place of the working plane; the moment is when the block comes nearest to it, or behind the one before where that
- * has no way.
+ * A spot in the working plane, at the position where the block comes nearest to it, or after the previous block if it
+ * has no path.
  */
 function spotInPlane({ plane: steps }: Run, x: number, y: number, block: number | null): Unmarked {
   const place = partPoint({ x, y });
@@ -155,7 +158,7 @@ function spotInPlane({ plane: steps }: Run, x: number, y: number, block: number 
   return { plane: "XY", kind: "finding", place, bounds, position };
 }
 
-/** The share of a way at which it is nearest to a point: not its very end, which is the beginning of the next. */
+/** The share of a path that is nearest to a point, below 1: the very end belongs to the next step. */
 function shareOf(way: PlaneSegment, to: PlanePoint): number {
   const long = plane.lengthOf(way);
   return long < JOINED ? 0 : Math.min(0.999, plane.along(way, plane.nearestOn(way, to)) / long);
@@ -188,6 +191,6 @@ export function spotOfRun(run: Run, { issue, block }: RunFinding): Unmarked | nu
   };
 }
 
-/** A, B … Z, AA … for regions that stay, beside the numbers of findings. */
+/** Letters for residual material: A, B … Z, AA …; other findings have numbers. */
 export const letterOf = (index: number): string =>
   (index >= 26 ? letterOf(Math.floor(index / 26) - 1) : "") + String.fromCharCode(65 + (index % 26));

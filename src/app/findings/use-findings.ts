@@ -9,12 +9,12 @@ import { rememberingLast } from "../base/once.ts";
 
 interface Findings {
   readonly entries: readonly FindingEntry[];
-  /** Those of the list: prompts that are only not answered yet are counted, not listed. */
+  /** The findings in the list: empty prompts are counted, not listed. */
   readonly listed: readonly FindingEntry[];
   readonly verdict: ShownVerdict;
 }
 
-/** The findings and the verdict on one state of the open work, made once per state. */
+/** Findings and verdict of one state of the open work, cached. */
 const known = rememberingLast((read: JobReading | null, newest: Outcome | null): Findings => {
   const entries = findingsOf(read, newest);
   return {
@@ -36,10 +36,10 @@ function useBoth(): Findings {
   return useMemo(() => known(read, newest), [read, newest]);
 }
 
-/** All findings of the open work, worst first; the same list as long as neither values nor results change. */
+/** All findings of the open work, worst first; the same list while values and results do not change. */
 export const useFindings = (): readonly FindingEntry[] => useBoth().entries;
 
-/** What the list of findings shows and every count on the page counts. */
+/** The findings in the list, which every count on the page uses. */
 export const useListed = (): readonly FindingEntry[] => useBoth().listed;
 
 /** The verdict on the open work. */

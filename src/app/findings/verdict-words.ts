@@ -45,6 +45,6 @@ function because(t: Words["because"], doubt: Doubt): readonly string[] {
   }
 }
 
-/** Every reason why a program is not proved, or not wholly, as a sentence each. */
+/** Every reason why a program is not or only partly verified, one sentence each. */
 export const verdictReasons = (t: Words, { doubts }: ShownVerdict): readonly string[] =>
   doubts.flatMap((doubt) => because(t.because, doubt));

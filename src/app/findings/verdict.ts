@@ -2,13 +2,13 @@ import { verdictOf, type VerdictReason } from "../../report/verdict.ts";
 import type { Outcome } from "../calculation/outcome.ts";
 import { isError, isToDo, type FindingEntry } from "./entry.ts";
 
-/** Why a program is not proved, or not wholly, with what the sentence about it needs. */
+/** Why a program is not or only partly verified, with the data of the sentence. */
 export type Doubt =
   | Extract<VerdictReason, { kind: "unproved" | "milling" | "notes" }>
   | { readonly kind: "nothingCut"; readonly block: number; readonly cycle: number }
   /**
-   * `begun`: something in it is cut or drawn all the same, or a cycle is described that no call runs; `turned`: moves
-   * cut without one.
+   * `begun`: something is cut or drawn all the same, or a cycle is defined but not called; `turned`: moves cut without
+   * a cycle.
    */
   | {
       readonly kind: "noOperation";
@@ -16,23 +16,23 @@ export type Doubt =
       readonly begun: boolean;
       readonly turned: boolean;
     }
-  /** All tools that nobody described in full, in one sentence. */
+  /** All incompletely described tools, in one sentence. */
   | { readonly kind: "holderUnknown" | "flanksUnknown" | "curvatureUnknown"; readonly tools: readonly number[] };
 
-/** What the screen says about a program as a whole: the judgement of the report, and what the list of findings adds. */
+/** The shown verdict on a program: that of the report, and what the list of findings adds. */
 export interface ShownVerdict {
   /** "none": there is nothing calculated to judge. */
   readonly state: "none" | "proved" | "faults" | "incomplete";
   /** The gravest first. */
   readonly doubts: readonly Doubt[];
-  /** Errors, things only not done yet aside. */
+  /** Errors, without empty prompts. */
   readonly faults: number;
-  /** The called program in which the first of them stands; null for the program itself. */
+  /** The called program that has the first of them; null for the main program. */
   readonly file: string | null;
   /** Prompts that are still empty. */
   readonly open: number;
   readonly warnings: number;
-  /** mm² that stay against the drawing. */
+  /** Residual material, mm². */
   readonly stays: number;
 }
 
@@ -73,7 +73,7 @@ function doubtsOf(
   return doubts;
 }
 
-/** The verdict on what is calculated, with every reason against it. Errors that only the prompts know count as well. */
+/** The verdict on the calculated program, with all reasons. Errors of the prompts count as well. */
 export function judged(entries: readonly FindingEntry[], outcome: Outcome | null): ShownVerdict {
   const errors = entries.filter(isError);
   const open = errors.filter(isToDo).length;
@@ -96,10 +96,7 @@ export function judged(entries: readonly FindingEntry[], outcome: Outcome | null
   };
 }
 
-/**
- * Green only where everything is proved, nothing was left unlooked at, and nothing is left to look at. A page still
- * empty is no doubt.
- */
+/** Green only if everything is verified and nothing is left unchecked or needs a look. An empty page is no doubt. */
 export function toneOf({ state, doubts, warnings, stays }: ShownVerdict): "good" | "plain" | "doubt" | "bad" | "none" {
   if (state === "none") return "none";
   if (state === "faults") return "bad";

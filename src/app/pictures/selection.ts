@@ -14,13 +14,13 @@ import { useEditor } from "../document/store.ts";
 
 const select = (chosen: Partial<Selection>): void => useSelection.setState({ ...NOTHING_SELECTED, ...chosen });
 
-/** The tool goes to a moment of the run and stays there. */
+/** Moves the tool to a moment of the run and pauses. */
 function goTo(position: PlayPosition): void {
   playback.dispatch({ do: "pause" });
   playback.dispatch({ do: "seek", position });
 }
 
-/** Marks what belongs to a choice in the picture that shows it, and the tool goes to where it begins. */
+/** Marks a choice in the picture that shows it, and moves the tool to its start. */
 export function choosePath(run: Run | null, choice: PathChoice): void {
   select({ choice });
   const isMilled = run !== null && showChoice(run, playback, choice) && choice.kind === "blocks";
@@ -34,20 +34,20 @@ export function chooseLine(run: Run | null, choice: PathChoice, line: Selection[
   useSelection.setState({ line });
 }
 
-/** Chooses what makes a move, and the tool goes to the moment of it that was pointed at. */
+/** Chooses the element or block that makes a move, and moves the tool to the clicked moment. */
 export function chooseMove(run: Run, position: PlayPosition, element: string | null = null): void {
   select({ choice: choiceOf(run, position.step) });
   if (element !== null) chooseElement(element);
   goTo(position);
 }
 
-/** Chooses the block of a milled motion, and the tool goes to the moment of it that was pointed at. */
+/** Chooses the block of a milled motion, and moves the tool to the clicked moment. */
 export function chooseMilled(run: Run, position: PlayPosition): void {
   select({ choice: choiceOfMilled(run, position.step) });
   goTo(position);
 }
 
-/** The segments of a job's contour that a row of its table makes. */
+/** The segments that a row of a job's contour table makes. */
 function choiceOfElement(rows: readonly ContourRow[], id: string): PathChoice {
   const row = rows.findIndex((each) => each.id === id);
   return {
@@ -77,7 +77,7 @@ export function useMilledMarks(run: Run): readonly MoveSpan[] {
 
 const NOTHING: Marked = { stretches: [], contour: [], begin: null };
 
-/** What is marked in the picture of a run. */
+/** The marks in the picture of a run. */
 export function useMarked(run: Run): Marked {
   const choice = useSelection((s) => s.choice);
   const element = useContourPlace((p) => p.chosen);

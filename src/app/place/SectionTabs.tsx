@@ -6,7 +6,7 @@ interface Section {
   readonly section: WorkSection;
   readonly name: string;
   readonly content: ReactNode;
-  /** Stays in the page while another one is open, and keeps what it remembers. */
+  /** Stays mounted while another section is open, and keeps its state. */
   readonly stays?: boolean;
   /** A count beside the name, with its colour. */
   readonly badge?: { readonly count: number; readonly severity: "error" | "warning" | "info" };
@@ -16,7 +16,7 @@ type Head = Omit<Section, "content">;
 const Contents = createContext<ReadonlyMap<WorkSection, ReactNode>>(new Map());
 const Content = ({ of }: { readonly of: WorkSection }): ReactNode => useContext(Contents).get(of);
 
-/** The tabs with room for what they hold: they render when a tab changes, not with every key that is typed in one. */
+/** The tabs and their panels: they render when a tab changes, not with every key typed in one. */
 const Frame = memo(function Frame({
   name,
   heads,
@@ -46,7 +46,7 @@ const Frame = memo(function Frame({
   );
 });
 
-/** Panels that take turns. */
+/** Tabs with one panel at a time. */
 export function SectionTabs({
   name,
   tabs,

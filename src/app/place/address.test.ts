@@ -34,7 +34,7 @@ const places: fc.Arbitrary<Address> = fc.oneof(
   fc.record({ page: fc.constant("guide" as const), path: fc.tuple(fc.constantFrom("guide", "glossary"), name, name) }),
 );
 
-test("every place is found again by its address", () => {
+test("every place can be restored from its address", () => {
   fc.assert(
     fc.property(places, (address) => {
       expect(parseAddress(printAddress(address))).toEqual(address);

@@ -1,13 +1,11 @@
 import type { LessonPage } from "../../course/progress.ts";
 import type { WorkSection } from "./place.ts";
 
-/**
- * A place of the page that has an address of its own: behind `#`, so that it works in any folder and without a server.
- */
+/** A place with its own address: after `#`, so that it works in any folder and without a server. */
 export type Address =
   StartAddress | WorksAddress | CourseAddress | WorkAddress | SheetAddress | ToolsAddress | OwnAddress | GuideAddress;
 
-/** The first screen, and whether it is asked there which cycle makes a shape. */
+/** The start page, and whether the dialog that finds a cycle is open. */
 export interface StartAddress {
   readonly page: "start";
   readonly which: boolean;
@@ -25,7 +23,7 @@ export interface CourseAddress {
   readonly at: LessonPage;
 }
 
-/** A work of this device by the name it is kept under, with the section that is shown. */
+/** A work of this device by its key, with the shown section. */
 export interface WorkAddress {
   readonly page: "work";
   readonly work: string;
@@ -100,7 +98,7 @@ function parts(address: Address): readonly string[] {
   }
 }
 
-/** What stands in the page's address for a place, from `#` on. */
+/** The address of a place, from `#` on. */
 export const printAddress = (address: Address): string => `#/${parts(address).map(encodeURIComponent).join("/")}`;
 
 function decoded(part: string): string | null {
@@ -129,10 +127,10 @@ function courseAddress([lesson, at = "1", ...more]: readonly string[]): CourseAd
   return { page: "course", lesson: lesson ?? null, at: at === TASKS ? at : Number(at) };
 }
 
-/** Whether the part of an address from `#` on carries a work, in this or in another form: it names no place then. */
+/** Whether an address, from `#` on, is a share link: it then names no place. */
 export const isShareLink = (hash: string): boolean => /^#(?:[pw]|[htr]\d+)=/.test(hash);
 
-/** The place that the part of an address from `#` on names; null where it names none. */
+/** The place of an address, from `#` on; null if it names none. */
 export function parseAddress(hash: string): Address | null {
   if (!hash.startsWith("#/")) return null;
   const found = hash

@@ -4,14 +4,12 @@ import type { ContourRow } from "../../program/job/job.ts";
 /** What the middle of the page shows while a contour is edited. */
 export type ContourView = "draw" | "lathe";
 
-/**
- * What drawing and table of a contour have in common beside its rows: not part of the work, so undo does not touch it.
- */
+/** State shared by drawing and table of a contour: not part of the work, so undo does not touch it. */
 interface ContourPlace {
   readonly view: ContourView;
   /** Id of the chosen element. */
   readonly chosen: string | null;
-  /** Counts up each time the table should take the keyboard at the chosen element. */
+  /** Counts up to move the focus to the selected row of the table. */
   readonly keyboard: number;
 }
 
@@ -19,11 +17,11 @@ export const useContourPlace = create<ContourPlace>(() => ({ view: "draw", chose
 
 export const showContourView = (view: ContourView): void => useContourPlace.setState({ view });
 export const chooseElement = (chosen: string | null): void => useContourPlace.setState({ chosen });
-/** Chooses an element and puts the keyboard into its row. */
+/** Selects an element and focuses its row. */
 export const goToElement = (chosen: string | null): void =>
   useContourPlace.setState((p) => ({ chosen, keyboard: p.keyboard + 1 }));
 
-/** Index of the chosen element; the first one where none of these is chosen, null where there is none. */
+/** Index of the selected element, by default the first one; null if there is none. */
 export function useChosenRow(rows: readonly ContourRow[]): number | null {
   const chosen = useContourPlace((p) => p.chosen);
   const found = rows.findIndex((r) => r.id === chosen);

@@ -1,6 +1,6 @@
 import { create } from "zustand";
 
-/** The cycle block of a program whose prompts were open last: its work, its cycle, its first line (from 1). */
+/** The cycle block whose prompts were open last: its work, its cycle, its first line (from 1). */
 export interface OpenCall {
   readonly work: string | null;
   readonly cycle: number;
@@ -9,9 +9,7 @@ export interface OpenCall {
 
 export const useOpenCall = create<{ readonly call: OpenCall | null }>(() => ({ call: null }));
 
-/**
- * The block of a program, no cycle, whose words were open last, and the one that its page of the guide was asked for.
- */
+/** The last open block other than a cycle, and its word when the guide was opened. */
 export interface GuidedBlock {
   readonly work: string | null;
   /** Its line in the text, from 1. */
@@ -21,7 +19,7 @@ export interface GuidedBlock {
 
 export const useGuidedBlock = create<{ readonly block: GuidedBlock | null }>(() => ({ block: null }));
 
-/** The word that was open in a block when its guide took its place. */
+/** The word that was open in a block when its guide was opened. */
 export function openWordOf(work: string | null, line: number): string | null {
   const { block } = useGuidedBlock.getState();
   return block?.work === work && block.line === line ? block.word : null;

@@ -136,7 +136,7 @@ const manifestOf = (bytes: Uint8Array) =>
     works: { content: { job: { name: string } } }[];
   };
 
-test("whatever is packed is found again, what is typed wrong and drafts of other cycles included", () => {
+test("everything packed is read back, including invalid text and drafts of other cycles", () => {
   fc.assert(
     fc.property(works, fc.boolean(), (all, isWhole) => {
       const rest = isWhole ? whole : nothing;
@@ -147,7 +147,7 @@ test("whatever is packed is found again, what is typed wrong and drafts of other
   );
 });
 
-test("a file of an earlier edition is read as before; a part that is damaged is named and stops no other", () => {
+test("a file of an earlier edition is read as before; a damaged part is named and stops no other", () => {
   const manifest = manifestOf(writeArchive({ works: [], ...whole })) as unknown as Record<string, unknown>;
   const { forms: _, worked: __, results: ___, ...before } = manifest;
   expect(read(packed(before))).toMatchObject({
@@ -169,7 +169,7 @@ test("a file of an earlier edition is read as before; a part that is damaged is 
   expect(read(packed(broken))).toMatchObject({ worked, forms: null, results: null, unreadParts: ["forms", "results"] });
 });
 
-test("every path is a plain one inside its folder, and no two are the same on any system", () => {
+test("every path stays inside its folder, and no two are equal on any system", () => {
   fc.assert(
     fc.property(works, (all) => {
       const paths = Object.keys(unzipSync(writeArchive({ works: all, tools, own, settings })));
@@ -183,7 +183,7 @@ test("every path is a plain one inside its folder, and no two are the same on an
   );
 });
 
-test("the programs in it are the bytes that the control reads", () => {
+test("the programs have the bytes that the control reads", () => {
   const [first] = jobs;
   const german = {
     name: "WELLE.H",
@@ -222,7 +222,7 @@ test("the shop's cutting data are in it, among the settings and as the file that
   ]);
 });
 
-test("a work that was altered on its way, or that this edition can not read, is named, and the others come", () => {
+test("an altered or unreadable work is named, and the others are read", () => {
   const three = ["A", "B", "C"].map((named, i) => ({ work: named, savedAt: i, job: { ...jobs[0]!, name: named } }));
   const manifest = manifestOf(writeArchive({ works: three, tools }));
   manifest.works[1]!.content.job.name = "OTHER";
@@ -236,7 +236,7 @@ test("a work that was altered on its way, or that this edition can not read, is 
   });
 });
 
-test("what is no archive, is damaged, too large or newer is said", () => {
+test("a file that is no archive, damaged, too large or newer gives its reason", () => {
   const good = writeArchive({ works: [{ work: "a", savedAt: 3, job: jobs[0]! }] });
   const problem = (bytes: Uint8Array, limits = {}) => readArchive(bytes, { ...ARCHIVE_LIMITS, ...limits });
   expect(problem(strToU8("0 BEGIN PGM A MM"))).toEqual({ problem: "notAnArchive" });
@@ -249,7 +249,7 @@ test("what is no archive, is damaged, too large or newer is said", () => {
     expect(problem(good, limits)).toEqual({ problem: "tooLarge" });
 });
 
-test("no bytes make reading fail, and none of a file that was altered comes as something else", () => {
+test("no bytes make reading throw, and an altered file never gives other content", () => {
   const all = [{ work: "a", savedAt: 3, job: jobs[0]! }];
   const good = writeArchive({ works: all });
   fc.assert(

@@ -9,19 +9,15 @@ import { eachPart, PART_NAMES, PARTS, type PartName, type PartValues } from "./p
 import { readSave, SAVE_VERSION } from "./save-file.ts";
 
 /*
- * A file that holds works, and what else stands on a device. It is a zip: `turnwise.json` has everything as it is kept
- * here, drafts of other cycles included, and is all that is read again; the folders beside it are the same for people
- * and for other programs.
+ * A backup: works and other data of a device, as a zip. Only `turnwise.json` is read back; it has everything, including
+ * drafts of other cycles. The folders next to it have the same for people and other programs.
  */
 
 const FORMAT = "turnwise-archive/";
 const EDITION = 1;
 const MANIFEST = "turnwise.json";
 
-/**
- * A work in an archive: the name it is kept under on the device it comes from, and when it was last changed, ms since
- * 1970.
- */
+/** A work in an archive: its name on the source device, and its last change, ms since 1970. */
 export interface ArchivedWork {
   readonly work: string;
   readonly savedAt: number;
@@ -33,21 +29,18 @@ export interface ArchiveContent extends PartValues {
   readonly works: readonly ArchivedWork[];
 }
 
-/** A read archive. What of it cannot be read is named and stops nothing. */
+/** A read archive. Unreadable items are listed; the others are still used. */
 export interface ReadArchive extends ArchiveContent {
   /** Names of works that are damaged, or that only a newer edition can read. */
   readonly unread: readonly string[];
-  /** Parts beside the works that are damaged. */
+  /** Damaged parts other than works. */
   readonly unreadParts: readonly PartName[];
 }
 
-/**
- * Why a file brings nothing: it is of another kind, was altered on its way, holds more than is unpacked, or a newer
- * edition wrote it.
- */
+/** Why a file is rejected: another kind, altered, larger than the limits, or from a newer edition. */
 export type ArchiveProblem = "notAnArchive" | "damaged" | "tooLarge" | "newer";
 
-/** What is unpacked at most: bytes of the file and of what is in it, entries of the zip, works. */
+/** Limits of unpacking: bytes packed and unpacked, entries of the zip, works. */
 export interface ArchiveLimits {
   readonly packed: number;
   readonly unpacked: number;
@@ -61,10 +54,7 @@ export const ARCHIVE_LIMITS: ArchiveLimits = {
   works: 20_000,
 };
 
-/**
- * Something that is kept, with a mark by which it is seen that it was altered. A part without one, written by hand, is
- * taken as it is.
- */
+/** Content with a fingerprint that reveals changes. Content without one, written by hand, is accepted. */
 interface Sealed {
   readonly print?: unknown;
   readonly content?: unknown;
@@ -73,14 +63,14 @@ const sealed = (content: unknown): Sealed => ({ print: fingerprint(content), con
 const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> =>
   typeof raw === "object" && raw !== null && !Array.isArray(raw);
 
-/** What is sealed; undefined where it is not what was sealed. */
+/** The sealed content; undefined if it was altered. */
 function unsealed(raw: unknown): unknown {
   if (!isRecord(raw)) return undefined;
   const { print, content } = raw as Sealed;
   return print === undefined || print === fingerprint(content) ? content : undefined;
 }
 
-/** Names that a folder of some system does not take. */
+/** File names that some systems reject. */
 const RESERVED = /^(?:CON|PRN|AUX|NUL|COM\d|LPT\d)(?:\.|$)/i;
 
 /** A name as one part of a path, on every system. */
@@ -93,7 +83,7 @@ function pathPart(name: string): string {
   return plain === "" || RESERVED.test(plain) ? `_${plain}` : plain;
 }
 
-/** Names that are all different, whatever their case: the second `A` becomes `A (2)`. An ending stays at the end. */
+/** Makes names unique, ignoring case: the second `A` becomes `A (2)`. The extension stays at the end. */
 function namer(): (name: string) => string {
   const taken = new Set<string>();
   return (name) => {
@@ -105,7 +95,7 @@ function namer(): (name: string) => string {
   };
 }
 
-/** The files of a work as a control reads them; none where a job has nothing that can be printed. */
+/** The files of a work as a control reads them; none if a job cannot be printed. */
 function readable(job: Work): readonly WorkFile[] {
   if (isProgram(job)) return textsOf(job);
   try {
@@ -118,11 +108,11 @@ function readable(job: Work): readonly WorkFile[] {
   }
 }
 
-/** Times that a zip can write down, ms since 1970. */
+/** Range of times in a zip, ms since 1970. */
 const [EARLIEST, LATEST] = [Date.UTC(1980, 0, 2), Date.UTC(2099, 11, 30)];
 const zipTime = (time: number): number => Math.min(Math.max(Number.isFinite(time) ? time : EARLIEST, EARLIEST), LATEST);
 
-/** Packs works, and what else is given, into one file. */
+/** Packs works and other parts into one file. */
 export function writeArchive({ works: all = [], ...given }: Partial<ArchiveContent>): Uint8Array<ArrayBuffer> {
   const mtime = zipTime(Math.max(EARLIEST, ...all.map(({ savedAt }) => savedAt)));
   const beside = PART_NAMES.flatMap((name) => {
@@ -155,11 +145,11 @@ export function writeArchive({ works: all = [], ...given }: Partial<ArchiveConte
 /** True for bytes that may be an archive: every zip begins like this. */
 export const looksPacked = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && bytes[1] === 0x4b;
 
-/** The bytes of the manifest. Nothing else of the file is ever unpacked, so no path in it leads anywhere. */
+/** The bytes of the manifest. Nothing else of the file is ever unpacked, so its paths are harmless. */
 function manifestOf(bytes: Uint8Array, limits: ArchiveLimits): Uint8Array | ArchiveProblem {
   let entries = 0;
   let tooLarge = false;
-  // Each entry is unpacked into as many bytes as it says that it has, and never into more.
+  // Each entry is unpacked to its declared size at most.
   const found = unzipSync(bytes, {
     filter: ({ name, originalSize }) => {
       entries++;
@@ -191,7 +181,7 @@ function contentOf(raw: Readonly<Record<string, unknown>>): ReadArchive {
   return { ...worksOf(Array.isArray(raw["works"]) ? raw["works"] : []), ...parts, unreadParts };
 }
 
-/** What a file holds, or why it brings nothing. Never throws, and never unpacks more than the limits say. */
+/** Reads an archive, or says why not. Never throws, and never unpacks beyond the limits. */
 export function readArchive(
   bytes: Uint8Array,
   limits: ArchiveLimits = ARCHIVE_LIMITS,

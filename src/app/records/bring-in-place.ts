@@ -3,22 +3,22 @@ import { create } from "zustand";
 import { handedWork, showIncoming } from "./incoming.ts";
 import type { ArchiveProblem, ReadArchive } from "./archive.ts";
 
-/** A file of works that somebody wants to bring in: what is in it, or why nothing is. */
+/** A backup to restore: its content, or why it cannot be read. */
 export interface Bringing {
   readonly name: string;
   readonly archive: ReadArchive | null;
   readonly problem: ArchiveProblem | "unreadable" | null;
 }
 
-/** Null while there is none. */
+/** Null if there is none. */
 export const useBringing = create<{ readonly shown: Bringing | null }>(() => ({ shown: null }));
 
 export const endBringing = (): void => useBringing.setState({ shown: null });
 
-/** Files of works are zips; nothing else that is opened here is one. */
+/** Backups are the only zip files opened here. */
 export const isArchiveName = (name: string): boolean => /\.zip$/i.test(name);
 
-/** Reads a file of works and shows what is in it. Nothing is taken yet. */
+/** Reads a backup and shows its content; nothing is restored yet. */
 export async function bringIn(file: File): Promise<void> {
   const { name } = file;
   const { ARCHIVE_LIMITS, readArchive } = await untilHere(() => import("./archive.ts"));

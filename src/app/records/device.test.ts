@@ -4,7 +4,7 @@ import { exampleJob } from "../../program/job/job.ts";
 import { findWorks, forgetWork, keepWork, readWork } from "./device.ts";
 import { SAVE_VERSION } from "./save-file.ts";
 
-/** A device in memory: stores by name, a fault that every access meets, and how many values are held at once. */
+/** Storage in memory: stores by name, an error for every access, and how many values are in memory at once. */
 const device = vi.hoisted(() => ({
   stores: new Map<string, Map<string, unknown>>(),
   fault: null as Error | null,
@@ -42,7 +42,7 @@ beforeEach(() => {
   Object.assign(device, { fault: null, silent: false });
 });
 
-test("150 works are kept, and all are found, newest first", async () => {
+test("150 works are saved, and all are found, newest first", async () => {
   for (let i = 0; i < 150; i += 1) expect(await keepWork(`w${i}`, { ...job, name: `N${i}` })).toBe("kept");
   works().forEach((file, key) => works().set(key, { ...(file as object), savedAt: Number(key.slice(1)) }));
   device.stores.delete("turnwise-heads");
@@ -61,7 +61,7 @@ test("a list holds no texts of programs", async () => {
   expect((await readWork("p"))?.job).toMatchObject({ name: "LONG.H" });
 });
 
-test("works of an edition that noted no heads are found, and read once only", async () => {
+test("works of an edition without summaries are found, and read only once", async () => {
   await keepWork("old", { ...job, name: "OLD" }, 41);
   device.stores.delete("turnwise-heads");
   const [found] = (await findWorks()).works;
@@ -70,7 +70,7 @@ test("works of an edition that noted no heads are found, and read once only", as
   expect((await findWorks()).works).toEqual([found]);
 });
 
-test("a work that turns out to be damaged when it is opened is set aside at the next look", async () => {
+test("a work found damaged when opened is set aside at the next listing", async () => {
   await keepWork("w", job);
   works().set("w", { broken: true });
   expect(await findWorks()).toMatchObject({ setAside: 0, works: [{ work: "w" }] });
@@ -79,7 +79,7 @@ test("a work that turns out to be damaged when it is opened is set aside at the 
   expect([...aside().values()]).toEqual([{ broken: true }]);
 });
 
-test("no room and a refusal are told apart, and nothing is thrown", async () => {
+test("no space and a refusal give different results, and nothing is thrown", async () => {
   device.fault = new DOMException("no room", "QuotaExceededError");
   expect(await keepWork("w", job)).toBe("full");
   device.fault = new DOMException("not allowed", "SecurityError");
@@ -89,7 +89,7 @@ test("no room and a refusal are told apart, and nothing is thrown", async () => 
   await forgetWork("w");
 });
 
-test("what is damaged goes aside whole, what a newer edition saved stays where it is", async () => {
+test("damaged saves are set aside unchanged, saves of a newer edition stay in place", async () => {
   await keepWork("good", job);
   works().set("broken", { broken: true });
   works().set("newer", { version: SAVE_VERSION + 1, savedAt: 5, job: "of another kind" });
@@ -99,7 +99,7 @@ test("what is damaged goes aside whole, what a newer edition saved stays where i
   expect(await findWorks()).toMatchObject({ setAside: 0, newer: 1 });
 });
 
-test("what an edition before set aside and this one can read comes back under its own name, and takes no other's place", async () => {
+test("saves set aside by an earlier edition that are readable now return under their names and replace no other", async () => {
   await keepWork("mine", { ...job, name: "PRESENT" });
   const old = (name: string) => ({ version: SAVE_VERSION, savedAt: 3, job: { ...job, name } });
   device.stores.set(
@@ -116,7 +116,7 @@ test("what an edition before set aside and this one can read comes back under it
   expect(aside().size).toBe(0);
 });
 
-test("a device that never answers counts as one that keeps nothing", async () => {
+test("a device that never answers counts as one without storage", async () => {
   vi.useFakeTimers();
   device.silent = true;
   const asked = findWorks();

@@ -4,7 +4,7 @@ import { database } from "../base/database.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
 import { isNewer, readSave, SAVE_VERSION, type SaveFile } from "./save-file.ts";
 
-/** What a list shows of a saved work; the work itself stays on the device until it is opened. */
+/** Summary of a saved work for lists; the work itself stays on the device until it is opened. */
 export interface Kept {
   readonly work: string;
   /** Milliseconds since 1970. */
@@ -12,37 +12,34 @@ export interface Kept {
   readonly name: string;
   /** Null for a whole program. */
   readonly cycle: number | null;
-  /** What it takes on the device, bytes, about. */
+  /** Approximate size on the device, bytes. */
   readonly size: number;
-  /** Id of the task that it is; absent of other works. */
+  /** Id of its task; absent for other works. */
   readonly task?: string | undefined;
 }
 
-/** Everything found on the device. Nothing of it is ever deleted but by the operator. */
+/** Everything found on the device. Only the operator deletes any of it. */
 export interface Found {
   /** Newest first. */
   readonly works: readonly Kept[];
   /** How many damaged saves were set aside while reading. */
   readonly setAside: number;
-  /** How many saves of a newer edition stay where they are: this one can not read them. */
+  /** Saves of a newer edition, which this one cannot read and leaves untouched. */
   readonly newer: number;
   /** False when the browser keeps nothing (private window, storage refused). */
   readonly available: boolean;
 }
 
-/** What became of writing: kept, no room left, or refused. */
+/** Result of writing: kept, no space left, or refused. */
 export type KeepState = "kept" | "full" | "refused";
 
-/**
- * Works, what was set aside, and beside each work what a list shows of it: a list of many must not read all their
- * texts.
- */
+/** Works, damaged saves, and a summary of each work, so that a long list need not read all texts. */
 const [works, aside, heads] = [database("works"), database("damaged"), database("heads")];
 
-/** A device that does not answer must not keep the page from opening, ms. */
+/** Timeout of the storage, ms, so that the page opens even if it does not answer. */
 const PATIENCE = 4000;
 
-/** An answer of the device, or a failure when none comes. */
+/** Rejects if the storage does not answer in time. */
 function inTime<T>(answer: Promise<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     const timer = setTimeout(() => reject(new Error("no answer from the device")), PATIENCE);
@@ -50,7 +47,7 @@ function inTime<T>(answer: Promise<T>): Promise<T> {
   });
 }
 
-/** Saves that were set aside and can be read by this edition come back to the others. */
+/** Moves saves that were set aside, and that this edition can read, back to the works. */
 async function bringBack(): Promise<void> {
   for (const key of await inTime(aside.keys())) {
     const raw = await inTime(aside.get(key));
@@ -83,7 +80,7 @@ const headShape = z.object({
   task: z.optional(z.string()),
 });
 
-/** What lists show of works, by their names; a work without a head is read itself. */
+/** Summaries by work; a work without one is read in full. */
 async function knownHeads(): Promise<ReadonlyMap<string, Head>> {
   try {
     const all = await inTime(heads.entries());
@@ -98,10 +95,7 @@ async function knownHeads(): Promise<ReadonlyMap<string, Head>> {
   }
 }
 
-/**
- * Notes what lists show of a work, null of one that is to be read itself. A head is a convenience: without it nothing
- * is lost.
- */
+/** Stores the summary of a work; null if the work is to be read in full. Nothing is lost without a summary. */
 async function noteHead(work: string, head: Head | null): Promise<void> {
   try {
     await (head ? heads.set(work, head) : heads.del(work));
@@ -111,8 +105,8 @@ async function noteHead(work: string, head: Head | null): Promise<void> {
 }
 
 /**
- * Finds what there is of saved works. Those without a head are read, one after the other, so that never more than one
- * is in memory. What is damaged is moved to a place of its own and stays there. Always answers.
+ * Lists the saved works. Those without a summary are read one after the other, so that only one is in memory. Damaged
+ * ones are moved to their own store and stay there. Always answers.
  */
 export async function findWorks(): Promise<Found> {
   const found: Kept[] = [];
@@ -140,7 +134,7 @@ export async function findWorks(): Promise<Found> {
         setAside += 1;
       }
     }
-    // A head is a convenience: without it a work is read itself the next time.
+    // Without a summary the work is read in full the next time.
     if (fresh.length > 0) await heads.setMany(fresh).catch(() => undefined);
   } catch {
     available = false;
@@ -153,7 +147,7 @@ export async function readWork(work: string): Promise<SaveFile | null> {
   try {
     const raw = await inTime(works.get(work));
     const file = readSave(raw);
-    // The next look at the list reads this one itself and sets it aside.
+    // The next listing reads this work in full and sets it aside.
     if (!file && raw !== undefined) await noteHead(work, null);
     return file;
   } catch {
@@ -163,7 +157,7 @@ export async function readWork(work: string): Promise<SaveFile | null> {
 
 const isFull = (error: unknown) => error instanceof Error && error.name === "QuotaExceededError";
 
-/** Keeps a work, as changed now or at another time. */
+/** Saves a work, dated now or at another time. */
 export async function keepWork(work: string, job: Work, savedAt = time()): Promise<KeepState> {
   try {
     const file: SaveFile = { version: SAVE_VERSION, savedAt, job };
@@ -175,7 +169,7 @@ export async function keepWork(work: string, job: Work, savedAt = time()): Promi
   }
 }
 
-/** Takes one work out of the list, for the operator asked for it. */
+/** Deletes a work, at the operator's request only. */
 export async function forgetWork(work: string): Promise<void> {
   try {
     await works.del(work);

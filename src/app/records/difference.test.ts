@@ -12,7 +12,7 @@ const { value } = fc.letrec<{ value: Json }>((tie) => ({
   ),
 }));
 
-test("a value with its difference is the other value", () => {
+test("applying the difference gives the other value", () => {
   fc.assert(
     fc.property(value, value, (a, b) => {
       expect(
@@ -23,7 +23,7 @@ test("a value with its difference is the other value", () => {
   );
 });
 
-test("what did not change is shared, and costs nothing", () => {
+test("unchanged parts are shared, and cost nothing", () => {
   const rows = Array.from({ length: 90 }, (_, i) => ({ x: String(i), z: "-7.5" }));
   const before: Json = { name: "A", contour: rows, drafts: { 1: { Q1: "4" } } };
   const after: Json = { ...before, drafts: { 1: { Q1: "41" } } };
@@ -32,7 +32,7 @@ test("what did not change is shared, and costs nothing", () => {
   expect((withDifference(before, found) as { contour: Json }).contour).toBe(rows);
 });
 
-test("a mark does not ask for the order of fields, and tells values apart", () => {
+test("a fingerprint ignores the order of fields, and differs between values", () => {
   expect(fingerprint({ a: 1, b: { c: "x", d: [2, 3] } })).toBe(fingerprint({ b: { d: [2, 3], c: "x" }, a: 1 }));
   expect(fingerprint({ a: "12" })).not.toBe(fingerprint({ a: "21" }));
   fc.assert(

@@ -1,14 +1,14 @@
-/** What can stand in a file: objects without `undefined` count as the same as objects without the field. */
+/** JSON data; a field that is `undefined` counts as missing. */
 export type Json = null | boolean | number | string | readonly Json[] | { readonly [key: string]: Json };
 
-/** How one value becomes another: it stays, is replaced, or differs in a piece of text, in fields, in elements. */
+/** Difference between two values: none, a replacement, or a change of text, fields or elements. */
 export type Difference =
   | 0
   | { readonly to: Json }
-  /** Kept from the start, kept from the end, and what stands between. */
+  /** Unchanged characters at start and end, and the new text between. */
   | { readonly text: readonly [number, number, string] }
   | { readonly fields: { readonly [key: string]: Difference }; readonly without?: readonly string[] }
-  /** Kept from the start, kept from the end, and the elements between. */
+  /** Unchanged elements at start and end, and the new ones between. */
   | { readonly list: readonly [number, number, readonly Json[]] }
   | { readonly each: { readonly [index: string]: Difference } };
 
@@ -16,7 +16,7 @@ const isList = (value: Json): value is readonly Json[] => Array.isArray(value);
 const isObject = (value: Json): value is { readonly [key: string]: Json } =>
   typeof value === "object" && value !== null && !isList(value);
 
-/** How many of two rows of things are the same from the start, and then from the end, without overlap. */
+/** Length of the common start and the common end of two lists, without overlap. */
 function common(
   a: ArrayLike<unknown>,
   b: ArrayLike<unknown>,
@@ -55,7 +55,7 @@ function betweenLists(a: readonly Json[], b: readonly Json[]): Difference {
   return { list: [start, end, b.slice(start, b.length - end)] };
 }
 
-/** How a value becomes another one. What they share by identity is not looked at. */
+/** Difference between two values. Identical objects are not compared further. */
 export function differenceOf(a: Json, b: Json): Difference {
   if (a === b) return 0;
   if (typeof a === "string" && typeof b === "string") {
@@ -69,7 +69,7 @@ export function differenceOf(a: Json, b: Json): Difference {
 const ownOf = (fields: { readonly [key: string]: Difference }, key: string): Difference =>
   (Object.hasOwn(fields, key) && fields[key]) || 0;
 
-/** A value after a difference. What the difference does not name is the same as before, by identity. */
+/** Applies a difference. Unchanged parts keep their identity. */
 export function withDifference(a: Json, by: Difference): Json {
   if (by === 0) return a;
   if ("to" in by) return by.to;
@@ -87,13 +87,13 @@ export function withDifference(a: Json, by: Difference): Json {
   return Object.fromEntries([...kept, ...fresh]) as Json;
 }
 
-/** The same text for values that are the same, whatever the order of their fields. */
+/** JSON replacer that sorts fields, so that equal values give equal text. */
 const inOrder = (_: string, value: unknown): unknown =>
   typeof value === "object" && value !== null && !Array.isArray(value)
     ? Object.fromEntries(Object.entries(value).sort(([a], [b]) => (a < b ? -1 : 1)))
     : value;
 
-/** A short mark of a value: two that differ have, but for a freak of chance, different ones. */
+/** Short hash of a value; different values practically never share one. */
 export function fingerprint(value: unknown): string {
   const text = JSON.stringify(value, inOrder) ?? "";
   let [a, b] = [0xdeadbeef, 0x41c6ce57];

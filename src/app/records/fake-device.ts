@@ -2,11 +2,11 @@ import { cuttingCycles } from "../../cycles/index.ts";
 import { exampleJob, type Job } from "../../program/job/job.ts";
 import type { Found } from "./device.ts";
 
-/** What lies on the device of a test, in place of the browser's. */
+/** Storage of a test, in place of the browser's. */
 export const device = {
   works: new Map<string, { savedAt: number; job: unknown }>(),
   refuses: null as "full" | "refused" | null,
-  /** Holds every write until it is settled. */
+  /** Delays every write until it settles. */
   slow: null as Promise<void> | null,
   setAside: 0,
   newer: 0,
@@ -49,7 +49,7 @@ if (!cycle) throw new Error("the catalogue is empty");
 /** A work of the tests. */
 export const someJob = exampleJob(cycle);
 
-/** The device as it is before a test. */
+/** Resets the storage before a test. */
 export function emptyDevice(): void {
   device.works.clear();
   device.taken.clear();

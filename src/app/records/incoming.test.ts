@@ -8,7 +8,7 @@ import { showIncoming, takeIncoming, useIncoming } from "./incoming.ts";
 const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 
-test("a received work is what is seen once it is taken, whatever page stood open", () => {
+test("a received work is shown once accepted, whatever page was open", () => {
   showTools();
   showGuide("guide", String(cycle.number));
   const work = { ...exampleJob(cycle), name: "RECEIVED" };

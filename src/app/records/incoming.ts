@@ -4,7 +4,7 @@ import type { ReadArchive } from "./archive.ts";
 import { startWork } from "./keep.ts";
 import type { Work } from "../document/work.ts";
 
-/** A work that came from elsewhere and waits for a word: nothing is opened before. */
+/** A received work, opened only after confirmation. */
 export interface Incoming {
   readonly work: Work;
   readonly from: "link" | "file";
@@ -12,7 +12,7 @@ export interface Incoming {
 
 export const useIncoming = create<{ readonly incoming: Incoming | null }>(() => ({ incoming: null }));
 
-/** The one work of a file that it was handed on in; null for a file of anything else. */
+/** The work of a shared file; null for any other file. */
 export function handedWork(read: ReadArchive | object): Work | null {
   if (!("works" in read)) return null;
   const {
@@ -29,7 +29,7 @@ export const showIncoming = (incoming: Incoming): void => useIncoming.setState({
 
 export const leaveIncoming = (): void => useIncoming.setState({ incoming: null });
 
-/** Opens it as a work of its own; what was open stays on the device. */
+/** Opens it as a new work; the previous one stays saved. */
 export function takeIncoming({ work }: Incoming): void {
   leaveIncoming();
   toFirstPrompt();

@@ -4,10 +4,10 @@ import { isMadeFrom, useOutcome } from "../calculation/outcome.ts";
 import { useEditor } from "../document/store.ts";
 import { keepPicture } from "./kept-picture.ts";
 
-/** Rest after a result before the part is drawn in small, ms: nobody looks at that while typing. */
+/** Delay between a result and its thumbnail, ms; nobody needs thumbnails while typing. */
 const REST = 1500;
 
-/** From now on each work is drawn in small as it was last seen, for the list of works. */
+/** Starts drawing a thumbnail of each work for the list of works. */
 export function startKeepingPictures(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const draw = (work: string | null) => {

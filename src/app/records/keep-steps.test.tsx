@@ -47,13 +47,13 @@ const typed = (text: string, at = q) => {
   for (let i = 1; i <= text.length; i++) setPrompt(at, text.slice(0, i));
 };
 const value = (at = q) => draftOf(useEditor.getState().job ?? job)[at];
-/** The page goes away and comes back with what the device has: an equal work, and nothing in memory. */
+/** Reloads the page: an equal work from the device, and nothing in memory. */
 function reload(work = "w", elsewhere: Work | null = null): void {
   dispatchEvent(new Event("pagehide"));
   const content = elsewhere ?? useEditor.getState().job ?? useEditor.getState().program;
   closeSession();
   forget();
-  // Whoever reads a work may give its fields in another order.
+  // Reading a work may change the order of its fields.
   const entries = Object.entries(JSON.parse(JSON.stringify(content)) as object).reverse();
   begin(Object.fromEntries(entries) as unknown as Work, work);
   const { program } = useEditor.getState();
@@ -62,7 +62,7 @@ function reload(work = "w", elsewhere: Work | null = null): void {
 }
 const lengths = () => [useSteps.getState().past.length, useSteps.getState().future.length];
 
-test("after a reload a number that was typed is taken back in one step, and made again, over another reload too", () => {
+test("after a reload a typed number is undone in one step and redone, also after another reload", () => {
   begin(job, "w");
   const first = value();
   typed("-41.37");
@@ -93,7 +93,7 @@ test("after a reload a number that was typed is taken back in one step, and made
 
 const toolCell = () => useTools.getState().list.find(({ id }) => id === "r2")?.cells.RS;
 
-test("steps of the tool table and of own cycles come back in their place between those of the work", () => {
+test("steps of the tool table and of own cycles are restored in order between those of the work", () => {
   begin(job, "w");
   const [first, radius] = [value(), toolCell()];
   typed("-41.37");
@@ -114,7 +114,7 @@ test("steps of the tool table and of own cycles come back in their place between
   expect([toolCell(), useOwn.getState().list.length, value(other)]).toEqual(["0.7", 1, "7.25"]);
 });
 
-test("steps of a table that was changed meanwhile do not come back, those of the work do", () => {
+test("steps of a table that changed meanwhile are not restored, those of the work are", () => {
   begin(job, "w");
   const first = value();
   typed("-41.37");
@@ -134,7 +134,7 @@ test("steps of a table that was changed meanwhile do not come back, those of the
   expect(value()).toBe(first);
 });
 
-test("changes of the tools come back where no work is open", () => {
+test("changes of the tools are restored without an open work", () => {
   begin(null, null);
   const radius = toolCell();
   setCell("r2", "RS", "0.9");
@@ -145,7 +145,7 @@ test("changes of the tools come back where no work is open", () => {
   expect(toolCell()).toBe(radius);
 });
 
-test("what was opened before the work is no part of its history", () => {
+test("a work opened before is no part of the history", () => {
   begin({ ...job, name: "BEFORE" }, "v");
   typed("1.5");
   open(job, "w");
@@ -154,7 +154,7 @@ test("what was opened before the work is no part of its history", () => {
   expect(lengths()).toEqual([1, 0]);
 });
 
-test("a work that was changed meanwhile, or is another one, has no history", () => {
+test("a work that changed meanwhile, or another one, has no history", () => {
   begin(job, "w");
   typed("-41.37");
   reload("w", { ...job, rapid: "9125" });
@@ -166,7 +166,7 @@ test("a work that was changed meanwhile, or is another one, has no history", () 
 });
 
 test.each(["", "{", "3", '{"work":"w"}', '{"work":"w","print":1,"past":3}'])(
-  "a damaged note %j is passed over",
+  "a damaged history %j is ignored",
   (note) => {
     begin(job, "w");
     sessionStorage.setItem("turnwise/steps", note);
@@ -175,7 +175,7 @@ test.each(["", "{", "3", '{"work":"w"}', '{"work":"w","print":1,"past":3}'])(
   },
 );
 
-test("a program's text, its files and the cursor come back with their history", () => {
+test("a program's text, its files and the cursor are restored with their history", () => {
   begin({ name: "A.h", text: TEXT, encoding: "utf-8" }, "w");
   openSession(useEditor.getState().program!, "w");
   const at = TEXT.indexOf("-3.25");

@@ -6,52 +6,49 @@ import type { Work } from "../document/work.ts";
 import { withDifference, differenceOf, fingerprint, type Difference, type Json } from "./difference.ts";
 
 /*
- * The history of the open work, of the tools and of the own cycles outlasts a reload of its tab. It is written when the
- * page goes away, so that typing never waits for it, and taken only for the very state it was written of.
+ * The undo history of the open work, the tools and the own cycles survives a reload. It is written when the page
+ * closes, so that typing never waits for it, and used only for the same state.
  */
 
 const KEPT = keptText("steps", "tab");
 
-/** Steps of one side that are written, and characters of all. */
+/** Most steps in one direction, and characters in total. */
 const MOST = { steps: 200, size: 2_000_000 };
 
-/** A text of a program as the editor writes it down, with its history and its cursor. */
+/** A program text as the editor saves it, with history and cursor. */
 export interface KeptText {
   readonly file: string;
   readonly state: unknown;
 }
 
-/** A record of the device, whose steps stand between those of a work, by its key. */
+/** Record whose steps are mixed with those of a work (tools, own cycles), by its key. */
 const recordOf = (of: object | string | undefined) => undoneRecords().find(({ key, put }) => key === of || put === of);
-/** States that are known while steps are gone through, as they are in files. */
+/** Known states while the steps are walked, as JSON. */
 type Known = Partial<Record<string, Json>>;
 const WORK = "work";
 const knownNow = (present: Work | null) =>
   Object.fromEntries([[WORK, present], ...undoneRecords().map(({ key, now }) => [key, now()])]) as Known;
 
-/** A step: of a whole state, by what differs from the one that is known; or one step through the text of a file. */
+/** A step: the difference of a whole state from the known one, or one step in the text of a file. */
 type KeptStep =
   { readonly near: Difference; readonly far: Difference; readonly table?: string } | { readonly file: string };
 
 interface KeptSteps {
-  /** Empty where none was open. */
+  /** Empty if no work was open. */
   readonly work: string;
   readonly print: string;
-  /** Marks of the tables, whose steps count only for the same tables. */
+  /** Fingerprints of the tables; their steps apply only to the same tables. */
   readonly tables?: Readonly<Record<string, string>>;
-  /** Newest change first, and the other way next to be made again first. */
+  /** Newest change first; in `future` the next redo first. */
   readonly past: readonly KeptStep[];
   readonly future: readonly KeptStep[];
   readonly texts: readonly KeptText[];
 }
 
-/** Asked for the texts of a work when the page goes away. */
+/** Called for the texts of a work when the page closes. */
 export const textKeepers = new Set<(work: string) => readonly KeptText[]>();
 
-/**
- * Steps of the open work and of the tables, as they go away from the present states; the first step of anything larger
- * ends them.
- */
+/** Steps of the open work and the tables, from the present states outwards, up to the first larger step. */
 function kept(steps: readonly HistoryStep[], present: Work | null, nearSide: 0 | 1): readonly KeptStep[] {
   const found: KeptStep[] = [];
   const known = knownNow(present);
@@ -59,7 +56,7 @@ function kept(steps: readonly HistoryStep[], present: Work | null, nearSide: 0 |
   for (const step of [...steps].reverse()) {
     const table = recordOf(step.of)?.key;
     const isWhole = present !== null && (step.of === putJob || step.of === OF_FILES);
-    // Opening another work is where these end.
+    // Steps end where another work was opened.
     if (step.file === undefined && !((isWhole || table) && step.states)) break;
     if (step.file !== undefined) found.push({ file: step.file });
     else if (step.states) {
@@ -107,7 +104,7 @@ function write(): void {
   }
 }
 
-/** From now on the history is written when the page goes away. */
+/** Starts writing the history when the page closes. */
 export function startKeepingSteps(): () => void {
   const rest = () => {
     if (document.visibilityState === "hidden") write();
@@ -120,7 +117,7 @@ export function startKeepingSteps(): () => void {
   };
 }
 
-/** What was written of the work as it is now, once; null where it is another one, or was changed since. */
+/** The stored history, read once; null if it is of another work, or the work has changed since. */
 function taken(): KeptSteps | null {
   const { job, program, work } = useEditor.getState();
   const raw = jsonOf(KEPT.get()) as KeptSteps | null | undefined;
@@ -129,7 +126,7 @@ function taken(): KeptSteps | null {
   return raw.print === fingerprint(job ?? program) ? raw : null;
 }
 
-/** Steps again, in the order of the history: the one that is gone next stands last. */
+/** Restores the steps in history order; the one that is taken next is last. */
 function stepsOf(
   list: readonly KeptStep[],
   same: readonly string[],
@@ -147,7 +144,7 @@ function stepsOf(
       continue;
     }
     const { table } = one;
-    // The steps of a table that was changed since lead nowhere; those of the work go on.
+    // Steps of a changed table are skipped; those of the work go on.
     if (table !== undefined && !same.includes(table)) continue;
     const of = table ?? WORK;
     const near = withDifference(known[of] ?? null, one.near);
@@ -169,8 +166,8 @@ function stepsOf(
 }
 
 /**
- * Takes the history of the open work up again. For a program its editor does that, which puts the texts back first and
- * makes their steps; a text that it cannot put back ends the history there.
+ * Restores the history of the open work. For a program its editor restores the texts first and makes their steps; a
+ * text that cannot be restored ends the history there.
  */
 export function takeKeptSteps(
   putBack: ((texts: readonly KeptText[]) => (file: string) => HistoryStep | null) | null = null,

@@ -25,7 +25,7 @@ test("an empty device opens the start page", async () => {
   expect(useNotices.getState().notices).toEqual([]);
 });
 
-test("every change is kept under the name of the work", async () => {
+test("every change is saved under the name of the work", async () => {
   const stop = startKeeping();
   startWork(job);
   setTool(7);
@@ -36,7 +36,7 @@ test("every change is kept under the name of the work", async () => {
   expect(sessionStorage.getItem("turnwise/work")).toBe(work);
 });
 
-test("a new program leaves the one before it on the device", async () => {
+test("a new program leaves the previous one on the device", async () => {
   const stop = startKeeping();
   startWork(job);
   await settle();
@@ -68,7 +68,7 @@ test("a new tab continues the newest work", async () => {
   expect(useEditor.getState()).toMatchObject({ work: "new", job: { name: "NEWEST" } });
 });
 
-test("a reload comes back to the work of this tab, or to its start page", async () => {
+test("a reload returns to the work of this tab, or to its start page", async () => {
   device.works.set("mine", { savedAt: 1, job });
   device.works.set("other", { savedAt: 2, job });
   sessionStorage.setItem("turnwise/work", "mine");
@@ -79,7 +79,7 @@ test("a reload comes back to the work of this tab, or to its start page", async 
   expect(useEditor.getState().job).toBeNull();
 });
 
-test("what could not be written before the page went away is there after a reload, unless something newer is", async () => {
+test("a state not written before the page closed is there after a reload, unless a newer one is", async () => {
   const stop = startKeeping();
   startWork(job);
   setTool(8);
@@ -95,7 +95,7 @@ test("what could not be written before the page went away is there after a reloa
   expect(useEditor.getState()).toMatchObject({ work, job: { tool: 8 } });
 });
 
-test("a page that goes away while a state is being written leaves it behind, and another work with it", async () => {
+test("a page that closes during writing stores that state for the next page, and another work too", async () => {
   let done: () => void = () => undefined;
   device.slow = new Promise((resolve) => (done = resolve));
   const stop = startKeeping();
@@ -117,7 +117,7 @@ test("a page that goes away while a state is being written leaves it behind, and
   expect(sessionStorage.getItem("turnwise/pending")).toBeNull();
 });
 
-test("of a work that the device has refused before, the newest state is left behind, once", async () => {
+test("of a work that the device refused, only the newest state is stored for the next page", async () => {
   device.refuses = "full";
   const stop = startKeeping();
   startWork(job);
@@ -137,14 +137,14 @@ test("of a work that the device has refused before, the newest state is left beh
   await refreshWorks();
 });
 
-test("a device that keeps nothing, and damaged saves, are said and stop nothing", async () => {
+test("a device without storage, and damaged saves, give a notice and stop nothing", async () => {
   Object.assign(device, { refuses: "refused", setAside: 2 });
   await resume();
   expect(useKeeping.getState()).toMatchObject({ ready: true, damaged: 2 });
   expect(useNotices.getState().notices).toEqual(["notKept"]);
 });
 
-test("what the device does not take is said, stays in hand, and is kept as soon as there is room", async () => {
+test("a refused state gives a notice, stays in memory, and is saved as soon as there is space", async () => {
   device.refuses = "full";
   const stop = startKeeping();
   startWork(job);
@@ -166,13 +166,13 @@ test("what the device does not take is said, stays in hand, and is kept as soon 
   expect(useNotices.getState().notices).toEqual([]);
 });
 
-test("saves of a newer edition are said", async () => {
+test("saves of a newer edition give a notice", async () => {
   device.newer = 2;
   await resume();
   expect(useNotices.getState().notices).toEqual(["newerWorks"]);
 });
 
-test("a state that comes back before the one behind it is written is the one that is kept", async () => {
+test("a state restored by undo before its successor is written is the one saved", async () => {
   const stop = startKeeping();
   startWork(job);
   const rested = () => new Promise((done) => setTimeout(done, 120));

@@ -25,7 +25,7 @@ import {
   sayChanged,
 } from "./tab.ts";
 
-/** What the page says about saving. */
+/** State of saving. */
 export interface Keeping {
   /** Works on this device, newest first. */
   readonly works: readonly Kept[];
@@ -37,21 +37,21 @@ export interface Keeping {
 
 export const useKeeping = create<Keeping>(() => ({ works: [], damaged: 0, ready: false }));
 
-/** Nothing more is said of damaged saves. */
+/** Dismisses the notice about damaged saves. */
 export const dismissDamaged = (): void => useKeeping.setState({ damaged: 0 });
 
-/** The last state of each work that is already on the device. */
+/** Last saved state of each work. */
 const written = new Map<string, Work>();
-/** Notes a state that was read from the device. */
+/** Records a state that was read from the device. */
 export const noteWritten = (work: string, job: Work): void => void written.set(work, job);
-/** The last state of each work that the device did not take: it is tried again, and can be downloaded. */
+/** Last state of each work that could not be saved; it is retried, and can be downloaded. */
 const unkept = new Map<string, Work>();
 export const unkeptWorks = (): readonly Work[] => [...unkept.values()];
 export const unkeptNames = (): readonly string[] => [...unkept.keys()];
-/** Lets go a state that the device did not take. */
+/** Drops an unsaved state. */
 export const forgetUnkept = (work: string): void => void unkept.delete(work);
 
-/** Keeps one state of a work. What the device does not take is said and stays in memory. */
+/** Saves one state of a work. If that fails, it shows a notice and keeps the state in memory. */
 export async function keepState(work: string, job: Work): Promise<void> {
   const done = await keepWork(work, job);
   if (done !== "kept") {
@@ -65,11 +65,11 @@ export async function keepState(work: string, job: Work): Promise<void> {
   withdraw("notKept");
 }
 
-/** Tries again what the device did not take, when there may be room for it. */
+/** Retries unsaved states when there may be space again. */
 async function keepAgain(): Promise<void> {
   for (const [work, job] of [...unkept]) await keepState(work, job);
 }
-/** The newest state of each work that is not yet on the device, those that are being written among them. */
+/** Newest unsaved state of each work, including the one being written. */
 const waiting = new Map<string, Work>();
 
 async function writeAll(): Promise<void> {
@@ -78,20 +78,20 @@ async function writeAll(): Promise<void> {
     await keepState(work, job);
     if (waiting.get(work) === job) waiting.delete(work);
   }
-  // What is written and no longer open here may be opened by another tab.
+  // Saved works that are not open here are released for other tabs.
   const open = useEditor.getState().work;
   const done = ownedWorks().filter((work) => work !== open && !waiting.has(work) && !unkept.has(work));
   for (const work of done) releaseWork(work);
   if (done.length > 0) sayChanged();
 }
 
-/** Writes what waits, one work after the other. A state waits until it is written: the page may go away on the way. */
+/** Writes pending states one by one. A state stays pending until written, since the page may close meanwhile. */
 const write = oneAtATime(writeAll);
 
 /** The open work, as it is now. */
 const openJob = (): Work | null => useEditor.getState().job ?? useEditor.getState().program;
 
-/** Goes on with a copy under a name of its own, for what is open here must not be written over what another tab has. */
+/** Continues with a copy under a new name, so that the work of the other tab is not overwritten. */
 function goOnWithCopy(job: Work): void {
   const copy = drawnId();
   claimNew(copy);
@@ -99,7 +99,7 @@ function goOnWithCopy(job: Work): void {
   notice("copyOfOtherTab");
 }
 
-/** Closes a work that another tab has, and says so in its place. */
+/** Closes a work that another tab has, and shows a message instead. */
 function leaveToOther(work: string, job: Work, cause: "isOpen" | "wasTaken"): void {
   begin(null, null);
   showElsewhere({ work, name: job.name, cause });
@@ -107,7 +107,7 @@ function leaveToOther(work: string, job: Work, cause: "isOpen" | "wasTaken"): vo
 
 const reclaiming = new Set<string>();
 
-/** Undo came back to a work that this tab had let go: it is taken again, as it is on the device by now. */
+/** Undo returned to a work that this tab had released: claims it again, with its state on the device. */
 async function reclaim(work: string, first: Work, wait: () => void): Promise<void> {
   if (reclaiming.has(work)) return;
   reclaiming.add(work);
@@ -129,10 +129,7 @@ async function reclaim(work: string, first: Work, wait: () => void): Promise<voi
   } else leaveToOther(work, job, "isOpen");
 }
 
-/**
- * Hands a work over to another tab: nothing more is typed into it here, and its newest state is on the device or in the
- * answer.
- */
+/** Hands a work over to another tab: closes it here, and saves its newest state or returns it. */
 async function giveAway(work: string): Promise<Work | null> {
   handOver();
   const job = openJob();
@@ -146,7 +143,7 @@ async function giveAway(work: string): Promise<Work | null> {
   return state;
 }
 
-/** Another tab took a work because this one did not answer. What it does not have goes on as a copy. */
+/** Another tab took a work because this one did not answer. Unsaved changes continue in a copy. */
 function lose(work: string): void {
   const job = openJob();
   const isOpen = useEditor.getState().work === work;
@@ -155,7 +152,7 @@ function lose(work: string): void {
   else if (job && isOpen) leaveToOther(work, job, "wasTaken");
 }
 
-/** From now on each change of the work is kept on the device, a moment after it was made. */
+/** Starts saving each change of the work after a short delay. */
 export function startKeeping(): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let known: string | null | undefined;
@@ -175,7 +172,7 @@ export function startKeeping(): () => void {
     known = name;
     if (!job || !work) return;
     if (!owns(work)) return void reclaim(work, job, wait);
-    // Undo and redo come back to a state that was written, while another one waits or is on its way.
+    // Undo and redo may return to a saved state while another one is pending.
     if (written.get(work) === job && !waiting.has(work)) return;
     waiting.set(work, job);
     wait();
@@ -197,7 +194,7 @@ export function startKeeping(): () => void {
     );
     void write();
   };
-  // The browser asks before it closes a page whose work is nowhere else.
+  // The browser asks before it closes a page with an unsaved work.
   const ask = (event: Event) => {
     if (unkept.size > 0) event.preventDefault();
   };
@@ -216,13 +213,10 @@ export function startKeeping(): () => void {
   };
 }
 
-/**
- * How often a work is asked for, and the rest between, ms: a tab that is closed, or loaded again, takes a moment to let
- * go.
- */
+/** Attempts to claim a work, and the pause between them, ms: a tab that closes or reloads releases it late. */
 const ASKING = { times: 5, rest: 60 };
 
-/** Claims a work for this tab. */
+/** Claims a work for this tab, with retries. */
 export async function claimPatiently(work: string): Promise<boolean> {
   for (let attempt = 0; attempt < ASKING.times; attempt++) {
     if (attempt > 0) await new Promise((done) => setTimeout(done, ASKING.rest));
@@ -231,7 +225,7 @@ export async function claimPatiently(work: string): Promise<boolean> {
   return false;
 }
 
-/** Begins new work under a name of its own; what was open stays on the device. */
+/** Starts a new work under a new name; the previous one stays saved. */
 export function startWork(job: Work): void {
   const work = drawnId();
   rememberWork(work);
@@ -239,13 +233,11 @@ export function startWork(job: Work): void {
   open(job, work);
 }
 
-/** The newest state of a work, also of one that the device did not take; null when there is none of this name. */
+/** Newest state of a work, saved or not; null if there is none of this name. */
 export const newestState = async (work: string): Promise<Work | null> =>
   waiting.get(work) ?? unkept.get(work) ?? (await readWork(work))?.job ?? null;
 
-/**
- * Opens a work of this device; false when there is none of this name. One that another tab has is said in its place.
- */
+/** Opens a saved work; false if there is none of this name. If another tab has it, a message is shown instead. */
 export async function openWork(work: string): Promise<boolean> {
   const free = await claimPatiently(work);
   const job = await newestState(work);
@@ -263,10 +255,7 @@ export async function openWork(work: string): Promise<boolean> {
   return true;
 }
 
-/**
- * Takes a work over from the tab that has it open, which hands over its newest state; from one that does not answer as
- * it is kept.
- */
+/** Takes a work over from another tab: its newest state, or the saved one if that tab does not answer. */
 export async function takeOver(work: string): Promise<boolean> {
   let given: unknown;
   if (!(await claimWork(work))) {
@@ -281,16 +270,13 @@ export async function takeOver(work: string): Promise<boolean> {
   return openWork(work);
 }
 
-/** Begins a copy of a work, which stays as it is. */
+/** Opens a copy of a work; the original stays unchanged. */
 export async function copyWork(work: string, nameOf: (name: string) => string): Promise<void> {
   const job = await newestState(work);
   if (job) startWork({ ...job, name: nameOf(job.name) });
 }
 
-/**
- * Reads the list again, for the start page, where works may have been removed and room made: with what is only now
- * being written.
- */
+/** Writes unsaved states and reads the list again, for the start page, where deleted works may have made room. */
 export async function refreshWorks(): Promise<void> {
   await write();
   await keepAgain();

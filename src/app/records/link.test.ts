@@ -62,7 +62,7 @@ const job: fc.Arbitrary<Work> = fc
   .tuple(fc.constantFrom(...cuttingCycles), fc.record({ name: anyText, rapid: awkward, clamping, ...brought }))
   .map(([cycle, others]) => bare({ ...exampleJob(cycle), ...others }) as unknown as Work);
 
-test("a link brings back the work with its files, tools and control, whatever stands in them", () => {
+test("a link restores the work with its files, tools and control, whatever they contain", () => {
   fc.assert(
     fc.property(fc.oneof(program, job), (work) => {
       expect(linkOf(PAGE, work)).toMatch(/^https:\/\/example\.org\/page#h2=[\w-]+$/);
@@ -74,7 +74,7 @@ test("a link brings back the work with its files, tools and control, whatever st
   );
 });
 
-test("what is brought comes in as saved works do, or not at all", () => {
+test("received data is read like saved works, or not at all", () => {
   fc.assert(
     fc.property(fc.json(), (text) => {
       const read = readLink(packed(`{"work":${text}}`));
@@ -97,7 +97,7 @@ test("what is brought comes in as saved works do, or not at all", () => {
     });
 });
 
-test("letters that were lost or changed on the way never throw, and never bring half a work", () => {
+test("lost or changed letters never throw, and never give half a work", () => {
   const whole: Work = {
     name: "A.h",
     text: "0 BEGIN PGM A MM\n1 TOOL CALL 3\n2 END PGM A MM\n",
@@ -119,7 +119,7 @@ test("letters that were lost or changed on the way never throw, and never bring 
     expect(readLink(hash)).toEqual({ kind: "damaged" });
 });
 
-test("a form that a newer edition made is said to be one, whatever it holds", () => {
+test("a link format of a newer edition is recognised, whatever it contains", () => {
   for (const hash of ["#h3=", "#h3=%%", "#h10=AAAA", `#h4=${"A".repeat(5000)}`])
     expect(readLink(hash)).toEqual({ kind: "newer" });
 });
@@ -134,7 +134,7 @@ test("a small link that unpacks to more than is opened is refused", () => {
   expect(readLink(hashOf(work), size - 1)).toEqual({ kind: "tooLarge" });
 });
 
-test("links that earlier editions made bring what they brought", () => {
+test("links of earlier editions still give the same work", () => {
   const text = "0 BEGIN PGM OLD/1 MM\r\n1 L X+10 ;Ø\r\n2 END PGM OLD/1 MM\r\n";
   expect(readLink(packed(text, "#p="))).toEqual({ kind: "work", work: { name: "OLD_1.h", text, encoding: "utf-8" } });
   const work = {
@@ -147,7 +147,7 @@ test("links that earlier editions made bring what they brought", () => {
   expect(readLink(packed(JSON.stringify(work), "#w="))).toEqual({ kind: "work", work });
 });
 
-test("a link that was made today can be read for ever: the words that packing begins with stay as they are", () => {
+test("a link made today stays readable: the compression dictionary never changes", () => {
   // Made by the first edition that had this form.
   const made = "#h1=QzRWMPo20EaJI7j5Am21GCJ5CxhKqA0WSCOkthYA";
   expect(readLink(made)).toEqual({

@@ -6,14 +6,14 @@ import { plainWork } from "./save-file.ts";
 import type { Work } from "../document/work.ts";
 import { COMMON } from "./words-of-links.ts";
 
-/** What stands between the page's address and the work: the form of the link. Newer forms have higher numbers. */
+/** Start of the hash, which names the link format. Newer formats have higher numbers. */
 export const LINK_FORM = 2;
 export const LINK_MARK = `#h${LINK_FORM}=`;
 /** Forms of earlier editions: the text of a program alone, and a program with what belongs to it. */
 const TEXT_MARK = "#p=";
 const PROGRAM_MARK = "#w=";
 const WORK_MARK = "#h1=";
-/** Version of saved works at the time of these. */
+/** Version of saved works in these formats. */
 const EARLIER_VERSION = 2;
 
 const toBase64Url = (bytes: Uint8Array): string => {
@@ -25,24 +25,23 @@ const toBase64Url = (bytes: Uint8Array): string => {
 const fromBase64Url = (text: string): Uint8Array =>
   Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
 
-/** Plain data as the end of a link. */
+/** Packs plain data for a link. */
 export const packedForLink = (value: unknown): string =>
   toBase64Url(deflateSync(strToU8(JSON.stringify(value)), { level: 9, mem: 12, dictionary: COMMON }));
 
-/** The text that `packedForLink` packed; null where it is longer than `most`. Throws where it is none. */
+/** Unpacks the text of `packedForLink`; null if longer than `most`. Throws if invalid. */
 export const unpackedFromLink = (packed: string, most = LARGEST_PROGRAM): string | null =>
   unpackedText(fromBase64Url(packed), most, COMMON);
 
 /**
- * A link that carries a work with all that it brings along: nothing is stored anywhere. `page` is the address without
- * anything behind `#`.
+ * A link that contains a work with its tools and settings; nothing is stored anywhere. `page`: address without hash.
  */
 export function linkOf(page: string, work: Work): string {
-  // As it is read, so that the link of what a link brought is the same link.
+  // Normalised as on reading, so that a received work gives the same link again.
   return page + LINK_MARK + packedForLink({ work: plainWork(work) ?? work });
 }
 
-/** What a link carries; or that it carries more than is opened, comes from a newer edition, or can not be read. */
+/** Content of a link, or why there is none: too large, from a newer edition, or unreadable. */
 export type ReadLink =
   { readonly kind: "work"; readonly work: Work } | { readonly kind: "tooLarge" | "newer" | "damaged" };
 
@@ -54,7 +53,7 @@ function workIn(mark: string, text: string): Work | null {
   return mark === WORK_MARK ? plainWork(work, EARLIER_VERSION) : plainWork(work);
 }
 
-/** The work of a link's part behind `#`. Never throws, and never unpacks more than it opens. */
+/** Reads the work from the hash of a link. Never throws, and never unpacks more than `most`. */
 export function readLink(hash: string, most = LARGEST_PROGRAM): ReadLink {
   const form = /^#h(\d+)=/.exec(hash)?.[1];
   if (form !== undefined && Number(form) > LINK_FORM) return { kind: "newer" };

@@ -15,35 +15,33 @@ import { progressRecord } from "./course/progress.ts";
 import { mergedTasks, taughtRecord } from "./course/taught.ts";
 import { countWork, mergedWorked, workedRecord } from "./course/working-time.ts";
 
-/** What is offered of a file as a table: mine stays, takes what it does not have, or gives way. Each is one part. */
+/** Tables offered for restoring: keep mine, add what is missing, or replace. Each is one part. */
 export const TABLES = ["tools", "own"] as const;
-/** What is offered as a box, and whether it is ticked to begin with. What is here stays where it is better. */
+/** Checkboxes offered for restoring, and their default. Better data of this device stay. */
 export const BOXES = { course: true, settings: false } as const;
 export type Group = (typeof TABLES)[number] | keyof typeof BOXES;
 
-/** Something that an archive holds beside the works. */
+/** A part of an archive besides the works. */
 export interface Part<T> {
-  /** What it is offered as, together with others of the group. */
+  /** Group in which it is offered. */
   readonly group: Group;
   /** The value of this device. */
   here(): T;
-  /** Data as they are archived, and a value from data that anybody may have written: null where they are damaged. */
+  /** Data to archive; `read` gets data that anybody may have written, and returns null if they are damaged. */
   write(value: T): object;
   read(raw: unknown): T | null;
-  /** Whether there is nothing in it: such a part is left out. */
+  /** True if there is nothing to archive. */
   isEmpty(value: T): boolean;
   isSame(one: T, other: T): boolean;
-  /**
-   * What is here, with what is brought beside it. `nameHere`: what a work is called here that had another name there.
-   */
+  /** Merges restored data into mine. `nameHere`: name here of a work that had another name there. */
   merge(mine: T, brought: T, nameHere: ReadonlyMap<string, string>): T;
-  /** Puts a value in place. */
+  /** Applies a value. */
   take(value: T): void | Promise<void>;
-  /** The same for people and other programs: texts by their paths. */
+  /** Copies for people and other programs: texts by path. */
   files?(value: T): Readonly<Record<string, string>>;
 }
 
-/** A record as a part; it is taken as one step of undo. */
+/** A record as a part; restoring it is one step of undo. */
 const ofRecord = <T>(record: KeptRecord<T>, more: Pick<Part<T>, "group" | "merge"> & Partial<Part<T>>): Part<T> => ({
   here: record.now,
   write: record.write,
@@ -56,7 +54,7 @@ const ofRecord = <T>(record: KeptRecord<T>, more: Pick<Part<T>, "group" | "merge
 
 const ownNumber = (entry: OwnEntry) => readOwn(entry).number ?? entry.number.trim();
 
-/** Settings are no record: each change is kept at once, other tabs go on with theirs, and none is a step of undo. */
+/** Settings are no record: each change is saved at once, other tabs keep theirs, and there is no undo. */
 const settingsPart: Part<Settings> = {
   group: "settings",
   here: useSettings.getState,
@@ -64,7 +62,7 @@ const settingsPart: Part<Settings> = {
   read: readSettings,
   isEmpty: () => false,
   isSame: isSameData,
-  // Somebody who goes by the shipped cutting data, or by no machine, has none to bring: the shop's own stay.
+  // A backup without its own cutting data or machine leaves the local ones.
   merge: (mine, brought) => ({
     ...brought,
     cutting: brought.cutting || mine.cutting,
@@ -81,7 +79,7 @@ const settingsPart: Part<Settings> = {
   }),
 };
 
-/** All that an archive holds beside the works, in the order in which it is taken. */
+/** All parts of an archive besides the works, in the order in which they are restored. */
 const parts = {
   tools: ofRecord(toolRecord, {
     group: "tools",
@@ -128,7 +126,7 @@ const parts = {
 
 export type PartName = keyof typeof parts;
 type ValueOf<P> = P extends Part<infer T> ? T : never;
-/** The values of all parts; null for what there is not. */
+/** The values of all parts; null for missing ones. */
 export type PartValues = { readonly [P in PartName]: ValueOf<(typeof parts)[P]> | null };
 
 export const PARTS: Readonly<Record<PartName, Part<unknown>>> = parts;

@@ -6,7 +6,7 @@ const kept = () => JSON.parse(localStorage.getItem("turnwise/reports") ?? "[]") 
 
 beforeEach(forgetReports);
 
-test("a fault is noted with its place, the same one again counts up, and only the last few are kept", () => {
+test("a fault is recorded with its place, a repeated one is counted, and only the last few are kept", () => {
   noteFault(new TypeError("no such tool"));
   noteFault(new TypeError("no such tool"));
   expect(list()).toMatchObject([
@@ -28,7 +28,7 @@ test.each([
   [{ pathname: "/", search: "", hash: "" }, "/"],
 ])("the address %j is noted as %s", (address, noted) => expect(plainAddress(address)).toBe(noted));
 
-test("what nothing caught is noted, noise is not, and the program is in the text only where it is wanted", () => {
+test("uncaught faults are recorded, noise is not, and the text has the program only on request", () => {
   const stop = startReports();
   dispatchEvent(new ErrorEvent("error", { message: "ResizeObserver loop completed with undelivered notifications." }));
   expect(list()).toEqual([]);
@@ -41,7 +41,7 @@ test("what nothing caught is noted, noise is not, and the program is in the text
   expect(reportText(report, "0 BEGIN PGM A MM")).toContain("BEGIN PGM A");
 });
 
-test("a browser that refuses storage keeps reports for this visit, and damaged ones are none", () => {
+test("without storage reports last for this visit, and damaged ones are ignored", () => {
   const { setItem } = Storage.prototype;
   Storage.prototype.setItem = () => {
     throw new DOMException("refused", "QuotaExceededError");

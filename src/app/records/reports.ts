@@ -5,9 +5,7 @@ import { time } from "../base/clock.ts";
 import { keptData } from "../base/kept.ts";
 import { isMissing } from "../base/parts.ts";
 
-/**
- * A fault of the page, as it is kept on this device. Nothing of it goes anywhere by itself, and no program is in it.
- */
+/** A fault of the page, stored on this device. It is never sent by itself, and contains no program. */
 const shape = z.object({
   /** Milliseconds since 1970, of the last time. */
   at: z.number(),
@@ -21,7 +19,7 @@ const shape = z.object({
 });
 export type FaultReport = Readonly<z.output<typeof shape>>;
 
-/** Reports that are kept, and characters of one part of them. */
+/** Most reports, and characters of one field. */
 const MOST = { reports: 8, text: 4000 };
 
 const KEPT = keptData<readonly FaultReport[]>("reports", z.array(shape));
@@ -36,16 +34,16 @@ function keep(list: readonly FaultReport[]): void {
   KEPT.set(list.length > 0 ? list : null);
 }
 
-/** The address of the page without a program in it: a share link carries one behind its mark. */
+/** The page address without the program of a share link. */
 export function plainAddress({ pathname, search, hash }: Pick<Location, "pathname" | "search" | "hash">): string {
   const place = hash === "" || parseAddress(hash) ? hash : `${hash.slice(0, 3)}…`;
   return `${pathname}${search}${place}`;
 }
 
-/** Said by browsers when a size changes twice in one frame, and by pages of other origins: no fault of the page. */
+/** Messages that are no fault of the page: a size that changes twice in one frame, scripts of other origins. */
 const NOISE = /^ResizeObserver loop|^Script error\.?$/;
 
-/** Notes a fault. The same one again counts up. */
+/** Records a fault. A repeated one increments its count. */
 export function noteFault(error: unknown, where = ""): void {
   const message = (error instanceof Error ? `${error.name}: ${error.message}` : String(error)).slice(0, MOST.text);
   if (NOISE.test(message.replace(/^Error: /, "")) || isMissing(error)) return;
@@ -66,14 +64,14 @@ export function noteFault(error: unknown, where = ""): void {
 
 export const forgetReports = (): void => keep([]);
 
-/** A report as text, for whoever mends the page. `program` goes along only where the operator wants it. */
+/** A report as text. `program` is included only if the operator wants it. */
 export function reportText(report: FaultReport, program: string | null): string {
   const { at, count, message, stack, version, address, browser } = report;
   const head = `Turnwise ${version}, ${new Date(at).toISOString()}, ${count}×\n${address}\n${browser}\n\n${message}`;
   return `${head}\n${stack}\n${program === null ? "" : `\n${program}\n`}`;
 }
 
-/** From now on faults that nothing caught are noted. */
+/** Starts recording uncaught faults. */
 export function startReports(): () => void {
   const onError = (event: ErrorEvent) => noteFault(event.error ?? event.message);
   const onRejection = (event: PromiseRejectionEvent) => noteFault(event.reason);

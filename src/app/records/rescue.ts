@@ -3,7 +3,7 @@ import { downloadBytes } from "../base/download.ts";
 import { fileOfJob, leavingText } from "../document/printed.ts";
 import { isProgram, textsOf, type Work } from "../document/work.ts";
 
-/** Hands works that the device does not keep to the downloads, each as a program file. */
+/** Downloads works that could not be saved, each as a program file. */
 export function downloadWorks(works: readonly Work[]): void {
   for (const work of works) {
     if (isProgram(work)) {

@@ -11,11 +11,11 @@ import { readSave, SAVE_VERSION, upgrade, type SaveFile } from "./save-file.ts";
 const saved = (): SaveFile[] =>
   cuttingCycles.map((cycle) => ({ version: SAVE_VERSION, savedAt: 1_700_000_000_000, job: exampleJob(cycle) }));
 
-test("what is saved comes back the same", () => {
+test("saving and reading gives the same work", () => {
   for (const file of saved()) expect(readSave(JSON.parse(JSON.stringify(file)))).toEqual(file);
 });
 
-test("what was measured is saved with the work, with its places, its moment and where its text was put; a broken one is damage", () => {
+test("measurements are saved with the work, with places, moment and label position; a broken one is damage", () => {
   const edge = {
     of: "contour",
     chain: 0,
@@ -52,7 +52,7 @@ test("what was measured is saved with the work, with its places, its moment and 
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: broken })).toBeNull();
 });
 
-test("a work of a task is saved with its task, what was foretold and the file it came from", () => {
+test("a work of a task is saved with its task, the predictions and the file it came from", () => {
   const task = {
     id: "predict-7",
     veiled: true,
@@ -68,7 +68,7 @@ test("a work of a task is saved with its task, what was foretold and the file it
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...works[1], task: { id: 7 } } })).toBeNull();
 });
 
-test("the machine that a work was handed on with is saved with it, and so is that it was none", () => {
+test("the machine of a shared work is saved with it, and so is having none", () => {
   const program = { name: "MAIN.H", text: "END PGM A MM", encoding: "utf-8" };
   for (const machine of ["", "{}", "x".repeat(10_000)]) {
     for (const job of [
@@ -80,7 +80,7 @@ test("the machine that a work was handed on with is saved with it, and so is tha
   expect(readSave({ version: SAVE_VERSION, savedAt: 1, job: { ...program, machine: "x".repeat(10_001) } })).toBeNull();
 });
 
-test("what a work is turned from is saved with it, of materials this device does not know too", () => {
+test("the material of a work is saved with it, also one that this device does not know", () => {
   const works = [
     { ...saved()[0]?.job, material: "42crmo4" },
     {
@@ -96,7 +96,7 @@ test("what a work is turned from is saved with it, of materials this device does
   }
 });
 
-test("what a work is held by is saved with it, half typed as well; a save without it is as before", () => {
+test("the clamping of a work is saved with it, even half typed; a save without it is as before", () => {
   const words = { D: "60", LENGTH: "", FACE: "-7", TIP: "abc" };
   for (const clamping of [
     { kind: "softJaws", words },
@@ -111,7 +111,7 @@ test("what a work is held by is saved with it, half typed as well; a save withou
   ).toBeNull();
 });
 
-test("the files beside a program and the switch of its skip mark are saved with it; a save without them is as before", () => {
+test("the further files of a program and its skip switch are saved with it; a save without them is as before", () => {
   const program = { name: "MAIN.H", text: "CALL PGM A", encoding: "utf-8" as const };
   const file = { name: "a.h", text: "L X+1 ;\u00d8", encoding: "windows-1252" as const };
   for (const job of [program, { ...program, files: [file], skipMarked: true }, { ...program, remarks: "⌀62 h6\n" }])
@@ -133,9 +133,9 @@ test.each<[string, unknown]>([
       job: { ...saved()[0]?.job, rapid: 10000 },
     },
   ],
-])("%s is damaged, not a reason to fail", (_, raw) => expect(readSave(raw)).toBeNull());
+])("%s is damage, and does not throw", (_, raw) => expect(readSave(raw)).toBeNull());
 
-test("no input makes reading fail", () =>
+test("no input makes reading throw", () =>
   fc.assert(
     fc.property(fc.anything({ withBigInt: true, withDate: true, withMap: true }), (raw) => readSave(raw) === null),
   ));
@@ -150,7 +150,7 @@ test("an old save passes every step up to the present version", () => {
   expect(upgrade({ version: 4 }, steps, 3)).toEqual({ version: 4 });
 });
 
-test("a work that was kept before machines had settings shows the program that it showed", () => {
+test("a work saved before machines had settings shows the same program", () => {
   const files = import.meta.glob<unknown>("../../../tests/saved/v2/*.json", { eager: true, import: "default" });
   const programs = import.meta.glob<string>("../../../tests/saved/v2/*.h", {
     eager: true,

@@ -16,7 +16,7 @@ import {
   type WorkFile,
 } from "../document/work.ts";
 
-/** Counts up whenever the layout of a saved work changes; each step has its upgrade below. */
+/** Incremented with each change of the layout; each step has its upgrade below. */
 export const SAVE_VERSION = 3;
 
 /** One work as it is kept on the device. */
@@ -24,13 +24,13 @@ export interface SaveFile {
   readonly version: number;
   /** Milliseconds since 1970, for the order of the list. */
   readonly savedAt: number;
-  /** A job, or since whole programs exist a program. */
+  /** A job or a program. */
   readonly job: Work;
 }
 
 const PARAMETER_NAME = new RegExp(`^${NUMBER_PARAMETER}$`);
 const text = z.string().check(z.maxLength(500));
-/** What came later has a default here: the saves before it have no such field. */
+/** Defaults of fields that older saves do not have. */
 const later = { text: z._default(text, ""), flag: z._default(z.boolean(), false) };
 const remarks = z.optional(z.string().check(z.maxLength(LONGEST_REMARKS)));
 const point = z.pipe(
@@ -81,14 +81,14 @@ const row = z.object({
   form: later.text,
   words: z._default(z.record(z.string(), text), {}),
 });
-/** What a work that was handed on brings along. */
+/** What a shared work contains. */
 const handedOn = {
   tools: z.optional(toolRows),
   control: z.optional(z.enum(["TNC 640", "TNC7"])),
-  // Read where times are worked out; what is no machine there is none.
+  // Read where times are calculated; invalid data counts as no machine.
   machine: z.optional(z.string().check(z.maxLength(LONGEST_MACHINE))),
 };
-/** The file of a task is held to its own schema where it is used. */
+/** The file of a task is checked by its own schema where it is used. */
 const task = z.object({
   id: text,
   file: z.optional(z.unknown()),
@@ -132,10 +132,7 @@ const program = z.object({
   material: z.optional(text),
   measured,
 });
-/**
- * Every field of a work has to stand in the layout above, or it would be lost in saving: a missing one does not
- * compile.
- */
+/** Compile-time check that the layout above has every field of a work; a missing one would not be saved. */
 type Complete = [
   keyof Job extends keyof z.output<typeof job> ? true : never,
   keyof ContourRow extends keyof z.output<typeof row> ? true : never,
@@ -155,11 +152,9 @@ export type Upgrades = Readonly<
   Record<number, (old: Readonly<Record<string, unknown>>) => Readonly<Record<string, unknown>>>
 >;
 const upgrades: Upgrades = {
-  // An empty field of the set-up became one that is proposed: a blank without a bore, or without anything in front of
-  // Z0, has 0 there.
+  // Empty set-up fields became proposals, so a blank without bore or without stock on the face gets 0.
   1: (old) => ({ ...old, version: 2, job: withBlankSet(old["job"]) }),
-  // The layout of the TNC 640 was that of the printed manual, and how a program ends could not be set: kept works go on
-  // reading the same.
+  // The TNC 640 layout was that of the printed manual, and the program end could not be set; old works keep both.
   2: (old) => ({ ...old, version: 3, job: withLayoutKept(old["job"]) }),
 };
 
@@ -187,7 +182,7 @@ function withLayoutKept(job: unknown): unknown {
   return { ...job, layout: job.layout === "tnc640" ? "manual" : job.layout, output: EARLIER_OUTPUT };
 }
 
-/** A saved work of any version in today's layout; anything else comes back as it was. */
+/** Upgrades a saved work of any version; other data is returned unchanged. */
 export function upgrade(raw: unknown, steps: Upgrades = upgrades, to = SAVE_VERSION): unknown {
   let now = raw;
   for (let step = 0; step < to; step++) {
@@ -211,11 +206,11 @@ export function readSave(raw: unknown): SaveFile | null {
   }
 }
 
-/** A work, from plain data that anybody may have written, in the layout of a version; null when it is none. */
+/** Reads a work from data that anybody may have written, in the layout of a version; null if it is none. */
 export const plainWork = (raw: unknown, version = SAVE_VERSION): Work | null =>
   readSave({ version, savedAt: 0, job: raw })?.job ?? null;
 
-/** Whether something was saved by a newer edition than this one, which can not read it and must not touch it. */
+/** True for a save of a newer edition, which this one cannot read and must not touch. */
 export const isNewer = (raw: unknown): boolean =>
   typeof raw === "object" &&
   raw !== null &&

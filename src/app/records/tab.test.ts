@@ -1,7 +1,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { claimWork, releaseWork, worksElsewhere } from "./tab.ts";
 
-/** Locks as browsers keep them: given back, and told of, a moment after they are let go. */
+/** Locks as in browsers: released, and reported, a moment after they are let go. */
 function browserLocks(elsewhere: readonly string[]) {
   const held = new Set(elsewhere);
   return {
@@ -22,7 +22,7 @@ function browserLocks(elsewhere: readonly string[]) {
 
 afterEach(() => vi.unstubAllGlobals());
 
-test("what this tab is letting go is not open in another tab, what another one has is", async () => {
+test("a work that this tab is releasing is not open elsewhere, one that another tab has is", async () => {
   vi.stubGlobal("navigator", { locks: browserLocks(["turnwise B"]) });
   expect([await claimWork("A"), await claimWork("B")]).toEqual([true, false]);
   const asked = worksElsewhere();
@@ -31,7 +31,7 @@ test("what this tab is letting go is not open in another tab, what another one h
   expect([...(await worksElsewhere())]).toEqual(["B"]);
 });
 
-test("a work that was let go and taken by another tab is open there", async () => {
+test("a work that was released and claimed by another tab is open there", async () => {
   const locks = browserLocks([]);
   vi.stubGlobal("navigator", { locks });
   await claimWork("C");

@@ -3,24 +3,23 @@ import { jsonOf, keptText } from "../base/kept.ts";
 import { once } from "../base/once.ts";
 
 /**
- * A work is written by one tab at a time: the one that holds its lock, which dies with the tab. Which work a tab has
- * open survives a reload in the session storage. Tabs speak over a channel: one asks for a work, the one that has it
- * hands over its newest state.
+ * Only the tab that holds the lock of a work writes it; the lock ends with the tab. The open work of a tab survives a
+ * reload in the session storage. Over a channel a tab requests a work, and its owner replies with the newest state.
  */
 const OPEN = keptText("work", "tab");
 
-/** What could not be written before the page went away. */
+/** States that could not be written before the page closed. */
 const PENDING = keptText("pending", "tab");
 
 const LOCK = "turnwise ";
 
-/** Works whose lock this tab holds, with what lets it go. */
+/** Works locked by this tab, with their release functions. */
 const mine = new Map<string, () => void>();
 
-/** Works that this tab has let go, until the browser has given their locks back. */
+/** Works being released, until the browser has freed their locks. */
 const going = new Set<string>();
 
-/** Hear of a work that another tab took because this one did not answer. */
+/** Called when another tab took a work because this one did not answer. */
 export const onLost = new Set<(work: string) => void>();
 
 export const owns = (work: string): boolean => mine.has(work);
@@ -34,22 +33,22 @@ export function rememberWork(work: string | null): void {
   if (rememberedWork() !== name) OPEN.set(name);
 }
 
-/** The last state of a work as it would lie on the device. */
+/** The last state of a work in the save format. */
 export interface Behind {
   readonly work: string;
   readonly file: unknown;
 }
 
 /**
- * Leaves states of works for the next page of this tab, in place of those left before: writing takes longer than
- * leaving. Where there is not room for all of them the largest stay out.
+ * Stores unsaved states for the next page of this tab, replacing earlier ones, since saving takes longer than closing.
+ * Without space for all, the largest are left out.
  */
 export function leaveBehind(states: readonly Behind[]): void {
   const parts = states.map((state) => JSON.stringify(state)).sort((a, b) => a.length - b.length);
   while (!PENDING.set(parts.length > 0 ? `[${parts.join(",")}]` : null) && parts.length > 0) parts.pop();
 }
 
-/** What the page before left behind. */
+/** States left by the previous page. */
 export function leftBehind(): readonly Behind[] {
   const raw = jsonOf(PENDING.get());
   return Array.isArray(raw) ? raw.filter(isBehind) : [];
@@ -58,7 +57,7 @@ export function leftBehind(): readonly Behind[] {
 const isBehind = (raw: unknown): raw is Behind =>
   typeof raw === "object" && raw !== null && "work" in raw && "file" in raw && typeof raw.work === "string";
 
-/** What tabs say to each other. `to` is the one that asked. */
+/** Messages between tabs. `to` is the requesting tab. */
 type Message =
   | { readonly kind: "who" | "have"; readonly work: string }
   | { readonly kind: "give"; readonly work: string; readonly to: string }
@@ -70,7 +69,7 @@ type Message =
 const isMessage = (raw: unknown): raw is Message => typeof raw === "object" && raw !== null && "kind" in raw;
 const listeners = new Set<(message: Message) => void>();
 
-/** The channel, opened when the first one listens or speaks; null where the browser has none. */
+/** The channel, opened on first use; null if the browser has none. */
 const open = once((): BroadcastChannel | null => {
   if (typeof BroadcastChannel !== "function") return null;
   const channel = new BroadcastChannel("turnwise");
@@ -84,14 +83,14 @@ const open = once((): BroadcastChannel | null => {
 
 const say = (message: Message): void => open()?.postMessage(message);
 
-/** Hears what the other tabs say, until it is called off. */
+/** Listens to other tabs; returns the function that stops it. */
 function hear(listener: (message: Message) => void): () => void {
   open();
   listeners.add(listener);
   return () => void listeners.delete(listener);
 }
 
-/** Waits for an answer of another tab; undefined when none comes in time, ms. */
+/** Waits `patience` ms for the answer of another tab; undefined without one. */
 function answer<T>(
   question: Message,
   patience: number,
@@ -112,16 +111,16 @@ function answer<T>(
   });
 }
 
-/** What a tab that lives needs at most to say that it has a work, and to hand it over, ms. */
+/** Timeouts for a live tab to confirm that it has a work, and to hand it over, ms. */
 const PATIENCE = { who: 200, give: 3000 };
 
-/** Tells the other tabs that the list of works, or who has which open, is not as before. */
+/** Tells the other tabs that the list of works or their locks changed. */
 export const sayChanged = (): void => say({ kind: "changed" });
 export const onChanged = (listener: () => void): (() => void) => hear(({ kind }) => kind === "changed" && listener());
 
 /**
- * Claims a work for this tab until it lets it go or is closed; false when another tab has it. `steal` takes it from one
- * that does not answer. Without locks (old browsers, plain http) the tabs ask each other.
+ * Claims a work until it is released or the tab closes; false if another tab has it. `steal` takes it from a tab that
+ * does not answer. Without locks (old browsers, plain http) the tabs ask each other.
  */
 export async function claimWork(work: string, steal = false): Promise<boolean> {
   if (mine.has(work)) return true;
@@ -156,13 +155,13 @@ export async function claimWork(work: string, steal = false): Promise<boolean> {
   });
 }
 
-/** Claims a work that was just made: nobody else can have it. */
+/** Claims a new work, which no other tab can have. */
 export function claimNew(work: string): void {
   void claimWork(work);
   if (!mine.has(work)) mine.set(work, () => undefined);
 }
 
-/** Lets other tabs have a work. */
+/** Releases a work for other tabs. */
 export function releaseWork(work: string): void {
   const release = mine.get(work);
   mine.delete(work);
@@ -170,8 +169,8 @@ export function releaseWork(work: string): void {
 }
 
 /**
- * Works that other tabs have open; none where the browser does not say. What this tab lets go while it asks is still
- * told of as held.
+ * Works open in other tabs; none if the browser does not say. Locks that this tab is releasing are excluded, since the
+ * browser still reports them.
  */
 export async function worksElsewhere(): Promise<ReadonlySet<string>> {
   try {
@@ -184,10 +183,7 @@ export async function worksElsewhere(): Promise<ReadonlySet<string>> {
   }
 }
 
-/**
- * Asks the tab that has a work for it. Gives its newest state, null where that is on the device; undefined when nobody
- * answers.
- */
+/** Requests a work from its tab. Returns its newest state, null if that is saved, undefined without an answer. */
 export function askFor(work: string): Promise<unknown> {
   const to = drawnId();
   return answer({ kind: "give", work, to }, PATIENCE.give, (m) =>
@@ -195,10 +191,7 @@ export function askFor(work: string): Promise<unknown> {
   );
 }
 
-/**
- * From now on this tab answers others that ask for its works. `give` stops working on one and says what its newest
- * state is.
- */
+/** Starts answering the requests of other tabs. `give` closes a work here and returns its newest state. */
 export function answerOthers(give: (work: string) => Promise<unknown>): () => void {
   return hear((message) => {
     if (message.kind === "who" && owns(message.work)) say({ kind: "have", work: message.work });

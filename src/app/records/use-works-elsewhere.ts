@@ -4,10 +4,7 @@ import { onChanged, worksElsewhere } from "./tab.ts";
 
 const NONE: ReadonlySet<string> = new Set();
 
-/**
- * The works that other tabs have open, followed while a list of works is shown: the list is read again when it changes
- * there.
- */
+/** Works open in other tabs, kept up to date while a list is shown. Changes there re-read the list. */
 export function useWorksElsewhere(): ReadonlySet<string> {
   const [works, set] = useState(NONE);
   useEffect(() => {

@@ -1,9 +1,9 @@
 import { strToU8 } from "fflate";
 
 /**
- * What links say again and again, the tools that came with the page at the time among it: packing begins with it, so
- * that a link holds only what is its own. It belongs to links of the first two forms and may never change: a link
- * packed with other words can not be read.
+ * Compression dictionary of links: frequent text, including the default tools of that time, so that a link contains
+ * only what is specific to it. It belongs to links of the first two forms and must never change: a link packed with
+ * other words cannot be read.
  */
 const WORDS = [
   '[{"id":"r1","cells":{"T":"1","NAME":"CNMG-80-R08","RS":"0.8","TO":"1","T-ANGLE":"95","P-ANGLE":"80","CUTLENGTH":"12","TYPE":"ROUGH',

@@ -36,7 +36,7 @@ beforeEach(() => {
   useNotices.setState({ notices: [] });
 });
 
-test("a work that another tab has open is not opened, but said; a copy of it leaves it as it is", async () => {
+test("a work open in another tab is not opened, with a message; copying it leaves it unchanged", async () => {
   device.works.set("shared", { savedAt: 1, job });
   device.taken.add("turnwise shared");
   await resume();
@@ -71,7 +71,7 @@ test("a work is taken over with the newest state of the other tab, which the dev
   expect(device.works.get("asked")?.job).toMatchObject({ rapid: "4321" });
 });
 
-test("a tab that does not answer loses the work as it is kept", async () => {
+test("a tab that does not answer loses the work in its saved state", async () => {
   vi.useFakeTimers();
   device.works.set("silent", { savedAt: 1, job: { ...job, rapid: "77" } });
   device.taken.add("turnwise silent");
@@ -82,7 +82,7 @@ test("a tab that does not answer loses the work as it is kept", async () => {
   expect(useEditor.getState()).toMatchObject({ work: "silent", job: { rapid: "77" } });
 });
 
-test("a work that another tab asks for goes there with the last key, and is closed here with its steps", async () => {
+test("a work requested by another tab goes there with the last key, and is closed here with its steps", async () => {
   const stop = startKeeping();
   startWork(job);
   const { work } = useEditor.getState();
@@ -98,7 +98,7 @@ test("a work that another tab asks for goes there with the last key, and is clos
   stop();
 });
 
-test("what the device refused goes to the other tab in the answer", async () => {
+test("a state that the device refused goes to the other tab in the answer", async () => {
   device.refuses = "full";
   const stop = startKeeping();
   startWork(job);
@@ -112,7 +112,7 @@ test("what the device refused goes to the other tab in the answer", async () => 
   stop();
 });
 
-test("undo into a work that was let go takes it again as it is by now", async () => {
+test("undo into a released work claims it again in its present state", async () => {
   const stop = startKeeping();
   startWork(job);
   const { work = "" } = useEditor.getState();
@@ -134,7 +134,7 @@ test("undo into a work that was let go takes it again as it is by now", async ()
   stop();
 });
 
-test("works leave the list only when it is asked to, and come back by undo as they were", async () => {
+test("works are deleted only on request, and undo restores them unchanged", async () => {
   for (let i = 0; i < 150; i += 1) device.works.set(`w${i}`, { savedAt: i, job: { ...job, name: `N${i}` } });
   device.taken.add("turnwise w9");
   await refreshWorks();
@@ -156,7 +156,7 @@ test("works leave the list only when it is asked to, and come back by undo as th
   expect(useEditor.getState().job).toMatchObject({ name: "N0" });
 });
 
-test("a work is called otherwise where it lies, and doubled under a free name", async () => {
+test("a work is renamed in place, and duplicated under a free name", async () => {
   const file = (name: string) => ({ name, text: "M30", encoding: "utf-8" as const });
   device.works.set("a", { savedAt: 7, job: { ...file("A.h"), files: [file("SUB.H")] } });
   expect(await renameWork("a", "sub.h")).toBe("nameTaken");

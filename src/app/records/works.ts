@@ -7,17 +7,17 @@ import { forgetWork, keepWork, readWork } from "./device.ts";
 import { forgetUnkept, keepState, newestState, refreshWorks } from "./keep.ts";
 import { claimWork, owns, releaseWork, sayChanged } from "./tab.ts";
 
-/** What steps of undo are steps of that change the list of works. */
+/** Owner of the undo steps that change the list of works. */
 const OF_WORKS = {};
 
-/** A work as it lies on the device. */
+/** A work as stored on the device. */
 interface Lying {
   readonly work: string;
   readonly job: Work;
   readonly savedAt: number;
 }
 
-/** Runs with a work that no other tab has open; false when one has. */
+/** Runs while this tab holds the lock of a work; false if another tab has it. */
 async function withWork(work: string, run: () => Promise<void>): Promise<boolean> {
   const had = owns(work);
   if (!(await claimWork(work))) return false;
@@ -32,7 +32,7 @@ async function shown(change: Promise<unknown>): Promise<void> {
   sayChanged();
 }
 
-/** Notes a change of the list as a step of undo: what takes it back, and what makes it again. */
+/** Adds a step of undo for a change of the list. */
 function noteStep(back: () => Promise<unknown>, forth: () => Promise<unknown>): void {
   const way = (change: () => Promise<unknown>) => () => {
     void shown(change());
@@ -49,7 +49,7 @@ const forgetAll = (gone: readonly Lying[]): Promise<unknown> =>
     }),
   );
 
-/** Puts works where they lay; what the device does not take stays in hand and is said. */
+/** Restores works. If that fails they stay in memory, with a notice. */
 const putBackAll = (gone: readonly Lying[]): Promise<unknown> =>
   Promise.all(
     gone.map(async ({ work, job, savedAt }) => {
@@ -57,7 +57,7 @@ const putBackAll = (gone: readonly Lying[]): Promise<unknown> =>
     }),
   );
 
-/** Takes works out of the list, as one step of undo. Those that other tabs have open stay. */
+/** Deletes works as one step of undo, except those open in other tabs. */
 export async function removeWorks(
   works: readonly string[],
 ): Promise<{ readonly gone: readonly Lying[]; readonly leftOut: number }> {
@@ -83,7 +83,7 @@ export async function removeWorks(
   return { gone, leftOut };
 }
 
-/** What became of a change of one work. */
+/** Result of changing one work. */
 export type WorkChange = "done" | "elsewhere" | "nameTaken" | "failed";
 
 async function put(work: string, job: Work, savedAt: number): Promise<WorkChange> {
@@ -94,7 +94,7 @@ async function put(work: string, job: Work, savedAt: number): Promise<WorkChange
   return done;
 }
 
-/** Calls a work otherwise, as one step of undo. It keeps its place in the order of time. */
+/** Renames a work as one step of undo. Its date stays the same. */
 export async function renameWork(work: string, name: string): Promise<WorkChange> {
   const kept = await readWork(work);
   if (!kept) return "failed";
@@ -121,7 +121,7 @@ export async function renameWork(work: string, name: string): Promise<WorkChange
 /** The longest name that a work is given here. */
 const LONGEST = 32;
 
-/** A name that none of the others is: `A.h` becomes `A_2.h`. */
+/** A free name: `A.h` becomes `A_2.h`. */
 export function freeName(name: string, taken: readonly string[]): string {
   const known = new Set(taken.map(fileKey));
   const [, whole = "", ending = ""] = /^(.*?)(\.[^.]{0,8})?$/s.exec(name) ?? [];
@@ -132,7 +132,7 @@ export function freeName(name: string, taken: readonly string[]): string {
   }
 }
 
-/** Puts a work beside itself under another name, as one step of undo; null when the device does not take it. */
+/** Duplicates a work under a free name, as one step of undo; null if it cannot be saved. */
 export async function duplicateWork(work: string, names: readonly string[]): Promise<Lying | null> {
   const job = await newestState(work);
   if (!job) return null;
@@ -147,7 +147,7 @@ export async function duplicateWork(work: string, names: readonly string[]): Pro
   return copy;
 }
 
-/** Puts works of a file beside those of the device, as one step of undo; how many of them found room. */
+/** Adds the works of a backup as one step of undo; returns how many could be saved. */
 export async function addWorks(works: readonly Lying[]): Promise<number> {
   const kept: Lying[] = [];
   for (const each of works) if ((await put(each.work, each.job, each.savedAt)) === "done") kept.push(each);

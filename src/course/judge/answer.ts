@@ -6,7 +6,7 @@ import { tracing } from "../../sim/tracing.ts";
 import type { Answer } from "./judgement.ts";
 import { TASK_RAPID } from "./shop.ts";
 
-/** Runs a program with the tools that every installation starts with, as a task is worked on. */
+/** Runs a program with the default tools, as a learner does in a task. */
 export function answerOf(text: string): Answer {
   const done = run(parse(text), { tools: shippedTools, rapid: TASK_RAPID, tracing });
   return { text, run: done, simulation: simulate(done) };

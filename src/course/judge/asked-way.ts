@@ -2,13 +2,13 @@ import { tipDirection } from "../../kernel/cutter/insert.ts";
 import type { TipOrientation } from "../../kernel/plan/tool.ts";
 import type { RunFinding } from "../../program/state/run-types.ts";
 
-/** Where the values of a cycle want it to cut: in a bore or outside, away from the chuck or towards it. */
+/** Where the values make a cycle cut: in a bore or outside, away from the chuck or towards it. */
 export type AskedWay = "inside" | "outside" | "away" | "towards";
 
 /**
- * Where values want a cycle to cut when that is just the other side of what its tool is for: a forgotten minus, a
- * radius for a diameter and a start point within the steel turn a cycle round, and the tool is refused for it. Null
- * where the tool itself is the wrong one.
+ * The side on which the values make a cycle cut, where that is the opposite of the tool's side. A forgotten minus, a
+ * radius for a diameter or a start point inside the material turns a cycle round, and the tool is refused. Null where
+ * the tool itself is the wrong one.
  */
 export function askedWay(issue: RunFinding["issue"]): AskedWay | null {
   if (issue.code !== "toolUnfit") return null;

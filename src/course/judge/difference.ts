@@ -11,11 +11,11 @@ import { sweptBy } from "../../sim/sweep.ts";
 import { middleOf } from "./middle.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
-/** Smaller regions are not shown one by one, mm²; of the others no more than so many. */
+/** Smaller regions are not marked one by one, mm²; of the larger ones, at most this many. */
 const LEAST = 0.005;
 const MOST = 12;
 
-/** What of one half section is not in another one, chords and grid apart. */
+/** The area of one half section outside another, without slivers of chords and grid. */
 export const beyond = (one: readonly Ring[], other: readonly Ring[]): Ring[] => opened(difference(one, other), SLIVER);
 
 /** How far a point is from an area, mm; 0 inside it. */
@@ -28,7 +28,7 @@ export function distanceTo(rings: readonly Ring[], p: Pt): number {
 
 const shared = (one: readonly Ring[], other: readonly Ring[]): number => areaOf(intersection(one, other));
 
-/** The first step that took something of an area, and its block; none where no tool came there. */
+/** The first step that removed part of an area, and its block; empty where no tool came there. */
 export function firstInto(
   area: readonly Ring[],
   { run, simulation }: Answer,
@@ -40,7 +40,7 @@ export function firstInto(
     const { insert } = outlines(step.tool);
     if (insert.length < 3) return false;
     const [path, own] = [part.boxOf(pathOf(step.from, step.move)), boxAround([insert])];
-    // What is swept across the axis comes round to this side.
+    // A sweep across the axis also cuts on this side.
     const low = path.low + own.low;
     const reached = {
       left: path.left + own.left,
@@ -58,7 +58,7 @@ export function firstInto(
   return stated ? { step: stated.step, block: stated.block } : {};
 }
 
-/** The cycle call whose contour passes nearest to a place; where none makes a contour the last one. */
+/** The cycle call whose contour passes nearest to a place; the last call where none has a contour. */
 function nearestCall({ run }: Answer, place: Pt): number {
   const apart = run.operations.map(({ plan }) =>
     plan.contour.reduce((least, segment) => Math.min(least, part.distanceTo(segment, place)), Infinity),
@@ -67,7 +67,7 @@ function nearestCall({ run }: Answer, place: Pt): number {
   return Number.isFinite(least) ? apart.lastIndexOf(least) : run.operations.length - 1;
 }
 
-/** The operation that should have taken an area, with the reason why it did not; without a cycle call none. */
+/** The operation that should have cut an area, with the reason why it did not; empty without a cycle call. */
 function ownerOf(outline: Ring, answer: Answer): Pick<TaskMark, "operation" | "block" | "reason"> {
   const { run, simulation } = answer;
   const told = simulation.proof.residual
@@ -81,7 +81,7 @@ function ownerOf(outline: Ring, answer: Answer): Pick<TaskMark, "operation" | "b
   return called ? { operation, block: called.block, ...(most && { reason: most.reason }) } : {};
 }
 
-/** A mark for each region of an area that is more than may be, or one that it is not. */
+/** One failed mark per region where the areas exceed the limit, else one passed mark. */
 function marksOf(
   rule: "missing" | "residue",
   area: readonly Ring[],
@@ -92,7 +92,8 @@ function marksOf(
   if (value <= limit) return [{ rule, passed: true, value, limit }];
   const found = regionsOf(area, LEAST),
     regions = (found.length > 0 ? found : regionsOf(area, 0)).toSorted((a, b) => b.area - a.area);
-  // What may be there by itself is not what is wrong: the fillet in a corner beside a shoulder that was forgotten.
+  // Regions within the limit are allowed, such as the fillet in a corner; they are not marked beside a forgotten
+  // shoulder.
   const counts = regions.filter((_, i) => regions.slice(i).reduce((sum, region) => sum + region.area, 0) > limit);
   return counts.slice(0, MOST).map((region) => ({
     rule,
@@ -105,7 +106,7 @@ function marksOf(
   }));
 }
 
-/** What is missing from the wanted part, each place with the first move that went there. */
+/** Material missing from the target part: each place with the first move that cut there. */
 export const missingMarks = (
   wanted: readonly Ring[],
   made: readonly Ring[],
@@ -113,7 +114,7 @@ export const missingMarks = (
   answer: Answer,
 ): TaskMark[] => marksOf("missing", beyond(wanted, made), limit, (outline) => firstInto([outline], answer));
 
-/** What stands beside the wanted part, each place with the operation that should have taken it. */
+/** Excess material on the target part: each place with the operation that should have cut it. */
 export const residueMarks = (
   wanted: readonly Ring[],
   made: readonly Ring[],

@@ -10,12 +10,12 @@ function loadOf({ run }: Answer): PathLoad {
   }
 }
 
-/** Inserts that cut along, whose depth is what stands over their path; the width of a blade is none. */
+/** Inserts that cut along a surface: their depth is the material above their path. A recessing blade cuts its width. */
 const ALONG: ReadonlySet<string> = new Set(["ROUGH", "FINISH", "BUTTON"]);
 /** A cut lies along the axis within this, mm. */
 const LEVEL = 0.001;
 
-/** Finishing cuts along a cylinder: what was never roughed they take at once. */
+/** Finishing cuts along a cylinder: they cut at once what was never roughed. */
 const isFinishAlong = ({ operation, move, from, tool }: Step): boolean =>
   operation !== null &&
   move.phase === "finish" &&
@@ -24,8 +24,8 @@ const isFinishAlong = ({ operation, move, from, tool }: Step): boolean =>
   ALONG.has(tool.TYPE);
 
 /**
- * Moves outside of cycles and finishing cuts that take more than `limit` mm square to their path, each once with the
- * most it takes.
+ * Moves outside cycles, and finishing cuts, that cut deeper than `limit` mm square to their path: each once, with its
+ * greatest depth.
  */
 export function unknownDepths(answer: Answer, limit: number): Partial<TaskMark>[] {
   const { steps } = answer.run;

@@ -13,13 +13,13 @@ import { sizeMarks } from "./sizes.ts";
 import { threadMarks } from "./threads.ts";
 import { wantedPart, type WantedPart } from "../wanted-part.ts";
 
-/** What may stay beside the wanted part and be missing from it where a task does not say, mm². */
+/** Default limits of excess and missing material, mm², where a task states none. */
 const RESIDUE = 0.05;
 const MISSING = 0.01;
-/** A groove that is cut beside the wanted one is its fault within this, mm. */
+/** A groove this near to the target groove, mm, is that groove cut in the wrong place. */
 const ASIDE = 2;
 
-/** The rule of each finding that has one of its own; the others count as errors. */
+/** The findings with a rule of their own; the others count as errors. */
 const FOUND: Partial<Record<StockFinding["kind"], RuleName>> = {
   rapidInStock: "rapid",
   holderContact: "holder",
@@ -39,8 +39,8 @@ const ofFinding = (rule: RuleName, f: StockFinding): TaskMark => ({
 });
 
 /**
- * What the stock shows that must never be. Where a part is wanted, a cut into the contour of its own cycle counts as
- * what is missing.
+ * Findings of the stock that are never allowed. With a target part, a cut into a cycle's own contour counts as missing
+ * material.
  */
 function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark[] {
   return (["rapid", "holder", "gouge"] as const).flatMap((rule): TaskMark[] => {
@@ -50,7 +50,7 @@ function foundMarks({ simulation }: Answer, wanted: WantedPart | null): TaskMark
   });
 }
 
-/** Findings of the run and of the stock that count for a rule, those apart that have marks of their own. */
+/** Findings of the run and of the stock that count for a rule, except those with marks of their own. */
 function issueMarks(
   rule: "errors" | "clean",
   { run, simulation }: Answer,
@@ -86,9 +86,8 @@ function issueMarks(
 }
 
 /**
- * What makes the part in a picture alone counts as an error, though a program runs with it: a feed of a hundredth of a
- * millimetre a turn, and a recessing blade that is pushed sideways. A task that counts all warnings, or the time, tells
- * it by that.
+ * Warnings that count as errors, although the program runs: a feed of a hundredth of a millimetre per revolution, and a
+ * recessing blade that cuts sideways. A task that counts all warnings or limits the time reports them there.
  */
 const errorMarks = (answer: Answer, { clean = false, seconds }: Task["rules"]): TaskMark[] =>
   issueMarks(
@@ -99,11 +98,11 @@ const errorMarks = (answer: Answer, { clean = false, seconds }: Task["rules"]): 
       (!clean && ((code === "feedUnlikely" && seconds === undefined) || code === "toolCannotCutSideways")),
   );
 
-/** Where a part is wanted, what stays is held to that alone. */
+/** With a target part, residual material is judged against that part alone. */
 const cleanMarks = (answer: Answer, wanted: WantedPart | null): TaskMark[] =>
   issueMarks("clean", answer, ({ code, severity }) => severity === "warning" && !(wanted && code === "materialLeft"));
 
-/** Nothing is known of what was not simulated, so nothing that follows it can be right. */
+/** After a block that is not simulated nothing is known, so nothing can be judged right. */
 function unprovedMarks({ run, simulation }: Answer): TaskMark[] {
   const milled = run.plane.find((s) => s.kind !== "rapid");
   const found = [
@@ -119,7 +118,7 @@ function unprovedMarks({ run, simulation }: Answer): TaskMark[] {
   return found.length > 0 ? found : [{ rule: "unproved", passed: true }];
 }
 
-/** The made part beside the wanted one. */
+/** Compares the made part with the target part. */
 function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
   const { run, simulation } = answer,
     final = madeOf(simulation);
@@ -130,7 +129,7 @@ function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
   if (run.blank.length === 0) return [blank];
   const threads = threadMarks(task.part?.threads ?? [], answer);
   const missing = missingMarks(wanted.solid, final, task.rules.missing ?? MISSING, answer);
-  // Grooves at another pitch, or on another diameter, are told once, by the thread, and not one by one.
+  // Grooves at another pitch or diameter are reported once, by the thread, and not one by one.
   const isOfThread = ({ operation, place }: TaskMark) =>
     run.operations[operation ?? -1]?.plan.thread !== undefined &&
     place !== undefined &&
@@ -139,15 +138,15 @@ function partMarks(task: Task, wanted: WantedPart, answer: Answer): TaskMark[] {
   return [blank, ...besides, ...threads, ...residueMarks(wanted.rings, final, task.rules.residue ?? RESIDUE, answer)];
 }
 
-/** In the order of the rules; what is wrong before what is right. */
+/** In the order of the rules, failed marks first. */
 const ordered = (marks: readonly TaskMark[]): TaskMark[] => {
   const rank = ({ rule, passed }: TaskMark) => 2 * RULES.indexOf(rule) + Number(passed);
   return marks.toSorted((a, b) => rank(a) - rank(b));
 };
 
 /**
- * Judges the answer to a task: the part that it makes against the wanted one, and the rules of the task. Whatever makes
- * the part within the rules is right, however it is written.
+ * Judges the answer to a task: its part against the target part, and the rules of the task. Any program that makes the
+ * part within the rules passes, however it is written.
  */
 export function judge(task: Task, answer: Answer): TaskJudgement {
   const wanted = task.part ? wantedPart(task.part) : null;

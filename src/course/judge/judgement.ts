@@ -4,8 +4,8 @@ import type { Run, RunFinding } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
 /**
- * What an answer is judged by. The first ones are never allowed; "missing" and "residue" compare the made part with the
- * wanted one; the rest are the rules of a task under their own names.
+ * The rules of a judgement. The first ones always apply; "missing" and "residue" compare the made part with the target
+ * part; the others are rules of a task under the same names.
  */
 export const RULES = [
   "errors",
@@ -32,55 +32,47 @@ export const RULES = [
 ] as const;
 export type RuleName = (typeof RULES)[number];
 
-/** The learner's program and what comes of it. */
+/** The learner's program with its run and its simulation. */
 export interface Answer {
   readonly text: string;
   readonly run: Run;
   readonly simulation: Simulation;
 }
 
-/**
- * One thing that was looked at, and whether it is as it must be. Lengths mm, areas mm² of the half section, Rz µm,
- * times s.
- */
+/** The result of one check. Lengths mm, areas mm² of the half section, Rz µm, times s. */
 export interface TaskMark {
   readonly rule: RuleName;
   readonly passed: boolean;
-  /** What is there, and what may be there. */
+  /** Measured value, and its limit. */
   readonly value?: number;
   readonly limit?: number;
-  /**
-   * Number of the block that did it, or that should be another one; the step of the run, from 0; the cycle call, from
-   * 0.
-   */
+  /** Number of the block to blame or to change; step of the run, from 0; cycle call, from 0. */
   readonly block?: number;
   readonly step?: number;
   readonly operation?: number;
-  /** The parameter that it is about: "Q463". */
+  /** The parameter concerned: "Q463". */
   readonly q?: string;
-  /** A point inside the place where it shows, and the place itself. */
+  /** A point inside the marked region, and the region itself. */
   readonly place?: Pt;
   readonly rings?: readonly Ring[];
-  /** Of `Task.sizes`, from 0; of a list in the rules, its entry. */
+  /** Index into `Task.sizes`, from 0; index into a list of the rules. */
   readonly size?: number;
   readonly entry?: number;
-  /** The number of the cycle or of the tool, or the word, that it is about. */
+  /** Number of the cycle or tool concerned, or the word. */
   readonly about?: number | string;
-  /** Why material stays, where the operation that should have taken it knows it. */
+  /** Why material is left, if the operation that should have cut it knows the reason. */
   readonly reason?: Reason;
-  /** The finding of the run or of the stock that it tells. */
+  /** The finding of the run or of the stock that this mark reports. */
   readonly issue?: RunFinding["issue"];
 }
 
-/**
- * What a free program is worth, out of 100; nothing as long as it hurts the part, runs into material or is not proved.
- */
+/** Points of a free program, out of 100; 0 while it damages the part, runs into material or is not proved. */
 export interface Score {
   readonly total: number;
   readonly parts: readonly ScorePart[];
 }
 export interface ScorePart {
-  /** "proof": the share of the rules that hold; "residue", "time" and "tools" against what a good answer needs. */
+  /** "proof": share of the rules that hold; "residue", "time" and "tools": compared with a good answer. */
   readonly what: "proof" | "residue" | "time" | "tools";
   readonly points: number;
   readonly of: number;
@@ -91,8 +83,8 @@ export interface ScorePart {
 
 export interface TaskJudgement {
   readonly passed: boolean;
-  /** In the order of `RULES`; of several of a rule the gravest first. */
+  /** In the order of `RULES`; within a rule the gravest first. */
   readonly marks: readonly TaskMark[];
-  /** Of a "drawing". */
+  /** Only for a "drawing". */
   readonly score?: Score;
 }

@@ -7,7 +7,7 @@ interface Way {
   readonly middle: Pt;
 }
 
-/** Lines between the corners of an area, each in the middle of a strip in which little changes. */
+/** Lines across an area, each in the middle of a strip between two neighbouring corners. */
 function linesOf(area: readonly Ring[], across: "z" | "r"): number[] {
   const sorted = [...new Set(area.flatMap((ring) => ring.map((p) => p[across])))].sort((a, b) => a - b);
   return sorted.slice(1).flatMap((next, i) => {
@@ -30,8 +30,7 @@ function longestAlong(area: readonly Ring[], along: Along): Way | null {
 }
 
 /**
- * A point inside an area, where its extent is seen: the middle of the longest straight way through it along Z or
- * across.
+ * A point inside an area that shows its extent: the middle of the longest straight line through it along Z or across.
  */
 export function middleOf(area: readonly Ring[]): Pt {
   const [along, across] = [longestAlong(area, "z"), longestAlong(area, "r")];

@@ -12,12 +12,12 @@ import { roughingPasses, hasRoughing } from "./rules.ts";
 import { secondsOfAnswer } from "./shop.ts";
 import { sizeOn } from "./sizes.ts";
 
-/** mm, mm², s, or a count; null where the run has no such thing. */
+/** mm, mm², s, or a count; null where the run has no such value. */
 export interface TrueNumber {
   readonly kind: "number";
   readonly value: number | null;
 }
-/** Where something is; `rings` is empty where the run has no such thing. */
+/** The place of something; `rings` is empty where the run has no such place. */
 export interface TruePlace {
   readonly kind: "place";
   readonly place: Pt | null;
@@ -31,13 +31,13 @@ export interface TrueBlock {
   readonly kind: "block";
   readonly right: readonly number[];
 }
-/** What is true of a run. */
+/** The right answer to a question, from the run. */
 export type Truth = TrueNumber | TruePlace | TrueChoice | TrueBlock;
 
-/** What a learner says: a number, a place on the part, a choice from 0, or the number of a block. */
+/** A learner's prediction: a number, a place on the part, a choice from 0, or the number of a block. */
 export type Foretold = number | Pt;
 
-/** Sizes and infeeds are read off to two decimals, mm; counts to the whole. */
+/** Sizes and infeeds are read to two decimals, mm; counts are whole. */
 const READ_OFF = 0.005;
 
 const number = (value: number | null | undefined): Truth => ({ kind: "number", value: value ?? null });
@@ -46,7 +46,7 @@ const placeOf = (rings: readonly Ring[]): Truth => {
   return { kind: "place", rings, place: first ? middleOf([first.outline, ...first.holes]) : null };
 };
 
-/** What stays beside the wanted part, or without one what the operations should have taken. */
+/** Excess material on the target part; without one, the material that the operations should have cut. */
 function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, operation?: number): readonly Ring[] {
   if (wanted && operation === undefined) return beyond(madeOf(simulation), wantedPart(wanted).rings);
   return simulation.proof.residual
@@ -54,13 +54,13 @@ function residue({ part: wanted }: Pick<Task, "part">, { simulation }: Answer, o
     .map((r) => r.ring);
 }
 
-/** What is missing from the wanted part, or without one what was cut from the contours of the cycles. */
+/** Material missing from the target part; without one, the cuts into the contours of the cycles. */
 function missing({ part: wanted }: Pick<Task, "part">, { simulation }: Answer): readonly Ring[] {
   if (wanted) return beyond(wantedPart(wanted).solid, madeOf(simulation));
   return simulation.findings.flatMap((f) => (f.kind === "gouge" ? f.rings : []));
 }
 
-/** What is true of what a task asks, from the run of the program that it asks about. */
+/** The right answer to a question, from the run of the program in question. */
 export function truthOf(prediction: Prediction, task: Pick<Task, "part">, answer: Answer): Truth {
   const { run, simulation } = answer;
   const only = "operation" in prediction ? prediction.operation : undefined;
@@ -95,11 +95,11 @@ export function truthOf(prediction: Prediction, task: Pick<Task, "part">, answer
   }
 }
 
-/** How far a number or a place may be from the truth. */
+/** Tolerance of a number or a place. */
 const withinOf = (prediction: Prediction): number =>
   ("within" in prediction ? prediction.within : undefined) ?? (prediction.ask === "passes" ? 0 : READ_OFF);
 
-/** Whether what a learner says is true. A place is right on the region, or nearer to it than the task says. */
+/** Whether a prediction is right. A place is right inside the region or within the tolerance of it. */
 export function isRight(prediction: Prediction, truth: Truth, said: Foretold): boolean {
   if (typeof said === "object") {
     const within = withinOf(prediction);

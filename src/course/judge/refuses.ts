@@ -5,17 +5,17 @@ import { distanceTo } from "./difference.ts";
 import { judge } from "./judge.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
-/** How near a place must be to the one that a file names, mm. */
+/** Tolerance of a place that a file states, mm. */
 const NEAR = 3;
 
-/** Whether a mark shows at a place: at its own, or anywhere on its region. */
+/** Whether a mark is at a place: at its point or anywhere in its region. */
 function showsAt({ place, rings }: TaskMark, x: number, z: number): boolean {
   const wanted = at(z, toRadius(diameter(x)));
   if (place && part.apart(place, wanted) <= NEAR) return true;
   return rings !== undefined && distanceTo(rings, wanted) <= NEAR;
 }
 
-/** Whether a wrong answer is refused by the rule that its file names, at the place or in the block that it names. */
+/** Whether a wrong answer fails the rule that its file states, at the stated place or in the stated block. */
 export function refuses(task: Task, { rule, at: where, block }: WrongAnswer, answer: Answer): boolean {
   return judge(task, answer).marks.some((mark) => {
     if (mark.passed || mark.rule !== rule) return false;

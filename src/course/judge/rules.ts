@@ -11,17 +11,15 @@ import { unknownDepths } from "./hand-depth.ts";
 import { foreignToolMarks, secondsOfAnswer } from "./shop.ts";
 import { wordMarks } from "./words-in.ts";
 
-/**
- * A measured depth may be so much more than the greatest one, mm: passes are levelled, and the stock is made of chords.
- */
+/** Tolerance of a measured depth, mm: passes are levelled, and the stock consists of chords. */
 const DEPTH_SLACK = 0.02;
-/** Stretches of a surface that reach no farther between two Z are its ends, mm. */
+/** Stretches of a surface within this of an end of the Z range are its ends, mm. */
 const SURFACE_END = 0.05;
 
 const ofCall = ({ block }: Operation, operation: number) => ({ block, operation });
 const ofDefinition = ({ definedIn }: Operation, operation: number) => ({ block: definedIn, operation });
 
-/** A mark for each that is against a rule, or one that nothing is. */
+/** One failed mark for each violation, or one passed mark without any. */
 const marks = (rule: RuleName, wrong: readonly Partial<TaskMark>[], right: Partial<TaskMark> = {}): TaskMark[] =>
   wrong.length > 0 ? wrong.map((w) => ({ rule, passed: false, ...w })) : [{ rule, passed: true, ...right }];
 
@@ -34,7 +32,7 @@ function depth(limit: number, answer: Answer): TaskMark[] {
   const { run, simulation } = answer;
   const found = run.operations.map((operation, index): Partial<TaskMark> => {
     const deepest = simulation.proof.operations[index]?.deepest;
-    // Passes along the contour are measured only where they take more than their cycle allows.
+    // Passes along the contour count only where they cut deeper than their cycle allows.
     const infeed = operation.plan.isParallel && hasRoughing(operation) ? operation.plan.infeed : 0;
     const by = deepest && deepest.depth >= infeed ? { step: deepest.step } : {};
     return { value: Math.max(deepest?.depth ?? 0, infeed), limit, ...by, ...ofCall(operation, index) };
@@ -48,7 +46,7 @@ function depth(limit: number, answer: Answer): TaskMark[] {
   );
 }
 
-/** The last block before a step that says how the spindle turns. */
+/** The last block before a step that sets the spindle speed. */
 function spindleBlock({ text, run }: Answer, step: number): Partial<TaskMark> {
   const program = parse(text);
   const until = run.stepBlocks[step] ?? 0;
@@ -75,7 +73,7 @@ function speed(limit: number, answer: Answer): TaskMark[] {
   );
 }
 
-/** The tools that a program calls, each with the block that calls it first. */
+/** The tools that a program calls, each with the block of its first call. */
 export function calledTools({ text, run }: Answer): Map<number, number> {
   const program = parse(text);
   const numbers = blockNumbers(program);
@@ -88,7 +86,7 @@ export function calledTools({ text, run }: Answer): Map<number, number> {
   return called;
 }
 
-/** What is asked of one parameter of the called cycles. */
+/** Checks the value of one parameter in the called cycles. */
 function values(asked: NonNullable<TaskRules["values"]>, { run }: Answer): TaskMark[] {
   return asked.flatMap(({ q, cycle, from = -Infinity, to = Infinity }, entry) => {
     const found = run.operations.flatMap((operation, index) => {
@@ -116,7 +114,7 @@ function passes(limit: number, { run }: Answer): TaskMark[] {
   return [{ rule: "passes", passed: value === limit, value, limit, ...(operation && ofCall(operation, index)) }];
 }
 
-/** The roughest stretch of the made surface between two Z. A stretch that no feed a turn is known of is too rough. */
+/** The greatest Rz of the made surface between two Z. A stretch without a known feed per revolution is too rough. */
 function rz(asked: NonNullable<TaskRules["rz"]>, { run, simulation }: Answer): TaskMark[] {
   const all = roughnessOf(madeOf(simulation), run.steps, run.spindles);
   return asked.map(({ from, to, most }, entry): TaskMark => {
@@ -145,7 +143,7 @@ function rz(asked: NonNullable<TaskRules["rz"]>, { run, simulation }: Answer): T
   });
 }
 
-/** What the rules of a task say of an answer, one mark for each rule or more. */
+/** Checks an answer against the rules of a task: one mark or more for each rule. */
 export function ruleMarks(rules: TaskRules, answer: Answer): TaskMark[] {
   const { run, simulation } = answer;
   const out: TaskMark[] = foreignToolMarks(answer);

@@ -7,14 +7,14 @@ import { calledTools } from "./rules.ts";
 import { secondsOfAnswer } from "./shop.ts";
 
 const POINTS = { proof: 40, residue: 20, time: 25, tools: 15 } as const;
-/** What may not be: no speed is worth a broken tool. */
+/** Rules that must hold for any points: no speed is worth a broken tool. */
 const NEVER: ReadonlySet<RuleName> = new Set(["errors", "unproved", "blank", "rapid", "holder", "gouge", "missing"]);
-/** Residue of this share of what there is to cut is worth nothing. */
+/** This share of the material to cut, left as residue, earns no points. */
 const MOST_LEFT = 0.05;
 
 const share = (part: number): number => Math.min(1, Math.max(0, part));
 
-/** The score of a free program. `residue`: what may stay, mm². */
+/** The score of a free program. `residue`: allowed excess, mm². */
 export function scoreOf(
   par: NonNullable<Task["par"]>,
   wanted: WantedPart,

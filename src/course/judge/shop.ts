@@ -3,10 +3,10 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
-/** Rapid rate that times of a task are worked out with, mm/min. */
+/** Rapid rate for the times of tasks, mm/min. */
 export const TASK_RAPID = 10_000;
 
-/** Running time of an answer, s: with the rapid rate of tasks, whatever the work that it comes from estimates with. */
+/** Running time of an answer, s, always with the rapid rate of tasks and not with that of the learner's machine. */
 export const secondsOfAnswer = ({ simulation }: Answer): number =>
   simulation.steps.reduce(
     (sum, { from, move, seconds }) =>
@@ -14,7 +14,7 @@ export const secondsOfAnswer = ({ simulation }: Answer): number =>
     0,
   );
 
-/** What makes an insert another one. */
+/** The columns that distinguish one insert from another. */
 const COLUMNS = [
   "RS",
   "DRS",
@@ -27,7 +27,7 @@ const COLUMNS = [
   "DCW",
 ] as const satisfies readonly (keyof Tool)[];
 
-/** Tools that are not those that every installation starts with: what they leave says nothing of the task. */
+/** Tools other than the default ones: their residual material would not match the task. */
 export function foreignToolMarks({ run }: Answer): TaskMark[] {
   const found = new Map<number, number>();
   for (const { tool, block } of [...run.operations, ...run.steps.filter((step) => step.operation === null)]) {

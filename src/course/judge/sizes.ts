@@ -7,10 +7,10 @@ import type { TaskSize, SizeKind } from "../task.ts";
 import { firstInto } from "./difference.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
-/** Half the length of the strip by which the move is found that made a size, mm. */
+/** Half the length of the strip in which the move that made a size is found, mm. */
 const STRIP = 0.05;
 
-/** Where a size is measured on a half section, and what it is there, mm; null where there is no material. */
+/** The point at which a size is measured on a half section, and its value there, mm; null without material. */
 export function sizeOn(
   stock: readonly Ring[],
   kind: SizeKind,
@@ -26,7 +26,7 @@ export function sizeOn(
   return r === undefined ? null : { value: toDiameter(radius(r)), place: at(where, r) };
 }
 
-/** The strip between a measured and a nominal size: who came there made the size. */
+/** The strip between a measured and a nominal size: the move that cut there made the size. */
 function between({ kind, nominal, at: where }: TaskSize, { z, r }: Pt): Ring {
   const [low, high, left, right] =
     kind === "face"
@@ -40,7 +40,7 @@ function between({ kind, nominal, at: where }: TaskSize, { z, r }: Pt): Ring {
   return [at(left, low), at(right, low), at(right, high), at(left, high)];
 }
 
-/** Whether each size of the made part lies within its limits. */
+/** Whether each size of the made part is within its limits. */
 export function sizeMarks(sizes: readonly TaskSize[], answer: Answer): TaskMark[] {
   return sizes.map((size, index) => {
     const found = sizeOn(madeOf(answer.simulation), size.kind, size.at);

@@ -5,23 +5,20 @@ import { scanCrossings } from "../../sim/scan.ts";
 import { bandOfThread, type WantedThread } from "../wanted-part.ts";
 import type { Answer, TaskMark } from "./judgement.ts";
 
-/** How far apart the profile of a thread is looked at, mm. */
+/** Sampling distance along the profile of a thread, mm. */
 const STEP = 0.02;
-/**
- * All threads together are looked at that often at most: many of them, as long as no lathe is, cost no more than
- * others.
- */
+/** Most samples of all threads together: a long list of threads takes no more time than a short one. */
 const MOST_LINES = 60_000;
-/** The share of the depth that a groove has at least, and that at which it is told from its neighbours. */
+/** Least depth of a groove as a share of the thread depth, and the share at which two grooves are separate. */
 const DEEP = 0.85;
 const APART = 0.5;
-/** How far a measured pitch may be from the wanted one, a share of it. */
+/** Relative tolerance of a measured pitch. */
 const SAME_PITCH = 0.01;
 
 interface Grooves {
-  /** Z of the middle of each, from the left. */
+  /** Z of the middle of each groove, from the left. */
   readonly middles: readonly number[];
-  /** Of the shallowest whole one, as a share of the wanted depth. */
+  /** Depth of the shallowest whole groove, as a share of the required depth. */
   readonly depth: number;
 }
 
@@ -48,15 +45,14 @@ function groovesOf(stock: readonly Ring[], { from, to, crest, root }: WantedThre
       grooves.push({ first: line, last: line, depth });
     }
   });
-  // At its ends a thread may have half a groove.
+  // A thread may end in half a groove.
   const whole = grooves.length > 3 ? grooves.slice(1, -1) : grooves;
   return { middles: grooves.map((g) => (g.first + g.last) / 2), depth: Math.min(...whole.map((g) => g.depth)) };
 }
 
 /**
- * Whether grooves of a thread are there all along, as deep as they must be, and at its pitch where the task states one.
- * What is not cut of it is residue, `about` the name of the thread; `value` is the pitch that is there, mm, 0 where
- * there is none.
+ * Whether a thread has grooves over its full length, deep enough, and at its pitch where the task states one. Material
+ * left in it is residue, with the name of the thread in `about`; `value` is the measured pitch, mm, 0 without one.
  */
 export function threadMarks(threads: readonly WantedThread[], { run, simulation }: Answer): TaskMark[] {
   return threads.map((thread, entry): TaskMark => {
@@ -64,7 +60,7 @@ export function threadMarks(threads: readonly WantedThread[], { run, simulation 
     const { middles, depth } = groovesOf(madeOf(simulation), thread, Math.floor(MOST_LINES / threads.length));
     const [first, last] = [middles[0] ?? 0, middles.at(-1) ?? 0];
     const ways = middles.slice(1).map((z, i) => z - (middles[i] ?? 0));
-    // Where a chamfer begins a thread its first groove is wider than the others.
+    // A thread that begins in a chamfer has a wider first groove.
     const value = ways.toSorted((a, b) => a - b)[Math.floor(ways.length / 2)] ?? 0;
     const wanted = pitch ?? value;
     const [begins, ends] = [Math.min(from, to), Math.max(from, to)];

@@ -2,7 +2,7 @@ import { parse } from "../../nc/parse.ts";
 import { blockNumbers } from "../../nc/program.ts";
 import type { TaskMark } from "./judgement.ts";
 
-/** A text as it is compared: capital letters, one space between words, no plus signs before numbers. */
+/** A text for comparison: capital letters, single spaces, no plus signs before numbers. */
 const plain = (text: string) =>
   text
     .toUpperCase()
@@ -10,7 +10,7 @@ const plain = (text: string) =>
     .replaceAll(/\s+/g, " ")
     .trim();
 
-/** What a block says, without its number and what is remarked in it. */
+/** The text of a block without its number and comments. */
 const said = (raw: string) =>
   plain(
     raw
@@ -21,8 +21,8 @@ const said = (raw: string) =>
   );
 
 /**
- * Whether words stand in a text as words of their own: "M13" does not stand in "M136", but "SMAX" in "SMAX2500" does,
- * as a letter that its number follows.
+ * Whether a text contains whole words: "M136" does not contain "M13", but "SMAX2500" contains "SMAX", since a number
+ * may follow a letter.
  */
 function standsIn(words: string, text: string): boolean {
   const open = /\w$/.test(words) ? (/\d$/.test(words) ? String.raw`(?![\d.])` : "(?![A-Z_])") : "";
@@ -30,7 +30,7 @@ function standsIn(words: string, text: string): boolean {
   return new RegExp(String.raw`(?<![\w.])${pattern}${open}`).test(text);
 }
 
-/** Whether each of the words stands in some block of a program, remarks apart. */
+/** Whether each word is in some block of a program, comments excluded. */
 export function wordMarks(words: readonly string[], text: string): TaskMark[] {
   const program = parse(text);
   const numbers = blockNumbers(program);

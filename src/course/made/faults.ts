@@ -1,10 +1,10 @@
-/** A fault that can be put into a program, as those that are made at machines. */
+/** A fault that can be put into a program, as it happens at machines. */
 export const FAULT_KINDS = ["perRevolution", "minus", "tool", "start", "infeed", "limit"] as const;
 export type FaultKind = (typeof FAULT_KINDS)[number];
 
 type Put = (lines: readonly string[]) => readonly string[] | null;
 
-/** Replaces the first line that a pattern is found in. */
+/** Replaces the first line that matches a pattern. */
 const inFirst =
   (pattern: RegExp, by: (...found: string[]) => string): Put =>
   (lines) => {
@@ -13,7 +13,7 @@ const inFirst =
     return line === undefined ? null : lines.with(at, line.replace(pattern, by));
   };
 
-/** The tip stands in the material when a cycle is called. */
+/** The tip is inside the material at the cycle call. */
 const startInside: Put = (lines) => {
   const call = lines.findIndex((line) => /\bCYCL CALL\b/.test(line));
   const at = lines.slice(0, Math.max(0, call)).findLastIndex((line) => /^\s*\d*\s*L\s.*\bZ[+-]?[\d.]+/.test(line)),
@@ -21,7 +21,7 @@ const startInside: Put = (lines) => {
   return line === undefined ? null : lines.with(at, line.replace(/\bZ[+-]?[\d.]+/, "Z-5"));
 };
 
-/** A number so many times as large, as programs write it. */
+/** A number times a factor, as programs write it. */
 const times = (text: string, by: number): string => String(Math.round(Number(text) * by * 1000) / 1000);
 
 const PUT: Readonly<Record<FaultKind, Put>> = {
@@ -36,10 +36,10 @@ const PUT: Readonly<Record<FaultKind, Put>> = {
   limit: inFirst(/\bSMAX:?(\d+)/, (_, value = "") => `SMAX${times(value, 3)}`),
 };
 
-/** The faults that a program can be given. */
+/** The faults that can be put into a program. */
 export const possibleFaults = (lines: readonly string[]): readonly FaultKind[] =>
   FAULT_KINDS.filter((kind) => PUT[kind](lines) !== null);
 
-/** A program with faults in it; one that it can not be given is left out. */
+/** A program with faults; a fault that does not fit the program is left out. */
 export const withFaults = (lines: readonly string[], kinds: readonly FaultKind[]): readonly string[] =>
   FAULT_KINDS.filter((kind) => kinds.includes(kind)).reduce((now, kind) => PUT[kind](now) ?? now, lines);

@@ -7,17 +7,15 @@ import { NUMBER_RULES, type MadeTask, type RuleDraft, type SizeDraft } from "./m
 import { promptsOf, proposedTask, taskOfMade, type MadeFault } from "./made-task.ts";
 import { draftOfPrediction } from "./made-questions.ts";
 
-/*
- * A task that is kept, or came from elsewhere, in the form again. What a form has no field for goes along as it was.
- */
+/* Fills the form from a stored or imported task. Fields that the form does not show are preserved. */
 
-/** The program that a task is made of: its answer, or what lies open where it has none; null where it has neither. */
+/** The program behind a task: its answer, else its starting program; null where it has neither. */
 export function textOfTask(task: Task): string | null {
   if (task.solution) return programOfLines(task.solution);
   return "program" in task.start ? programOfLines(task.start.program) : promptsText(task);
 }
 
-/** What lies open in the beginning, as the form has it. */
+/** The starting state in the fields of the form. */
 function startDraft(
   { start }: Task,
   text: string,
@@ -43,7 +41,7 @@ function startDraft(
 export const isSameSize = (a: SizeDraft, b: SizeDraft): boolean =>
   a.kind === b.kind && a.at === b.at && a.nominal === b.nominal;
 
-/** The sizes of a task, switched on, before those that its part offers beside them. */
+/** The enabled sizes of a task, then the other sizes that its part offers. */
 export const sizesOfBoth = (chosen: readonly SizeDraft[], offered: readonly SizeDraft[]): readonly SizeDraft[] => {
   const on = chosen.filter((size) => size.on);
   return [
@@ -52,7 +50,7 @@ export const sizesOfBoth = (chosen: readonly SizeDraft[], offered: readonly Size
   ];
 };
 
-/** The form of a task. `text` and `answer`: of the program that it is made of. */
+/** The form of a task. `text` and `answer` belong to the program behind the task. */
 export function formOfTask(task: Task, text: string, answer: Answer, language: LessonLanguage): MadeTask {
   const proposed = proposedTask(answer),
     { part, rules, predict = [], words: told } = task,
@@ -97,10 +95,7 @@ export function formOfTask(task: Task, text: string, answer: Answer, language: L
 
 const isSame = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
 
-/**
- * Fields of `made` where they were changed in the form, of `base` where they were not; what the form does not know
- * stays.
- */
+/** Takes the fields that were changed in the form from `made`, all others from `base`. */
 function changedOf<T extends object>(base: T, first: T, made: T): T {
   const out = { ...base } as Record<string, unknown>;
   for (const key of new Set([...Object.keys(first), ...Object.keys(made)])) {
@@ -113,8 +108,8 @@ function changedOf<T extends object>(base: T, first: T, made: T): T {
 }
 
 /**
- * A task that was changed in the form, under its own id: an answer that comes back finds it. Where the form was left as
- * it is the task stays the same to the last field, in all of its languages.
+ * A task as changed in the form, with the same id, so that returned results still match. An unchanged form leaves every
+ * field in every language as it was.
  */
 export function editedTask(
   base: Task,

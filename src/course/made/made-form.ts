@@ -14,13 +14,13 @@ export type ListRule = (typeof LIST_RULES)[number];
 export const TOOL_OFFERS = ["called", "listed", "all"] as const;
 export type OfferKind = (typeof TOOL_OFFERS)[number];
 
-/** A rule as it stands in the form: whether it is asked for, and its number or numbers as typed. */
+/** A rule in the form: whether it applies, and its number or numbers as typed. */
 export interface RuleDraft {
   readonly on: boolean;
   readonly text: string;
 }
 
-/** A size that can be asked for, with its deviations as typed, mm. */
+/** A size that may be checked, with its deviations as typed, mm. */
 export interface SizeDraft {
   readonly kind: "diameter" | "bore" | "face";
   readonly at: number;
@@ -30,7 +30,7 @@ export interface SizeDraft {
   readonly lower: string;
 }
 
-/** Prompts that lie open in the beginning: of which cycle call, from 0, and those of its values that are left empty. */
+/** Prompts of the starting state: the cycle call, from 0, and its values that are empty. */
 export interface PromptsDraft {
   readonly operation: number;
   readonly emptied: readonly string[];
@@ -45,30 +45,30 @@ export interface WordsDraft {
 /** The form of a task, as typed. */
 export interface MadeTask {
   readonly kind: Task["kind"];
-  /** Lines of blank and outlines; nothing in any of them where only the rules count. */
+  /** Lines of the blank and the outlines; all empty where only the rules count. */
   readonly blank: string;
   readonly outside: string;
   readonly bore: string;
   readonly threads: readonly ThreadDraft[];
-  /** Id of a shipped material; null where none is named. */
+  /** Id of a shipped material; null for none. */
   readonly material: NonNullable<Task["material"]> | null;
   readonly sizes: readonly SizeDraft[];
   readonly rules: Readonly<Record<NumberRule | ListRule, RuleDraft>>;
-  /** Which tools the table of the learner offers: those that the answer calls, those of the list, or all. */
+  /** The tools in the learner's table: those that the answer calls, those of the list, or all. */
   readonly offer: OfferKind;
   readonly tools: readonly number[];
   readonly clean: boolean;
-  /** What is asked before the run, where the kind asks something. */
+  /** Questions before the run, for the kinds that have any. */
   readonly questions: readonly QuestionDraft[];
   readonly start: "empty" | "prompts" | "program";
   readonly prompts: PromptsDraft;
   readonly faults: readonly FaultKind[];
-  /** The program in the beginning, where it was typed over; null as long as it is the answer with the faults. */
+  /** The starting program, if edited; null while it is the answer with its faults. */
   readonly program: string | null;
   readonly words: WordsDraft;
 }
 
-/** Longest text of a form, characters, and most of anything that is listed. */
+/** Greatest length of a text, characters, and of a list. */
 const LONGEST = 100_000,
   MOST = 200;
 const text = z.string().check(z.maxLength(LONGEST));
@@ -76,7 +76,7 @@ const many = <S extends z.core.$ZodType>(schema: S) => z.array(schema).check(z.m
 const rule = z.object({ on: z.boolean(), text });
 const finite = z.number();
 
-/** A form as it is kept. */
+/** A form as stored. */
 export const formShape = z.object({
   kind: z.enum(["make", "fault", "predict", "drawing"]),
   blank: text,
@@ -85,7 +85,7 @@ export const formShape = z.object({
   threads: many(
     z.object({ from: finite, to: finite, crest: finite, root: finite, pitch: finite, name: text, on: z.boolean() }),
   ),
-  // A form that was kept before materials were asked for names none.
+  // Forms stored before the field existed have no material.
   material: z._default(z.nullable(materialId), null),
   sizes: many(
     z.object({
@@ -129,10 +129,10 @@ export const formShape = z.object({
   words: z.object({ title: text, ask: text, hints: z.tuple([text, text, text]) }),
 });
 
-/** A number as it is proposed, with the decimal sign of a language; both signs are read. */
+/** A proposed number with the decimal sign of a language; both signs can be read. */
 export const withSign = (text: string, sign: string): string => text.replace(".", sign);
 
-/** A form whose numbers are written with a decimal sign; what is a list of whole numbers stays. */
+/** A form with its numbers in the decimal sign of a language; lists of whole numbers are unchanged. */
 export const formWithSign = (form: MadeTask, sign: string): MadeTask => ({
   ...form,
   rules: Object.fromEntries(
@@ -146,7 +146,7 @@ export const formWithSign = (form: MadeTask, sign: string): MadeTask => ({
   })),
 });
 
-/** A form out of what was kept; null where it is none. Never throws. */
+/** A form from storage; null where the data are no form. Never throws. */
 export function readForm(raw: unknown): MadeTask | null {
   const read = formShape.safeParse(raw);
   return read.success ? read.data : null;

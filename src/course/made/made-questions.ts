@@ -7,8 +7,8 @@ import { typedNumber } from "../told.ts";
 import type { AskedKind, QuestionDraft } from "./question-draft.ts";
 
 /*
- * What a learner is asked before the run, as an instructor types it. What is right comes from the run of the program
- * that lies open, but for a choice and a block: those are proposed from the run.
+ * The questions before the run, as an instructor types them. The right answers come from the run of the starting
+ * program, except for a choice and a block: there the run only proposes them.
  */
 
 const SIZES: readonly AskedKind[] = ["diameter", "bore", "face"];
@@ -21,7 +21,7 @@ export const hasOperation = (ask: AskedKind): boolean => COUNTED.includes(ask);
 export const hasWithin = (ask: AskedKind): boolean => ask !== "choice" && ask !== "block";
 export const needsWithin = (ask: AskedKind): boolean => ask === "seconds" || ask === "residue" || PLACES.includes(ask);
 
-/** What a choice offers, without empty lines. */
+/** The choices of a question, without empty lines. */
 export const choicesOf = ({ choices }: QuestionDraft): readonly string[] =>
   choices
     .split(/\r?\n/)
@@ -30,7 +30,10 @@ export const choicesOf = ({ choices }: QuestionDraft): readonly string[] =>
 
 const blocksIn = (text: string): readonly number[] => [...text.matchAll(/\d+/g)].map(([number]) => Number(number));
 
-/** What a question asks; null where a number is missing or wrong, a choice has less than two, or no block is right. */
+/**
+ * The question of a draft; null where a number is missing or wrong, a choice has less than two options, or no block is
+ * right.
+ */
 export function predictionOf(draft: QuestionDraft): Prediction | null {
   const { ask, operation, at, within: typed, right } = draft;
   const within = typedNumber(typed);
@@ -65,10 +68,10 @@ export function predictionOf(draft: QuestionDraft): Prediction | null {
   }
 }
 
-/** Whether a question can be asked as it stands. */
+/** Whether a question is complete. */
 export const isWhole = (draft: QuestionDraft): boolean => draft.text.trim() !== "" && predictionOf(draft) !== null;
 
-/** A question of a task as it is typed. */
+/** The draft of a task's question. */
 export function draftOfPrediction(prediction: Prediction, text: string, choices: readonly string[]): QuestionDraft {
   const { ask } = prediction;
   const right = ask === "choice" ? String(prediction.right) : ask === "block" ? prediction.right.join(", ") : "";
@@ -83,11 +86,11 @@ export function draftOfPrediction(prediction: Prediction, text: string, choices:
   };
 }
 
-/** What a run comes to, as a choice offers it: in this order. */
+/** The outcomes of a run, in the order of the choices. */
 export const FATES = ["fine", "rapid", "gouge", "residue", "error"] as const;
 export type Fate = (typeof FATES)[number];
 
-/** The gravest that a run comes to. */
+/** The gravest outcome of a run. */
 export function fateOf({ run, simulation: { findings, proof } }: Answer): Fate {
   if (findings.some(({ kind }) => kind !== "gouge")) return "rapid";
   if (findings.length > 0) return "gouge";
@@ -97,7 +100,7 @@ export function fateOf({ run, simulation: { findings, proof } }: Answer): Fate {
 
 const bare = (raw: string): string => raw.trim().replace(/^\/?\d+[ \t]+/, "");
 
-/** Numbers of the blocks in which a program differs from another; beside a block that is missing, its neighbours. */
+/** Numbers of the blocks in which two programs differ; for a missing block, those of its neighbours. */
 export function changedBlocks(text: string, from: string): readonly number[] {
   const program = parse(text),
     numbers = blockNumbers(program);
@@ -111,7 +114,7 @@ export function changedBlocks(text: string, from: string): readonly number[] {
   return first < 0 ? [] : numbered([Math.max(0, first - 1), first]);
 }
 
-/** The blocks that are at fault: those that differ from the answer, or else those that the run finds fault with. */
+/** The blocks at fault: those that differ from the answer, else those with findings in the run. */
 function faultyBlocks(begun: Answer, solution: string): readonly number[] {
   const changed = changedBlocks(begun.text, solution);
   if (changed.length > 0) return changed;
@@ -122,7 +125,7 @@ function faultyBlocks(begun: Answer, solution: string): readonly number[] {
   return [...new Set(found)].slice(0, 3);
 }
 
-/** How far an answer may be off if nothing else is said: shares of what is asked, and mm for a place. */
+/** Proposed tolerances: shares of the value, and mm for a place. */
 const SHARE = { seconds: 0.1, residue: 0.2 } as const,
   PLACE = "3",
   INFEED = "0.02",
@@ -138,8 +141,8 @@ function proposedWithin(ask: AskedKind, truth: Truth | null): string {
 }
 
 /**
- * A question with what the run proposes for it. `begun`: what lies open, `solution`: the text of the answer, `at`:
- * where a size is.
+ * A question with the values that the run proposes. `begun`: the starting program, `solution`: the text of the answer,
+ * `at`: the place of a size.
  */
 export function proposedQuestion(
   ask: AskedKind,
@@ -167,7 +170,7 @@ export function proposedQuestion(
   };
 }
 
-/** Whether a run has what a question asks for. */
+/** Whether a run contains what a question asks for. */
 export function isThere(truth: Truth, { text }: Answer): boolean {
   switch (truth.kind) {
     case "number":
@@ -183,7 +186,7 @@ export function isThere(truth: Truth, { text }: Answer): boolean {
   }
 }
 
-/** What is true of each question; null where a question is not whole yet. */
+/** The right answer to each question; null where a question is not complete. */
 export const truthsOf = (
   questions: readonly QuestionDraft[],
   part: Pick<Task, "part">,

@@ -38,13 +38,13 @@ test("proposed rules hold the numbers of the program", () => {
   expect(rules.depth).toBeGreaterThan(1.1);
 });
 
-test("what is missing is named", () => {
+test("missing fields are named", () => {
   expect(
     taskOfMade({ ...proposedTask(shoulder), outside: "L X+20 Z+0\nCR X+30 Z-40 R2 DR+" }, shoulder, "en", "1"),
   ).toEqual(["title", "ask", "hints", "part"]);
 });
 
-test("prompts begin with the values of the call, without those that are left empty", () => {
+test("prompts start with the values of the call, except the emptied ones", () => {
   const { start } = made(shoulder, { start: "prompts", prompts: { operation: 0, emptied: ["Q463"] } });
   expect(start).toMatchObject({ cycle: shoulder.run.operations[0]?.cycle });
   const values = "values" in start ? start.values : {};
@@ -70,7 +70,7 @@ test("each fault changes one line, and the program with it is refused", () => {
 
 const shaft = answer("shaft");
 
-test("threads are taken from the program, drawn by their crest", () => {
+test("threads come from the program, drawn by their crest", () => {
   const { threads, outside } = proposedTask(shaft);
   expect(threads).toEqual([
     { from: 0, to: -21, crest: 60, root: 58.16, pitch: 1.5, name: "M60×1.5", on: true },
@@ -110,7 +110,7 @@ const asked = (ask: QuestionDraft["ask"], of: typeof flange, more: Partial<Quest
   ...more,
 });
 
-test("what is right of a question comes from the run", () => {
+test("the right answer to a question comes from the run", () => {
   const { questions } = {
     questions: [
       asked("passes", shoulder),
@@ -131,7 +131,7 @@ test("what is right of a question comes from the run", () => {
   expect(truths.map((truth) => truth && isThere(truth, shoulder))).toEqual([true, true, false]);
 });
 
-test("a question that is not whole keeps the task in", () => {
+test("an incomplete question prevents the task", () => {
   const faults = (questions: readonly QuestionDraft[], start: MadeTask["start"] = "program") =>
     taskOfMade({ ...proposedTask(shoulder), words, kind: "predict", start, questions }, shoulder, "en", "1");
   expect(faults([])).toEqual(["noQuestion"]);
@@ -150,7 +150,7 @@ test("a question that is not whole keeps the task in", () => {
     expect(predictionOf(wrong)).toBe(null);
 });
 
-test("the block of a fault and what a run comes to are proposed", () => {
+test("the faulty block and the outcome of a run are proposed", () => {
   const begins = (faults: MadeTask["faults"]) =>
     answerOf(begunOfMade({ ...proposedTask(shoulder), start: "program", faults }, shoulder) ?? "");
   const text = (begun: typeof flange, blocks: readonly number[]) =>
@@ -168,7 +168,7 @@ test("the block of a fault and what a run comes to are proposed", () => {
   expect(asked("choice", minus).right).toBe("4");
 });
 
-test("a form is kept and read again, and a damaged one is none", () => {
+test("a form is stored and read again; a damaged one is rejected", () => {
   const form = { ...proposedTask(shaft), questions: [asked("block", shoulder)] };
   expect(readForm(JSON.parse(JSON.stringify(form)))).toEqual(form);
   expect(readForm({ ...form, kind: "bake" })).toBe(null);

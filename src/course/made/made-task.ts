@@ -18,11 +18,11 @@ import { grooveFilling, threadsOf, wantedThread, type ThreadDraft } from "./made
 import { outlineText } from "./outline-text.ts";
 
 /*
- * A task that is made of a program: the program is its answer, the part that comes of it the wanted one. Everything is
- * proposed, and can be typed over.
+ * A task made from a program: the program is its answer, and the part that it makes is the target part. Everything is
+ * proposed and can be edited.
  */
 
-/** Limits that every answer breaks: the judge then tells what is there. */
+/** Limits that every answer breaks, so that the judge reports the actual values. */
 const ASK_ALL: TaskRules = { depth: 0, speed: 0, mostTools: 0, seconds: 0, passes: -1 };
 
 /** Lines of a program without their numbers. */
@@ -33,7 +33,7 @@ export const linesOfText = (text: string): string[] =>
     .map((line) => line.trimEnd())
     .filter((line) => line.trim() !== "");
 
-/** The lines that state the blank of a program, with the contours that they name behind them. */
+/** The lines that define the blank of a program, then the contours that they name. */
 function blankLines(text: string): readonly string[] {
   const { blocks } = parse(text);
   const found = blocks.filter(({ statement: { kind } }) => /^blank/.test(kind)).map(({ raw }) => bare(raw));
@@ -49,7 +49,7 @@ function blankLines(text: string): readonly string[] {
   return [...found, ...behind];
 }
 
-/** Greatest values that the judge finds, by rule. */
+/** The greatest values that the judge measures, by rule. */
 function found(task: Task, answer: Answer): ReadonlyMap<RuleName, number> {
   const values = new Map<RuleName, number>();
   for (const { rule, value } of judge(task, answer).marks)
@@ -57,19 +57,19 @@ function found(task: Task, answer: Answer): ReadonlyMap<RuleName, number> {
   return values;
 }
 
-/** A number a little above what is there, on a step. */
+/** A value rounded up to a step. */
 const above = (value: number | undefined, step: number, share = 1): string =>
   value === undefined ? "" : String(Math.round(Math.ceil((value * share) / step - ROUNDED) * step * 1000) / 1000);
 const ROUNDED = 0.001;
-/** What proposed limits are rounded up to: mm, rpm, s, mm², µm; and how much longer an answer may take. */
+/** Steps to which proposed limits are rounded up: mm, rpm, s, mm², µm; and the extra share of time allowed. */
 const STEPS = { depth: 0.1, speed: 100, seconds: 10, residue: 0.1, rz: 1 } as const,
   LONGER = 1.3;
 
-/** What a part of rings is called: its outlines, from the made stock or from the finished contours of the program. */
+/** The sources of a part's outlines: the made stock, or the finished contours of the program. */
 export const PART_SOURCES = ["made", "contours"] as const;
 export type PartSource = (typeof PART_SOURCES)[number];
 
-/** The outlines of what an answer makes; threads that are asked for are drawn by their crest. */
+/** The outlines of the part that an answer makes; chosen threads are drawn by their crest. */
 export function outlinesFrom(
   answer: Answer,
   from: PartSource,
@@ -92,7 +92,7 @@ export function outlinesFrom(
   return { outside: outside.join("\n"), bore: bore.join("\n") };
 }
 
-/** The wanted part of a form. */
+/** The target part of a form. */
 export function partOfMade({
   blank,
   outside,
@@ -109,16 +109,16 @@ export function partOfMade({
   };
 }
 
-/** Whether a form wants a part at all. */
+/** Whether a form has a target part at all. */
 export const wantsPart = ({ kind, blank, outside, bore }: MadeTask): boolean =>
   kind !== "predict" && `${blank}${outside}${bore}`.trim() !== "";
 
-/** Whether a kind asks something before the run: to foretell it, or to find a fault by reading. */
+/** Whether a kind asks questions before the run: to predict it, or to find a fault by reading. */
 export const asksBefore = (kind: Task["kind"]): boolean => kind === "predict" || kind === "fault";
 
 const NO_WORDS: WordsDraft = { title: "", ask: "", hints: ["", "", ""] };
 
-/** A form that is filled in from a program; words, kind and start are the instructor's. */
+/** A form filled in from a program; texts, kind and start are left to the instructor. */
 export function proposedTask(answer: Answer): MadeTask {
   const { run } = answer;
   const blank = blankLines(answer.text).join("\n");
@@ -209,7 +209,7 @@ function contourLines(
   return all.slice(from + 1, from + 1 + Math.max(0, length)).map(bare);
 }
 
-/** The values of a cycle call as they stand in its prompts. */
+/** The values of a cycle call as typed in its prompts. */
 export function promptsOf({ run }: Answer, operation: number): readonly (readonly [string, string])[] {
   const values = run.operations[operation]?.call?.values ?? {};
   return Object.entries(values)
@@ -246,11 +246,11 @@ function startOf(made: MadeTask, answer: Answer): Task["start"] {
   };
 }
 
-/** The program that the learner begins with. */
+/** The program that the learner starts with. */
 export const programOfMade = ({ program, faults }: MadeTask, { text }: Answer): readonly string[] =>
   program === null ? withFaults(linesOfText(text), faults) : linesOfText(program);
 
-/** What lies open in the beginning as a program; null where it is an empty one, or no cycle of prompts is known. */
+/** The starting state as a program; null where it is an empty program, or the cycle of the prompts is unknown. */
 export function begunOfMade(made: MadeTask, answer: Answer): string | null {
   if (made.start === "empty") return null;
   if (made.start === "program") return programOfMade(made, answer).join("\n");
@@ -264,7 +264,7 @@ export function begunOfMade(made: MadeTask, answer: Answer): string | null {
   });
 }
 
-/** What keeps a form from being a task. */
+/** Why a form is not a task yet. */
 export type MadeFault = "title" | "ask" | "hints" | "part" | "shape" | "questions" | "noQuestion" | "begins";
 
 function questionFaults({ kind, questions, start }: MadeTask): readonly MadeFault[] {
@@ -276,7 +276,7 @@ function questionFaults({ kind, questions, start }: MadeTask): readonly MadeFaul
   ];
 }
 
-/** A name as ids have it; the mark keeps two of one name apart. */
+/** A title as an id; `mark` keeps two equal titles apart. */
 const idOf = (title: string, mark: string): string =>
   `${
     title
@@ -287,9 +287,7 @@ const idOf = (title: string, mark: string): string =>
       .slice(0, 36) || "task"
   }-${mark}`;
 
-/**
- * The task of a form, or what is missing. `mark`: a short text of letters and figures that tells this task from others.
- */
+/** The task of a form, or what is missing. `mark`: a short text of letters and digits that distinguishes this task. */
 export function taskOfMade(
   made: MadeTask,
   answer: Answer,

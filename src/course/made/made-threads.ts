@@ -10,22 +10,23 @@ import type { Answer } from "../judge/judgement.ts";
 import type { WantedThread } from "../wanted-part.ts";
 
 /**
- * A thread that can be asked for: its numbers are those of the program, its name is typed over. A pitch of 0 is any.
+ * A thread that the task may require: its numbers come from the program, its name can be edited. A pitch of 0 is any
+ * pitch.
  */
 export interface ThreadDraft extends WantedThread {
   readonly pitch: number;
   readonly on: boolean;
 }
 
-/** How far apart the profile of a part is looked at along a thread, mm. */
+/** Sampling distance along a thread on the profile of a part, mm. */
 const STEP = 0.02;
 
 const linesAlong = (left: number, right: number): readonly number[] =>
   Array.from({ length: Math.max(1, Math.floor((right - left) / STEP)) }, (_, i) => left + (i + 0.5) * STEP);
 
 /**
- * The surface of a part at each line, mm on the radius: outside the farthest, inside the nearest; undefined beside the
- * part.
+ * The surface of a part at each line, mm on the radius: the farthest point outside, the nearest inside; undefined past
+ * the part.
  */
 const surfaceAt = (
   part: readonly Ring[],
@@ -34,20 +35,20 @@ const surfaceAt = (
 ): readonly (number | undefined)[] =>
   scanCrossings(part, "r", lines).map((found) => (isInside ? found[0] : found.at(-1)));
 
-/** The crest that really stands between two Z, mm on the radius; null where nothing does. */
+/** The actual crest between two Z, mm on the radius; null without material. */
 function crestIn(part: readonly Ring[], [left, right]: readonly [number, number], isInside: boolean): number | null {
   const found = surfaceAt(part, linesAlong(left, right), isInside).filter((r) => r !== undefined);
   if (found.length === 0) return null;
   return isInside ? Math.min(...found) : Math.max(...found);
 }
 
-/** The greatest of each value and its neighbours. */
+/** The maximum of each value and its neighbours. */
 const greatestNear = (values: readonly number[], reach: number): readonly number[] =>
   values.map((_, i) => Math.max(...values.slice(Math.max(0, i - reach), i + reach + 1)));
 
 /**
- * What the grooves of a thread took of a part, as an area: up to the crest, and no higher than what stands on both
- * sides within a pitch, so that a chamfer at its end stays one.
+ * The grooves of a thread as an area: up to the crest, and no higher than the material on both sides within a pitch, so
+ * that a chamfer at the end is kept.
  */
 export function grooveFilling({ from, to, crest, root, pitch }: ThreadDraft, part: readonly Ring[]): Ring {
   const isInside = root > crest,
@@ -75,7 +76,7 @@ export function grooveFilling({ from, to, crest, root, pitch }: ThreadDraft, par
   return areaOf([ring]) < 0 ? ring.toReversed() : ring;
 }
 
-/** A thread on a cylinder is even within this, mm. */
+/** Greatest deviation of a thread on a cylinder, mm. */
 const EVEN = 0.01;
 
 /** The smallest and the greatest radius of a profile. */
@@ -87,9 +88,9 @@ function reachOf(profile: readonly Segment[]): readonly [number, number] {
 const rough = (value: number): number => Math.round(value * 100) / 100;
 
 /**
- * The threads that a program cuts along the axis, as a wanted part has them: from where the material begins to where
- * the cycle ends, from the crest that is there to the root that the cycle goes down to. Those of a cone or of a face
- * are not among them: they stay a shape.
+ * The threads that a program cuts along the axis, for a target part: from the start of the material to the end of the
+ * cycle, from the actual crest to the root of the cycle. Threads on a cone or a face are not included: they remain a
+ * shape.
  */
 export function threadsOf(answer: Answer): readonly ThreadDraft[] {
   const { run, simulation } = answer;
@@ -102,7 +103,7 @@ export function threadsOf(answer: Answer): readonly ThreadDraft[] {
     if (!thread || !first || !last || Math.abs(openSide.r) < SAME) continue;
     const isInside = openSide.r < 0,
       [low, high] = reachOf(contour);
-    // The contour of a thread is its profile: on a cylinder both halves of it are as high and as deep.
+    // The contour of a thread is its profile: on a cylinder both halves have the same height and depth.
     const halves = [contour.slice(0, contour.length / 2), contour.slice(contour.length / 2)].map(reachOf);
     if (halves.some(([under, over]) => Math.abs(under - low) > EVEN || Math.abs(over - high) > EVEN)) continue;
     const [nominal, root] = isInside ? [low, high] : [high, low];
@@ -120,7 +121,7 @@ export function threadsOf(answer: Answer): readonly ThreadDraft[] {
       name: `M${rough(across(high))}×${rough(thread.pitch)}`,
       on: true,
     };
-    // A thread that is cut in several calls is one, as deep as the deepest of them.
+    // A thread that several calls cut is one thread, as deep as the deepest call.
     const place = `${made.from} ${made.to} ${made.pitch}`,
       other = found.get(place);
     if (!other || Math.abs(made.root - made.crest) > Math.abs(other.root - other.crest)) found.set(place, made);

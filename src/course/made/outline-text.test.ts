@@ -7,7 +7,7 @@ import { outlineText } from "./outline-text.ts";
 const solid = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5"],
   hollow = ["BLK FORM CYLINDER Z D63.4 L81 DIST+1.5 DI17"];
 
-/** Takes the outline of a part and makes a part of it again: the same, within the area that lies between. */
+/** Converts a part to its outline and back; the two must agree within the area between them. */
 function taken(part: Parameters<typeof wantedPart>[0]) {
   const wanted = wantedPart(part),
     lines = outlineText(wanted.rings, wanted.blank);
@@ -40,7 +40,7 @@ test("radii come back as arcs, chamfers as lines", () => {
   expect(apart).toBeLessThan(0.08);
 });
 
-test("a bore is taken apart from the outside, grooves of the face are of the outside", () => {
+test("a bore is separate from the outside; grooves of the face belong to the outside", () => {
   const { lines, apart, issues } = taken({
     blank: hollow,
     outside: ["L X+35.2 Z+0", "L X+40", "L Z-3.1", "L X+48", "L Z+0", "L X+52.2", "L Z-20", "L X+63.4"],
@@ -52,7 +52,7 @@ test("a bore is taken apart from the outside, grooves of the face are of the out
   expect(apart).toBeLessThan(0.05);
 });
 
-test("of a blank that nothing was turned of there is no outline", () => {
+test("an unmachined blank has no outline", () => {
   const { blank } = wantedPart({ blank: hollow });
   expect(outlineText(blank, blank)).toEqual({});
 });

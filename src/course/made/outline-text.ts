@@ -5,23 +5,23 @@ import { elementsThrough } from "../../kernel/contour/elements-through.ts";
 import { part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 import { rounded, toDiameter } from "../../kernel/units.ts";
 
-/** Outlines as lines of a contour subprogram, from the free end; absent where nothing was turned there. */
+/** Outlines as lines of a contour subprogram, from the free end; absent where nothing was turned. */
 export interface OutlineLines {
   readonly outside?: readonly string[];
   readonly bore?: readonly string[];
 }
 
-/** How near the lines and arcs stay to the shape they are taken from, mm. */
+/** Greatest deviation of the lines and arcs from the shape, mm. */
 const NEAR = 0.004;
-/** A chain of points as lines and arcs that are that near. */
+/** A chain of points as lines and arcs within that deviation. */
 export const fewElements = (points: readonly Pt[]) => elementsThrough(points, { line: NEAR, arc: NEAR });
-/** A point lies on the blank, or on the axis, within this, mm. */
+/** A point this near to the blank or the axis is on it, mm. */
 const ON = 0.01;
 const number = (value: number): string => {
   const text = String(rounded(value) + 0);
   return text.startsWith("-") ? text : `+${text}`;
 };
-/** Sizes and radii are round numbers more often than not: a hundredth that is as near is taken, mm. */
+/** Sizes and radii are usually round numbers: a hundredth that is near enough is preferred, mm. */
 const HUNDREDTHS = 100,
   AS_NEAR = 0.003;
 const size = (value: number): string => {
@@ -43,7 +43,7 @@ function linesOf(segments: readonly Segment[]): readonly string[] | undefined {
   ];
 }
 
-/** Whether a stretch is one of the blank, or lies on the axis. */
+/** Whether a segment is part of the blank or on the axis. */
 function isLeft(a: Pt, b: Pt, blank: readonly Ring[]): boolean {
   if (Math.abs(a.r) < ON && Math.abs(b.r) < ON) return true;
   const middle = part.pointOn(part.line(a, b), 1 / 2);
@@ -55,7 +55,7 @@ function isLeft(a: Pt, b: Pt, blank: readonly Ring[]): boolean {
   );
 }
 
-/** A chain without the stretches at its end that the blank has as well. */
+/** A chain without the unmachined segments at its end. */
 function turnedPart(chain: readonly Pt[], blank: readonly Ring[]): readonly Pt[] {
   let last = chain.length - 1;
   while (last > 0) {
@@ -67,15 +67,14 @@ function turnedPart(chain: readonly Pt[], blank: readonly Ring[]): readonly Pt[]
 }
 
 /**
- * Outlines of a part as chains of points, from the free end to where the blank is left as it is; empty where nothing
- * was turned there.
+ * Outlines of a part as chains of points, from the free end to the unmachined blank; empty where nothing was turned.
  */
 export interface OutlineChains {
   readonly outside: readonly Pt[];
   readonly bore: readonly Pt[];
 }
 
-/** The outlines of a part that was turned out of a blank; of several pieces the largest counts. */
+/** The outlines of a part turned from a blank; of several pieces, the largest. */
 export function outlineChains(finished: readonly Ring[], blank: readonly Ring[]): OutlineChains {
   const [body] = simplified(finished, NEAR / 4)
     .map((ring) => ({ ring, area: areaOf([ring]) }))
@@ -98,7 +97,7 @@ export function outlineChains(finished: readonly Ring[], blank: readonly Ring[])
   };
 }
 
-/** The outlines of a part that was turned out of a blank, simplified to lines and arcs, as the control reads them. */
+/** The outlines of a part turned from a blank, simplified to lines and arcs, as the control reads them. */
 export function outlineText(finished: readonly Ring[], blank: readonly Ring[]): OutlineLines {
   const chains = outlineChains(finished, blank);
   const [outside, bore] = [linesOf(fewElements(chains.outside)), linesOf(fewElements(chains.bore))];

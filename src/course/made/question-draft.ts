@@ -1,6 +1,6 @@
 import type { Prediction } from "../task.ts";
 
-/** What can be asked, in the order in which it is offered. */
+/** The kinds of questions, in the order of the menu. */
 export const ASKED_KINDS = [
   "passes",
   "infeed",
@@ -21,12 +21,12 @@ export type AskedKind = (typeof ASKED_KINDS)[number];
 export interface QuestionDraft {
   readonly ask: AskedKind;
   readonly text: string;
-  /** Of passes, infeed, seconds and residue: the cycle call that is meant, from 0; null for all together. */
+  /** For passes, infeed, seconds and residue: the cycle call, from 0; null for all calls together. */
   readonly operation: number | null;
-  /** Of a size: Z of a diameter, ⌀ of a face. */
+  /** For a size: Z of a diameter, ⌀ of a face. */
   readonly at: string;
   readonly within: string;
-  /** Of a choice: what is offered, a line each. Of both: the right one from 0, or the numbers of the right blocks. */
+  /** For a choice: the options, one per line. For both: the right option from 0, or the numbers of the right blocks. */
   readonly choices: string;
   readonly right: string;
 }

@@ -3,15 +3,15 @@ import { WAYS_PASSED } from "../progress.ts";
 import { RULES } from "../judge/judgement.ts";
 
 /*
- * What a learner hands in: how each task went, as the device noted it, with the last program. It is no proof: a file
- * can be changed.
+ * A learner's results: the outcome of each task as the device recorded it, with the last program. They prove nothing: a
+ * file can be changed.
  */
 
 export const RESULT_FORMAT = "turnwise-result/1";
 
 const count = z.int().check(z.gte(0), z.lte(1_000_000));
 const text = (most: number) => z.string().check(z.maxLength(most));
-/** Longest program that is handed in, characters. */
+/** Longest program in a result, characters. */
 const LONGEST = 400_000;
 
 const taskResult = z.object({
@@ -19,18 +19,18 @@ const taskResult = z.object({
   title: text(2000),
   tries: count,
   hints: count,
-  /** The stored answer was shown. */
+  /** Whether the stored answer was shown. */
   solution: z.boolean(),
   passed: z.nullable(z.object({ way: z.enum(WAYS_PASSED), when: z.number() })),
-  /** Least machining time of an answer that passed, s; greatest score. */
+  /** Shortest machining time of a passing answer, s; greatest score. */
   seconds: z.nullable(z.number()),
   score: z.nullable(z.number()),
-  /** Time that the task was open and visible, s, and changes that were made in it. */
+  /** Time that the task was open and visible, s, and the number of changes made. */
   worked: z.number(),
   steps: count,
-  /** The last program; null where none is kept. */
+  /** The last program; null where none was stored. */
   program: z.nullable(text(LONGEST)),
-  /** Whether that program passes, and what refuses it; null where it was not judged. */
+  /** Whether that program passes, and the rules that refuse it; null where it was not judged. */
   verdict: z.nullable(
     z.object({ passed: z.boolean(), refused: z.array(z.enum(RULES)).check(z.maxLength(RULES.length)) }),
   ),
@@ -39,7 +39,7 @@ export type TaskResult = z.output<typeof taskResult>;
 
 export const resultShape = z.object({
   format: z.literal(RESULT_FORMAT),
-  /** As typed; empty where none was. */
+  /** As typed; empty where no name was typed. */
   name: text(200),
   /** ms since 1970. */
   made: z.number(),
@@ -47,7 +47,7 @@ export const resultShape = z.object({
 });
 export type HandedResult = z.output<typeof resultShape>;
 
-/** Results that were handed in; null where they are damaged. */
+/** A learner's results from a file; null where they are damaged. */
 export function readResult(raw: unknown): HandedResult | null {
   const read = resultShape.safeParse(raw);
   return read.success ? read.data : null;

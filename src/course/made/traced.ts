@@ -2,13 +2,13 @@ import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { fewElements } from "./outline-text.ts";
 
 /**
- * A chord lies on an element within this, mm: the first one of a rounding that runs out of it does not; ends that are
- * nearer are one.
+ * A chord within this of an element is on it, mm: the first chord of a rounding that leaves the element is not. Nearer
+ * ends are one end.
  */
 const NEAR = { chord: 0.003, end: 0.012 } as const;
-/** Two elements meet this near to where the polygon has its corner, mm. */
+/** Two elements meet within this of the polygon's corner, mm. */
 const MEET = 0.08;
-/** A stretch that is shorter, between two elements that meet, is what polygons leave there, mm. */
+/** Shorter segments between two elements that meet are left over from the polygon, mm. */
 const DUST = 0.06;
 
 interface Piece {
@@ -16,13 +16,13 @@ interface Piece {
   readonly points: readonly Pt[];
 }
 
-/** How far a chord is from an element, mm. */
+/** The distance of a chord from an element, mm. */
 function apartFrom(source: Segment, a: Pt, b: Pt): number {
   const middle = part.pointOn(part.line(a, b), 1 / 2);
   return Math.max(...[a, middle, b].map((p) => part.distanceTo(source, p)));
 }
 
-/** A chain as stretches that lie on one element each, or on none. */
+/** A chain as pieces, each on one element or on none. */
 function piecesOf(chain: readonly Pt[], sources: readonly Segment[]): readonly Piece[] {
   const pieces: { source: Segment | null; points: Pt[] }[] = [];
   for (const [i, a] of chain.entries()) {
@@ -47,7 +47,7 @@ function piecesOf(chain: readonly Pt[], sources: readonly Segment[]): readonly P
 const lengthOf = ({ points }: Piece): number =>
   points.slice(1).reduce((sum, p, i) => sum + part.apart(points[i] ?? p, p), 0);
 
-/** Where two elements meet beside a corner of the polygon; the corner itself where they do not. */
+/** The point where two elements meet near a corner of the polygon; the corner itself where they do not. */
 function joint(before: Segment | null, corner: Pt, after: Segment | null): Pt {
   if (!before || !after) return corner;
   const ends = [before.from, before.to].filter((p) => [after.from, after.to].some((q) => part.apart(p, q) < NEAR.end));
@@ -57,7 +57,7 @@ function joint(before: Segment | null, corner: Pt, after: Segment | null): Pt {
   return found && found.by < MEET ? found.p : corner;
 }
 
-/** An element between two places on it, in the direction of the chain. */
+/** An element between two points on it, in the direction of the chain. */
 function along(source: Segment, from: Pt, to: Pt, middle: Pt): Segment {
   if (source.kind === "line") return part.line(from, to);
   const whole: Segment = { kind: "arc", from, to, centre: source.centre, turn: "ccw" };
@@ -66,8 +66,8 @@ function along(source: Segment, from: Pt, to: Pt, middle: Pt): Segment {
 }
 
 /**
- * A chain of points as the elements of the contours that it was made of, with their own ends; what lies on none of them
- * as few lines and arcs. Part space, mm.
+ * A chain of points as elements of the contours that it came from, with their exact ends; the rest as few lines and
+ * arcs. Part space, mm.
  */
 export function traced(chain: readonly Pt[], sources: readonly Segment[]): readonly Segment[] {
   const all = piecesOf(chain, sources);

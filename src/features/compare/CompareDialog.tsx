@@ -16,7 +16,7 @@ import { useProgramComparison, type ComparedPrograms } from "./use-compared.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import "./compare.css";
 
-/** Block of the present program that a difference leads to: its own, or where what is gone has stood. */
+/** Block of the current program that a difference leads to: its own, or the place of a removed block. */
 function blockNow({ after, partners }: ComparedFile, { a, b }: BlockDifference): number {
   if (b !== null) return b;
   for (let i = a ?? 0; i >= 0; i -= 1) {
@@ -74,7 +74,7 @@ function Whole({
   );
 }
 
-/** Goes to the difference before or behind the one under the keyboard, the first where there is none. */
+/** Focuses the previous or next difference; the first one if none has focus. */
 function step(list: ParentNode | null, by: 1 | -1): void {
   const rows = rowsIn(list);
   const at = rows.findIndex((row) => row === document.activeElement || row.matches("[data-last]"));
@@ -183,11 +183,11 @@ function Result({
 interface Props {
   readonly done: () => void;
   readonly showBlock: ShowBlock;
-  /** What it is compared with at first; null: the open work as it was opened, where it has changed since. */
+  /** Preselected other side; null: the open work as it was opened, if it has changed since. */
   readonly against: OtherText | null;
 }
 
-/** Sets the open program against another one, block by block in meaning, with what comes of the differences. */
+/** Compares the open program with another one, block by block in meaning, with the effects of the differences. */
 export function CompareDialog({ done, showBlock, against }: Props) {
   const texts = useTexts();
   const lengths = useLengths();

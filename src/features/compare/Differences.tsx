@@ -4,7 +4,7 @@ import type { BlockDifference } from "../../program/compare/compare.ts";
 import { isTold, isWriting, type ComparedFile, type Consequences } from "./compared.ts";
 import { blockLabel, effectTexts, operationTitle, shownLines, wordTexts, type Wording } from "./compare-words.ts";
 
-/** Differences that are listed before more are asked for. */
+/** Differences listed at first, before "more". */
 const FIRST = 300;
 
 interface Props {
@@ -15,12 +15,12 @@ interface Props {
   readonly onChoose: (file: ComparedFile, difference: BlockDifference) => void;
 }
 
-/** What stands in the list of differences under the keyboard. */
+/** The rows of the list of differences. */
 export const rowsIn = (list: ParentNode | null): readonly HTMLButtonElement[] => [
   ...(list?.querySelectorAll<HTMLButtonElement>(".difference") ?? []),
 ];
 
-/** Up and down go from difference to difference. */
+/** Up and down move focus between differences. */
 function onKeys(event: KeyboardEvent<HTMLElement>): void {
   const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
   if (by === undefined || !(event.target instanceof HTMLButtonElement) || !event.target.matches(".difference")) return;
@@ -85,7 +85,7 @@ function Row({
   );
 }
 
-/** An operation with the differences of it that are listed. */
+/** An operation with its listed differences. */
 interface Listed {
   readonly key: string;
   readonly file: ComparedFile;
@@ -94,7 +94,7 @@ interface Listed {
   readonly differences: readonly BlockDifference[];
 }
 
-/** What is told, operation by operation. */
+/** The listed differences, by operation. */
 const toldIn = ({ wording, files, consequences, withWriting }: Omit<Props, "onChoose">): readonly Listed[] =>
   files.flatMap((file, f) =>
     file.operations.flatMap((operation, o): readonly Listed[] => {
@@ -106,7 +106,7 @@ const toldIn = ({ wording, files, consequences, withWriting }: Omit<Props, "onCh
     }),
   );
 
-/** The first of them, with so many differences at most. */
+/** Limits the list to its first `most` differences. */
 const firstOf = (told: readonly Listed[], most: number): readonly Listed[] =>
   told.reduce<{ readonly list: readonly Listed[]; readonly left: number }>(
     ({ list, left }, each) => {
@@ -117,7 +117,7 @@ const firstOf = (told: readonly Listed[], most: number): readonly Listed[] =>
     { list: [], left: most },
   ).list;
 
-/** Everything that differs, by operations, with what comes of it. */
+/** All differences, by operation, with their effects. */
 export function Differences({ onChoose, ...told }: Props) {
   const { words } = told.wording;
   const [most, show] = useState(FIRST);

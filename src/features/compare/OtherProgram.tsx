@@ -9,14 +9,14 @@ import type { ProgramWork } from "../../app/document/work.ts";
 import { asProgram, openedProgram, textOfFile, withOtherText, type Other } from "../../app/fields/compare/sides.ts";
 import type { CompareTexts } from "../../i18n/en/compare.ts";
 
-/** Where the other program comes from, as the select holds it. */
+/** Source of the other program: values of the select. */
 const OPENED = "opened";
 const DEVICE = "device";
 const ELSEWHERE = "elsewhere";
 
 const isProgramText = (text: string): boolean => /[A-Z]/i.test(text);
 
-/** Asks which program the open one is compared with. */
+/** Asks for the program to compare with. */
 export function OtherProgram({
   words,
   present,

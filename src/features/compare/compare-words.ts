@@ -12,11 +12,11 @@ import { verdictTitle } from "../../app/findings/verdict-words.ts";
 import { issueText } from "../../app/calculation/issue-text.ts";
 import { isTold, isWriting, tallyOf, type ComparedFile, type Consequences } from "./compared.ts";
 
-/** Everything that words are made with. */
+/** Texts and number formats for a comparison. */
 export interface Wording {
   readonly texts: Texts;
   readonly words: CompareTexts;
-  /** As the open program counts, also where the other one counts otherwise. */
+  /** In the unit of the open program, even if the other program has another one. */
   readonly lengths: Lengths;
 }
 
@@ -38,7 +38,7 @@ export function timeText(
   return effect.duration(minutes, rest);
 }
 
-/** By how much a time changed: +8 s; null where that does not show. */
+/** Change of a time: +8 s; null if too small to show. */
 export function longerBy(wording: Wording, { before, after }: Consequence): string | null {
   if (!before || !after || !changedEffects({ before, after }).includes("seconds")) return null;
   const by = after.seconds - before.seconds;
@@ -54,7 +54,7 @@ function effectText(wording: Wording, name: keyof Effects, { [name]: value }: Ef
     : `${lengths.number(value)} ${lengths.unit}`;
 }
 
-/** What comes of an operation that differs: "Infeed 2.56 → 2.05", "Time 1 min 20 s → 1 min 28 s (+8 s)". */
+/** Effects on a changed operation: "Infeed 2.56 → 2.05", "Time 1 min 20 s → 1 min 28 s (+8 s)". */
 export function effectTexts(
   wording: Wording,
   consequence: Consequence,
@@ -79,11 +79,11 @@ function wordLabel({ texts, words }: Pick<Wording, "texts" | "words">, name: str
   return param ? `${name} ${texts.params[param.text as ParamTextId].label}` : name;
 }
 
-/** The same of the whole program, where the infeed of one operation says nothing. */
+/** Effects on the whole program, without infeed: that belongs to one operation. */
 export const wholeTexts = (wording: Wording, { whole }: Consequences): ReturnType<typeof effectTexts> =>
   effectTexts(wording, whole).filter(({ name }) => name !== "infeed");
 
-/** One word and what became of it: "Q463 Max. cutting depth 3 → 2.4". */
+/** One changed word: "Q463 Max. cutting depth 3 → 2.4". */
 export function wordText({ texts, words }: Wording, { name, from, to }: WordChange, cycle: number | null): string {
   const label = wordLabel({ texts, words }, name, cycle);
   return `${label} ${from ?? words.without} → ${to ?? words.without}`.trim();
@@ -98,7 +98,7 @@ export function cycleIn({ blocks }: Program, index: number | null): number | nul
 export const wordTexts = (wording: Wording, file: ComparedFile, { a, b, words }: BlockDifference): readonly string[] =>
   words.map((change) => wordText(wording, change, cycleIn(file.after, b) ?? cycleIn(file.before, a)));
 
-/** Which block it is: "Block 12", or where it was and is when it moved. */
+/** Label of a block: "Block 12", or both numbers if it moved. */
 export function blockLabel({ words }: Wording, { numbers }: ComparedFile, { kind, a, b }: BlockDifference): string {
   const [from, to] = [
     a === null ? null : String(numbers.before[a] ?? ""),
@@ -107,7 +107,7 @@ export function blockLabel({ words }: Wording, { numbers }: ComparedFile, { kind
   return kind === "moved" && from !== null && to !== null ? words.blockMoved(from, to) : words.block(to ?? from ?? "");
 }
 
-/** Lines of a block that are shown of one side: of a cycle its first and those of the values that differ. */
+/** Lines of a block shown for one side: for a cycle the first line and those with changed values. */
 export function shownLines(
   { blocks }: Program,
   index: number | null,
@@ -125,7 +125,7 @@ export function shownLines(
   return lines.filter((line, i) => i === 0 || names.some((name) => name.test(line)));
 }
 
-/** Name of an operation: its own words, or its cycles. */
+/** Name of an operation: its own title, or its cycles. */
 export function operationTitle({ texts, words }: Wording, { a, b }: ComparedOperation): string {
   const unit = b ?? a;
   if (!unit) return words.frame;
@@ -142,7 +142,7 @@ export function operationTitle({ texts, words }: Wording, { a, b }: ComparedOper
   return [words.operation(unit.place + 1), title].filter((part) => part !== "").join(" · ");
 }
 
-/** The whole in one line: "3 values, 1 operation more; time +8 s". */
+/** Summary in one line: "3 values, 1 operation more; time +8 s". */
 export function summaryText(
   wording: Wording,
   files: readonly ComparedFile[],
@@ -163,7 +163,7 @@ export function summaryText(
   return longer === null ? said : `${said}; ${words.time(longer)}`;
 }
 
-/** Findings that came and went, as sentences. */
+/** New and resolved findings, as sentences. */
 export const findingTexts = ({ texts, lengths }: Wording, list: Consequences["came"]): readonly string[] =>
   list.map(({ issue, cycle }) => issueText(texts, lengths, issue, cycle));
 

@@ -17,16 +17,16 @@ import { findingsOf } from "../../app/findings/findings.ts";
 import { judged, type ShownVerdict } from "../../app/findings/verdict.ts";
 import { filesOf, type ProgramWork } from "../../app/document/work.ts";
 
-/** One text of both works, with what differs in it. */
+/** One file of both works, with its differences. */
 export interface ComparedFile {
-  /** Its name in the work that has it; that of the present one first. */
+  /** Its name in the current work; else its name in the other one. */
   readonly name: string;
   readonly isMain: boolean;
   readonly before: Program;
   readonly after: Program;
   /** Numbers of their blocks. */
   readonly numbers: { readonly before: readonly number[]; readonly after: readonly number[] };
-  /** For each block of the first the one that it became, -1 for none. */
+  /** For each block of the first program its partner in the second, -1 for none. */
   readonly partners: Int32Array;
   readonly operations: readonly ComparedOperation[];
 }
@@ -40,8 +40,8 @@ function comparedFile(name: string, isMain: boolean, one: string, other: string)
 }
 
 /**
- * Two works, text by text: the programs that run, then those beside them, by their names. Texts that are the same are
- * left out.
+ * Compares two works, file by file: the main programs, then the other files by name. Identical other files are left
+ * out.
  */
 export function comparedFiles(before: ProgramWork, after: ProgramWork): readonly ComparedFile[] {
   const beside = new Map(
@@ -58,22 +58,22 @@ export function comparedFiles(before: ProgramWork, after: ProgramWork): readonly
   ];
 }
 
-/** What is in words of one of the programs. */
+/** Verdict and findings of one program. */
 interface Judgement {
   readonly verdict: ShownVerdict;
   readonly entries: readonly FindingEntry[];
 }
 
-/** A finding that only one of the programs has, with the cycle it is about. */
+/** A finding that only one program has, with the cycle it is about. */
 export interface OwnFinding {
   readonly issue: AnyIssue;
   readonly cycle: number | null;
 }
 
-/** What comes of the differences. */
+/** The effects of the differences. */
 export interface Consequences {
   readonly whole: Consequence;
-  /** For each file, for each of its operations. */
+  /** By file, then by operation. */
   readonly operations: readonly (readonly Consequence[])[];
   readonly before: ShownVerdict;
   readonly after: ShownVerdict;
@@ -86,7 +86,10 @@ const judgementOf = (outcome: Outcome): Judgement => {
   return { verdict: judged(entries, outcome), entries };
 };
 
-/** What one list has and the other lacks: of findings of one kind at one field as many as there are more. */
+/**
+ * Findings of one list that the other lacks. Findings of the same kind at the same field are counted, and the surplus
+ * is returned.
+ */
 function only(own: readonly FindingEntry[], others: readonly FindingEntry[], { run }: Outcome): readonly OwnFinding[] {
   const nameOf = ({ issue, at }: FindingEntry) => `${issue.severity} ${issue.code} ${at ?? ""}`;
   const count = new Map<string, number>();
@@ -103,7 +106,7 @@ function only(own: readonly FindingEntry[], others: readonly FindingEntry[], { r
     }));
 }
 
-/** The consequences of what differs, from what was calculated of both. */
+/** The effects of the differences, from the results of both programs. */
 export function consequencesOf(files: readonly ComparedFile[], before: Outcome, after: Outcome): Consequences {
   const [one, other] = [judgementOf(before), judgementOf(after)];
   return {
@@ -120,10 +123,10 @@ export function consequencesOf(files: readonly ComparedFile[], before: Outcome, 
   };
 }
 
-/** True for what is only written otherwise. */
+/** True for differences in comment or spelling only. */
 export const isWriting = ({ kind }: BlockDifference): boolean => kind === "note" || kind === "form";
 
-/** How many differences of each sort there are. */
+/** Number of differences by sort. */
 export interface Tally {
   readonly values: number;
   readonly added: number;
@@ -135,7 +138,7 @@ export interface Tally {
   readonly written: number;
 }
 
-/** Counts what differs; blocks of operations that came, went or moved as a whole count as those. */
+/** Counts the differences; operations added, removed or moved as a whole count once, without their blocks. */
 export function tallyOf(files: readonly ComparedFile[]): Tally {
   const operations = files.flatMap((file) => file.operations);
   const fates = (fate: ComparedOperation["fate"]) => operations.filter((each) => each.fate === fate).length;
@@ -160,7 +163,7 @@ export function tallyOf(files: readonly ComparedFile[]): Tally {
   };
 }
 
-/** True for an operation of which there is something to say. */
+/** True for an operation with anything to list. */
 export const isTold = (
   { differences, fate }: ComparedOperation,
   consequence: Consequence | undefined,

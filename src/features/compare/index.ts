@@ -1,3 +1,3 @@
-/* Two programs beside each other. */
+/* Comparison of two programs. */
 
 export const fetchCompareDialog = () => import("./CompareDialog.tsx");

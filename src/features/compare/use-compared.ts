@@ -11,15 +11,15 @@ export interface Sides {
   readonly after: ProgramWork;
 }
 
-/** What a comparison has come to. */
+/** The state and the results of a comparison. */
 export interface ComparedPrograms {
   readonly files: readonly ComparedFile[];
-  /** Null while both are calculated, or where one can not be. */
+  /** Null while both are calculated, or if one calculation failed. */
   readonly consequences: Consequences | null;
   readonly state: "calculating" | "done" | "failed";
 }
 
-/** The result of the open work where it is of this very program, so that it is not calculated twice. */
+/** The newest result, if it belongs to this program: saves a second calculation. */
 function outcomeAtHand(program: ProgramWork): Outcome | null {
   const { newest } = useOutcome.getState();
   if (!newest) return null;
@@ -29,7 +29,7 @@ function outcomeAtHand(program: ProgramWork): Outcome | null {
     : null;
 }
 
-/** Sets two programs against each other: first their blocks, then what comes of them. Null before that. */
+/** Compares two programs: first the blocks, then the effects. Null before the blocks are compared. */
 export function useProgramComparison(sides: Sides | null): ComparedPrograms | null {
   const [compared, set] = useState<{ readonly of: Sides; readonly made: ComparedPrograms } | null>(null);
   useEffect(() => {
@@ -45,7 +45,7 @@ export function useProgramComparison(sides: Sides | null): ComparedPrograms | nu
       const consequences = before && after && consequencesOf(files, before, after);
       set({ of: sides, made: { files, consequences, state: consequences ? "done" : "failed" } });
     };
-    // That it is compared is said before a long program holds the page for a moment.
+    // Deferred, so that "calculating" is painted before a long program blocks the page.
     const timer = setTimeout(() => void compare());
     return () => {
       gone = true;

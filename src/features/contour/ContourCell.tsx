@@ -4,7 +4,7 @@ import { NumberInput } from "../../app/fields/number/NumberInput.tsx";
 import { closeStep } from "../../app/document/steps.ts";
 import { whileTyping } from "../../app/base/typing.ts";
 
-/** What stands grey in an empty field: where a coordinate stays, or what was solved. */
+/** Placeholder of an empty field: the modal coordinate, or the solved value. */
 export interface Shown {
   readonly text: string;
   readonly name: string;
@@ -19,10 +19,10 @@ interface Props {
   readonly shown: Shown | null;
   readonly wrong: boolean;
   readonly describedBy: string;
-  /** What is typed is told to the drawing and the table behind the picture of its digit: they are long. */
+  /** In a long table, drawing and table get a digit after it is painted. */
   readonly isLong: boolean;
   readonly onText: (text: string) => void;
-  /** The T key: tangential to the element before. */
+  /** The T key: tangential to the previous element. */
   readonly onTangent?: () => void;
   /** The I key of the coordinate; absent where a value cannot be incremental. */
   readonly incremental?: { readonly on: boolean; readonly name: string; readonly toggle: () => void };
@@ -43,7 +43,7 @@ export function ContourCell({
   incremental,
 }: Props) {
   const id = useId();
-  /** What was typed over the text that the table knows, until it is told. */
+  /** The typed text that the table does not have yet. */
   const [held, hold] = useState<{ readonly over: string; readonly text: string } | null>(null);
   if (held && held.over !== told) hold(null);
   const text = held?.over === told ? held.text : told;

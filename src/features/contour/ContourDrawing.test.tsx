@@ -46,7 +46,7 @@ function shown(start: readonly ContourRow[] = shoulder()) {
 const short = (rows: readonly ContourRow[]) => rows.map((r) => `${r.kind} ${r.x}/${r.z}${r.r && ` ${r.r}`}`);
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
 const picture = () => screen.getByRole("img", { name: /^Drawing of the contour/ });
-/** Where the mark of a row lies; jsdom has no layout, so the picture begins at 0, 0 of the page. */
+/** Position of a row's mark; jsdom has no layout, so the picture begins at 0, 0 of the page. */
 function mark(row: number) {
   const g = [...picture().querySelectorAll("g.point")].find(
     (p) => p.querySelector("text")?.textContent === String(row + 1),
@@ -62,7 +62,7 @@ function drag(from: { clientX: number; clientY: number }, dx: number, dy: number
   if (end) fireEvent.pointerUp(picture(), options);
 }
 
-test("a dragged point lands on the grid as one step of undo, and Escape takes the drag back", () => {
+test("a dragged point snaps to the grid as one step of undo, and Escape cancels the drag", () => {
   const last = shown();
   const [a, b] = [mark(0), mark(3)],
     scale = (a.clientX - b.clientX) / 50;
@@ -126,7 +126,7 @@ test("keyboard: R and C break the corner, T is tangential, a question mark leave
   expect(last.rows[1]?.z).toBe("QR1");
 });
 
-test("angle and length: what is solved stands grey in its field and is read out as solved", async () => {
+test("angle and length: a solved value is the placeholder of its field and is read out as solved", async () => {
   const user = userEvent.setup();
   const last = shown([newRow("e1", { x: "40", z: "0" }), newRow("e2", { x: "60" })]);
   await user.click(screen.getByRole("button", { name: "Angle and length" }));
@@ -150,7 +150,7 @@ test("two solutions: the other one is a button away", async () => {
   expect(field("Element 2, Z").placeholder).toBe("4");
 });
 
-test("faults stand under the drawing, marked at their elements, and lead to them", async () => {
+test("faults are listed under the drawing, marked at their elements, and lead to them", async () => {
   const user = userEvent.setup();
   shown([...shoulder(), newRow("e5", { x: "10", z: "-10" })]);
   const list = screen.getByRole("list", { name: "Contour errors" });

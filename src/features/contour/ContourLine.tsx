@@ -19,31 +19,28 @@ interface Props {
   readonly reading: RowReading | undefined;
   readonly issues: readonly RowIssue[];
   readonly active: boolean;
-  /** Whether angle, length and tangency have their fields. */
+  /** Whether the fields of angle, length and tangency are shown. */
   readonly details: boolean;
   readonly language: Language;
-  /** Of many: what is typed is told behind the picture of its digit. */
+  /** In a long table, a digit is reported after it is painted. */
   readonly isLong: boolean;
   readonly onChange: (row: string, change: Partial<ContourRow>, place: string | null) => void;
 }
 
 const KINDS = ["L", "RND", "CHF", "CR", "CC", "C", "CT", "LP", "CP", "CTP", "UDC", "GRV"] as const;
-/** The form a new undercut or recess begins with. */
+/** Default form of a new undercut or recess. */
 const firstForm = (kind: ContourRow["kind"]): Partial<ContourRow> =>
   kind === "UDC" ? { form: "E" } : kind === "GRV" ? { form: "RADIAL" } : {};
-/** The elements that have an end point or a centre, a size, a turning direction, and those that can be tangential. */
+/** Elements with an end point or centre, with a size, with a turning direction, and those that can be tangential. */
 const POINT = ["L", "CR", "CC", "C", "CT"],
   SIZE = ["RND", "CHF", "CR"],
   TURN = ["CR", "C", "CP"],
   TANGENTIAL = ["L", "CR", "C"];
 
-/** The same in every value: what is read anew of a row is another object with each key anywhere in the table. */
+/** Equal by value: each key anywhere in the table creates new reading objects. */
 const isAlike = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);
 
-/**
- * One element of the contour: its fields, and below them what is wrong with it. Rendered again only when something of
- * it is another.
- */
+/** One element of the contour: its fields, and its faults below them. Rendered only when one of its values changes. */
 export const ContourLine = memo(
   Line,
   (a, b) =>
@@ -64,7 +61,7 @@ function Line({ row, number, reading, issues, active, details, language, isLong,
     t = all.contour;
   const id = useId();
   const write = (value: number) => formatNumber(language, value, 3);
-  /** What an empty field stands for: where the coordinate stays, what was solved, or that it is open. */
+  /** Placeholder of an empty field: the modal coordinate, the solved value, or open. */
   const shown = (
     typed: string,
     solved: boolean,

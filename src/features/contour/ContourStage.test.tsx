@@ -56,7 +56,7 @@ const dimension = (name: RegExp) => screen.getByRole("button", { name });
 const field = (name: string) => screen.queryByRole<HTMLInputElement>("textbox", { name });
 const canvas = () => screen.getByRole("group", { name: "Contour drawing" });
 
-test("arrows choose an element, Tab goes to its dimensions, Enter opens one and takes it as one step", async () => {
+test("arrows select an element, Tab goes to its dimensions, Enter opens one and applies it as one step", async () => {
   const user = userEvent.setup();
   const last = shown();
   canvas().focus();
@@ -70,7 +70,7 @@ test("arrows choose an element, Tab goes to its dimensions, Enter opens one and 
   expect(document.activeElement).toBe(dimension(/^Element 4, X diameter/));
 });
 
-test("Escape lets a dimension be, leaving its field takes it", async () => {
+test("Escape cancels a dimension, leaving its field applies it", async () => {
   const user = userEvent.setup();
   const last = shown();
   await user.click(dimension(/^Element 3, X diameter/));
@@ -83,7 +83,7 @@ test("Escape lets a dimension be, leaving its field takes it", async () => {
   expect(last.rows[2]?.x).toBe("44.4");
 });
 
-test("a drag that ends the typing of a dimension keeps what was typed, and is one step beside it", async () => {
+test("a drag that ends the typing of a dimension keeps the typed value, and is a separate step", async () => {
   const user = userEvent.setup();
   begin(exampleJob(freeCycle), "work");
   setContour(shaft());
@@ -115,7 +115,7 @@ test("a drag that ends the typing of a dimension keeps what was typed, and is on
   expect(rows()[2]?.x).toBe("44.43");
   expect(rows()[3]?.z).not.toBe("-51.3");
   expect(steps()).toBe(begun + 2);
-  // There and back, and taken back by Escape: nothing that an undo would have to undo.
+  // Dragged back and forth, then cancelled by Escape: there is nothing to undo.
   fireEvent.pointerDown(picture(), { ...pointer, clientX: from.clientX - 41, clientY: from.clientY });
   fireEvent.pointerMove(picture(), { ...pointer, clientX: from.clientX - 77, clientY: from.clientY + 20 });
   fireEvent.keyDown(document.body, { key: "Escape" });
@@ -124,7 +124,7 @@ test("a drag that ends the typing of a dimension keeps what was typed, and is on
   expect([rows()[2]?.x, rows()[3]?.z]).toEqual(["44.43", "-51.3"]);
 });
 
-test("what nobody typed stands in brackets, what holds an element beside it", () => {
+test("solved values are in brackets, the constraints of an element are next to it", () => {
   shown([newRow("e1", { x: "20", z: "0" }), newRow("e2", { x: "26.4", angle: "135" }), newRow("e3", { z: "-31.7" })]);
   act(() => chooseElement("e2"));
   expect(screen.getByRole("button", { name: /^Element 2, Z: \(Z -3\.2\)$/ })).toBeTruthy();
@@ -156,7 +156,7 @@ test("an empty drawing asks for the first point, which can be typed or drawn", a
   expect(typed.rows).toEqual([newRow("e1")]);
 });
 
-test("a second finger takes back what the first began and moves the picture", () => {
+test("a second finger cancels the gesture of the first and pans the picture", () => {
   const last = shown();
   const picture = screen.getByRole("img");
   const dot = [...picture.querySelectorAll("g.point")]

@@ -15,13 +15,13 @@ interface Props {
   readonly rows: readonly ContourRow[];
   readonly blank: readonly Ring[];
   readonly language: Language;
-  /** `place` names the gesture, so that it is one step of undo; null for a change of its own. */
+  /** `place` names the gesture, so that it is one step of undo; null for a separate step. */
   readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
-  /** What stands before the tools. */
+  /** Controls in front of the tools. */
   readonly lead: ReactNode;
 }
 
-/** The contour on the large canvas, with its dimensions; its table stands beside it. */
+/** The contour on the large canvas, with its dimensions, next to its table. */
 export const ContourStage = memo(Stage);
 
 function Stage({ rows, blank, language, onChange, lead }: Props) {

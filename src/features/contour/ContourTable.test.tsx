@@ -48,7 +48,7 @@ test("every element is a row whose fields have names, and omitted coordinates sa
   );
 });
 
-test("typing names its field for undo, and a sum is worked out when the field is left", async () => {
+test("typing names its field for undo, and a sum is evaluated on leaving the field", async () => {
   const user = userEvent.setup();
   const last = shown();
   await user.clear(field("Element 4, X diameter"));
@@ -58,7 +58,7 @@ test("typing names its field for undo, and a sum is worked out when the field is
   expect(last.rows[3]?.x).toBe("12.5");
 });
 
-test("keys: enter walks on, arrows change the row, I makes incremental, alt and arrows move", async () => {
+test("keys: enter goes to the next field, arrows change the row, I makes incremental, alt and arrows move", async () => {
   const user = userEvent.setup();
   const last = shown();
   await user.click(field("Element 1, X diameter"));
@@ -98,7 +98,7 @@ test("buttons name the element they change", async () => {
   expect(last.rows[1]?.x).toBe("20");
 });
 
-test("a fault stands at its field and in the drawing", async () => {
+test("a fault is shown at its field and in the drawing", async () => {
   const user = userEvent.setup();
   shown();
   await user.clear(field("Element 3, radius"));
@@ -123,7 +123,7 @@ test("minus anywhere in a number changes its sign", async () => {
   expect(last.rows[3]?.z).toBe("25");
 });
 
-test("a new element is chosen and says calmly what it needs: nothing is red before the first digit", async () => {
+test("a new element is selected and asks for values without red before the first digit", async () => {
   const user = userEvent.setup();
   shown([]);
   await user.click(screen.getByRole("button", { name: "Add element" }));
@@ -165,7 +165,7 @@ test("a polar element without a pole says so, also under the drawing", () => {
   expect(screen.getAllByText("The block requires a pole CC before it.", { exact: false })).toHaveLength(2);
 });
 
-/** A table so long that its digits are drawn before anything is told of them. */
+/** A table so long that its digits are painted before the table gets them. */
 function shownLong() {
   const begun = Array.from({ length: 120 }, (_, i) => newRow(`e${i}`, { x: String(10 + i), z: String(-i) }));
   const useRows = heldWhileTyping<{ readonly rows: readonly ContourRow[] }>(() => ({ rows: begun }));
@@ -176,7 +176,7 @@ function shownLong() {
   return () => useRows.getState().rows;
 }
 
-test("in a long table a digit stands in its field at once, and the rows that it does not touch stay what they are", async () => {
+test("in a long table a digit is in its field at once, and the other rows stay unchanged", async () => {
   const rows = shownLong(),
     before = rows(),
     x = field("Element 60, X diameter");
@@ -188,7 +188,7 @@ test("in a long table a digit stands in its field at once, and the rows that it 
   expect(rows().filter((row, i) => row !== before[i])).toHaveLength(1);
 });
 
-test("in a long table a letter right behind a digit loses nothing of it: I, and C for a corner", () => {
+test("in a long table a letter right after a digit loses nothing: I, and C for a corner", () => {
   const rows = shownLong(),
     x = field("Element 60, X diameter");
   fireEvent.focus(x);

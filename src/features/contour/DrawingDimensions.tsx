@@ -22,21 +22,21 @@ interface Props {
   readonly language: Language;
   /** A dimension was opened: its element is chosen. */
   readonly onPick: (row: number) => void;
-  /** The rows after a dimension was typed; a change of its own. */
+  /** The rows after a dimension was typed; a separate step of undo. */
   readonly onTyped: (rows: readonly ContourRow[]) => void;
 }
 
-/** Least size of a dimension's text: with fingers as large as any target. */
+/** Least size of a dimension's text; for fingers as large as any target. */
 const TARGET = { mouse: { width: 40, height: 22 }, fingers: { width: 56, height: 48 } } as const;
 const SCALES = { left: SCALE_LEFT, below: SCALE_BELOW };
-/** How far from the contour the texts beside it stand, pixels. */
+/** Distance of the texts from the contour, pixels. */
 const BESIDE = { right: 36, below: 24 } as const;
-/** The root font size that drawings are lettered for, pixels. */
+/** Root font size that the drawing is designed for, pixels. */
 const ROOT_SIZE = 16;
-/** A field that is typed into is at least this wide, pixels. */
+/** Least width of a field, pixels. */
 const FIELD = 108;
 
-/** The dimensions on the drawing: thin lines and texts; a text that is pressed becomes a field in its place. */
+/** The dimensions on the drawing: thin lines and texts; a clicked text becomes a field in its place. */
 export function DrawingDimensions({ rows, reading, picture, size, chosen, language, onPick, onTyped }: Props) {
   const t = texts(language).contour;
   const fingers = useFingers();
@@ -135,14 +135,14 @@ export function DrawingDimensions({ rows, reading, picture, size, chosen, langua
   );
 }
 
-/** Where texts stand beside the contour: right of it and of Z0, below it and the axis, pixels. */
+/** Lines for the texts next to the contour: right of it and of Z0, below it and the axis, pixels. */
 function freeOf({ avoid, points, camera }: ContourPicture): Place {
   const zero = toScreen(camera, WORKPIECE_ZERO),
     all = [...avoid, ...points.map((p) => p.place), zero];
   return { x: Math.max(...all.map((p) => p.x)) + BESIDE.right, y: Math.max(...all.map((p) => p.y)) + BESIDE.below };
 }
 
-/** A length of the drawing as one of the page, which grows with its letters. */
+/** A length of the drawing in rem, so that it grows with the font size. */
 const grown = (units: number) => `${units / ROOT_SIZE}rem`;
 const styleOf = ({ box }: PlacedDimension) => ({
   left: grown(box.x),
@@ -151,7 +151,7 @@ const styleOf = ({ box }: PlacedDimension) => ({
   height: grown(box.height),
 });
 
-/** A dimension that is being typed: Enter takes it, so does leaving it; Escape lets it be. */
+/** A dimension being typed: Enter or leaving applies it, Escape cancels. */
 function DimensionField({
   each,
   at,
@@ -163,7 +163,7 @@ function DimensionField({
   readonly at: PlacedDimension;
   readonly size: Size;
   readonly name: string;
-  /** The typed text, or null when it is not taken; whether the keyboard shall stay at the dimension. */
+  /** The typed text, or null if cancelled; whether focus stays at the dimension. */
   readonly onClose: (text: string | null, keyboard: boolean) => void;
 }) {
   const begun = each.dimension.text;

@@ -16,12 +16,12 @@ export function BlankOutline({ blank, camera }: { readonly blank: readonly Ring[
 
 const HOLD_SIGNS: Readonly<Record<Hold, string>> = { tangent: "T", horizontal: "", vertical: "", sought: "?" };
 const STROKES: Partial<Record<Hold, string>> = { horizontal: "M-5 0H5", vertical: "M0 -5V5" };
-/** An element shorter than this on the screen has no room for its signs, pixels. */
+/** Elements shorter than this on the screen have no room for their signs, pixels. */
 const ROOM = 46;
 const BESIDE = 15,
   STEP = 17;
 
-/** Small signs beside the middle of each element: what holds it beside typed coordinates. */
+/** Small signs next to the middle of each element: its constraints besides typed coordinates. */
 export function HoldSigns({
   rows,
   reading,
@@ -47,7 +47,7 @@ export function HoldSigns({
         if (long < ROOM && i !== active) return null;
         const middle = toScreen(picture.camera, part.pointOn(own, 0.5)),
           along = { x: (b.x - a.x) / (long || 1), y: (b.y - a.y) / (long || 1) };
-        // Under the element, where the material is: dimensions stand on the other side.
+        // On the material side of the element; dimensions are on the other side.
         const down = along.x > 0 ? { x: -along.y, y: along.x } : { x: along.y, y: -along.x };
         return holds.map((hold, k) => {
           const far = (k - (holds.length - 1) / 2) * STEP;
@@ -68,7 +68,8 @@ export function HoldSigns({
 }
 
 /**
- * What the pointer is caught by: lines through other points, the tangent of the element before, and the place itself.
+ * The snap lines of the pointer: through other points, along the tangent of the previous element, and the snapped
+ * place.
  */
 export function SnapLines({
   pointing,
@@ -77,7 +78,7 @@ export function SnapLines({
   size,
 }: {
   readonly pointing: Pointing;
-  /** Where a new element begins; null while none is drawn. */
+  /** Start of the new element; null while none is drawn. */
   readonly from: Place | null;
   readonly camera: Camera;
   readonly size: Size;

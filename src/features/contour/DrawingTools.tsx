@@ -35,7 +35,7 @@ const Shape = ({ d }: { readonly d: string }) => (
   </svg>
 );
 
-/** What a pointer does in the drawing, the grid it keeps to, and how large the drawing is. */
+/** The drawing tools: pointer mode, grid and zoom. */
 export function DrawingTools({ mode, step, language, onMode, onStep, onZoom, onFit }: Props) {
   const t = texts(language).contour;
   const id = useId();

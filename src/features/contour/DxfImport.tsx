@@ -13,19 +13,17 @@ import { dxfText } from "./dxf-text.ts";
 import { openDxf, type OpenedDxf } from "./open-dxf.ts";
 
 interface Props {
-  /** How many elements the table holds now. */
+  /** Number of elements in the table now. */
   readonly count: number;
   readonly language: Language;
   readonly onTake: (rows: readonly ContourRow[]) => void;
 }
 
-/** How far ends may lie apart and still meet, mm. */
+/** Gap tolerance of ends that meet, mm. */
 const TOLERANCE: Field = { ...anyNumber, range: [0, 10], optional: false };
 const SIZE = { width: 520, height: 260 };
 
-/**
- * A button that opens a drawing, and the dialog in which it becomes a contour: choices, preview, what is wrong with it.
- */
+/** A button that opens a drawing, and the dialog that imports it: choices, preview, faults. */
 export function DxfImport({ count, language, onTake }: Props) {
   const t = texts(language).contour.dxf;
   const id = useId();

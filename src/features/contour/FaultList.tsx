@@ -13,7 +13,7 @@ interface Props {
 /** Most findings listed under the drawing; the others stand at their elements. */
 const MOST = 3;
 
-/** What is wrong, right under the drawing that marks it; each line leads to its element. */
+/** The faults, right under the drawing that marks them; each leads to its element. */
 export function FaultList({ issues, language, onPick }: Props) {
   const all = texts(language);
   const faults = issues.filter(({ issue }) => issue.severity !== "info");

@@ -16,7 +16,7 @@ interface Props {
   readonly onChange: (change: Partial<ContourRow>, place: string | null) => void;
 }
 
-/** Form and words of an undercut or recess; a word that is left empty comes from its standard, or is not there. */
+/** Form and words of an undercut or recess; an empty word takes its standard value, or is omitted. */
 export function RecessFields({ row, number, language, describedBy, onChange }: Props) {
   const t = texts(language).contour;
   const forms = row.kind === "UDC" ? UNDERCUT_FORMS : (["RADIAL", "AXIAL"] as const);

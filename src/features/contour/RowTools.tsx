@@ -18,22 +18,22 @@ const paths = {
 } as const;
 
 interface Props {
-  /** The element that has the keyboard, from 1; null when there is none. */
+  /** The focused element, from 1; null when there is none. */
   readonly number: number | null;
   readonly count: number;
   readonly actions: RowActions;
   readonly language: Language;
-  /** The element behind which a corner can be broken, from 1; null when there is none. */
+  /** The element whose end corner can be broken, from 1; null when there is none. */
   readonly corner: number | null;
   readonly onCorner: (kind: CornerKind) => void;
-  /** Whether angle and length have their fields. */
+  /** Whether the fields of angle and length are shown. */
   readonly details: boolean;
   readonly onDetails: () => void;
-  /** What else stands in the bar. */
+  /** More controls of the bar. */
   readonly children?: ReactNode;
 }
 
-/** What can be done with the rows of the contour table; each button names the element it changes. */
+/** The actions on the rows of the contour table; each button names the element it changes. */
 export function RowTools({ number, count, actions, language, corner, onCorner, details, onDetails, children }: Props) {
   const t = texts(language).contour;
   const n = number ?? 1;

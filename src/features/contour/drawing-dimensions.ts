@@ -11,7 +11,7 @@ import type { AskedDimension, Measured } from "../../view/contour/dimension-plac
 /** A dimension with its text, ready to be put on the drawing. */
 export interface DrawnDimension extends AskedDimension {
   readonly dimension: ContourDimension;
-  /** What it is the dimension of, for those who hear it. */
+  /** Accessible name: what it is the dimension of. */
   readonly name: string;
   /** Of the chosen element. */
   readonly own: boolean;
@@ -19,7 +19,7 @@ export interface DrawnDimension extends AskedDimension {
 
 const pointAt = ({ x, z }: { readonly x: number; readonly z: number }) => part.point(axial(z), toRadius(diameter(x)));
 
-/** What a dimension measures, on the part; null while that is not known. */
+/** Geometry that a dimension measures, on the part; null while unknown. */
 function measuredOf({ row, field, value }: ContourDimension, reading: RowsReading): Measured | null {
   const read = reading.rows[row],
     { x, z } = read?.inherited ?? { x: null, z: null };
@@ -46,7 +46,7 @@ function measuredOf({ row, field, value }: ContourDimension, reading: RowsReadin
   }
 }
 
-/** The angle of a line along an axis that nobody typed: a print does not have it. */
+/** An angle along an axis that nobody typed: a print omits it. */
 const goesWithoutSaying = ({ field, value, follows }: ContourDimension) =>
   field === "angle" && follows && value !== null && value % 90 === 0;
 
@@ -90,7 +90,7 @@ export function fieldName(t: ContourTexts, row: ContourRow, index: number, field
   }
 }
 
-/** All dimensions of the chosen element, and of the others each diameter and position once, then radii and chamfers. */
+/** All dimensions of the selected element; of the others each diameter and position once, then radii and chamfers. */
 export function drawnDimensions({
   rows,
   reading,

@@ -15,7 +15,7 @@ const rows = [
 const moved = (all: readonly ContourRow[], i: number, x: number, z: number) =>
   pointMoved(all, readRows(all), i, { x, z });
 
-test("a dragged point writes what is typed; an omitted coordinate stays out until the point leaves it", () => {
+test("a dragged point writes typed coordinates; an omitted coordinate is written once the point leaves it", () => {
   expect(moved(rows, 1, 40, 0)[1]).toMatchObject({ x: "40", z: "" });
   expect(moved(rows, 1, 40, -5)[1]).toMatchObject({ x: "40", z: "-5" });
   expect(moved(rows, 1, 50, 0)).toBe(rows);
@@ -74,7 +74,7 @@ test("an arc is divided into two arcs of the same circle", () => {
   expect(segments.map((s) => s.kind)).toEqual(["arc", "arc"]);
 });
 
-test("one gesture puts a corner element, changes it, bounds it and takes it away", () => {
+test("one gesture inserts a corner element, changes it, limits it and removes it", () => {
   const plain = rows.filter((r) => r.kind === "L");
   const round = cornerSized(plain, 1, "RND", 3).rows;
   expect(round.map((r) => `${r.kind}${r.r}`)).toEqual(["L", "L", "RND3", "L"]);
@@ -85,7 +85,7 @@ test("one gesture puts a corner element, changes it, bounds it and takes it away
   expect([0, 1, 2].map((i) => isCorner(plain, i))).toEqual([false, true, false]);
 });
 
-test("points snap to the grid, and to the lines of other points when these are near", () => {
+test("points snap to the grid, and to the lines of other points nearby", () => {
   const magnets = { x: [50.3], z: [-20], reach: { x: 1, z: 1 } };
   expect(snapped({ x: 50.2, z: -12.4 }, 1, magnets)).toEqual({ x: 50.3, z: -12 });
   expect(snapped({ x: -3, z: -20.4 }, 5, magnets)).toEqual({ x: 0, z: -20 });

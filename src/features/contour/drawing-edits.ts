@@ -10,17 +10,17 @@ import type { SnapSpot } from "./snap.ts";
 
 type Rows = readonly ContourRow[];
 
-/** A number as one would type it, as fine as a control keeps it. */
+/** A number as an operator would type it, as fine as the control stores it. */
 export const typed = (n: number): string => String(Number(n.toFixed(3)) || 0);
 const SAME = 5e-4;
 
-/** True for rows that end in a point that may be dragged. */
+/** True for rows whose end point can be dragged. */
 export const hasPoint = (row: ContourRow | undefined): boolean =>
   row !== undefined && ["L", "CR", "C", "CT", "LP", "CP", "CTP"].includes(row.kind);
 
 const pointAt = ({ x, z }: SnapSpot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
 
-/** Moves the end point of a row: only what is typed or has to be; coordinates that are solved stay solved. */
+/** Moves the end point of a row. Writes only typed or required coordinates; solved ones stay solved. */
 export function pointMoved(rows: Rows, reading: RowsReading, row: number, to: SnapSpot): Rows {
   const at = rows[row],
     read = reading.rows[row];
@@ -72,7 +72,7 @@ export function pointInserted(rows: Rows, reading: RowsReading, row: number, to:
           incrementalZ: false,
           ...(at.kind === "CT" && { r: typed(Math.abs(read.radius ?? 0)), turn: read.turn ?? at.turn, tangent: true }),
         };
-  // What was measured from the point before is written out, since that point is another one now.
+  // Incremental values are written as absolute ones, since the previous point has changed.
   const second: ContourRow = {
     ...at,
     length: "",
@@ -106,10 +106,10 @@ function polarInserted(rows: Rows, read: RowReading, row: number, at: ContourRow
   return { rows: rows.toSpliced(row, 1, first, second), focus: first.id };
 }
 
-/** What can break a corner. */
+/** Elements that break a corner. */
 export type CornerKind = "RND" | "CHF";
 
-/** The corner element behind a row, if there is one. */
+/** The corner element after a row, if any. */
 export const cornerBehind = (rows: Rows, row: number): ContourRow | null => {
   const next = rows[row + 1];
   return next?.kind === "RND" || next?.kind === "CHF" ? next : null;
@@ -122,8 +122,8 @@ export function isCorner(rows: Rows, row: number): boolean {
 }
 
 /**
- * Puts a rounding or chamfer on the corner at the end of a row, changes the one that stands there, or takes it away
- * with size 0. A size that does not fit becomes the largest that does.
+ * Puts a rounding or chamfer on the corner at the end of a row, changes the existing one, or removes it with size 0. A
+ * size that does not fit becomes the largest that does.
  */
 export function cornerSized(rows: Rows, row: number, kind: CornerKind, size: number): Edited {
   const there = cornerBehind(rows, row),
@@ -145,8 +145,8 @@ export function cornerSized(rows: Rows, row: number, kind: CornerKind, size: num
 }
 
 /**
- * The row whose corner is meant while a row is chosen: itself, or the one before a corner element; null where there is
- * no corner.
+ * The row whose corner is edited while a row is selected: itself, or the one before a corner element; null without a
+ * corner.
  */
 export function cornerRowOf(rows: Rows, row: number | null): number | null {
   if (row === null) return null;
@@ -154,7 +154,7 @@ export function cornerRowOf(rows: Rows, row: number | null): number | null {
   return isCorner(rows, at) ? at : null;
 }
 
-/** Breaks the corner at a chosen row: with the size that stands there, or 1 mm. */
+/** Breaks the corner at a selected row: with its present size, or 1 mm. */
 export function cornerOf(rows: Rows, row: number | null, kind: CornerKind): Edited | null {
   const at = cornerRowOf(rows, row);
   return at === null ? null : cornerSized(rows, at, kind, Number(cornerBehind(rows, at)?.r.replace(",", ".")) || 1);

@@ -3,9 +3,9 @@ import type { ContourRow } from "../../program/job/job.ts";
 import { cornerOf, type CornerKind } from "./drawing-edits.ts";
 import type { Edited } from "./row-edits.ts";
 
-/** Zoom of one press. */
+/** Zoom factor of one key press. */
 const ZOOM = 1.4;
-/** One press of an arrow with Shift moves the picture by this much, pixels. */
+/** Pan distance of one arrow press with Shift, pixels. */
 const PAN = 40;
 const PANS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [PAN, 0],
@@ -26,8 +26,8 @@ interface Pressed {
 }
 
 /**
- * A key in the drawing: arrows choose an element, with Shift they move the picture; R and C break a corner. True when
- * it did something.
+ * Keys of the drawing: arrows select an element, with Shift they pan; R and C break a corner. Returns whether the key
+ * acted.
  */
 export function pressDrawingKey(
   { key, shiftKey }: { readonly key: string; readonly shiftKey: boolean },

@@ -3,7 +3,7 @@ import { formatNumber } from "../../i18n/number.ts";
 import type { DxfIssue } from "../../program/dxf/read-dxf.ts";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 
-/** What was found in a drawing, as a sentence. */
+/** An issue of a drawing, as a sentence. */
 export function dxfText(language: Language, found: DxfIssue): string {
   const say = texts(language).contour.dxf.of;
   const write = (n: number) => formatNumber(language, n, 4);

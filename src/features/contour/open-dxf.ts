@@ -12,7 +12,7 @@ export type OpenedDxf =
       readonly name: string;
     };
 
-/** Opens a DXF file; the parser is loaded when it is first needed. Never throws. */
+/** Opens a DXF file; loads the parser on first use. Never throws. */
 export async function openDxf(file: File): Promise<OpenedDxf> {
   if (file.size > LARGEST) return { kind: "tooLarge", name: file.name };
   const parser = await untilHere(() => import("dxf-parser"));

@@ -6,13 +6,13 @@ type Rows = readonly ContourRow[];
 export const freshId = (rows: Rows): string =>
   `e${1 + Math.max(0, ...rows.map((r) => Number(/^e(\d+)$/.exec(r.id)?.[1] ?? 0)))}`;
 
-/** A table after an edit, and the row that should have the keyboard. */
+/** A table after an edit, and the row to focus. */
 export interface Edited {
   readonly rows: Rows;
   readonly focus: string | null;
 }
 
-/** A new line at a place; what stands there moves down. */
+/** Inserts a new line; the rows from there on move down. */
 export function withRow(rows: Rows, at: number): Edited {
   const row = newRow(freshId(rows));
   return { rows: rows.toSpliced(at, 0, row), focus: row.id };
@@ -26,7 +26,7 @@ export function withRowTwice(rows: Rows, at: number): Edited {
   return { rows: rows.toSpliced(at + 1, 0, copy), focus: copy.id };
 }
 
-/** Without a row; the one that takes its place gets the keyboard. */
+/** Removes a row; the one that takes its place gets focus. */
 export function withoutRow(rows: Rows, at: number): Edited {
   const left = rows.toSpliced(at, 1);
   return { rows: left, focus: (left[at] ?? left.at(-1))?.id ?? null };

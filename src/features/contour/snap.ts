@@ -2,24 +2,24 @@ import type { Pt } from "../../kernel/geometry/point.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 import { diameter, radius, toDiameter, toRadius } from "../../kernel/units.ts";
 
-/** A place in the measure of the table: X as diameter, mm. */
+/** A place in the coordinates of the table: X as diameter, mm. */
 export interface SnapSpot {
   readonly x: number;
   readonly z: number;
 }
 
-/** Grid steps to choose from, mm; X on the diameter. The last is as fine as a control keeps. */
+/** Grid steps to choose from, mm; X on the diameter. The last one is the resolution of the control. */
 export const GRID_STEPS = [10, 5, 1, 0.5, 0.1, 0.001] as const;
 export type GridStep = (typeof GRID_STEPS)[number];
 
 const tidy = (n: number) => Number(n.toFixed(3)) || 0;
 export const onGrid = (value: number, step: number): number => tidy(Math.round(value / step) * step);
 
-/** Lines that catch a point that comes near them: coordinates of other points. */
+/** Coordinates of other points, which catch a point that comes near. */
 export interface Magnets {
   readonly x: readonly number[];
   readonly z: readonly number[];
-  /** How near, in the measure of each axis. */
+  /** Snap distance, in the measure of each axis. */
   readonly reach: SnapSpot;
 }
 
@@ -40,24 +40,24 @@ function caught(value: number, step: number, magnets: readonly number[], reach: 
     : { value: grid, held: magnets.includes(grid) };
 }
 
-/** A way on which a point may run: from where the element begins, in the direction in which the one before it ends. */
+/** The tangential continuation: start of the element, and end direction of the previous one. */
 export interface Ray {
   readonly from: Pt;
   readonly along: Pt;
 }
 
-/** Where a point comes to lie, and what caught it there. */
+/** The snapped place, and what caught it. */
 export interface Aim {
   readonly spot: SnapSpot;
-  /** It lies on the X, or on the Z, of another point. */
+  /** On the X, or on the Z, of another point. */
   readonly onX: boolean;
   readonly onZ: boolean;
-  /** It lies where its element goes on tangentially. */
+  /** On the tangent of the previous element. */
   readonly ray: Ray | null;
 }
 
 /**
- * The nearest place on the grid, on the line of another point, or on the tangent of the element before. X is never
+ * The nearest place on the grid, on the line of another point, or on the tangent of the previous element. X is never
  * below the axis.
  */
 export function aimed(at: SnapSpot, step: number, magnets: Magnets, ray: Ray | null = null): Aim {

@@ -16,11 +16,11 @@ import { SAME } from "../../kernel/tolerance.ts";
 export type DrawingMode = "move" | "draw" | "round" | "chamfer";
 type Rows = readonly ContourRow[];
 
-/** How far from a point a pointer still means it, pixels. */
+/** Snap distance between pointer and point, pixels. */
 const NEAR = { mouse: 12, touch: 26 } as const;
-/** A pointer that moves less than this was a tap, pixels. */
+/** A pointer that moves less than this is a tap, pixels. */
 const TAP = 5;
-/** A finger that rests this long on an element divides it, ms. */
+/** Long press that divides an element, ms. */
 const LONG = 500;
 
 interface Surroundings {
@@ -32,12 +32,12 @@ interface Surroundings {
   readonly onRows: (rows: Rows, place: string) => void;
   readonly onEdited: (edited: Edited) => void;
   readonly onPick: (row: number) => void;
-  /** Where the operator looks; null while the contour fills the drawing. */
+  /** The view chosen by the operator; null while the contour fills the drawing. */
   readonly camera: Camera | null;
   readonly onCamera: (camera: Camera | null) => void;
 }
 
-/** What the drawing says of the gesture: where it leads, what caught it, and the size of a corner. */
+/** Feedback of the gesture: its target, the snap, and the size of a corner. */
 export interface Pointing {
   readonly row: number | null;
   readonly aim: Aim;
@@ -49,9 +49,9 @@ interface Gesture {
   readonly row: number | null;
   readonly from: Place;
   readonly camera: Camera;
-  /** Where the operator looked before; the gesture holds the picture still. */
+  /** The view before the gesture; during the gesture the view is fixed. */
   readonly looked: Camera | null;
-  /** The table as it was when the gesture began to change it: the press may have ended the typing in a field. */
+  /** The table when the gesture began to change it: the press may have ended the typing in a field. */
   rows: Rows;
   reading: RowsReading;
   readonly place: string;
@@ -73,13 +73,11 @@ const spotAt = (camera: Camera, place: Place): SnapSpot => {
   return { x: toDiameter(radius(Math.max(0, p.r))), z: p.z };
 };
 
-/**
- * Gestures of the contour drawing: drag points and corners, add and divide, move the picture. Escape takes a drag back.
- */
+/** Gestures of the contour drawing: drag points and corners, add and divide, pan. Escape cancels a drag. */
 export function useDrawing(now: Surroundings) {
   const gesture = useRef<Gesture | null>(null);
   const count = useRef(0);
-  /** The element under the last press: a captured pointer no longer tells what lies under it. */
+  /** The element under the last press: with pointer capture the event target is no longer that element. */
   const pressed = useRef<number | null>(null);
   const timer = useRef<ReturnType<typeof setTimeout> | null>(null);
   const fingers = useRef(new Map<number, Place>());
@@ -128,7 +126,7 @@ export function useDrawing(now: Surroundings) {
     return near && near.far <= (fine ? NEAR.mouse : NEAR.touch) ? near.row : null;
   };
 
-  /** A second finger ends what the first began, and moves and stretches the picture. */
+  /** A second finger ends the gesture of the first, and pans and zooms. */
   const beginPinch = () => {
     const g = gesture.current;
     stopWaiting();
@@ -225,7 +223,7 @@ export function useDrawing(now: Surroundings) {
       if (g.kind === "point" || g.kind === "corner") now.onCamera(g.looked);
       if (now.mode === "draw" && g.kind === "tap") {
         const element = g.row;
-        // What is drawn next counts from where this was: the picture stays.
+        // The view stays, so that the next point is placed in the same scale.
         now.onCamera(g.camera);
         if (element !== null && element > 0) return divide(element, g.from, g.camera);
         return now.onEdited(pointAppended(now.rows, aim(g.from, g.camera, null).spot));
@@ -245,7 +243,7 @@ export function useDrawing(now: Surroundings) {
       if (now.mode !== "draw" && element !== null && pointNear(place, true) === null)
         divide(element, place, now.picture.camera);
     },
-    /** Escape: the drag that is going on is taken back. */
+    /** Escape: cancels the current drag. */
     takeBack: (): boolean => {
       const g = gesture.current;
       if (!g) return false;
@@ -261,8 +259,7 @@ export function useDrawing(now: Surroundings) {
 const pointOf = ({ x, z }: SnapSpot): Pt => ({ z: axial(z), r: toRadius(diameter(x)) });
 
 /**
- * The way on which the element of a row goes on tangentially; null where that is along an axis, or nothing stands
- * before it.
+ * The tangential continuation at the element of a row; null if it runs along an axis, or there is no previous element.
  */
 function rayOf(reading: RowsReading, row: number): Ray | null {
   const i = reading.rowOfSegment.findLastIndex((each) => each < row),

@@ -3,7 +3,7 @@ import { useLayoutEffect, useRef, type KeyboardEvent, type RefObject } from "rea
 const FIELDS = "input[data-field], select[data-field]";
 type Field = HTMLInputElement | HTMLSelectElement;
 
-/** What the keys of the table do to its rows. */
+/** Actions of the keys on the rows of the table. */
 export interface RowActions {
   readonly add: () => void;
   readonly insert: () => void;
@@ -17,7 +17,7 @@ function focusField(field: Field | undefined): void {
   if (field instanceof HTMLInputElement) field.select();
 }
 
-/** The same field of the next or previous row; where that row has none, its first one. */
+/** Focuses the same field of the next or previous row; its first field if it has no such one. */
 function sameField(table: HTMLElement, from: Field, by: 1 | -1): void {
   const lines = [...table.querySelectorAll("tr.contour-line")];
   const line = lines[lines.findIndex((l) => l.contains(from)) + by];
@@ -63,7 +63,7 @@ export function useTableKeys(
   };
 }
 
-/** Puts the keyboard into a row once it stands in the table: into the field it was in, or the row's first number. */
+/** Focuses a row once it is rendered: the same field, or the row's first number. */
 export function useRowFocus(table: RefObject<HTMLElement | null>): (row: string | null, field?: string) => void {
   const asked = useRef<{ row: string; field: string | undefined } | null>(null);
   useLayoutEffect(() => {

@@ -6,7 +6,7 @@ import { pageUnit } from "../../app/base/unit.ts";
 const WHEEL = 0.0015,
   LINE = 33;
 
-/** The wheel zooms about the pointer. Listened to by hand: the page must not scroll along. */
+/** The wheel zooms about the pointer. Uses a native listener, since the page must not scroll along. */
 export function useWheel(element: RefObject<HTMLElement | null>, zoom: (factor: number, at: Place) => void): void {
   const turned = useEffectEvent((e: WheelEvent, node: HTMLElement) => {
     const box = node.getBoundingClientRect(),

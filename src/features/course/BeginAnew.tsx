@@ -4,7 +4,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import { beginCourseAnew, useLearning } from "../../app/records/course/progress.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** The way to begin the course anew: at once, because undo takes it back; and what is wrong with what is kept. */
+/** Restarts the course at once, because undo restores it; shows trouble with the stored progress. */
 export function BeginAnew() {
   const t = useTexts("course");
   const isEmpty = useLearning((s) => isEmptyProgress(s.list));

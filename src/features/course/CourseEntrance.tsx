@@ -6,8 +6,8 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./entrance.css";
 
 /**
- * The way into the course on the start page: to its list, or for who has begun to the page that was open last. Its
- * lesson may have moved since: the number is that of today.
+ * Link to the course on the start page: to the list of lessons, or to the page opened last. Uses the current number of
+ * that lesson, which may have moved.
  */
 export function CourseEntrance() {
   const { entrance: t } = useTexts("course");

@@ -8,9 +8,7 @@ import { TaughtTasks } from "./teach/TaughtTasks.tsx";
 import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/**
- * The lesson to go on with: the one that was open last, or the first of those that come after it where that is done.
- */
+/** The lesson to continue with: the first one not done from the one opened last, else the first one not done at all. */
 export function lessonToGoOn(
   lessons: readonly LessonEntry[],
   { list }: ReturnType<typeof useLearning.getState>,
@@ -72,7 +70,7 @@ function LessonRow({ lesson, isNext }: { readonly lesson: LessonEntry; readonly 
   );
 }
 
-/** All lessons with their aims and tasks, how these stand, and where to go on. */
+/** All lessons with their aims, tasks and progress, and the one to continue with. */
 export function CourseList() {
   const t = useTexts("course");
   const { lessons } = useCourseIndex();

@@ -6,7 +6,7 @@ import { LessonView } from "./LessonView.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./course.css";
 
-/** The course in place of the start page: the list of lessons, or the open one. */
+/** The course, which replaces the start page: the list of lessons, or the open one. */
 export function CoursePage() {
   const t = useTexts("course");
   const { lessons } = useCourseIndex();

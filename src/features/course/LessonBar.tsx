@@ -10,10 +10,10 @@ import type { Run } from "../../program/state/run-types.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { PlayedStretch } from "./use-stretch.ts";
 
-/** Parts of the slider of time. */
+/** Steps of the time slider. */
 const PARTS = 1000;
 
-/** Play and hold, move by move, to any moment; the block that runs, and the step of the manual. */
+/** Play and pause, move by move, seek; the current block, and the step of the manual. */
 export function LessonBar({
   playback,
   stretch,
@@ -23,7 +23,7 @@ export function LessonBar({
   readonly playback: PlaybackStore;
   readonly stretch: PlayedStretch;
   readonly run: Run;
-  /** The program that runs. */
+  /** The current program. */
   readonly lines: readonly string[];
 }) {
   const t = useTexts("course").picture;

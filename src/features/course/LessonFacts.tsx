@@ -10,7 +10,7 @@ import { loadPlaceText, loadValue, useGreatest, useMeasuredRun, type Told } from
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** What colours tell: their scale, and the greatest value with its place. */
+/** The colour map: its scale, and the greatest value with its place. */
 function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["run"] }) {
   const t = useTexts("load");
   const lengths = useLengths(run);
@@ -41,10 +41,7 @@ function ToldByColour({ of, run }: { readonly of: Told; readonly run: Outcome["r
   );
 }
 
-/**
- * What comes of the values of a page: passes, real infeed, time, what stays; and the colours' scale where they tell
- * something.
- */
+/** Results for the values of a page: passes, real infeed, time, residual material; and the scale of a colour map. */
 export function LessonFacts({
   outcome,
   played,
@@ -54,7 +51,7 @@ export function LessonFacts({
   readonly outcome: Outcome;
   readonly played: Played;
   readonly told: Told | null;
-  /** They are those of the value before. */
+  /** These are the results of the previous value. */
   readonly old: boolean;
 }) {
   const {
@@ -70,8 +67,7 @@ export function LessonFacts({
   const infeedText = (infeed: number) => formatFixed(language, infeed, 3);
   const facts: readonly (readonly [name: string, value: string])[] = [
     ...(passes > 0 ? [[t.passes, formatNumber(language, passes, 0)] as const] : []),
-    // The passes of a thread grow ever shallower: what is told is the deepest. Calls that differ have no infeed in
-    // common.
+    // Thread passes get shallower, so the deepest one is shown. Calls with different infeeds show none.
     ...(cutting && others.every(({ infeed }) => infeedText(infeed) === infeedText(cutting.infeed))
       ? [[t.infeed, `${infeedText(cutting.infeed)} ${cutting.thread ? "mm" : t.infeedUnit}`] as const]
       : []),

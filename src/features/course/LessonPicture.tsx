@@ -35,18 +35,18 @@ import { useLessonLoad } from "./use-lesson-load.ts";
 import { useStretch } from "./use-stretch.ts";
 import "../../app/pictures/lathe/lathe.css";
 
-/** Fetched for a program that has approaches. */
+/** Loaded for a program with approaches. */
 const TurnPoints = lazyPart(async () => ({
   default: (await import("../../app/pictures/plane/TurnPoints.tsx")).TurnPoints,
 }));
 
-/** What is done sooner than this is not worth a word, ms. */
+/** Shorter waits show no text, ms. */
 const SOON = 300;
 
 const EVERY = () => true;
 const NOTHING: readonly Ring[] = [];
 
-/** The element of the picture gives its size to the viewport. */
+/** The size of the picture's element sets the size of the viewport. */
 function useSized(viewport: Viewport) {
   const stage = useRef<HTMLDivElement>(null);
   useEffect(() => {
@@ -74,10 +74,10 @@ const sceneOfRun = (run: Run, path: Parameters<typeof sceneOf>[0]["path"]) =>
     ...(path && { path }),
   });
 
-/** Room round what is cut, as a share of its longer side: the insert and the ends of the jaws are seen with it. */
+/** Margin around the cut, as a share of its longer side: shows the insert and the ends of the jaws. */
 const AIR = 0.2;
 
-/** The stretch of the lathe that a page asks for. */
+/** The section of the lathe that a page requests. */
 const framed = ({ x, z }: NonNullable<LessonPageOf["frame"]>): Bounds => ({
   left: z[0],
   right: z[1],
@@ -85,10 +85,7 @@ const framed = ({ x, z }: NonNullable<LessonPageOf["frame"]>): Bounds => ({
   high: toRadius(diameter(x[1])),
 });
 
-/**
- * What the picture of a page shows where it asks for nothing else: the blank with all that is fed there, and not the
- * whole chuck.
- */
+/** Default section of a page: the blank and all feed moves, without the whole chuck. */
 function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds): Bounds {
   const fed = steps.slice(first, last + 1).filter(({ move }) => move.kind !== "rapid");
   const seen = joined(boundsOf(blank.flat()), boundsOf(fed.flatMap(({ from, move }) => [from, move.to])));
@@ -97,7 +94,7 @@ function frameOf({ blank, steps }: Run, { first, last }: Played, whole: Bounds):
   return common(whole, grownBounds(both, AIR * Math.max(both.right - both.left, both.high - both.low)));
 }
 
-/** The lathe of a page: the run of its program, playing, with what the page shows beside it. */
+/** The lathe of a page: playback of its program, with the marks and colours of the page. */
 export function LessonPicture({
   outcome,
   page,
@@ -109,11 +106,11 @@ export function LessonPicture({
   readonly outcome: Outcome;
   readonly page: LessonPageOf;
   readonly playback: PlaybackStore;
-  /** It is the run before: the one that is wanted is not here yet. */
+  /** The result of the previous program: the requested one is pending. */
   readonly waits: boolean;
-  /** The one that is wanted cannot be made. */
+  /** The requested program failed. */
   readonly failed: boolean;
-  /** A value of this page was slid: its picture follows. */
+  /** A slider of this page was moved: its picture follows. */
   readonly slid: boolean;
 }) {
   const t = useTexts("course");
@@ -129,8 +126,7 @@ export function LessonPicture({
   const passes = stretchesOf(run);
   const scene = useMemo(() => sceneOfRun(run, passes.whole), [run, passes]);
   const still = reducedMotion({ motion });
-  // As long as the run is that of the page before, this page has not been opened yet: it begins when its own run is
-  // here.
+  // While the run of the previous page is shown, this page counts as not opened: playback starts with its own run.
   const opened = dimmed ? `${page.key} waits` : page.key;
   const stretch = useStretch(playback, run, played, {
     page: opened,
@@ -168,7 +164,7 @@ export function LessonPicture({
     if (place) viewport.show(place.bounds);
     else viewport.fit();
   };
-  // Where colours tell something, what stays is named only where it is asked for: its mark would stand on theirs.
+  // With a colour map, residual material is marked only on request: the mark would cover the colours.
   const seen = places.filter((each) => each === chosen || each.kind === "finding" || (ended && told === null));
   const starts = useMemo(() => operationsPlayed(run.operations, played).map(({ start }) => start), [run, played]);
   const leads = useMemo(() => run.approaches.filter((a) => a.plane === "ZX"), [run]);

@@ -7,7 +7,7 @@ import { useReadPlayback } from "../../app/pictures/lathe/use-playback.ts";
 import { openToTry } from "./open-example.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** The program that the picture is made from, with the block that runs, to be read and to be taken into the editor. */
+/** The program of the picture, with the current block, to read and to open in the editor. */
 export function LessonProgram({
   lines,
   run,
@@ -16,10 +16,10 @@ export function LessonProgram({
   onOpen,
 }: {
   readonly lines: readonly string[];
-  /** Its run; null as long as there is none. */
+  /** Its run; null while pending. */
   readonly run: Run | null;
   readonly playback: PlaybackStore;
-  /** It stays open from page to page. */
+  /** Kept from page to page. */
   readonly open: boolean;
   readonly onOpen: (open: boolean) => void;
 }) {

@@ -10,7 +10,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 type Slide = NonNullable<Lesson["pages"][number]["slide"]>;
 
-/** A value that is slid: what it is called on the control, the number, and the slider. The picture follows. */
+/** A slider for one value: its name on the control, the number, the slider. The picture follows. */
 export function LessonSlide({
   slide,
   value,
@@ -19,7 +19,7 @@ export function LessonSlide({
 }: {
   readonly slide: Slide;
   readonly value: number;
-  /** The program of the page, whose first cycle with this parameter says what it is. */
+  /** The program of the page; its first cycle with this parameter describes the value. */
   readonly lines: readonly string[];
   readonly onSlide: (value: number) => void;
 }) {

@@ -9,7 +9,7 @@ import { beginTask } from "./task/begin.ts";
 import { TaskStateMark } from "./TaskStateMark.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** What follows the pages of a lesson: what one can do now, the example to play with, and the tasks. */
+/** The last page of a lesson: its aim, the tasks, and the example to experiment with. */
 export function LessonTasks({
   lesson,
   entry,
@@ -22,7 +22,7 @@ export function LessonTasks({
   const t = useTexts("course");
   const { list } = useLearning();
   const going = useRef(false);
-  /** Pressed twice while the task is on its way, it still begins one work. */
+  /** Clicked twice while the task is loading, the button still starts one work. */
   const begin = async (id: string) => {
     if (going.current) return;
     going.current = true;

@@ -34,7 +34,7 @@ function useLesson(id: string): Lesson | null {
   return use(made);
 }
 
-/** A page: its text beside the lathe, and what may be slid. */
+/** A page: its text next to the lathe, and its slider. */
 function PageOfLesson({
   page,
   text,
@@ -99,7 +99,7 @@ function PageOfLesson({
   );
 }
 
-/** The ways to each page and to the tasks. */
+/** The links to each page and to the tasks. */
 function PageLinks({ entry, at }: { readonly entry: LessonEntry; readonly at: LessonPage }) {
   const t = useTexts("course");
   const all: readonly LessonPage[] = [...Array.from({ length: entry.pages }, (_, i) => i + 1), "tasks"];
@@ -123,7 +123,7 @@ function PageLinks({ entry, at }: { readonly entry: LessonEntry; readonly at: Le
   );
 }
 
-/** What comes before and after a page of a lesson. */
+/** The previous and the next page of a lesson. */
 function useWays(entry: LessonEntry, at: LessonPage) {
   const t = useTexts("course");
   const { lessons } = useCourseIndex();
@@ -151,7 +151,7 @@ function OpenLesson({ entry }: { readonly entry: LessonEntry }) {
   const { back, on } = useWays(entry, at);
   useTurning(main, (by) => {
     const to = by < 0 ? back : on;
-    // The list is not a page that one turns to.
+    // The list of lessons is not reached by turning pages.
     if (to && to.lesson === entry.id) goToEntrance({ page: "course", lesson: to.lesson, at: to.page });
   });
   useEffect(() => noteLessonPage({ lesson: entry.id, number: entry.number, page: at }), [entry, at]);
@@ -221,7 +221,7 @@ function MissingLesson() {
   );
 }
 
-/** A lesson: its pages one after the other, then its tasks. */
+/** A lesson: its pages in order, then its tasks. */
 export function LessonView({ entry }: { readonly entry: LessonEntry | null }) {
   return entry ? (
     <Suspense>

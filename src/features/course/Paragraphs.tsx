@@ -3,10 +3,10 @@ import { Said, SaidOnPage } from "../../app/fields/said/Said.tsx";
 import { numbersApart } from "./numbers-apart.ts";
 import "./paragraphs.css";
 
-/** No line ends before a mark that French sets apart, nor behind its opening quote. */
+/** Non-breaking spaces before French high punctuation, and after the opening quote. */
 const together = (text: string): string => text.replaceAll(/ (?=[?!:;»%])|(?<=«) /g, "\u00a0");
 
-/** A text in which no number breaks. */
+/** A text whose numbers do not break. */
 const unbroken = (text: string) =>
   numbersApart(text).map((piece, k) =>
     k % 2 === 1 ? (
@@ -20,11 +20,11 @@ const unbroken = (text: string) =>
 
 interface Props {
   readonly text: string;
-  /** Texts of the pages before: words of the glossary lead there where they are used first. Absent: none does. */
+  /** Texts of the previous pages: a glossary term links where it is used first. Absent: no links. */
   readonly before?: readonly string[];
 }
 
-/** A text of the course: its paragraphs, which empty lines part. */
+/** A text of the course, with paragraphs at empty lines. */
 export function Paragraphs({ text, before }: Props) {
   const paragraphs = text.split(/\n\s*\n/).map(together);
   const said = (plain: boolean) =>

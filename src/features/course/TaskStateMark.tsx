@@ -2,8 +2,8 @@ import type { TaskState } from "../../course/progress.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /**
- * Each state has a form of its own: an empty ring, a half one, a tick; with a dash below it after hints, with two after
- * the solution.
+ * Each state has its own shape: an empty ring, a half one, a tick; with a dash below after hints, two after the
+ * solution.
  */
 const FORMS: Readonly<Record<TaskState, string>> = {
   new: "M8 2.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 0 0 0-11",
@@ -13,7 +13,7 @@ const FORMS: Readonly<Record<TaskState, string>> = {
   solution: "M2.5 6l3.5 4 7.5-8M2.5 14h4.5M9 14h4.5",
 };
 
-/** How a task stands, as a mark and in words. */
+/** The state of a task, as a mark and in words. */
 export function TaskStateMark({ state }: { readonly state: TaskState }) {
   const t = useTexts("course");
   return (

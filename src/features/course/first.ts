@@ -1,4 +1,4 @@
-/* What the first screen shows of this feature. */
+/* The part of this feature that the first screen needs. */
 
 export { TaskLine } from "./task/TaskLine.tsx";
 export { IncomingTaught } from "./teach/IncomingTaught.tsx";

@@ -1,4 +1,4 @@
-/* Lessons, tasks, and what teachers make of them. */
+/* Lessons, tasks, and the instructor's tools. */
 
 export const fetchCourseEntrance = () => import("./CourseEntrance.tsx");
 export const fetchCoursePage = () => import("./CoursePage.tsx");

@@ -2,9 +2,9 @@ import type { Lesson } from "../../course/lesson.ts";
 
 type LessonPicturePage = Lesson["pages"][number];
 
-/** A page of a lesson as it is shown: its program, which may be that of a page before, and what of it. */
+/** A page of a lesson with its program, which may be that of a previous page. */
 export interface LessonPageOf extends Omit<LessonPicturePage, "program"> {
-  /** Tells this page from the others. */
+  /** Identifies the page. */
   readonly key: string;
   readonly program: readonly string[];
 }

@@ -1,12 +1,12 @@
 import { expect, test } from "vitest";
 import { numbersApart } from "./numbers-apart.ts";
 
-test("a number with a minus stays with its axis and its point, whatever stands round it", () => {
+test("a negative number stays together with its axis and its point, in any context", () => {
   expect(numbersApart("von Z-20,5 bis X-1.6, dann")).toEqual(["von ", "Z-20,5", " bis ", "X-1.6,", " dann"]);
   expect(numbersApart("Q482=-38 (DIST-20)")).toEqual(["", "Q482=-38", " (", "DIST-20", ")"]);
 });
 
-test("Chinese goes on beside it: a line may end there", () => {
+test("in Chinese, text follows without a space: a line may break there", () => {
   expect(numbersApart("图中标的是刀尖，Z-0.4。手册印的是铣削")).toEqual([
     "图中标的是刀尖，",
     "Z-0.4",

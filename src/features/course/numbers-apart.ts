@@ -1,8 +1,8 @@
 /**
- * A number with a minus and what it belongs to, such as Z-35: it would break behind the minus. Chinese writes no spaces
- * round it.
+ * A negative number with its prefix, such as Z-35: browsers would break it after the minus. Chinese has no spaces
+ * around it.
  */
 const NUMBER = /([\p{Script=Latin}\d⌀=+.,]*-\d[\d.,]*)/u;
 
-/** The pieces of a text: every second one, from the second on, is a number with a minus, which no line end may part. */
+/** The text in pieces: every second one, from index 1, is a negative number, which must not break. */
 export const numbersApart = (text: string): readonly string[] => text.split(NUMBER);

@@ -4,7 +4,7 @@ import { openProgram } from "../../app/fields/open/open-program.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 
 /**
- * Opens a program of a lesson as a work, to play with; where the tools of this device are others it brings the shipped
+ * Opens a program of a lesson as a work to experiment with; if the tools of this device differ, it includes the default
  * ones.
  */
 export function openToTry(lines: readonly string[]): void {

@@ -5,10 +5,10 @@ import { askAgain } from "../../app/calculation/worker-life.ts";
 import { useMeasuredLoad } from "../../app/pictures/load/load-store.ts";
 import type { Told } from "../../app/pictures/load/use-load.ts";
 
-/** Values rest for so long before they are measured, ms: while one slides, the path comes first. */
+/** Debounce before the measurement, ms: while a slider moves, the path comes first. */
 const REST = 120;
 
-/** Has measured what colours tell of a run: its surface, or what its tool bears along the path. */
+/** Requests the measurement for the colour map of a run: its surface, or the load on the tool. */
 export function useLessonLoad(outcome: Outcome | null, of: Told | null): void {
   useEffect(() => {
     if (!outcome || of === null || outcome.run.steps.length === 0) return undefined;

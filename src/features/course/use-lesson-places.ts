@@ -6,7 +6,7 @@ import { lookAtOf, type LookAt } from "../../app/pictures/lathe/places.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** What the picture of a lesson marks: what was found in the run of its program, and what stays in the part. */
+/** The marks in the picture of a lesson: the findings of its run, and residual material. */
 export function useLessonPlaces(outcome: Outcome): readonly LookAt[] {
   const texts = useTexts();
   const language = useSettings((s) => s.language);

@@ -6,7 +6,7 @@ import { toolsOnDevice } from "../../app/document/tool-store.ts";
 
 /** Rapid rate of the lessons, mm/min. */
 const RAPID = 10_000;
-/** Runs that are kept, so that pages gone back to are there at once. */
+/** Cached runs, so that previous pages are there at once. */
 const MOST_KEPT = 24;
 
 const known = new Map<string, Outcome>();
@@ -18,25 +18,22 @@ function note(text: string, outcome: Outcome): void {
   if (known.size > MOST_KEPT && oldest !== undefined) known.delete(oldest);
 }
 
-/**
- * A program is run with the shipped tools and as a TNC 640 moves: what a lesson shows does not depend on the device it
- * is read on.
- */
+/** Runs a program with the default tools as on a TNC 640: the lesson looks the same on every device. */
 function ran(text: string): Promise<Outcome> {
   const { table } = toolsOnDevice(shippedList);
   return askAgain((engine) => engine.update({ version: 0, text, table, rapid: RAPID, control: "TNC 640" }));
 }
 
-/** What came of the programs of a lesson. */
+/** The results of a lesson's programs. */
 export interface LessonRun {
-  /** The newest result. While a value slides it is the one before, until the next is here. */
+  /** The newest result. While a slider moves, the previous one until the next is ready. */
   readonly outcome: Outcome | null;
-  /** The program it is of is not the one that is wanted. */
+  /** The result belongs to another program than requested. */
   readonly waits: boolean;
   readonly failed: boolean;
 }
 
-/** Runs the programs that are wanted one after the other; of those that wait only the newest. */
+/** Runs the requested programs one after the other; of the pending ones only the newest. */
 function runner(take: (text: string, outcome: Outcome | null) => void): (text: string) => void {
   let waiting: string | null = null;
   let busy = false;
@@ -61,14 +58,14 @@ function runner(take: (text: string, outcome: Outcome | null) => void): (text: s
   };
 }
 
-/** The run of a program as it is now; the last one stays until it is there. */
+/** The run of a program; the previous one until it is ready. */
 export function useLessonRun(text: string): LessonRun {
   const [made, take] = useState<{ readonly text: string; readonly outcome: Outcome | null } | null>(null);
   const [want] = useState(() =>
     runner((of, outcome) => take((before) => ({ text: of, outcome: outcome ?? before?.outcome ?? null }))),
   );
   const here = known.get(text);
-  // What was known before it was wanted is the one before as well.
+  // A cached run also becomes the previous one.
   const [before, keep] = useState<Outcome | null>(null);
   const newest = here ?? (made?.text === text ? made.outcome : null);
   if (newest && newest !== before) keep(newest);

@@ -4,25 +4,23 @@ import type { Run } from "../../program/state/run-types.ts";
 import { secondsAt, trackOf } from "../../view/playback.ts";
 import type { PlaybackStore } from "../../app/calculation/playback-store.ts";
 
-/**
- * How long a stretch takes to be looked at, s of the clock: some for itself and a little for each move, within bounds.
- */
+/** Playback duration of a range, in seconds of the clock: a base and a little for each move, within bounds. */
 const LASTS = { base: 6, move: 0.12, most: 28 } as const;
 
-/** What moves the playback within the stretch that a page of a lesson plays. */
+/** Controls of the playback within the range of a page. */
 export interface PlayedStretch {
   readonly toggle: () => void;
   readonly restart: () => void;
-  /** Goes to a moment, by the seconds of the machine from the beginning of the stretch. */
+  /** Seeks, in machine seconds from the start of the range. */
   readonly seek: (seconds: number) => void;
-  /** Those seconds now, and at the end of the stretch. */
+  /** The current machine seconds, and those at the end of the range. */
   readonly now: () => number;
   readonly length: number;
 }
 
 /**
- * The playback of a run, held to one stretch of it. The picture of another page stands at its start or its end, or
- * plays; where a value is slid it stays at the same moment, and at the end where it stood there.
+ * The playback of a run, limited to a range. A new page shows its start or its end, or plays; while a slider moves, the
+ * moment stays the same, or at the end if it was at the end.
  */
 export function useStretch(
   store: PlaybackStore,
@@ -55,7 +53,7 @@ export function useStretch(
   }, [store, track, first, last, length, page, at]);
 
   useEffect(() => {
-    // It stops where the stretch ends.
+    // Stops at the end of the range.
     const stop = store.subscribe(() => {
       const { playing, position } = store.get();
       if (!playing || position.step <= last) return;

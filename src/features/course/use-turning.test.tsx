@@ -14,7 +14,7 @@ const touch = (clientX: number) => ({
   changedTouches: [{ clientX, clientY: 303 }],
 });
 
-test("a page that is drawn anew under the finger is turned all the same, and by what it shows now", () => {
+test("a page rendered again during a swipe still turns, and uses its newest content", () => {
   const turns: [number, string][] = [];
   const onTurn = (by: number, name: string) => void turns.push([by, name]);
   const { rerender } = render(<Turned name="before" onTurn={onTurn} />);

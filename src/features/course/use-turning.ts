@@ -1,12 +1,12 @@
 import { useEffect, useEffectEvent, type RefObject } from "react";
 
-/** A finger that goes so far across, and less than half of that up or down, turns the page, px. */
+/** A swipe at least this far across, and less than half of it up or down, turns the page, px. */
 const FAR = 60;
 
-/** What takes the arrow keys for itself. */
+/** Elements that handle the arrow keys themselves. */
 const TAKES_KEYS = "input, select, textarea, [role=slider], dialog, pre";
 
-/** Whether the page can be scrolled further up or down: then the page keys do that. */
+/** Whether the page can scroll further: then the page keys scroll. */
 const scrolls = (page: HTMLElement | null): boolean =>
   page !== null &&
   [page, ...page.querySelectorAll("*")].some(
@@ -14,8 +14,8 @@ const scrolls = (page: HTMLElement | null): boolean =>
   );
 
 /**
- * Pages are turned by the arrow and page keys, and by a finger across the text, also where the page is drawn anew on
- * its way.
+ * The arrow and page keys, and a swipe across the text, turn pages, even if the page is rendered again during the
+ * swipe.
  */
 export function useTurning(page: RefObject<HTMLElement | null>, onTurn: (by: -1 | 1) => void): void {
   const turn = useEffectEvent(onTurn);

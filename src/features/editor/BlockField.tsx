@@ -10,19 +10,18 @@ interface Props {
   readonly field: WordField;
   readonly statement: Statement;
   readonly change: (next: Statement, field: string) => void;
-  /** The way to its page of the guide. */
+  /** The link to its page of the guide. */
   readonly more: ReactNode;
 }
 
-/** What was typed, and what the block said then: when the block says something else by now, that counts. */
+/** The typed text, and the block's text at that time: if the block has changed since, its text wins. */
 interface Typed {
   readonly text: string;
   readonly said: string;
 }
 
 /**
- * One word of a block. Each keystroke that can be read changes the text of the block; leaving the field ends the step
- * of undo.
+ * One word of a block. Each readable keystroke changes the text of the block; leaving the field ends the step of undo.
  */
 export function BlockField({ field, statement, change, more }: Props) {
   const t = useTexts().editor;

@@ -22,16 +22,13 @@ import { kindOf } from "../../app/fields/blocks/block-kind.ts";
 import { BlockMore } from "./BlockMore.tsx";
 import { editProgram, openBlock, readWhole, useSession } from "../../app/fields/blocks/session.ts";
 
-/** Nothing offers a nearest value here. */
+/** Blocks have no nearest value to offer. */
 const nothing = () => undefined;
 
-/** Findings that say of a block that it is kept and not run. */
+/** Findings that say that a block is kept but not simulated. */
 const SAYS_SO: ReadonlySet<string> = new Set(["cycleNotSimulated", "notSimulated", "notUnderstood"]);
 
-/**
- * Where the cycle that a block calls is defined, when that is in a called program; null when it is not, or nobody
- * knows.
- */
+/** The definition of the called cycle, if it is in a called program; null if it is not, or unknown. */
 function definedElsewhere(outcome: Outcome | null, call: number | undefined) {
   const found = outcome?.run.operations.find(({ block, definedFile }) => block === call && definedFile !== undefined);
   const { program } = useEditor.getState();
@@ -39,7 +36,7 @@ function definedElsewhere(outcome: Outcome | null, call: number | undefined) {
   return { file: found.definedFile, block: found.definedIn, line: found.definedLine };
 }
 
-/** Who comes back from the page of a word goes on in its field. */
+/** After the guide page of a word, its field gets focus again. */
 function backToWord(form: HTMLElement | null): void {
   const { block } = useGuidedBlock.getState();
   if (!form || !block?.word || block.work !== useEditor.getState().work) return;
@@ -47,7 +44,7 @@ function backToWord(form: HTMLElement | null): void {
   form.querySelector<HTMLElement>(`[data-word="${CSS.escape(block.word)}"]`)?.focus();
 }
 
-/** The dialog of a block that is no cycle of the catalogue: one field a word, made from the description of its kind. */
+/** The dialog of a block that is no catalogue cycle: one field per word, from the description of its kind. */
 export function BlockForm({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const all = useTexts();
   const { editor: t } = all;

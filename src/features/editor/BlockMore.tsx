@@ -13,10 +13,10 @@ interface Props {
   readonly line: number;
 }
 
-/** Kinds whose own page speaks of all their words. */
+/** Kinds whose guide page covers all their words. */
 const WHOLE: ReadonlySet<string> = new Set(["text", "parameter"]);
 
-/** The way from a field of a block to its page of the guide. */
+/** The link from a field of a block to its page of the guide. */
 export function BlockMore({ kind, field: { id, name }, line }: Props) {
   const { editor: t } = useTexts();
   const work = useEditor((s) => s.work);

@@ -5,7 +5,7 @@ import { begin, useEditor } from "../../app/document/store.ts";
 import { BlockPanel } from "./BlockPanel.tsx";
 import { closeSession, openSession } from "../../app/fields/blocks/session.ts";
 
-/** Opens a program as its workplace does, a moment after the panel stands. */
+/** Opens a program as its workplace does, a moment after the panel is rendered. */
 function openProgram(text: string): void {
   act(() => {
     begin({ name: "A.H", text, encoding: "utf-8" }, "w");
@@ -20,7 +20,7 @@ afterEach(() => {
   closeSession();
 });
 
-test("who types while a program opens goes on typing: nothing takes the keyboard away", () => {
+test("typing while a program opens goes on: nothing takes focus away", () => {
   render(
     <>
       <input aria-label="Answer" />
@@ -35,7 +35,7 @@ test("who types while a program opens goes on typing: nothing takes the keyboard
   expect(document.activeElement).toBe(field);
 });
 
-test("the kinds of blocks have the keyboard where nobody else has it", () => {
+test("the kinds of blocks get focus if nothing else has it", () => {
   render(<BlockPanel />);
   openProgram("");
   expect(screen.getByRole("group").contains(document.activeElement)).toBe(true);

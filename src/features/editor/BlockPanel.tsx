@@ -17,13 +17,13 @@ import { countsInches } from "../../app/fields/blocks/block-prompts.ts";
 import { setBlockPrompt, setBlockPrompts, useOpenBlock } from "../../app/fields/blocks/open-block.ts";
 import { editProgram, ofText, openBlock, useSession } from "../../app/fields/blocks/session.ts";
 
-/** What a cycle is called on the screen; null for one that nobody here knows. */
+/** The name of a cycle on the screen; null for an unknown one. */
 function nameOf(t: Texts, cycle: number, own: OwnBlock | null): string | null {
   if (cycleByNumber(cycle)) return t.cycles.of[cycle as CycleNumber].name;
   return isKept(cycle) ? t.cycles.kept[cycle] : (own?.own.name ?? null);
 }
 
-/** The dialog of the open block, and what can be done with the block itself. */
+/** The dialog of the open block, and the actions on the block. */
 export function BlockPanel() {
   const t = useTexts();
   const {

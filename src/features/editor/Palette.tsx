@@ -19,14 +19,14 @@ interface Props {
   readonly done: () => void;
 }
 
-/** All kinds of blocks; choosing one puts it behind the open block and opens its dialog. */
+/** All kinds of blocks; a click inserts one after the open block and opens its dialog. */
 export function Palette({ index, done }: Props) {
   const t = useTexts();
   const language = useSettings((s) => s.language);
   const program = useSession((s) => s.reading.program);
   const box = useRef<HTMLDivElement>(null);
   const [cycles, showCycles] = useState(false);
-  // It takes the place of what was pressed; whoever is typing elsewhere goes on there.
+  // Takes focus from the clicked button it replaces; focus elsewhere stays.
   useEffect(() => {
     if (!cycles && document.activeElement === document.body)
       box.current?.querySelector<HTMLElement>("button")?.focus({ preventScroll: true });

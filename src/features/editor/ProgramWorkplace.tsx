@@ -47,7 +47,7 @@ function useProgramSession(): void {
   useEffect(() => {
     const { program, work } = useEditor.getState();
     if (!program || work === null) return undefined;
-    // Here as well as in the lathe's view: a milled program has another one.
+    // Here as well as in the lathe view: a milled program has another view.
     playback.playsOf(work);
     openSession(program, work);
     const stop = followProgram();
@@ -61,7 +61,7 @@ function useProgramSession(): void {
   }, []);
 }
 
-/** A move was pointed at in the picture: the dialog of the block that makes it opens. */
+/** Clicking a move in the picture opens the dialog of its block. */
 function openMove(step: number, byKey = false): void {
   const { pictured: shown } = useOutcome.getState();
   if (!shown) return;
@@ -74,7 +74,7 @@ function openMove(step: number, byKey = false): void {
 export function ProgramWorkplace() {
   const { editor: t, findings: words } = useTexts();
   const wide = useThirdColumn();
-  // What opens a prompt asks for the prompts: here they are those of the block.
+  // A request for the prompts opens the block here.
   const asked = usePlace((p) => (p.section === "prompts" ? "block" : p.section));
   const shown = useOutcome((s) => s.pictured);
   const dimmed = useOutcome((s) => s.dimmed);
@@ -85,7 +85,7 @@ export function ProgramWorkplace() {
     late = useLater(read),
     tools = useToolList();
   const measured = useMeasuredTarget(read, setBlockPrompt, useBlockCounting(shown?.run ?? null));
-  // Blank, tool and start are those of the program: of what is typed only the contour of the block is drawn.
+  // Blank, tool and start belong to the program: only the typed contour of the block is drawn.
   const known = useMemo(
     () =>
       late && shown?.run.datums.length === 0 && shown.run.program.unit === "mm"

@@ -9,22 +9,22 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { handOverText } from "../../app/fields/blocks/session.ts";
 
-/** Fetched when a file is not written at once. */
+/** Loaded when a file cannot be written at once. */
 const SaveProblem = lazyPart(async () => ({
   default: (await import("../../app/records/files/SaveProblem.tsx")).SaveProblem,
 }));
 
 interface Props {
-  /** Name of the file that is shown. */
+  /** Name of the shown file. */
   readonly name: string;
-  /** Asks before a program with faults leaves; true when it may. */
+  /** Asks before a program with faults leaves; true if it may. */
   readonly mayLeave: () => Promise<boolean>;
   readonly onSaved: (name: string) => void;
   readonly onDownload: () => void;
   readonly showBlock: ShowBlock;
 }
 
-/** Saves the shown file back to where it came from. What stands in the way is said, with what can be done instead. */
+/** Saves the shown file back to its source. Reports an obstacle, with alternatives. */
 export function SaveButton({ name, mayLeave, onSaved, onDownload, showBlock }: Props) {
   const t = useTexts().editor;
   const [obstacle, meet] = useState<Obstacle | null>(null);

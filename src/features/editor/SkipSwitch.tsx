@@ -3,7 +3,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { changeProgram, useEditor } from "../../app/document/store.ts";
 import "./work-files.css";
 
-/** The switch of the control for blocks behind a skip mark, while the program has any. It belongs to the work. */
+/** The control's switch for blocks with a skip mark, if the program has any. It belongs to the work. */
 export function SkipSwitch() {
   const t = useTexts().editor;
   const on = useEditor((s) => s.program?.skipMarked ?? false);

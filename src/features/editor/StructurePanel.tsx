@@ -14,7 +14,7 @@ import { useToolList } from "../../app/document/work-tools.ts";
 
 const FILTERS = ["operations", "all", "labels", "notes"] as const satisfies readonly ("all" | PartFilter)[];
 
-/** The parts of the program: tools, cycles with what they do, labels, contours, notes. Choosing one opens its block. */
+/** The parts of the program: tools, cycles with their actions, labels, contours, notes. A click opens the block. */
 export function StructurePanel() {
   const all = useTexts();
   const { editor: t } = all;
@@ -64,7 +64,7 @@ export function StructurePanel() {
     );
   };
 
-  // The list is another one then: the keyboard stays at what narrows it.
+  // The list changes: focus stays on its filter.
   useEffect(() => {
     if (narrowing.current) select.current?.focus();
     narrowing.current = false;

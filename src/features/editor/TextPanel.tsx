@@ -39,7 +39,7 @@ const showTextBlock: ShowBlock = (file, index) => {
   sessionView()?.focus();
 };
 
-/** The text of the program with what can be done with its file. */
+/** The text of the program, with the actions on its file. */
 export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
   const t = useTexts();
   const box = useRef<HTMLDivElement>(null);
@@ -64,7 +64,7 @@ export function TextPanel({ toBlock }: { readonly toBlock?: () => void }) {
     const { program } = useEditor.getState();
     return encode(sessionText() ?? "", program ? shownFile(program).encoding : "utf-8");
   };
-  /** What is said of a file that leaves is said of the program that runs with it. */
+  /** An exported file is judged by the program that runs with it. */
   const running = () => {
     handOverText();
     return useEditor.getState().program?.text ?? "";

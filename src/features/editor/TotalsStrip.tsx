@@ -27,7 +27,7 @@ function toolCalls({ blocks }: Program): number {
   return called.filter((tool, i) => tool !== called[i - 1]).length;
 }
 
-/** How often a run changes the tool; a call of a cycle keeps the one that it has. */
+/** Number of tool changes in a run; a cycle call keeps its tool. */
 function changesOf({ steps, operations }: Run): number {
   let changes = 0,
     last: number | null = null;
@@ -40,11 +40,14 @@ function changesOf({ steps, operations }: Run): number {
   return changes;
 }
 
-/** Operations of a program; milled ones are none of its run, and then those of the text count, as in its list. */
+/**
+ * Operations of a program. Milling operations are not part of the run, so those of the text are counted, as in its
+ * list.
+ */
 export const operationCount = (program: Program, { plane, operations }: Pick<Run, "plane" | "operations">): number =>
   plane.length > 0 ? operationsOf(program).units.length : operations.length;
 
-/** What the whole program does: operations, passes, tool changes, time, what stays, and the proof. */
+/** Totals of the program: operations, passes, tool changes, time, residual material, and the verdict. */
 export function TotalsStrip() {
   const t = useTexts();
   const lengths = useLengths(),
@@ -60,12 +63,12 @@ export function TotalsStrip() {
     value === undefined || value === null ? words.unknown : formatFixed(language, value, decimals);
   const program = useSession((s) => s.reading.program),
     run = shown?.run;
-  // Milled motions know neither tool nor operation: those of the text are counted then.
+  // Milling moves have neither tool nor operation: those of the text are counted.
   const tools = run && (run.plane.length > 0 ? toolCalls(program) : changesOf(run));
   const operations = run && operationCount(program, run);
   useEffect(() => {
     const stop = followComparing();
-    // Another block is another dialog, where the same prompt may be open.
+    // Another block opens another dialog, which may show the same prompt.
     const stopBlocks = useSession.subscribe((now, before) => {
       if (now.index !== before.index) compareFromHere();
     });

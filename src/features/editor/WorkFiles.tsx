@@ -31,7 +31,7 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
     },
     [],
   );
-  /** What was pressed goes away with its row: the keyboard stays in the list. */
+  /** The clicked button disappears with its row: focus stays in the list. */
   const change = (next: (now: ProgramWork) => ProgramWork) => {
     list.current?.querySelector("button")?.focus();
     changeProgram(next);
@@ -97,10 +97,7 @@ function List({ program, missing }: { readonly program: ProgramWork; readonly mi
   );
 }
 
-/**
- * The files of the open work, as soon as there is more than its program: which one runs, which one is shown, and which
- * one is missing.
- */
+/** The files of the open work, if there are more than its program: which one runs, is shown, or is missing. */
 export function WorkFiles() {
   const t = useTexts().editor.files;
   const program = useEditor((s) => s.program);
@@ -109,8 +106,7 @@ export function WorkFiles() {
   const missing = useMemo(() => (program ? missingFiles(program, newest) : []), [program, newest]);
   const [last, keep] = useState({ work, isShown: false });
   const isAlone = !program || filesOf(program).length + missing.length === 0;
-  // Whether a file that was taken out is missed is only known when the program has run without it: until then the list
-  // stays as it is.
+  // Only a new run tells whether a removed file is missing: until then the list stays as it is.
   const stays = newest ? (newest.files ?? []).length > 0 : last.isShown && last.work === work;
   const isShown = program !== null && (!isAlone || stays);
   if (last.work !== work || last.isShown !== isShown) keep({ work, isShown });

@@ -8,12 +8,12 @@ import type { RunFinding } from "../../program/state/run-types.ts";
 import { issueText, placeInFile } from "../../app/calculation/issue-text.ts";
 import { readingField } from "../../app/fields/blocks/reading-field.ts";
 
-/** More marks than these would say no more. */
+/** Limit of marks: more would add nothing. */
 const MOST = 1500;
 
 type Found = Pick<RunFinding, "issue" | "line"> & { readonly inFile?: RunFinding["inFile"] | undefined };
 
-/** Where a finding stands in the editor's text. */
+/** The range of a finding in the editor's text. */
 export function placeOf(
   state: EditorState,
   { issue, line, inFile }: Found,
@@ -39,7 +39,7 @@ export function fixOf(state: EditorState, finding: Found): TransactionSpec | nul
     : { changes: { from, to, insert: issue.fix.text }, userEvent: "input.fix" };
 }
 
-/** Cycle in whose definition a finding stands: it tells what the value at its place measures. */
+/** Cycle whose definition contains a finding: determines what the value at that place measures. */
 export function cycleOf(state: EditorState, offset: number): number | null {
   const reading = state.field(readingField);
   const s = reading.program.blocks[blockAt(reading, offset)]?.statement;

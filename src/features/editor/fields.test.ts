@@ -32,7 +32,7 @@ const edited = (text: string, id: string, typed: string): string => {
   return next ? print(withBlock(program, 0, next)) : "refused";
 };
 
-test("what a field shows says the same when it is typed", () => {
+test("the text of a field, typed again, gives the same value", () => {
   for (const s of statements)
     for (const field of fieldsOf(s)) {
       const shown = field.read(s);
@@ -41,7 +41,7 @@ test("what a field shows says the same when it is typed", () => {
     }
 });
 
-test("every kind of block that says something has a dialog with names of its own", () => {
+test("every kind of block with values has a dialog with names of its own", () => {
   for (const s of statements) {
     if (s.kind === "empty") continue;
     const ids = fieldsOf(s).map((f) => f.id);
@@ -83,7 +83,7 @@ test("a prompt of a cycle changes only its own characters", () => {
     });
 });
 
-test("a cycle that acts where it stands is no cycle that nobody calls", () => {
+test("a cycle that acts where it is defined does not count as never called", () => {
   const program = parse(
     "0 BEGIN PGM A MM\n1 CYCL DEF 801\n2 CYCL DEF 247 Q339=+1\n3 CYCL DEF 880 Q215=+0\n4 END PGM A MM\n",
   );

@@ -22,7 +22,7 @@ let stop = () => undefined as void;
 
 beforeEach(() => {
   vi.useFakeTimers();
-  // What is placed nowhere is asked for its place when the text scrolls.
+  // jsdom has no layout, but scrolling the text needs the rectangles of a range.
   Range.prototype.getClientRects ??= () => [] as unknown as DOMRectList;
   begin({ name: "A.H", text: BEFORE + AFTER, encoding: "utf-8" }, "w");
   const { program } = useEditor.getState();
@@ -40,7 +40,7 @@ afterEach(() => {
   openPrompt(null, "");
 });
 
-/** A key at the cursor, and the rest after which panels follow. */
+/** A key at the cursor, and the pause after which panels update. */
 function key(letter: string): void {
   const view = sessionView();
   const { head = 0 } = view?.state.selection.main ?? {};
@@ -52,7 +52,7 @@ function key(letter: string): void {
   vi.advanceTimersByTime(200);
 }
 
-test("a cycle definition is written by hand as it is typed, though its prompts open beside it", () => {
+test("a cycle definition is typed undisturbed while its prompts open next to it", () => {
   const view = sessionView();
   view?.dispatch({ selection: { anchor: BEFORE.length } });
   for (const letter of WRITTEN) key(letter);
@@ -60,7 +60,7 @@ test("a cycle definition is written by hand as it is typed, though its prompts o
   expect(usePlace.getState().prompt).toBe("Q493");
 });
 
-test("a prompt that is opened in the dialog takes the text along", () => {
+test("a prompt opened in the dialog scrolls the text", () => {
   const view = sessionView();
   view?.dispatch({ selection: { anchor: BEFORE.length } });
   for (const letter of WRITTEN) key(letter);
@@ -86,7 +86,7 @@ const TURNED = [
   "END PGM A MM",
 ];
 
-/** Puts the program of blocks in place of the empty one. */
+/** Replaces the empty program by the program of blocks. */
 function turned() {
   const view = sessionView(),
     text = TURNED.join("\n");
@@ -99,7 +99,7 @@ function turned() {
   return { view, made, planned };
 }
 
-/** Runs that program, and notes each mark and each place that the text is turned to, as blocks. */
+/** Runs that program, and records each mark and each scroll target, as blocks. */
 function played() {
   const { view, made, planned } = turned();
   forgetOutcome();
@@ -109,7 +109,7 @@ function played() {
   return {
     view,
     steps: made.steps.length,
-    /** The marked block, and the one that the text was turned to since it was asked last. */
+    /** The marked block, and the scroll target since the last query. */
     now: () => {
       const line = view.dom.querySelector(".nc-running")?.textContent ?? null;
       const places = scrolled.mock.calls.map(
@@ -121,7 +121,7 @@ function played() {
   };
 }
 
-test("the text turns to the running block where somebody seeks, steps or plays, and not where its run changes or it leads itself", () => {
+test("the text scrolls to the running block on seek, step and play, not on a new run or on its own selection", () => {
   const { view, steps, now } = played();
   view.dispatch({ selection: { anchor: 3 } });
   const focus = document.activeElement;
@@ -141,13 +141,13 @@ test("the text turns to the running block where somebody seeks, steps or plays, 
   playback.dispatch({ do: "first" });
   expect(now()).toEqual([null, "L X+58.3 FMAX"]);
   expect([view.state.selection.main.head, document.activeElement]).toEqual([3, focus]);
-  // What the text itself asks for is in sight already.
+  // A block selected in the text itself is visible already.
   openBlock(9);
   vi.advanceTimersByTime(2000);
   expect(now()[0]).toBe("L Z-21.7 F0.2");
 });
 
-test("a block that was chosen before the program had run is gone to when it has", () => {
+test("a block selected before the first run is shown once the run is ready", () => {
   forgetOutcome();
   const { view, made, planned } = turned();
   view.dispatch({ selection: { anchor: view.state.doc.line(10).from }, userEvent: "select.pointer" });

@@ -20,15 +20,15 @@ import { dispatchEdit, followShown, openBlock, sessionView, useSession } from ".
 import { findingsShown } from "../../app/document/shown-findings.ts";
 import { shownBeside } from "../../app/document/shown-file.ts";
 
-/** Who leads while one follows the other. */
+/** Guards against circular updates: which side leads the current change. */
 interface Leading {
-  /** A prompt is opened because the cursor stands at its block: the cursor stays where it is typed on. */
+  /** The cursor opened the prompt: the cursor stays where it is. */
   cursor: boolean;
-  /** The tool goes where the text says. */
+  /** The tool follows the text. */
   text: boolean;
 }
 
-/** Opens the prompt that the cursor stands at, or the first one, where the open block has prompts. */
+/** Opens the prompt at the cursor, or the first one, if the open block has prompts. */
 function showAskedPrompt(leads: Leading): void {
   const prompts = openPrompts();
   if (!prompts) return;
@@ -45,15 +45,15 @@ function followSession(leads: Leading): () => void {
   return useSession.subscribe((now, before) => {
     if (now.pointed !== before.pointed && thirdColumn()) showSection("block");
     if (now.opened !== before.opened) showAskedPrompt(leads);
-    // What is pointed at once more is chosen once more. The tool goes to the block, and the text stays where it is
-    // worked on.
+    // Pointing at a block again selects it again. The tool goes to the block, and the text does not scroll while it is
+    // edited.
     leads.text = true;
     if (now.opened !== before.opened || now.pointed !== before.pointed) chooseOpenBlock();
     leads.text = false;
   });
 }
 
-/** The text goes along with the prompts. */
+/** The text follows the prompts. */
 function followPrompt(leads: Leading): () => void {
   return usePlace.subscribe((now, before) => {
     if (leads.cursor) return;
@@ -108,8 +108,8 @@ function followLanguage(): () => void {
 }
 
 /**
- * Index of the block whose move stands at the playback's position, at the start that of the first move; null where the
- * text has changed since, and in the text of a called program: a move knows the block of the program that called.
+ * Index of the block of the current move, at the start of the first move; null if the text has changed since, and in
+ * the text of a called program, since a move knows only the calling block.
  */
 function blockNow(): number | null {
   const { pictured: shown } = useOutcome.getState();
@@ -118,13 +118,10 @@ function blockNow(): number | null {
 
 const isAtStart = ({ position }: Playback): boolean => position.step === 0 && position.fraction === 0;
 
-/** Pixels over a block that the text was turned to. */
+/** Space above a block that was scrolled to, pixels. */
 const OVER = 60;
 
-/**
- * Turns the text to a block that is out of sight, as one turns a page: scrolling with each block would lay it out with
- * each.
- */
+/** Scrolls to a block out of sight, by a page at a time: scrolling with each block would cost a layout each time. */
 function turnedTo(view: EditorView, from: number): readonly StateEffect<unknown>[] {
   const { top, bottom } = view.lineBlockAt(from),
     { scrollTop, clientHeight } = view.scrollDOM;
@@ -133,15 +130,13 @@ function turnedTo(view: EditorView, from: number): readonly StateEffect<unknown>
     : [EditorView.scrollIntoView(from, { y: "start", yMargin: OVER })];
 }
 
-/**
- * What of a playback says whether somebody moved it: another run in its place moves it too, and nobody asked for that.
- */
+/** Whether the user moved the playback: a new run moves it too, and must not scroll the text. */
 const isMoved = (now: Playback, before: Playback): boolean =>
   now.track === before.track && (now.playing !== before.playing || (!now.playing && now.position !== before.position));
 
 /**
- * Marks the running block, and turns the text to it: while it plays as blocks begin, and at once where somebody seeks,
- * steps, or presses Play. Neither the cursor nor the keyboard goes along.
+ * Marks the running block and scrolls to it: during playback as blocks begin, and at once on seek, step or Play. Cursor
+ * and focus stay.
  */
 function followPlayback(leads: Leading): () => void {
   let marked: number | null = null,
@@ -154,7 +149,7 @@ function followPlayback(leads: Leading): () => void {
     const block = blockNow(),
       next = isAtStart(now) ? null : block,
       moved = isMoved(now, before) && !leads.text;
-    // A text that was typed in has lost its mark: it gets it back with the next run.
+    // An edit removes the mark; the next run restores it.
     const isMarked = next === marked && (next === null || now.track === before.track);
     if (!view || (isMarked && !moved)) return;
     marked = next;
@@ -163,7 +158,7 @@ function followPlayback(leads: Leading): () => void {
   });
 }
 
-/** From now on text, dialog, marks and animation of the open program go together. */
+/** Keeps text, dialog, marks and playback of the open program in step, until the returned function is called. */
 export function followProgram(): () => void {
   const leads: Leading = { cursor: false, text: false };
   const stops = [

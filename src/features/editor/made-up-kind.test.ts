@@ -7,7 +7,7 @@ import { choice, value } from "../../nc/blocks/words.ts";
 import { LAYOUTS } from "../../nc/style.ts";
 import { paletteOf } from "./palette.ts";
 
-/* A kind of block that no control has: this declaration is all that is written for it. */
+/* A kind of block that no control has: this declaration is its only code. */
 const warmUp = defineBlock({
   kind: "warmUp",
   keyword: "WARM UP",

@@ -7,7 +7,7 @@ import { shownBlock, showsPlane, useAskedView } from "../../app/pictures/plane/s
 import { showFile } from "../../app/document/shown-file.ts";
 import { openBlock, readWhole, useSession } from "../../app/fields/blocks/session.ts";
 
-/** Opens the block of the program that a step comes from; of a called program the one that calls it. */
+/** Opens the block of the program that makes a step; for a step of a called program, the calling block. */
 function openOwn(run: Run, step: number): void {
   showFile(null);
   readWhole();
@@ -18,8 +18,8 @@ function openOwn(run: Run, step: number): void {
 }
 
 /**
- * Opens the block whose dialog makes a move: the definition of its cycle, at the value that decides most about it; else
- * its own block.
+ * Opens the block whose dialog determines a move: the definition of its cycle, at the value with the greatest
+ * influence; else the block itself.
  */
 export function openMaker(run: Run, step: number): void {
   if (showsPlane(run, useAskedView.getState().asked)) return openOwn(run, step);

@@ -8,11 +8,11 @@ import { klartext } from "../../nc/blocks/klartext.ts";
 import type { BlockKind } from "../../nc/blocks/names.ts";
 import type { Statement } from "../../nc/statement.ts";
 
-/** A block that can be put in: its kind, and the statement that it begins as. */
+/** A block that can be inserted: its kind, and its initial statement. */
 export interface Offered<S = Statement> {
   readonly group: Group;
   readonly kind: BlockKind;
-  /** Null where the kind alone does not say it: which cycle is chosen next. */
+  /** Null if the kind alone is not enough: the cycle is chosen next. */
   readonly make: ((language: Language) => S) | null;
 }
 
@@ -44,5 +44,5 @@ export const paletteOf = <S extends { readonly kind: string }>({ named }: Gramma
     return [{ group, kind: name as BlockKind, make: begins === null ? null : make }];
   });
 
-/** Every kind of block that can be put in. */
+/** Every kind of block that can be inserted. */
 export const palette = paletteOf(klartext);

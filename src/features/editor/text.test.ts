@@ -17,7 +17,7 @@ const text = "0 BEGIN PGM A MM\n1 L X+10 Z+2 R0 FMAX\n2 L Z-5 ;cut\n3 M30\n4 END
 const applied = (from: string, changes: readonly TextChange[]) =>
   [...changes].reverse().reduce((t, c) => t.slice(0, c.from) + c.insert + t.slice(c.to), from);
 
-test("lines end as they did", () => {
+test("line ends stay as they are", () => {
   const lines = fc.array(fc.tuple(fc.string({ maxLength: 5 }), fc.constantFrom("\n", "\r\n", "\r")), { maxLength: 8 });
   fc.assert(
     fc.property(lines, fc.boolean(), (all, alike) => {
@@ -28,7 +28,7 @@ test("lines end as they did", () => {
   );
 });
 
-test("bytes come back as they were, whatever they stand for", () => {
+test("bytes are preserved, whatever they encode", () => {
   fc.assert(
     fc.property(fc.uint8Array({ maxLength: 60 }), (bytes) => {
       const read = decode(bytes);
@@ -39,7 +39,7 @@ test("bytes come back as they were, whatever they stand for", () => {
   expect(encode("中", "windows-1252")).toEqual(new TextEncoder().encode("中"));
 });
 
-test("changes between programs lead from one text to the other", () => {
+test("changes between programs turn one text into the other", () => {
   const before = parse(text);
   for (const after of [
     inserted(before, 2, { kind: "structure", text: "HERE" }),
@@ -52,7 +52,7 @@ test("changes between programs lead from one text to the other", () => {
     expect(applied(text, changesBetween(before, after))).toBe(print(after));
 });
 
-test("blocks are copied and moved letter by letter, numbers stay in order", () => {
+test("blocks are copied and moved letter by letter, and numbers stay in order", () => {
   expect(print(duplicated(parse(text), 2))).toBe(
     "0 BEGIN PGM A MM\n1 L X+10 Z+2 R0 FMAX\n2 L Z-5 ;cut\n3 L Z-5 ;cut\n4 M30\n5 END PGM A MM\n",
   );

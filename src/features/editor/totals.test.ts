@@ -19,7 +19,7 @@ const milled = [
   "L Z+50 FMAX M5",
 ];
 
-/** How many operations are counted of a turned shoulder with blocks in front of its end. */
+/** Counts the operations of a turned shoulder with blocks before its end. */
 function counted(more: readonly string[]): number {
   const lines = turned.replaceAll(/^\d+ /gm, "").split(/\r?\n/),
     end = lines.findIndex((line) => /^M30\b|\bM30$/.test(line));
@@ -27,7 +27,7 @@ function counted(more: readonly string[]): number {
   return operationCount(program, run(program, { tools: shippedTools, rapid: 10_000 }));
 }
 
-test("what is milled beside what is turned is counted as the list of operations shows it", () => {
+test("milling operations are counted as in the list of operations", () => {
   expect([counted([]), counted(milled), counted([...milled, ...milled.with(1, "TOOL CALL 21 Z S2500")])]).toEqual([
     1, 2, 3,
   ]);

@@ -33,23 +33,20 @@ import {
 /** Decimals of offered values. */
 const DECIMALS = 4;
 
-/** The blocks of the text that is shown now. */
+/** The program of the shown text. */
 const shownProgram = (): Program => useSession.getState().reading.program;
 
-/**
- * The file beside the program in which a finding stands; null for the program that runs, or a file that is no longer
- * there.
- */
+/** The file of a finding other than the main program; null for the main program, or a file that no longer exists. */
 function fileOfEntry({ inFile }: FindingEntry): string | null {
   const { program } = useEditor.getState();
   return inFile && program && fileOf(program, fileKey(inFile.file)) ? inFile.file : null;
 }
 
-/** A finding at its place in the text of its own file. */
+/** A finding with its position in the text of its own file. */
 const inOwnText = (entry: FindingEntry): FindingEntry =>
   fileOfEntry(entry) === null ? entry : { ...entry, ...ownPlace(entry), inFile: undefined };
 
-/** Shows the text in which a finding stands, and gives the index of its block there. */
+/** Shows the file of a finding, and returns the index of its block there. */
 function showPlace(entry: FindingEntry): number {
   showFile(fileOfEntry(entry));
   readWhole();
@@ -57,8 +54,8 @@ function showPlace(entry: FindingEntry): number {
 }
 
 /**
- * The workplace of a whole program: its blocks and their dialogs. What is found in an older text offers no changes, and
- * what is found in a text that is not shown offers the way there first.
+ * Findings of a whole program: their blocks and dialogs. A finding of a stale text offers no changes; a finding in a
+ * file that is not shown first offers to open it.
  */
 export function useProgramHost(): FindingsHost {
   const t = useTexts();
@@ -118,7 +115,7 @@ export function useProgramHost(): FindingsHost {
     const takeTool: FindingsHost["takeTool"] = (entry, tool) => {
       if (!isPresent(newest)) return;
       let index = showPlace(entry);
-      // A called program may leave the tool to the one that calls it.
+      // A called program may rely on the tool of its caller.
       if (entry.inFile && toolCallBefore(shownProgram(), index) < 0) {
         showFile(null);
         index = indexOf(shownProgram(), entry);

@@ -1,24 +1,24 @@
 import { usePageUnit } from "../../app/base/unit.ts";
 import { useCallback, useEffect, useLayoutEffect, useRef, useState, type RefObject } from "react";
 
-/** Height of one row of the list in units of the page; the same stands in `editor.css`. */
+/** Height of one row of the list in units of the page; `editor.css` repeats it. */
 const ROW_UNITS = 48;
-/** Rows above and below what is seen. */
+/** Rows rendered above and below the visible ones. */
 const MARGIN = 12;
-/** Rows that are made before the list has been measured. */
+/** Rows rendered before the list has been measured. */
 const FIRST = 40;
 
 interface Window {
   readonly box: RefObject<HTMLDivElement | null>;
   readonly from: number;
   readonly to: number;
-  /** Room that the rows take that are not made, px. */
+  /** Space for the rows that are not rendered, px. */
   readonly above: number;
   readonly below: number;
   readonly measure: () => void;
 }
 
-/** Makes only the rows of a long list that are in sight, and keeps the current one in sight. */
+/** Renders only the visible rows of a long list, and keeps the current one visible. */
 export function useWindow(count: number, current: number): Window {
   const box = useRef<HTMLDivElement>(null);
   const row = ROW_UNITS * usePageUnit();

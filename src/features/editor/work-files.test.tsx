@@ -26,7 +26,7 @@ const MAIN = {
 } as const;
 let version = 0;
 
-/** The worker answers for what is open now. */
+/** Simulates the worker's answer for the open work. */
 function answer(): void {
   const program = useEditor.getState().program ?? never("no program");
   const files = filesOf(program);
@@ -41,7 +41,7 @@ beforeEach(() => {
 });
 afterEach(cleanup);
 
-test("the keyboard stays in the list of files while the program runs without the last of them", async () => {
+test("focus stays in the list of files while the program runs without the last of them", async () => {
   const t = en.editor.files;
   render(<WorkFiles />);
   answer();
@@ -53,11 +53,11 @@ test("the keyboard stays in the list of files while the program runs without the
   expect(screen.getByRole("button", { name: t.addOne("DEFINES.H") })).toBeTruthy();
 });
 
-test("the keyboard stays in the list when the last file is taken out before the program that runs now has run at all", async () => {
+test("focus stays in the list when the last file is removed before the current program has run at all", async () => {
   const t = en.editor.files;
   render(<WorkFiles />);
   answer();
-  // Another file runs, and nothing earlier counts.
+  // Another file is the main program, so no earlier result counts.
   act(forgetOutcome);
   await userEvent.setup().click(screen.getByRole("button", { name: t.remove(BESIDE.name) }));
   expect(document.activeElement).toBe(screen.getByRole("button", { name: t.show(MAIN.name) }));
@@ -65,7 +65,7 @@ test("the keyboard stays in the list when the last file is taken out before the 
   expect(document.activeElement).toBe(screen.getByRole("button", { name: t.show(MAIN.name) }));
 });
 
-test("a work of one file has no list, also when one with more files was open before it", () => {
+test("a work of one file has no list, even right after a work with more files", () => {
   render(<WorkFiles />);
   answer();
   act(() => {

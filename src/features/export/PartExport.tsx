@@ -26,10 +26,7 @@ import {
 } from "./exports.ts";
 import "./export.css";
 
-/**
- * Writes bodies and contour of the open work, as they are when the dialog opens. `stem`: begin of the names of the
- * files.
- */
+/** Exports bodies and contour of the open work, as they are when the dialog opens. `stem`: prefix of the file names. */
 export function PartExport({ stem, done }: { readonly stem: string; readonly done: () => void }) {
   const words = useTextsSoon("export");
   return words && <Opened words={words} stem={stem} done={done} />;

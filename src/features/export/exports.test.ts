@@ -61,10 +61,10 @@ function made(body: string) {
   return { ran, simulation, bodies: bodiesOf(ran, simulation, { step: ran.steps.length, fraction: 0 }) };
 }
 const volume = (body: OfferedBody) => ("rings" in body ? volumeOf(bodyMesh(body).mesh) : NaN);
-/** A disc, mm³. */
+/** Volume of a disc, mm³. */
 const disc = (r: number, long: number) => Math.PI * r * r * long;
 
-test("the finished part has the volume of its drawing, the blank that of the bar, the stock lies between them", () => {
+test("the finished part has the volume of its drawing, the blank that of the bar, the stock is in between", () => {
   const { bodies, ran } = made(cycle);
   expect(ran.operations.length).toBe(1);
   // The rounding in the corner adds its fillet, at its centroid.
@@ -75,20 +75,20 @@ test("the finished part has the volume of its drawing, the blank that of the bar
   expect(volume(bodies.stock)).toBeLessThan(volume(bodies.part) * 1.01);
 });
 
-test("what moves between the cycles face off is not in the finished part", () => {
+test("what moves outside the cycles face off is not in the finished part", () => {
   const [plain, faced] = [made(cycle), made(cycle + facing)];
   expect(volume(plain.bodies.part) - volume(faced.bodies.part)).toBeGreaterThan(0.97 * disc(25.25, 1.3));
   expect(volume(plain.bodies.part) - volume(faced.bodies.part)).toBeLessThan(1.03 * disc(25.25, 1.3));
 });
 
-test("a part that no cycle describes is what the moves leave at the end", () => {
+test("a part without cycles is the stock that the moves leave at the end", () => {
   const { part: left, blank } = made(facing).bodies;
   expect("isLeft" in left && left.isLeft).toBe(true);
   expect("isLeft" in made(cycle).bodies.part).toBe(false);
   expect((volume(blank) - volume(left)) / disc(37.5, 1.3)).toBeCloseTo(1, 1);
 });
 
-test("what is not there says why", () => {
+test("a missing body gives its reason", () => {
   expect(made("").bodies.part).toEqual({ lack: "noCycle" });
   const none = run(parse("0 BEGIN PGM V MM\n1 END PGM V MM\n"), { tools: shippedTools, rapid: 8_000 });
   const simulation = simulate({ blank: [], steps: [], operations: [], unproved: [] });
@@ -96,7 +96,7 @@ test("what is not there says why", () => {
   expect(contoursOf(none)).toEqual([]);
 });
 
-test("the contour of a cycle goes out as DXF and comes in again", () => {
+test("the contour of a cycle survives export and import as DXF", () => {
   const contours = contoursOf(made(cycle + cycle).ran),
     text = writeDxf(layersOf(contours), false, "mm");
   expect(contours.length).toBe(1);
@@ -108,7 +108,7 @@ test("the contour of a cycle goes out as DXF and comes in again", () => {
   segments.forEach((s, i) => expect(part.apart(s.to, was[i]?.to ?? s.from)).toBeLessThan(0.001));
 });
 
-test("a part as thin as a pin has its volume too, as the file says it", () => {
+test("a part as thin as a pin keeps its volume in the file", () => {
   const pin = [at(-13.7, 0), at(0.3, 0), at(0.3, 1.45), at(-13.7, 1.45)],
     { bytes, volume: said } = bodyStl({ rings: [pin], threads: null }, "pin");
   const view = new DataView(bytes.buffer),
@@ -137,7 +137,7 @@ test("threads leave as helices: half a lead on, a cut through the finished part 
   } = bodyMesh(whole);
   expect(hasRings).toBe(false);
   expect(bodyMesh({ ...whole, rings: [...whole.rings, [at(-5, 1), at(-4, 1), at(-4, 30)]] }).hasRings).toBe(true);
-  /** Places of roots along one line of the surface, which a half plane cuts. */
+  /** Places of thread roots along one line of the surface, which a half plane cuts. */
   const roots = (isUp: boolean) => {
     const found: number[] = [];
     for (let i = 0; i < positions.length; i += 3) {
@@ -155,7 +155,7 @@ test("threads leave as helices: half a lead on, a cut through the finished part 
   expect(volume(stock) / volume(whole)).toBeCloseTo(1, 2);
 });
 
-/** Edges of triangles that lie on one another, or have no other one that runs back. */
+/** Edges of triangles that overlap, or have no opposite edge. */
 function doubtfulEdges(bytes: Uint8Array<ArrayBuffer>): number {
   const view = new DataView(bytes.buffer),
     count = view.getUint32(80, true),
@@ -187,7 +187,7 @@ test.each(["cycle-830", "cycle-831", "cycle-832", "groove-852", "shoulder-inch"]
   },
 );
 
-/** Two passes round one contour with a rounding, and a cycle in the same program. */
+/** Two passes around one contour with a rounding, and a cycle in the same program. */
 const milling = `30 FUNCTION MODE MILL
 31 TOOL DEF 9 L+0 R+3.2
 32 TOOL CALL 9 Z S3000
@@ -204,7 +204,7 @@ const milling = `30 FUNCTION MODE MILL
 43 CALL LBL 4 REP1
 `;
 
-test("what an approach leads to goes out once, X and Y as they are, apart from what is turned", () => {
+test("the contour of an approach is exported once, X and Y as programmed, separate from the turning contours", () => {
   const both = contoursOf(made(cycle + milling).ran),
     milled = both.filter(({ plane }) => plane === "XY");
   expect(both.map(({ plane, cycle: of }) => [plane, of])).toEqual([
@@ -228,7 +228,7 @@ test("what an approach leads to goes out once, X and Y as they are, apart from w
   expect(entities[3]?.radius).toBeCloseTo(41.3, 9);
 });
 
-test("a milled program has its block, X, Y and Z as they are; what is milled of a turned one leaves its moment", () => {
+test("a milled program exports its block, X, Y and Z as programmed; milling of a turned part exports the turned stock", () => {
   const plate = run(parse(`1 BLK FORM 0.1 Z X-3.7 Y+1.3 Z-19.4\n2 BLK FORM 0.2 X+81.9 Y+47.2 Z+0.6\n${milling}`), {
     tools: shippedTools,
     rapid: 8_000,
@@ -245,7 +245,7 @@ test("a milled program has its block, X, Y and Z as they are; what is milled of 
   const { bytes, volume: said } = bodyStl(blank, "block"),
     view = new DataView(bytes.buffer);
   expect(said).toBeCloseTo((85.6 * 45.9 * 20) / 1000, 4);
-  // Each edge is there once in each direction, so that the surface is closed.
+  // Each edge exists once in each direction, so the surface is closed.
   const corner = (t: number, k: number) =>
     [0, 1, 2].map((n) => view.getFloat32(96 + 50 * t + 12 * k + 4 * n, true).toFixed(3)).join(" ");
   const edges = Array.from({ length: view.getUint32(80, true) }, (_, t) =>

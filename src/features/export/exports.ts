@@ -10,21 +10,21 @@ import { finishedBody, isBody, leftBody, statedSteps, withoutThreads } from "../
 import type { WrittenBody } from "../../view/solid/export.ts";
 import { runThreads, type ThreadedStock } from "../../view/solid/thread-cuts.ts";
 
-/** Bodies that can be written, in the order in which they are offered. */
+/** Bodies to export, in the order offered. */
 export const BODIES = ["part", "blank", "stock"] as const;
 export type BodyName = (typeof BODIES)[number];
 
-/** Why something is not there to be written. */
+/** Why something cannot be exported. */
 export type ExportLack = "noBlank" | "noTurning" | "nothingLeft" | "noCycle" | "noContour";
 
-/** A body to be written; `isLeft`: no cycle says what it should be, it is what the moves leave. */
+/** A body to export; `isLeft`: no cycle defines it, so it is the stock that the moves leave. */
 export type OfferedBody =
   (WrittenBody & { readonly isLeft?: true }) | { readonly block: Cuboid } | { readonly lack: ExportLack };
 
 const offered = (rings: readonly Ring[], lack: ExportLack, threads: ThreadedStock | null = null): OfferedBody =>
   isBody(rings) ? { rings, threads } : { lack };
 
-/** The moment of the lathe that is shown: a milled one has the stock that was turned before it. */
+/** The current moment of the lathe; for a milling moment, the stock turned before it. */
 export function turnedMoment(
   { plane, steps }: Pick<Run, "plane" | "steps">,
   position: PlayPosition,
@@ -39,7 +39,7 @@ function leftPart(rings: readonly Ring[], threads: (rings: readonly Ring[]) => T
   return isBody(rings) ? { rings, threads: threads(rings), isLeft: true } : { lack: "noCycle" };
 }
 
-/** The bodies of a run at a position of its playback, or why there is none. */
+/** The bodies of a run at a playback position, or why there is none. */
 export function bodiesOf(
   run: Run,
   simulation: Simulation,
@@ -70,7 +70,7 @@ export function bodiesOf(
   };
 }
 
-/** A contour that can be written. */
+/** A contour to export. */
 export interface OfferedContour {
   /** The block that cuts it first, and its cycle; null for the contour of an approach or departure. */
   readonly block: number;
@@ -81,7 +81,7 @@ export interface OfferedContour {
 }
 
 /**
- * The contours of a run, each once: roughing and finishing calls often share one, and so do an approach and its
+ * The distinct contours of a run: roughing and finishing calls often share one, and so do an approach and its
  * departure.
  */
 export function contoursOf(run: Run): readonly OfferedContour[] {
@@ -108,7 +108,7 @@ export function contoursOf(run: Run): readonly OfferedContour[] {
   });
 }
 
-/** Whether one drawing can hold them all: half sections and the working plane have no axis in common. */
+/** Whether one drawing can contain them all: half sections and the working plane have no common axes. */
 export const drawnTogether = (contours: readonly OfferedContour[]): boolean =>
   contours.every(({ plane }) => plane === contours[0]?.plane);
 

@@ -4,7 +4,7 @@ import { endChoice, type ProgramChoice } from "../../app/document/choice.ts";
 import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 
-/** Asks which of several programs are opened. Closing it opens none. */
+/** Asks which of several programs to open. Closing it opens none. */
 export function ChooseProgram({ works, skipped, isCut, open, together }: ProgramChoice) {
   const t = useTextsSoon("files");
   const dialog = useRef<HTMLDialogElement>(null);

@@ -4,11 +4,11 @@ import { openDropped } from "../../app/fields/open/open-program.ts";
 
 const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
 
-/** A program file may be dropped anywhere on the page; while it hovers, the page says so. */
+/** Opens a program file dropped anywhere on the page; while it hovers, the page says so. */
 export function DropProgram() {
   const t = useTexts("first").page.programs;
   const [over, setOver] = useState(false);
-  // As soon as the page is seen, a file may fall on it.
+  // Active as soon as the page is visible.
   useLayoutEffect(() => {
     const hover = (event: DragEvent) => {
       if (!carriesFile(event)) return;

@@ -1,3 +1,3 @@
-/* Program files that are chosen or dropped. */
+/* Program files, chosen or dropped. */
 
 export const fetchChooseProgram = () => import("./ChooseProgram.tsx");

@@ -28,7 +28,7 @@ function adviceText(t: AdviceTexts, language: Language, { code, data, better }: 
   }
 }
 
-/** Pieces of advice, each with the value that would do. */
+/** Pieces of advice, each with a suitable value. */
 export function AdviceItems({ cycle, advice }: { readonly cycle: number; readonly advice: readonly Advice[] }) {
   const t = useTexts("advice");
   const language = useSettings((s) => s.language);

@@ -8,7 +8,7 @@ import { StartingValues } from "./StartingValues.tsx";
 import { useAdvisedCalls } from "../../app/fields/said/use-advice.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** All advice on the open work, its material, and the cutting data that it goes by. */
+/** All advice on the open work, its material, and the cutting data behind it. */
 export function AdvicePage() {
   const t = useTexts("advice");
   const calls = useAdvisedCalls();

@@ -31,13 +31,13 @@ export const blockPage = (kind: BlockKind, word: string | null): readonly string
   word === null ? kind : `${kind}.${word}`,
 ];
 
-/** Follows what blocks are shown at. */
+/** Re-renders when the block shown may have changed. */
 function useSources(): void {
   useGuidedBlock();
   useEditor((s) => s.program);
 }
 
-/** What a field is called, without the letter that stands in front of it on its page. */
+/** The name of a field, without the letter in front of it on its page. */
 function wordName(
   { editor: t }: Pick<Texts, "editor">,
   { name, ...field }: Pick<WordField, "name" | "id" | "letter">,
@@ -52,7 +52,7 @@ interface Props {
   readonly field: WordField;
 }
 
-/** A word at its values, run by the kernel in the open program or in a small one. */
+/** A word at several values, simulated in the open program or in a sample. */
 function WordPictures({ kind, field }: Props) {
   const t = useTexts("guide");
   const blocks = useTexts("guide-blocks");
@@ -104,7 +104,7 @@ function WordPictures({ kind, field }: Props) {
   );
 }
 
-/** The rule of the control that a block, or a word, goes by. */
+/** The control's rule for a block or a word. */
 function Rules({ sentences }: { readonly sentences: readonly string[] }) {
   const blocks = useTexts("guide-blocks");
   return (
@@ -132,7 +132,7 @@ function Mistakes({ sentences }: { readonly sentences: readonly string[] }) {
   );
 }
 
-/** What every M function does that is known here. */
+/** The known M functions. */
 function Functions() {
   const blocks = useTexts("guide-blocks");
   return (
@@ -152,7 +152,7 @@ function Functions() {
   );
 }
 
-/** The page of a kind of block: what it does, and the way to its words. */
+/** The page of a kind of block: its purpose, and the links to its words. */
 function OfBlock({ kind }: { readonly kind: PagedKind }) {
   const blocks = useTexts("guide-blocks");
   const { kinds: names } = useTexts().editor;
@@ -181,7 +181,7 @@ function OfBlock({ kind }: { readonly kind: PagedKind }) {
   );
 }
 
-/** The ways to the words of a block. */
+/** The links to the words of a block. */
 function Words({
   kind,
   source,
@@ -262,7 +262,7 @@ function OfWord({ kind, word }: { readonly kind: PagedKind; readonly word: strin
   );
 }
 
-/** A page of a block, by its name in the address: its kind, and the word behind a point. */
+/** A page of a block, by its name in the address: its kind, and after a point the word. */
 export function BlockPage({ name }: { readonly name: string }) {
   const t = useTexts("guide");
   const { kinds } = useTexts("guide-blocks");
@@ -273,7 +273,7 @@ export function BlockPage({ name }: { readonly name: string }) {
   return word === "" ? <OfBlock key={name} kind={known} /> : <OfWord key={name} kind={known} word={word} />;
 }
 
-/** The ways to the pages of all blocks. */
+/** The links to the pages of all blocks. */
 export function BlockLinks() {
   const { kinds } = useTexts("guide-blocks");
   const { kinds: names } = useTexts().editor;

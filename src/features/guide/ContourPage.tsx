@@ -8,7 +8,7 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { Said, SaidList, SaidOnPage } from "../../app/fields/said/Said.tsx";
 
-/** Elements with a size of their own, each at a small, a usual and a large one, mm. */
+/** Elements with a size of their own, each at a small, a default and a large one, mm. */
 const SIZED = [
   ["RND", [2, 5, 9]],
   ["CHF", [1, 3, 7]],
@@ -16,7 +16,7 @@ const SIZED = [
 ] as const;
 type Sized = (typeof SIZED)[number][0];
 
-/** A shoulder with an element of a size in it: in its corner, or in place of its face. */
+/** A shoulder with a sized element: in its corner, or in place of its face. */
 function shoulder(kind: Sized, size: number): readonly ContourRow[] {
   const point = (id: string, x: string, z: string) => newRow(id, { x, z });
   const sized = newRow("s", { kind, r: String(size), ...(kind === "CR" && { x: "44", z: "-32", turn: "ccw" }) });
@@ -25,11 +25,11 @@ function shoulder(kind: Sized, size: number): readonly ContourRow[] {
     : [point("a", "20", "0"), point("b", "20", "-20"), sized, point("c", "44", "-20"), point("d", "44", "-40")];
 }
 
-/** Lines of the hatch across a picture, and space round the contour, mm. */
+/** Hatch lines across a picture, and margin around the contour, mm. */
 const HATCHES = 30;
 const ROUND_IT = 3;
 
-/** The part under a contour down to the axis, with one element of it at one size, that element marked. */
+/** The part under a contour down to the axis, with one element at one size, marked. */
 function ElementPicture({ kind, size, name }: { readonly kind: Sized; readonly size: number; readonly name: string }) {
   const id = useId();
   const rows = shoulder(kind, size),
@@ -59,7 +59,7 @@ function ElementPicture({ kind, size, name }: { readonly kind: Sized; readonly s
   );
 }
 
-/** The page of the contour of a cycle: what stands in it, and what its elements do. */
+/** The page of the contour of a cycle: its contents, and the effect of its elements. */
 export function ContourPage() {
   const t = useTexts("guide");
   const { elements: places } = useTexts("guide-places");

@@ -5,22 +5,22 @@ import type { Step } from "../../kernel/time/step.ts";
 import { ringData, segmentData, stretchData } from "../../view/path.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 
-/** Lines of a hatch across a picture. */
+/** Hatch lines across a picture. */
 const HATCHES = 42;
 
 interface Props {
   readonly outcome: Outcome;
   readonly box: Box;
-  /** What stands there at the moment. */
+  /** The stock at the moment. */
   readonly stock: readonly Ring[];
   readonly steps: readonly Step[];
-  /** What it shows, for those who do not see it. */
+  /** Accessible name. */
   readonly name: string;
-  /** Over it all, in part space with X upwards, mm. */
+  /** Overlay in part space with X upwards, mm. */
   readonly children?: ReactNode;
 }
 
-/** A section of the work in small: what stands there, its contour, and ways of the tool. */
+/** A small section of the work: stock, contour, and tool paths. */
 export function CutPicture({ outcome: { run, simulation }, box, stock, steps, name, children }: Props) {
   const id = useId();
   const low = Math.max(box.low, Math.min(0, -(box.high - box.low) / 50));

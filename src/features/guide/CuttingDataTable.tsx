@@ -21,11 +21,11 @@ interface CellProps {
   readonly name: string;
   readonly value: string;
   readonly isText?: boolean;
-  /** False where the text cannot stand there. */
+  /** False if the text is invalid there. */
   readonly take: (text: string) => boolean;
 }
 
-/** A cell keeps what is typed until it is left; what cannot stand there is not taken over. */
+/** A cell keeps its typed text until it is left; an invalid text is discarded. */
 function Cell({ name, value, take, isText = false }: CellProps) {
   const [typed, type] = useState<string | null>(null);
   const [refused, refuse] = useState(false);
@@ -46,7 +46,7 @@ function Cell({ name, value, take, isText = false }: CellProps) {
   );
 }
 
-/** The shop's own cutting data: changed cell by cell, taken from a file, put back. */
+/** The shop's own cutting data: edited cell by cell, imported from a file, restored. */
 export function CuttingDataTable() {
   const { table: t, values, groups } = useTexts("advice");
   const language = useSettings((s) => s.language);

@@ -26,7 +26,7 @@ function CycleSteps({ cycle }: { readonly cycle: Cycle }) {
   );
 }
 
-/** The page of a cycle: what it does, its steps as they run, and the way to each of its parameters. */
+/** The page of a cycle: its purpose, its steps as they run, and the links to its parameters. */
 export function CyclePage({ cycle }: { readonly cycle: Cycle }) {
   const t = useTexts("guide");
   const { cycles, dialog, params } = useTexts();

@@ -28,14 +28,14 @@ import { Message } from "../../app/base/Message.tsx";
 
 const SIZE = { width: 330, height: 220 };
 const MARGIN = { left: 24, right: 24, top: 24, bottom: 24 };
-/** Elements of the contour farther away than this are not in the picture, mm. */
+/** Farther elements of the contour are left out of the picture, mm. */
 const FARTHEST = 200;
 /** The name of a form's page, and of the form. */
 const formPage = (form: ApproachForm, departing: boolean): string =>
   `${departing ? "dep" : "appr"}-${form.toLowerCase()}`;
 const formName = (form: ApproachForm, departing: boolean): string => `${departing ? "DEP" : "APPR"} ${form}`;
 
-/** All forms in their order; a departure names a point, and so has a polar spelling, only as LCT. */
+/** All forms in order; a departure names a point, so it has a polar form only as LCT. */
 const ALL_FORMS = [false, true].flatMap((departing) =>
   APPROACH_FORMS.filter((form) => !departing || !isPolar(form) || shapeOf(form) === "LCT").map((form) => ({
     form,
@@ -43,11 +43,11 @@ const ALL_FORMS = [false, true].flatMap((departing) =>
   })),
 );
 
-/** The form that a page is named after; null where there is none such. */
+/** The form of a page name; null if there is none. */
 export const formOfPage = (page: string): { readonly form: ApproachForm; readonly departing: boolean } | null =>
   ALL_FORMS.find(({ form, departing }) => formPage(form, departing) === page) ?? null;
 
-/** The box that all pictures of a word show. */
+/** The common bounds of all pictures of a word. */
 const around = (all: readonly Bounds[]): Bounds => ({
   left: Math.min(...all.map(({ left }) => left)),
   right: Math.max(...all.map(({ right }) => right)),
@@ -63,7 +63,7 @@ interface CardProps {
   readonly size: string;
 }
 
-/** The pole, and the way from it to the point that a block names. */
+/** The pole, and the line from it to the point that a block names. */
 const PolarPlace = ({ from, to }: { readonly from: Place; readonly to: Place }) => (
   <>
     <path className="form-polar" d={`M${px(from.x)} ${px(from.y)}L${px(to.x)} ${px(to.y)}`} />
@@ -74,7 +74,7 @@ const PolarPlace = ({ from, to }: { readonly from: Place; readonly to: Place }) 
   </>
 );
 
-/** A form with one value: its picture with its points, and how long its way is. */
+/** A form with one value: its picture with its points, and the length of its path. */
 function FormValue({ word, form, source, frame, size }: CardProps) {
   const t = useTexts("guide");
   const places = useTexts("guide-places");
@@ -167,7 +167,7 @@ function FormValue({ word, form, source, frame, size }: CardProps) {
   );
 }
 
-/** A form at a small, the usual and a large value of one of its words. */
+/** A form at a small, the default and a large value of one of its words. */
 function FormValues({ word, source }: { readonly word: SizedWord; readonly source: FormSource }) {
   const t = useTexts("guide");
   const { approach: words } = useTexts();
@@ -203,7 +203,7 @@ function FormValues({ word, source }: { readonly word: SizedWord; readonly sourc
   );
 }
 
-/** The page of a form of approach or departure: its points, its sizes, and where it is dangerous. */
+/** The page of a form of approach or departure: its points, sizes and dangers. */
 export function FormPage({
   form,
   departing,
@@ -286,7 +286,7 @@ export function FormPage({
   );
 }
 
-/** The ways to the pages of the eight forms, and of their polar spellings. */
+/** The links to the pages of the eight forms, and of their polar versions. */
 export function FormLinks({ but = null }: { readonly but?: string | null }) {
   const { approach: words } = useTexts();
   return ALL_FORMS.filter(({ form, departing }) => formPage(form, departing) !== but).map(({ form, departing }) => (

@@ -6,13 +6,10 @@ import { Said, SaidOnPage } from "../../app/fields/said/Said.tsx";
 import { TermUses } from "./TermUses.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** A text as it is sought: small letters, no accents. */
+/** A text normalized for search: lower case, no accents. */
 const plain = (text: string) => text.normalize("NFD").replaceAll(/\p{M}/gu, "").toLowerCase();
 
-/**
- * All words with what they mean, those that match what is typed; one of them may be asked for by the address: it says
- * where it is used.
- */
+/** All terms that match the search, with their meanings; the term in the address also shows where it is used. */
 export function GlossaryPage({ term }: { readonly term: string | null }) {
   const { glossary: t } = useTexts("guide");
   const words = useTexts("glossary");

@@ -1,7 +1,7 @@
 import type { ReactNode } from "react";
 import { type GuidePath, showGuide } from "../../app/place/place.ts";
 
-/** The way to another page of the guide, in a list of such ways. */
+/** A link to another page of the guide, in a list of links. */
 export function GuideButton({ to, children }: { readonly to: GuidePath; readonly children: ReactNode }) {
   return (
     <li>

@@ -20,7 +20,7 @@ import { SetupPlacePage } from "./SetupPlacePage.tsx";
 import { Taken } from "./Taken.tsx";
 import "./guide.css";
 
-/** All cycles, then the other prompts, each leading to its own page. */
+/** All cycles, then the other prompts, each linked to its page. */
 function CycleList() {
   const t = useTexts("guide");
   const places = useTexts("guide-places");
@@ -77,7 +77,7 @@ function CycleList() {
   );
 }
 
-/** All blocks of a program, each leading to its own page. */
+/** All blocks of a program, each linked to its page. */
 function BlockList() {
   const blocks = useTexts("guide-blocks");
   return (
@@ -124,7 +124,7 @@ function Shown({ path: [page, first, second] }: { readonly path: GuidePath }) {
   return <OfCycle number={Number(first)} q={second} />;
 }
 
-/** The guide in place of what is open: a parameter, a cycle with its steps, or the glossary. */
+/** The guide, which replaces the open view: a parameter, a cycle with its steps, or the glossary. */
 export function GuidePage() {
   const t = useTexts("guide");
   const advice = useTexts("advice");

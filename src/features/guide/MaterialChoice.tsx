@@ -24,7 +24,7 @@ export function WorkMaterial() {
   );
 }
 
-/** The material of the open work, and of works that name none. */
+/** The material of the open work, and the default material. */
 export function MaterialChoice() {
   const t = useTexts("advice");
   const { materials } = useCuttingTable();

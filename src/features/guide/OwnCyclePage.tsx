@@ -3,10 +3,7 @@ import { OWN_DECIMALS, type OwnCycle } from "../../program/edits/own-cycle.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/**
- * The page of a cycle that the operator has described, one of its parameters first: what is known of it, and that
- * nobody here runs it.
- */
+/** The page of an own cycle, the given parameter first: its description, and a note that it is not simulated. */
 export function OwnCyclePage({ own, q }: { readonly own: OwnCycle; readonly q: string | null }) {
   const t = useTexts("guide");
   const { dialog } = useTexts();

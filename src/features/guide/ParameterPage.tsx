@@ -27,7 +27,7 @@ interface Props {
   readonly param: Param;
 }
 
-/** What it measures, in which unit, between which bounds. */
+/** Meaning, unit and limits. */
 function Facts({ cycle, q, param }: Props) {
   const t = useTexts("guide");
   const { dialog, cycles } = useTexts();
@@ -67,7 +67,7 @@ function Facts({ cycle, q, param }: Props) {
   );
 }
 
-/** The two numbered sequences, with the steps that the value acts in. */
+/** The two numbered sequences, with the steps that the value affects. */
 function ActsIn({ cycle, param }: Omit<Props, "q">) {
   const t = useTexts("guide");
   const words = useTexts().cycles.of[cycle.number as CycleNumber];
@@ -101,7 +101,7 @@ function ActsIn({ cycle, param }: Omit<Props, "q">) {
   );
 }
 
-/** What is to be said about the value in the open work. */
+/** The advice on the value in the open work. */
 function ParameterAdvice({ cycle, q }: Pick<Props, "cycle" | "q">) {
   const t = useTexts("advice");
   const on = useSettings((s) => s.advice);

@@ -6,7 +6,7 @@ import { useAdviceOn } from "../../app/fields/said/use-advice.ts";
 import "../../app/fields/said/prompt-more.css";
 import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 
-/** A quiet mark where there is advice on the value of a prompt. */
+/** A quiet mark if there is advice on the value of a prompt. */
 function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }) {
   const t = useTextsSoon("advice");
   const { length: count } = useAdviceOn(cycle, q);
@@ -18,7 +18,7 @@ function AdviceMark({ cycle, q }: { readonly cycle: number; readonly q: string }
   );
 }
 
-/** The way from a prompt to its page of the guide, and to what there is to say about its value. */
+/** The link from a prompt to its guide page, and to the advice on its value. */
 export function PromptMore({ page, name }: { readonly page: GuidePath; readonly name: string }) {
   const t = useTextsSoon("guide");
   const on = useSettings((s) => s.advice);

@@ -17,7 +17,7 @@ import { StartingValues } from "./StartingValues.tsx";
 import { useTriedSetup } from "./use-tried-setup.ts";
 import { ValueCard } from "./ValueCard.tsx";
 
-/** The cycle that the set-up is shown with: that of the open work, the first of a program, or the first that cuts. */
+/** The sample cycle for the set-up: that of the open work, the first of a program, or the first that cuts. */
 function useShownCycle() {
   const job = useEditor((s) => s.job?.cycle);
   const first = useOutcome((s) => s.newest?.run.operations[0]?.cycle);
@@ -25,7 +25,7 @@ function useShownCycle() {
   return cycle && !cycle.acts ? cycle : (cuttingCycles[0] ?? never("no cycle"));
 }
 
-/** What the set-up does at other values, run by the kernel. */
+/** The set-up at other values, simulated. */
 function SetupPictures({ id }: { readonly id: SetupPageId }) {
   const t = useTexts("guide");
   const places = useTexts("guide-places");

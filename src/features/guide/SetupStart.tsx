@@ -11,13 +11,13 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 interface Props {
   readonly cycle: Cycle;
-  /** The spindle keeps the cutting speed: a speed can be taken over. */
+  /** The spindle keeps the cutting speed: a speed can be applied. */
   readonly surface: boolean;
-  /** Feeds count a turn, as the starting values do. */
+  /** Feeds are per revolution, as the starting values are. */
   readonly perRevolution: boolean;
 }
 
-/** What the material of the work is usually begun with, quietly below the speed of the set-up. */
+/** The starting values of the work's material, below the speed of the set-up. */
 export function SetupStart({ cycle, surface, perRevolution }: Props) {
   const t = useTexts("advice");
   const language = useSettings((s) => s.language);

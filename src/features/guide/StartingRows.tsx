@@ -6,7 +6,7 @@ import { takeValue, useTaking } from "./take-value.ts";
 import "./setup-start.css";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** Starting values, each with the way into the work. */
+/** Starting values, each with a button that applies it. */
 export function StartingRows({ cycle, rows }: { readonly cycle: number; readonly rows: readonly StartingValue[] }) {
   const t = useTexts("advice");
   const language = useSettings((s) => s.language);

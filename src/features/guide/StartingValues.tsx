@@ -5,8 +5,8 @@ import { useMaterialOfWork } from "../../app/fields/said/use-advice.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 /**
- * Starting values of the material for the feeds of a cycle and for the speed: of one prompt, or of all; nothing where
- * none is for it.
+ * Starting values of the material for the feeds of a cycle and for the speed: of one prompt, or of all; nothing if
+ * there is none.
  */
 export function StartingValues({ cycle, only = null }: { readonly cycle: Cycle; readonly only?: string | null }) {
   const t = useTexts("advice");

@@ -22,14 +22,14 @@ import type { CycleRun } from "./use-cycle-run.ts";
 /** Milliseconds in a second of the clock. */
 const SECOND = 1000;
 
-/** Which piece is shown, how far it has run, s, and whether it goes on by itself, into the next one or not. */
+/** The current piece, its elapsed time, s, and whether playback stops after it or continues. */
 interface Shown {
   readonly index: number;
   readonly seconds: number;
   readonly plays: "no" | "one" | "all";
 }
 
-/** The piece that a key or a button leads to: the next one that this run has. */
+/** Index of the next or previous piece that this run has; null if there is none. */
 function other(pieces: readonly StepPiece[], index: number, by: 1 | -1): number | null {
   for (let i = index + by; pieces[i]; i += by) if (pieces[i]?.piece) return i;
   return null;

@@ -7,7 +7,7 @@ import { keepFocus } from "./keep-focus.ts";
 import { forgetTaken, useTaken } from "./taken.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** Says which value was taken over from this page into the work, and takes it back. */
+/** Names the value applied from this page, and offers undo. */
 export function Taken({ page }: { readonly page: string }) {
   const t = useTexts("guide");
   const language = useSettings((s) => s.language);

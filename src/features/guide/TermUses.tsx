@@ -16,7 +16,7 @@ interface UsingLesson {
   readonly page: number;
 }
 
-/** The lessons that use a word, each with its first page that does; they come one after the other. */
+/** The lessons that use a term, each with the first page that does; loaded one after the other. */
 function useLessons(term: TermId, glossary: GlossaryTexts, language: Language): readonly UsingLesson[] {
   const { lessons } = useCourseIndex();
   const [found, find] = useState<readonly UsingLesson[]>([]);
@@ -38,7 +38,7 @@ function useLessons(term: TermId, glossary: GlossaryTexts, language: Language): 
   return found;
 }
 
-/** Where a word is used: the prompts whose pages speak of it, the set-up, and the lessons. */
+/** Where a term is used: the parameter pages with it, the set-up, and the lessons. */
 export function TermUses({ term }: { readonly term: TermId }) {
   const { glossary: t } = useTexts("guide");
   const texts = useTexts();

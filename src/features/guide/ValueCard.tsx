@@ -13,7 +13,7 @@ import type { TriedOutcome } from "./tried.ts";
 import { Message } from "../../app/base/Message.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** What a value changes against the usual one, in words. */
+/** The effect of a value compared with the default, in words. */
 function changeText(
   t: GuideTexts,
   language: Language,
@@ -34,18 +34,18 @@ function changeText(
 interface Props {
   readonly tried: TriedOutcome;
   readonly box: Box;
-  /** What is shown, as it is written in front of a value: Q463, D. */
+  /** Label in front of the value: Q463, D. */
   readonly letter: string;
   readonly text: string;
   readonly unit: string;
-  /** Small, usual or large. */
+  /** Small, default or large. */
   readonly size: string | null;
-  /** Whose value it is, where it is somebody's. */
+  /** Owner of the value, if it has one. */
   readonly whose: string | null;
   readonly meaning?: ReactNode;
-  /** Takes the value over into the work; null where it cannot go there. */
+  /** Applies the value to the work; null if it does not fit there. */
   readonly take: (() => void) | null;
-  /** All ways of the program are shown, not those of its cycles alone. */
+  /** Shows all paths of the program, not those of its cycles alone. */
   readonly whole?: boolean;
 }
 

@@ -10,7 +10,7 @@ import { takeValue, useTaking } from "./take-value.ts";
 import { useTriedValues } from "./use-tried-values.ts";
 import { ValueCard } from "./ValueCard.tsx";
 
-/** What a parameter does, at its values; one that is reserved does nothing. */
+/** The effect of a parameter at several values; a reserved one has none. */
 export function ValuePictures({
   cycle,
   q,
@@ -30,7 +30,7 @@ export function ValuePictures({
   );
 }
 
-/** A parameter at a small, a usual and a large value, or at each of its choices, run by the kernel. */
+/** A parameter at a small, a default and a large value, or at each of its choices, simulated. */
 function TriedPictures({ cycle, q, param }: { readonly cycle: Cycle; readonly q: string; readonly param: Param }) {
   const t = useTexts("guide");
   const {

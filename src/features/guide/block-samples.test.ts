@@ -18,10 +18,10 @@ const kinds = Object.keys(guideBlocks.kinds) as (keyof typeof guideBlocks.kinds 
 const ran = (text: string) => run(parse(text), { tools: shippedTools, rapid: 10_000 });
 const own = (source: BlockSource) => source.program.blocks.map(({ raw }) => raw).join("");
 
-/** Words without a difference in their sample: nothing of the kind is in force there. */
+/** Words that make no difference in their sample: no function that uses them is active there. */
 const SAME: ReadonlySet<string> = new Set(["toolCall.feed", "cycleCall.feed", "free.X", "free.Z", "free.feed"]);
 
-test("every kind of block that can be put in has its page, and every word in it its text", () => {
+test("every kind of block that can be inserted has its page, and every word in it its text", () => {
   const offered = palette
     .map(({ kind }) => kind)
     .filter((kind) => kind !== "cycle" && kind !== "approach" && kind !== "departure");
@@ -36,7 +36,7 @@ test("every kind of block that can be put in has its page, and every word in it 
     expect(blockRule(guideBlocks, id.split(".")[0] as BlockKind, id.split(".").at(-1) ?? "")).not.toBe("");
 });
 
-test("a small and a large value of a word make another run than the usual one, which the control would take", () => {
+test("a small and a large value of a word make another run than the default one, which the control would accept", () => {
   for (const kind of kinds) {
     const [shown] = blockSources(kind, null);
     for (const field of shown ? fieldsOf(shown.statement) : []) {
@@ -64,7 +64,7 @@ test("a small and a large value of a word make another run than the usual one, w
   }
 });
 
-test("every word that is shown at no values says why", () => {
+test("every word without pictures says why", () => {
   const unsaid = kinds.flatMap((kind) => {
     const [shown] = blockSources(kind, null);
     return (shown ? fieldsOf(shown.statement) : [])

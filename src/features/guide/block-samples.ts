@@ -6,10 +6,10 @@ import type { BlockKind } from "../../nc/blocks/names.ts";
 import { exampleJob } from "../../program/job/job.ts";
 import { printedText } from "../../app/document/printed.ts";
 
-/** The block that a sample is of begins with this. */
+/** Prefix of the block that a sample is about. */
 const MARK = "> ";
 
-/** A slender insert, so that undercuts and recesses are seen as they are written. */
+/** A slender insert, so that undercuts and recesses come out as programmed. */
 const SLENDER = "TOOL CALL 4";
 
 /** An element of a contour that a cycle cuts: an undercut or a recess. */
@@ -26,7 +26,7 @@ function inContour(element: string): readonly string[] {
     .map((line) => line.replace(/^TOOL CALL \d+/, SLENDER));
 }
 
-/** A small program in which a block acts, with one of its words; null where there is none of this kind. */
+/** A small program that uses a block and one of its words; null if there is none of this kind. */
 export interface BlockSample {
   readonly text: string;
   /** Its line, from 1. */
@@ -46,6 +46,6 @@ export function blockSample(kind: BlockKind, word: string | null): BlockSample |
   };
 }
 
-/** Why a word of a kind of block has no live picture where none is made of it. */
+/** Why a word of a kind of block has no live picture. */
 export const whyUnseen = (kind: BlockKind, field: FieldFacts): Unseen =>
   named.get(kind)?.unseen ?? field.unseen ?? "same";

@@ -14,22 +14,22 @@ import { withText, type ProgramWork } from "../../app/document/work.ts";
 import { blockSample } from "./block-samples.ts";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 
-/** A block that the guide shows something at: of the open program, or of a sample. */
+/** A block for the pictures of the guide: of the open program, or of a sample. */
 export interface BlockSource {
   readonly program: Program;
   readonly index: number;
   readonly statement: Statement;
   /** Its line in the open program, from 1; null for a sample. */
   readonly line: number | null;
-  /** What is run with another text of the file that the block stands in. */
+  /** Simulates with another text of the file that contains the block. */
   readonly work: (text: string) => ProgramWork;
 }
 
-/** The field of a word in a block; undefined where it has none such. */
+/** The field of a word in a block; undefined if it has none. */
 export const fieldOfWord = (s: Statement, word: string): WordField | undefined =>
   fieldsOf(s).find((field) => wordOfField(field) === word);
 
-/** The source with another text in a word; null where that cannot be read. */
+/** The source with another text in a word; null if that is not readable. */
 export function textWith({ program, index, statement }: BlockSource, field: WordField, text: string): string | null {
   const next = field.write(statement, text);
   return next && print(withBlock(program, index, next));
@@ -46,7 +46,7 @@ function sourceIn(
   return statement && kindOf(statement) === kind ? { program, index, statement } : null;
 }
 
-/** The open block of the open program, where it is of this kind, and what happens in it may be shown. */
+/** The open block of the open program, if it is of this kind and its run may be shown. */
 function ownSource(kind: BlockKind): BlockSource | null {
   const { program, work } = useEditor.getState();
   const { block } = useGuidedBlock.getState();
@@ -58,7 +58,7 @@ function ownSource(kind: BlockKind): BlockSource | null {
     : null;
 }
 
-/** The sample of a kind of block, or the one of its own that a word has. */
+/** The sample of a kind of block, or the sample of one of its words. */
 function sampleSource(kind: BlockKind, word: string | null): BlockSource | null {
   const sample = blockSample(kind, word),
     found = sample && sourceIn(sample.text, sample.line, kind);
@@ -66,6 +66,6 @@ function sampleSource(kind: BlockKind, word: string | null): BlockSource | null 
   return found && { ...found, line: null, work };
 }
 
-/** What a kind of block, or one of its words, may be shown at, the best first. */
+/** The possible sources of a kind of block, or of one of its words, the best first. */
 export const blockSources = (kind: BlockKind, word: string | null): readonly BlockSource[] =>
   [ownSource(kind), sampleSource(kind, word)].filter((source) => source !== null);

@@ -5,7 +5,7 @@ import type { FieldFacts } from "../../nc/blocks/define.ts";
 import type { BlockKind } from "../../nc/blocks/names.ts";
 import type { SetupPageId } from "./setup-variants.ts";
 
-/** What is said about a word of a block. */
+/** Texts about a word of a block. */
 export interface WordTexts {
   readonly about: string;
   readonly mistakes: readonly string[];
@@ -14,10 +14,7 @@ export interface WordTexts {
 const entry = <T>(of: Readonly<Record<string, T>>, key: string): T | null =>
   Object.hasOwn(of, key) ? (of[key] ?? null) : null;
 
-/**
- * What is said about a word in a kind of block; null where there is nothing. `places`: the pages of the set-up, where
- * they are at hand.
- */
+/** Texts about a word in a kind of block; null if there are none. `places`: texts of the set-up pages, if loaded. */
 export function blockWordTexts(
   t: GuideBlocksTexts,
   kind: BlockKind,
@@ -30,6 +27,6 @@ export function blockWordTexts(
   return entry(t.of, `${kind}.${word}`) ?? entry(t.of, word) ?? entry(t.of, about);
 }
 
-/** The rule of the control for a word, where it has one of its own; empty where it has none. */
+/** The control's rule for a word; empty if it has none. */
 export const blockRule = (t: GuideBlocksTexts, kind: BlockKind, word: string): string =>
   entry(t.rules, `${kind}.${word}`) ?? entry(t.rules, word) ?? "";

@@ -44,7 +44,7 @@ const forms: readonly FormAt[] = [false, true].flatMap((departing) =>
 );
 const nameOf = ({ form, request: { departing } }: FormAt) => `${departing ? "DEP" : "APPR"} ${form}`;
 
-test("each of the eight forms is drawn at three values of each of its sizes, and each draws another way", () => {
+test("each of the eight forms is drawn at three values of each of its sizes, and each draws another path", () => {
   expect(forms).toHaveLength(16);
   for (const at of forms) {
     const name = nameOf(at),
@@ -63,7 +63,7 @@ test("each of the eight forms is drawn at three values of each of its sizes, and
   }
 });
 
-test("a point from the pole lies at the distance and the angle that are shown", () => {
+test("a point from the pole has the shown distance and angle", () => {
   for (const at of forms.filter(({ form, draft }) => isPolar(form) && draft.PR !== undefined)) {
     for (const form of formAtValues(at, "PR")) {
       const { value } = form,

@@ -5,13 +5,13 @@ import type { ApproachForm } from "../../nc/words.ts";
 import { readApproach, type ApproachDraft } from "../../program/edits/approach-draft.ts";
 import { readyApproach, type ApproachContext } from "../../program/edits/approach-request.ts";
 
-/** Words of APPR and DEP that a form is shown at three values of. */
+/** Words of APPR and DEP that are shown at three values. */
 export type SizedWord = "LEN" | "R" | "CCA" | PolarPlace;
 /** Words that name a point from the pole. */
 export type PolarPlace = "PR" | "PA";
 const FIELD = { LEN: "length", R: "radius", CCA: "centreAngle" } as const;
 
-/** A form with one of the values of a word. The contour begins in another point with another point PA. */
+/** A form with one value of a word. With another point PA the contour begins at another point. */
 export interface FormAtValue {
   readonly value: number;
   readonly isUsual: boolean;
@@ -20,17 +20,17 @@ export interface FormAtValue {
   readonly contour: readonly PlaneSegment[];
 }
 
-/** Shares of the usual value: a small and a large one. */
+/** Shares of the default value: a small and a large one. */
 const LESS = 0.4;
 const MORE = 2.2;
-/** Most of a turn that an arc is shown with, degrees. */
+/** Largest angle of a drawn arc, degrees. */
 const MOST_ANGLE = 270;
 
-/** How far the point moves beside the usual one: a share of its distance from the pole, degrees round it. */
+/** Variation of the point: factors of its distance from the pole, degrees about it. */
 const NEARER_FARTHER = [0.7, 1.3];
 const ROUND_POLE = [-20, 20];
 
-/** The words of a form that have a size, those of a point that is given from the pole first. */
+/** The words of a form with a size; those of a polar point first. */
 export const sizedWords = (
   { shape, departing }: Pick<ApproachRequest, "shape" | "departing">,
   polar = false,
@@ -56,13 +56,13 @@ function atPolarPlaces({ form, draft, context, request }: FormAt, word: PolarPla
       reading = readApproach({ form, departing }, context.plane, typed, context.parameters);
     const ready = readyApproach(form, departing, reading, context);
     if (!ready) return [];
-    // Sizes that the words do not hold are those of the form that is shown.
+    // Sizes that the words lack come from the shown form.
     const changed = { ...request, ...ready.request };
     return [{ value, isUsual: value === usual, request: changed, result: approach(changed), contour: ready.contour }];
   });
 }
 
-/** What a form is shown at: its request and contour, and the words and the surroundings that they were read from. */
+/** The shown form: its request and contour, and the words and context they were read from. */
 export interface FormAt {
   readonly form: ApproachForm;
   readonly draft: ApproachDraft;
@@ -71,7 +71,7 @@ export interface FormAt {
   readonly contour: readonly PlaneSegment[];
 }
 
-/** A form at a small, the usual and a large value of a word. */
+/** A form at a small, the default and a large value of a word. */
 export function formAtValues(at: FormAt, word: SizedWord): readonly FormAtValue[] {
   if (isPolarPlace(word)) return atPolarPlaces(at, word);
   const { request, contour } = at,
@@ -85,7 +85,7 @@ export function formAtValues(at: FormAt, word: SizedWord): readonly FormAtValue[
   });
 }
 
-/** The point that the block of a form names, as programmed: PA, or PN of a departure; null where it names none. */
+/** The programmed point of a form's block: PA, or PN of a departure; null if it names none. */
 export const namedAt = (
   { request: { departing, outside }, contour }: FormAtValue,
   { tip }: Pick<ApproachContext, "tip">,

@@ -17,7 +17,7 @@ import { useShownBeside } from "../../app/document/shown-file.ts";
 import { useOpenCall } from "../../app/place/open-call.ts";
 import { speaksOf } from "../../app/fields/said/open-call.ts";
 
-/** What the guide shows a cycle with: the operator's own values, or those of the example. */
+/** The values that the guide shows a cycle with: the operator's own, or those of the example. */
 export interface GuideSource {
   readonly job: SetJob;
   readonly isOwn: boolean;
@@ -26,7 +26,7 @@ export interface GuideSource {
 const typedValues = (values: Readonly<Record<string, number | "auto">>) =>
   Object.fromEntries(Object.entries(values).map(([q, value]) => [q, value === "auto" ? "FAUTO" : String(value)]));
 
-/** How the spindle turns, as it would be typed; a limit that the program does not give stays that of the example. */
+/** The spindle as typed values; a limit missing from the program is that of the example. */
 function spindleAsTyped(spindle: Spindle | null, { spindle: example }: Job): SpindleDraft {
   if (!spindle) return example;
   if (spindle.kind === "constant") return { ...example, mode: "constant", speed: String(spindle.speed) };
@@ -39,12 +39,12 @@ function spindleAsTyped(spindle: Spindle | null, { spindle: example }: Job): Spi
   };
 }
 
-/** Jobs that were made of calls. */
+/** Jobs by the operation they were made from. */
 const ofCall = new WeakMap<Operation, Job>();
 
 /**
- * A call of the cycle in the open program, that of the open block, else the first: its values and its contour as they
- * ran, its tool and spindle; on a blank that is proposed for them, from its own start where the contour begins there.
+ * A job from a call of the cycle in the open program, that of the open block, else the first: its values, contour, tool
+ * and spindle; with a proposed blank, and its start if the contour begins there.
  */
 function ofProgram(cycle: Cycle): Job | null {
   if (!useEditor.getState().program) return null;
@@ -73,7 +73,7 @@ function ofProgram(cycle: Cycle): Job | null {
   return job;
 }
 
-/** What a cycle may be shown with, the best first: as it stands in the open work, then the example of its list. */
+/** The possible sources of a cycle, the best first: the open work, then the example of its list. */
 export function guideSources(cycle: Cycle): readonly GuideSource[] {
   const { job } = useEditor.getState();
   const typed = job?.cycle === cycle.number ? job : ofProgram(cycle);
@@ -82,7 +82,7 @@ export function guideSources(cycle: Cycle): readonly GuideSource[] {
   return own?.reading.values ? [{ job: own.job, isOwn: true }, example] : [example];
 }
 
-/** What changes whenever a cycle is to be shown with other values than before. */
+/** Changes whenever the shown values of a cycle change. */
 export function useGuideSource(cycle: Cycle): string {
   useEditor();
   useOutcome((s) => s.newest);
@@ -91,7 +91,7 @@ export function useGuideSource(cycle: Cycle): string {
   return JSON.stringify(guideSources(cycle).map(({ job: { remarks: _, measured: __, name: ___, ...job } }) => job));
 }
 
-/** A job run beside the open work; null when that cannot be said. */
+/** Simulates a job apart from the open work; null if that fails. */
 export const ranBeside = (job: SetJob): Promise<Outcome | null> =>
   outcomeBeside(
     {

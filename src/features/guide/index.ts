@@ -1,4 +1,4 @@
-/* The guide and the glossary, and what prompts show of them. */
+/* The guide and the glossary, and their parts in the prompts. */
 
 export const fetchGuidePage = () => import("./GuidePage.tsx");
 export const fetchPromptMore = () => import("./PromptMore.tsx");

@@ -1,6 +1,5 @@
 /**
- * Before a press that may take its own button away: the focus stays in the part round it, so that keys go on working
- * there.
+ * Before a click that may remove its own button: focus moves to the surrounding part, so that keys keep working there.
  */
 export function keepFocus(button: HTMLElement, part: "section" | "main"): void {
   const round = button.closest<HTMLElement>(part);

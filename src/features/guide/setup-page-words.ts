@@ -1,7 +1,7 @@
 import type { Texts } from "../../i18n/index.ts";
 import type { SetupPageId } from "./setup-variants.ts";
 
-/** How a place is written in front of a value, what it is called, and what it is measured in. */
+/** Symbol, name and unit of a place of the set-up. */
 export function setupPageWords(
   { setup: t }: Texts,
   id: SetupPageId,

@@ -20,7 +20,7 @@ const job: SetJob = {
 const valuesOf = (id: SetupPageId) =>
   setupVariants(id, job, shippedTools).map(({ value, isUsual }) => (isUsual ? `[${value}]` : `${value}`));
 
-test("a smaller and a larger value beside the one that stands there", () => {
+test("a smaller and a larger value next to the present one", () => {
   expect(valuesOf("blank.outside")).toEqual(["77.7", "[83.7]", "103.7"]);
   expect(valuesOf("blank.bore")).toEqual(["[0]", "25.1", "50.2"]);
   expect(valuesOf("blank.allowance")).toEqual(["[1.3]", "3.3", "6.3"]);
@@ -28,7 +28,7 @@ test("a smaller and a larger value beside the one that stands there", () => {
   expect(valuesOf("perRevolution")).toEqual(["[1]", "0"]);
 });
 
-test("a speed comes with its own kind of speed", () => {
+test("a speed comes with its own mode of the spindle", () => {
   const modes = (id: SetupPageId) => setupVariants(id, job, shippedTools).map(({ job: { spindle } }) => spindle.mode);
   expect(new Set(modes("spindle.speed"))).toEqual(new Set(["constant"]));
   expect(new Set(modes("spindle.cuttingSpeed"))).toEqual(new Set(["surface"]));
@@ -54,7 +54,7 @@ test("every page shows two values at least, and each makes another program or an
   }
 });
 
-test("a value taken over is the one that its page showed, and one step of undo takes it back with its kind of speed", () => {
+test("an applied value is the one its page showed, and one step of undo restores it with its spindle mode", () => {
   for (const id of SETUP_PAGES) {
     begin(job, "w");
     const other = setupVariants(id, job, shippedTools).find(({ isUsual }) => !isUsual) ?? never("one value only");

@@ -3,7 +3,7 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { rounded } from "../../kernel/units.ts";
 import type { Job, SetJob } from "../../program/job/job.ts";
 
-/** Prompts and fields of the set-up that have a page in the guide, in the order in which a setter has them. */
+/** Prompts and fields of the set-up with a page in the guide, in the order of the set-up. */
 export const SETUP_PAGES = [
   "blank.outside",
   "blank.bore",
@@ -44,10 +44,7 @@ const textAt = ({ blank, start, spindle, rapid }: SetJob, id: Numbered): string 
     rapid,
   })[id];
 
-/**
- * The job with another value at a place; a speed that does not count with the present kind of speed brings its own
- * kind.
- */
+/** The job with another value at a place; a speed that does not match the spindle mode brings its own mode. */
 export function withSetupValue<J extends Job>(job: J, id: SetupPageId, value: number): J {
   const text = String(value);
   const [part, field = ""] = id.split(".");
@@ -59,7 +56,7 @@ export function withSetupValue<J extends Job>(job: J, id: SetupPageId, value: nu
   return { ...job, spindle: { ...job.spindle, mode: id === "spindle.speed" ? "constant" : "surface", [field]: text } };
 }
 
-/** A smaller and a larger value beside the usual one: mm on blank and start, factors elsewhere. */
+/** A smaller and a larger value than the default: offsets in mm for blank and start, factors elsewhere. */
 function beside(id: Numbered, usual: number, job: SetJob): readonly [number, number] {
   switch (id) {
     case "blank.outside":
@@ -81,7 +78,7 @@ function beside(id: Numbered, usual: number, job: SetJob): readonly [number, num
 }
 
 /**
- * Tools to compare with: of the same kind and orientation, with the nearest smaller and the nearest larger nose, or
+ * Tools to compare with: of the same kind and orientation, with the nearest smaller and the nearest larger nose radius,
  * else the next ones.
  */
 export function kindredTools(tools: readonly Tool[], own: Tool): readonly Tool[] {
@@ -96,7 +93,7 @@ export function kindredTools(tools: readonly Tool[], own: Tool): readonly Tool[]
   return [...chosen, ...others.slice(0, 2 - chosen.length)];
 }
 
-/** A job at a small, the usual and a large value of a place; tools beside the one that is called; M136 on and off. */
+/** A job at a small, the default and a large value of a place; other tools for the called one; M136 on and off. */
 export function setupVariants(id: SetupPageId, job: SetJob, tools: readonly Tool[]): readonly SetupVariant[] {
   if (id === "perRevolution")
     return [true, false].map((on) => ({

@@ -2,11 +2,11 @@ import type { Cycle } from "../../cycles/define.ts";
 import type { CutMaterial } from "../../program/tools/cutting-table.ts";
 import { SPINDLE } from "../../report/advice/advise.ts";
 
-/** A value that a material is usually begun with, and the prompt, or the spindle, that it is for. */
+/** A starting value of a material, and the prompt, or the spindle, that it is for. */
 export interface StartingValue {
   readonly at: string;
   readonly of: "roughSpeed" | "roughFeed" | "finishFeed";
-  /** m/min, or mm a turn. */
+  /** m/min, or mm per revolution. */
   readonly value: number;
 }
 

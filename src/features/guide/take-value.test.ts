@@ -44,7 +44,7 @@ beforeEach(() => {
 });
 afterEach(forgetOutcome);
 
-test("a free contour of a program is shown as the program has it, with its speed", () => {
+test("a free contour of a program is shown as programmed, with its speed", () => {
   const [source] = guideSources(cycle);
   expect(source?.isOwn).toBe(true);
   expect(source?.job.contour.map(({ x, z }) => [x, z])).toEqual(CONTOUR);
@@ -52,7 +52,7 @@ test("a free contour of a program is shown as the program has it, with its speed
   expect(source && readJob(source.job)?.reading.values).toMatchObject({ Q463: Number(job.drafts[820]?.["Q463"]) });
 });
 
-test("a value goes into the open block as one step of undo, and nowhere where no block was open", async () => {
+test("a value goes into the open block as one step of undo, and nowhere if no block was open", async () => {
   const before = lineOf("Q463");
   await takeValue(820, "Q463", 1.7);
   expect(lineOf("Q463")).toContain("+1.7");
@@ -76,7 +76,7 @@ test("a value goes into the open block as one step of undo, and nowhere where no
   expect(textNow()).toBe(text);
 });
 
-test("a text goes into a word of the block whose form was open, as one step of undo that is told, and nowhere else", async () => {
+test("a text goes into a word of the block with the open form, as one named step of undo, and nowhere else", async () => {
   const at = text.split("\n").findIndex((each) => each.includes("TURNDATA SPIN")) + 1;
   await takeIntoBlock(at, "spin", "speedLimit", "1370", "SMAX");
   expect(lineOf(`${at - 1} FUNCTION TURNDATA SPIN`)).toContain("SMAX1370");

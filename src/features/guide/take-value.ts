@@ -10,11 +10,11 @@ import { type OpenCall, useOpenCall } from "../../app/place/open-call.ts";
 import { withSetupValue, type SetupPageId } from "./setup-variants.ts";
 import { takeOver } from "./taken.ts";
 
-/** The cycle block of the open program that a value goes into; null where none of this cycle was open. */
+/** The cycle block of the open program that a value goes into; null if no block of this cycle was open. */
 const openCallOf = (cycle: number, work: string | null, call: OpenCall | null): OpenCall | null =>
   call?.cycle === cycle && call.work === work ? call : null;
 
-/** Writes a value into the open job, or into the open block of a program, as a step of undo of its own. */
+/** Writes a value into the open job, or into the open block of a program, as a separate step of undo. */
 export async function takeValue(cycle: number, at: string, value: number | "auto"): Promise<void> {
   const { job, work } = useEditor.getState();
   const text = value === "auto" ? "FAUTO" : String(value);
@@ -33,8 +33,8 @@ export async function takeValue(cycle: number, at: string, value: number | "auto
 }
 
 /**
- * Writes a value into a place of the open job's set-up, as a step of undo of its own. `letter` and `shown`: how that is
- * told.
+ * Writes a value into a place of the open job's set-up, as a separate step of undo. `letter` and `shown`: the text of
+ * that step.
  */
 export function takeSetup(id: SetupPageId, value: number, letter: string, shown: number | string): void {
   closeStep();
@@ -42,7 +42,7 @@ export function takeSetup(id: SetupPageId, value: number, letter: string, shown:
   closeStep();
 }
 
-/** Whether a place belongs to the prompts of the open job, or of the open block, where a value can be taken over. */
+/** Whether a place accepts a value: it is a prompt of the open job, or of the open block. */
 export function useTaking(cycle: number): (at: string) => boolean {
   const job = useEditor((s) => s.job?.cycle);
   const work = useEditor((s) => (s.program ? s.work : null));
@@ -55,8 +55,8 @@ export function useTaking(cycle: number): (at: string) => boolean {
 }
 
 /**
- * Writes a size, mm or degrees, into the APPR or DEP block of a line, whose prompts were open, as a step of undo of its
- * own.
+ * Writes a size, mm or degrees, into the APPR or DEP block of a line whose prompts were open, as a separate step of
+ * undo.
  */
 export async function takeIntoForm(line: number, word: SizedWord, size: number): Promise<void> {
   const { work } = useEditor.getState();
@@ -65,8 +65,8 @@ export async function takeIntoForm(line: number, word: SizedWord, size: number):
 }
 
 /**
- * Writes a text into a word of the block of a line, whose form was open, as a step of undo of its own. `letter`: how
- * that is told.
+ * Writes a text into a word of the block of a line whose form was open, as a separate step of undo. `letter`: the name
+ * of the word in that step.
  */
 export async function takeIntoBlock(
   line: number,

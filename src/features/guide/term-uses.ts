@@ -5,14 +5,14 @@ import { SETUP_PAGES, type SetupPageId } from "./setup-variants.ts";
 import { termParts } from "../../app/fields/said/term-parts.ts";
 import { termsOf } from "./terms.ts";
 
-/** A parameter whose page speaks of a word: where it stands first, and how its text is called. */
+/** A parameter whose page uses a term: the first cycle with it, and the name of its text. */
 export interface UsingParameter {
   readonly cycle: number;
   readonly q: string;
   readonly text: string;
 }
 
-/** The parameters whose pages lead to a word, each once: in the first cycle that has it. */
+/** The parameters whose pages link to a term, each once: in the first cycle that has it. */
 export function usingParameters(term: TermId): readonly UsingParameter[] {
   const all = cuttingCycles.flatMap(({ number, params }) =>
     Object.entries(params)
@@ -22,11 +22,11 @@ export function usingParameters(term: TermId): readonly UsingParameter[] {
   return all.filter(({ text }, i) => all.findIndex((other) => other.text === text) === i);
 }
 
-/** Whether one of several texts uses a word. */
+/** Whether one of several texts uses a term. */
 export const usesTerm = (texts: readonly string[], term: TermId, glossary: GlossaryTexts): boolean =>
   termParts(texts, glossary).some((parts) => parts.some((part) => part.term === term));
 
-/** The pages of the set-up that use a word. */
+/** The pages of the set-up that use a term. */
 export const usingSetupPages = (
   term: TermId,
   { places }: Pick<GuidePlacesTexts, "places">,

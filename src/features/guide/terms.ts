@@ -54,7 +54,7 @@ const OF_TOPIC: Partial<Record<Topic, readonly TermId[]>> = {
   airCuts: ["thread", "pass"],
 };
 
-/** The words of the glossary that the page of a parameter leads to. */
+/** The glossary terms that the page of a parameter links to. */
 export function termsOf({
   kind,
   shown,

@@ -9,23 +9,23 @@ import {
 } from "../../report/guide/shown-effect.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 
-/** What was run with one value. */
+/** The simulation of one value. */
 export interface RanValue {
-  /** It is the one that the others are compared with. */
+  /** The others are compared with this one. */
   readonly isUsual: boolean;
   readonly outcome: Outcome;
 }
 
-/** A value with what comes of it. */
+/** A value with its effect. */
 export interface TriedOutcome extends RanValue {
   readonly effect: ShownEffect;
-  /** Against the usual value; null for that itself, and where one of the two makes no path. */
+  /** Change from the default value; null for the default itself, and if one of the two makes no path. */
   readonly change: ShownChange | null;
 }
 
 /**
- * Runs beside each other, in one box of the part; null where the usual one does not go, which is to make the path of a
- * cycle.
+ * The simulated values in common bounds; null if the default one does not meet `goes`, by default that it makes the
+ * path of a cycle.
  */
 export function compared<R extends RanValue>(
   ran: readonly R[],

@@ -4,7 +4,7 @@ import { makesPath } from "../../report/guide/shown-effect.ts";
 import type { Outcome } from "../../app/calculation/outcome.ts";
 import { guideSources, ranBeside } from "./guide-source.ts";
 
-/** A cycle as it runs, with the operator's values or those of the example. */
+/** A run of a cycle, with the operator's values or those of the example. */
 export interface CycleRun {
   readonly isOwn: boolean;
   readonly outcome: Outcome;
@@ -18,7 +18,7 @@ async function runOf(cycle: Cycle): Promise<CycleRun | null> {
   return null;
 }
 
-/** A cycle run for its guide; undefined while it runs, null where that cannot be said. */
+/** Simulates a cycle for its guide; undefined while pending, null if that fails. */
 export function useCycleRun(cycle: Cycle): CycleRun | null | undefined {
   const [made, put] = useState<{ readonly cycle: Cycle; readonly run: CycleRun | null } | null>(null);
   useEffect(() => {

@@ -19,7 +19,7 @@ import { shownFile, useShownBeside } from "../../app/document/shown-file.ts";
 import { useEditor } from "../../app/document/store.ts";
 import { useGuidedBlock } from "../../app/place/open-call.ts";
 
-/** A corner, and a tool, to show forms at. */
+/** A sample corner and tool for the forms. */
 const CORNER: readonly PlaneSegment[] = [
   { kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } },
   {
@@ -30,7 +30,7 @@ const CORNER: readonly PlaneSegment[] = [
 ];
 const SAMPLE_RADIUS = 8;
 
-/** Where the pole of the corner stands that the polar forms are shown at. */
+/** The pole of the sample corner, for the polar forms. */
 const POLE = { x: 40, y: 30 };
 const SAMPLE: ApproachContext = {
   plane: "XY",
@@ -45,18 +45,18 @@ const SAMPLE: ApproachContext = {
   parameters: {},
 };
 
-/** What a form is shown at. */
+/** The surroundings of a shown form. */
 export interface FormSource extends ReadyApproach {
   readonly form: ApproachForm;
   readonly context: ApproachContext;
-  /** What stands in its words, as typed. */
+  /** The typed texts of its words. */
   readonly draft: ApproachDraft;
-  /** The line of the open block that it is; null for the corner. */
+  /** The line of its open block; null for the sample corner. */
   readonly line: number | null;
   readonly rapidBefore: boolean;
 }
 
-/** A form at the corner. */
+/** A form at the sample corner. */
 function sampleOf(form: ApproachForm, departing: boolean): FormSource | null {
   const { contour, side, toolRadius } = SAMPLE;
   const found = suggestedForms({ contour, side, toolRadius, outside: null }, departing).find(
@@ -70,7 +70,7 @@ function sampleOf(form: ApproachForm, departing: boolean): FormSource | null {
   return { form, context, draft, request, contour, line: null, rapidBefore: !departing };
 }
 
-/** A form at the contour of the open block, where that has it, or else at a corner. */
+/** A form at the contour of the open block, if that is available, else at the sample corner. */
 export function useFormSource(form: ApproachForm, departing: boolean): FormSource | null {
   const { program, work } = useEditor();
   const block = useGuidedBlock((s) => s.block);

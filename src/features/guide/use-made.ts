@@ -1,15 +1,13 @@
 import { useEffect, useState } from "react";
 
-/** What was made for a page last, and whether it is being made again from what has changed since. */
+/** The last result for a page, and whether a recomputation is pending. */
 export interface MadeForPage<T> {
-  /** Undefined until it was made once for this page, null where it cannot be made. */
+  /** Undefined until the first result for this page, null if it fails. */
   readonly made: T | null | undefined;
   readonly working: boolean;
 }
 
-/**
- * Makes something for a page, `of` which it is, again whenever `source` changes; what was made before stays until then.
- */
+/** Computes something for the page `of`, again whenever `source` changes; keeps the previous result until then. */
 export function useMade<T>(
   of: string,
   source: string,

@@ -13,10 +13,10 @@ import { kindredTools } from "./setup-variants.ts";
 import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
 import { useMade, type MadeForPage } from "./use-made.ts";
 
-/** A word of a block with one of its texts, and what comes of it. */
+/** A word of a block with one of its texts, and the effect. */
 export type TriedWord = TriedOutcome & { readonly text: string };
 
-/** A word of a block shown at its values. */
+/** A word of a block at several values. */
 export interface TriedBlock {
   /** The line of the block in the open program; null for a sample. */
   readonly line: number | null;
@@ -24,12 +24,12 @@ export interface TriedBlock {
   readonly box: Box;
 }
 
-/** Tools that are shown beside the one that is called. */
+/** Number of tools shown besides the called one. */
 const MOST_OTHERS = 2;
 
 /**
- * A tool by its number, with others of its orientation, of another nose where there are such; only what stands there if
- * none has it.
+ * A tool by its number, with others of its orientation, with another nose radius if possible; only the present text if
+ * there are none.
  */
 function toolTexts(usual: string): readonly string[] {
   const { tools } = toolTable(),
@@ -39,14 +39,14 @@ function toolTexts(usual: string): readonly string[] {
   return [own, ...(others.length > 0 ? others : kindredTools(tools, own))].map(({ T }) => String(T));
 }
 
-/** Whether two runs are the same to who looks at them: path, time, blank and part. */
+/** Whether two runs look the same: path, time, blank and part. */
 const isAlike = (a: Outcome, b: Outcome): boolean => {
   const seen = ({ run, simulation }: Outcome) =>
     JSON.stringify([run.blank, run.seconds, run.steps.map(({ from, move }) => [from, move]), simulation.final]);
   return seen(a) === seen(b);
 };
 
-/** A program that goes anywhere, and has nothing in it that the control would refuse. */
+/** A program with moves, and without anything that the control would refuse. */
 const isRun = ({ run }: Outcome): boolean =>
   run.steps.length > 0 && run.issues.every(({ issue }) => issue.severity !== "error");
 
@@ -68,7 +68,7 @@ async function tryAt(source: BlockSource, word: string, goesOn: () => boolean): 
   return shown && { line: source.line, ...shown };
 }
 
-/** Runs a program with other texts in a word of one of its blocks; null where that makes no difference. */
+/** Simulates a program with other texts in a word of one of its blocks; null if that makes no difference. */
 async function tryBlock(kind: BlockKind, word: string, goesOn: () => boolean): Promise<TriedBlock | null> {
   for (const source of blockSources(kind, word)) {
     const shown = await tryAt(source, word, goesOn);
@@ -77,7 +77,7 @@ async function tryBlock(kind: BlockKind, word: string, goesOn: () => boolean): P
   return null;
 }
 
-/** A word of a block at its values, run again when the open work changes. */
+/** A word of a block at several values, recomputed when the open work changes. */
 export function useTriedBlock(kind: BlockKind, word: string): MadeForPage<TriedBlock> {
   const name = useShownName();
   const program = useEditor((s) => s.program);

@@ -7,14 +7,14 @@ import { compared, type RanValue, type TriedOutcome } from "./tried.ts";
 import { useMade, type MadeForPage } from "./use-made.ts";
 import type { Box } from "../../kernel/geometry/segments.ts";
 
-/** A place of the set-up shown at its values. */
+/** A place of the set-up at several values. */
 export interface TriedSetup {
   readonly isOwn: boolean;
   readonly tried: readonly (TriedOutcome & { readonly value: number })[];
   readonly box: Box;
 }
 
-/** Runs a cycle with other values at a place of its set-up; null where it makes no path. */
+/** Simulates a cycle with other values at a place of its set-up; null if it makes no path. */
 async function trySetup(cycle: Cycle, id: SetupPageId, goesOn: () => boolean): Promise<TriedSetup | null> {
   for (const { job, isOwn } of guideSources(cycle)) {
     const ran: (RanValue & { readonly value: number })[] = [];
@@ -29,7 +29,7 @@ async function trySetup(cycle: Cycle, id: SetupPageId, goesOn: () => boolean): P
   return null;
 }
 
-/** A place of the set-up at its values, run again when the open work changes. */
+/** A place of the set-up at several values, recomputed when the open work changes. */
 export function useTriedSetup(cycle: Cycle, id: SetupPageId): MadeForPage<TriedSetup> {
   const make = useCallback((goesOn: () => boolean) => trySetup(cycle, id, goesOn), [cycle, id]);
   return useMade(`${cycle.number} ${id}`, useGuideSource(cycle), make);

@@ -9,17 +9,17 @@ import { guideSources, ranBeside, useGuideSource } from "./guide-source.ts";
 import { compared, type TriedOutcome } from "./tried.ts";
 import { useMade, type MadeForPage } from "./use-made.ts";
 
-/** A value with what comes of it. */
+/** A value with its effect. */
 export interface TriedValue extends TriedOutcome {
   readonly value: number | "auto";
 }
 
-/** A parameter shown at its values. */
+/** A parameter at several values. */
 export interface TriedValues {
   readonly isOwn: boolean;
-  /** The value that stands in the work, or in the example. */
+  /** The present value of the work, or of the example. */
   readonly standing: number | "auto" | undefined;
-  /** Other values that had to be changed so that something is seen, by Q. */
+  /** Other values that had to be changed to make the effect visible, by Q. */
   readonly needed: Readonly<Record<string, number>>;
   /** Some of the values look like another one. */
   readonly isUnseen: boolean;
@@ -41,8 +41,8 @@ const jobWith = (job: SetJob, values: Readonly<Record<string, number | "auto">>)
 });
 
 /**
- * Runs a cycle with the values that show a parameter: with those of the open work, or with the example where nothing is
- * seen with them; null where the cycle makes no path at all.
+ * Simulates a cycle with values that show the effect of a parameter: on the open work, or on the example if nothing is
+ * visible on the work; null if the cycle makes no path at all.
  */
 async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promise<TriedValues | null> {
   let best: TriedValues | null = null;
@@ -64,7 +64,7 @@ async function tryValues(cycle: Cycle, q: string, goesOn: () => boolean): Promis
   return best;
 }
 
-/** A parameter at its values, run again when the open work changes; what was shown stays until then. */
+/** A parameter at several values, recomputed when the open work changes; the previous ones are shown until then. */
 export function useTriedValues(cycle: Cycle, q: string): MadeForPage<TriedValues> {
   const make = useCallback((goesOn: () => boolean) => tryValues(cycle, q, goesOn), [cycle, q]);
   return useMade(`${cycle.number}/${q}`, useGuideSource(cycle), make);

@@ -25,11 +25,11 @@ import "./handing.css";
 const pageAddress = () => location.href.replace(/[?#].*$/, "");
 
 interface Ready extends Packed {
-  /** Empty where it would be longer than browsers open. */
+  /** Empty if it would be longer than browsers open. */
   readonly link: string;
 }
 
-/** The open work, packed as it was when the dialog opened; null until it is. */
+/** The open work, packed as it was when the dialog opened; null until then. */
 function usePacked(open: Work): Ready | null {
   const [ready, set] = useState<Ready | null>(null);
   useEffect(() => {
@@ -52,7 +52,7 @@ interface Props {
   readonly done: () => void;
 }
 
-/** The ways to hand the open work on with all that it runs with. */
+/** The share dialog: link, QR code and files of the open work, with its tools, control and machine. */
 export function HandOnDialog({ open, verdict, done }: Props) {
   const words = useTextsSoon("handed");
   const ready = usePacked(open);
@@ -84,7 +84,7 @@ export function HandOnDialog({ open, verdict, done }: Props) {
   );
 }
 
-/** What keeps a link from being opened where it goes; null when nothing does. */
+/** Why the link may not open elsewhere; null if it does. */
 function warningOf(words: HandedTexts, link: string, isOnlyHere: boolean): string | null {
   if (link === "") return words.linkTooLong;
   if (isOnlyHere) return words.hereOnly;

@@ -4,11 +4,11 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";
 import { useIncoming } from "../../app/records/incoming.ts";
 
-/** Fetched when something was handed on. */
+/** Loaded when a work was received or has its own tools. */
 const IncomingDialog = lazyPart(async () => ({ default: (await import("./IncomingDialog.tsx")).IncomingDialog }));
 const WorkBar = lazyPart(async () => ({ default: (await import("./WorkBar.tsx")).WorkBar }));
 
-/** What a link or a file holds, as long as nobody has said what becomes of it. */
+/** The dialog of a received link or file, until it is answered. */
 export function IncomingWork() {
   const waits = useIncoming((s) => s.incoming !== null);
   return (
@@ -20,7 +20,9 @@ export function IncomingWork() {
   );
 }
 
-/** One line over a work that does not run with what this device has. A task says with its goals what it allows. */
+/**
+ * The line above a work that runs with other settings than this device. A task names its tools in its goals instead.
+ */
 export function HandedLine() {
   const isTask = useEditor(({ job, program }) => (job ?? program)?.task !== undefined);
   const tools = useEditor((s) => handedOn(s).tools !== undefined);

@@ -10,7 +10,7 @@ import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { WorkFacts } from "./WorkFacts.tsx";
 import "./handing.css";
 
-/** What a link or a file holds, before anything of it is opened. */
+/** The contents of a received link or file, before anything is opened. */
 export function IncomingDialog() {
   const incoming = useIncoming((s) => s.incoming);
   return incoming && <Inside key={incoming.work.name} incoming={incoming} />;

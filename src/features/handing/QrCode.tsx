@@ -1,10 +1,7 @@
 import { useMemo } from "react";
 import { qrOf, qrPath, QUIET } from "./qr.ts";
 
-/**
- * A link as a code for a camera, dark on light in both appearances, as scanners expect it; nothing for one that is too
- * long.
- */
+/** A link as a QR code, dark on light in both themes, as scanners expect; nothing for a link that is too long. */
 export function QrCode({ link, name }: { readonly link: string; readonly name: string }) {
   const rows = useMemo(() => qrOf(link), [link]);
   if (!rows) return null;

@@ -9,13 +9,13 @@ import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { WorkTools } from "./WorkTools.tsx";
 import "./handing.css";
 
-/** The one thing that is most to be known of what a work runs with. */
+/** The most important difference of a work's settings, as a sentence. */
 function saidOf(words: HandedTexts, tools: number | undefined, control: Control | undefined, machine = ""): string {
   if (tools !== undefined) return words.bar(tools);
   return control === undefined ? words.barMachine(nameOfMachine(words, machine)) : words.barControl(control);
 }
 
-/** Says that the open work runs with what it was handed on with, and leads to it. */
+/** Says that the open work runs with the settings it was shared with, and opens their dialog. */
 export function WorkBar() {
   const words = useTextsSoon("handed");
   const tools = useEditor((s) => handedOn(s).tools);

@@ -8,10 +8,10 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { nameOfMachine } from "./machine-name.ts";
 import { filesOf, isProgram, textsOf, type Work } from "../../app/document/work.ts";
 
-/** Bytes of a text as it is kept. */
+/** Stored size of a text, bytes. */
 const sizeOf = (text: string): number => new TextEncoder().encode(text).length;
 
-/** What a work is made of. */
+/** Number of blocks, and size in bytes. */
 function measured(work: Work) {
   const text = isProgram(work) ? work.text : printedText(work);
   const blocks = parse(text).blocks.filter(({ statement }) => statement.kind !== "empty").length;
@@ -22,7 +22,7 @@ function measured(work: Work) {
   return { blocks, size };
 }
 
-/** What a work brings along, fact by fact; what is to be said of its tools and its control besides stands with them. */
+/** The contents of a work, fact by fact; `tools` and `control` include the differences to this device. */
 export function WorkFacts({
   words,
   work,

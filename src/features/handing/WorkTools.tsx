@@ -30,7 +30,7 @@ interface Props {
   readonly done: () => void;
 }
 
-/** The tools that the open work came with beside those of this device, and what can be done with them. */
+/** The tools that came with the open work, compared with those of this device, and the actions on them. */
 export function WorkTools({ words, done }: Props) {
   const tools = useEditor((s) => handedOn(s).tools);
   const control = useEditor((s) => handedOn(s).control);
@@ -105,10 +105,10 @@ export function WorkTools({ words, done }: Props) {
   );
 }
 
-/** What a tool is called in these lists. */
+/** Name of a tool in these lists. */
 const nameOf = (words: HandedTexts, entry: ToolEntry): string => words.tool(cellOf(entry, "T"), cellOf(entry, "NAME"));
 
-/** One tool that came with the work; beside the one of its number here where that is another. */
+/** One tool that came with the work; if it differs from the device's tool of its number, both side by side. */
 function WorkTool({
   words,
   beside,
@@ -172,7 +172,7 @@ function WorkTool({
   );
 }
 
-/** What came of keeping them, and what the program needs to find a tool under its new number. */
+/** Result of keeping the tools, and the change of calls for renumbered ones. */
 function Kept({ words, kept }: { readonly words: HandedTexts; readonly kept: KeptTools }) {
   const { added, replaced, moved } = kept;
   const [called, call] = useState(false);

@@ -1,3 +1,3 @@
-/* What the first screen shows of this feature. */
+/* The part of this feature that the first screen needs. */
 
 export { HandedLine, IncomingWork } from "./HandedParts.tsx";

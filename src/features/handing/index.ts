@@ -1,3 +1,3 @@
-/* Works that come from elsewhere, or go there. */
+/* Sharing of works, both ways. */
 
 export const fetchHandOnDialog = () => import("./HandOnDialog.tsx");

@@ -26,7 +26,7 @@ import {
   takeTableOfDevice,
 } from "./work-tools-edits.ts";
 
-/** The worker's answer, made here. */
+/** A stub of the worker's answer. */
 vi.mock("../../app/calculation/beside.ts", () => ({
   reportOf: (work: Work, file: string) =>
     Promise.resolve(
@@ -67,7 +67,7 @@ afterEach(() => {
   changeSettings({ control: "TNC 640", machine: "" });
 });
 
-test("a cycle that nobody has chosen a tool for brings the one that was proposed, and gives the same report elsewhere", async () => {
+test("a cycle without a chosen tool includes the proposed one, and gives the same report elsewhere", async () => {
   const [cycle] = cuttingCycles;
   if (!cycle) throw new Error("the catalogue is empty");
   begin({ ...exampleJob(cycle), ...UNSET, drafts: { ...exampleJob(cycle).drafts, 9: { Q1: "7" } } }, "mine");
@@ -116,7 +116,7 @@ test("a task is timed without a machine, as it is judged", () => {
   expect(machineInUse()).toBe("");
 });
 
-test("as a file the work is the same, and such a file is told from one of many works", async () => {
+test("the file contains the same work, and is distinguished from a file of several works", async () => {
   const [cycle] = cuttingCycles;
   if (!cycle) throw new Error("the catalogue is empty");
   begin(exampleJob(cycle), "mine");
@@ -144,7 +144,7 @@ const program: Work = {
   control: "TNC7",
 };
 
-test("a tool kept at a free number is called there in every file, as one step, and the work comes to the same with either table", () => {
+test("a tool kept at a free number is called there in every file, as one step, and the result is the same with either table", () => {
   begin(program, "theirs");
   const kept = keepWorkTools(({ number }) => (number === 3 ? "free" : "mine"));
   const to = kept.moved[0]?.to ?? 0;
@@ -173,7 +173,7 @@ test("a tool kept at a free number is called there in every file, as one step, a
   expect(useTools.getState().list).toEqual(shippedList);
 });
 
-test("a cycle that is opened as a program keeps what it came with", () => {
+test("a cycle converted to an NC program keeps its tools and settings", () => {
   const [cycle] = cuttingCycles;
   if (!cycle) throw new Error("the catalogue is empty");
   const tools = shippedList.slice(2, 4);

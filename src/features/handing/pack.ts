@@ -9,20 +9,20 @@ import { controlInUse, listInUse, machineInUse } from "../../app/document/work-t
 import { isProgram, type Work } from "../../app/document/work.ts";
 import type { Job } from "../../program/job/job.ts";
 
-/** The open work, ready to leave. */
+/** The open work, packed for sharing. */
 export interface Packed {
-  /** With all that it runs with here. */
+  /** With the tools, control and machine it uses here. */
   readonly work: Work;
   /** Name of its program file. */
   readonly file: string;
-  /** What it comes to, for comparison; null when the calculation did not say. */
+  /** The report for comparison; null if the calculation failed. */
   readonly report: string | null;
 }
 
-/** The cycle alone, with the tool that is proposed where none was chosen: another table might propose another one. */
+/** The cycle alone, with the proposed tool if none was chosen: another table might propose another one. */
 const alone = (job: Job): Job => ({ ...job, tool: setJobOf(job).tool, drafts: { [job.cycle]: draftOf(job) } });
 
-/** Packs the open work with the tools that it uses, the control it runs as and the machine of its times. */
+/** Packs the open work with the tools it uses, its control and its machine. */
 export async function packed(open: Work): Promise<Packed> {
   const file = isProgram(open) ? open.name : fileOfJob(open);
   const [list, control, machine] = [listInUse(), controlInUse(), machineInUse()];
@@ -35,6 +35,6 @@ export async function packed(open: Work): Promise<Packed> {
   };
 }
 
-/** The same as a file, with the tools once more as `verify` reads them. */
+/** The packed work as a file, with an extra copy of the tools for `verify`. */
 export const packedFile = ({ work }: Packed): Uint8Array<ArrayBuffer> =>
   writeArchive({ works: [{ work: "", savedAt: time(), job: work }], tools: work.tools ?? null });

@@ -3,7 +3,7 @@ import * as fc from "fast-check";
 import { expect, test } from "vitest";
 import { LONGEST_QR, qrOf, qrPath, QUIET } from "./qr.ts";
 
-/** The modules that a path of rectangles covers. */
+/** The modules covered by a path of rectangles. */
 function drawn(path: string, size: number): boolean[][] {
   const rows = Array.from({ length: size }, () => Array.from({ length: size }, () => false));
   for (const [, x = "", y = "", wide = ""] of path.matchAll(/M(\d+) (\d+)h(\d+)v1h-\d+z/g))
@@ -11,7 +11,7 @@ function drawn(path: string, size: number): boolean[][] {
   return rows;
 }
 
-test("the path covers just the black modules of the code", () => {
+test("the path covers exactly the black modules of the code", () => {
   fc.assert(
     fc.property(fc.string({ minLength: 1, maxLength: 400 }), (text) => {
       const rows = qrOf(text);
@@ -22,7 +22,7 @@ test("the path covers just the black modules of the code", () => {
   );
 });
 
-test("the longest link that is said to fit does, and the next is said not to", () => {
+test("the longest link stated to fit does fit, and one character more does not", () => {
   expect(qrOf("a".repeat(LONGEST_QR))?.length).toBe(137);
   expect(qrOf("a".repeat(LONGEST_QR + 1))).toBeNull();
   expect(() => encode("a".repeat(LONGEST_QR + 1), { ecc: "L", maxVersion: 30 })).toThrow();

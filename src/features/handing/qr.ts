@@ -1,12 +1,12 @@
 import { encode } from "uqr";
 
 /**
- * The largest code that is drawn: of this version a tablet still tells the modules apart on a screen. With the least
- * correction it holds `LONGEST_QR` characters; nothing covers a code on a screen, so that more is not needed.
+ * The largest version drawn: a tablet still resolves its modules on a screen. With the lowest error correction it holds
+ * `LONGEST_QR` characters; nothing covers a code on a screen, so that is enough.
  */
 const LARGEST = 30;
 export const LONGEST_QR = 1732;
-/** White modules round the code, which the standard asks for. */
+/** Quiet zone around the code, in modules, as the standard requires. */
 export const QUIET = 4;
 
 /** A code as rows of modules, true where one is black, without its quiet zone; null for a text that is too long. */
@@ -15,7 +15,7 @@ export function qrOf(text: string): readonly (readonly boolean[])[] | null {
   return encode(text, { ecc: "L", maxVersion: LARGEST, border: 0 }).data;
 }
 
-/** The black modules as one path of rectangles, one for each stretch of a row, in modules with the quiet zone. */
+/** The black modules as one path of rectangles, one for each run in a row, in modules with the quiet zone. */
 export const qrPath = (rows: readonly (readonly boolean[])[]): string =>
   rows
     .flatMap((row, y) =>

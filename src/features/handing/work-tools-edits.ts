@@ -19,7 +19,7 @@ import { broughtBy, textsOf, withText, type ProgramWork } from "../../app/docume
 
 type Moved = KeptTools["moved"];
 
-/** Keeps the tools of the open work in the table of this device, as one step of undo; gives what came of it. */
+/** Keeps the tools of the open work in the table of this device, as one step of undo; returns the result. */
 export function keepWorkTools(choice: (beside: ToolBeside) => KeepAs): KeptTools {
   const { list } = useTools.getState();
   const kept = keptBeside(list, handedOn(useEditor.getState()).tools ?? [], choice);
@@ -27,28 +27,28 @@ export function keepWorkTools(choice: (beside: ToolBeside) => KeepAs): KeptTools
   return kept;
 }
 
-/** From now on the open work runs with the table of this device, as one step of undo. */
+/** Switches the open work to the table of this device, as one step of undo. */
 export function takeTableOfDevice(): void {
   handOver();
   const { tools: _, ...others } = broughtBy(handedOn(useEditor.getState()));
   setHandedOn(others);
 }
 
-/** From now on the open work runs as this device is set, as one step of undo. */
+/** Switches the open work to the control of this device, as one step of undo. */
 export function takeControlOfDevice(): void {
   handOver();
   const { control: _, ...others } = broughtBy(handedOn(useEditor.getState()));
   setHandedOn(others);
 }
 
-/** From now on times of the open work are worked out with the machine of this device, as one step of undo. */
+/** Switches the times of the open work to the machine of this device, as one step of undo. */
 export function takeMachineOfDevice(): void {
   handOver();
   const { machine: _, ...others } = broughtBy(handedOn(useEditor.getState()));
   setHandedOn(others);
 }
 
-/** How many calls in the open work name a tool that was given another number. */
+/** Number of calls in the open work that name a renumbered tool. */
 export function callsOf(moved: Moved): number {
   handOver();
   const { job, program } = useEditor.getState();
@@ -56,10 +56,7 @@ export function callsOf(moved: Moved): number {
   return program ? textsOf(program).reduce((sum, { text }) => sum + withCalls(parse(text), moved).changed, 0) : 0;
 }
 
-/**
- * The open work with other numbers for some of its tools, where they are called and in the tools that came with it: one
- * step of undo.
- */
+/** Renumbers tools of the open work, in its calls and in the included tools, as one step of undo. */
 export function callAs(moved: Moved): void {
   handOver();
   const { job, program } = useEditor.getState();
@@ -69,7 +66,7 @@ export function callAs(moved: Moved): void {
     return edit((now) => ({ ...now, ...(called && { tool: called.to }), ...(now.tools && toolsOf(now.tools)) }));
   }
   if (!program) return;
-  // The text in the editor is changed there, so that its own history goes on.
+  // The open text is changed in its editor, to keep one history.
   const inEditor = sessionView() ? fileKey(shownFile(program).name) : null;
   const texts = textsOf(program).filter(({ name }) => fileKey(name) !== inEditor);
   asOneStep(() => {

@@ -2,7 +2,7 @@ import { lookForNewer, updateNow } from "./offline.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useVersion } from "../../app/base/version.ts";
 
-/** Which version this is, whether all of it is on the device, and the way to a newer one. */
+/** The version, whether it is stored completely, and the button to check for a newer one. */
 export function OfflineState() {
   const t = useTexts("offline");
   const { kept, newer, looked } = useVersion();
@@ -11,7 +11,7 @@ export function OfflineState() {
       <p role="status" className="small">
         {t.kept[kept]} {newer === "none" ? t.looked[looked] : t[newer]}
       </p>
-      {/* Two buttons: under the finger none becomes another one. */}
+      {/* Two buttons, so that none changes its action under the finger. */}
       {kept !== "impossible" && (
         <button
           type="button"

@@ -3,7 +3,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { updateNow } from "./offline.ts";
 import { useVersion } from "../../app/base/version.ts";
 
-/** Says that a newer version is here. The page goes on as it is until somebody presses the button. */
+/** Announces a newer version. The page stays unchanged until the button is clicked. */
 export function UpdateBar() {
   const t = useTexts("offline");
   const newer = useVersion((v) => v.newer);

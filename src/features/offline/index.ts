@@ -1,4 +1,4 @@
-/* The page without a network, and its newer versions. */
+/* Offline support, and updates. */
 
 export const fetchOfflineState = () => import("./OfflineState.tsx");
 export const fetchUpdateBar = () => import("./UpdateBar.tsx");

@@ -2,12 +2,12 @@ import { time } from "../../app/base/clock.ts";
 import { handOver } from "../../app/document/store.ts";
 import { useVersion } from "../../app/base/version.ts";
 
-/** A page that stays open looks for a newer version when it is come back to, not more often than this, ms. */
+/** An open page checks for a newer version when it becomes visible, at most this often, ms. */
 const LOOK_AGAIN = 3_600_000;
 
 let registration: ServiceWorkerRegistration | null = null;
 
-/** Says what becomes of a version that is on its way. */
+/** Reports the progress of a pending version. */
 function followInstall(worker: ServiceWorker): void {
   const now = () => {
     const others = registration?.active && registration.active !== worker;
@@ -22,7 +22,7 @@ function followInstall(worker: ServiceWorker): void {
   now();
 }
 
-/** Keeps the page, or goes on with that where it was broken off. */
+/** Stores the page, or resumes an interrupted download. */
 async function register(): Promise<void> {
   try {
     registration = await navigator.serviceWorker.register(new URL("sw.js", document.baseURI), {
@@ -37,7 +37,7 @@ async function register(): Promise<void> {
   for (const worker of [registration.installing, registration.waiting]) if (worker) followInstall(worker);
 }
 
-/** Looks whether the server has a newer version. It is fetched whole before anything is said of it. */
+/** Checks for a newer version on the server. It is downloaded completely before it is announced. */
 export async function lookForNewer(): Promise<void> {
   useVersion.setState({ looked: "looking", lookedAt: time() });
   try {
@@ -52,10 +52,7 @@ export async function lookForNewer(): Promise<void> {
   }
 }
 
-/**
- * Puts the newer version in use and loads the page again; what is typed is handed over first, and kept as on every
- * reload.
- */
+/** Activates the newer version and reloads the page; flushes buffered edits first, as on every reload. */
 export function updateNow(): void {
   handOver();
   const waiting = registration?.waiting;
@@ -65,13 +62,14 @@ export function updateNow(): void {
 }
 
 /**
- * From now on the page is kept on the device, and newer versions are noticed. Nothing here loads the page by itself.
+ * From now on the page is stored on the device, and newer versions are noticed. Nothing here reloads the page by
+ * itself.
  */
 export async function startOffline(): Promise<void> {
   const { serviceWorker: container } = navigator;
   let cared = container.controller !== null;
   container.addEventListener("controllerchange", () => {
-    // The first one takes a page into its care that came from the network.
+    // The first worker takes control of a page that came from the network.
     if (cared) useVersion.setState({ newer: "elsewhere", later: false });
     cared = true;
   });

@@ -3,26 +3,25 @@ import { PrecacheController, PrecacheRoute, type PrecacheEntry } from "workbox-p
 import { registerRoute } from "workbox-routing";
 
 /*
- * Keeps the whole site on the device. A version is taken only as a whole: each file has to be the one that the build
- * made, or the version before stays in use. It takes over when no page of the older version is open, or when somebody
- * asks for it.
+ * Stores the whole site on the device. A version is installed only as a whole: each file has to match the build's hash,
+ * or the previous version stays in use. It takes over when no page of the older version is open, or on request.
  */
 
 declare const self: ServiceWorkerGlobalScope;
-/** The list of the site, put in by the build (scripts/offline.ts). */
+/** The file list, injected by the build (scripts/offline.ts). */
 declare const KEPT_FILES: PrecacheEntry[];
 
-/** Files that are on their way at the same time. */
+/** Files fetched in parallel. */
 const AT_ONCE = 4;
 
 const controller = new PrecacheController();
 controller.addToCacheList(KEPT_FILES);
-// What a server says of encodings and origins makes no difference to files that are known by their content.
+// Files are identified by content, so the server's Vary headers do not matter.
 controller.strategy.matchOptions = { ignoreVary: true };
 
 type KeyedFile = readonly [url: string, cacheKey: string];
 
-/** Fetches one file of the list, unless it is here already: one that is not what the list says is refused. */
+/** Fetches one file of the list, unless it is cached; rejects a file that does not match its hash. */
 async function keepFile(event: ExtendableEvent, [url, cacheKey]: KeyedFile, cache: RequestCache): Promise<void> {
   const integrity = controller.getIntegrityForCacheKey(cacheKey) ?? "";
   const request = new Request(url, { integrity, cache, credentials: "same-origin", priority: "low" });
@@ -30,10 +29,10 @@ async function keepFile(event: ExtendableEvent, [url, cacheKey]: KeyedFile, cach
 }
 
 type Trust = (file: KeyedFile) => RequestCache;
-/** What bears its content in its name may come out of the browser's own store. */
+/** Files with a hash in their name may come from the HTTP cache. */
 const trusting: Trust = ([url, cacheKey]) => (url === cacheKey ? "default" : "no-cache");
 
-/** Fetches what is missing. Gives what did not come or is not what the list says. */
+/** Fetches the missing files. Returns those that failed or do not match their hash. */
 async function keepFiles(
   event: ExtendableEvent,
   wanted: readonly KeyedFile[],
@@ -51,10 +50,7 @@ async function keepFiles(
   return failed;
 }
 
-/**
- * What lies in the browser's own store may be a page that a server gave in place of a missing file: the second time it
- * is passed by.
- */
+/** The HTTP cache may hold an error page that a server returned for a missing file: the second try bypasses it. */
 async function keepAll(event: ExtendableEvent): Promise<void> {
   const failed = await keepFiles(event, [...controller.getURLsToCacheKeys()], trusting);
   if (failed.length > 0 && (await keepFiles(event, failed, () => "reload")).length > 0)
@@ -62,8 +58,7 @@ async function keepAll(event: ExtendableEvent): Promise<void> {
 }
 
 /**
- * Pages hold a lock with the address of their script: whether one of an older version is open, whose parts are still
- * wanted.
+ * Pages hold a lock named by their script address: whether one of an older version is open, and still needs its parts.
  */
 async function olderPages(): Promise<boolean> {
   if (!("locks" in self.navigator)) return false;
@@ -87,7 +82,7 @@ self.addEventListener("message", (event) => {
 });
 
 registerRoute(new PrecacheRoute(controller, { ignoreURLParametersMatching: [/./], cleanURLs: false }));
-// A page of the version before, still open, fetches its own parts.
+// An open page of the previous version fetches its own parts.
 registerRoute(
   ({ url }) => url.href.startsWith(`${self.registration.scope}assets/`),
   async ({ request }) =>

@@ -2,8 +2,8 @@ import { atRest } from "../../app/base/rest.ts";
 import { canKeep } from "../../app/base/version.ts";
 
 /**
- * Keeps the page on the device once it is shown and the browser rests: the first visit waits for none of it. From the
- * beginning this page says by a lock which version it is, so that its parts are not cleared away while it is open.
+ * Stores the page on the device when the browser is idle, so that the first visit never waits. From the start, the page
+ * holds a lock with its version, so that its parts are not removed while it is open.
  */
 export function startOfflineLater(): void {
   if (!canKeep) return;

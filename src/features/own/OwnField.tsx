@@ -5,7 +5,7 @@ import { Message } from "../../app/base/Message.tsx";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { closeStep } from "../../app/document/steps.ts";
 
-/** What is wrong with a field. What is only not there yet is said calmly. */
+/** The faults of a field. A merely missing value is shown without alarm. */
 export function OwnProblems({ problems, text }: { readonly problems: readonly OwnProblem[]; readonly text: string }) {
   const t = useTexts();
   const { own } = useTexts("tables");
@@ -32,7 +32,7 @@ interface Props {
   readonly hint?: string;
 }
 
-/** One field of a description. Each keystroke goes to the list; leaving it ends the step of undo. */
+/** One field of a description. Each keystroke goes to the list; leaving the field ends the step of undo. */
 export function OwnField({ className, label, name, text, problems, onText, kind = "text", hint }: Props) {
   return (
     <LabelledInput

@@ -9,7 +9,7 @@ import { addParameter, hasRoom, setHead } from "../../app/fields/blocks/own-edit
 import { OwnField, OwnProblems } from "./OwnField.tsx";
 import { ParameterCard } from "./ParameterCard.tsx";
 
-/** Enter goes on to the next field, as ENT does on the control. */
+/** Enter goes to the next field, as ENT does on the control. */
 function onEnter(event: KeyboardEvent<HTMLElement>): void {
   const from = event.target;
   if (event.key !== "Enter" || !(from instanceof HTMLInputElement)) return;
@@ -34,7 +34,7 @@ export function OwnForm({ entry, reading, name, onDuplicate, onRemove }: Props) 
   const form = useRef<HTMLElement>(null);
   const at = (field: string) => reading.problems.filter((problem) => problem.at === field);
   const add = () => {
-    // Drawn at once, so that what is typed next goes into it.
+    // Rendered synchronously, so that the next key goes into it.
     const id = flushSync(() => addParameter(entry));
     form.current?.querySelector<HTMLElement>(`[data-parameter="${id}"] input`)?.focus();
   };

@@ -54,7 +54,7 @@ test("a cycle is described by keyboard: the number is asked first, Enter goes on
   expect(document.activeElement).toBe(field(`Q1712: ${t.cells.q}`));
 });
 
-test("what is wrong stands at its field, and the list names the cycle that cannot be used", async () => {
+test("a fault is shown at its field, and the list names the unusable cycle", async () => {
   ownRecord.replace([entry("c1", "317"), entry("c2", "812")]);
   showOwn("c2");
   render(<OwnPage />);
@@ -69,7 +69,7 @@ test("what is wrong stands at its field, and the list names the cycle that canno
   expect(field(t.number).getAttribute("aria-invalid")).toBe("true");
 });
 
-test("typing in one field is one step of undo; the history keys work here and leave the keyboard where it is", async () => {
+test("typing in one field is one step of undo; the history keys work here and leave focus where it is", async () => {
   ownRecord.replace([entry("c1", "317")]);
   document.addEventListener("keydown", onHistoryKey);
   render(<OwnPage />);
@@ -86,7 +86,7 @@ test("typing in one field is one step of undo; the history keys work here and le
   document.removeEventListener("keydown", onHistoryKey);
 });
 
-test("duplicate, delete, and undo beside what was said", async () => {
+test("duplicate, delete, and undo next to the status", async () => {
   ownRecord.replace([entry("c1", "317")]);
   render(<OwnPage />);
   const user = userEvent.setup();
@@ -119,7 +119,7 @@ test("parameters are moved and deleted; a choice asks for its values instead of 
   expect(await screen.findByRole("textbox", { name: `Q2: ${t.cells.min}` })).toBeTruthy();
 });
 
-test("a block is described once", () => {
+test("a block is described only once", () => {
   const s = parse("CYCL DEF 0317 X ~\nQ5=+1 ;A\n").blocks[0]?.statement;
   if (s?.kind !== "cycle") throw new Error("no cycle");
   expect(describeBlock(s)).toBe("c1");
@@ -128,7 +128,7 @@ test("a block is described once", () => {
   expect(steps()).toBe(1);
 });
 
-test("a file comes in as one step, or not at all", async () => {
+test("a file is imported as one step, or not at all", async () => {
   ownRecord.replace([entry("c1", "317")]);
   const file = (text: string) => new File([text], "a.json");
   const said = await importOwnFile(
@@ -154,7 +154,7 @@ test("a file comes in as one step, or not at all", async () => {
   expect(list()).toEqual([entry("c1", "317")]);
 });
 
-test("what is kept comes back; damaged data do not", () => {
+test("stored descriptions are loaded; damaged data are not", () => {
   const own = [entry("c1", "31x"), entry("c2", "317", "")];
   expect(ownRecord.read(ownRecord.write(own))).toEqual(own);
   const wrongKind = JSON.parse(JSON.stringify({ version: 1, cycles: own }).replace('"length"', '"depth"')) as unknown;
@@ -168,7 +168,7 @@ test("what is kept comes back; damaged data do not", () => {
     expect(ownRecord.read(damaged)).toBeNull();
 });
 
-test("changes are kept on the device, damaged lists are set aside, other tabs are followed", () => {
+test("changes are stored on the device, damaged lists are set aside, other tabs are followed", () => {
   const fromOtherTab = (newValue: string) =>
     dispatchEvent(new StorageEvent("storage", { key: "turnwise/own-cycles", newValue, storageArea: localStorage }));
   localStorage.setItem("turnwise/own-cycles", "{broken");

@@ -13,7 +13,7 @@ import { OwnForm } from "./OwnForm.tsx";
 import "../../app/fields/table/tools.css";
 import "./own.css";
 
-/** The own cycles of this device: the list, and beside it the description of one. */
+/** The own cycles of this device: the list, and the description of the open one. */
 export function OwnPage() {
   const t = useTexts("tables").own;
   const list = useOwn((s) => s.list);
@@ -39,7 +39,7 @@ export function OwnPage() {
         page.current?.querySelector<HTMLElement>(".own-row[aria-current]") ?? page.current?.querySelector("button")
       )?.focus();
     else {
-      // What a program proposes is there: the first text that is missing is asked for, or else the kind of the first
+      // Proposals from a program are filled in: focus goes to the first missing text, or else to the kind of the first
       // parameter.
       const [number, ...words] =
         page.current?.querySelectorAll<HTMLInputElement>(".own-names input, .own-prompt input") ?? [];

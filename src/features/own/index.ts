@@ -1,3 +1,3 @@
-/* Cycles that this edition does not know, described by the operator. */
+/* Own cycles: unknown here, described by the operator. */
 
 export const fetchOwnPage = () => import("./OwnPage.tsx");

@@ -10,7 +10,7 @@ import type { TableSaid } from "../../app/fields/table/TableStatus.tsx";
 
 const failure = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
 
-/** Takes the descriptions of a text into the list: one step of undo. */
+/** Imports the descriptions of a text into the list: one step of undo. */
 export function importOwnText(text: string, name: string, t: OwnTexts): TableSaid {
   const read = readLibraryFile(text);
   if ("problem" in read) {
@@ -36,10 +36,10 @@ export function importOwnText(text: string, name: string, t: OwnTexts): TableSai
   };
 }
 
-/** Larger files hold more than a list of cycles, bytes. */
+/** Larger files are no list of cycles, bytes. */
 const LARGEST = 2_000_000;
 
-/** Takes the descriptions of a file into the list. */
+/** Imports the descriptions of a file into the list. */
 export async function importOwnFile(file: File, t: OwnTexts): Promise<TableSaid> {
   if (file.size > LARGEST) return failure(t.files.tooLarge(file.name));
   try {
@@ -49,7 +49,7 @@ export async function importOwnFile(file: File, t: OwnTexts): Promise<TableSaid>
   }
 }
 
-/** Hands the list to the downloads of the browser, what is still wrong in it too. */
+/** Downloads the list, including its faults. */
 export function exportOwn(t: OwnTexts): TableSaid {
   const { list } = useOwn.getState();
   downloadText(writeLibrary(list), "CYCLES.json");

@@ -8,7 +8,7 @@ import type { Outcome } from "../../app/calculation/outcome.ts";
 import { useDrawnMeasured } from "./SheetMeasured.tsx";
 import type { SheetWords } from "./sheet-words.ts";
 
-/** Room for the drawing beside the facts, mm on paper. */
+/** Room for the drawing next to the facts, mm on paper. */
 const ROOM = { width: 124, height: 96 } as const;
 
 /** The set-up to scale, as a drawing for black and white. */

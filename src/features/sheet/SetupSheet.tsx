@@ -21,7 +21,7 @@ import { SheetTools } from "./SheetTools.tsx";
 import { sheetWords } from "./sheet-words.ts";
 import type { SheetSource } from "./use-sheet.ts";
 
-/** Findings and reasons that are spelled out on the sheet. */
+/** Most findings and reasons listed on the sheet. */
 const MOST = { findings: 10, reasons: 8 } as const;
 
 type Stamp = Exclude<keyof SheetTexts["stamp"], "noneWhy" | "dryRun" | "calculating">;
@@ -101,7 +101,7 @@ function FindingLines({ t, source }: { readonly t: SheetTexts; readonly source: 
   );
 }
 
-/** The sheet as it is printed: the set-up for the setter, then the program. */
+/** The printed sheet: the set-up for the setter, then the program. */
 export function SetupSheet({
   source,
   t,
@@ -178,7 +178,7 @@ export function SetupSheet({
   );
 }
 
-/** Whether a result is on its way. */
+/** Whether a result is pending. */
 function useIsCalculated({ outcome }: SheetSource): boolean {
   const stage = useOutcome((s) => s.stage);
   return outcome === null && stage !== null;

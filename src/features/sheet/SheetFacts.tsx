@@ -11,7 +11,7 @@ import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import type { SheetWords } from "./sheet-words.ts";
 import type { SheetSource } from "./use-sheet.ts";
 
-/** A place for what the setter writes by hand. */
+/** A line for handwriting. */
 const BLANK_LINE = <span className="sheet-line" />;
 
 function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number): string {
@@ -19,9 +19,9 @@ function zeroText(t: SheetTexts["facts"], words: SheetWords, front: number): str
   return words.units(front > 0 ? t.zeroBehind(words.length(front)) : t.zeroBefore(words.length(-front)));
 }
 
-/** A stated clamping in the words of its fields, each on a line. */
+/** The clamping in the words of its fields, one per line. */
 function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords): readonly string[] {
-  // The names of diameters have their sign already.
+  // Names of diameters already contain their sign.
   const across = words.length,
     along = words.signed,
     said = (name: string, value: string) => [`${name} ${value}`];
@@ -38,7 +38,7 @@ function clampingSaid(c: Clamping, t: ClampingTexts, words: SheetWords): readonl
   ];
 }
 
-/** What the setter needs beside the drawing. */
+/** The facts for the setter next to the drawing. */
 export function SheetFacts({
   source: { data, outcome },
   work,

@@ -16,7 +16,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 const NOTHING: readonly MeasurementNow[] = [];
 
-/** What was measured in the open work, as far as the sheet is to show it. */
+/** The measurements of the open work that the sheet shows. */
 export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementNow[] {
   const list = useEditor(measuredIn),
     isShown = useSettings((s) => s.sheetMeasured);
@@ -27,7 +27,7 @@ export function useSheetMeasured(outcome: Outcome | null): readonly MeasurementN
   );
 }
 
-/** Those that are drawn: of the finished part. Half-made parts and milled planes are not on the drawing. */
+/** Those to draw: of the finished part. Intermediate stock and milled planes are not on the drawing. */
 export function useDrawnMeasured(
   measured: readonly MeasurementNow[],
   run: Run | undefined,
@@ -49,7 +49,7 @@ export function useDrawnMeasured(
   );
 }
 
-/** What was measured, in words; what is of before a change is only counted. */
+/** The measurements, in words; stale ones are only counted. */
 export function SheetMeasured({
   measured,
   run,

@@ -6,7 +6,7 @@ import type { SheetWords } from "./sheet-words.ts";
 
 const NAMES = ["number", "name", "block", "tool", "start", "speed", "feed", "passes", "time"] as const;
 
-/** What is done, in order, and how long it takes. */
+/** The operations in order, with their times. */
 export function SheetOperations({
   data,
   t,

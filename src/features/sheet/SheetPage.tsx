@@ -12,7 +12,7 @@ import { useSheetSource } from "./use-sheet.ts";
 import "./sheet.css";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** The moment that the sheet says it was made; printing makes it anew. */
+/** The time stamp of the sheet; printing renews it. */
 function useNow(): Date {
   const [now, take] = useState(() => new Date(time()));
   useEffect(() => {
@@ -23,7 +23,7 @@ function useNow(): Date {
   return now;
 }
 
-/** What stands at the foot of each printed page; the printer counts the pages. */
+/** The footer of each printed page; the printer numbers the pages. */
 function useFoot(text: string, page: string): void {
   useEffect(() => {
     const { style } = document.documentElement;
@@ -36,7 +36,7 @@ function useFoot(text: string, page: string): void {
   }, [text, page]);
 }
 
-/** The sheet for the setter, as it will be printed, with what is chosen and written on it. */
+/** The sheet for the setter, as it will be printed, with the chosen options and remarks. */
 export function SheetPage() {
   const t = useTexts("sheet");
   const source = useSheetSource();

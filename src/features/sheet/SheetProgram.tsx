@@ -1,9 +1,9 @@
 import { blockNumbers, type Program } from "../../nc/program.ts";
 
-/** Longer programs are one text: nobody looks for the place where a block breaks in them. */
+/** Longer programs are printed as one text, without page breaks between blocks. */
 const MOST_BLOCKS = 4000;
 
-/** The blocks of a program with their numbers, also where the file has none. */
+/** The blocks of a program with their numbers, even if the file has none. */
 function blocksOf(program: Program): readonly string[] {
   const numbers = blockNumbers(program);
   return program.blocks.flatMap(({ raw, number, statement }, i) => {
@@ -14,7 +14,7 @@ function blocksOf(program: Program): readonly string[] {
   });
 }
 
-/** The program as it leaves: in Klartext block by block, or its DIN/ISO file. */
+/** The program as exported: block by block in Klartext, or its DIN/ISO file. */
 export function SheetProgram({
   program,
   iso,

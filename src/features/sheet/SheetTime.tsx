@@ -5,7 +5,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 import type { SheetWords } from "./sheet-words.ts";
 
-/** The running time, where it goes, and what it contains. */
+/** The running time, its parts, and what it includes. */
 export function SheetTime({
   run,
   t,

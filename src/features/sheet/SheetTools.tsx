@@ -59,7 +59,7 @@ const COLUMNS = [
   "PITCH",
 ] as const;
 const MILL_COLUMNS = ["R", "DR", "T-ANGLE", "LCUTS", "PITCH"] as const;
-/** Columns whose 0 is said: the others say something only where they are not. */
+/** Columns that print 0, too; the others print only other values. */
 const ALWAYS: readonly string[] = ["TO", "RS", "R"];
 
 function cells(tool: SheetTool, words: SheetWords): readonly string[] {

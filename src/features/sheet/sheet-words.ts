@@ -8,26 +8,26 @@ import { type Diameter, toDiameter } from "../../kernel/units.ts";
 import type { SheetFeed } from "../../report/sheet/setup-data.ts";
 import type { DrawingWords } from "../../view/sheet/part-drawing.ts";
 
-/** Numbers and times of the sheet in one language, and lengths as the program counts them. */
+/** Number and time formats of the sheet in one language, and lengths in the unit of the program. */
 export interface SheetWords extends DrawingWords {
   readonly number: (value: number) => string;
   /** A length in mm, without its unit. */
   readonly length: (mm: number) => string;
-  /** A text with units in it, as the program counts. */
+  /** A text with units, converted to the unit of the program. */
   readonly units: (text: string) => string;
   readonly signed: (value: number) => string;
   readonly start: (p: Pt) => string;
   readonly time: (seconds: number) => string;
   readonly feeds: (feeds: readonly SheetFeed[]) => string;
   readonly most: (speed: number) => string;
-  /** The speed and its limit in rpm; empty where it stands still. */
+  /** The speed and its limit in rpm; empty for a stopped spindle. */
   readonly spindle: (spindle: Spindle | null) => string;
 }
 
-/** A minus as long as a plus is wide. */
+/** A minus sign with the width of a plus. */
 const typeset = (text: string): string => text.replace(/^-/, "−");
 
-/** What the sheet says of numbers. */
+/** The formats of the sheet. */
 export function sheetWords(t: Texts, own: SheetTexts, lengths: Lengths): SheetWords {
   const { language } = lengths;
   const number = (value: number) => typeset(formatNumber(language, value));

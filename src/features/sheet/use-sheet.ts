@@ -10,22 +10,22 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { handedOn, useEditor } from "../../app/document/store.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 
-/** What the sheet is made of. */
+/** Inputs of the sheet. */
 export interface SheetSource {
   readonly program: Program;
   readonly data: SetupData;
-  /** The result of this very text; null while there is none. */
+  /** The result of exactly this text; null while pending. */
   readonly outcome: Outcome | null;
-  /** The control setting that it is calculated for. */
+  /** The control it is calculated for. */
   readonly control: Control;
   /** Name of the program's file. */
   readonly file: string;
-  /** The text of the file where it is DIN/ISO; null where it is Klartext, as in `program`. */
+  /** The text of the file if it is DIN/ISO; null for Klartext, as in `program`. */
   readonly iso: string | null;
   readonly remarks: string;
 }
 
-/** The open work as its sheet needs it; null where nothing is open. */
+/** Inputs of the sheet for the open work; null if none is open. */
 export function useSheetSource(): SheetSource | null {
   const job = useEditor((s) => s.job);
   const work = useEditor((s) => s.program);

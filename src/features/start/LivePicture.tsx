@@ -7,12 +7,12 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 import { durationOf, livePlace } from "./live-place.ts";
 import type { LiveRun } from "./pictures.ts";
 
-/** The picture is drawn anew no more often than this, ms: it plays beside other things. */
+/** Least time between two frames, ms: other things run as well. */
 const PICTURE = 30;
-/** Where it stands while it does not move: in the middle of roughing, as a part of the whole. */
+/** Where the paused picture stands: in the middle of roughing, as a share of the run. */
 const STILL = 0.34;
 
-/** Shows a run at a time by what is in the picture already; React draws none of it again. */
+/** Shows a run at a time by changing the DOM directly, without React. */
 function put(svg: SVGSVGElement, run: LiveRun, time: number): number {
   const { z, r, inwards, before, after, pass } = livePlace(run, time);
   const [left, top, width, height] = run.box;
@@ -31,8 +31,8 @@ function put(svg: SVGSVGElement, run: LiveRun, time: number): number {
 }
 
 /**
- * A real program on the lathe: the tool runs and the material goes. It can be held, and stands still where motion is
- * not wanted.
+ * A real program on the lathe: the tool moves and removes material. It can be paused, and stands still with reduced
+ * motion.
  */
 export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
   const {
@@ -63,7 +63,7 @@ export function LivePicture({ run }: { readonly run: LiveRun | undefined }) {
     let cancel = () => undefined as void;
     const next = (now: number) => {
       if (now - before >= PICTURE) {
-        // Out of sight no pictures are asked for; the run goes on where it was.
+        // Out of view no frames are requested; the run resumes where it was.
         time.current = ((time.current ?? 0) + Math.min(now - before, 4 * PICTURE)) % whole;
         before = now;
         show(time.current);

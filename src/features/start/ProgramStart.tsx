@@ -18,14 +18,14 @@ import { CreateProgram } from "./CreateProgram.tsx";
 import { PartPicture } from "../../app/fields/kept/PartPicture.tsx";
 import type { StartPictures } from "./pictures.ts";
 
-/** Opens one of the programs that ship with the page. */
+/** Opens one of the built-in example programs. */
 export async function openExample(id: string): Promise<void> {
   const { examples } = await import("../../examples/index.ts");
   const found = examples.find((example) => example.id === id);
   if (found) openText(found.text);
 }
 
-/** Ways to a whole program: a file, a paste, an empty one, an example. */
+/** Ways to get an NC program: a file, a paste, a new one, an example. */
 export function ProgramStart({ pictures }: { readonly pictures: StartPictures | null }) {
   const t = useTexts("first").page;
   const [opening, setOpening] = useState<Opening>("opened");
@@ -122,7 +122,7 @@ export function ProgramStart({ pictures }: { readonly pictures: StartPictures | 
           ref={area}
           onChange={(event) => paste(event.currentTarget.value.trim() !== "")}
           onPaste={(event) => {
-            // Set at once: typing it in would take a browser seconds for a long program.
+            // Set at once: pasting a long program into the field would take seconds.
             const text = event.clipboardData.getData("text/plain");
             if (event.currentTarget.value !== "" || text.trim() === "") return;
             event.preventDefault();

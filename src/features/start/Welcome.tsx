@@ -2,7 +2,7 @@ import { LivePicture } from "./LivePicture.tsx";
 import type { StartPictures } from "./pictures.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** What a control does not show and this page does, beside a program that runs. */
+/** What this page shows and a control does not, next to a running program. */
 export function Welcome({ pictures }: { readonly pictures: StartPictures | null }) {
   const { start: t } = useTexts("first").page;
   return (

@@ -7,7 +7,7 @@ import { openPrompt } from "../../app/place/place.ts";
 import { startWork } from "../../app/records/keep.ts";
 import { useSettings } from "../../app/base/settings/settings.ts";
 
-/** Begins a program of a cycle, with the printed example's values or with empty prompts. */
+/** Starts a work with a cycle, with the printed example's values or with empty prompts. */
 export function beginCycle(number: number, withExample: boolean): void {
   const cycle = cycleByNumber(number);
   if (!cycle) return;
@@ -16,7 +16,7 @@ export function beginCycle(number: number, withExample: boolean): void {
   const job = withExample ? example : { ...example, ...UNSET, drafts: {}, contour: [] };
   startWork(job);
   const [question = null] = Object.keys(cycle.params);
-  // A new work begins with what a setter knows; that of an example is there already.
+  // A new work starts with the set-up; that of an example is filled in already.
   const first = withExample ? question : FIRST_PLACE;
   openPrompt(first, first === null ? "" : (draftOf(job)[first] ?? ""));
 }

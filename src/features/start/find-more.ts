@@ -2,16 +2,16 @@ import type { ExampleId } from "../../examples/index.ts";
 import { plain } from "../../app/fields/chooser/search.ts";
 import type { Kept } from "../../app/records/device.ts";
 
-/** What is found beside the cycles. */
+/** Search results besides the cycles. */
 export interface FoundMore {
   readonly works: readonly Kept[];
   readonly examples: readonly ExampleId[];
 }
 
-/** Works that a search shows; the newest come first. */
+/** Most works shown by a search; the newest come first. */
 const MOST = 12;
 
-/** Works and examples that hold every word that is sought, in their name or their cycle. */
+/** Works and examples that contain every search word, in their name or their cycle. */
 export function findMore(
   sought: string,
   works: readonly Kept[],

@@ -1,4 +1,4 @@
-/* What the first screen shows of this feature. */
+/* The part of this feature that the first screen needs. */
 
 export { CreateProgram } from "./CreateProgram.tsx";
 export { StartPage } from "./StartPage.tsx";

@@ -11,7 +11,7 @@ const run = {
   ],
 } as unknown as LiveRun;
 
-test("on its way the tool stands between two places, with the stock before it and behind it", () => {
+test("between two waypoints the tool is interpolated, with the stock before and after the move", () => {
   expect(livePlace(run, 530)).toEqual({
     z: expect.closeTo(-19.65, 6) as number,
     r: 33.1,
@@ -29,7 +29,7 @@ test("on its way the tool stands between two places, with the stock before it an
   });
 });
 
-test("it begins at the first place and stays at the last one", () => {
+test("it starts at the first place and stays at the last one", () => {
   expect(livePlace(run, 0)).toMatchObject({ z: 2, r: 37.5, after: 0 });
   expect(livePlace(run, 1030 + STANDS - 1)).toMatchObject({ z: -41.3, r: 38, before: 1, after: 1 });
   expect(durationOf(run)).toBe(1030 + STANDS);

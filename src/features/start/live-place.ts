@@ -1,24 +1,24 @@
 import type { LiveRun, Waypoint } from "./pictures.ts";
 
-/** A moment of a run that plays. */
+/** A moment of a playing run. */
 export interface LivePlace {
   readonly z: number;
   readonly r: number;
-  /** The tool goes towards the chuck: what lies beyond it is still there. */
+  /** The tool moves towards the chuck: the material beyond it is still there. */
   readonly inwards: boolean;
-  /** Indexes of the stock before and after the motion that goes on. */
+  /** Indexes of the stock before and after the current move. */
   readonly before: number;
   readonly after: number;
   readonly pass: number;
 }
 
-/** How long the finished part stands still before the run begins again, ms. */
+/** Pause on the finished part before the run repeats, ms. */
 export const STANDS = 2500;
 
-/** Duration of a run with its rest, ms. */
+/** Duration of a run with its pause, ms. */
 export const durationOf = ({ way }: LiveRun): number => (way.at(-1)?.[0] ?? 0) + STANDS;
 
-/** Where a run is at a time, ms. */
+/** The state of a run at a time, ms. */
 export function livePlace({ way }: LiveRun, time: number): LivePlace {
   const next = way.findIndex(([at]) => at >= time);
   const last = way.at(-1) as Waypoint;

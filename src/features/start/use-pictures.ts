@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import type { StartPictures } from "./pictures.ts";
 
-/** What the page shows of programs, once it is here: the first screen does not wait for it. */
+/** Pictures of programs, once loaded: the first screen does not wait for them. */
 export function usePictures(): StartPictures | null {
   const [pictures, take] = useState<StartPictures | null>(null);
   useEffect(() => {

@@ -7,7 +7,7 @@ import { useTextsSoon } from "../../app/base/settings/use-texts.ts";
 import { CodeFillings, CodeNotes, CodeParts } from "./CodeReading.tsx";
 import { setCells } from "./tool-edits.ts";
 
-/** The code of an insert or a holder, read while it is typed; Enter fills the columns that it names, as one step. */
+/** The code of an insert or a holder, parsed at each keystroke; Enter fills its columns, as one step. */
 export function CodeField({ entry }: { readonly entry: ToolEntry }) {
   const w = useTextsSoon("tool-codes");
   const id = useId();

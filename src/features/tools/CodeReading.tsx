@@ -10,7 +10,7 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 
 type Number = (n: number) => string;
 
-/** What a part of a code means, in words. */
+/** The meaning of a part of a code, in words. */
 function meaningOf(meaning: CodeMeaning, w: ToolCodeTexts, number: Number): string {
   switch (meaning.is) {
     case "form":
@@ -87,7 +87,7 @@ export function CodeParts({ parts, words: w }: { readonly parts: readonly CodePa
   );
 }
 
-/** What a code fills, each cell with what stands in it now. */
+/** The cells that a code fills, each with its present value. */
 export function CodeFillings({
   cells,
   words: w,
@@ -114,7 +114,7 @@ export function CodeFillings({
   );
 }
 
-/** What has to be known before a code is taken over; what disagrees comes with a sign. */
+/** Notes before a code is applied; contradictions have a warning sign. */
 export function CodeNotes({ notes, words: w }: { readonly notes: readonly CodeNote[]; readonly words: ToolCodeTexts }) {
   const language = useSettings((s) => s.language);
   return notes.map((note, i) => {

@@ -7,7 +7,7 @@ import type { ExportKind } from "./tool-files.ts";
 import { toolsOnDevice, useTools } from "../../app/document/tool-store.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 
-/** Asks which file the table goes out as, and says what each cannot hold. */
+/** Asks for the export format, and lists what each format cannot hold. */
 export function ExportDialog({
   words: w,
   again,

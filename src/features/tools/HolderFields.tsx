@@ -13,7 +13,7 @@ interface Props {
   readonly issues: readonly Issue[];
 }
 
-/** Along which axis the shank lies; what a file brought that is no axis stays to be seen. */
+/** The axis of the shank; an invalid axis from a file stays visible. */
 function AxisField({ entry, issues }: Props) {
   const t = useTexts("tables").tools;
   const id = useId();
@@ -49,7 +49,7 @@ function AxisField({ entry, issues }: Props) {
   );
 }
 
-/** What joins shank and insert, by its corners. */
+/** The outline between shank and insert, by its corners. */
 function HeadField({ entry, issues }: Props) {
   const t = useTexts("tables").tools;
   const id = useId();
@@ -81,7 +81,7 @@ function HeadField({ entry, issues }: Props) {
   );
 }
 
-/** The holder of a tool: its shank in four numbers and an axis, and the outline of its head. */
+/** The holder of a tool: four numbers and an axis for the shank, and the outline of the head. */
 export function HolderFields({ entry, issues }: Props) {
   return (
     <>

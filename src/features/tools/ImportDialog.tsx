@@ -12,7 +12,7 @@ import { useToolName } from "../../app/document/tool-name.ts";
 import { useTools } from "../../app/document/tool-store.ts";
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 
-/** Tools that are listed one by one. */
+/** Most tools listed. */
 const MOST = 200;
 
 const isHolderCell = (cell: string): cell is HolderCell => HOLDER_CELLS.some((each) => each === cell);
@@ -49,10 +49,7 @@ function Names({ tools, words: w }: { readonly tools: readonly ToolEntry[]; read
   return <p className="import-names">{[...tools.slice(0, MOST).map(nameOf), ...more].join(" · ")}</p>;
 }
 
-/**
- * What files would do to the table, before they do it: new, changed from what to what, and what is wrong or not
- * understood.
- */
+/** Preview of an import: new tools, changed values, errors, and columns that are not understood. */
 export function ImportDialog({
   brought,
   words: w,

@@ -13,30 +13,27 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 const WIDTH = 176;
 const HEIGHT = 148;
 
-/**
- * The next of 1, 2, 5, 10, 20 … that is not below a length, so that the drawing does not change its scale at each
- * keystroke.
- */
+/** The next of 1, 2, 5, 10, 20 … not below a length, so that the scale does not change at each keystroke. */
 export function wholeAbove(length: number): number {
   const power = 10 ** Math.floor(Math.log10(Math.max(length, SAME)));
   return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= length - ROUND) ?? length;
 }
 
-/** The tool of a row, or its last possible one while its cells make none. */
+/** The tool of a row, or its last valid one while its cells are invalid. */
 export function useLastTool(id: string, tool: Tool | null): Tool | null {
   const [last, setLast] = useState<{ readonly id: string; readonly tool: Tool } | null>(null);
   if (tool && (last?.id !== id || last.tool !== tool)) setLast({ id, tool });
   return tool ?? (last?.id === id ? last.tool : null);
 }
 
-/** The insert of the open row to scale, with a length to compare it to; it follows each keystroke. */
+/** The insert of the open row to scale, with a reference length; updated at each keystroke. */
 export function LiveInsert({
   tool,
   now,
 }: {
-  /** The tool to draw; null while there is none. */
+  /** The tool to draw; null if there is none. */
   readonly tool: Tool | null;
-  /** False while the cells make no tool and an older one is drawn. */
+  /** False while the cells are invalid and the last valid tool is drawn. */
   readonly now: boolean;
 }) {
   const t = useTexts("tables").tools;

@@ -12,12 +12,12 @@ const WIDTH = 176;
 const HEIGHT = 148;
 /** Space below the point of a tool, px. */
 const BELOW = 12;
-/** How much of a long tool is drawn, in its diameters: more would leave too little of its point. */
+/** Drawn length of a tool, in diameters: more would make its point too small. */
 const DRAWN = 4;
 /** Turns of a thread closer than this are not drawn one by one, px. */
 const CLOSEST_TURNS = 4;
 
-/** What of a tool is drawn, mm: as wide as it cuts, its point, its edges where their length is known, and its turns. */
+/** Drawn sizes of a tool, mm: cutting width, point, cutting edge length if known, and thread pitch. */
 interface Side {
   readonly across: number;
   readonly point: number;
@@ -36,13 +36,13 @@ function sideOf(mill: MillTool): Side {
   };
 }
 
-/** The millimetres that the height of the drawing stands for. */
+/** The height of the drawing in mm. */
 function spanOf({ across, point, edges }: Side): number {
   const long = edges === null ? 0 : Math.min(edges * 1.2, across * DRAWN);
   return wholeAbove(Math.max(across * 1.4, point * 1.4, long, 1));
 }
 
-/** A tool from the side, its point down: the part with edges, above it the shank, and the turns of a tap. */
+/** A tool from the side, its point down: the part with edges, the shank above it, and the turns of a tap. */
 function Outline({ side, scale }: { readonly side: Side; readonly scale: number }) {
   const [middle, foot] = [WIDTH / 2, HEIGHT - BELOW];
   const half = (side.across * scale) / 2;
@@ -69,7 +69,7 @@ function Outline({ side, scale }: { readonly side: Side; readonly scale: number 
   );
 }
 
-/** A mill or a drill to scale from the side, with its axis, and a length to compare it to. */
+/** A mill or a drill to scale from the side, with its axis and a reference length. */
 export function MillDrawing({ mill }: { readonly mill: MillTool | null }) {
   const t = useTexts("tables").tools;
   const language = useSettings((s) => s.language);

@@ -13,7 +13,7 @@ interface Props {
   readonly issues: readonly Issue[];
 }
 
-/** NAME as the control takes it: capital letters. */
+/** NAME as the control accepts it: capital letters. */
 function NameField({ entry, issues }: Props) {
   const t = useTexts("tables").tools;
   const id = useId();
@@ -44,7 +44,7 @@ function NameField({ entry, issues }: Props) {
   );
 }
 
-/** TYPE, which says what columns the tool has a use for. */
+/** TYPE, which determines the columns in use. */
 function TypeField({ entry, issues }: Props) {
   const t = useTexts("tables").tools;
   const { setup } = useTexts();
@@ -90,7 +90,7 @@ function TypeField({ entry, issues }: Props) {
   );
 }
 
-/** What a tool is called by, and its type. */
+/** Number, names and type of a tool. */
 export function NameFields({ entry, issues }: Props) {
   return (
     <>

@@ -7,10 +7,10 @@ import { useTexts } from "../../app/base/settings/use-texts.ts";
 /** Edge length of one picture, px. */
 const DRAWING = 44;
 
-/** The orientations where they point to on the lathe: Z to the right, X up. */
+/** The orientations as they point on the lathe: Z to the right, X up. */
 const PLACES: readonly TipOrientation[] = [7, 6, 5, 8, 9, 4, 1, 2, 3];
 const COLUMNS = 3;
-/** Up and down go by rows; left and right are those of every radio group. */
+/** Up and down move by rows; left and right work as in every radio group. */
 const ROWS: Readonly<Record<string, number>> = { ArrowDown: COLUMNS, ArrowUp: -COLUMNS };
 
 /** An arrow towards one of the eight directions, or a ring for none. */
@@ -31,14 +31,14 @@ function Arrow({ place }: { readonly place: number }) {
   );
 }
 
-/** TO by its picture: nine directions round the centre of the nose, each with the insert as it would stand. */
+/** TO by its picture: nine directions around the centre of the nose, each with the insert in that orientation. */
 export function TipPicker({
   value,
   tool,
   onChoose,
 }: {
   readonly value: number | null;
-  /** The tool to draw in each direction; null while its other columns make none. */
+  /** The tool to draw in each direction; null while its other columns are invalid. */
   readonly tool: Tool | null;
   readonly onChoose: (to: TipOrientation) => void;
 }) {

@@ -16,7 +16,7 @@ interface MessagesProps {
   readonly onTake?: (nearest: number) => void;
 }
 
-/** What is wrong with a cell. An empty cell that is needed is said calmly. */
+/** The faults of a cell. A merely missing value is shown without alarm. */
 const Messages = ({ issues, text, decimals = 4, onTake }: MessagesProps) =>
   issues.map((issue) => (
     <FieldMessage
@@ -28,7 +28,7 @@ const Messages = ({ issues, text, decimals = 4, onTake }: MessagesProps) =>
     />
   ));
 
-/** The same below a field that is no number, read out when it changes. */
+/** The same below a field that is not a number, announced when it changes. */
 export const CellMessages = ({ id, ...of }: MessagesProps & { readonly id: string }) => (
   <div id={id} className="field-messages" role="status">
     <Messages {...of} />
@@ -37,13 +37,13 @@ export const CellMessages = ({ id, ...of }: MessagesProps & { readonly id: strin
 
 const UNITS = { length: "mm", angle: "degrees", number: null } as const;
 
-/** What a column means for tools of one type alone. */
+/** Meaning of a column for tools of one type only. */
 function ownMeaning(t: ToolsTexts, cell: NumberColumn | HolderNumber, type: string): string | null {
   if (cell === "T-ANGLE" && isDrillType(type)) return t.drillAngle;
   return cell === "CUTLENGTH" && type === "THREAD" ? t.toothHeight : null;
 }
 
-/** One number of a row: typed text goes to the table at each keystroke, sums are worked out when the field is left. */
+/** One number of a row: each keystroke goes to the table, sums are evaluated on leaving the field. */
 export function ToolField({
   entry,
   cell,
@@ -53,7 +53,7 @@ export function ToolField({
   readonly entry: ToolEntry;
   readonly cell: NumberColumn | HolderNumber;
   readonly issues: readonly Issue[];
-  /** The type that has no use for this column; null when it has. */
+  /** The type that does not use this column; null if it does. */
   readonly unused?: string | null;
 }) {
   const t = useTexts("tables").tools;

@@ -26,7 +26,7 @@ type TurningColumn = Exclude<NumberColumn, MillColumn>;
 const INSERT: readonly TurningColumn[] = ["T-ANGLE", "P-ANGLE", "CUTLENGTH", "CUTWIDTH", "DCW"];
 const SETTING: readonly TurningColumn[] = ["ZL", "XL", "DZL", "DXL", "DYL", "ORI"];
 
-/** Enter goes on to the next field that can be filled, as ENT does on the control. */
+/** Enter goes to the next editable field, as ENT does on the control. */
 function onEnter(event: KeyboardEvent<HTMLElement>): void {
   const from = event.target;
   if (event.key !== "Enter" || !(from instanceof HTMLInputElement) || from.dataset["enter"] === "own") return;
@@ -40,15 +40,12 @@ function onEnter(event: KeyboardEvent<HTMLElement>): void {
   if (next instanceof HTMLInputElement && next.type === "text") next.select();
 }
 
-/**
- * What the insert of a row looks like, whatever its number and name; `instead` stands for cells that do not matter
- * either.
- */
+/** The insert of a row, ignoring its number and name; `instead` overrides further cells that do not matter. */
 const shapeOf = (entry: ToolEntry, reading: EntryReading, instead: ToolEntry["cells"] = {}): Tool | null =>
   reading.tool ??
   readEntry({ ...entry, cells: { ...entry.cells, T: String(reading.number ?? 0), NAME: "", ...instead } }).tool;
 
-/** The orientation of a row with its picture and what is wrong with it. */
+/** The orientation of a row with its picture and faults. */
 function Orientation({
   entry,
   reading,
@@ -84,7 +81,7 @@ interface Row {
   readonly reading: EntryReading;
 }
 
-/** The columns of a turning tool, its insert drawn as they are typed. */
+/** The columns of a turning tool, with a live drawing of its insert. */
 function TurningColumns({ entry, reading }: Row) {
   const t = useTexts("tables").tools;
   const type = cellOf(entry, "TYPE");
@@ -125,7 +122,7 @@ function TurningColumns({ entry, reading }: Row) {
   );
 }
 
-/** The columns that a milling tool or a drill of its type has. */
+/** The columns that a milling tool or a drill of its type uses. */
 function MillColumns({ entry, reading: { issues, mill } }: Row) {
   const t = useTexts("tables").tools;
   const type = cellOf(entry, "TYPE");
@@ -147,7 +144,7 @@ function MillColumns({ entry, reading: { issues, mill } }: Row) {
   );
 }
 
-/** All columns of one tool, drawn as they are typed, and what can be done with the row. */
+/** All columns of one tool, with a live drawing, and the actions on the row. */
 export function ToolForm({
   entry,
   reading,

@@ -21,17 +21,17 @@ import { useToolName } from "../../app/document/tool-name.ts";
 
 /** Edge length of an insert in its row, px. */
 const DRAWING = 28;
-/** A longer table has no drawings in its rows: it must stay quick. */
+/** A longer table has no drawings in its rows, to stay fast. */
 const MOST_DRAWN = 150;
 
 type Column = ToolColumn | MillColumn;
 
-/** Columns behind the two that name the row. */
+/** Columns after the two that name the row. */
 const COLUMNS: Readonly<Record<ToolKind, readonly Column[]>> = {
   turning: TOOL_COLUMNS.filter((column) => column !== "T" && column !== "NAME"),
   milling: ["TYPE", ...MILL_TABLE],
 };
-/** A number as the screen language writes it; other text as it was typed. */
+/** A number in the format of the screen language; other text as typed. */
 function useShown(): (column: Column, text: string) => string {
   const language = useSettings((s) => s.language);
   return (column, text) => {
@@ -100,7 +100,7 @@ const ToolRow = memo(function ToolRow({
   );
 });
 
-/** The whole table; one row is open and can be edited beside it. Arrow keys go from row to row. */
+/** The whole table; the open row is edited next to it. Arrow keys move between rows. */
 export function ToolGrid({
   list,
   kind,

@@ -20,7 +20,7 @@ const list = () => useTools.getState().list;
 const row = (n: number) => list().find((entry) => entry.id === `r${n}`);
 const steps = () => useSteps.getState().past.length;
 
-// The DOM of the tests has no modal dialogs: one of its own opens and closes them.
+// jsdom has no modal dialogs: this stub opens and closes them.
 HTMLDialogElement.prototype.showModal = function open(this: HTMLDialogElement) {
   this.open = true;
 };
@@ -50,7 +50,7 @@ test("typing in one cell is one step of undo, and other tools stay as they are",
   expect(toolTable().tools).toEqual(shippedTools);
 });
 
-test("the history keys work on the table while it is shown, and open the row that changes", async () => {
+test("the history keys work on the table while it is shown, and open the changed row", async () => {
   render(<ToolPage />);
   document.addEventListener("keydown", onHistoryKey);
   const user = userEvent.setup();
@@ -63,7 +63,7 @@ test("the history keys work on the table while it is shown, and open the row tha
   document.removeEventListener("keydown", onHistoryKey);
 });
 
-test("a cell that cannot be used is said at its column, refused for programs, and its last insert stays", async () => {
+test("an invalid cell is marked at its column, refused for programs, and its last valid insert stays", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
   await user.clear(field("P-ANGLE: point angle"));
@@ -80,7 +80,7 @@ test("a cell that cannot be used is said at its column, refused for programs, an
   expect(screen.getByText("1 with an error")).toBeTruthy();
 });
 
-test("columns that a type has no use for cannot be typed into and keep their values", async () => {
+test("columns unused by a type are read-only and keep their values", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
   await user.selectOptions(screen.getByRole("combobox", { name: "TYPE: tool type" }), "BUTTON");
@@ -97,7 +97,7 @@ test("columns that a type has no use for cannot be typed into and keep their val
   expect(toolTable().tools).toEqual(shippedTools);
 });
 
-test("TO by arrow keys goes where the arrow points", async () => {
+test("TO by arrow keys goes in the direction of the arrow", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
   screen.getByRole("radio", { name: "TO 1: −Z −X" }).focus();
@@ -109,7 +109,7 @@ test("TO by arrow keys goes where the arrow points", async () => {
   expect(toolTable().tools[0]?.TO).toBe(5);
 });
 
-test("numbers are shown in the writing of the screen language", async () => {
+test("numbers are shown in the format of the screen language", async () => {
   changeSettings({ language: "de" });
   render(<ToolPage />);
   const user = userEvent.setup();
@@ -119,7 +119,7 @@ test("numbers are shown in the writing of the screen language", async () => {
   expect(toolTable().tools[0]?.RS).toBe(0.6);
 });
 
-test("a file is taken over as one step, what it is missing is said", async () => {
+test("a file is imported as one step, and missing values are reported", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
   const text = writeTableText(shippedTools.slice(0, 2)).replace("CNMG", "SHOP").replace("[END]", "77      HALF");
@@ -152,7 +152,7 @@ test("the row of a tool is opened by its number", () => {
   expect(usePlace.getState().tools.row).toBe("r8");
 });
 
-test("what is kept comes back; the shipped table is not kept, so that it can be a better one later", () => {
+test("the stored table is loaded; the default table is not stored, so that it can be improved later", () => {
   const changed = list().map((entry) =>
     entry.id === "r2" ? { ...entry, cells: { ...entry.cells, RS: "abc" } } : entry,
   );
@@ -191,7 +191,7 @@ test("what is kept comes back; the shipped table is not kept, so that it can be 
   expect(toolRecord.read({ version: 2, rows: older })).toEqual(older);
 });
 
-test("changes are kept on the device, damaged tables are set aside, other tabs are followed", () => {
+test("changes are stored on the device, damaged tables are set aside, other tabs are followed", () => {
   const fromOtherTab = (newValue: string) =>
     dispatchEvent(new StorageEvent("storage", { key: "turnwise/tools", newValue, storageArea: localStorage }));
   localStorage.setItem("turnwise/tools", "{broken");
@@ -215,7 +215,7 @@ test("changes are kept on the device, damaged tables are set aside, other tabs a
   expect(localStorage.getItem("turnwise/tools")).toBeNull();
 });
 
-test("a drill shows only the columns that it has, stands among the milling tools, and gives programs its point", async () => {
+test("a drill shows only the columns it uses, is listed among the milling tools, and gives programs its point", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
   await user.click(screen.getByRole("button", { name: "Milling and drilling" }));
@@ -238,7 +238,7 @@ test("a drill shows only the columns that it has, stands among the milling tools
   expect(toolTable().mills).toEqual([{ T: 16, NAME: "", R: 4.25 }]);
 });
 
-test("a code is read while it is typed, and Enter fills what it says as one step", async () => {
+test("a code is parsed at each keystroke, and Enter fills its columns as one step", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
   await user.click(screen.getByRole("button", { name: "New tool" }));
@@ -270,7 +270,7 @@ test("a code is read while it is typed, and Enter fills what it says as one step
   expect(toolTable().tools.at(-1)?.NAME).toBe("FACE-DNMG-55-R08");
 });
 
-test("a code that is not covered says so, one that contradicts the row too, and a name that is a code can be read", async () => {
+test("an unsupported code says so, one that contradicts the row too, and a name that is a code can be parsed", async () => {
   render(<ToolPage />);
   const user = userEvent.setup();
   const code = await screen.findByRole<HTMLInputElement>("textbox", { name: "ISO code of insert or holder" });
@@ -290,7 +290,7 @@ test("a code that is not covered says so, one that contradicts the row too, and 
   ).toEqual(["CUTLENGTH 12 → 9.67", "RS 0.8 → 0.4"]);
 });
 
-test("the file that tools came from is kept on the device once, with the line of each", () => {
+test("the source file of tools is stored on the device once, with the line of each", () => {
   const origin = tableOrigin("T.TRN", "BEGIN T.TRN MM\r\nträger", "windows-1252");
   const kept = shippedList.map((entry, at) => (at < 2 ? { ...entry, line: { origin, at: at + 2 } } : entry));
   const text = JSON.stringify(toolRecord.write(kept));

@@ -16,7 +16,7 @@ import { ToolForm } from "./ToolForm.tsx";
 import { ToolGrid } from "./ToolGrid.tsx";
 import "../../app/fields/table/tools.css";
 
-/** The tool table of this device: the whole table, and the columns of one tool beside it. */
+/** The tool table of this device: the whole table, and the columns of the open tool. */
 export function ToolPage() {
   const t = useTexts("tables").tools;
   const nameOf = useToolName();

@@ -24,7 +24,7 @@ export function setCells(id: string, cells: ToolEntry["cells"]): void {
   );
 }
 
-/** A new row with the next free number and what every table begins with; gives its id. */
+/** Adds a row with the next free number and the default values; returns its id. */
 export function addTool(kind: ToolKind): string {
   const { list } = useTools.getState();
   const id = newId(list);
@@ -38,7 +38,7 @@ export function addTool(kind: ToolKind): string {
   return id;
 }
 
-/** The same tool once more, under it, with the next free number; gives the id of the copy. */
+/** Duplicates a tool, below it, with the next free number; returns the id of the copy. */
 export function duplicateTool(id: string): string {
   const { list } = useTools.getState();
   const at = list.findIndex((entry) => entry.id === id);
@@ -50,7 +50,7 @@ export function duplicateTool(id: string): string {
   return copy;
 }
 
-/** Takes a row out; gives the id of the row of its kind that is then in its place, null when none is left. */
+/** Removes a row; returns the id of the row of its kind that takes its place, null if none is left. */
 export function removeTool(id: string): string | null {
   const { list } = useTools.getState();
   const entry = list.find((each) => each.id === id);
@@ -61,5 +61,5 @@ export function removeTool(id: string): string | null {
   return next?.id ?? null;
 }
 
-/** The shipped table in place of this one: one step of undo. */
+/** Restores the default table: one step of undo. */
 export const takeShipped = (): void => editTools(() => shippedList);

@@ -26,18 +26,18 @@ const failure = (sentence: string): TableSaid => ({ sentences: [sentence], faile
 
 const isSound = (reading: EntryReading | undefined) => Boolean(reading?.tool ?? reading?.mill);
 
-/** What files bring, before any of it is in the table. */
+/** Contents of the import files, before they are applied to the table. */
 export interface Brought {
   /** The names of the files. */
   readonly name: string;
   readonly incoming: IncomingTools;
-  /** Columns without a place here: those of tables stay with the file, those of others are left out. */
+  /** Unknown columns: those of control tables stay with the file, others are left out. */
   readonly kept: readonly string[];
   readonly leftOut: readonly string[];
   readonly cutShort: boolean;
 }
 
-/** Larger files hold more than a tool table, bytes. */
+/** Larger files are no tool table, bytes. */
 const LARGEST = 20_000_000;
 
 function broughtBy(bytes: Uint8Array, name: string, t: ToolsTexts, w: ToolFileTexts): Brought | TableSaid {
@@ -83,7 +83,7 @@ const joined = (all: readonly Brought[]): Brought => ({
   cutShort: all.some((each) => each.cutShort),
 });
 
-/** Reads the files that were chosen, together; or says what is wrong with the first of them that cannot be read. */
+/** Reads all chosen files, or returns the fault of the first one that cannot be read. */
 export async function bringFiles(
   files: readonly File[],
   t: ToolsTexts,
@@ -103,7 +103,7 @@ export async function bringFiles(
   return joined(all);
 }
 
-/** Takes over what files brought: one step of undo. */
+/** Applies an import: one step of undo. */
 export function takeBrought(brought: Brought, choice: "all" | "new", t: ToolsTexts, w: ToolFileTexts): TableSaid {
   const { list, fresh, changed, wrong } = planImport(useTools.getState().list, brought.incoming, choice);
   closeStep();
@@ -123,7 +123,7 @@ export function takeBrought(brought: Brought, choice: "all" | "new", t: ToolsTex
 
 export type ExportKind = "json" | "csv" | "turning" | "milling";
 
-/** Hands the table to the downloads of the browser. Rows with errors stay here, and that is said. */
+/** Downloads the table. Rows with errors are left out, and that is reported. */
 export function exportTools(kind: ExportKind, language: Language, t: ToolsTexts, w: ToolFileTexts): TableSaid {
   const { list } = useTools.getState();
   const { table, mills, rows } = toolsOnDevice(list);
@@ -157,7 +157,7 @@ export function exportTools(kind: ExportKind, language: Language, t: ToolsTexts,
   };
 }
 
-/** Hands a table file out again as it came, with the changes of its tools. */
+/** Downloads the original table file, with the changes of its tools. */
 export function exportAgain(origin: TableOrigin, t: ToolsTexts, w: ToolFileTexts): TableSaid {
   const made = tableAgain(origin, useTools.getState().list);
   if (!made) return failure(t.problems.unreadable(origin.name));

@@ -12,10 +12,10 @@ interface Props {
   readonly onPick: (first: number, last: number) => void;
 }
 
-/** Room round the drawing, as a share of its larger side. */
+/** Margin around the drawing, as a share of its larger side. */
 const MARGIN = 0.06;
 
-/** The finished contour of a work, on which two elements are pointed at; the same by two lists. */
+/** The finished contour of a work, to select two elements in; the same by two lists. */
 export function ContourStretch({ words: { stretch: t }, contour, first, last, onPick }: Props) {
   const [from, begin] = useState<number | null>(null);
   const lines = contour.map((s) => part.flattened(s, CHORD));

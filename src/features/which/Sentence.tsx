@@ -22,12 +22,12 @@ interface Props {
   readonly words: WhichTexts;
   readonly asking: Sought;
   readonly fault: AskingFault | null;
-  /** Whether the question is about an opened work, where something stands already. */
+  /** Whether the question is about an open work, whose stock is known. */
   readonly inWork: boolean;
   readonly onAsk: (change: Partial<Sought>) => void;
 }
 
-/** One choice within the sentence. */
+/** One select within the sentence. */
 function Choice<T extends string>({
   label,
   of,
@@ -60,7 +60,7 @@ function Choice<T extends string>({
   );
 }
 
-/** What is wanted, as one says it: choices in a sentence, and its numbers below. */
+/** The wanted shape as a sentence with selects, and its numbers below. */
 export function Sentence({ words, asking, fault, inWork, onAsk }: Props) {
   const {
     setup: { units },

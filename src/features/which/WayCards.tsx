@@ -15,18 +15,18 @@ import { useSettings } from "../../app/base/settings/settings.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import type { Compared } from "./use-comparison.ts";
 
-/** Things that are wrong with a way and are spelled out. */
+/** Most problems listed for a proposal. */
 const MOST = 2;
 
 interface Props {
   readonly words: WhichTexts;
   readonly compared: Compared;
-  /** Whether a way is added to an opened program, or begins a work of its own. */
+  /** Whether a proposal is added to the open program, or starts a new work. */
   readonly adds: boolean;
   readonly onTake: (way: Proposal) => void;
 }
 
-/** The value in which a way differs from another one with the same cycle. */
+/** The value that distinguishes a proposal from another one with the same cycle. */
 function choiceText(t: Texts, cycle: Cycle, { choice }: Proposal): string | null {
   const param = choice && cycle.params[choice.q];
   if (!param) return null;
@@ -34,7 +34,7 @@ function choiceText(t: Texts, cycle: Cycle, { choice }: Proposal): string | null
   return `${choice.q} = ${choice.value}: ${choices[choice.value] ?? ""}`;
 }
 
-/** What is wrong with a way, the gravest first. */
+/** The problems of a proposal, worst first. */
 function problemsOf(
   t: Texts,
   words: WhichTexts,
@@ -51,7 +51,7 @@ function problemsOf(
   return [...new Set([...said, ...found, ...(leavesMost ? [words.problems.leavesMost] : [])])].slice(0, MOST);
 }
 
-/** The ways side by side: what each takes and leaves, and the button that takes it. */
+/** The proposals: time, residual material, and the button that uses one. */
 export function WayCards({ words, compared: { ways, tried, isOld }, adds, onTake }: Props) {
   const t = useTexts();
   const language = useSettings((s) => s.language);

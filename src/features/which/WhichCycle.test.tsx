@@ -12,7 +12,7 @@ import type { Comparer } from "../../app/calculation/comparison.ts";
 import type { WhichRegion } from "../../app/place/place.ts";
 import { WhichCycle } from "./WhichCycle.tsx";
 
-/** What the worker does, without one. */
+/** Does the worker's job in this thread. */
 const direct: Comparer = {
   ways: (wanted, stock) => Promise.resolve(waysFor(wanted, stock, shippedTools)),
   tryWay: (proposal, wanted, stock) =>
@@ -44,14 +44,14 @@ const type = async (name: string, text: string) => {
   await userEvent.type(input, text);
 };
 const ways = () => screen.findByRole("list", { name: "Options, the best first" });
-/** Once the ways that stand there answer what is asked. */
+/** Waits until the shown proposals belong to the current question. */
 const settled = async () => {
   const list = await ways();
   await waitFor(() => expect(list.getAttribute("aria-busy")).toBe("false"));
 };
 const best = () => screen.findByText(/^Best: /);
 
-test("the ways to make a step stand side by side, the best is named, and taking one begins its work", async () => {
+test("the proposals for a step are compared, the best is named, and using one starts its work", async () => {
   const done = shown();
   await best();
   const cards = within(await ways())
@@ -69,7 +69,7 @@ test("the ways to make a step stand side by side, the best is named, and taking 
   expect(Object.values(job?.drafts[job.cycle] ?? {})).toContain("41.37");
 });
 
-test("what does not fit is said at its field, and nothing is compared meanwhile", async () => {
+test("an invalid value is reported at its field, and nothing is compared meanwhile", async () => {
   shown();
   await best();
   await type("To ⌀", "80");
@@ -93,7 +93,7 @@ test("another shape asks for its own numbers, and a groove that is too narrow sa
   expect(screen.queryByRole("textbox", { name: "To ⌀" })).toBeNull();
 });
 
-test("of an opened work two elements of the contour are pointed at, and what is wanted follows", async () => {
+test("in an open work two elements of the contour are selected, and the wanted shape follows", async () => {
   const corners = [at(0, 15), at(-18.3, 15), at(-18.3, 24.2), at(-37.9, 24.2), at(-37.9, 35)];
   const contour = corners.slice(1).map((to, i) => part.line(corners[i] ?? to, to));
   shown({ contour, first: 0, last: 3, site: "outside", stock: [], begins: "solid" });

@@ -19,7 +19,7 @@ const ContourTable = lazyPart(async () => ({ default: await contourTableSlot.fet
 
 interface Props {
   readonly done: () => void;
-  /** The place of an opened work that is asked about; null asks about nothing in particular. */
+  /** The region of an open work that is asked about; null for a question without a work. */
   readonly region: WhichRegion | null;
   readonly comparison?: Comparer;
 }
@@ -30,7 +30,7 @@ function begun(region: WhichRegion | null): Sought {
   return soughtAt(region);
 }
 
-/** A change of the sentence with what follows from it: until a number is typed, each shape begins with usual ones. */
+/** A change of the question: until a number is typed, each shape starts with default numbers. */
 function asked(before: Sought, change: Partial<Sought>, isTyped: boolean): Sought {
   const next = { ...before, ...change };
   const stock = next.stock === "preturned" && !canBePreturned(next.shape) ? "solid" : next.stock;
@@ -38,7 +38,7 @@ function asked(before: Sought, change: Partial<Sought>, isTyped: boolean): Sough
   return { ...next, stock, typed: reshaped && !isTyped ? usualNumbers(next.site, next.shape) : next.typed };
 }
 
-/** Asks what is to be turned and shows the ways to do it side by side. */
+/** Asks for the shape and compares the cycles that turn it. */
 export function WhichCycle({ done, region, comparison = byWorker }: Props) {
   const language = useSettings((s) => s.language);
   const words = useTextsSoon("which");

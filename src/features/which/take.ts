@@ -14,7 +14,7 @@ import { startWork } from "../../app/records/keep.ts";
 import { outputInUse } from "../../app/document/output.ts";
 import { useEditor } from "../../app/document/store.ts";
 
-/** Takes a way: behind the operations of what is open, or as a work of its own. */
+/** Applies a proposal: after the operations of the open program, or as a new work. */
 export async function takeWay(
   { job }: Proposal,
   wanted: Wanted,

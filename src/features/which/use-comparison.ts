@@ -5,19 +5,19 @@ import type { Tried } from "../../report/which/try-way.ts";
 import type { Proposal } from "../../report/which/ways.ts";
 import type { Comparer } from "../../app/calculation/comparison.ts";
 
-/** Rest after the last change before anything is tried, ms. */
+/** Debounce after the last change, ms. */
 const REST = 200;
 
-/** The ways to make what is wanted, and what came of those that have been tried. */
+/** The proposals for a shape, and the results simulated so far. */
 export interface Compared {
   readonly wanted: Wanted;
   readonly ways: readonly Proposal[];
   readonly tried: readonly Tried[];
-  /** Something else is wanted by now: these are shown until its own ways are there, and cannot be taken. */
+  /** The question has changed: these proposals stay until the new ones are ready, and cannot be used. */
   readonly isOld: boolean;
 }
 
-/** Tries the ways one by one; what was asked before is forgotten as soon as something else is wanted. */
+/** Simulates the proposals one by one; a new question cancels the previous one. */
 export function useComparison(
   wanted: Wanted | null,
   stock: readonly Ring[] | null,

@@ -19,7 +19,7 @@ import {
 import { ModalDialog } from "../../app/base/ModalDialog.tsx";
 import "./works.css";
 
-/** What is done with a table of the file: mine stays, takes what it does not have, or gives way. */
+/** What happens to a table: mine stays, gets the missing rows, or is replaced. */
 function TableWays({
   name,
   missing,
@@ -62,7 +62,7 @@ function SameAsHere({ name, t }: { readonly name: string; readonly t: DeviceText
 
 const BOX_NAMES = Object.keys(BOXES) as readonly (keyof typeof BOXES)[];
 
-/** What a file holds, and what of it is taken. */
+/** The contents of a backup, and the choice what to restore. */
 function Content({
   archive,
   t,
@@ -199,7 +199,7 @@ function Content({
   );
 }
 
-/** Shows what a file of works holds before anything of it is taken. Nothing on the device is ever written over. */
+/** Shows the contents of a backup before anything is restored. Works on the device are never overwritten. */
 export function BringInDialog({ of: { name, archive, problem } }: { readonly of: Bringing }) {
   const { bringIn: t } = useTexts("device");
   const { page } = useTexts("first");

@@ -7,7 +7,7 @@ import { freeName } from "../../app/records/works.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./works.css";
 
-/** In place of a work that another tab has: why it is not open here, and the ways to go on. */
+/** In place of a work that is open in another tab: the reason, and the ways to continue. */
 export function ElsewherePage({ of: { work, name, cause } }: { readonly of: WorkElsewhere }) {
   const { elsewhere: t, works: list } = useTexts("device");
   const { page } = useTexts("first");

@@ -3,7 +3,7 @@ import { unkeptNames } from "../../app/records/keep.ts";
 import { saveEverything } from "./export-works.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 
-/** The button that hands everything on this device to the downloads; `say` is told what became of it. */
+/** The button that downloads a backup of this device; `say` gets the result as a sentence. */
 export function SaveEverything({ say }: { readonly say: (what: string) => void }) {
   const t = useTexts("device").here;
   const save = async () => {

@@ -10,9 +10,7 @@ import { sizeWords } from "./size-words.ts";
 import { useTexts } from "../../app/base/settings/use-texts.ts";
 import "./works.css";
 
-/**
- * What lies on this device: whether it stays, how much it is, all of it as a file and back, and the reports of faults.
- */
+/** The data of this device: whether they are persistent, their size, backup and restore, and the error reports. */
 export function ThisDevice({ onBringIn }: { readonly onBringIn: () => void }) {
   const { here: t, reports } = useTexts("device");
   const language = useSettings((s) => s.language);

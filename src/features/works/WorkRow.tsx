@@ -5,7 +5,7 @@ import { Icon } from "../../app/base/Icon.tsx";
 import type { Kept } from "../../app/records/device.ts";
 import { KeptPicture } from "../../app/fields/kept/KeptPicture.tsx";
 
-/** What can be asked of a row. */
+/** The commands of a row. */
 export type RowWish =
   | { readonly what: "open" | "rename" | "stay" | "duplicate" | "remove" | "select" }
   | { readonly what: "call"; readonly name: string };
@@ -13,12 +13,12 @@ export type RowWish =
 interface Props {
   readonly of: Kept;
   readonly seen: Thumbnail | undefined;
-  /** What the work is: the name of its cycle, or that it is a program. */
+  /** The kind of work: the name of its cycle, or a program. */
   readonly kind: string;
-  /** Said of a task of the course; null of other works. */
+  /** Note of a course task; null for other works. */
   readonly task: string | null;
   readonly about: string;
-  /** Said of a work that another tab has open; null where none has. */
+  /** Note of a work that is open in another tab; null for others. */
   readonly elsewhere: string | null;
   readonly selected: boolean;
   readonly renaming: boolean;
@@ -26,7 +26,7 @@ interface Props {
   readonly onWish: (work: Kept, wish: RowWish) => void;
 }
 
-/** The field for another name: Enter takes it, Escape leaves it. */
+/** The field of a new name: Enter applies it, Escape cancels. */
 function NameField({
   name,
   label,
@@ -39,7 +39,7 @@ function NameField({
   const input = useRef<HTMLInputElement>(null);
   useLayoutEffect(() => {
     input.current?.focus();
-    // The ending of a file stays as it is, unless somebody means it.
+    // The extension of a file is not selected, so that it stays unless edited on purpose.
     input.current?.setSelectionRange(0, name.replace(/\.[^.]{1,4}$/, "").length);
   }, [name]);
   return (
@@ -62,7 +62,7 @@ function NameField({
   );
 }
 
-/** One work of the list: a picture, what it is, and what can be done with it. */
+/** One work of the list: a picture, its name and kind, and its actions. */
 export const WorkRow = memo(function WorkRow({
   of,
   seen,

@@ -16,12 +16,12 @@ import "./works.css";
 
 const rowOf = (work: string) => document.querySelector<HTMLElement>(`[data-work="${CSS.escape(work)}"] .work-open`);
 
-/** Once the list has changed, the keyboard is on the row of a work. */
+/** Focuses the row of a work once the list has changed. */
 const focusRow = (work: string): void =>
   void requestAnimationFrame(() => requestAnimationFrame(() => rowOf(work)?.focus()));
 
 /**
- * The same after what takes its time, unless the keyboard is elsewhere by then: a Delete for a field must not reach a
+ * The same after an asynchronous action, unless focus has moved elsewhere: a Delete meant for a field must not reach a
  * row.
  */
 const focusRowAgain = (work: string): void =>
@@ -32,7 +32,7 @@ const focusRowAgain = (work: string): void =>
     }),
   );
 
-/** Arrow keys go from work to work, F2 calls one otherwise, Delete takes it away. */
+/** Arrow keys move between works, F2 renames one, Delete deletes it. */
 function onListKey(event: KeyboardEvent, wish: (work: string, what: "rename" | "remove") => void): void {
   const { target, key } = event;
   const row = target instanceof HTMLElement && target.closest<HTMLElement>("[data-work]");
@@ -52,7 +52,7 @@ function onListKey(event: KeyboardEvent, wish: (work: string, what: "rename" | "
   event.preventDefault();
 }
 
-/** All works of this device: sought, put in order, called otherwise, doubled, taken away, saved as a file. */
+/** All works of this device: search, sort, rename, duplicate, delete, save as a file. */
 export function WorksPage() {
   const { works: t } = useTexts("device");
   const { page, menu } = useTexts("first");
@@ -67,7 +67,7 @@ export function WorksPage() {
     () => listWorks(works, sought, order, (cycle) => menu.of[cycle]?.name ?? ""),
     [works, sought, order, menu],
   );
-  // Pictures are made while a work is open, not while the list is shown.
+  // Pictures are updated while a work is open, not while the list is shown.
   const [pictures] = useState(keptPictures);
   const { saying, say, renaming, selected, select, remove, save, onWish } = useListActions(
     t,

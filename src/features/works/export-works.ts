@@ -6,7 +6,7 @@ import { newestState, useKeeping } from "../../app/records/keep.ts";
 import { eachPart } from "../../app/records/parts.ts";
 import { handOver } from "../../app/document/store.ts";
 
-/** What one file holds at most, bytes, so that it can be brought in again: what is packed has each program twice. */
+/** Size limit of one file, bytes, so that it can be restored: an archive has each program twice. */
 const LARGEST = ARCHIVE_LIMITS.unpacked / 4;
 
 async function lying(work: string): Promise<ArchivedWork | null> {
@@ -14,7 +14,7 @@ async function lying(work: string): Promise<ArchivedWork | null> {
   return job && { work, job, savedAt: (await readWork(work))?.savedAt ?? time() };
 }
 
-/** Works in as many files as are needed. */
+/** Divides the works among as many files as are needed. */
 function inFiles(works: readonly string[], sizes: ReadonlyMap<string, number>): readonly (readonly string[])[] {
   const files: string[][] = [[]];
   let held = 0;
@@ -32,7 +32,7 @@ function inFiles(works: readonly string[], sizes: ReadonlyMap<string, number>): 
 
 const two = (n: number) => String(n).padStart(2, "0");
 
-/** Name of a file of works: the day tells it from those before. */
+/** Name of a backup file, with the day. */
 function fileName(part: number, of: number): string {
   const now = new Date(time());
   const day = `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
@@ -58,15 +58,14 @@ async function save(
   return { works: count, files: files.length };
 }
 
-/** Hands some works to the downloads, as a file that brings them back; how many there were. */
+/** Downloads some works as a file to restore them from; returns their number. */
 export async function saveWorks(works: readonly string[]): Promise<number> {
   handOver();
   return (await save(works, {})).works;
 }
 
 /**
- * Hands everything on this device to the downloads: works, and all parts that an archive has beside them. What the
- * device has not taken is in it too.
+ * Downloads a backup of this device: works, and all other parts of an archive. Includes works that could not be stored.
  */
 export async function saveEverything(
   unkept: readonly string[],

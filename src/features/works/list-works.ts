@@ -8,8 +8,8 @@ export type WorkOrder = (typeof WORK_ORDERS)[number];
 const byTime = (a: Kept, b: Kept) => b.savedAt - a.savedAt;
 
 /**
- * The works whose name or cycle holds every word that is sought, in an order. `cycleName` is what a cycle is called on
- * the screen.
+ * The works whose name or cycle contains every search word, sorted. `cycleName` gives the name of a cycle on the
+ * screen.
  */
 export function listWorks(
   works: readonly Kept[],
@@ -28,7 +28,7 @@ export function listWorks(
           const text = textOf(work);
           return words.every((word) => text.includes(word));
         });
-  // Names as people count: A2 before A10.
+  // Natural order: A2 before A10.
   const { compare } = new Intl.Collator("en", { numeric: true, sensitivity: "base" });
   const orders: Readonly<Record<WorkOrder, (a: Kept, b: Kept) => number>> = {
     newest: byTime,

@@ -70,11 +70,11 @@ beforeEach(async () => {
   await refreshWorks();
 });
 
-test("works are told apart by what is in them, not by their names", async () => {
+test("works are compared by content, not by name", async () => {
   expect(await statesOf(archive.works)).toEqual(["same", "beside", "fresh", "fresh"]);
 });
 
-test("works come beside those of the device, with the time they were changed, and undo takes them out again", async () => {
+test("restored works are added to those of the device, with their time of change, and undo removes them", async () => {
   const works = archive.works.slice(1);
   expect(await takeArchive(archive, works, NOTHING)).toEqual({ kept: 3, full: 0, undone: false });
   expect(device.works.get("mine")).toEqual({ savedAt: 1, job });
@@ -87,7 +87,7 @@ test("works come beside those of the device, with the time they were changed, an
   expect(named()).toEqual([["mine", job.name]]);
 });
 
-test("of tables the missing rows come, or all of them, each as one step", async () => {
+test("the missing rows of tables are restored, or all of them, each as one step", async () => {
   const names = () => useTools.getState().list.map(({ cells }) => cells.NAME);
   const cycles = () => useOwn.getState().list.map(({ name }) => name);
   await takeArchive(archive, [], { ...NOTHING, tools: "missing", own: "missing", settings: "missing" });
@@ -105,7 +105,7 @@ test("of tables the missing rows come, or all of them, each as one step", async 
   ]);
 });
 
-test("a machine comes with the settings; where none is brought, that of the device stays", async () => {
+test("a machine is restored with the settings; without one in the backup, that of the device stays", async () => {
   const take = (machine: string) =>
     takeArchive({ ...archive, settings: { ...settings, machine } }, [], { ...NOTHING, settings: "missing" });
   changeSettings({ machine: "mine" });
@@ -115,7 +115,7 @@ test("a machine comes with the settings; where none is brought, that of the devi
   expect(useSettings.getState().machine).toBe("theirs");
 });
 
-test("cutting data come with the settings; where none are brought, the shop's own stay", async () => {
+test("cutting data are restored with the settings; without them in the backup, the shop's own stay", async () => {
   const mine = writeCuttingTable({ ...usualTable, power: 7.3 }),
     theirs = writeCuttingTable({ ...usualTable, power: 18.9 });
   const take = (cutting: string, wanted: boolean) =>
@@ -133,7 +133,7 @@ test("cutting data come with the settings; where none are brought, the shop's ow
   expect(here()).toEqual(["brass", theirs]);
 });
 
-test("tables that are the same have nothing missing to take", () => {
+test("identical tables have nothing missing to restore", () => {
   const [tools, own] = [toolRecord.now(), ownRecord.now()];
   expect(tableOffer({ ...archive, tools: tools.map((each) => ({ ...each, id: `${each.id}x` })) }, "tools")).toEqual({
     rows: 2,
@@ -148,13 +148,13 @@ test("tables that are the same have nothing missing to take", () => {
   expect(tableOffer({ ...archive, tools: [] }, "tools")).toEqual({ rows: 0, missing: 0 });
 });
 
-test("what finds no room is counted, and nothing else is changed", async () => {
+test("works without room are counted, and nothing else is changed", async () => {
   device.refuses = "full";
   expect(await takeArchive(archive, archive.works.slice(2), NOTHING)).toEqual({ kept: 0, full: 2, undone: false });
   expect(named()).toEqual([["mine", job.name]]);
 });
 
-test("what was reached in the course elsewhere comes beside what was reached here, and undo takes it back", async () => {
+test("course progress of the backup is merged with the progress here, and undo removes it", async () => {
   const hinted = withPass(withHint(NO_PROGRESS, "l03-thicker-bar", 1), "l03-thicker-bar", { when: 3, seconds: 37.2 });
   const mine = withPass(hinted, "l01-sawn-long", { when: 4 });
   useLearning.setState({ list: mine });
@@ -175,7 +175,7 @@ test("what was reached in the course elsewhere comes beside what was reached her
   expect(useLearning.getState().list).toBe(mine);
 });
 
-test("forms, working times and results of learners come beside those that are here, as one step; a form follows its work", async () => {
+test("forms, working times and results of learners are merged with those here, as one step; a form follows its work", async () => {
   const form = {
     form: { ...proposedTask(answerOf("0 BEGIN PGM A MM\n1 END PGM A MM\n")), clean: true },
     print: "7 x",
@@ -190,7 +190,7 @@ test("forms, working times and results of learners come beside those that are he
   useForms.setState({ list: { "task bush": mine } });
   workedRecord.put({ bush: { ms: 7_319, steps: 11 } });
   useGathered.setState({ list: [ada] });
-  // The work "mine" is here already: the one that is brought is called otherwise.
+  // The key "mine" is taken: the restored work gets another one.
   const brought = {
     ...archive,
     course: null,

@@ -7,10 +7,10 @@ import { useKeeping } from "../../app/records/keep.ts";
 import { BOXES, PART_NAMES, PARTS, TABLES, type Group, type Part } from "../../app/records/parts.ts";
 import { addWorks } from "../../app/records/works.ts";
 
-/** What becomes of a work that is brought in: it is new, here already, or comes beside another one of its name. */
+/** State of a work in a backup: new, already here, or another one of the same name is here. */
 export type ArchivedState = "fresh" | "same" | "beside";
 
-/** How each work of an archive stands to those of this device. */
+/** The state of each work of an archive on this device. */
 export async function statesOf(works: readonly ArchivedWork[]): Promise<readonly ArchivedState[]> {
   const here = new Map<string, string[]>();
   for (const { work, name } of useKeeping.getState().works) here.set(name, [...(here.get(name) ?? []), work]);
@@ -33,14 +33,11 @@ export async function statesOf(works: readonly ArchivedWork[]): Promise<readonly
   );
 }
 
-/**
- * What becomes of a group of parts: it stays as it is here, takes what it does not have, or gives way to what is
- * brought.
- */
+/** What happens to a group of parts: mine stays, gets the missing entries, or is replaced. */
 export type GroupChoice = "keep" | "missing" | "replace";
 export type GroupChoices = Readonly<Record<Group, GroupChoice>>;
 
-/** What is chosen to begin with. */
+/** The default choices. */
 export const FIRST_CHOICES: GroupChoices = {
   ...Object.fromEntries(Object.entries(BOXES).map(([group, ticked]) => [group, ticked ? "missing" : "keep"])),
   ...Object.fromEntries(TABLES.map((group) => [group, "keep"])),
@@ -56,10 +53,7 @@ const broughtOf = (archive: ReadArchive, group: Group): readonly (readonly [Part
     return part.group !== group || brought === null || part.isEmpty(brought) ? [] : [[part, brought] as const];
   });
 
-/**
- * What an archive brings of a table: its rows, and how many of them this device does not have; null where both are the
- * same.
- */
+/** The rows of a table in an archive, and the number that this device lacks; null if both tables are the same. */
 export interface TableOffer {
   readonly rows: number;
   readonly missing: number | null;
@@ -78,8 +72,8 @@ export function tableOffer(archive: ReadArchive, table: (typeof TABLES)[number])
 }
 
 /**
- * Whether an archive brings anything of a group that is not here; null where it has nothing of it at all. What is not
- * ticked to begin with is offered in any case.
+ * Whether an archive has anything of a group that this device lacks; null if it has nothing of the group. A group not
+ * ticked by default is always offered.
  */
 export function boxOffer(archive: ReadArchive, box: keyof typeof BOXES): boolean | null {
   const brought = broughtOf(archive, box);
@@ -93,17 +87,14 @@ export function boxOffer(archive: ReadArchive, box: keyof typeof BOXES): boolean
   );
 }
 
-/**
- * What came of an archive: works that were kept, works that found no room, and whether undo takes back what came beside
- * them.
- */
+/** The result of a restore: works stored, works without room, and whether undo removes the other restored parts. */
 interface Taken {
   readonly kept: number;
   readonly full: number;
   readonly undone: boolean;
 }
 
-/** Takes what was chosen, each group as one step; no work on the device is written over. */
+/** Restores the choices, each group as one step; never overwrites a work on the device. */
 export async function takeArchive(
   archive: ReadArchive,
   works: readonly ArchivedWork[],

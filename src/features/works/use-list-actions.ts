@@ -12,14 +12,11 @@ import type { RowWish } from "./WorkRow.tsx";
 const said = (sentence: string, changed = false): TableSaid => ({ sentences: [sentence], failed: false, changed });
 const failed = (sentence: string): TableSaid => ({ sentences: [sentence], failed: true, changed: false });
 
-/**
- * What the list of works can be asked: for one row, and for all that are selected. `focus` puts the keyboard on the row
- * of a work.
- */
+/** The actions of the list of works: on one row, and on all selected ones. `focus` focuses the row of a work. */
 export function useListActions(t: DeviceTexts["works"], isElsewhere: string, focus: (work: string) => void) {
   const [last, setLast] = useState<{ readonly said: TableSaid; readonly step: HistoryStep | undefined } | null>(null);
   const step = useSteps((s) => s.past.at(-1));
-  // Undo offers to take back what is said; once that was done in another way, it is no longer said.
+  // The status offers undo, so it is cleared once the change was undone in another way.
   const saying = last && (!last.said.changed || last.step === step) ? last.said : null;
   const say = useCallback(
     (now: TableSaid | null) => setLast(now && { said: now, step: useSteps.getState().past.at(-1) }),

@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { boxAround, boxOf, inBox } from "./box.ts";
 import { at, type Pt, type Ring } from "../geometry/point.ts";
 
-/** The points of a ring on one side of a line, one side after the other: the plain way to do it. */
+/** Reference implementation: clips a ring to one side of the box after the other. */
 function plainly(ring: Ring, { left, right, low, high }: ReturnType<typeof boxOf>): Ring {
   const sides = [
     ["z", left, 1],
@@ -31,7 +31,7 @@ const coordinate = fc.integer({ min: -5000, max: 5000 }).map((n) => n / 97);
 const wild = fc
   .array(fc.record({ z: coordinate, r: coordinate }), { minLength: 3, maxLength: 200 })
   .map((all) => all.map(({ z, r }) => at(z, r)));
-/** A long outline of small steps, as a stock has: most of it lies beside any box. */
+/** A long outline of small steps, like a stock: most of it lies outside any box. */
 const stairs = fc
   .tuple(fc.integer({ min: 40, max: 300 }), coordinate)
   .map(([count, from]): Ring => [
@@ -39,7 +39,7 @@ const stairs = fc
     at(from + 0.07 * count, -3.3),
   ]);
 
-test("what lies in a box is what is left of a ring after each of its sides, to the last bit", () => {
+test("the area in a box equals the ring clipped to each side in turn, to the last bit", () => {
   let cut = 0;
   fc.assert(
     fc.property(fc.oneof(wild, stairs), coordinate, coordinate, coordinate, coordinate, (ring, z0, r0, z1, r1) => {

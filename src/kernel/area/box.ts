@@ -3,7 +3,7 @@ import { hypotenuse } from "../geometry/vectors.ts";
 import type { Pt, Ring } from "../geometry/point.ts";
 import { axial, radius } from "../units.ts";
 
-/** The box round several rings. */
+/** The smallest box around several rings. */
 export function boxAround(rings: readonly Ring[]): Box {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const ring of rings)
@@ -16,10 +16,10 @@ export function boxAround(rings: readonly Ring[]): Box {
   return { left, right, low, high };
 }
 
-/** The smallest box round a ring. */
+/** The smallest box around a ring. */
 export const boxOf = (ring: Ring): Box => boxAround([ring]);
 
-/** So many points of a ring have a box of their own, and rings with more points than that have such boxes. */
+/** Points per chunk. A ring with more points than that is divided into chunks, each with its own box. */
 const CHUNK = 32;
 
 /** The boxes of a ring and of its chunks. */
@@ -28,7 +28,7 @@ interface Chunks {
   readonly parts: readonly Box[];
 }
 
-/** Large rings are looked at many times: a stock with every move. */
+/** Cached, because large rings are read many times: a stock with every move. */
 const chunked = new WeakMap<Ring, Chunks>();
 
 function chunksOf(ring: Ring): Chunks {
@@ -51,8 +51,8 @@ function chunksOf(ring: Ring): Chunks {
 }
 
 /**
- * A ring without points that come to nothing when it is cut to a box: those inside a chunk that lies beyond one side of
- * it, in the order in which it is cut. What is left of it, and in which order, is the same to the last bit.
+ * Drops points that clipping to the box would remove anyway: those in chunks that lie beyond one side of the box, in
+ * the order of the sides. The clipped ring is the same to the last bit, with the same order of points.
  */
 function nearBox(ring: Ring, parts: readonly Box[], box: Box): Ring {
   const out: Pt[] = [];
@@ -67,27 +67,27 @@ function nearBox(ring: Ring, parts: readonly Box[], box: Box): Ring {
   return out;
 }
 
-/** How much wider than a ring the box is that an area is cut to before the two are combined, mm. */
+/** Margin of the box that an area is cut to before it is combined with a ring, mm. */
 const MARGIN = 0.01;
 
 /**
- * The box that an area may be cut to before it is combined with rings: the sides that the cut makes then lie beyond
- * them. Where they ran along the rings themselves the polygon engine found 0.5 mm² in common that neither of them had.
+ * The box that an area may be cut to before it is combined with rings: the sides of the cut then lie beyond the rings.
+ * Where they coincided with the rings, the polygon engine reported a common area of 0.5 mm² that did not exist.
  */
 export function boxBeyond(rings: readonly Ring[]): Box {
   const { left, right, low, high } = boxAround(rings);
   return { left: left - MARGIN, right: right + MARGIN, low: low - MARGIN, high: high + MARGIN };
 }
 
-/** How far two boxes are apart, mm; 0 when they overlap. */
+/** Distance of two boxes, mm; 0 when they overlap. */
 export const gapBetween = (a: Box, b: Box): number =>
   hypotenuse(Math.max(0, a.left - b.right, b.left - a.right), Math.max(0, a.low - b.high, b.low - a.high));
 
 /**
- * What of an area lies in a box, to be combined further or measured: outlines may run along the sides of the box more
- * than once, which the non-zero rule of the polygon engine forgives and a signed area does not count. Much faster than
- * a true intersection. The engine's own clip to a rectangle loses a corner where a vertex lies on a side of it, which
- * the law of this function finds.
+ * The part of an area in a box, for further boolean operations or for measuring: outlines may run along the sides of
+ * the box more than once, which the non-zero rule of the polygon engine accepts and a signed area does not count. Much
+ * faster than a true intersection. The engine's own clip to a rectangle loses a corner where a vertex lies on a side of
+ * it, which the law test of this function finds.
  */
 export function inBox(area: readonly Ring[], box: Box): Ring[] {
   const out: Ring[] = [];

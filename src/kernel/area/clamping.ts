@@ -5,15 +5,15 @@ import { at, type Ring } from "../geometry/point.ts";
 import { real } from "./real-area.ts";
 import { radius, radiusOf, toDiameter } from "../units.ts";
 
-/** How the work is held. */
+/** How the workpiece is clamped. */
 export type ClampingKind = "chuckOutside" | "chuckInside" | "softJaws" | "collet" | "centres";
 
-/** What holds the work, as it is stated, mm; angles in degrees. Nothing is known of what is not stated. */
+/** The stated clamping, mm; angles in degrees. Anything not stated is unknown. */
 export interface Clamping {
   readonly kind: ClampingKind;
   /** ⌀ at which jaws or collet grip; between centres that of the driver. */
   readonly diameter: number;
-  /** How much of the work lies in the jaws or the collet, along Z; 0 between centres. */
+  /** Clamped length of the workpiece in the jaws or the collet, along Z; 0 between centres. */
   readonly length: number;
   /** Z of the front of jaws, collet or driver. */
   readonly face: number;
@@ -21,28 +21,28 @@ export interface Clamping {
   readonly size?: number;
   /** ⌀ of the quill or live centre, Z of its tip, and the angle of its point. */
   readonly tailstock?: { readonly quill: number; readonly tip: number; readonly angle: number };
-  /** No tool goes to the left of this Z, within this ⌀; where one is absent, the other alone counts. */
+  /** No tool may go to the left of this Z within this ⌀; if one of the two is absent, the other alone applies. */
   readonly limit?: { readonly z?: number; readonly x?: number };
 }
 
-/** What of a clamping something can meet. */
+/** Parts of a clamping that a tool can collide with. */
 export type ClampPart = "jaws" | "chuck" | "collet" | "driver" | "tailstock" | "limit";
 
-/** A body round the axis, by its outlines in the half plane. */
+/** A body of revolution, by its outlines in the half plane. */
 export interface ClampBody {
   readonly part: ClampPart;
   readonly rings: readonly Ring[];
 }
 
-/** A stated clamping with the bodies that it makes beside the blank. */
+/** A stated clamping with its bodies, without the blank. */
 export interface Clamped {
   readonly clamping: Clamping;
   readonly bodies: readonly ClampBody[];
 }
 
 /**
- * Usual three-jaw power chucks, mm: ⌀, bore, depth of the body, and the top jaws: over the face, along the radius,
- * across.
+ * Common three-jaw power chucks, mm: ⌀, bore, depth of the body, and the top jaws: height over the face, length along
+ * the radius, width.
  */
 const CHUCKS = [
   { size: 160, bore: 45, deep: 81, high: 36, long: 66, wide: 31 },
@@ -50,10 +50,10 @@ const CHUCKS = [
   { size: 250, bore: 75, deep: 104, high: 44, long: 95, wide: 40 },
   { size: 315, bore: 91, deep: 112, high: 50, long: 112, wide: 50 },
 ] as const;
-/** Diameters of chucks that are usual, mm. */
+/** Common chuck diameters, mm. */
 export const CHUCK_SIZES: readonly number[] = CHUCKS.map(({ size }) => size);
 
-/** The chuck of a diameter: the next of the list, at its scale. */
+/** The chuck of a diameter: the next larger one of the list, scaled. */
 function chuckOf(size: number) {
   const of = CHUCKS.find((c) => c.size >= size) ?? CHUCKS[CHUCKS.length - 1] ?? CHUCKS[0],
     k = size / of.size;
@@ -63,7 +63,10 @@ function chuckOf(size: number) {
 /** Width of a jaw of a chuck, mm. */
 export const jawWidth = (size: number): number => chuckOf(size).wide;
 
-/** Steps of a hard jaw, from the work on: share of its length along the radius, and of its height over the chuck. */
+/**
+ * Steps of a hard jaw, starting at the workpiece: share of its length along the radius, and of its height over the
+ * chuck.
+ */
 const STEPS = [
   [0.36, 1],
   [0.7, 0.62],
@@ -71,14 +74,11 @@ const STEPS = [
 ] as const;
 /** A soft jaw is one block. */
 const BLOCK = [[1, 1]] as const;
-/** The shoulder of a jaw at which the work stands: across, and at least behind it, mm. */
+/** The shoulder of a jaw that the workpiece rests against: across, and at least behind it, mm. */
 const SHOULDER = { across: 3, behind: 6 } as const;
-/** A jaw reaches no farther out than the chuck times this, and is never shorter than this part of its length. */
+/** Largest reach of a jaw as a factor of the chuck ⌀, and its shortest length as a share of its usual length. */
 const [BEYOND, SHORTEST] = [1.1, 0.3];
-/**
- * A collet chuck: its wall at the nose, and how deep it is at least; the depth of a driver; what is known of a quill;
- * mm.
- */
+/** Collet chuck: wall at the nose and least depth; depth of a driver; length drawn of a quill; mm. */
 const [WALL, DEEP, DRIVER, QUILL] = [6, 60, 40, 160];
 /** Farther than any machine reaches, mm. */
 const FAR = 5000;
@@ -90,7 +90,7 @@ const box = (left: number, right: number, low: number, high: number): Ring => [
   at(left, high),
 ];
 
-/** The jaws of a chuck that grips at a radius, and Z of the face that they stand on. */
+/** The jaws of a chuck that grips at a radius, and Z of the face that they are mounted on. */
 function jawsOf(
   { kind, diameter: d, length, face }: Clamping,
   size: number,
@@ -102,7 +102,7 @@ function jawsOf(
     tall = face - foot;
   const most = inside ? grip : radiusOf(size) * BEYOND - grip,
     reach = Math.max(SHORTEST * long, Math.min(long, most));
-  // Seen from the gripped surface: how far away from the work.
+  // Measured from the gripped surface, away from the workpiece.
   const r = (away: number) => Math.max(0, grip + (inside ? -away : away));
   const back = face - length;
   const profile = (kind === "softJaws" ? BLOCK : STEPS).flatMap(([share, height], i, all) => {
@@ -119,7 +119,7 @@ function jawsOf(
   return { ring: inside ? ring.reverse() : ring, foot };
 }
 
-/** The bodies of what grips the work at its rear end. */
+/** The bodies that grip the workpiece at its rear end. */
 function gripBodies(c: Clamping): ClampBody[] {
   const { kind, face, size, length } = c,
     r = radiusOf(c.diameter);
@@ -147,8 +147,8 @@ function centreOf({ quill, tip, angle }: NonNullable<Clamping["tailstock"]>): Ri
 }
 
 /**
- * What tool and holder must not meet: jaws and chuck, collet or driver, tailstock, each less what the blank fills, and
- * what lies behind a stated limit. Jaws count all round: they turn.
+ * Bodies that tool and holder must not touch: jaws and chuck, collet or driver, tailstock, each without the blank, and
+ * everything behind a stated limit. Jaws count all round, because they rotate.
  */
 export function clampingBodies(c: Clamping, blank: readonly Ring[]): readonly ClampBody[] {
   const tailstock: readonly ClampBody[] = c.tailstock ? [{ part: "tailstock", rings: [centreOf(c.tailstock)] }] : [];
@@ -157,10 +157,10 @@ export function clampingBodies(c: Clamping, blank: readonly Ring[]): readonly Cl
   return c.limit ? [...bodies, { part: "limit", rings: [box(-FAR, z, 0, radiusOf(x))] }] : bodies;
 }
 
-/** How far the gripped ⌀ may lie beside the surface of the blank, as a radius, mm. */
+/** Greatest distance of the gripped ⌀ from the surface of the blank, as a radius, mm. */
 const NEAR = 0.5;
 
-/** True when jaws or collet do not grip the blank: there is nothing of it at their ⌀, or it stands in them. */
+/** True when jaws or collet do not grip the blank: it has no material at their ⌀, or material inside them. */
 export function missesBlank({ kind, diameter: d, length, face }: Clamping, blank: readonly Ring[]): boolean {
   if (kind === "centres" || blank.length === 0) return false;
   const r = radiusOf(d),
@@ -171,8 +171,8 @@ export function missesBlank({ kind, diameter: d, length, face }: Clamping, blank
 }
 
 /**
- * Where a clamping grips the work: a piece of the work that reaches into one of these areas is held. Between centres
- * both ends are; a tailstock in front of a chuck supports the work and holds nothing by itself.
+ * Zones where a clamping grips the workpiece: a piece that reaches into one of them is held. Between centres both ends
+ * are held; a tailstock in front of a chuck only supports.
  */
 export function gripZones(c: Clamping, blank: readonly Ring[]): readonly Ring[] {
   const { kind, diameter: d, length, face, tailstock } = c,

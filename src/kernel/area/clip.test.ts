@@ -54,7 +54,7 @@ test("a ring that is not finite is left out and nothing else is lost", () => {
   expect(areaOf(offset([broken, box(0, 0, 2, 2)], -0.5))).toBeCloseTo(1, 6);
 });
 
-test("opening drops what is thinner and keeps what is thicker", () => {
+test("opening drops thinner parts and keeps thicker ones", () => {
   const comb = union([box(0, 0, 10, 1)], [box(4, 0, 4.003, 5)]);
   expect(areaOf(opened(comb, 0.004))).toBeCloseTo(10, 3);
 });
@@ -65,7 +65,7 @@ const triangle = fc.tuple(coordinate, coordinate, coordinate, coordinate, coordi
   return areaOfRing(t) < 0 ? [...t].reverse() : t;
 });
 
-test("area is kept: what is cut off and what stays make the whole", () => {
+test("area is preserved: the part cut off and the rest add up to the whole", () => {
   fc.assert(
     fc.property(triangle, triangle, (a, b) => {
       const together = areaOf(difference([a], [b])) + areaOf(intersection([a], [b]));
@@ -80,7 +80,7 @@ test("a stray ring of rounding does not turn an offset inside out", () => {
   const dust = ring([3, 5], [3.00001, 5.01], [3.00001, 5]);
   const turned = areaOfRing(dust) < 0 ? dust : [...dust].reverse();
   expect(areaOf(offset([turned, box(0, 0, 2, 2)], -0.5))).toBeCloseTo(1, 6);
-  // One that reaches just as far, beside the outline: at equal height the engine takes the one on the left.
+  // One that reaches just as far, next to the outline: at equal height the engine takes the one on the left.
   const level = ring([-1, 2], [-0.999, 1.999], [-1, 1.999]);
   expect(areaOfRing(level)).toBeLessThan(0);
   for (const area of [
@@ -97,7 +97,7 @@ test("a blank larger than any lathe keeps its size when packed", () => {
   expect(unpacked(packed(huge))).toEqual(huge);
 });
 
-test("packing is exact for what comes from the engine", () => {
+test("packing is exact for results of the engine", () => {
   fc.assert(
     fc.property(triangle, triangle, (a, b) => {
       const cut = difference([a], [b]);

@@ -22,7 +22,7 @@ import { axial, radius } from "../units.ts";
  * that grid and goes through it again unchanged.
  */
 
-/** Rings as the engine's integers, for keeping and for sending to another thread: z, r, z, r … of one ring each. */
+/** Rings as the engine's integers, for storing and for sending to another thread: z, r, z, r … of one ring each. */
 export type PackedRings = readonly Float64Array[];
 
 /** Units per mm; a whole number, so that packing and unpacking are exact. */
@@ -67,25 +67,25 @@ function combine(type: ClipType, subject: readonly Ring[], clip: readonly Ring[]
   return rings(solution);
 }
 
-/** What lies in `subject` and not in `clip`. */
+/** The area in `subject` and not in `clip`. */
 export const difference = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] =>
   combine(ClipType.Difference, subject, clip);
 
-/** What lies in both. */
+/** The area in both. */
 export const intersection = (subject: readonly Ring[], clip: readonly Ring[]): Ring[] =>
   combine(ClipType.Intersection, subject, clip);
 
-/** What lies in any of the rings, overlaps merged. */
+/** The area in any of the rings, overlaps merged. */
 export const union = (area: readonly Ring[], more: readonly Ring[] = []): Ring[] => combine(ClipType.Union, area, more);
 
-/** Room between an area and the guard over it, mm. */
+/** Distance between an area and the guard ring above it, mm. */
 const APART = 1;
 
 /**
  * Grown (delta > 0) or shrunk (delta < 0) on all sides by a length in mm; grown corners are round to CHORD. The engine
- * takes the ring that reaches farthest for an outer one, and turns everything round when it runs clockwise, as a hole
- * does that reaches as far as what it lies in. So a ring that is an outer one lies beyond all others, and is taken out
- * again.
+ * takes the ring that reaches farthest for an outer ring and reverses everything if that ring runs clockwise, as a hole
+ * does that touches the edge of its outer ring. Therefore a guard ring is added beyond all others, and removed from the
+ * result.
  */
 export function offset(area: readonly Ring[], delta: number): Ring[] {
   const own = paths(area);
@@ -103,7 +103,7 @@ export function offset(area: readonly Ring[], delta: number): Ring[] {
   return rings(solution.filter((path) => (path[0]?.y ?? 0) < low - by - apart / 2));
 }
 
-/** Whether a point lies inside a ring; on its edge it does not. */
+/** Whether a point is inside a ring; points on its edge are not. */
 export const isInside = (ring: Ring, p: Pt): boolean => {
   const [path] = paths([ring]);
   return (
@@ -111,17 +111,17 @@ export const isInside = (ring: Ring, p: Pt): boolean => {
   );
 };
 
-/** With fewer corners, none of which was farther than `within` mm from the straight line that takes its place. */
+/** Simplified outlines: removed corners were no farther than `within` mm from the straight line that replaces them. */
 export const simplified = (area: readonly Ring[], within: number): Ring[] =>
   rings(simplifyPaths(paths(area), within * UNITS, true));
 
-/** The same for an open line of points, whose ends stay. */
+/** The same for an open line of points; its ends are kept. */
 export const coarsened = (line: readonly Pt[], within: number): Pt[] =>
   simplifyPaths([line.map((p) => ({ x: toGrid(p.z), y: toGrid(p.r) }))], within * UNITS, false)
     .flat()
     .map(({ x, y }) => point(x, y));
 
-/** Without what is thinner than `width` mm; kept areas stay as they are, but for corners rounded by half that width. */
+/** Without parts thinner than `width` mm; the rest is unchanged, except for corners rounded by half that width. */
 export const opened = (area: readonly Ring[], width: number): Ring[] => offset(offset(area, -width / 2), width / 2);
 
 /** The compact form of rings that lie on the grid. */

@@ -28,7 +28,7 @@ describe("corner elements", () => {
       data: { element: 1, size: 6, max: expect.closeTo(5, 3) },
     });
   });
-  test("two corners share what their common line offers", () => {
+  test("two corners share the length of their common line", () => {
     const chain = chainOf([p(0, 10), p(-20, 10), p(-20, 15), p(-40, 15)]);
     expect(
       codes(
@@ -44,7 +44,7 @@ describe("corner elements", () => {
     ]);
     expect(over.issues[0]).toMatchObject({ data: { element: 2, max: expect.closeTo(3, 3) } });
   });
-  test("one so short that it has no direction leaves no gap", () => {
+  test("an element too short to have a direction leaves no gap", () => {
     const flat = chainOf([p(0, 47.2), p(-0.002, 53.058), p(-9, 60)]);
     const { segments } = withCorners(
       [chainOf([p(0, 35), p(0, 47.2)])[0] as Segment, ...flat],
@@ -90,7 +90,7 @@ describe("programmed contours", () => {
     expect(c.elements).toEqual([2, 3, 4, 5, 6]);
     expect(c.segments.map((s) => s.kind)).toEqual(["line", "arc", "line", "arc", "line"]);
   });
-  test("CR takes the short way, and the long one with a negative radius", () => {
+  test("CR takes the shorter arc, and the longer one with a negative radius", () => {
     const arc = (r: number) =>
       contourFrom([
         { kind: "line", to: p(0, 10) },
@@ -99,7 +99,7 @@ describe("programmed contours", () => {
     expect(lengthOf(arc(10) as Segment)).toBeCloseTo(5 * Math.PI, 9);
     expect(lengthOf(arc(-10) as Segment)).toBeCloseTo(15 * Math.PI, 9);
   });
-  test("a radius that can not span its points is reported with the smallest that can", () => {
+  test("a radius too small to span its points is reported with the smallest possible one", () => {
     const c = contourFrom([
       { kind: "line", to: p(0, 10) },
       { kind: "radius", to: p(-10, 10), radius: 4, turn: "cw" },

@@ -13,7 +13,7 @@ const { arcByRadius, arcTangential, direction, lengthOf, line } = part;
 /** A motion of a programmed contour, in part space, with every coordinate filled in. */
 export type PathElement =
   | { readonly kind: "line"; readonly to: Pt }
-  /** Radius in mm; negative takes the longer way round, as CR writes it. */
+  /** Radius in mm; negative for the longer arc, as in CR. */
   | { readonly kind: "radius"; readonly to: Pt; readonly radius: number; readonly turn: Turn }
   | { readonly kind: "centre"; readonly to: Pt; readonly centre: Pt; readonly turn: Turn }
   | { readonly kind: "tangent"; readonly to: Pt };
@@ -22,12 +22,12 @@ export type ContourElement = PathElement | CornerElement | Undercut | Groove;
 
 export interface Contour {
   readonly segments: readonly Segment[];
-  /** For each segment, the element it came from, counted from 1. */
+  /** Source element of each segment, counted from 1. */
   readonly elements: readonly number[];
   readonly issues: readonly Issue[];
 }
 
-/** The largest element of a kind that fits on a corner, mm, when `tooBig` does not. */
+/** The largest element of a kind that fits on a corner, mm, when `tooBig` does not fit. */
 export function largestCorner(before: Segment, after: Segment, kind: CornerElement["kind"], tooBig: number): number {
   let [low, high] = [0, tooBig];
   for (let i = 0; i < 60; i += 1) {
@@ -39,8 +39,8 @@ export function largestCorner(before: Segment, after: Segment, kind: CornerEleme
 }
 
 /**
- * Puts chamfers and roundings on the corners of a chain of segments; `corners[i]` stands where segment i meets segment
- * i + 1. An element that does not fit is left out and reported with the largest size that does.
+ * Puts chamfers and roundings on the corners of a chain of segments; `corners[i]` belongs to the corner of segments i
+ * and i + 1. An element that does not fit is left out and reported with the largest size that fits.
  */
 export function withCorners(
   chain: readonly Segment[],
@@ -79,15 +79,15 @@ export function withCorners(
   return { segments: kept.map((p) => p.segment), elements: kept.map((p) => p.element), issues };
 }
 
-/** A piece of a contour with the number of the element that it belongs to. */
+/** A piece of a contour with the number of its element. */
 interface Part {
   readonly segment: Segment;
   readonly element: number;
 }
 
 /**
- * Over a part too short to have a direction its neighbours go on where one of them is a line; else a short line closes
- * the gap.
+ * Removes parts too short to have a direction: a neighbouring line is extended over them, else a short line closes the
+ * gap.
  */
 function withoutShort(parts: readonly Part[]): Part[] {
   const kept: Part[] = [];
@@ -114,9 +114,7 @@ function bends(before: Segment, after: Segment): boolean {
 /** Lines between points. */
 export const chainOf = (points: readonly Pt[]): Segment[] => points.slice(1).map((to, i) => line(points[i] ?? to, to));
 
-/**
- * The segment of an element from where it begins behind `before`; a line, with an issue, where such an arc can not be.
- */
+/** The segment of an element that follows `before`; if such an arc is impossible, a line and an issue. */
 export function segmentTo(
   from: Pt,
   before: Segment | undefined,
@@ -149,7 +147,7 @@ export function segmentTo(
   }
 }
 
-/** Builds the segments of a programmed contour. Its first element only says where the contour starts. */
+/** Builds the segments of a programmed contour. Its first element is only the start point. */
 export function contourFrom(programmed: readonly ContourElement[]): Contour {
   const issues: Issue[] = [];
   const chain: ContourChain = { segments: [], corners: [], segmentNumbers: [], cornerNumbers: [] };

@@ -3,9 +3,7 @@ import { ROUND, SAME } from "../tolerance.ts";
 
 const { along, beyond, cross, curveBeside, direction, footOn, lengthOf, meet } = part;
 
-/**
- * What stands on a corner of a contour: a chamfer with equal legs along both lines, or a tangential arc. Size in mm.
- */
+/** An element on a corner of a contour: a chamfer with equal legs along both lines, or a tangential arc. Size in mm. */
 export interface CornerElement {
   readonly kind: "chamfer" | "round";
   readonly size: number;
@@ -18,7 +16,9 @@ export interface Cut {
   readonly after: Segment;
 }
 
-/** A segment used up to nothing becomes a line without length: an arc from a point to itself would be a full circle. */
+/**
+ * A segment shortened to nothing becomes a line without length: an arc from a point to itself would be a full circle.
+ */
 const ending = (s: Segment, to: Pt): Segment =>
   along(s, to) > SAME ? { ...s, to } : { kind: "line", from: s.from, to };
 const starting = (s: Segment, from: Pt): Segment =>
@@ -50,7 +50,7 @@ function rounded(before: Segment, after: Segment, r: number): Cut | null {
   return best;
 }
 
-/** Puts an element on the corner between two segments that meet; null when it does not fit or can not stand there. */
+/** Puts an element on the corner between two segments that meet; null when it does not fit. */
 export function cutCorner(before: Segment, after: Segment, corner: CornerElement): Cut | null {
   if (corner.kind === "round") return rounded(before, after, corner.size);
   if (before.kind === "arc" || after.kind === "arc") return null;

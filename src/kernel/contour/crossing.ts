@@ -19,12 +19,10 @@ function crosses(a: Segment, b: Segment): boolean {
 /** Two segments of a chain that cross, as indices (the later one first); null: none do. */
 type Crossing = readonly [number, number] | null;
 
-/** A chain never changes, and is asked about again by all that read it. */
+/** Cached per chain: chains are immutable and checked by several readers. */
 const known = new WeakMap<readonly Segment[], Crossing>();
 
-/**
- * Two segments of a chain that cross or touch, as indices (the later one first), or null. Overlaps are not looked for.
- */
+/** Two segments of a chain that cross or touch, as indices (the later one first), or null. Overlaps are not checked. */
 export function selfCrossing(chain: readonly Segment[]): Crossing {
   const before = known.get(chain);
   if (before !== undefined) return before;
@@ -33,7 +31,7 @@ export function selfCrossing(chain: readonly Segment[]): Crossing {
   return found;
 }
 
-/** Whether one more segment crosses or touches a chain that it goes on from, or leads to. */
+/** Whether a segment crosses or touches a chain that it continues or leads to. */
 export function crossesChain(one: Segment, chain: readonly Segment[]): boolean {
   const box = boxOf(one);
   return chain.some((s) => overlap(box, boxOf(s)) && crosses(one, s));
@@ -47,7 +45,7 @@ interface Placed {
 
 function firstCrossing(chain: readonly Segment[]): Crossing {
   const boxes = chain.map(boxOf);
-  // Along the longer side fewer of them lie beside each other.
+  // Fewer boxes overlap along the longer side.
   const [left, right, low, high] = boxes.reduce(
     (all, b) => [
       Math.min(all[0], b.left),

@@ -2,7 +2,7 @@ import { chordsOf } from "../geometry/segments.ts";
 import { part, type Pt, type Segment } from "../geometry/point.ts";
 import { CHORD, ROUND } from "../tolerance.ts";
 
-/** How near lines and arcs stay to the points they take the place of, mm. */
+/** Greatest distance of lines and arcs from the points they replace, mm. */
 export interface Nearness {
   readonly line: number;
   readonly arc: number;
@@ -10,14 +10,14 @@ export interface Nearness {
 
 type Arc = Extract<Segment, { kind: "arc" }>;
 
-/** An arc is no arc with less than so many points of its chords, and none of a radius over this, mm. */
+/** Fewest points of an arc's chords, and its largest radius, mm. */
 const ARC_POINTS = 4,
   LARGEST_ARC = 2000;
-/** Three points that enclose less are in a line, mm². */
+/** Three points that enclose less count as a line, mm². */
 const NO_AREA = 0.000036;
-/** An arc that turns through more is said too little of by its chord, radians. */
+/** From this angle on, the chord of an arc does not determine it well enough, radians. */
 const WIDE = 1.2 * Math.PI;
-/** Halvings after which an angle is as exact as a double can hold it. */
+/** Halvings after which an angle has the precision of a double. */
 const HALVINGS = 60;
 
 /** The circle through three points; null where they lie on a line. */
@@ -34,7 +34,7 @@ function circle(a: Pt, b: Pt, c: Pt): { readonly centre: Pt; readonly radius: nu
 
 const between = (points: readonly Pt[], from: number, to: number): readonly Pt[] => points.slice(from + 1, to);
 
-/** The line from one point to another, if all between lie near it. */
+/** The line from one point to another, if all points in between are near it. */
 function lineOf(points: readonly Pt[], from: number, to: number, near: number): Segment | null {
   const [a, b] = [points[from], points[to]];
   if (!a || !b) return null;
@@ -43,7 +43,7 @@ function lineOf(points: readonly Pt[], from: number, to: number, near: number): 
 }
 
 /**
- * Whether a run of points lies near a circle, chords and all: one that sinks farther from its arc is a line beside it.
+ * Whether a run of points and its chords lie near a circle: a chord that sinks farther from the arc is a separate line.
  */
 function isNear(
   run: readonly Pt[],
@@ -67,11 +67,14 @@ function arcOf(points: readonly Pt[], from: number, to: number, near: number): A
   return { kind: "arc", from: a, to: b, centre: found.centre, turn };
 }
 
-/** Between the chords of an arc and the line over all of them, mm². */
+/** Area between the chords of an arc and the line from end to end, mm². */
 const areaOverLine = (line: number, angle: number, chords: number): number =>
   ((line ** 2 / 8) * (chords * Math.sin(angle / chords) - Math.sin(angle))) / Math.sin(angle / 2) ** 2;
 
-/** Between an arc of less than half a turn, as the stock has it in chords, and the line from end to end, mm². */
+/**
+ * Area between an arc of less than half a turn, flattened to the chords of the stock, and the line from end to end,
+ * mm².
+ */
 export function areaOfArc(line: number, radius: number): number {
   const half = Math.asin(Math.min(1, line / 2 / radius)),
     angle = half + half;
@@ -79,8 +82,8 @@ export function areaOfArc(line: number, radius: number): number {
 }
 
 /**
- * The arc between the same ends that encloses what its points enclose. The circle through three of them hangs on how
- * those three were rounded; the area hangs on all.
+ * The arc between the same ends that encloses the same area as its points. The circle through three of them depends on
+ * the rounding of those three; the area depends on all.
  */
 function settled(arc: Arc, run: readonly Pt[], near: number): Arc {
   const sweep = part.sweepOf(arc);
@@ -106,7 +109,7 @@ function settled(arc: Arc, run: readonly Pt[], near: number): Arc {
   return isNear(run, { centre, radius }, near) ? { ...arc, centre } : arc;
 }
 
-/** A chain of points as few lines and arcs: each goes on as far as it stays near. */
+/** Replaces a chain of points by few lines and arcs: each continues as long as it stays near the points. */
 export function elementsThrough(points: readonly Pt[], near: Nearness): Segment[] {
   const out: Segment[] = [];
   let from = 0;

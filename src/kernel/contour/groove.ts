@@ -27,21 +27,18 @@ export const GROOVE_WORDS: readonly RecessWord[] = [
   "FAR_RND",
   "FAR_CHF",
 ];
-/** Words that say the same thing in two ways: a recess has one of each pair. */
+/** Alternative words for the same dimension: a recess has one of each pair. */
 const EITHER: readonly (readonly [RecessWord, RecessWord])[] = [
   ["DEPTH", "DIAM"],
   ["ANGLE", "ANG_WIDTH"],
   ["RND", "CHF"],
   ["FAR_RND", "FAR_CHF"],
 ];
-/** Words of a recess that a program measures as diameters: CENTER only where it stands on a face. */
+/** Words of a recess that a program states as diameters: CENTER only on a face. */
 export const grooveDiameters = (direction: Groove["direction"]): readonly RecessWord[] =>
   direction === "axial" ? ["CENTER", "DIAM"] : ["DIAM"];
 
-/**
- * A corner of a recess, mm: how far along its element from the element's start, and how far across it (towards +X or
- * +Z).
- */
+/** A corner of a recess, mm: distance along its element from the element's start, and across it (towards +X or +Z). */
 export interface GrooveVertex {
   readonly along: number;
   readonly across: number;
@@ -51,16 +48,16 @@ export interface GrooveVertex {
 export type GrooveShape =
   | { readonly vertices: readonly GrooveVertex[] }
   | { readonly word: RecessWord }
-  /** Two words of which the recess takes one. */
+  /** Two words that exclude each other. */
   | { readonly word: RecessWord; readonly other: RecessWord }
-  /** The recess is wider than its element leaves room for. */
+  /** The recess is wider than its element. */
   | { readonly breadth: number; readonly room: number }
   /** The element does not run in the direction this recess needs. */
   | "wrongElement";
 
 /**
- * Inclination of each flank against the perpendicular to its element, degrees: ANGLE as it is, or half the opening
- * angle ANG_WIDTH. The word instead, where the flank would lie along the element.
+ * Inclination of each flank against the perpendicular to its element, degrees: ANGLE, or half the opening angle
+ * ANG_WIDTH. Returns the word where the flank would lie along the element.
  */
 function flankOf(w: RecessWords): number | { readonly word: RecessWord } {
   const [angle, opening] = [w.ANGLE ?? 0, w.ANG_WIDTH ?? 0];

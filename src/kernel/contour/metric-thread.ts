@@ -68,16 +68,13 @@ export const METRIC_SIZES: readonly (readonly [nominal: number, coarse: number |
   [72, 6, 4, 3, 2, 1.5],
 ];
 
-/**
- * How far a bore may be wider or narrower than the core of its size, in pitches: more than the tolerance 6H of a core
- * leaves.
- */
+/** Greatest deviation of a bore from the core of its size, in pitches: more than the tolerance 6H of a core. */
 const BORE = 0.25;
 
 /**
  * The nominal diameter, mm, of the inside thread whose bore is programmed with this diameter. A size with this pitch is
- * meant as the nominal diameter itself, any other as the core: of the size that is nearest, or of one that no list has
- * (decision 0005).
+ * taken as the nominal diameter itself, any other as the core: of the nearest size, or of an unlisted one (decision
+ * 0005).
  */
 export function nominalOfBore(bore: Diameter, pitch: number): number {
   const sizes = METRIC_SIZES.filter(([, ...pitches]) => pitches.includes(pitch)).map(([nominal]) => nominal);

@@ -9,10 +9,10 @@ import { undercutShape, type Undercut } from "./undercut.ts";
 
 const { lengthOf, line } = part;
 
-/** Decimals of a word that the standard gave, as it is told. */
+/** Decimals of a standard value in the issue. */
 const DECIMALS = 4;
 
-/** An undercut or recess of a contour, its element number, and the segment behind which it was programmed. */
+/** An undercut or recess of a contour, its element number, and the segment that it was programmed behind. */
 export interface Inset {
   readonly recess: Undercut | Groove;
   readonly element: number;
@@ -20,7 +20,7 @@ export interface Inset {
 }
 
 /**
- * A contour while it is built: corner i stands between segments i and i + 1; `segmentNumbers` and `cornerNumbers` are
+ * A contour under construction: corner i lies between segments i and i + 1; `segmentNumbers` and `cornerNumbers` are
  * elements.
  */
 export interface ContourChain {
@@ -33,10 +33,7 @@ export interface ContourChain {
 const tooLong = (element: number, size: number, max: number): Issue =>
   issue("cornerElementTooLong", "error", { element, size, max }, "contour");
 
-/**
- * Puts segments in the place of `count` segments from `index`; `inner` are the corners between them, all of one
- * element.
- */
+/** Replaces `count` segments from `index`; `inner` are the corners between the new segments, all of one element. */
 function replace(
   chain: ContourChain,
   index: number,
@@ -132,8 +129,8 @@ function putGroove(chain: ContourChain, groove: Groove, element: number, index: 
 }
 
 /**
- * How far along its segment a recess lies, mm: those farther along are put in first, so that the ones before keep their
- * place.
+ * Distance of a recess along its segment, mm: the farthest is put in first, so that the positions of the others stay
+ * valid.
  */
 function place(chain: ContourChain, r: Inset): number {
   if (r.recess.kind === "undercut") return Infinity;

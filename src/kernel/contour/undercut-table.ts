@@ -2,7 +2,7 @@ import { nominalOfBore } from "./metric-thread.ts";
 import { INCH_ROUNDED } from "../tolerance.ts";
 import type { Diameter } from "../units.ts";
 
-/** Measures of an undercut, mm. */
+/** Dimensions of an undercut, mm. */
 export interface UndercutMeasures {
   readonly R: number;
   readonly DEPTH: number;
@@ -62,14 +62,14 @@ const DIN_76: readonly (readonly [
   [6, 3.2, 8.3, 21, 0.5, 30],
 ];
 
-/** What DIN 509 gives for a shaft or bore of this diameter. */
+/** DIN 509 dimensions for a shaft or bore of this diameter. */
 export function undercutOfDiameter(diameter: Diameter): UndercutMeasures {
   const row = DIN_509.find(([upTo]) => diameter <= upTo) ?? DIN_509[DIN_509.length - 1];
   const [, R, DEPTH, BREADTH, FACEDEPTH] = row ?? [0, 0, 0, 0, 0];
   return { R, DEPTH, BREADTH, FACEDEPTH };
 }
 
-/** A thread beside its undercut: a shaft, or the bore that is programmed before it. */
+/** The thread that an undercut belongs to: a shaft, or a bore with its programmed diameter. */
 export type ThreadedCylinder = "shaft" | { readonly bore: Diameter };
 
 const isListed =
@@ -77,7 +77,7 @@ const isListed =
   ([listed]: (typeof DIN_76)[number]): boolean =>
     Math.abs(listed - pitch) <= INCH_ROUNDED;
 
-/** The next pitches of DIN 76 below and above one that is not in its list, mm. */
+/** The next smaller and larger pitch of DIN 76 for an unlisted one, mm. */
 export function neighboursOfPitch(pitch: number): { readonly below?: number; readonly above?: number } {
   const [below] = DIN_76.findLast(([listed]) => listed < pitch) ?? [];
   const [above] = DIN_76.find(([listed]) => listed > pitch) ?? [];
@@ -85,8 +85,8 @@ export function neighboursOfPitch(pitch: number): { readonly below?: number; rea
 }
 
 /**
- * What DIN 76 gives for a thread of this pitch, which an inch program only nearly names; null for a pitch that is not
- * in its list. Inside the floor lies at nominal + I, so its depth counts from the bore: (nominal + I − bore) / 2.
+ * DIN 76 dimensions for a thread of this pitch, which an inch program states rounded; null for an unlisted pitch.
+ * Inside the floor lies at nominal + I, so its depth counts from the bore: (nominal + I − bore) / 2.
  */
 export function undercutOfPitch(pitch: number, cylinder: ThreadedCylinder): UndercutMeasures | null {
   const row = DIN_76.find(isListed(pitch));

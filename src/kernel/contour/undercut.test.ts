@@ -52,7 +52,7 @@ describe("UDC", () => {
     expect(c.elements).toEqual([2, 3, 3, 3, 3, 4]);
   });
 
-  test("TYPE_E with every word has nothing to say, and without any takes DIN 509", () => {
+  test("TYPE_E with every word reports nothing, and without any takes DIN 509", () => {
     expect(shaft(udc("E", { R: 1, DEPTH: 2, BREADTH: 15, ANGLE: 20 })).issues).toEqual([]);
     const c = shaft(udc("E", {}));
     expect(c.issues).toMatchObject([{ code: "undercutDefaults", data: { words: "R0.6 DEPTH0.3 BREADTH2.5 ANGLE15" } }]);
@@ -170,8 +170,8 @@ describe("UDC", () => {
     expect(undercutOfDiameter(diameter(100))).toMatchObject({ R: 1, DEPTH: 0.4, BREADTH: 4, FACEDEPTH: 0.3 });
   });
 
-  // Floor at nominal + I: of a listed size that is programmed as such, of the size whose core the bore is, of one that
-  // no list has.
+  // Floor at nominal + I: of a listed size programmed as such, of the size whose core is this bore, of an unlisted
+  // size.
   test.each<[bore: number, pitch: number, floor: number]>([
     [17.835, 2, 20.5],
     [17.98, 2, 20.5],
@@ -243,7 +243,7 @@ describe("UDC", () => {
     expect(c.segments.every((s) => lengthOf(s) > 0)).toBe(true);
   });
 
-  test("an undercut needs a cylinder and a face, and the corner for itself", () => {
+  test("an undercut needs a cylinder, a face and a corner of its own", () => {
     const e = udc("E", { R: 0.5, DEPTH: 1, BREADTH: 10 });
     expect(contourFrom([to(0, 18), to(-30, 20), e, to(-30, 30)]).issues).toMatchObject([
       { code: "undercutNeighbours" },

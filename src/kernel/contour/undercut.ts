@@ -24,7 +24,7 @@ export type RecessWord =
   | "FAR_CHF";
 export type RecessWords = { readonly [W in RecessWord]?: number };
 
-/** UDC: an undercut in the corner between a cylinder and a face. Words that are left out come from the standard. */
+/** UDC: an undercut in the corner between a cylinder and a face. Missing words come from the standard. */
 export interface Undercut {
   readonly kind: "undercut";
   readonly form: UndercutForm;
@@ -42,8 +42,8 @@ export interface Vertex {
 }
 
 /**
- * An undercut as its corners from the cylinder to the face, with the words the standard gave; or the word that makes it
- * impossible; or the words that are missing because the standard does not list the pitch.
+ * An undercut as its corners from the cylinder to the face, with the words taken from the standard; or the word that
+ * makes it impossible; or the missing words if the standard does not list the pitch.
  */
 export type UndercutShape =
   | { readonly vertices: readonly Vertex[]; readonly defaults: RecessWords }
@@ -64,11 +64,11 @@ export const UNDERCUT_WORDS: Readonly<Record<UndercutForm, readonly RecessWord[]
 };
 /** Words that are angles in degrees; the others are lengths. */
 export const ANGLE_WORDS: ReadonlySet<RecessWord> = new Set(["ANGLE", "ANG_WIDTH", "FACEANGLE", "ROT"]);
-/** Words without which a form is complete. */
+/** Optional words. */
 const SPARE: ReadonlySet<RecessWord> = new Set(["R", "PITCH", "RND", "CHF"]);
 /**
- * Forms with tables in a standard; its angles for all. Those of E, F and THREAD are printed for HEIDENHAIN lathes (tag
- * L).
+ * Forms with tables in a standard; the angles are the same for all. Those of E, F and THREAD are printed for HEIDENHAIN
+ * lathes (tag L).
  */
 const LISTED: ReadonlySet<UndercutForm> = new Set(["E", "F", "H", "THREAD"]);
 const DEFAULT_ANGLES: Readonly<Record<UndercutForm, RecessWords>> = {
@@ -81,7 +81,7 @@ const DEFAULT_ANGLES: Readonly<Record<UndercutForm, RecessWords>> = {
 };
 
 const vertex = (u: number, v: number, R = 0): Vertex => ({ u, v, corner: R > 0 ? { kind: "round", size: R } : null });
-/** RND or CHF of an outer edge. */
+/** The corner element for RND or CHF of an outer edge. */
 export const edgeElement = (round: number | undefined, chamfer: number | undefined): CornerElement | null =>
   round !== undefined && round > 0
     ? { kind: "round", size: round }
@@ -89,7 +89,7 @@ export const edgeElement = (round: number | undefined, chamfer: number | undefin
       ? { kind: "chamfer", size: chamfer }
       : null;
 
-/** What the standard gives for the words that are not there. */
+/** Standard values for the missing words. */
 function defaultsOf({ form, words }: Undercut, diameter: Diameter, inside: boolean): RecessWords {
   const table =
     form === "THREAD"
@@ -117,7 +117,7 @@ export function undercutShape(undercut: Undercut, diameter: Diameter, inside: bo
   return "word" in made ? made : { vertices: made, defaults };
 }
 
-/** The first word that is missing, not positive, or an angle of 90° and more. */
+/** The first word that is missing, not positive, or an angle of 90° or more. */
 function impossible(form: UndercutForm, w: RecessWords): RecessWord | null {
   const bad = UNDERCUT_WORDS[form].find((name) => {
     const n = w[name];
@@ -137,7 +137,7 @@ function verticesOf(form: UndercutForm, w: RecessWords): readonly Vertex[] | { r
   return form === "F" ? intoFace(into, R, D, w.FACEDEPTH ?? 0, radians(w.FACEANGLE ?? 0)) : [...into, vertex(0, -D, R)];
 }
 
-/** Form F: behind the floor the arc reaches FACEDEPTH into the face and leaves it on a line that leans by FACEANGLE. */
+/** Form F: behind the floor the arc reaches FACEDEPTH into the face and leaves it on a line inclined by FACEANGLE. */
 function intoFace(
   into: readonly Vertex[],
   R: number,
@@ -153,7 +153,7 @@ function intoFace(
 }
 
 /**
- * Form K: a wedge into the corner, its axis at ROT to the cylinder; DEPTH is how far its round bottom lies below the
+ * Form K: a wedge into the corner, its axis at ROT to the cylinder; DEPTH is the distance of its round bottom below the
  * cylinder.
  */
 function wedge(

@@ -11,30 +11,28 @@ const FLAT = 180;
 
 export const isDrill = (t: Tool): boolean => DRILL_TYPES.some((type) => type === t.TYPE);
 
-/**
- * From the point of a drill to where it has its full radius, mm: nothing where its point is flat, or its angle unknown.
- */
+/** Length of the point of a drill up to its full radius, mm: 0 if the point is flat or its angle unknown. */
 export function pointLength(t: Tool): number {
   const angle = t["T-ANGLE"] ?? FLAT;
   return angle > 0 && angle < FLAT ? (t.R ?? 0) / Math.tan(radians(angle) / 2) : 0;
 }
 
-/** How deep a point of an angle is driven where the bore has a radius, mm; null where the angle makes no point. */
+/** Depth of the point at which the bore has this radius, mm; null if the angle makes no point. */
 export function depthAtRadius(t: Tool, radius: number): number | null {
   const angle = t["T-ANGLE"] ?? 0;
   return angle > 0 && angle < FLAT ? radius / Math.tan(radians(angle) / 2) : null;
 }
 
-/** From the thread of a bore to its core, in pitches: the height of the internal thread by the standard. */
+/** Distance from the thread of a bore to its core, in pitches: the height of the internal thread by the standard. */
 const CORE = 0.5413;
-/** A core may be this much narrower, mm: the tolerance of the drill before it. */
+/** A core may be this much narrower, mm: the tolerance of the pilot drill. */
 const NARROWER = 0.05;
-/** Of a tap without a pitch, and of any: what the core is at least, as a share of its radius. */
+/** Least radius of a core as a share of the tap's radius, also for a tap without a pitch. */
 const NARROWEST = 0.5;
-/** The hole that is drilled, from the thread in pitches of the radius. */
+/** Reduction of the radius for the drilled hole, in pitches. */
 const HALF_PITCH = 0.5;
 
-/** The hole that a tap needs, by its pitch (mm; that of the tool if none is given); of any other tool none. */
+/** The hole that a tap needs, by its pitch (mm; by default the tool's pitch); null for any other tool. */
 export function holeOf(t: Tool, pitch: number = t.PITCH ?? 0): NeededHole | null {
   if (t.TYPE !== "TAP" && pitch === 0) return null;
   const r = t.R ?? 0;
@@ -44,9 +42,7 @@ export function holeOf(t: Tool, pitch: number = t.PITCH ?? 0): NeededHole | null
   return { radius: length(least), drill: length(pitch > 0 ? Math.max(least, r - HALF_PITCH * pitch) : least) };
 }
 
-/**
- * A drill on the axis, relative to its point, seen from the side: it points to -Z and lies on both sides of the axis.
- */
+/** A drill on the axis, relative to its point, in side view: it points to -Z and lies on both sides of the axis. */
 export function drillShape(t: Tool): Convex {
   const [r, point] = [t.R ?? 0, pointLength(t)];
   const end = point + Math.max(t.CUTLENGTH ?? LONG, r);

@@ -42,7 +42,7 @@ test("a correction moves the holder with the insert", () => {
   expect(sides(holderOutlines(tool)[0])).toEqual([3.25, 23.25, -7.5, 92.5]);
 });
 
-test("a part with a dent is taken with its dent filled, and turns counter-clockwise", () =>
+test("a concave part is replaced by its convex hull, counter-clockwise", () =>
   expect(
     hullOf([
       [0, 0],

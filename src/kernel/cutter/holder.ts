@@ -4,13 +4,13 @@ import { ROUND } from "../tolerance.ts";
 import type { Holder, HolderCorner, TipOrientation, Tool } from "../plan/tool.ts";
 import { length } from "../units.ts";
 
-/** The axis along which the shank lies: as the holder says, else as tools of this orientation are held. */
+/** The axis of the shank: as stated for the holder, else as usual for tools of this orientation. */
 export const shankAxis = (to: TipOrientation, axis?: "X" | "Z"): "X" | "Z" => axis ?? (to <= 3 || to === 9 ? "X" : "Z");
 
 type Corner = readonly [z: number, x: number];
 
 /**
- * The shank as a box, on the side away from where the tip points. Along Z it leaves the work towards +Z, unless the tip
+ * The shank as a box, on the side opposite to the tip. Along Z it leaves the workpiece towards +Z, unless the tip
  * points there; along X it leaves the axis, unless the tip points away from it.
  */
 function shank(h: Holder, to: TipOrientation): readonly Corner[] {
@@ -47,8 +47,8 @@ export function hullOf(corners: readonly Corner[]): readonly Corner[] {
 }
 
 /**
- * The holder as convex outlines (counter-clockwise) relative to the theoretical tip, the shank last; none when the tool
- * has no holder. A correction moves it with the insert.
+ * The holder as convex outlines (counter-clockwise) relative to the theoretical tip, the shank last; empty when the
+ * tool has no holder. A correction moves it with the insert.
  */
 export function holderOutlines(t: Tool): readonly Ring[] {
   if (!t.holder) return [];
@@ -64,7 +64,7 @@ const MIRRORED: Record<"r" | "z", Record<TipOrientation, TipOrientation>> = {
 };
 
 /**
- * Where the near corner of the mirrored shank lies: a box whose tip points square to the mirrored axis grows one way
+ * Moves the near corner of the mirrored shank: a box whose tip points square to the mirrored axis extends to one side
  * only.
  */
 function mirroredHolder(h: Holder, to: TipOrientation, axis: "r" | "z"): Holder {
@@ -84,7 +84,7 @@ function mirroredHolder(h: Holder, to: TipOrientation, axis: "r" | "z"): Holder 
 }
 
 /**
- * A tool with its tip and its holder mirrored along an axis, as a cycle adapts it that runs its contour the other way.
+ * A tool with its tip and its holder mirrored along an axis, for a cycle that runs its contour in the other direction.
  */
 export const mirroredTool = (tool: Tool, axis: "r" | "z"): Tool => ({
   ...tool,

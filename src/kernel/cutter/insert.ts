@@ -43,24 +43,21 @@ export function tipOffset(t: Tool): Flat {
   return scaled(tip, r);
 }
 /**
- * How far the tip passes the axis at most until the outermost nose has faced it clean, mm: its centre stands there, or
- * the nose is past it where an edge keeps it from touching a face with its lowest point.
+ * Greatest travel of the tip past the axis until the outermost nose has faced the axis clean, mm: the nose centre is
+ * then on the axis, or past it where an edge keeps the lowest point of the nose off the face.
  */
 export const noseReach = (t: Tool): number =>
   insertShape(t).reduce(
     (most, e) => (e.kind === "arc" && e.feature === "nose" ? Math.max(most, e.centre.v) : most),
     noseRadius(t),
   );
-/** Length of the cutting edge, mm; undefined when none was entered, for which 0 stands too. */
+/** Length of the cutting edge, mm; undefined when none was entered (0 counts as none). */
 export const cutLength = (t: Tool) => (t.CUTLENGTH !== undefined && t.CUTLENGTH > 0 ? t.CUTLENGTH : undefined);
 /** Angle between the flanks of a thread insert, degrees. */
 export const pointAngle = (t: Tool): number => t["P-ANGLE"] ?? POINT_ANGLE;
 /** Height of the tooth of a thread insert, mm: its CUTLENGTH. */
 const toothHeight = (t: Tool): number => cutLength(t) ?? USUAL_TOOTH;
-/**
- * A thread tool for flanks of this height, mm: an empty CUTLENGTH limits nothing, so the tooth is then higher than it
- * has to be.
- */
+/** A thread tool for flanks of this height, mm: an empty CUTLENGTH sets no limit, so the tooth is made high enough. */
 export function withToothFor(height: number, t: Tool): Tool {
   const high = height * 1.2;
   return cutLength(t) === undefined && high > USUAL_TOOTH && Number.isFinite(high)
@@ -74,12 +71,12 @@ export const isBar = (t: Tool) => t.TYPE === "RECESS" || t.TYPE === "RECTURN";
 export const flanksUnknown = (t: Tool) =>
   (t.TYPE === "ROUGH" || t.TYPE === "FINISH") && (t["T-ANGLE"] === undefined || t["P-ANGLE"] === undefined);
 
-/** True for a blade that plunges along Z: its side is curved for a range of diameters, which no column states. */
+/** True for a blade that plunges along Z: its side is curved for a range of diameters, which no column gives. */
 export const curvatureUnknown = (t: Tool) => isBar(t) && tipDirection(t.TO).v === 0 && tipDirection(t.TO).u !== 0;
 
 /**
- * The insert as a convex boundary of lines and arcs, relative to the theoretical tip; u is z, v is r (mm).
- * With unknown flanks it is the nose circle alone (`body`: drawn out away from the tip, so that it removes material).
+ * The insert as a convex boundary of lines and arcs, relative to the theoretical tip; u is z, v is r (mm). With unknown
+ * flanks it is only the nose circle (`body`: extended away from the tip, so that it removes material).
  */
 export function insertShape(t: Tool, body = false): Convex {
   const r = noseRadius(t);
@@ -145,7 +142,7 @@ const circle = (r: number): Convex => [
   { kind: "arc", centre: { u: 0, v: 0 }, radius: r, start: 0, sweep: 2 * Math.PI, feature: "nose" },
 ];
 
-/** The nose circle drawn out along `axis` by `l`. */
+/** The nose circle extended along `axis` by `l`. */
 function capsule(r: number, axis: number, l: number): Convex {
   const end = scaled(heading(axis), l);
   const near: Edge = {
@@ -222,8 +219,8 @@ function oriented(k: Convex, to: TipOrientation): Convex {
 
 /**
  * The insert as a polygon relative to the theoretical tip, counter-clockwise; arcs within `chord` mm, inside the true
- * shape. `body`: with unknown flanks, drawn out so that it removes material; else the nose alone, which is all that can
- * be checked then.
+ * shape. `body`: with unknown flanks, extended so that it removes material; else only the nose, because nothing else
+ * can be checked.
  */
 export function insertOutline(t: Tool, chord: number, body = true): Ring {
   const out: Pt[] = [];
@@ -250,7 +247,7 @@ export function insertOutline(t: Tool, chord: number, body = true): Ring {
   return out;
 }
 
-/** An angle range cut at the axes, so that the outline reaches as far along each of them as the insert does. */
+/** Splits an angle range at the axes, so that the outline reaches as far along each axis as the insert. */
 function quarters(start: number, sweep: number): [start: number, sweep: number][] {
   const quarter = Math.PI / 2;
   const cuts = [start];
@@ -259,5 +256,5 @@ function quarters(start: number, sweep: number): [start: number, sweep: number][
   return cuts.map((a, i) => [a, (cuts[i + 1] ?? start + sweep) - a]);
 }
 
-/** How far a correction holds the insert off the tip the control counts with. */
+/** Shift of the insert by a correction, from the tip that the control calculates with. */
 export const shiftOf = (t: Tool): Flat => ({ u: t.correction?.z ?? 0, v: t.correction?.r ?? 0 });

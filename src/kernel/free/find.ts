@@ -6,23 +6,23 @@ import { directionAt, givenAngle, type FreePlaces, type Window } from "./window.
 
 const { apart, difference, dot, heading } = plane;
 
-/** Starts of the search in all. */
+/** Most start values of a search in total. */
 const MOST_STARTS = 60_000;
-/** Residuals of an exact solution. */
+/** Largest residual of an exact solution. */
 const EXACT = 1e-9;
-/** The same for given values, which are rounded to a thousandth, mm. */
+/** Largest deviation from given values, which are rounded to a thousandth, mm. */
 export const ROUNDED = 0.006;
-/** How exactly such a place is found, of the size of the contour. */
+/** Precision of a place where curves touch, as a share of the contour's size. */
 const TOUCHING = 1e-4;
-/** The same of any other place, and the least that counts as a length. */
+/** Precision of any other place, and the shortest length that counts, as a share of the contour's size. */
 const SEPARATE = 1e-6;
-/** Directions whose cosine is nearer to 1 are one. */
+/** Directions whose cosine is nearer to 1 are the same. */
 const ONE_WAY = 1e-7;
 
 /** A contour that is being solved. */
 export interface Search {
   readonly elements: readonly FreeElement[];
-  /** Lengths are measured by it. */
+  /** Unit of lengths: the size of the contour. */
   readonly size: number;
   readonly middle: PlanePoint;
   starts: number;
@@ -34,10 +34,10 @@ function spread(n: number, base: number): number {
   for (let rest = n; rest > 0; rest = Math.floor(rest / base), part /= base) value += (rest % base) * part;
   return value;
 }
-/** Without 2, so that they do not go in step with the reaches. */
+/** Without 2, so that the numbers do not repeat in step with the reaches. */
 const BASES = [3, 5, 7, 11, 13, 17, 19, 23, 29, 31];
 
-/** Starts lie near what is given, and some far from it. */
+/** Most start values are near the given values, some far away. */
 const REACHES = [1, 2.5, 0.4, 6] as const;
 
 export function startOf(w: Window, s: Search, n: number): number[] {
@@ -53,13 +53,16 @@ export function startOf(w: Window, s: Search, n: number): number[] {
 
 const startsFor = (unknowns: number) => 24 * Math.min(16, 2 ** Math.ceil(unknowns / 1.5));
 
-/** So many starts that come to what is known already tell that nothing else is there: the more unknowns, the more. */
+/** After this many starts that repeat known solutions there is no other: more for more unknowns. */
 const enough = (unknowns: number) => 12 * 2 ** unknowns;
 
-/** Solutions of a window that run in the right directions; null where they are not separate. */
+/** Solutions of a window that run in the right directions; null if they are not separate. */
 export function solutionsOf(w: Window, s: Search): readonly FreePlaces[] | null {
   const [exact, near]: [FreePlaces[], FreePlaces[]] = [[], []];
-  /** Where curves only just touch, a solution counts twice and seems loose; all starts come to the same place then. */
+  /**
+   * Where curves only just touch, a solution is a double root and seems loose; all starts then converge to the same
+   * place.
+   */
   const loose: FreePlaces[] = [];
   let repeated = 0;
   for (
@@ -81,7 +84,7 @@ export function solutionsOf(w: Window, s: Search): readonly FreePlaces[] | null 
     }
     if (loose.length > 2) return null;
   }
-  // A search that was broken off proves nothing.
+  // An aborted search proves nothing.
   if (s.starts >= MOST_STARTS) return null;
   const separate = [
     ...exact,
@@ -111,7 +114,7 @@ function alike(w: Window, a: FreePlaces, b: FreePlaces, near: number): boolean {
   return true;
 }
 
-/** Lines run forwards, arcs have a size, and what goes over into one another does so in the same direction. */
+/** Lines run forwards, arcs have a size, and tangential elements share their direction. */
 function isSound(w: Window, found: FreePlaces, { elements, size }: Search): boolean {
   const least = SEPARATE * size;
   for (let k = w.first; k <= w.last; k += 1) {
@@ -141,7 +144,7 @@ function isSound(w: Window, found: FreePlaces, { elements, size }: Search): bool
 const sweepOf = (own: Extract<Curve, { kind: "arc" }>, from: PlanePoint, to: PlanePoint): number =>
   plane.sweepOf({ kind: "arc", from, to, centre: own.centre, turn: own.turn });
 
-/** An angle from a pole tells which way, not only which line. */
+/** An angle from a pole gives a ray, not a whole line. */
 function polarSound(e: FreeElement, p: PlanePoint | null): boolean {
   const angle = e.polar?.angle;
   return !p || !e.polar || !angle || !("at" in angle) || dot(difference(p, e.polar.pole), heading(angle.at)) >= 0;

@@ -1,23 +1,23 @@
-/** Values at which all residuals vanish or are least. */
+/** Values at which all residuals vanish or are smallest. */
 export interface Fit {
   readonly at: readonly number[];
   /** The largest residual there. */
   readonly rest: number;
-  /** No direction in which the values could move without the residuals growing. */
+  /** False if the values can move in some direction without the residuals growing. */
   readonly isolated: boolean;
 }
 
 export type Residuals = (at: readonly number[]) => readonly number[];
 
 const ROUNDS = 60;
-/** Steps below this change nothing, and pivots below it count as none. */
+/** Smaller steps change nothing, and smaller pivots count as none. */
 const STILL = 1e-15;
 const FLAT = 1e-7;
-/** Of a difference instead of a derivative, of the value. */
+/** Step of a finite difference, relative to the value. */
 const DIFFERENCE = 1e-6;
 const [FIRST_DAMPING, LEAST_DAMPING] = [0.001, STILL];
 
-/** Columns of derivatives, by small steps from where the residuals are `here`. */
+/** Columns of derivatives by finite differences from the point where the residuals are `here`. */
 function slopes(f: Residuals, at: readonly number[], here: readonly number[]): number[][] {
   return at.map((value, i) => {
     const step = DIFFERENCE * Math.max(1, Math.abs(value));
@@ -50,7 +50,7 @@ function eliminated(matrix: readonly (readonly number[])[], right: readonly numb
   return rows.map((row, i) => (row[n] ?? 0) / (row[i] ?? 1));
 }
 
-/** The nearest least of the squares of residuals, by damped steps from a start (Levenberg and Marquardt). */
+/** The nearest minimum of the sum of squared residuals, by damped steps from a start (Levenberg and Marquardt). */
 export function leastSquares(f: Residuals, start: readonly number[]): Fit {
   let [at, damping]: [readonly number[], number] = [start, FIRST_DAMPING];
   let residuals = f(at);

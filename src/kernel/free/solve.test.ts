@@ -31,7 +31,7 @@ const arc = (turn: Turn, given: Partial<FreeElement>): FreeElement => ({ ...noth
 const at = (value: number) => ({ at: value });
 const centre = (x: number, y: number) => ({ centreX: at(x), centreY: at(y) });
 
-/** An element of a real contour, and which of the things that are true of it are given. */
+/** An element of a real contour, and which of its values are given. */
 interface Drawn {
   readonly corner: number | null;
   readonly kind: "line" | "arc";
@@ -81,7 +81,7 @@ function drawn(parts: readonly Drawn[]): { readonly segments: PlaneSegment[]; re
   return { segments, elements };
 }
 
-/** Two arcs that go over into one another with the same radius are one arc: where they meet nothing tells. */
+/** Two tangential arcs of the same radius are one arc: nothing determines where they meet. */
 const isOneArc = (a: Drawn | undefined, b: Drawn) =>
   a?.kind === "arc" && b.kind === "arc" && b.corner === null && a.turn === b.turn && Math.abs(a.long - b.long) < 1;
 const contours = (one: fc.Arbitrary<Drawn>, maxLength: number) =>
@@ -104,7 +104,7 @@ const same = (a: PlaneSegment, b: PlaneSegment) =>
   [0, 0.31, 0.66, 1].every((k) => apart(pointOn(a, k), pointOn(b, k)) < 1e-3) &&
   Math.abs(lengthOf(a) - lengthOf(b)) < 1e-2;
 
-test("what is found for certain is the contour that the values were taken from", () => {
+test("a certain result is the contour that the values were taken from", () => {
   let certain = 0;
   fc.assert(
     fc.property(contours(part, 4), (parts) => {
@@ -121,9 +121,8 @@ test("what is found for certain is the contour that the values were taken from",
   expect(certain).toBeGreaterThan(60);
 });
 
-test("what follows from a choice is uncertain, though it stands before it", () => {
-  // The radius of the second arc leaves two centres; the first arc, of which only the end is given, is tangential to
-  // either.
+test("elements that follow from a choice are uncertain, even those before it", () => {
+  // The radius of the second arc allows two centres; the first arc, given only by its end, is tangential to either.
   const { elements } = drawn([
     { corner: 0, kind: "arc", long: 40 / 13, sweep: 0.3, turn: "cw", given: [false, false, true, true] },
     {
@@ -141,7 +140,7 @@ test("what follows from a choice is uncertain, though it stands before it", () =
   ]);
 });
 
-test("what is given whole is found, however the contour runs", () => {
+test("a fully given contour is found, in whatever direction it runs", () => {
   const whole = part.map((p) => ({
     ...p,
     given: p.kind === "line" ? [true, true, false, false] : [false, true, true, true],
@@ -158,13 +157,13 @@ test("what is given whole is found, however the contour runs", () => {
   );
 });
 
-describe("what neighbours determine together", () => {
+describe("elements determined together with their neighbours", () => {
   const ends = (elements: readonly FreeElement[], start: PlanePoint) =>
     solveFreeContour(elements, start, null).map(
       (s) => s && [s.segment.to.x, s.segment.to.y].map((n) => Math.round(n * 1000) / 1000 + 0),
     );
 
-  test("a line between two circles of which only centre and radius are given", () => {
+  test("a line between two circles given only by centre and radius", () => {
     const [one, two, three] = solveFreeContour(
       [
         arc("cw", { radius: 12, ...centre(12, 0) }),
@@ -228,15 +227,15 @@ describe("what neighbours determine together", () => {
       [1, 2],
     ]);
   });
-  test("where a line only just touches a circle there is one place", () =>
+  test("a line that only just touches a circle has one solution", () =>
     expect(ends([arc("cw", { radius: 30, ...centre(30, 30), x: at(0) })], { x: 30, y: 60 })).toEqual([[0, 30]]));
-  test("of several contours the shortest is taken, and said to be uncertain", () => {
+  test("of several contours the shortest is taken and marked uncertain", () => {
     const [only] = solveFreeContour([arc("ccw", { radius: 10, ...centre(0, 0), x: at(-6) })], { x: 10, y: 0 }, null);
     expect(only?.certain).toBe(false);
     expect(only?.segment.to.x).toBeCloseTo(-6, 6);
     expect(only?.segment.to.y).toBeCloseTo(8, 6);
   });
-  test("what stands before a contradiction is found, what is open or contradicts is not", () => {
+  test("elements before a contradiction are found, open or contradicting ones are not", () => {
     const found = ends(
       [line({ angle: at(0), length: 5 }), line({ angle: at(0), length: 3, x: at(2) }), line({ x: at(9), y: at(9) })],
       {

@@ -5,22 +5,22 @@ import { distanceFrom, endResiduals, windowOf, type FreePlaces, type Known, type
 
 const { apart, difference, dot, heading, lengthOf } = plane;
 
-/** An element that was found. */
+/** A solved element. */
 export interface FreeSolved {
   readonly segment: PlaneSegment;
-  /** False where several contours fit what is given, here or before: the shortest way was taken. */
+  /** False if several contours fit the given values, here or before: the shortest one was taken. */
   readonly certain: boolean;
 }
 
-/** Elements that are solved together at most; those of a control hang together over fewer. */
+/** Most elements solved together; elements that a control can solve depend on fewer. */
 const WIDEST = 5;
 const MOST_UNKNOWNS = 10;
-/** How much longer a closed contour may be than one that is not, in sizes of the contour. */
+/** A closed contour may be longer than an open one by this many sizes of the contour. */
 const CLOSED = 1000;
-/** How many later choices are looked at to see that a solution leads nowhere. */
+/** Number of later choices tried to see that a solution leads nowhere. */
 const AHEAD = 2;
 
-/** What is known, and what windows brought that were not unique: nothing, or the solutions to choose from. */
+/** Known geometry, and the results of windows without a unique solution: nothing, or the solutions to choose from. */
 interface Branch extends Known {
   readonly curves: (Curve | null)[];
   readonly points: (PlanePoint | null)[];
@@ -42,7 +42,7 @@ function take(b: Branch, w: Window, found: FreePlaces): void {
   }
 }
 
-/** Which of the things that a window hangs on are known. */
+/** Key of a window: which of the values it depends on are known. */
 const keyOf = (b: Branch, first: number, last: number): string => {
   let key = `${first}-${last}:`;
   for (let k = first - 1; k <= last + 1; k += 1) key += `${b.curves[k] ? "c" : ""}${b.points[k] ? "p" : ""},`;
@@ -54,7 +54,7 @@ interface Choice {
   readonly found: readonly FreePlaces[];
 }
 
-/** Solves one window: takes what is unique, and remembers what is not. */
+/** Solves one window: adopts a unique solution, and remembers the choice otherwise. */
 function madeOf(b: Branch, s: Search, first: number, last: number): Choice | null | "unique" | "nowhere" {
   const key = keyOf(b, first, last);
   const before = b.tried.get(key);
@@ -74,7 +74,7 @@ function madeOf(b: Branch, s: Search, first: number, last: number): Choice | nul
 }
 
 /**
- * Finds all that follows without a choice; then the smallest choice that is left, null without one, "nowhere" at a
+ * Solves everything that needs no choice. Returns the smallest choice left, null if there is none, "nowhere" at a
  * contradiction.
  */
 function follow(b: Branch, s: Search): Choice | null | "nowhere" {
@@ -93,7 +93,7 @@ function follow(b: Branch, s: Search): Choice | null | "nowhere" {
   }
 }
 
-/** Length of the shortest way that the choices still leave, as far as is looked; null when all of them contradict. */
+/** Length of the shortest contour that is still possible, within the search depth; null when all choices contradict. */
 function shortest(b: Branch, s: Search, depth: number): number | null {
   const next = follow(b, s);
   if (next === "nowhere" || !agrees(b, s)) return null;
@@ -111,7 +111,7 @@ function isClosed({ points }: Branch): boolean {
   return points.length > 2 && !!start && !!end && apart(start, end) < ROUNDED;
 }
 
-/** The way so far; contours that come back to their start are likelier than any other. */
+/** Length of the contour so far; closed contours are preferred over any other. */
 const wayOf = (b: Branch, { size }: Search): number =>
   (isClosed(b) ? -CLOSED * size : 0) +
   b.curves.reduce((way, own, i) => {
@@ -119,7 +119,7 @@ const wayOf = (b: Branch, { size }: Search): number =>
     return way + (segment ? lengthOf(segment) : 0);
   }, 0);
 
-/** What was found agrees with everything that is given. */
+/** Whether the found geometry agrees with all given values. */
 function agrees(b: Branch, { elements, size }: Search): boolean {
   const found: FreePlaces = { curve: (k) => b.curves[k] ?? null, point: (k) => b.points[k] ?? null };
   return elements.every((e, i) => {
@@ -139,7 +139,7 @@ function segmentOf(own: Curve | null, from: PlanePoint | null, to: PlanePoint | 
 
 const given = (value: FreeValue): number | null => (value && "at" in value ? value.at : null);
 
-/** A point that is given outright, by its coordinates or from a pole. */
+/** A point given by its coordinates or from a pole. */
 function placeOf(x: FreeValue, y: FreeValue, polar: FromPole | null): PlanePoint | null {
   const [u, v] = [given(x), given(y)];
   if (u !== null && v !== null) return { x: u, y: v };
@@ -153,14 +153,14 @@ function beginning(elements: readonly FreeElement[], start: PlanePoint, before: 
     b.points.push(placeOf(e.x, e.y, e.polar) ?? (e.closes === null ? null : (b.points[e.closes] ?? null)));
     const centre = placeOf(e.centreX, e.centreY, e.centrePolar);
     const [from, to] = [b.points[i], b.points[i + 1]];
-    // The point that is given outright counts more than a radius.
+    // A given point takes precedence over a radius.
     const radius = centre && (from ? apart(from, centre) : (e.radius ?? (to ? apart(to, centre) : null)));
     b.curves.push(e.kind === "arc" && centre && radius ? { kind: "arc", centre, radius, turn: e.turn } : null);
   });
   return b;
 }
 
-/** The lengths that an element names: how large its contour may be. */
+/** The given lengths of an element, as a measure of the contour's size. */
 function lengthsOf(e: FreeElement): number[] {
   const values = [e.x, e.y, e.centreX, e.centreY, e.polar?.radius, e.centrePolar?.radius].map((v) =>
     v && "by" in v ? v.by : null,
@@ -194,11 +194,10 @@ function searchOf(elements: readonly FreeElement[], b: Branch): Search {
 }
 
 /**
- * Solves a contour of which only some things are given, from a known point. What follows from neighbouring elements is
- * found together. Where several contours agree with all that is given, the shortest way is taken, and said to be
- * uncertain.
- * @param before What ran before it, for a tangential first element; null where that is not known.
- * @returns For each element what it is; null from the first that is not determined or contradicts.
+ * Solves a partly given contour from a known point. Elements that depend on their neighbours are solved together. If
+ * several contours agree with the given values, the shortest one is taken and marked uncertain.
+ * @param before The curve before the contour, for a tangential first element; null if it is not known.
+ * @returns The result of each element; null from the first one that is undetermined or contradicts.
  */
 export function solveFreeContour(
   elements: readonly FreeElement[],
@@ -207,7 +206,7 @@ export function solveFreeContour(
 ): (FreeSolved | null)[] {
   const whole = solvedElements(elements, start, before);
   if (whole) return whole;
-  // Something contradicts: what stands before it is solved without it.
+  // A contradiction: only the elements before it are solved.
   let [sound, wrong] = [0, elements.length];
   let best: readonly (FreeSolved | null)[] = [];
   while (wrong - sound > 1) {
@@ -219,14 +218,11 @@ export function solveFreeContour(
   return elements.map((_, i) => best[i] ?? null);
 }
 
-/**
- * The elements that are not known yet: what is found of them from now on may follow from a choice, whatever side of it
- * they are on.
- */
+/** Indices of undetermined elements: those solved from now on may follow from a choice, on either side of it. */
 const open = ({ curves, points }: Branch): number[] =>
   curves.flatMap((own, k) => (k > 0 && (!own || !points[k - 1] || !points[k]) ? [k] : []));
 
-/** The elements as far as they are determined; null where something contradicts. */
+/** The elements as far as they are determined; null at a contradiction. */
 function solvedElements(
   elements: readonly FreeElement[],
   start: PlanePoint,
@@ -261,7 +257,7 @@ function solvedElements(
   });
 }
 
-/** What was found agrees with what is given of an element. */
+/** Whether the found geometry agrees with the given values of an element. */
 function fits(e: FreeElement, k: number, segment: PlaneSegment, found: FreePlaces, size: number): boolean {
   const own = found.curve(k);
   if (!own) return false;

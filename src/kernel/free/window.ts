@@ -6,15 +6,15 @@ import type { Residuals } from "./least-squares.ts";
 const { apart, cross, difference, dot, scaled, sum, angleOf, heading } = plane;
 
 /**
- * What is known while a contour is being solved: the curve of each element and the point at its end; 0 is what stands
- * before.
+ * Known geometry of a contour being solved: the curve of each element and the point at its end; 0 is the element before
+ * the contour.
  */
 export interface Known {
   readonly curves: readonly (Curve | null)[];
   readonly points: readonly (PlanePoint | null)[];
 }
 
-/** Curves and points of some neighbouring elements; null where the window does not reach. */
+/** Curves and points of some neighbouring elements; null outside the window. */
 export interface FreePlaces {
   readonly curve: (k: number) => Curve | null;
   readonly point: (k: number) => PlanePoint | null;
@@ -25,7 +25,8 @@ export interface Window {
   readonly first: number;
   readonly last: number;
   /**
-   * Of each unknown: an angle, a distance to the left or right, a radius, or a coordinate in the first or second axis.
+   * Kind of each unknown: an angle, a distance to the left or right, a radius, or a coordinate in the first or second
+   * axis.
    */
   readonly unknowns: readonly ("angle" | "offset" | "radius" | "x" | "y")[];
   readonly residuals: Residuals;
@@ -37,18 +38,18 @@ const leftOf = (angle: number): PlanePoint => ({ x: -Math.sin(angle), y: Math.co
 type Arc = Extract<Curve, { kind: "arc" }>;
 const reach = ({ radius, turn }: Arc): number => signOf(turn) * radius;
 
-/** The direction in which a curve runs at a point of it, radians. */
+/** Direction of a curve at one of its points, radians. */
 export function directionAt(curve: Curve, p: PlanePoint): number {
   return curve.kind === "line"
     ? curve.angle
     : angleOf(difference(p, curve.centre)) + (signOf(curve.turn) * Math.PI) / 2;
 }
 
-/** How far a point is from a curve: to the left of a line, outside of a circle. */
+/** Distance of a point from a curve: positive to the left of a line, outside a circle. */
 export const distanceFrom = (curve: Curve, p: PlanePoint): number =>
   curve.kind === "line" ? dot(leftOf(curve.angle), p) - curve.offset : apart(p, curve.centre) - curve.radius;
 
-/** Where two curves touch that go over into one another; null for two lines. */
+/** Point where two tangential curves touch; null for two lines. */
 function touch(a: Curve, b: Curve): PlanePoint | null {
   if (a.kind === "line" && b.kind === "line") return null;
   if (a.kind === "arc" && b.kind === "arc") {
@@ -60,7 +61,7 @@ function touch(a: Curve, b: Curve): PlanePoint | null {
   return sum(arc.centre, scaled(leftOf(line.angle), -reach(arc)));
 }
 
-/** Zero where two curves go over into one another, wherever that is. */
+/** Residual of a tangential transition: zero where two curves touch, at whatever point. */
 function touching(a: Curve, b: Curve, size: number): number {
   if (a.kind === "line" && b.kind === "line") return Math.sin(b.angle - a.angle);
   if (a.kind === "arc" && b.kind === "arc") return (apart(a.centre, b.centre) - Math.abs(reach(b) - reach(a))) / size;
@@ -68,7 +69,7 @@ function touching(a: Curve, b: Curve, size: number): number {
   return (distanceFrom(line, arc.centre) - reach(arc)) / size;
 }
 
-/** The number that is given, as far as what it counts from is there. */
+/** The given number as an absolute value; null if its reference is not known yet. */
 export function freeValueOf(given: FreeValue, base: (of: number) => number | null): number | null {
   if (given === null) return null;
   if ("at" in given) return given.at;
@@ -76,7 +77,7 @@ export function freeValueOf(given: FreeValue, base: (of: number) => number | nul
   return from === null ? null : from + given.by;
 }
 
-/** Residuals of a point that is given by its distance and angle from a pole. */
+/** Residuals of a point given by its distance and angle from a pole. */
 function fromPole(
   { pole, radius, angle }: FromPole,
   p: PlanePoint,
@@ -92,7 +93,7 @@ function fromPole(
   return out;
 }
 
-/** What an element says of its end point. */
+/** Residuals of an element's end point. */
 export function endResiduals(e: FreeElement, k: number, { point }: FreePlaces, size: number): number[] {
   const p = point(k);
   if (!p) return [];
@@ -106,7 +107,7 @@ export function endResiduals(e: FreeElement, k: number, { point }: FreePlaces, s
   return out;
 }
 
-/** What an element says of its curve alone. */
+/** Residuals of an element's curve alone. */
 function curveResiduals(e: FreeElement, found: FreePlaces, own: Curve, size: number): number[] {
   const out = e.through.map((p) => distanceFrom(own, p) / size);
   if (e.beside) out.push((Math.abs(distanceFrom(own, e.beside.point)) - e.beside.distance) / size);
@@ -122,14 +123,14 @@ function curveResiduals(e: FreeElement, found: FreePlaces, own: Curve, size: num
     freeValueOf(e.centreX, (of) => found.point(of)?.x ?? null),
     freeValueOf(e.centreY, (of) => found.point(of)?.y ?? null),
   ];
-  // A centre that is given outright is no unknown.
+  // An absolute centre is not an unknown.
   if (x !== null && e.centreX && "by" in e.centreX) out.push((own.centre.x - x) / size);
   if (y !== null && e.centreY && "by" in e.centreY) out.push((own.centre.y - y) / size);
   if (e.centrePolar) out.push(...fromPole(e.centrePolar, own.centre, found.point, size));
   return out;
 }
 
-/** The direction that is given for an element, or for the beginning of an arc; null where it is not known yet. */
+/** The given direction of an element, or of the start of an arc; null where it is not known yet. */
 export function givenAngle(e: FreeElement, { curve, point }: FreePlaces): number | null {
   return freeValueOf(e.angle, (of) => {
     const [other, end] = [curve(of), point(of)];
@@ -137,7 +138,7 @@ export function givenAngle(e: FreeElement, { curve, point }: FreePlaces): number
   });
 }
 
-/** What an element says of itself together with both its ends. */
+/** Residuals of an element together with both its ends. */
 function spanResiduals(e: FreeElement, k: number, found: FreePlaces, own: Curve, size: number): number[] {
   const [from, to] = [found.point(k - 1), found.point(k)];
   const out: number[] = [];
@@ -157,10 +158,10 @@ function spanResiduals(e: FreeElement, k: number, found: FreePlaces, own: Curve,
   return out;
 }
 
-/** A direction change at a known point, between the curves before and behind it. */
+/** Direction change at a known point, between the curves before and behind it. */
 const bend = (a: Curve, b: Curve, p: PlanePoint): number => Math.sin(directionAt(b, p) - directionAt(a, p));
 
-/** Numbers for an element that has not been found yet, taken one after the other from the unknowns. */
+/** Takes the next unknown as a value of an unsolved element. */
 type Take = (kind: Window["unknowns"][number]) => (at: readonly number[]) => number;
 
 function curveFrom(e: FreeElement, found: FreePlaces, take: Take): (at: readonly number[]) => Curve {
@@ -181,7 +182,7 @@ function curveFrom(e: FreeElement, found: FreePlaces, take: Take): (at: readonly
   return (at) => ({ kind: "arc", centre: { x: x(at), y: y(at) }, radius: Math.abs(radius(at)), turn });
 }
 
-/** A line whose direction nothing tells but its two ends. */
+/** Whether only its two ends determine a line's direction. */
 const undirected = (e: FreeElement) => e.kind === "line" && e.angle === null && !e.tangent;
 
 const ends = (e: FreeElement) =>
@@ -190,7 +191,7 @@ const ends = (e: FreeElement) =>
   ).length;
 
 /**
- * The equations of elements `first` to `last`; null where they can not stand for themselves. `size` makes lengths
+ * The equations of elements `first` to `last`; null where they cannot be solved on their own. `size` makes lengths
  * comparable.
  */
 export function windowOf(
@@ -260,7 +261,7 @@ export function windowOf(
         k < last || withEnd ? found.point(k) : null,
       ];
       if (isNew) out.push(...curveResiduals(e, found, own, size));
-      // Where curves touch, their point lies on both.
+      // Where curves touch, the point lies on both.
       if (from && points.get(k - 1) !== "touch" && (isNew || !placed(k - 1))) out.push(distanceFrom(own, from) / size);
       if (to && points.get(k) !== "touch" && (isNew || !placed(k))) out.push(distanceFrom(own, to) / size);
       if (to && !placed(k)) out.push(...endResiduals(e, k, found, size));

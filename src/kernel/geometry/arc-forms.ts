@@ -3,13 +3,13 @@ import { roundedUp } from "../units.ts";
 import { signOf, type SegmentOf, type Segments, type Turn } from "./segments.ts";
 import type { Vectors } from "./vectors.ts";
 
-/** The arcs that a program writes without a centre. */
+/** Arcs that a program states without a centre. */
 export function arcFormsOf<P>(v: Vectors<P>, { direction, line }: Segments<P>) {
   const { beyond, cross, difference, dot, leftOf, sizeOf } = v;
 
   /**
-   * An arc by its end, radius (mm; negative: the longer way round) and turn. When the radius can not span the two
-   * points, `nearest` is the smallest that can, on the grid a control prints.
+   * An arc by its end, radius (mm; negative: the longer arc) and turn. If the radius cannot span the two points,
+   * `nearest` is the smallest one that can, on the grid a control prints.
    */
   function arcByRadius(
     from: P,
@@ -29,9 +29,7 @@ export function arcFormsOf<P>(v: Vectors<P>, { direction, line }: Segments<P>) {
     };
   }
 
-  /**
-   * The arc (or line) that leaves a segment in its direction and ends in `to`; null when that would have to turn back.
-   */
+  /** The arc (or line) that continues a segment tangentially and ends in `to`; null when it would have to turn back. */
   function arcTangential(before: SegmentOf<P>, to: P): SegmentOf<P> | null {
     const from = before.to;
     const way = direction(before, from);

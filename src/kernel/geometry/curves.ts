@@ -5,13 +5,11 @@ import type { Vectors } from "./vectors.ts";
 /** A straight line or a circle without ends. */
 export type CurveOf<P> = { readonly point: P; readonly along: P } | { readonly centre: P; readonly radius: number };
 
-/** Curves of a space: what segments lie on, where they meet, and how near segments come to each other. */
+/** Curves of a space: the lines and circles of segments, their intersections, and the distance of segments. */
 export function curvesOf<P>(v: Vectors<P>, s: Segments<P>) {
   const { apart, beyond, cross, difference, dot, leftOf, sizeOf, unit } = v;
 
-  /**
-   * The curve on which centres of circles of radius `r` lie that touch a segment on one side; null when there is none.
-   */
+  /** The curve of the centres of circles of radius `r` that touch a segment on one side; null when there is none. */
   function curveBeside(e: SegmentOf<P>, r: number, side: Turn): CurveOf<P> | null {
     if (e.kind === "line") {
       const way = unit(difference(e.to, e.from));
@@ -21,7 +19,7 @@ export function curvesOf<P>(v: Vectors<P>, s: Segments<P>) {
     return grown > ROUND ? { centre: e.centre, radius: grown } : null;
   }
 
-  /** Where two curves meet: none, one or two points. */
+  /** Intersections of two curves: none, one or two points. */
   function meet(a: CurveOf<P>, b: CurveOf<P>): P[] {
     if ("point" in a)
       return "point" in b
@@ -46,13 +44,13 @@ export function curvesOf<P>(v: Vectors<P>, s: Segments<P>) {
   /** The two roots of a square, or none of a negative one. */
   const halves = (square: number) => (square < 0 ? [] : [Math.sqrt(square), -Math.sqrt(square)]);
 
-  /** Where the curves of two segments meet, as if both went on without end. */
+  /** Intersections of two segments, both extended without end. */
   function meetings(a: SegmentOf<P>, b: SegmentOf<P>): P[] {
     const [one, two] = [curveBeside(a, 0, "ccw"), curveBeside(b, 0, "ccw")];
     return one && two ? meet(one, two) : [];
   }
 
-  /** Points of `a` that can be nearest to `b`: its ends, crossings, and where both run parallel. */
+  /** Candidates for the point of `a` nearest to `b`: its ends, crossings, and points where both run parallel. */
   function candidates(a: SegmentOf<P>, b: SegmentOf<P>): P[] {
     const found = [
       a.from,
@@ -72,7 +70,7 @@ export function curvesOf<P>(v: Vectors<P>, s: Segments<P>) {
     return found;
   }
 
-  /** How near two segments come to each other, mm, and the nearest point of the second. */
+  /** Distance of two segments, mm, and the nearest point of the second. */
   function gapBetween(a: SegmentOf<P>, b: SegmentOf<P>): { readonly distance: number; readonly on: P } {
     let best = { distance: Infinity, on: b.from };
     for (const p of candidates(a, b)) {

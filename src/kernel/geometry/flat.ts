@@ -3,8 +3,8 @@ import { spaceOf } from "./space.ts";
 import { at, type Pt, type Segment } from "./point.ts";
 
 /**
- * Strategy space, mm: `u` runs in the cutting direction, `v` points out of the material towards the open side. Every
- * strategy is solved here once; frames turn it to outside and inside, towards −Z and +Z, longitudinal and transverse.
+ * Strategy space, mm: `u` runs in the cutting direction, `v` points out of the material. Every strategy is solved once,
+ * here; frames map it to outside and inside, towards −Z and +Z, longitudinal and transverse.
  */
 export interface Flat {
   readonly u: number;
@@ -17,7 +17,7 @@ export type FlatSegment = SegmentOf<Flat>;
 /** Points, lines and arcs of strategy space. */
 export const flat = spaceOf<Flat>({ x: (p) => p.u, y: (p) => p.v, point: (u, v) => ({ u, v }) });
 
-/** How strategy space lies in the part: an axis swap and two signs, so lengths and angles keep. */
+/** Orientation of strategy space in the part: an axis swap and two signs, so lengths and angles are preserved. */
 export interface Frame {
   /** True when u runs across the spindle axis (transverse cycles). */
   readonly transverse: boolean;
@@ -35,7 +35,7 @@ export function toPart(f: Frame, p: Flat): Pt {
   return f.transverse ? at(f.signV * p.v, f.signU * p.u) : at(f.signU * p.u, f.signV * p.v);
 }
 
-/** True when the frame mirrors: arcs then change their turn. */
+/** True when the frame mirrors, which reverses the turn of arcs. */
 export const mirrors = (f: Frame) => (f.transverse ? -f.signU * f.signV : f.signU * f.signV) < 0;
 const turnIn = (f: Frame, turn: Turn) => (mirrors(f) ? opposite(turn) : turn);
 
@@ -55,7 +55,7 @@ export function segmentToPart(f: Frame, s: FlatSegment): Segment {
     : { kind: "arc", from, to, centre: toPart(f, s.centre), turn: turnIn(f, s.turn) };
 }
 
-/** Outward normal (unit) of a contour element at one of its ends; the material lies to the right of the direction. */
+/** Outward normal (unit) of a contour element at one of its ends; the material is on the right of the direction. */
 export const normalAt = (s: FlatSegment, end: "from" | "to"): Flat => flat.leftOf(flat.direction(s, s[end]));
 
 /** Lowest v of an element. */

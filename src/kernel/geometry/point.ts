@@ -3,8 +3,8 @@ import { spaceOf } from "./space.ts";
 import { axial, radius, type Axial, type Radius } from "../units.ts";
 
 /**
- * Part space, mm: z along the spindle axis, positive away from the chuck; r the distance from the axis.
- * Named fields, never pairs, so no argument order can be wrong.
+ * Part space, mm: z along the spindle axis, positive away from the chuck; r the distance from the axis. Named fields,
+ * so that arguments cannot be swapped.
  */
 export interface Pt {
   readonly z: Axial;

@@ -6,7 +6,7 @@ const { flattened, flattenedChain, pointOn, polarOf } = part;
 
 const quarter: Segment = { kind: "arc", from: at(2, 10), to: at(0, 12), centre: at(0, 10), turn: "ccw" };
 
-test("the turn decides the way round", () => {
+test("the turn decides the direction of an arc", () => {
   expect(polarOf(quarter as never).sweep).toBeCloseTo(Math.PI / 2, 12);
   expect(polarOf({ ...quarter, turn: "cw" } as never).sweep).toBeCloseTo(-1.5 * Math.PI, 12);
 });
@@ -15,13 +15,13 @@ test("an arc back to its start is a full circle", () => {
   expect(polarOf({ ...quarter, to: quarter.from } as never).sweep).toBeCloseTo(2 * Math.PI, 12);
 });
 
-test("half way lies on the circle", () => {
+test("the middle of an arc lies on the circle", () => {
   const p = pointOn(quarter, 0.5);
   expect(p.z).toBeCloseTo(Math.SQRT2, 12);
   expect(p.r).toBeCloseTo(10 + Math.SQRT2, 12);
 });
 
-test("chords stay as near as asked, with their ends exact", () => {
+test("chords stay within the tolerance, with exact ends", () => {
   const arcs = fc.record({
     size: fc.double({ min: 0.01, max: 500, noNaN: true }),
     start: fc.double({ min: -3, max: 3, noNaN: true }),
@@ -47,7 +47,7 @@ test("chords stay as near as asked, with their ends exact", () => {
   );
 });
 
-test("a chain has each joint once", () => {
+test("a flattened chain contains each joint once", () => {
   const chain: Segment[] = [
     { kind: "line", from: at(5, 10), to: at(2, 10) },
     quarter,

@@ -9,7 +9,7 @@ export interface LineOf<P> {
   readonly from: P;
   readonly to: P;
 }
-/** An arc keeps its centre; it is never flattened here. One that ends where it starts is a full circle. */
+/** An arc keeps its centre and is never flattened here. An arc that ends where it starts is a full circle. */
 export interface ArcOf<P> {
   readonly kind: "arc";
   readonly from: P;
@@ -20,7 +20,7 @@ export interface ArcOf<P> {
 /** One element of a contour or path in a space. */
 export type SegmentOf<P> = LineOf<P> | ArcOf<P>;
 
-/** An arc in polar form round its centre, angles in radians; `sweep` is signed, counter-clockwise positive. */
+/** An arc in polar form about its centre, angles in radians; `sweep` is signed, counter-clockwise positive. */
 export interface Polar {
   readonly start: number;
   readonly sweep: number;
@@ -39,18 +39,18 @@ export const overlap = (a: Box, b: Box) => a.left <= b.right && b.left <= a.righ
 
 export const FULL_TURN = 2 * Math.PI;
 const QUARTER = Math.PI / 2;
-/** An angle brought into [0, 2π). */
+/** An angle normalized to [0, 2π). */
 export const positive = (angle: number) => ((angle % FULL_TURN) + FULL_TURN) % FULL_TURN;
-/** An angle brought into [−π, π): the shorter way round. */
+/** An angle normalized to [−π, π). */
 export const shortest = (angle: number) => positive(angle + Math.PI) - Math.PI;
 export const opposite = (turn: Turn): Turn => (turn === "ccw" ? "cw" : "ccw");
 /** 1 counter-clockwise, −1 clockwise. */
 export const signOf = (turn: Turn) => (turn === "ccw" ? 1 : -1);
 
-/** The finest step of a chord, radians: never more than a fine full circle. */
+/** The finest step of a chord, radians, which limits the number of chords of a full circle. */
 const FINEST = 1 / 1000;
 
-/** Chords that an arc of `size` mm and `sweep` radians needs to stay within `chord` mm. */
+/** Number of chords of an arc of radius `size` mm and `sweep` radians that stay within `chord` mm. */
 export function chordsOf(size: number, sweep: number, chord: number): number {
   const step = 2 * Math.acos(Math.max(0, 1 - chord / Math.max(size, chord)));
   const count = Math.ceil(Math.abs(sweep) / Math.max(step, FINEST) - ROUND);
@@ -66,8 +66,8 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
   const line = (from: P, to: P): LineOf<P> => ({ kind: "line", from, to });
 
   /**
-   * Angle from the start of an arc to the ray of a point, radians in its turn, 0 … 2π; a hair before the start is the
-   * start.
+   * Angle from the start of an arc to the ray of a point, radians in its turn, 0 … 2π; an angle minimally before the
+   * start counts as the start.
    */
   const turnTo = (s: ArcOf<P>, p: P): number => {
     const cx = x(s.centre),
@@ -83,7 +83,7 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
   const sweepOf = (s: ArcOf<P>): number => (apart(s.from, s.to) <= ROUND ? FULL_TURN : turnTo(s, s.to) || FULL_TURN);
   const radiusOf = (s: ArcOf<P>): number => apart(s.from, s.centre);
 
-  /** An end point that misses the circle a little makes a spiral, so that the path still ends where it says. */
+  /** An end point slightly off the circle makes a spiral, so that the path still ends in its programmed point. */
   const polarOf = (s: ArcOf<P>): Polar => ({
     start: Math.atan2(y(s.from) - y(s.centre), x(s.from) - x(s.centre)),
     sweep: signOf(s.turn) * sweepOf(s),
@@ -100,26 +100,26 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
     return point(-dy * k, dx * k);
   };
 
-  /** How far along its segment a point lies, mm; before the beginning of a line negative. */
+  /** Position of a point along its segment, mm; negative before the start of a line. */
   const along = (s: SegmentOf<P>, p: P): number =>
     s.kind === "line" ? dot(difference(p, s.from), unit(difference(s.to, s.from))) : turnTo(s, p) * radiusOf(s);
 
   /** Length of a segment, mm. */
   const lengthOf = (s: SegmentOf<P>): number => (s.kind === "line" ? apart(s.from, s.to) : sweepOf(s) * radiusOf(s));
 
-  /** The same segment run the other way. */
+  /** The same segment in the opposite direction. */
   const reversed = (s: SegmentOf<P>): SegmentOf<P> =>
     s.kind === "line"
       ? line(s.to, s.from)
       : { kind: "arc", from: s.to, to: s.from, centre: s.centre, turn: opposite(s.turn) };
 
-  /** The same segment elsewhere. */
+  /** The same segment, shifted. */
   const shifted = (s: SegmentOf<P>, by: P): SegmentOf<P> =>
     s.kind === "line"
       ? line(sum(s.from, by), sum(s.to, by))
       : { kind: "arc", from: sum(s.from, by), to: sum(s.to, by), centre: sum(s.centre, by), turn: s.turn };
 
-  /** The points of a segment by fractions 0 … 1 of its way. */
+  /** Returns the function from a fraction 0 … 1 of the length to the point of a segment. */
   const pointsOn = (s: SegmentOf<P>): ((fraction: number) => P) => {
     const inside =
       s.kind === "line"
@@ -129,7 +129,7 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
   };
   const alongSpiral = (centre: P, p: Polar) => (k: number) =>
     v.onCircle(centre, p.startRadius + (p.endRadius - p.startRadius) * k, p.start + p.sweep * k);
-  /** The point of a segment at a fraction 0 … 1 of its way. */
+  /** The point of a segment at a fraction 0 … 1 of its length. */
   const pointOn = (s: SegmentOf<P>, fraction: number): P => pointsOn(s)(fraction);
 
   /**
@@ -143,7 +143,7 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
     return Array.from({ length: count + 1 }, (_, i) => (i === 0 ? s.from : i === count ? s.to : at(i / count)));
   };
 
-  /** Points along a chain of segments, each joint once. */
+  /** Points along a chain of segments, with each joint only once. */
   const flattenedChain = (chain: readonly SegmentOf<P>[], chord: number): P[] => {
     const out: P[] = [];
     for (const s of chain) {
@@ -169,17 +169,17 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
     return along(s, p) <= lengthOf(s) ? beyond(s.centre, way, radiusOf(s)) : ends;
   };
 
-  /** How far a point is from a segment, mm. */
+  /** Distance of a point from a segment, mm. */
   const distanceTo = (s: SegmentOf<P>, p: P): number => apart(p, nearestOn(s, p));
 
-  /** Where a circle with centre `c` touches the line or circle on which a segment lies. */
+  /** Point where a circle with centre `c` touches the line or circle of a segment. */
   const footOn = (s: SegmentOf<P>, c: P): P => {
     if (s.kind === "arc") return beyond(s.centre, unit(difference(c, s.centre)), radiusOf(s));
     const way = unit(difference(s.to, s.from));
     return beyond(s.from, way, dot(difference(c, s.from), way));
   };
 
-  /** The smallest box round a segment. */
+  /** The smallest box around a segment. */
   const boxOf = (s: SegmentOf<P>): Box => {
     const ax = x(s.from),
       ay = y(s.from),
@@ -196,7 +196,7 @@ export function segmentsOf<P>({ x, y, point }: Axes<P>, v: Vectors<P>) {
       sweep = sweepOf(s),
       k = signOf(s.turn);
     const start = Math.atan2(ay - cy, ax - cx);
-    /** Whether the arc passes the end of its circle that lies so far round, radians. */
+    /** Whether the arc passes the extreme point of its circle at this angle, radians. */
     const passes = (end: number): boolean => {
       const way = positive((end - start) * k);
       return way <= sweep || way > FULL_TURN - ROUND;

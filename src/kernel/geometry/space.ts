@@ -4,8 +4,8 @@ import { segmentsOf } from "./segments.ts";
 import { vectorsOf, type Axes } from "./vectors.ts";
 
 /**
- * The geometry of a space: points, lines and arcs, written once and made for its axes. There are three, `part` (z, r),
- * `plane` (x, y) and `flat` (u, v); a point goes from one to another only through the functions beside their types.
+ * The geometry of a space: points, lines and arcs, written once for any axes. There are three spaces, `part` (z, r),
+ * `plane` (x, y) and `flat` (u, v); a point is converted only by the functions next to their types.
  */
 export function spaceOf<P>(axes: Axes<P>) {
   const vectors = vectorsOf(axes);

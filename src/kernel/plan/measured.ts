@@ -1,54 +1,54 @@
 import type { Pt, Segment } from "../geometry/point.ts";
 
 /**
- * What is measured: with the caliper across, along or down, between two places, an arc, an angle, the thickness of a
+ * Kind of measurement: with the caliper across, along or down, between two places, an arc, an angle, the thickness of a
  * wall.
  */
 export type MeasuredKind = "diameter" | "length" | "depth" | "distance" | "radius" | "angle" | "wall";
 
-/** What a place was taken from: a corner, the centre of an arc, somewhere on an edge, the end of a move, or nothing. */
+/** What a place was picked on: a corner, the centre of an arc, a point on an edge, the end of a move, or nothing. */
 export type MeasuredSpot = "corner" | "centre" | "edge" | "path" | "free";
 
-/** The edge that a place was taken from, as it was then. */
+/** The edge that a place was picked on, as it was at that time. */
 export interface MeasuredEdge {
-  /** The finished contour, the blank, or the stock of a moment. */
+  /** The finished contour, the blank, or the stock at a moment of the program. */
   readonly of: "contour" | "blank" | "stock";
-  /** Which of the contours or outlines, and which element of it, from 0. */
+  /** Index of the contour or outline, and of its element, from 0. */
   readonly chain: number;
   readonly element: number;
-  /** How many contours there were, and what this one consisted of: while that stays, the element is the same one. */
+  /** Number of contours and shape of this one: while both are unchanged, the element is the same. */
   readonly shape: string;
   /** Never mirrored. */
   readonly segment: Segment;
 }
 
-/** A measured place, mm; on a turned part below the axis where the mirrored side was pointed at. */
+/** A measured place, mm; on a turned part below the axis if the mirrored side was picked. */
 export interface MeasuredPlace {
   readonly at: Pt;
   readonly spot: MeasuredSpot;
   readonly edge?: MeasuredEdge;
 }
 
-/** The moment of a program whose stock was measured: a step, and how much of its way was done. */
+/** The moment of a program whose stock was measured: a step, and the fraction of it that was done. */
 export interface MeasuredMoment {
   readonly step: number;
   readonly fraction: number;
-  /** Number of the block that runs, and its pass; absent at the end. */
+  /** Number of the block executed, and its pass; absent at the end. */
   readonly block?: number;
   readonly pass?: number;
-  /** A print of everything that made the stock of this moment. */
+  /** Fingerprint of everything that made the stock of this moment. */
   readonly print: string;
 }
 
-/** Something measured that stays on the picture: a remark about the work. */
+/** A measurement kept on the picture, as a note on the program. */
 export interface Measurement {
   readonly id: string;
   readonly kind: MeasuredKind;
   /** The half plane of turning, or the working plane of milling. */
   readonly plane: "ZX" | "XY";
-  /** One place or two, as the kind needs them. */
+  /** One or two places, depending on the kind. */
   readonly places: readonly MeasuredPlace[];
-  /** The middle of its text, where it was put by hand, mm. */
+  /** Middle of its text if placed by hand, mm. */
   readonly text?: Pt;
   /** Absent where no stock was measured. */
   readonly moment?: MeasuredMoment;

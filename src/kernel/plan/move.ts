@@ -1,7 +1,7 @@
 import type { Pt, Turn } from "../geometry/point.ts";
 import type { Degrees, Feed, Length } from "../units.ts";
 
-/** What a move is for. */
+/** Purpose of a move. */
 export type Phase = "position" | "rough" | "smooth" | "finish" | "thread";
 export type FeedUnit = "mm/rev" | "mm/min";
 
@@ -9,10 +9,10 @@ interface Purpose {
   readonly phase: Phase;
   /** Roughing or threading pass, from 1. */
   readonly pass?: number;
-  /** Which printed sequence of the manual runs, and the number of the step in it; 0 before step 1. */
+  /** The printed sequence of the manual that runs, and the number of its step; 0 before step 1. */
   readonly run: "rough" | "finish";
   readonly step: number;
-  /** True on an element that falls into the material (Q488 applies). */
+  /** True on an element that goes down into the material (Q488 applies). */
   readonly plunging?: true;
 }
 
@@ -22,20 +22,20 @@ export interface Feeding {
   readonly feedUnit: FeedUnit;
 }
 
-/** A feed that is locked to the turning of the spindle. */
+/** A feed locked to the rotation of the spindle. */
 export interface Threading {
-  /** Way along `axis` in one turn of the spindle, mm: the lead of the thread, whatever the number of starts. */
+  /** Travel along `axis` per spindle revolution, mm: the lead of the thread, whatever the number of starts. */
   readonly pitch: Length;
   readonly axis: "z" | "r";
-  /** Angle of the spindle at which the move begins; each start of a thread has its own. */
+  /** Spindle angle at which the move begins; each start of a thread has its own. */
   readonly angle: Degrees;
-  /** The tool stands still at the end, where it cuts all round; false where the thread goes on. */
+  /** True if the tool stops at the end, where it cuts all round; false where the thread continues. */
   readonly stops: boolean;
 }
 
 /**
- * One motion of the theoretical tool tip, from where the tip stands to `to`. Plain data: picture, simulation, time,
- * warnings and goldens all read the same list. A feed that goes nowhere may stand still: `dwell`, turns of the spindle.
+ * One motion of the theoretical tool tip, from its position to `to`. Plain data: picture, simulation, time, warnings
+ * and goldens all read the same list. A feed without travel may be a dwell: `dwell`, in spindle revolutions.
  */
 export type Move =
   | ({ readonly kind: "rapid"; readonly to: Pt } & Purpose)

@@ -1,17 +1,17 @@
 import type { Issue } from "./issue.ts";
 import { roundedDown } from "../units.ts";
 
-/** The value that a finding offers; null when it offers none. */
+/** The value that a finding offers; null if none. */
 export const offerOf = (found: Issue): number | null =>
   "nearest" in found.data && typeof found.data.nearest === "number" ? found.data.nearest : null;
 
-/** The same finding with another value to offer, or with none. */
+/** The same finding with another offered value, or none. */
 export function withOffer(found: Issue, offer: number | null): Issue {
   const { nearest: _, ...data } = found.data as { nearest?: number };
   return { ...found, data: offer === null ? data : { ...data, nearest: offer } } as Issue;
 }
 
-/** As much of a finding as tells it from others. */
+/** The properties that identify a finding. */
 interface Told extends Pick<Issue, "severity"> {
   readonly code: string;
   readonly at?: string;
@@ -20,13 +20,13 @@ interface Told extends Pick<Issue, "severity"> {
 
 const keyOf = ({ code, at, data }: Told) => `${code} ${at ?? ""} ${"element" in data ? data.element : ""}`;
 
-/** Whether a change mends a finding: it is gone, and no error came that was not there before. */
+/** Whether a change fixes a finding: the finding is gone, and there is no new error. */
 export function mends(found: Told, before: readonly Told[], after: readonly Told[]): boolean {
   const known = new Set(before.filter((each) => each.severity === "error").map(keyOf));
   return !after.some((each) => keyOf(each) === keyOf(found) || (each.severity === "error" && !known.has(keyOf(each))));
 }
 
-/** The largest of the sizes from `offer` down to 0 that works, on a grid of 0.001 mm; null when none does. */
+/** The largest working size from `offer` down to 0, on a grid of 0.001 mm; null if none works. */
 export function largestThatWorks(offer: number, works: (size: number) => boolean): number | null {
   if (!(roundedDown(offer) > 0)) return null;
   if (works(roundedDown(offer))) return roundedDown(offer);

@@ -4,35 +4,34 @@ import type { Pt, Ring, Segment } from "../geometry/point.ts";
 import type { Tool } from "./tool.ts";
 import type { Feed, Length } from "../units.ts";
 
-/** What a plan needs beside the cycle's own values. */
+/** Input of a plan besides the cycle's own values. */
 export interface Setting {
   readonly tool: Tool;
   /** Theoretical tip at the cycle call. */
   readonly start: Pt;
   readonly feedUnit: FeedUnit;
-  /** What FAUTO stands for: the feed of the tool call; null when none was given. */
+  /** The value of FAUTO: the feed of the tool call; null if none was given. */
   readonly autoFeed: Feed | null;
-  /** Outlines of what stands in the chuck at the call; null where earlier cuts have left nobody knows what. */
+  /** Outlines of the stock at the call; null if it is unknown after earlier cuts. */
   readonly stock: readonly Ring[] | null;
-  /** True where that stock is traced (FUNCTION TURNDATA BLANK): roughing leaves out passes that touch nothing of it. */
+  /** True if blank update is active (FUNCTION TURNDATA BLANK): roughing leaves out passes that cut air. */
   readonly leavesOutAir?: boolean;
   /**
-   * What nobody has drilled yet: outlines, and the Z from which on they are solid. `isBored`: a bore in them may be
-   * wider by now, so that they tell of the axis only. Absent where nobody knows.
+   * Undrilled material: outlines, and the Z from which on they are solid. `isBored`: a bore in them may be wider by
+   * now, so that they are reliable only on the axis. Absent if unknown.
    */
   readonly solid?: { readonly rings: readonly Ring[]; readonly below: number; readonly isBored: boolean } | null;
   /**
-   * Outlines that nothing stands outside of: the blank that is stated, whatever has been cut of it. Absent where none
-   * is.
+   * Outlines of the stated blank, whatever has been cut of it: there is no material outside. Absent if none is stated.
    */
   readonly blank?: readonly Ring[] | null;
 }
 
-/** The stock that a path may hang on: a control knows none but one that is traced, whatever BLK FORM says. */
+/** The stock that a path may depend on: a control only knows an updated blank, whatever BLK FORM says. */
 export const tracedStock = ({ stock, leavesOutAir }: Setting): readonly Ring[] | null => (leavesOutAir ? stock : null);
 
 /**
- * A stretch of the finishing path, with what keeps the insert from going deeper there (null: it lies on the contour).
+ * A stretch of the finishing path, and the reason why the insert cannot go deeper there (null: it is on the contour).
  */
 export interface Reach {
   readonly path: Segment;
@@ -41,90 +40,87 @@ export interface Reach {
 
 /** How a thread is cut. Lengths mm. */
 export interface ThreadPlan {
-  /** From one groove to the next; of several starts the part of the lead that each has. */
+  /** From one groove to the next; with several starts the lead divided by their number. */
   readonly pitch: Length;
-  /** Way in one turn of the spindle. */
+  /** Travel per spindle revolution. */
   readonly lead: Length;
   readonly starts: number;
-  /** Depth of each pass, the last one that of the thread. */
+  /** Depth of each pass; the last one is the thread depth. */
   readonly depths: readonly Length[];
-  /** How far a pass lies back along the thread for each mm that is missing in depth. */
+  /** Setback of a pass along the thread per mm of missing depth. */
   readonly slope: number;
-  /** Out of the material along the infeed, part space. */
+  /** Direction out of the material along the infeed, part space. */
   readonly out: Pt;
-  /** The room over the crest, as far as any stock reaches: what stands there the thread leaves between its grooves. */
+  /** The area above the crest, up to any stock: a thread leaves the stock there between its grooves. */
   readonly above: Ring;
-  /**
-   * The crest from the beginning of the thread to its end, part space: the surface that has to stand before it is cut.
-   */
+  /** The crest from start to end of the thread, part space: the surface that has to exist before the thread is cut. */
   readonly crest: readonly Pt[];
-  /** Where the tip of the last pass comes to a stop behind the end, part space. */
+  /** Stop position of the tip behind the end in the last pass, part space. */
   readonly end: Pt;
   readonly runIn: Length;
-  /** The lower side of the insert in a groove, from the tip: along the thread and out of the material. */
+  /** The lower side of the insert in a groove, relative to the tip: along the thread and out of the material. */
   readonly side: readonly { readonly u: number; readonly v: number }[];
 }
 
-/**
- * A machining limit: a plane across the spindle axis (z) or a cylinder (r), mm, and the side of it that is not to be
- * cut.
- */
+/** A machining limit: a plane across the spindle axis (z) or a cylinder (r), mm, and its side that must not be cut. */
 export interface MachiningLimit {
-  /** The field it was given in. */
+  /** The input field of the limit. */
   readonly at: string;
   readonly axis: "z" | "r";
   readonly value: number;
-  /** 1: greater values lie behind it. */
+  /** 1: greater values are behind the limit. */
   readonly behind: 1 | -1;
 }
 
-/** What a cycle is asked to leave: it stays on purpose. */
+/** Residual material that the values of a cycle ask for. */
 export interface LeftOnPurpose {
   readonly oversize: boolean;
-  /** A corner as round as the insert. */
+  /** True if the corner keeps the radius of the insert. */
   readonly corner: boolean;
 }
 
-/** What a cycle makes of its values: moves plus issues, and what can be planned is planned. */
+/** Result of a cycle's values: moves and issues. Everything that can be planned is planned. */
 export interface Plan {
-  /** The tool as the cycle adapts it (Q499 = 2 mirrors the tip); absent when it works as it is. */
+  /** The tool as adapted by the cycle (Q499 = 2 mirrors the tip); absent if unchanged. */
   readonly tool?: Tool;
   readonly moves: readonly Move[];
   readonly issues: readonly Issue[];
   /** Finished contour in machining direction, part space, arcs kept. */
   readonly contour: readonly Segment[];
-  /** True when passes run along the contour: the depth of a cut is then square to its path, as of a finishing cut. */
+  /**
+   * True when passes run along the contour: the depth of a cut is then measured square to its path, like that of a
+   * finishing cut.
+   */
   readonly isParallel?: boolean;
   /**
-   * Roughing passes at distinct levels, and the infeed as divided: of several, the greatest. Of plunges side by side:
-   * the bites they take, and the deepest one.
+   * Number of roughing passes at distinct levels, and the infeed after division (the greatest of several). For plunges
+   * side by side: the number of bites, and the deepest one.
    */
   readonly passes: number;
   readonly infeed: Length;
-  /**
-   * What this cycle takes away when it is perfect: between contour and start point (polygon, arcs flattened to CHORD).
-   */
+  /** The area that a perfect cycle removes: between contour and start point (polygon, arcs flattened to CHORD). */
   readonly area: Ring;
-  /** The finished part as far as this cycle knows it (polygon): nothing may cut here. */
+  /** The finished part as far as this cycle knows it (polygon): no tool may cut into it. */
   readonly part: Ring;
   /**
-   * Direction (unit offset) out of the material: whatever lies that way of a position on the path is free for the tool.
+   * Direction (unit offset) out of the material: in this direction from any position on the path, the space is free for
+   * the tool.
    */
   readonly openSide: Pt;
-  /** The deepest path of this tool along the drawn contour; explains what stays. */
+  /** The deepest path of this tool along the drawn contour; explains residual material. */
   readonly reach: readonly Reach[];
-  /** The same along the contour grown by the oversize: what stays above it is no oversize. */
+  /** The same along the contour with oversize: material above this path is not part of the oversize. */
   readonly kept: readonly Reach[];
-  /** The greatest infeed that the values allow, mm; 0 when they set none. */
+  /** The greatest infeed that the values allow, mm; 0 if they set none. */
   readonly most: Length;
   /** The oversize that the values leave on the radius and along Z, mm; absent when the cycle has none. */
   readonly oversize?: { readonly r: number; readonly z: number };
-  /** What the values ask it to leave; nothing where absent. */
+  /** Residual material that the values ask for; absent if none. */
   readonly asked?: LeftOnPurpose;
-  /** Of a thread. */
+  /** Threads only. */
   readonly thread?: ThreadPlan;
-  /** The deepest path as it would run without machining limits; absent when there are none. */
+  /** The deepest path without machining limits; absent if there are none. */
   readonly unlimited?: readonly Reach[];
-  /** Machining limits; absent when there are none. */
+  /** Machining limits; absent if there are none. */
   readonly limits?: readonly MachiningLimit[];
 }

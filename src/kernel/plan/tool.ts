@@ -2,7 +2,7 @@ import type { Degrees, Length } from "../units.ts";
 
 export const TOOL_TYPES = ["ROUGH", "FINISH", "RECESS", "RECTURN", "BUTTON", "THREAD"] as const;
 export type ToolType = (typeof TOOL_TYPES)[number];
-/** Tools that stand on the axis and cut a bore by their own shape; they are kept in the table of milling tools. */
+/** Tools on the axis that cut a bore of their own shape; they are stored in the table of milling tools. */
 export const DRILL_TYPES = ["DRILL", "CENTER", "TAP"] as const;
 export type DrillType = (typeof DRILL_TYPES)[number];
 /** Tip orientation 1..9, as on HEIDENHAIN lathes. */
@@ -12,8 +12,8 @@ export type TipOrientation = 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9;
 export type HolderCorner = readonly [z: Length, x: Length];
 
 /**
- * A holder for the collision check only: it never changes a path. A box, the shank, and what joins it to the insert.
- * All mm.
+ * A holder for the collision check only: it never changes a path. A box for the shank, and the parts between shank and
+ * insert. All mm.
  */
 export interface Holder {
   /** Across the shank. */
@@ -23,10 +23,7 @@ export interface Holder {
   /** From the theoretical tip to the near corner of the shank, along Z and X (radius). */
   readonly offsetZ: Length;
   readonly offsetX: Length;
-  /**
-   * Along which axis the shank lies; without it X for orientations that point to −X (and for round inserts), Z for all
-   * others.
-   */
+  /** Axis of the shank; default X for orientations that point to −X (and for round inserts), Z for all others. */
   readonly axis?: "X" | "Z";
   /** Head, neck or blade between shank and insert: convex outlines by their corners. */
   readonly head?: readonly (readonly HolderCorner[])[];
@@ -49,7 +46,7 @@ export interface Tool {
   readonly XL?: Length;
   readonly DZL?: Length;
   readonly DXL?: Length;
-  /** Oversize of length 3, along Y: off the plane that is turned in. */
+  /** Oversize of length 3, along Y, perpendicular to the turning plane. */
   readonly DYL?: Length;
   readonly DRS?: Length;
   readonly ORI?: Degrees;
@@ -59,6 +56,8 @@ export interface Tool {
   readonly CUTWIDTH?: Length;
   readonly DCW?: Length;
   readonly holder?: Holder;
-  /** FUNCTION TURNDATA CORR: how far the insert stands from the tip the control counts with, along Z and X (radius). */
+  /**
+   * FUNCTION TURNDATA CORR: offset of the insert from the tip that the control calculates with, along Z and X (radius).
+   */
   readonly correction?: { readonly z: Length; readonly r: Length };
 }

@@ -2,7 +2,7 @@ import { segmentToPart, toPart, type Flat, type FlatSegment, type Frame } from "
 import type { FeedUnit, Move, Phase, Threading } from "./move.ts";
 import { feed as asFeed } from "../units.ts";
 
-/** What the next moves are for; a track stamps it on each of them. */
+/** Purpose of the next moves; a track adds it to each of them. */
 export interface Purpose {
   readonly phase: Phase;
   readonly run: "rough" | "finish";
@@ -17,11 +17,13 @@ export interface Room {
   readonly maxU: number;
   readonly minV: number;
   readonly maxV: number;
-  /** In a bore that is cut across the axis: how near to the axis the tool leans back, as a u. */
+  /**
+   * In a bore that is cut across the axis: the smallest distance from the axis when the tool lifts at an angle, as a u.
+   */
   readonly nearest?: number;
 }
 
-/** Where the tip may be: on this side of the axis, and up to `beyond` mm on the other. */
+/** Room of the tip: on this side of the axis, and up to `beyond` mm on the other. */
 export function roomOf(f: Frame, beyond = 0): Room {
   const [lowU, highU] = f.transverse
     ? f.signU > 0
@@ -35,7 +37,7 @@ export function roomOf(f: Frame, beyond = 0): Room {
 /** Moves shorter than this are rounding, mm. */
 const STILL = 2e-6;
 
-/** Collects the moves of a run in strategy space and hands them out in part space; moves of no length are dropped. */
+/** Collects the moves of a run in strategy space and returns them in part space; moves without travel are dropped. */
 export class Track {
   readonly moves: Move[] = [];
   at: Flat;
@@ -50,7 +52,7 @@ export class Track {
     this.at = start;
   }
 
-  /** Rapid along one axis only, so that a control whose rapid axes do not interpolate runs the same path. */
+  /** Rapid along one axis only, so that a control whose rapids do not interpolate runs the same path. */
   rapid(axis: "u" | "v", value: number, purpose: Purpose) {
     const to = this.inside({ ...this.at, [axis]: value });
     if (this.still(to)) return;
@@ -72,7 +74,7 @@ export class Track {
     this.at = to;
   }
 
-  /** Stands still for so many turns of the spindle. */
+  /** Dwells for a number of spindle revolutions. */
   dwell(revolutions: number, value: number, purpose: Purpose) {
     if (!(revolutions > 0)) return;
     const to = toPart(this.frame, this.at);
@@ -87,7 +89,7 @@ export class Track {
     this.at = to;
   }
 
-  /** Along an element at feed; an arc leaves as an arc. */
+  /** Along an element at feed; an arc stays an arc. */
   follow(segment: FlatSegment, value: number, purpose: Purpose) {
     if (segment.kind === "line") return this.feed(segment.to, value, purpose);
     if (this.still(segment.to)) return;

@@ -5,21 +5,21 @@ import { CHORD, SAME } from "../tolerance.ts";
 
 const { apart, beyond, boxOf, cross, difference, distanceTo, flattenedChain, gapBetween, nearestOn, turned } = plane;
 
-/** Where the tool, in its full width, cuts into the contour on its way. */
+/** A place where the tool, in its full width, cuts into the contour on its approach or departure. */
 export interface ContourCut {
-  /** How deep the tool reaches beyond the contour, mm. */
+  /** Depth of the tool beyond the contour, mm. */
   readonly depth: number;
   readonly on: PlanePoint;
 }
-/** What makes the way free: another PS or PN, or another LEN or R. */
+/** The change that clears the path: another PS or PN, or another LEN or R. */
 export type FreeWay =
   | { readonly kind: "point"; readonly point: PlanePoint }
   | { readonly kind: "value"; readonly word: "LEN" | "R"; readonly value: number };
 
-/** Less than a control can print is not a cut, mm. */
+/** Smaller depths than a control can display are no cut, mm. */
 const LEAST_CUT = 0.001;
 
-/** Says of points whether they lie on the material side of a contour that closes; an open one has no inside. */
+/** Tells whether a point is on the material side of a closed contour; an open one has no inside. */
 function materialOf(contour: readonly PlaneSegment[], side: Side): (p: PlanePoint) => boolean {
   const [first, last] = [contour[0], contour.at(-1)];
   if (!first || !last || contour.length < 2 || apart(first.from, last.to) > SAME) return () => false;
@@ -48,7 +48,7 @@ const wider = (b: Box, by: number): Box => ({
 });
 
 /**
- * The deepest place where a tool on these legs cuts into a contour whose free side is known; null when the way is free.
+ * The deepest place where a tool on these legs cuts into the contour, given its free side; null when the path is free.
  */
 export function contourCut(
   legs: readonly PlaneSegment[],
@@ -70,7 +70,7 @@ export function contourCut(
       note(toolRadius - gap.distance, gap.on);
     }
   }
-  // A way that does not touch the contour stays on its side, so its ends tell for all of it.
+  // A path that does not touch the contour stays on one side, so checking its ends is enough.
   for (const end of endsOf(legs)) {
     if (contour.length === 0 || !inMaterial(end)) continue;
     const on = contour.map((s) => nearestOn(s, end)).reduce((a, b) => (apart(b, end) < apart(a, end) ? b : a));
@@ -87,17 +87,17 @@ const legsOf = (a: Approach, checked: CheckedLegs) =>
     .filter((l, i) => checked === "all" || a.departing || i > 0 || l.segment.to === a.points.PA)
     .map((l) => l.segment);
 
-/** Turns of PS round PH that are tried, nearest first, degrees; and factors of its distance. */
+/** Rotations of PS about PH to try, nearest first, degrees; and factors of its distance. */
 const TURNS = Array.from({ length: 18 }, (_, i) => [10 * (i + 1), -10 * (i + 1)]).flat();
 const FACTORS = [1, 1.5, 2, 3];
-/** Tried sizes of LEN and R: steps of half a millimetre to a sixth of the value. */
+/** Number of sizes to try for LEN and R: steps of half a millimetre to a sixth of the value. */
 const STEPS = 60;
 
 const onGrid = (n: number, grid: number) => Math.round(n / grid) * grid;
 
 /**
- * Checks an approach or departure against the whole programmed contour, and looks for the nearest way that is free.
- * `contour` has its roundings and chamfers; PS→PH is what the control does not check.
+ * Checks an approach or departure against the whole programmed contour, and looks for the nearest collision-free
+ * variant. `contour` includes its roundings and chamfers; the control does not check PS→PH.
  */
 export function guardApproach(
   q: ApproachRequest,
@@ -122,7 +122,7 @@ export function guardApproach(
   return { cut, free: freePoint(q, made, isFree) ?? freeValue(q, isFree) };
 }
 
-/** The part of a long contour that a search can reach. */
+/** The part of a long contour within reach of the search. */
 function nearby(q: ApproachRequest, made: Approach, contour: readonly PlaneSegment[]): readonly PlaneSegment[] {
   const at = made.points.PA ?? made.points.PE;
   if (!at) return contour;

@@ -78,7 +78,7 @@ describe("the direction table of CT", () => {
   });
 });
 
-describe("what is impossible is said with what would work", () => {
+describe("an impossible approach is reported with a value that works", () => {
   const said = (q: Partial<ApproachRequest>) =>
     approach({ ...base, ...q }).issues.map((i) => [i.code, i.at, "nearest" in i.data ? i.data.nearest : null]);
   test("PS in the circle: the radius that reaches exactly to it", () => {
@@ -180,13 +180,12 @@ describe("laws over random elements, all forms, both sides", () => {
         if (made.issues.length > 0 || made.legs.length === 0) return;
         const leg = q.departing ? made.legs[0] : made.legs.at(-1);
         const at = q.departing ? made.points.PE : made.points.PA;
-        // The direction of a line is known as well as its ends are: to a hundred-millionth of a millimetre.
+        // The direction of a line is as precise as its ends: to a hundred-millionth of a millimetre.
         if (!leg || !at || (leg.segment.kind === "line" && apart(leg.segment.from, leg.segment.to) < 1e-2)) return;
         const way = direction(leg.segment, at);
         if (q.shape === "LN") expect(Math.abs(dot(way, made.tangent))).toBeLessThan(1e-6);
         else {
-          // An arc shorter than a nanometre is left out: its line then ends as far beside the tangent as that arc would
-          // have turned.
+          // An arc shorter than a nanometre is left out: the line then ends off the tangent by the angle of that arc.
           const turn = q.shape === "LCT" && leg.segment.kind === "line" ? 1e-6 / (q.radius ?? 1) : 0;
           expect(Math.abs(cross(way, made.tangent))).toBeLessThan(1e-6 + turn);
           if (q.shape !== "LT" || (q.length ?? 0) > 0) expect(dot(way, made.tangent)).toBeGreaterThan(0);
@@ -204,7 +203,7 @@ describe("laws over random elements, all forms, both sides", () => {
         if (!one || !two || made.issues.length > 0) return;
         const [straight] = [one, two].filter((s) => s.kind === "line");
         if (!straight || apart(straight.from, straight.to) < 1e-3) return;
-        // Close to its circle the way to the tangent point is short, and its direction keeps half the digits of its
+        // Close to the circle the line to the tangent point is short, and its direction has half the digits of its
         // ends.
         near(direction(one, one.to), direction(two, two.from), 1e-8);
       }),
@@ -251,7 +250,7 @@ describe("laws over random elements, all forms, both sides", () => {
     );
   });
 
-  test("LEN and CCA measure what they say", () => {
+  test("LEN is the length and CCA the angle of the path", () => {
     fc.assert(
       fc.property(request, (q) => {
         const made = pure(q);

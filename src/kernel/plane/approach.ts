@@ -8,22 +8,21 @@ import { roundedDown } from "../units.ts";
 const { apart, beyond, cross, difference, direction, dot, leftOf, reversed, scaled, sizeOf, sum, sweepOf, turned } =
   plane;
 
-/** The geometry of APPR and DEP. The polar forms (PLT, PLN, PCT, PLCT) differ only in how their point is written. */
+/** The geometry of APPR and DEP. The polar forms (PLT, PLN, PCT, PLCT) differ only in the notation of their point. */
 export type ApproachShape = "LT" | "LN" | "CT" | "LCT";
 
-/** What an approach or a departure is made from. Lengths mm, angles degrees; a missing word is absent. */
+/** Input of an approach or a departure. Lengths mm, angles degrees; a missing word is absent. */
 export interface ApproachRequest {
   readonly shape: ApproachShape;
   readonly departing: boolean;
-  /** RL, RR or R0: for APPR of its own block, for DEP of the contour before it. */
+  /** RL, RR or R0: for APPR from its own block, for DEP from the contour before it. */
   readonly side: Side;
   /** Radius of the mill, or of the nose. */
   readonly toolRadius: number;
   /** First (APPR) or last (DEP) element of the programmed contour. */
   readonly element: PlaneSegment;
   /**
-   * APPR: the tool centre before the block (PS). DEP LCT: the programmed end point PN. Null where nobody knows or none
-   * is needed.
+   * APPR: the tool centre before the block (PS). DEP LCT: the programmed end point PN. Null if unknown or not needed.
    */
   readonly outside: PlanePoint | null;
   /** LEN of LT and LN, with its sign. */
@@ -35,18 +34,18 @@ export interface ApproachRequest {
 }
 
 export type PointName = "PS" | "PH" | "PA" | "PE" | "PN";
-/** The points that a form has, each on the path of the tool centre. */
+/** Named points of a form, each on the path of the tool centre. */
 export type NamedPoints = { readonly [N in PointName]?: PlanePoint };
 
 /** One leg of the path, in the order of travel. */
 export interface ApproachLeg {
   readonly segment: PlaneSegment;
-  /** "before": at the feed (or rapid) programmed last before the block; "block": at the feed of the block. */
+  /** "before": at the last feed (or rapid) before the block; "block": at the feed of the block. */
   readonly feed: "before" | "block";
 }
 
 /**
- * How the tool centre comes onto the contour (PS, PH, PA) or leaves it (PE, PH, PN). What is impossible is left out and
+ * The path of the tool centre onto the contour (PS, PH, PA) or off it (PE, PH, PN). An impossible part is left out and
  * reported.
  */
 export interface Approach {
@@ -67,13 +66,13 @@ export interface Approach {
   readonly issues: readonly Issue[];
 }
 
-/** Values that a control takes for lengths and radii. */
+/** Largest value that a control accepts for lengths and radii. */
 const MOST = 99_999.9999;
 const LEAST = 0.001;
 /** A tangent that touches the circle nearer to PA than this needs no arc, mm. */
 const NO_ARC = 1e-6;
 
-/** The way from outside onto the contour; a departure is the same run reversed. */
+/** The path from outside onto the contour; a departure is computed as an arrival and reversed. */
 interface Arrival {
   readonly auxiliary: PlanePoint | null;
   readonly segments: readonly PlaneSegment[];
@@ -81,7 +80,7 @@ interface Arrival {
 }
 
 interface Anchor {
-  /** The tool centre in PA, or in PE of a departure run reversed. */
+  /** The tool centre in PA, or in PE for a departure. */
   readonly at: PlanePoint;
   /** Direction of arrival, and the unit vector to the side of the tool. */
   readonly way: PlanePoint;
@@ -93,10 +92,10 @@ const flipped = (hand: "left" | "right") => (hand === "left" ? "right" : "left")
 const lineTo = (from: PlanePoint | null, to: PlanePoint): PlaneSegment[] => (from ? [{ kind: "line", from, to }] : []);
 
 function straight(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival {
-  // A control goes straight to the contour then.
+  // A control then moves straight to the contour.
   if (q.length === undefined) issues.push(issue("missing", "warning", {}, "LEN"));
   const length = q.length ?? 0;
-  // LN takes the other side with a minus; from the other end of a tangent there is no way onto the contour.
+  // A minus selects the other side for LN; from the far end of a tangent there is no way onto the contour.
   if (q.shape === "LT" && length < 0)
     issues.push(issue("outOfRange", "error", { value: length, min: 0, max: MOST, nearest: -length }, "LEN"));
   const auxiliary = q.shape === "LT" ? beyond(a.at, a.way, -length) : beyond(a.at, a.free, length);
@@ -107,7 +106,7 @@ function straight(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival {
   };
 }
 
-/** A radius that makes a circle; null when there is none. `signed`: the sign chooses the side. */
+/** A radius that makes a circle; null if there is none. `signed`: the sign selects the side. */
 function radiusOf(q: ApproachRequest, signed: boolean, issues: Issue[]): number | null {
   const r = q.radius;
   if (r === undefined) issues.push(issue("missing", "error", {}, "R"));
@@ -142,7 +141,7 @@ function circular(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | nul
   };
 }
 
-/** Line and arc: the line touches the circle, whose radius alone says which one it is. */
+/** Line and arc: the line touches the circle, which is determined by its radius alone. */
 function tangential(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | null {
   const radius = radiusOf(q, false, issues);
   const { outside } = q;
@@ -171,7 +170,7 @@ function tangential(q: ApproachRequest, a: Anchor, issues: Issue[]): Arrival | n
 }
 
 /**
- * How APPR reaches the contour or DEP leaves it. Never throws; an impossible form becomes the straight way, with an
+ * Path of APPR onto the contour or of DEP off it. Never throws; an impossible form becomes a straight line, with an
  * issue.
  */
 export function approach(q: ApproachRequest): Approach {
@@ -179,7 +178,7 @@ export function approach(q: ApproachRequest): Approach {
   return { ...made, issues: made.issues.map((each) => tried(each, q, made.issues)) };
 }
 
-/** A finding whose offer has been tried in its word; one that does not help, or that no word takes, is left out. */
+/** Keeps an offer only if trying it in its word fixes the finding. */
 function tried(found: Issue, q: ApproachRequest, before: readonly Issue[]): Issue {
   const offer = offerOf(found);
   if (offer === null) return found;

@@ -30,13 +30,13 @@ const faults = (contour: PlaneSegment[], side: "left" | "right", radius: number)
   );
 
 describe("by hand", () => {
-  test("an outer corner gets an arc of the tool radius round it", () =>
+  test("an outer corner gets an arc of the tool radius", () =>
     expect(shown(lines(point(0, 0), point(50, 0), point(50, -50)), "left", 10)).toEqual([
       "line 50 10",
       "cw 60 0",
       "line 60 -50",
     ]));
-  test("an inner corner is cut where both paths meet", () =>
+  test("an inner corner is cut off where both paths meet", () =>
     expect(shown(lines(point(0, 0), point(50, 0), point(50, -50)), "right", 10)).toEqual([
       "line 40 -10",
       "line 40 -50",
@@ -113,8 +113,8 @@ describe("a tool that does not fit is reported at the element, with the largest 
 });
 
 /**
- * Closed contours round a centre: corners on rays, joined by lines and by arcs of both turns; counter-clockwise, from
- * the middle of a side.
+ * Closed contours around a centre: corners on rays, joined by lines and by arcs of both turns; counter-clockwise,
+ * starting in the middle of a side.
  */
 const closedContour = fc
   .record({
@@ -212,8 +212,7 @@ describe("laws over closed contours of lines, arcs and roundings", () => {
         const path = ringOf(made.path.map((p) => p.segment));
         const grown = offset([contour], hand === "right" ? radius : -radius);
         const long = made.path.reduce((l, p) => l + apart(p.segment.from, p.segment.to), 0);
-        // What the path cuts off beyond its neighbours (a waist too narrow for the tool) is another matter: see the
-        // next law.
+        // Cuts beyond neighbouring elements (a waist too narrow for the tool) are covered by the next law.
         const cutsItself = made.path.some((p) =>
           made.contour.some((c) => gapBetween(p.segment, c.segment).distance < radius - 1e-6),
         );
@@ -247,7 +246,7 @@ describe("laws over closed contours of lines, arcs and roundings", () => {
     );
   });
 
-  test("what is said to fit does fit", () => {
+  test("a tool radius reported to fit does fit", () => {
     fc.assert(
       fc.property(closedContour, side, fc.double({ min: 5, max: 60, noNaN: true }), ({ closed }, hand, radius) => {
         for (const found of compensate(closed, hand, radius).issues) {

@@ -8,9 +8,7 @@ const { along, apart, beyond, cross, direction, dot, lengthOf, line, meetings, r
 /** A piece of the centre path. */
 export interface CentrePiece {
   readonly segment: PlaneSegment;
-  /**
-   * Index of the programmed segment it belongs to; the arc round an outer corner belongs to the one before the corner.
-   */
+  /** Index of its programmed segment; the arc round an outer corner belongs to the segment before the corner. */
   readonly element: number;
   readonly part: "element" | "corner";
 }
@@ -22,9 +20,7 @@ export interface Compensated {
   readonly issues: readonly Issue[];
 }
 
-/**
- * The path of the centre along one segment; null when the tool is larger than an inside radius. A point has length 0.
- */
+/** The centre path along one segment; null when the tool is larger than an inside radius. A point has length 0. */
 export function centrePath(s: PlaneSegment, side: Side, radius: number): PlaneSegment | null {
   if (side === "none" || radius === 0) return s;
   const [from, to] = [s.from, s.to].map((p) => beyond(p, towardsTool(direction(s, p), side), radius)) as [
@@ -40,7 +36,7 @@ export function centrePath(s: PlaneSegment, side: Side, radius: number): PlaneSe
 const isLong = (s: PlaneSegment) => lengthOf(s) > ROUND;
 
 /**
- * Shortened to end or begin in a point; nothing left becomes a line without length, because such an arc would be a full
+ * Shortened to end or begin in a point; a segment without length becomes a line, because such an arc would be a full
  * circle.
  */
 const endingAt = (s: PlaneSegment, to: PlanePoint): PlaneSegment =>
@@ -48,7 +44,7 @@ const endingAt = (s: PlaneSegment, to: PlanePoint): PlaneSegment =>
 const beginningAt = (s: PlaneSegment, from: PlanePoint): PlaneSegment =>
   lengthOf(s) - along(s, from) > ROUND ? { ...s, from } : line(from, s.to);
 
-/** Where two neighbouring centre paths cut each other, losing as little as possible of both; null when they do not. */
+/** Intersection of two neighbouring centre paths that shortens both as little as possible; null when there is none. */
 function crossing(before: PlaneSegment, after: PlaneSegment): PlanePoint | null {
   const [longBefore, longAfter] = [lengthOf(before), lengthOf(after)];
   let best: PlanePoint | null = null;
@@ -63,11 +59,11 @@ function crossing(before: PlaneSegment, after: PlaneSegment): PlanePoint | null 
   return best;
 }
 
-/** On an arc, a hair before its beginning counts as nearly a full turn: it is the beginning. */
+/** On an arc, a point minimally before its start would count as nearly a full turn: it is taken as the start. */
 const nearZero = (far: number, s: PlaneSegment) =>
   s.kind === "arc" && 2 * Math.PI * radiusOf(s) - far < ROUND ? 0 : far;
 
-/** A corner to the other side than the tool needs an arc round it. */
+/** A corner that turns away from the tool needs an arc. */
 function turnsAway(before: PlaneSegment, after: PlaneSegment, corner: PlanePoint, side: Side): boolean {
   const [a, b] = [direction(before, corner), direction(after, after.from)];
   const bend = cross(a, b) * (side === "left" ? 1 : -1);
@@ -76,7 +72,7 @@ function turnsAway(before: PlaneSegment, after: PlaneSegment, corner: PlanePoint
 
 interface Walk {
   readonly pieces: CentrePiece[];
-  /** Indices of segments that the tool does not fit. */
+  /** Indices of segments that the tool is too large for. */
   readonly tooLarge: number[];
 }
 
@@ -126,11 +122,11 @@ function walk(contour: readonly PlaneSegment[], side: Side, radius: number): Wal
   return { pieces, tooLarge };
 }
 
-/** Of two neighbours that do not cut each other, the one that is too short for this tool. */
+/** The one of two neighbours without an intersection that is too short for this tool. */
 const swallowed = (before: PlaneSegment, after: PlaneSegment) =>
   lengthOf(before) < lengthOf(after) ? "before" : "after";
 
-/** Largest tool radius that fits a stretch of contour, on the grid a control prints, mm. */
+/** Largest tool radius that fits a section of a contour, on the grid a control prints, mm. */
 function largestThatFits(contour: readonly PlaneSegment[], side: Side, tooBig: number): number {
   let [low, high] = [0, tooBig];
   for (let i = 0; i < 50; i += 1) {
@@ -143,7 +139,8 @@ function largestThatFits(contour: readonly PlaneSegment[], side: Side, tooBig: n
 
 /**
  * The path of the tool centre along a contour whose segments join. Outer corners get an arc of the tool radius, inner
- * corners are cut where the neighbours meet. Where the tool does not fit, the path goes straight on and says so.
+ * corners are cut where the neighbours meet. Where the tool does not fit, the path continues straight and an issue is
+ * reported.
  */
 export function compensate(contour: readonly PlaneSegment[], side: Side, radius: number): Compensated {
   const { pieces, tooLarge } = walk(contour, side, radius);

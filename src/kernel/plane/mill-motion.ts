@@ -1,7 +1,7 @@
 import { plane, type PlanePoint, type PlaneSegment } from "./plane.ts";
 import type { Turn } from "../geometry/point.ts";
 
-/** A place of a mill, mm: its centre in the plane, its end in the tool axis (null while unknown). */
+/** A position of a mill, mm: its centre in the plane, its end in the tool axis (null while unknown). */
 export interface MillSpot {
   readonly x: number;
   readonly y: number;
@@ -9,7 +9,7 @@ export interface MillSpot {
 }
 
 /**
- * An arc in a plane beside that of the tool axis: its centre in the axes of that plane, its turn from the first axis to
+ * An arc in a plane other than the working plane: its centre in the axes of that plane, its turn from the first axis to
  * the second.
  */
 interface SideArc {
@@ -18,7 +18,7 @@ interface SideArc {
   readonly turn: Turn;
 }
 
-/** One motion of a mill, as far as its picture and its stock need it. */
+/** One motion of a mill, with the data that picture and stock need. */
 export interface MillMotion {
   readonly kind: "rapid" | "feed" | "arc";
   readonly from: MillSpot;
@@ -28,19 +28,19 @@ export interface MillMotion {
   readonly side?: SideArc;
   /** Absent on a rapid. */
   readonly feed?: number;
-  /** Of the tool, mm; 0 when nobody knows it. */
+  /** Radius of the tool, mm; 0 if unknown. */
   readonly radius: number;
   readonly index: number;
 }
 
-/** A rapid may run on an arc, so it is told by its feed. */
+/** A rapid may run on an arc, so only a missing feed identifies it. */
 export const isRapid = (m: MillMotion): boolean => m.feed === undefined;
 
-/** The way of a motion in the plane. */
+/** The path of a motion in the plane. */
 export const wayOf = ({ from, to, centre, turn }: MillMotion): PlaneSegment =>
   centre && turn ? { kind: "arc", from, to, centre, turn } : { kind: "line", from, to };
 
-/** Where the tool stands on an arc beside the plane: the third axis goes evenly. */
+/** Tool position on an arc outside the working plane: the third axis moves evenly. */
 function spotOnSide(
   { from, to }: MillMotion,
   { plane: across, centre, turn }: SideArc,
@@ -60,7 +60,7 @@ function spotOnSide(
   return { x: on.y, y: even(from.y, to.y), z: on.x };
 }
 
-/** Where the tool stands at a fraction of a motion. */
+/** Tool position at a fraction of a motion. */
 export function spotOn(m: MillMotion, fraction: number): MillSpot {
   const beside = m.side && spotOnSide(m, m.side, fraction);
   if (beside) return beside;

@@ -4,29 +4,27 @@ import { ARC_END, SAME } from "../tolerance.ts";
 
 const { along, boxOf, gapBetween, lengthOf, meetings, nearestOn, apart } = plane;
 
-/** A piece of the way of the tool centre, and the index of the contour element that it mills. */
+/** A piece of the centre path, and the index of the contour element that it mills. */
 export interface OwnedPiece {
   readonly segment: PlaneSegment;
   readonly element: number;
 }
 
-/** Where the tool, milling one element, cuts into another that is not its neighbour on the path. */
+/** A place where the tool, milling one element, cuts into another that is not its neighbour on the path. */
 export interface PathCut {
   /** Index of the piece of the path. */
   readonly piece: number;
   /** Index of the contour element that is cut. */
   readonly into: number;
-  /** How deep the tool reaches beyond the contour, mm. */
+  /** Depth of the tool beyond the contour, mm. */
   readonly depth: number;
   readonly on: PlanePoint;
 }
 
-/** Two arcs whose ends miss their circles come this much too near, mm: that is no cut. */
+/** Smaller depths are no cut: two arcs whose ends are off their circles come too near by this much. */
 export const LEAST_PATH_CUT = 2 * ARC_END;
 
-/**
- * Elements whose boxes are looked at together: a long contour runs through many places, and most of them are far away.
- */
+/** Number of elements whose boxes are checked as a group: in a long contour most of them are far away. */
 const GROUP = 32;
 
 const joined = (a: Box, b: Box): Box => ({
@@ -64,8 +62,8 @@ function finder(segments: readonly PlaneSegment[]): (box: Box, found: (index: nu
 }
 
 /**
- * A contour that crosses itself ends where it does so: often its first and its last element are drawn beyond their
- * corner, into the air. What lies before the first and behind the last crossing is no wall.
+ * A contour that crosses itself ends at the crossing: often its first and its last element are drawn beyond their
+ * corner, into the air. Elements before the first and behind the last crossing are no walls.
  */
 function wallsOf(contour: readonly PlaneSegment[], find: ReturnType<typeof finder>): readonly (PlaneSegment | null)[] {
   let [first, last]: [{ index: number; on: PlanePoint } | null, { index: number; on: PlanePoint } | null] = [
@@ -99,9 +97,9 @@ function wallsOf(contour: readonly PlaneSegment[], find: ReturnType<typeof finde
 }
 
 /**
- * The deepest place where the tool cuts into its own contour away from where it mills: a waist that it runs through
- * although it is too narrow. Neighbours on the path are looked at when it is compensated. `isWall` and the pieces leave
- * out what runs above the part.
+ * The deepest place where the tool cuts into its own contour away from where it mills: a waist that is too narrow for
+ * it. Neighbours on the path are checked by the compensation. `isWall` and the pieces leave out what runs above the
+ * part.
  */
 export function pathCut(
   contour: readonly PlaneSegment[],
@@ -117,7 +115,7 @@ export function pathCut(
     find(wider(boxOf(segment), toolRadius - LEAST_PATH_CUT), (into) => {
       const near = contour[into];
       if (!near || into === element || !isWall(into)) return;
-      // Of two lines in a corner the path is cut exactly where both are as near as the tool is large.
+      // At a corner of two lines the path is cut exactly at the tool radius from both.
       if (Math.abs(into - element) === 1 && near.kind === "line" && contour[element]?.kind === "line") return;
       if (toolRadius - gapBetween(segment, near).distance <= (worst?.depth ?? LEAST_PATH_CUT)) return;
       walls ??= wallsOf(contour, find);

@@ -14,7 +14,7 @@ export interface PlaneElement {
 /** A piece of the contour with roundings and chamfers. */
 export interface ContourPart {
   readonly segment: PlaneSegment;
-  /** Index of the element it comes from. */
+  /** Index of its element. */
   readonly element: number;
   /** True for the rounding or chamfer behind that element. */
   readonly onCorner: boolean;
@@ -25,7 +25,7 @@ export interface PlaneContour {
   readonly contour: readonly ContourPart[];
   /** The path of the tool centre; `part` "corner" is the arc round an outer corner. */
   readonly path: readonly (ContourPart & { readonly part: CentrePiece["part"] })[];
-  /** `element` and `onCorner` name what is at fault. */
+  /** `element` and `onCorner` identify the faulty element. */
   readonly issues: readonly { readonly issue: Issue; readonly element: number; readonly onCorner: boolean }[];
 }
 

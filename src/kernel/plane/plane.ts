@@ -17,7 +17,7 @@ export type PlaneSegment = SegmentOf<PlanePoint>;
 /** Points, lines and arcs of the working plane. */
 export const plane = spaceOf<PlanePoint>({ x: (p) => p.x, y: (p) => p.y, point: (x, y) => ({ x, y }) });
 
-/** Where the tool runs, seen in the direction of the contour: RL, RR, R0. */
+/** Side of the tool, seen in the direction of the contour: RL, RR, R0. */
 export type Side = "left" | "right" | "none";
 
 /** Turning: part space to the working plane. */

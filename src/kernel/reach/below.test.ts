@@ -5,7 +5,7 @@ import { upperEnvelope, valueAt, type EnvelopePiece } from "./envelope.ts";
 const origin = { feature: "nose", on: "contour", corner: false } as const;
 const SIDE = 4;
 
-/** Lines that rise and fall, half circles over and under: what a waved contour is made of. */
+/** Lines that rise and fall, upper and lower half circles: the pieces of a waved contour. */
 const pieces = Array.from({ length: 60 }, (_, i): EnvelopePiece => {
   const u0 = i * SIDE,
     u1 = u0 + SIDE,
@@ -21,7 +21,7 @@ const pieces = Array.from({ length: 60 }, (_, i): EnvelopePiece => {
   }
 });
 
-test("stretches below a level are those of which every place is, also of pieces that lie wholly over or under it or only touch it", () => {
+test("intervals below a level contain exactly the places below it, also for pieces that only touch it", () => {
   const envelope = upperEnvelope(pieces),
     left = 1,
     right = 60 * SIDE - 1,

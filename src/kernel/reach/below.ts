@@ -9,7 +9,7 @@ import {
 } from "./envelope.ts";
 import { JOINED, ROUND } from "../tolerance.ts";
 
-/** The lowest and the highest v of a piece between two places of it. */
+/** Lowest and highest v of a piece between two of its places. */
 function rangeOf(p: EnvelopePiece, a: number, b: number): readonly [low: number, high: number] {
   const va = valueAt(p, a),
     vb = valueAt(p, b),
@@ -19,7 +19,7 @@ function rangeOf(p: EnvelopePiece, a: number, b: number): readonly [low: number,
   return p.arc === 1 ? [low, p.cv + p.radius] : [p.cv - p.radius, high];
 }
 
-/** Where the envelope lies at or below `level` within [u0, u1], as maximal intervals from left to right. */
+/** Maximal intervals within [u0, u1] where the envelope is at or below `level`, from left to right. */
 export function below(e: Envelope, level: number, u0: number, u1: number): Interval[] {
   const out: Interval[] = [];
   const add = (from: number, to: number) => {
@@ -38,7 +38,7 @@ export function below(e: Envelope, level: number, u0: number, u1: number): Inter
     const b = Math.min(u1, s.u1);
     covered = Math.max(covered, s.u1);
     if (b < a) continue;
-    // Most pieces lie wholly on one side: no crossing need be looked for.
+    // Most pieces are wholly on one side and need no crossings.
     const [low, high] = rangeOf(s.piece, a, b);
     if (low > top + ROUND) continue;
     if (high < top - ROUND) {

@@ -6,8 +6,8 @@ import { ROUND } from "../tolerance.ts";
 const { onCircle, polarOf, radiusOf } = flat;
 
 /**
- * A contour on which nothing falls: wherever it falls, a level line runs on from the height reached until the contour
- * rises above it again (decision for Q487 = 0). The lines are marked as bridges.
+ * A contour without falling elements: where it falls, a level line runs from the height reached until the contour rises
+ * above it again (decision for Q487 = 0). These lines are marked as bridges.
  */
 export function bridged(contour: readonly FlatSegment[]): Bound[] {
   const out: Bound[] = [];
@@ -38,7 +38,7 @@ export function bridged(contour: readonly FlatSegment[]): Bound[] {
     : [{ segment: { kind: "line", from: top, to: { u: last.to.u, v: top.v } }, on: "bridge" }];
 }
 
-/** The elements of a contour that fall, as they follow each other: into these a tool plunges. */
+/** Runs of consecutive falling elements of a contour: a tool plunges into them. */
 export function fallingRuns(contour: readonly FlatSegment[]): FlatSegment[][] {
   const runs: FlatSegment[][] = [];
   let open = false;
@@ -51,7 +51,7 @@ export function fallingRuns(contour: readonly FlatSegment[]): FlatSegment[][] {
   return runs;
 }
 
-/** Arcs split where they turn from rising to falling, so that each part only rises or only falls. */
+/** Splits arcs where they turn from rising to falling, so that each part only rises or only falls. */
 function oneWay(s: FlatSegment): FlatSegment[] {
   if (s.kind === "line") return [s];
   const { start, sweep, startRadius } = polarOf(s);
@@ -67,7 +67,7 @@ function oneWay(s: FlatSegment): FlatSegment[] {
   return points.slice(1).map((to, i): FlatSegment => ({ ...s, from: points[i] as Flat, to }));
 }
 
-/** Where a rising element passes a height. */
+/** Point where a rising element reaches a height. */
 function crossing(s: FlatSegment, v: number): Flat {
   if (s.kind === "line") {
     const k = (v - s.from.v) / (s.to.v - s.from.v || 1);

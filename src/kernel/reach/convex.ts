@@ -6,8 +6,8 @@ import { JOINED, NOTHING, ROUND } from "../tolerance.ts";
 const { angleOf, apart, dot, heading, onCircle, scaled, sum } = flat;
 
 /**
- * Which part of the insert an edge belongs to; `behindMain` and `behindSecondary` are the sides that go on from the end
- * of a cutting edge and cut nothing themselves.
+ * Part of the insert that an edge belongs to; `behindMain` and `behindSecondary` are the sides that continue from the
+ * end of a cutting edge and do not cut.
  */
 export type Feature = "nose" | "mainEdge" | "secondaryEdge" | "width" | "behindMain" | "behindSecondary" | "back";
 
@@ -39,7 +39,7 @@ export const normalStart = (e: Edge) =>
 export const normalEnd = (e: Edge) => (e.kind === "arc" ? e.start + e.sweep : normalStart(e));
 
 /**
- * The shape of part space (z as u, r as v) seen in a frame; a mirroring frame reverses the boundary to keep its turn.
+ * Converts a shape of part space (z as u, r as v) to a frame; a mirroring frame reverses the boundary to keep its turn.
  */
 export function inFrame(k: Convex, f: Frame): Convex {
   const map = (p: Flat) => toFlat(f, at(p.u, p.v));
@@ -66,7 +66,8 @@ export const moved = (k: Convex, by: Flat): Convex =>
   );
 
 /**
- * Minkowski sum with the rectangle ±a × ±b: arcs split at the axis directions and shift, straight bridges join them.
+ * Minkowski sum with the rectangle ±a × ±b: arcs are split at the axis directions and shifted, straight lines join
+ * them.
  */
 export function grown(k: Convex, a: number, b: number): Convex {
   if (a === 0 && b === 0) return k;
@@ -86,7 +87,7 @@ export function grown(k: Convex, a: number, b: number): Convex {
   });
   return out;
 }
-/** Minkowski sum with a disc: every edge moves out by its radius, and arcs round the corners join them. */
+/** Minkowski sum with a disc: every edge moves out by its radius, and arcs at the corners join them. */
 export function grownRound(k: Convex, by: number): Convex {
   if (!(by > 0)) return k;
   return k.flatMap((e, i): Edge[] => {
@@ -94,7 +95,7 @@ export function grownRound(k: Convex, by: number): Convex {
     const [start, sweep] = [normalEnd(e), positive(normalStart(next) - normalEnd(e))];
     const edge =
       e.kind === "arc" ? { ...e, radius: e.radius + by } : (moved([e], scaled(heading(normalStart(e)), by))[0] as Edge);
-    // Nearly a full turn is a joint without a bend, seen from its other side.
+    // Nearly a full turn is a smooth joint with a rounding error.
     if (sweep < JOINED || sweep > FULL_TURN - JOINED) return [edge];
     return [
       edge,
@@ -125,7 +126,7 @@ function splitAtAxes(e: Edge): Edge[] {
   return parts;
 }
 
-/** The boundary point farthest in direction `n`, and what it belongs to; of a whole edge, the end lower in v. */
+/** The boundary point farthest in direction `n`, and its feature; for a whole edge, the end lower in v. */
 export function support(k: Convex, n: Flat): { at: Flat; feature: Feature } {
   let best = -Infinity;
   let found: { at: Flat; feature: Feature } = { at: { u: 0, v: 0 }, feature: "nose" };

@@ -15,8 +15,8 @@ import { flat, type FlatSegment } from "../geometry/flat.ts";
 import { JOINED, ROUND } from "../tolerance.ts";
 
 /**
- * The envelope cut down to pieces (from left to right, side by side) wherever they are lower by no more than `most` mm:
- * deeper down material stays above them. Where the envelope has a gap it keeps it.
+ * The envelope lowered to the cuts (from left to right, without overlap) wherever they are lower by no more than `most`
+ * mm: under a deeper cut, material remains above the insert. Gaps of the envelope stay.
  */
 export function loweredBy(e: Envelope, cuts: readonly EnvelopePiece[], most: number): Envelope {
   const first = cuts[0];
@@ -48,11 +48,11 @@ export function loweredBy(e: Envelope, cuts: readonly EnvelopePiece[], most: num
   return out.concat(e.slice(i));
 }
 
-/** Two lists of places as one, ascending. */
+/** Merges two lists of places, ascending. */
 const inOrder = (a: readonly number[], b: readonly number[]): readonly number[] =>
   b.length === 0 ? a : a.length === 0 ? b : [...a, ...b].sort((x, y) => x - y);
 
-/** The stretch of an envelope between two places, moved up by `by` mm. */
+/** The section of an envelope between two places, moved up by `by` mm. */
 export const raised = (e: Envelope, u0: number, u1: number, by: number): Envelope =>
   e
     .filter((s) => s.u1 > u0 && s.u0 < u1)
@@ -62,8 +62,8 @@ const lifted = (p: EnvelopePiece, by: number): EnvelopePiece =>
   p.arc === 0 ? { ...p, v0: p.v0 + by } : { ...p, cv: p.cv + by };
 
 /**
- * Where one envelope lies more than `by` mm over another, from left to right: looked at where either begins a piece,
- * and in between.
+ * Intervals where one envelope is more than `by` mm above another, from left to right: checked at the ends of the
+ * common pieces and in their middle.
  */
 export function aboveBy(e: Envelope, other: Envelope, from: number, to: number, by: number): Interval[] {
   const found: Interval[] = [];
@@ -82,7 +82,7 @@ export function aboveBy(e: Envelope, other: Envelope, from: number, to: number, 
   return found;
 }
 
-/** A path element as a piece over u; null when it is vertical. Its arcs only rise or only fall in u. */
+/** A path element as a piece over u; null when it is vertical. Its arcs must only rise or only fall in u. */
 export function pieceOf(s: FlatSegment, origin: Origin): EnvelopePiece | null {
   if (s.kind === "line") return linePiece(s.from, s.to, origin);
   const [u0, u1] = [Math.min(s.from.u, s.to.u), Math.max(s.from.u, s.to.u)];
@@ -98,7 +98,7 @@ export function pieceOf(s: FlatSegment, origin: Origin): EnvelopePiece | null {
   };
 }
 
-/** v of the envelope at u: the lower side at a jump, −∞ beside a gap. What only touches there is not in the way. */
+/** v of the envelope at u: the lower side at a jump, −∞ next to a gap. Pieces that only touch at u are no obstacle. */
 export function besideAt(e: Envelope, u: number): number {
   const side = (from: number, to: number) => {
     const v = heightAt(e, u);

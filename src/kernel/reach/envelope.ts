@@ -3,15 +3,12 @@ import { flat, type Flat, type FlatSegment } from "../geometry/flat.ts";
 import { hypotenuse } from "../geometry/vectors.ts";
 import { JOINED, NOTHING, ROUND } from "../tolerance.ts";
 
-/**
- * Where a piece of the envelope comes from: the insert feature that touches, and the kind of contour element it
- * touches.
- */
+/** Origin of a piece of the envelope: the insert feature that touches, and the kind of contour element it touches. */
 export interface Origin {
   readonly feature: Feature;
-  /** "contour": the drawn contour; the others are bounds of the area, not of the part. */
+  /** "contour": the drawn contour; the others bound the area and do not belong to the part. */
   readonly on: "contour" | "bridge" | "limit" | "cutLength" | "edge";
-  /** True when a straight insert edge rests on a corner of the contour instead of the nose on its surface. */
+  /** True when a straight insert edge touches a corner of the contour instead of the nose touching its surface. */
   readonly corner: boolean;
 }
 
@@ -20,14 +17,14 @@ export type EnvelopePiece = { readonly u0: number; readonly u1: number; readonly
 type Sloping = { readonly arc: 0; readonly v0: number; readonly slope: number };
 type Round = { readonly arc: 1 | -1; readonly cu: number; readonly cv: number; readonly radius: number };
 
-/** A stretch of the envelope: one piece, between u0 and u1. */
+/** A section of the envelope: one piece, between u0 and u1. */
 export interface Span {
   readonly piece: EnvelopePiece;
   readonly u0: number;
   readonly u1: number;
 }
 
-/** The pieces that are uppermost, from left to right; between them there may be gaps (nothing there: −∞). */
+/** The uppermost pieces, from left to right; there may be gaps between them (nothing there: −∞). */
 export type Envelope = readonly Span[];
 
 export function valueAt(p: EnvelopePiece, u: number): number {
@@ -43,7 +40,7 @@ export function linePiece(a: Flat, b: Flat, origin: Origin): EnvelopePiece | nul
   return { arc: 0, u0: p.u, u1: q.u, v0: p.v, slope: (q.v - p.v) / (q.u - p.u), origin };
 }
 
-/** The upper envelope of any number of pieces; exact up to rounding, in O(n log n) for n pieces that cross little. */
+/** The upper envelope of any number of pieces; exact up to rounding, in O(n log n) for n pieces with few crossings. */
 export function upperEnvelope(pieces: readonly EnvelopePiece[]): Envelope {
   let level: Span[][] = pieces
     .filter((p) => p.u1 - p.u0 > ROUND)
@@ -91,7 +88,7 @@ function merge(a: readonly Span[], b: readonly Span[]): Span[] {
   return out;
 }
 
-/** Adds a stretch to an envelope under construction, joined to the last one when it goes on. */
+/** Adds a section to an envelope under construction, joined to the last one if it continues it. */
 export function push(out: Span[], piece: EnvelopePiece, u0: number, u1: number) {
   if (u1 - u0 <= 0) return;
   const last = out.at(-1);
@@ -101,12 +98,13 @@ export function push(out: Span[], piece: EnvelopePiece, u0: number, u1: number) 
 }
 
 /**
- * Whether a piece goes on where another ends: itself, or as level, as the floors that plunges side by side have left.
+ * Whether one piece continues another: the same piece, or one at the same level, as on the floors of plunges side by
+ * side.
  */
 const sameLine = (p: EnvelopePiece, q: EnvelopePiece): boolean =>
   p === q || (p.arc === 0 && q.arc === 0 && p.slope === 0 && q.slope === 0 && p.v0 === q.v0 && p.origin === q.origin);
 
-/** Both pieces live on [u0, u1]: the higher one wins between their crossings. */
+/** Both pieces cover [u0, u1]: the higher one wins between their crossings. */
 function higher(out: Span[], f: EnvelopePiece, g: EnvelopePiece, u0: number, u1: number) {
   const cuts = crossings(f, g, u0, u1);
   let from = u0;
@@ -118,10 +116,10 @@ function higher(out: Span[], f: EnvelopePiece, g: EnvelopePiece, u0: number, u1:
   }
 }
 
-/** Where nothing crosses: most pairs of pieces do not. */
+/** Shared empty result: most pairs of pieces do not cross. */
 const NOWHERE: readonly number[] = [];
 
-/** The u, strictly inside (lo, hi), where two pieces have the same v; ascending. */
+/** Places u, strictly inside (lo, hi), where two pieces have the same v; ascending. */
 export function crossings(f: EnvelopePiece, g: EnvelopePiece, lo: number, hi: number): readonly number[] {
   const isWithin = (u: number): boolean => u > lo + ROUND && u < hi - ROUND;
   if (f.arc === 0 && g.arc === 0) {
@@ -139,7 +137,7 @@ export function crossings(f: EnvelopePiece, g: EnvelopePiece, lo: number, hi: nu
 
 type Line = Extract<EnvelopePiece, { arc: 0 }>;
 type Arc = Extract<EnvelopePiece, { arc: 1 | -1 }>;
-/** Two u where something crosses, endless where it does not. */
+/** Two places u of a crossing, infinite where there is none. */
 type Crossed = readonly [number, number];
 const APART: Crossed = [Infinity, Infinity];
 
@@ -239,13 +237,13 @@ export function highest(e: Envelope, u0: number, u1: number): { u: number; v: nu
   return { u, v };
 }
 
-/** A stretch of u. */
+/** An interval of u. */
 export interface Interval {
   readonly from: number;
   readonly to: number;
 }
 
-/** Whether the straight way between two points (not one above the other) stays on or above the envelope. */
+/** Whether the straight line between two points (not one above the other) stays on or above the envelope. */
 export function staysAbove(e: Envelope, a: Flat, b: Flat): boolean {
   const way = linePiece(a, b, { feature: "nose", on: "edge", corner: false });
   if (!way) return heightAt(e, a.u) <= Math.min(a.v, b.v) + JOINED;
@@ -264,13 +262,15 @@ export function staysAbove(e: Envelope, a: Flat, b: Flat): boolean {
   return true;
 }
 
-/** A stretch of path along the envelope, with the piece it runs on (null: a vertical step between two pieces). */
+/**
+ * A section of the path along the envelope, with the origin of its piece (null: a vertical step between two pieces).
+ */
 export interface Stretch {
   readonly segment: FlatSegment;
   readonly origin: Origin | null;
 }
 
-/** The envelope as a path from u0 to u1 > u0, vertical steps included; gaps are bridged straight. */
+/** The envelope as a path from u0 to u1 > u0, vertical steps included; gaps become straight lines. */
 export function pathAlong(e: Envelope, u0: number, u1: number): Stretch[] {
   const out: Stretch[] = [];
   let at: Flat | null = null;

@@ -94,7 +94,7 @@ describe("the reach of an insert over a contour", () => {
           insert,
         );
         const u = at / 1000;
-        // The highest lift that any pair of a contour point and an insert point asks for.
+        // The highest lift required by any pair of a contour point and an insert point.
         const ground = (x: number) => {
           const s = chain.find((c) => c.from.u <= x && x <= c.to.u);
           return s ? s.from.v + ((s.to.v - s.from.v) * (x - s.from.u)) / (s.to.u - s.from.u) : -Infinity;
@@ -148,7 +148,7 @@ describe("the reach of an insert over a contour", () => {
 
   test("a contour that begins with an overhang is touched at its first point as well", () => {
     const circle = inFrame(insertShape(tools[2] as Tool), frame);
-    // A hollow of radius 2 that leaves its first point a hair backwards.
+    // A concave arc of radius 2 that leaves its first point slightly backwards.
     const chain: FlatSegment[] = [
       { kind: "arc", from: { u: 0, v: 0 }, to: { u: 2, v: -2 }, centre: { u: 2, v: -1e-3 }, turn: "ccw" },
       {
@@ -167,7 +167,7 @@ describe("the reach of an insert over a contour", () => {
   });
 });
 
-describe("a straight way over an envelope", () => {
+describe("a straight line above an envelope", () => {
   const around = { feature: "nose", on: "contour", corner: false } as const;
   const height = fc.integer({ min: -4000, max: 4000 }).map((n) => n / 1000);
   const hills = fc

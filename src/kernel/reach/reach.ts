@@ -6,17 +6,17 @@ import { JOINED, NOTHING, ROUND } from "../tolerance.ts";
 
 const { angleOf, cross, dot, onCircle, polarOf, scaled, sum } = flat;
 
-/** A contour element with what it stands for. */
+/** A contour element and its kind. */
 export interface Bound {
   readonly segment: FlatSegment;
   readonly on: Origin["on"];
 }
 
 /**
- * The lowest positions of the tip over a chain of contour elements: the upper boundary of material ⊕ mirrored insert,
- * exact in lines and arcs (decision "Reach"). The chain runs with the material on its right; `insert` is relative to
- * the tip, in the same space. Each piece is a pair of a contour element and an insert element with the same normal, so
- * every piece lies in the sum, and the uppermost ones bound it.
+ * The lowest tip positions over a chain of contour elements: the upper boundary of material ⊕ mirrored insert, exact in
+ * lines and arcs (decision "Reach"). The chain runs with the material on its right; `insert` is relative to the tip, in
+ * the same space. Each piece is a pair of a contour element and an insert element with the same normal, so every piece
+ * is inside the sum, and the uppermost ones bound it.
  */
 export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
   const edges = mirroredLowerHull(insert);
@@ -38,11 +38,12 @@ export function reachOver(chain: readonly Bound[], insert: Convex): Envelope {
   return upperEnvelope(pieces);
 }
 
-/** A normal at an end of the chain; of an element that hangs over there, as flat as one that faces up can be. */
+/** A normal at an end of the chain; for an overhanging element, the flattest normal that still faces up. */
 const facingUp = (n: Flat): Flat => (n.v >= 0 ? n : { u: Math.sign(n.u), v: 0 });
 
 /**
- * {−q} of the insert, only the elements that can face up: normals in (0, π), split there. Edges run counter-clockwise.
+ * {−q} of the insert, reduced to the elements that can face up: normals in (0, π), split there. Edges run
+ * counter-clockwise.
  */
 function mirroredLowerHull(insert: Convex): Edge[] {
   return insert.flatMap((e): Edge[] => {
@@ -61,7 +62,7 @@ function mirroredLowerHull(insert: Convex): Edge[] {
   });
 }
 
-/** What can face up on the mirrored insert: its elements, and its corners with the cone of normals they carry. */
+/** The elements of the mirrored insert that can face up, and its corners with their cone of normals. */
 interface Hull {
   readonly edges: readonly Edge[];
   readonly vertices: readonly Vertex[];
@@ -73,9 +74,10 @@ interface Vertex {
   readonly feature: Feature;
 }
 
-/** Vertices of the hull with the cone of normals they carry, and what they belong to. */
+/** Vertices of the hull with their cone of normals, and their feature. */
 function vertices(k: readonly Edge[]): Vertex[] {
-  // Along the boundary: an edge and the arc it runs into share a normal, so the middle of what each carries decides.
+  // Order along the boundary: an edge and the arc that follows it share a normal, so the middle of their normals
+  // decides.
   const middle = (e: Edge) => normalStart(e) + normalEnd(e);
   const ordered = [...k].sort((a, b) => middle(a) - middle(b));
   const first = ordered[0];
@@ -102,7 +104,7 @@ function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: Envelope
   let parallel = false;
   for (const e of k.edges)
     if (e.kind === "line" && Math.abs(a - normalStart(e)) <= ROUND) {
-      // Two parallel straights sum to one: from the left end of the edge at the start to its right end at the end.
+      // Two parallel lines sum to one: from the left end of the edge at the start to its right end at the end.
       add(linePiece(sum(s.from, e.to), sum(s.to, e.from), { feature: e.feature, on, corner: false }));
       parallel = true;
     }
@@ -113,14 +115,14 @@ function alongLine(s: LineOf<Flat>, k: Hull, on: Origin["on"], add: (p: Envelope
   for (const v of k.vertices) if (a >= v.from - ROUND && a <= v.to + ROUND) return shift(v.at, v.feature);
 }
 
-/** The material lies on the right, so an arc that turns left is hollow. */
+/** The material is on the right, so an arc that turns left is concave. */
 const isValley = (s: ArcOf<Flat>) => s.turn === "ccw";
 
 /** An arc of the contour: its outward normals, and the insert elements with the same normal. */
 function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePiece | null) => void) {
   const { start, sweep, startRadius: radius } = polarOf(s);
   const valley = isValley(s);
-  // Normals, counter-clockwise from `low`: of a hill the polar angle itself, of a valley the opposite one.
+  // Normals, counter-clockwise from `low`: the polar angle for a convex arc, the opposite angle for a concave one.
   const low = positive(valley ? start + Math.PI : start + sweep);
   for (const turn of [0, -FULL_TURN]) {
     const from = Math.max(0, low + turn);
@@ -152,8 +154,8 @@ function alongArc(s: ArcOf<Flat>, k: Hull, on: Origin["on"], add: (p: EnvelopePi
 }
 
 /**
- * The part of an offset arc with certain normals: upper half for a hill, lower half for a valley. Null where there is
- * none.
+ * The part of an offset arc with given normals: upper half for a convex arc, lower half for a concave one. Null if
+ * there is none.
  */
 function halfArc(s: ArcOf<Flat>, by: Flat, r: number, { from, to }: Interval, origin: Origin): EnvelopePiece | null {
   if (to - from <= ROUND || r <= ROUND) return null;
@@ -164,7 +166,7 @@ function halfArc(s: ArcOf<Flat>, by: Flat, r: number, { from, to }: Interval, or
   return u1 - u0 > ROUND ? { arc: isValley(s) ? -1 : 1, u0, u1, cu, cv, radius: r, origin } : null;
 }
 
-/** A convex corner carries the normals between its two elements (clockwise from `before` to `after`). */
+/** A convex corner has all normals between those of its two elements (clockwise from `before` to `after`). */
 function atCorner(
   p: Flat,
   before: Flat,

@@ -5,7 +5,7 @@ import { ARC_END, ROUND, SAME } from "../tolerance.ts";
 
 const { apart, beyond, difference, dot, heading, meet, sizeOf, sweepOf } = part;
 
-/** The point as it moves with one free parameter. */
+/** A point that depends on one free parameter. */
 interface Sliding {
   readonly start: Pt;
   readonly move: Pt;
@@ -21,7 +21,7 @@ const slide = (w: Solving, i: number, free: number): Sliding => {
 };
 const onSlide = (s: Sliding, k: number): Pt => beyond(s.start, s.move, k);
 
-/** Parameters at which |start + k · move| is `far`; where it stays a hair too far away, the nearest one. */
+/** Parameters at which |start + k · move| is `far`; the nearest one where it is minimally too far away. */
 function atDistance(start: Pt, move: Pt, far: number): number[] {
   const a = dot(move, move);
   if (a < ROUND) return [];
@@ -32,13 +32,13 @@ function atDistance(start: Pt, move: Pt, far: number): number[] {
   return half < ROUND ? [middle] : [middle + half, middle - half];
 }
 
-/** A way to end the freedom of a point: places where it may be. */
+/** Possible places of a point that is not yet determined. */
 interface Candidate {
   readonly i: number;
   readonly point: Pt;
 }
 
-/** Chooses among places for a point, sets it and counts them. False when there is none. */
+/** Sets a point to the best of its possible places and records their number. False if there is none. */
 function choose(w: Solving, element: number, candidates: readonly Candidate[]): boolean {
   const rated = candidates
     .map((c) => ({ c, faults: faultsOf(w, c), ...orderOf(w, element, c) }))
@@ -53,7 +53,7 @@ function choose(w: Solving, element: number, candidates: readonly Candidate[]): 
   return place(w, chosen.c.i, chosen.c.point);
 }
 
-/** Lines that would run backwards, arcs of no length and places below the axis. */
+/** Number of faults of a place: lines that run backwards, arcs without length, places below the axis. */
 function faultsOf(w: Solving, { i, point }: Candidate): number {
   let faults = point.r < -SAME ? 1 : 0;
   for (const [element, from, to] of [
@@ -69,8 +69,8 @@ function faultsOf(w: Solving, { i, point }: Candidate): number {
 }
 
 /**
- * The likelier place first: the shorter arc (the longer one for a negative radius), the shorter way to the next point,
- * else towards the chuck.
+ * Prefers the likelier place: the shorter arc (the longer one for a negative radius), the shorter distance to the next
+ * point, else towards the chuck.
  */
 function orderOf(w: Solving, element: number, { i, point }: Candidate): Omit<Rank, "faults"> {
   const circle = w.circle[element] ?? null,
@@ -84,7 +84,7 @@ function orderOf(w: Solving, element: number, { i, point }: Candidate): Omit<Ran
   return arcRank(e, sweepOf({ kind: "arc", from, to, centre: circle.centre, turn: circle.turn }));
 }
 
-/** Ends the freedom of one point by a length or a circle; the first that can be. True when a point was found. */
+/** Determines one point by a length or a circle; the first that is possible. True when a point was found. */
 export function findPlace(w: Solving): boolean {
   for (let i = 1; i < w.elements.length; i += 1) {
     const e = w.elements[i],
@@ -127,7 +127,7 @@ export function findPlace(w: Solving): boolean {
   return findMeeting(w);
 }
 
-/** A point of which only two distances are known: lengths of its lines, or circles it lies on. */
+/** Determines a point known only by two distances: lengths of its lines, or circles it lies on. */
 function findMeeting(w: Solving): boolean {
   for (let i = 0; i < w.elements.length; i += 1) {
     if (w.z[i] !== null || w.r[i] !== null) continue;

@@ -90,7 +90,7 @@ describe("lines", () => {
       points([start(0, 10), line({ length: length(5) }), line({ z: Z(-6), r: R(10), length: length(5) })])[1],
     ).toEqual([-3, 6]);
   });
-  test("an incremental coordinate and a tangential line go on", () => {
+  test("an incremental coordinate and a tangential line continue the contour", () => {
     expect(
       points([start(0, 10), line({ z: Z(-5), r: R(15) }), line({ r: { by: radius(5) }, tangent: true })])[2],
     ).toEqual([-10, 20]);
@@ -103,7 +103,7 @@ describe("arcs", () => {
       points([start(0, 10), line({ z: Z(-20), r: R(10) }), arc({ r: R(15), radius: 5, turn: "cw", tangent: true })])[2],
     ).toEqual([-25, 15]);
   });
-  test("a line tangential to an arc goes on in its direction", () => {
+  test("a line tangential to an arc continues in its direction", () => {
     const found = points([
       start(0, 10),
       line({ z: Z(-20), r: R(10) }),
@@ -152,7 +152,7 @@ describe("arcs", () => {
       [-7, 20],
     ]);
   });
-  test("by centre and one coordinate the shorter way, on request the longer", () => {
+  test("by centre and one coordinate the shorter arc, on request the longer", () => {
     const given = { centre: at(-10, 10), r: R(10), turn: "ccw" as const };
     expect(points([start(-10, 7), arc(given)])[1]).toEqual([-7, 10]);
     expect(points([start(-10, 7), arc({ ...given, choice: 1 })])[1]).toEqual([-13, 10]);
@@ -176,8 +176,8 @@ describe("arcs", () => {
   });
 });
 
-describe("what stays open, and what contradicts", () => {
-  test("degrees of freedom are counted by element", () => {
+describe("undetermined and contradicting elements", () => {
+  test("degrees of freedom are counted per element", () => {
     const free = (elements: readonly SolveElement[]) => solveContour(elements).elements.map((e) => e.freedom);
     expect(free([start(0, 10), line({ angle: degrees(180) })])).toEqual([0, 1]);
     expect(free([start(0, 10), line()])).toEqual([0, 2]);
@@ -186,7 +186,7 @@ describe("what stays open, and what contradicts", () => {
     expect(free([start(0, 10), arc({ centre: at(0, 15) })])).toEqual([0, 1]);
     expect(free([start(0, 10), arc({ z: Z(-5), r: R(15) })])).toEqual([0, 1]);
   });
-  test("an angle, a length, a radius or a transition that can not be is said with what would be", () => {
+  test("an impossible angle, length, radius or transition is reported with the nearest possible one", () => {
     expect(codes([start(0, 10), line({ z: Z(-10), r: R(20), angle: degrees(130) })])).toEqual(["elementContradicts 2"]);
     expect(codes([start(0, 10), line({ z: Z(-10), r: R(10), angle: degrees(0) })])).toEqual(["elementContradicts 2"]);
     expect(codes([start(0, 10), line({ z: Z(-3), r: R(14), length: length(6) })])).toEqual(["elementContradicts 2"]);
@@ -198,7 +198,7 @@ describe("what stays open, and what contradicts", () => {
   });
 });
 
-/** Random contours that are determined, with corners no sharper than can be told apart. */
+/** Random determined contours, with corners no sharper than can be distinguished. */
 const corner = fc.record({ z: fc.integer({ min: -40, max: 40 }), r: fc.integer({ min: 1, max: 60 }) });
 const contours = fc
   .array(corner, { minLength: 3, maxLength: 12 })
@@ -213,7 +213,7 @@ const near = (found: ReturnType<typeof solveContour>, wanted: readonly Pt[]) =>
   );
 
 describe("laws", () => {
-  test("a coordinate taken away and an angle put in its place leads back to the same point", () => {
+  test("replacing a coordinate by an angle gives the same point", () => {
     fc.assert(
       fc.property(
         contours,
@@ -239,7 +239,7 @@ describe("laws", () => {
     );
   });
 
-  test("every second point taken away comes back from the angles on both sides", () => {
+  test("every second point is recovered from the angles on both sides", () => {
     fc.assert(
       fc.property(contours, (wanted) => {
         const given = wanted.map((p, i): SolveElement => {
@@ -272,7 +272,7 @@ describe("laws", () => {
     );
   });
 
-  test("one of the two solutions of a length or a circle is the point that was taken away", () => {
+  test("one of the two solutions of a length or a circle is the removed point", () => {
     fc.assert(
       fc.property(
         corner,
@@ -301,7 +301,7 @@ describe("laws", () => {
     );
   });
 
-  test("whatever is given, it ends without an exception and without NaN", () => {
+  test("any input ends without an exception and without NaN", () => {
     const maybe = <T>(some: fc.Arbitrary<T>) => fc.option(some, { nil: null });
     const number = fc.oneof(fc.integer({ min: -50, max: 50 }), fc.double({ min: -1e4, max: 1e4, noNaN: true }));
     const any = fc.oneof(

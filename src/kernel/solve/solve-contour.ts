@@ -21,13 +21,13 @@ import {
 
 const { angleOf, apart, cross, difference, dot, heading } = part;
 
-/** What is known of one element once everything that follows has been found. */
+/** Result for one element of a contour. */
 export interface SolvedElement {
   readonly z: Axial | null;
   readonly r: Radius | null;
-  /** How many values are still missing; 0 when the element is determined. */
+  /** Number of missing values; 0 when the element is determined. */
   readonly freedom: number;
-  /** How many solutions there were to choose from. */
+  /** Number of solutions to choose from. */
   readonly choices: number;
   /** Angle to +Z of a line, 0 to 360; null for arcs and where it is not known. */
   readonly angle: Degrees | null;
@@ -37,16 +37,17 @@ export interface SolvedElement {
 
 export interface SolvedContour {
   readonly elements: readonly SolvedElement[];
-  /** What is given twice and does not agree, or can not be reached; `element` counts from 1. */
+  /** Contradicting or unreachable values; `element` counts from 1. */
   readonly issues: readonly Issue[];
 }
 
-/** Two directions of tangential elements may differ by this much, degrees: typed values are rounded. */
+/** Directions of tangential elements may differ by this much, degrees: typed values are rounded. */
 const TANGENT = 0.2;
 
 /**
- * Finds the coordinates of a contour that follow from what is given: angles, lengths, tangential transitions, radii and
- * centres, forwards and backwards. What stays open is said by element; what contradicts is said, and coordinates win.
+ * Finds the coordinates of a contour that follow from the given values: angles, lengths, tangential transitions, radii
+ * and centres, forwards and backwards. Undetermined elements are reported one by one, contradictions as issues;
+ * coordinates take precedence.
  */
 export function solveContour(elements: readonly SolveElement[]): SolvedContour {
   const w = startSolving(elements);
@@ -91,8 +92,8 @@ function segmentOf(w: Solving, i: number): Segment | null {
 }
 
 /**
- * Values still missing at the end point that are not already missing at the point before it, less those that a length
- * or a circle stands for; for an arc its own circle.
+ * Missing values of the end point that are not already missing at the point before it, less those that a length or a
+ * circle determines; for an arc also those of its circle.
  */
 function freedomOf(w: Solving, i: number, segment: Segment | null): number {
   const e = w.elements[i],

@@ -38,7 +38,7 @@ export function way(w: Solving, i: number, p: number): Pt | null {
 /** True where element i leaves the one before it tangentially. */
 export const tangent = (w: Solving, i: number) => w.elements[i]?.tangent === true && i > 1;
 
-/** Directions of lines that follow from their ends or from a tangential neighbour. */
+/** Finds directions of lines from their ends or from a tangential neighbour. */
 export function findAngles(w: Solving): boolean {
   let changed = false;
   w.elements.forEach((e, i) => {
@@ -55,7 +55,7 @@ export function findAngles(w: Solving): boolean {
   return changed;
 }
 
-/** Circles of arcs that follow from centre, radius, ends and neighbours. */
+/** Finds circles of arcs from centre, radius, ends and neighbours. */
 export function findCircles(w: Solving): boolean {
   let changed = false;
   w.elements.forEach((e, i) => {
@@ -95,12 +95,12 @@ function circleOf(w: Solving, i: number): Circle | "straight" | null {
       ? arcTangential(line(sum(to, after), to), from)
       : null;
   if (!made) return null;
-  // The neighbour behind was run backwards.
+  // The next neighbour was computed in reverse.
   const own = before ? made : reversed(made);
   return own.kind === "line" ? "straight" : { centre: own.centre, radius: apart(own.centre, from), turn: own.turn };
 }
 
-/** A point of the line on which element i lies; null while that line is not known. */
+/** A point on the line of element i; null while that line is not known. */
 function onLine(w: Solving, i: number): Pt | null {
   const angle = w.angle[i] ?? null;
   if (angle === null) return null;
@@ -117,7 +117,7 @@ function onLine(w: Solving, i: number): Pt | null {
   return null;
 }
 
-/** Where the centre of an arc may lie that touches element i on the side to which the arc turns. */
+/** Possible centres of an arc that touches element i on the side to which the arc turns. */
 function trackBeside(w: Solving, i: number, size: number, turn: Turn): CurveOf<Pt> | null {
   const circle = w.circle[i] ?? null;
   if (circle && circle !== "straight")
@@ -132,7 +132,7 @@ function trackBeside(w: Solving, i: number, size: number, turn: Turn): CurveOf<P
     : null;
 }
 
-/** The circle of given size between two things it touches or runs through, one of them not known as a point. */
+/** The circle of a given size that touches or contains two neighbours, one of them not known as a point. */
 function circleBetween(w: Solving, i: number, size: number, turn: Turn): Circle | null {
   const around = (p: Pt | null): CurveOf<Pt> | null => p && { centre: p, radius: size };
   const one = tangent(w, i) ? trackBeside(w, i - 1, size, turn) : around(pointOf(w, i - 1));
@@ -148,7 +148,7 @@ function circleBetween(w: Solving, i: number, size: number, turn: Turn): Circle 
   return chosen ? { centre: chosen.centre, radius: size, turn } : null;
 }
 
-/** How well a circle fits as element i: which of its neighbours would run backwards, and how far it turns. */
+/** Rank of a circle as element i: number of neighbours that would run backwards, and the angle it turns. */
 function rankOf(w: Solving, i: number, { centre, turn }: Circle): Rank {
   const [start, end] = [
     touching(w, i - 1, i - 1, centre) ?? pointOf(w, i - 1),
@@ -165,7 +165,7 @@ function rankOf(w: Solving, i: number, { centre, turn }: Circle): Rank {
   };
 }
 
-/** Where a circle about `c` touches element i, when it does and point p between them is not known. */
+/** Point where a circle about `c` touches element i, if it does and point p between them is not known. */
 function touching(w: Solving, i: number, p: number, c: Pt): Pt | null {
   if (pointOf(w, p)) return null;
   const circle = w.circle[i] ?? null,

@@ -1,4 +1,4 @@
-/** A number that hangs linearly on free parameters: constant + sum of factor times parameter. */
+/** A number that depends linearly on free parameters: constant + sum of factor times parameter. */
 export interface Affine {
   readonly constant: number;
   readonly by: ReadonlyMap<number, number>;
@@ -10,7 +10,7 @@ export interface Equation {
   readonly value: number;
 }
 
-/** Factors below this are rounding: two directions nearer than this, in radians, are one direction. */
+/** Smaller factors are rounding errors: two directions nearer than this, in radians, are the same. */
 const NO_FACTOR = 1e-7;
 
 export const known = (constant: number): Affine => ({ constant, by: new Map() });
@@ -30,8 +30,8 @@ function subtract(row: Row, other: Row, times: number): void {
 }
 
 /**
- * Solves as many variables as the equations determine; each is returned as a constant, or by the variables that stay
- * free (numbered from `first`). An equation that repeats or contradicts those before it is left out.
+ * Solves all variables that the equations determine; each is returned as a constant, or as a function of the variables
+ * that stay free (numbered from `first`). An equation that repeats or contradicts earlier ones is left out.
  */
 export function solveLinear(count: number, equations: readonly Equation[], first = 0): Affine[] {
   const rows = new Map<number, Row>();

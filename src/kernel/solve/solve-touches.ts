@@ -5,7 +5,7 @@ import { SAME } from "../tolerance.ts";
 
 const { angleOf, apart, difference, heading, onCircle } = part;
 
-/** Points where a known circle and its tangential neighbour touch. */
+/** Finds points where a known circle touches its tangential neighbour. */
 export function findTouches(w: Solving): boolean {
   let changed = false;
   w.elements.forEach((_, i) => {
@@ -23,7 +23,7 @@ export function findTouches(w: Solving): boolean {
   return changed;
 }
 
-/** Where a circle meets its tangential neighbour; `after` says that the neighbour follows. */
+/** Point where a circle touches its tangential neighbour; `after`: the neighbour follows. */
 function touchOf(w: Solving, { centre, radius, turn }: Circle, other: number, far: number, after: boolean): Pt | null {
   const next = w.circle[other] ?? null,
     angle = w.angle[other] ?? null,
@@ -39,8 +39,8 @@ function touchOf(w: Solving, { centre, radius, turn }: Circle, other: number, fa
     w.unreachable.add(other);
     return null;
   }
-  // The centre lies to the side of the turn, seen along the line; of the two tangents from a point only one has it
-  // there.
+  // The centre is on the side of the turn, seen along the line; this holds for only one of the two tangents from a
+  // point.
   const lean = Math.acos(radius / gap) * ((turn === "ccw") === after ? 1 : -1);
   return onCircle(centre, radius, angleOf(difference(outside, centre)) - lean);
 }

@@ -4,22 +4,22 @@ import { known, solveLinear, type Affine, type Equation } from "./solve-linear.t
 import { SAME } from "../tolerance.ts";
 import { radians, type Axial, type Degrees, type Length, type Radius } from "../units.ts";
 
-/** What is given of a coordinate: where it is, how far it is from the one before, or nothing. */
+/** A given coordinate: absolute, relative to the previous one, or none. */
 export type GivenCoordinate<U extends number> = { readonly at: U } | { readonly by: U } | null;
 
 interface Ends {
   readonly z: GivenCoordinate<Axial>;
   readonly r: GivenCoordinate<Radius>;
-  /** It leaves the element before it in that one's direction. */
+  /** Continues the previous element tangentially. */
   readonly tangent: boolean;
-  /** Which solution is meant where there are two: the likelier (0) or the other. */
+  /** The intended solution where there are two: the likelier (0) or the other. */
   readonly choice: 0 | 1;
 }
-/** An element of which some things are given. The first element of a contour is only its start point. */
+/** A partly given element. The first element of a contour is only its start point. */
 export type SolveElement =
-  /** Angle to +Z, counter-clockwise with X upwards; it tells the direction of travel. */
+  /** Angle to +Z, counter-clockwise with X upwards; it gives the direction of travel. */
   | (Ends & { readonly kind: "line"; readonly angle: Degrees | null; readonly length: Length | null })
-  /** Radius in mm; negative takes the longer way round. */
+  /** Radius in mm; negative for the longer arc. */
   | (Ends & {
       readonly kind: "arc";
       readonly turn: Turn | null;
@@ -33,44 +33,44 @@ export interface Circle {
   readonly turn: Turn;
 }
 
-/** What is known so far while a contour is being solved. Element i runs from point i − 1 to point i. */
+/** State of a contour being solved. Element i runs from point i − 1 to point i. */
 export interface Solving {
   readonly elements: readonly SolveElement[];
   readonly z: (number | null)[];
   readonly r: (number | null)[];
-  /** Coordinates by what is still free; a known one is a constant. */
+  /** Coordinates as functions of the free parameters; a known one is a constant. */
   readonly forms: { z: Affine; r: Affine }[];
   /** Direction of each line, radians; given or found. */
   readonly angle: (number | null)[];
   /** "straight" where a tangential arc turns out to be a line. */
   readonly circle: (Circle | "straight" | null)[];
-  /** How many solutions there were to choose from. */
+  /** Number of solutions to choose from. */
   readonly choices: number[];
-  /** Elements whose length or circle does not reach what it should. */
+  /** Elements whose length or circle is too short to reach its neighbour. */
   readonly unreachable: Set<number>;
 }
 
-/** Longest stretch of unknown points that is solved at once. */
+/** Longest run of unknown points solved at once. */
 const STRETCH = 64;
 
 export const pointOf = (w: Solving, i: number): Pt | null => {
   const [z, r] = [w.z[i] ?? null, w.r[i] ?? null];
   return z === null || r === null ? null : at(z, r);
 };
-/** The way from a line to the centre of an arc of radius `far` that touches it and turns so. */
+/** Vector from a line to the centre of a tangent arc of radius `far` with this turn. */
 export const aside = (turn: Turn, way: Pt, far: number): Pt => part.scaled(part.leftOf(way), signOf(turn) * far);
 
-/** How well a candidate fits, to be compared in this order; the lower comes first. */
+/** Rank of a candidate, compared in this order; the lower is better. */
 export interface Rank {
-  /** Lines that would run backwards, arcs of no length and the like. */
+  /** Number of faults: lines that run backwards, arcs without length and the like. */
   readonly faults: number;
-  /** 1 when an arc goes the longer way round where the shorter one is meant, or the other way about. */
+  /** 1 when the arc is the longer one where the shorter is intended, or the reverse. */
   readonly otherWay: 0 | 1;
-  /** How far round an arc turns, or how long the way is. */
+  /** Angle of an arc, or length of a line. */
   readonly detour: number;
 }
 export const byRank = (a: Rank, b: Rank) => a.faults - b.faults || a.otherWay - b.otherWay || a.detour - b.detour;
-/** The arc of an element by its way round; a negative radius means the longer one. */
+/** Rank of an arc by its angle; a negative radius asks for the longer arc. */
 export function arcRank(e: SolveElement | undefined, sweep: number): Omit<Rank, "faults"> {
   const longer = e?.kind === "arc" && (e.radius ?? 0) < 0;
   return { otherWay: longer === sweep > Math.PI ? 0 : 1, detour: sweep };
@@ -97,7 +97,7 @@ export function startSolving(elements: readonly SolveElement[]): Solving {
   return work;
 }
 
-/** A given coordinate, counted from the one before where it is a distance; null where that is not known. */
+/** A given coordinate as an absolute value; null if it is relative to an unknown one. */
 function coordinateOf(given: GivenCoordinate<Axial> | GivenCoordinate<Radius>, before: number | null): number | null {
   if (given === null) return null;
   if ("at" in given) return given.at;
@@ -105,7 +105,8 @@ function coordinateOf(given: GivenCoordinate<Axial> | GivenCoordinate<Radius>, b
 }
 
 /**
- * Everything that follows from coordinates, directions and lengths along them. True when something new became known.
+ * Finds everything that follows from coordinates, directions and lengths along them. True if something new became
+ * known.
  */
 export function settle(w: Solving): boolean {
   let changed = false;
@@ -124,7 +125,10 @@ function settleStretch(w: Solving, from: number, to: number): boolean {
   for (let i = from; i <= to; i += 1)
     for (const axis of ["z", "r"] as const) if (w[axis][i] === null) variables.set(`${axis}${i}`, variables.size);
   const equations: Equation[] = [];
-  /** Sum of factor times coordinate equals value, when every coordinate in it is known or belongs to this stretch. */
+  /**
+   * Adds the equation "sum of factor times coordinate equals value" if every coordinate in it is known or belongs to
+   * this run.
+   */
   const add = (parts: readonly (readonly ["z" | "r", number, number])[], value: number) => {
     const terms: [number, number][] = [];
     let rest = value;
@@ -173,7 +177,7 @@ function settleStretch(w: Solving, from: number, to: number): boolean {
         e.length,
       );
   }
-  // Parameters of different stretches never meet in one element with both ends unknown, but keep their names apart.
+  // Parameters of different runs never meet in one element with both ends unknown, but they must not share names.
   const solved = solveLinear(variables.size, equations, from * 2);
   let changed = false;
   for (const [name, variable] of variables) {
@@ -196,7 +200,7 @@ function settleStretch(w: Solving, from: number, to: number): boolean {
   return changed;
 }
 
-/** Puts a point where it was found, in the coordinates that were not known. True when that is news. */
+/** Sets the unknown coordinates of a point that was found. True if there were any. */
 export function place(w: Solving, i: number, found: Pt): boolean {
   let news = false;
   for (const axis of ["z", "r"] as const)
@@ -209,5 +213,5 @@ export function place(w: Solving, i: number, found: Pt): boolean {
   return news;
 }
 
-/** True for points that are one and the same on a control. */
+/** True for points that are identical on a control. */
 export const same = (a: Pt, b: Pt) => part.apart(a, b) <= SAME;

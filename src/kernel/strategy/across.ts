@@ -14,8 +14,8 @@ import { radius, rounded, toDiameter } from "../units.ts";
 const REAL = 0.01;
 
 /**
- * What of an insert lies across the axis while its tip stands at a distance of `r`: its stretch of z from the tip, and
- * how far it reaches.
+ * The part of an insert beyond the axis while its tip is at a distance of `r`: its range of z from the tip, and its
+ * greatest reach.
  */
 function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: number } | null {
   let [from, to, reach] = [Infinity, -Infinity, 0];
@@ -31,7 +31,7 @@ function acrossAt(outline: Ring, r: number): { from: number; to: number; reach: 
   return reach > SAME ? { from, to, reach } : null;
 }
 
-/** What a convex outline sweeps on the other side of the axis on a straight way, turned to this side. */
+/** The area that a convex outline sweeps beyond the axis on a straight move, mirrored to this side. */
 function sweptAcross(outline: Ring, from: Pt, to: Pt): Ring[] {
   const turned = [from, to].flatMap((p) => outline.map((q) => [q.z + p.z, -(q.r + p.r)] as const));
   return inBox([hullOf(turned).map(([z, r]) => at(z, r))], {
@@ -42,13 +42,13 @@ function sweptAcross(outline: Ring, from: Pt, to: Pt): Ring[] {
   });
 }
 
-/** Where a move leads to in straight steps. */
+/** End points of a move in straight steps. */
 const waypoints = (from: Pt, m: Move): readonly Pt[] =>
   m.kind === "arc"
     ? part.flattened({ kind: "arc", from, to: m.to, centre: m.centre, turn: m.turn }, CHORD).slice(1)
     : [m.to];
 
-/** A plan without its path, for a reason. */
+/** The plan without its path, with the reason as an issue. */
 const refusedFor = (plan: Plan, found: Issue): Plan => ({
   ...plan,
   moves: [],
@@ -59,9 +59,9 @@ const refusedFor = (plan: Plan, found: Issue): Plan => ({
 });
 
 /**
- * The work turns: what an insert reaches across the axis meets the part on the other side, as in a bore that is
- * narrower than the insert is long. A plan that would is refused with the smallest diameter at which the tip stays
- * clear. So is one that bores where there is no bore.
+ * The workpiece rotates: the part of an insert beyond the axis meets the part on the other side, as in a bore that is
+ * narrower than the insert is long. Such a plan is refused with the smallest diameter at which the tip stays clear. A
+ * plan that bores without a bore is refused as well.
  */
 export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "startV"): Plan {
   const { tool, start } = setting;
@@ -95,15 +95,15 @@ export function clearAcross(plan: Plan, setting: Setting, role: "startU" | "star
   return plan;
 }
 
-/** Shorter pieces of a core are the rounding of an outline, mm. */
+/** Shorter pieces of a core are rounding errors of an outline, mm. */
 const CORE = 0.1;
 
-/** The next size above one that a setter would type. */
+/** The next larger size that an operator would type. */
 const wholeAbove = (d: number) => Math.ceil(d - SAME);
 
 /**
- * Where a path inside the work runs into solid material: to the axis, or so near to it that the insert leaves a core
- * for its shank to meet. `lowest`: how far the insert reaches from the tip towards the axis and beyond.
+ * The issue of a path inside the workpiece that runs into solid material: to the axis, or so near to it that a core is
+ * left for the shank to hit. `lowest`: reach of the insert from the tip towards the axis and beyond.
  */
 function boreMissing(plan: Plan, { tool, start, solid }: Setting, lowest: number): Issue | null {
   const cuts = plan.moves.flatMap((m, i) => (m.kind === "rapid" ? [] : [plan.moves[i - 1]?.to ?? start, m.to]));

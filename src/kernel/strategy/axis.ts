@@ -5,16 +5,14 @@ import { ROUND, SAME } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
 
 /*
- * The work turns about the axis: beyond it stands the mirror image of what stands on this side, and a cylinder of no
- * radius is nothing. What bounds a tool there is decided here for every strategy (decision "The axis").
+ * The workpiece rotates about the axis: beyond it is the mirror image of this side, and a cylinder without a radius
+ * does not exist. The bounds of a tool there are decided here for every strategy (decision "The axis").
  */
 
-/** Longer than any part is thick, mm. */
+/** Greater than the thickness of any part, mm. */
 const DEEP = 5000;
 
-/**
- * A contour as it bounds a tool, and what bounds it beyond an end that lies on the axis (null: the end lies elsewhere).
- */
+/** A contour as a bound of the tool, and the bounds beyond an end on the axis (null: the end is elsewhere). */
 export interface TurnedChain {
   readonly chain: readonly Bound[];
   /** The elements that the ends of a path along the contour touch. */
@@ -25,26 +23,24 @@ export interface TurnedChain {
 
 const radiusOf = (frame: Frame, p: Flat): number => toPart(frame, p).r;
 
-/** A cylinder round the axis that has no radius, or a negative one. */
+/** True for a cylinder about the axis with no radius, or a negative one. */
 function isBare({ segment: { kind, from, to } }: Bound, frame: Frame): boolean {
   const [a, b] = [radiusOf(frame, from), radiusOf(frame, to)];
   return kind === "line" && a <= SAME && Math.abs(a - b) <= SAME;
 }
 
-/** A contour in machining direction with what stands round the axis. */
+/** A contour in machining direction with the bounds at the axis. */
 export function aroundAxis(contour: readonly Bound[], frame: Frame): TurnedChain {
   if (frame.transverse) return acrossAxis(contour, frame);
   const [first, last] = [(contour[0] as Bound).segment, (contour.at(-1) as Bound).segment];
-  // From inside nothing is cut on the far side of the axis.
+  // Inside machining does not cut on the far side of the axis.
   if (frame.signV < 0) return { chain: contour, ends: [first, last], front: null, back: null };
   const nothing = (p: Flat) => (radiusOf(frame, p) <= SAME ? [] : null);
   const chain = contour.flatMap((b, i) => (isBare(b, frame) ? trench(b, i > 0, i < contour.length - 1) : [b]));
   return { chain, ends: [first, last], front: nothing(first.from), back: nothing(last.to) };
 }
 
-/**
- * Along the axis nothing stands where a contour runs on it: it is a trench, between what comes before and behind it.
- */
+/** Where a contour runs along the axis there is no material: a trench between its neighbours. */
 function trench({ segment: { from, to }, on }: Bound, before: boolean, behind: boolean): Bound[] {
   const low = (p: Flat): Flat => ({ u: p.u, v: p.v - DEEP });
   const line = (a: Flat, b: Flat): Bound => ({ segment: { kind: "line", from: a, to: b }, on });
@@ -58,13 +54,13 @@ function acrossAxis(contour: readonly Bound[], frame: Frame): TurnedChain {
   while (solid.length > 1 && isBare(solid[0] as Bound, frame)) solid.shift();
   const ends = [(solid[0] as Bound).segment, (solid.at(-1) as Bound).segment] as const;
   const meets = (p: Flat) => radiusOf(frame, p) <= SAME;
-  // Towards the axis the contour ends there, away from it it begins there.
+  // Towards the axis the contour ends on it, away from the axis it begins on it.
   if (frame.signU < 0 && meets(ends[1].to)) {
     const [chain, back] = joinedAtAxis(upToAxis(solid, frame));
     return { chain, ends, front: null, back: [...back, level((back.at(-1) ?? (chain.at(-1) as Bound)).segment.to, 1)] };
   }
   if (frame.signU > 0 && meets(ends[0].from)) {
-    // The other way round it is the same, seen from the far side.
+    // The other direction is the same, seen from the far side.
     const [back, chain] = joinedAtAxis(
       upToAxis(solid.map(reversed).reverse(), frame).map((b) => mirrored(reversed(b))),
     );
@@ -73,7 +69,7 @@ function acrossAxis(contour: readonly Bound[], frame: Frame): TurnedChain {
   return { chain: solid, ends, front: null, back: null };
 }
 
-/** A chain up to the axis and its mirror image behind it; a face that both share is one. */
+/** A chain up to the axis and its mirror image behind it; a face common to both is one element. */
 function joinedAtAxis(chain: readonly Bound[]): readonly [Bound[], Bound[]] {
   const image = chain.map(mirrored).reverse();
   const [last, next] = [chain.at(-1) as Bound, image[0] as Bound];
@@ -82,7 +78,7 @@ function joinedAtAxis(chain: readonly Bound[]): readonly [Bound[], Bound[]] {
   return [[...chain.slice(0, -1), { ...last, segment: { ...last.segment, to: next.segment.to } }], image.slice(1)];
 }
 
-/** What runs on from a place at its height, away from the axis. */
+/** A level line from a place at its height, away from the axis. */
 const level = (p: Flat, way: 1 | -1): Bound => ({
   segment: { kind: "line", from: p, to: { u: p.u + way * DEEP, v: p.v } },
   on: "edge",
@@ -90,14 +86,14 @@ const level = (p: Flat, way: 1 | -1): Bound => ({
 
 const reversed = (b: Bound): Bound => ({ ...b, segment: flat.reversed(b.segment) });
 
-/** The mirror image of an element beyond the axis, run the other way: it turns as the element does. */
+/** The mirror image of an element beyond the axis, reversed: its turn stays the same. */
 function mirrored({ segment: s, on }: Bound): Bound {
   const image = ({ u, v }: Flat): Flat => ({ u: -u, v });
   const ends = { from: image(s.to), to: image(s.from) };
   return { segment: s.kind === "line" ? { kind: "line", ...ends } : { ...s, ...ends, centre: image(s.centre) }, on };
 }
 
-/** What of a chain that runs to the axis lies on this side of it. */
+/** The part of a chain on this side of the axis. */
 function upToAxis(chain: readonly Bound[], frame: Frame): Bound[] {
   const out = [...chain];
   while (out.length > 1 && radiusOf(frame, (out.at(-1) as Bound).segment.from) <= SAME) out.pop();
@@ -107,11 +103,11 @@ function upToAxis(chain: readonly Bound[], frame: Frame): Bound[] {
   return out;
 }
 
-/** An element that crosses the axis, up to there. */
+/** An element that crosses the axis, cut off at the axis. */
 function cutAtAxis(s: FlatSegment, frame: Frame): FlatSegment {
   const on = flat.pointsOn(s);
   let [near, beyond] = [0, 1];
-  // Halving the way finds the axis on lines and arcs alike.
+  // Bisection finds the axis on lines and arcs alike.
   while (beyond - near > ROUND) {
     const middle = (near + beyond) / 2;
     if (radiusOf(frame, on(middle)) > 0) near = middle;
@@ -120,12 +116,12 @@ function cutAtAxis(s: FlatSegment, frame: Frame): FlatSegment {
   return { ...s, to: { u: 0, v: on(beyond).v } };
 }
 
-/** From outside and along the axis no level lies deeper than the axis; a height in strategy space. */
+/** For longitudinal outside machining no level is deeper than the axis; a height in strategy space. */
 export const axisFloor = ({ transverse, signV }: Frame): number => (!transverse && signV > 0 ? 0 : -Infinity);
 
 /**
- * How far the tip may pass the axis, mm: the cut ends when the centre of the nose stands on it, and a contour that is
- * drawn beyond it is followed.
+ * Greatest travel of the tip past the axis, mm: the cut ends when the centre of the nose is on the axis; a contour
+ * drawn beyond the axis is followed.
  */
 export function beyondAxis(tool: Tool, contour: readonly FlatSegment[], frame: Frame): number {
   const least = Math.min(...contour.flatMap(({ from, to }) => [radiusOf(frame, from), radiusOf(frame, to)]));

@@ -18,7 +18,7 @@ const sections = (crest: number) =>
     bottom,
   ]);
 
-test("a crest parts two sections, however low it is; a breath of one does not", () => {
+test("a crest separates two sections, however low it is; one within the tolerance does not", () => {
   const apart = [
     [expect.closeTo(0, 3), 4, -3],
     [4, expect.closeTo(8, 3), -3],

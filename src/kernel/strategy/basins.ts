@@ -3,30 +3,28 @@ import { firstSpan, valueAt, type Envelope, type Interval, type Span } from "../
 import type { Flat } from "../geometry/flat.ts";
 import { ROUND, SAME } from "../tolerance.ts";
 
-/**
- * A stretch of an envelope that falls to one floor and rises again: one section of a contour for a tool that plunges.
- */
+/** A section of an envelope that falls to one floor and rises again: one section of a contour for a plunging tool. */
 export interface Basin extends Interval {
-  /** Where it is deepest: a stretch, or a place. */
+  /** The deepest interval; empty for a single place. */
   readonly floor: Interval;
   readonly bottom: number;
-  /** Where a plunge stands beside a wall, or at an end of something level: from left to right, each with its depth. */
+  /** Plunging positions next to a wall or at an end of a level section: from left to right, each with its depth. */
   readonly stops: readonly Flat[];
 }
 
-/** What stands up less than this between two deeper places parts no sections, mm. */
+/** A lower ridge between two deeper places does not separate sections, mm. */
 const RIDGE = 0.01;
 
 /**
- * What of an envelope lies below `top` over a stretch of u, in sections from left to right. A level stretch between two
- * belongs to the left one.
+ * The parts of an envelope below `top` within an interval of u, in sections from left to right. A level part between
+ * two sections belongs to the left one.
  */
 export function basinsOf(e: Envelope, span: Interval, top: number): Basin[] {
   const open = top < Infinity ? below(e, top - SAME, span.from, span.to) : [span];
   return open.flatMap((stretch) => parted(profile(e, stretch)).map((points) => basinOf(points, top - 3 * SAME)));
 }
 
-/** Every place where the envelope begins another piece, jumps or turns, from left to right; both sides of a jump. */
+/** Every place where a piece of the envelope begins, jumps or turns, from left to right; both sides of a jump. */
 function profile(e: Envelope, { from, to }: Interval): Flat[] {
   const points: Flat[] = [];
   const add = (u: number, v: number) => {
@@ -45,7 +43,7 @@ function profile(e: Envelope, { from, to }: Interval): Flat[] {
   return points;
 }
 
-/** A profile parted at the end of every ridge that stands up between two deeper places. */
+/** Splits a profile at the end of every ridge between two deeper places. */
 function parted(points: readonly Flat[]): Flat[][] {
   const parts: Flat[][] = [];
   let [begin, crest] = [0, 0];

@@ -7,33 +7,33 @@ import { length } from "../units.ts";
 import type { Flat } from "../geometry/flat.ts";
 
 /*
- * A channel exactly as wide as the tool lets it in at one single place, and an envelope has none without a width. So
- * the set of tip positions is closed: where a tool narrower by SAME goes deeper between two walls than the tool itself,
- * the tip has a slot.
+ * The tool fits a channel of exactly its own width at a single place, which an envelope cannot represent. To close the
+ * set of tip positions, the tip gets a slot wherever a tool narrower by SAME goes deeper between two walls.
  */
-
-/** Width of such a slot beside nothing deeper, mm: wider than what envelopes join, narrower than any move. */
-const SLOT = 10 * JOINED;
 
 /**
- * How much narrower than the tool a channel may be, mm, with room for the slot in one that is narrower by all of SAME.
+ * Width of such a slot if nothing deeper adjoins it, mm: wider than the gaps that envelopes join, narrower than any
+ * move.
  */
+const SLOT = 10 * JOINED;
+
+/** Tolerance of a channel's width, mm: SAME, plus room for the slot in a channel narrower by all of SAME. */
 const NARROWER = SAME + 4 * SLOT;
 
-/** A bar or a button that is narrower by that; null where no other tool has two sides to fit with. */
+/** A bar or a button narrower by that tolerance; null for other tools, which have no two sides to fit. */
 export function slimmed(tool: Tool): Tool | null {
   if (isBar(tool) && cuttingWidth(tool) > 2 * NARROWER)
     return { ...tool, CUTWIDTH: length((tool.CUTWIDTH ?? 0) - NARROWER) };
   return tool.TYPE === "BUTTON" && noseRadius(tool) > NARROWER ? { ...tool, RS: length(tool.RS - NARROWER / 2) } : null;
 }
 
-/** A shape moved to stand in the middle of another one, on its lowest point. */
+/** A shape moved to the middle of another one, on its lowest point. */
 export function centredIn(slim: Convex, shape: Convex): Convex {
   const [inner, outer] = [extent(slim), extent(shape)];
   return moved(slim, { u: (outer.minU + outer.maxU - inner.minU - inner.maxU) / 2, v: outer.minV - inner.minV });
 }
 
-/** An envelope with these slots, as deep as the envelope of the slim tool is there. */
+/** An envelope with these slots, as deep there as the envelope of the slim tool. */
 export function withSlots(e: Envelope, slim: Envelope, slots: readonly Interval[]): Envelope {
   return slots.reduce(
     (all, { from, to }) => [
@@ -46,9 +46,9 @@ export function withSlots(e: Envelope, slim: Envelope, slots: readonly Interval[
 }
 
 /**
- * The slot where each channel is deepest: between two walls that the slim tool passes, no farther apart than the
- * difference, and the tool does not. It reaches to where the tool itself comes deepest beside it, so that no wall is
- * left in between.
+ * The slot at the deepest place of each channel: between two walls that the slim tool passes, no farther apart than the
+ * difference, and the tool itself does not. The slot extends to the deepest adjoining place of the tool itself, so that
+ * no wall remains in between.
  */
 export function channelsOf(e: Envelope, slim: Envelope): Interval[] {
   const found: Interval[] = [];
@@ -61,7 +61,7 @@ export function channelsOf(e: Envelope, slim: Envelope): Interval[] {
       places.push(...[u0, (u0 + u1) / 2, u1].map((u) => ({ u, v: valueAt(piece, u) })));
       const low = Math.min(...places.map((p) => p.v));
       if (Math.min(valueAt(before.piece, before.u1), valueAt(after.piece, after.u0)) <= low + SAME) continue;
-      // One wall may lean: the floor is not in the middle then.
+      // If a wall is inclined, the floor is not in the middle.
       const floor = places.filter((p) => p.v <= low + SAME).map((p) => p.u);
       const middle = (Math.min(...floor) + Math.max(...floor)) / 2;
       const high = heightAt(e, middle);
@@ -77,7 +77,7 @@ export function channelsOf(e: Envelope, slim: Envelope): Interval[] {
   return found;
 }
 
-/** Where an envelope is deepest between two places, at the ends of its pieces. */
+/** The deepest place of an envelope between two places, at the ends of its pieces. */
 function deepestBeside(e: Envelope, from: number, to: number): Flat {
   let deepest: Flat = { u: from, v: Infinity };
   for (const { piece, u0, u1 } of between(e, from, to))
@@ -94,7 +94,9 @@ function between(e: Envelope, from: number, to: number): Span[] {
   return out;
 }
 
-/** The ends of a path along a contour: one beside a slot lies on its far side, so that the path leads through it. */
+/**
+ * Ends of a path along a contour: an end next to a slot moves to its far side, so that the path leads through the slot.
+ */
 export function besideSlot(start: Flat, end: Flat, slots: readonly Interval[]): readonly [Flat, Flat] {
   const beside = ({ u }: Flat) => slots.find(({ from, to }) => u >= from - NARROWER && u <= to + NARROWER);
   return [

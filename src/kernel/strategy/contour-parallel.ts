@@ -32,16 +32,18 @@ import { Cutter } from "./link.ts";
 import { areaBetween, partUnder } from "./outline-area.ts";
 import { divideAllowance, type Allowance } from "./parallel-infeed.ts";
 
-/** A cycle whose passes run along the contour: the blank is the contour with an allowance, as of a casting. */
+/** A cycle whose passes run along the contour: the blank is the contour with an allowance, like a casting. */
 export interface ContourParallel {
   readonly frame: Frame;
   /** In machining direction, part space. */
   readonly contour: readonly Segment[];
   readonly operation: number;
   readonly clearance: number;
-  /** What stands on the contour, square to it, mm. */
+  /** Allowance on the contour, perpendicular to it, mm. */
   readonly allowance: number;
-  /** Every pass takes the same area, so that longer ones are thinner; else every pass is as thick. */
+  /**
+   * True: every pass removes the same area, so that longer ones are thinner; false: all passes have the same infeed.
+   */
   readonly sameArea: boolean;
   readonly infeed: number;
   readonly feeds: Feeds;
@@ -49,7 +51,7 @@ export interface ContourParallel {
   readonly oversize: { readonly r: number; readonly z: number };
 }
 
-/** What bounds a path beside the contour. */
+/** Bounds of a path besides the contour. */
 const AROUND: Surroundings = { wall: null, front: "free", frontWall: null, floors: [] };
 
 /** Plans roughing and finishing along a contour. Never throws; what cannot be planned is an issue. */
@@ -137,7 +139,7 @@ export function planContourParallel(l: ContourParallel, setting: Setting): Plan 
     {
       ...sketch,
       issues,
-      // Where a pass has nothing to follow there is none.
+      // A pass without a path is left out.
       ...countedAnew(cutter.moves),
       infeed: length(greatest(passes)),
       reach: reachOf(drawn, drawn.first, drawn.end.u, l.frame, tool),
@@ -157,7 +159,7 @@ function roughAlong(cutter: Cutter, follow: Finish, passes: readonly number[], o
   passes.forEach((infeed, i) => {
     const last = i === passes.length - 1;
     left = last ? 0 : left - infeed;
-    // What lies beyond the axis is no pass, and no fault.
+    // A pass entirely beyond the axis is left out without an issue.
     followContour(
       cutter,
       { ...follow, ground: last ? follow.ground : over(left), pass: i + 1, clearance: follow.clearance },
@@ -166,7 +168,7 @@ function roughAlong(cutter: Cutter, follow: Finish, passes: readonly number[], o
   });
 }
 
-/** What there is to divide: the allowance, and how long a pass is where it begins and where it ends. */
+/** Input of the division: the allowance, and the length of a pass at its outside and at its inside. */
 function allowanceOf(l: ContourParallel, depth: number, over: (round: number) => Ground): Allowance {
   if (!l.sameArea || !(depth > SAME)) return { depth, outer: 1, inner: 1 };
   const along = ({ envelope, first, end }: Ground) =>
@@ -176,13 +178,13 @@ function allowanceOf(l: ContourParallel, depth: number, over: (round: number) =>
 
 const greatest = (infeeds: readonly number[]) => Math.max(0, ...infeeds);
 
-/** Height of the allowance at a place of the tip; −∞ in front of it. */
+/** Height of the allowance at a tip position; −∞ in front of it. */
 const allowanceAt = (blank: Ground, u: number) => (u < blank.first ? -Infinity : heightAt(blank.envelope, u));
 const inAllowance = ({ u, v }: Flat, blank: Ground): boolean => v < allowanceAt(blank, u) - SAME;
 
 /**
- * Where the cycle starts from: where it is called; from behind the contour start along Z to the set-up clearance in
- * front of it (as printed, for roughing and finishing alike); and straight above that out of the allowance.
+ * Start position of the cycle: the position at the call; from behind the contour start along Z to the set-up clearance
+ * in front of it (as printed, for roughing and finishing alike); then straight up out of the allowance.
  */
 function startOf(
   l: ContourParallel,
@@ -194,7 +196,7 @@ function startOf(
   return inAllowance(at, blank) ? { u: at.u, v: allowanceAt(blank, at.u) + l.clearance } : at;
 }
 
-/** A contour is not run towards the start point; nothing is run from the other side of the axis. */
+/** Refuses a contour that runs towards the start point, and a start on the other side of the axis. */
 function wrongStart(
   contour: readonly FlatSegment[],
   called: Flat,
@@ -205,7 +207,7 @@ function wrongStart(
   return called.u > last.u - SAME || start.r < -SAME ? issue("startOnWrongSide", "error", works, "startU") : null;
 }
 
-/** A start point that works: in front of the contour and above what stands on it, by the clearance. */
+/** A start point that works: in front of the contour and above its allowance, by the clearance. */
 function workingStart(l: ContourParallel, contour: readonly FlatSegment[], lead: number): { x: number; z: number } {
   const u = (contour[0] as FlatSegment).from.u - lead - l.clearance;
   const v = Math.max(...contour.map((s) => flat.boxOf(s).high)) + l.allowance + l.clearance;
@@ -213,7 +215,7 @@ function workingStart(l: ContourParallel, contour: readonly FlatSegment[], lead:
   return { x: toDiameter(works.r), z: works.z };
 }
 
-/** Back to the cycle start. */
+/** Moves back to the cycle start. */
 function back(cutter: Cutter, start: Flat, l: ContourParallel, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
   cutter.link(start, {

@@ -11,35 +11,34 @@ import type { Cutter, Link } from "./link.ts";
 
 export interface Finish {
   readonly ground: Ground;
-  /** The contour finished to, for the envelope of the set-up clearance. */
+  /** The finished contour, for the envelope of the set-up clearance. */
   readonly contour: readonly FlatSegment[];
   readonly start: Flat;
   readonly clearance: number;
-  /** Height that the cut runs on to at its end, where a wall closes the area behind the contour; else null. */
+  /** Height up to which the cut continues at its end, where a wall closes the area behind the contour; else null. */
   readonly runOut: number | null;
   readonly feeds: Feeds;
-  /** The tip stays within this stretch of u, and under this height (a machining limit). */
+  /** The tip stays within this range of u and below this height (a machining limit). */
   readonly from: number;
   readonly to: number;
   readonly ceiling: number;
-  /** The smoothing cut runs as part of roughing, at its feeds. */
+  /** True for the smoothing cut, which is part of roughing and uses its feeds. */
   readonly smoothing: boolean;
-  /** Of a roughing pass along the contour, its number. */
+  /** Number of a roughing pass along the contour. */
   readonly pass?: number;
-  /** Height of the start point, to which the tool goes straight back at feed behind a pass that ends below it. */
+  /** Height of the start point, to which the tool retracts straight at feed after a pass that ends below it. */
   readonly backTo?: number;
 }
 
 /**
  * The printed finishing steps: infeed at rapid to the clearance, the contour from start to end at feed, lift by the
- * clearance at feed (behind a roughing pass along the contour: back to the height of the start point). Going back to
- * the cycle start is the caller's. A machining limit ends the cut, and it goes on where the contour comes back from
- * behind the limit.
+ * clearance at feed (after a roughing pass along the contour: back to the height of the start point). The caller
+ * returns to the cycle start. A machining limit interrupts the cut until the contour comes back from behind the limit.
  */
 export function followContour(cutter: Cutter, f: Finish, issues: Issue[]): void {
   const u0 = Math.max(f.ground.first, f.from);
   const u1 = Math.min(f.ground.end.u, f.to);
-  // As wide as the insert itself, only the way out is left.
+  // In a groove as wide as the insert, only the way out remains.
   const along = u1 > u0 + SAME ? pathAlong(f.ground.envelope, u0, u1) : [];
   const runs = u1 > u0 - SAME ? withinLimits([...along, ...outAt(f, Math.max(u0, u1))], f.ceiling) : [];
   if (runs.length === 0) return void issues.push(issue("nothingToCut", "warning", {}, "tool"));
@@ -66,22 +65,22 @@ function purpose({ smoothing, pass }: Finish, step: number): Purpose {
 }
 const feedOf = (f: Finish) => (roughing(f) ? f.feeds.rough : f.feeds.finish);
 
-/** The end of the path: up a wall that the contour ends with, or that closes the area behind it. */
+/** The end of the path: up a wall at the end of the contour, or one that closes the area behind it. */
 function outAt(f: Finish, u: number): Stretch[] {
   const at = heightAt(f.ground.envelope, u - 2 * SAME);
   const end = Math.max(f.ground.end.v, f.runOut ?? -Infinity);
-  // Where nothing bounds the tip from below there is no wall to leave by.
+  // Without a bound below the tip there is no wall to leave by.
   if (at === -Infinity || f.to < f.ground.end.u - SAME || end <= at + SAME) return [];
   return [{ segment: { kind: "line", from: { u, v: at }, to: { u, v: end } }, origin: null }];
 }
 
-/** A path cut into the runs that lie on this side of the machining limits. */
+/** Splits a path into the runs on this side of the machining limits. */
 export function withinLimits(path: readonly Stretch[], ceiling: number): FlatSegment[][] {
   const runs: FlatSegment[][] = [];
   let open = false;
   path.forEach(({ segment, origin }, i) => {
     const next = path[i + 1];
-    // A vertical step belongs to what it leads to.
+    // A vertical step belongs to the section it leads to.
     const behind = origin === null ? next?.origin?.on === "limit" : origin.on === "limit";
     const above = flat.boxOf(segment).high > ceiling + SAME;
     const parts = behind ? [] : above ? under(segment, ceiling) : [segment];
@@ -95,7 +94,7 @@ export function withinLimits(path: readonly Stretch[], ceiling: number): FlatSeg
   return runs;
 }
 
-/** The parts of an element below a height: where it crosses that, they end or begin. */
+/** The parts of an element below a height, cut at the crossings. */
 function under(s: FlatSegment, height: number): FlatSegment[] {
   const on = { feature: "nose", on: "limit", corner: false } as const;
   const piece = pieceOf(s, on);
@@ -108,7 +107,7 @@ function under(s: FlatSegment, height: number): FlatSegment[] {
   });
 }
 
-/** A way straight up or down that ends, or begins, at a height. */
+/** A vertical move cut at a height. */
 const upTo = (s: FlatSegment, height: number): FlatSegment =>
   s.from.v > height
     ? { ...s, from: { u: s.from.u, v: height } }
@@ -116,7 +115,7 @@ const upTo = (s: FlatSegment, height: number): FlatSegment =>
       ? { ...s, to: { u: s.to.u, v: height } }
       : s;
 
-/** A contour that begins with a wall is joined at the foot of that wall, or followed from its top down. */
+/** A contour that begins with a wall is entered at the foot of that wall, or followed from its top down. */
 function joined(f: Finish, run: readonly FlatSegment[]): FlatSegment[] {
   const first = run[0] as FlatSegment;
   const top = f.ground.start.v;
@@ -133,8 +132,8 @@ function joined(f: Finish, run: readonly FlatSegment[]): FlatSegment[] {
 }
 
 /**
- * To the beginning of a run: along the extension of its first element, or where that is not free from the open side,
- * square to it; last from straight above. Inside the envelope of the clearance the tool goes straight there.
+ * Approaches the beginning of a run: along the extension of its first element; if that is not free, from the open side,
+ * perpendicular to it; last from straight above. Inside the clearance envelope the tool goes straight there.
  */
 function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: boolean): void {
   const first = run[0] as FlatSegment;
@@ -160,6 +159,6 @@ function leadIn(cutter: Cutter, f: Finish, run: readonly FlatSegment[], near: bo
   cutter.feed(to, feedOf(f), purpose(f, 1));
 }
 
-/** A way straight down past a corner that reaches over it. */
+/** True if a corner reaches over a vertical move down. */
 const blocked = (part: Envelope, from: Flat, to: Flat) =>
   Math.abs(from.u - to.u) <= SAME && heightAt(part, to.u) > Math.max(to.v, from.v) + SAME;

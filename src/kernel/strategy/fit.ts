@@ -10,7 +10,9 @@ import { insertIn } from "./ground.ts";
 
 const EVERY: readonly TipOrientation[] = [1, 2, 3, 4, 5, 6, 7, 8, 9];
 
-/** Why a tool cannot cut a thread: of another TYPE, or its tip does not point straight into the material. */
+/**
+ * The issue of a tool that cannot cut a thread: another TYPE, or a tip that does not point straight into the material.
+ */
 export function unfitForThread(tool: Tool, frame: Frame): Issue | null {
   const square = (TO: TipOrientation) => {
     const tip = pointing(TO, frame);
@@ -29,33 +31,33 @@ export function unfitForThread(tool: Tool, frame: Frame): Issue | null {
 export const squareTo = (frame: Frame): TipOrientation =>
   frame.transverse ? (frame.signV > 0 ? 8 : 4) : frame.signV > 0 ? 2 : 6;
 
-/** Where the tip of an orientation points, in strategy space. */
+/** Direction of the tip for an orientation, in strategy space. */
 function pointing(TO: TipOrientation, frame: Frame): Flat {
   const tip = tipDirection(TO);
   return toFlat(frame, at(tip.u, tip.v));
 }
 
-/** Whether an orientation can stand over the material and cut in the direction of the strategy. */
+/** Whether a tool's orientation can cut the material in the direction of the strategy. */
 function turnedRight(tool: Tool, frame: Frame): boolean {
   const tip = pointing(tool.TO, frame);
   if (tool.TYPE === "BUTTON") return tip.v <= 0 && !carriedInside(tool, frame);
-  // A bar stands square over the surface; its tip is a corner or the middle of its edge.
+  // A bar is square to the surface; its tip is a corner or the middle of its edge.
   if (isBar(tool)) return pointing(axisOf(tool.TO), frame).v < 0;
   return tip.v <= 0 && tip.u >= 0 && !carriedInside(tool, frame);
 }
 
-/** The middle orientation of the three that a bar can have on one side. */
+/** The middle one of the three orientations of a bar on one side. */
 const axisOf = (TO: TipOrientation): TipOrientation => (TO === 1 || TO === 3 ? 2 : TO === 7 || TO === 5 ? 6 : TO);
 
-/** The body of the insert lies on the side of the material. */
+/** True if the body of the insert is on the side of the material. */
 function carriedInside(tool: Tool, frame: Frame): boolean {
   const e = extent(insertIn(tool, frame));
   return -e.minV > e.maxV + 2 * noseRadius(tool) + SAME;
 }
 
 /**
- * Why a tool cannot do a machining at all, by its TYPE or its tip orientation, with the types and orientations that
- * can; null when it can. Source: tool table of the control (TYPE, TO), decision "Tools that fit".
+ * The issue of a tool that cannot do a machining operation because of its TYPE or tip orientation, with the suitable
+ * types and orientations; null if it can. Source: tool table of the control (TYPE, TO), decision "Tools that fit".
  */
 export function unfit(tool: Tool, frame: Frame, types: readonly ToolType[]): Issue | null {
   const type = types.some((each) => each === tool.TYPE);

@@ -17,22 +17,22 @@ import { ROUND, SAME } from "../tolerance.ts";
 const CUT: Origin = { feature: "nose", on: "edge", corner: false };
 
 /**
- * The material that still stands, as the tool meets it: for every u the height of the tip from which on the insert is
- * clear of it. At first the blank, or the area where no blank is known; every cut lowers it. Strategy space, mm.
+ * The remaining stock as the tool meets it: for every u the lowest height of the tip at which the insert is clear.
+ * Initially the blank, or the area where no blank is known; every cut lowers it. Strategy space, mm.
  */
 export class Frontier {
   private settled: Envelope;
-  /** What has been cut since: a path is taken off in one go when somebody asks. */
+  /** Pending cuts, applied to the envelope together on the next read. */
   private cuts: EnvelopePiece[] = [];
-  /** Between which heights the tip went straight up or down: free for it in that very column. */
+  /** Heights between which the tip moved vertically: it may do so again in exactly that column. */
   private readonly columns = new Map<number, readonly [low: number, top: number]>();
   private readonly before: number;
   private readonly behind: number;
   private readonly height: number;
 
   /**
-   * `first`: what stands at the beginning. `roof`: height above which nothing may be cut although material stands there
-   * (a machining limit); without one Infinity.
+   * `first`: the initial stock. `roof`: a machining limit, above which nothing may be cut although there is material;
+   * Infinity without one.
    */
   constructor(
     private readonly first: Envelope,
@@ -45,15 +45,15 @@ export class Frontier {
     this.height = maxV - minV;
   }
 
-  /** Highest tip position between two places (the ends aside) at which material may stand; −∞ in air. */
+  /** Highest tip position between two places (without the ends) that may meet material; −∞ in air. */
   over(u0: number, u1: number): number {
     const [a, b] = [Math.min(u0, u1) + SAME, Math.max(u0, u1) - SAME];
     return b > a ? Math.min(this.roof, highest(this.now, a, b).v) : -Infinity;
   }
 
   /**
-   * Whether the tip, standing free at u0, may cross to u1 at a height without touching what stands. A wall in front of
-   * u1 that a cut lower down has left may hang over there; one behind u0 only falls back.
+   * Whether the tip, clear at u0, may cross to u1 at a height without touching the stock. A wall in front of u1, left
+   * by a deeper cut, may overhang there; one behind u0 only recedes.
    */
   clear(u0: number, u1: number, v: number): boolean {
     if (v < this.over(u0, u1) - SAME || this.roofed(Math.min(u0, u1), Math.max(u0, u1))) return false;
@@ -63,37 +63,40 @@ export class Frontier {
   }
 
   /**
-   * The height from which on the tip may go straight up or down. Beside a wall that a cut has left, an edge that leans
-   * back from the nose has left more than the nose shows, so the wall counts there too.
+   * The height above which the tip may move vertically. Next to a wall left by a cut, an insert edge that recedes from
+   * the nose has left more material than the nose shows, so the wall counts there too.
    */
   freeFrom(u: number): number {
     if (this.roofed(u, u)) return Infinity;
     const beside = besideAt(this.now, u);
     const [low, top] = this.columns.get(columnOf(u)) ?? [Infinity, -Infinity];
-    // A column that ends under what an insert lower than its cut has left standing leads nowhere.
+    // A column that ends below material left by an insert lower than its cut leads nowhere.
     return Math.max(top >= beside - SAME ? Math.min(beside, low) : beside, this.hangs(u, this.behind, this.before));
   }
 
-  /** How high walls stand that hang over a place from so far behind and before it, where something stood there once. */
+  /**
+   * Height of walls that overhang a place, from within a distance behind and before it, if there was material at the
+   * place.
+   */
   private hangs(u: number, behind: number, before: number): number {
     return behind + before > 0
       ? Math.min(besideAt(this.first, u), highest(this.now, u - behind, u + before).v)
       : -Infinity;
   }
 
-  /** Between which places material stands more than `by` mm over an envelope; null where none does. */
+  /** The interval where the stock is more than `by` mm above an envelope; null if there is none. */
   standsOver(e: Envelope, { from, to }: Interval, by: number): Interval | null {
     const above = aboveBy(this.now, e, from, to, by);
     const [first, last] = [above[0], above.at(-1)];
     return first && last ? { from: first.from, to: last.to } : null;
   }
 
-  /** The tool stands there at the call: it came from above, so the way it came is free. */
+  /** Marks the column above the tool position at the call as free, because the tool came down there. */
   cameDown({ u, v }: Flat): void {
     this.columns.set(columnOf(u), [v, Infinity]);
   }
 
-  /** Lowers the frontier by one element that the tip has run at feed. */
+  /** Lowers the frontier by one element cut at feed. */
   lower(path: FlatSegment): void {
     const piece = pieceOf(path, CUT);
     if (piece) {
@@ -123,7 +126,7 @@ export class Frontier {
 
 const columnOf = (u: number) => Math.round(u / SAME);
 
-/** Pieces in runs that go from left to right or from right to left, each run from left to right. */
+/** Groups pieces into runs that go only left or only right; each run is sorted from left to right. */
 function sideBySide(cuts: readonly EnvelopePiece[]): EnvelopePiece[][] {
   const runs: EnvelopePiece[][] = [];
   for (const cut of cuts) {
@@ -136,7 +139,7 @@ function sideBySide(cuts: readonly EnvelopePiece[]): EnvelopePiece[][] {
   return runs;
 }
 
-/** How far the insert draws back above its widest place, behind and before the tip, mm. */
+/** Horizontal distance from the insert's top to its widest places, behind and before the tip, mm. */
 function overhang(insert: Convex): [behind: number, before: number] {
   const { minU, maxU, maxV } = extent(insert);
   const top = insert
@@ -146,7 +149,7 @@ function overhang(insert: Convex): [behind: number, before: number] {
   return [Math.max(0, Math.min(...us) - minU), Math.max(0, maxU - Math.max(...us))];
 }
 
-/** What stands in front of a tool: chains of material (on the right of their direction), as its tip meets them. */
+/** The stock in front of a tool as tip positions: chains of material (on the right of their direction). */
 function standing(chains: readonly (readonly FlatSegment[])[], insert: Convex): Envelope {
   return chains
     .filter((c) => c.length > 0)
@@ -175,9 +178,9 @@ function outlineChain(points: readonly Flat[]): FlatSegment[] {
 }
 
 /**
- * The frontier at the call of a cycle: the part under the blank. Where earlier cuts have changed the blank nobody knows
- * how: then roughing takes the area (`area`, corners in strategy space) to be full, and finishing expects what roughing
- * with the same values leaves, which is the contour grown by the oversize and at the most one infeed, up to the height
+ * The frontier at the call of a cycle: the part and the blank above it. If earlier cuts have changed the blank, its
+ * state is unknown: then roughing assumes the full area (`area`, corners in strategy space), and finishing the state
+ * after roughing with the same values: the contour grown by the oversize and at most one infeed, up to the height
  * (`top`) that roughing begins at.
  */
 export function atCall(
@@ -199,7 +202,7 @@ export function atCall(
     return higherOf(higherOf(part, roughed.grown), most ? loweredBy(left, [most], Infinity) : left);
   }
   const rings = o.stock === null ? [o.area] : o.stock.map((ring) => ring.map((p) => toFlat(o.frame, p)));
-  // The work turns: an insert that is past the axis meets the material of the other side there.
+  // The workpiece rotates: an insert past the axis meets the material of the other side.
   const turned = o.frame.transverse ? rings.map((ring) => ring.map(({ u, v }): Flat => ({ u: -u, v }))) : [];
   return higherOf(part, standing([...rings, ...turned].map(outlineChain), o.insert));
 }

@@ -22,42 +22,40 @@ import { roomOf } from "../plan/track.ts";
 import { aroundAxis, beyondAxis } from "./axis.ts";
 import { besideSlot, centredIn, channelsOf, slimmed, withSlots } from "./channels.ts";
 
-/** Longer than any part: how far bounds run on beyond the contour, mm. */
+/** Extension of bounds beyond the contour, mm: longer than any part. */
 export const FAR = 5000;
 
-/** What lies beyond the ends of a contour. */
+/** Surroundings of a contour beyond its ends. */
 export interface Surroundings {
-  /** Beyond the last point: the part goes on at its height, or a wall closes the area up to `wall`. */
+  /** Beyond the last point: the part continues at its height (null), or a wall closes the area up to `wall`. */
   readonly wall: number | null;
-  /** In front of the first point: free air over the level of the first point, the part at that height, or a wall. */
+  /** In front of the first point: air above the level of the first point, the part at that height, or a wall. */
   readonly front: "free" | "part";
   readonly frontWall: number | null;
-  /** Heights that the lowest point of the insert keeps above: a machining limit, the floor of the area. */
+  /** Lower limits of the insert's lowest point: a machining limit, the floor of the area. */
   readonly floors: readonly { readonly v: number; readonly on: Origin["on"] }[];
 }
 
-/**
- * What a ground keeps off the contour: a rectangle ±u × ±v, and round it `round` mm square to the contour everywhere.
- */
+/** Oversize on a contour: a rectangle ±u × ±v, plus `round` mm perpendicular to the contour everywhere. */
 export interface Keep extends Flat {
   readonly round?: number;
 }
 
-/** The set of tip positions that leave the part alone: an envelope, and where the contour's ends are touched. */
+/** The tip positions that do not damage the part: an envelope, and the positions at the ends of the contour. */
 export interface Ground {
   readonly envelope: Envelope;
-  /** Tip when the nose touches the first and the last point of the contour. */
+  /** Tip position when the nose touches the first and the last point of the contour. */
   readonly start: Flat;
   readonly end: Flat;
   /** Where the path along the contour begins: at `start`, or before it where another element is touched first. */
   readonly first: number;
-  /** The envelope without the bounds that only limit the area: what the tool would really touch. */
+  /** The envelope without the bounds of the area: only surfaces that the tool would really touch. */
   readonly bare: Envelope;
 }
 
 /**
- * Builds the reach over a contour (machining direction, material on its right) for a tool, kept off by an axis-parallel
- * oversize: the part is grown by a rectangle, and by what is kept all round.
+ * Builds the tip positions over a contour (machining direction, material on its right) for a tool, with an oversize:
+ * the part is grown by its rectangle and by its all-round value.
  */
 export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, keep: Keep, s: Surroundings): Ground {
   const round = keep.round ?? 0;
@@ -69,7 +67,7 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
   const touches = [touch(insert, first, "from"), touch(insert, last, "to")] as const;
   const edge = (from: Flat, to: Flat): Bound => ({ segment: { kind: "line", from, to }, on: "edge" });
   const chain: Bound[] = [...turned.chain];
-  // The walls close the area and are no part of the part: they keep no oversize.
+  // The walls close the area and do not belong to the part: they have no oversize.
   const open = first.from.u - keep.u - round;
   if (turned.front) chain.unshift(...turned.front);
   else if (s.frontWall !== null)
@@ -127,8 +125,8 @@ export function groundOver(contour: readonly Bound[], tool: Tool, frame: Frame, 
 export const insertIn = (tool: Tool, frame: Frame): Convex => inFrame(insertShape(tool), frame);
 
 /**
- * How far the insert reaches beyond the tip in the cutting direction, up to a height above its lowest point: what an
- * infeed of that height brings into the material. Without a height, the nose (or the corner of a bar) alone.
+ * Reach of the insert ahead of the tip in the cutting direction, up to a height above its lowest point, mm: the part
+ * that an infeed of that height brings into the material. Without a height, only the nose (or the corner of a bar).
  */
 export function leadOf(insert: Convex, height?: number): number {
   const noses = insert.filter((e) => e.kind === "arc" && e.feature === "nose");
@@ -145,9 +143,8 @@ export function leadOf(insert: Convex, height?: number): number {
 }
 
 /**
- * Tip position when the nose touches an end of an element with the normal it has there; an element that a flank keeps
- * the nose from is touched with the normal nearest to its own. Of two corners that touch alike, the one that covers
- * more.
+ * Tip position when the nose touches an end of an element, with the normal there; where a flank keeps the nose off,
+ * with the nearest possible normal. Of two corners that touch equally, the one that covers more.
  */
 function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
   const n = normalAt(s, end);
@@ -160,17 +157,17 @@ function touch(insert: Convex, s: FlatSegment, end: "from" | "to"): Flat {
     const angle = inside ? wanted : away(wanted, a) <= away(wanted, b) ? a : b;
     const off = away(wanted, angle);
     const at = flat.onCircle(e.centre, e.radius, angle);
-    // Beside a wall that the oversize makes as straight, the lower one, which ends the way higher up.
+    // Next to a straight wall made by the oversize, the lower one, which ends the path higher up.
     const covers =
       Math.abs(at.u - best.at.u) < ROUND ? at.v < best.at.v : end === "from" ? at.u > best.at.u : at.u < best.at.u;
     if (off < best.off - ROUND || (off < best.off + ROUND && covers)) best = { off, at };
   }
   return { u: s[end].u - best.at.u, v: s[end].v - best.at.v };
 }
-/** Distance of two directions, radians. */
+/** Angle between two directions, radians. */
 const away = (a: number, b: number) => Math.min(positive(a - b), positive(b - a));
 
-/** The finishing path over a ground, as stretches with what keeps the insert from going deeper. */
+/** The finishing path over a ground, in sections with the reason why the insert cannot go deeper. */
 export function reachOf(g: Ground, u0: number, u1: number, frame: Frame, tool: Tool): Reach[] {
   return pathAlong(g.envelope, u0, u1).map((s) => ({
     path: segmentToPart(frame, s.segment),
@@ -178,7 +175,7 @@ export function reachOf(g: Ground, u0: number, u1: number, frame: Frame, tool: T
   }));
 }
 
-/** What keeps the insert from going deeper; where a side behind a cutting edge does, that edge is too short. */
+/** The reason why the insert cannot go deeper; if it is a side behind a cutting edge, that edge is too short. */
 function reasonOf(o: Origin | null, tool: Tool): Reason | null {
   if (o === null) return null;
   if (o.on === "bridge") return "plunging";
@@ -193,6 +190,6 @@ function reasonOf(o: Origin | null, tool: Tool): Reason | null {
 /** Whether the tool would stand inside the finished part at a place. */
 export const insidePart = (part: Ground, at: Flat): boolean => at.v < besideAt(part.bare, at.u) - SAME;
 
-/** What is said then: no way out would leave the part whole. `works`: a start point that does. */
+/** The issue for a start inside the part: every way out would damage it. `works`: a start point that works. */
 export const startInPart = (works: { readonly x: number; readonly z: number }): Issue =>
   issue("startInPart", "error", works, "start");

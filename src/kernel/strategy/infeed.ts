@@ -2,18 +2,18 @@ import { issue, type Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
 import type { Tool } from "../plan/tool.ts";
 
-/** A depth divided evenly: as few passes as the greatest infeed allows, all of the same depth. */
+/** A depth divided evenly: as few passes as the greatest infeed allows, all with the same infeed. */
 export interface Division {
   readonly passes: number;
   readonly infeed: number;
 }
 
-/** More passes than this no one can mean (decision "Infeed"). */
+/** Most passes: more are certainly unintended (decision "Infeed"). */
 export const MOST_PASSES = 2000;
 
 /**
- * Into how many equal parts a length (mm) goes that are at most `most` mm long each. A length of exactly k such parts
- * is k of them, whatever rounding says; one that is longer by a step of the control is one more.
+ * Number of equal parts of at most `most` mm in a length (mm). A length of exactly k such parts gives k, whatever the
+ * rounding; one longer by a step of the control gives one more.
  */
 export const partsOf = (whole: number, most: number): number =>
   Math.max(1, Math.ceil((whole - SAME * Math.min(1, most)) / most));

@@ -14,13 +14,15 @@ import type { Tool } from "../plan/tool.ts";
 import { length } from "../units.ts";
 import { groundOver } from "./ground.ts";
 
-/** A nose without a radius, for what is drawn or divided without a tool: round ones stand and cut every way. */
+/**
+ * A tool without a nose radius, for drawings and divisions without a tool: round inserts suit every cutting direction.
+ */
 export const POINT: Tool = { T: 0, NAME: "", TYPE: "BUTTON", TO: 9, RS: length(0) };
 
 /**
- * A contour with an oversize on it as a point follows it, in machining direction: what a cycle leaves there, or with
- * `round`, kept square to the contour everywhere, what stands there before it. It begins and ends beside the ends of
- * the contour.
+ * A contour with its oversize, as the path of a point in machining direction: the state that a cycle leaves, or with
+ * `round`, perpendicular to the contour everywhere, the state before it. It begins and ends next to the ends of the
+ * contour.
  */
 export function keptOver(
   contour: readonly Segment[],
@@ -48,7 +50,7 @@ export function keptOver(
   };
   const [start, end] = [beside(first, "from"), beside(last, "to")];
   const path = pathAlong(envelope, start.u + JOINED, end.u - JOINED).map((s) => s.segment);
-  // A wall at an end of the contour is a step there.
+  // A wall at an end of the contour gives a step.
   const whole = [
     flat.line(start, path[0]?.from ?? end),
     ...path,
@@ -57,5 +59,5 @@ export function keptOver(
   return whole.map((s) => segmentToPart(frame, s));
 }
 
-/** Zero for a direction along the other axis. */
+/** 0 for a direction along the other axis. */
 const sign = (n: number) => (Math.abs(n) < ROUND ? 0 : Math.sign(n));

@@ -24,12 +24,12 @@ import { limitsInPart, limitsOf } from "./limits.ts";
 import { Cutter } from "./link.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
 
-/** A cycle that removes its area by levels and then follows the contour: 81x along the axis, 82x across it. */
+/** A cycle that removes its area in levels and then follows the contour: 81x along the axis, 82x across it. */
 export interface Leveled {
   readonly frame: Frame;
   /** In machining direction, part space. */
   readonly contour: readonly Segment[];
-  /** How many elements at its start and at its end break an edge only: they count for no level. */
+  /** Number of elements at its start and end that only break an edge: they are ignored for the levels. */
   readonly edges: { readonly start: number; readonly end: number };
   readonly operation: number;
   readonly clearance: number;
@@ -43,31 +43,33 @@ export interface Leveled {
   readonly limit: Flat | null;
   /** Height of the outer corner of the area where that is higher than the contour's first point; else null. */
   readonly outerHeight: number | null;
-  /** The part goes on in front of the first point, at its height: the tool comes in over an edge that stays. */
+  /**
+   * True if the part continues in front of the first point, at its height: the tool comes in over an edge that remains.
+   */
   readonly partInFront: boolean;
   /** "shoulder": clear of the box first across, then along. "contour": along the tool axis up to the contour start. */
   readonly startRule: "shoulder" | "contour";
 }
 
-/** What can cut along a surface. */
+/** Tool types that can cut along a surface. */
 export const TURNING: readonly ToolType[] = ["ROUGH", "FINISH", "BUTTON", "RECTURN", "RECESS"];
 
-/** Everything about the place that the steps of a plan share, in strategy space. */
+/** Geometry shared by the steps of a plan, in strategy space. */
 interface Site {
   readonly flat: readonly FlatSegment[];
   readonly insert: Convex;
   readonly keep: Flat;
   readonly called: Flat;
   /**
-   * Tip height of the outer corner of the area; the highest and the lowest point of the contour, from outside no deeper
-   * than the axis.
+   * Tip height of the outer corner of the area; the highest and the lowest point of the contour, in outside machining
+   * no deeper than the axis.
    */
   readonly outer: number;
   readonly highest: number;
   readonly lowest: number;
   /**
-   * The part goes on in front of the first point: as the cycle says, or because a cut from the middle outwards leaves a
-   * pin there.
+   * True if the part continues in front of the first point: as the cycle says, or because a cut from the middle
+   * outwards leaves a pin.
    */
   readonly inFront: boolean;
 }
@@ -126,14 +128,14 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   };
   if (insidePart(drawn, called)) return { ...sketch, issues: [...issues, startInPart(workingStart(l, site))] };
   const top = Math.max(start.v, site.outer);
-  // Nothing stands beyond the axis: there the area is open.
+  // Beyond the axis there is no material: there the area is open.
   const wall = top + extent(insert).minV > last.to.v + SAME && toPart(l.frame, last.to).r > SAME ? top + FAR : null;
   const floor = site.lowest + keep.v;
-  // What stands in front of a contour that begins or ends on the axis is taken with it: there is no floor.
+  // Material in front of a contour that begins or ends on the axis is removed with it: there is no floor.
   const floors =
     site.lowest > axisFloor(l.frame) + SAME ? [...over.floors, { v: floor, on: "edge" as const }] : over.floors;
   const kept = groundOver(bounds, tool, l.frame, keep, { ...over, wall, floors });
-  // The contour grown by the oversize is wanted only where something follows it, or where roughing has run before.
+  // The contour with oversize is needed only where a cut follows it, or where roughing has run before.
   const grown = l.operation > 1 || l.smoothing === 1 ? groundOver(bounds, tool, l.frame, keep, over) : drawn;
   const stands = atCall(
     {
@@ -222,14 +224,12 @@ export function planLeveled(l: Leveled, setting: Setting): Plan {
   );
 }
 
-/**
- * Where the area begins: at the start point, or with the contour where what stands in front is none of its business.
- */
+/** Where the area begins: at the start point, or at the contour if the cycle ignores the material in front. */
 const frontOf = (l: Leveled, site: Site, from: number) => (l.partInFront ? (site.flat[0] as FlatSegment).from.u : from);
 
 const NOTHING: Flat = { u: 0, v: 0 };
 
-/** What bounds the finishing path beside the contour. */
+/** Bounds of the finishing path besides the contour. */
 const toFinishOver = (site: Site, floor: number | null): Surroundings => ({
   wall: null,
   front: site.inFront ? "part" : "free",
@@ -238,8 +238,8 @@ const toFinishOver = (site: Site, floor: number | null): Surroundings => ({
 });
 
 /**
- * The deepest level of roughing: of the contour without the elements that only break its edges, as far as this tool
- * reaches.
+ * The deepest level of roughing: of the contour without the elements that only break its edges, within the reach of
+ * this tool.
  */
 function deepestLevel(l: Leveled, site: Site, { tool }: Setting, kept: Envelope, from: number, to: number): number {
   const deepest = lowest(kept, from, to);
@@ -268,7 +268,7 @@ function areaCorners(site: Site, top: number, front: number): Flat[] {
 }
 
 /**
- * Where the cycle starts from, as the manual places it before step 1: clear of the area, or up to the contour start.
+ * Start position of the cycle, as the manual states it before step 1: clear of the area, or up to the contour start.
  */
 function startOf(l: Leveled, site: Site, setting: Setting): Flat {
   const { called } = site;
@@ -278,7 +278,7 @@ function startOf(l: Leveled, site: Site, setting: Setting): Flat {
   const v = low ? first.v + (finishing ? l.clearance : 0) : called.v;
   if (!reachesIn(l, site, setting)) return { u: called.u, v };
   const lead = leadIn(l, site);
-  // The finishing of a shoulder begins at the level it was called from, where no part stands in front of it.
+  // The finishing of a shoulder begins at the level of the call, if there is no part in front of it.
   const clear =
     finishing && l.startRule === "shoulder" && !site.inFront
       ? v
@@ -286,7 +286,7 @@ function startOf(l: Leveled, site: Site, setting: Setting): Flat {
   return { u: first.u - lead - l.clearance, v: clear };
 }
 
-/** How far the edge that an infeed brings into the material reaches ahead of the tip. */
+/** Reach ahead of the tip of the edge that an infeed brings into the material. */
 function leadIn(l: Leveled, site: Site): number {
   const depth = Math.max(site.called.v, site.highest, site.outer) - site.lowest;
   return leadOf(site.insert, l.operation > 1 ? undefined : l.infeed > 0 ? Math.min(l.infeed, depth) : depth);
@@ -295,7 +295,7 @@ function leadIn(l: Leveled, site: Site): number {
 const reachesIn = (l: Leveled, site: Site, setting: Setting) =>
   site.called.u + leadIn(l, site) > (site.flat[0] as FlatSegment).from.u + SAME && setting.start.r >= 0;
 
-/** A free contour is not run towards the start point; nothing is run from the other side of the axis. */
+/** Refuses a free contour that runs towards the start point, and a start on the other side of the axis. */
 function wrongStart(l: Leveled, site: Site, setting: Setting): Issue | null {
   const last = (site.flat[site.flat.length - 1] as FlatSegment).to;
   const behind = l.startRule === "contour" && site.called.u > last.u - SAME;
@@ -310,7 +310,7 @@ function workingStart(l: Leveled, site: Site): { x: number; z: number } {
   return { x: toDiameter(works.r < 0 ? radius(0) : works.r), z: works.z };
 }
 
-/** Brings the tool from the call to the start of the cycle, and says when that is another place. */
+/** Moves the tool from the call to the start of the cycle, and reports a different start. */
 function place(cutter: Cutter, l: Leveled, site: Site, start: Flat, setting: Setting, issues: Issue[]): void {
   const { called } = site;
   const first = (site.flat[0] as FlatSegment).from;
@@ -322,7 +322,7 @@ function place(cutter: Cutter, l: Leveled, site: Site, start: Flat, setting: Set
   back(cutter, start, l, l.operation > 1 ? "finish" : "rough", 0);
 }
 
-/** Back to the cycle start. */
+/** Moves back to the cycle start. */
 function back(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
   cutter.link(start, {
@@ -334,7 +334,7 @@ function back(cutter: Cutter, start: Flat, l: Leveled, run: "rough" | "finish", 
   });
 }
 
-/** A plan without a path, for the reasons told; `contour`: what is drawn of it, in machining direction. */
+/** A plan without a path, for the given reasons; `contour`: the drawn contour, in machining direction. */
 export const empty = (issues: readonly Issue[], contour: readonly Segment[] = []): Plan => ({
   moves: [],
   issues,

@@ -17,14 +17,14 @@ import type { Purpose } from "../plan/track.ts";
 import type { Feeds } from "./feeds.ts";
 import type { Cutter } from "./link.ts";
 
-/** How roughing by levels runs. Heights and lengths in strategy space, mm. */
+/** Input of roughing in levels. Heights and lengths in strategy space, mm. */
 export interface Levels {
   readonly envelope: Envelope;
-  /** The first level lies one infeed under `top`. */
+  /** The first level is one infeed below `top`. */
   readonly top: number;
   readonly passes: number;
   readonly infeed: number;
-  /** The tip stays within this stretch of u, and meets the contour first at `first`. */
+  /** The tip stays within this range of u, and meets the contour first at `first`. */
   readonly first: number;
   readonly from: number;
   readonly to: number;
@@ -32,12 +32,12 @@ export interface Levels {
   readonly smoothing: number;
   readonly clearance: number;
   readonly feeds: Feeds;
-  /** Leave out passes that touch nothing that stands. */
+  /** Leave out passes that cut air. */
   readonly leavesOutAir: boolean;
 }
 
 /**
- * One cut: a valley at a level, where it is entered (null: from the front), and how far its lift may follow the
+ * One cut: a valley at a level, its entry (null: from the front), and the limit up to which its lift may follow the
  * contour.
  */
 interface Cut {
@@ -45,7 +45,7 @@ interface Cut {
   readonly valley: Interval;
   readonly entry: number | null;
   readonly limit: number;
-  /** The valley of the level before, in which this one lies. */
+  /** The valley of the previous level that contains this one. */
   readonly outer: Interval;
 }
 
@@ -54,12 +54,14 @@ const purpose = (step: number, pass: number, plunging = false): Purpose =>
     ? { phase: "rough", run: "rough", step, pass, plunging: true }
     : { phase: "rough", run: "rough", step, pass };
 
-/** A falling element: the tool goes into the material there. */
+/** Whether an element falls, so that the tool goes into the material. */
 export const falls = (s: FlatSegment) => s.to.v < s.from.v - ROUND;
 
 const level = (l: Levels, pass: number) => l.top - pass * l.infeed;
 
-/** The cuts of all levels in their order: valleys that a level meets one by one, each to its floor before the next. */
+/**
+ * The cuts of all levels in order: the valleys of a level one after the other, each down to its floor before the next.
+ */
 function* cuts(l: Levels): Generator<Cut> {
   const open = (v: Interval) => v.from <= l.from + JOINED;
   const within = (pass: number, valleys: readonly Interval[], outer: Interval): Cut[] =>
@@ -69,12 +71,12 @@ function* cuts(l: Levels): Generator<Cut> {
       const entry = open(valley) ? null : before ? highest(l.envelope, before.to, valley.from).u : outer.from;
       return { pass, valley, entry, limit: after ? highest(l.envelope, valley.to, after.from).u : outer.to, outer };
     });
-  // A crest that stands higher than the start point ends the area.
+  // A crest higher than the start point ends the area.
   const front = Math.max(l.top, heightAt(l.envelope, l.from));
   const reachable = below(l.envelope, level(l, 1), l.from, l.to).filter(
     (v) => open(v) || highest(l.envelope, l.from, v.from).v <= front + SAME,
   );
-  // Where the part in front stands as high as the area, nothing is to be cut before the contour begins.
+  // If the part in front is as high as the area, nothing is cut before the contour begins.
   const begin = heightAt(l.envelope, l.from) >= l.top - SAME ? Math.min(l.first, reachable[0]?.from ?? l.from) : l.from;
   const pending = within(1, reachable, { from: Math.max(begin, l.from), to: l.to }).reverse();
   for (let cut = pending.pop(); cut; cut = pending.pop()) {
@@ -92,7 +94,7 @@ function* cuts(l: Levels): Generator<Cut> {
 
 /**
  * The printed steps 1 to 5 of roughing: infeed at rapid, cut, lift by the infeed, back at rapid, until the deepest
- * level. With smoothing 0, what an outer element needs below the last level is cut at the end by following the contour.
+ * level. With smoothing 0, an outer element below the last level is cut at the end by following the contour.
  */
 export function roughByLevels(cutter: Cutter, l: Levels): void {
   if (l.passes === 0) return;
@@ -105,7 +107,7 @@ export function roughByLevels(cutter: Cutter, l: Levels): void {
   if (l.smoothing === 0) followBelow(cutter, l);
 }
 
-/** Moves whose passes are counted anew where some were left out, and how many passes that makes. */
+/** The moves with passes renumbered after some were left out, and the number of passes. */
 export function countedAnew(moves: readonly Move[]): { readonly moves: readonly Move[]; readonly passes: number } {
   const left = [
     ...new Set(moves.flatMap(({ phase, pass }) => (phase === "rough" && pass !== undefined ? [pass] : []))),
@@ -120,9 +122,7 @@ export function countedAnew(moves: readonly Move[]): { readonly moves: readonly 
 
 const FLOOR: Origin = { feature: "nose", on: "edge", corner: false };
 
-/**
- * Whether nothing stands over a level where its cut runs, and along the contour where it lifts; slivers are nothing.
- */
+/** Whether there is no stock above a level along its cut, and along the contour of its lift; slivers do not count. */
 function isInAir({ frontier }: Cutter, l: Levels, { pass, valley, entry, limit }: Cut): boolean {
   const [from, to] = [entry ?? valley.from, l.smoothing === 0 ? Math.max(valley.to, limit) : valley.to];
   const height = level(l, pass);
@@ -140,7 +140,7 @@ const linked = (l: Levels, pass: number) => ({
   enter: purpose(2, pass, true),
 });
 
-/** To where a cut begins: in front of it, or down along the element that falls into its valley. */
+/** Moves to the beginning of a cut: in front of it, or down along the element that falls into its valley. */
 function enter(cutter: Cutter, l: Levels, { pass, valley, entry }: Cut) {
   const height = level(l, pass);
   if (entry === null) return cutter.link({ u: valley.from, v: height }, linked(l, pass));
@@ -152,7 +152,7 @@ function enter(cutter: Cutter, l: Levels, { pass, valley, entry }: Cut) {
   cutter.feed({ u: valley.from, v: height }, l.feeds.plunge, purpose(2, pass, true));
 }
 
-/** Step 3: along the contour up to the level before and clear of it, or back at 45°. */
+/** Step 3: along the contour up to the previous level and clear of it, or back at 45°. */
 function lift(cutter: Cutter, l: Levels, { pass, valley, limit, outer }: Cut) {
   const p = purpose(3, pass);
   const previous = level(l, pass - 1);
@@ -170,11 +170,11 @@ function lift(cutter: Cutter, l: Levels, { pass, valley, limit, outer }: Cut) {
   const back = Math.min(l.infeed, valley.to - valley.from);
   cutter.leave(back, -1, l.envelope, l.feeds.rough, p);
   cutter.feed(cutter.inBore({ u: cutter.at.u, v: previous }), l.feeds.rough, p);
-  // Too narrow to lean back: straight up first, and back where the valley is wide enough.
+  // Too narrow to retract at 45°: straight up first, then back where the valley is wide enough.
   cutter.leave(Math.min(l.infeed - back, cutter.at.u - outer.from), -1, l.envelope, l.feeds.rough, p);
 }
 
-/** What lies deeper than the last level (a chamfer or a radius at an edge), along the contour. */
+/** Cuts along the contour below the last level (a chamfer or a radius at an edge). */
 function followBelow(cutter: Cutter, l: Levels) {
   const p = (step: number) => purpose(step, l.passes);
   for (const deeper of below(l.envelope, level(l, l.passes) - 2 * SAME, l.from, l.to)) {

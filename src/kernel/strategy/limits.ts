@@ -2,7 +2,7 @@ import { toPart, type Flat, type FlatSegment, type Frame } from "../geometry/fla
 import { issue, type Issue } from "../plan/issue.ts";
 import type { MachiningLimit, Plan } from "../plan/plan.ts";
 
-/** What machining limits leave to cut: a stretch of u, and heights. */
+/** The area that machining limits leave: a range of u, and of heights. */
 export interface Limits {
   readonly from: number;
   readonly to: number;
@@ -13,7 +13,7 @@ export interface Limits {
 const NONE: Limits = { from: -Infinity, to: Infinity, floor: null, ceiling: Infinity };
 
 /**
- * The side of each limit on which the tool stands at the call is machined, the other is not cut (decision "Limits").
+ * The tool position at the call decides which side of each limit is machined; the other is not cut (decision "Limits").
  */
 export function limitsOf(limit: Flat | null, called: Flat, contour: readonly FlatSegment[], issues: Issue[]): Limits {
   if (!limit) return NONE;
@@ -35,7 +35,7 @@ export function limitsOf(limit: Flat | null, called: Flat, contour: readonly Fla
   };
 }
 
-/** The same limits in part space, for whoever looks at what was cut; nothing where a plan has none. */
+/** The same limits in part space, for the check of the cuts; empty if a plan has none. */
 export function limitsInPart(limit: Flat | null, called: Flat, frame: Frame): Pick<Plan, "limits"> {
   if (!limit) return {};
   const of = (axis: "u" | "v", at: string, behind: 1 | -1): MachiningLimit => {

@@ -9,7 +9,7 @@ import { length } from "../units.ts";
 import { Frontier } from "./frontier.ts";
 import { Cutter, type Link } from "./link.ts";
 
-/* The one way between two cuts, over a step that stands 5 high from u = 10 to u = 20, flat 0 beside it. */
+/* The link between two cuts, over a step 5 high from u = 10 to u = 20, flat at 0 on either side. */
 const frame: Frame = { transverse: false, signU: 1, signV: 1 };
 const bar: Tool = {
   T: 1,
@@ -37,7 +37,7 @@ const linked = (from: Flat, to: Flat, roof = Infinity, before?: (cutter: Cutter)
 };
 
 describe("a link", () => {
-  test("rises over what stands by the clearance, crosses, comes down at rapid to the clearance and at feed to its end", () => {
+  test("rises by the clearance above the stock, crosses, comes down at rapid to the clearance, then at feed", () => {
     expect(linked({ u: 5, v: 1 }, { u: 25, v: 0.1 })).toEqual([
       "rapid 4 5/5.7",
       "rapid 4 25/5.7",
@@ -49,7 +49,7 @@ describe("a link", () => {
     expect(linked({ u: 5, v: 6 }, { u: 25, v: 6.4 })).toEqual(["rapid 4 5/6.4", "rapid 4 25/6.4"]);
     expect(linked({ u: 2, v: 1 }, { u: 8, v: 1 })).toEqual(["rapid 4 8/1"]);
   });
-  test("leaves what stands above it at feed, from there on at rapid", () => {
+  test("retracts at feed while stock is above it, then at rapid", () => {
     expect(linked({ u: 15, v: 3 }, { u: 25, v: 1 })).toEqual([
       "feed 4 15/5",
       "rapid 4 15/5.7",
@@ -57,17 +57,17 @@ describe("a link", () => {
       "rapid 1 25/1",
     ]);
   });
-  test("comes down no lower than the clearance over what stands at rapid", () => {
+  test("at rapid comes down no lower than the clearance above the stock", () => {
     expect(linked({ u: 5, v: 9 }, { u: 15, v: 4 })).toEqual(["rapid 4 15/9", "rapid 1 15/5.7", "feed 2 15/4"]);
   });
-  test("knows what has been cut", () => {
+  test("takes previous cuts into account", () => {
     const through = (cutter: Cutter) => {
       cutter.feed({ u: 25, v: 0.5 }, 0.2, purpose);
       cutter.feed({ u: 5, v: 0.5 }, 0.2, purpose);
     };
     expect(linked({ u: 5, v: 0.5 }, { u: 25, v: 0.5 }, Infinity, through)).toEqual(["rapid 4 25/0.5"]);
   });
-  test("goes at feed beside a wall that hangs over after a cut with a round insert, and at rapid short of it", () => {
+  test("moves at feed next to a wall that overhangs after a cut with a round insert, and at rapid short of it", () => {
     const disc: Tool = { T: 2, NAME: "DISC", TYPE: "BUTTON", TO: 8, RS: length(3), CUTLENGTH: length(3) };
     const cut = (cutter: Cutter) => {
       cutter.feed({ u: 5, v: 0.5 }, 0.2, purpose);
@@ -77,7 +77,7 @@ describe("a link", () => {
     expect(linked({ u: 5, v: 9 }, { u: 12.2, v: 1.9 }, Infinity, cut, disc)).toEqual(["feed 4 12.2/1.9"]);
     expect(linked({ u: 5, v: 9 }, { u: 9.2, v: 1.9 }, Infinity, cut, disc)).toEqual(["rapid 4 9.2/1.9"]);
   });
-  test("goes at feed under a roof that may not be cut", () => {
+  test("moves at feed under a roof that may not be cut", () => {
     expect(linked({ u: 5, v: 1 }, { u: 25, v: 1 }, 3)).toEqual(["rapid 4 5/3.7", "feed 4 25/3.7", "rapid 1 25/1"]);
   });
 });

@@ -5,21 +5,19 @@ import { SAME } from "../tolerance.ts";
 import { Track, type Purpose, type Room } from "../plan/track.ts";
 import type { Frontier } from "./frontier.ts";
 
-/** How a link runs. Lengths mm. */
+/** Input of a link. Lengths mm. */
 export interface Link {
-  /** Distance kept from what stands while the tool crosses it, and where it comes down on it. */
+  /** Distance kept from the stock while the tool crosses it and comes down on it. */
   readonly gap: number;
   /** Feed wherever material may stand. */
   readonly feed: number;
-  /** Steps of the manual that the ways up and across, down at rapid, and down at feed belong to. */
+  /** Steps of the manual for the moves up and across, down at rapid, and down at feed. */
   readonly out: Purpose;
   readonly down: Purpose;
   readonly enter: Purpose;
 }
 
-/**
- * A tool at work: its moves, and what still stands in front of it. Everything that runs at feed lowers the frontier.
- */
+/** A cutting tool: its moves, and the remaining stock in front of it. Every move at feed lowers the frontier. */
 export class Cutter extends Track {
   private readonly nearest: number;
 
@@ -29,7 +27,7 @@ export class Cutter extends Track {
     start: Flat,
     room: Room,
     readonly frontier: Frontier,
-    /** The tool rises no higher than this unless something stands higher. */
+    /** The tool rises no higher than this unless the stock is higher. */
     private readonly ceiling: number,
   ) {
     super(frame, feedUnit, start, room);
@@ -48,15 +46,15 @@ export class Cutter extends Track {
   }
 
   /**
-   * From where one cut has ended to where the next begins, the only way that any cycle has: up over what stands,
-   * across, and down, one axis at a time. At rapid above the frontier only, the rest at feed.
+   * From the end of one cut to the start of the next, in the same way for all cycles: up over the stock, across, and
+   * down, one axis at a time. At rapid only above the frontier, the rest at feed.
    */
   link(to: Flat, l: Link): void {
     const barrier = this.frontier.over(this.at.u, to.u);
     const over = barrier > this.at.v + SAME ? Math.max(barrier, Math.min(barrier + l.gap, this.ceiling)) : -Infinity;
     const height = Math.max(this.at.v, to.v, over);
     const free = this.frontier.freeFrom(this.at.u) <= this.at.v + SAME;
-    // Beside a wall the way back is free at once, the way up is not.
+    // Next to a wall the move across is free at once, the move up is not.
     if (free || !this.frontier.clear(this.at.u, to.u, this.at.v)) this.up(height, l);
     if (this.frontier.clear(this.at.u, to.u, this.at.v)) this.rapid("u", to.u, l.out);
     else this.feed({ u: to.u, v: this.at.v }, l.feed, l.out);
@@ -78,8 +76,8 @@ export class Cutter extends Track {
   }
 
   /**
-   * Leaves the contour at feed: at 45°, away from the cutting direction (`towards` −1) or along it (1), by `by` mm in
-   * either axis; straight up by the same where the part is in the way. `room`: how far it may lean.
+   * Retracts from the contour at feed: at 45°, against the cutting direction (`towards` −1) or along it (1), by `by` mm
+   * in either axis; straight up by the same if the part is in the way. `room`: limit of the sideways travel.
    */
   leave(by: number, towards: 1 | -1, part: Envelope, value: number, purpose: Purpose, room = by): void {
     const lift = this.inBore({ u: this.at.u, v: this.at.v + by }).v - this.at.v;
@@ -92,8 +90,8 @@ export class Cutter extends Track {
   }
 
   /**
-   * In a bore nothing but a cut leads nearer to the axis than the start point: what stands on the other side meets the
-   * insert and its holder. The place next to a point that keeps to that, and comes no nearer than `cut` does; outside
+   * In a bore only a cut may lead nearer to the axis than the start point, because insert and holder would meet the
+   * material on the other side. Returns the nearest allowed position, no nearer to the axis than `cut`; outside a bore
    * the point itself.
    */
   inBore({ u, v }: Flat, cut: Flat = this.at): Flat {

@@ -3,8 +3,8 @@ import type { Issue } from "../plan/issue.ts";
 import { offsetPerPass } from "./offset.ts";
 
 /*
- * A width of 2.6 mm may lose 80 % of it, 2.08 mm. Of nine passes the first is whole; the other eight are shortened on
- * one side where all run the same way, four on either side where they run to and fro.
+ * The sum may reach 80 % of a width of 2.6 mm, 2.08 mm. The first of nine passes is whole; the other eight are
+ * shortened on one side if all run the same way, four on either side if they alternate.
  */
 test.each([
   [0.26, true, 0.26, []],

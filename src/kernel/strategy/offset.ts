@@ -2,15 +2,15 @@ import { issue, type Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
 import { roundedDown } from "../units.ts";
 
-/** What the control takes off each recess-turning pass from the second on, mm (manual, recess turning). */
+/** Shortening by the control of each recess-turning pass from the second on, mm (manual, recess turning). */
 export const CONTROL_OFFSET = 0.1;
 /** The sum on one side may reach this share of the effective edge width (manual, recess turning). */
 const SHARE = 0.8;
 
 /**
- * Shortening per pass, mm. It adds up on the side where passes end: every second one, or every one when they all run
- * the same way. A programmed value is lowered to what fits, with a message; the control's own 0.1 is not, and is an
- * error when its sum passes the limit (it is then planned as far as it fits).
+ * Shortening per pass, mm. It adds up on the side where passes end: every second one, or every one if they all run the
+ * same way. A programmed value is lowered to the largest that fits, with a message; the control's own 0.1 is not, and
+ * is an error when its sum exceeds the limit (the plan then uses the largest that fits).
  */
 export function offsetPerPass(
   programmed: number,

@@ -5,11 +5,12 @@ import { CHORD, GRID, ROUND } from "../tolerance.ts";
 
 const { flattenedChain } = part;
 
-/** How far the finished part is drawn beyond the contour, mm. */
+/** Extension of the finished part beyond the contour, mm. */
 const BEYOND = 2000;
 
 /**
- * The finished part under a contour: closed far below it, and going on behind its last point (and before its first).
+ * The finished part under a contour: closed far below it, and continued behind its last point (with `both`, also in
+ * front of its first).
  */
 export function partUnder(contour: readonly FlatSegment[], frame: Frame, both: boolean): Ring {
   const points = chain(contour, frame);
@@ -31,8 +32,8 @@ export function partUnder(contour: readonly FlatSegment[], frame: Frame, both: b
 }
 
 /**
- * The area to be removed: between the contour and the level and place of the start point; what stands above that level
- * is no part of it.
+ * The area to be removed: between the contour and the level and place of the start point; stock above that level is not
+ * included.
  */
 export function areaOver(contour: readonly FlatSegment[], frame: Frame, from: number, top: number): Ring {
   const points = chain(contour, frame).map((p) => toFlat(frame, p));
@@ -54,7 +55,7 @@ export function areaBetween(contour: readonly FlatSegment[], blank: readonly Seg
   return turned([...chain(contour, frame), ...outer.reverse()]);
 }
 
-/** The finished part under a contour and nowhere else: what stands beside it this contour does not say. */
+/** The finished part under a contour only: the contour does not define what is next to it. */
 export function partBetween(contour: readonly FlatSegment[], frame: Frame): Ring {
   const points = chain(contour, frame);
   const [first, last] = [contour[0]?.from, contour[contour.length - 1]?.to];
@@ -69,16 +70,16 @@ export function partBetween(contour: readonly FlatSegment[], frame: Frame): Ring
   ]);
 }
 
-/** A band thinner than anything that is looked at: it joins grooves that would touch in points only. */
+/** A band of negligible thickness: it joins grooves that would otherwise touch in points only. */
 const THREAD_BAND = 0.001;
 
-/** What lies between a contour and a line over it, from left to right. */
+/** The area between a contour and a line above it, from left to right. */
 export function areaUnder(contour: readonly FlatSegment[], over: readonly Flat[], frame: Frame): Ring {
   const top = [...over].reverse().map((p) => toPart(frame, { u: p.u, v: p.v + THREAD_BAND }));
   return turned([...chain(contour, frame), ...top]);
 }
 
-/** Everything over a line, however high. */
+/** The area above a line, without a limit. */
 export function areaAbove(line: readonly Flat[], frame: Frame): Ring {
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last) return [];
@@ -86,7 +87,7 @@ export function areaAbove(line: readonly Flat[], frame: Frame): Ring {
   return turned([...line, { u: last.u, v: top }, { u: first.u, v: top }].map((p) => toPart(frame, p)));
 }
 
-/** A line of points held down to a level, with the points where it meets it. */
+/** A line of points limited to a level, with its intersections with that level. */
 function under(points: readonly Flat[], level: number): Flat[] {
   const out: Flat[] = [];
   points.forEach((p, i) => {
@@ -106,10 +107,10 @@ const chain = (contour: readonly FlatSegment[], frame: Frame) =>
     CHORD,
   );
 
-/** As the polygon engine takes it: a spike may be one only there. */
+/** Rounded to the grid of the polygon engine: a spike may exist only there. */
 const onGrid = ({ z, r }: Pt): Pt => at(Math.round(z / GRID) * GRID, Math.round(r / GRID) * GRID);
 
-/** Counter-clockwise, whatever the frame mirrors, and without spikes. */
+/** Counter-clockwise, even if the frame mirrors, and without spikes. */
 function turned(spiked: readonly Pt[]): Ring {
   const ring = withoutSpikes(spiked.map(onGrid));
   let twice = 0;
@@ -122,7 +123,7 @@ function turned(spiked: readonly Pt[]): Ring {
 
 /**
  * A ring without the points at which it turns back on itself, as where a wall of the contour lies in the line that
- * closes it: the polygon engine loses corners beside them.
+ * closes it: the polygon engine loses corners next to them.
  */
 function withoutSpikes(points: readonly Pt[]): Pt[] {
   const ring = [...points];

@@ -3,7 +3,7 @@ import type { Issue } from "../plan/issue.ts";
 import { divideAllowance } from "./parallel-infeed.ts";
 
 const sum = (n: readonly number[] | null) => (n ?? []).reduce((a, b) => a + b, 0);
-/** Area of each pass where the length changes evenly from the outside to the inside. */
+/** Area of each pass if the length changes linearly from the outside to the inside. */
 function areas(infeeds: readonly number[], depth: number, outer: number, inner: number): number[] {
   let from = 0;
   return infeeds.map((infeed) => {
@@ -40,7 +40,7 @@ describe("an allowance in passes along the contour", () => {
     ).toBe(true);
   });
 
-  test("0 is one pass, nothing to take is none, and more passes than anybody means are an error", () => {
+  test("0 is one pass, no allowance is none, and too many passes are an error", () => {
     expect(divideAllowance({ depth: 3, outer: 9, inner: 5 }, 0, [])).toEqual([3]);
     expect(divideAllowance({ depth: 0.87, outer: 0, inner: 0 }, 0.3, [])).toEqual(
       [0.29, 0.29, 0.29].map((n) => expect.closeTo(n, 9)),

@@ -2,9 +2,7 @@ import type { Issue } from "../plan/issue.ts";
 import { SAME } from "../tolerance.ts";
 import { divide } from "./infeed.ts";
 
-/**
- * What passes along a contour take off: its thickness, and the length of a pass on its outside and on its inside, mm.
- */
+/** Allowance removed along a contour: its thickness, and the length of a pass at its outside and at its inside, mm. */
 export interface Allowance {
   readonly depth: number;
   readonly outer: number;
@@ -12,9 +10,9 @@ export interface Allowance {
 }
 
 /**
- * The infeeds of passes along a contour, from the outside, as few as the greatest infeed allows. Each takes the same
- * area (infeed × length of the pass, which changes evenly from outside to inside): where passes are of one length their
- * infeeds are. Null when there would be too many, with the issue that says so.
+ * The infeeds of passes along a contour, from the outside, as few as the greatest infeed allows. Each removes the same
+ * area (infeed × length of the pass, which changes linearly from outside to inside): passes of equal length have equal
+ * infeeds. Null if there would be too many, with the issue that says so.
  */
 export function divideAllowance(a: Allowance, most: number, issues: Issue[]): readonly number[] | null {
   const even = divide(a.depth, most, issues);
@@ -28,9 +26,9 @@ export function divideAllowance(a: Allowance, most: number, issues: Issue[]): re
   return infeeds;
 }
 
-/** So many infeeds of one area. */
+/** Infeeds of equal area for a number of passes. */
 function infeedsOf({ depth, outer, inner }: Allowance, passes: number): number[] {
-  // A contour without length has no areas to share.
+  // A contour without length has no areas to divide.
   if (outer + inner <= SAME) return Array.from({ length: passes }, () => depth / passes);
   const area = (depth * (outer + inner)) / 2;
   const grows = (inner - outer) / depth;

@@ -9,18 +9,18 @@ import type { Cutter } from "./link.ts";
 import { reachOfStep, type Places, type Spacing } from "./plunge-places.ts";
 import { liftUnder } from "./valley.ts";
 
-/** How a plunge runs. Lengths mm, feeds in the unit of the track. */
+/** Input of a plunge. Lengths mm, feeds in the unit of the track. */
 export interface PlungeCut {
-  /** Kept from what stands, before a plunge and between two of them. */
+  /** Distance kept from the stock, before a plunge and between two of them. */
   readonly clearance: number;
   readonly feed: number;
-  /** In solid material, where nothing is free on either side. */
+  /** Feed in solid material, with no free side. */
   readonly solidFeed: number;
-  /** The most of one bite; between two of them the tool goes back to break the chip. 0: in one go. */
+  /** Greatest depth of one bite; between two bites the tool retracts to break the chip. 0: in one go. */
   readonly bite: number;
-  /** Turns of the spindle on the ground of each plunge. */
+  /** Dwell at the bottom of each plunge, in spindle revolutions. */
   readonly dwell: number;
-  /** Out at an angle, away from what stands beside the tool, where a plunge before has made room; else straight. */
+  /** Retract at an angle, away from the stock next to the tool, if an earlier plunge has made room; else straight. */
   readonly aslant: boolean;
 }
 
@@ -29,17 +29,17 @@ export interface PlungeRough extends PlungeCut {
   readonly basins: readonly Basin[];
   readonly places: readonly Places[];
   readonly spacing: Spacing;
-  /** Height that cutting begins at. */
+  /** Height at which cutting begins. */
   readonly top: number;
-  /** Where the tip may be, between machining limits. */
+  /** Range of the tip between machining limits. */
   readonly room: Interval;
 }
 
-/** How far the tool goes back between two bites, mm. */
+/** Retraction between two bites, mm. */
 export const CHIP_BREAK = 0.5;
-/** How far the tool leans out of a plunge at the most, mm. */
+/** Greatest sideways travel when retracting from a plunge at an angle, mm. */
 const ASLANT = 2;
-/** What plunges leave between them on a wall or a floor is cut along it when it is more than this, mm. */
+/** Residual material between plunges on a wall or a floor is cut if it is thicker than this, mm. */
 const LEFT = 0.02;
 
 const p = (step: number, pass?: number): Purpose => ({
@@ -49,18 +49,18 @@ const p = (step: number, pass?: number): Purpose => ({
   ...(pass !== undefined && { pass }),
 });
 
-/** How many bites a plunge takes. */
+/** Number of bites of a plunge. */
 export const bitesOf = (depth: number, bite: number): number => (bite > 0 ? partsOf(depth, bite) : 1);
 
-/** The bites that were taken, and the deepest of them, mm. */
+/** Number of bites taken, and the deepest of them, mm. */
 export interface Bites {
   readonly passes: number;
   readonly infeed: number;
 }
 
 /**
- * The steps 1 to 5 of recessing: section by section, in each all plunges, then what they leave along the walls. Where
- * nothing stands over its place, as beside a blank that is lower than the start point, no plunge is made.
+ * The steps 1 to 5 of recessing: section by section, first all plunges, then the residual material along the walls. A
+ * plunge without stock above its place is left out, as next to a blank lower than the start point.
  */
 export function roughByPlunges(cutter: Cutter, r: PlungeRough): Bites {
   const done: Flat[] = [];
@@ -89,7 +89,7 @@ interface Numbering {
   readonly count: number;
 }
 
-/** Down to a place in bites; at the feed for solid material below everything that stands free beside it. */
+/** Plunges to a place in bites; at the feed for solid material below the free depth on either side. */
 function plunge(
   cutter: Cutter,
   r: PlungeRough,
@@ -117,8 +117,8 @@ function plunge(
 }
 
 /**
- * Between two plunges no farther apart than the level part of the edge nothing stands any more above the higher one.
- * What lies behind a plunge that is no higher was cleared with that one.
+ * Between two plunges no farther apart than the level part of the edge, no stock remains above the higher one. Stock
+ * behind a plunge that is no higher was cleared with that one.
  */
 function clearBeside(cutter: Cutter, { level }: Spacing, place: Flat, done: readonly Flat[]): void {
   for (const side of [-1, 1]) {
@@ -135,7 +135,7 @@ function clearBeside(cutter: Cutter, { level }: Spacing, place: Flat, done: read
   }
 }
 
-/** Step 2: out of the plunge, straight or aslant to the side that an earlier one as deep has freed. */
+/** Step 2: retracts from the plunge, straight, or at an angle to a side freed by an earlier one as deep. */
 function retract(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Flat[]): void {
   const free = done.filter((d) => d.v < place.v + SAME && Math.abs(d.u - place.u) < r.spacing.level + SAME);
   const sides = [-1, 1].filter((side) => free.some((d) => (d.u - place.u) * side > SAME));
@@ -150,7 +150,8 @@ function retract(cutter: Cutter, r: PlungeRough, place: Flat, done: readonly Fla
 }
 
 /**
- * What stands between the plunges on leaning and round walls, and on a floor for a round edge: one cut down each side.
+ * Cuts the residual material between the plunges on inclined and round walls, and on a floor for a round edge: one cut
+ * down each side.
  */
 function alongWalls(cutter: Cutter, r: PlungeRough, { from, to, floor }: Basin): void {
   const e = r.ground.envelope;

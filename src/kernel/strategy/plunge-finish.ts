@@ -19,7 +19,8 @@ export interface PlungeFinish {
 const p = (step: number): Purpose => ({ phase: "finish", run: "finish", step });
 
 /**
- * The steps 1 to 7 of finishing by plunging: in each section down one wall and half of its floor, then down the other.
+ * The steps 1 to 7 of finishing by plunging: in each section down one wall and along half of its floor, then down the
+ * other wall.
  */
 export function finishByHalves(cutter: Cutter, f: PlungeFinish): void {
   const e = f.ground.envelope;

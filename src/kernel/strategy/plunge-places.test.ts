@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { reachOfStep } from "./plunge-places.ts";
 
-test("plunges lie no farther apart than a step, nor than what is level of the edge where that is most of it", () => {
+test("plunges are no farther apart than a step, nor than the level part of the edge where that is most of it", () => {
   const edge = { width: 3, level: 2.6, comb: false };
   expect(reachOfStep({ ...edge, step: 2.4 })).toBe(2.4);
   expect(reachOfStep({ ...edge, step: 3 })).toBe(2.6);

@@ -4,25 +4,25 @@ import { SAME } from "../tolerance.ts";
 import type { Basin } from "./basins.ts";
 import { partsOf } from "./infeed.ts";
 
-/** How plunges lie side by side, mm. */
+/** Spacing of plunges, mm. */
 export interface Spacing {
-  /** What one plunge takes: the width of the edge. */
+  /** Width of one plunge: that of the edge. */
   readonly width: number;
-  /** Of that, what is level behind two plunges that lie no farther apart; 0 for a round edge. */
+  /** Width of the level floor under a plunge, which bounds the spacing; 0 for a round edge. */
   readonly level: number;
   /** The widest side step; in a comb the widest web. */
   readonly step: number;
-  /** First cuts with webs between them, then the webs. */
+  /** True: first cuts with webs between them, then the webs. */
   readonly comb: boolean;
 }
 
-/** Plunges of a basin in the order they are cut. */
+/** Plunges of a basin in cutting order. */
 export interface Places {
   readonly full: readonly Flat[];
   readonly webs: readonly Flat[];
 }
 
-/** From one plunge to the next where they lie as far apart as they may, mm. */
+/** Greatest distance from one plunge to the next, mm. */
 export const reachOfStep = ({ width, level, step, comb }: Spacing): number => {
   const most = comb ? (width + step) / 2 : step;
   // Rounded corners leave crests between two plunges, unless the level parts of the edge meet.
@@ -30,14 +30,14 @@ export const reachOfStep = ({ width, level, step, comb }: Spacing): number => {
 };
 
 /**
- * Where a basin is plunged: at its stops, and between them and its ends evenly, no farther apart than a step. It begins
- * where the floor does, goes on to the far wall, and comes back for the near one: so every plunge behind the first has
- * a side that is free.
+ * Positions of the plunges in a basin: at its stops, and evenly between them and its ends, no farther apart than a
+ * step. They begin where the floor does, continue to the far wall, and come back for the near one: so every plunge
+ * after the first has a free side.
  */
 export function placesIn(basin: Basin, e: Envelope, s: Spacing): Places {
   const [full, webs]: [Flat[], Flat[]] = [[], []];
   const most = reachOfStep(s);
-  // A leaning wall ends where nothing is left to plunge for: no stop, but its slope is divided as well.
+  // An inclined wall ends where there is nothing left to plunge: no stop, but its slope is divided as well.
   const ends = [basin.from, ...basin.stops.map((p) => p.u), basin.to].filter(
     (u, i, all) => i === 0 || u > (all[i - 1] ?? u) + SAME,
   );

@@ -40,16 +40,16 @@ export interface Plunging extends PlungeCut, Sunk {
   readonly comb: boolean;
 }
 
-/** What can plunge into solid material. */
+/** Tool types that can plunge into solid material. */
 const PLUNGING: readonly ToolType[] = ["RECESS", "RECTURN", "BUTTON"];
 
-/** A tool without a width, as the point that a picture is drawn for, plunges so many times side by side. */
+/** Number of plunges side by side for a tool without a width, such as the point that pictures use. */
 const NOMINAL = 6;
 
 /** Plans roughing and finishing by plunges. Never throws; what cannot be planned is an issue. */
 export function planPlunging(l: Plunging, setting: Setting): Plan {
   const { tool } = setting;
-  // A hill between two recesses is passed over: no plunge begins as high.
+  // A hill between two recesses is skipped: no plunge begins that high.
   const site = siteOf(l, setting, (s) => Math.max(s.from.v, s.to.v));
   if (!site) return empty([]);
   const { bounds, first, last, called, keep, opening, top } = site;
@@ -86,7 +86,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
     top,
   );
   const start = { u: called.u, v: top };
-  // The tool stood there, so it comes down on it at rapid.
+  // The tool was there before, so it comes down at rapid.
   const back = (run: "rough" | "finish", step: number) => {
     const p = { phase: "position", run, step } as const;
     cutter.link(start, { gap: 0, feed: run === "rough" ? l.feed : l.finishingFeed, out: p, down: p, enter: p });
@@ -132,7 +132,7 @@ export function planPlunging(l: Plunging, setting: Setting): Plan {
   );
 }
 
-/** How the plunges of a tool lie side by side over an opening. */
+/** Spacing of a tool's plunges over an opening. */
 function spacingOf(l: Plunging, tool: Tool, opening: number): Spacing {
   const round = 2 * noseRadius(tool);
   const own = isBar(tool) ? cuttingWidth(tool) : round;
@@ -140,7 +140,7 @@ function spacingOf(l: Plunging, tool: Tool, opening: number): Spacing {
   return { width, level: isBar(tool) ? Math.max(0, own - round) : 0, step: l.overlap * width, comb: l.comb };
 }
 
-/** All bites of all plunges. */
+/** Total number of bites of all plunges. */
 const bitesIn = (places: readonly Places[], top: number, bite: number): number =>
   places.flatMap((p) => [...p.full, ...p.webs]).reduce((sum, p) => sum + bitesOf(top - p.v, bite), 0);
 
@@ -149,7 +149,7 @@ const plungesIn = (basins: readonly Basin[], s: Spacing): number => {
   return basins.reduce((sum, b) => sum + b.stops.length + (step > 0 ? (b.to - b.from) / step : Infinity), 0);
 };
 
-/** More plunges than anybody means: the smallest overlap that makes fewer, as a share of the width. */
+/** The issue for too many plunges, with the smallest overlap that makes fewer, as a share of the width. */
 function tooClose(basins: readonly Basin[], s: Spacing): Issue {
   const stops = basins.reduce((sum, b) => sum + b.stops.length, 0);
   const wide = basins.reduce((sum, b) => sum + b.to - b.from, 0);
@@ -162,7 +162,7 @@ function tooClose(basins: readonly Basin[], s: Spacing): Issue {
   );
 }
 
-/** More bites than anybody means: the smallest one that makes fewer. */
+/** The issue for too many bites, with the smallest bite that makes fewer. */
 function tooShallow(places: readonly Places[], top: number, passes: number): Issue {
   const all = places.flatMap((p) => [...p.full, ...p.webs]);
   const deepest = Math.max(...all.map((p) => top - p.v));

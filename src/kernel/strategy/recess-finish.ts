@@ -14,35 +14,32 @@ export interface RecessFinish {
   readonly top: number;
   readonly feed: number;
   /**
-   * Which walls are cut downwards, the tool coming from both sides to meet on the floor: none, every one that rises
-   * from a corner, or only those that rise steeply from a sharp one.
+   * Walls cut downwards, so that the cuts meet on the floor: none, every one that rises from a corner, or only those
+   * that rise steeply from a sharp one.
    */
   readonly downwards: "none" | "every" | "steep";
-  /** Distance to keep from the second wall while its oversize still stands, mm. */
+  /** Distance from the second wall before its oversize is cut, mm. */
   readonly apart: number;
-  /** Where the tip may be, and its greatest height (machining limits). */
+  /** Range of the tip, and its greatest height (machining limits). */
   readonly area: Interval;
   readonly ceiling: number;
 }
 
-/**
- * One finishing cut: from above its beginning along a path, ending at `foot`; the way it leaves has so much room behind
- * it.
- */
+/** One finishing cut: from above its start along a path to `foot`; `room` is the space behind it for the retraction. */
 interface Cut {
   readonly path: readonly FlatSegment[];
   readonly foot: Flat;
   readonly back: boolean;
   readonly room: number;
-  /** Along the contour to the end of the run. */
+  /** True for the last cut, which follows the contour to the end of the run. */
   readonly last: boolean;
 }
 
 const p = (step: number): Purpose => ({ phase: "finish", run: "finish", step });
 
 /**
- * The printed finishing steps 1 to 6 of a recess, valley by valley; going back to the cycle start is the caller's. No
- * place, no cut.
+ * The printed finishing steps 1 to 6 of a recess, valley by valley; the caller returns to the cycle start. Without a
+ * path there is no cut.
  */
 export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   const e = f.ground.envelope;
@@ -51,14 +48,14 @@ export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   const [begins, ends] = [left < f.ground.start.u + SAME, right > f.ground.end.u - SAME];
   const link = (step: number) => ({ gap: RECESS_CLEARANCE, feed: f.feed, out: p(step), down: p(step), enter: p(step) });
   const out = (step: number) => cutter.link({ u: cutter.at.u, v: f.top }, link(step));
-  /** To the clearance over the beginning of a wall, at the most as high as the tool travels. */
+  /** Moves to the clearance above the start of a wall, at most up to the travel height. */
   const into = (u: number, height: number, step: number) =>
     cutter.link({ u, v: Math.min(f.top, Math.max(height, heightAt(e, u)) + RECESS_CLEARANCE) }, link(step));
 
   const whole = right > left + SAME ? pathAlong(e, left, right) : [];
   const runs = whole.length > 0 ? withinLimits(whole, f.ceiling) : [[]];
   runs.forEach((run, i) => {
-    // Between two walls the tool has one place: the middle of its slot.
+    // Between two walls the tool has a single position: the middle of its slot.
     const begin = run.length > 0 ? left : (left + right) / 2;
     const at = { u: begin, v: heightAt(e, begin) };
     const [first, last] = [begins && i === 0, ends && i === runs.length - 1];
@@ -86,23 +83,23 @@ export function finishRecess(cutter: Cutter, f: RecessFinish): void {
   });
 }
 
-/** Heights that the walls at the ends of a run go up to beyond it; −∞ where there is none. */
+/** Heights of the walls at the ends of a run; −∞ if there is none. */
 interface EndWalls {
   readonly left: number;
   readonly right: number;
 }
 
 /**
- * A rise at which a bar would lean sideways into the oversize of a wall: steeper than 45°, out of a corner sharper than
- * 30°.
+ * A rise at which a bar would press sideways into the oversize of a wall: steeper than 45°, out of a corner sharper
+ * than 30°.
  */
 const STEEP = { rise: Math.SQRT1_2, turn: 0.5 };
 const UP: Flat = { u: 0, v: 1 };
 const LEVEL: Flat = { u: 1, v: 0 };
 
 /**
- * The cuts along a run: each valley from its first wall to the floor, and from the top of its second wall to where the
- * first ended.
+ * The cuts along a run: each valley from its first wall to the floor, then from the top of its second wall to the end
+ * of the first cut.
  */
 function cutsOf(run: readonly FlatSegment[], at: Flat, walls: EndWalls, f: RecessFinish): Cut[] {
   const segments = [...run];
@@ -136,7 +133,7 @@ function cutsOf(run: readonly FlatSegment[], at: Flat, walls: EndWalls, f: Reces
     const isWall = begin === 0 && walls.left > here.v + SAME;
     if (split.at > begin || isWall)
       cuts.push({ path: segments.slice(begin, split.at), foot: here, back: false, room, last: false });
-    // A tool as wide as the groove has finished both walls on one way down.
+    // A tool as wide as the groove has finished both walls in one cut.
     if (segments.length > 0 || !isWall)
       cuts.push({
         path: segments.slice(split.at, top).map(flat.reversed).reverse(),
@@ -154,7 +151,7 @@ function cutsOf(run: readonly FlatSegment[], at: Flat, walls: EndWalls, f: Reces
   return cuts;
 }
 
-/** Cuts the path in two at a place between two of its joints; where that is a joint already, nothing is added. */
+/** Splits the path at a place between two of its joints; at an existing joint nothing is added. */
 function splitAt(segments: FlatSegment[], from: number, to: number, u: number): { at: number; added: number } {
   for (let i = from; i < to; i += 1) {
     const s = segments[i] as FlatSegment;
@@ -167,7 +164,7 @@ function splitAt(segments: FlatSegment[], from: number, to: number, u: number): 
   return { at: to, added: 0 };
 }
 
-/** An element of an envelope, cut at a place. */
+/** An element of an envelope, split at a place. */
 function halves(s: FlatSegment, u: number): [FlatSegment, FlatSegment] {
   const k = (u - s.from.u) / (s.to.u - s.from.u);
   const side = s.kind === "arc" && s.turn === "ccw" ? -1 : 1;
@@ -181,7 +178,7 @@ function halves(s: FlatSegment, u: number): [FlatSegment, FlatSegment] {
   ];
 }
 
-/** The joint at which a rise from `k` on ends; a hill is cut where it is highest. */
+/** The joint at the end of a rise from `k` on; a hill is split at its highest point. */
 function topOf(segments: FlatSegment[], k: number): number {
   let top = k;
   for (let s = segments[top]; s; s = segments[top]) {

@@ -13,21 +13,19 @@ const { reversed, shifted } = flat;
 
 export interface RecessRough {
   readonly ground: Ground;
-  /**
-   * Where the tip may be: between the walls that close the area, or up to where the ends of the contour are touched.
-   */
+  /** Range of the tip: between the walls that close the area, or up to the contact at the ends of the contour. */
   readonly area: Interval;
   readonly top: number;
   readonly passes: number;
   readonly infeed: number;
-  /** Shortening per pass on the side where it ends, mm. */
+  /** Shortening per pass on its end side, mm. */
   readonly offset: number;
   readonly oneWay: boolean;
   readonly feeds: Feeds;
 }
 
 type Side = "left" | "right";
-/** What passes are shortened by so far on either side of a section, mm. */
+/** Accumulated shortening of passes on either side of a section, mm. */
 type Shortened = Readonly<Record<Side, number>>;
 
 const purpose = (step: number, pass?: number, plunging = false): Purpose => ({
@@ -91,7 +89,7 @@ const linked = (r: RecessRough, step: number, enter: Purpose) => ({
   enter,
 });
 
-/** From a level of a valley to the next one, with what the passes are shortened on either side, mm. */
+/** A level of a valley and the next one, with the shortening of the passes on either side, mm. */
 interface Descent {
   readonly here: Interval;
   readonly next: Interval;
@@ -99,9 +97,9 @@ interface Descent {
 }
 
 /**
- * Where a pass ends: before its wall by what it is shortened, and not before the deepest level (`next`), over which
- * nothing may be left for a plunge to take. Where that uses up its way, it stays where it has plunged: on the way back
- * it would take what passes before have left on the other side, all at once.
+ * End of a pass: in front of its wall by the shortening, but not before the deepest level (`next`), above which nothing
+ * may be left for a plunge. If the shortening uses up the pass, it stays where it plunged: on the way back it would cut
+ * the residual material of all earlier passes on the other side at once.
  */
 function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Descent): number {
   return side === "right"
@@ -110,8 +108,8 @@ function endOf({ at }: Cutter, side: Side, { here, next, shortened }: Descent): 
 }
 
 /**
- * Down beside a wall, apart from it by what the passes are shortened there; where it cannot be followed, sideways and
- * down. A pass whose way was used up goes straight down, or along the wall that is there.
+ * Feeds down along a wall, at a distance equal to the shortening; where it cannot be followed, sideways and down. A
+ * used-up pass goes straight down, or along the wall there.
  */
 function beside(
   cutter: Cutter,
@@ -130,7 +128,7 @@ function beside(
   const wanted = side === "right" ? next.to - shortened.right : next.from + shortened.left;
   const stands = side === "right" ? here.to - shortened.right : here.from + shortened.left;
   const { u } = cutter.at;
-  // Beyond where this pass began stands what the passes before have left: there is no way over to it.
+  // Beyond the start of this pass is residual material of earlier passes: there is no way across it.
   const usedUp = side === "right" ? wanted < Math.max(began, next.from) : wanted > Math.min(began, next.to);
   const target = { u: Math.min(Math.max(usedUp ? u : wanted, next.from), next.to), v: heightOf(r, pass) };
   if (side === "right" ? u > stands + SAME : u < stands - SAME) {
@@ -144,13 +142,13 @@ function beside(
           : [];
     return down(cutter, under, { u: Math.min(Math.max(u, next.from), next.to), v: target.v }, r, pass);
   }
-  // A shoulder between the two levels is no wall: it is left to the cut along the wall.
+  // A shoulder between the two levels is not a wall: it is left to the cut along the wall.
   const steep = wall.every((s) => falls(s) || Math.abs(s.to.u - s.from.u) < SAME);
   const fits = steep && Math.abs(target.u - wanted) < SAME && Math.abs(cutter.at.u - stands) < SAME;
   down(cutter, fits ? wall : [], target, r, pass);
 }
 
-/** Along a wall to the next level; without a wall to follow, sideways first and then straight down. */
+/** Feeds along a wall to the next level; without one, sideways first and then straight down. */
 function down(cutter: Cutter, wall: readonly FlatSegment[], target: Flat, r: RecessRough, pass: number) {
   const p = purpose(5, pass, true);
   if (wall.length === 0) cutter.feed({ u: target.u, v: cutter.at.v }, r.feeds.plunge, p);
@@ -160,15 +158,15 @@ function down(cutter: Cutter, wall: readonly FlatSegment[], target: Flat, r: Rec
 
 const p = purpose(7);
 const plunging: Purpose = { ...p, plunging: true };
-/** A cut along a wall plunges wherever it falls. */
+/** A cut along a wall uses the plunging feed wherever it falls. */
 const alongWall = (r: RecessRough) => (s: FlatSegment) =>
   falls(s) ? { feed: r.feeds.plunge, purpose: plunging } : { feed: r.feeds.rough, purpose: p };
 const out = (cutter: Cutter, r: RecessRough) => cutter.link({ u: cutter.at.u, v: r.top }, linked(r, 7, p));
-/** To where the cut along a wall begins. */
+/** Links to the start of the cut along a wall. */
 const onRim = (cutter: Cutter, r: RecessRough, rim: Rim, wall: readonly FlatSegment[]) =>
   cutter.link({ u: rim.u, v: Math.max(rim.v, wall[0]?.from.v ?? rim.v) }, linked(r, 7, plunging));
 
-/** A valley that no level meets: along its floor. */
+/** Cuts a valley without levels, along its floor. */
 function alongFloor(cutter: Cutter, r: RecessRough, s: RecessSection) {
   const e = r.ground.envelope;
   const floor = pathAlong(e, s.left.u, s.right.u).map((x) => x.segment);
@@ -179,8 +177,8 @@ function alongFloor(cutter: Cutter, r: RecessRough, s: RecessSection) {
 }
 
 /**
- * What levels and shortening left: the rest under the last level, one plunging cut down each wall, and the floor beside
- * it.
+ * Cuts the residual material of levels and shortening: the rest below the last level, one plunging cut down each wall,
+ * and the adjoining floor.
  */
 function alongWalls(cutter: Cutter, r: RecessRough, s: RecessSection, shortened: Shortened) {
   const e = r.ground.envelope;

@@ -26,11 +26,11 @@ import type { Limits } from "./limits.ts";
 import { areaOver, partUnder } from "./outline-area.ts";
 
 /*
- * A contour that a tool plunges into, whether it then goes on sideways or comes out again: the part goes on beyond both
+ * A contour that a tool plunges into, whether it then continues sideways or retracts: the part continues beyond both
  * its ends.
  */
 
-/** What such a machining is asked for, whatever its strategy. */
+/** Input of such a machining operation, for all strategies. */
 export interface Sunk {
   readonly frame: Frame;
   /** The finished contour in machining direction, part space. */
@@ -41,7 +41,7 @@ export interface Sunk {
   readonly limit: Flat | null;
 }
 
-/** Everything about the place that the steps of a plan share, in strategy space. */
+/** Geometry shared by the steps of a plan, in strategy space. */
 export interface SunkSite {
   readonly frame: Frame;
   readonly flat: readonly FlatSegment[];
@@ -50,13 +50,13 @@ export interface SunkSite {
   readonly last: Flat;
   readonly called: Flat;
   readonly keep: Flat;
-  /** Height of the contour where it stands highest. */
+  /** Greatest height of the contour. */
   readonly opening: number;
-  /** Height that cutting begins at: the start point, or the contour where that stands higher. */
+  /** Height at which cutting begins: the start point, or the contour if that is higher. */
   readonly top: number;
 }
 
-/** The place of a contour; null when it has no elements. `height`: how high an element stands for whoever cuts it. */
+/** The geometry of a contour; null if it has no elements. `height`: height of an element for this strategy. */
 export function siteOf(
   { frame, contour, oversize }: Sunk,
   { start }: Setting,
@@ -72,7 +72,7 @@ export function siteOf(
   return { frame, flat, bounds, first, last, called, keep, opening, top: Math.max(called.v, opening) };
 }
 
-/** What is to be cut, before anything is known of the tool. */
+/** The plan before the tool is considered. */
 export const sketchOf = ({ contour, frame, oversize }: Sunk, { flat, top }: SunkSite, most: number): Plan => ({
   ...empty([]),
   contour,
@@ -83,10 +83,7 @@ export const sketchOf = ({ contour, frame, oversize }: Sunk, { flat, top }: Sunk
   oversize,
 });
 
-/**
- * What lies beside the contour: the part, and in front of an end that is lower than the start point a wall, when
- * roughing.
- */
+/** Surroundings of the contour: the part, and when roughing a wall in front of an end lower than the start point. */
 export const surroundingsOf =
   ({ first, last, top }: SunkSite, limits: Limits, deepest: number | null) =>
   (walls: boolean): Surroundings => ({
@@ -99,7 +96,7 @@ export const surroundingsOf =
     ],
   });
 
-/** What a frontier is made of besides: where nobody knows, finishing expects `infeed` over what `grown` keeps. */
+/** Further input of a frontier: if the stock is unknown, finishing assumes `infeed` above the oversize of `grown`. */
 interface Standing {
   readonly drawn: Ground;
   readonly grown: Ground;
@@ -110,10 +107,10 @@ interface Standing {
 
 const TOP: Origin = { feature: "nose", on: "edge", corner: false };
 
-/** What stands at the call. */
+/** The stock at the call. */
 export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: Standing): Frontier {
   const { first, last, called, opening, top, frame } = site;
-  // Beside an end that lies lower than the rest the blank may stand.
+  // Next to an end lower than the rest there may be stock.
   const { minU, maxU } = extent(insert);
   const beside = (end: Flat) => (opening > end.v + SAME ? maxU - minU : 0);
   const [from, to] = [first.u - beside(first), last.u + beside(last)];
@@ -123,7 +120,7 @@ export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: 
     { u: to, v: top },
     { u: to, v: top - FAR },
   ];
-  // Over the start point nothing stands that a recess is to be cut out of.
+  // Above the start point there is no stock to cut the recess from.
   const grown = loweredBy(
     o.grown.bare,
     [{ arc: 0, u0: from - FAR, u1: to + FAR, v0: top, slope: 0, origin: TOP }],
@@ -137,8 +134,8 @@ export function frontierAt(site: SunkSite, setting: Setting, insert: Convex, o: 
 }
 
 /**
- * The height that material stands up to over a contour: in the stock where that is known, else in the blank, of which
- * no more than the contour tells is taken to be left (decision "CUTLENGTH counts in the material").
+ * Height of the material above a contour: of the stock if known, else of the blank, assumed to be cut down to the
+ * contour's height (decision "CUTLENGTH counts in the material").
  */
 function standsUpTo({ frame, flat, opening }: SunkSite, { stock, blank }: Setting): number {
   const us = flat.flatMap((s) => [s.from.u, s.to.u]);
@@ -156,7 +153,7 @@ function standsUpTo({ frame, flat, opening }: SunkSite, { stock, blank }: Settin
   return blank && blank.length > 0 ? Math.min(opening, high(blank)) : opening;
 }
 
-/** The highest point of an outline over a stretch of u; −∞ where it has none there. */
+/** The highest point of an outline within an interval of u; −∞ if it has none there. */
 const highestIn = (ring: readonly Flat[], { from, to }: Interval): number =>
   ring.reduce((most, p, i) => {
     const q = ring[(i + 1) % ring.length] as Flat;
@@ -166,7 +163,7 @@ const highestIn = (ring: readonly Flat[], { from, to }: Interval): number =>
     return Math.max(most, at(Math.max(a.u, from)), at(Math.min(b.u, to)));
   }, -Infinity);
 
-/** The level that CUTLENGTH of a bar ends at, counted in the material; null when it reaches the floor. */
+/** The deepest level that CUTLENGTH of a bar allows, measured in the material; null if it reaches the floor. */
 export function floorOf(tool: Tool, site: SunkSite, setting: Setting, issues: Issue[]): number | null {
   const edge = tool.CUTLENGTH;
   if (!isBar(tool) || edge === undefined || !(edge > 0)) return null;
@@ -177,25 +174,25 @@ export function floorOf(tool: Tool, site: SunkSite, setting: Setting, issues: Is
   return Math.min(stands - edge, site.top);
 }
 
-/** Where the tip may be so that neither corner of the edge crosses a machining limit. */
+/** Range of the tip in which neither corner of the edge crosses a machining limit. */
 export function tipBetween({ from, to }: Limits, insert: Convex): Interval {
   const { minU, maxU } = extent(insert);
   return { from: from - minU, to: to - maxU };
 }
 
-/** Of these places those that lie on the contour. */
+/** The part of an interval that is on the contour. */
 export const onContour = ({ start, end }: Ground, { from, to }: Interval): Interval => ({
   from: Math.max(start.u, from),
   to: Math.min(end.u, to),
 });
 
-/** The deepest path over a ground, between such places. */
+/** The deepest path over a ground, within this interval. */
 export function reachWithin(g: Ground, places: Interval, frame: Frame, tool: Tool): Reach[] {
   const { from, to } = onContour(g, places);
   return reachOf(g, from, to, frame, tool);
 }
 
-/** The same as if there were no limits, for a plan that has some. */
+/** The same without machining limits, for a plan that has some. */
 export function unlimitedReach({ limit, frame }: Sunk, site: SunkSite, tool: Tool): Pick<Plan, "unlimited"> {
   if (!limit) return {};
   const around = { wall: null, front: "part", frontWall: null, floors: [] } as const;

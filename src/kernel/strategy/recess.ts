@@ -34,8 +34,8 @@ import {
 import { RECESS_CLEARANCE } from "./valley.ts";
 
 /**
- * A groove turned by plunging and cutting sideways in turn: its contour goes from the edge where machining starts to
- * the other edge.
+ * A groove turned by alternately plunging and cutting sideways: its contour runs from the edge where machining starts
+ * to the other edge.
  */
 export interface Recess extends Sunk {
   readonly infeed: number;
@@ -43,13 +43,16 @@ export interface Recess extends Sunk {
   readonly oneWay: boolean;
   /** Programmed shortening per pass, mm; 0: the control's own 0.1. */
   readonly offset: number;
-  /** Which walls the finishing cut takes downwards; "none" finishes in one go. */
+  /** Walls that the finishing cut takes downwards; "none" finishes in one go. */
   readonly downwards: RecessFinish["downwards"];
-  /** A programmed contour is cut wherever it runs; a groove only where its opening lets the tool in. */
+  /**
+   * True for a programmed contour, which is cut wherever it runs; a groove is cut only where its opening admits the
+   * tool.
+   */
   readonly free: boolean;
 }
 
-/** What can plunge into solid material. */
+/** Tool types that can plunge into solid material. */
 const RECESSING: readonly ToolType[] = ["RECTURN", "RECESS", "BUTTON"];
 
 /** Plans roughing and finishing of a recess. Never throws; what cannot be planned is an issue. */
@@ -78,8 +81,8 @@ export function planRecess(l: Recess, setting: Setting): Plan {
     return { ...sketch, issues: [...issues, startInPart({ x: toDiameter(works.r), z: works.z })] };
   }
   const grown = groundOver(bounds, tool, l.frame, keep, surroundings(false));
-  // Beside an end that lies lower than the rest the blank may stand: the finishing cut stays between the walls there,
-  // as roughing does.
+  // Next to an end lower than the rest there may be stock: the finishing cut stays between the walls there, as roughing
+  // does.
   const low = { first: opening > first.v + SAME, last: opening > last.v + SAME };
   const closed = low.first || low.last;
   const finishedTo = (g: Ground, by: Flat): { readonly ground: Ground; readonly area: Interval } => {
@@ -118,7 +121,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
 
   let division: Division = { passes: 0, infeed: 0 };
   if (l.operation === 0 || l.operation === 1) {
-    // A tool that fits exactly may stand beyond an end by what is nothing.
+    // A tool that fits exactly may be beyond an end within the tolerance.
     const beyond = (apart: number) => (apart > 0 && apart <= SAME ? apart : 0);
     const [left, right] = [span.from - beyond(span.from - kept.start.u), span.to + beyond(kept.end.u - span.to)];
     const deepest = lowest(kept.envelope, Math.max(left, room.from), Math.min(right, room.to));
@@ -176,7 +179,7 @@ export function planRecess(l: Recess, setting: Setting): Plan {
   );
 }
 
-/** To the cycle start, before and after: the tool stood there, so it comes down on it at rapid. */
+/** Moves to the cycle start, before and after: the tool was there before, so it comes down at rapid. */
 function back(cutter: Cutter, start: Flat, feed: number, run: "rough" | "finish", step: number): void {
   const p = { phase: "position", run, step } as const;
   cutter.link(start, { gap: 0, feed, out: p, down: p, enter: p });

@@ -2,25 +2,27 @@ import { below } from "../reach/below.ts";
 import { highest, lowest, type Envelope, type Interval } from "../reach/envelope.ts";
 import { SAME } from "../tolerance.ts";
 
-/** A side of a section: where its wall begins, and how high the material beside it is cut away before. */
+/** A side of a section: where its wall begins, and the height down to which the material next to it is cut before. */
 export interface Rim {
   readonly u: number;
   readonly v: number;
 }
 
-/** A valley that is cut by itself, level by level, until it splits or ends at its floor. Strategy space, mm. */
+/** A valley cut on its own, level by level, until it splits or ends at its floor. Strategy space, mm. */
 export interface RecessSection {
   /** The ends of the area, or the crests between it and its neighbours. */
   readonly left: Rim;
   readonly right: Rim;
-  /** The pass of its first level, and its stretch at each level from there on; a valley between two levels has none. */
+  /**
+   * The pass of its first level, and its interval at each level from there on; a valley between two levels has none.
+   */
   readonly first: number;
   readonly levels: readonly Interval[];
-  /** What it splits into below its last level, in order. */
+  /** The valleys that it splits into below its last level, in order. */
   readonly inner: readonly RecessSection[];
 }
 
-/** Evenly divided heights: level `pass` lies `pass` infeeds under `top`. */
+/** Evenly divided heights: level `pass` is `pass` infeeds below `top`. */
 export interface Heights {
   readonly top: number;
   readonly passes: number;
@@ -30,8 +32,8 @@ export interface Heights {
 export const heightOf = ({ top, infeed }: Heights, pass: number) => top - pass * infeed;
 
 /**
- * The valleys of an area that lie under its top, from left to right, each with what it splits into (decision "Sections
- * of a recess").
+ * The valleys of an area below its top, from left to right, each with the valleys that it splits into (decision
+ * "Sections of a recess").
  */
 export function sectionsOf(e: Envelope, h: Heights, area: Interval): RecessSection[] {
   const within = (pass: number, valley: Interval, left: Rim, right: Rim): RecessSection[] => {

@@ -6,16 +6,16 @@ import { MOST_PASSES } from "./infeed.ts";
 /** The last infeed is never thinner than this part of the first: an insert that only rubs wears out. */
 const THINNEST = 1 / 20;
 
-/** How much deeper pass k goes than the one before, in first infeeds. */
+/** Additional depth of pass k over the previous one, in first infeeds. */
 const share = (k: number, constant: boolean) => (constant ? 1 : Math.max(Math.sqrt(k) - Math.sqrt(k - 1), THINNEST));
 
-/** As many passes an offered infeed may take, and the step of values that a setter types, mm. */
+/** Most passes of an offered infeed, and the step of values that an operator types, mm. */
 const OFFERED = { passes: 60, step: 0.05 } as const;
 
 /**
  * Depth of each pass of a thread, mm, the last one `depth`: as few as a first cut of at most `most` allows. With a
- * constant chip cross-section the depth grows with the square root of the pass, since the area of a wedge grows with
- * the square of its depth. Null when there would be too many, with the issue that says so.
+ * constant chip cross-section the depth grows with the square root of the pass, because the area of a wedge grows with
+ * the square of its depth. Null if there would be too many, with the issue that says so.
  */
 export function threadDepths(depth: number, most: number, constant: boolean, issues: Issue[]): number[] | null {
   const sums = [1];

@@ -17,7 +17,7 @@ const SLOPE = Math.tan(Math.PI / 6);
 const points = (way: ReturnType<typeof passAt>) => way.map(({ u, v }) => [Number(u.toFixed(6)), Number(v.toFixed(6))]);
 
 describe("a pass of a thread", () => {
-  test("without a run-out lies back along the flank for what it lacks in depth, all of it", () => {
+  test("without a run-out is set back along the flank in proportion to its missing depth", () => {
     expect(points(passAt(line(), 1.2, SLOPE))).toEqual([
       [-5, 8.8],
       [22, 8.8],

@@ -1,18 +1,18 @@
 import type { Flat } from "../geometry/flat.ts";
 import { NOTHING, SAME } from "../tolerance.ts";
 
-/** Where the finished groove of a thread runs. Strategy space, mm. */
+/** Path of the finished groove of a thread. Strategy space, mm. */
 export interface ThreadLine {
-  /** The crest from the beginning of the thread to its end, u rising. */
+  /** The crest from start to end of the thread, u rising. */
   readonly crest: readonly Flat[];
   readonly depth: number;
   readonly runIn: number;
   readonly overrun: number;
-  /** Way before the end over which the tool rises from the depth to the crest; 0 leaves at full depth. */
+  /** Length before the end over which the tool rises from the depth to the crest; 0 retracts at full depth. */
   readonly runOut: number;
 }
 
-/** Height of a line of points at a place; beyond its ends it goes on straight. */
+/** Height of a line of points at a place; extended straight beyond its ends. */
 export function heightOn(line: readonly Flat[], u: number): number {
   let i = 1;
   while (i < line.length - 1 && (line[i] as Flat).u < u) i += 1;
@@ -22,18 +22,18 @@ export function heightOn(line: readonly Flat[], u: number): number {
   return a.v + ((b.v - a.v) * (u - a.u)) / (b.u - a.u);
 }
 
-/** Where the tool begins to rise along a run-out; at no place where there is none. */
+/** Place where the tool begins to rise along a run-out; Infinity without one. */
 export const risesAt = ({ crest, runOut }: ThreadLine): number =>
   runOut > 0 ? (crest.at(-1) as Flat).u - runOut : Infinity;
 
-/** How much of its depth a pass has at a place. */
+/** Share of its depth that a pass has at a place. */
 export const shareAt = (line: ThreadLine, u: number): number =>
   u <= risesAt(line) ? 1 : Math.max(0, ((line.crest.at(-1) as Flat).u - u) / line.runOut);
 
 /**
- * Corners of the way of the tip in a pass of `depth`, run-in and overrun included. A shallower pass lies back along the
- * thread by `slope` for each mm of depth that it lacks, so that it stays inside the finished groove; along a run-out it
- * rises from its own depth to the crest at the end of the thread.
+ * Corners of the tip's path in a pass of `depth`, run-in and overrun included. A shallower pass is set back along the
+ * thread by `slope` per mm of missing depth, so that it stays inside the finished groove; along a run-out it rises from
+ * its own depth to the crest at the end of the thread.
  */
 export function passAt(line: ThreadLine, depth: number, slope: number): Flat[] {
   const { crest, runIn, overrun, runOut } = line;
@@ -50,7 +50,7 @@ export function passAt(line: ThreadLine, depth: number, slope: number): Flat[] {
   return way.filter((p, i) => !isBetween(way[i - 1], p, way[i + 1]));
 }
 
-/** A corner at which the way goes on straight, or does not go on at all, is none. */
+/** True for a corner at which the path continues straight, or does not move. */
 function isBetween(a: Flat | undefined, p: Flat, b: Flat | undefined): boolean {
   if (a && p.u - a.u < SAME) return true;
   if (!a || !b || b.u - a.u < SAME) return false;

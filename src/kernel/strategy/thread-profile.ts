@@ -14,7 +14,7 @@ export function lowerSide(tool: Tool, frame: Frame): Flat[] {
   const sorted = points.filter((p) => Number.isFinite(p.u + p.v)).sort((a, b) => a.u - b.u || a.v - b.v);
   const side: Flat[] = [];
   for (const p of sorted) {
-    // Convex: what lies above the way from the corner before to the next one is the upper side.
+    // Convex: a corner above the line from the previous to the next one belongs to the upper side.
     while (side.length > 1 && turnsUp(side.at(-2) as Flat, side.at(-1) as Flat, p) <= 0) side.pop();
     if (side.length === 0 || p.u - (side.at(-1) as Flat).u > ROUND) side.push(p);
   }
@@ -23,8 +23,8 @@ export function lowerSide(tool: Tool, frame: Frame): Flat[] {
 const turnsUp = (a: Flat, b: Flat, c: Flat) => (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 
 /**
- * Where the tip stands in the plane of the stock when all starts have been cut to the depth: every `pitch`, and where
- * it stops.
+ * Tip positions in the plane of the stock when all starts have been cut to the depth: every `pitch`, and the stop
+ * position.
  */
 export function tipsOf(deepest: readonly Flat[], pitch: number, phase: number): Flat[] {
   const [first, last] = [deepest[0] as Flat, deepest.at(-1) as Flat];
@@ -36,8 +36,8 @@ export function tipsOf(deepest: readonly Flat[], pitch: number, phase: number): 
 }
 
 /**
- * The finished thread in section, from its beginning to its end: the crest, and in it the shape of the insert at every
- * place where its tip comes through the plane.
+ * The finished thread in section, from start to end: the crest, and in it the shape of the insert at every place where
+ * its tip crosses the plane.
  */
 export function teeth(line: ThreadLine, tips: readonly Flat[], side: readonly Flat[]): FlatSegment[] {
   const [first, last] = [line.crest[0] as Flat, line.crest.at(-1) as Flat];
@@ -45,8 +45,8 @@ export function teeth(line: ThreadLine, tips: readonly Flat[], side: readonly Fl
     0,
     ...line.crest.slice(1).map((p, i) => Math.abs(p.v - (line.crest[i] as Flat).v) / (p.u - (line.crest[i] as Flat).u)),
   );
-  // Higher up a flank lies above the crest, whatever the taper; what a flank has too much is compared with its
-  // neighbours in vain.
+  // Higher up, a flank is above the crest, whatever the taper; comparing the rest of a flank with its neighbours would
+  // be wasted.
   const high = Math.min(...side.map((p) => p.v)) + line.depth * (1 + 3 * rising) + rising + 0.01;
   const pieces: EnvelopePiece[] = [];
   const put = (a: Flat, b: Flat) => {
@@ -70,7 +70,7 @@ export function teeth(line: ThreadLine, tips: readonly Flat[], side: readonly Fl
   }));
 }
 
-/** A lower side as far as it lies below a height. */
+/** The part of a lower side below a height. */
 function upTo(side: readonly Flat[], high: number): Flat[] {
   const out: Flat[] = [];
   side.forEach((p, i) => {

@@ -1,14 +1,14 @@
 import { SAME } from "../tolerance.ts";
 import { roundedUpTo } from "../units.ts";
 
-/** Turns of the spindle within which any axis is up to the feed: longer run-ins nobody programs. */
+/** Spindle revolutions within which any axis reaches the feed: longer run-ins are not common. */
 const USUAL_TURNS = 10;
-/** The step of run-ins that a setter types, mm. */
+/** The step of run-ins that an operator types, mm. */
 export const RUN_IN_STEP = 0.5;
 
 /**
- * The shortest run-in of a usual length from which on the tool begins in free air, where it does not from one of
- * `blocked`; null when none does. mm
+ * The shortest run-in of a common length from which the tool starts in free air, if it does not from one of `blocked`;
+ * null if none does. mm
  */
 export function shortestRunIn(isFree: (runIn: number) => boolean, blocked: number, lead: number): number | null {
   const longest = Math.max(USUAL_TURNS * lead, 2 * blocked);

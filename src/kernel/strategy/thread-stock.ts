@@ -12,7 +12,7 @@ interface Between {
   readonly to: number;
 }
 
-/** Where material stands over the crest, and how high. */
+/** Place and height of material above the crest. */
 interface Stands {
   readonly at: Flat;
   readonly over: number;
@@ -20,10 +20,10 @@ interface Stands {
 
 type Where = "before" | "over" | "behind";
 
-/** Lower steps between stock and crest are measuring, not material, mm. */
+/** Lower steps between stock and crest are measuring errors, mm. */
 const TOLD = 0.05;
 
-/** Where material stands highest over the crest, or over the line of it beyond its ends; of equal places the first. */
+/** The highest material above the crest, or above its extension beyond the ends; the first of equal places. */
 function highestOver(
   crest: readonly Flat[],
   frame: Frame,
@@ -50,7 +50,7 @@ function highestOver(
   return best;
 }
 
-/** The stretches of the way of a pass: its run-in, the thread, and its overrun. */
+/** The sections of a pass: its run-in, the thread, and its overrun. */
 function stretches({ crest }: ThreadLine, { from, to }: Between): (Between & { readonly where: Where })[] {
   const [first, last] = [(crest[0] as Flat).u, (crest.at(-1) as Flat).u];
   return [
@@ -62,7 +62,7 @@ function stretches({ crest }: ThreadLine, { from, to }: Between): (Between & { r
 
 const FIELD: Readonly<Record<Where, string>> = { over: "crest", before: "runIn", behind: "overrun" };
 
-/** The finding about what stands there; `most`: how high it may stand, where it stands higher. */
+/** The finding about material above the crest; `most`: permitted height, where it is exceeded. */
 function meets(frame: Frame, where: Where, { at, over }: Stands, most?: number): Issue {
   const { r, z } = toPart(frame, at);
   const data = { place: where, over, x: toDiameter(r), z };
@@ -72,8 +72,8 @@ function meets(frame: Frame, where: Where, { at, over }: Stands, most?: number):
 }
 
 /**
- * What stands over the crest, and what is higher than that in the run-in or the overrun: the first pass takes it on top
- * of its infeed, and between the grooves it stays. Nothing where nobody knows the stock.
+ * Reports material above the crest, and higher material in the run-in or the overrun: the first pass cuts it on top of
+ * its infeed, and between the grooves it remains. Empty if the stock is unknown.
  */
 export function standingOver(w: ThreadLine, frame: Frame, stock: readonly Ring[] | null, along: Between): Issue[] {
   let told = TOLD;
@@ -86,9 +86,9 @@ export function standingOver(w: ThreadLine, frame: Frame, stock: readonly Ring[]
 }
 
 /**
- * Over a groove deeper than the insert is high its own walls would close behind the insert, however thin each pass is:
- * what stands too high over the thread or over its run-in; null where nothing does. What the overrun meets the tool
- * runs into, and the stock shows it; but over the bottom of a bore there is no way back.
+ * In a groove deeper than the height of the insert, the walls would close behind the insert, however thin each pass is.
+ * Reports material too high above the thread or above its run-in; null if there is none. Material in the overrun is a
+ * visible collision in the stock; but at the bottom of a bore there is no way back.
  */
 export function tooHigh(
   w: ThreadLine,

@@ -39,10 +39,10 @@ export interface Thread {
   /** The nominal line in cutting direction, part space: the crest of an outside thread, the root of an inside one. */
   readonly contour: readonly Segment[];
   readonly inside: boolean;
-  /** Way in one turn of the spindle. */
+  /** Travel per spindle revolution. */
   readonly lead: number;
   readonly starts: number;
-  /** Across the cutting direction; 0 is that of the metric profile. */
+  /** Perpendicular to the cutting direction; 0 means the depth of the metric profile. */
   readonly depth: number;
   readonly runIn: number;
   readonly overrun: number;
@@ -55,25 +55,25 @@ export interface Thread {
   readonly clearance: number;
 }
 
-/** More turns of the spindle than this in one operation no one can mean. */
+/** Most spindle revolutions in one operation: more are certainly unintended. */
 const MOST_TURNS = 100_000;
 /**
- * In one cut of each start; every turn is a tooth of the section, which takes far longer to work out than a turn in the
- * air.
+ * Most revolutions in one cut of each start: every revolution is a tooth of the section, which takes far longer to
+ * compute than a revolution in the air.
  */
 const MOST_TEETH = 10_000;
 
-/** The thread as it is to be, apart from how it is reached. */
+/** The target thread, independent of its passes. */
 interface Wanted extends ThreadLine {
   readonly pitch: number;
 }
 
 /**
- * The depth that counts because none was entered: that of the metric profile, which an insert with another angle does
- * not have.
+ * The issue for a depth that was not entered: that of the metric profile is assumed, which an insert with another angle
+ * does not have.
  */
 function depthTold(depth: number, pitch: number, factor: number, tool: Tool): Issue {
-  // What a tool of another kind makes is no thread at all.
+  // A tool of another kind makes no thread at all.
   const angle = tool.TYPE === "THREAD" ? pointAngle(tool) : METRIC_ANGLE;
   if (Math.abs(angle - METRIC_ANGLE) < ROUND)
     return issue("depthFromPitch", "info", { depth, pitch, factor }, "threadDepth");
@@ -82,7 +82,7 @@ function depthTold(depth: number, pitch: number, factor: number, tool: Tool): Is
   return issue("depthOfOtherProfile", "warning", { depth, pitch, factor, angle, ...right }, "threadDepth");
 }
 
-/** The crest, and everything that can be said of the thread before it is cut; null where its values make none. */
+/** The target thread, with all issues that can be found before it is cut; null if its values make none. */
 function wanted(t: Thread, tool: Tool, issues: Issue[]): Wanted | null {
   if (!(t.lead > 0)) {
     issues.push(issue("pitchZero", "error", {}, "pitch"));
@@ -124,7 +124,7 @@ function wanted(t: Thread, tool: Tool, issues: Issue[]): Wanted | null {
 const insertFor = (tool: Tool, frame: Frame): Tool =>
   tool === POINT ? { ...POINT, TYPE: "THREAD", TO: squareTo(frame) } : tool;
 
-/** What of a tool does not go with a thread. */
+/** Issues of a tool that does not fit the thread. */
 function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
   const unfit = unfitForThread(tool, t.frame);
   if (unfit) return [unfit];
@@ -149,7 +149,7 @@ function wrongTool(t: Thread, w: Wanted, tool: Tool): Issue[] {
   return found;
 }
 
-/** How high a flank has to be, mm: on a cone the crest rises beside the tip on one side. */
+/** Required height of a flank, mm: on a cone the crest rises on one side of the tip. */
 function depthAlong({ crest, depth }: Wanted, half: number): number {
   const rise = Math.max(
     0,
@@ -188,7 +188,7 @@ export function planThread(t: Thread, setting: Setting): Plan {
   const slope = Math.tan(radians(t.flankAngle));
   const phase = ((((-t.startAngle * t.starts) / 360) % 1) + 1) % 1;
   const passes = depths.map((d) => passAt(w, d, slope));
-  // Where the last pass rises along a run-out, one that lies back along the flank leaves its groove.
+  // Where the last pass rises along a run-out, an earlier one set back along the flank leaves its groove.
   const rising = passes.slice(0, -1).flatMap((pass, i) => {
     const back = (w.depth - (depths[i] as number)) * slope;
     return back > 0 ? tipsOf(pass, w.pitch, phase).filter(({ u }) => u + back > risesAt(w)) : [];
@@ -244,14 +244,14 @@ interface Passes {
   readonly slope: number;
 }
 
-/** Heights at which the tip crosses: from the start point and back to it, and from pass to pass. */
+/** Heights of the moves across: from the start point and back, and from pass to pass. */
 interface Way {
   readonly start: Flat;
   readonly link: number;
   readonly over: number;
 }
 
-/** Where rapids are free; what is wrong where they are not. */
+/** Heights at which rapids are free; the issue if there are none. */
 function wayFor(
   t: Thread,
   w: Wanted,
@@ -310,7 +310,7 @@ function wayFor(
   return { start, link, over };
 }
 
-/** The moves of all starts, step by step as the manual has them. */
+/** The moves of all starts, in the steps of the manual. */
 function movesOf(t: Thread, setting: Setting, way: Way, passes: readonly (readonly Flat[])[]): Plan["moves"] {
   const track = new Track(t.frame, setting.feedUnit, way.start, roomOf(t.frame));
   const axis = t.frame.transverse ? "r" : "z";

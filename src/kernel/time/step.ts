@@ -8,30 +8,30 @@ export type Spindle =
   | { readonly kind: "constant"; readonly speed: number }
   | { readonly kind: "surface"; readonly cuttingSpeed: number; readonly limit: number };
 
-/** Why the spindle does not turn as a cut needs it: it stands, has no speed, or turns the other way round. */
+/** Why the spindle does not turn as a cut requires: it is stopped, has no speed, or turns in the wrong direction. */
 export interface Idle {
   readonly how: "stopped" | "noSpeed" | "hand";
   /** Number of the block that stopped it or set its direction; null where none has. */
   readonly by: number | null;
 }
 
-/** A hole that has to be there before the tool comes, such as that of a tap. */
+/** A hole that has to exist before the tool feeds in, such as that of a tap. */
 export interface NeededHole {
-  /** mm; what is narrower is no hole for this tool. */
+  /** Least radius of a hole for this tool, mm. */
   readonly radius: Length;
-  /** The hole that is drilled for it, mm. */
+  /** Usual radius of the drilled hole, mm. */
   readonly drill: Length;
 }
 
 /**
- * One motion of a running program: a move, where it starts, with which tool, from which block. This list is what the
- * simulation, the animation, the time and the report share.
+ * One motion of a running program: a move with its start, tool and block. Simulation, animation, time and report share
+ * this list.
  */
 export interface Step {
   readonly from: Pt;
   readonly move: Move;
   readonly tool: Tool;
-  /** Number of the block that is executed (the cycle call for moves of a cycle). */
+  /** Number of the executed block (the cycle call for moves of a cycle). */
   readonly block: number;
   /** Index into the operations of the run; null outside cycles. */
   readonly operation: number | null;
@@ -42,41 +42,43 @@ export interface Step {
   /** Line of that block in its file, from 1. */
   readonly line?: number;
   /**
-   * The block that brought the tool to `from` at rapid, from where nobody knows; absent where the way there is a step
-   * or a feed.
+   * The block whose rapid brought the tool to `from` from an unknown place; absent if the path there is a step or a
+   * feed.
    */
   readonly broughtBy?: number;
-  /** Of a feed move outside cycles: cut along a compensated contour, or said by the program to be meant. */
+  /** Of a feed move outside cycles: cut along a compensated contour, or marked as intended by the program. */
   readonly intent?: "compensated" | "meant";
-  /** Where the step feeds while the spindle surely does not turn as it must: a fault as soon as it meets material. */
+  /**
+   * Set if the step feeds while the spindle certainly does not turn as required: a fault as soon as it meets material.
+   */
   readonly idle?: Idle;
   /** The hole that the step feeds through. */
   readonly hole?: NeededHole;
 }
 
-/** A blank that a program states while it runs: what stands in the chuck at a step, by its outline. */
+/** A blank that a program states while it runs: the outline of the stock at a step. */
 export interface Stated {
-  /** Index of the first step that comes after it. */
+  /** Index of the first step after it. */
   readonly step: number;
   readonly block: number;
   /** As the program spells it. */
   readonly what: string;
   readonly rings: readonly Ring[];
-  /** File of the called program that says it; absent for the program itself. */
+  /** File of the called program that contains it; absent for the program itself. */
   readonly file?: string;
 }
 
 /**
- * Something a program does that was read and not simulated although it can move the path or the stock: from its step on
- * nothing is proved.
+ * A block that was read and not simulated although it can change the path or the stock: everything from its step on is
+ * unverified.
  */
 export interface Unproved {
-  /** Index of the first step that comes after it. */
+  /** Index of the first step after it. */
   readonly step: number;
-  /** Number of its block; null when it concerns the whole program. */
+  /** Number of the block; null when it concerns the whole program. */
   readonly block: number | null;
   /** As the program spells it: "CYCL DEF 19", "M91", "CALL PGM". */
   readonly what: string;
-  /** File of the called program that says it; absent for the program itself. */
+  /** File of the called program that contains it; absent for the program itself. */
   readonly file?: string;
 }

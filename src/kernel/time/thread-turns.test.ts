@@ -15,7 +15,7 @@ const THREAD = {
 } as const;
 const to = (z: number): ThreadMove => ({ ...THREAD, to: at(z, 14.3) });
 
-test("a feed to the chuck cuts a right-handed thread as long as the spindle turns forwards; each of both turns it round", () => {
+test("a feed to the chuck with the spindle forwards cuts a right-handed thread; reversing either reverses the hand", () => {
   const from = at(-3.7, 14.3);
   expect([to(-21.9), to(8.4)].map((move) => [handOf(from, move, false), handOf(from, move, true)])).toEqual([
     [1, -1],

@@ -5,7 +5,7 @@ import { ROUND } from "../tolerance.ts";
 /** A move whose feed is locked to the spindle. */
 export type ThreadMove = Extract<Move, { kind: "thread" }>;
 
-/** Turns of the spindle in a thread move that begins at `from`. */
+/** Spindle revolutions of a thread move that begins at `from`. */
 export const turnsIn = (from: Pt, move: ThreadMove): number =>
   Math.abs(move.to[move.axis] - from[move.axis]) / move.pitch;
 
@@ -13,22 +13,22 @@ export const turnsIn = (from: Pt, move: ThreadMove): number =>
 export type ThreadHand = 1 | -1;
 
 /**
- * The hand of what a thread move cuts. M3 turns the work clockwise as seen from the headstock: a feed to it cuts a
- * right-handed thread, one away from it a left-handed one; with the spindle turning backwards it is the other way
- * round.
+ * Hand of the thread that a move cuts. M3 turns the workpiece clockwise as seen from the headstock: a feed to the
+ * headstock cuts a right-handed thread, one away from it a left-handed one; with the spindle turning backwards it is
+ * the reverse.
  */
 export const handOf = (from: Pt, { to }: ThreadMove, backwards: boolean): ThreadHand =>
   to.z > from.z === backwards ? 1 : -1;
 
-/** A place on the way of a thread move, as a fraction of it. */
+/** A place on the path of a thread move, as a fraction of it. */
 export interface Stamp {
   readonly fraction: number;
   readonly at: Pt;
 }
 
 /**
- * Where the tip stands when the work has turned so that the half plane of the stock passes the tool: once a turn, and
- * at the end where the tool stops. A helix cuts a plane through the axis nowhere else.
+ * Tip positions at which the half plane of the stock passes the tool: once per revolution, and at the end where the
+ * tool stops. A helix cuts a plane through the axis nowhere else.
  */
 export function stampsOf(from: Pt, move: ThreadMove): Stamp[] {
   const turns = turnsIn(from, move);

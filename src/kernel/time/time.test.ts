@@ -26,7 +26,7 @@ test("a feed per revolution follows the speed", () => {
 test("rapid moves go at the rapid rate", () => {
   expect(secondsOf(at(0, 0), { kind: "rapid", to: at(30, 40), ...purpose }, surface, 6000)).toBeCloseTo(0.5, 12);
 });
-test("a dwell counts the turns of the spindle where the tool stands, whatever the feed", () => {
+test("a dwell counts spindle revolutions at the tool position, whatever the feed", () => {
   const still = { ...cut(at(-5, 20), 0, "mm/min"), dwell: 3 };
   expect(secondsOf(at(-5, 20), still, constant, 1)).toBeCloseTo((3 / 550) * 60, 12);
   expect(secondsOf(at(-5, 20), still, surface, 1)).toBeCloseTo((3 * 60 * Math.PI * 40) / (1000 * 180), 12);
@@ -90,7 +90,7 @@ test("no feed and no speed take no time", () => {
 
 const axes = { x: { rate: 10_000, acceleration: 2 }, z: { rate: 20_000, acceleration: 4 } };
 
-test("rapid axes start and arrive together: the slower one for its share sets the rate", () => {
+test("rapid axes start and arrive together: the axis slower for its share sets the rate", () => {
   const even = { x: { rate: 6000 }, z: { rate: 12_000 } };
   expect(secondsOf(at(0, 0), { kind: "rapid", to: at(30, 40), ...purpose }, surface, even)).toBeCloseTo(0.4, 12);
   expect(secondsOf(at(0, 0), { kind: "rapid", to: at(100, 40), ...purpose }, surface, even)).toBeCloseTo(0.5, 12);

@@ -12,14 +12,14 @@ export function pathOf(from: Pt, move: Move): Segment {
     : { kind: "line", from, to: move.to };
 }
 
-/** Way of the tip in one move, mm. */
+/** Length of the tip's path in one move, mm. */
 export function travelOf(path: Segment): number {
   if (path.kind === "line") return part.lengthOf(path);
   const p = part.polarOf(path);
   return (Math.abs(p.sweep) * (p.startRadius + p.endRadius)) / 2;
 }
 
-/** Minutes per metre of surface for each mm of radius: the diameter and π of the cutting speed. */
+/** Minutes per revolution for each mm of radius at a cutting speed in m/min. */
 const surface = (cuttingSpeed: number) => (2 * Math.PI) / (1000 * cuttingSpeed);
 
 /** Minutes per revolution at a distance of `r` mm from the axis. */
@@ -31,17 +31,17 @@ function minutesPerTurn(spindle: Spindle, r: number): number {
 /** Spindle speed in rpm at a distance of `r` mm from the axis. */
 export const speedAt = (spindle: Spindle, r: number): number => 1 / minutesPerTurn(spindle, r);
 
-/**
- * Whether a spindle that should hold a cutting speed cannot turn fast enough for it at a distance of `r` mm from the
- * axis.
- */
+/** Whether a spindle at constant surface speed reaches its speed limit at a distance of `r` mm from the axis. */
 export const isAtLimit = (spindle: Spindle, r: number): boolean =>
   spindle.kind === "surface" && spindle.limit > 0 && surface(spindle.cuttingSpeed) * Math.abs(r) * spindle.limit < 1;
 
 /** Cutting speed in m/min at a distance of `r` mm from the axis, at a spindle speed in rpm. */
 export const cuttingSpeedAt = (rpm: number, r: number): number => (2 * Math.PI * Math.abs(r) * rpm) / 1000;
 
-/** Distances from the axis where the speed stops following the diameter: its curve is straight between them. */
+/**
+ * Distances from the axis where the spindle speed starts or stops following the diameter; in between, minutes per
+ * revolution are linear.
+ */
 function bends(spindle: Spindle): number[] {
   if (spindle.kind === "constant") return [];
   const knee = spindle.limit > 0 ? 1 / (spindle.limit * surface(spindle.cuttingSpeed)) : 0;
@@ -54,7 +54,7 @@ function meanAlongLine(spindle: Spindle, from: number, to: number): number {
   const bent = bends(spindle)
     .map((r) => (r - from) / (to - from))
     .filter((t) => t > 0 && t < 1);
-  // Most moves have none: long paths are asked with every change.
+  // Most moves have none; this fast path matters for long paths, recomputed with every change.
   if (bent.length === 0) return (minutesPerTurn(spindle, from) + minutesPerTurn(spindle, to)) / 2;
   const stops = [0, ...bent, 1].sort((a, b) => a - b);
   let sum = 0;
@@ -67,7 +67,8 @@ function meanAlongLine(spindle: Spindle, from: number, to: number): number {
 }
 
 /**
- * Pieces of a whole arc, and of one that turns by half a radian at most, in the numerical mean (Simpson's rule; even).
+ * Number of intervals for the numerical mean along a whole arc, and along one of half a radian at most (Simpson's rule;
+ * even).
  */
 const PIECES = 32,
   FEW_PIECES = 8,
@@ -88,22 +89,22 @@ function meanAlongArc(spindle: Spindle, path: ArcOf<Pt>): number {
 }
 
 /**
- * How an axis goes at rapid: mm/min, and m/s² up to there and down again. Without an acceleration it has its rate at
- * once.
+ * Rapid traverse of an axis: rate in mm/min, and acceleration and deceleration in m/s². Without an acceleration it
+ * reaches its rate at once.
  */
 export interface AxisRapid {
   readonly rate: number;
   readonly acceleration?: number;
 }
 
-/** How a tool goes at rapid: one rate along its path, mm/min, or what each axis does. */
+/** Rapid traverse of a tool: one rate along its path, mm/min, or one per axis. */
 export type RapidRate = number | { readonly x: AxisRapid; readonly z: AxisRapid };
 
-/** What a motion of an axis is, mm. */
+/** Travel of an axis, mm, and its rapid traverse. */
 type AxisWay = readonly [way: number, axis: AxisRapid];
 
 /**
- * Minutes of a straight rapid from stop to stop: the axes start and arrive together, so the one that needs longest for
+ * Minutes of a straight rapid from stop to stop: the axes start and arrive together, so the axis that takes longest for
  * its share sets rate and acceleration of all.
  */
 export function rapidMinutes(ways: readonly AxisWay[]): number {
@@ -119,19 +120,21 @@ export function rapidMinutes(ways: readonly AxisWay[]): number {
   return ramps <= travel ? travel / rate + rate / acceleration : 2 * Math.sqrt(travel / acceleration);
 }
 
-/** The rapid rate of the axis that does most of a straight motion, mm/min: what a feed along it can reach. */
+/**
+ * The rapid rate of the axis with the largest share of a straight motion, mm/min: the greatest possible feed along it.
+ */
 export function axisRate(rapid: RapidRate, from: Pt, to: Pt): number {
   if (typeof rapid === "number") return rapid;
   return Math.abs(to.z - from.z) >= Math.abs(to.r - from.r) ? rapid.z.rate : rapid.x.rate;
 }
 
-/** A spindle that turns no faster than its machine lets it, rpm; the same one where it never would. */
+/** The spindle limited to the machine's greatest speed, rpm; the same object if it never exceeds it. */
 export function withinLimit(spindle: Spindle, most: number): Spindle {
   if (spindle.kind === "constant") return spindle.speed <= most ? spindle : { ...spindle, speed: most };
   return spindle.limit > 0 && spindle.limit <= most ? spindle : { ...spindle, limit: most };
 }
 
-/** What a move takes its time for: cutting is all that runs at a feed, threads included. */
+/** Kind of time of a move: cutting is everything at a feed, threads included. */
 export const causeOf = (move: Move): "cutting" | "rapid" | "dwell" =>
   move.kind === "rapid" ? "rapid" : move.kind === "feed" && move.dwell !== undefined ? "dwell" : "cutting";
 
@@ -139,8 +142,8 @@ const meanOf = (spindle: Spindle, path: Segment) =>
   path.kind === "line" ? meanAlongLine(spindle, path.from.r, path.to.r) : meanAlongArc(spindle, path);
 
 /**
- * Seconds that a move takes. A feed per revolution follows the spindle exactly, at constant
- * cutting speed too; a thread runs at the speed of its start. What has no feed or no speed takes no time.
+ * Seconds that a move takes. A feed per revolution follows the spindle exactly, also at constant cutting speed; a
+ * thread runs at the speed of its start. A move without feed or speed takes no time.
  */
 export function secondsOf(from: Pt, move: Move, spindle: Spindle, rapid: RapidRate): number {
   const path = pathOf(from, move);

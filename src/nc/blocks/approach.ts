@@ -13,7 +13,7 @@ import { choice, held } from "./words.ts";
 
 type Form = { readonly form: ApproachForm };
 
-/** The way to a contour and from it. */
+/** Approach to a contour and departure from it. */
 export const approach = defineBlock({
   kind: "approach",
   keyword: ["APPR", "DEP"],

@@ -4,7 +4,7 @@ import type { TextFormula } from "../words.ts";
 import { defineBlock } from "./define.ts";
 import { held } from "./words.ts";
 
-/** A QS parameter gets a text. `declared`: DECLARE STRING stands before it. */
+/** Assigns a text to a QS parameter. `declared`: with DECLARE STRING. */
 export const assignText = defineBlock({
   kind: "assignText",
   begins: `(?=${TEXT_ASSIGNMENT})`,

@@ -34,7 +34,7 @@ const fields: readonly Field<Assign, "target" | "formula">[] = [
   },
 ];
 
-/** A Q parameter gets a value. `fn`: the number of the FN function, null for a formula. */
+/** Assigns a value to a Q parameter. `fn`: the number of the FN function, null for a formula. */
 export const assign = defineBlock({
   kind: "assign",
   begins: String.raw`(?=FN[ \t]*(?:[0-8]|13)[ \t]*:|${NUMBER_PARAMETER}[ \t]*=)`,

@@ -2,7 +2,7 @@ import { defineBlock } from "./define.ts";
 import { CONE, program } from "./sample.ts";
 import { measured, toolAxis, value } from "./words.ts";
 
-/** A bar or disc as blank: outside, length, how far its face lies from Z0, and a bore. */
+/** A bar or disc as blank: outside, length, distance of its face from Z0, and a bore. */
 export const blankCylinder = defineBlock({
   kind: "blankCylinder",
   keyword: "BLK FORM CYLINDER",

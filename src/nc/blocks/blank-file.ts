@@ -3,7 +3,7 @@ import { takeQuoted, word } from "./words.ts";
 
 const TARGET = /TARGET(?![A-Z])/iy;
 
-/** A body in a file of its own as blank; `target` is that of the finished part. */
+/** A body from a file as blank; `target`: the file of the finished part. */
 export const blankFile = defineBlock({
   kind: "blankFile",
   keyword: "BLK FORM FILE",

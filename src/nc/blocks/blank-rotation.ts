@@ -6,7 +6,7 @@ import { choice, labelText, toolAxis, word } from "./words.ts";
 
 const INNER = /LBL_?IN(?![A-Z_])/iy;
 
-/** A blank as a contour that is turned round the axis. */
+/** A blank as a contour revolved about the axis. */
 export const blankRotation = defineBlock({
   kind: "blankRotation",
   keyword: "BLK FORM ROTATION",
@@ -18,7 +18,7 @@ export const blankRotation = defineBlock({
       text: (from) => ` ${outlineText(from)}`,
       fields: () => outlineFields<OutlineSource>(["label", "file"]),
     }),
-    // The label of what it is hollow by.
+    // The label of the inner contour.
     word<"inner", Label | null>("inner", {
       absent: null,
       take: (scan) => takeLabelBehind(scan, INNER) ?? undefined,

@@ -8,7 +8,7 @@ import { labelField, labelText, word } from "./words.ts";
 const LABEL = new RegExp(String.raw`(?:(\d{1,9})|"([^"]*)"|(${PARAMETER}))`, "iy");
 const REPEAT = new RegExp(String.raw`REP[ \t]*(${VALUE})(?:[ \t]*/[ \t]*\d+)?`, "iy");
 
-/** Calls a subprogram, or repeats what stands behind a label. */
+/** Calls a subprogram, or repeats a program section. */
 export const call = defineBlock({
   kind: "call",
   keyword: "CALL LBL",

@@ -7,17 +7,17 @@ import { defineBlock } from "./define.ts";
 import { named } from "./file-name.ts";
 import { fileText, labelText, word } from "./words.ts";
 
-/** Where an outline stands, as part of a pattern. */
+/** The source of an outline, as part of a pattern. */
 export const PLACE = String.raw`(?:(LBL[ \t]*)(?:(\d{1,9})|"([^"]*)"|(${PARAMETER}))|"([^"]*)"|(${TEXT_PARAMETER}))`;
 const AREA = new RegExp(String.raw`([PIV])[ \t]*(\d{1,2})[ \t]*=?[ \t]*${PLACE}`, "iy");
 const DEPTH = new RegExp(String.raw`DEPTH[ \t]*(${VALUE})`, "iy");
 
-/** What PLACE matched. */
+/** The outline source matched by PLACE. */
 export function placeFrom([lbl, digits, name, label, file, text]: readonly (string | undefined)[]): OutlinePlace {
   if (lbl !== undefined) return { label: label === undefined ? readLabel(digits, name) : named(label) };
   return { file: text === undefined ? (file ?? "") : named(text) };
 }
-/** How deep an area is; null where that is not given. */
+/** The depth of an area; null where not given. */
 export function takeDepth(scan: Scan): Value | null {
   const depth = scan.take(DEPTH);
   return depth && readValue(depth[1] ?? "");
@@ -48,7 +48,7 @@ export const contourDefinition = defineBlock({
       text: (areas, style) => areas.map((a) => ` ${a.role}${a.number} = ${areaText(a, style)}`).join(""),
     }),
   ],
-  // Besides cycles the only block that a control writes on several lines.
+  // Apart from cycles the only block that a control writes on several lines.
   lines: "joined",
   asText: () => true,
   tags: ["namesContour"],

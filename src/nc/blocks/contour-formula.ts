@@ -12,7 +12,7 @@ const [JOIN, OPEN, CLOSE] = [/[|&^\\]/y, /\(/y, /\)/y] as const;
 /** Longer formulas are refused: nobody writes them. */
 const LONGEST = 200;
 
-/** Contours with a sign between each two of them, and brackets that close; null for anything else. */
+/** Contours with operators between them and matching brackets; null for anything else. */
 function readTerms(scan: Scan): string[] | null {
   const terms: string[] = [];
   let open = 0;
@@ -48,7 +48,7 @@ export const declareContour = defineBlock({
   tags: ["namesContour"],
 });
 
-/** How declared contours make one: `QC10 = ( QC1 | QC2 ) \ QC3`. */
+/** Combines declared contours: `QC10 = ( QC1 | QC2 ) \ QC3`. */
 export const contourFormula = defineBlock({
   kind: "contourFormula",
   begins: String.raw`(?=QC\d)`,

@@ -7,7 +7,7 @@ import { choiceField, word } from "./words.ts";
 type How = "" | "POS" | "PAT";
 const HOW = /(POS|PAT)(?![A-Z])/iy;
 
-/** Runs the cycle that is defined: here, at a position, or at the points of a pattern. */
+/** Runs the defined cycle: here, at a position, or at the points of a pattern. */
 export const cycleCall = defineBlock({
   kind: "cycleCall",
   keyword: "CYCL CALL",

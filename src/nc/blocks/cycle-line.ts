@@ -11,14 +11,15 @@ export const CONTOUR_CYCLE = 14;
 export const PROGRAM_CYCLE = 12;
 
 const NAMED = new RegExp(String.raw`"([^"]+)"|(?<![A-Z])(${PARAMETER})|(\d{1,9})`, "gi");
-/** Cycle 14 names the labels of the contour behind a word of any language: LABEL2, KONTURLABEL1 /2, LABEL QS3. */
+/** The contour labels of cycle 14, after a word of any language: LABEL2, KONTURLABEL1 /2, LABEL QS3. */
 export const contourLabels = (text: string): (Label | Parameter)[] =>
   [...text.matchAll(NAMED)].map(([, name, parameter, digits]) =>
     parameter === undefined ? (name ?? Number(digits)) : { parameter: parameter.toUpperCase(), negative: false },
   );
 
 /**
- * Words of four letters and more in the lines of an older cycle are of a language: CONTOUR LABEL, KONTURLABEL, WINKEL.
+ * Words of four and more letters in the lines of an older cycle depend on the language: CONTOUR LABEL, KONTURLABEL,
+ * WINKEL.
  */
 const LANGUAGE_WORD = /(?<![A-Z.\\:_])[A-Z.]{4,}(?![\\:_])/gi;
 

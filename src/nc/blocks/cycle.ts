@@ -9,7 +9,7 @@ import { NUMBER_PARAMETER } from "../value.ts";
 const INLINE = new RegExp(String.raw`\s${NUMBER_PARAMETER}[ \t]*=`, "i");
 type Parameters = readonly CycleParameter[];
 
-/** Name and parameters behind the number; they stand on one line or on many. */
+/** Name and parameters after the number, on one line or several. */
 function read({ scan, lines, issues }: BlockReading): { readonly name: string; readonly parameters: Parameters } {
   const inline = INLINE.exec(scan.text.slice(scan.at));
   const end = inline ? scan.at + inline.index : scan.text.length;
@@ -30,7 +30,7 @@ function read({ scan, lines, issues }: BlockReading): { readonly name: string; r
   return { name, parameters };
 }
 
-/** Values of a cycle that the reader could not make out, as they are written. */
+/** Unreadable values of a cycle, as written. */
 function unread(raw: string, q: string): string {
   const found = new RegExp(String.raw`(?:^|[^A-Z\d])${q}[ \t]*=?[ \t]*([^;~\r\n]*)`, "i").exec(raw);
   return plainText(found?.[1] ?? "");

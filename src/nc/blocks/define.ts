@@ -5,9 +5,9 @@ import type { FeedWord, Label, Parameter, Value } from "../words.ts";
 import type { Style } from "../style.ts";
 import type { Said } from "./said.ts";
 
-/** Which values of a word its page of the guide shows beside the usual one. */
+/** The values of a word shown on its guide page, besides the usual one. */
 export type Spread =
-  /** The texts that are given. */
+  /** The given texts. */
   | { readonly choices: readonly string[] }
   /** The usual value times each of these. */
   | { readonly times: readonly number[] }
@@ -22,7 +22,7 @@ export type Spread =
 export type Unseen =
   "name" | "axis" | "milling" | "free" | "choice" | "together" | "compensation" | "functions" | "same";
 
-/** What is typed into a field, and what the statement takes of it; null where nothing stands there. */
+/** The values of a field by entry kind; null where the field is empty. */
 export interface Typed {
   readonly choice: string;
   readonly text: string;
@@ -36,9 +36,9 @@ export interface Typed {
   readonly parameter: Value | "max" | "auto" | null;
 }
 
-/** What a form and the guide know of a field. `Name` is the key of its text; a word of the program names itself. */
+/** Properties of a field for forms and guide. `Name`: key of its text; a word of the program is its own name. */
 export interface FieldFacts<Name extends string = string> {
-  /** The same for the same field, whatever the block holds. */
+  /** Stable for the field, whatever the block contains. */
   readonly id: string;
   readonly name: Name | { readonly word: string };
   readonly unit?: string;
@@ -46,17 +46,17 @@ export interface FieldFacts<Name extends string = string> {
   readonly choices?: readonly string[];
   /** Longer text, as wide as the form. */
   readonly wide?: boolean;
-  /** How it is written in front of its value, where that is not its id. */
+  /** Letters in front of its value, where they differ from its id. */
   readonly letter?: string;
   readonly spread?: Spread;
   readonly unseen?: Unseen;
-  /** The page of the set-up that speaks of it. */
+  /** The set-up page about it. */
   readonly setup?: string;
-  /** The text of the guide that speaks of it where it has none of its own. */
+  /** The guide text about it, where it has none of its own. */
   readonly about?: string;
 }
 
-/** A field that holds one value of a statement, or of a part of it. Neither function changes what it is given. */
+/** A field for one value of a statement, or of a part of it. Neither function mutates its argument. */
 export interface ValueField<
   S,
   E extends keyof Typed = keyof Typed,
@@ -64,16 +64,16 @@ export interface ValueField<
 > extends FieldFacts<Name> {
   readonly entry: E;
   get(s: S): Typed[E];
-  /** The statement with the value; undefined where it does not take it. */
+  /** The statement with the value; undefined where the value is not allowed. */
   put(s: S, value: Typed[E]): S | undefined;
-  /** A switch beside the value, for incremental coordinates. */
+  /** The switch for incremental coordinates. */
   readonly incremental?: { read(s: S): boolean; write(s: S, on: boolean): S };
 }
 
 /** A field that holds the block as text, or the rest of it. */
 export interface LineField<S, Name extends string = string> extends FieldFacts<Name> {
   readonly entry: "line";
-  /** What is shown of the printed block. */
+  /** The shown part of the printed block. */
   shown(text: string): string;
   /** The text of the whole block. */
   line(s: S, typed: string): string;
@@ -84,48 +84,48 @@ export interface LineField<S, Name extends string = string> extends FieldFacts<N
 export type Field<S, Name extends string = string> =
   { [E in keyof Typed]: ValueField<S, E, Name> }[keyof Typed] | LineField<S, Name>;
 
-/** One thing of a statement: the property that holds it, how it is read, printed, compared and typed. */
+/** One property of a statement: how it is read, printed, compared and typed. */
 export interface Word<Key extends string = string, T = unknown, Name extends string = string> {
   readonly key: Key;
-  /** Takes the word where the reader stands; undefined where it does not stand there. */
+  /** Takes the word at the reading position; undefined where it is absent. */
   take(scan: Scan): T | undefined;
-  /** The word with the blank in front of it; empty where nothing is written. */
+  /** The word with the blank in front of it; empty where it is not written. */
   text(value: T, style: Style, statement: never): string;
-  /** True for a word that its letters announce: it may stand anywhere behind those without. */
+  /** True for a word that starts with letters: its place after the words without letters is free. */
   readonly lettered: boolean;
-  /** What holds where it is not written; without it the block cannot be read then. */
+  /** The value where the word is absent; without it such a block cannot be read. */
   readonly absent?: T;
-  /** The letters that are reported where it is missing. */
+  /** The letters reported as missing. */
   readonly needed?: string;
-  /** Takes up a word that nothing else reads. */
+  /** Stores a word that nothing else reads. */
   keep?(value: T, word: string): T;
-  /** What a comparison of two blocks reads; a kind without such words is compared as text. */
+  /** Adds the word to a block comparison; a kind without such words is compared as text. */
   say?(value: T, said: Said): void;
   fields?(value: T, statement: never): readonly Field<T, Name>[];
-  /** Never there: it holds the names of the fields for the compiler. */
+  /** Never set: carries the field names for the compiler. */
   readonly names?: Name;
 }
 
-/** A word of any type. It leaves the names of fields open, so that each declaration keeps its own. */
+/** A word of any type. Field names stay open, so that each declaration keeps its own. */
 export type AnyWord = Omit<Word, "fields" | "names"> & {
   fields?(value: unknown, statement: never): readonly unknown[];
 };
 
-/** What a kind of block is to the order of a program. */
+/** The role of a block kind in the order of a program. */
 export type Tag =
-  /** Says nothing to the control. */
+  /** Has no effect on the control. */
   | "note"
   /** States the blank. */
   | "blank"
   /** Stands before the first operation. */
   | "opening"
-  /** Calls the cycle that is defined, or runs something else in its place. */
+  /** Calls the defined cycle, or runs something else in its place. */
   | "calls"
-  /** Changes the coordinates of all that comes behind it. */
+  /** Changes the coordinates of all following blocks. */
   | "movesFrame"
-  /** Names the contour that the next cycle is run with. */
+  /** Names the contour of the next cycle. */
   | "namesContour"
-  /** May stand between what is called and the cycle that is called. */
+  /** May stand between the definition and the call of a cycle. */
   | "preparesCycle"
   /** May stand between a tool call and the first cut. */
   | "preparesTool"
@@ -133,9 +133,9 @@ export type Tag =
   | "leadsTool"
   /** Belongs to the tool that was called, not to its first cut. */
   | "ofTool"
-  /** May stand behind the last cut of a tool. */
+  /** May follow the last cut of a tool. */
   | "leaves"
-  /** No contour goes on behind it. */
+  /** Ends a contour. */
   | "endsContour"
   /** May stand between an element and the rounding or chamfer on its end. */
   | "waits";
@@ -146,42 +146,42 @@ export type Sample = string | readonly string[];
 /** Groups of the palette. */
 export type Group = "frame" | "technology" | "path" | "contour" | "cycles" | "order" | "notes";
 
-/** What a statement begins as may hang on a word of the language of NC text. */
+/** Words of the NC text language for new statements. */
 export interface NcWords {
   /** In front of the labels of cycle 14. */
   readonly contourLabel: string;
 }
 
 type Flat<T> = { [K in keyof T]: T[K] } & {};
-/** The statement that words hold together. */
+/** The statement type made of its words. */
 export type StatementOfWords<K extends string, W extends readonly AnyWord[]> = Flat<
   { readonly kind: K } & {
     readonly [E in W[number] as E["key"]]: E extends { take(scan: Scan): infer T } ? Exclude<T, undefined> : never;
   }
 >;
 
-/** A block that is being read: its text behind its keyword, and all its lines. */
+/** A block being read: its text after the keyword, and all its lines. */
 export interface BlockReading {
   readonly scan: Scan;
-  /** What of it was taken as its beginning. */
+  /** The text matched as its beginning. */
   readonly head: string;
   readonly lines: readonly BlockLine[];
   /** Of further lines. */
   readonly issues: BlockIssue[];
 }
 
-/** What one name of a kind has of its own, or the kind where it has one name. */
+/** Properties of one name of a kind, or of the kind where it has one name. */
 export interface Named<S> {
-  /** Where the palette offers it, and what it begins as; null where that has to be chosen first. */
+  /** Its palette group, and its initial statement; null where that must be chosen first. */
   readonly offered?: { readonly group: Group; readonly begins: S | ((nc: NcWords) => S) | null };
   readonly sample?: Sample;
   /** Why its words have no live picture. */
   readonly unseen?: Unseen;
-  /** Words that are shown in another sample, by the id of their field. */
+  /** Samples for single words, by field id. */
   readonly samples?: Readonly<Record<string, Sample>>;
 }
 
-/** A kind of block: everything that is known of it. */
+/** The complete declaration of a block kind. */
 export interface BlockDefinition<
   K extends string = string,
   W extends readonly AnyWord[] = readonly Word[],
@@ -189,37 +189,37 @@ export interface BlockDefinition<
   F extends string = string,
 > extends Named<StatementOfWords<K, W>> {
   readonly kind: K;
-  /** How it begins, as it is printed; other spellings behind it are read as well. */
+  /** Its keyword as printed; further spellings are read as well. */
   readonly keyword?: string | readonly string[];
-  /** A pattern in place of the keywords, where they do not say it. */
+  /** A pattern of its beginning, where keywords are not enough. */
   readonly begins?: string;
   /** Its words in the order in which they are printed, compared and asked for. */
   readonly words: W;
-  /** What its beginning says of it already. */
+  /** Properties given by its beginning. */
   found?(reading: BlockReading): Partial<StatementOfWords<K, W>>;
-  /** What is printed in front of its words, where that is not its keyword. */
+  /** Text printed before its words, if not its keyword. */
   lead?(s: StatementOfWords<K, W>): string;
-  /** Where its words alone do not say how it is read and printed. Null: it is none of this kind. */
+  /** Custom reading and printing, where its words are not enough. Null: not of this kind. */
   read?(reading: BlockReading): StatementOfWords<K, W> | null;
   print?(s: StatementOfWords<K, W>, style: Style): string | readonly string[];
-  /** A kind that is written on several lines: read by itself, or as one line. */
+  /** A kind written on several lines: read by its own reader, or joined to one line. */
   readonly lines?: "own" | "joined";
-  /** What a form asks for, where that is not what its words ask for in their order. */
+  /** The fields of its form, if not those of its words in order. */
   fields?(s: StatementOfWords<K, W>): readonly Field<StatementOfWords<K, W>, F>[];
-  /** Never there: it holds the names of those for the compiler. */
+  /** Never set: carries their names for the compiler. */
   readonly fieldNames?: F;
-  /** Whether a statement is typed as text. */
+  /** Whether a statement is edited as text. */
   asText?(s: StatementOfWords<K, W>): boolean;
-  /** Only blocks that give the same here are set against each other. */
+  /** Key of comparable blocks: only blocks with the same key are paired. */
   pairs?(s: StatementOfWords<K, W>): string;
-  /** The same with what names it. */
+  /** The pairing key with the block's own name. */
   like?(s: StatementOfWords<K, W>): string;
-  /** What is compared, where its words do not say it. `raw`: the text of the block. */
+  /** Custom comparison, where its words are not enough. `raw`: the text of the block. */
   say?(s: StatementOfWords<K, W>, said: Said, raw: string): void;
   readonly tags?: readonly Tag[];
   /** Where the list of parts shows it. */
   readonly part?: "operations" | "labels" | "notes";
-  /** The names that its statements go by, where they are not the kind. */
+  /** The names of its statements, if not the kind. */
   nameOf?(s: StatementOfWords<K, W>): N;
   readonly names?: { readonly [E in N]: Named<StatementOfWords<K, W>> };
 }

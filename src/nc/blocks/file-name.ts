@@ -6,7 +6,7 @@ import { takeQuoted } from "./words.ts";
 const NAMED = new RegExp(`(${TEXT_PARAMETER})`, "iy");
 const BARE_NAME = /[^\s;"][^;"]*/y;
 
-/** A parameter that stands for something else than a number. */
+/** A parameter that holds no number. */
 export const named = (parameter: string): Parameter => ({ parameter: parameter.toUpperCase(), negative: false });
 
 /** The file that a block names: in quotes, bare up to the end of the line, or by a parameter. */

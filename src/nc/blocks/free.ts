@@ -29,8 +29,8 @@ interface Free {
 }
 
 /**
- * Words that only free contours have: angles, centres, points that an element runs through or past, parallels, and the
- * block from which a value counts.
+ * Words of free contours only: angles, centres, auxiliary points on or beside an element, parallels, and the reference
+ * block of a value.
  */
 const NAMES = "I?AN|I?CC[XYZ]|CCPR|CCPA|P[123][XYZ]|PD[XYZ]|PAR|DP|D|RCC[XYZ]|RPR|RPA|RAN|R[XYZ]";
 const GIVEN = new RegExp(String.raw`(?<![A-Z_])(?:(CLSD)[ \t]*([+-])|(${NAMES})[ \t]*(${VALUE}))`, "gi");
@@ -49,13 +49,13 @@ function read({ scan }: BlockReading, form: FreeForm): { readonly given: Given; 
   const rest = scan.text
     .slice(begun)
     .replace(GIVEN, (text, closes?: string, sign?: string, name = "", digits = "", at = 0) => {
-      // What is wrong with a value is said where it stands.
+      // Issues of a value are reported at its position.
       scan.at = begun + Number(at) + text.length;
       const value = closes ? (sign === "-" ? -1 : 1) : scan.value(digits);
       if (value !== null) given.push({ name: (closes ?? name).toUpperCase(), value });
       return " ".repeat(text.length);
     });
-  // The other words stand where they stood, so that what is wrong with them has its place.
+  // The other words keep their positions, so that their issues have the right place.
   const inner = new Scan(rest, scan.offset + begun);
   const words = readWords(inner);
   for (const found of inner.issues) scan.issues.push(found);
@@ -63,7 +63,7 @@ function read({ scan }: BlockReading, form: FreeForm): { readonly given: Given; 
   return { given, words };
 }
 
-/** Blocks that are referred to are bare numbers, and CLSD has a sign alone. */
+/** References to blocks are bare numbers, and CLSD has only a sign. */
 const REFERS = /^(?:PAR|RCC?.*|RPR|RPA|RAN|R[XYZ])$/;
 function givenText({ name, value }: NamedWord, style: Style): string {
   if (name === "CLSD") return value === -1 ? "-" : "+";
@@ -106,7 +106,7 @@ const USUAL: Partial<Record<FreeForm, readonly string[]>> = {
   FC: ["CCX", "CCY"],
   FCT: ["CCX", "CCY"],
 };
-/** What is usual for a form, and any other that stands there. */
+/** The usual words of a form, and any other word of the block. */
 const givenNames = (form: FreeForm, given: Given): readonly string[] =>
   form === "FPOL" ? [] : [...new Set([...(USUAL[form] ?? []), ...given.map((w) => w.name)])];
 const ofWords = <N extends string>(field: Field<Words, N>) =>
@@ -118,7 +118,7 @@ const ofWords = <N extends string>(field: Field<Words, N>) =>
 const lineFields = [lineLengthField, ...tailFields];
 const arcFields = [radiusField, turnField, lineLengthField, centreAngleField, ...tailFields];
 
-/** An element of a free contour of which some things are given, its pole, or which solution is meant. */
+/** An element of a free contour, its pole, or the choice of a solution. */
 export const free = defineBlock({
   kind: "free",
   keyword: ["FL", "FLT", "FC", "FCT", "FPOL", "FSELECT"],
@@ -145,7 +145,7 @@ export const free = defineBlock({
     const found = read(reading, form);
     return found && { kind: "free", form, ...found };
   },
-  // What only free contours have stands behind the end point; a control reads any order.
+  // Words of free contours are printed after the end point; a control reads any order.
   print: (s, style) =>
     s.form === "FSELECT"
       ? `FSELECT ${unsigned(s.given[0]?.value ?? 1, style)}`

@@ -13,16 +13,16 @@ import {
 } from "./define.ts";
 import { Said } from "./said.ts";
 
-/** A statement of any kind, as the declaration of its kind sees it. */
+/** A statement of any kind, as its declaration sees it. */
 interface AnyStatement {
   readonly kind: string;
 }
 type Held = Record<string, unknown> & AnyStatement;
 
-/** Characters of one line; what is longer is no block of a control and would fill the memory word by word. */
+/** Most characters of one line; longer text is no block of a control and would fill the memory word by word. */
 const LONGEST = 10_000;
 
-/** What a comparison reads of a statement: its kind and what names it, and its words; null to compare it as text. */
+/** A statement for comparison: pairing keys and words; null words: compare as text. */
 export interface Compared {
   readonly pairs: string;
   readonly like: string;
@@ -32,14 +32,14 @@ export interface Compared {
 const keywordsOf = ({ keyword = [] }: BlockDefinition): readonly string[] =>
   typeof keyword === "string" ? [keyword] : keyword;
 
-/** How a kind begins, as a pattern; null for what no keyword announces. */
+/** The pattern of a kind's beginning; null without a keyword. */
 function beginningOf(block: BlockDefinition): string | null {
   if (block.begins !== undefined) return block.begins;
   const spelt = keywordsOf(block).map((each) => each.replaceAll(" ", String.raw`[ \t\u00a0]+`));
   return spelt.length === 0 ? null : `(?:${spelt.join("|")})(?![A-Z_])`;
 }
 
-/** Reads the words of a block in their order, and behind those without letters the others in any order. */
+/** Reads the words of a block: those without letters in order, then the others in any order. */
 function byWords(block: BlockDefinition, reading: BlockReading): Held | null {
   const { scan } = reading;
   const s: Held = { kind: block.kind };
@@ -72,11 +72,11 @@ function byWords(block: BlockDefinition, reading: BlockReading): Held | null {
   return s;
 }
 
-/** The lines of one block as one text in which everything stands at its own place; comments are left out. */
+/** The lines of one block as one text with unchanged positions, without comments. */
 const joined = (lines: readonly BlockLine[]): string =>
   lines.reduce((text, line) => text.padEnd(line.offset - (lines[0]?.offset ?? 0)) + line.text, "");
 
-/** The whole block as text, for what is not asked word by word. */
+/** The whole block as a text field, for blocks without single fields. */
 const WHOLE: LineField<AnyStatement, "text"> = {
   id: "text",
   name: "text",
@@ -88,7 +88,7 @@ const WHOLE: LineField<AnyStatement, "text"> = {
   keeps: false,
 };
 
-/** What can be done with the statements of a table of kinds: everything follows from their declarations. */
+/** Reading, printing, fields and comparison of statements, derived from the declarations of a table of kinds. */
 export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly BlockDefinition[]) {
   const byKind = new Map(kinds.map((block) => [block.kind, block]));
   const announced = kinds.flatMap((block) => {
@@ -112,7 +112,7 @@ export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly
   const readAs = (block: BlockDefinition, reading: BlockReading): Held | null =>
     block.read ? block.read(reading) : byWords(block, reading);
 
-  /** The first of the kinds that begin as the text does, and that can be read. */
+  /** Reads as the first kind with a matching beginning that succeeds. */
   function dispatch(scan: Scan, lines: readonly BlockLine[], issues: BlockIssue[]): Held | null {
     const m = scan.take(beginning);
     if (!m) return null;
@@ -130,7 +130,7 @@ export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly
   }
 
   return {
-    /** What a block says. Whatever is not understood is kept as `unknown` with one issue. */
+    /** The statement of a block. A block that is not understood becomes `unknown` with one issue. */
     read(lines: readonly BlockLine[]): { readonly statement: S; readonly issues: readonly BlockIssue[] } {
       const made = (s: Held, issues: readonly BlockIssue[]) => ({ statement: s as AnyStatement as S, issues });
       const head = lines[0];
@@ -167,7 +167,7 @@ export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly
       return typeof printed === "string" ? [printed] : printed;
     },
 
-    /** What a form asks for, in the order of the words. */
+    /** The fields of a form, in word order. */
     fields(s: S): readonly Field<S>[] {
       const block = blockOf(s);
       const held = s as AnyStatement as Held;
@@ -186,7 +186,7 @@ export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly
       return fields as readonly unknown[] as readonly Field<S>[];
     },
 
-    /** What a comparison reads. `raw`: the text of the block. */
+    /** The statement for comparison. `raw`: the text of the block. */
     compared(s: S, raw: string): Compared {
       const block = blockOf(s);
       const held = s as AnyStatement as Held;
@@ -199,11 +199,11 @@ export function grammarOf<S extends AnyStatement = AnyStatement>(kinds: readonly
       return { pairs, like, said };
     },
 
-    /** The name that a statement goes by. */
+    /** The name of a statement. */
     nameOf: (s: S): string => blockOf(s).nameOf?.(s as AnyStatement as Held) ?? s.kind,
     blockOf: (s: S): BlockDefinition => blockOf(s),
     has: (s: S, tag: Tag): boolean => blockOf(s).tags?.includes(tag) ?? false,
-    /** Every name of a kind with what it has of its own, in the order of the table. */
+    /** Every name of a kind with its own properties, in table order. */
     named: kinds.flatMap(
       (block): readonly (readonly [string, Named<S>])[] =>
         (block.names

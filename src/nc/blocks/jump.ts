@@ -63,6 +63,6 @@ export const jump = defineBlock({
   },
   print: jumpText,
   asText: () => true,
-  // With its FN number or without: it compares the same.
+  // Compared without its FN number.
   say: (s, said) => void said.put("", plainText(jumpText({ ...s, fn: null }, BARE))),
 });

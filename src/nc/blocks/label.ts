@@ -7,7 +7,7 @@ import { labelField, labelText, word } from "./words.ts";
 
 const LABEL = new RegExp(String.raw`(?:(\d{1,9})|"([^"]*)"|(${TEXT_PARAMETER}))`, "iy");
 
-/** A place that is called or jumped to; `LBL 0` ends a subprogram. */
+/** A label for calls and jumps; `LBL 0` ends a subprogram. */
 export const label = defineBlock({
   kind: "label",
   keyword: "LBL",

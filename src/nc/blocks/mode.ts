@@ -2,7 +2,7 @@ import { defineBlock } from "./define.ts";
 import { CONE, cut, instead } from "./sample.ts";
 import { choice, takeQuoted, textField, word } from "./words.ts";
 
-/** From here on it is turned, or milled, with the kinematics that a name says. */
+/** Switches to turning or milling, with named kinematics. */
 export const mode = defineBlock({
   kind: "mode",
   keyword: "FUNCTION MODE",

@@ -7,11 +7,11 @@ import type { FieldFacts, Spread, ValueField, Word } from "./define.ts";
 import { word } from "./words.ts";
 
 const NAMED = new RegExp(String.raw`([A-Z_]+?)[ \t]*:?[ \t]*(${VALUE})`, "iy");
-/** Words that are angles in degrees; the others are lengths in mm. */
+/** Words that are angles, degrees; the others are lengths, mm. */
 const ANGLES: ReadonlySet<string> = new Set(["ANGLE", "ANG_WIDTH", "FACEANGLE", "ROT"]);
 const HALF_AND_DOUBLE: Spread = { times: [0.5, 2] };
 
-/** What the guide shows of a word, whichever block it stands in. */
+/** Guide values of a word, for any block. */
 const SPREADS: Readonly<Record<string, Spread>> = {
   DZL: { plus: [-0.5, 0.5] },
   DXL: { plus: [-0.5, 0.5] },
@@ -43,7 +43,7 @@ function takeNamed(scan: Scan): Words {
   return words;
 }
 
-/** A word in a list of them: it takes the place that it has, or that `order` gives it. */
+/** The field of one word in a list; a new word is placed by `order`. */
 export const namedField = (
   name: string,
   order: readonly string[] | null,
@@ -67,7 +67,7 @@ export const namedField = (
   };
 };
 
-/** Named words: those that are usual for the statement, and any other that stands there. */
+/** Named words: the usual ones of the statement, and any other word of the block. */
 export const namedWords = (
   usual: (statement: never) => readonly string[],
   {

@@ -8,7 +8,7 @@ type FieldsOf<B> = B extends { readonly words: readonly (infer E)[]; readonly fi
   : never;
 type NameIn<E> = E extends { readonly names?: infer N } ? N : never;
 
-/** The names that blocks go by: a text for each of them. */
+/** The names of blocks: one text for each. */
 export type BlockKind = NamesOf<Kinds>;
-/** The names of what forms ask for: a text for each of them. */
+/** The names of form fields: one text for each. */
 export type FieldName = NonNullable<FieldsOf<Kinds>> | "text";

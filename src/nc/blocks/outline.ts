@@ -9,13 +9,13 @@ const LABEL = /(?:(\d{1,9})|"([^"]*)")/y;
 const FILE = /FILE(?![A-Z])/iy;
 const HELD = new RegExp(TEXT_PARAMETER, "iy");
 
-/** A label behind a word; null where they do not stand there. */
+/** A label after a word; null where absent. */
 export function takeLabelBehind(scan: Scan, lead: RegExp): Label | null {
   const m = scan.take(lead) && scan.take(LABEL);
   return m && readLabel(m[1], m[2]);
 }
 
-/** An outline behind a label, or in a file, before which FILE may stand; undefined where none stands there. */
+/** An outline by label, or by file with an optional FILE; undefined where absent. */
 export function takeOutline(scan: Scan): OutlineSource | undefined {
   const label = takeLabelBehind(scan, LBL);
   if (label !== null) return { label };
@@ -36,7 +36,7 @@ const typedFile = (typed: string): FileName | undefined => {
   return parameter?.parameter.startsWith("QS") ? parameter : typed;
 };
 
-/** The fields of an outline: where it stands, and its label or file. */
+/** The fields of an outline: its kind of source, and its label or file. */
 export const outlineFields = <T extends Outline>(
   sources: readonly string[],
 ): readonly Field<T, "blankSource" | "label" | "file">[] => [

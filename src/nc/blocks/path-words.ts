@@ -9,7 +9,7 @@ import { choiceField, plainFeedField, word } from "./words.ts";
 
 type Fields<Name extends string> = readonly Field<Words, Name>[];
 
-/** Takes a word in or out: null takes it out. */
+/** Sets or removes a word: null removes it. */
 function put<K extends keyof Words>(words: Words, key: K, value: Words[K] | null): Words {
   const { [key]: _, ...rest } = words;
   return (value === null || value === undefined ? rest : { ...rest, [key]: value }) as Words;
@@ -17,7 +17,7 @@ function put<K extends keyof Words>(words: Words, key: K, value: Words[K] | null
 
 const ORDER: readonly AxisName[] = ["X", "Y", "Z", "A", "B", "C", "U", "V", "W"];
 const rank = (w: AxisWord) => ORDER.indexOf(w.axis);
-/** The name of an axis: the three of them that have a text, and any other by its letter. */
+/** The name of an axis: a text for three of them, the letter for all others. */
 type AxisText = "x" | "y" | "z";
 const NAMES: Partial<Record<AxisName, AxisText>> = { X: "x", Y: "y", Z: "z" };
 const SPREADS = { X: { plus: [-4, 4] }, Z: { plus: [-6, 6] } } as const;
@@ -56,7 +56,7 @@ export const listFields = AXES.map(axisField);
 export const axesText = (axes: readonly AxisWord[], style: Style): string =>
   axes.map((w) => ` ${w.incremental ? "I" : ""}${w.axis}${valueText(w.value, style)}`).join("");
 
-/** The axes of a block: those that are usual for it, and any other that stands there. */
+/** The axes of a block: the usual ones, and any other axis of the block. */
 export const axisFields = ({ axes }: Words, usual: readonly AxisName[] = AXES): Fields<AxisText> =>
   ORDER.filter((axis) => usual.includes(axis) || axes.some((w) => w.axis === axis)).map((axis) =>
     within(
@@ -121,7 +121,7 @@ export const turnField: Field<Words, "turn"> = {
   letter: "DR",
 };
 
-/** Compensation is shown where it begins and ends: at a straight line. */
+/** Compensation is offered at straight lines only, where it begins and ends. */
 const compensationField: Field<Words, "compensation"> = {
   ...choiceField<Words, "compensation">(
     "compensation",
@@ -159,14 +159,14 @@ export const retractField: Field<Words, "retract"> = {
   put: (words, retract) => put(words, "retract", retract),
 };
 
-/** What nearly every path block may carry at its end. */
+/** The fields at the end of nearly every path block. */
 export const tailFields = [compensationField, feedField, functionsField];
 export const straightTailFields = [
   { ...compensationField, spread: { choices: ["R0", "RL", "RR"] } } satisfies Field<Words, "compensation">,
   feedField,
   functionsField,
 ];
-/** The same field with another reason why it has no picture, which it then has none of. */
+/** The same field without a picture, with the reason. */
 export const unseenField = <N extends string>({ spread: _, ...field }: Field<Words, N>, unseen: Unseen) =>
   ({ ...field, unseen }) as Field<Words, N>;
 

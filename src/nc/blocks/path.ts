@@ -27,7 +27,7 @@ const fieldsOf = (words: Words, { path }: { readonly path: PathKind }) => {
     case "CTP":
       return [...polarFields, ...axisFields(words, []), ...tailFields];
     case "C":
-      // Another end point alone does not lie on the arc.
+      // A changed end point alone would be off the arc.
       return [
         ...axisFields(words).map((field) =>
           field.id === "X" || field.id === "Z" ? unseenField(field, "together") : field,
@@ -48,7 +48,7 @@ const fieldsOf = (words: Words, { path }: { readonly path: PathKind }) => {
   }
 };
 
-/** A line that starts with the letter of a path function and has none of its words is something else. */
+/** A line with the letter of a path function but none of its words is something else. */
 const saysNothing = (words: Words) =>
   words.extra.length > 0 &&
   words.axes.length + words.functions.length + words.linear.length === 0 &&

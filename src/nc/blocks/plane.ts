@@ -1,7 +1,7 @@
 import { defineBlock } from "./define.ts";
 import { held } from "./words.ts";
 
-/** PLANE in all its forms, FUNCTION TCPM and its reset: read by what runs them. */
+/** PLANE in all its forms, FUNCTION TCPM and its reset, stored as text and read at run time. */
 export const plane = defineBlock({
   kind: "plane",
   begins: String.raw`PLANE(?![A-Z_])|FUNCTION(?=[ \t\u00a0]+(?:RESET[ \t]+)?TCPM(?![A-Z]))`,

@@ -3,7 +3,7 @@ import { defineBlock, type BlockReading } from "./define.ts";
 import { takeFileName } from "./file-name.ts";
 import { fileText, held } from "./words.ts";
 
-/** `bare`: the name stands without quotes. */
+/** `bare`: the name has no quotes. */
 const words = [held<FileName>()("file"), held<boolean>()("bare")] as const;
 
 function read({ scan }: BlockReading) {
@@ -11,10 +11,10 @@ function read({ scan }: BlockReading) {
   if (name) scan.leftOver();
   return name;
 }
-/** How it is quoted does not count, nor its case. */
+/** Quotes and case are ignored. */
 const plain = (lead: string, file: FileName) => `${lead} ${fileText(file)}`.toUpperCase();
 
-/** Runs another program in the place of this block. */
+/** Calls another program. */
 export const callProgram = defineBlock({
   kind: "callProgram",
   keyword: "CALL PGM",
@@ -47,7 +47,7 @@ export const selectProgram = defineBlock({
   part: "labels",
 });
 
-/** Runs the program that was named. */
+/** Calls the selected program. */
 export const callSelected = defineBlock({
   kind: "callSelected",
   keyword: "CALL SELECTED PGM",

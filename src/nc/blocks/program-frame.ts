@@ -24,7 +24,7 @@ const words = [
   held<Unit>()("unit", { say: (unit, said) => void said.put("", unit), fields: () => [unitField] }),
 ] as const;
 
-/** Everything behind the keyword is the name, but for the unit at its end. */
+/** Everything after the keyword is the name, except the unit at its end. */
 function read({ scan }: BlockReading): { readonly name: string; readonly unit: Unit } {
   const { rest } = scan;
   const unit = UNIT.exec(rest.slice(-6));

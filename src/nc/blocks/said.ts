@@ -3,7 +3,7 @@ import { feedText } from "../print-words.ts";
 import type { AxisWord, FeedWord, Label, NamedWord, Parameter, PolarWord, Value } from "../words.ts";
 import { LAYOUTS, type Style } from "../style.ts";
 
-/** One spelling of all that is compared. */
+/** The uniform spelling for comparisons. */
 export const BARE: Style = { ...LAYOUTS.tnc7, plus: false };
 const SIGNED: Style = { ...BARE, plus: true };
 
@@ -15,7 +15,7 @@ const plainNumber = (sign: string, digits: string): string => {
   return `${sign === "-" && size !== 0 ? "-" : ""}${size}`;
 };
 
-/** Text in one spelling: case, blanks and the way numbers are written count only between quotes. */
+/** Text in uniform spelling: case, blanks and number formats count only inside quotes. */
 export function plainText(raw: string): string {
   return raw
     .split(QUOTED)
@@ -41,11 +41,11 @@ export function plainText(raw: string): string {
     .trim();
 }
 
-/** A label in one spelling. */
+/** A label in uniform spelling. */
 export const plainLabel = (label: Label | Parameter): string =>
   typeof label === "object" ? valueText(label, BARE) : typeof label === "string" ? `"${label}"` : String(label);
 
-/** Words of a block under their names, each in one spelling; what comes twice is one word with both values. */
+/** Words of a block by name, in uniform spelling; a repeated word is joined into one with both values. */
 export class Said {
   readonly words = new Map<string, string>();
 

@@ -5,7 +5,7 @@ import { takeFileName } from "./file-name.ts";
 import { cut } from "./sample.ts";
 import { fileText, textField, word } from "./words.ts";
 
-/** The program with the contour of the next cycle. */
+/** Selects the program with the contour of the next cycle. */
 export const selectContour = defineBlock({
   kind: "selectContour",
   keyword: "SEL CONTOUR",

@@ -5,7 +5,7 @@ import { choiceField, value, word } from "./words.ts";
 const VCONST = /VCONST[ \t]*:?[ \t]*(ON|OFF)(?![A-Z])/iy;
 const FACE = ["L X+40 Z+1 FMAX", "L X+2 F0.2", "L Z+3 FMAX"];
 
-/** How fast the part turns: at a constant cutting speed up to a limit, or at a speed. */
+/** The turning spindle: constant cutting speed up to a limit, or constant rpm. */
 export const spin = defineBlock({
   kind: "spin",
   keyword: "FUNCTION TURNDATA SPIN",
@@ -46,7 +46,7 @@ export const spin = defineBlock({
       spread: { times: [0.3, 2] },
       setup: "spindle.limit",
     }),
-    // Which gear of the spindle.
+    // The gear range of the spindle.
     value<"gear", never>("gear", "GEARRANGE", { plain: true, colon: "written", field: false }),
   ],
   tags: ["preparesCycle", "preparesTool", "leadsTool", "ofTool"],

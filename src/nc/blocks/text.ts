@@ -14,7 +14,7 @@ const NOTE = [
 /** A line with nothing in it. */
 export const empty = defineBlock({ kind: "empty", words: [], print: () => "", tags: NOTE });
 
-/** `; what is said to who reads it`. */
+/** `; a comment for the reader`. */
 export const comment = defineBlock({
   kind: "comment",
   words: [
@@ -36,7 +36,7 @@ export const comment = defineBlock({
   sample: cut("> ; OUTSIDE", ...CONE),
 });
 
-/** `* - a heading of the list of parts`. */
+/** `* - a structure item`. */
 export const structure = defineBlock({
   kind: "structure",
   begins: String.raw`\*[ \t\u00a0]*-?`,
@@ -61,7 +61,7 @@ export const structure = defineBlock({
   sample: cut("> * - OUTSIDE", ...CONE),
 });
 
-/** What none of the kinds reads. It stays as it is. */
+/** A block that no kind reads. It stays unchanged. */
 export const unknown = defineBlock({
   kind: "unknown",
   words: [held<string>()("text")],

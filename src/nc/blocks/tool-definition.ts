@@ -3,7 +3,7 @@ import { defineBlock } from "./define.ts";
 import { CONE, cut, instead } from "./sample.ts";
 import { labelText, shownLabel, takeTool, textField, typedLabel, value, word } from "./words.ts";
 
-/** Length and radius of a tool in the program itself, as older controls need it. */
+/** Length and radius of a tool in the program itself, for older controls. */
 export const toolDefinition = defineBlock({
   kind: "toolDefinition",
   keyword: "TOOL DEF",

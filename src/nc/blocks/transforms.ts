@@ -76,7 +76,7 @@ export const mirror = defineBlock({
   part: "labels",
 });
 
-/** A value behind its letters, which a reset stands in place of. */
+/** The field of a value that a reset may replace. */
 const changedField = <T>(
   letters: string,
   unit: { readonly unit?: string },

@@ -9,7 +9,7 @@ const OFF = /OFF(?![A-Z])/iy;
 type Blank = OutlineSource | "off";
 const takeBlank = (scan: Scan): Blank | undefined => takeOutline(scan) ?? (scan.take(OFF) ? "off" : undefined);
 
-/** The outline of what is turned is followed from cut to cut, or no longer. */
+/** Blank update: the control tracks the outline of the work from cut to cut, or stops doing so. */
 export const turnBlank = defineBlock({
   kind: "turnBlank",
   keyword: "FUNCTION TURNDATA BLANK",
@@ -20,7 +20,7 @@ export const turnBlank = defineBlock({
       fields: () => outlineFields<Blank>(["off", "label", "file"]),
     }),
   ],
-  // What stands behind it is not reported.
+  // Text after it is not reported.
   read({ scan }) {
     const blank = takeBlank(scan);
     return blank === undefined ? null : { kind: "turnBlank", blank };

@@ -3,7 +3,7 @@ import { namedWords } from "./named-words.ts";
 import { choiceField, word } from "./words.ts";
 
 const FORM = /(TYPE[ \t]*_[ \t]*[A-Z]|THREAD)(?![A-Z])/iy;
-/** The words of each form in the order of the control. */
+/** The words of each form in the control's order. */
 const WORDS: Readonly<Record<string, readonly string[]>> = {
   TYPE_E: ["R", "DEPTH", "BREADTH", "ANGLE"],
   TYPE_F: ["R", "DEPTH", "BREADTH", "ANGLE", "FACEDEPTH", "FACEANGLE"],

@@ -7,20 +7,20 @@ import { readLabel, VALUE } from "../value.ts";
 import type { Said } from "./said.ts";
 import type { Field, Spread, Unseen, Word } from "./define.ts";
 
-/** What the guide knows of a word beside its name. */
+/** Guide data of a word, besides its name. */
 interface Guided {
   readonly spread?: Spread;
   readonly unseen?: Unseen;
   readonly setup?: string;
 }
 
-/** A word for which none of the usual ones will do. */
+/** A custom word. */
 export const word = <const K extends string, T, const N extends string = never>(
   key: K,
   of: Omit<Word<K, T, N>, "key" | "lettered"> & { readonly lettered?: boolean },
 ): Word<K, T, N> => ({ lettered: false, ...of, key });
 
-/** A property that its kind reads and prints. `T` is what it holds. */
+/** A property that its block kind reads and prints. `T`: its type. */
 export const held =
   <T>() =>
   <const K extends string, const N extends string = never>(
@@ -29,7 +29,7 @@ export const held =
   ): Word<K, T, N> =>
     word(key, { take: () => undefined, text: () => "", ...more });
 
-/** The field of a text of one line; `taken` gives what the statement holds of it, undefined where it cannot be that. */
+/** The field of a one-line text; `taken` parses it, undefined for invalid text. */
 export const textField = <T, const N extends string>(
   name: N,
   shown: (value: T) => string,
@@ -63,7 +63,7 @@ export const choiceField = <T, const N extends string>(
     put: (before: T, chosen: string) => taken(chosen, before),
   }) as Field<T, N>;
 
-/** A number or parameter behind its letters, which may be left out. */
+/** An optional number or parameter with its letters. */
 export const value = <const K extends string, const N extends string = K>(
   key: K,
   letters: string,
@@ -77,11 +77,11 @@ export const value = <const K extends string, const N extends string = K>(
   }: {
     /** Printed without a plus sign. */
     readonly plain?: boolean;
-    /** Its absence is reported. */
+    /** True where its absence is reported. */
     readonly needed?: boolean;
     /** Whether forms ask for it. */
     readonly field?: boolean;
-    /** A colon may stand behind the letters, or is written there. */
+    /** A colon after the letters is accepted, or written. */
     readonly colon?: "read" | "written";
     readonly name?: N;
     readonly unit?: string;
@@ -113,8 +113,8 @@ export const value = <const K extends string, const N extends string = K>(
 };
 
 /**
- * A length that is given in one of two measures, as D and R are: the first where nothing says which. mm. `measure` is
- * the field that says in which.
+ * A length given in one of two measures, such as D and R; the first is the default. mm. `measure`: the field of the
+ * measure.
  */
 export const measured = <const K extends string, const N extends string, const M extends string>(
   key: K,
@@ -125,7 +125,7 @@ export const measured = <const K extends string, const N extends string, const M
   type Measured = { readonly measure: M; readonly value: Value } | null;
   const pattern = new RegExp(String.raw`(${measures.join("|")})[ \t]*(${VALUE})`, "iy");
   const [usual] = measures;
-  // How it is measured shows its last letter first: DI is D.
+  // The first letter of the measure: DI is D.
   const letterOf = (of: M) => of.slice(0, 1);
   return word<K, Measured, K | N>(key, {
     lettered: true,
@@ -161,7 +161,7 @@ export const measured = <const K extends string, const N extends string, const M
   });
 };
 
-/** One of several words. `lead`: what stands in front of it without a blank. */
+/** One of several words. `lead`: text in front of it without a blank. */
 export const choice = <const K extends string, const C extends string, const N extends string = K>(
   key: K,
   choices: readonly C[],
@@ -173,7 +173,7 @@ export const choice = <const K extends string, const C extends string, const N e
     ...guided
   }: {
     readonly lead?: string;
-    /** What holds where none of them stands there. */
+    /** The value where none of them is written. */
     readonly otherwise?: C;
     readonly compared?: boolean;
     readonly name?: N;
@@ -196,7 +196,7 @@ export const choice = <const K extends string, const C extends string, const N e
 const AXIS = /([XYZABCUVW])(?![A-Z])/iy;
 const isAxis = (letter: string): letter is AxisName => /^[XYZABCUVW]$/.test(letter);
 
-/** The axis of the spindle, without which the block cannot be read. */
+/** The spindle axis, without which the block cannot be read. */
 export const toolAxis = <const K extends string>(
   key: K,
   { compared = true }: { readonly compared?: boolean } = {},
@@ -211,7 +211,7 @@ export const toolAxis = <const K extends string>(
     fields: () => [axisField(["X", "Y", "Z"])],
   });
 
-/** The same where it may be left out. */
+/** The optional spindle axis. */
 export const optionalToolAxis = <const K extends string>(
   key: K,
   pattern = AXIS,
@@ -247,7 +247,7 @@ const axisField = (choices: readonly string[]): Field<AxisName, "toolAxis"> =>
 /** A label by its number, its name in quotes, or the QS parameter that holds it. */
 export const labelText = (label: Label): string =>
   typeof label === "number" ? String(label) : /^QS\d/i.test(label) ? label : `"${label}"`;
-/** A label as one types it. */
+/** A label as typed. */
 export const shownLabel = (label: Label | Parameter): string =>
   typeof label === "object" ? label.parameter : String(label);
 /** A typed label: digits are its number, anything else its name. */
@@ -263,14 +263,14 @@ export const labelField = <T extends Label | Parameter>(): Field<T, "label"> =>
   });
 
 const TOOL = /(?:(\d{1,9}(?:[.,]\d)?)(?![\d.,])|"([^"]*)")/y;
-/** A tool by its number, which may have an index, or by its name; null where none stands there. */
+/** A tool by number, with or without an index, or by name; null where absent. */
 export function takeTool(scan: Scan): Label | null {
   const m = scan.take(TOOL);
   return m && readLabel(m[1]?.replace(",", "."), m[2]);
 }
 
 const QUOTED = /"([^"]*)"/y;
-/** What stands in quotes here; null where nothing does. */
+/** The quoted text here; null where absent. */
 export const takeQuoted = (scan: Scan): string | null => scan.take(QUOTED)?.[1] ?? null;
 
 /** Everything up to the end of the line. */
@@ -296,7 +296,7 @@ export const plainFeedField: Field<FeedWord | null, "feed"> = {
   put: (_, feed) => feed,
 };
 
-/** FMAX, FAUTO, or a feed with its unit; it may be left out. */
+/** An optional feed: FMAX, FAUTO, or a value with its unit. */
 export const feed = <const K extends string>(key: K): Word<K, FeedWord | null, "feed"> =>
   word(key, {
     lettered: true,
@@ -313,7 +313,7 @@ export const feed = <const K extends string>(key: K): Word<K, FeedWord | null, "
     fields: () => [plainFeedField],
   });
 
-/** Words that are kept and not understood. */
+/** Words that are not understood but stored. */
 export const extra = <const K extends string>(key: K): Word<K, readonly string[], never> =>
   word<K, readonly string[], never>(key, {
     take: () => undefined,

@@ -13,7 +13,7 @@ export interface IsoCoordinate {
 const SIGNED = { plus: true, decimal: "." } as const;
 const NAMES: ReadonlySet<string> = new Set("XYZABCUVWIJKRH");
 
-/** Coordinates with G90 or G91 in front of the first and wherever it changes, so that a block can be read alone. */
+/** Coordinates with G90 or G91 before the first and at each change, so that a block is complete in itself. */
 export function coordinateTexts(coordinates: readonly IsoCoordinate[]): string[] {
   let before: boolean | null = null;
   return coordinates.flatMap(({ name, value, incremental }) => {
@@ -23,15 +23,15 @@ export function coordinateTexts(coordinates: readonly IsoCoordinate[]): string[]
   });
 }
 
-/** What G90 or G91 a token is; null for any other. */
+/** Whether a token switches to incremental (G91: true, G90: false); null for any other token. */
 export function dimensionOf(token: IsoToken): boolean | null {
   const means = token.letter === "G" && token.number !== null ? isoMeaningOf("G", token.number) : null;
   return means?.kind === "dimension" ? means.incremental : null;
 }
 
 /**
- * The coordinates of a block in their order. One G90 or G91 holds for the whole block, wherever it stands; of several
- * each holds for the words behind it. `incremental`: what the blocks before left in force.
+ * The coordinates of a block in order. A single G90 or G91 applies to the whole block, wherever it is; several apply to
+ * the words after each. `incremental`: the mode left by earlier blocks.
  */
 export function coordinatesOf(
   tokens: readonly IsoToken[],

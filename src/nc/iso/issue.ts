@@ -1,7 +1,7 @@
 import type { NcSeverity } from "../issue.ts";
 
 interface Data {
-  /** The block is kept as text: it is neither DIN/ISO nor Klartext that is known. */
+  /** The block is neither known DIN/ISO nor known Klartext, and is kept as text. */
   isoBlockNotUnderstood: { text: string };
   /** A word that is not translated; its whole block is kept as text. */
   isoWordNotUnderstood: { word: string };
@@ -19,15 +19,12 @@ interface Data {
 
 export type IsoIssueCode = keyof Data;
 
-/** A finding before its place is known; `at` counts characters of the block behind its number. */
+/** A finding without its place; `at` counts characters of the block after its number. */
 export type IsoProblem = {
   [C in IsoIssueCode]: { readonly code: C; readonly at: number; readonly data: Readonly<Data[C]> };
 }[IsoIssueCode];
 
-/**
- * One finding of the reader. Lines and columns of the DIN/ISO text count from 1; `number` is that of the block, null
- * without one.
- */
+/** One finding of the reader. Lines and columns of the DIN/ISO text count from 1; `number`: block number, or null. */
 export type IsoIssue = {
   [C in IsoIssueCode]: {
     readonly code: C;
@@ -39,6 +36,6 @@ export type IsoIssue = {
   };
 }[IsoIssueCode];
 
-/** How much a finding weighs: what is kept as text is not run. */
+/** The severity of a finding: blocks kept as text do not run. */
 export const isoSeverity = (code: IsoIssueCode): NcSeverity =>
   code === "isoBlocksRecounted" ? "info" : code === "isoPlaneLeftOut" ? "warning" : "error";

@@ -5,14 +5,14 @@ import { FIRST_CYCLE } from "./words.ts";
 interface IsoLine {
   readonly number: number | null;
   readonly skip: boolean;
-  /** What stands behind the number, without comment. */
+  /** The text after the number, without comment. */
   readonly text: string;
-  /** Behind `;`, null without one. */
+  /** The comment after `;`, null without one. */
   readonly comment: string | null;
   /** Line of the file from 1, and column of `text` from 1. */
   readonly line: number;
   readonly column: number;
-  /** The line goes on with `~`. */
+  /** The line continues with `~`. */
   readonly open: boolean;
 }
 
@@ -27,13 +27,13 @@ const CYCLE = /^G[ \t]*[1-9]\d\d(?!\d)/i;
 /** Characters of one line; a longer one is no block, and is kept as it stands. */
 export const LONGEST_LINE = 10_000;
 
-/** Without a mark and the blanks round it at the end of the text; null when it does not end with the mark. */
+/** The text without a mark and the blanks around it at its end; null without the mark. */
 function before(text: string, mark: string): string | null {
   const trimmed = text.trimEnd();
   return trimmed.endsWith(mark) ? trimmed.slice(0, -mark.length).trimEnd() : null;
 }
 const withoutStar = (text: string) => before(text, "*") ?? text.trimEnd();
-/** A line that goes on: ` ~`, ` ~ *` or ` * ~`. */
+/** The text of a line that continues (` ~`, ` ~ *` or ` * ~`), without the mark; null for any other line. */
 function continued(text: string): string | null {
   const cut = before(withoutStar(text), "~");
   return cut === null ? null : withoutStar(cut);
@@ -73,7 +73,7 @@ function lineOf(raw: string, line: number, inCycle: boolean): IsoLine {
       };
 }
 
-/** Whether a line holds parameters of the cycle before it, and is no assignment of its own. */
+/** Whether a line contains parameters of the preceding cycle, not an assignment of its own. */
 function belongs(next: IsoLine, head: IsoLine, open: boolean): boolean {
   if (next.number !== null || !/^Q[LR]?\d/i.test(next.text) || isoTokens(next.text).some((t) => t.letter !== "Q"))
     return false;
@@ -81,7 +81,7 @@ function belongs(next: IsoLine, head: IsoLine, open: boolean): boolean {
   return open || alone || next.comment !== null || Number(/\d+/.exec(next.text)?.[0]) >= FIRST_CYCLE;
 }
 
-/** The blocks of a DIN/ISO text. The lines of a cycle belong together, by `~` or as the parameters behind it. */
+/** The blocks of a DIN/ISO text. Lines of a cycle are joined, by `~` or as its parameters. */
 export function isoBlocks(text: string): IsoBlock[] {
   const raws = text.split(/\r\n|\n|\r/);
   if (raws.at(-1) === "") raws.pop();
@@ -106,7 +106,7 @@ export function isoBlocks(text: string): IsoBlock[] {
 const FRAME = /^\s*%[^;]*G\s*7[01]\s*\*?\s*(?:;.*)?$/i;
 const IN_ISO = /^\s*\/?\s*(?:(?:N\s*\d+\s*)?\/?\s*G\s*\d{1,3}(?!\d)|N\s*\d+\b.*\*\s*$)/i;
 const IN_KLARTEXT = /^\s*\/?\s*\d*\s*(?:BEGIN|END)[ \t]+PGM\b/i;
-/** So many lines tell the language of a program. */
+/** Lines, and characters of each, that decide the language of a program. */
 const LOOKED_AT = 200;
 const LOOKED_ALONG = 200;
 

@@ -1,14 +1,14 @@
-/** Words that DIN/ISO does not hold and Klartext shows: names of cycles and labels of their parameters. */
+/** Texts that only Klartext contains: names of cycles and labels of their parameters. */
 export interface IsoNames {
-  /** Name behind the number in the CYCL DEF line; empty for none. */
+  /** Name after the number in the CYCL DEF line; empty for none. */
   cycle(cycle: number): string;
   /** Label behind `;` of one parameter, "Q215"; null or empty for none. */
   label(cycle: number, q: string): string | null;
-  /** Cycle 14: behind 14.0, and in front of the label numbers behind 14.1. */
+  /** Cycle 14: title after 14.0, and word before the label numbers of 14.1. */
   readonly contour: { readonly title: string; readonly label: string };
 }
 
-/** Names of the cycles of numbered lines, which no catalogue holds. */
+/** Names of cycles with numbered lines, which no catalogue contains. */
 const OLDER: Readonly<Record<number, string>> = {
   7: "DATUM SHIFT",
   8: "MIRROR IMAGE",
@@ -28,5 +28,5 @@ export const ENGLISH_NAMES: IsoNames = {
   contour: { title: "CONTOUR GEOMETRY", label: "CONTOUR LABEL" },
 };
 
-/** The title of an older cycle: as the names have it, else in English. */
+/** The title of an older cycle: from the names, else in English. */
 export const olderTitle = (cycle: number, names: IsoNames): string => names.cycle(cycle) || (OLDER[cycle] ?? "");

@@ -7,7 +7,7 @@ import { bareValue, signedValue } from "./print-words.ts";
 import type { IsoToken } from "./tokens.ts";
 import { isoWordFor } from "./words.ts";
 
-/* The cycles of numbered lines (7.0, 7.1 …): several Klartext blocks are one block of DIN/ISO. */
+/* Cycles with numbered lines (7.0, 7.1 …): several Klartext blocks are one block of DIN/ISO. */
 
 type Line = Pick<StatementOf<"cycleLine">, "line" | "text">;
 
@@ -44,7 +44,7 @@ function shifted(lines: readonly Line[]): AxisWord[] | null {
   return axes.length > 0 ? axes : null;
 }
 
-/** Words behind the G word of a cycle; null when its lines say something that has no word. */
+/** Words after the G word of a cycle; null where a line has no DIN/ISO word. */
 function wordsOf(cycle: number, first: string, lines: readonly Line[]): string[] | null {
   const only = lines.length === 1;
   const one = (pattern: RegExp, write: (value: Value) => string): string[] | null => {
@@ -97,8 +97,8 @@ function wordsOf(cycle: number, first: string, lines: readonly Line[]): string[]
 }
 
 /**
- * The block of DIN/ISO for the lines of an older cycle, from `.0` on, each numbered one higher than the one before.
- * Null when there is no word for what they say.
+ * The DIN/ISO block for the lines of an older cycle, numbered consecutively from `.0`. Null where a line has no DIN/ISO
+ * word.
  */
 export function isoOfOlderCycle(cycle: number, lines: readonly Line[]): string | null {
   const rest = lines.slice(1);
@@ -112,9 +112,9 @@ export function isoOfOlderCycle(cycle: number, lines: readonly Line[]): string |
   return words && word ? [word, ...words].join(" ") : null;
 }
 
-/** What stands behind the G word of an older cycle. */
+/** The words after the G word of an older cycle. */
 interface OlderWords {
-  /** All of them but G90 and G91. */
+  /** All words except G90 and G91. */
   readonly tokens: readonly IsoToken[];
   readonly coordinates: readonly IsoCoordinate[];
 }
@@ -191,9 +191,7 @@ function textsOf(
 const blocksOf = (cycle: number, title: string, texts: readonly string[]): Statement[] =>
   [title, ...texts].map((text, line) => ({ kind: "cycleLine", cycle, line, text }));
 
-/**
- * The Klartext blocks of an older cycle from the words behind its G word; null when they are not those of the cycle.
- */
+/** The Klartext blocks of an older cycle, from the words after its G word; null where they do not fit the cycle. */
 export function olderCycleOfIso(cycle: number, row: boolean, words: OlderWords, names: IsoNames): Statement[] | null {
   const read = textsOf(cycle, row, words, names) ?? [];
   const texts = read.filter((text) => text !== null);
@@ -204,7 +202,7 @@ export function olderCycleOfIso(cycle: number, row: boolean, words: OlderWords, 
 
 const CALLS_PROGRAM = /^G[ \t]*39[ \t]*P[ \t]*01[ \t]+(\S+)$/i;
 
-/** `G39 P01 NAME`: the name is no word, so the block is read as text. Null when it is another block. */
+/** `G39 P01 NAME`: the name is no word, so the block is read as text. Null for any other block. */
 export function programCycleOfIso(text: string, names: IsoNames): Statement[] | null {
   const name = CALLS_PROGRAM.exec(text)?.[1];
   return name === undefined ? null : blocksOf(12, olderTitle(12, names), [`PGM ${name}`]);

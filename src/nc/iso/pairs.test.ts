@@ -19,7 +19,7 @@ function program(lines: string): string {
   );
 }
 
-/** `=` both ways; `->` to DIN/ISO and from there. Formulas hold `=` with blanks as well, so the middle one parts. */
+/** `=` both ways; `->` to DIN/ISO and back. Formulas contain `=` with blanks as well, so the middle one separates. */
 const pairs = cases(pairsText).map((line) => {
   const way = line.split(" -> ");
   if (way.length === 3) return way;
@@ -42,7 +42,7 @@ describe("each kind of block once, in both languages", () => {
   });
 });
 
-describe("what has no word is kept and listed", () => {
+describe("blocks without a DIN/ISO word are kept and listed", () => {
   test.each(cases(keptText))("%s", (klartext) => {
     const before = parse(program(klartext));
     const printed = isoProgramText(before);
@@ -66,7 +66,7 @@ describe("the table of words", () => {
     (_, row) => {
       const { text, kept } = isoProgramText(parse(`${row.klartext}\n`));
       expect(kept).toEqual([]);
-      // "I J K" are words to choose from; "G90 … G91 …" stand both in a block.
+      // "I J K" are alternatives; "G90 … G91 …" are both in one block.
       const all = row.word.split(/ ?… ?/).filter((w) => w !== "");
       for (const words of all)
         expect(text).toMatch(new RegExp(String.raw`(?:^|[ \d])(?:${words.replaceAll(" ", "|")})`));
@@ -84,7 +84,7 @@ describe("the table of words", () => {
     },
   );
 
-  test("no word stands twice with another meaning, and a recalled one has no page", () => {
+  test("no word has two meanings, and a recalled word has no page", () => {
     const coded = isoWords.filter((w) => /^[GD]\d+$/.test(w.word));
     expect(new Set(coded.map((w) => w.word)).size).toBe(coded.length);
     for (const w of isoWords) expect(w.source === "").toBe(w.evidence.startsWith("K"));

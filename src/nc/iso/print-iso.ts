@@ -6,11 +6,11 @@ import { isoOfOlderCycle } from "./older-cycles.ts";
 import { isoStatement, parametersText } from "./print-statement.ts";
 import { isoWordFor } from "./words.ts";
 
-/** A block without DIN/ISO word, which stands in the file as Klartext. */
+/** A block without a DIN/ISO word, written as Klartext. */
 export interface KeptBlock {
   /** Index of the block in the program. */
   readonly index: number;
-  /** Its number, as the file shows it. */
+  /** Its number in the file. */
   readonly number: number;
 }
 
@@ -20,15 +20,13 @@ export interface IsoProgram {
   readonly kept: readonly KeptBlock[];
 }
 
-/** Says nothing that a control would run. */
+/** Whether a block has no effect on a control. */
 const isSilent = ({ kind }: Statement) => kind === "empty" || kind === "comment" || kind === "structure";
 const isBlank = ({ kind }: Statement) => kind === "empty" || kind === "comment";
-/** Formulas and texts are written alike in both languages. */
+/** Whether a block is written alike in both languages: formulas and texts. */
 const isShared = (s: Statement) => (s.kind === "assign" && s.fn === null) || s.kind === "assignText";
 
-/**
- * In front of a DIN/ISO block that could not be translated, where its text alone could be taken for a Klartext block.
- */
+/** Marks an untranslated DIN/ISO block that could be mistaken for a Klartext block. */
 export const UNREAD_MARK = "ISO";
 
 /** The Klartext of a block on one line. */
@@ -40,10 +38,7 @@ function keptText(s: Statement): string {
 
 const frameText = (s: StatementOf<"begin" | "end">) => `%${s.name} ${isoWordFor({ kind: "unit", unit: s.unit })}`;
 
-/**
- * The older cycle that begins at `index`: its block of DIN/ISO and how many Klartext blocks it is; null when there is
- * no word for it.
- */
+/** The older cycle at `index`: its DIN/ISO block and its number of Klartext blocks; null without a DIN/ISO word. */
 function olderCycleAt(
   blocks: readonly Block[],
   index: number,
@@ -62,9 +57,8 @@ function olderCycleAt(
 }
 
 /**
- * Prints a program in DIN/ISO: one block a line, each with `N` and the number that it has in Klartext, each complete in
- * itself. Blocks without a DIN/ISO word stand as Klartext and are listed in `kept`. Names of cycles and labels of
- * parameters are lost.
+ * Prints a program in DIN/ISO: one block per line, each complete, with `N` and its number in Klartext. Blocks without a
+ * DIN/ISO word are written as Klartext and listed in `kept`. Names of cycles and labels of parameters are lost.
  */
 export function isoProgramText(program: Program): IsoProgram {
   const { blocks } = program;

@@ -18,7 +18,7 @@ import { FIRST_CYCLE, isoWordFor, type IsoBlockName, type IsoPath } from "./word
 const blockWord = (block: IsoBlockName) => isoWordFor({ kind: "block", block });
 const planeWord = (axis: AxisName) => isoWordFor({ kind: "plane", axis });
 
-/** A label behind L: its number, its name in quotes, or the parameter that holds it. */
+/** A label after L: its number, its name in quotes, or the parameter that holds it. */
 function labelText(label: Label | Parameter): string {
   if (typeof label === "number") return String(label);
   if (typeof label === "object") return bareValue(label);
@@ -105,7 +105,7 @@ function cycleText(s: StatementOf<"cycle">): string | null {
   return word && word + parametersText(s);
 }
 
-/** The values that an FN function works on; null when it is not written with two values. */
+/** The operands of an FN function; null unless it is written with two values. */
 function operands(fn: FunctionNumber, { formula: f }: StatementOf<"assign">): Value[] | null {
   if (fn === 0) return f.kind === "value" ? [f.value] : null;
   if (f.kind === "call") return f.of.kind === "value" ? [f.of.value] : null;
@@ -120,7 +120,7 @@ function assignText(s: StatementOf<"assign">): string | null {
     : null;
 }
 
-/** What each jump compares. */
+/** The comparison of each jump. */
 export const JUMPS = { 9: "EQU", 10: "NE", 11: "GT", 12: "LT" } as const;
 
 function jumpText(s: StatementOf<"jump">): string | null {

@@ -23,7 +23,7 @@ const polar = (name: string, w: PolarWord | undefined) => (w ? [{ ...w, name }] 
 const compensationTexts = ({ compensation }: Words): string[] =>
   compensation === undefined ? [] : [isoWordFor({ kind: "compensation", value: compensation }) ?? ""];
 
-/** Feed, M functions, and what belongs to them; `rapid`: the path function says FMAX already. */
+/** Feed, M functions and their words; `rapid`: the path function already implies FMAX. */
 export function tailTexts(words: Words, rapid = false): string[] {
   const { feed, functions, retract, functionFeed } = words;
   return [
@@ -34,14 +34,14 @@ export function tailTexts(words: Words, rapid = false): string[] {
   ];
 }
 
-/** What a block holds besides its words. */
+/** Parts of a block besides its words. */
 interface BlockParts {
   /** G word in front; none for a block of I, J and K. */
   readonly word?: string | null;
   readonly coordinates?: readonly IsoCoordinate[];
   /** Words behind the coordinates. */
   readonly more?: readonly string[];
-  /** The G word says FMAX. */
+  /** The G word implies FMAX. */
   readonly rapid?: boolean;
 }
 
@@ -58,7 +58,7 @@ export const wordsBlock = (words: Words, { word, coordinates = [], more = [], ra
 type Part = keyof Words;
 const TAIL: readonly Part[] = ["compensation", "feed", "functions", "retract", "functionFeed"];
 
-/** True when a block says nothing but the named parts, compensation, feed and M functions. */
+/** True when a block has only the named parts, compensation, feed and M functions. */
 export const saysOnly = (words: Words, ...parts: readonly Part[]): boolean =>
   (Object.keys(words) as Part[]).every((key) => {
     const of = words[key];

@@ -30,7 +30,7 @@ const CALL = new RegExp(
 );
 const PROGRAM = /^%[ \t]*(?:"([^"]*)"|(QS\d{1,4})|([^\s":<][^"]*))$/i;
 
-/** A value may be a label only as whole number or parameter. */
+/** A value is a label only as a whole number or parameter. */
 function labelOf(token: IsoToken | undefined): Label | Parameter | null {
   if (!token) return null;
   return (
@@ -111,7 +111,7 @@ function parameterBlock(tokens: readonly IsoToken[]): Statement | null {
   return right === undefined ? null : assigned({ kind: SIGNS[fn], left: of(left), right: of(right) });
 }
 
-/** T: the call of a tool, with M functions behind it as a block of their own. */
+/** T: a tool call, with following M functions as a separate block. */
 function toolCall(tokens: readonly IsoToken[]): Statement[] | null {
   const call: {
     -readonly [K in keyof Extract<Statement, { kind: "toolCall" }>]: Extract<Statement, { kind: "toolCall" }>[K];
@@ -143,10 +143,7 @@ function toolCall(tokens: readonly IsoToken[]): Statement[] | null {
   return [call, ...(functions.length === 0 ? [] : [{ kind: "functions", words } as const])];
 }
 
-/**
- * Blocks that a G word begins: label, tool definition, blank, older cycles. Null when their words do not belong to
- * them.
- */
+/** Blocks with a leading G word: label, tool definition, blank, older cycles. Null where their words do not fit. */
 function wordBlock(means: IsoMeaning, tokens: readonly IsoToken[], names: IsoNames): Statement[] | null {
   const first = tokens.findIndex((t) => t.letter === "G" && isoMeaningOf("G", t.number ?? -1) === means);
   const rest = tokens.filter((t, i) => i !== first && dimensionOf(t) === null);
@@ -179,7 +176,7 @@ function wordBlock(means: IsoMeaning, tokens: readonly IsoToken[], names: IsoNam
   return [{ kind: "blankBox", corner, axis: planes[0] ?? null, axes }];
 }
 
-/** Words that begin a block of their own kind, wherever they stand in it. */
+/** Words that decide the block kind, wherever they are in the block. */
 const OWN: ReadonlySet<string> = new Set(["label", "toolDefinition", "blankMinimum", "blankMaximum"]);
 
 const notUnderstood = (text: string): IsoProblem => ({
@@ -188,7 +185,7 @@ const notUnderstood = (text: string): IsoProblem => ({
   data: { text: text.slice(0, 60) },
 });
 
-/** A Klartext block as it stands in a DIN/ISO program. */
+/** A Klartext block inside a DIN/ISO program. */
 function klartextBlock(text: string): Statement | null {
   const statement = parse(`0 ${text}`).blocks[0]?.statement;
   return !statement || statement.kind === "unknown" || statement.kind === "empty" ? null : statement;

@@ -188,7 +188,7 @@ describe("programs as other people write them", () => {
     ]);
   });
 
-  test("cycles on one line, on several, with and without a sign of continuation and labels", () => {
+  test("cycles on one line or several, with and without continuation mark and labels", () => {
     const list = ["CYCL DEF 256 STUD ~", "Q218=+60 ;SIDE ~", "Q424=+75.5"];
     const bare = ["CYCL DEF 256 ~", "Q218=+60 ~", "Q424=+75.5"];
     expect(bodies("N40 G256 Q218=+60 Q424=+75,5 *\nN50 G79 M3 *\n")).toEqual([...bare, "CYCL CALL M3"]);
@@ -196,7 +196,7 @@ describe("programs as other people write them", () => {
     expect(bodies("N40 G256 STUD ~\n  Q218=+60 ;SIDE ~\n  Q424=+75.5 *\nN50 G79 *\n")).toEqual([...list, "CYCL CALL"]);
     expect(bodies("G256 STUD\nQ218=+60 ;SIDE\nQ424=+75.5\nG79\n")).toEqual([...list, "CYCL CALL"]);
     expect(bodies("N40 G256 *\nQ218=+60 *\nQ424=+75.5 *\nN50 Q1=+5 *\n")).toEqual([...bare, "Q1 = 5"]);
-    // Comments of heads stand alone, that of a line belongs to its last parameter.
+    // Comments of heads become blocks, the comment of a line belongs to its last parameter.
     expect(bodies("N40 G256 ;head ~\nQ218=+60 *\nN50 G257 ;all *\nN60 G258 Q5=+1 ;last *\n")).toEqual([
       ";head",
       "CYCL DEF 256 ~",
@@ -206,11 +206,11 @@ describe("programs as other people write them", () => {
       "CYCL DEF 258 ~",
       "Q5=+1 ;last",
     ]);
-    // An assignment of a program without numbers is no parameter of the cycle in front of it.
+    // An assignment in a program without numbers is no parameter of the preceding cycle.
     expect(bodies("G256 Q218=+60\nQ1=+5\n")).toEqual(["CYCL DEF 256 ~", "Q218=+60", "Q1 = 5"]);
   });
 
-  test("names and labels come from whoever knows them", () => {
+  test("names and labels come from the caller", () => {
     const names = {
       cycle: (n: number) => `C${n}`,
       label: (n: number, q: string) => (q === "Q218" ? `${n} ${q}` : null),
@@ -269,7 +269,7 @@ describe("programs as other people write them", () => {
     );
   });
 
-  test("a feed at rapid is for the next block at feed, and a speed is a call without tool", () => {
+  test("a feed at rapid applies to the next feed block, and a speed is a tool call without a tool", () => {
     expect(
       bodies(
         lines(
@@ -327,7 +327,7 @@ describe("what is not understood", () => {
     ['N20 %:PAT: "A" *', 'isoBlockNotUnderstood error N20 1:5 {"text":"%:PAT: \\"A\\""}'],
   ])("%j", (text, finding) => expect(findings(text)).toEqual([finding]));
 
-  test("a kept block is unknown in Klartext too, and leaves what it says in force", () => {
+  test("a kept block is unknown in Klartext too, and keeps its modal effect", () => {
     const { text } = klartext(
       lines("N10 G00 X+5 *", "N20 G01 X+4 G43 *", "N30 X+3 *", "N40 X+2 FOO *", "N50 G26 R5 *"),
     );
@@ -341,7 +341,7 @@ describe("what is not understood", () => {
 
 describe("numbers of blocks", () => {
   const numbers = (text: string) => parse(klartext(text).text).blocks.map((b) => b.number);
-  test("those of the file where they rise and leave room", () => {
+  test("those of the file, where they ascend and leave room", () => {
     expect(numbers(lines("%A G71 *", "N10 M8 *", "N20 G37 P01 2 *", "N30 M9 *", "N99999999 %A G71 *"))).toEqual([
       0, 10, 20, 21, 30, 40,
     ]);
@@ -357,7 +357,7 @@ describe("numbers of blocks", () => {
       { code: "isoBlocksRecounted", severity: "info", number: null, line: 1, column: 1 },
     ]);
   });
-  test("a file without numbers is counted without a word", () => {
+  test("a file without numbers is numbered without a finding", () => {
     expect(klartext("%A G71\nM8\n%A G71\n")).toEqual({
       text: lines("0 BEGIN PGM A MM", "1 M8", "2 END PGM A MM"),
       issues: [],
@@ -366,7 +366,7 @@ describe("numbers of blocks", () => {
 });
 
 describe("the text that is printed", () => {
-  test("one block a line with the number that Klartext shows, in the line ends of the program", () => {
+  test("one block per line with its Klartext number, in the line ends of the program", () => {
     const text =
       "0 BEGIN PGM A MM\r\n/1 L X+5 FMAX ;out\r\n\r\n; note\r\n2 FUNCTION MODE TURN\r\n3 CYCL DEF 7.0 D\r\n4 CYCL DEF 7.1 X+1\r\n" +
       "7 M30\r\n8 END PGM A MM\r\n";

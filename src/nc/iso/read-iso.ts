@@ -9,13 +9,13 @@ import { ENGLISH_NAMES, type IsoNames } from "./names.ts";
 import { UNREAD_MARK } from "./print-iso.ts";
 import { readIsoBlock } from "./read-block.ts";
 
-/** A program as Klartext, with what was not understood. */
+/** A program as Klartext, with the reader's issues. */
 export interface KlartextOfIso {
   readonly text: string;
   readonly issues: readonly IsoIssue[];
 }
 
-/** A Klartext block before it is written; `number` as the DIN/ISO block has it. */
+/** A Klartext block before printing; `number`: that of the DIN/ISO block. */
 interface KlartextBlock {
   readonly statement: Statement;
   readonly number: number | null;
@@ -25,7 +25,7 @@ interface KlartextBlock {
 
 const FRAME = /^%[ \t]*(.*?)[ \t]*G[ \t]*7([01])$/i;
 const LONGEST_FRAME = 500;
-/** Number of the last block, whatever stands before it. */
+/** Number of the last block, regardless of those before it. */
 const LAST_NUMBER = 99_999_999;
 const isBlank = ({ statement: { kind } }: KlartextBlock) => kind === "empty" || kind === "comment";
 
@@ -41,7 +41,7 @@ function frameOf({ text, number }: IsoBlock, hasStarted: boolean): Statement | n
 }
 
 /**
- * A block that was not understood, as a text that Klartext does not understand either: marked where it could be taken
+ * A block that was not understood, as text that Klartext does not understand either: marked where it could be mistaken
  * for a block.
  */
 function unread(block: IsoBlock): Statement {
@@ -51,14 +51,13 @@ function unread(block: IsoBlock): Statement {
 }
 
 /**
- * The Klartext blocks of a block. The first has its number and its comment, which stands alone where there is no place
- * for it.
+ * The Klartext blocks of a DIN/ISO block. The first gets its number and comment; a comment without a place becomes a
+ * block.
  */
 function blocksOf(block: IsoBlock, statements: readonly Statement[]): KlartextBlock[] {
   const { number, skip, comment } = block;
   const isCycle = statements[0]?.kind === "cycle";
-  // A block that only leaves words in force becomes none; the head of a list has no comment, its last parameter has a
-  // label.
+  // A purely modal block becomes no block; the head of a list takes no comment, its last parameter has a label.
   const standsAlone =
     comment !== null &&
     (statements.length === 0 || (isCycle && (block.parameters.length > 0 || !block.text.includes("="))));
@@ -78,7 +77,7 @@ function blocksOf(block: IsoBlock, statements: readonly Statement[]): KlartextBl
 
 const commonDivisor = (a: number, b: number): number => (b === 0 ? a : commonDivisor(b, a % b));
 
-/** The numbers of the file with room for what stands between them; null when they do not rise or leave no room. */
+/** The numbers of the file with room for inserted blocks; null where they do not ascend or leave no room. */
 function numbersOfFile(output: readonly KlartextBlock[]): (number | null)[] | null {
   const given = output.flatMap(({ number }) => (number === null ? [] : [number]));
   if (given.length === 0) return null;
@@ -104,9 +103,8 @@ function countedNumbers(output: readonly KlartextBlock[]): (number | null)[] {
 }
 
 /**
- * Translates a DIN/ISO program into Klartext. The text is read block by block with what each leaves in force, so a
- * block may rely on those before it. `names`: names and labels that DIN/ISO does not hold. What is not understood stays
- * as text and is reported; any text is read, and nothing throws.
+ * Translates a DIN/ISO program into Klartext, block by block with its modal state. `names`: names and labels missing in
+ * DIN/ISO. Text that is not understood is kept and reported; any text is read, and nothing throws.
  */
 export function klartextOfIso(text: string, style: Style, names: IsoNames = ENGLISH_NAMES): KlartextOfIso {
   const output: KlartextBlock[] = [];
@@ -133,7 +131,7 @@ export function klartextOfIso(text: string, style: Style, names: IsoNames = ENGL
     const frame = frameOf(block, hasStarted);
     hasStarted = true;
     if (frame) {
-      // The last block has a number of nines, more of them on newer controls.
+      // The last block number consists of nines, more of them on newer controls.
       output.push({ statement: frame, number: frame.kind === "end" ? null : number, skip, comment });
       continue;
     }

@@ -6,7 +6,7 @@ import type { IsoModal, PathMeaning } from "./modal.ts";
 import type { IsoToken } from "./tokens.ts";
 import { isoMeaningOf, type IsoBlockName } from "./words.ts";
 
-/** What a block says: its Klartext blocks in order, what it leaves in force, and what was not understood. */
+/** The result of reading a block: its Klartext blocks in order, the modal state, and problems. */
 export interface ReadBlock {
   /** Null when the block is kept as text. */
   readonly statements: readonly Statement[] | null;
@@ -15,11 +15,11 @@ export interface ReadBlock {
 }
 
 type Building = { -readonly [K in keyof Words]: Words[K] };
-/** Functions whose feed is their own, as in Klartext. */
+/** Functions with a feed of their own, as in Klartext. */
 const WITH_FEED: ReadonlySet<number> = new Set([128, 140]);
 const CENTRE: Readonly<Record<string, AxisName>> = { I: "X", J: "Y", K: "Z" };
 
-/** The words of one block, sorted by what they are for. */
+/** The words of one block, sorted by purpose. */
 interface SortedWords {
   readonly explicit: PathMeaning | null;
   readonly special: IsoBlockName | null;
@@ -86,10 +86,7 @@ const axisWords = (coordinates: readonly IsoCoordinate[]): AxisWord[] =>
 const single = (axes: readonly AxisWord[]): AxisWord[] =>
   axes.filter((w, i) => axes.findLastIndex((o) => o.axis === w.axis) === i);
 
-/**
- * A block with a word of its own: rounding, chamfer, stop, call of a cycle. Null when it has words that do not belong
- * to it.
- */
+/** A block with its own word: rounding, chamfer, stop, cycle call. Null where its words do not fit. */
 function specialBlock(
   kind: IsoBlockName,
   { coordinates, words, explicit, pole, speed }: SortedWords,
@@ -106,7 +103,7 @@ function specialBlock(
   return kind === "stop" ? { kind: "stop", words } : { kind: "cycleCall", how: "", words };
 }
 
-/** A path block from its words; a problem when they do not belong together. */
+/** A path block from its words; null where they do not fit together. */
 function pathBlock(means: PathMeaning, read: SortedWords, turn: "cw" | "ccw" | null): Statement | null {
   const { coordinates, words } = read;
   const named = (name: string) => {
@@ -151,7 +148,7 @@ const notUnderstood = (raw: string): IsoProblem => ({
   data: { text: raw.slice(0, 60) },
 });
 
-/** Reads a block of path words, with what the blocks before left in force. */
+/** Reads a block of path words with the modal state before it. */
 export function readPathBlock(raw: string, tokens: readonly IsoToken[], before: IsoModal): ReadBlock {
   const read = sortWords(tokens, before);
   const { explicit, special, words, coordinates, speed } = read;
@@ -194,7 +191,7 @@ export function readPathBlock(raw: string, tokens: readonly IsoToken[], before: 
     : kept(notUnderstood(raw));
 }
 
-/** A feed of a block at rapid is left for the next block at feed. */
+/** Moves the feed of a rapid block to the next feed block. */
 function withFeed(
   { rapid }: PathMeaning,
   words: Words,

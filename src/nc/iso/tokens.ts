@@ -4,7 +4,7 @@ import { NUMBER_PARAMETER, readValue, VALUE } from "../value.ts";
 
 /** One word of a block. */
 export interface IsoToken {
-  /** Address in capitals: G, X, DL, MB … ; "P" for P01, "Q" for a Q parameter, "" for what is no word. */
+  /** Address in capitals: G, X, DL, MB …; "P" for P01, "Q" for a Q parameter, "" for unknown text. */
   readonly letter: string;
   /** Code of G and D, index of P. */
   readonly number: number | null;
@@ -40,9 +40,7 @@ const plainName = (name: string) => name.toUpperCase().replace(/^(Q[LRS]?)0+(?=\
 const specialOf = (word: string | undefined) =>
   word === undefined ? null : word.toUpperCase() === "MAX" ? "max" : "auto";
 
-/**
- * Splits a block into words, with or without blanks between them; never throws. What is no word has an empty letter.
- */
+/** Splits a block into words, with or without blanks between them; never throws. Unknown text has an empty letter. */
 export function isoTokens(text: string): IsoToken[] {
   const scan = new Scan(text, 0);
   const tokens: IsoToken[] = [];

@@ -1,14 +1,14 @@
 import type { AxisName, Compensation, FunctionNumber, PathKind } from "../words.ts";
 
 /**
- * How far a word can be trusted: A printed for TNC 640 or TNC7, B for a sibling control, K1 to K3 recalled, from sure
- * to uncertain.
+ * Evidence for a word: A printed for TNC 640 or TNC7, B for a sibling control, K1 to K3 recalled, from sure to
+ * uncertain.
  */
 export type IsoEvidence = "A" | "B" | "K1" | "K2" | "K3";
 
-/** Path functions that a G word turns on; a radius in the block makes CR of C. */
+/** Path functions with a G word; with a radius in the block, C becomes CR. */
 export type IsoPath = Extract<PathKind, "L" | "C" | "CT" | "LP" | "CP" | "CTP">;
-/** Blocks that have a word of their own and are not part of a path. */
+/** Blocks with their own word that are not part of a path. */
 export type IsoBlockName =
   | "pole"
   | "polePosition"
@@ -31,7 +31,7 @@ export type IsoBlockName =
   | "begin"
   | "end";
 
-/** What a word says. */
+/** The meaning of a word. */
 export type IsoMeaning =
   | { readonly kind: "path"; readonly path: IsoPath; readonly rapid?: true; readonly turn?: "cw" | "ccw" | "last" }
   | { readonly kind: "compensation"; readonly value: Compensation }
@@ -46,21 +46,21 @@ export type IsoMeaning =
   /** A cycle with Q parameters whose G number is not its own number. */
   | { readonly kind: "shiftedCycle"; readonly cycle: number }
   | { readonly kind: "block"; readonly block: IsoBlockName }
-  /** A word of the controls that is not translated: its block is kept and reported. */
+  /** A word of the control that is not translated: its block is kept and reported. */
   | { readonly kind: "unread" };
 
-/** One row of the table: a word, what it says, a Klartext block that is printed with it, and where it is known from. */
+/** One row of the table: a word, its meaning, a Klartext example and the source. */
 export interface IsoWord {
   readonly word: string;
   readonly means: IsoMeaning;
-  /** Klartext block as an example; several lines for a cycle of numbered lines. Empty for a word that is only read. */
+  /** Klartext example; several lines for a cycle with numbered lines. Empty for a word that is only read. */
   readonly klartext: string;
   readonly evidence: IsoEvidence;
   /** Key of `isoSources`; empty for what is recalled. */
   readonly source: keyof typeof isoSources | "";
 }
 
-/** Printed pages that show words of DIN/ISO. */
+/** Printed pages with DIN/ISO words. */
 export const isoSources = {
   CYCL: "TNC 640 cycle manual 10/2019 and TNC7: each turning cycle is named with its G number",
   T640: "TNC 640 34059x-05 ISO 1/2015, p. 171 and 234",
@@ -192,7 +192,7 @@ export const isoWords: readonly IsoWord[] = ROWS.map(([word, means, klartext, ev
   source: source ?? "",
 }));
 
-/** True for a word that no printed page at hand shows. */
+/** True for a word without a printed source. */
 export const isRecalledIsoWord = ({ evidence }: Pick<IsoWord, "evidence">): boolean => evidence.startsWith("K");
 
 const keyOf = (means: IsoMeaning): string => JSON.stringify(means, Object.keys(means).sort());
@@ -204,12 +204,12 @@ const byCode: ReadonlyMap<string, IsoMeaning> = new Map(
   }),
 );
 
-/** The word that says something; null where DIN/ISO has none. */
+/** The word for a meaning; null where DIN/ISO has none. */
 export const isoWordFor = (means: IsoMeaning): string | null => byMeaning.get(keyOf(means)) ?? null;
 
-/** What a G or D function says; null for one that is not in the table. */
+/** The meaning of a G or D function; null where it is not in the table. */
 export const isoMeaningOf = (letter: "G" | "D", code: number): IsoMeaning | null =>
   byCode.get(`${letter}${code}`) ?? null;
 
-/** From this G number on, the number is that of a cycle with Q parameters. */
+/** First G number that is a cycle number with Q parameters. */
 export const FIRST_CYCLE = 200;

@@ -14,7 +14,7 @@ export function assignText(machine: Machine, s: Extract<Statement, { kind: "assi
   keep(machine, s.target, textOf(s.text, machine.parameters, machine.known.texts), index);
 }
 
-/** Keeps what was worked out; what hangs on a value that nobody knows is not known either. */
+/** Stores a result. A parameter computed from an unknown value is unknown too. */
 function keep(machine: Machine, target: string, result: number | string | Trouble, index: number): void {
   const { known } = machine;
   if (typeof result === "string") return known.setText(target, result);
@@ -24,6 +24,6 @@ function keep(machine: Machine, target: string, result: number | string | Troubl
   else known.set(target, n);
 }
 
-/** The name that a block gives a file; null when it hangs on a parameter that holds none. */
+/** File name in a block; null where it depends on a parameter without a value. */
 export const writtenFile = (machine: Machine, file: FileName, index: number): string | null =>
   typeof file === "object" ? machine.text(file.parameter, index) : file;

@@ -20,14 +20,17 @@ const impossible = (machine: Machine, index: number): void =>
 
 const now = ({ log }: Machine) => ({ operations: log.operations.length, steps: log.steps.length });
 
-/** A program that is called says again what its blank would be: that of its caller stands in the chuck. */
+/** A called program repeats its blank: the blank of its caller counts. */
 function isOfCaller(machine: Machine): boolean {
   const { blankIn } = machine.now;
   if (blankIn === undefined) machine.set({ blankIn: machine.unit.file });
   return blankIn !== undefined && blankIn !== machine.unit.file;
 }
 
-/** Takes a body round the axis of the spindle as the blank; one round another axis is told where the program turns. */
+/**
+ * Uses a body of revolution about the spindle axis as the blank; one about another axis is reported when turning
+ * starts.
+ */
 function take(machine: Machine, rings: readonly Ring[] | null, axis: AxisName, index: number): void {
   if (isOfCaller(machine)) return;
   if (!rings) return impossible(machine, index);
@@ -39,8 +42,8 @@ function take(machine: Machine, rings: readonly Ring[] | null, axis: AxisName, i
 const NOTHING: BoxCorner = { x: null, y: null, z: null };
 
 /**
- * BLK FORM 0.1 and 0.2. The upper side is for the approaches of a mill; a value without a number is told only where a
- * program needs it, which is there or where it turns.
+ * BLK FORM 0.1 and 0.2. Milling approaches need the upper side. A value without a number is reported only where the
+ * program needs it: there, or when turning starts.
  */
 export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: number): void {
   const top = s.corner === 2 ? s.axes.find((w) => w.axis === "Z") : undefined;
@@ -63,7 +66,7 @@ export function blankBox(machine: Machine, s: StatementOf<"blankBox">, index: nu
   if (machine.now.turning && s.corner === 2) turnBlank(machine);
 }
 
-/** The box that is stated as the blank; null for other forms, and where a corner is not known. */
+/** Box of the blank; null for other forms, and where a corner is unknown. */
 export function cuboidOf({ now: { unturned } }: Machine): Cuboid | null {
   const box = unturned?.kind === "box" ? boxBetween(...unturned.corners) : null;
   return typeof box === "string" ? null : box;
@@ -77,7 +80,7 @@ export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">,
   const [outside, inside] = [read(s.outside?.value ?? null), read(s.inside?.value ?? null)];
   const [long, distance] = [read(s.length), read(s.distance)];
   if (!s.outside || s.length === null) return impossible(machine, index);
-  // A value without a number has been told.
+  // A value without a number is reported already.
   if (outside === null || long === null || (s.inside && inside === null) || (s.distance !== null && distance === null))
     return;
   const rings = cylinder({
@@ -89,7 +92,7 @@ export function blankCylinder(machine: Machine, s: StatementOf<"blankCylinder">,
   take(machine, rings, s.axis, index);
 }
 
-/** BLK FORM ROTATION: an outline turned round the axis, less what an inner outline takes away. */
+/** BLK FORM ROTATION: body of revolution of an outline, minus an inner outline. */
 export function blankRotation(machine: Machine, s: StatementOf<"blankRotation">, index: number): void {
   if (isOfCaller(machine)) return;
   const radii = s.measure === "R";
@@ -103,21 +106,21 @@ export function blankRotation(machine: Machine, s: StatementOf<"blankRotation">,
   take(machine, rings && rings.length > 0 ? rings : null, s.axis, index);
 }
 
-/** BLK FORM FILE: the body is kept, and not read; a program that turns is not proved with it. */
+/** BLK FORM FILE: the body is not read, so a program that turns stays unverified. */
 export function blankFile(machine: Machine, s: StatementOf<"blankFile">, index: number): void {
   if (isOfCaller(machine)) return;
   unread(machine, `BLK FORM FILE "${s.file}"`, index);
 }
 
-/** A blank whose file is not read: nothing is proved with it where the program turns. */
+/** A blank from a file that is not read: turning with it is unverified. */
 function unread(machine: Machine, form: string, index: number): void {
   machine.set({ blank: [], unturned: { kind: "file", index, form } });
   if (machine.now.turning) turnBlank(machine);
 }
 
 /**
- * The name of a file that was not opened with the program, which is told; null for one that was, or whose name nobody
- * knows.
+ * Name of a file that was not opened with the program, after reporting it; null when it was opened or the name is
+ * unknown.
  */
 function notAtHand(machine: Machine, named: FileName, index: number): string | null {
   const file = writtenFile(machine, named, index);
@@ -126,11 +129,11 @@ function notAtHand(machine: Machine, named: FileName, index: number): string | n
   return file;
 }
 
-/** An outline of FUNCTION TURNDATA says what is turned: what a blank of another form would be is no matter then. */
+/** An outline of FUNCTION TURNDATA defines the turning blank, so the form of BLK FORM does not matter. */
 const statesOutline = ({ input: { program } }: Machine) =>
   program.blocks.some(({ statement: s }) => s.kind === "turnBlank" && s.blank !== "off");
 
-/** The program turns: what stands for a blank of another form, and what is said of it, at the block of that blank. */
+/** Turning starts: chooses the stock for a blank of another form, and reports it at the block of that blank. */
 export function turnBlank(machine: Machine): void {
   const { blank, unturned } = machine.now;
   if (blank.length > 0 || !unturned) return;
@@ -144,13 +147,13 @@ export function turnBlank(machine: Machine): void {
   else machine.log.say(programIssue("blankNotTurned", "info", { form }), index);
 }
 
-/** Says that a cycle was called without a blank, unless it has been told why there is none. */
+/** Reports a cycle call without a blank, unless the cause is reported already. */
 export function tellMissing({ log }: Machine): void {
   if (!log.unproved.slice().some((u) => u.what.startsWith("BLK FORM")))
     log.say(programIssue("blankMissing", "warning", {}), null);
 }
 
-/** Says that a box stands for the stock, unless an outline has taken its place before anything was cut. */
+/** Reports that a box is used as the stock, unless an outline replaced it before the first cut. */
 export function tellBox(machine: Machine): void {
   const { blank, unturned } = machine.now;
   const made = unturned?.kind === "box" && blank.length > 0 ? turnedBox(...unturned.corners) : null;
@@ -161,7 +164,7 @@ export function tellBox(machine: Machine): void {
   );
 }
 
-/** The rings of an outline; null: it has no area; "unread": what is missing has been told. */
+/** Rings of an outline; null: no area; "unread": the missing part is reported already. */
 type Outlined = Ring[] | null | "unread";
 
 function behind(machine: Machine, source: ContourSource, radii: boolean, index: number): Outlined {
@@ -175,10 +178,7 @@ function behind(machine: Machine, source: ContourSource, radii: boolean, index: 
 const behindLabel = (machine: Machine, label: Label, radii: boolean, index: number): Outlined =>
   behind(machine, { unit: machine.unit, label }, radii, index);
 
-/**
- * An outline behind a label or in a file; `radii`: its X words are radii. A file that is not at hand leaves `what`
- * unproved.
- */
+/** An outline behind a label or in a file; `radii`: X words are radii. A missing file leaves `what` unverified. */
 function outlined(
   machine: Machine,
   from: OutlineSource,
@@ -194,24 +194,24 @@ function outlined(
   return "unread";
 }
 
-/** Where an outline stands, as a program spells it. */
+/** Source of an outline, as a program spells it. */
 function sourceName(machine: Machine, from: OutlineSource, index: number): string {
   if ("file" in from) return `"${writtenFile(machine, from.file, index) ?? ""}"`;
   return `LBL ${typeof from.label === "number" ? from.label : `"${from.label}"`}`;
 }
 
-/** FUNCTION TURNDATA BLANK: the outline in a label or a file is what stands from here on. */
+/** FUNCTION TURNDATA BLANK: from here on the stock is the outline in a label or a file. */
 export function blankOfTurnData(machine: Machine, { blank }: StatementOf<"turnBlank">, index: number): void {
   if (blank === "off") return void machine.change({ traced: null });
   const what = "FUNCTION TURNDATA BLANK";
-  // While milling no blank is traced.
+  // Milling updates no blank.
   if (!machine.now.turning) return machine.log.notSimulated(what, index);
   const rings = outlined(machine, blank, { radii: false, what }, index);
   if (rings === "unread") return;
   if (!rings) return impossible(machine, index);
   const named = `${what} ${sourceName(machine, blank, index)}`;
   const before = machine.now.blank;
-  // A box says how large the material may be, not what it is.
+  // A box is only an upper limit of the material.
   const stated = before.length > 0 && machine.now.unturned === null;
   machine.log.say(programIssue("blankTraced", "info", {}), index);
   if (machine.log.steps.slice().some((s) => s.move.kind !== "rapid")) {
@@ -230,7 +230,7 @@ interface Compared {
   readonly named: string;
 }
 
-/** Nothing is cut yet: the outline is the blank. What BLK FORM has beyond it may stand there and is not proved. */
+/** Nothing is cut yet: the outline is the blank. Material that only BLK FORM has stays unverified. */
 function compare(machine: Machine, { before, rings, stated, named }: Compared, index: number): void {
   const [lacks, adds] = [stated ? areaOutside(before, rings) : 0, areaOutside(rings, before)];
   if (!stated) machine.log.say(programIssue("blankTaken", "info", { what: named }), index);

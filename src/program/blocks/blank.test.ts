@@ -47,7 +47,7 @@ const made = (blocks: readonly string[], files: Readonly<Record<string, string>>
 };
 type Made = ReturnType<typeof made>;
 const told = (r: Made) => r.issues.map((f) => `${f.issue.code}@${f.line}`);
-/** Diameters and lengths between which a blank stands. */
+/** Smallest and largest diameter and Z of a blank. */
 const extent = ({ blank }: Pick<Made, "blank">) => {
   const all = blank.flat();
   const [z, x] = [all.map((p) => p.z), all.map((p) => toDiameter(p.r))];
@@ -56,7 +56,7 @@ const extent = ({ blank }: Pick<Made, "blank">) => {
 
 describe("a box that turns", () => {
   const box = ["BLK FORM 0.1 Z X-21.3 Y-28.4 Z-61.7", "BLK FORM 0.2 X+30.9 Y+17.2 Z+1.5"];
-  test("is the cylinder round its corners, which is told with the diameter that is full all round", () => {
+  test("is the cylinder around its corners, reported with the diameter that is solid all round", () => {
     const r = made([...box, ...TURN, "M30"]);
     // The corner that is farthest from the axis: 30.9 and 28.4.
     expect(extent(r)).toEqual([0, Number((2 * Math.hypot(30.9, 28.4)).toFixed(3)), -61.7, 1.5]);
@@ -75,7 +75,7 @@ describe("a box that turns", () => {
     const inch = made(["BLK FORM 0.1 Z X-1 Y-1.5 Z-2", "BLK FORM 0.2 X+1 Y+1.5 Z+0", ...TURN, "M30"], {}, "INCH");
     expect(extent(inch)).toEqual([0, Number((50.8 * Math.hypot(1, 1.5)).toFixed(3)), -50.8, 0]);
   });
-  test("in a piece of a program without FUNCTION MODE too; while milling it is no stock of this picture", () => {
+  test("also in a program section without FUNCTION MODE; while milling it is no turning stock", () => {
     expect(extent(made([...box, ...TURN.slice(1), "M30"]))[1]).toBeGreaterThan(83);
     const milled = made([...box, "FUNCTION MODE MILL", "TOOL CALL 2 Z S2000", "L X+0 Y+0 Z+5 FMAX", "M30"]);
     expect(milled).toMatchObject({
@@ -136,7 +136,7 @@ describe("other forms", () => {
     ]);
     expect(missing.unproved).toMatchObject([{ what: 'BLK FORM ROTATION "GONE.H"', step: 0 }]);
   });
-  test("what an inner outline leaves nothing of, and a word that nobody knows, are told", () => {
+  test("an inner outline that leaves nothing, and an unknown word, are reported", () => {
     expect(told(made(["BLK FORM ROTATION Z DIM_D LBL 3 LBLIN 3", ...TURN, "M30", ...bowl("3", 62, 0.8)]))).toEqual([
       "wordsRecalled@2",
       "blankImpossible@2",
@@ -145,7 +145,7 @@ describe("other forms", () => {
       "wordNotUnderstood@2",
     );
   });
-  test("a body in a file leaves a program that turns unproved, and is named; one that mills it does not", () => {
+  test("a body in a file is named and leaves a turning program unverified, but not a milling program", () => {
     const file = 'BLK FORM FILE "TNC:\\CAD\\BLANK.STL" TARGET "PART.STL"';
     expect(made([file, ...TURN, "M30"]).unproved.map((u) => u.what)).toEqual(['BLK FORM FILE "TNC:\\CAD\\BLANK.STL"']);
     expect(told(made([file, "FUNCTION MODE MILL", "M30"]))).toEqual([]);
@@ -186,11 +186,11 @@ describe("FUNCTION TURNDATA BLANK", () => {
     const simulation = simulate(r);
     return { r, simulation, found: stockIssues(simulation).map((i) => i.issue.code), judged: verdictOf(r, simulation) };
   };
-  test("before a cut its outline is the blank: what agrees with BLK FORM says nothing of it", () => {
+  test("before a cut its outline is the blank; one that agrees with BLK FORM is not reported", () => {
     const same = judged(["FUNCTION TURNDATA BLANK LBL 3"], bowl("3", 62, 0.8));
     expect([told(same.r), extent(same.r)]).toEqual([["blankTraced@7"], [0, 62, -47.9, 0.8]]);
   });
-  test("what BLK FORM has beyond it is not proved; what it has beyond BLK FORM is told", () => {
+  test("material in BLK FORM only is unverified; material in the outline only is reported", () => {
     const less = judged(["FUNCTION TURNDATA BLANK LBL 3"], bowl("3", 57.6, 0.8));
     expect(told(less.r)).toEqual(["blankTraced@7", "blankLacks@7", "notProved@7"]);
     expect(less.r.issues.find((f) => f.issue.code === "blankLacks")?.issue.data).toMatchObject({
@@ -199,7 +199,7 @@ describe("FUNCTION TURNDATA BLANK", () => {
     const more = judged(["FUNCTION TURNDATA BLANK LBL 3"], bowl("3", 62, 3.1));
     expect([told(more.r), more.r.unproved]).toEqual([["blankTraced@7", "blankAdds@7"], []]);
   });
-  test("after a cut what has been cut stays cut, and nothing is unproved", () => {
+  test("after a cut, cut material stays cut, and everything stays verified", () => {
     const again = judged([...cutting, "FUNCTION TURNDATA BLANK LBL 3"], bowl("3", 62, 0.8));
     expect(again.found).toEqual(["blankGone"]);
     expect(again.simulation.proof.unproved).toEqual([]);
@@ -210,7 +210,7 @@ describe("FUNCTION TURNDATA BLANK", () => {
       1,
     );
   });
-  test("after a cut an outline that lacks material is the stock from there on, and nothing is proved behind it", () => {
+  test("after a cut, an outline with less material becomes the stock, and the rest is unverified", () => {
     const other = judged(
       [...cutting, "FUNCTION TURNDATA BLANK LBL 3", "L X+59.2 FMAX", "L Z-30.3 F0.2", "L X+66"],
       bowl("3", 60.2, 0.4),
@@ -225,7 +225,7 @@ describe("FUNCTION TURNDATA BLANK", () => {
     expect(areaOf(other.simulation.final)).toBeLessThan(30.1 * 48.3);
     expect(other.simulation.proof.cut).toBeGreaterThan(0);
   });
-  test("work that was turned round is judged side by side: residue as it stood before, gouges by the contours behind", () => {
+  test("a part turned end for end is checked per side: residual material from before, gouges by later contours", () => {
     const first = judged(shoulder(51.3, -30.4));
     const other = judged(
       [...shoulder(51.3, -30.4), "L X+80 Z+20 FMAX", "FUNCTION TURNDATA BLANK LBL 3", ...shoulder(33.1, -11.2)],
@@ -237,7 +237,7 @@ describe("FUNCTION TURNDATA BLANK", () => {
     expect(left(other, 1).length).toBeGreaterThan(0);
     expect(other.simulation.proof.gouge).toBe(0);
   });
-  test("while it is traced, roughing leaves out the levels that cuts before and the outline have left in the air", () => {
+  test("while it is traced, roughing skips levels that earlier cuts and the outline leave in the air", () => {
     const passes = (before: readonly string[], between: readonly string[] = []) => {
       const { r, simulation } = judged(
         [...before, ...shoulder(51.3, -30.4), ...between, ...shoulder(41.7, -17.9)],
@@ -258,7 +258,7 @@ describe("FUNCTION TURNDATA BLANK", () => {
     for (const end of ["FUNCTION TURNDATA BLANK OFF", "FUNCTION MODE MILL\nFUNCTION MODE TURN\nTOOL CALL 1"])
       expect(passes(["FUNCTION TURNDATA BLANK LBL 3"], [end]).passes).toEqual([3, 11]);
   });
-  test("while milling nothing is traced", () => {
+  test("milling traces nothing", () => {
     const r = made([
       bar,
       "FUNCTION MODE MILL",

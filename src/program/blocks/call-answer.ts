@@ -17,27 +17,30 @@ import { slipAtCall } from "../values/slips.ts";
 import { threadWarnings } from "./thread-warnings.ts";
 import { judgeOf, triedOffers } from "../values/tried.ts";
 
-/** A cycle as it is called: beside what is in force, all that its path hangs on. */
+/** A cycle call: besides the modal state, everything its path depends on. */
 interface CalledCycle extends Pick<Given, "contour"> {
   readonly cycle: Cycle;
   readonly defined: Pick<Defined, "values" | "troubled">;
-  /** What was told of the contour at its blocks; null where what else is wrong with it follows from that. */
+  /**
+   * Contour issues reported at their blocks; null where an unread block makes all other issues of the contour
+   * meaningless.
+   */
   readonly told: readonly Issue["code"][] | null;
   /** Theoretical tip on the workpiece. */
   readonly start: Pt;
-  /** The tool that was called, or one that stands in for it. */
+  /** The called tool, or its fallback. */
   readonly tool: Tool;
-  /** What stands in the chuck, on the workpiece; null where nobody knows. */
+  /** Stock in workpiece coordinates; null while unknown. */
   readonly stock: readonly Ring[] | null;
-  /** What of the blank nobody has bored yet, on the workpiece. */
+  /** Part of the blank that is not bored yet, in workpiece coordinates. */
   readonly solid: Setting["solid"];
 }
 
-/** What comes of a call, wherever it stands in the program. */
+/** Result of a cycle call, independent of its place in the program. */
 export interface CallAnswer extends Pick<Operation, "call" | "plan"> {
-  /** What is wrong with values, tool and plan. */
+  /** Issues of values, tool and plan. */
   readonly found: readonly Issue[];
-  /** What of it, and of the feeds, is told. */
+  /** The issues to report, those of the feeds included. */
   readonly said: readonly (Issue | ProgramIssue)[];
 }
 
@@ -78,12 +81,12 @@ function answer(
       ? { ...cycle.plan(values, setting, given), asked: askedOf(cycle, values) }
       : nothing;
   const outlined = values && plan !== nothing ? cycle.outline(values, given).issues : [];
-  // What a tool that was never called would do wrong is no fault of the program.
+  // A program is not blamed for issues of a fallback tool.
   const planned = called ? plan.issues : [];
   const turning = threadWarnings(cycle, plan, spindle, machine.clock.rapid);
   const own = issues.filter((i) => i.code !== "missing" || !defined.troubled.has(i.at ?? ""));
   const judge = judgeOf(cycle, called ? setting : null, given);
-  // An impossible sign or order explains whatever tool and path say to it.
+  // An impossible sign or order is the cause of all other issues of tool and path.
   const slip =
     values && called && judge && own.length === 0
       ? slipAtCall({ cycle, values, setting, judge, outlined, planned: plan.issues })
@@ -103,7 +106,7 @@ function answer(
   };
 }
 
-/** Everything that an answer depends on. */
+/** Cache key: everything that the result depends on. */
 function questionOf(machine: Machine, memory: Answers, asked: CalledCycle): string {
   const { cycle, defined, contour, told, start, tool, stock, solid } = asked;
   const {
@@ -123,7 +126,7 @@ function questionOf(machine: Machine, memory: Answers, asked: CalledCycle): stri
   ].join("\n");
 }
 
-/** What a call gives: computed, or known from an earlier run. */
+/** Result of a call, computed or cached from an earlier run. */
 export function answerTo(machine: Machine, asked: CalledCycle): CallAnswer {
   const { memory } = machine.shop;
   if (!memory) return answer(machine, asked);

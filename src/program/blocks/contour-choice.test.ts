@@ -31,7 +31,7 @@ const made = (
 type Made = ReturnType<typeof made>;
 const contour = (r: Made) =>
   r.operations[0]?.call?.given.contour?.map((s) => `${+toDiameter(s.to.r).toFixed(3)} ${+s.to.z.toFixed(3)}`);
-/** Findings that count; labels that a case has no use for are not meant. */
+/** Findings above a notice; unused labels are left out. */
 const told = (r: Made) =>
   r.issues
     .filter((f) => f.issue.severity !== "info" && f.issue.code !== "neverReached")
@@ -76,7 +76,7 @@ describe("one contour is run", () => {
   });
 });
 
-describe("what is not run says which block, and why", () => {
+describe("an unverified contour names its block and the reason", () => {
   const joined = (r: Made) => r.issues.filter((f) => f.issue.code === "contoursJoined");
   test("several areas", () => {
     const r = made('Q1 = 0\nCONTOUR DEF P1 = LBL 1 ~\n I2 = "SECOND.H" DEPTH5');
@@ -106,19 +106,19 @@ describe("what is not run says which block, and why", () => {
     const r = made('SEL CONTOUR "ALL"', { "ALL.H": file('DECLARE CONTOUR QC1 = "GONE.H"') });
     expect(r.issues.find((f) => f.issue.code === "contourInFile")?.issue.data).toEqual({ file: "GONE.H" });
   });
-  test("a label that nobody knows leaves the cycle unproved", () => {
+  test("an unknown label leaves the cycle unverified", () => {
     const r = made("FN 18: SYSREAD Q1 = ID1\nCYCL DEF 14.0 CONTOUR\nCYCL DEF 14.1 LABEL Q1");
     expect(contour(r)).toBeUndefined();
     expect(r.unproved.map((u) => u.what)).toContain("CYCL CALL");
     expect(r.issues.filter((f) => f.issue.severity === "error")).toEqual([]);
   });
-  test("joined contours that no turning cycle takes are kept in silence", () => {
+  test("joined contours without a turning cycle are not reported", () => {
     const text = `${head}CONTOUR DEF P1 = LBL 1 I2 = LBL 2\nDECLARE CONTOUR QC1 = "A"\nQC2 = QC1 | QC3\nL X+90 FMAX\nM30\nEND PGM T MM\n`;
     expect(told(run(parse(text), { tools: shippedTools, rapid: 10_000 }))).toEqual([]);
   });
 });
 
-describe("FN 14 and the functions that only tell", () => {
+describe("FN 14 and the functions that only report", () => {
   const ran = (lines: string) =>
     run(parse(`${head}${lines}\nL X+77.7 FMAX\nM30\nLBL 9\nFN 14: ERROR=+1037\nLBL 0\nEND PGM T MM\n`), {
       tools: shippedTools,
@@ -133,7 +133,7 @@ describe("FN 14 and the functions that only tell", () => {
     expect(places(called)).toEqual([90]);
     expect(called.issues.find((f) => f.issue.code === "errorRaised")?.issue.data).toEqual({ error: 1037 });
   });
-  test("does nothing where a jump goes round it, and is unproved where nobody knows", () => {
+  test("has no effect where a jump skips it, and is unverified after an unknown jump", () => {
     expect(told(ran("FN 9: IF +1 EQU +1 GOTO LBL 1\nFN 14: ERROR=7\nLBL 1"))).toEqual([]);
     const unknown = ran("FN 18: SYSREAD Q1 = ID1\nFN 9: IF +Q1 EQU +1 GOTO LBL 1\nFN 14: ERROR=7\nLBL 1");
     expect(places(unknown)).toEqual([77.7]);

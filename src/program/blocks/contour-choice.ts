@@ -7,10 +7,10 @@ import type { Machine } from "../state/machine.ts";
 import type { ContourSource, JoinedContours } from "../state/modal.ts";
 import type { Unit } from "../state/units.ts";
 
-/** One contour that a block names; the file that is missing; several that make one; or nobody knows which. */
+/** One contour, a missing file, several joined contours, or unknown. */
 type Found = ContourSource | { readonly missing: string } | JoinedContours | null;
 
-/** Where an outline stands; null when a parameter that says so has no value. */
+/** Place of an outline; null when the parameter that names it has no value. */
 function find(machine: Machine, from: OutlinePlace, unit: Unit, index: number): Found {
   if ("file" in from) {
     const name = writtenFile(machine, from.file, index);
@@ -32,14 +32,14 @@ function take(machine: Machine, found: Found, what: string, index: number): void
   machine.log.notSimulated(`${what} "${found.missing}"`, index, "warning");
 }
 
-/** A formula that names one contour means it; several make one by a rule of milling, of which turning knows nothing. */
+/** A formula of one contour means that contour; a formula of several is a milling rule without meaning in turning. */
 function byFormula(s: StatementOf<"contourFormula">, declared: ReadonlyMap<string, Found>, index: number): Found {
   const names = new Set(s.terms.filter((term) => term.startsWith("QC")));
   const [only = ""] = names;
   return names.size === 1 ? (declared.get(only) ?? null) : { joined: s.terms.join(" "), index };
 }
 
-/** The contour of a file: the file is one, or it declares contours and the last formula says which counts. */
+/** Contour of a file: the file itself, or the contours it declares, chosen by its last formula. */
 function contourOf(machine: Machine, unit: Unit): Found {
   const blocks = unit.program.blocks
     .map((block, i) => ({ s: block.statement, index: unit.from + i }))
@@ -69,7 +69,7 @@ function takeFile(machine: Machine, file: FileName, what: string, index: number)
   take(machine, found && "unit" in found ? contourOf(machine, found.unit) : found, what, index);
 }
 
-/** SEL CONTOUR: the contour of a file that is at hand; else the cycle that needs it says that it is missing. */
+/** SEL CONTOUR: the contour of a file; the cycle that needs a missing file reports it. */
 export const selectContour = (machine: Machine, s: StatementOf<"selectContour">, index: number): void =>
   takeFile(machine, s.file, "SEL CONTOUR", index);
 

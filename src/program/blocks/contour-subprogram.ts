@@ -31,7 +31,7 @@ export interface Subprogram {
   readonly contour: Contour;
   /** Index of the block of each element, in order. */
   readonly blocks: readonly number[];
-  /** A block of it could not be read, which has been told. */
+  /** A block could not be read; it is reported already. */
   readonly isTroubled: boolean;
 }
 
@@ -43,21 +43,21 @@ interface Reader {
   readonly blocks: number[];
   at: Position;
   pole: Pt | null;
-  /** Whether the last point was named with both coordinates; null where nobody asks. */
+  /** Whether the last point named both coordinates; null where this is not checked. */
   isWhole: boolean | null;
-  /** The element before, for a free contour that leaves it tangentially. */
+  /** Previous element, for a tangential free contour. */
   last: Segment | null;
   /** Elements of free contours, by their blocks. */
   solved: ReadonlyMap<number, FreeBlock | null>;
-  /** A word of a place had no number. */
+  /** A coordinate had no number. */
   isTroubled: boolean;
 }
 
-/** Longest contour that is read; beyond it the run ends, for a contour cut short would be another part. */
+/** Longest contour that is read. The run ends beyond it: a truncated contour would be another part. */
 const MOST_BLOCKS = 20_000;
 
 /**
- * Reads the contour behind a label of the program that runs. Null when the label does not exist. `radii`: X words are
+ * Reads the contour behind a label of the running program; null when the label does not exist. `radii`: X words are
  * radii (DIM_R).
  */
 export const readContour = (machine: Machine, label: Label, at: number, radii = false): Subprogram | null =>
@@ -116,7 +116,7 @@ export function readContourOf(
   };
 }
 
-/** A block as it is written, without its number. */
+/** Text of a block, without its number. */
 const lineOfBlock = (machine: Machine, index: number) =>
   (machine.blocks[index]?.raw ?? "").trim().replace(/^\/?\d*[ \t]*\/?[ \t]*/, "");
 
@@ -167,8 +167,8 @@ const corner = (reader: Reader, kind: "chamfer" | "round", size: number | null, 
   push(reader, { kind, size: reader.machine.length(size ?? 0) }, index);
 
 /**
- * Coordinates of a contour count from its own datum. What is wrong with a word is told here, and not again as a fault
- * of the contour; that nothing stands before its first point is told where that point is incomplete.
+ * Coordinates of a contour count from its own datum. Faults of words are reported here, not again as faults of the
+ * contour; a missing previous point is reported where the first point is incomplete.
  */
 const wordsOf = (reader: Reader, index: number): WordReader => ({
   ...wordReader(reader.machine, index),
@@ -216,7 +216,7 @@ const scaled = (s: Segment, unit: number): Segment => {
   return s.kind === "line" ? { kind: "line", from, to } : { ...s, from, to, centre: smaller(s.centre) };
 };
 
-/** An element of a free contour: solved with those that follow where the first of them stands. */
+/** An element of a free contour, solved together with the elements that follow. */
 function free(reader: Reader, s: StatementOf<"free">, index: number): void {
   if (!isFreeElement(s)) return;
   const { machine, plane, at } = reader;
@@ -243,7 +243,7 @@ function free(reader: Reader, s: StatementOf<"free">, index: number): void {
   sayUnsolved(machine, s, index);
 }
 
-/** A contour begins with a point: what a block counts from a point before it can not be its first. */
+/** The first block of a contour must not count from a previous point. */
 function first(reader: Reader, kind: PathKind | "CHF", { axes, polarRadius, polarAngle }: Words, index: number): void {
   if (reader.elements.length > 0 || reader.isTroubled) return;
   const word = axes.find((w) => w.incremental);
@@ -258,7 +258,7 @@ function notFirst(reader: Reader, word: string, index: number): void {
   reader.isTroubled = true;
 }
 
-/** The first block of a contour names both coordinates: a control knows no point before it. */
+/** The first block of a contour names both coordinates: a control has no previous point. */
 function incomplete(reader: Reader, index: number): void {
   if (!reader.isTroubled && reader.elements.length === 0)
     reader.machine.log.say(

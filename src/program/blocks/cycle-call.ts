@@ -29,20 +29,20 @@ import { rankTools } from "../tools/which-tool.ts";
 
 interface Read extends Pick<Given, "contour"> {
   /**
-   * What was told of the contour at its blocks; null where what else is wrong with it follows from one that can not be
-   * read.
+   * Contour issues reported at their blocks; null where an unread block makes all other issues of the contour
+   * meaningless.
    */
   readonly told: readonly Issue["code"][] | null;
-  /** Of each segment, in programmed order: its block, and the number of its element there. */
+  /** Block and element number of each segment, in programmed order. */
   readonly places: readonly { readonly block: number; readonly element: number }[];
 }
 
-/** That none is named, or that it can not be read, is told where it is met. */
+/** A missing or unreadable contour is reported where it is found. */
 const NO_CONTOUR: Read = { contour: null, told: null, places: [] };
-/** A cycle that follows none. */
+/** A cycle without a contour. */
 const OWN_CONTOUR: Read = { contour: null, told: [], places: [] };
 
-/** The contour that cycle 14 names, with its issues said at their blocks. */
+/** Contour that cycle 14 names, with its issues reported at their blocks. */
 function givenContour(machine: Machine, cycle: number, index: number, operation: number): Read {
   const { contours } = machine.now;
   if (contours === "unknown") {
@@ -65,13 +65,13 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
     return NO_CONTOUR;
   }
   const read = contours.map((source) => readContourOf(machine, source, index));
-  // Where a block could not be read, what else is wrong with the contour is wrong for that reason.
+  // An unread block is the cause of all other issues of the contour.
   for (const r of read)
     for (const i of r && !r.isTroubled ? r.contour.issues : []) {
       const element = "element" in i.data ? i.data.element : 0;
       machine.log.say(i, r?.blocks[element - 1] ?? index, 0, operation);
     }
-  // One contour is handed on as it is: what was found out about it holds.
+  // A single contour keeps its identity, so cached results stay valid.
   const [only] = read;
   const segments = read.length === 1 ? (only?.contour.segments ?? []) : read.flatMap((r) => r?.contour.segments ?? []);
   const places = read.flatMap(
@@ -82,10 +82,7 @@ function givenContour(machine: Machine, cycle: number, index: number, operation:
   return { contour: segments.length > 0 ? segments : null, told, places };
 }
 
-/**
- * What a cycle says of a segment of its contour, with the number and the block of that element; everything else at the
- * call.
- */
+/** Places an issue of a contour segment at the number and block of its element, every other issue at the call. */
 function inProgram<F extends Issue | ProgramIssue>(
   found: F,
   places: Read["places"],
@@ -103,8 +100,8 @@ function inProgram<F extends Issue | ProgramIssue>(
 }
 
 /**
- * A part of a program that calls no tool is shown all the same, with the tool of the table that makes most of its
- * contour; that no tool is called has been said, as an error.
+ * A program section without a tool call is still shown, with the tool that machines most of its contour. The missing
+ * call is reported as an error.
  */
 function standIn(
   machine: Machine,
@@ -133,7 +130,7 @@ function standIn(
   return best ?? null;
 }
 
-/** What must hold at a cycle call, apart from its values. */
+/** Preconditions of a cycle call, apart from its values. */
 function preconditions(machine: Machine, index: number): void {
   if (machine.now.mode !== "TURN") machine.log.say(programIssue("notInTurnMode", "error", {}), index);
   if (machine.now.compensation !== "R0")
@@ -141,17 +138,14 @@ function preconditions(machine: Machine, index: number): void {
   if (!machine.now.tool) noTool(machine, index);
 }
 
-/**
- * Where the tip stands at the call, on the workpiece. While milling the words of X are taken as the diameters that they
- * were meant to be.
- */
+/** Tip at the call, in workpiece coordinates. While milling, X words are read as the intended diameters. */
 function startOf(machine: Machine, index: number): Pt | null {
   if (!machine.now.turning) return pointIn("lathe", machine.place.mill);
-  // With RL or RR still active the tip stands beside the programmed point.
+  // With RL or RR still active the tip is off the programmed point.
   const really = machine.now.compensation === "R0" ? null : machine.turnGuide.here;
   const start = really && machine.tip ? partPoint(really) : machine.tip;
   if (start && (!machine.place.sure.x || !machine.place.sure.z)) {
-    // It is planned from where the tool stood before, which is nothing to go by.
+    // The plan starts at the previous tool position, which proves nothing.
     machine.log.say(programIssue("startUnknown", "warning", {}), index);
     machine.log.leaveUnproved("CYCL CALL", index);
   } else if (!start && machine.place.lost === "unproved") machine.log.leaveUnproved("CYCL CALL", index);
@@ -159,7 +153,7 @@ function startOf(machine: Machine, index: number): Pt | null {
   return start;
 }
 
-/** A cycle of another kind is kept: what it does to the workpiece, nobody here knows. */
+/** Another cycle is kept but not simulated: its effect on the workpiece is unknown. */
 function otherCycle(machine: Machine, { index: definedIn, cycle }: Defined, index: number): void {
   const s = machine.blocks[definedIn]?.statement;
   const name = s?.kind === "cycle" ? s.name : s?.kind === "cycleLine" ? s.text : "";
@@ -198,13 +192,13 @@ export function callCycle(machine: Machine, index: number): void {
   }
 }
 
-/** The line on which a block begins, in the text that it stands in. */
+/** First line of a block in its own text. */
 function lineAt(machine: Machine, block: number): TextLine {
   const { line, file } = machine.log.placeOf(block);
   return { line, ...(file !== undefined && { file }) };
 }
 
-/** The parameters of a definition as they are now, and why some are not known. */
+/** Parameters of a definition at this moment, and why some are unknown. */
 interface Parameters {
   readonly values: Map<string, number | "auto" | null>;
   readonly troubled: ReadonlyMap<string, UnknownReason>;
@@ -226,8 +220,8 @@ function readParameters(machine: Machine, parameters: readonly CycleParameter[],
 }
 
 /**
- * What a control fills into a list that software older than itself wrote. Told once for a program: its lists come from
- * one machine.
+ * Default values that a control adds to a list of older software. Reported once per program: its lists come from one
+ * machine.
  */
 function fillIn(machine: Machine, cycle: Cycle, values: Map<string, number | "auto" | null>, index: number): void {
   const filled: string[] = [];
@@ -240,9 +234,7 @@ function fillIn(machine: Machine, cycle: Cycle, values: Map<string, number | "au
     machine.log.sayOnce(programIssue("listOfOlderSoftware", "info", { cycle: cycle.number, filled }), index);
 }
 
-/**
- * A cycle that acts here: values that it can not have are told, ones that are not given are those of an older control.
- */
+/** A cycle that acts at its definition. Invalid values are reported; missing ones are those of an older control. */
 function act(machine: Machine, cycle: Cycle, s: StatementOf<"cycle">, index: number): void {
   const { issues } = cycleValues(machine, cycle, readParameters(machine, s.parameters, index).values);
   const raw = machine.blocks[index]?.raw ?? "";
@@ -250,16 +242,18 @@ function act(machine: Machine, cycle: Cycle, s: StatementOf<"cycle">, index: num
     if (i.code !== "missing" && i.at !== undefined) machine.log.say(i, index, lineOfParameter(raw, i.at));
 }
 
-/** Takes up a definition; parameters are read now, as the control does, and stand in Q parameters of their number. */
+/**
+ * Activates a definition. As on the control, parameters are read now and stored in the Q parameters of their number.
+ */
 export function cycleDefinition(machine: Machine, index: number): void {
   const s = machine.blocks[index]?.statement;
   if (s?.kind !== "cycle") return;
   const cycle = cycleByNumber(s.cycle);
-  // Whether one that bores is run shows where it is called.
+  // Whether a drilling cycle is simulated shows at its call.
   const bores = machine.now.turning && isDrilling(s.cycle);
   if (!cycle && !bores && !isSilent(s.cycle))
     machine.log.say(programIssue("cycleNotSimulated", "info", { cycle: s.cycle, name: s.name }), index);
-  // It may turn the tool round.
+  // It may reverse the tool.
   if (cycle?.acts) machine.set({ ways: new Map() });
   if (cycle?.acts) act(machine, cycle, s, index);
   if (actsAtOnce(s.cycle)) return actingCycle(machine, s.cycle, s.parameters, index);

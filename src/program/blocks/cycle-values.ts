@@ -22,17 +22,15 @@ const NO_LENGTH: ReadonlySet<string> = new Set([
 const isLength = (p: { readonly kind: string }) => !NO_LENGTH.has(p.kind);
 const hasInches = (p: { readonly kind: string }) => isLength(p) || p.kind === "feed";
 
-/** How many decimals an inch program keeps of a parameter. */
+/** Decimals of a parameter in an inch program. */
 export const decimalsInInches = (p: { readonly kind: string; readonly decimals: number }): number =>
   hasInches(p) ? p.decimals + INCH_DECIMALS : p.decimals;
 
-/** A value of a parameter, mm, as a program writes it that may count in inches. */
+/** A parameter value in mm as the program writes it, in inches where it counts in inches. */
 export const valueInProgram = (p: { readonly kind: string } | undefined, mm: number, inches: boolean): number =>
   inches && p && isLength(p) ? roundedInch(mm / INCH) : mm;
 
-/**
- * A number of the program in the unit of the parameter, rounded to what the control keeps of it before it is converted.
- */
+/** A program number in the unit of the parameter, rounded to the control's resolution before conversion. */
 function inMillimetres(machine: Machine, p: Param, n: number): number {
   if (!machine.now.inch) return kept(n, p.decimals);
   if (!hasInches(p)) return kept(n, CONVERTED_DECIMALS);
@@ -40,7 +38,7 @@ function inMillimetres(machine: Machine, p: Param, n: number): number {
   return kept(p.kind === "feed" ? machine.feedOf(inches) : machine.length(inches), CONVERTED_DECIMALS);
 }
 
-/** One value of a definition, or what is wrong with it; a missing one that may be left out counts as 0. */
+/** One value of a definition, or its issue; an omitted optional value counts as 0. */
 function valueOf(machine: Machine, q: string, p: Param, given: number | "auto" | null): number | "auto" | Issue {
   if (given === null) return p.optional ? 0 : issue("missing", "error", {}, q);
   if (given === "auto") return p.kind === "feed" ? given : issue("notANumber", "error", { text: "FAUTO" }, q);
@@ -48,7 +46,7 @@ function valueOf(machine: Machine, q: string, p: Param, given: number | "auto" |
   return checkNumber({ ...p, id: q }, value) ?? value;
 }
 
-/** Values of a cycle from its definition; null with issues when one is missing or can not be. */
+/** Values of a cycle from its definition; null with issues when one is missing or invalid. */
 export function cycleValues<P extends Params>(
   machine: Machine,
   cycle: Cycle<P>,

@@ -4,25 +4,25 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { length } from "../../kernel/units.ts";
 
 /**
- * What the drilling cycles do on their way down and back, mm. The lists of parameters and the order of the moves are
- * recalled from the control (decision "Drilling on the axis"), not read on a printed page.
+ * Moves of the drilling cycles, mm. Parameter lists and order of moves are recalled (decision "Drilling on the axis"),
+ * not verified on a printed page.
  */
 export interface DrillMove {
-  /** Where the point goes. */
+  /** Z of the drill point. */
   readonly to: number;
   /** null: rapid. */
   readonly feed: DrillFeed | null;
-  /** Seconds that the point rests at its end. */
+  /** Dwell at the end, s. */
   readonly dwell?: number;
 }
 
-/** A feed by the parameter it stands in, or the pitch of a thread in one turn of the spindle. */
+/** A feed by its parameter, or the thread pitch per revolution. */
 export type DrillFeed = { readonly q: "Q206" | "Q208" | "Q253" } | { readonly pitch: number };
 
 /** Numbers of the definition by their Q; lengths mm. */
 export type Q = (name: string) => number;
 
-/** Where a bore begins and ends, and how far above the tool stops. */
+/** Surface and bottom of a bore, and the set-up clearance above. */
 export interface Bore {
   readonly surface: number;
   readonly bottom: number;
@@ -30,7 +30,7 @@ export interface Bore {
   readonly away: number;
 }
 
-/** Parameters that a definition must have; all others have the value in which they change nothing. */
+/** Required parameters; all others default to the value without effect. */
 export const DRILL_WORDS: ReadonlyMap<number, readonly string[]> = new Map([
   [200, ["Q200", "Q201", "Q206", "Q202", "Q203"]],
   [201, ["Q200", "Q201", "Q206", "Q203"]],
@@ -43,12 +43,10 @@ export const DRILL_WORDS: ReadonlyMap<number, readonly string[]> = new Map([
   [240, ["Q200", "Q206", "Q203"]],
 ]);
 
-/** Infeeds of one bore; more nobody means. */
+/** Most infeeds of one bore; more are surely a typing error. */
 const MOST_PECKS = 2000;
 
-/**
- * Depths under the surface at which the tool turns back, the last one that of the bore; null when there are too many.
- */
+/** Depth of each infeed under the surface, the last one the full depth; null when there are too many. */
 function pecks(whole: number, first: number, less: number, least: number): number[] | null {
   const out: number[] = [];
   let [depth, infeed] = [0, first > 0 ? first : whole];
@@ -65,7 +63,7 @@ function pecks(whole: number, first: number, less: number, least: number): numbe
 const DOWN: DrillFeed = { q: "Q206" };
 const BACK: DrillFeed = { q: "Q208" };
 
-/** The moves of a cycle from its set-up clearance on; null when its values make no bore. */
+/** Moves of a cycle from its set-up clearance; null when its values make no bore. */
 export function drillPath(cycle: number, q: Q, bore: Bore): DrillMove[] | null {
   const made = MOVES[cycle]?.(q, bore) ?? null;
   if (!made) return null;
@@ -80,8 +78,7 @@ function downAndBack(q: Q, { bottom, clear }: Bore): DrillMove[] {
 }
 
 /**
- * Cycles that widen a hole, and what they take of it at most, as a share of the tool's radius and in mm: a reamer takes
- * little.
+ * Cycles that widen a hole, and the most they remove, as a share of the tool radius and in mm: a reamer removes little.
  */
 const WIDENS: ReadonlyMap<number, { readonly share: number; readonly most: number }> = new Map([
   [201, { share: 0.5, most: 0.5 }],
@@ -94,7 +91,7 @@ const WIDENS: ReadonlyMap<number, { readonly share: number; readonly most: numbe
   ],
 ]);
 
-/** The hole that a cycle needs before it runs; null where it makes one. */
+/** Hole required before a cycle; null where the cycle makes it. */
 export function holeBefore(cycle: number, tool: Tool, q: Q): NeededHole | null {
   if (q("Q239") !== 0) return holeOf(tool, Math.abs(q("Q239")));
   const widened = WIDENS.get(cycle);
@@ -140,19 +137,19 @@ const MOVES: Readonly<Record<number, (q: Q, bore: Bore) => DrillMove[] | null>> 
 };
 
 interface Pecking {
-  /** First infeed, what each is less than the one before, and the least. */
+  /** First infeed, decrement per infeed, and smallest infeed. */
   readonly infeeds: readonly [first: number, less: number, least: number];
-  /** Feed of the way out; null: rapid. */
+  /** Retraction feed; null: rapid. */
   readonly back: DrillFeed | null;
-  /** Seconds outside between two infeeds. */
+  /** Dwell outside between two infeeds, s. */
   readonly rest: number;
-  /** How far above the last depth the rapid down ends. */
+  /** Distance above the last depth at which the rapid down ends. */
   readonly ahead: (depth: number, whole: number) => number;
-  /** Chips that are broken inside before the tool comes out. */
+  /** Chip breaks inside the bore before the tool retracts. */
   readonly breaks?: { readonly count: number; readonly by: number };
 }
 
-/** Infeed by infeed, out of the bore between two of them or back by a little to break the chip. */
+/** Infeed by infeed, retracting out of the bore or by a little to break the chip. */
 function pecking(q: Q, { surface, bottom, clear }: Bore, p: Pecking): DrillMove[] | null {
   const whole = surface - bottom;
   const depths = pecks(whole, ...p.infeeds);
@@ -173,9 +170,7 @@ function pecking(q: Q, { surface, bottom, clear }: Bore, p: Pecking): DrillMove[
   });
 }
 
-/**
- * 205: a start that lies deeper, chips broken on the way, and a stop above the last depth that grows with the depth.
- */
+/** 205: deepened start point, chip breaking, and an advanced stop distance that grows with the depth. */
 function deep(q: Q, bore: Bore): DrillMove[] | null {
   const below = Math.abs(q("Q379"));
   const start = bore.surface - below;
@@ -194,7 +189,7 @@ function deep(q: Q, bore: Bore): DrillMove[] | null {
   return [...way, ...broken.slice(0, -1), { to: bore.clear, feed: BACK }];
 }
 
-/** Every cut divided where a chip is broken. */
+/** Divides every cut at its chip breaks. */
 function chipsBroken(
   moves: readonly DrillMove[],
   { every, by, from }: { readonly every: number; readonly by: number; readonly from: number },
@@ -217,7 +212,7 @@ function chipsBroken(
   return out;
 }
 
-/** 209: a tap that goes back to break the chip, by so many pitches or all the way. */
+/** 209: tapping with chip breaking, retracting by some pitches or completely. */
 function chipBreakingTap(q: Q, { surface, bottom, clear }: Bore): DrillMove[] | null {
   const feed = { pitch: Math.abs(q("Q239")) };
   const depths = pecks(surface - bottom, q("Q257"), 0, 0);

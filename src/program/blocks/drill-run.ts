@@ -15,9 +15,9 @@ import { offCentre } from "../motion/off-centre.ts";
 import { lineOfParameter } from "../state/preconditions.ts";
 import { mustTurn } from "./spindle-start.ts";
 
-/** How far from the axis a drill may stand and still be on it, mm. */
+/** Distance from the axis within which a drill counts as centred, mm. */
 const ON_AXIS = 0.001;
-/** A feed that is written so stands for rapid. */
+/** This feed value means rapid. */
 const AS_RAPID = 99_999;
 const LENGTHS: ReadonlySet<string> = new Set([
   "Q200",
@@ -36,12 +36,12 @@ const LENGTHS: ReadonlySet<string> = new Set([
   "Q379",
 ]);
 
-/** Whether a cycle is one of those that bore on the axis while turning. */
+/** Whether a cycle drills on the axis while turning. */
 export const isDrilling = (cycle: number): boolean => DRILL_WORDS.has(cycle);
 
 /**
- * Runs a drilling cycle where the drill stands on the axis of the turning spindle. False where it is to be kept as it
- * is: off the axis, without a drill, or with values that make no bore.
+ * Runs a drilling cycle on the axis of the turning spindle. False where the cycle is not simulated: off the axis,
+ * without a drill, or with values that make no bore.
  */
 export function drillOnAxis(machine: Machine, defined: Defined, index: number): boolean {
   const { tool } = machine.now;
@@ -54,21 +54,21 @@ export function drillOnAxis(machine: Machine, defined: Defined, index: number): 
   if (Math.abs(tip.r) > ON_AXIS || needed.some((q) => value(machine, defined, q) === null)) return false;
   const q: Q = (name) => {
     const n = value(machine, defined, name) ?? 0;
-    // The way back of a tap is so many pitches.
+    // The retraction of a tap counts in pitches.
     return LENGTHS.has(name) && !(name === "Q256" && defined.cycle === 209) ? machine.length(n) : n;
   };
   const bore = boreOf(defined, tool, q, machine.now.datum.z);
   const path = bore && drillPath(defined.cycle, q, bore);
   if (!bore || !path) return false;
   judge(machine, { defined, tool, bore, q }, index);
-  // The sign of the pitch is the hand of the thread.
+  // The sign of the pitch gives the hand of the thread.
   mustTurn(machine, tool, index, { leftHand: q("Q239") === 0 ? undefined : q("Q239") < 0 });
   offCentre(machine, index);
   perform(machine, { defined, path, hole: holeBefore(defined.cycle, tool, q) }, tip, index);
   return true;
 }
 
-/** A number of the definition; rapid counts as one, and so does the feed of the tool call. Null when it is missing. */
+/** A number of the definition; rapid and the feed of the tool call count as numbers. Null when missing. */
 function value(machine: Machine, { values, index }: Defined, name: string): number | null {
   const n = values.get(name);
   if (n === "auto") return machine.now.toolFeed;
@@ -78,7 +78,7 @@ function value(machine: Machine, { values, index }: Defined, name: string): numb
   return written === "max" ? AS_RAPID : null;
 }
 
-/** Where the bore lies; null when it has no depth downwards. */
+/** Position of the bore; null when its depth does not point down. */
 function boreOf({ cycle }: Defined, tool: Tool, q: Q, datum: number): Bore | null {
   const surface = q("Q203") + datum;
   const byDiameter = cycle === 240 && q("Q343") === 1;
@@ -96,7 +96,7 @@ interface Judged {
   readonly q: Q;
 }
 
-/** What the values say that the tool can not do, or that nobody means. */
+/** Reports values that the tool cannot machine or that are surely a typing error. */
 function judge(machine: Machine, { defined, tool, bore, q }: Judged, index: number): void {
   const raw = machine.blocks[defined.index]?.raw ?? "";
   const say = (issue: Parameters<typeof machine.log.say>[0], at: string) =>
@@ -123,7 +123,7 @@ function judge(machine: Machine, { defined, tool, bore, q }: Judged, index: numb
 
 const purpose = { run: "rough", step: 0 } as const;
 
-/** A feed of the cycle; null is rapid. The feed of the way back is that of the way down where it is 0. */
+/** A feed of the cycle; null is rapid. A retraction feed of 0 means the plunging feed. */
 function feedOf(machine: Machine, defined: Defined, feed: Exclude<DrillFeed, { pitch: number }>): Feed | null {
   const own = value(machine, defined, feed.q) ?? (feed.q === "Q253" ? AS_RAPID : 0);
   const n = own === 0 && feed.q === "Q208" ? (value(machine, defined, "Q206") ?? 0) : own;

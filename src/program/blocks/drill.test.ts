@@ -160,7 +160,7 @@ describe("drilling on the axis while turning", () => {
       "F90/min -30",
       "F90/min 1",
     ]));
-  test("201 and 240: to the depth, at rapid or at the feed of the way back", () => {
+  test("201 and 240: to the depth, back at rapid or at the retraction feed", () => {
     const reaming = { Q200: 2, Q201: -12.5, Q206: 60, Q211: 0, Q208: "MAX", Q203: 0, Q204: 2 };
     expect(moves(program(cycle(201, "REAMING", reaming)))).toEqual(["rapid 2", "F60/min -12.5", "rapid 2"]);
     const centering = { Q200: 2, Q343: 1, Q201: 0, Q344: -7, Q206: 60, Q211: 0, Q203: 0, Q204: 2 };
@@ -193,7 +193,7 @@ describe("drilling on the axis while turning", () => {
     expect(done.steps.at(-2)?.from.z).toBe(10);
     expect(done.unproved).toEqual([]);
   });
-  test("deeper than the edges are long is said", () => {
+  test("a bore deeper than the cutting edge length is reported", () => {
     expect(codes(program(drilling))).toEqual([]);
     expect(codes(program(drilling.replace("Q201=-33", "Q201=-43.5")))).toEqual(["drillTooShort"]);
     expect(codes(program(drilling.replace("Q206=130", "Q206=0")))).toEqual(["feedZero"]);
@@ -213,7 +213,7 @@ describe("drilling on the axis while turning", () => {
     });
     expect(done.issues.flatMap(({ issue }) => (issue.code === "spindleStopped" ? [issue.data.how] : []))).toEqual(how);
   });
-  test("one that is never called is said", () => {
+  test("a cycle without a call is reported", () => {
     const text = program(drilling);
     expect(codes(text.replace("CYCL CALL\n", ""))).toEqual(["cycleNeverCalled"]);
   });
@@ -226,7 +226,7 @@ describe("drilling on the axis while turning", () => {
     ["upwards", drilling.replace("Q201=-33", "Q201=+33"), {}],
     ["without its depth", drilling.replace("Q201=-33 ~\n", ""), {}],
     ["another cycle", drilling.replace("200", "208"), {}],
-  ])("kept and not proved %s", (_, text, where) => {
+  ])("unverified %s", (_, text, where) => {
     const done = made(program(text, where));
     expect(done.steps.filter((s) => s.move.kind !== "rapid")).toEqual([]);
     expect(done.unproved).toHaveLength(1);

@@ -21,7 +21,7 @@ function dwells(machine: Machine, digits: string | undefined, unit: "TIME" | "RE
 export const dwellLine = (machine: Machine, text: string, index: number): void =>
   dwells(machine, LAST_NUMBER.exec(text)?.[1], "TIME", index);
 
-/** FUNCTION DWELL, in seconds or in turns of the spindle; any other text is none. */
+/** FUNCTION DWELL, in seconds or spindle revolutions; other text is ignored. */
 export function dwellFunction(machine: Machine, text: string, index: number): void {
   const [, unit = "", digits] = FUNCTION_DWELL.exec(text) ?? [];
   if (unit !== "") dwells(machine, digits, unit.toUpperCase() === "REV" ? "REV" : "TIME", index);

@@ -19,8 +19,8 @@ const endOf = (s: Statement): string | null => {
 const isText = (parameter: string) => parameter.startsWith("QS");
 
 /**
- * Executes what comes next: a block, with the call, repetition or jump that it is, or the end of the text. Behind the
- * end of the program the flow has an ending.
+ * Executes the next block with its call, repetition or jump, or the end of the text. After the program end the flow has
+ * an ending.
  */
 export function advance(machine: Machine, block: (s: Statement, index: number) => void): void {
   const index = machine.run.next;
@@ -45,7 +45,7 @@ export function advance(machine: Machine, block: (s: Statement, index: number) =
     machine.log.say(programIssue("endInCalled", "warning", { word }), index);
 }
 
-/** LBL 0 goes back behind the call of its label, but not out of a program; no program runs into a contour. */
+/** LBL 0 returns to its call, but not out of a program; no program runs into a contour. */
 function label(machine: Machine, named: Label, index: number): void {
   const { returns } = machine.run.flow;
   if (named === 0) {
@@ -64,7 +64,7 @@ function goBack(machine: Machine, { on, outer: returns }: Return): void {
 
 const callsIn = (returns: Return | null): readonly Return[] => (returns ? [returns, ...callsIn(returns.outer)] : []);
 
-/** Goes into a program that was called: it has its own blocks, labels, local parameters and unit. */
+/** Enters a called program, which has its own blocks, labels, local parameters and unit. */
 function enter(machine: Machine, unit: Unit): void {
   const { next: on } = machine.run,
     { returns: outer } = machine.run.flow;
@@ -78,7 +78,7 @@ function enter(machine: Machine, unit: Unit): void {
   machine.goTo(unit.from);
 }
 
-/** A program has come to its end: it goes back to the one that has called it, or ends the run. */
+/** At its end, a program returns to its caller or ends the run. */
 function back(machine: Machine, ending: Ending): void {
   const called = callsIn(machine.run.flow.returns).find(({ caller }) => caller);
   if (!called?.caller) return machine.go({ returns: null, ending });
@@ -100,7 +100,7 @@ function behindLabel(machine: Machine, index: number): number {
   return i;
 }
 
-/** The label that is meant: as it is written, or what a parameter holds. */
+/** Label as written, or as held by a parameter. */
 function labelOf(machine: Machine, named: Label | Parameter, index: number): Label | null {
   if (typeof named !== "object") return named;
   const { parameter } = named;
@@ -109,7 +109,7 @@ function labelOf(machine: Machine, named: Label | Parameter, index: number): Lab
   return machine.labels.has(parameter) ? parameter : machine.text(parameter, index);
 }
 
-/** The block of a label; null when there is none, or none that is known. */
+/** Block of a label; null when it is missing or unknown. */
 function target(
   machine: Machine,
   named: Extract<Statement, { kind: "call" | "jump" }>["label"],
@@ -122,14 +122,14 @@ function target(
   return found ?? null;
 }
 
-/** How many labels of the program that runs have called each other. */
+/** Nesting depth of label calls in the running program. */
 function depthOf(returns: Return | null): number {
   const depth = callsIn(returns).findIndex(({ caller }) => caller);
   return depth < 0 ? callsIn(returns).length : depth;
 }
 
 /**
- * Goes on at the label of a call. One with REP repeats the blocks between label and call; one without returns at LBL 0.
+ * Continues at the called label. REP repeats the blocks between label and call; a call without REP returns at LBL 0.
  */
 function call(machine: Machine, s: Extract<Statement, { kind: "call" }>, index: number): void {
   const { returns: outer, repeats } = machine.run.flow;
@@ -150,7 +150,7 @@ function call(machine: Machine, s: Extract<Statement, { kind: "call" }>, index: 
   }
 }
 
-/** A jump. One that hangs on a value nobody knows goes on behind it, and nothing is proved from there. */
+/** A jump. With an unknown condition the run continues behind it, unverified from there. */
 function jump(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): void {
   const holds = compare(machine, s, index);
   if (holds === null) machine.go({ guessed: true });
@@ -158,14 +158,14 @@ function jump(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: 
   if (to !== null) machine.goTo(to);
 }
 
-/** FN 14: the control stops here with an error, unless it may have gone another way before. */
+/** FN 14: the control stops here with an error, unless an unknown jump may have bypassed it. */
 function raise(machine: Machine, s: Extract<Statement, { kind: "raise" }>, index: number): void {
   if (machine.run.flow.guessed) return machine.log.leaveUnproved("FN 14", index);
   machine.log.say(programIssue("errorRaised", "error", { error: machine.number(s.error, index) }), index);
   machine.go({ told: true, ending: { index, word: null } });
 }
 
-/** Whether a comparison holds; null when that hangs on a value that is not known. */
+/** Whether a comparison holds; null when a value is unknown. */
 function compare(machine: Machine, s: Extract<Statement, { kind: "jump" }>, index: number): boolean | null {
   if (s.right === null) {
     const set = typeof s.left === "number" || machine.known.isSet(s.left.parameter);
@@ -205,10 +205,7 @@ const runs = (s: Statement) =>
   (s.kind === "path" && s.path !== "CC") ||
   (wordsOf(s)?.functions.includes(99) ?? false);
 
-/**
- * Motion and calls behind the end of the program that nothing has run: the first of them is named. True when there is
- * one.
- */
+/** Reports the first motion or call behind the program end that never runs. True when there is one. */
 export function neverReached(machine: Machine, ending: Ending): boolean {
   if (ending.word === null) return false;
   const used = usedLabels(machine);
@@ -225,7 +222,7 @@ export function neverReached(machine: Machine, ending: Ending): boolean {
   return false;
 }
 
-/** Labels that a block of the program names: why they were not run is another matter. */
+/** Labels that the program calls: a called label that never ran is another fault. */
 function usedLabels(machine: Machine): ReadonlySet<Label> | "all" {
   const used = new Set<Label>(machine.unit.contours);
   for (const { statement: s } of machine.input.program.blocks) {

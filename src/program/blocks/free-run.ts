@@ -32,8 +32,8 @@ export function runFree(machine: Machine, s: Free, index: number): void {
 function solved(machine: Machine, index: number): FreeRun {
   const { run, indices } = collectFree(machine, index);
   const { turning, mill } = machine.now;
-  // Mirrored, turned or scaled coordinates, or a datum that nobody knows: what is given counts in others than the place
-  // does.
+  // With mirrored, rotated or scaled coordinates, or an unknown datum, the given values count in other coordinates than
+  // the position.
   const elsewhere =
     wordReader(machine, index).frame || [datumShiftOf(machine, "X"), datumShiftOf(machine, "Z")].includes("unknown");
   if (elsewhere || (!turning && mill.otherAxis)) return { blocks: new Map(), expected: null };

@@ -5,9 +5,9 @@ import type { Machine } from "../state/machine.ts";
 
 type Free = StatementOf<"free">;
 
-/** Blocks that stand between the elements of one contour and give none. */
+/** Blocks allowed between the elements of one contour, without a motion of their own. */
 const BETWEEN: ReadonlySet<Statement["kind"]> = new Set(["empty", "comment", "structure", "chamfer"]);
-/** Elements that are solved at once; a control does not take more either. */
+/** Most elements solved together; a control takes no more either. */
 const MOST = 200;
 
 interface Collected {
@@ -15,7 +15,7 @@ interface Collected {
   readonly indices: readonly number[];
 }
 
-/** The elements that follow one another from a block on, with what is said between them. */
+/** Consecutive elements from a block on, with the blocks between them. */
 export function collectFree(machine: Machine, from: number): Collected {
   const [run, indices]: [FreeWritten[], number[]] = [[], []];
   for (let i = from; i < machine.blocks.length && indices.length < MOST; i += 1) {
@@ -29,7 +29,7 @@ export function collectFree(machine: Machine, from: number): Collected {
   return { run: withPole(machine, from, run), indices };
 }
 
-/** FPOL stands in front of the elements that count from it. */
+/** Puts FPOL before the elements that refer to it. */
 function withPole(machine: Machine, from: number, run: readonly FreeWritten[]): readonly FreeWritten[] {
   for (let i = from - 1; i >= 0; i -= 1) {
     const s = machine.foresee(i);
@@ -39,13 +39,13 @@ function withPole(machine: Machine, from: number, run: readonly FreeWritten[]): 
   return run;
 }
 
-/** Says of an element that it can not be solved. */
+/** Reports an element that cannot be solved. */
 export function sayUnsolved(machine: Machine, s: Free, index: number): void {
   machine.log.say(programIssue("freeUnsolved", "warning", { form: s.form }), index);
   machine.log.leaveUnproved(s.form, index);
 }
 
-/** Says that another contour fits too from here on. */
+/** Reports that another solution is possible from here on. */
 export function sayChosen(machine: Machine, index: number): void {
   machine.log.say(programIssue("freeChosen", "warning", {}), index);
   machine.log.leaveUnproved("FSELECT", index);

@@ -7,13 +7,13 @@ import type { Defined } from "../state/modal.ts";
 import type { Operation } from "../state/run-types.ts";
 import { stepOf, timed, type TimedSteps } from "../state/step-of.ts";
 
-/** A cycle as it is called and planned. */
+/** A called cycle with its plan. */
 export interface Performed extends Pick<Operation, "cycle" | "start" | "tool" | "contourLines"> {
   readonly defined: Defined;
   readonly answer: CallAnswer;
 }
 
-/** The moves of a plan as steps of the operation that comes next. */
+/** The moves of a plan as steps of the next operation. */
 function stepsOf(machine: Machine, { start, tool }: Performed, plan: Plan, index: number): readonly Step[] {
   const {
     log,
@@ -34,7 +34,7 @@ function stepsOf(machine: Machine, { start, tool }: Performed, plan: Plan, index
   });
 }
 
-/** The same, as the very steps of the run before where they were the same there. */
+/** Reuses the step objects of the previous run where the steps are equal. */
 function knownSteps(machine: Machine, performed: Performed, index: number): TimedSteps {
   const {
     log,
@@ -48,7 +48,7 @@ function knownSteps(machine: Machine, performed: Performed, index: number): Time
   return memory.once(asked, make, ({ steps }) => steps.length);
 }
 
-/** Runs the moves of a plan, as far as there is room, and notes the operation. */
+/** Runs the moves of a plan up to the limit of moves, and records the operation. */
 export function perform(machine: Machine, performed: Performed, index: number): void {
   const { log } = machine;
   const {

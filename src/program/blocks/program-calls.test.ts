@@ -24,7 +24,7 @@ const path = (r: Made) =>
 const told = (r: Made) => r.issues.filter((f) => f.issue.severity !== "info").map((f) => `${f.issue.code}@${f.block}`);
 const unproved = (r: Made) => r.unproved.map((u) => `${u.what}@${u.block}`);
 
-/** A program text of its own, with its frame. */
+/** A complete program text with BEGIN and END. */
 const pgm = (lines: string, unit = "MM") => `BEGIN PGM S ${unit}\n${lines}\nEND PGM S ${unit}\n`;
 
 describe("names of files", () => {
@@ -72,7 +72,7 @@ describe("a program calls another", () => {
     });
     expect(made("CALL PGM S", { "S.H": pgm("L X+90 FMAX") }).issues.filter((f) => f.inFile)).toEqual([]);
   });
-  test("one that is not at hand is named, and nothing is proved behind it", () => {
+  test("a missing one is named, and the rest is unverified", () => {
     const r = made("CALL PGM NOWHERE.H\nL X+90 FMAX");
     expect(unproved(r)).toEqual(["CALL PGM@7"]);
     expect(r.issues.map((f) => f.issue)).toContainEqual(
@@ -83,7 +83,7 @@ describe("a program calls another", () => {
       unproved(made("SEL PGM QS1\nFN 18: SYSREAD Q1 = ID1\nQS1 = TOCHAR ( DAT+Q1 )\nSEL PGM QS1\nCALL SELECTED PGM")),
     ).toContain("CALL SELECTED PGM@11");
   });
-  test("one that calls itself without end stops with the cause", () => {
+  test("endless recursion stops with its cause", () => {
     expect(told(made("CALL PGM S", { "S.H": pgm("L IX+1 FMAX\nCALL PGM S") }))).toEqual(["programsTooDeep@7"]);
     expect(told(made("CALL PGM A", { "A.H": pgm("CALL PGM B"), "B.H": pgm("CALL PGM A") }))).toEqual([
       "programsTooDeep@7",
@@ -137,7 +137,7 @@ describe("contours from files", () => {
     ]));
   test("several areas are not joined: the cycle is unproved", () =>
     expect(unproved(made(`CONTOUR DEF P1 = "A.H" I2 = "B.H" DEPTH5\n${SHOULDER}`))).toEqual(["CYCL CALL@12"]));
-  test("a file that is not at hand is an error of the cycle", () =>
+  test("a missing file is an error of the cycle", () =>
     expect(told(made(`SEL CONTOUR "A.H"\n${SHOULDER}`))).toContain("contourInFile@12"));
 });
 
@@ -189,7 +189,7 @@ describe("values", () => {
     ["Q9 = 4 + STRCOMP ( SRC_QS1 SEA_QS2 )", 'QS1 = "A"\nDECLARE STRING QS2 = "B"', "3"],
     ["Q9 = TONUMB ( SRC_QS1 )", 'QS1 = "1" || TOCHAR ( DAT+2.346 DECIMALS2 )', "12.35"],
   ])("%s with %s is %s", (formula, before, result) => expect(at(`${before}\n${formula}`)).toBe(result));
-  test("what the control keeps: the radius of the tool in the unit of the program, all else is unknown and no fault", () => {
+  test("parameters of the control: the tool radius in program units; all others are unknown and no fault", () => {
     const mills = [{ T: 31, NAME: "D8", R: 4, DR: -0.25 }];
     const radius = (unit: string, lines: string) => {
       const text = `BEGIN PGM R ${unit}\nTOOL DEF 7 L+0 R+0.75\n${lines}\nL X+0 Y+0 Z+5 R0 FMAX\nL X+Q108 FMAX\nM30\nEND PGM R ${unit}\n`;
@@ -215,7 +215,7 @@ describe("values", () => {
     expect(r.steps.at(-1)?.tool.NAME).toBe(name);
     expect(told(made("TOOL CALL QS8"))).toEqual(["parameterUnset@7"]);
   });
-  test("a tool that nobody knows is unproved, and no fault", () => {
+  test("an unknown tool is unverified, and no fault", () => {
     const r = made("FN 18: SYSREAD Q1 = ID20 NR1\nTOOL CALL Q1\nL X+90 Z+5 FMAX");
     expect(unproved(r)).toEqual(["Q1@8"]);
     expect(r.issues.filter((f) => f.issue.severity === "error")).toEqual([]);
@@ -226,7 +226,7 @@ describe("values", () => {
     expect(path(made("Q5 = 7\nFN 9: IF+1 EQU+1 GOTO LBL Q5\nL X+90 FMAX\nLBL 7\nL Z+3 FMAX"))).toEqual(["11 100 3"]);
     expect(path(made("Q5 = 2\nLBL 7\nL IZ-1 FMAX\nCALL LBL 7 REP Q5"))).toHaveLength(3);
   });
-  test("what a table, a probe or the machine would say is unknown, and so is what hangs on it", () => {
+  test("values of a table, a probe or the machine are unknown, and so is what depends on them", () => {
     expect(unproved(made('SQL SELECT Q5 "SELECT R FROM T"\nL X+Q5 FMAX'))).toEqual(["Q5@8"]);
     expect(unproved(made('SQL BIND Q5 "T.R"\nQ5 = 4\nSQL FETCH Q1 HANDLE Q2\nL X+Q5 FMAX'))).toEqual(["Q5@10"]);
     expect(unproved(made("QS1 = SYSSTR ( ID10950 NR1 )\nQ2 = STRLEN ( SRC_QS1 )\nL X+Q2 FMAX"))).toEqual(["Q2@9"]);
@@ -237,7 +237,7 @@ describe("values", () => {
     ]);
     expect(unproved(made("Q2 = 90\nL X+Q2 FMAX"))).toEqual([]);
   });
-  test("SET UNDEFINED takes a value away", () =>
+  test("SET UNDEFINED removes a value", () =>
     expect(
       path(made("Q5 = 4\nQ5 = SET UNDEFINED\nIF Q5 IS UNDEFINED GOTO LBL 1\nL X+90 FMAX\nLBL 1\nL Z+1 FMAX")),
     ).toEqual(["12 100 1"]));

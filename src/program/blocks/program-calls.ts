@@ -5,13 +5,13 @@ import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 import { nameInCycle } from "../state/program-files.ts";
 
-/** Nobody knows what the called program does: not where it leaves the tool, and not what it cuts. */
+/** The effect of the called program is unknown: neither its cuts nor the tool position after it. */
 function lost(machine: Machine, what: string, index: number): void {
   machine.loseAll();
   machine.log.leaveUnproved(what, index);
 }
 
-/** Runs the program of a name next, or says that it is not at hand. */
+/** Runs the named program next, or reports that it was not opened. */
 export function callNamed(machine: Machine, name: string | null, what: string, index: number): void {
   if (name === null) return lost(machine, what, index);
   const unit = machine.unitOfFile(name, index);
@@ -25,7 +25,7 @@ export function callNamed(machine: Machine, name: string | null, what: string, i
 export const callProgram = (machine: Machine, s: StatementOf<"callProgram">, index: number): void =>
   callNamed(machine, writtenFile(machine, s.file, index), "CALL PGM", index);
 
-/** SEL PGM: the name counts from here on, also one that nobody knows. */
+/** SEL PGM: the name counts from here on, even when unknown. */
 export const selectProgram = (machine: Machine, s: StatementOf<"selectProgram">, index: number): void =>
   machine.set({ selectedProgram: { name: writtenFile(machine, s.file, index) } });
 

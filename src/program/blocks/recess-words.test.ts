@@ -5,14 +5,14 @@ import { klartext } from "../../nc/blocks/klartext.ts";
 import type { Statement } from "../../nc/statement.ts";
 import { formWord } from "./recess-words.ts";
 
-/** The words that the form of a block asks for, in its order. */
+/** Words that the form of a block requires, in its order. */
 const asked = (statement: Statement): readonly string[] =>
   klartext.fields(statement).flatMap(({ name }) => (typeof name === "string" ? [] : [name.word]));
 
-test("a recess is asked for the words that the kernel makes it of", () => {
+test("a recess requires the words that the kernel uses", () => {
   expect(asked({ kind: "groove", form: "RADIAL", words: [] })).toEqual(GROOVE_WORDS);
 });
 
-test.each(UNDERCUT_FORMS)("an undercut %s is asked for the words that the kernel makes it of", (form) => {
+test.each(UNDERCUT_FORMS)("an undercut %s requires the words that the kernel uses", (form) => {
   expect(asked({ kind: "undercut", form: formWord(form), words: [] })).toEqual(UNDERCUT_WORDS[form]);
 });

@@ -14,12 +14,12 @@ import type { NamedWord } from "../../nc/words.ts";
 import { programIssue } from "../state/issue.ts";
 import type { Machine } from "../state/machine.ts";
 
-/** The form that a program's word names: TYPE_E, THREAD; null when there is none. */
+/** Form of a program word, such as TYPE_E or THREAD; null when there is none. */
 export const formOf = (word: string): UndercutForm | null => UNDERCUT_FORMS.find((f) => formWord(f) === word) ?? null;
 /** A form as a program writes it. */
 export const formWord = (form: string): string => (form === "THREAD" ? form : `TYPE_${form}`);
 
-/** Words by name in mm and degrees; a word that the block can not have is said and left out. */
+/** Words by name, in mm and degrees; an invalid word is reported and left out. */
 function wordsOf(
   machine: Machine,
   words: readonly NamedWord[],
@@ -41,7 +41,7 @@ function wordsOf(
   return Object.fromEntries(read);
 }
 
-/** An undercut or recess of a contour subprogram; null when its form is not known. */
+/** Undercut or recess of a contour subprogram; null when its form is unknown. */
 export function recessOf(
   machine: Machine,
   s: Extract<Statement, { kind: "undercut" | "groove" }>,

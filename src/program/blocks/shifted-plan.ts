@@ -7,10 +7,10 @@ import type { Datum } from "../state/modal.ts";
 type By = Pick<Datum, "x" | "z">;
 
 export const shiftedPoint = (p: Pt, by: By): Pt => ({ z: axial(p.z + by.z), r: radius(p.r + by.x) });
-/** A point of the workpiece as the program counts it. */
+/** A workpiece point in program coordinates. */
 export const countedPoint = (p: Pt, by: By): Pt => ({ z: axial(p.z - by.z), r: radius(p.r - by.x) });
 
-/** A segment of a contour as the program counts it, where the shifted datum puts it on the workpiece. */
+/** A contour segment in program coordinates, moved by the datum shift to the workpiece. */
 export const shiftedSegment = (s: Segment, by: By): Segment => {
   const ends = { from: shiftedPoint(s.from, by), to: shiftedPoint(s.to, by) };
   return s.kind === "line" ? { ...s, ...ends } : { ...s, ...ends, centre: shiftedPoint(s.centre, by) };
@@ -28,7 +28,7 @@ const shiftedThread = (thread: ThreadPlan, by: By): ThreadPlan => ({
   end: shiftedPoint(thread.end, by),
 });
 
-/** A plan made in the coordinates of the program, where the shifted datum puts it on the workpiece. */
+/** A plan in program coordinates, moved by the datum shift to the workpiece. */
 export function shiftedPlan(plan: Plan, by: By): Plan {
   if (by.x === 0 && by.z === 0) return plan;
   const reach = (all: Plan["reach"]) => all.map((r) => ({ ...r, path: shiftedSegment(r.path, by) }));

@@ -19,11 +19,11 @@ const stoppedAt = (body: string, frame = "FUNCTION MODE TURN\nTOOL CALL 1\nFUNCT
     .issues.filter(({ issue }) => issue.code === "spindleStopped")
     .map(({ line }) => line);
 const length = DEF.split("\n").length;
-/** Line of the block that stands so many blocks behind the definition. */
+/** Line of the block this many blocks behind the definition. */
 const behind = (blocks: number) => 6 + length + blocks;
 
 describe("a call while nothing has started the spindle", () => {
-  test("is told at each call", () => {
+  test("is reported at each call", () => {
     expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL`)).toEqual([behind(2)]);
     expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL\nL X+81.7 Z+4.3 FMAX M99`)).toEqual([
       behind(2),
@@ -48,13 +48,13 @@ describe("a call while nothing has started the spindle", () => {
   });
 
   test.each(["M403", "M23", "CALL PGM START.H", "M203 STRANGE"])(
-    "%s may have started it, and nothing is told",
+    "%s may have started it, and nothing is reported",
     (block) => {
       expect(stoppedAt(`${block}\n${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL`)).toEqual([]);
     },
   );
 
-  test("tells a missing speed as well, in turning", () => {
+  test("reports a missing speed as well, in turning", () => {
     expect(stoppedAt(`${DEF}\nL X+77.3 Z+2.1 FMAX\nCYCL CALL`, "FUNCTION MODE TURN\nTOOL CALL 1\n")).toEqual([
       behind(1),
     ]);

@@ -5,15 +5,13 @@ import type { Words } from "../../nc/words.ts";
 import type { Machine } from "../state/machine.ts";
 import { idleSpindle } from "../state/spindle-state.ts";
 
-/**
- * M functions that start a spindle: those of every control, with coolant or without, and those of the turning spindle.
- */
+/** M functions that start a spindle: the standard ones, with or without coolant, and those of the turning spindle. */
 const START: readonly number[] = [3, 4, 13, 14, 303, 304];
-/** Those of them that start it the other way round. What a machine has of its own counts as forwards. */
+/** The reversing ones among them. Machine-specific functions count as forwards. */
 const BACKWARDS: readonly number[] = [4, 14, 304];
 /** M functions that stop it. */
 export const STOPS_SPINDLE: readonly number[] = [5, 305];
-/** M functions of the control that start nothing. What is not among them is the machine's own, and may. */
+/** Standard M functions that start nothing. All others are machine-specific and may start the spindle. */
 const ELSE: readonly number[] = [0, 1, 2, 6, 8, 9, 30];
 const FIRST_OF_PATH = 89;
 const LAST_OF_PATH = 199;
@@ -23,27 +21,27 @@ const mayStart = (m: number) =>
 
 const spunAt = (machine: Machine, index: number) => ({ index, unproved: machine.log.unproved.length, told: false });
 
-/** What the M functions of a block start as it begins. */
+/** Applies spindle starts at the beginning of a block. */
 export function startedBy(machine: Machine, { functions }: Words, index: number): void {
   const last = functions.findLast(mayStart);
   if (last !== undefined)
     machine.set({ turns: true, backwards: BACKWARDS.includes(last), spun: spunAt(machine, index) });
 }
 
-/** What they stop at its end. A spindle that stands already was stopped by the block before. */
+/** Applies spindle stops at the end of a block. A spindle at rest was stopped by an earlier block. */
 export function stoppedBy(machine: Machine, { functions }: Words, index: number): void {
   const { turns, spun } = machine.now;
   if (!functions.some((m) => STOPS_SPINDLE.includes(m))) return;
   machine.set({ turns: false, runsAs: null, spun: turns || spun.index === null ? spunAt(machine, index) : spun });
 }
 
-/** A cycle that is called: its operation, and whether its thread is a left-hand one, where it says so. */
+/** A cycle call: its operation, and whether its thread is left-hand where the cycle says so. */
 interface Called {
   readonly operation?: number;
   readonly leftHand?: boolean | undefined;
 }
 
-/** A cycle is called: it is blamed itself, and what is cut behind it in the same state is not blamed again. */
+/** Reports a stopped spindle at a cycle call, and suppresses the same report for later cuts in this state. */
 export function mustTurn(machine: Machine, tool: Tool, index: number, { operation, leftHand }: Called = {}): void {
   const idle = idleSpindle(machine.now, machine.log, tool, leftHand);
   if (!idle) {

@@ -5,7 +5,7 @@ import { SAME } from "../../kernel/tolerance.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Machine } from "../state/machine.ts";
 
-/** FUNCTION TURNDATA BLANK: from here on the run knows what stands. */
+/** FUNCTION TURNDATA BLANK: from here on the run tracks the stock. */
 export function traceBlank(machine: Machine, rings: readonly Ring[]): void {
   const {
     shop,
@@ -17,8 +17,8 @@ export function traceBlank(machine: Machine, rings: readonly Ring[]): void {
 }
 
 /**
- * What stands when a cycle is called; null where earlier cuts have left nobody knows what, since only the simulation
- * knows that. A blank that is traced is cut by the steps up to here.
+ * Stock at a cycle call; null after earlier cuts, which only the simulation knows. A traced blank is updated by all
+ * steps so far.
  */
 export function stockAtCall(machine: Machine): readonly Ring[] | null {
   const {
@@ -37,8 +37,8 @@ export function stockAtCall(machine: Machine): readonly Ring[] | null {
 }
 
 /**
- * What of the blank nobody has bored yet: behind the lowest Z that a drill or a cut on the axis has come to. Null where
- * nobody knows what stands there, as behind effects that are not simulated.
+ * Part of the blank not bored yet: below the lowest Z of a drill or of a cut on the axis. Null where the stock is
+ * unknown, as after effects that are not simulated.
  */
 export function solidAtCall(machine: Machine): Setting["solid"] {
   const {

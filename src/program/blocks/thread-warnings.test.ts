@@ -10,7 +10,7 @@ const told = (text: string, rapid = 10_000) =>
     .issues.map((i) => i.issue)
     .filter((i) => i.code === "threadFeedOverLimit" || i.code === "runInShort");
 
-test("a feed that the axis cannot follow is told, with the speed up to which it can", () => {
+test("a feed that the axis cannot follow is reported, with the highest possible speed", () => {
   expect(told(program.replace("S640", "S330"))).toEqual([]);
   // 640 rpm × 3.5 mm.
   expect(told(program.replace("Q460=+4.7", "Q460=+5.6"), 2100)).toMatchObject([
@@ -22,14 +22,14 @@ test("a feed that the axis cannot follow is told, with the speed up to which it 
   ]);
 });
 
-test("a run-in too short for the speed is told, with the one that is not", () => {
+test("a run-in too short for the speed is reported, with a sufficient one", () => {
   expect(told(program)).toMatchObject([
     { code: "runInShort", at: "Q460", data: { runIn: 4.7, needed: 5.6, nearest: 6 } },
   ]);
   expect(told(program.replace("Q460=+4.7", "Q460=+5.6"))).toEqual([]);
 });
 
-test("a thread at a constant surface speed is told at its call, with the speeds it runs through", () => {
+test("a thread at constant surface speed is reported at its call, with its range of speeds", () => {
   const codes = (text: string) =>
     run(parse(text), { tools: shippedTools, rapid: 10_000 }).issues.filter(
       (i) => i.issue.code === "threadSurfaceSpeed",

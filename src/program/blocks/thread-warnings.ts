@@ -6,16 +6,10 @@ import { axisRate, speedAt, type RapidRate } from "../../kernel/time/time.ts";
 import { RUN_IN_STEP } from "../../kernel/strategy/thread-run-in.ts";
 import { roundedUp, roundedUpTo } from "../../kernel/units.ts";
 
-/**
- * Revolutions per minute times lead, over this, are the mm that an axis needs to get up to the feed: a rule of thumb of
- * the trade.
- */
+/** Run-in in mm = rpm × lead / this value: a rule of thumb of the trade for the axis to reach its feed. */
 const RUN_IN = 400;
 
-/**
- * A speed that follows the diameter: each pass starts in another place of the turn. Told whatever else keeps the thread
- * from its path.
- */
+/** With constant surface speed each pass starts at another angle. Reported regardless of other faults of the thread. */
 function surfaceSpeed(spindle: Extract<Spindle, { kind: "surface" }>, moves: Plan["moves"]): Issue {
   const speeds = moves.flatMap((m, i) =>
     m.kind === "thread" ? [moves[i - 1]?.to.r ?? m.to.r, m.to.r].map((r) => speedAt(spindle, r)) : [],
@@ -26,8 +20,8 @@ function surfaceSpeed(spindle: Extract<Spindle, { kind: "surface" }>, moves: Pla
 }
 
 /**
- * What the speed of the spindle makes of a thread: one that changes with the diameter, a feed that the axis cannot
- * follow (it goes no faster than at rapid), a run-in too short to get up to it. The last two at their parameters.
+ * Thread warnings about the spindle speed: constant surface speed, a feed beyond the rapid rate of the axis, a run-in
+ * too short to reach the feed. The last two at their parameters.
  */
 export function threadWarnings(cycle: Cycle, plan: Plan, spindle: Spindle | null, rapid: RapidRate): Issue[] {
   const changing = cycle.thread && spindle?.kind === "surface" ? [surfaceSpeed(spindle, plan.moves)] : [];
@@ -56,7 +50,7 @@ function feedWarnings({ params }: Cycle, { thread, moves }: Plan, spindle: Spind
     const at = shown("runIn", "clearance");
     const longest = at === undefined ? 0 : (params[at]?.range[1] ?? 0);
     const nearest = roundedUpTo(RUN_IN_STEP, needed);
-    // At a speed that no run-in can reach, the speed is what has to change.
+    // At a speed that no run-in can reach, the speed has to change.
     const data = {
       runIn: thread.runIn,
       needed,

@@ -23,8 +23,8 @@ const frame = [
   "M136",
 ];
 
-test("a correction holds the insert off the programmed tip, adds up over both systems, and ends with the tool call", () => {
-  // Tool 3 has a nose of 0.4 mm: it leaves the cylinder where its nose begins, 0.4 mm in front of the shoulder.
+test("a correction offsets the insert from the programmed tip, adds up over both systems, and ends with the tool call", () => {
+  // Tool 3 has a nose radius of 0.4 mm: it leaves the cylinder where its nose begins, 0.4 mm before the shoulder.
   const { done, has, codes } = cut(
     ...frame,
     "FUNCTION TURNDATA CORR-TCS:Z/X DZL:0.1 DXL:0.25",
@@ -57,7 +57,7 @@ test.each([
   ["FUNCTION CORRDATA RESET #TCS", 40],
   ["CORRDATA RESET", 40],
   ["FUNCTION CORRDATA RESET #WPL", 40.5],
-])("%s takes the correction of its system back and moves no axis", (reset, left) => {
+])("%s resets the correction of its system and moves no axis", (reset, left) => {
   const { done, has } = cut(
     ...frame,
     "FUNCTION TURNDATA CORR-TCS:Z/X DXL:0.25",
@@ -90,7 +90,7 @@ describe("an index of a tool", () => {
     expect(told("TOOL CALL 77.2")).toEqual([{ tool: "77.2", rows: [] }]);
     expect(told("TOOL CALL 77")).toEqual(["toolUnknown"]);
   });
-  test("of a mill is told where the tables have that tool; one that they do not have is the machine's own", () => {
+  test("of a mill is reported where the tables have that tool; an unknown tool is machine-specific", () => {
     expect(told("TOOL CALL 20.1", "MILL")).toEqual([{ tool: "20.1", rows: ["20"] }]);
     expect(told("TOOL CALL 20", "MILL")).toEqual([]);
     expect(told("TOOL CALL 77.1", "MILL")).toEqual([]);
@@ -98,7 +98,7 @@ describe("an index of a tool", () => {
   });
 });
 
-test("DYL lies off the turning plane: kept, and not proved where it is not 0", () => {
+test("DYL is off the turning plane: unverified unless it is 0", () => {
   const told = (DYL: number) => {
     const tools = shippedTools.map((t) => (t.T === 3 ? { ...t, DYL: length(DYL) } : t));
     const text = lines(...frame, "L X+40 Z+2 R0 FMAX M3", "L Z-20 F0.2", "L X+80 Z+30 FMAX");
@@ -143,7 +143,7 @@ test("FUNCTION TURNDATA BLANK gives the stock where BLK FORM gives none", () => 
   expect(given.issues.map((f) => f.issue.code)).toEqual(["blankTraced", "blankLacks", "notProved", "blankAdds"]);
 });
 
-test("a blank or a contour in another file is said where it is named and where it is missed", () => {
+test("a blank or a contour in another file is reported where it is named and where it is needed", () => {
   expect(
     withBlank("BLK FORM CYLINDER Z D80 L60", 'FUNCTION TURNDATA BLANK "CAST.H"').issues.map((f) => f.issue),
   ).toMatchObject([

@@ -15,7 +15,7 @@ export function toolDefinition(machine: Machine, s: StatementOf<"toolDefinition"
   if (n !== null) machine.change({ radii: machine.run.radii.with(s.tool, machine.length(n)) });
 }
 
-/** TOOL CALL: feed and tool axis, and the tool of either table that has its number or name. */
+/** TOOL CALL: feed, tool axis, and the tool of either table with its number or name. */
 export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: number): void {
   if (s.axis !== null) machine.setMill({ otherAxis: s.axis !== "Z" });
   const wanted = typeof s.tool === "object" && s.tool !== null ? toolOf(machine, s.tool, index) : s.tool;
@@ -36,7 +36,7 @@ export function toolCall(machine: Machine, s: StatementOf<"toolCall">, index: nu
 const toolOf = (machine: Machine, held: Parameter, index: number) =>
   held.parameter.startsWith("QS") ? machine.text(held.parameter, index) : machine.number(held, index);
 
-/** A tool change takes its time unless the tool is in already: the index behind the point is another edge of it. */
+/** A tool change takes time unless the tool is already in: the index behind the point is another edge of it. */
 function changeTool(machine: Machine, wanted: number | string | null): void {
   const {
     shop: { tools, mills = [], machine: data },
@@ -51,7 +51,7 @@ function changeTool(machine: Machine, wanted: number | string | null): void {
   log.takes("toolChange", data?.toolChange ?? 0);
 }
 
-/** Nobody knows which tool is called: the one before is not in the spindle any more. */
+/** The called tool is unknown; the previous one is no longer in the spindle. */
 function unknownTool(machine: Machine): void {
   machine.endBrought();
   machine.setMill({ tool: "", radius: null });
@@ -84,21 +84,21 @@ function takeTool(machine: Machine, s: StatementOf<"toolCall">, wanted: number |
   } else if (!tool) notInTable(machine, wanted, index);
   if (tool && ((tool.DZL ?? 0) !== 0 || (tool.DXL ?? 0) !== 0))
     machine.log.say(programIssue("lengthDelta", "info", { tool: tool.T }, "tool"), index);
-  // Off the plane that is turned in: the edge may stand above or below the axis.
+  // Off the turning plane: the edge may be above or below the axis.
   if (tool && (tool.DYL ?? 0) !== 0) machine.log.leaveUnproved("DYL", index);
   const deltas = [s.deltaLength, s.deltaRadius].some((d) => d !== null && d !== 0);
   if (deltas && tool && machine.now.turning) machine.log.leaveUnproved("DL DR", index);
 }
 
-/** Rows of the tables that a tool has, whatever their index. */
+/** Table rows of a tool, with any index. */
 function rowsOf({ shop }: Machine, wanted: number): readonly number[] {
   const numbers = [...shop.tools, ...(shop.mills ?? [])].map(({ T }) => T).concat([...(shop.refused?.keys() ?? [])]);
   return numbers.filter((T) => Math.floor(T) === Math.floor(wanted)).sort((a, b) => a - b);
 }
 
 /**
- * No turning tool and no drill: of a tool with an index, the rows that the tables have of that tool. A mill that no
- * table has may be of the machine's own, but not one of a tool that is there.
+ * Neither turning tool nor drill. For a tool with an index, names the rows that exist. An unknown mill may be
+ * machine-specific, but not when its tool has rows.
  */
 function notInTable(machine: Machine, wanted: number | string, index: number): void {
   const tool = String(wanted);
@@ -113,12 +113,12 @@ function notInTable(machine: Machine, wanted: number | string, index: number): v
     machine.log.say(programIssue("toolIndexUnknown", "error", { tool, rows: rows.map(String) }, "tool"), index);
 }
 
-/** The same tool as in the run before is the same object. */
+/** Returns the object of the previous run for an equal tool. */
 const asBefore = ({ shop }: Machine, tool: Tool): Tool => shop.memory?.same(tool) ?? tool;
 
 /**
- * A tool of another table is no fault while only milling follows: with a mill of known radius until something is turned
- * without a tool call before it, else until turning begins.
+ * A tool of another table is no fault while only milling follows: for a mill of known radius until something is turned
+ * before the next tool call, else until turning begins.
  */
 function turnsLater(machine: Machine, index: number): boolean {
   const isMill = machine.now.mill.radius !== null;
@@ -134,7 +134,7 @@ function turnsLater(machine: Machine, index: number): boolean {
   return turns;
 }
 
-/** What moves the tool or may do so. */
+/** Blocks that move the tool, or may do so. */
 const MOVES: ReadonlySet<Statement["kind"]> = new Set([
   "path",
   "approach",
@@ -150,10 +150,7 @@ function drillIn(mills: readonly Mill[], wanted: number | string): Tool | undefi
   return row && (drillOf(row) ?? undefined);
 }
 
-/**
- * A drill of the table of milling tools, as a tool that turning can use on its axis; null for a mill. An empty cell may
- * be 0.
- */
+/** A drill of the milling table as a tool for turning on the axis; null for a mill. An empty cell may be 0. */
 export function drillOf(row: Mill): Tool | null {
   if (!row.TYPE || !(row.R + (row.DR ?? 0) > 0)) return null;
   return {
@@ -169,7 +166,7 @@ export function drillOf(row: Mill): Tool | null {
   };
 }
 
-/** Numbers of rows are apart by tenths; one that was calculated is as near as this. */
+/** Row numbers differ by tenths; a calculated number may deviate by this much. */
 const SAME_ROW = 0.001;
 
 /** By number with its index, or by name. */
@@ -183,14 +180,14 @@ type Plus = (a: Correction, b: Correction) => Correction;
 const NONE: Correction = { z: length(0), r: length(0) };
 const plus: Plus = (a, b) => ({ z: length(a.z + b.z), r: length(a.r + b.r) });
 
-/** The tool as FUNCTION TURNDATA CORR leaves it; both systems add up. */
+/** The tool with FUNCTION TURNDATA CORR applied; both systems add up. */
 function corrected(tool: Tool, corrections: Modal["corrections"]): Tool {
   const { correction: _, ...bare } = tool;
   const sum = plus(corrections.TCS ?? NONE, corrections.WPL ?? NONE);
   return sum.z === 0 && sum.r === 0 ? bare : { ...bare, correction: sum };
 }
 
-/** FUNCTION TURNDATA CORR OFF and CORRDATA RESET: the tool as the table has it, in one system or in both. */
+/** FUNCTION TURNDATA CORR OFF and CORRDATA RESET: the tool of the table again, in one system or in both. */
 export function uncorrectTool(machine: Machine, system?: keyof Modal["corrections"]): void {
   const { tool, corrections } = machine.now;
   const { [system ?? "TCS"]: _, ...kept } = corrections;
@@ -199,8 +196,8 @@ export function uncorrectTool(machine: Machine, system?: keyof Modal["correction
 }
 
 /**
- * FUNCTION TURNDATA CORR: from here to the next tool call the control counts with a tool that is longer by DZL and DXL
- * (decision 0006), so the insert stands that far towards +Z and +X from the programmed tip.
+ * FUNCTION TURNDATA CORR: until the next tool call the control assumes a tool longer by DZL and DXL (decision 0006), so
+ * the insert is that far towards +Z and +X of the programmed tip.
  */
 export function correctTool(machine: Machine, s: StatementOf<"turnCorrection">, index: number): void {
   machine.log.say(programIssue("wordsRecalled", "info", { what: `FUNCTION TURNDATA CORR-${s.system}` }), index);

@@ -7,10 +7,7 @@ import type { Machine } from "../state/machine.ts";
 import { NO_SHIFT } from "../state/modal.ts";
 import { uncorrectTool } from "./tool-call.ts";
 
-/**
- * Blocks that nobody here reads and that leave path and stock as they are: messages, tables, strings, feeds that only
- * breathe, functions that count or log.
- */
+/** Unread blocks that leave path and stock unchanged: messages, tables, strings, pulsating feeds, counters, logs. */
 const HARMLESS = new RegExp(
   String.raw`^(?:FN[ \t]*(?:1[4569]|2[0679]|3[789])[ \t]*:|FUNCTION[ \t]+(?:TCPM|RESET|FEED|S-PULSE|COUNT|DWELL|DCM|FILE|AFC|LIFTOFF|` +
     String.raw`SECTION[ \t]+MONITORING)|AFC|LIFTOFF|SECTION[ \t]+MONITORING|` +
@@ -18,14 +15,14 @@ const HARMLESS = new RegExp(
     String.raw`POLARKIN[ \t]+OFF|MONITORING|STOP|PLANE[ \t]+RESET)`,
   "i",
 );
-/** Takes the corrections of the tool back, in one system or in both, and moves no axis. */
+/** Resets the tool corrections, in one system or in both; moves no axis. */
 const UNCORRECTING = /^(?:FUNCTION[ \t]+)?(?:TURNDATA[ \t]+CORR[ \t]+OFF|CORRDATA[ \t]+RESET)\b(?:.*?(TCS|WPL))?/i;
 /** FN 18 and FN 28 only read a value into a parameter. */
 const READING = new RegExp(String.raw`^FN[ \t]*(?:18|28)[ \t]*:[^=]*?(${NUMBER_PARAMETER})`, "i");
-/** Programs that run on their own leave the tool wherever they end, and so do probes. */
+/** After a program or a probe the tool position is unknown. */
 const ELSEWHERE = /^(?:CALL[ \t]+(?:PGM|SELECTED)|TCH[ \t]+PROBE|CALL[ \t]+LBL)/i;
 const PROBE = /^TCH[ \t]+PROBE/i;
-/** A formula that reads what only the machine or its tables know. */
+/** A formula that reads values of the machine or its tables. */
 const UNREAD_ASSIGNMENT = new RegExp(
   String.raw`^(?:FN[ \t]*\d+[ \t]*:[ \t]*|DECLARE[ \t]+STRING[ \t]+)?(${PARAMETER})[ \t]*=`,
   "i",
@@ -33,7 +30,7 @@ const UNREAD_ASSIGNMENT = new RegExp(
 const ANY_PARAMETER = new RegExp(String.raw`(${PARAMETER})(?![ \t]*=)`, "gi");
 const SQL = /^SQL[ \t]+([A-Z]*)/i;
 
-/** SQL reads into the parameters that it names; BIND ties them to columns, which every later fetch reads into. */
+/** SQL reads into the parameters it names; BIND ties them to columns for every later fetch. */
 function readTable(machine: Machine, text: string): void {
   const word = SQL.exec(text)?.[1]?.toUpperCase();
   const named = [...text.replace(/"[^"]*"|'[^']*'/g, "").matchAll(ANY_PARAMETER)].map(([name]) => name.toUpperCase());
@@ -41,7 +38,7 @@ function readTable(machine: Machine, text: string): void {
   for (const name of [...named, ...machine.known.bound]) machine.known.forget(name);
 }
 
-/** A probe writes into the parameters that it names, the older measuring cycle into those behind them too. */
+/** A probe writes into the parameters it names; the older measuring cycle also into those that follow. */
 function probed(machine: Machine, text: string): void {
   machine.known.probe();
   for (const [name] of text.matchAll(ANY_PARAMETER)) machine.known.forget(name.toUpperCase());
@@ -50,20 +47,18 @@ function probed(machine: Machine, text: string): void {
     for (const more of [1, 2, 3]) machine.known.forget(`Q${Number(first) + more}`);
   }
 }
-/** What a block is called: its first words, with the number of FN and TCH PROBE. */
+/** Name of a block: its first words, with the number of FN and TCH PROBE. */
 const NAME = /^(?:FN[ \t]*\d+|TCH[ \t]+PROBE[ \t]*\d+(?:\.\d+)?|[A-Z][A-Z-]*(?:[ \t]+[A-Z][A-Z-]*(?![\w:.\\]))?)/i;
 const NUMBERS = new RegExp(String.raw`([A-Z]+)[ \t]*(${VALUE})`, "gi");
 
-/** How a block that is kept and not run is called. */
+/** Name of a block that is not simulated. */
 export const nameOf = (text: string): string =>
   (NAME.exec(text)?.[0] ?? text)
     .replace(/[ \t]+/g, " ")
     .trim()
     .slice(0, 40);
 
-/**
- * True when a word of the text has another value than the one that changes nothing; so has one without a value to read.
- */
+/** True when a word of the text differs from its neutral value or has no readable value. */
 function changes(machine: Machine, text: string, neutral: number, index: number, only: RegExp = /^/): boolean {
   return [...text.matchAll(NUMBERS)].some(([, word = "", digits = ""]) => {
     const value = only.test(word) ? readValue(digits) : neutral;
@@ -71,7 +66,7 @@ function changes(machine: Machine, text: string, neutral: number, index: number,
   });
 }
 
-/** A block that the reader keeps as text: nothing is proved behind it, unless it is known to change nothing. */
+/** A block kept as text: unverified from here on, unless it is known to change nothing. */
 export function textBlock(machine: Machine, text: string, index: number): void {
   if (text === "") return;
   if (SQL.test(text)) return readTable(machine, text);
@@ -91,13 +86,13 @@ export function textBlock(machine: Machine, text: string, index: number): void {
 const WORKING_PLANE = 19;
 const PRESET = 247;
 /**
- * Cycles of which there is nothing to say: dwell, oriented spindle and tolerance leave path and stock as they are, a
- * preset is run.
+ * Cycles without a finding: dwell, oriented spindle stop and tolerance leave path and stock unchanged; a preset is
+ * simulated.
  */
 const SILENT: ReadonlySet<number> = new Set([9, 13, 32, PRESET]);
 export const isSilent = (cycle: number): boolean => SILENT.has(cycle);
 
-/** One line of an older cycle that acts at once: a dwell takes its time, the tilted plane is not run. */
+/** One line of an older cycle that acts at once: a dwell takes time, a tilted plane is not simulated. */
 export function actingLine(
   machine: Machine,
   { cycle, line, text }: { readonly cycle: number; readonly line: number; readonly text: string },
@@ -108,19 +103,14 @@ export function actingLine(
     machine.log.leaveUnproved(`CYCL DEF ${cycle}`, index);
 }
 
-/**
- * A preset takes shift, mirror, rotation and scale back; another one than before moves the workpiece against what was
- * cut already.
- */
+/** A preset resets shift, mirror, rotation and scale; a new preset number moves the workpiece against earlier cuts. */
 function usePreset(machine: Machine, n: number | null, what: string, index: number): void {
   machine.set({ datum: NO_SHIFT, unknownDatum: [], transform: NO_TRANSFORM });
   if (n === null || (machine.now.preset !== null && machine.now.preset !== n)) machine.log.leaveUnproved(what, index);
   machine.set({ preset: n });
 }
 
-/**
- * A cycle of Q parameters that acts where it is defined: nothing is proved behind it when it changes the coordinates.
- */
+/** A cycle with Q parameters that acts at its definition: unverified from here on when it changes coordinates. */
 export function actingCycle(
   machine: Machine,
   cycle: number,
@@ -143,10 +133,10 @@ export function actingCycle(
   if (moves || UNREAD.has(cycle)) machine.log.leaveUnproved(what, index);
 }
 
-/** Spelt as cycles of Q parameters, which no control has: what they would do, nobody knows. */
+/** Written as cycles with Q parameters, which no control has: their effect is unknown. */
 const UNREAD: ReadonlySet<number> = new Set([7, 8, 10, 11, 12, 19, 26, 220, 221]);
 /**
- * Cycles that act where they are defined and leave the defined machining cycle as it is: datum, mirror, dwell and the
+ * Cycles that act at their definition and leave the defined machining cycle unchanged: datum, mirror, dwell and the
  * like.
  */
 const ACTIVE_AT_ONCE: ReadonlySet<number> = new Set([7, 8, 9, 10, 11, 12, 13, 14, 19, 20, 26, 32, 220, 221, 239, 247]);

@@ -155,12 +155,12 @@ const contacts = (text: string) => {
 const HELD = "; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60 SIZE160";
 
 describe("contact", () => {
-  test("turning to the end of the bar runs into the jaws that are stated", () =>
+  test("turning to the end of the bar runs into the stated jaws", () =>
     expect(contacts(turned(HELD))).toEqual(["jaws tool", "jaws holder"]));
   test.each([
     ["; a comment", -80],
     ["; CLAMPING CHUCK OUTSIDE D30 LENGTH20 FACE-60", -80],
-  ])("with %s nothing is claimed", (comment, end) => expect(contacts(turned(comment, end))).toEqual([]));
+  ])("with %s no contact is reported", (comment, end) => expect(contacts(turned(comment, end))).toEqual([]));
   test("a cut that ends clear of the jaws meets none of them, one that ends nearer than its holder does", () => {
     expect(contacts(turned(HELD, -50))).toEqual([]);
     expect(contacts(turned(HELD, -59))).toEqual([]);
@@ -182,7 +182,7 @@ describe("contact", () => {
     expect(long("BETWEEN CENTRES D60 FACE-70 QUILL10 TIP-2")).toContain("driver tool");
     expect(long("CHUCK OUTSIDE D30 LENGTH4 FACE-76 SIZE160 QUILL80 TIP-4 ANGLE120")).toContain("tailstock tool");
   });
-  test("a changed grip is cut again where its run is known: other pieces come loose", () => {
+  test("a changed clamping is recomputed for a cached run: other pieces come loose", () => {
     const again = simulating(),
       disc = readFileSync("tests/cases/ring-out-of-a-disc.h", "utf8");
     const loose = (text: string) => again(ran(text)).proof.loose.map(({ shape }) => shape);
@@ -194,7 +194,7 @@ describe("contact", () => {
       [],
     ]);
   });
-  test("changed in a run that is known it is looked at again", () => {
+  test("changed in a cached run, contact is recomputed", () => {
     const again = simulating();
     const count = (text: string) => again(ran(text)).findings.filter(({ kind }) => kind === "clampContact").length;
     expect([count(turned("; none")), count(turned(HELD)), count(turned("; none"))]).toEqual([0, 2, 0]);
@@ -247,7 +247,7 @@ test("a program gets its clamping behind the blank, another one in its place, an
   expect(raw(withClamping(stated, null))).toBe(text);
 });
 
-test("the report says what holds the work, and that nothing was looked at where it is not stated", () => {
+test("the report states the clamping, or that contact was not checked without one", () => {
   const reported = (text: string) => {
     const made = ran(text);
     return report(

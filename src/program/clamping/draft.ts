@@ -27,15 +27,15 @@ export const clampingField = (word: ClampingWord, needed: boolean): Field => ({
   optional: !needed,
 });
 
-/** The words of a kind that have to be filled in. */
+/** Whether a word of a kind is required. */
 export const isNeeded = (kind: ClampingKind, word: ClampingWord): boolean => neededWords(kind).includes(word);
 
-/** The largest part of a blank that is proposed to lie in the jaws, and how long that is at most, mm. */
+/** Largest proposed share of a blank in the jaws, and its largest length, mm. */
 const [GRIPPED, MOST_GRIPPED] = [0.25, 25];
-/** A chuck is proposed that is larger than the blank by this. */
+/** Factor from the blank to the proposed chuck diameter. */
 const LARGER = 1.3;
 
-/** A clamping to begin with: a blank gripped outside, at its rear end. `k`: mm in the unit of the program. */
+/** Default clamping: a blank gripped outside, at its rear end. `k`: mm in the unit of the program. */
 export function proposedClamping(
   { left, right, high }: { readonly left: number; readonly right: number; readonly high: number },
   k = 1,
@@ -51,7 +51,7 @@ export function proposedClamping(
   };
 }
 
-/** What a comment states as it would be typed; null for one that is none of a clamping. */
+/** A clamping comment as typed text; null for other comments. */
 function draftOf(comment: string): ClampingDraft | null {
   const read = readClamping(comment);
   if (!read) return null;
@@ -64,7 +64,7 @@ function draftOf(comment: string): ClampingDraft | null {
 const commentOf = ({ statement: s, comment }: Program["blocks"][number]) =>
   (s.kind === "comment" ? s.text : comment) ?? "";
 
-/** The clamping that a program states, with its block; null where it states none. */
+/** Clamping of a program, with its block; null without one. */
 export function clampingIn({ blocks }: Program): { readonly index: number; readonly draft: ClampingDraft } | null {
   for (const [index, block] of blocks.entries()) {
     const draft = draftOf(commentOf(block));
@@ -76,8 +76,7 @@ export function clampingIn({ blocks }: Program): { readonly index: number; reado
 const isBlank = ({ kind }: Statement) => kind.startsWith("blank");
 
 /**
- * The program with another clamping, or with none: a comment of its own behind the blank, or in the place of the one
- * that it has.
+ * Sets or removes the clamping of a program: a comment of its own behind the blank, or in place of the existing one.
  */
 export function withClamping(program: Program, draft: ClampingDraft | null): Program {
   const had = clampingIn(program);

@@ -18,7 +18,7 @@ import {
   type ClampingWord,
 } from "./words.ts";
 
-/** What a comment states, in the unit of its program; `what`: words that say nothing that is known. */
+/** Clamping of a comment, in the unit of its program; `what`: words not understood. */
 export interface ReadClamping {
   readonly kind: ClampingKind | null;
   readonly values: Readonly<Partial<Record<ClampingWord, number>>>;
@@ -41,7 +41,7 @@ const KINDS: readonly (readonly [RegExp, ClampingKind])[] = [
   [/INSIDE/, "chuckInside"],
   [/OUTSIDE/, "chuckOutside"],
 ];
-/** Words that go with a kind and say nothing by themselves. */
+/** Words that belong to a kind and mean nothing alone. */
 const SILENT = /^(CHUCK|SOFT|JAWS?|COLLET|BETWEEN|CENT(RE|ER)S?|INSIDE|OUTSIDE|TAILSTOCK|LIMITS?|MM|INCH)$/;
 /** A word with its number, or one alone. */
 const TOKEN = /([^\s\d:=+.,;-]+)(?:\s*[:=]?\s*([+-]?\d*[.,]?\d+))?|\S/gu;
@@ -52,12 +52,9 @@ const known = (word: string): ClampingWord | undefined => ALSO[word] ?? CLAMPING
 const takes = (word: ClampingWord, n: number) =>
   ANY_NUMBER.has(word) || (word === "ANGLE" ? n >= LEAST_ANGLE && n <= MOST_ANGLE : n > 0);
 
-/**
- * Reads a comment, from behind its `;`; null for one that is none of a clamping. Spelling, order and decimal sign are
- * free.
- */
+/** Reads a comment, without its `;`; null for one without a clamping. Spelling, order and decimal sign are free. */
 export function readClamping(comment: string): ReadClamping | null {
-  // An axis may stand by itself before its value: FACE Z-75, LIMIT Z-70.
+  // An axis may precede its value: FACE Z-75, LIMIT Z-70.
   const text = /^\s*CLAMPING\b[\s:=]*(.*)$/iu
     .exec(comment)?.[1]
     ?.toUpperCase()
@@ -73,7 +70,7 @@ export function readClamping(comment: string): ReadClamping | null {
   return { kind: KINDS.find(([words]) => words.test(text))?.[1] ?? null, values, what };
 }
 
-/** The clamping that was read, or the words that are missing for one. */
+/** The clamping, or its missing words. */
 export function clampingOf({ kind, values }: ReadClamping, mm: (n: number) => number): Clamping | readonly string[] {
   if (!kind) return ["CHUCK OUTSIDE"];
   const isOnCentre = values.QUILL !== undefined || values.TIP !== undefined;
@@ -82,7 +79,7 @@ export function clampingOf({ kind, values }: ReadClamping, mm: (n: number) => nu
   if (missing.length > 0) return missing;
   const of = (word: ClampingWord) => mm(values[word] ?? 0),
     has = (word: ClampingWord) => values[word] !== undefined;
-  // Nothing is gripped from outside by a chuck that is smaller.
+  // A chuck cannot grip a larger diameter from outside.
   if (kind !== "centres" && of("SIZE") <= of("D")) return ["SIZE"];
   return {
     kind,
@@ -97,7 +94,7 @@ export function clampingOf({ kind, values }: ReadClamping, mm: (n: number) => nu
   };
 }
 
-/** A comment runs: it may state what the work is held by, once in a program. */
+/** Runs a comment, which may state the clamping, once per program. */
 export function takeComment(machine: Machine, comment: string, index: number): void {
   const read = readClamping(comment);
   if (!read) return;
@@ -111,7 +108,7 @@ export function takeComment(machine: Machine, comment: string, index: number): v
   else machine.log.say(programIssue("clampingIncomplete", "info", { words: made.join(", ") }), index);
 }
 
-/** What the work of a run is held by; null where nothing is stated. What does not grip the blank is told. */
+/** Clamping of a run; null without one. One that does not grip the blank is reported. */
 export function clampedOf({ now, log }: Machine, blank: readonly Ring[]): Clamped | null {
   if (!now.clamping) return null;
   const { index, made } = now.clamping;

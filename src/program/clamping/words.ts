@@ -9,7 +9,7 @@ import type { ClampingKind } from "../../kernel/area/clamping.ts";
 export const CLAMPING_WORDS = ["D", "LENGTH", "FACE", "SIZE", "QUILL", "TIP", "ANGLE", "LIMITZ", "LIMITX"] as const;
 export type ClampingWord = (typeof CLAMPING_WORDS)[number];
 
-/** What a clamping of each kind is called. */
+/** Words for each kind of clamping. */
 export const KIND_WORDS: Readonly<Record<ClampingKind, string>> = {
   chuckOutside: "CHUCK OUTSIDE",
   chuckInside: "CHUCK INSIDE",
@@ -18,14 +18,14 @@ export const KIND_WORDS: Readonly<Record<ClampingKind, string>> = {
   centres: "BETWEEN CENTRES",
 };
 
-/** Without these nothing is known of a clamping; between centres the tailstock belongs to it. */
+/** Required words of a clamping; between centres the tailstock is part of it. */
 export const neededWords = (kind: ClampingKind): readonly ClampingWord[] =>
   kind === "centres" ? ["D", "FACE", "QUILL", "TIP"] : ["D", "LENGTH", "FACE", "SIZE"];
 
-/** Angle of the point of a centre where none is stated, degrees. */
+/** Default point angle of a centre, degrees. */
 export const CENTRE_ANGLE = 60;
 
-/** Words that may take any number; ANGLE lies between 10 and 170, the others are more than 0. */
+/** Words that accept any number; ANGLE is between 10 and 170, the others are above 0. */
 export const ANY_NUMBER: ReadonlySet<ClampingWord> = new Set(["FACE", "TIP", "LIMITZ"]);
 export const [LEAST_ANGLE, MOST_ANGLE] = [10, 170];
 
@@ -41,11 +41,11 @@ export const CLAMPING_KINDS = ["chuckOutside", "chuckInside", "softJaws", "colle
 /** Words that a kind does not have. */
 const NONE_BETWEEN_CENTRES: ReadonlySet<string> = new Set(["LENGTH", "SIZE"]);
 
-/** The words that a clamping of a kind may have, in the order in which they are written. */
+/** Words of a kind of clamping, in writing order. */
 export const wordsOfKind = (kind: ClampingKind): readonly ClampingWord[] =>
   CLAMPING_WORDS.filter((word) => kind !== "centres" || !NONE_BETWEEN_CENTRES.has(word));
 
-/** A clamping as its comment has it, behind the `;`. */
+/** A clamping as comment text, without the `;`. */
 export const clampingText = ({ kind, words }: ClampingDraft): string =>
   [
     "CLAMPING",

@@ -2,7 +2,7 @@ import * as fc from "fast-check";
 import { expect, test } from "vitest";
 import { aligned } from "./align.ts";
 
-/** How long the longest common part of two lists is, by the whole table. */
+/** Length of the longest common subsequence, by the full table. */
 function longest(a: readonly number[], b: readonly number[]): number {
   let row: readonly number[] = b.map(() => 0);
   for (const one of a) {

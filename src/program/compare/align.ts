@@ -1,25 +1,23 @@
-/** Two places that belong together: index in the first and in the second list. */
+/** A pair of equal members: index in the first and in the second list. */
 export type Pair = readonly [a: number, b: number];
 
-/**
- * Steps of one search before the way found so far is taken: keeps lists that have little in common from taking long.
- */
+/** Step limit of one search, after which the best path so far is taken: keeps lists with little in common fast. */
 const MOST_STEPS = 400;
 
-/** The furthest place that a search came to, and how far each diagonal was before each of its steps. */
+/** Furthest position of a search, and the reach of each diagonal before each step. */
 interface Way {
   readonly end: Pair;
   readonly steps: number;
   readonly before: readonly Int32Array[];
 }
 
-/** True for a place that is further on; of two as far the one that takes as much from either list. */
+/** True for a position further on; at equal distance, the one that advances both lists more evenly. */
 function isFurther([x, y]: Pair, [otherX, otherY]: Pair): boolean {
   const more = x + y - otherX - otherY;
   return more > 0 || (more === 0 && Math.abs(x - y) < Math.abs(otherX - otherY));
 }
 
-/** The shortest way on from a place of both lists, or the one that got furthest within the steps. */
+/** Shortest path from a position of both lists, or the furthest one within the step limit. */
 function search(a: Int32Array, b: Int32Array, [fromA, fromB]: Pair): Way {
   const [n, m] = [a.length - fromA, b.length - fromB];
   const most = Math.min(n + m, MOST_STEPS);
@@ -42,7 +40,7 @@ function search(a: Int32Array, b: Int32Array, [fromA, fromB]: Pair): Way {
   return { ...way, before };
 }
 
-/** What is equal along a way, last first. */
+/** Equal pairs along a path, last first. */
 function equalsOn({ end, steps, before }: Way, [fromA, fromB]: Pair): Pair[] {
   const pairs: Pair[] = [];
   let [x, y] = [end[0] - fromA, end[1] - fromB];
@@ -63,9 +61,8 @@ function equalsOn({ end, steps, before }: Way, [fromA, fromB]: Pair): Pair[] {
 }
 
 /**
- * Equal members of two lists in their order: as many as there can be (Myers 1986), or where the lists have little in
- * common at least a good part of them. The time grows in proportion to the length of the lists, however little they
- * have in common.
+ * Equal members of two lists in order: as many as possible (Myers 1986), or a good part of them where the lists have
+ * little in common. The time is always proportional to the length of the lists.
  */
 export function aligned(a: Int32Array, b: Int32Array): readonly Pair[] {
   const shorter = Math.min(a.length, b.length);

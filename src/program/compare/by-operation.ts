@@ -2,7 +2,7 @@ import { blockNumbers, type Program } from "../../nc/program.ts";
 import { operationsOf, wholeOf } from "../edits/operations.ts";
 import type { BlockDifference, ProgramComparison } from "./compare.ts";
 
-/** What became of an operation. */
+/** Outcome of an operation in the comparison. */
 export type OperationFate = "kept" | "added" | "removed" | "moved";
 
 /** One operation in one of the programs. */
@@ -12,11 +12,11 @@ export interface ComparedUnit {
   readonly cycles: readonly number[];
   /** Number of its first block. */
   readonly block: number;
-  /** Its place among all, from 0. */
+  /** Its index among all operations, from 0. */
   readonly place: number;
 }
 
-/** An operation of either program, or of both, with what differs in it; both null: what belongs to no operation. */
+/** An operation of one or both programs, with its differences; both null: blocks outside of operations. */
 export interface ComparedOperation {
   readonly fate: OperationFate;
   readonly a: ComparedUnit | null;
@@ -24,11 +24,11 @@ export interface ComparedOperation {
   readonly differences: readonly BlockDifference[];
 }
 
-/** For each block the operation it belongs to, -1 for none. */
+/** Operation of each block, -1 for none. */
 interface Placed {
   readonly of: Int32Array;
   readonly units: readonly ComparedUnit[];
-  /** Blocks that say most about which operation it is. */
+  /** Blocks that identify the operation best. */
   readonly telling: readonly (readonly number[])[];
 }
 
@@ -51,7 +51,7 @@ function placed(program: Program): Placed {
   return { of, units, telling };
 }
 
-/** Which operation of the second program each of the first became, -1 for none: where most of what tells it is now. */
+/** Partner of each first operation in the second program, -1 for none: the one with most of its identifying blocks. */
 function partnersOf(a: Placed, b: Placed, partners: Int32Array): Int32Array {
   const taken = new Set<number>();
   return Int32Array.from(a.telling, (blocks) => {
@@ -67,7 +67,7 @@ function partnersOf(a: Placed, b: Placed, partners: Int32Array): Int32Array {
   });
 }
 
-/** Operations that changed places: those that are not among the most that kept their order. */
+/** Moved operations: all outside the longest subsequence in unchanged order. */
 function outOfOrder(partner: Int32Array): ReadonlySet<number> {
   const kept = [...partner.keys()].filter((i) => (partner[i] ?? -1) >= 0);
   const length = new Map<number, { readonly count: number; readonly before: number | null }>();
@@ -90,8 +90,8 @@ function outOfOrder(partner: Int32Array): ReadonlySet<number> {
 }
 
 /**
- * The differences by the operations that they stand in, in the order of the second program; operations without any
- * stand among them, for they may run otherwise all the same. What belongs to no operation comes first.
+ * Groups the differences by operation, in the order of the second program. Unchanged operations are included, since
+ * they may still run differently. Blocks outside of operations come first.
  */
 export function byOperation(
   a: Program,
@@ -130,7 +130,7 @@ export function byOperation(
   const list = inB.units.map(({ place }) => made(comesFrom.get(place) ?? -1, place));
   for (const { place } of inA.units) {
     if ((partner[place] ?? -1) >= 0) continue;
-    // A removed operation stands behind the one that it stood behind.
+    // A removed operation keeps its place behind its predecessor.
     const before = place === 0 ? -1 : list.findIndex(({ a: one }) => one?.place === place - 1);
     list.splice(before + 1, 0, made(place, -1));
   }

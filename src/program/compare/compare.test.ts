@@ -33,7 +33,7 @@ const differences = (a: string, b: string) =>
     ...words.map(({ name, from, to }) => `${name} ${from ?? "–"} → ${to ?? "–"}`),
   ]);
 
-test("one value of a cycle, a tool, a coordinate and a feed are said word by word", () => {
+test("one value of a cycle, a tool, a coordinate and a feed are reported word by word", () => {
   const text = HEAD + SECOND + END;
   const other = text
     .replace("Q463=+3 ", "Q463=+2.4 ")
@@ -49,7 +49,7 @@ test("one value of a cycle, a tool, a coordinate and a feed are said word by wor
   ]);
 });
 
-test("an operation that was put in is added block by block, and one that changed places is moved with what changed in it", () => {
+test("an inserted operation is added block by block, and a reordered one is moved, with its changes", () => {
   expect(differences(HEAD + END, HEAD + SECOND + END).map(([kind, a, b]) => [kind, a, b])).toEqual(
     [8, 9, 10, 11].map((b) => ["added", null, b]),
   );
@@ -67,7 +67,7 @@ test("an operation that was put in is added block by block, and one that changed
   ]);
 });
 
-test("spelling, comments and numbers of blocks are told apart, and are no meaning", () => {
+test("spelling, comments and block numbers are distinguished, and do not change the meaning", () => {
   const text = HEAD + END;
   expect(differences(text, text.replaceAll(/^\d+ /gm, ""))).toEqual([]);
   expect(differences(text, text.replaceAll("\n", "\r\n"))).toEqual([]);

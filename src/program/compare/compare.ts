@@ -3,29 +3,29 @@ import { aligned, type Pair } from "./align.ts";
 import { bareText, isSaid, meaningOf, wordChanges, type Meaning, type WordChange } from "./meaning.ts";
 
 /**
- * What became of a block. "note": only its comment, its name or a label of a cycle differs; "form": only the way it is
- * written; what has another number only is no difference at all.
+ * Outcome of a block. "note": only its comment, its name or a label of a cycle differs; "form": only its spelling. A
+ * changed block number is no difference.
  */
 export type DifferenceKind = "changed" | "added" | "removed" | "moved" | "note" | "form";
 
-/** One difference of two programs, with the indices of its blocks; null where it has none in one of them. */
+/** One difference of two programs, with the block index in each; null where it is missing. */
 export interface BlockDifference {
   readonly kind: DifferenceKind;
   readonly a: number | null;
   readonly b: number | null;
-  /** Of a block that is changed, or moved and changed. */
+  /** Changed words, also of a moved block. */
   readonly words: readonly WordChange[];
 }
 
-/** Two programs set against each other, block by block. */
+/** Comparison of two programs, block by block. */
 export interface ProgramComparison {
-  /** In the order of the second program; what it lacks stands where it was. */
+  /** In the order of the second program; removed blocks keep their place. */
   readonly differences: readonly BlockDifference[];
-  /** For each block of the first program the one of the second that it became, -1 for none. */
+  /** Partner of each block of the first program in the second, -1 for none. */
   readonly partners: Int32Array;
 }
 
-/** Blocks that say something, with what they mean. */
+/** Blocks with an effect, and their meaning. */
 interface SaidBlocks {
   readonly at: readonly number[];
   readonly meanings: readonly Meaning[];
@@ -38,7 +38,7 @@ function saidIn({ blocks }: Program): SaidBlocks {
 
 type Naming = (meaning: Meaning) => string;
 
-/** Pairs those members of two stretches that are the same under a naming. */
+/** Pairs members of two ranges with equal names. */
 function pairUp(
   a: readonly number[],
   b: readonly number[],
@@ -56,7 +56,7 @@ function pairUp(
   return aligned(numbered(a, inA), numbered(b, inB)).map(([i, j]) => [a[i] ?? 0, b[j] ?? 0]);
 }
 
-/** Each stretch of both lists that lies between pairs. */
+/** Each range of both lists between two pairs. */
 function between(
   pairs: readonly Pair[],
   n: number,
@@ -73,9 +73,7 @@ function between(
 
 const PASSES: readonly Naming[] = [({ key }) => key, ({ like }) => like, ({ kind }) => kind];
 
-/**
- * Pairs in the order of both: first what means the same, then in what is left what is alike, then what is of one kind.
- */
+/** Pairs in common order: first equal meaning, then similar blocks, then blocks of one kind. */
 function inOrder(both: readonly [SaidBlocks, SaidBlocks]): readonly Pair[] {
   const [{ at: a }, { at: b }] = both;
   return PASSES.reduce<readonly Pair[]>((pairs, naming) => {
@@ -86,7 +84,7 @@ function inOrder(both: readonly [SaidBlocks, SaidBlocks]): readonly Pair[] {
   }, []);
 }
 
-/** The part of its words that a moved block must have kept to be the same block. */
+/** Share of unchanged words that identifies a moved block. */
 const KEPT_WORDS = 0.5;
 
 const keepsMost = (a: Meaning, b: Meaning): boolean => {
@@ -94,7 +92,7 @@ const keepsMost = (a: Meaning, b: Meaning): boolean => {
   return wordChanges(a, b).length <= all * (1 - KEPT_WORDS);
 };
 
-/** Blocks that stand elsewhere now: the same word by word, or a cycle that keeps most of its values. */
+/** Pairs of moved blocks: equal word by word, or a cycle with most of its values. */
 function elsewhere(pairs: readonly Pair[], [a, b]: readonly [SaidBlocks, SaidBlocks]): readonly Pair[] {
   const [takenA, takenB] = [new Set(pairs.map(([i]) => i)), new Set(pairs.map(([, j]) => j))];
   const moved: Pair[] = [];
@@ -125,7 +123,7 @@ function elsewhere(pairs: readonly Pair[], [a, b]: readonly [SaidBlocks, SaidBlo
 
 const spaced = (text: string): string => text.replace(/\s+/g, " ").trim();
 
-/** Comment, name and labels of a block: what is written for people. */
+/** Comment, name and labels of a block, without effect on the control. */
 function noteOf({ statement: s, comment, raw }: Block): string {
   const parts = [comment ?? ""];
   if (s.kind === "cycle")
@@ -136,16 +134,14 @@ function noteOf({ statement: s, comment, raw }: Block): string {
   return spaced(parts.join("\n")) + (s.kind === "unknown" ? (/;.*/.exec(raw)?.[0] ?? "") : "");
 }
 
-/** How two blocks that mean the same differ all the same; null where only their numbers do. */
+/** Difference in text of two blocks with the same meaning; null where only their numbers differ. */
 function inWriting(a: Block, b: Block): "note" | "form" | null {
   if (a.raw === b.raw) return null;
   if (noteOf(a) !== noteOf(b)) return "note";
   return bareText(a).replace(/\r\n?/g, "\n") === bareText(b).replace(/\r\n?/g, "\n") ? null : "form";
 }
 
-/**
- * Comments, structure lines and blank lines between two pairs: pairs of the same words, and what one of the two lacks.
- */
+/** Comments, structure items and blank lines between two pairs: pairs of equal text, and those missing on one side. */
 function notesBetween(a: Program, b: Program, [fromA, toA]: Pair, [fromB, toB]: Pair): readonly BlockDifference[] {
   const notes = ({ blocks }: Program, from: number, to: number) =>
     Array.from({ length: Math.max(0, to - from) }, (_, i) => from + i).filter((i) => {
@@ -238,7 +234,7 @@ function inverted({ differences, partners }: ProgramComparison, blocks: number):
   };
 }
 
-/** True where the first program comes first by its text: so that both ways round the same blocks are paired. */
+/** True where the first program sorts first by its text, so that both directions pair the same blocks. */
 function comesFirst(a: Program, b: Program): boolean {
   for (let i = 0; i < Math.min(a.blocks.length, b.blocks.length); i += 1) {
     const [one, other] = [a.blocks[i]?.raw ?? "", b.blocks[i]?.raw ?? ""];
@@ -248,9 +244,8 @@ function comesFirst(a: Program, b: Program): boolean {
 }
 
 /**
- * Sets two programs against each other by what their blocks mean: numbers of blocks, blanks, case, the order of words,
- * the way numbers are written and the language of names and labels are no difference in meaning. Swapped programs give
- * the inverse.
+ * Compares two programs by the meaning of their blocks: block numbers, blanks, case, word order, number format and the
+ * language of names and labels do not count. Swapped programs give the inverse.
  */
 export function comparePrograms(a: Program, b: Program): ProgramComparison {
   return comesFirst(a, b) ? compareInOrder(a, b) : inverted(compareInOrder(b, a), a.blocks.length);

@@ -3,36 +3,35 @@ import { BARE, Said } from "../../nc/blocks/said.ts";
 import { statementLines } from "../../nc/print.ts";
 import type { Block } from "../../nc/program.ts";
 
-/** What a block says, apart from how it is written. */
+/** Meaning of a block, independent of its spelling. */
 export interface Meaning {
-  /** What it is: only blocks of one kind are ever set against each other. */
+  /** Its kind: only blocks of one kind are compared. */
   readonly kind: string;
-  /** The same with what names it: cycle, label, axes, target. */
+  /** The kind with its cycle, label, axes or target. */
   readonly like: string;
-  /** Each word with its value in one spelling; what has no name of its own stands under "". */
+  /** Each word with its normalized value; unnamed ones are under "". */
   readonly words: ReadonlyMap<string, string>;
-  /** The same for two blocks exactly when they mean the same. */
+  /** Equal exactly for blocks with the same meaning. */
   readonly key: string;
 }
 
-/** Blocks that say nothing to the control. */
+/** Whether a block has a meaning for the control. */
 export const isSaid = ({ statement: { kind } }: Block): boolean =>
   kind !== "empty" && kind !== "comment" && kind !== "structure";
 
-/** A block as it stands, without its number, its comment and its line ends. */
+/** Text of a block without its number, its comment and its line ends. */
 export const bareText = ({ raw, number, skip }: Pick<Block, "raw" | "number" | "skip">): string =>
   raw
     .replace(skip || number !== null ? /^\s*\/?[ \t]*(?:N?\d+(?![\d.,]))?[ \t]*\/?/i : /^\s*/, "")
     .replace(/;[^\r\n"]*(?=[\r\n]|$)/g, "");
 
 /**
- * What a block says, in one spelling: case, blanks, order of words, names of cycles and labels of their parameters do
- * not count.
+ * Normalized meaning of a block: case, blanks, word order, names of cycles and labels of their parameters do not count.
  */
 export function meaningOf(block: Block): Meaning {
   const { statement: s, raw, skip, issues } = block;
   const { pairs: kind, like, said: spoken } = klartext.compared(s, raw);
-  // What the reader did not wholly take up is compared as it stands.
+  // A block that is not fully understood is compared as text.
   const said =
     issues.length > 0 && s.kind !== "cycle"
       ? new Said().text("", bareText(block))
@@ -42,15 +41,15 @@ export function meaningOf(block: Block): Meaning {
   return { kind, like, words, key: JSON.stringify([kind, like, ...[...words].flat()]) };
 }
 
-/** One word of a block and what became of it; null where one of the two has no such word. */
+/** One changed word; null where one of the blocks lacks it. */
 export interface WordChange {
-  /** X, F, Q463; "" for what has no name. */
+  /** X, F, Q463; "" for an unnamed value. */
   readonly name: string;
   readonly from: string | null;
   readonly to: string | null;
 }
 
-/** What differs between two blocks, word by word, in the order of their names. */
+/** Changed words between two blocks, sorted by name. */
 export function wordChanges(a: Meaning, b: Meaning): readonly WordChange[] {
   const names = [...new Set([...a.words.keys(), ...b.words.keys()])];
   return names

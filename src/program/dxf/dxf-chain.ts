@@ -1,10 +1,10 @@
 import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
-/** Curves that follow one another, and the gaps between them that were closed. */
+/** Consecutive curves, and the gaps between them that were closed. */
 export interface DxfChain {
   readonly segments: readonly Segment[];
-  /** Width of the widest gap that was closed, and how many there were; mm. */
+  /** Width of the widest closed gap, and the number of closed gaps; mm. */
   readonly widest: number;
   readonly gaps: number;
   readonly closed: boolean;
@@ -14,13 +14,13 @@ export interface DxfChain {
 }
 
 const apart = (a: Pt, b: Pt) => Math.hypot(a.z - b.z, a.r - b.r);
-/** The same curve run through the other way. */
+/** The curve in reverse direction. */
 export const turnedAround = (s: Segment): Segment =>
   s.kind === "line"
     ? { kind: "line", from: s.to, to: s.from }
     : { ...s, from: s.to, to: s.from, turn: s.turn === "cw" ? "ccw" : "cw" };
 
-/** Ends of curves by squares of the plane, so that near ones are found at once. */
+/** Ends of curves in a grid, so that near ones are found quickly. */
 class Ends {
   private readonly squares = new Map<string, { index: number; start: boolean }[]>();
   private readonly curves: readonly Segment[];
@@ -41,7 +41,7 @@ class Ends {
     return `${Math.floor(p.z / this.reach) + dz} ${Math.floor(p.r / this.reach) + dr}`;
   }
 
-  /** Ends of unused curves within reach, the nearest first. */
+  /** Ends of unused curves within the tolerance, the nearest first. */
   near(p: Pt, used: ReadonlySet<number>) {
     const found: { index: number; start: boolean; far: number }[] = [];
     for (const dz of [-1, 0, 1])
@@ -62,7 +62,7 @@ export function chainsOf(curves: readonly Segment[], tolerance: number): DxfChai
     used = new Set<number>();
   const chains: DxfChain[] = [];
   const others = (index: number, p: Pt) => ends.near(p, used).filter((n) => n.index !== index);
-  // Open ends first: a chain that is begun in its middle would fall apart.
+  // Open ends first: a chain started in its middle would be split.
   const begin = (i: number): Segment | null => {
     const s = curves[i];
     if (!s) return null;

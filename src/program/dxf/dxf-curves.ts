@@ -1,26 +1,26 @@
 import { at, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { JOINED, ROUND } from "../../kernel/tolerance.ts";
 
-/** How the plane of a drawing becomes Z and X of a part. */
+/** Mapping of the drawing plane to Z and X of a part. */
 export interface DxfPlacing {
   /** Drawing x is X and drawing y is Z; otherwise x is Z and y is X. */
   readonly swapped: boolean;
-  /** Z grows against the drawing. */
+  /** Z is reversed against the drawing. */
   readonly flipped: boolean;
   /** X of the drawing is a diameter; otherwise a radius. */
   readonly diameters: boolean;
-  /** Z0 lies at the right end of what is taken over; otherwise where the drawing has it. */
+  /** Z0 is at the right end of the imported contour; otherwise as in the drawing. */
   readonly zeroRight: boolean;
 }
 
-/** A line or arc as the drawing has it, x as z and y as r until it is placed. */
+/** A line or arc of the drawing, x as z and y as r until it is placed. */
 export type DxfCurve = Segment;
 
-/** Curves of a drawing, and what it holds besides: kinds of entities that are no lines or arcs, with their number. */
+/** Curves of a drawing, and the counts of other kinds of entities. */
 export interface DxfCurves {
   readonly curves: readonly DxfCurve[];
   readonly skipped: ReadonlyMap<string, number>;
-  /** Entities whose numbers are missing or no numbers. */
+  /** Entities with missing or invalid numbers. */
   readonly broken: number;
 }
 
@@ -62,7 +62,7 @@ export function bulged(from: Pt, to: Pt, bulge: number): DxfCurve {
   };
 }
 
-/** The curves of one entity; null where its numbers are missing, undefined where it is neither line nor arc. */
+/** Curves of one entity; null for missing numbers, undefined for neither line nor arc. */
 function curvesOf(e: Fields): DxfCurve[] | null | undefined {
   const vertices: readonly unknown[] = Array.isArray(e["vertices"]) ? e["vertices"] : [];
   switch (e["type"]) {
@@ -97,7 +97,7 @@ function curvesOf(e: Fields): DxfCurve[] | null | undefined {
   }
 }
 
-/** Takes lines, arcs and polylines out of the entities of a parsed drawing; `scale` makes mm of its units. */
+/** Extracts lines, arcs and polylines from a parsed drawing; `scale`: mm per drawing unit. */
 export function dxfCurves(entities: readonly unknown[], scale: number): DxfCurves {
   const skipped = new Map<string, number>();
   let broken = 0;

@@ -5,7 +5,7 @@ import { contourStatements } from "../job/print-contour.ts";
 import { readRows } from "../job/contour-rows.ts";
 import { dxfDefaults, readDxf, type DxfChoice, type ParsedDxf } from "./read-dxf.ts";
 
-/** A DXF file of these entities, as a CAD writes it: group codes and values on lines of their own. */
+/** A DXF file of these entities, as written by CAD: group codes and values on separate lines. */
 const file = (entities: readonly (readonly (string | number)[])[], header: readonly (string | number)[] = []) =>
   [
     "0",
@@ -162,7 +162,7 @@ describe("what is wrong with a drawing is named", () => {
     expect(short(r)).toEqual(["L 0 0", "L 20", "L -20", "L 0"]);
   });
 
-  test("a parser's odd answer is no exception", () => {
+  test("odd output of a parser does not throw", () => {
     const odd = {
       entities: [
         null,

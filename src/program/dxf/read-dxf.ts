@@ -5,13 +5,13 @@ import { chainsOf, turnedAround } from "./dxf-chain.ts";
 import { dxfCurves, type DxfPlacing } from "./dxf-curves.ts";
 import { newRow, type ContourRow } from "../job/job.ts";
 
-/** How a drawing becomes a contour. */
+/** Import options of a drawing. */
 export interface DxfChoice extends DxfPlacing {
-  /** Ends no farther apart than this are joined, mm. */
+  /** Gap tolerance for joining ends, mm. */
   readonly tolerance: number;
-  /** Which of the chains, the longest being 0. */
+  /** Index of the chain, 0 for the longest. */
   readonly chain: number;
-  /** From the other end. */
+  /** Reverses the direction. */
   readonly reversed: boolean;
 }
 export const dxfDefaults: DxfChoice = {
@@ -24,7 +24,7 @@ export const dxfDefaults: DxfChoice = {
   reversed: false,
 };
 
-/** What a drawing holds that matters for its contour; errors leave no contour. X as diameter. */
+/** Issues of a drawing; errors leave no contour. X as diameter. */
 export type DxfIssue =
   | { readonly code: "nothing" | "arcsInDiameters" | "tooMany" | "onlyAxis"; readonly severity: "error" }
   | {
@@ -43,14 +43,14 @@ export type DxfIssue =
     }
   | { readonly code: "belowAxis"; readonly severity: "error"; readonly x: number; readonly z: number };
 
-/** A drawing read: the rows of its contour, and how many chains there are to choose from. */
+/** Reading of a drawing: the rows of its contour, and the number of chains to choose from. */
 export interface DxfReading {
   readonly rows: readonly ContourRow[];
   readonly chains: number;
   readonly issues: readonly DxfIssue[];
 }
 
-/** What a DXF parser makes of a file, as far as it is used here. */
+/** Output of a DXF parser, as far as it is used here. */
 export interface ParsedDxf {
   readonly entities?: readonly unknown[];
   readonly header?: Readonly<Record<string, unknown>>;
@@ -58,7 +58,7 @@ export interface ParsedDxf {
 
 /** Most lines and arcs that are read. */
 const MOST = 20_000;
-/** Millimetres in the units that a header names; drawings without units are in mm. */
+/** Millimetres per header unit; drawings without units are in mm. */
 const UNITS: Readonly<Record<number, number>> = { 1: INCH, 2: 12 * INCH, 4: 1, 5: 10, 6: 1000 };
 
 function placed(s: Segment, choice: DxfChoice): Segment {
@@ -116,14 +116,14 @@ export function readDxf(dxf: ParsedDxf, choice: DxfChoice): DxfReading {
   return { rows: low ? [] : rowsOf(run, choice.zeroRight), chains: chains.length, issues };
 }
 
-/** A coordinate as typed, as fine as a control keeps it. */
+/** A coordinate as typed, at the resolution of a control. */
 const typed = (n: number) => String(Number(n.toFixed(3)) || 0);
 
 function rowsOf(run: readonly Segment[], zeroRight: boolean): ContourRow[] {
   const first = run[0];
   if (!first) return [];
   const shift = zeroRight ? Math.max(...run.flatMap((s) => [s.from.z, s.to.z])) : 0;
-  // Where a line meets an arc over a closed gap, the line gives way: the arc keeps its circle.
+  // At a closed gap between a line and an arc, the line is adjusted: the arc keeps its circle.
   const ends = run.map((s, i) => {
     const next = run[i + 1];
     return s.kind === "line" && next?.kind === "arc" ? next.from : s.to;

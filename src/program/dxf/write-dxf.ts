@@ -7,20 +7,20 @@ export interface DxfLayer {
   readonly segments: readonly Segment[];
 }
 
-/** How far the chords may leave an arc, mm, where X is drawn as a diameter and it would be a part of an ellipse. */
+/** Chord tolerance, mm, where X is drawn as a diameter, which turns an arc into an elliptical one. */
 export const DXF_CHORD = 0.005;
-/** An arc that goes farther than this is written as two, radians: ends of a full circle would meet. */
+/** Longer arcs are written as two, radians: the ends of a full circle would coincide. */
 const FAR = 1.9 * Math.PI;
 
 type Group = readonly [code: number, value: string | number];
 
-/** Numbers without exponent, as fine as angles of large arcs need. */
+/** Numbers without exponent, precise enough for the angles of large arcs. */
 const written = (n: number) => String(Number(n.toFixed(9)) || 0);
 const line = (value: string | number) => (typeof value === "number" ? written(value) : value);
 const text = (groups: readonly Group[]) =>
   groups.map(([code, value]) => `${String(code).padStart(3)}\r\n${line(value)}\r\n`).join("");
 
-/** Arcs that a drawing can hold: less than a full turn each. */
+/** Splits an arc into parts of less than a full turn. */
 function partsOf(s: Segment): readonly Segment[] {
   if (s.kind === "line" || part.sweepOf(s) < FAR) return [s];
   const middle = part.pointOn(s, 0.5);
@@ -30,7 +30,7 @@ function partsOf(s: Segment): readonly Segment[] {
   ];
 }
 
-/** What a drawing counts in, as its header says it. */
+/** Unit codes of the header. */
 const CODES: Readonly<Record<LengthUnit, number>> = { mm: 4, inch: 1 };
 
 function lineGroups(

@@ -9,15 +9,15 @@ import { endsMain, operationsOf } from "./operations.ts";
 import { outputIn } from "./output-in.ts";
 import { jobStatements, type Labels } from "../job/print-job.ts";
 
-/** Where an operation is added, and what it is called. */
+/** Place and title of an added operation. */
 export interface Adding {
-  /** Behind this operation, null before the first; without it behind the last. */
+  /** Behind this operation; null: before the first; absent: behind the last. */
   readonly behind?: number | null;
   /** Words of its structure comment. */
   readonly title?: string;
 }
 
-/** The lowest label number that a program has not. */
+/** Lowest free label number of a program. */
 function freeLabel({ blocks }: Program): number {
   const used = new Set(blocks.flatMap(({ statement: s }) => (s.kind === "label" ? [s.label] : [])));
   let n = 1;
@@ -28,7 +28,7 @@ function freeLabel({ blocks }: Program): number {
 const functionsOf = (m: number): Statement => ({ kind: "functions", words: { ...noWords, functions: [m] } });
 const TURNING: Statement = { kind: "mode", mode: "TURN", kinematics: null };
 
-/** The program with M30 or M2 before its subprograms, where it had neither. */
+/** The program with M30 or M2 added before its subprograms, where it lacks both. */
 function withEnd(program: Program, end: 30 | 2): Program {
   const { blocks } = program;
   const { to } = operationsOf(program);
@@ -42,9 +42,8 @@ function withEnd(program: Program, end: 30 | 2): Program {
 }
 
 /**
- * A program with the operation of a work among its others: structure comment, tool call, spindle, feed unit, way there,
- * cycle, call and way back, and its contour, under a label of its own, at the end of the file. Turning and M30 are
- * written where they are missing.
+ * Adds the operation of a job to a program: structure item, tool call, spindle, feed unit, approach, cycle, call,
+ * retraction, and its contour under its own label at the end of the file. Adds turning mode and M30 where missing.
  */
 export function withOperation(program: Program, job: SetJob, labels: Labels, { behind, title }: Adding = {}): Program {
   const cycle = cycleByNumber(job.cycle);
@@ -63,7 +62,7 @@ export function withOperation(program: Program, job: SetJob, labels: Labels, { b
     .slice(0, place < 0 ? from : (units[place]?.to ?? from))
     .findLast(({ statement: s }) => s.kind === "mode");
   const isTurning = before?.statement.kind === "mode" && before.statement.mode === "TURN";
-  // Between others a spindle that is stopped would stand still for the next of them.
+  // A stopped spindle between operations would leave the next one without a spindle.
   const isLast = place === units.length - 1;
   const stops = (s: Statement) =>
     !isLast && JSON.stringify(s) === JSON.stringify(functionsOf(output.spindleOff ?? NaN));

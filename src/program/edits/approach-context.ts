@@ -12,7 +12,7 @@ import type { Run } from "../state/run-types.ts";
 
 const { difference, shifted, sum } = plane;
 
-/** What is in force at a block, read from the text in front of it. */
+/** Modal state at a block, read from the preceding text. */
 interface InForce {
   readonly turning: boolean;
   readonly inch: boolean;
@@ -49,7 +49,7 @@ function feedBefore(run: Run, index: number, plane: WorkingPlane): ApproachConte
   return !move || move.kind === "thread" ? null : move.kind === "rapid" ? "rapid" : move.feed;
 }
 
-/** From the workpiece to the coordinates that the words of an APPR or DEP block count. */
+/** Converts workpiece coordinates to those of the words of an APPR or DEP block. */
 function countingOf(found: ApproachRun | undefined) {
   const by = found ? difference(NO_TIP, found.datum) : NO_TIP;
   if (!found || found.transform === NO_TRANSFORM)
@@ -76,10 +76,7 @@ function countingOf(found: ApproachRun | undefined) {
 
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
-/**
- * What stands round the APPR or DEP block at `index`: from the last run, and from the text where the run says nothing
- * about it.
- */
+/** Surroundings of the APPR or DEP block at `index`: from the last run, else from the text. */
 export function approachContext(
   program: Program,
   index: number,

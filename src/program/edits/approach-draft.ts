@@ -7,12 +7,12 @@ import { nothing, readText, wrong, type FieldReading } from "../values/field.ts"
 import { feedAsTyped, valueAsTyped } from "../values/typed-value.ts";
 
 export type ApproachStatement = Extract<Statement, { kind: "approach" }>;
-/** What was typed into each prompt of an approach. SIDE holds "RL", "RR" or "R0". */
+/** Typed text of each prompt of an approach. SIDE holds "RL", "RR" or "R0". */
 export type ApproachDraft = Readonly<Partial<Record<ApproachWord, string>>>;
 
 export const SIDES = ["RL", "RR", "R0"] as const;
 
-/** What a statement says, as it would have been typed. */
+/** A statement in the form of typed text. */
 export function approachDraft({ words }: ApproachStatement): ApproachDraft {
   const coordinate = (w: PolarWord | undefined) => (w ? (w.incremental ? "I" : "") + valueAsTyped(w.value) : "");
   const axis = (name: "X" | "Y" | "Z") => coordinate(words.axes.find((w) => w.axis === name));
@@ -31,14 +31,14 @@ export function approachDraft({ words }: ApproachStatement): ApproachDraft {
   };
 }
 
-/** M functions as typed: `M8 M303`, or `8 303`; null where one of them is none. */
+/** M functions as typed: `M8 M303`, or `8 303`; null where one is invalid. */
 export function typedFunctions(typed: string): readonly number[] | null {
   const text = typed.trim();
   const list = text === "" ? [] : text.split(/[\s,]+/).map((each) => /^M?\s*(\d{1,4})$/i.exec(each)?.[1]);
   return list.includes(undefined) ? null : list.map(Number);
 }
 
-/** Reads one word. Empty stays empty; what is wrong is said with the nearest value that works. */
+/** Reads one word. Empty stays empty; an invalid value comes with the nearest valid one. */
 export function readWord(f: ApproachField, typed: string, known: KnownParameters = {}): FieldReading {
   const { id, kind } = f;
   const text = typed.trim();
@@ -46,7 +46,7 @@ export function readWord(f: ApproachField, typed: string, known: KnownParameters
     return text === "" ? nothing : { ...nothing, empty: false, value: SIDES.findIndex((s) => s === text) };
   if (kind === "functions") return typedFunctions(text) ? nothing : wrong(issue("notANumber", "error", { text }, id));
   const read = readText({ ...f, kind }, kind === "feed" ? text.replace(/^F\s*(?=\d)/i, "") : text, known);
-  // What a parameter holds shows when the program runs: until then it is no fault.
+  // The value of a parameter is known at run time only, so an unknown one is no fault here.
   return read.issue?.code === "unknownParameter" && read.written !== null ? { ...read, issue: null } : read;
 }
 
@@ -66,8 +66,8 @@ export function readApproach(
 }
 
 /**
- * The block of what was typed. A word that can not be read keeps what `base` said; words without a prompt (a third axis
- * in turning, words nobody knows) stay as they are.
+ * Block of the typed text. An unreadable word keeps its value in `base`; words without a prompt (a third axis in
+ * turning, unknown words) stay.
  */
 export function approachStatement(
   base: ApproachStatement,
@@ -89,7 +89,7 @@ export function approachStatement(
   };
   const axes = (["X", "Y", "Z"] as const).flatMap((axis) => {
     const before = old.axes.find((w) => w.axis === axis);
-    // An axis without a prompt stays, unless the point is polar and this axis lies in its plane.
+    // An axis without a prompt stays, unless the point is polar and the axis is in its plane.
     const c = readings[axis] ? coordinate(axis, before) : readings.PR && axis !== "Z" ? undefined : before;
     return c ? [{ axis, value: c.value, incremental: c.incremental }] : [];
   });
@@ -119,7 +119,7 @@ export function approachStatement(
   return { kind: "approach", departing: base.departing, form: base.form, words };
 }
 
-/** The feed that is typed; FU and FZ stay what they were. */
+/** Typed feed; FU and FZ keep their unit. */
 function feedOf(read: FieldReading | undefined, before: FeedWord | undefined): FeedWord | undefined {
   const written = read?.written ?? null;
   if (written === null) return undefined;

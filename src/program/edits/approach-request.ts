@@ -18,21 +18,21 @@ import { coordinatesIn, endOf, NOWHERE, plainReader, pointIn } from "../state/pa
 
 const { apart, difference, sum } = plane;
 
-/** What stands round an APPR or DEP block in its program. Lengths in mm, points in the working plane. */
+/** Surroundings of an APPR or DEP block. Lengths in mm, points in the working plane. */
 export interface ApproachContext {
   readonly plane: WorkingPlane;
-  /** APPR: where the tool stands before the block (PS). Null while nobody knows. */
+  /** APPR: tool position before the block (PS); null while unknown. */
   readonly before: PlanePoint | null;
-  /** The programmed contour, behind APPR or before DEP, as it is without compensation. */
+  /** The programmed contour, behind APPR or before DEP, without compensation. */
   readonly contour: readonly PlaneSegment[];
-  /** The compensation in force: that of the contour before DEP. */
+  /** Active compensation: that of the contour before DEP. */
   readonly side: Side;
   readonly toolRadius: number;
-  /** From the tool centre to the programmed point: nothing for a mill. `before` is the centre. */
+  /** Vector from the tool centre to the programmed point: zero for a mill. `before` is the centre. */
   readonly tip: PlanePoint;
   /** CC, for the polar forms. */
   readonly pole: PlanePoint | null;
-  /** The way to PH runs at the feed in force before the block: "rapid", a number, or null when none was programmed. */
+  /** The path to PH runs at the feed before the block: "rapid", a number, or null when none was programmed. */
   readonly feedBefore: number | "rapid" | null;
   /** Millimetres in the program's unit of length. */
   readonly unit: number;
@@ -40,7 +40,7 @@ export interface ApproachContext {
   readonly parameters: KnownParameters;
 }
 
-/** The block with its surroundings, ready to be calculated. */
+/** Block and surroundings, complete for the calculation. */
 export interface ReadyApproach {
   readonly request: ApproachRequest;
   /** The programmed contour, beginning in PA or ending in PE. */
@@ -54,11 +54,11 @@ const sideOf = (read: FieldReading | undefined, otherwise: Side): Side => {
   return word ? SIDE_OF[word] : otherwise;
 };
 
-/** Last point of a contour before DEP, where incremental words count from; the start of the tool for APPR. */
+/** Reference of incremental words: the last contour point before DEP, the tool position for APPR. */
 const origin = ({ contour, before, tip }: ApproachContext, departing: boolean) =>
   departing ? (contour.at(-1)?.to ?? null) : before && sum(before, tip);
 
-/** The point that a block names: PA, or PN of DEP LCT. Null while it is not complete. */
+/** Point of a block: PA, or PN of DEP LCT; null while incomplete. */
 export function namedPoint(
   form: ApproachForm,
   departing: boolean,
@@ -85,7 +85,7 @@ export function namedPoint(
   return point && planePoint(point);
 }
 
-/** A contour that begins in another point: its first element is straight from there, unless nothing moved. */
+/** Moves the start of a contour: its first element becomes a line from there, unless nothing moved. */
 function beginningIn(contour: readonly PlaneSegment[], at: PlanePoint): readonly PlaneSegment[] {
   const [first, ...rest] = contour;
   if (!first || apart(first.from, at) <= SAME) return contour;
@@ -128,7 +128,7 @@ export function readyApproach(
 
 const printed = (n: number) => String(rounded(n) + 0);
 
-/** A point of the working plane as the words that name it in a form. */
+/** A point of the working plane as the words of a form. */
 export function wordsOfPoint(
   form: ApproachForm,
   p: PlanePoint,

@@ -3,7 +3,7 @@ import type { Statement } from "../../nc/statement.ts";
 import { wordsOf } from "../blocks/flow.ts";
 import { KEPT_ON, namesContour } from "./operations.ts";
 
-/** What is in force between two blocks, as the statements that brought it; by name, so that states can be compared. */
+/** Modal settings between two blocks, as the statements that set them; by name, so that states can be compared. */
 export interface InForce {
   readonly spin: Statement | null;
   readonly feedUnit: number | null;
@@ -18,7 +18,7 @@ export const NOTHING_IN_FORCE: InForce = {
   functions: KEPT_ON.map(() => null),
 };
 
-/** What is in force behind a block. */
+/** Modal settings after a block. */
 function after(now: InForce, { statement: s }: Block): InForce {
   const functions = wordsOf(s)?.functions ?? [];
   const isTool = s.kind === "toolCall" && s.tool !== null;
@@ -39,5 +39,5 @@ function after(now: InForce, { statement: s }: Block): InForce {
   };
 }
 
-/** What is in force behind blocks. */
+/** Modal settings after some blocks. */
 export const inForceBehind = (blocks: readonly Block[], from: InForce): InForce => blocks.reduce(after, from);

@@ -38,10 +38,7 @@ const summary = (program: Program) =>
   });
 const numbers = (program: Program) => program.blocks.flatMap(({ number }) => (number === null ? [] : [number]));
 
-/**
- * Written as other files are: counted in tens, without numbers, with a comment at the end, with the line ends of
- * Windows.
- */
+/** Other file styles: numbered in tens, without numbers, with a final comment, with Windows line ends. */
 const tens = (text: string) =>
   text.replace(/^(\/?)(\d+) /gm, (_, mark: string, n: string) => `${mark}${Number(n) * 10 + 10} `);
 const gaps = (text: string) =>
@@ -115,7 +112,7 @@ describe("the operations of a program", () => {
     expect(all.units[0]?.tie).toBeNull();
   });
 
-  test("what a jump leads to, or what shifts the datum, is tied", () => {
+  test("an operation with a jump target or a datum shift is fixed", () => {
     const text = (middle: string) =>
       `BEGIN PGM A MM\nTOOL CALL 1\nCYCL DEF 812 X ~\nQ215=+0\nL X+50 Z+2 FMAX M99\n${middle}M30\nEND PGM A MM\n`;
     expect(
@@ -147,7 +144,7 @@ describe("the operations of a program", () => {
 });
 
 const all = texts.map(parse).flatMap((program) => unitsOf(program).map((_, unit) => ({ text: print(program), unit })));
-/** Nothing of it stands behind a skip mark yet. */
+/** Operations without skip marks. */
 const unmarked = all.filter(({ text, unit }) => {
   const program = parse(text);
   const { from, to } = wholeOf(operationsOf(program), unit);
@@ -155,10 +152,7 @@ const unmarked = all.filter(({ text, unit }) => {
 });
 const one = fc.constantFrom(...unmarked);
 const case_ = fc.tuple(one, written).map(([{ text, unit }, write]) => ({ program: parse(write(text)), unit }));
-/**
- * A program whose operations say spindle, feed unit and contour themselves: nothing has to be written out when they
- * change places.
- */
+/** A program whose operations set spindle, feed unit and contour themselves: reordering them adds nothing. */
 const whole = fc.tuple(written, fc.nat(6)).map(([write, unit]) => ({ program: parse(write(flange)), unit }));
 
 describe("an operation is changed as a whole", () => {
@@ -228,7 +222,7 @@ describe("an operation is changed as a whole", () => {
 const shop = { tools: shippedTools, rapid: 10_000 };
 const movesOf = (program: Program, skipMarked = false) => run(program, { ...shop, skipMarked });
 
-describe("what an operation needs goes with it", () => {
+describe("an operation keeps the settings it needs", () => {
   test("the second with a tool, moved behind another tool, calls its own, switches the spindle on, and goes back", () => {
     const moved = made(movedOperation(parse(flange), 2, 4));
     expect(summary(moved)).toEqual([

@@ -23,7 +23,7 @@ import {
 } from "./operations.ts";
 import { parametersOf, sharedParameter } from "./shared-parameters.ts";
 
-/** Why an operation can not go where it is asked to: what ties it, or a parameter that is set and used across. */
+/** Why an operation cannot move there: its fixed reason, or a parameter set and used by different operations. */
 export interface Refusal {
   readonly refused: Tie | "parameter";
   /** Number, from 0, of the operation that is in the way. */
@@ -56,7 +56,7 @@ export function blocksOfStatements(
   );
 }
 
-/** A run of operations with one tool, as they are to stand: with the blocks that begin and end them. */
+/** Consecutive operations with one tool, with their common opening and closing blocks. */
 interface Group {
   readonly section: ToolSection;
   readonly units: readonly number[];
@@ -67,7 +67,7 @@ interface Group {
 const cut = ({ blocks }: Program, { from, to }: { readonly from: number; readonly to: number }): readonly Block[] =>
   blocks.slice(from, to);
 
-/** Statements that a group needs because what was in force before it is so no longer. */
+/** Statements that a group needs because a previous modal setting has changed. */
 function missingSetting(blocks: readonly Block[], was: InForce, now: InForce): readonly Statement[] {
   const has = (is: (s: Statement) => boolean) => blocks.some(({ statement: s }) => is(s));
   const spin =
@@ -88,7 +88,7 @@ const functionsOf = (functions: readonly number[]): Statement => ({
   words: { ...noWords, functions },
 });
 
-/** What an operation needs before its own blocks: the contour that it was run with, and what was switched on. */
+/** Statements that an operation needs before its own blocks: its contour, and functions that were on. */
 function missingBefore(blocks: readonly Block[], was: InForce, now: InForce): readonly Statement[] {
   const firstCycle = blocks.findIndex(({ statement: s }) => definesCycle(s));
   const free = blocks.some(({ statement: s }) => isOfFreeContour(s));
@@ -105,7 +105,7 @@ function missingBefore(blocks: readonly Block[], was: InForce, now: InForce): re
   return [...contour, ...(functions.length > 0 ? [functionsOf(functions)] : [])];
 }
 
-/** What stood in front of an operation only because it had been moved away from what it needs. */
+/** Removes functions that were added only for an earlier position of the operation. */
 function withoutNeedless(blocks: readonly Block[], now: InForce): readonly Block[] {
   const [first] = blocks;
   const s = first?.statement;
@@ -119,7 +119,7 @@ interface Added {
   readonly added: readonly Block[];
 }
 
-/** The operations in another order, of which some may have been merged or parted, put together again. */
+/** Reassembles a program from reordered operations, some merged or split. */
 function composed(
   program: Program,
   all: Operations,
@@ -162,7 +162,7 @@ function composed(
   return withBlocks(program, [...program.blocks.slice(0, all.from), ...made, ...program.blocks.slice(all.to)]);
 }
 
-/** What is in force where each section and each operation begins now. */
+/** Current modal settings at the start of each section and operation. */
 function states({ blocks }: Program, all: Operations) {
   const sections = new Map<ToolSection, InForce>();
   const units = new Map<number, InForce>();
@@ -179,9 +179,7 @@ function states({ blocks }: Program, all: Operations) {
   return { sections, units };
 }
 
-/**
- * Runs of operations that stand with one tool: neighbours of one section, and of two that have come to say the same.
- */
+/** Groups operations with one tool: neighbours of one section, or of two sections that have become equal. */
 function grouped(
   program: Program,
   all: Operations,
@@ -210,13 +208,13 @@ function grouped(
   return { groups, joins };
 }
 
-/** Why an operation can not be changed as a whole; null where it can. */
+/** Why an operation cannot be changed as a whole; null where it can. */
 export function tieOf({ units }: Operations, unit: number): Refusal | null {
   const tie = units[unit]?.tie ?? null;
   return tie && { refused: tie, unit };
 }
 
-/** The operation at another place among the others. */
+/** Moves an operation to another place. */
 export function movedOperation(program: Program, unit: number, to: number): Program | Refusal {
   const all = operationsOf(program);
   const order = all.units.map((_, i) => i);
@@ -235,10 +233,7 @@ export function movedOperation(program: Program, unit: number, to: number): Prog
   return composed(program, all, groups, joins);
 }
 
-/**
- * The program with blocks behind an operation, or before all of them; what shares its tool with those behind gets it
- * again.
- */
+/** Inserts blocks behind an operation, or before all; operations behind them with the same tool call it again. */
 export function withAddedBehind(program: Program, unit: number | null, added: readonly Block[]): Program {
   const all = operationsOf(program);
   const behind = unit === null ? -1 : unit;
@@ -255,7 +250,7 @@ export function withAddedBehind(program: Program, unit: number | null, added: re
   return composed(program, all, parted ? groups : groups.toSpliced(at, 0, { added }), new Set());
 }
 
-/** The operation once more behind itself, with the same tool. */
+/** Duplicates an operation behind itself, with the same tool. */
 export function duplicatedOperation(program: Program, unit: number): Program | Refusal {
   const all = operationsOf(program);
   const tie = tieOf(all, unit);
@@ -265,7 +260,7 @@ export function duplicatedOperation(program: Program, unit: number): Program | R
   return withBlocks(program, [...blocks.slice(0, own.to), ...blocks.slice(own.from, own.to), ...blocks.slice(own.to)]);
 }
 
-/** The program without an operation; the tool and its way back stay where another one needs them. */
+/** Removes an operation; its tool call and retraction stay where another one needs them. */
 export function withoutOperation(program: Program, unit: number): Program | Refusal {
   const all = operationsOf(program);
   const tie = tieOf(all, unit);
@@ -281,7 +276,7 @@ export function withoutOperation(program: Program, unit: number): Program | Refu
   return composed(program, all, groups, new Set());
 }
 
-/** The operation behind skip marks, or without them: what others need of it stays in force. */
+/** Sets or removes the skip marks of an operation: settings that others need stay active. */
 export function switchedOperation(program: Program, unit: number, on: boolean): Program | Refusal {
   const all = operationsOf(program);
   const tie = tieOf(all, unit);
@@ -308,7 +303,7 @@ export function switchedOperation(program: Program, unit: number, on: boolean): 
 const withSkips = (program: Program, blocks: readonly Block[]): Program =>
   blocks.every((block, i) => block === program.blocks[i]) ? program : { blocks };
 
-/** The operation with another tool. Where it shares its tool with others, they keep theirs. */
+/** Changes the tool of an operation; others that shared the tool keep theirs. */
 export function retooledOperation(program: Program, unit: number, tool: number): Program | Refusal {
   const all = operationsOf(program);
   const own = all.units[unit];
@@ -316,7 +311,7 @@ export function retooledOperation(program: Program, unit: number, tool: number):
   if (!own || own.toolCall === null || !section || own.tie === "label") return { refused: own?.tie ?? "tool", unit };
   const called = program.blocks[own.toolCall]?.statement;
   if (called?.kind !== "toolCall") return program;
-  // Deltas are those of the tool that was measured.
+  // Deltas belong to the measured tool.
   const statement: Statement = { ...called, tool, deltaLength: null, deltaRadius: null };
   const changed = withBlock(program, own.toolCall, statement);
   if (changed === program || section.units.length === 1) return changed;

@@ -7,35 +7,32 @@ import { CONTOUR_CYCLE } from "../../nc/blocks/cycle-line.ts";
 import { wordsOf } from "../blocks/flow.ts";
 import { actsAtOnce, isSilent } from "../blocks/unproved-blocks.ts";
 
-/** Blocks from `from` to the one before `to`. */
+/** Blocks from `from`, `to` excluded. */
 export interface BlockRange {
   readonly from: number;
   readonly to: number;
 }
 
-/**
- * Why an operation has to stay where it is: a label that is jumped to or called, or coordinates that are shifted or
- * turned.
- */
+/** Why an operation cannot move: a called label, or shifted or rotated coordinates. */
 export type Tie = "label" | "frame" | "tool";
 
-/** One operation: a cycle with its calls, or what is cut without one, and the tool that it runs with. */
+/** One operation: a cycle with its calls, or cuts without one, and the tool. */
 export interface OperationPart extends BlockRange {
   /** Its section in `Operations.sections`. */
   readonly section: number;
   /** Words of its structure comment; null where it has none of its own. */
   readonly title: string | null;
-  /** Blocks that define its cycles; several where they cannot be told apart. */
+  /** Blocks that define its cycles; several where they are inseparable. */
   readonly definitions: readonly number[];
   /** Block of the tool call in force; null where none is. */
   readonly toolCall: number | null;
-  /** The tool is called by an operation before it. */
+  /** An earlier operation calls the tool. */
   readonly inherits: boolean;
-  /** Why it can not be moved, doubled, switched off or deleted. */
+  /** Why it cannot be moved, duplicated, skipped or deleted. */
   readonly tie: Tie | null;
 }
 
-/** Operations with one tool: what begins them together, each of them, and the way back that ends them. */
+/** Operations with one tool: common opening, each operation, and the common retraction. */
 export interface ToolSection extends BlockRange {
   readonly opening: BlockRange;
   readonly closing: BlockRange;
@@ -43,7 +40,7 @@ export interface ToolSection extends BlockRange {
   readonly units: readonly number[];
 }
 
-/** A program as its operations. What stands before and behind them is frame, blank, end and subprograms. */
+/** A program split into operations. Outside are frame, blank, end and subprograms. */
 export interface Operations extends BlockRange {
   readonly sections: readonly ToolSection[];
   readonly units: readonly OperationPart[];
@@ -53,7 +50,7 @@ const ENDS: readonly number[] = [2, 30];
 const CALLS: readonly number[] = [89, 99];
 const FEED_UNITS: readonly number[] = [136, 137];
 
-/** M functions that stay on, the spindle and the coolant: what switches each on and off. A tool change ends both. */
+/** Modal M functions of spindle and coolant: those that switch each on and off. A tool change ends both. */
 export const KEPT_ON: readonly { readonly on: readonly number[]; readonly off: readonly number[] }[] = [
   {
     on: [3, 4, 13, 14, 303, 304],
@@ -65,7 +62,7 @@ export const KEPT_ON: readonly { readonly on: readonly number[]; readonly off: r
 const functionsOf = (s: Statement): readonly number[] => wordsOf(s)?.functions ?? [];
 export const endsMain = (s: Statement): boolean => s.kind === "end" || functionsOf(s).some((m) => ENDS.includes(m));
 
-/** True for what calls the cycle that is defined, or runs something else in its place. */
+/** True for a call of the defined cycle, or of something in its place. */
 export const callsCycle = (s: Statement): boolean =>
   klartext.has(s, "calls") || functionsOf(s).some((m) => CALLS.includes(m));
 
@@ -87,7 +84,7 @@ export const setsFeedUnit = (s: Statement): boolean =>
 const isRapid = (s: Statement): boolean =>
   (s.kind === "path" && s.words.feed === "max" && !callsCycle(s)) ||
   (s.kind === "functions" && s.words.retract !== undefined);
-/** A block that only names what the next cycle is run with. */
+/** A block that only names the contour of the next cycle. */
 export const namesContour = (s: Statement): boolean =>
   klartext.has(s, "namesContour") || (s.kind === "cycleLine" && s.cycle === CONTOUR_CYCLE);
 const switchesOn = (s: Statement): boolean =>
@@ -101,23 +98,20 @@ const preparesCycle = (s: Statement): boolean =>
   changesFrame(s);
 /** M functions that call no cycle. */
 const onlySwitches = (s: Statement): boolean => s.kind === "functions" && !callsCycle(s);
-/** What may stand between a tool call and the first cut. */
+/** Blocks allowed between a tool call and the first cut. */
 const preparesTool = (s: Statement): boolean => klartext.has(s, "preparesTool") || isRapid(s) || onlySwitches(s);
-/** What may stand before the tool call that begins a section. */
+/** Blocks allowed before the tool call of a section. */
 const leadsTool = (s: Statement): boolean => klartext.has(s, "leadsTool") || setsFeedUnit(s);
 const leaves = (s: Statement): boolean => klartext.has(s, "leaves") || isRapid(s) || onlySwitches(s);
 
-/** Index behind the blocks before `at`, not before `least`, that all are of a kind. */
+/** Goes back from `at` over blocks of one kind, at most to `least`; returns the first index. */
 function backOver(blocks: readonly Block[], at: number, least: number, is: (s: Statement) => boolean): number {
   let from = at;
   while (from > least && is(blocks[from - 1]?.statement ?? { kind: "end", name: "", unit: "MM" })) from -= 1;
   return from;
 }
 
-/**
- * Where the main program ends: at M30, or where neither M30 nor M2 stands at the first label behind all calls, or at
- * END PGM.
- */
+/** End of the main program: at M30 or M2, else at the first label behind all calls, else at END PGM. */
 function endOfMain(blocks: readonly Block[]): number {
   const found = blocks.findIndex(({ statement: s, skip }) => endsMain(s) && !skip);
   if (found >= 0 && blocks[found]?.statement.kind !== "end") return found;
@@ -134,7 +128,7 @@ const titleIn = (blocks: readonly Block[], { from, to }: BlockRange): string | n
 
 type Cuts = { readonly opening: BlockRange; readonly closing: BlockRange; readonly parts: readonly BlockRange[] };
 
-/** The parts of a section that may stand alone, with what begins and ends them together. */
+/** Independent parts of a section, with their common opening and closing. */
 function partsOf(blocks: readonly Block[], { from, to }: BlockRange): Cuts {
   const at = (i: number): Statement => blocks[i]?.statement ?? { kind: "empty" };
   const definitions: number[] = [];
@@ -157,7 +151,7 @@ function partsOf(blocks: readonly Block[], { from, to }: BlockRange): Cuts {
     return comes ? prelude : backOver(blocks, prelude, least, (s) => preparesCycle(s) || isRapid(s));
   });
   const tool = blocks.slice(from, to).findIndex(({ statement: s }) => callsTool(s)) + from;
-  // The words that begin the tool belong to it; a structure comment behind the tool call begins the cut.
+  // Structure items before the tool call belong to the tool; one after it begins the cut.
   const least = Math.max(tool + 1, from);
   const note = blocks.slice(least, ready).findIndex(({ statement: s }) => s.kind === "structure") + least;
   const first = Math.min(Math.max(begins[0] ?? ready, firstOwn(blocks, least)), note >= least ? note : Infinity);
@@ -172,7 +166,7 @@ function partsOf(blocks: readonly Block[], { from, to }: BlockRange): Cuts {
   return { opening: opens, closing, parts };
 }
 
-/** Behind the tool call, its spindle and its feed unit: before them nothing of a cut begins. */
+/** First index behind the tool call, spindle and feed unit: a cut cannot begin earlier. */
 function firstOwn(blocks: readonly Block[], from: number): number {
   let own = from;
   for (let i = from; i < blocks.length; i += 1) {
@@ -188,7 +182,7 @@ function lastCallIn(at: (i: number) => Statement, from: number, to: number): num
   return from;
 }
 
-/** Stretches of the main program between a label and what calls or jumps to it: what stands there stays. */
+/** Ranges of the main program between a label and its calls or jumps: their operations are fixed. */
 function tiedStretches(blocks: readonly Block[], end: number): readonly BlockRange[] {
   const labels = new Map<Label, number>();
   blocks.forEach(({ statement: s }, i) => {
@@ -219,7 +213,7 @@ function tieFor({
   return toolless ? "tool" : null;
 }
 
-/** A program as its operations: from the tool call, or its structure comment, to the way back, one for each cycle. */
+/** Splits a program into operations, one per cycle: from the tool call or structure item to the retraction. */
 export function operationsOf({ blocks }: Program): Operations {
   const end = endOfMain(blocks);
   const tools: number[] = [];
@@ -271,7 +265,7 @@ export function operationsOf({ blocks }: Program): Operations {
   return { from: starts[0] ?? end, to: end, sections, units };
 }
 
-/** All blocks of an operation: with those that begin and end it where it shares them with no other. */
+/** All blocks of an operation, including opening and closing blocks that it shares with no other. */
 export function wholeOf({ sections, units }: Operations, unit: number): BlockRange {
   const own = units[unit];
   const section = own && sections[own.section];
@@ -281,7 +275,7 @@ export function wholeOf({ sections, units }: Operations, unit: number): BlockRan
   return { from: isFirst ? section.from : own.from, to: isLast ? section.to : own.to };
 }
 
-/** True for an operation whose cycles and calls all stand behind a skip mark. */
+/** True for an operation whose cycles and calls all have a skip mark. */
 export function isOff({ blocks }: Program, { from, to }: BlockRange): boolean {
   const acting = blocks.slice(from, to).filter(({ statement: s }) => definesCycle(s) || callsCycle(s));
   const all =

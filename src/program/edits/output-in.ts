@@ -4,10 +4,10 @@ import type { NcOutput } from "../machine/nc-output.ts";
 import { KEPT_ON } from "./operations.ts";
 
 const [SPINDLE = { on: [], off: [] }] = KEPT_ON;
-/** The turning spindle of the manual has functions of its own from here on. */
+/** From here on, M functions of the manual's turning spindle. */
 const FIRST_OF_TURNING = 300;
 
-/** Output for blocks that join a program: the spindle is started and stopped as the program does it already. */
+/** Output settings for blocks added to a program: its own spindle functions. */
 export function outputIn({ blocks }: Program, otherwise: NcOutput): NcOutput {
   const used = blocks.flatMap(({ statement }) => wordsOf(statement)?.functions ?? []);
   const spindleOn = used.find((m) => SPINDLE.on.includes(m));

@@ -221,7 +221,7 @@ describe("the list", () => {
     expect(read.leftOut).toEqual([]);
   });
 
-  test("a file names what it brings that means nothing", () => {
+  test("a file reports its unknown names", () => {
     const read = readLibraryFile(
       '{"cycles":[{"number":317,"colour":1,"name":"A","parameters":[{"q":7,"prompt":"B","kind":"depth","min":1.5}]}]}',
     );

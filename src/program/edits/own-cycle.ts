@@ -8,15 +8,15 @@ import { parameterAsTyped } from "../values/typed-value.ts";
 import { actsAtOnce, isSilent } from "../blocks/unproved-blocks.ts";
 
 /*
- * Cycles of the operator: those of a machine or a shop that nobody here knows. A description gives them a dialog and
- * clean text; what they do to the workpiece stays unknown, so they stay unproved.
+ * Custom cycles of a machine or shop. A description gives them a dialog and clean text; their effect on the workpiece
+ * stays unknown, so they stay unverified.
  */
 
-/** What a parameter of such a cycle is. */
+/** Kinds of parameters of a custom cycle. */
 export const OWN_KINDS = ["length", "angle", "feed", "choice", "number"] as const;
 export type OwnKind = (typeof OWN_KINDS)[number];
 
-/** What is typed of a parameter; `choices` only of a choice: `0 outside, 1 inside`. */
+/** Typed cells of a parameter; `choices` only of a choice: `0 outside, 1 inside`. */
 export const OWN_CELLS = ["q", "prompt", "min", "max", "first", "choices"] as const;
 export type OwnCell = (typeof OWN_CELLS)[number];
 export interface OwnParameterEntry extends Readonly<Record<OwnCell, string>> {
@@ -24,7 +24,7 @@ export interface OwnParameterEntry extends Readonly<Record<OwnCell, string>> {
   readonly kind: OwnKind;
 }
 
-/** A description as typed: every field is text, so that nothing is lost by being wrong. */
+/** A description as typed: every field is text, so that wrong input is kept. */
 export interface OwnEntry {
   readonly id: string;
   readonly number: string;
@@ -37,29 +37,27 @@ export interface OwnChoice {
   readonly meaning: string;
 }
 
-/** A parameter that can be asked for. */
+/** A valid parameter of a custom cycle. */
 export interface OwnParameter {
   readonly q: string;
   readonly prompt: string;
   readonly kind: OwnKind;
   readonly range: readonly [min: number, max: number];
-  /** The range was described, and is not only what a control can hold. */
+  /** The range was described, not just the default of a control. */
   readonly bounded: boolean;
   readonly choices: readonly OwnChoice[] | null;
-  /** What it has where the cycle is put into a program. */
+  /** Initial value in an inserted cycle. */
   readonly first: number | "auto";
 }
 
-/** A description that can be used. */
+/** A valid description. */
 export interface OwnCycle {
   readonly number: number;
   readonly name: string;
   readonly parameters: readonly OwnParameter[];
 }
 
-/**
- * What is wrong with a description, and at which field: "number", "name", "parameters", or id and cell of a parameter.
- */
+/** A problem of a description, and its field: "number", "name", "parameters", or id and cell of a parameter. */
 export interface OwnProblem {
   readonly at: string;
   readonly code:
@@ -77,21 +75,21 @@ export interface OwnProblem {
     | "choices"
     | "choiceTwice"
     | "tooMany";
-  /** What the sentence names: the wrong text, or the bound. */
+  /** The wrong text, or the limit. */
   readonly text: string;
 }
 
 export interface OwnReading {
   /** Null while something is wrong. */
   readonly cycle: OwnCycle | null;
-  /** The number, as soon as it is one. */
+  /** The cycle number, as soon as it is valid. */
   readonly number: number | null;
   readonly problems: readonly OwnProblem[];
 }
 
-/** Sizes of a description; a list beyond them is no list that anybody typed. */
+/** Size limits of a description; nobody types more. */
 export const OWN_SIZES = { cycles: 200, parameters: 60, name: 60, prompt: 80, choices: 20, cell: 500 } as const;
-/** What a control can hold. */
+/** Largest value of a control. */
 const WIDEST = 99999.9999;
 const LEAST: Readonly<Record<OwnKind, number>> = {
   length: -WIDEST,
@@ -104,7 +102,7 @@ export const OWN_DECIMALS = 4;
 
 export const fieldId = (parameter: string, cell: OwnCell): string => `${parameter}.${cell}`;
 
-/** True for a number whose cycle is known here, run or not: it has a dialog or a meaning already. */
+/** True for a number of a known cycle, simulated or not: it already has a dialog or a meaning. */
 export const isKnownCycle = (number: number): boolean =>
   cycleByNumber(number) !== undefined || isKept(number) || isDrilling(number) || actsAtOnce(number) || isSilent(number);
 
@@ -113,11 +111,11 @@ const trimmed = (text: string): string => text.replace(/\s+/g, " ").trim();
 /** The number of a cycle or a parameter, none too long. */
 const WHOLE = /^\d{1,4}$/;
 const Q = /^(?:Q([LR])?)?(\d{1,4})$/i;
-/** What ends or splits a line of a cycle, or stands for a value there. */
+/** Characters that end or split a line of a cycle, or represent a value. */
 const NOT_IN_NAME = /[~;="\p{C}]/u;
 const NOT_IN_PROMPT = /[~\p{C}]/u;
 
-/** The letters and number of a parameter as a program writes it; null when it is none. */
+/** Name of a parameter in a program; null when invalid. */
 function parameterName(typed: string): string | null {
   const m = Q.exec(typed.trim());
   return m ? `Q${(m[1] ?? "").toUpperCase()}${m[2] ?? ""}` : null;
@@ -148,7 +146,7 @@ function readChoices(typed: string, at: string, say: Say): readonly OwnChoice[] 
   return choices;
 }
 
-/** The value that a new block begins with: the typed one, or the nearest to zero that the parameter takes. */
+/** Initial value of a new block: the typed one, or the valid one nearest to zero. */
 function readFirst(
   p: OwnParameterEntry,
   [min, max]: OwnParameter["range"],
@@ -181,7 +179,7 @@ function readParameter(p: OwnParameterEntry, say: Say): OwnParameter {
   return { q: q ?? "", prompt, kind: p.kind, range, bounded: min !== null || max !== null, choices, first };
 }
 
-/** Reads one description. That its number stands in the list twice shows in the list (own-library.ts). */
+/** Reads one description. Duplicate numbers are found in the list (own-library.ts). */
 export function readOwn(entry: OwnEntry): OwnReading {
   const problems: OwnProblem[] = [];
   const say: Say = (at, code, text = "") => problems.push({ at, code, text });
@@ -203,7 +201,7 @@ export function readOwn(entry: OwnEntry): OwnReading {
   return { cycle: number !== null && problems.length === 0 ? { number, name, parameters } : null, number, problems };
 }
 
-/** How a prompt of such a cycle reads what is typed. */
+/** Field of a prompt of a custom cycle. */
 export const ownField = ({ q, kind, range, choices }: OwnParameter): Field => ({
   id: q,
   kind,
@@ -214,7 +212,7 @@ export const ownField = ({ q, kind, range, choices }: OwnParameter): Field => ({
   rapid: kind === "feed",
 });
 
-/** The block that puts the cycle into a program. */
+/** The block of the cycle in a program. */
 export const ownStatement = ({ number, name, parameters }: OwnCycle): StatementOf<"cycle"> => ({
   kind: "cycle",
   cycle: number,
@@ -234,7 +232,7 @@ export const newParameter = (id: string, given: Partial<Omit<OwnParameterEntry, 
   ...given,
 });
 
-/** What the text of a program calls a parameter says of its kind: only where it can hardly be anything else. */
+/** Words of a parameter label that clearly name its kind. */
 const WORDS: readonly (readonly [RegExp, OwnKind])[] = [
   [/\bFEED(?!ER)|VORSCHUB|\bAVANCE|进给/i, "feed"],
   [/\bANG(?:LE|\b)|WINKEL|角/i, "angle"],
@@ -249,10 +247,7 @@ function kindOf({ value, label }: CycleParameter): OwnKind {
   return WORDS.find(([words]) => words.test(label ?? ""))?.[1] ?? "number";
 }
 
-/**
- * A description as the text of a block proposes it: its number, its name, its parameters with the prompts behind `;`
- * and their values.
- */
+/** Proposes a description from a block: number, name, parameters with the prompts behind `;`, and values. */
 export function describedFrom(s: StatementOf<"cycle">, id: string): OwnEntry {
   const named = s.parameters.filter(({ q }, i) => s.parameters.findIndex((each) => each.q === q) === i);
   return {

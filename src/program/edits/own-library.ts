@@ -15,13 +15,13 @@ import {
 /** All descriptions of this device, in their order. */
 export type OwnList = readonly OwnEntry[];
 
-/** The list read: each description by its id, and those that can be used by their number. */
+/** The list as read: each description by its id, the valid ones by number. */
 export interface OwnLibrary {
   readonly rows: ReadonlyMap<string, OwnReading>;
   readonly cycles: ReadonlyMap<number, OwnCycle>;
 }
 
-/** Reads every description. Of two with one number the first is used, and the second says that it is not. */
+/** Reads every description. Of two with one number the first is used, the second is marked. */
 export function readLibrary(list: OwnList): OwnLibrary {
   const rows = new Map<string, OwnReading>();
   const cycles = new Map<number, OwnCycle>();
@@ -45,7 +45,7 @@ export function readLibrary(list: OwnList): OwnLibrary {
   return { rows, cycles };
 }
 
-/** An id that nothing in a list has. */
+/** A free id of a list. */
 export function freeId(all: readonly { readonly id: string }[], letter: string): string {
   const taken = new Set(all.map(({ id }) => id));
   let n = all.length + 1;
@@ -53,16 +53,14 @@ export function freeId(all: readonly { readonly id: string }[], letter: string):
   return `${letter}${n}`;
 }
 
-/** The lowest number from `from` on that no description and no cycle of the app has; null when there is none left. */
+/** Lowest free cycle number from `from` on; null when there is none left. */
 export function freeCycle(list: OwnList, from: number): number | null {
   const taken = new Set(list.map((entry) => readOwn(entry).number));
   for (let n = from; n <= 9999; n++) if (!taken.has(n) && !isKnownCycle(n)) return n;
   return null;
 }
 
-/**
- * Descriptions of a file over those of the list: one of the same number takes the place of the old one, others follow.
- */
+/** Merges descriptions of a file into the list: equal numbers are replaced, others appended. */
 export function mergedLibrary(
   list: OwnList,
   entries: OwnList,
@@ -79,11 +77,11 @@ export function mergedLibrary(
   return { list: next, replaced, added: next.length - list.length };
 }
 
-/** A number as a number where it says the same, any other text as it is typed. */
+/** A text as a number where both mean the same, else as typed. */
 const written = (text: string): string | number =>
   /^-?(?:0|[1-9]\d{0,8})(?:\.\d*[1-9])?$/.test(text) && text !== "-0" ? Number(text) : text;
 
-/** Writes the list as a file, one parameter a line. What is typed wrong is in it as well. */
+/** Writes the list as a file, one parameter per line, wrong input included. */
 export function writeLibrary(list: OwnList): string {
   const parameter = ({ q, prompt, kind, ...rest }: OwnParameterEntry): string => {
     const cells = (["min", "max", "first", "choices"] as const).flatMap((cell) =>
@@ -119,7 +117,7 @@ const fileShape = z.looseObject({ cycles: z.array(z.unknown()) });
 const asText = (value: string | number | null | undefined): string =>
   value === null || value === undefined ? "" : String(value);
 
-/** What a file brings: descriptions, and the names in it that mean nothing here; or why it brings none. */
+/** Content of a file: descriptions, and unknown names; or why it has none. */
 export type OwnFile =
   | { readonly entries: OwnList; readonly leftOut: readonly string[] }
   | {
@@ -130,7 +128,7 @@ export type OwnFile =
 const isOneOf = <T extends string>(all: readonly T[], text: string): text is T => all.some((each) => each === text);
 const NAMES: ReadonlySet<string> = new Set(["number", "name", "parameters", "kind", ...OWN_CELLS]);
 
-/** Reads a file of descriptions field by field, so that one with a wrong field comes in and shows it. Never throws. */
+/** Reads a file of descriptions field by field, so that wrong fields are imported and shown. Never throws. */
 export function readLibraryFile(text: string): OwnFile {
   let json: unknown;
   try {

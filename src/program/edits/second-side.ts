@@ -16,31 +16,28 @@ import { outputIn } from "./output-in.ts";
 import { AWAY, nameOnControl } from "../job/print-job.ts";
 import { POSITION_DECIMALS } from "../values/typed-value.ts";
 
-/** How the second clamping is written. */
+/** Options of the second clamping. */
 export interface SecondSide {
-  /** What is still to be faced off the new front, mm: Z0 lies so far behind it. */
+  /** Facing allowance at the new front, mm: Z0 is this far behind it. */
   readonly allowance: number;
-  /** How blocks are written where the first program does not show it. */
+  /** NC output where the first program does not show it. */
   readonly output: NcOutput;
 }
 
 /** Label of the outline of the blank. */
 const BLANK_LABEL = 1;
 /**
- * Decimals of the outline: those that a control takes. Those it keeps would move a long cylinder by more than the
+ * Decimals of the outline: as many as a control accepts. Its resolution would move a long cylinder by more than the
  * chords of an arc.
  */
 const OUTLINE_DECIMALS = { MM: 4, INCH: 5 } as const;
-/**
- * An arc that turns through more is written as two: near half a turn its end points say too little of its centre,
- * radians.
- */
+/** Longer arcs are split, radians: near half a turn the end points barely define the centre. */
 const WIDEST = (2 / 3) * Math.PI;
 /** A shorter arc is a corner, mm. */
 const SHORTEST_ARC = 0.01;
-/** How near the outline stays to the stock, mm: that has each arc as chords, of the tool and of its path. */
+/** Tolerance of the outline, mm: the stock has each arc, of tool and path, as chords. */
 const NEAR: Nearness = { line: SAME, arc: 5 * CHORD };
-/** A radius with fewer decimals may enclose so much more or less, mm². */
+/** Area error allowed for a radius with fewer decimals, mm². */
 const AS_MUCH = 0.001;
 /** Longest name of a program on the control. */
 const LONGEST_NAME = 32;
@@ -53,18 +50,15 @@ export function nextClampingName(name: string): string {
 }
 
 /**
- * A piece as it lies when it is turned round: what was its rear face is the front, `front` mm before Z0. Applied twice
- * it is back.
+ * A piece turned end for end: its rear face becomes the front, `front` mm before Z0. Applying it twice restores the
+ * piece.
  */
 export function turnedRound(piece: readonly Ring[], front: number): Ring[] {
   const { left } = boxAround([...piece]);
   return piece.map((ring) => ring.map((p) => at(left - p.z + front, p.r)).reverse());
 }
 
-/**
- * The elements of a ring, from its point farthest in front and nearest to the axis on: there a setter begins an
- * outline.
- */
+/** Elements of a ring, from its frontmost point nearest to the axis, where a setter begins an outline. */
 function elementsOf(ring: Ring): readonly Segment[] {
   const first = ring.reduce((best, p, i) => {
     const now = ring[best] ?? p;
@@ -86,8 +80,8 @@ function asWritten(s: Segment): Segment[] {
 }
 
 /**
- * One line round a piece. A cavity is reached along a line that is run there and back, which has no width and encloses
- * nothing: a blank has one outline.
+ * One closed outline of a piece. A cavity is connected by a line run both ways, which encloses nothing: a blank has one
+ * outline.
  */
 function outlineOf(piece: readonly Ring[]): readonly Segment[] {
   const chains = piece.toSorted((a, b) => areaOfRing(b) - areaOfRing(a)).map(elementsOf);
@@ -103,10 +97,7 @@ function outlineOf(piece: readonly Ring[]): readonly Segment[] {
   ].flatMap(asWritten);
 }
 
-/**
- * The radius of an arc with as few decimals as leave it the same to the eye of the proof. `per`: mm of a unit of the
- * program.
- */
+/** Radius of an arc with the fewest decimals within the area tolerance. `per`: mm per program unit. */
 function radiusWritten(arc: Extract<Segment, { kind: "arc" }>, per: number, decimals: number): number {
   const chord = part.apart(arc.from, arc.to),
     exact = part.radiusOf(arc),
@@ -119,10 +110,7 @@ function radiusWritten(arc: Extract<Segment, { kind: "arc" }>, per: number, deci
   return kept(exact / per, decimals);
 }
 
-/**
- * The blocks of an outline: an axis whose number stays is left out, and so is an element that the decimals leave
- * without length.
- */
+/** Blocks of an outline: unchanged axes are left out, and so are elements without length after rounding. */
 function outlineStatements(segments: readonly Segment[], unit: "MM" | "INCH"): Statement[] {
   const decimals = OUTLINE_DECIMALS[unit],
     per = IN_MM[unit === "INCH" ? "inch" : "mm"];
@@ -151,9 +139,8 @@ function outlineStatements(segments: readonly Segment[], unit: "MM" | "INCH"): S
 const isPlain = (s: Statement): boolean => !JSON.stringify(s).includes('"parameter"');
 
 /**
- * What the first program says of turning before it cuts: the mode with its kinematics, its first turning tool, with
- * which the second side is faced more often than not, the speed and the unit of feeds. A call that names a tool axis is
- * one of a mill.
+ * Turning settings of the first program before it cuts: mode with kinematics, the first turning tool (mostly the facing
+ * tool of the second side too), speed, feed unit. A call with a tool axis is one of a mill.
  */
 function turningOf({ blocks }: Program): Statement[] {
   const all = blocks.map(({ statement }) => statement).filter(isPlain);
@@ -171,9 +158,9 @@ function turningOf({ blocks }: Program): Statement[] {
 }
 
 /**
- * The program of the next clamping: what is left of a piece, turned round, as its blank; Z0 in the new front or behind
- * what is still to be faced off it. It runs to its end, and has everything but its operations. `piece`: outline and
- * cavities, as they stand in the first clamping, mm; empty text where there is none.
+ * Program of the next clamping: the remaining piece, turned end for end, is its blank; Z0 at the new front or behind
+ * the facing allowance. It is complete but for operations. `piece`: outline and cavities in the first clamping, mm;
+ * returns an empty text where there is none.
  */
 export function secondSide(
   program: Program,

@@ -3,7 +3,7 @@ import { NUMBER_PARAMETER } from "../../nc/value.ts";
 
 const ANY_PARAMETER = new RegExp(String.raw`(?<![A-Z])${NUMBER_PARAMETER}`, "gi");
 
-/** Parameters that blocks set, and those that they read. The parameters of a cycle itself are neither. */
+/** Parameters that blocks set, and those they read. The cycle's own parameters are excluded. */
 export function parametersOf(blocks: readonly Block[]): {
   readonly set: ReadonlySet<string>;
   readonly read: ReadonlySet<string>;
@@ -19,7 +19,7 @@ export function parametersOf(blocks: readonly Block[]): {
   return { set, read };
 }
 
-/** A parameter that one of two operations sets and the other sets or reads: their order counts. */
+/** A parameter that one operation sets and the other sets or reads: their order matters. */
 export function sharedParameter(a: readonly Block[], b: readonly Block[]): string | null {
   const [one, other] = [parametersOf(a), parametersOf(b)];
   for (const name of one.set) if (other.set.has(name) || other.read.has(name)) return name;

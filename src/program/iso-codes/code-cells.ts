@@ -7,14 +7,14 @@ import type { InsertCode } from "./insert-code.ts";
 import { circleOf, edgeOf, INSERT_SHAPES } from "./insert-facts.ts";
 import type { ToolCodes } from "./tool-code.ts";
 
-/** A cell that a code fills: what stands in it, and what will. */
+/** A cell filled by a code: its old and new text. */
 export interface Filling {
   readonly cell: CellName;
   readonly from: string;
   readonly to: string;
 }
 
-/** What has to be known about a code beside its parts. mm and degrees. */
+/** Notes about a code besides its parts. mm and degrees. */
 export type CodeNote =
   | {
       readonly is: "shapesDiffer" | "sizesDiffer" | "clearancesDiffer";
@@ -42,10 +42,10 @@ export interface CodeFilling {
   readonly notes: readonly CodeNote[];
 }
 
-/** Two angles, or two lengths, that are called the same. */
+/** Tolerance for equal angles and lengths. */
 const SAME_ANGLE = 1;
 const SAME_EDGE = 1;
-/** The corner radius of an insert that nobody named yet, mm. */
+/** Default corner radius of an insert, mm. */
 const USUAL_CORNER = 0.8;
 
 type Cells = Partial<Record<CellName, string>>;
@@ -53,7 +53,7 @@ type Cells = Partial<Record<CellName, string>>;
 const numberIn = (entry: ToolEntry, cell: CellName) => readText(anyNumber, cellOf(entry, cell)).value;
 const upToThousandth = (n: number) => String(Math.round(n * 1000) / 1000);
 
-/** What an insert says about the columns. */
+/** Cells given by an insert. */
 function insertCells(insert: InsertCode, entry: ToolEntry): Cells {
   const type = cellOf(entry, "TYPE");
   const corner = insert.corner === null ? {} : { RS: upToThousandth(insert.corner) };
@@ -66,7 +66,7 @@ function insertCells(insert: InsertCode, entry: ToolEntry): Cells {
   };
 }
 
-/** Length of the edge that the size of a holder names, mm. */
+/** Edge length from the size of a holder, mm. */
 function edgeOfHolder({ shape, size }: HolderCode): number | null {
   if (size === null) return null;
   const circle = circleOf(shape, Number(size));
@@ -74,7 +74,7 @@ function edgeOfHolder({ shape, size }: HolderCode): number | null {
   return edge === null ? Number(size) : Math.round(edge * 100) / 100;
 }
 
-/** The insert that a holder carries: the typed one, else what the letters of the holder and the row tell of it. */
+/** Insert of a holder: the typed one, else from the letters of the holder and the row. */
 function heldInsert({ insert, holder }: ToolCodes, entry: ToolEntry, setting: number | null): HeldInsert | null {
   if (!holder || setting === null) return null;
   const angle = insert?.angle ?? INSERT_SHAPES[holder.shape]?.angle ?? null;
@@ -83,11 +83,11 @@ function heldInsert({ insert, holder }: ToolCodes, entry: ToolEntry, setting: nu
   return { setting, angle, edge, corner: insert?.corner ?? numberIn(entry, "RS") ?? USUAL_CORNER };
 }
 
-/** Setting angle from −Z to the main edge; null where the holder cuts with the side that faces elsewhere. */
+/** Setting angle from −Z to the main edge; null where the holder cuts with another side. */
 function settingOf({ kind, style, hand, shape }: HolderCode): number | null {
   if (!style || (kind === "bar" ? style.cuts === "side" : style.cuts === "end")) return null;
   const point = INSERT_SHAPES[shape]?.angle ?? 0;
-  // A neutral holder stands its insert upright: both edges lean the same.
+  // A neutral holder holds its insert upright: both edges have the same angle.
   const upright = (180 - point) / 2;
   return hand === "N" && point > 0 && Math.abs(upright - style.angle) < SAME_ANGLE ? upright : style.angle;
 }
@@ -116,10 +116,7 @@ function holderFacts(codes: ToolCodes, holder: HolderCode, entry: ToolEntry): Co
   return { cells: [], notes, found };
 }
 
-/**
- * The insert that a holder without one asks for, where the row says nothing of it yet; and where the row says something
- * else.
- */
+/** Insert data from a holder alone, where the row has none yet; and contradictions with the row. */
 function holderInsert(holder: HolderCode, entry: ToolEntry): CodeFilling & { readonly found: Cells } {
   const notes: CodeNote[] = [];
   const found: Cells = {};
@@ -161,13 +158,10 @@ function insertNotes(insert: InsertCode): CodeNote[] {
   ];
 }
 
-/** The code that names a tool: of its insert, else of its holder. */
+/** Code used as tool name: of its insert, else of its holder. */
 export const nameOfCodes = ({ insert, holder }: ToolCodes): string => insert?.code ?? holder?.code ?? "";
 
-/**
- * What codes fill into a row, and what has to be said about it. Only what they say is filled; the name only where there
- * is none.
- */
+/** Cells that codes fill into a row, with notes. Only stated cells are filled; the name only where it is empty. */
 export function fillingOf(codes: ToolCodes, entry: ToolEntry): CodeFilling {
   const { insert, holder } = codes;
   const ofHolder = holder ? holderFacts(codes, holder, entry) : null;
@@ -191,7 +185,7 @@ export function fillingOf(codes: ToolCodes, entry: ToolEntry): CodeFilling {
   };
 }
 
-/** Whether a text is a whole code, every letter of which is known: a name like that can be read. */
+/** Whether a text is a complete code with known letters only. */
 export function isWholeCode({ insert, holder, notCovered }: ToolCodes): boolean {
   if (notCovered !== null) return false;
   const parts = [...(insert?.parts ?? []), ...(holder?.parts ?? [])];
@@ -201,5 +195,5 @@ export function isWholeCode({ insert, holder, notCovered }: ToolCodes): boolean 
   return whole && parts.every((each) => each.meaning !== null);
 }
 
-/** Cells of the holder, which are shown as one. */
+/** Whether a filling is of the holder, whose cells are shown as one. */
 export const isHolderFilling = ({ cell }: Filling): boolean => HOLDER_CELLS.some((each) => each === cell);

@@ -1,6 +1,6 @@
 import type { Breaker, EdgeFinish, Hole, InsertForm } from "./insert-facts.ts";
 
-/** Places of a code, in words. */
+/** Names of the positions of a code. */
 export const PART_NAMES = [
   "shape",
   "clearance",
@@ -26,7 +26,7 @@ export type PartName = (typeof PART_NAMES)[number];
 
 export type InsertClamping = "top" | "topHole" | "hole" | "screw" | "wedge";
 export type Hand = "R" | "L" | "N";
-/** What a bar is made of. */
+/** Material of a bar. */
 export type BarMake =
   | "steel"
   | "steelCoolant"
@@ -38,10 +38,10 @@ export type BarMake =
   | "carbideDampedCoolant"
   | "heavy"
   | "heavyCoolant";
-/** With which side of its shank a holder cuts: along it with its flank, with its end, or with both. */
+/** Cutting side of a holder: along its flank, with its end, or both. */
 export type Cuts = "side" | "end" | "both";
 
-/** What a part of a code says. mm and degrees. */
+/** Meaning of a part of a code. mm and degrees. */
 export type CodeMeaning =
   | { readonly is: "form"; readonly form: InsertForm; readonly angle: number }
   | { readonly is: "angle"; readonly angle: number }
@@ -60,11 +60,11 @@ export type CodeMeaning =
   | { readonly is: "special" }
   | { readonly is: "nothing" };
 
-/** One part of a code as it was read; `sure` is false where sources differ or the fact is only recalled. */
+/** One part of a code; `sure` is false where sources differ or the fact is only recalled. */
 export interface CodePart {
   readonly name: PartName;
   readonly text: string;
-  /** Null: no such letter or number is known here. */
+  /** Null: unknown letter or number. */
   readonly meaning: CodeMeaning | null;
   readonly sure: boolean;
 }
@@ -76,9 +76,9 @@ export const codePart = (name: PartName, text: string, meaning: CodeMeaning | nu
   sure,
 });
 
-/** Reads a code part by part; what stands between parts is passed over. */
+/** Reads a code part by part; separators are skipped. */
 export interface Scanner {
-  /** The next part when it has the pattern, which begins with ^. */
+  /** The next part if it matches the pattern, which begins with ^. */
   readonly take: (pattern: RegExp) => string | null;
   readonly rest: () => string;
 }

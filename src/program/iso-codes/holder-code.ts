@@ -2,13 +2,13 @@ import { codePart, scanner, type CodePart, type Hand, type CodeMeaning, type Sca
 import { BAR_MAKES, CLAMPINGS, HOLDER_STYLES, LENGTHS, UNSURE_LENGTHS, type HolderStyle } from "./holder-facts.ts";
 import { CLEARANCES, INSERT_SHAPES } from "./insert-facts.ts";
 
-/** A holder or a boring bar as its code tells it, as far as the code goes. mm and degrees. */
+/** A holder or a boring bar decoded from its code. mm and degrees. */
 export interface HolderCode {
   readonly kind: "holder" | "bar";
-  /** The code in one word, as a name of a tool. */
+  /** The code without separators, as a tool name. */
   readonly code: string;
   readonly parts: readonly CodePart[];
-  /** Shape of the insert it takes. */
+  /** Insert shape. */
   readonly shape: string;
   readonly style: HolderStyle | null;
   readonly clearance: string;
@@ -16,7 +16,7 @@ export interface HolderCode {
   /** Width of a shank, diameter of a bar. */
   readonly across: number | null;
   readonly length: number | null;
-  /** The digits of the size of its insert. */
+  /** Digits of the insert size. */
   readonly size: string | null;
   readonly inch: boolean;
 }
@@ -31,7 +31,7 @@ interface Head {
 
 const special = (text: string): CodeMeaning | null => (text === "X" ? { is: "special" } : null);
 
-/** The five letters that holders and bars share. */
+/** The five letters common to holders and bars. */
 function head(scan: Scanner): Head {
   const [clamping, shape, style, clearance, hand] = ["clamping", "shape", "style", "clearance", "hand"].map(
     () => scan.take(/^[A-Z]/) ?? "",
@@ -75,14 +75,14 @@ function makersOwn(scan: Scanner): CodePart[] {
 
 const wordOf = (parts: readonly CodePart[]) => parts.map((each) => each.text).join("");
 
-/** Size of the insert of a holder: only digits, its meaning depends on the shape. */
+/** Insert size of a holder: digits only, their meaning depends on the shape. */
 const sizePart = (text: string): CodePart => codePart("edge", text, { is: "nothing" });
 
 /** Reads an external holder, such as PDJNL 2525M15; the text has capital letters only. */
 export function readHolderCode(text: string): HolderCode {
   const scan = scanner(text);
   const { parts: letters, ...facts } = head(scan);
-  // Three digits in place of shank and size count in sixteenths and eighths of an inch (DCLNR 164D).
+  // Three digits instead of shank and size are sixteenths and eighths of an inch (DCLNR 164D).
   const inch = /^[\s\-_/·]*\d{2}[\s\-_/·]*\d[A-Z]?(?!\d)/.test(scan.rest());
   if (inch) {
     const shank = codePart(

@@ -5,7 +5,7 @@ import type { BarMake, InsertClamping, Cuts } from "./code-part.ts";
  * docs/decisions, the reading of tool codes.
  */
 
-/** How the insert is held; X is special. */
+/** Clamping of the insert; X is special. */
 export const CLAMPINGS: Readonly<Record<string, InsertClamping>> = {
   C: "top",
   D: "topHole",
@@ -15,7 +15,7 @@ export const CLAMPINGS: Readonly<Record<string, InsertClamping>> = {
   W: "wedge",
 };
 
-/** Where the tip lies over the shank: over its middle, over one side of it, or beyond that side. */
+/** Position of the tip on the shank: centred, over one side, or beyond that side. */
 type Seat = "middle" | "straight" | "offset";
 
 export interface HolderStyle {
@@ -23,7 +23,7 @@ export interface HolderStyle {
   readonly angle: number;
   readonly cuts: Cuts;
   readonly seat: Seat;
-  /** False where the sources differ, or the letter was found in none of them. */
+  /** False where the sources differ, or none of them has the letter. */
   readonly sure: boolean;
 }
 const style = (angle: number, cuts: Cuts, seat: Seat, sure = true): HolderStyle => ({ angle, cuts, seat, sure });
@@ -79,10 +79,10 @@ export const LENGTHS: Readonly<Record<string, number>> = {
   W: 450,
   Y: 500,
 };
-/** Letters of lengths that tables give differently. */
+/** Length letters on which tables differ. */
 export const UNSURE_LENGTHS = ["F", "G", "N", "W"];
 
-/** From the back of an offset shank to the tip, by the width of the shank, mm. */
+/** Distance from the back of an offset shank to the tip, by shank width, mm. */
 export const SHANK_REACH: Readonly<Record<number, number>> = {
   8: 10,
   10: 12,
@@ -95,7 +95,7 @@ export const SHANK_REACH: Readonly<Record<number, number>> = {
   50: 60,
 };
 
-/** From the axis of a bar to the tip, by the diameter of the bar, mm. */
+/** Distance from the bar axis to the tip, by bar diameter, mm. */
 export const BAR_REACH: Readonly<Record<number, number>> = {
   8: 6,
   10: 7,

@@ -4,7 +4,7 @@ import type { Hand } from "./code-part.ts";
 import type { HolderCode } from "./holder-code.ts";
 import { BAR_REACH, SHANK_REACH } from "./holder-facts.ts";
 
-/** The insert that a holder carries: setting angle and angle at the tip in degrees, edge and corner radius in mm. */
+/** Insert in a holder: setting angle and included angle in degrees, edge and corner radius in mm. */
 export interface HeldInsert {
   readonly setting: number;
   readonly angle: number;
@@ -17,15 +17,15 @@ export type HolderCells = Readonly<Record<HolderCell, string>>;
 
 type Point = readonly [z: number, x: number];
 
-/** How far a head stays behind the edges, mm, and by how much it recedes from them further on, degrees. */
+/** Distance of a head behind the edges, mm, and its relief further on, degrees. */
 const INSET = 1;
 const RELIEF = 3;
-/** How much of each edge lies over the seat. */
+/** Share of each edge on the seat. */
 const SEATED = 0.7;
-/** A head is at least this much of its shank long, along the shank. */
+/** Smallest head length as a share of the shank, along the shank. */
 const HEAD_OF_SHANK = 1.2;
 const HEAD_OF_BAR = 0.8;
-/** The far corner of a bar's front is broken, as a share of its diameter. */
+/** Chamfer on the far front corner of a bar, as a share of its diameter. */
 const BROKEN = 0.3;
 const HALF = 1 / 2;
 
@@ -34,13 +34,13 @@ const heading = (angle: number): Point => {
   return [-Math.cos(turn), Math.sin(turn)];
 };
 const along = (from: Point, to: Point, by: number): Point => [from[0] + to[0] * by, from[1] + to[1] * by];
-/** Where a line from a point reaches a place in z, or in x. */
+/** Coordinate of a line through a point at a given z, or x. */
 const xAt = (from: Point, way: Point, z: number) => from[1] + ((z - from[0]) * way[1]) / way[0];
 const zAt = (from: Point, way: Point, x: number) => from[0] + ((x - from[1]) * way[0]) / way[1];
 
 /**
- * Corners under the two edges of an insert of tip orientation 1, from its theoretical tip, and how the head goes on
- * behind them.
+ * Seat corners under the two edges of an insert of tip orientation 1, from its theoretical tip, and the directions of
+ * the head behind them.
  */
 function seatOf({ setting, angle, edge, corner }: HeldInsert) {
   const [main, second] = [heading(setting), heading(setting + angle)];
@@ -75,7 +75,7 @@ function cellsOf(
   };
 }
 
-/** A shank across the spindle, its tip beyond one of its sides. */
+/** A shank across the spindle, with the tip beyond one side. */
 function offsetShank(insert: HeldInsert, across: number, reach: number, long: number, hand: Hand): HolderCells {
   const { root, onMain, onSecond, behindMain, behindSecond } = seatOf(insert);
   const far = xAt(onSecond, behindSecond, reach);
@@ -151,12 +151,12 @@ function barShank(insert: HeldInsert, across: number, reach: number, long: numbe
   return cellsOf(head, [1, -1], { z: end, x: near, across, length: long - end });
 }
 
-/** Why the place of a shank does not follow from the code of its holder. */
+/** Why the position of a shank does not follow from its holder code. */
 export type NoShank = "incomplete" | "seat" | "reach" | "round";
 
 /**
- * The shank and a head as the code of a holder has them: sizes and the place of the tip by the standards, the outline
- * of the head drawn behind the edges of the insert. mm; corners from the theoretical tip.
+ * Shank and head of a holder code: sizes and tip position from the standards, head outline drawn behind the insert
+ * edges. mm; corners from the theoretical tip.
  */
 export function holderCellsOf(
   holder: HolderCode,

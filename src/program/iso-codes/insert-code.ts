@@ -14,25 +14,25 @@ import {
   WIPER_EDGES,
 } from "./insert-facts.ts";
 
-/** An insert as its code tells it, as far as the code goes. mm and degrees. */
+/** An insert decoded from its code. mm and degrees. */
 export interface InsertCode {
   readonly kind: "insert";
-  /** The code in one word, as a name of a tool. */
+  /** The code without separators, as a tool name. */
   readonly code: string;
   readonly parts: readonly CodePart[];
   readonly shape: string;
   /** Included angle at the tip; null for a round insert and an unknown letter. */
   readonly angle: number | null;
   readonly clearance: string;
-  /** Length of the edge, or the diameter of a round insert. */
+  /** Edge length, or diameter of a round insert. */
   readonly edge: number | null;
-  /** The digits of the size as a holder names it. */
+  /** Digits of the size as in a holder code. */
   readonly size: string | null;
   readonly corner: number | null;
   readonly inch: boolean;
 }
 
-/** What may stand between two parts. */
+/** Separators between two parts. */
 const SEPARATORS = /^[\s\-_/·]+/;
 const inHundredths = (n: number) => Math.round(n * 100) / 100;
 
@@ -50,7 +50,7 @@ const NO_SIZES: Sizes = { parts: [], edge: null, size: null, corner: null };
 const lengthPart = (name: "edge" | "thickness" | "corner", text: string, mm: number | null, sure = true) =>
   codePart(name, text, mm === null ? null : { is: "mm", mm }, sure);
 
-/** What stands at the place of the corner: a radius in tenths, M0 or 00, or two letters of a wiper. */
+/** Corner position: a radius in tenths, M0 or 00, or two letters of a wiper. */
 function cornerPart(text: string, round: boolean): { readonly part: CodePart; readonly corner: number | null } {
   if (/^(?:M[0O]?|00)$/.test(text))
     return round || text !== "00"
@@ -70,7 +70,7 @@ function metricSizes(scan: Scanner, shape: string): Sizes {
     thick === null ? null : scan.take(/^(?:M[0O]|M(?=$|[\s-])|\d\d|[ADEFPZ][A-GNPZ](?=[FETSKP]?[RLN]?(?:$|[\s\-_/])))/);
   const corner = cornerText === null ? null : cornerPart(cornerText, round);
   const circle = circleOf(shape, Number(size));
-  // A round insert is counted in whole millimetres when its corner says M0, and in parts of an inch when it says 00.
+  // A round insert is in whole millimetres with corner M0, and in fractions of an inch with 00.
   const inWholes = round && cornerText !== "00";
   const edge = circle === null || inWholes ? Number(size) : inHundredths(edgeOf(shape, circle) ?? Number(size));
   const sure = round ? cornerText !== null : circle !== null;
@@ -108,7 +108,7 @@ function inchSizes(scan: Scanner, shape: string): Sizes {
   return { parts, edge, size: digits, corner: round ? inHundredths(circle * HALF) : corner };
 }
 
-/** What may stand behind the seven places: the edge, the direction, and the maker's own sign. */
+/** Optional parts after the seven positions: the edge, the direction, and the maker's code. */
 function behind(scan: Scanner): CodePart[] {
   const parts: CodePart[] = [];
   const alone = String.raw`(?=[RLN]?(?:$|[\s\-_/]))`;
@@ -125,7 +125,7 @@ function behind(scan: Scanner): CodePart[] {
 const letter = (text: string, known: CodeMeaning | null): CodeMeaning | null =>
   known ?? (text === "X" ? { is: "special" } : null);
 
-/** Reads an insert by its code; the text has capital letters only. Null when its first letter is none of a shape. */
+/** Reads an insert code in capital letters; null when its first letter is no shape. */
 export function readInsertCode(text: string): InsertCode | null {
   const scan = scanner(text);
   const shape = scan.take(/^[A-Z]/) ?? "";
@@ -173,5 +173,5 @@ export function readInsertCode(text: string): InsertCode | null {
   };
 }
 
-/** Three digits alone, or a point among them, are parts of an inch; pairs are millimetres. */
+/** Three digits alone, or digits with a point, are fractions of an inch; pairs are millimetres. */
 const isInch = (digits: string) => /^\d{3}(?!\d)|^\d{1,2}\.\d/.test(digits.replaceAll(/[\s\-_/·]/g, ""));

@@ -1,9 +1,9 @@
 /*
- * Facts of ISO 1832, the designation of indexable inserts, and of ANSI B212.4, which counts in parts of an inch.
- * Sources, and where they differ: docs/decisions, the reading of tool codes.
+ * Facts of ISO 1832, the designation of indexable inserts, and of ANSI B212.4, in fractions of an inch. Sources, and
+ * where they differ: docs/decisions, the reading of tool codes.
  */
 
-/** What an insert of a letter looks like from above. */
+/** Shape of an insert from above. */
 export type InsertForm =
   "rhombic" | "parallelogram" | "rectangle" | "square" | "triangle" | "trigon" | "polygon" | "round";
 
@@ -42,7 +42,7 @@ export const CLEARANCES: Readonly<Record<string, number>> = {
   P: 11,
 };
 
-/** Tolerance class: of the inscribed circle from and to, and of the thickness, each ± mm. */
+/** Tolerance class: range for the inscribed circle, and for the thickness, each ± mm. */
 export const TOLERANCES: Readonly<Record<string, readonly [from: number, to: number, thickness: number]>> = {
   A: [0.025, 0.025, 0.025],
   F: [0.013, 0.013, 0.025],
@@ -102,7 +102,7 @@ export const THICKNESSES: Readonly<Record<string, number>> = {
 /** Sizes of the inscribed circle in use, mm. */
 const CIRCLES = [3.97, 4.76, 5.56, 6.35, 7.94, 9.525, 12.7, 15.875, 19.05, 22.225, 25.4, 31.75] as const;
 
-/** Letters of a wiper in place of the corner radius: the angle of its main edge, and its clearance; Z is any other. */
+/** Wiper letters instead of the corner radius: the angle of its main edge, and its clearance; Z is any other. */
 export const WIPER_EDGES: Readonly<Record<string, number | null>> = { A: 45, D: 60, E: 75, F: 85, P: 90, Z: null };
 
 /** Condition of the edge. */
@@ -112,7 +112,7 @@ export type EdgeFinish = (typeof EDGE_FINISHES)[number];
 const sine = (angle: number) => Math.sin((angle * Math.PI) / 180);
 const cotangent = (angle: number) => 1 / Math.tan((angle * Math.PI) / 180);
 
-/** Length of an edge of a shape about an inscribed circle, mm; null where the circle does not give it. */
+/** Edge length of a shape for an inscribed circle, mm; null where the circle does not define it. */
 export function edgeOf(shape: string, circle: number): number | null {
   const known = INSERT_SHAPES[shape];
   switch (known?.form) {
@@ -124,7 +124,7 @@ export function edgeOf(shape: string, circle: number): number | null {
     case "triangle":
       return circle * cotangent(30);
     case "trigon":
-      // Three corners of 80° and three of 160° about the same circle: an edge from one of each.
+      // Three corners of 80° and three of 160° around the same circle: an edge connects one of each.
       return (circle * (cotangent(40) + cotangent(80))) / 2;
     case "polygon":
       return circle * Math.tan(Math.PI / (known.corners ?? 6));
@@ -134,8 +134,8 @@ export function edgeOf(shape: string, circle: number): number | null {
 }
 
 /**
- * Inscribed circle of a shape by the two digits of its size: those are the whole millimetres of its edge. Null where no
- * usual circle, or more than one, has them.
+ * Inscribed circle of a shape from the two digits of its size, the whole millimetres of its edge. Null unless exactly
+ * one usual circle matches.
  */
 export function circleOf(shape: string, digits: number): number | null {
   const found = CIRCLES.filter((circle) => Math.floor(edgeOf(shape, circle) ?? NaN) === digits);

@@ -91,7 +91,7 @@ describe("inserts", () => {
     });
   });
 
-  test("a letter that is none is said, and the others still fill", () => {
+  test("an unknown letter is reported, and the others still fill", () => {
     const { insert } = readToolCodes("DQMG 15 06 08");
     expect(insert?.parts.find((part) => part.meaning === null)).toMatchObject({ name: "clearance", text: "Q" });
     expect(filled("DQMG 15 06 08")).toMatchObject({ "P-ANGLE": "55", RS: "0.8" });
@@ -100,7 +100,7 @@ describe("inserts", () => {
     expect(isWholeCode(readToolCodes("DNMG 1506"))).toBe(false);
   });
 
-  test("a size that no usual circle has is taken by its digits, and said", () => {
+  test("a size without a usual circle is read by its digits, and reported", () => {
     expect(filled("DNMG 120408").CUTLENGTH).toBe("12");
     expect(notes("DNMG 120408")).toContain("sizeUnsure");
     expect(notes("DNMG 150608")).toEqual([]);
@@ -153,7 +153,7 @@ describe("holders", () => {
     expect(filled("DNMG 150608", entry)).toEqual({ RS: "0.8" });
   });
 
-  test("what a holder and an insert say differently is told", () => {
+  test("contradictions between holder and insert are reported", () => {
     expect(notes("DNMG 150608 PCLNR 2525M12")).toContain("shapesDiffer");
     expect(notes("DNMG 110408 + PDJNR 2525M15")).toContain("sizesDiffer");
     expect(notes("DCMT 11T304, PDJNR 2525M11")).toContain("clearancesDiffer");
@@ -193,7 +193,7 @@ test.each([
   expect(fillingOf(readToolCodes(text), row())).toEqual({ cells: [], notes: [] });
 });
 
-/** How far a corner lies behind the nearest cutting edge, the edges drawn on for ever. */
+/** Distance of a corner behind the nearest cutting edge, with the edges extended indefinitely. */
 const behindEdges = (tool: Tool, p: Pt) =>
   Math.min(
     ...insertShape(tool).flatMap((e) => {
@@ -254,7 +254,7 @@ describe("a tool made of two codes", () => {
   test("inserts lie as their holders hold them", () => {
     const most = (text: string, of: (p: Pt) => number) =>
       Math.max(...insertOutline(readEntry(taken(text)).tool as Tool, 1e-3).map(of));
-    // 93° and 95° lean past square: nothing of the insert is in front of the tip towards the chuck.
+    // 93° and 95° are beyond square: no part of the insert is ahead of the tip towards the chuck.
     expect(most("DNMG 150608 PDJNR 2525M15", (p) => -p.z)).toBeCloseTo(0, 3);
     expect(most("CCMT 09T304 A25R-SCLCR09", (p) => p.r)).toBeCloseTo(0, 3);
     // A 75° edge leads its tip.

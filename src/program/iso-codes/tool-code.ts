@@ -1,10 +1,10 @@
 import { readBarCode, readHolderCode, type HolderCode } from "./holder-code.ts";
 import { readInsertCode, type InsertCode } from "./insert-code.ts";
 
-/** Why a code is not read: tools for threads and grooves have designations of their makers. */
+/** Why a code is not read: thread and grooving tools have manufacturer designations. */
 export type NotCovered = "thread" | "groove" | "unknown";
 
-/** What was typed as the code of a tool: an insert, a holder, both, or what is not read here. */
+/** A typed tool code: an insert, a holder, both, or an unsupported code. */
 export interface ToolCodes {
   readonly insert: InsertCode | null;
   readonly holder: HolderCode | null;
@@ -19,7 +19,7 @@ const GROOVE = new RegExp(
   String.raw`^(?:M[GR][GM]N|MG[EI]?[HV][RLN]|MG[EI][HV]|[NRL]\d{3}|T?D[CGN]${GAP}\d|GX|LCG|GTN|[A-Z]?QD)`,
 );
 const BAR = /^[A-J S]\s*\d{2}\s*[A-Z]?(?:[\s\-_/·]*[A-Z]{0,5})/;
-/** The letters of a holder, and those of an insert: five and four, with digits or nothing behind them. */
+/** Five letters of a holder and four of an insert, followed by digits or nothing. */
 const HOLDER = new RegExp(String.raw`^[CDMPSWX]${GAP}(?:[A-Z]${GAP}){4}(?:\d|$)`);
 const INSERT = new RegExp(String.raw`^[A-Z](?:${GAP}[A-Z]){0,3}(?:${GAP}\d|${GAP}$)`);
 
@@ -37,13 +37,13 @@ function readOne(text: string): ToolCodes {
   return insert ? { ...none, insert } : { ...none, notCovered: "unknown" };
 }
 
-/** Where a second code may begin: behind a space, a plus or a comma. */
+/** Possible starts of a second code: after a space, a plus or a comma. */
 const placesOfSecond = (text: string) =>
   [...text.matchAll(/[\s+,;]+(?=[A-Z])/g)].map((found) => [found.index, found[0].length] as const);
 
 /**
- * Reads what was typed: the code of an insert, of a holder, or of both in either order, in any letters, with any gaps.
- * Never throws; an empty text has neither.
+ * Reads a typed code: of an insert, of a holder, or of both in either order, in any case, with any gaps. Never throws;
+ * an empty text has neither.
  */
 export function readToolCodes(typed: string): ToolCodes {
   const text = typed.trim().toUpperCase();

@@ -123,7 +123,7 @@ describe("typing a dimension", () => {
   });
 });
 
-test("what holds an element", () => {
+test("the constraints of an element", () => {
   const of = (rows: readonly ContourRow[]) => {
     const { rows: read } = readRows(rows);
     return rows.map((r, i) => {

@@ -10,30 +10,27 @@ import { positionAsTyped } from "../values/typed-value.ts";
 
 type Rows = readonly ContourRow[];
 
-/**
- * One dimension of an element, as a drawing writes it: X as diameter and absolute, also where the row counts from the
- * point before.
- */
+/** One dimension of an element as in a drawing: X as diameter and absolute, also for an incremental row. */
 export interface ContourDimension {
   readonly row: number;
   readonly field: RowField;
-  /** As it comes out; null while it is not known. */
+  /** Its resulting value; null while unknown. */
   readonly value: number | null;
-  /** What typing begins with: the text of its field, or the value. */
+  /** Initial text of the input: the text of its field, or the value. */
   readonly text: string;
-  /** It is not typed: it stays from before, or follows from other values. A print writes it in brackets. */
+  /** It is not typed: inherited, or computed from other values. A print puts it in brackets. */
   readonly follows: boolean;
 }
 
-/** Decimals of an angle that is taken from the drawing. */
+/** Decimals of an angle read from the drawing. */
 const ANGLE_DECIMALS = 4;
 const isEmpty = (text: string) => text.trim() === "" || text.trim() === SOUGHT;
 const numberOf = (text: string): number | null => readText({ ...anyNumber, decimals: null }, text).value;
 const END_KINDS: readonly ContourRow["kind"][] = ["L", "CR", "C", "CT"];
-/** Elements that have a size of their own: radius or chamfer. */
+/** Elements with a size: radius or chamfer. */
 const SIZE_KINDS: readonly ContourRow["kind"][] = ["RND", "CHF", "CR"];
 
-/** The point at which an element ends, or which a CC row names. */
+/** End point of an element, or the centre of a CC row. */
 function pointOfRow(row: ContourRow, reading: RowReading): { readonly x: number; readonly z: number } | null {
   if (row.kind !== "CC") return reading.end;
   return reading.pole && { x: toDiameter(reading.pole.r), z: reading.pole.z };
@@ -44,7 +41,7 @@ const pointAt = ({ x, z }: { readonly x: number; readonly z: number }): Pt => ({
   r: toRadius(diameter(x)),
 });
 
-/** The dimensions that an element has, in the order in which the keyboard visits them. */
+/** Dimensions of an element, in keyboard order. */
 export function dimensionsOf(rows: Rows, reading: RowsReading, index: number): readonly ContourDimension[] {
   const row = rows[index],
     read = reading.rows[index];
@@ -73,7 +70,7 @@ export function dimensionsOf(rows: Rows, reading: RowsReading, index: number): r
   return [...ends, one("length", row.length, read.length), one("angle", row.angle, read.angle)];
 }
 
-/** An absolute value in a coordinate that counts from the point before stays counted from there. */
+/** Writes an absolute value into an incremental coordinate as an increment. */
 function added(
   text: string,
   incremental: boolean,
@@ -86,7 +83,7 @@ function added(
     : { text: positionAsTyped(value - before), incremental };
 }
 
-/** The longer way of a line decides which coordinate stays when its angle changes. */
+/** Changes the angle of a line; the coordinate of its longer component stays. */
 function turned(row: ContourRow, read: RowReading, text: string): Partial<ContourRow> {
   if (text.trim() === "") return { angle: text, ...(row.length.trim() === "" ? placed(row, read) : {}) };
   const open = { incrementalX: false, incrementalZ: false };
@@ -103,7 +100,7 @@ function turned(row: ContourRow, read: RowReading, text: string): Partial<Contou
     : { angle: text, z: "", incrementalZ: false, x: row.incrementalX ? row.x : positionAsTyped(end.x) };
 }
 
-/** A line of another length keeps its direction; one along an axis stays written by its coordinate. */
+/** Changes the length of a line in its direction; a line along an axis stays written by its coordinate. */
 function lengthened(row: ContourRow, read: RowReading, text: string): Partial<ContourRow> {
   if (text.trim() === "") return { length: text, ...(row.angle.trim() === "" ? placed(row, read) : {}) };
   const {
@@ -129,7 +126,7 @@ function lengthened(row: ContourRow, read: RowReading, text: string): Partial<Co
   return { length: text, angle: String(kept(angle, ANGLE_DECIMALS)), ...open };
 }
 
-/** Where the element ends now, written out: a value that held it was taken away. */
+/** Writes out the end point, because the value that defined it was removed. */
 function placed(row: ContourRow, { end }: RowReading): Partial<ContourRow> {
   return end && isEmpty(row.x) && isEmpty(row.z)
     ? { x: positionAsTyped(end.x), z: positionAsTyped(end.z), incrementalX: false, incrementalZ: false }
@@ -144,8 +141,8 @@ function polarChange(row: ContourRow, read: RowReading, name: PolarName, text: s
 }
 
 /**
- * The change of a row whose dimension is typed in the drawing. Sums are worked out; what cannot be read is kept and
- * said in the table.
+ * Change of a row by a dimension typed in the drawing. Sums are evaluated; unreadable text is kept and reported in the
+ * table.
  */
 function changeOf(row: ContourRow, read: RowReading, field: RowField, typed: string): Partial<ContourRow> {
   const text = sumOf(typed) ?? typed;
@@ -169,7 +166,7 @@ function changeOf(row: ContourRow, read: RowReading, field: RowField, typed: str
   }
 }
 
-/** The table after a dimension was typed in the drawing. */
+/** The table with a dimension typed in the drawing. */
 export function dimensionTyped(rows: Rows, reading: RowsReading, index: number, field: RowField, typed: string): Rows {
   const row = rows[index],
     read = reading.rows[index];
@@ -179,10 +176,10 @@ export function dimensionTyped(rows: Rows, reading: RowsReading, index: number, 
   return same ? rows : rows.with(index, { ...row, ...change });
 }
 
-/** A small sign at an element: how it is held. */
+/** Constraint mark at an element. */
 export type Hold = "tangent" | "horizontal" | "vertical" | "sought";
 
-/** What holds an element beside typed coordinates: tangency, a coordinate that stays, values that are worked out. */
+/** Constraints of an element besides typed coordinates: tangency, unchanged coordinates, solved values. */
 export function holdsOf(row: ContourRow, read: RowReading): readonly Hold[] {
   const {
     end,

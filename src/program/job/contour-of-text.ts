@@ -20,7 +20,7 @@ const polar = ({ polarRadius, polarAngle }: Words): ContourRow["words"] => ({
   ...(polarAngle && { [polarAngle.incremental ? "IPA" : "PA"]: valueAsTyped(polarAngle.value) }),
 });
 
-/** One block of a contour subprogram as a row of the contour table; null where it is no plain element. */
+/** One block of a contour subprogram as a table row; null where it is no plain element. */
 function rowOf(s: Statement, id: string): ContourRow | null {
   if (s.kind === "chamfer") return newRow(id, { kind: "CHF", r: s.length === null ? "" : valueAsTyped(s.length) });
   if (s.kind !== "path") return null;
@@ -36,7 +36,7 @@ function rowOf(s: Statement, id: string): ContourRow | null {
   return null;
 }
 
-/** The plain elements from a block on, to the end of their subprogram, as rows of the contour table. */
+/** Plain elements from a block to the end of its subprogram, as table rows. */
 export function rowsFrom({ blocks }: Program, first: number): readonly ContourRow[] {
   const rows: ContourRow[] = [];
   for (let i = first; i < blocks.length; i += 1) {
@@ -48,7 +48,7 @@ export function rowsFrom({ blocks }: Program, first: number): readonly ContourRo
   return rows;
 }
 
-/** The contour that cycle 14 names in front of a block, as rows of the contour table; empty where there is none. */
+/** Contour of the last cycle 14 before a block, as table rows; empty without one. */
 export function contourBefore(program: Program, index: number): readonly ContourRow[] {
   const { blocks } = program;
   const named = blocks

@@ -44,7 +44,7 @@ test("the start point needs both coordinates", () => {
   expect(codes([row("L", { x: "75" }), row("L", { x: "50", z: "0" })])).toContainEqual([1, "z", "missing"]);
 });
 
-test("text that is no number is said at its field, and the rest is still drawn", () => {
+test("text that is no number is reported at its field, and the rest is still drawn", () => {
   const rows = [printed[0] ?? row("L"), row("L", { x: "abc", z: "-30" }), row("L", { x: "20" })];
   expect(codes(rows)).toEqual([[2, "x", "notANumber"]]);
   expect(readRows(rows).contour.segments).toHaveLength(2);
@@ -59,7 +59,7 @@ test("a row in which nothing is typed is not wrong, and has no block", () => {
   }
 });
 
-test("an element that goes nowhere, a lone corner and a corner too long are said at their row", () => {
+test("an element without motion, a lone corner and a corner too long are reported at their row", () => {
   expect(codes([...printed.slice(0, 2), row("CR", { r: "5" })])).toContainEqual([3, null, "contourPoint"]);
   expect(codes([row("RND", { r: "2" }), ...printed.slice(0, 2)])).toContainEqual([1, null, "cornerElementAlone"]);
   expect(codes([...printed.slice(0, 2), row("RND", { r: "200" }), ...printed.slice(3)])).toContainEqual([
@@ -81,7 +81,7 @@ test("a single point is too short, and that belongs to no row", () => {
   expect(readRows([]).contour.issues.map((i) => i.code)).toEqual(["contourTooShort"]);
 });
 
-test("with an angle an empty coordinate is sought, not kept; both show what was found", () => {
+test("with an angle an empty coordinate is solved, not inherited; both show the result", () => {
   const { rows, issues } = readRows([row("L", { x: "40", z: "0" }), row("L", { x: "60", angle: "135" })]);
   expect(issues).toEqual([]);
   expect(rows[1]).toMatchObject({ end: { x: 60 }, sought: { x: false, z: true }, angle: 135, freedom: 0 });
@@ -89,7 +89,7 @@ test("with an angle an empty coordinate is sought, not kept; both show what was 
   expect(rows[1]?.length).toBeCloseTo(Math.SQRT2 * 10, 9);
 });
 
-test("a question mark seeks a coordinate; what stays open is counted and said", () => {
+test("a question mark solves a coordinate; open values are counted and reported", () => {
   const rows = [row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "?" }), row("L", { x: "60", z: "-30" })];
   expect(readRows(rows).rows.map((r) => r.freedom)).toEqual([0, 1, 0]);
   expect(codes(rows)).toEqual([[2, null, "elementFree"]]);
@@ -124,7 +124,7 @@ test("an arc about a centre, and one that leaves its line tangentially", () => {
   expect(rowOfSegment).toEqual([1, 3, 4, 5]);
 });
 
-test("faults are said at their row where rows without an element stand before it", () => {
+test("faults are reported at their row, also after rows without an element", () => {
   const start = [row("L", { x: "20", z: "0" }), row("CC", { x: "30", z: "-20" })];
   expect(codes([...start, row("C", { x: "30", z: "-25" })])).toEqual([[3, null, "arcOffCircle"]]);
   expect(codes([row("L", { x: "20", z: "0" }), row("C", { x: "30", z: "-25" })])).toContainEqual([
@@ -140,7 +140,7 @@ test("faults are said at their row where rows without an element stand before it
   });
 });
 
-test("a value that contradicts is said at its field", () => {
+test("a contradicting value is reported at its field", () => {
   expect(codes([row("L", { x: "40", z: "0" }), row("L", { x: "60", z: "-10", angle: "130" })])).toEqual([
     [2, "angle", "elementContradicts"],
   ]);

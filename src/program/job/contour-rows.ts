@@ -11,28 +11,28 @@ import { ROUND } from "../../kernel/tolerance.ts";
 
 export type { RowField, RowIssue } from "./row-reader.ts";
 
-/** What one row means. X values are diameters, mm. */
+/** Reading of one row. X values are diameters, mm. */
 export interface RowReading {
-  /** Where the element ends; null while that is unknown, and for corners and centres. */
+  /** End of the element; null while unknown, and for corners and centres. */
   readonly end: { readonly x: number; readonly z: number } | null;
-  /** Where it would end in a coordinate that is left out. */
+  /** End in a coordinate that is left out. */
   readonly inherited: { readonly x: number | null; readonly z: number | null };
-  /** Coordinates that are not typed but follow from the other values. */
+  /** Coordinates solved from other values. */
   readonly sought: { readonly x: boolean; readonly z: boolean };
-  /** Angle to +Z and length of a line, radius and turn of an arc, whether typed or found; null while not known. */
+  /** Angle to +Z and length of a line, radius and turn of an arc, typed or solved; null while unknown. */
   readonly angle: number | null;
   readonly length: number | null;
   readonly radius: number | null;
   readonly turn: "cw" | "ccw" | null;
-  /** The pole, or the centre of an arc, that is in force. */
+  /** Active pole, or centre of the arc. */
   readonly pole: Pt | null;
-  /** How many values are still missing. */
+  /** Number of missing values. */
   readonly freedom: number;
-  /** How many solutions there are to choose from. */
+  /** Number of solutions. */
   readonly choices: number;
 }
 
-/** A contour table read: its geometry with as much as can be drawn, and what is wrong where. */
+/** A contour table as read: its drawable geometry, and its issues with their places. */
 export interface RowsReading {
   readonly rows: readonly RowReading[];
   readonly contour: Contour;
@@ -41,10 +41,10 @@ export interface RowsReading {
   readonly issues: readonly RowIssue[];
 }
 
-/** The element a finding of the contour names, counted from 1. */
+/** Element number of a contour issue, from 1. */
 const elementOf = (found: Issue): number | null => ("element" in found.data ? found.data.element : null);
 
-/** The field of a row to which a finding belongs. */
+/** Field of a row for an issue. */
 function fieldOf(found: Issue): RowField | null {
   if (found.code === "arcTooSmall" || found.code === "cornerElementTooLong") return "r";
   if (found.code !== "elementContradicts" || found.data.quantity === "tangent") return null;
@@ -53,9 +53,7 @@ function fieldOf(found: Issue): RowField | null {
 
 const known = new WeakMap<readonly ContourRow[], RowsReading>();
 
-/**
- * Reads the contour table, once per state of it; coordinates that are not typed are solved where the others allow it.
- */
+/** Reads the contour table, cached per state; coordinates that are not typed are solved where possible. */
 export function readRows(rows: readonly ContourRow[]): RowsReading {
   const read = known.get(rows) ?? readAnew(rows);
   known.set(rows, read);
@@ -96,13 +94,13 @@ function readAnew(rows: readonly ContourRow[]): RowsReading {
   };
 }
 
-/** A row in which nothing is typed yet is not wrong, only not begun. */
+/** An empty row is not wrong, only not begun. */
 const calm = (found: RowIssue): RowIssue =>
   found.issue.code === "missing"
     ? { ...found, issue: { ...found.issue, severity: "info" } as RowIssue["issue"] }
     : found;
 
-/** The finding with the numbers of rows, where rows before it make no element. */
+/** Converts element numbers of an issue into row numbers, since some rows make no element. */
 function numbered(found: Issue, row: number, rowOf: (n: number) => number | null): Issue {
   const other =
     "other" in found.data && typeof found.data.other === "number" ? { other: (rowOf(found.data.other) ?? 0) + 1 } : {};
@@ -120,7 +118,7 @@ function signedRadius(s: SolvedElement | undefined): number | null {
   return part.sweepOf(arc) > Math.PI + ROUND ? -size : size;
 }
 
-/** The element with every coordinate filled in; null while its end is not known. */
+/** The element with all coordinates; null while its end is unknown. */
 function contourElement(given: RowGiven | undefined, solved: SolvedElement | undefined): ContourElement | null {
   if (given?.kind === "corner") return given.corner;
   if (given?.kind === "recess") return given.recess;

@@ -4,7 +4,7 @@ import { LAYOUTS } from "../../nc/style.ts";
 import type { BlankDraft } from "./job.ts";
 import { blankStatement, nameOnControl } from "./print-job.ts";
 
-/** A program with its blank and nothing in it yet, that runs to its end. */
+/** A complete program with a blank and no operation. */
 export function emptyProgram(typedName: string, blank: BlankDraft): string {
   const name = nameOnControl(typedName);
   return programText(

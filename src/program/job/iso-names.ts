@@ -2,9 +2,7 @@ import { cycleByNumber } from "../../cycles/index.ts";
 import type { IsoNames } from "../../nc/iso/names.ts";
 import type { Labels } from "./print-job.ts";
 
-/**
- * Names and labels that a DIN/ISO program gets when it becomes Klartext: those of the catalogue in one label language.
- */
+/** Names and labels for converting a DIN/ISO program to Klartext: those of the catalogue in one label language. */
 export const isoNames = (labels: Labels): IsoNames => ({
   cycle: (cycle) => (cycleByNumber(cycle) ? labels.cycleName(cycle) : ""),
   label: (cycle, q) => {

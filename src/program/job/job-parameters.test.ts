@@ -35,7 +35,7 @@ describe("Q parameters of a job", () => {
   test("those in the prompts are listed by number, each once", () =>
     expect(usedParameters(job({ Q493: "q20", Q494: "-Q5", Q463: "Q5/2" }))).toEqual(["Q5", "Q20"]));
 
-  test("values are read as typed; what is none is not known", () =>
+  test("values are read as typed; invalid ones are unknown", () =>
     expect(knownParameters(job({}, { Q5: "25,5", Q6: "10/4", Q7: "", Q8: "ten" }))).toEqual({ Q5: 25.5, Q6: 2.5 }));
 
   test("the program sets them in front of the cycle, and the cycle names them", () => {

@@ -12,8 +12,8 @@ export interface ContourRow {
   readonly id: string;
   readonly kind: "L" | "RND" | "CHF" | "CR" | "CC" | "C" | "CT" | "LP" | "CP" | "CTP" | "UDC" | "GRV";
   /**
-   * ⌀ mm. Empty: the coordinate stays as it was, except where an angle, a length or a tangential transition is given:
-   * then it is sought. "?" seeks it in any case.
+   * ⌀ mm. Empty: the coordinate is unchanged, or solved where an angle, a length or a tangential transition is given.
+   * "?" always solves it.
    */
   readonly x: string;
   readonly z: string;
@@ -22,13 +22,13 @@ export interface ContourRow {
   readonly turn: "cw" | "ccw";
   readonly incrementalX: boolean;
   readonly incrementalZ: boolean;
-  /** Angle of a line to +Z, degrees, counter-clockwise with X upwards; empty where none is given. */
+  /** Angle of a line to +Z, degrees, counter-clockwise with X upwards; empty without one. */
   readonly angle: string;
-  /** Length of a line, mm; empty where none is given. */
+  /** Length of a line, mm; empty without one. */
   readonly length: string;
-  /** The element leaves the one before it tangentially. */
+  /** Tangential transition from the previous element. */
   readonly tangent: boolean;
-  /** The less likely of two solutions is meant. */
+  /** Selects the less likely of two solutions. */
   readonly second: boolean;
   /** Form of an undercut ("E" …) or direction of a recess ("RADIAL", "AXIAL"); empty elsewhere. */
   readonly form: string;
@@ -36,7 +36,7 @@ export interface ContourRow {
   readonly words: Readonly<Record<string, string>>;
 }
 
-/** A contour row in which nothing is typed but what is given here. */
+/** A contour row with the given cells only. */
 export const newRow = (id: string, given: Partial<ContourRow> = {}): ContourRow => ({
   kind: "L",
   x: "",
@@ -55,10 +55,7 @@ export const newRow = (id: string, given: Partial<ContourRow> = {}): ContourRow 
   id,
 });
 
-/**
- * Cylinder as typed, mm: outside and bore as ⌀, whole length, and how far it reaches in front of Z0. An empty field is
- * proposed.
- */
+/** Cylinder as typed, mm: outside and bore as ⌀, total length, and length in front of Z0. Empty fields are proposed. */
 export interface BlankDraft {
   readonly outside: string;
   readonly bore: string;
@@ -74,40 +71,40 @@ export interface SpindleDraft {
   readonly limit: string;
 }
 
-/** What a work that was handed on brings along: it runs with these in place of what the device has. */
+/** Environment of a shared job: replaces that of the device. */
 export interface HandedOn {
-  /** The only tools that it can call, as typed. */
+  /** Its only available tools, as typed. */
   readonly tools?: ToolList;
   readonly control?: Control;
-  /** Text of the machine file that its times are worked out with; empty where that is none. */
+  /** Text of the machine file for its times; empty without one. */
   readonly machine?: string;
 }
 
-/** What a work is that was begun as a task of the course, or of an instructor. */
+/** Data of a job that is an exercise of the course or of an instructor. */
 export interface TaskWork {
   readonly id: string;
-  /** The task itself, where it came from outside: plain data that is read where it is used. */
+  /** The task itself, for an imported one: plain data, validated where used. */
   readonly file?: unknown;
-  /** Its run is not shown until something was foretold. */
+  /** Its run is hidden until the learner has predicted something. */
   readonly veiled?: boolean;
-  /** What was foretold, as typed, one text for each question. */
+  /** The predictions as typed, one text per question. */
   readonly told?: readonly string[];
 }
 
-/** Everything an operator enters. All typed text is kept as typed; the program text is made from it. */
+/** Everything an operator enters, kept as typed; the program text is generated from it. */
 export interface Job extends HandedOn {
   readonly name: string;
   readonly cycle: number;
-  /** Values of every cycle that was edited, so that changing the cycle loses nothing. */
+  /** Values of every edited cycle, so that changing the cycle loses nothing. */
   readonly drafts: Readonly<Record<number, Draft>>;
-  /** Values of Q parameters that stand in prompts, as typed, by upper-case name: "Q5". */
+  /** Values of Q parameters in prompts, as typed, by upper-case name: "Q5". */
   readonly parameters: Readonly<Record<string, string>>;
-  /** Null as long as nobody has chosen one: it is proposed then. */
+  /** Null until one is chosen: it is proposed then. */
   readonly tool: number | null;
   readonly blank: BlankDraft;
   /** Tip at the cycle call: ⌀ and Z, mm. An empty field is proposed. */
   readonly start: { readonly x: string; readonly z: string };
-  /** What it is held by, as typed; absent where nothing is stated. */
+  /** Clamping as typed; absent without one. */
   readonly clamping?: ClampingDraft;
   readonly spindle: SpindleDraft;
   /** M136: feeds in mm/rev. */
@@ -118,21 +115,21 @@ export interface Job extends HandedOn {
   readonly layout: JobLayout;
   readonly output: NcOutput;
   readonly ncLanguage: NcLanguage;
-  /** What its setup sheet says to the setter. */
+  /** Remarks on the set-up sheet. */
   readonly remarks?: string;
-  /** What it is turned from, by its id in the cutting data; that of the device where it names none. */
+  /** Material by its id in the cutting data; absent: that of the device. */
   readonly material?: string;
-  /** What was measured in its picture and stays there, in the order in which it was measured. */
+  /** Measurements kept in its picture, in order. */
   readonly measured?: readonly Measurement[];
   readonly task?: TaskWork;
 }
 
-/** A job with a value in every place of its set-up: set, or proposed. */
+/** A job with a complete set-up: set or proposed values. */
 export interface SetJob extends Job {
   readonly tool: number;
 }
 
-/** A set-up of which nobody has set anything yet. */
+/** A set-up with nothing set. */
 export const UNSET = {
   tool: null,
   blank: { outside: "", bore: "", length: "", allowance: "" },
@@ -140,8 +137,8 @@ export const UNSET = {
 } as const;
 
 /**
- * A job that shows the printed example of a cycle. A thread is cut at a constant speed: its pitch hangs on the turns of
- * the spindle.
+ * A job with the printed example of a cycle. A thread is cut at constant speed: its pitch depends on the spindle
+ * revolutions.
  */
 export function exampleJob(cycle: Cycle): SetJob {
   const example = cycle.setup;

@@ -12,7 +12,7 @@ const nothing = { contour: null, start: null };
 const pointsOf = (contour: readonly ContourRow[]) =>
   knownWork(cycle, { ...job, contour }, readDraft(cycle, {}), nothing, shippedTools).points;
 
-test("the blank is what its measures say, and nothing while they say none", () => {
+test("the blank follows its dimensions, and is empty while they are invalid", () => {
   const blank = { outside: "61.4", bore: "12.2", length: "33.7", allowance: "0.9" };
   expect(blankOf({ ...job, blank })[0]?.map((p) => [p.z.toFixed(3), p.r.toFixed(3)])).toEqual([
     ["-32.800", "6.100"],

@@ -11,17 +11,17 @@ import type { Job } from "./job.ts";
 import type { DraftReading } from "./read-draft.ts";
 import { SETUP_FIELDS } from "./setup-fields.ts";
 
-/** What can be drawn of a job before it makes a path: everything that is typed so far. */
+/** Drawable data of a job before it has a path. */
 export interface KnownWork {
   readonly blank: readonly Ring[];
   readonly start: Pt | null;
   readonly tool: Tool | null;
   readonly outline: KnownOutline;
-  /** Its corners so far; of a programmed contour the ends of its elements. */
+  /** Its known corners; of a programmed contour the ends of its elements. */
   readonly points: readonly Pt[];
 }
 
-/** The half section of the blank as typed; nothing as long as its measures make none. */
+/** Half section of the typed blank; empty while its dimensions are invalid. */
 export function blankOf(job: Job): readonly Ring[] {
   const known = knownParameters(job);
   const typed = (field: "outside" | "bore" | "length" | "allowance") =>
@@ -39,10 +39,10 @@ export function blankOf(job: Job): readonly Ring[] {
   );
 }
 
-/** Where the elements of the contour table end, as far as that is known. */
+/** Known end points of the contour table. */
 const endsOf = (job: Job) => readRows(job.contour).rows.flatMap(({ end }) => end ?? []);
 
-/** What is known of a job: its set-up, and of its contour what the values typed so far determine. */
+/** Known data of a job: its set-up, and the part of its contour that the typed values determine. */
 export function knownWork(
   cycle: Cycle,
   job: Job,

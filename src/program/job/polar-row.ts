@@ -10,7 +10,7 @@ import { plainReader, polarPoint } from "../state/path.ts";
 import { NEEDED, goesNowhere, rowNumber, type RowReader } from "./row-reader.ts";
 import { POSITION_DECIMALS, typedValue } from "../values/typed-value.ts";
 
-/** A word that gives the end of a polar element: distance from the pole in mm, angle from +Z towards +X in degrees. */
+/** A word for the end of a polar element: distance from the pole in mm, angle from +Z towards +X in degrees. */
 export type PolarName = "PR" | "PA";
 /** Decimals a control keeps of an angle. */
 const ANGLE_DECIMALS = 4;
@@ -21,11 +21,11 @@ const NAMES: Partial<Record<ContourRow["kind"], readonly PolarName[]>> = {
   CTP: ["PR", "PA"],
 };
 
-/** The polar words that a row has; none where it is no polar element. */
+/** Polar words of a row; empty for other elements. */
 export const polarNames = (row: ContourRow): readonly PolarName[] => NAMES[row.kind] ?? [];
 export const isPolarRow = (row: ContourRow): boolean => row.kind in NAMES;
 
-/** A polar word as typed; it stands under its name, or under IPR or IPA where it is incremental. */
+/** A polar word as typed; stored under its name, or under IPR or IPA when incremental. */
 export interface PolarTyped {
   readonly text: string;
   readonly incremental: boolean;
@@ -56,13 +56,13 @@ export function polarWords(row: ContourRow): Partial<Words> {
   ) as Partial<Words>;
 }
 
-/** A place as distance and angle round a pole. */
+/** A point as distance and angle about a pole. */
 export const polarOf = (pole: Pt, to: Pt): Readonly<Record<PolarName, number>> => ({
   PR: kept(Math.hypot(to.z - pole.z, to.r - pole.r), POSITION_DECIMALS),
   PA: kept(inDegrees(Math.atan2(to.r - pole.r, to.z - pole.z)), ANGLE_DECIMALS),
 });
 
-/** The words of a row whose element is to end in another place: what is left out and stays right is still left out. */
+/** Words of a row with a new end point: omitted words that are still right stay omitted. */
 export function polarWordsTo(row: ContourRow, pole: Pt, before: Pt | null, to: Pt): ContourRow["words"] {
   const next = polarOf(pole, to),
     old = before && polarOf(pole, before);
@@ -76,7 +76,7 @@ export function polarWordsTo(row: ContourRow, pole: Pt, before: Pt | null, to: P
   }, row.words);
 }
 
-/** Where a polar row ends, as its block does in the run. */
+/** End of a polar row, as in the run of its block. */
 function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null {
   const before =
     typeof reader.x === "number" && typeof reader.z === "number"
@@ -95,7 +95,7 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
       value = empty ? null : rowNumber(reader, index, name, text, NEEDED);
     if (value !== null) words = { ...words, ...putWord(name, { value, incremental }) };
     else if (!empty) readable = false;
-    // Without a known point before, there is nothing to keep or to add to.
+    // Without a known previous point there is nothing to inherit or to add to.
     if (before || !(empty || incremental)) continue;
     readable = false;
     const shown = names.includes(name);
@@ -112,7 +112,7 @@ function polarEnd(reader: RowReader, row: ContourRow, index: number): Pt | null 
   return polarPoint(plainReader(1), words, reader.pole, before);
 }
 
-/** The end of a polar row as coordinates; where it can not be told, the contour stays where it is. */
+/** End of a polar row as coordinates; where unknown, the contour stays at its position. */
 export function polarGiven(
   reader: RowReader,
   row: ContourRow,

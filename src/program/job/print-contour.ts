@@ -17,7 +17,7 @@ const path = (
   words: { ...noWords, ...words },
 });
 
-/** X and Z as typed; where one of them was solved, both as numbers, so that the control needs no more. */
+/** X and Z as typed; where one was solved, both as numbers, so that the control needs no more. */
 function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
   const typed = [...typedAxis("X", row.x, row.incrementalX), ...typedAxis("Z", row.z, row.incrementalZ)];
   if (!reading?.end || !(reading.sought.x || reading.sought.z)) return typed;
@@ -33,14 +33,14 @@ function axesOf(row: ContourRow, reading: RowReading | undefined): AxisWord[] {
   ];
 }
 
-/** The words of an undercut or recess that are typed. */
+/** Typed words of an undercut or recess. */
 const namedWords = (row: ContourRow): NamedWord[] =>
   recessWords(row).flatMap((name) => {
     const value = typedValue(row.words[name] ?? "");
     return value === null ? [] : [{ name, value }];
   });
 
-/** Elements that a block describes by their end; the others may be whole circles. */
+/** Elements described by their end point; others may be full circles. */
 const NAMES_ITS_END: ReadonlySet<ContourRow["kind"]> = new Set(["L", "CR", "CT", "LP", "CTP"]);
 
 function statement(row: ContourRow, reading: RowReading | undefined): Statement[] {
@@ -83,15 +83,14 @@ function statement(row: ContourRow, reading: RowReading | undefined): Statement[
   }
 }
 
-/** Whether a row stands in the program. */
+/** Whether a row has a block in the program. */
 export const hasBlock = (row: ContourRow, reading: RowReading | undefined): boolean =>
   statement(row, reading).length > 0;
 
 const known = new WeakMap<readonly ContourRow[], readonly Statement[]>();
 
 /**
- * The blocks of a contour table, made once per state of it: what was typed, with the coordinates that were solved. An
- * element that is still open has no block.
+ * Blocks of a contour table, cached per state: typed values and solved coordinates. An unsolved element has no block.
  */
 export function contourStatements(rows: readonly ContourRow[]): readonly Statement[] {
   const reading = readRows(rows),

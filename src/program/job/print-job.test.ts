@@ -26,7 +26,7 @@ const jobOf = (cycle: number, given: Partial<SetJob> = {}): SetJob => {
   return { ...exampleJob(found), ...given };
 };
 const bare = (text: string) => text.split(/\r?\n/).map((line) => line.replace(/^\d+ +/, "").replaceAll(/ {2,}/g, " "));
-/** The blocks round the call: the way there behind the tool, and the way back to the end. */
+/** The blocks around the call: approach after the tool call, and retraction to the end. */
 const ways = (job: SetJob) => {
   const lines = bare(printJob(job, labels));
   const cycle = lines.findIndex((line) => line.startsWith(`CYCL DEF ${job.cycle}`)),
@@ -82,8 +82,7 @@ describe("what a program does for its machine", () => {
 describe("the way to the start point and back", () => {
   const blank = { outside: "90", bore: "30", length: "80", allowance: "1.5" };
   test.each([
-    // Straight where nothing stands, in a bore along the axis, elsewhere across it at a height that clears every
-    // shoulder.
+    // Straight where free, along the axis in a bore, elsewhere across it at a height that clears every shoulder.
     [
       "beside the blank",
       { x: "91.5", z: "-22.5" },
@@ -129,7 +128,7 @@ describe("every text of the app obeys the rules that it checks", () => {
   });
 });
 
-describe("an operation that joins a program", () => {
+describe("an operation added to a program", () => {
   const program = (on: string) =>
     parse(
       printJob(jobOf(811, { name: "A" }), labels)
@@ -145,7 +144,7 @@ describe("an operation that joins a program", () => {
     expect(outputIn(program(on), NC_OUTPUTS.transfer)).toMatchObject({ spindleOn: start, spindleOff: stop }),
   );
 
-  test("stops it only where nothing comes behind", () => {
+  test("stops it only behind the last operation", () => {
     const two = withOperation(program("M3"), jobOf(821), labels);
     expect(bare(print(two)).filter((line) => line === "M5")).toHaveLength(1);
     const three = bare(print(withOperation(two, jobOf(812), labels, { behind: 0 })));

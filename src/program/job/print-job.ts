@@ -15,12 +15,12 @@ import { anyNumber, kept, readText } from "../values/field.ts";
 import { readDraft, type Draft } from "./read-draft.ts";
 import { POSITION_DECIMALS, typedAxis as axis, typedValue as value } from "../values/typed-value.ts";
 
-/** The words of NC text in one language; `i18n` has them, since the printer knows no cycle by name. */
+/** Words of NC text in one language, supplied by `i18n`. */
 export interface Labels {
   cycleName(cycle: number): string;
   /** Label behind `;`, by the text key of the parameter. */
   label(text: string): string;
-  /** Cycle 14: behind 14.0, and before the label number behind 14.1. */
+  /** Cycle 14: text behind 14.0, and before the label number behind 14.1. */
   readonly contour: { readonly title: string; readonly label: string };
 }
 
@@ -28,7 +28,7 @@ export interface Labels {
 const CONTOUR_LABEL = 2;
 /** Decimals of the value of a Q parameter. */
 const PARAMETER_DECIMALS = 6;
-/** How far the safe position stands from blank and start point: ⌀ and Z, mm. */
+/** Distance of the safe position from blank and start point: ⌀ and Z, mm. */
 export const AWAY = { x: 20, z: 50 };
 const path = (words: Partial<Words>): Statement => ({ kind: "path", path: "L", words: { ...noWords, ...words } });
 const number = (typed: string, otherwise: number) => {
@@ -36,7 +36,7 @@ const number = (typed: string, otherwise: number) => {
   return typeof read === "number" ? read : otherwise;
 };
 
-/** The list of a cycle as typed; what is left out where it may be counts as 0 or says nothing. */
+/** Parameter list of a cycle as typed; omitted optional values are 0 or have no effect. */
 function parameters(cycle: Cycle, draft: Draft, known: KnownParameters, labels: Labels): CycleParameter[] {
   const { partial } = readDraft({ params: cycle.params }, draft, known);
   return Object.entries<Param>(cycle.params).map(([q, p]) => {
@@ -73,7 +73,7 @@ export function blankStatement({ outside, bore, length, allowance }: BlankDraft)
   };
 }
 
-/** `Q5 = 25` for each Q parameter that stands in a prompt and has a value. */
+/** `Q5 = 25` for each Q parameter used in a prompt that has a value. */
 const assignments = (job: Job, known: KnownParameters): Statement[] =>
   usedParameters(job).flatMap((target): Statement[] => {
     const of = known[target];
@@ -83,8 +83,7 @@ const assignments = (job: Job, known: KnownParameters): Statement[] =>
   });
 
 /**
- * Where a start point lies: clear of the blank, in its bore, or lower than its outside, where a shoulder may stand
- * higher than it.
+ * Position of the start point: clear of the blank, in its bore, or below its outside, where a shoulder may be higher.
  */
 type StartPlace = "clear" | "bore" | "low";
 
@@ -96,8 +95,7 @@ function placeOfStart({ blank, start }: Job): StartPlace {
 }
 
 /**
- * The way out to the safe position, from a low place across the axis first; then the spindle off, unless M30 or M2 does
- * it.
+ * Retraction to the safe position, first across the axis from a low start; then spindle off, unless M30 or M2 does it.
  */
 function wayOut(output: NcOutput, place: StartPlace, safe: { readonly x: number; readonly z: number }): Statement[] {
   const { retract, spindleOff } = output;
@@ -174,24 +172,19 @@ export function jobStatements(job: SetJob, cycle: Cycle, labels: Labels): Statem
   ];
 }
 
-/**
- * How the Klartext of a job is written. What is shown with the look of the manual, or leaves in DIN/ISO, runs as a file
- * of the TNC 640.
- */
+/** Style of a job's Klartext. Manual layout and DIN/ISO are run as a TNC 640 file. */
 export const styleOfJob = ({ layout, output: { newLine } }: Pick<Job, "layout" | "output">): Style => ({
   ...LAYOUTS[layout === "tnc7" ? "tnc7" : "tnc640"],
   newLine,
 });
 
-/**
- * The complete program text of a job as a file that its control loads; empty when its cycle is not in the catalogue.
- */
+/** Complete program text of a job for its control; empty for an unknown cycle. */
 export function printJob(job: SetJob, labels: Labels): string {
   const cycle = cycleByNumber(job.cycle);
   return cycle ? programText(jobStatements(job, cycle, labels), styleOfJob(job), job.output.numbered) : "";
 }
 
-/** The same program with the look of the printed manual: to read, since no control loads it. */
+/** The same program in the layout of the printed manual: for reading only, no control loads it. */
 export function printAsInManual(job: SetJob, labels: Labels): string {
   const cycle = cycleByNumber(job.cycle);
   return cycle ? programText(jobStatements(job, cycle, labels), LAYOUTS.manual, job.output.numbered) : "";

@@ -16,7 +16,7 @@ import { rankTools } from "../tools/which-tool.ts";
 
 const runOf = (program: Program) => run(program, { tools: shippedTools, rapid: 10_000 });
 
-/** A program with the proposal for a cycle behind its last operation, with the tool that fits best. */
+/** Appends the proposal for a cycle to a program, with the best tool. */
 function withProposed(program: Program, number: number): Program {
   const cycle = cycleByNumber(number);
   if (!cycle) throw new Error(`no cycle ${number}`);
@@ -42,7 +42,7 @@ function withProposed(program: Program, number: number): Program {
 const begun = parse(emptyProgram("Part 7/b", { outside: "73.4", bore: "", length: "88.6", allowance: "1.3" }));
 const cutting = catalogue.filter(({ acts }) => !acts).map(({ number }) => number);
 
-describe("an operation that is put in", () => {
+describe("an inserted operation", () => {
   test("an empty program states its blank and runs to its end", () => {
     expect(print(begun)).toBe(
       "0 BEGIN PGM PART_7_B MM\n1 BLK FORM CYLINDER Z D73.4 L88.6 DIST+1.3\n2 FUNCTION MODE TURN\n3 M30\n4 END PGM PART_7_B MM\n".replaceAll(

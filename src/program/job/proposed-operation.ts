@@ -10,24 +10,24 @@ import { positionAsTyped, valueAsTyped } from "../values/typed-value.ts";
 import { jobFor, withValue } from "./wanted-job.ts";
 import { boxAroundContour, wantedContour } from "./wanted-shape.ts";
 
-/** What a new operation finds: the blank, and what was run before it. */
+/** Context of a new operation: the blank, and the previous operations. */
 export interface BeforeOperation {
   readonly blank: readonly Ring[];
-  /** Those before it, in their order. */
+  /** Previous operations, in order. */
   readonly before: readonly Operation[];
 }
 
-/** How much of a diameter and of a length a first proposal takes, and how deep and wide a recess it draws, mm. */
+/** Share of diameter and length in a first proposal, and its recess depth and width, mm. */
 const PART = { diameter: 0.8, length: 0.4 };
 const RECESS = { depth: 6, width: 5, behind: 10 };
 const FACE = 5;
 const PITCH = 1.5;
-/** Between a start point and the face, mm: more than the clearance of the cycles. */
+/** Distance of a start point from the face, mm: more than the set-up clearance of the cycles. */
 const CLEARANCE = 3;
-/** Between a start point and a thread on a contour, mm. */
+/** Distance of a start point from a thread on a contour, mm. */
 const RUN_IN = 10;
 
-/** A diameter and a length that one would write: whole ones. */
+/** Dimensions as one would write them: whole numbers. */
 const whole = (n: number): number => Math.round(n);
 
 interface Room {
@@ -54,7 +54,7 @@ const corner = (d: number, z: number): Corner => ({
   z: axial(rounded(z)),
 });
 
-/** The corners of the last operation before that works from the same side; null where none has. */
+/** Corners of the last previous operation on the same site; null without one. */
 function lastOf(before: readonly Operation[], site: Site): Pick<Wanted, "from" | "to"> | null {
   const sideOf = ({ plan: { openSide } }: Operation): Site => {
     if (Math.abs(openSide.z) > Math.abs(openSide.r)) return "face";
@@ -70,7 +70,7 @@ function stepOutside(
 ): Pick<Wanted, "from" | "to"> {
   const length = whole((front - back) * PART.length);
   if (!last) return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -length) };
-  // A shoulder goes on where the one before it ended, and one diameter out.
+  // A shoulder continues at the end of the previous one, at the next diameter.
   const rest = Math.max(1, whole((last.to.z - back) * PART.length));
   const inner =
     last.from.diameter < outer ? last.from.diameter : last.to.diameter + (outer - last.to.diameter) * PART.diameter;
@@ -78,7 +78,7 @@ function stepOutside(
 }
 
 function onFace({ outer, bore, front }: Room, last: Pick<Wanted, "from" | "to"> | null): Pick<Wanted, "from" | "to"> {
-  // What stands before Z0 is faced first.
+  // Material in front of Z0 is faced first.
   if (front > 0 && !last) return { from: corner(outer, front), to: corner(bore, 0) };
   return { from: corner(outer, 0), to: corner(whole(outer * PART.diameter), -FACE) };
 }
@@ -94,7 +94,7 @@ function inRecess(room: Room, site: Site, last: Pick<Wanted, "from" | "to"> | nu
   return { from: corner(top, z), to: corner(top - RECESS.depth, z - RECESS.width) };
 }
 
-/** What a cycle would make here: as the last operation left off, and within the blank. */
+/** Shape that a cycle would machine here: continues the last operation, within the blank. */
 function wantedHere(cycle: Cycle, { blank, before }: BeforeOperation): Wanted {
   const room = roomOf(blank);
   const across = worksAcross(cycle);
@@ -119,7 +119,7 @@ function wantedHere(cycle: Cycle, { blank, before }: BeforeOperation): Wanted {
   return { ...rest, shape: shape === "plunge" ? "plunge" : "step", ...corners };
 }
 
-/** The same, drawn as a contour of its own where the cycle takes one. */
+/** The same with a drawn contour, where the cycle takes one. */
 function drawn(cycle: Cycle, wanted: Wanted): Wanted {
   if (cycle.contour !== "free") return wanted;
   const r = toRadius(wanted.from.diameter);
@@ -127,7 +127,7 @@ function drawn(cycle: Cycle, wanted: Wanted): Wanted {
   return { ...wanted, shape: "free", contour: wanted.shape === "thread" ? line : wantedContour(wanted) };
 }
 
-/** The edge of a shoulder as an insert leaves it: what it cannot turn is not asked of it. */
+/** Edge of a shoulder that any insert can turn. */
 const EDGE = { q: "Q500", size: 1 };
 
 function withEdge(job: SetJob, cycle: Cycle, wanted: Wanted): SetJob {
@@ -135,7 +135,7 @@ function withEdge(job: SetJob, cycle: Cycle, wanted: Wanted): SetJob {
   return withValue(job, EDGE.q, EDGE.size);
 }
 
-/** A face is called from beside it and from in front of it, a thread on a contour from in front of it. */
+/** A face is called from outside and in front of it, a thread on a contour from in front of it. */
 function withOwnStart(job: SetJob, cycle: Cycle, { site, shape, from }: Wanted): SetJob {
   if (shape === "thread" && cycle.contour === "free") {
     const [x, z] = [from.diameter + RUN_IN, from.z + RUN_IN];
@@ -146,16 +146,13 @@ function withOwnStart(job: SetJob, cycle: Cycle, { site, shape, from }: Wanted):
     : job;
 }
 
-/**
- * The work of a cycle with values that fit what stands there and what was made before; all of it can be changed
- * afterwards.
- */
+/** Proposes a job of a cycle that fits the stock and the previous operations; everything can be changed afterwards. */
 export function proposedOperation(cycle: Cycle, here: BeforeOperation): SetJob {
   const wanted = wantedHere(cycle, here);
   const plain = jobFor(cycle, drawn(cycle, wanted), here.blank.length > 0 ? here.blank : null);
   const job = withOwnStart(withEdge(plain, cycle, wanted), cycle, wanted);
   const last = here.before.at(-1)?.spindle;
-  // A thread is cut at a constant speed, whatever was cut before it.
+  // A thread is cut at a constant speed, regardless of earlier cuts.
   const fits = last && (cycle.group !== "thread" || last.kind === "constant");
   return { ...job, spindle: fits ? spindleAsTyped(job.spindle, last) : job.spindle };
 }

@@ -34,7 +34,7 @@ describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("rea
   });
 });
 
-describe("what the other values leave without effect", () => {
+describe("a parameter without effect", () => {
   const cycle = cycleByNumber(812) as NonNullable<ReturnType<typeof cycleByNumber>>;
   const draft = { ...exampleDraft(cycle), Q501: "0", Q502: "", Q504: "0.37" };
 
@@ -48,7 +48,7 @@ describe("what the other values leave without effect", () => {
     ["nothing is typed there", ""],
     ["what is typed there is none", "5"],
     ["it cannot be read", "?"],
-  ])("is asked for where %s", (_, Q501) => {
+  ])("is required where %s", (_, Q501) => {
     const { perField, values } = readDraft(cycle, { ...draft, Q501 });
     expect(perField["Q502"]?.issue).toMatchObject({ code: "missing", at: "Q502" });
     expect(values).toBeNull();

@@ -7,10 +7,10 @@ import type { KnownParameters } from "../values/expression.ts";
 import { type Field, type FieldReading, readText } from "../values/field.ts";
 import { triedOffers } from "../values/tried.ts";
 
-/** What was typed into the prompts of one cycle, by Q number, exactly as typed; a missing key is an empty field. */
+/** Typed text of the prompts of one cycle, by Q number; a missing key is an empty field. */
 export type Draft = Readonly<Record<string, string>>;
 
-/** A whole draft read: `values` only when every field can be used. */
+/** Reading of a draft: `values` only when every field is valid. */
 export interface DraftReading<P extends Params = Params> {
   readonly values: Values<P> | null;
   readonly partial: Partial<Values<P>>;
@@ -21,14 +21,14 @@ export interface DraftReading<P extends Params = Params> {
 /** The prompt of a parameter. */
 export const promptField = (q: string, param: Param): Field => ({ ...param, id: q });
 
-/** What a prompt gives to its cycle: an optional one that is left out (NO ENT) counts as 0. */
+/** Value of a prompt for its cycle: an omitted optional one (NO ENT) counts as 0. */
 const valueOf = (param: Param, { written, value, empty }: FieldReading): number | "auto" | null =>
   written === "auto" ? written : empty && param.optional ? 0 : value;
 
 /**
- * The only way from typed text to the values of a cycle. Empty stays missing and never becomes 0, unless the control
- * lets the parameter be left out, or the others say that it has no effect (decision 0013). A value that is offered in
- * place of a wrong one fits the others, as far as the contour tells.
+ * The only conversion from typed text to the values of a cycle. Empty stays missing and never becomes 0, unless the
+ * parameter is optional or has no effect with the other values (decision 0013). An offered value fits the other values,
+ * as far as the contour shows.
  */
 export function readDraft<P extends Params>(
   cycle: Pick<Cycle<P>, "params"> & Partial<Pick<Cycle<P>, "contour" | "outline">>,
@@ -64,6 +64,6 @@ export function readDraft<P extends Params>(
   return { values, partial: partial as Partial<Values<P>>, perField, issues };
 }
 
-/** The values of the printed example, as one types them. */
+/** Values of the printed example, as typed. */
 export const exampleDraft = (cycle: Pick<Cycle, "params" | "setup">): Draft =>
   Object.fromEntries(Object.entries(firstValues(cycle)).map(([q, value]) => [q, String(value)]));

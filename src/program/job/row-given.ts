@@ -16,7 +16,7 @@ import type { ContourRow } from "./job.ts";
 import { isPolarRow, polarGiven } from "./polar-row.ts";
 import { ANY, NEEDED, goesNowhere, rowNumber, type RowField, type RowReader } from "./row-reader.ts";
 
-/** What one row gives: a corner, an element to be solved, an undercut or recess, or a centre, which is no element. */
+/** Content of one row: a corner, an element to be solved, an undercut or recess, or a centre, which is no element. */
 export type RowGiven =
   | { readonly kind: "corner"; readonly corner: CornerElement }
   | {
@@ -27,23 +27,23 @@ export type RowGiven =
   | { readonly kind: "recess"; readonly recess: Undercut | Groove }
   | { readonly kind: "centre" };
 
-/** A coordinate that is typed as a question mark is sought. */
+/** A coordinate typed as a question mark is to be solved. */
 export const SOUGHT = "?";
 const empty = (typed: string) => typed.trim() === "";
 const asked = (typed: string) => typed.trim() === SOUGHT;
 
-/** True where an empty coordinate of this row is sought and does not stay as it was. */
+/** True where an empty coordinate of this row is solved instead of unchanged. */
 export function seeks(row: ContourRow): boolean {
   if (row.kind === "L") return row.tangent || !empty(row.angle) || !empty(row.length);
   return (row.kind === "CR" || row.kind === "C") && row.tangent;
 }
 
-/** A length that leads anywhere. */
+/** A length above 0. */
 const SIZE: Field = { ...ANY, range: [0.001, 99999.999] };
 
 type Coordinate = { readonly by: number } | { readonly at: number } | null;
 
-/** What a row says of a coordinate, and where that leads as far as typed values alone tell. */
+/** Coordinate of a row, and its position as far as typed values alone define it. */
 function coordinate(reader: RowReader, row: ContourRow, index: number, axis: "x" | "z"): Coordinate {
   const typed = row[axis],
     incremental = axis === "x" ? row.incrementalX : row.incrementalZ,
@@ -66,7 +66,7 @@ const onAxis = (c: Coordinate): GivenCoordinate<Axial> => c && ("at" in c ? { at
 const onRadius = (c: Coordinate): GivenCoordinate<Radius> =>
   c && ("at" in c ? { at: toRadius(diameter(c.at)) } : { by: toRadius(diameter(c.by)) });
 
-/** The centre that a CC row names: typed, or where the last row ends. */
+/** Centre of a CC row: typed, or the end of the last row. */
 function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null {
   const say = (field: RowField) =>
     reader.issues.push({ row: index, field, issue: issue("missing", "error", {}, "contour") });
@@ -82,11 +82,11 @@ function centreOf(reader: RowReader, row: ContourRow, index: number): Pt | null 
   return x === null || z === null ? null : { z: axial(z), r: toRadius(diameter(x)) };
 }
 
-/** True for a word that a row measures as a diameter. */
+/** True for a word that is a diameter in this row. */
 export const isDiameterWord = (row: ContourRow, word: RecessWord): boolean =>
   row.kind === "GRV" && grooveDiameters(row.form === "AXIAL" ? "axial" : "radial").includes(word);
 
-/** The words that an undercut or recess row has, in the order of the control. */
+/** Words of an undercut or recess row, in the order of the control. */
 export function recessWords(row: ContourRow): readonly RecessWord[] {
   if (row.kind === "GRV") return GROOVE_WORDS;
   const form = UNDERCUT_FORMS.find((f) => f === row.form);

@@ -7,29 +7,27 @@ import type { ContourRow } from "./job.ts";
 /** A field of a contour row. */
 export type RowField = "x" | "z" | "r" | "angle" | "length" | "PR" | "PA";
 
-/** A finding with its place in the table; `field` is null where it belongs to the whole element. */
+/** An issue with its place in the table; `field` is null for the whole element. */
 export interface RowIssue {
   readonly row: number;
   readonly field: RowField | null;
   readonly issue: Issue | ProgramIssue;
 }
 
-/** What the rows give, read one after the other: numbers, and what is wrong with their text. */
+/** State while rows are read in order: position, pole, and issues of their text. */
 export interface RowReader {
-  /**
-   * Where the last row stands as far as typed coordinates alone say; X as diameter. "sought" where solving has to say.
-   */
+  /** Last position from typed coordinates; X as diameter. "sought" where it has to be solved. */
   x: number | "sought" | null;
   z: number | "sought" | null;
   pole: Pt | null;
   readonly issues: RowIssue[];
 }
 
-/** The findings of a row stand at the contour; row and field say where in its table. */
+/** Issues of a row belong to the contour; row and field give their place in its table. */
 export const ANY: Field = { ...anyNumber, id: "contour" };
 export const NEEDED: Field = { ...ANY, optional: false };
 
-/** A number typed into a row; says what is wrong with it. */
+/** A number typed into a row; reports its issue. */
 export function rowNumber(
   reader: RowReader,
   row: number,
@@ -47,10 +45,7 @@ export const begun = (row: ContourRow | undefined): boolean =>
   row !== undefined &&
   [row.x, row.z, row.r, row.angle, row.length, ...Object.values(row.words)].some((text) => text.trim() !== "");
 
-/**
- * Says that an element goes nowhere. A row in which nothing is typed yet is not wrong, only not begun: it has no block
- * either.
- */
+/** Reports an element without motion. An empty row is not wrong, only not begun: it has no block either. */
 export function goesNowhere(reader: RowReader, row: ContourRow, index: number): void {
   const found = issue("contourPoint", begun(row) ? "error" : "info", { element: index + 1 }, "contour");
   reader.issues.push({ row: index, field: null, issue: found });

@@ -6,10 +6,10 @@ const field = (id: string, least: number, optional = false): Field => ({
   range: [least, Infinity],
   optional,
 });
-/** Anything above nothing. */
+/** Any positive number. */
 const MORE = Number.MIN_VALUE;
 
-/** The numbers of the set-up; a Q parameter has its own under its name. */
+/** Number fields of the set-up; each Q parameter has its own, under its name. */
 export const SETUP_FIELDS = {
   startX: field("start.x", -Infinity),
   startZ: field("start.z", -Infinity),
@@ -23,5 +23,5 @@ export const SETUP_FIELDS = {
   rapid: field("rapid", MORE),
 } as const;
 
-/** The value of a Q parameter that stands in prompts. */
+/** Field for the value of a Q parameter used in prompts. */
 export const parameterField = (name: string): Field => field(`parameter.${name}`, -Infinity);

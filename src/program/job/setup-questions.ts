@@ -11,10 +11,10 @@ import type { Setup, SetupPlace } from "./setup.ts";
 import { endInFront, endsAlong } from "../values/slips.ts";
 import type { DraftReading } from "./read-draft.ts";
 
-/** A contour may begin this part of its length in front of the blank without a question: cuts are begun in the air. */
+/** Largest part of a contour in front of the blank without a question: cuts begin in the air. */
 const MOST_AHEAD = 0.5;
 
-/** What is asked about: a work as typed, with what stands in its set-up. */
+/** A job as typed, with its set-up. */
 export interface Asked {
   readonly cycle: Cycle;
   readonly job: Pick<SetJob, "blank" | "tool">;
@@ -25,7 +25,7 @@ export interface Asked {
 
 const numberAt = (blank: BlankDraft, field: keyof BlankDraft) => readText(anyNumber, blank[field]).value;
 
-/** An end in front of the work, as far as somebody has chosen tool and blank. */
+/** Reports an end in front of the work, as far as tool and blank are chosen. */
 function slips({ cycle, job, setup, partial, tools }: Asked, { from, to }: LikelyWork): Issue[] {
   const front = setup.proposed.has("blank.allowance") ? null : numberAt(job.blank, "allowance");
   const tool = setup.proposed.has("tool") ? null : (tools.find(({ T }) => T === job.tool) ?? null);
@@ -40,7 +40,7 @@ function slips({ cycle, job, setup, partial, tools }: Asked, { from, to }: Likel
   return found ? [found] : [];
 }
 
-/** Where a blank that somebody has set does not agree with the contour: it is cut in the air, or out of the blank. */
+/** Reports a set blank that contradicts the contour, which is cut in the air or out of the blank. */
 function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork): ProgramIssue[] {
   const { box, inside, shape } = work;
   const { blank } = job;
@@ -102,10 +102,7 @@ function blankQuestions({ cycle, job, setup, partial }: Asked, work: LikelyWork)
   return found;
 }
 
-/**
- * Questions where values and set-up do not agree, each with what would mend it. Nothing of them is an error: both can
- * be meant.
- */
+/** Questions where values and set-up disagree, each with a correction. None is an error: both may be intended. */
 export function setupQuestions(asked: Asked): readonly (Issue | ProgramIssue)[] {
   const { work } = asked.setup;
   return work ? [...slips(asked, work), ...blankQuestions(asked, work)] : [];

@@ -31,9 +31,9 @@ const ran = (job: Job) => {
 
 describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("cycle %i", (number, cycle) => {
   const example = exampleJob(cycle);
-  test("with the values of its example is cut in the blank, from the start and with the tool that are proposed", () => {
+  test("with the values of its example is cut in the proposed blank, from the proposed start, with the proposed tool", () => {
     const { made, simulation } = ran({ ...example, ...UNSET });
-    // No cylinder is a cone: what stands over the crest of a tapered thread is told.
+    // No cylinder is a cone: the material above the crest of a tapered thread is reported.
     const told = made.issues
       .map((found) => found.issue)
       .filter((i) => i.severity !== "info" && (i.code !== "threadMeets" || number === 831));
@@ -46,7 +46,7 @@ describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))("cyc
     expect(made.blank.length).toBeGreaterThan(0);
     const { blank, start, tool } = setup(emptyJob(number));
     expect([blank.outside, start.x].every((typed) => Number(typed) > 0)).toBe(true);
-    // More than the chuck holds.
+    // Longer than the clamping length.
     expect(Number(blank.length)).toBeGreaterThan(32);
     expect(shippedTools.some(({ T }) => T === tool)).toBe(true);
   });
@@ -62,7 +62,7 @@ test("a groove from 0 to -12 gets a blank whose face is where it starts, and is 
   expect([simulation.findings.length, simulation.proof.cut > 50]).toEqual([0, true]);
 });
 
-test("each typed value moves what is proposed, and what is set stays and moves the rest", () => {
+test("each typed value updates the proposals; set fields stay and update the rest", () => {
   const at = (draft: Readonly<Record<string, string>>, rest: Partial<Job> = {}) => setup(emptyJob(812, draft, rest));
   expect(at({ Q491: "61.3" }).blank).toMatchObject({ outside: "61.3", allowance: "0" });
   expect(at({ Q491: "61.3", Q492: "1.5", Q493: "40", Q494: "-33.2" })).toMatchObject({
@@ -85,7 +85,7 @@ test("a bore gets a hollow blank, a start inside it and a tool that points outwa
   expect(shippedTools.find(({ T }) => T === tool)?.TO).toBe(7);
 });
 
-test("a number that is only half there changes nothing that depends on it", () => {
+test("a half-typed number changes nothing that depends on it", () => {
   const typed = { Q491: "61.3", Q492: "0", Q493: "40" };
   for (const half of ["-", "+", "2*", "("])
     expect(setup(emptyJob(812, { ...typed, Q494: half }))).toEqual(setup(emptyJob(812, typed)));
@@ -125,7 +125,7 @@ describe("questions where values and set-up do not agree", () => {
     ],
   ])("none about %s", (_, draft, rest) => expect(asked(emptyJob(812, draft, rest))).toEqual([]));
 
-  test("an end in front of its start is asked about with its minus", () => {
+  test("an end in front of its start raises a question about its minus sign", () => {
     expect(asked(emptyJob(812, { ...shoulder, Q494: "55.4" }))).toEqual([
       ["endInFront", "Q494", { value: 55.4, nearest: -55.4 }],
     ]);

@@ -17,56 +17,52 @@ import { SETUP_FIELDS as FIELDS } from "./setup-fields.ts";
 import { positionAsTyped } from "../values/typed-value.ts";
 import { fitOf, isUsualTool, usualFirst } from "../tools/which-tool.ts";
 
-/** What of the set-up is proposed until somebody sets it. */
+/** Fields of the set-up that are proposed until set. */
 export type SetupPlace =
   "tool" | "blank.outside" | "blank.bore" | "blank.length" | "blank.allowance" | "start.x" | "start.z";
 
-/** The set-up that a work runs with: what was set, and what is proposed for the rest. */
+/** Set-up of a job: set values, the rest proposed. */
 export interface Setup {
   readonly tool: number;
   readonly blank: BlankDraft;
   readonly start: { readonly x: string; readonly z: string };
-  /** Places that nobody has set. */
+  /** Fields that are not set. */
   readonly proposed: ReadonlySet<SetupPlace>;
-  /** The work that the typed values describe; null of a cycle that is not known. */
+  /** Estimate from the typed values; null for an unknown cycle. */
   readonly work: LikelyWork | null;
-  /** What would be proposed for blank and start if nobody had set them, the others being as they are. */
+  /** Proposal for blank and start if unset, the other fields as they are. */
   readonly proposal: Pick<SetJob, "blank" | "start">;
 }
 
 /**
- * Material round a shape, mm: beside a bore or a groove in a face, on a cylinder that is turned, and behind it for the
- * chuck.
+ * Material around a shape, mm: beside a bore or a groove in a face, on a turned cylinder, and behind it for the chuck.
  */
 const ROUND_IT = 10;
 const ON_CYLINDER = 2;
 const BEHIND = 30;
-/**
- * What stays between the tip at the call and the material, mm; where the cut itself begins at the tip; before a thread.
- */
+/** Clearance of the tip at the call, mm; for a cut that begins at the tip; for a thread. */
 const CLEARANCE = 2;
 const AT_TIP = 1;
 const RUN_UP = 5;
-/** Longer contours are not planned to find a tool, elements. */
+/** Longest contour, in elements, that is planned to find a tool. */
 const MOST_ELEMENTS = 60;
-/** Tools that are tried before the first usual one is taken. */
+/** Most tools that are tried; then the first usual one is taken. */
 const MOST_TRIED = 8;
-/** Finishing alone: the contour in one pass, which is all that a tool is tried by. */
+/** Finishing only: one pass along the contour is enough to test a tool. */
 const FINISHING = 2;
 
 const isGroove = ({ group }: Cycle) => group === "recessTurning" || group === "recessing";
 const text = (r: number) => positionAsTyped(toDiameter(radius(r)));
 const half = (d: number | null) => (d === null ? null : toRadius(diameter(d)));
 
-/** The blank for a work: it covers the contour, is held behind it, and its face is where the values begin. */
+/** Blank for a part: covers the contour, is clamped behind it, and its face is at the start of the values. */
 function blankOf({ box, from, to, across, inside, shape, pitch, ringed }: LikelyWork, isGroove: boolean): BlankDraft {
   const core = shape === "thread" ? from.r - METRIC.inside * pitch : box.low;
   const beside = inside || (across && isGroove);
   const outside = beside
     ? Math.ceil(rounded(toDiameter(radius(box.high + ROUND_IT))))
     : toDiameter(radius(box.high + (ringed ? ON_CYLINDER : 0)));
-  // Away from the chuck nothing is cut unless somebody says that there is material: the end then lies where it would
-  // usually be.
+  // Away from the chuck nothing is cut without stated material: the usual end counts there.
   const away = shape !== "free" && to.z > from.z;
   const begins = across || shape === "step" ? (away ? from.z : box.right) : Math.max(away ? from.z : box.right, 0);
   const back = away ? from.z - (to.z - from.z) : box.left;
@@ -78,14 +74,14 @@ function blankOf({ box, from, to, across, inside, shape, pitch, ringed }: Likely
   };
 }
 
-/** The cylinder that stands in the chuck, mm. */
+/** The clamped cylinder, mm. */
 interface Cylinder {
   readonly outside: number;
   readonly bore: number;
   readonly front: number;
 }
 
-/** Where the tip stands at the call: clear of blank and contour, on the side that the cycle works from. */
+/** Tip at the call: clear of blank and contour, on the working side of the cycle. */
 function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: LikelyWork, blank: Cylinder): Pt {
   const [out, along] = [inside ? -1 : 1, from.z < to.z && (shape !== "free" || !across) ? -1 : 1];
   const clear = beginsAtTip(cycle) ? AT_TIP : CLEARANCE;
@@ -104,8 +100,7 @@ function startOf(cycle: Cycle, { box, from, to, across, inside, shape }: LikelyW
 }
 
 /**
- * The tool of the table that a turner would take: of the usual kind, turned towards the work, and able to make the
- * contour.
+ * Tool of the table that a turner would use: of the usual kind, oriented towards the work, able to machine the contour.
  */
 function toolOf(cycle: Cycle, work: LikelyWork, given: Given, tools: readonly Tool[]): number {
   const operation = Object.entries(cycle.params).find(([, p]) => p.text === "operation")?.[0];
@@ -134,10 +129,7 @@ function toolOf(cycle: Cycle, work: LikelyWork, given: Given, tools: readonly To
   return cuts ?? usual[0]?.T ?? cycle.setup.tool;
 }
 
-/**
- * The set-up of a job: fields that somebody has set as they are, empty ones as they are proposed for what is typed so
- * far.
- */
+/** Set-up of a job: set fields as they are, empty ones proposed from the values typed so far. */
 export function setupOf(job: Job, tools: readonly Tool[]): Setup {
   const cycle = cycleByNumber(job.cycle);
   const known = knownParameters(job);
@@ -193,7 +185,7 @@ export function setupOf(job: Job, tools: readonly Tool[]): Setup {
   return { tool, blank, start, proposed, work, proposal: { blank: made, start: point } };
 }
 
-/** The job as it is printed, drawn and run: with a value in every place of its set-up. */
+/** The job as printed, drawn and run: with a complete set-up. */
 export const withSetup = (job: Job, { tool, blank, start }: Pick<Setup, "tool" | "blank" | "start">): SetJob => ({
   ...job,
   tool,

@@ -8,17 +8,14 @@ import { exampleJob, type BlankDraft, type SetJob } from "./job.ts";
 import { positionAsTyped } from "../values/typed-value.ts";
 import { blankFor, boxOfWanted, rowsOf, wantedContour } from "./wanted-shape.ts";
 
-/** What stays between the tip at the call and the material, mm. */
+/** Clearance of the tip at the call, mm. */
 const CLEARANCE = 2;
-/** The run-up of a thread, mm: longer than the one that its cycle adds. */
+/** Run-up of a thread, mm: longer than the one added by its cycle. */
 const RUN_UP = 5;
 
 const numberOf = (typed: string) => Number(typed);
 
-/**
- * A contour in the direction in which a cycle cuts: along Z away from its open side, or from the outside towards its
- * depth.
- */
+/** Orients a contour in the cutting direction: along Z away from its open side, or from outside towards its depth. */
 function directed(contour: readonly Segment[], wanted: Wanted, across: boolean): readonly Segment[] {
   const [first, last] = [contour[0]?.from, contour.at(-1)?.to];
   if (!first || !last) return contour;
@@ -27,7 +24,7 @@ function directed(contour: readonly Segment[], wanted: Wanted, across: boolean):
   return falls < 0 ? contour.map(part.reversed).reverse() : contour;
 }
 
-/** Where a free contour is entered: beside the blank, in front of the contour; a recess at the edge where it opens. */
+/** Entry of a free contour: outside the blank, in front of the contour; for a recess at its open edge. */
 function startOfFree({ group }: Cycle, wanted: Wanted, contour: readonly Segment[], across: boolean): Pt {
   const box = boxOf(contour.flatMap((s) => [s.from, s.to]));
   const { r1, along, out } = boxOfWanted(wanted);
@@ -35,12 +32,12 @@ function startOfFree({ group }: Cycle, wanted: Wanted, contour: readonly Segment
   const first = contour[0]?.from ?? at(front, r1);
   if (group === "recessTurning" || group === "recessing") return across ? at(front, first.r) : at(first.z, r1);
   const side = out > 0 ? Math.max(r1, box.high) : Math.min(r1, box.low);
-  // A contour that begins at the open side falls into the material: the tip waits beside it.
+  // A contour that begins at the open side descends into the material: the tip waits outside.
   const falls = (r1 - first.r) * out <= 0 && !across;
   return at(front + along * CLEARANCE, falls ? side + out * CLEARANCE : side);
 }
 
-/** Where the tip stands at the call of a cycle with a contour of its own. */
+/** Tip at the call of a cycle with its own contour. */
 function startOfOwn(cycle: Cycle, wanted: Wanted, across: boolean): Pt {
   const { z1, r1, along, out } = boxOfWanted(wanted);
   if (wanted.shape === "thread") return at(z1 + along * RUN_UP, r1 + out * RUN_UP);
@@ -49,7 +46,7 @@ function startOfOwn(cycle: Cycle, wanted: Wanted, across: boolean): Pt {
   return wanted.shape === "plunge" && beginsAtTip(cycle) ? at(z1, r1) : at(z1 + along * CLEARANCE, r1);
 }
 
-/** The work that makes what is wanted with a cycle; its tool is still that of the printed example. */
+/** Job that machines the requested shape with a cycle; its tool is still that of the printed example. */
 export function jobFor(cycle: Cycle, wanted: Wanted, stock: readonly Ring[] | null): SetJob {
   const across = worksAcross(cycle);
   const contour = directed(wantedContour(wanted), wanted, across);
@@ -65,7 +62,7 @@ export function jobFor(cycle: Cycle, wanted: Wanted, stock: readonly Ring[] | nu
   };
 }
 
-/** The same work with one value of its cycle changed. */
+/** The job with one cycle value changed. */
 export const withValue = (job: SetJob, q: string, value: number): SetJob => ({
   ...job,
   drafts: { ...job.drafts, [job.cycle]: { ...job.drafts[job.cycle], [q]: String(value) } },
@@ -78,5 +75,5 @@ export function ringOf({ outside, bore, length, allowance }: BlankDraft): Ring {
   return [at(back, hole), at(front, hole), at(front, r), at(back, r)];
 }
 
-/** The tip at the call of a work whose start is a plain number. */
+/** Tip at the call of a job with a numeric start point. */
 export const tipAtCall = ({ start }: SetJob): Pt => at(numberOf(start.z), toRadius(diameter(numberOf(start.x))));

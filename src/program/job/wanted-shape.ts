@@ -8,15 +8,13 @@ import { axial, diameter, radians, radius, rounded, toDiameter, toRadius } from 
 import { newRow, type BlankDraft, type ContourRow } from "./job.ts";
 import { positionAsTyped } from "../values/typed-value.ts";
 
-/**
- * Material that stands round a shape where nothing says how much: beside it, behind it, on the far side of a bore, mm.
- */
+/** Default material around a shape, mm: beside it, behind it, on the far side of a bore. */
 const ROUND_IT = 10;
 const BEHIND = 30;
-/** How far the open side of a shape reaches, mm: beyond every blank. */
+/** Extent of the open side of a shape, mm: beyond every blank. */
 const OPEN = 10_000;
 
-/** Half sections of what is wanted, mm. */
+/** Half section of the requested shape, mm. */
 interface Box {
   readonly z1: number;
   readonly z2: number;
@@ -24,7 +22,7 @@ interface Box {
   readonly r2: number;
   /** 1 towards −Z, −1 towards +Z. */
   readonly along: number;
-  /** 1 where the material lies nearer to the axis, −1 in a bore. */
+  /** 1 for material towards the axis, −1 in a bore. */
   readonly out: number;
 }
 
@@ -48,7 +46,7 @@ function corners(wanted: Wanted): Pt[] {
     : [at(z1, r1), at(z1 - across, r2), at(z2 + second * across, r2), at(z2, r1)];
 }
 
-/** The finished contour of what is wanted, from its start to its end; nothing of a thread. */
+/** Finished contour of the requested shape, from start to end; empty for a thread. */
 export function wantedContour(wanted: Wanted): readonly Segment[] {
   if (wanted.shape === "thread") return [];
   if (wanted.shape === "free") return wanted.contour ?? [];
@@ -59,7 +57,7 @@ export function wantedContour(wanted: Wanted): readonly Segment[] {
 /** Corners of a contour, its arcs as chords. */
 const pointsOf = (contour: readonly Segment[]): Pt[] => part.flattenedChain(contour, CHORD);
 
-/** The box round a stretch of a contour as the corners of something wanted: its open side first. */
+/** Box around a contour section, as the corners of a requested shape: its open side first. */
 export function boxAroundContour(contour: readonly Segment[], site: Site): Pick<Wanted, "from" | "to"> {
   const { left, right, low, high } = boxOf(pointsOf(contour));
   const [open, deep] = site === "inside" ? [low, high] : [high, low];
@@ -71,8 +69,7 @@ export function boxAroundContour(contour: readonly Segment[], site: Site): Pick<
 }
 
 /**
- * What is to go: between the finished contour and the open side, as far as `open` mm beyond the box. Null where there
- * is none.
+ * Material to remove: between the finished contour and the open side, up to `open` mm beyond the box. Null without any.
  */
 function between(wanted: Wanted, open: number): Ring | null {
   const points = pointsOf(wantedContour(wanted));
@@ -87,7 +84,7 @@ function between(wanted: Wanted, open: number): Ring | null {
 
 export const wantedArea = (wanted: Wanted): Ring | null => between(wanted, 0);
 
-/** The cylinder that holds what is wanted, as it is typed. */
+/** Cylinder around the requested shape, as typed. */
 export function blankFor(wanted: Wanted, stock: readonly Ring[] | null): BlankDraft {
   const written = ({
     outside,
@@ -122,13 +119,13 @@ export function blankFor(wanted: Wanted, stock: readonly Ring[] | null): BlankDr
   });
 }
 
-/** The blank that has the shape already, with its allowance; a cylinder where it is solid. */
+/** Blank with the shape plus its allowance; a cylinder where it is solid. */
 export function blankRings(wanted: Wanted, cylinder: readonly Ring[]): readonly Ring[] {
   const open = wanted.allowance > 0 ? between(wanted, OPEN) : null;
   return open ? difference(cylinder, offset(union([open]), -wanted.allowance)) : cylinder;
 }
 
-/** The contour as rows of a table. */
+/** The contour as table rows. */
 export function rowsOf(contour: readonly Segment[]): ContourRow[] {
   const [first] = contour;
   if (!first) return [];

@@ -9,17 +9,17 @@ import { ringOf } from "./wanted-job.ts";
 import { blankRings, rowsOf } from "./wanted-shape.ts";
 import { part, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 
-/** Label of the outline of a blank; that of a contour is another one. */
+/** Label of the blank outline; the contour has another one. */
 const BLANK_LABEL = 1;
 
-/** The outline of a ring, back to where it begins. */
+/** Closed outline of a ring. */
 const round = (ring: Ring): Segment[] =>
   ring.flatMap((to, i) => {
     const from = ring.at(i - 1);
     return from ? [part.line(from, to)] : [];
   });
 
-/** The program of a work; where the blank has the shape of what is wanted already, that blank stands in it. */
+/** Program text of a job; a blank with the shape of the part is written as an outline. */
 export function wantedText(job: SetJob, wanted: Wanted, labels: Labels): string {
   const cycle = cycleByNumber(job.cycle);
   if (!cycle) return "";

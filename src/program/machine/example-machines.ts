@@ -1,8 +1,6 @@
 import type { MachineData } from "./machine-data.ts";
 
-/**
- * Machines to begin with. Their figures are examples of their class, not those of any make: the owner replaces them.
- */
+/** Example machines. Their figures are typical of their class, not of any make: the owner replaces them. */
 export const EXAMPLE_MACHINES = {
   small: {
     name: "Turning centre, small",

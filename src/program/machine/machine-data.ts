@@ -6,13 +6,13 @@ export interface OfAxes {
   readonly z: number;
 }
 
-/** A torque that the spindle has at a speed: rpm, Nm. */
+/** Torque of the spindle at a speed: rpm, Nm. */
 export interface TorquePoint {
   readonly speed: number;
   readonly torque: number;
 }
 
-/** What the turning spindle can do. */
+/** Data of the turning spindle. */
 export interface SpindleData {
   /** Fastest speed, rpm. */
   readonly most: number;
@@ -20,38 +20,35 @@ export interface SpindleData {
   readonly runUp?: number;
   /** kW. */
   readonly power?: number;
-  /** By rising speeds; straight between two of them, and as at the nearest beyond. */
+  /** By increasing speed; linear between two points, constant beyond. */
   readonly torque?: readonly TorquePoint[];
 }
 
-/** What a machine can do, as far as its owner has said so. Its M functions are those of the NC output. */
+/** Data of a machine, as far as stated. Its M functions belong to the NC output. */
 export interface MachineData {
   readonly name: string;
   /** Rapid rates, mm/min. */
   readonly rapid?: OfAxes;
-  /** Accelerations at rapid, m/s²; only beside rates. */
+  /** Accelerations at rapid, m/s²; only together with rates. */
   readonly acceleration?: OfAxes;
-  /** From cut to cut as far as no motion is programmed for it, s. */
+  /** Tool change time, s, without its programmed motions. */
   readonly toolChange?: number;
   readonly spindle?: SpindleData;
 }
 
-/** How the spindle turns: as it is programmed, M4 and its like backwards. */
+/** Spindle state: as programmed, reversed with M4 and its like. */
 export interface SpindleTurns {
   readonly spindle: Spindle;
   readonly backwards: boolean;
 }
 
-/** A machine, as far as there are data of it, and the rapid rate that counts where it states none, mm/min. */
+/** Known data of a machine, and the default rapid rate, mm/min. */
 export interface MachineTimed {
   readonly rapid: number;
   readonly machine?: MachineData;
 }
 
-/**
- * Power of a spindle at a speed in rpm, kW: what its torque gives, and never more than its power; null where neither is
- * stated.
- */
+/** Spindle power at a speed in rpm, kW: from its torque, limited by its power; null where neither is stated. */
 export function powerAt({ power, torque = [] }: SpindleData, speed: number): number | null {
   const above = torque.findIndex((point) => point.speed >= speed);
   const [low, high] = [

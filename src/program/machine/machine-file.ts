@@ -2,12 +2,12 @@ import { z } from "zod/mini";
 import type { MachineData } from "./machine-data.ts";
 import { isNcOutput, type NcOutput } from "./nc-output.ts";
 
-/** The first member of a machine file: what it is, and which edition of it. */
+/** First member of a machine file: its format and edition. */
 const FORMAT = "turnwise-machine/",
   EDITION = 1;
 export const MACHINE_FORMAT = `${FORMAT}${EDITION}`;
 
-/** A machine as a file: what times are worked out with, and how programs are written for it. */
+/** A machine file: data for times, and NC output settings. */
 export interface MachineFile extends MachineData {
   readonly output?: NcOutput;
 }
@@ -15,13 +15,11 @@ export interface MachineFile extends MachineData {
 /** Longest name, and longest file that is read, characters. */
 const LONGEST_NAME = 60,
   LONGEST_FILE = 10_000;
-/** Points of a torque curve at least and at most. */
+/** Fewest and most points of a torque curve. */
 const FEWEST_POINTS = 2,
   MOST_POINTS = 20;
 
-/**
- * Lowest and highest value of each number, in its unit: wide enough for any lathe, and too narrow for a slip of units.
- */
+/** Range of each number, in its unit: wide enough for any lathe, narrow enough to detect a wrong unit. */
 export const MACHINE_RANGES = {
   /** mm/min */
   rapid: [100, 200_000],
@@ -78,12 +76,12 @@ export const machineSchema = z
     }),
   );
 
-/** What is wrong with a machine file, and where: `spindle.torque.2.speed`, empty for the whole file. */
+/** A problem of a machine file, and its path: `spindle.torque.2.speed`, empty for the whole file. */
 export interface MachineProblem {
   readonly kind:
     "notJson" | "notMachine" | "newer" | "missing" | "unknown" | "low" | "high" | "wrong" | "order" | "alone";
   readonly at: string;
-  /** The bound that is passed. */
+  /** The exceeded limit. */
   readonly limit?: number;
 }
 
@@ -119,7 +117,7 @@ function problemOf(found: Found, raw: unknown): MachineProblem {
 const isRecord = (raw: unknown): raw is Readonly<Record<string, unknown>> =>
   typeof raw === "object" && raw !== null && !Array.isArray(raw);
 
-/** A machine file that is read, or all that is wrong with it. */
+/** A machine file as read, or all of its problems. */
 export type ReadMachine =
   { readonly machine: MachineFile } | { readonly problems: readonly [MachineProblem, ...MachineProblem[]] };
 
@@ -145,12 +143,12 @@ export function readMachine(text: string): ReadMachine {
   return { machine: machine as MachineFile };
 }
 
-/** A machine as the text of its file, in the order of the format. Nothing is rounded. */
+/** Writes a machine file, in the order of the format. Nothing is rounded. */
 export function writeMachine({ name, rapid, acceleration, toolChange, spindle: own, output }: MachineFile): string {
   return `${JSON.stringify({ format: MACHINE_FORMAT, name, rapid, acceleration, toolChange, spindle: own, output }, null, 2)}\n`;
 }
 
-/** The machine of a kept text, as times need it; null where it is empty or none. */
+/** Machine data of a stored text, for times; null where it is empty or invalid. */
 export function machineOf(text: string): MachineData | null {
   const read = text === "" ? null : readMachine(text);
   if (!read || "problems" in read) return null;

@@ -1,19 +1,19 @@
 import type { ApproachForm } from "../../nc/words.ts";
 import type { Field } from "../values/field.ts";
 
-/** Words of an APPR or DEP block that have a prompt of their own. SIDE is RL, RR or R0. */
+/** Words of APPR and DEP with a prompt. SIDE is RL, RR or R0. */
 export type ApproachWord = "X" | "Y" | "Z" | "PR" | "PA" | "LEN" | "CCA" | "R" | "SIDE" | "F" | "M";
 
 /** The plane an approach runs in: X and Y of a mill, or Z and X of a turning tool. */
 export type WorkingPlane = "XY" | "ZX";
 
-/** One prompt of the dialog; side and functions are no numbers. */
+/** One prompt of the dialog; side and functions are not numeric. */
 export interface ApproachField extends Omit<Field, "kind"> {
   readonly id: ApproachWord;
   readonly kind: "length" | "diameter" | "angle" | "feed" | "side" | "functions";
 }
 
-/** What a position word of a control can hold, mm. */
+/** Largest value of a position word, mm. */
 const FARTHEST = 99_999.9999;
 /** The finest step of a word. */
 const FINEST = 0.001;
@@ -52,14 +52,12 @@ function position(polar: boolean, plane: WorkingPlane): readonly ApproachField[]
     : [axis("X", "length", false), axis("Y", "length", false), axis("Z", "length", true)];
 }
 
-/** LT, LN, CT or LCT of a form, whichever way its point is written. */
+/** LT, LN, CT or LCT of a form, Cartesian or polar. */
 export const shapeOf = (form: ApproachForm): "LT" | "LN" | "CT" | "LCT" =>
   form.replace("P", "") as "LT" | "LN" | "CT" | "LCT";
 export const isPolar = (form: ApproachForm): boolean => form.startsWith("P");
 
-/**
- * The prompts of APPR or DEP in the order of the control. DEP knows a position only where its end point is given (LCT).
- */
+/** Prompts of APPR or DEP in the order of the control. DEP has a position only where its end point is given (LCT). */
 export function approachFields(form: ApproachForm, departing: boolean, plane: WorkingPlane): readonly ApproachField[] {
   const shape = shapeOf(form);
   const own: Record<typeof shape, readonly ApproachField[]> = {

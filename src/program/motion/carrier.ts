@@ -3,19 +3,19 @@ import type { Machine } from "../state/machine.ts";
 import type { Travel } from "../state/plane-chain.ts";
 import type { ApproachRun } from "../tools/plane-types.ts";
 
-/** What carries a chain out: a mill in X/Y or a turning tool in Z/X. */
+/** Executes a chain: a mill in X/Y or a turning tool in Z/X. */
 export interface Carrier {
   readonly machine: Machine;
   readonly plane: "XY" | "ZX";
-  /** Radius to keep from the contour, mm. */
+  /** Distance of the tool centre from the contour, mm. */
   readonly toolRadius: number;
-  /** From the tool centre to the point that the program moves; nothing for a mill. */
+  /** Vector from the tool centre to the programmed point; zero for a mill. */
   readonly tip: PlanePoint;
   /** Upper side of the part in the tool axis, where one is known. */
   readonly top: number | null;
   /** Runs a path of the programmed point. */
   readonly emit: (s: PlaneSegment, travel: Travel) => void;
-  /** The first position of all: how the tool came there, nobody knows. */
+  /** The first position, reached from an unknown one. */
   readonly arrive: (at: PlanePoint, travel: Travel) => void;
   readonly note: (run: ApproachRun) => void;
 }

@@ -13,9 +13,9 @@ const KEYS: Readonly<Partial<Record<AxisName, keyof Datum>>> = { X: "x", Y: "y",
 const ALL: readonly (keyof Datum)[] = ["x", "y", "z"];
 
 /**
- * From a coordinate of the program to that of the workpiece, in the measure of its word: of X a diameter while turning.
- * Null for an axis that no path runs along. A shift that nobody knows makes a position of turning unknown, so that
- * nothing false is found there; a mill's path, which cuts no stock here, is drawn from the last datum that was known.
+ * Offset from program to workpiece coordinates, in the measure of the word: a diameter for X while turning. Null for an
+ * axis without a path. An unknown shift makes a turning position unknown, to avoid false findings; a milling path,
+ * which cuts no stock here, continues from the last known datum.
  */
 export function datumShiftOf(machine: Machine, axis: AxisName): number | "unknown" | null {
   const key = KEYS[axis];
@@ -25,7 +25,7 @@ export function datumShiftOf(machine: Machine, axis: AxisName): number | "unknow
   return key === "x" && machine.now.turning ? toDiameter(radius(by)) : by;
 }
 
-/** Moves the datum: an absolute word takes the place of the shift in its axis, an incremental one adds to it. */
+/** Moves the datum: an absolute word replaces the shift of its axis, an incremental one adds to it. */
 export function shiftDatum(machine: Machine, words: readonly AxisWord[], what: string, index: number): void {
   for (const w of words) {
     const n = machine.number(w.value, index);
@@ -51,7 +51,7 @@ const others = (machine: Machine, key: keyof Datum) => machine.now.unknownDatum.
 /** TRANS DATUM RESET. */
 export const resetDatum = (machine: Machine): void => machine.set({ datum: NO_SHIFT, unknownDatum: [] });
 
-/** A row of a datum table, which the run does not have. */
+/** A row of a datum table, which is not available. */
 export function tableDatum(machine: Machine, what: string, index: number): void {
   machine.log.leaveUnproved(what.slice(0, 60), index);
   machine.set({ unknownDatum: ALL });
@@ -59,7 +59,7 @@ export function tableDatum(machine: Machine, what: string, index: number): void 
 
 const ROW = /^#[ \t]*\S+/;
 
-/** The lines of cycle 7 behind its head: a coordinate each, or a row of a datum table, which the run does not have. */
+/** Lines of cycle 7 behind its head: one coordinate each, or a row of a datum table, which is not available. */
 export function datumLine(machine: Machine, text: string, what: string, index: number): void {
   const row = ROW.exec(text.trim())?.[0];
   if (row !== undefined) return tableDatum(machine, `${what} ${row}`, index);

@@ -8,27 +8,23 @@ import { centreOf, millStep } from "./mill-moves.ts";
 import { moveOf } from "./path-block.ts";
 import { part } from "../../kernel/geometry/point.ts";
 
-/** Machine coordinates: where that is on the workpiece, nobody here knows. */
+/** Machine coordinates: their relation to the workpiece is unknown. */
 const MACHINE_COORDINATES: ReadonlySet<number> = new Set([91, 92]);
 const RETRACT = 140;
-/**
- * How far beyond the blank a tool stands after M140 MB MAX, mm: the end of the travel is farther, and nothing stands
- * between.
- */
+/** Distance from the blank after M140 MB MAX, mm: the limit of travel is farther, with nothing in between. */
 const BEYOND_BLANK = 20;
 
 export const isElsewhere = (words: Words): boolean => words.functions.some((m) => MACHINE_COORDINATES.has(m));
 export const retracts = (words: Words): boolean => words.functions.includes(RETRACT);
 
-/** M91 counts from the machine's zero; M92 from a place that its maker has set. */
+/** M91 counts from machine zero; M92 from a point set by the machine builder. */
 const isMachineZero = (words: Words): boolean => words.functions.includes(91);
-/** A machine coordinate this near to 0 is the end of the travel or just in front of it, mm. */
+/** A machine coordinate this close to 0 counts as the limit of travel, mm. */
 const HOME = 10;
 
 /**
- * Whether a block takes a turning tool home at rapid, away from the work. One axis alone runs straight, until it is
- * beside the blank and nothing stands in its way any more; how several axes share the way nobody knows, so that the
- * tool has to stand beside the blank already.
+ * Whether a block moves a turning tool home at rapid, away from the work. A single axis runs straight until it clears
+ * the blank. With several axes the path is unknown, so the tool must be clear already.
  */
 function goesHome(machine: Machine, words: Words, index: number): boolean {
   const { blank, tool } = machine.now;
@@ -51,8 +47,7 @@ function goesHome(machine: Machine, words: Words, index: number): boolean {
 }
 
 /**
- * A block in machine coordinates: the axes that it names are not known behind it. The way there, from a known place, is
- * not proved, but for the way home.
+ * A block in machine coordinates: its axes are unknown afterwards. The path there is unverified, except a move home.
  */
 export function elsewhere(machine: Machine, words: Words, index: number): void {
   const { mill } = machine.place;
@@ -79,8 +74,8 @@ export function elsewhere(machine: Machine, words: Words, index: number): void {
 }
 
 /**
- * M140: back along the tool axis, at the beginning of its block, by MB or to the end of the travel; at its own feed, or
- * at rapid.
+ * M140: retracts along the tool axis at the start of its block, by MB or to the limit of travel; at its own feed, or at
+ * rapid.
  */
 export function retract(machine: Machine, words: Words, index: number): void {
   const feed = functionFeed(machine, words.functionFeed, index);

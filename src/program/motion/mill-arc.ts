@@ -8,7 +8,7 @@ import { millSideStep, type SidePlane } from "./mill-moves.ts";
 import { standing, wordReader } from "./path-block.ts";
 import { planeOfAxes, pointIn, segmentOf, type MillPlane, type PathBlock, type Position } from "../state/path.ts";
 
-/** A block that moves on an arc in a plane beside that of the tool axis. */
+/** An arc block in a plane that contains the tool axis. */
 export interface SideBlock {
   readonly block: PathBlock;
   readonly before: Position;
@@ -20,17 +20,14 @@ export interface SideBlock {
 const NAMED_BY_POLE: ReadonlySet<PathKind> = new Set(["C", "CP"]);
 const NAMED_BY_END: ReadonlySet<PathKind> = new Set(["CR", "CT"]);
 
-/**
- * The plane that an arc runs in: its pole's, or that of its end point. CP with an axis of its own is a helix round the
- * tool axis.
- */
+/** Plane of an arc: that of its pole, or of its end point. CP with its own axis is a helix about the tool axis. */
 export function planeOf(machine: Machine, { path, words }: PathBlock): MillPlane {
   if (NAMED_BY_END.has(path)) return planeOfAxes(words.axes);
   if (!NAMED_BY_POLE.has(path) || (path === "CP" && words.axes.length > 0)) return "XY";
   return machine.now.pole?.plane ?? "XY";
 }
 
-/** What ran last, in the plane of an arc that leaves it tangentially. */
+/** Previous segment, in the plane of a tangential arc. */
 function segmentBefore(machine: Machine, plane: SidePlane): Segment | null {
   const { milled: last } = machine.place;
   if (!last) return null;
@@ -39,7 +36,7 @@ function segmentBefore(machine: Machine, plane: SidePlane): Segment | null {
   return last.segment || !from || !to || Math.hypot(to.z - from.z, to.r - from.r) <= SAME ? null : part.line(from, to);
 }
 
-/** Runs an arc in a plane beside that of the tool axis, as programmed, without compensation. */
+/** Runs an arc in a plane that contains the tool axis, as programmed, without compensation. */
 export function millSideArc(machine: Machine, plane: SidePlane, side: SideBlock): void {
   const { block, before, to, index } = side;
   const [start, end] = [pointIn(plane, before), pointIn(plane, to)];

@@ -7,13 +7,13 @@ const OTHER_SIDE = { RL: "RR", RR: "RL", R0: "R0" } as const;
 const OTHER_WAY = { cw: "ccw", ccw: "cw" } as const;
 const ARCS: ReadonlySet<PathKind> = new Set(["C", "CR", "CT", "CP", "CTP"]);
 
-/** A length of the program as long as it is on the workpiece; one that nobody knows stays as it is written. */
+/** A program length scaled to the workpiece; an unknown value stays as written. */
 function grown(machine: Machine, value: Value, by: number, index: number): Value {
   const n = by === 1 ? null : machine.number(value, index);
   return n === null ? value : n * by;
 }
 
-/** The words of a block as they are on the workpiece: side, way round and lengths; never the tool's radius. */
+/** Words of a block in workpiece terms: side, direction and lengths; never the tool radius. */
 function wordsOn(machine: Machine, words: Words, plane: MillPlane, index: number): Words {
   const { transform } = machine.now;
   const flipped = isFlipped(transform, plane);
@@ -27,10 +27,7 @@ function wordsOn(machine: Machine, words: Words, plane: MillPlane, index: number
   };
 }
 
-/**
- * Mirrored, turned and scaled coordinates bend some arcs out of shape or out of their plane: those are not proved, and
- * run straight.
- */
+/** Some arcs cannot be mirrored, rotated or scaled into a circle of a plane: these are unverified and run straight. */
 export function millBlock(machine: Machine, block: PathBlock, plane: MillPlane, index: number): PathBlock {
   const { transform } = machine.now;
   if (transform === NO_TRANSFORM) return block;
@@ -41,7 +38,7 @@ export function millBlock(machine: Machine, block: PathBlock, plane: MillPlane, 
   return !bends ? made : { ...made, path: isPolarPath(block.path) ? "LP" : "L" };
 }
 
-/** The words of APPR or DEP on the workpiece. */
+/** Words of APPR or DEP in workpiece terms. */
 export function millApproachWords(machine: Machine, words: Words, form: string, index: number): Words {
   const { transform } = machine.now;
   if (transform === NO_TRANSFORM) return words;
@@ -49,7 +46,7 @@ export function millApproachWords(machine: Machine, words: Words, form: string, 
   return wordsOn(machine, words, "XY", index);
 }
 
-/** What a rounding or a chamfer of a mill grows by; null where that is not one number, and it is not proved. */
+/** Scale factor of a rounding or chamfer; null where it is not a single number, which leaves it unverified. */
 export function cornerGrowth(machine: Machine, what: string, index: number): number | null {
   const by = machine.now.turning ? 1 : growthIn(machine.now.transform, "XY");
   if (by === null) machine.log.leaveUnproved(what, index);

@@ -11,14 +11,14 @@ import type { ApproachRun, PlaneStep, Spot } from "../tools/plane-types.ts";
 
 const { apart, sweepOf } = plane;
 
-/** A plane beside that of the tool axis Z. */
+/** A plane that contains the tool axis Z. */
 export type SidePlane = Exclude<MillPlane, "XY">;
 
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
 
 /**
- * Seconds of a motion over `long` mm. At rapid each axis has what the machine states of it, and Y what it states of X;
- * an arc goes as a straight way of its length would along X.
+ * Seconds of a motion over `long` mm. At rapid each axis has its machine rate, Y that of X; an arc is timed as a
+ * straight X move of its length.
  */
 function secondsOver(
   machine: Machine,
@@ -63,7 +63,7 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   const line =
     s.kind === "line" ? { x: s.to.x - s.from.x, y: s.to.y - s.from.y, z: (toZ ?? 0) - (fromZ ?? toZ ?? 0) } : null;
   const [seconds, turned] = [secondsOver(machine, long, { feed, line }), machine.log.steps.length];
-  // Written out: of the many objects of a long program, copies of objects take most of the time.
+  // Written out: in a long program, object copies dominate the time.
   const straight: PlaneStep =
     feed === null
       ? { kind: "rapid", from, to, radius, block, index, seconds, turned }
@@ -74,7 +74,7 @@ export function millStep(machine: Machine, s: PlaneSegment, { fromZ, toZ, feed, 
   );
 }
 
-/** Adds an arc in a plane beside that of the tool axis. */
+/** Adds an arc in a plane that contains the tool axis. */
 export function millSideStep(
   machine: Machine,
   plane: SidePlane,
@@ -104,10 +104,10 @@ export function millSideStep(
 }
 
 const spotOf = ({ x, y, z }: Position): Spot | null => (x === null || y === null ? null : { x, y, z });
-/** The centre of the tool in its working plane; null while nobody knows where that is. */
+/** Tool centre in the working plane; null while unknown. */
 export const centreOf = ({ x, y }: Position): PlanePoint | null => (x === null || y === null ? null : { x, y });
 
-/** The tool comes from where nobody knows: a step without a way, that says where it arrives. */
+/** The tool comes from an unknown position: adds a step without length at its arrival. */
 export function millArrives(machine: Machine, to: PlanePoint, { toZ, feed, index }: Travel): void {
   const at = { ...to, z: toZ };
   machine.log.note("milled", {

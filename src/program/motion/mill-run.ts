@@ -16,10 +16,10 @@ import { ROUND } from "../../kernel/tolerance.ts";
 
 const carrierOf = (machine: Machine) => () => millCarrier(machine);
 
-/** Carries out what waits; called before anything that does not belong to a contour. */
+/** Runs the pending contour; called before anything that does not belong to it. */
 export const closeMill = (machine: Machine): void => close(machine.millGuide, carrierOf(machine));
 
-/** The plane in which the words of a block count: LP stays in that of its pole. */
+/** Plane of the words of a block: LP stays in the plane of its pole. */
 const planeOfWords = (machine: Machine, block: PathBlock): MillPlane =>
   block.path === "LP" ? (machine.now.pole?.plane ?? "XY") : planeOf(machine, block);
 
@@ -73,7 +73,9 @@ export function millPath(machine: Machine, written: PathBlock, index: number): v
   );
 }
 
-/** An arc beside the plane of the tool axis. The path before it is finished first: compensation does not reach it. */
+/**
+ * An arc in a plane that contains the tool axis. The pending path is finished first: compensation does not apply here.
+ */
 function sideArc(machine: Machine, plane: SidePlane, side: SideBlock & { readonly requested: Side }): void {
   const { requested, index, to } = side;
   closeMill(machine);
@@ -82,7 +84,7 @@ function sideArc(machine: Machine, plane: SidePlane, side: SideBlock & { readonl
   machine.millGuide.here = centreOf(to);
 }
 
-/** Between which points of the plane a block mills, and between which positions. */
+/** Start and end of a milling block, as points of the plane and as positions. */
 interface Between {
   readonly start: PlanePoint;
   readonly end: PlanePoint;

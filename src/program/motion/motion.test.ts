@@ -112,7 +112,7 @@ describe("the printed contour with arcs, tool radius 6", () => {
       problem: expect.stringContaining("tools.0.TYPE") as string,
     });
   });
-  test("without the radius it says so and runs as programmed", () => {
+  test("a missing radius is reported, and the path runs as programmed", () => {
     const bare = runText(circular);
     expect(faults(bare)).toEqual(["toolRadiusUnknown"]);
     expect(points(bare)["PA"]).toEqual([5, 5]);
@@ -164,7 +164,7 @@ describe("the printed examples of each form, tool radius 5", () => {
 });
 
 describe("feeds and the tool axis", () => {
-  test("LT, LN and CT come to PH as the block before moved, LCT at its own feed", () => {
+  test("LT, LN and CT reach PH at the feed of the previous block, LCT at its own feed", () => {
     expect(shown(fragment(0)).slice(1, 4)).toEqual([
       "feed 12.928932 5.857864 20 F300",
       "feed 12.928932 5.857864 -10 F300",
@@ -218,7 +218,7 @@ describe("what the control refuses", () => {
     ).toEqual([]));
 });
 
-describe("the way that the control does not check", () => {
+describe("path checks that the control does not make", () => {
   const square = "L Y+95\nL X+95\nL Y+5\nL X+5\nDEP LT LEN20 F1000";
   const from = (ps: string) => milled(`L ${ps} R0 FMAX\nL Z-5 F1000\nAPPR LT X+5 Y+5 LEN10 RL F300\n${square}`);
   test("PS on the other side of the part: the place, and a PS from where the way is free", () => {

@@ -11,7 +11,7 @@ import { cornerBlock, runHeldElement, pathBlock, pole } from "./path-block.ts";
 import { addCorner } from "./plane-guide.ts";
 import { closeTurn, guidedPath, isGuided, turnApproach } from "./turn-run.ts";
 
-/** Carries out every contour that waits for its end. */
+/** Runs all pending contours. */
 export function finish(machine: Machine): void {
   runHeldElement(machine);
   closeMill(machine);

@@ -39,7 +39,7 @@ export function moveOf(machine: Machine, s: Segment, feed: FeedNumber | null): M
     : { kind: "arc", to: s.to, centre: s.centre, turn: s.turn, ...feeding };
 }
 
-/** Runs the element that waited for a corner; called before anything that does not belong to the contour. */
+/** Runs the element pending for a corner; called before anything that does not belong to the contour. */
 export function runHeldElement(machine: Machine): void {
   const { held } = machine.place;
   machine.setPlace({ held: null });
@@ -53,7 +53,7 @@ function run(machine: Machine, s: Segment, feed: FeedNumber | null, index: numbe
   if (part.lengthOf(s) > SAME) machine.step(s.from, moveOf(machine, s, feed), index);
 }
 
-/** Holds a new element back until the next block shows whether a corner follows; runs the one before. */
+/** Defers a new element until the next block shows whether a corner follows; runs the previous one. */
 function hold(machine: Machine, segment: Segment, feed: FeedNumber | null, index: number): void {
   const { held } = machine.place;
   const { corner } = held ?? {};
@@ -92,8 +92,8 @@ export function cornerBlock(machine: Machine, element: CornerElement, feed: Feed
 const isAbsolute = (w: PolarWord | undefined) => w !== undefined && !w.incremental;
 
 /**
- * Takes over the end of a block. An axis is sure from an absolute word on: an incremental one is as sure as what it
- * starts from.
+ * Sets the position at the end of a block. An axis is sure after an absolute word; an incremental one keeps the
+ * certainty of its start.
  */
 export function standAt(machine: Machine, { path, words }: PathBlock, to: Position): void {
   const named = new Set(words.axes.filter((w) => !w.incremental).map((w) => w.axis));
@@ -104,7 +104,7 @@ export function standAt(machine: Machine, { path, words }: PathBlock, to: Positi
   machine.setPlace({ at: to, sure: { x, z }, lost: x && z ? null : lost });
 }
 
-/** Reads the words of a path block. What is not known for a reason that has been told is not told again. */
+/** Reads the words of a path block. A value unknown for a reported reason is not reported again. */
 export const wordReader = (machine: Machine, index: number): WordReader => ({
   number: (value) => machine.number(value, index),
   length: (n) => machine.length(n),
@@ -123,7 +123,7 @@ export const wordReader = (machine: Machine, index: number): WordReader => ({
   rule: (rule, word) => breaksRule(machine, rule, word, index),
 });
 
-/** What a block counts from in a plane of the mill or of the lathe. */
+/** Reference points of a block in a plane of the mill or the lathe. */
 export const standing = ({ now: { pole }, place: { at, mill } }: Machine, plane: Plane): Standing => ({
   plane,
   at: plane === "lathe" ? at : mill,
@@ -133,20 +133,20 @@ export const standing = ({ now: { pole }, place: { at, mill } }: Machine, plane:
 /** A corner element as the program spells it. */
 export const wordOf = ({ kind }: CornerElement): string => (kind === "round" ? "RND" : "CHF");
 
-/** The pole: CC with coordinates; those it leaves out are where the tool was programmed to. */
+/** The pole: CC with coordinates; omitted ones are the programmed position. */
 export function pole(machine: Machine, { axes }: Words, index: number): void {
   const from = machine.now.turning ? machine.place.at : machine.place.mill;
   if (axes.length === 0 && machine.place.isWhole === false) breaksRule(machine, "emptyCentre", "CC", index);
   machine.set({ pole: { at: coordinates(wordReader(machine, index), axes, from), plane: planeOfAxes(axes) } });
 }
 
-/** Where a block of a turning tool ends; null where it moves neither axis. */
+/** End of a turning block; null where it moves neither axis. */
 export function targetOf(machine: Machine, block: PathBlock, index: number): Position | null {
   const to = endOf(wordReader(machine, index), block, standing(machine, "lathe"));
   return isPolarPath(block.path) || block.words.axes.some((w) => w.axis === "X" || w.axis === "Z") ? to : null;
 }
 
-/** What a block of a turning tool moves along between two points. */
+/** Segment of a turning block between two points. */
 export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to: Pt, index: number): Segment {
   const { pole } = standing(machine, "lathe");
   const last = segmentOf(wordReader(machine, index), block, { from, to, pole, before: machine.place.last });
@@ -154,9 +154,7 @@ export function elementBetween(machine: Machine, block: PathBlock, from: Pt, to:
   return last;
 }
 
-/**
- * A feed of which nobody knows where it begins or ends is not cut: it matters unless it surely ends beside the blank.
- */
+/** A feed move with unknown start or end is not cut: it is reported unless it surely ends outside the blank. */
 function cutFromNowhere(machine: Machine, to: Pt | null, index: number): void {
   const { blank } = machine.now;
   if (blank.length === 0) return;

@@ -15,7 +15,7 @@ import { frameOf } from "./transform-blocks.ts";
 
 const { apart, beyond, difference, direction, sum } = plane;
 
-/** Runs one chain; remembers where the tool centre stands. */
+/** Runs one chain and tracks the tool centre. */
 class Finishing {
   constructor(
     readonly carrier: Carrier,
@@ -23,14 +23,14 @@ class Finishing {
     public centre: PlanePoint | null,
   ) {}
 
-  /** Goes along a path of the centre; a gap before it is closed with a straight line. */
+  /** Moves the centre along a path; a gap is closed with a straight line. */
   go(s: PlaneSegment, travel: Travel): void {
     if (this.centre && apart(this.centre, s.from) > SAME)
       this.run({ kind: "line", from: this.centre, to: s.from }, { ...travel, toZ: travel.fromZ });
     this.run(s, travel);
   }
 
-  /** The elements one after another as they stand. */
+  /** Runs the elements in order, without compensation. */
   asProgrammed(): void {
     for (const t of this.chain.lifts) this.lift(t);
     for (const item of this.chain.items) {
@@ -55,12 +55,12 @@ class Finishing {
 const shifted = (points: Approach["points"], by: PlanePoint): Approach["points"] =>
   Object.fromEntries(Object.entries(points).map(([name, p]) => [name, sum(p, by)]));
 
-/** A place of the working plane as issues write it. */
+/** A point of the working plane in the form of issues. */
 function placeOf(carrier: Carrier, p: PlanePoint): { x: number; y: number } | { x: number; z: number } {
   return carrier.plane === "XY" ? { x: p.x, y: p.y } : { x: toDiameter(radius(p.y)), z: p.x };
 }
 
-/** The finding of the check that the control leaves out. */
+/** Finding of a check that the control does not make. */
 function cutIssue(carrier: Carrier, q: ApproachRequest, guarded: NonNullable<ReturnType<typeof guardApproach>>): Issue {
   const common = {
     point: q.departing ? ("PN" as const) : ("PS" as const),
@@ -82,7 +82,7 @@ function cutIssue(carrier: Carrier, q: ApproachRequest, guarded: NonNullable<Ret
   return issue("approachBlocked", "warning", common, "contour");
 }
 
-/** Works out one APPR or DEP, reports it and hands out its legs with their travel in the tool axis. */
+/** Computes one APPR or DEP, reports it, and returns its legs with their travel in the tool axis. */
 function lead(f: Finishing, call: ApproachCall, element: PlaneSegment, contour: PlaneContour): Approach {
   const { carrier } = f;
   const { machine } = carrier;
@@ -157,10 +157,10 @@ function runDeparture(f: Finishing, call: ApproachCall, made: Approach): void {
   if (!atOnce || last < 0) f.lift(call);
 }
 
-/** Blocks that stand between an approach and its element without being one. */
+/** Blocks allowed between an approach and its element. */
 const BETWEEN: ReadonlySet<Statement["kind"]> = new Set(["empty", "comment", "structure", "assign"]);
 
-/** An approach or departure next to no element; where that is one nobody could work out, it is no fault. */
+/** Reports an approach or departure without an element; no fault where that element could not be solved. */
 function sayAlone({ carrier: { machine } }: Finishing, form: string, index: number): void {
   const step = form.startsWith("APPR") ? 1 : -1;
   let i = index + step;
@@ -170,7 +170,7 @@ function sayAlone({ carrier: { machine } }: Finishing, form: string, index: numb
   else machine.log.say(programIssue("approachWithoutContour", "error", { form }), index);
 }
 
-/** Comes to the first element. */
+/** Moves to the first element. */
 function begin(f: Finishing, contour: PlaneContour, reference: PlaneSegment | undefined): void {
   const { start, side } = f.chain;
   if (start.kind === "line") {
@@ -227,7 +227,7 @@ function sayIssues(carrier: Carrier, chain: CompensatedChain, contour: PlaneCont
     );
 }
 
-/** Without an element of its own, a contour of one point takes the direction in which the tool came to it. */
+/** A contour of one point takes the direction in which the tool arrived. */
 function ownDirection(chain: CompensatedChain, here: PlanePoint | null): PlaneSegment | undefined {
   const { start } = chain;
   return start.kind === "line" && here && apart(here, start.to) > ROUND
@@ -237,11 +237,11 @@ function ownDirection(chain: CompensatedChain, here: PlanePoint | null): PlaneSe
 
 const hasRadius = (side: Side) => side !== "none";
 
-/** Nothing to compensate and no corner to put in: nearly every element of a long program. */
+/** Neither compensation nor corners: nearly every element of a long program. */
 const runsAsProgrammed = ({ side, start, items }: CompensatedChain) =>
   !hasRadius(side) && start.kind === "here" && items.every((i) => i.corner === undefined);
 
-/** Carries out a chain and what ends it; gives where the programmed point then stands. */
+/** Runs a chain and its end; returns the final position of the programmed point. */
 export function finishChain(
   carrier: Carrier,
   chain: CompensatedChain,

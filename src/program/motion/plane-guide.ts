@@ -23,23 +23,23 @@ import { finishChain } from "./plane-finish.ts";
 const { apart, lengthOf } = plane;
 
 const SIDES: Readonly<Record<Compensation, Side>> = { R0: "none", RL: "left", RR: "right" };
-/** The side that a block asks for; the one in force when it says nothing. */
+/** Side of a block; the active one when it names none. */
 export const sideOf = (words: Words, now: Side): Side =>
   words.compensation === undefined ? now : SIDES[words.compensation];
 
-/** A path block in the working plane: from the programmed point before it (null: unknown) to its own. */
+/** A path block in the working plane: from the previous programmed point (null: unknown) to its own. */
 export interface PathStep extends Travel {
   readonly segment: PlaneSegment | null;
   readonly to: PlanePoint;
 }
 
-/** Gives the carrier for a side: compensated with the tool radius, or moved as programmed. */
+/** Carrier for a side: compensated with the tool radius, or as programmed. */
 export type CarrierFor = (side: Side) => Carrier;
 
 /** A chain as programmed, before its first element. */
 const UNCOMPENSATED_CHAIN: OpenChain = { side: "none", start: { kind: "here" }, lifts: [], end: null };
 
-/** Carries out the chain that waits, up to where it has got. */
+/** Runs the pending chain. */
 export function close(guide: Guide, carrier: CarrierFor, departure: ApproachCall | null = null): void {
   const { chain } = guide;
   guide.chain = null;
@@ -48,20 +48,18 @@ export function close(guide: Guide, carrier: CarrierFor, departure: ApproachCall
   guide.here = finishChain(carrier(chain.side), { ...rest, items: itemsOf(end) }, guide.here, departure);
 }
 
-/** A line that begins where the element before it really ends, however little that is beside the programmed point. */
+/** A line from the actual end of the previous element, however small the gap to the programmed point. */
 function joined(segment: PlaneSegment, before: PlaneSegment | undefined): PlaneSegment {
   if (!before || segment.kind !== "line" || apart(before.to, segment.from) > ARC_END) return segment;
   return { kind: "line", from: before.to, to: segment.to };
 }
 
-/** Longest compensated contour; beyond it the run ends, for a contour cut short would be another part. */
+/** Longest compensated contour. The run ends beyond it: a truncated contour would be another part. */
 const LONGEST = 20_000;
-/** Elements as programmed that wait at most for a corner behind them; only the last one really has to. */
+/** Most pending elements without compensation; only the last one has to wait for a corner. */
 const WAITING = 1000;
 
-/**
- * Carries out a contour without compensation up to its last element, so that a long program does not wait as a whole.
- */
+/** Runs an uncompensated contour up to its last element, so that a long program is not held in memory. */
 function advance(guide: Guide, carrier: CarrierFor): void {
   const { chain } = guide,
     end = chain?.end;
@@ -121,7 +119,7 @@ export function followPath(guide: Guide, carrier: CarrierFor, requested: Side, s
   if (arc) append(machine, guide, step, arc);
 }
 
-/** R0: as programmed. After RL or RR the tool leaves from where it really stands. */
+/** R0: as programmed. After RL or RR the tool leaves from its actual position. */
 function uncompensated(machine: Machine, guide: Guide, step: PathStep, standing: PlanePoint | null): void {
   guide.chain ??= UNCOMPENSATED_CHAIN;
   append(
@@ -154,13 +152,13 @@ function approachWords(machine: Machine, words: Words, index: number): ApproachC
   };
 }
 
-/** Where an APPR or DEP block goes to, and what it says. */
+/** Target and words of an APPR or DEP block. */
 export interface WrittenApproach {
   readonly departing: boolean;
   readonly form: ApproachForm;
   readonly words: Words;
   readonly index: number;
-  /** PA, or PN of DEP LCT; null where none is programmed. */
+  /** PA, or PN of DEP LCT; null without one. */
   readonly target: PlanePoint | null;
   readonly fromZ: number | null;
   readonly toZ: number | null;
@@ -189,14 +187,14 @@ function callOf(
   };
 }
 
-/** The feed that the block before ran at: null is rapid; undefined when none is programmed at all. */
+/** Feed of the previous block: null is rapid; undefined when none is programmed. */
 const feedBefore = (machine: Machine) =>
   machine.now.lastFeed === undefined ? (machine.now.feed ?? undefined) : machine.now.lastFeed;
 
-/** Forms that run without a side as if nothing were wrong; the others say what they take. */
+/** Forms that run without a side and without a finding. */
 const UNCOMPENSATED: ReadonlySet<ApproachCall["shape"]> = new Set(["LT", "LCT"]);
 
-/** APPR: the contour begins; its way there is carried out when the first element is known. */
+/** APPR: the contour begins; the approach is run when the first element is known. */
 export function beginApproach(guide: Guide, carrier: CarrierFor, b: WrittenApproach): void {
   const side = sideOf(b.words, "none");
   const { machine } = carrier(side);

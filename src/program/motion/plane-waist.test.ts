@@ -49,7 +49,7 @@ describe("a contour that a tool cuts away from where it mills", () => {
     expect(found?.issue.data).toMatchObject({ element: 1, other: 8, depth: 1, y: 9, nearest: 4.5 });
   });
 
-  test("a tool that does not fit its neighbours is told at the place in the plane", () => {
+  test("a tool that does not fit its neighbours is reported at its point in the plane", () => {
     const found = milled("L X-40 Y-40 R0 F500\nAPPR LT X+0 Y+0 LEN10 RR F100\nL Y+50\nRND R4\nL X+50\nL X+90 Y-90 R0")
       .issues[0]?.issue;
     const middle = 4 * (1 - Math.SQRT1_2);

@@ -6,20 +6,17 @@ import { SAME } from "../../kernel/tolerance.ts";
 import type { Carrier } from "./carrier.ts";
 import type { ChainItem, CompensatedChain } from "../state/plane-chain.ts";
 
-/** A smaller radius is looked for in contours of no more elements: every try compensates all of them. */
+/** Longest contour in which a smaller radius is searched: every try compensates all elements. */
 const MOST_TRIED = 60;
 
-/** Whether the tool is below the upper side of the part along an element, or on the corner behind it. */
+/** Whether the tool is below the top of the part along an element, or on the corner after it. */
 function isBelow(item: ChainItem | undefined, onCorner: boolean, top: number | null): boolean {
   if (!item || top === null) return true;
   const heights = onCorner ? [item.lifts.at(-1)?.toZ ?? item.toZ] : [item.fromZ, item.toZ];
   return heights.some((z) => z === null || z < top);
 }
 
-/**
- * The deepest place where the way along a contour cuts that contour. A path that does not fit its neighbours is at
- * fault before that.
- */
+/** Deepest cut of the path into its own contour. A path that does not fit its neighbours is reported before. */
 function cutOf(contour: PlaneContour, { items }: CompensatedChain, { top }: Carrier, toolRadius: number) {
   const indices = new Map<string, number>();
   const key = (element: number, onCorner: boolean) => `${element} ${onCorner}`;
@@ -39,9 +36,12 @@ function cutOf(contour: PlaneContour, { items }: CompensatedChain, { top }: Carr
   return cut && { ...cut, by: milled[cut.piece], wall: contour.contour[cut.into] };
 }
 
-/** A control compares an element with its neighbours only: it mills through a waist narrower than its tool. */
+/**
+ * Reports path cuts that a control misses: it compares neighbouring elements only and mills through a waist narrower
+ * than its tool.
+ */
 export function sayPathCut(carrier: Carrier, chain: CompensatedChain, contour: PlaneContour): void {
-  // A turning tool is no full circle, and what it cuts of its part is proved.
+  // A turning tool is no full circle, and its cuts are verified elsewhere.
   if (carrier.plane !== "XY" || chain.side === "none" || contour.issues.some((each) => each.issue.severity === "error"))
     return;
   const cut = cutOf(contour, chain, carrier, carrier.toolRadius);
@@ -61,7 +61,7 @@ export function sayPathCut(carrier: Carrier, chain: CompensatedChain, contour: P
       chain.side,
       size,
     );
-    // What is offered passes without a hair of a cut.
+    // The offered radius must pass without any cut.
     return smaller.issues.length === 0 && cutOf(smaller, chain, carrier, size + LEAST_PATH_CUT - SAME) === null;
   };
   const nearest = chain.items.length <= MOST_TRIED ? largestThatWorks(carrier.toolRadius, fits) : null;

@@ -4,19 +4,19 @@ import type { AxisName, Value } from "../../nc/words.ts";
 import type { Machine } from "../state/machine.ts";
 import type { Modal } from "../state/modal.ts";
 
-/** The frame of a mill whose coordinates are more than shifted; null for any other. */
+/** Frame of milling coordinates that are more than shifted; null otherwise. */
 export const frameOf = ({ turning, datum, transform }: Modal): CoordinateFrame | null =>
   turning || transform === NO_TRANSFORM ? null : { shift: datum, transform };
 
-/** A block that changes the transform: what it is called, and where it stands. */
+/** A block that changes the transform: its name and index. */
 interface At {
   readonly what: string;
   readonly index: number;
 }
 
 /**
- * Takes a change over. A turned part has one side and one axis: what mirrored, turned or scaled coordinates mean there,
- * no manual says, so nothing is proved. Nor is a contour whose side changes while it is compensated.
+ * Applies a change. For turning no manual defines mirrored, rotated or scaled coordinates, so nothing is verified
+ * there. Nor is a contour whose transform changes while it is compensated.
  */
 function change(machine: Machine, by: Partial<Transform>, { what, index }: At): void {
   const before = machine.now.transform;
@@ -27,12 +27,12 @@ function change(machine: Machine, by: Partial<Transform>, { what, index }: At): 
     machine.log.leaveUnproved(what, index);
 }
 
-/** Coordinates that are mirrored, turned or scaled go over into turning, where they are not run. */
+/** Mirrored, rotated or scaled coordinates continue into turning, where they are not simulated. */
 export function transformedTurning(machine: Machine, index: number): void {
   if (machine.now.transform !== NO_TRANSFORM) machine.log.leaveUnproved("FUNCTION MODE TURN", index);
 }
 
-/** The axes that count the other way from here on, in the place of those before. */
+/** Mirrored axes from here on, replacing the previous ones. */
 export function mirrorAxes(machine: Machine, axes: readonly AxisName[] | "reset", at: At): void {
   const has = (axis: AxisName) => axes !== "reset" && axes.includes(axis);
   change(machine, { mirror: { x: has("X"), y: has("Y"), z: has("Z") } }, at);
@@ -62,7 +62,7 @@ interface AxisScale {
   readonly centre: Value | null;
 }
 
-/** Single axes, each about a centre of its own; one that is not named keeps its factor. */
+/** Scales single axes, each about its own centre; an unnamed axis keeps its factor. */
 function scaleEach(machine: Machine, factors: ReadonlyMap<AxisName, AxisScale>, at: At): void {
   const now = machine.now.transform;
   const [scales, centres] = [{ ...now.scale }, { ...now.centre }];

@@ -21,7 +21,7 @@ const told = (tool: number, ...blocks: string[]) => {
 const START = "L X+43.6 Z+2.4 R0 FMAX M3";
 const CONTOUR = ["L X+31.3 Z+0 RR F0.2", "L Z-12.7", "L X+47 Z-19.1", "L X+60 R0 FMAX"];
 
-// In the table that ships: 2, 4, 6 and 8 point along one axis, 1, 3, 7 into a corner; 11 is round with its tip at the
+// In the shipped table, 2, 4, 6 and 8 point along one axis, 1, 3, 7 into a corner; 11 is round with its tip at the
 // bottom.
 test.each([
   [1, []],
@@ -40,11 +40,11 @@ test.each([
     ],
   ],
   [8, [{ side: "RR", orientation: 8, line: 8 }]],
-])("tool %i: RR with a neutral tip is told once, where it begins", (tool, expected) => {
+])("tool %i: RR with a neutral tip is reported once, where it begins", (tool, expected) => {
   expect(told(tool, START, ...CONTOUR)).toEqual(expected);
 });
 
-test("an approach begins it as well, R0 does not, and each beginning is told", () => {
+test("an approach begins it as well, R0 does not, and each beginning is reported", () => {
   expect(told(9, START, "APPR LT X+31.3 Z-1.2 LEN3 RL F0.2", "L Z-12.7", "DEP LT LEN2 F0.3")).toEqual([
     {
       side: "RL",

@@ -19,8 +19,7 @@ import type { Carrier } from "./carrier.ts";
 import { beginApproach, close, endWithDeparture, followPath, sideOf, type CarrierFor } from "./plane-guide.ts";
 
 /**
- * The carrier of a turning tool: compensated by its nose radius, or as programmed; the program moves its theoretical
- * tip.
+ * Carrier of a turning tool: compensated by its nose radius, or as programmed; the program moves the theoretical tip.
  */
 const carrierOf =
   (machine: Machine): CarrierFor =>
@@ -43,7 +42,7 @@ const carrierOf =
     };
   };
 
-/** Carries out what waits between RL or RR and its end. */
+/** Runs the pending contour between RL or RR and its end. */
 export const closeTurn = (machine: Machine): void => {
   if (machine.turnGuide.chain) close(machine.turnGuide, carrierOf(machine));
 };
@@ -53,12 +52,12 @@ export const isGuided = (machine: Machine, words: Words): boolean =>
   machine.now.tool !== null &&
   (machine.turnGuide.chain !== null || words.compensation === "RL" || words.compensation === "RR");
 
-/** Tip orientations that point along one axis, so that neither side is that of the insert. */
+/** Tip orientations along one axis, with the insert on neither side. */
 const NEUTRAL: ReadonlySet<TipOrientation> = new Set([2, 4, 6, 8]);
 
 /**
- * RL or RR begins with a neutral tip: its direction is printed as not clear (TNC7, 81762x-17, tool radius compensation
- * of turning tools). Cycles compensate by themselves and are not meant.
+ * Reports RL or RR with a neutral tip: its direction is printed as unclear (TNC7, 81762x-17, tool radius compensation
+ * of turning tools). Cycles compensate on their own and are not concerned.
  */
 function sayNeutralTip(machine: Machine, side: Side, index: number): void {
   const { tool } = machine.now;
@@ -70,7 +69,7 @@ function sayNeutralTip(machine: Machine, side: Side, index: number): void {
   );
 }
 
-/** Begins where the tip stands, unless a contour is under way. */
+/** Starts a contour at the tip, unless one is under way. */
 function start(machine: Machine): void {
   if (machine.turnGuide.chain) return;
   runHeldElement(machine);
@@ -109,9 +108,7 @@ export function guidedPath(machine: Machine, block: PathBlock, index: number): v
   if (requested === "none" && words.compensation !== undefined) closeTurn(machine);
 }
 
-/**
- * Nobody knows from where a block goes: a fault of the block, unless another one that was told has lost the position.
- */
+/** Reports a block with an unknown start, unless a reported block lost the position. */
 export function startUnknown(machine: Machine, index: number): void {
   if (machine.place.lost === null) machine.log.say(programIssue("startUnknown", "error", {}), index);
 }

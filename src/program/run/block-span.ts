@@ -10,7 +10,7 @@ export interface BlockSpan {
 type Ends = (s: Statement) => boolean;
 
 const closesLabel: Ends = (s) => s.kind === "label" && s.label === 0;
-/** What a block of this kind goes on to: the next one of its kind. */
+/** The end of a block's span: the next block of its kind. */
 const NEXT_OF_KIND: Partial<Record<Statement["kind"], Ends>> = {
   toolCall: (s) => s.kind === "toolCall" || s.kind === "end",
   structure: (s) => s.kind === "structure" || s.kind === "end",
@@ -23,8 +23,8 @@ function spanFrom({ blocks }: Program, from: number, ends: Ends): BlockSpan {
 }
 
 /**
- * The blocks that a block stands for: a tool call and a structure line for all up to the next one, a label and its call
- * for the subprogram, any other block for itself.
+ * Blocks that a block represents: a tool call or structure item all up to the next one, a label or its call the
+ * subprogram, any other block itself.
  */
 export function blockSpan(program: Program, index: number): BlockSpan {
   const statement = program.blocks[index]?.statement;

@@ -27,7 +27,7 @@ test("a call over several programs, and one that calls itself", () => {
   expect(main({ "a.h": pgm("CALL PGM B"), "c.h": pgm("CALL PGM C"), "b.h": pgm("CALL PGM C") })).toBe("a.h");
 });
 
-test("of several that nobody calls the one that reaches most runs, and it is not sure", () => {
+test("of several uncalled programs the one that reaches most others runs, and is marked as unsure", () => {
   expect(main({ "x.h": pgm("L X+1"), "a.h": pgm("CALL PGM B"), "b.h": pgm("L X+2") })).toBe("a.h?");
   expect(main({ "x.h": pgm("L X+1"), "y.h": pgm("L X+2") })).toBe("x.h?");
 });

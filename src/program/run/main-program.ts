@@ -10,7 +10,7 @@ interface TextFile {
 }
 
 /**
- * Texts without any of these name no other file, and need not be read for it: most of a folder is long and calls
+ * Texts without any of these words name no other file and need not be parsed: most files of a folder are long and call
  * nothing.
  */
 const MAY_NAME =
@@ -22,7 +22,7 @@ function quotedIn(text: TextFormula): readonly string[] {
   return text.kind === "joined" ? text.parts.flatMap(quotedIn) : [];
 }
 
-/** Every file that a value names anywhere in it: blocks of many kinds do, in places of their own. */
+/** All file names anywhere in a value: many kinds of blocks hold them in different members. */
 function filesIn(value: unknown): readonly string[] {
   if (typeof value !== "object" || value === null) return [];
   return Object.entries(value).flatMap(([key, held]) =>
@@ -40,27 +40,25 @@ function namedBy(s: Statement): readonly string[] {
 export const namedFiles = (program: Program): ReadonlySet<string> =>
   new Set(program.blocks.flatMap(({ statement }) => namedBy(statement)).map(fileKey));
 
-/** Keys of the files that a program reaches by calls of calls, itself among them. */
+/** Keys of the files that a program reaches by nested calls, itself included. */
 function reachedFrom(key: string, names: ReadonlyMap<string, ReadonlySet<string>>): ReadonlySet<string> {
   const seen = new Set([key]);
   for (const next of seen) for (const name of names.get(next) ?? []) if (names.has(name)) seen.add(name);
   return seen;
 }
 
-/**
- * Files that were opened together: which one runs, and the programs among them that each could be a work of its own.
- */
+/** Main program among files opened together, and the programs that could each stand alone. */
 export interface MainPrograms {
   readonly index: number;
-  /** False where it is not clear which one runs: no program is called by none, or several are. */
+  /** False where the main program is ambiguous: every program is called, or several are not. */
   readonly sure: boolean;
-  /** Programs that no other calls, each with the files that it reaches by calls of calls, in the order of the files. */
+  /** Programs that no other calls, each with the files it reaches by nested calls, in file order. */
   readonly free: readonly { readonly index: number; readonly calls: readonly number[] }[];
 }
 
 /**
- * Which of the files that were opened together runs: the program that no other calls. Where that is none or several,
- * the one that reaches most of the others, then the first; `sure` is false then.
+ * Finds the main program among files opened together: the one that no other calls. Else the one that reaches most
+ * others, then the first; `sure` is false then.
  */
 export function mainOf(files: readonly TextFile[], parse: (text: string) => Program): MainPrograms {
   const keys = files.map(({ name }) => fileKey(name));

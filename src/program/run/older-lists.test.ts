@@ -9,7 +9,7 @@ import { shippedTools } from "../tools/shipped-tools.ts";
 
 const LATER = { Q510: 0.8, Q511: 100, Q462: 0, Q211: 0, Q562: 0 };
 
-/** The example of a cycle with these values, and the same without them in its list: as older software wrote it. */
+/** The example of a cycle with these values, and with a list of older software that lacks them. */
 function both(number: number, values: Readonly<Record<string, number>>): readonly [string, string] {
   const cycle = cycleByNumber(number);
   if (!cycle) throw new Error(`no cycle ${number}`);
@@ -17,7 +17,7 @@ function both(number: number, values: Readonly<Record<string, number>>): readonl
   const typed = Object.fromEntries(Object.entries(values).map(([q, value]) => [q, String(value)]));
   const whole = printJob({ ...job, drafts: { [number]: { ...job.drafts[number], ...typed } } }, ncLabels("en"));
   const lines = whole.split("\n").filter((line) => !Object.keys(values).some((q) => line.startsWith(`${q}=`)));
-  // The line that is the last of the list now goes on no more.
+  // The new last line of the list has no continuation.
   const last = lines.findLastIndex((line) => /^Q\d+=/.test(line));
   return [whole, lines.with(last, (lines[last] ?? "").replace(/ ~$/, "")).join("\n")];
 }
@@ -74,7 +74,7 @@ describe("lists that older software wrote", () => {
     );
   });
 
-  test("are told once, however many there are", () => {
+  test("are reported once, however many there are", () => {
     const [, older] = both(861, LATER);
     const [, call = ""] = /(\d+ CYCL DEF 861[\s\S]*?CYCL CALL\n)/.exec(older) ?? [];
     expect(said(older.replace(call, call + call)).filter(({ code }) => code === "listOfOlderSoftware")).toHaveLength(1);

@@ -21,7 +21,7 @@ const made = (text: string, files: Readonly<Record<string, string>> = {}) => {
   });
   const numbers = blockNumbers(program),
     lines = startLines(program);
-  /** What the block with this number marks. */
+  /** Marks of the block with this number. */
   const of = (number: number) => {
     const index = numbers.indexOf(number);
     return markedBy(result, { kind: "blocks", span: blockSpan(program, index), line: lines[index] ?? 0 });

@@ -7,19 +7,19 @@ import { fileKey } from "../state/program-files.ts";
 import type { Operation, Run, TextLine } from "../state/run-types.ts";
 import { shiftedSegment } from "../blocks/shifted-plan.ts";
 
-/** Moves that follow one another, by the indices of their steps, first and last included. */
+/** Consecutive moves by step index, first and last included. */
 export interface MoveSpan {
   readonly first: number;
   readonly last: number;
 }
 
-/** What is pointed at in a text, or in the picture of a run. */
+/** A selection in a text or in the picture of a run. */
 export type PathChoice =
-  /** Blocks of the program that runs, and the line on which the chosen one begins. */
+  /** Blocks of the main program, and the first line of the chosen block. */
   | { readonly kind: "blocks"; readonly span: BlockSpan; readonly line: number }
-  /** A block of a called file, by the line on which it begins. */
+  /** A block of a called file, by its first line. */
   | { readonly kind: "inFile"; readonly file: string; readonly line: number }
-  /** The moves of one pass of a cycle call, or of one of its phases; all of the call where neither is named. */
+  /** Moves of one pass or phase of a cycle call; all of the call where neither is named. */
   | {
       readonly kind: "pass";
       readonly operation: number;
@@ -29,13 +29,11 @@ export type PathChoice =
   /** Segments of the programmed contour, counted from 0. */
   | { readonly kind: "segments"; readonly segments: readonly number[] };
 
-/** What a choice marks in the picture. */
+/** Marks of a choice in the picture. */
 export interface Marked {
   readonly stretches: readonly MoveSpan[];
   readonly contour: readonly Segment[];
-  /**
-   * The step at whose beginning the tool is shown; null where nothing in the run belongs to the choice, or follows it.
-   */
+  /** Step at whose start the tool is shown; null where no step of the run belongs to the choice or follows it. */
   readonly begin: number | null;
 }
 
@@ -46,9 +44,9 @@ interface ContourPlace {
   readonly segment: number;
 }
 
-/** The blocks and lines of a run with what they made: built once, then only looked up. */
+/** Blocks and lines of a run with their steps: built once, then only looked up. */
 interface PathIndex {
-  /** Blocks of the program that made steps, in the order of the text, and the stretches of each. */
+  /** Blocks with steps, in text order, and the stretches of each. */
   readonly blocks: readonly number[];
   readonly ofBlock: ReadonlyMap<number, readonly MoveSpan[]>;
   readonly definedAt: ReadonlyMap<string, readonly number[]>;
@@ -63,7 +61,7 @@ function noted<K, V>(map: Map<K, V[]>, key: K, value: V): void {
   else map.set(key, [value]);
 }
 
-/** Steps with the same key that follow one another are one stretch. */
+/** Consecutive steps with the same key form one stretch. */
 export function stretchesBy<S, K>(steps: readonly S[], keyAt: (step: S, i: number) => K | null): Map<K, MoveSpan[]> {
   const all = new Map<K, MoveSpan[]>();
   let first = 0;
@@ -103,7 +101,7 @@ function pathIndex(run: Run): PathIndex {
   return known;
 }
 
-/** Where a rising list reaches a value. */
+/** First index of a sorted list that reaches a value. */
 export function placeInSorted(sorted: readonly number[], value: number): number {
   let [low, high] = [0, sorted.length];
   while (low < high) {
@@ -127,16 +125,13 @@ const marking = (stretches: readonly MoveSpan[], contour: readonly Segment[] = [
 
 const middleOf = ({ from, move }: Step): Pt => part.pointOn(pathOf(from, move), 0.5);
 
-/** The segments of the contour that a call was given, in programmed order, where the picture has them. */
+/** Contour segments of a call in programmed order, where the picture has them. */
 export function contourOf(operation: Operation): readonly Segment[] {
   const { call } = operation;
   return call?.given.contour?.map((segment) => shiftedSegment(segment, call.datum)) ?? [];
 }
 
-/**
- * The moves that make some segments of a contour: finishing moves nearest to them; of a call that only roughs, its last
- * pass.
- */
+/** Moves that machine some contour segments: the nearest finishing moves, or the last pass of a roughing call. */
 function movesAlong(run: Run, operation: number, chosen: ReadonlySet<number>): readonly MoveSpan[] {
   const [whole] = stretchOf(run, operation);
   const call = run.operations[operation];
@@ -156,7 +151,7 @@ function movesAlong(run: Run, operation: number, chosen: ReadonlySet<number>): r
   return along.map(({ first, last }) => ({ first: first + whole.first, last: last + whole.first }));
 }
 
-/** What belongs to segments of contours: their drawing, and the moves that make them. */
+/** Marks of contour segments: their drawing, and the moves that machine them. */
 function alongContour(run: Run, places: readonly ContourPlace[]): Marked {
   const [first] = places;
   if (!first) return NOTHING;
@@ -215,7 +210,7 @@ function ofPass(run: Run, { operation, of, pass }: Extract<PathChoice, { kind: "
   return marking(found.map(({ first, last }) => ({ first: first + whole.first, last: last + whole.first })));
 }
 
-/** What a choice marks in a run. Its cost is that of what is marked, not of the run. */
+/** Marks of a choice in a run. The cost depends on the marks, not on the length of the run. */
 export function markedBy(run: Run, choice: PathChoice): Marked {
   switch (choice.kind) {
     case "blocks":
@@ -239,7 +234,7 @@ export function markedBy(run: Run, choice: PathChoice): Marked {
   }
 }
 
-/** What a move of the picture stands for: its pass, or outside the cycles its block. */
+/** Choice of a move in the picture: its pass, or outside the cycles its block. */
 export function choiceOf(run: Run, step: number): PathChoice | null {
   const made = run.steps[step];
   if (!made) return null;
@@ -250,10 +245,10 @@ export function choiceOf(run: Run, step: number): PathChoice | null {
   return block === undefined ? null : { kind: "blocks", span: { from: block, to: block }, line: 0 };
 }
 
-/** How much of the path belongs to what runs: its cycle call, its phase there, its pass. */
+/** Part of the path to show around the current step: cycle call, phase, or pass. */
 export type RunningPart = "operation" | "phase" | "pass";
 
-/** The part of the path that belongs to a step, or between two cycles to the one that comes. */
+/** Path part of a step; between two cycles that of the next one. */
 export function runningPart(run: Run, step: number, part: RunningPart): PathChoice | null {
   const { operation, move } = run.steps[Math.min(step, run.steps.length - 1)] ?? {};
   const next =
@@ -264,10 +259,7 @@ export function runningPart(run: Run, step: number, part: RunningPart): PathChoi
   return { kind: "pass", operation: shown, of: move.run, ...(part === "pass" && { pass: move.pass }) };
 }
 
-/**
- * Where the dialog of a move is: at the definition of its cycle; outside the cycles of a called file at its block
- * there.
- */
+/** Dialog of a move: the definition of its cycle, or its own block outside the cycles of a called file. */
 export function definitionOf(run: Run, step: number): TextLine | null {
   const { operation = null, file, line } = run.steps[step] ?? {};
   const made = operation === null ? undefined : run.operations[operation];
@@ -275,13 +267,13 @@ export function definitionOf(run: Run, step: number): TextLine | null {
   return file !== undefined && line !== undefined ? { file, line } : null;
 }
 
-/** A segment of the contour that a cycle was given, at a place of the picture. */
+/** A contour segment of a cycle at a point of the picture. */
 export interface ContourHit extends TextLine {
   readonly operation: number;
   readonly segment: number;
 }
 
-/** The segment of a programmed contour nearest to a place, within `reach` mm; null where none is near. */
+/** Nearest segment of a programmed contour within `reach` mm; null where none is near. */
 export function contourHit(run: Run, place: Pt, reach: number): ContourHit | null {
   let best: ContourHit | null = null;
   let nearest = reach;

@@ -71,7 +71,7 @@ describe("a program that turns and mills", () => {
     const sides = [7, 14, 17, 1, 10, 15].map((number) => sideOfChoice(result, choice(number)));
     expect(sides).toEqual(["lathe", "plane", "lathe", "lathe", "plane", "lathe"]);
     expect(sideOfChoice(result, { kind: "pass", operation: 0 })).toBe("lathe");
-    // A tool call stands for all up to the next one.
+    // A tool call represents all blocks up to the next one.
     expect([3, 11].map((number) => sideOfChoice(result, choice(number)))).toEqual(["lathe", "plane"]);
   });
   test("stands at the same moment on both sides", () => {

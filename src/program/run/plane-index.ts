@@ -2,7 +2,7 @@ import type { BlockSpan } from "./block-span.ts";
 import { markedBy, placeInSorted, stretchesBy, type MoveSpan, type PathChoice } from "./path-index.ts";
 import type { Run } from "../state/run-types.ts";
 
-/** The two pictures of a program: the section of the lathe, and the working plane of what is milled. */
+/** The two views of a program: the section of the lathe, and the working plane of the mill. */
 export type MachineSide = "lathe" | "plane";
 
 interface PlaneIndex {
@@ -22,7 +22,7 @@ function planeIndex({ plane }: Pick<Run, "plane">): PlaneIndex {
   return made;
 }
 
-/** The milled motions of some blocks, in the order they ran. */
+/** Milling motions of some blocks, in run order. */
 export function milledBy(run: Pick<Run, "plane">, { from, to }: BlockSpan): readonly MoveSpan[] {
   const { blocks, ofBlock } = planeIndex(run);
   const own: MoveSpan[] = [];
@@ -31,22 +31,19 @@ export function milledBy(run: Pick<Run, "plane">, { from, to }: BlockSpan): read
   return own.sort((a, b) => a.first - b.first);
 }
 
-/** The first milled motion of a block, or of the next one behind it that moves; null where none does. */
+/** First milling motion of a block or of a later one; null where none moves. */
 export function planeBegin(run: Pick<Run, "plane">, block: number): number | null {
   const { blocks, ofBlock } = planeIndex(run);
   return ofBlock.get(blocks[placeInSorted(blocks, block)] ?? -1)?.[0]?.first ?? null;
 }
 
-/** What a milled motion stands for: its block. */
+/** Choice of a milling motion: its block. */
 export function choiceOfMilled({ plane }: Pick<Run, "plane">, step: number): PathChoice | null {
   const made = plane[step];
   return made ? { kind: "blocks", span: { from: made.index, to: made.index }, line: 0 } : null;
 }
 
-/**
- * Which picture shows what a choice stands for, by its own moves or else by those that come next; null where a program
- * has only one.
- */
+/** View that shows a choice, by its own moves or else by the next ones; null where a program has only one view. */
 export function sideOfChoice(run: Run, choice: PathChoice): MachineSide | null {
   if (run.plane.length === 0 || run.steps.length === 0) return null;
   if (choice.kind !== "blocks") return "lathe";
@@ -59,11 +56,11 @@ export function sideOfChoice(run: Run, choice: PathChoice): MachineSide | null {
   return (run.plane[next]?.index ?? 0) < (run.stepBlocks[begin] ?? 0) ? "plane" : "lathe";
 }
 
-/** Whether a milled motion runs before a turned one. */
+/** Whether a milling motion runs before a turning motion. */
 const firstIsMilled = ({ plane }: Run, milled: number, turned: number | null): boolean =>
   turned === null || (plane[milled]?.turned ?? 0) <= turned;
 
-/** The first milled motion that has more than so many turned steps before it; as many as there are when none has. */
+/** First milling motion with more turning steps before it than this; the count of milling motions when none has. */
 function firstBehind(plane: Run["plane"], turned: number): number {
   let [low, high] = [0, plane.length];
   while (low < high) {
@@ -74,18 +71,15 @@ function firstBehind(plane: Run["plane"], turned: number): number {
   return low;
 }
 
-/** The same moment of the program on the other side: its first move there that runs then or later. */
+/** The same moment in the other view: its first move there at this time or later. */
 export function momentOn(run: Pick<Run, "plane" | "steps">, side: MachineSide, step: number): number {
   const { plane, steps } = run;
   if (side === "lathe") return plane[step]?.turned ?? steps.length;
-  // Milled motions with as many turned steps before them as run now come before that step.
+  // A milling motion with this many turning steps before it comes before the step itself.
   return firstBehind(plane, step);
 }
 
-/**
- * Where a program goes on with the other side when it has been played from one step to another: the step there with
- * which it does; null while it stays.
- */
+/** Where playback from one step to another switches views: the first step there; null while it stays. */
 export function crossing(
   { plane, steps }: Pick<Run, "plane" | "steps">,
   side: MachineSide,

@@ -7,24 +7,21 @@ import type { Run } from "../state/run-types.ts";
 import type { Shop } from "../state/shop.ts";
 import { firstState, ended, step } from "./run.ts";
 
-/** Programs that can be called. */
+/** Programs that the run can call. */
 type Beside = readonly { readonly name: string; readonly text: string }[];
 
-/** A run with the states that were noted on its way. */
+/** A previous run with its snapshots. */
 interface Former {
   readonly input: RunInput;
   readonly beside: Beside;
   readonly passed: readonly RunState[];
 }
 
-/** States are noted before these, whose values are typed most; of a long program about so many. */
+/** Snapshots are taken before these blocks, whose values are typed most; about this many in a long program. */
 const NOTED: ReadonlySet<Statement["kind"]> = new Set(["cycle", "toolCall"]);
 const MOST_NOTED = 48;
 
-/**
- * What counts for all of a program, wherever it stands: its unit, its labels, which of them are outlines, how it
- * begins.
- */
+/** Blocks with an effect on the whole program: unit, labels, outlines, beginning. */
 const OF_ALL: ReadonlySet<Statement["kind"]> = new Set([
   "begin",
   "end",
@@ -37,14 +34,14 @@ const OF_ALL: ReadonlySet<Statement["kind"]> = new Set([
   "turnBlank",
 ]);
 
-/** Whether one block in the place of another leaves labels, numbers, lines and the kind of the program as they are. */
+/** Whether replacing one block by another keeps labels, numbers, lines and the kind of program. */
 function isLike(a: Block, b: Block | undefined): boolean {
   if (!b || a.lines !== b.lines || a.number !== b.number || a.skip !== b.skip) return false;
   const [s, t] = [a.statement, b.statement];
   return s.kind === t.kind && !OF_ALL.has(s.kind) && (s.kind !== "cycle" || t.kind !== "cycle" || s.cycle === t.cycle);
 }
 
-/** Blocks that are others than before; null where one of them changes what counts for the whole program. */
+/** Indices of changed blocks; null where one of them affects the whole program. */
 function changedBlocks(before: Program, now: Program): readonly number[] | null {
   if (before.blocks.length !== now.blocks.length) return null;
   const changed: number[] = [];
@@ -62,7 +59,7 @@ const isSame = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a)
 const areSame = (a: Beside, b: Beside): boolean =>
   a === b || (a.length === b.length && a.every(({ name, text }, i) => name === b[i]?.name && text === b[i].text));
 
-/** Whether two runs can use the same, apart from programs that they call. */
+/** Whether two runs have the same environment, apart from called programs. */
 const isSameShop = (a: Shop, b: Shop): boolean =>
   a.rapid === b.rapid &&
   isSame(a.machine, b.machine) &&
@@ -73,7 +70,7 @@ const isSameShop = (a: Shop, b: Shop): boolean =>
   isSame(a.mills, b.mills) &&
   isSame([...(a.refused ?? [])], [...(b.refused ?? [])]);
 
-/** What the former run passed before it looked at anything that is another now, and the first block that is. */
+/** Snapshots of the previous run before its first read of a changed block, and that block. */
 function common(
   { input, passed, beside }: Former,
   program: Program,
@@ -87,19 +84,19 @@ function common(
   return { passed: passed.filter(({ executed }) => executed < looked), first: changed[0] ?? null };
 }
 
-/** Runs a program whose run before is known. `beside`: all that `shop.files` finds, as text. */
+/** Runs a program, reusing the previous run. `beside`: all that `shop.files` finds, as text. */
 interface Runner {
   (program: Program, shop: Shop, beside: Beside): Run;
-  /** The same, or null when `goesOn` has said no on the way: the next run of the same program goes on from there. */
+  /** The same, or null when `goesOn` returned false: the next run of the same program continues from there. */
   readonly part: (program: Program, shop: Shop, beside: Beside, goesOn: () => boolean) => Run | null;
 }
 
-/** A state of another program with the same blocks up to where it stands. */
+/** Moves a state to another program with the same blocks up to that state. */
 const over = ({ program: { blocks }, unit }: RunInput, state: RunState): RunState => ({ ...state, blocks, unit });
 
 /**
- * Runs one state of a program after the other: what it comes to before it looks at a block that is another one than in
- * the run before is not run again. What comes is the same as of `run`.
+ * Runs versions of a program one after the other without repeating what precedes the first read of a changed block. The
+ * result equals that of `run`.
  */
 export function runningAgain(): Runner {
   let former: Former | null = null;
@@ -114,7 +111,7 @@ export function runningAgain(): Runner {
     );
     former = { input, beside, passed };
     let state = last ? over(input, last) : firstState(input);
-    /** Whether a state is worth noting: some way behind the one before, or where the first block is that is another. */
+    /** Whether to take a snapshot: some distance after the previous one, or before the first changed block. */
     const isDue = (next: number, executed: number) => {
       if (next === same?.first) return firstLook(input, next) === Infinity;
       const kind = program.blocks[next]?.statement.kind;
@@ -123,7 +120,7 @@ export function runningAgain(): Runner {
     };
     while (!state.flow.ending) {
       state = step(input, state, isDue);
-      // A program that was called is another object in each run.
+      // A called program is a new object in each run.
       if (state.flow.ending || state.log.texts.length > 0) continue;
       passed.push(state);
       if (!goesOn()) return null;

@@ -2,7 +2,7 @@ import { causeOf } from "../../kernel/time/time.ts";
 import type { MachineTimed } from "../machine/machine-data.ts";
 import { TIME_PARTS, type Run, type SecondsBeside, type TimePart, type Timing } from "../state/run-types.ts";
 
-/** What a time of this shop contains, with what passed beside the motions. */
+/** Data behind the times of a shop, with the seconds outside of motions. */
 export function timingOf({ rapid, machine }: MachineTimed, beside: SecondsBeside): Timing {
   const stated: Readonly<Record<TimePart, boolean>> = {
     cutting: true,
@@ -21,10 +21,10 @@ export function timingOf({ rapid, machine }: MachineTimed, beside: SecondsBeside
   };
 }
 
-/** Of a run that did nothing. */
+/** Timing of an empty run. */
 export const NO_TIMING: Timing = timingOf({ rapid: 0 }, { toolChange: 0, spindle: 0, dwell: 0 });
 
-/** The running time by what it passes for, s. */
+/** Running time by cause, s. */
 export interface Times extends SecondsBeside {
   /** At a feed, threads included. */
   readonly cutting: number;
@@ -32,7 +32,7 @@ export interface Times extends SecondsBeside {
   readonly total: number;
 }
 
-/** Where the time of a run goes. */
+/** Splits the time of a run by cause. */
 export function timesOf({
   steps,
   plane,

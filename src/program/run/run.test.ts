@@ -59,12 +59,12 @@ describe("motion outside cycles", () => {
     ]));
   test("an inch program moves in millimetres", () =>
     expect(path("L X+1 Z+0.1 F0.01", "INCH")).toEqual(["feed 25.4 2.54 F0.254/rev"]));
-  test("nobody knows where a tool change leaves the tool", () => {
-    // The first is where the tool before was brought to.
+  test("after a tool change the position is unknown", () => {
+    // The first is the last position of the previous tool.
     expect(path("TOOL CALL 2\nL Z+10 FMAX\nL X+90 FMAX\nL Z+5 FMAX")).toEqual(["rapid 100 50", "rapid 90 5"]);
     expect(codes("TOOL CALL 99\nL X+5 FMAX")).toEqual(["toolUnknown tool"]);
   });
-  test("faults are said at their block and the rest runs", () => {
+  test("faults are reported at their block and the rest runs", () => {
     expect(codes("L Z+10")).toEqual(["feedMissing"]);
     expect(codes("RND R2\nL Z+5 FMAX")).toContain("cornerElementAlone contour");
     expect(codes("C X+10 Z+0 DR+ F1")).toEqual(["poleMissing"]);
@@ -159,7 +159,7 @@ describe("cycles", () => {
     expect(called.steps.slice(o?.firstStep, (o?.lastStep ?? 0) + 1).every((s) => s.operation === 0)).toBe(true);
     expect(called.steps[(o?.lastStep ?? 0) + 1]).toBeUndefined();
   });
-  test("a missing parameter is said on the line of its definition, a strange value at its Q", () => {
+  test("a missing parameter is reported on the line of its definition, an unusual value at its Q", () => {
     const without = body(`${cycle(812, shoulder.replace("Q493=+50 ", ""))}\nL X+75 Z+2 FMAX\nCYCL CALL`);
     expect(without.issues.find((f) => f.issue.code === "missing")).toMatchObject({
       issue: { at: "Q493" },
@@ -180,7 +180,7 @@ describe("cycles", () => {
         `Q9 = 49\n${cycle(812, shoulder.replace("Q493=+50", "Q493=+Q9"))}\nQ9 = 1\nL X+75 Z+2 FMAX\nCYCL CALL`,
       ).operations[0]?.plan.contour.some((s) => toDiameter(s.to.r) < 50),
     ).toBe(true));
-  test("an unknown cycle is kept and said, what follows runs", () => {
+  test("an unknown cycle is reported, and the rest runs", () => {
     const found = body("CYCL DEF 208 BORE MILLING ~\nQ200=+2\nL X+75 Z+2 FMAX\nCYCL CALL\nL Z+5 FMAX");
     expect(found.issues.map((f) => f.issue.code)).toContain("cycleNotSimulated");
     expect(found.steps).toHaveLength(2);

@@ -68,10 +68,7 @@ export function firstState(input: RunInput): RunState {
   return machine.state;
 }
 
-/**
- * The state behind the blocks that come next in one without an ending: up to one before which `isDue` asks for a state,
- * else up to the ending.
- */
+/** Runs blocks up to the next snapshot that `isDue` requests, else up to the ending. */
 export function step(input: RunInput, state: RunState, isDue?: (next: number, executed: number) => boolean): RunState {
   const machine = new Machine(input, state);
   do advance(machine, (s, index) => block(machine, s, index));
@@ -79,7 +76,7 @@ export function step(input: RunInput, state: RunState, isDue?: (next: number, ex
   return machine.state;
 }
 
-/** What a run with an ending has come to. */
+/** Result of a run at its ending. */
 export function ended(input: RunInput, state: RunState): Run {
   const machine = new Machine(input, state);
   const { program } = input,
@@ -125,17 +122,17 @@ export function ended(input: RunInput, state: RunState): Run {
   };
 }
 
-/** True for what only turns: its spindle, and its cycles. */
+/** True for turning only: its spindle, and its cycles. */
 const isTurned = ({ statement: s }: Block) =>
   s.kind === "spin" || (s.kind === "cycle" && cycleByNumber(s.cycle) !== undefined);
 
-/** A piece of a program without FUNCTION MODE before its first turned block is read as turning. */
+/** A program section without FUNCTION MODE before its first turning block is read as turning. */
 const beginsTurning = (program: Program) => {
   const first = program.blocks.find((b) => b.statement.kind === "mode" || isTurned(b));
   return first !== undefined && first.statement.kind !== "mode";
 };
 
-/** What a kind of block does. "order": it is run by the order of the blocks, or by its M functions. */
+/** Effect of each kind of block. "order": handled by the block order or by its M functions. */
 type Handler<K extends Statement["kind"]> =
   ((machine: Machine, s: StatementOf<K>, index: number) => void) | "order" | "nothing";
 const HANDLERS: { readonly [K in Statement["kind"]]: Handler<K> } = {
@@ -190,13 +187,13 @@ const HANDLERS: { readonly [K in Statement["kind"]]: Handler<K> } = {
   unknown: (machine, s, index) => textBlock(machine, s.text, index),
 };
 
-/** Whether a block of a kind does anything; of comments only the one that states the clamping is read. */
+/** Whether a kind of block has an effect; of comments only the clamping comment has one. */
 export const acts = (kind: Statement["kind"]): boolean => kind !== "comment" && HANDLERS[kind] !== "nothing";
 
 /** Feed per revolution, and per minute. */
 const FEED_UNITS: readonly number[] = [136, 137];
 
-/** Carries out what a block leaves behind it: the contours, an element that could still have a corner, or nothing. */
+/** Finishes pending contours and elements that a block cannot continue. */
 function before(machine: Machine, s: Statement, words: Words | null): void {
   const ends =
     klartext.has(s, "endsContour") || (words && (retracts(words) || (s.kind === "path" && isElsewhere(words))));
@@ -234,7 +231,7 @@ function functions(machine: Machine, words: Words, index: number): void {
   if (retracts(words)) retract(machine, words, index);
 }
 
-/** Another kind of machining has other kinematics: where the tool stands in its coordinates, nobody knows. */
+/** Another mode has other kinematics: the tool position in its coordinates is unknown. */
 function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   machine.set({ mode: wanted });
   if (wanted === "TURN") {
@@ -249,7 +246,7 @@ function mode(machine: Machine, wanted: "TURN" | "MILL", index: number): void {
   machine.millGuide.here = null;
 }
 
-/** CYCL CALL POS and PAT: the positions at which the cycle would run are not run. */
+/** CYCL CALL POS and PAT: their positions are not simulated. */
 function callPattern(machine: Machine, how: string, index: number): void {
   if (machine.now.defined) machine.call(machine.now.defined.index);
   machine.loseAll();
@@ -275,8 +272,8 @@ function spin(machine: Machine, s: StatementOf<"spin">, index: number): void {
 }
 
 /**
- * One line of an older cycle: what shifts, mirrors, turns and scales is run, a contour's labels are noted, other cycles
- * are told.
+ * One line of an older cycle: shift, mirror, rotation and scale are run, contour labels are recorded, other cycles are
+ * reported.
  */
 function cycleLine(machine: Machine, s: StatementOf<"cycleLine">, index: number): void {
   const { cycle, line, text } = s;

@@ -89,7 +89,7 @@ describe("turned", () => {
       path(milled("CYCL DEF 10.0 R\nCYCL DEF 10.1 ROT+45\nCYCL DEF 10.0 R\nCYCL DEF 10.1 IROT-45\nL X+3 F1")),
     ).toEqual(["feed 3 0 10"]);
   });
-  test("an arc that the turn takes out of its plane is not proved", () => {
+  test("an arc rotated out of its plane is unverified", () => {
     const arc = "L X+12 Y+0 Z+5 F500\nCC X+10 Z+5\nC X+8 Z+5 DR+";
     expect(unproved(milled(`TRANS ROTATION ROT+10\n${arc}`))).toEqual(["C@7"]);
     expect(unproved(milled(`TRANS ROTATION ROT+360\n${arc}`))).toEqual([]);
@@ -127,7 +127,7 @@ describe("scaled", () => {
     "CYCL DEF 11.0 S\nCYCL DEF 11.1 SCL",
     "CYCL DEF 26.0 S\nCYCL DEF 26.1",
     "CYCL DEF 10.0 R\nCYCL DEF 10.1",
-  ])("%s says nothing that can be run", (lines) => expect(unproved(milled(lines))).toHaveLength(1));
+  ])("%s has nothing to run", (lines) => expect(unproved(milled(lines))).toHaveLength(1));
 });
 
 test("datum, mirror, rotation and scale act in this order, however they are written", () => {
@@ -141,7 +141,7 @@ test("datum, mirror, rotation and scale act in this order, however they are writ
     expect(path(milled(`${order.map((i) => blocks[i]).join("\n")}\nL X+1 Y+2 F100`))).toEqual(["feed 104 12 10"]);
 });
 
-test("a preset takes all of it back; what is kept in turning is not proved there", () => {
+test("a preset resets all of it; what stays active in turning is unverified there", () => {
   expect(
     path(
       milled(
@@ -184,7 +184,7 @@ test.each([
   "CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+0\nCYCL DEF 7.2 Y+0\nCYCL DEF 7.3 Z+0",
   "TRANS MIRROR RESET\nTRANS ROTATION RESET\nTRANS SCALE RESET",
   "CYCL DEF 247 PRESET ~\nQ339=+4\nCYCL DEF 247 PRESET ~\nQ339=+4",
-])("nothing is said of what changes nothing: %s", (lines) => {
+])("what changes nothing is not reported: %s", (lines) => {
   const said = codes(milled(`${lines}\nL X+5 F100`)).filter((c) => !c.startsWith("blockNumber"));
   expect(said).toEqual([]);
 });

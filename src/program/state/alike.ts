@@ -2,15 +2,12 @@ import type { Severity } from "../../kernel/plan/issue.ts";
 import { programIssue } from "./issue.ts";
 import type { RunFinding } from "./run-types.ts";
 
-/** Findings of one kind that are listed one by one. More would fill memory and lists, and say nothing new. */
+/** Findings of one code that are listed. More would only fill memory and lists. */
 export const MOST_ALIKE = 1000;
 
 const WEIGHT: Readonly<Record<Severity, number>> = { info: 0, warning: 1, error: 2 };
 
-/**
- * What is known of the findings of one kind: how many there are, and of those that are not listed where they begin and
- * how grave they are.
- */
+/** Findings of one code: their number, and the place and gravest severity of those left out. */
 interface Kind {
   count: number;
   gravest: Severity;
@@ -19,8 +16,8 @@ interface Kind {
 }
 
 /**
- * Of each kind the first MOST_ALIKE findings, in their order. In the place of the first that is left out stands how
- * many there are, as grave as the gravest of them: nothing is left out in silence.
+ * Keeps the first MOST_ALIKE findings of each code in their order. In place of the first one left out stands their
+ * number, with the gravest severity among them: nothing is dropped silently.
  */
 export function fewAlike(findings: Iterable<RunFinding>): RunFinding[] {
   const kinds = new Map<string, Kind>();

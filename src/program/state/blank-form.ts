@@ -35,10 +35,7 @@ export interface BoxCorner {
   readonly z: number | null;
 }
 
-/**
- * A box that turns round the axis: the cylinder round its corners, and the radius within which there is material all
- * round.
- */
+/** A rotating box: the cylinder around its corners, and the radius within which material is all round. */
 export interface TurnedBox {
   readonly rings: Ring[];
   readonly outer: Radius;
@@ -50,7 +47,7 @@ const lowAndHigh = (a: number | null, b: number | null): readonly [number, numbe
   Math.max(a ?? NaN, b ?? NaN),
 ];
 
-/** The box between two corners: "unknown" when a coordinate is, "impossible" when it has no volume. */
+/** Box between two corners: "unknown" when a coordinate is unknown, "impossible" when it has no volume. */
 export function boxBetween(a: BoxCorner, b: BoxCorner): Cuboid | "impossible" | "unknown" {
   const [[left, right], [low, high], [bottom, top]] = [
     lowAndHigh(a.x, b.x),
@@ -63,8 +60,8 @@ export function boxBetween(a: BoxCorner, b: BoxCorner): Cuboid | "impossible" | 
 }
 
 /**
- * What a box is while it turns round X0 Y0: wherever one of its corners comes by there may be material. "impossible"
- * when it has no volume, "beside" when the axis does not go through it, "unknown" when a coordinate is.
+ * Body of a box rotating about X0 Y0: its corners sweep a cylinder. "impossible" when it has no volume, "beside" when
+ * the axis misses it, "unknown" when a coordinate is unknown.
  */
 export function turnedBox(a: BoxCorner, b: BoxCorner): TurnedBox | "impossible" | "beside" | "unknown" {
   const box = boxBetween(a, b);
@@ -77,10 +74,10 @@ export function turnedBox(a: BoxCorner, b: BoxCorner): TurnedBox | "impossible" 
   return rings ? { rings, outer, inner: radius(inner) } : "impossible";
 }
 
-/** A measure of the program as a radius, whether it was given as one or as a diameter. */
+/** A program dimension as a radius, whether given as radius or diameter. */
 export const measured = (n: number, isDiameter: boolean): Radius => (isDiameter ? toRadius(diameter(n)) : radius(n));
 
-/** The half section inside an outline. One that is not closed reaches down to the axis at both ends. */
+/** Half section inside an outline. An open outline is extended to the axis at both ends. */
 export function rotation(outline: readonly Segment[]): Ring[] | null {
   const [first, last] = [outline[0]?.from, outline.at(-1)?.to];
   if (!first || !last) return null;

@@ -3,11 +3,11 @@ import type { FeedWord } from "../../nc/words.ts";
 import { programIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 
-/** Slower than this nobody cuts, mm/min; faster than this neither, mm/rev. */
+/** Limits of plausible feeds: the slowest in mm/min, the fastest in mm/rev. */
 const SLOWEST = 1;
 const FASTEST = 5;
 
-/** A feed that can be run and that nobody means. */
+/** A valid feed that is surely a typing error. */
 export const isUnlikely = (n: number, perRevolution: boolean): boolean =>
   perRevolution ? n > FASTEST : n > 0 && n < SLOWEST;
 
@@ -17,7 +17,7 @@ function feedOf(machine: Machine, feed: Exclude<FeedWord, string>, index: number
   return n === null ? null : machine.feedOf(n);
 }
 
-/** Takes up the feed of a block that does not move. F stays in force; FMAX counts for its block alone. */
+/** Sets the feed of a block without motion. F stays in force; FMAX counts for its block only. */
 export function takeFeed(machine: Machine, feed: FeedWord | undefined, index: number): void {
   if (feed === undefined || feed === "max") return;
   machine.set({ feedWord: feed === "auto" ? "FAUTO" : "F" });
@@ -27,7 +27,7 @@ export function takeFeed(machine: Machine, feed: FeedWord | undefined, index: nu
   });
 }
 
-/** Says what is wrong with the feed of a motion, where the motion first runs with it. */
+/** Reports the fault of a feed at its first motion. */
 function judge(machine: Machine, feed: FeedNumber, index: number): void {
   const { perRevolution } = machine.now,
     { feedUnit } = machine;
@@ -55,13 +55,11 @@ export function blockFeed(machine: Machine, feed: FeedWord | undefined, index: n
     judge(machine, machine.now.feed, index);
     machine.set({ lastFeed: machine.now.feed });
   }
-  // Without a feed the control stops; the path is shown all the same, and never as a rapid.
+  // Without a feed the control stops; the path is still shown, and never as a rapid.
   return machine.now.feed ?? feedNumber(0);
 }
 
-/**
- * The feed of M140 or another function with a feed of its own: rapid without one. The feed of the path stays as it is.
- */
+/** Feed of M140 or another function with its own feed; rapid without one. The path feed is unchanged. */
 export function functionFeed(machine: Machine, feed: FeedWord | undefined, index: number): FeedNumber | null {
   if (feed === undefined || feed === "max") return null;
   return feed === "auto" ? machine.now.toolFeed : feedOf(machine, feed, index);

@@ -3,13 +3,13 @@ import { programIssue, type ControlRule } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 import { isArcPath, isPolarPath } from "./path.ts";
 
-/** A printed rule of the control is broken in a block. */
+/** Reports a block that breaks a printed rule of the control. */
 export const breaksRule = (machine: Machine, rule: ControlRule, word: string, index: number): void =>
   machine.log.say(programIssue("controlRule", "error", { rule, word }), index);
 
 /**
- * Whether a block names both coordinates of its plane; null where it names none, which leaves the point before as it
- * is. A mill's plane is that of its axes: Z alone is none of it.
+ * Whether a block names both coordinates of its plane; null where it names none, which keeps the previous answer. Z
+ * alone does not belong to the plane of a mill.
  */
 export function isWholePoint(path: PathKind, { axes }: Words, turning: boolean): boolean | null {
   if (isPolarPath(path)) return true;
@@ -18,7 +18,7 @@ export function isWholePoint(path: PathKind, { axes }: Words, turning: boolean):
   return named.length > 1;
 }
 
-/** RL or RR begins on a line: a control has no way to an arc that it does not know yet. */
+/** RL or RR must begin on a line: a control cannot approach an unknown arc. */
 export function sideBegins(machine: Machine, path: PathKind, { compensation: side }: Words, index: number): void {
   if ((side === "RL" || side === "RR") && machine.now.compensation === "R0" && isArcPath(path))
     breaksRule(machine, "sideOnArc", `${path} ${side}`, index);

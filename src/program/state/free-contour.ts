@@ -21,8 +21,7 @@ type Path = StatementOf<"path">;
 export interface FreeBlock {
   readonly path: Path;
   /**
-   * The first element of which another one fits as well. FSELECT names one, but only a control knows in which order it
-   * counts them.
+   * First element with another possible solution. FSELECT picks one, but the numbering is known to the control only.
    */
   readonly isChosen: boolean;
 }
@@ -43,7 +42,7 @@ export interface FreeWritten {
 const IS_ELEMENT: ReadonlySet<FreeForm> = new Set(["FL", "FLT", "FC", "FCT"]);
 export const isFreeElement = (s: Free): boolean => IS_ELEMENT.has(s.form);
 
-/** Contours that are remembered: one in a loop, or that an edit elsewhere leaves as it is, is solved once. */
+/** Cached contours: one in a loop, or unchanged by an edit elsewhere, is solved once. */
 const REMEMBERED = 64;
 const remembered = new Map<string, readonly (FreeSolved | null)[]>();
 
@@ -74,7 +73,7 @@ export function solveFree(run: readonly FreeWritten[], setting: FreeSetting): (F
   });
 }
 
-/** The whole line or circle of what ran before. */
+/** Line or circle of the previous segment. */
 function curveOf(s: PlaneSegment): Curve | null {
   if (flat.apart(s.from, s.to) <= SAME && s.kind === "line") return null;
   if (s.kind === "arc") return { kind: "arc", centre: s.centre, radius: flat.radiusOf(s), turn: s.turn };
@@ -99,8 +98,7 @@ function readRun(run: readonly FreeWritten[], setting: FreeSetting): FreeElement
 }
 
 /**
- * The element as a block that names its end; an arc of more than half a turn has a negative radius. Null for a whole
- * circle.
+ * The element as a block with its end point; an arc beyond half a turn has a negative radius. Null for a full circle.
  */
 function pathOf(s: Free, segment: PlaneSegment, plane: FreePlane): Path | null {
   const [first, second] = AXES[plane];

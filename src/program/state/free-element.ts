@@ -16,23 +16,23 @@ export const AXES = { XY: ["X", "Y"], lathe: ["Z", "X"], radii: ["Z", "X"] } as 
   readonly [AxisName, AxisName]
 >;
 
-/** How values become numbers; all lengths in the unit of the program, counted from its datum. */
+/** How words become numbers; lengths in the program's unit, from its datum. */
 export interface FreeSetting {
   readonly plane: FreePlane;
-  /** Where the first element begins; null where nobody knows. */
+  /** Start of the first element; null while unknown. */
   readonly from: PlanePoint | null;
-  /** What ran before it, for a tangential transition. */
+  /** Previous segment, for a tangential transition. */
   readonly before: Segment | null;
   readonly number: (value: Value) => number | null;
 }
 
-/** A block with what it gives; null where that is not understood. */
+/** A block with its element; null where it is not understood. */
 export interface FreeElementRead {
   readonly s: Free;
   readonly element: FreeElement | null;
 }
 
-/** What counts while a run is read: the pole, where elements stand, and where a closed contour begins. */
+/** State while elements are read: pole, element numbers, start of a closed contour. */
 export interface FreeReading {
   readonly setting: FreeSetting;
   readonly pole: PlanePoint | null;
@@ -55,10 +55,10 @@ export function freePoint(words: readonly AxisWord[], { plane, number }: FreeSet
 /** A coordinate of the second axis as a distance: X is a diameter while turning. */
 const across = (n: number, plane: FreePlane): number => (plane === "lathe" ? toRadius(diameter(n)) : n);
 
-/** Words of which one alone says nothing, and that are not read further. */
+/** Thrown for words that are incomplete alone; the element is not read further. */
 class Unreadable extends Error {}
 
-/** The words of one block as numbers. Every word that is asked for counts as understood. */
+/** Words of one block as numbers. Every word that is read counts as understood. */
 class FreeReader {
   private readonly asked = new Set<string>();
 
@@ -82,7 +82,7 @@ class FreeReader {
     return this.optional(this.s.given.find((w) => w.name === name)?.value);
   }
 
-  /** The element that a word names by its block; the one before this where there is no such word. */
+  /** Element that a word references by block number; the previous one without such a word. */
   reference(name: string): number {
     const block = this.given(name);
     const found = block === null ? this.r.index - 1 : this.r.byBlock.get(block);
@@ -90,7 +90,7 @@ class FreeReader {
     return found;
   }
 
-  /** A coordinate: from zero, or from the point that a reference names. */
+  /** A coordinate: absolute, or relative to the referenced point. */
   coordinate(axis: AxisName, isAcross: boolean): FreeValue {
     const word = one(this.s.words.axes, axis);
     const of = this.reference(`R${axis}`);
@@ -119,7 +119,7 @@ class FreeReader {
     return x === null || y === null ? null : { x, y: across(y, this.r.setting.plane) };
   }
 
-  /** True when the block says nothing beside what was asked for. */
+  /** True when every word of the block was read. */
   get isWhole(): boolean {
     return (
       this.s.given.every((w) => this.asked.has(w.name)) &&
@@ -131,7 +131,7 @@ class FreeReader {
 
 const inRadians = (n: number): number => radians(degrees(n));
 
-/** What a block gives; null when it gives something that is not understood here, or that nobody knows. */
+/** Element of a block; null when something in it is not understood or unknown. */
 export function freeElement(s: Free, r: FreeReading): FreeElement | null {
   try {
     return elementFrom(s, r, new FreeReader(s, r));

@@ -1,16 +1,14 @@
 import type { Severity } from "../../kernel/plan/issue.ts";
 import type { FeedUnit } from "../../kernel/plan/move.ts";
 
-/** Rules that a control holds a program to, each by what breaks it. */
+/** Rules of the control, named by their violation. */
 export type ControlRule = "signOfAngle" | "zeroBehindCorner" | "emptyCentre" | "sideOnArc" | "toolCallCompensated";
 
-/**
- * What can be wrong when a program runs, beside its text (`nc`) and its cycles (`kernel`): code and data, no sentences.
- */
+/** Issues of a run, besides those of its text (`nc`) and its cycles (`kernel`): code and data, no sentences. */
 interface Data {
-  /** The block is understood by the reader and left out by the simulation. */
+  /** The block is understood but not simulated. */
   notSimulated: { what: string };
-  /** It can move the path or the stock: nothing is proved from here on. */
+  /** It can change the path or the stock: unverified from here on. */
   notProved: { what: string };
   cycleNotSimulated: { cycle: number; name: string };
   /** A cycle call without a definition before it. */
@@ -18,25 +16,22 @@ interface Data {
   noToolCalled: {};
   toolUnknown: { tool: string };
   notInTurnMode: {};
-  /** RL or RR is in force where the control wants R0: at a cycle call, or in PS before an APPR. */
+  /** RL or RR is active where the control requires R0: at a cycle call, or in PS before an APPR. */
   compensationActive: { side: "RL" | "RR" };
   /** A cutting feed of 0, as it is written, or FAUTO without a feed in TOOL CALL. */
   feedZero: { word: string };
-  /** A feed that can be run and that nobody means. */
+  /** A valid feed that is surely a typing error. */
   feedUnlikely: { feed: number; unit: FeedUnit };
-  /** A bore deeper than the edges of its drill are long. */
+  /** Bore deeper than the cutting edge length of the drill. */
   drillTooShort: { depth: number; edges: number };
-  /** Another pitch in the cycle than that of the tap. */
+  /** Pitch of the cycle differs from that of the tap. */
   pitchOfTap: { pitch: number; tap: number };
   cycleNeverCalled: { cycle: number };
-  /** Motion or a call behind the end of the program. */
+  /** Motion or a call behind the program end. */
   neverReached: { by: string };
-  /** A parameter that the cycle does not have, or one that stands twice. */
+  /** A parameter that the cycle lacks, or a duplicate. */
   parameterForeign: { name: string; cycle: number };
-  /**
-   * The list of a cycle ends where older software ended it; `filled` is what the control fills in, as words of the
-   * list.
-   */
+  /** The cycle list is one of older software; `filled` are the values that the control adds, as words of the list. */
   listOfOlderSoftware: { cycle: number; filled: readonly string[] };
   /** The program runs on into the label of a contour. */
   runsIntoLabel: { label: string };
@@ -54,47 +49,44 @@ interface Data {
   contoursJoined: { cycle: number; joined: string };
   feedMissing: {};
   spindleMissing: {};
-  /** Constant surface speed without SMAX on a path that comes near the axis: to this diameter, mm, in this block. */
+  /** Constant surface speed without SMAX near the axis: smallest diameter in mm, and its block. */
   speedUnlimited: { diameter: number; block: number };
-  /** More than the material allows, m/min, or than the machine can, rpm. */
+  /** Above the limit of the material, m/min, or of the machine, rpm. */
   speedUnlikely: { speed: number; most: number; of: "material" | "machine" };
-  /** The tool turns beside the centre by so many mm in Y. */
+  /** Turning off centre by this many mm in Y. */
   offCentre: { y: number };
-  /** TOOL CALL with an index that the table does not have; `rows` are those of the same tool. */
+  /** TOOL CALL with an index missing in the table; `rows` are the existing rows of the tool. */
   toolIndexUnknown: { tool: string; rows: readonly string[] };
-  /** A contour begins with a block that counts from a point before it. */
+  /** The first block of a contour counts from a previous point. */
   firstElement: { word: string };
   /** A printed rule of the control; `word` is what breaks it. */
   controlRule: { rule: ControlRule; word: string };
   parameterUnset: { name: string };
   divisionByZero: {};
   notFinite: { text: string };
-  /**
-   * `; CLAMPING …`: words that were not understood, the rest counts; words without which nothing is known; a second
-   * one.
-   */
+  /** `; CLAMPING …`: words not understood (the rest counts), required words missing, or a second clamping. */
   clampingUnread: { what: string };
   clampingIncomplete: { words: string };
   clampingTwice: {};
-  /** Jaws or collet are stated where there is nothing of the blank at their ⌀, or more than it. */
+  /** Jaws or collet grip a ⌀ without blank, or inside the blank. */
   clampingMisses: { diameter: number };
   blankMissing: {};
   blankNotTurned: { form: string };
   blankImpossible: {};
   /**
-   * A box turns: the cylinder round its corners is the stock, and there is material all round within the inner diameter
-   * only.
+   * A rotating box: its stock is the cylinder around its corners, with material all round only within the inner
+   * diameter.
    */
   boxTurned: { outer: number; inner: number };
-  /** The outline of FUNCTION TURNDATA BLANK is the stock, since BLK FORM gives none that is turned. */
+  /** The outline of FUNCTION TURNDATA BLANK is the stock, as BLK FORM gives no body of revolution. */
   blankTaken: { what: string };
-  /** It is, though it has more than BLK FORM, mm². */
+  /** That outline has more material than BLK FORM, mm². */
   blankAdds: { what: string; area: number };
-  /** Roughing leaves out what touches nothing of the blank that is traced; other cuts in the air are run here. */
+  /** Roughing skips passes that miss the traced blank; other cuts in the air are run. */
   blankTraced: {};
   poleMissing: {};
   startUnknown: {};
-  /** A measure of the blank that somebody has set, and the contour that it does not agree with: ⌀ or Z, mm. */
+  /** A blank dimension set by the user that contradicts the contour: ⌀ or Z, mm. */
   blankAgainstContour: {
     place: "outside" | "bore" | "length" | "allowance" | "thread";
     contour: number;
@@ -102,37 +94,35 @@ interface Data {
     other?: string;
     nearest: number;
   };
-  /** An element of a free contour that what is given does not determine, or not without contradiction. */
+  /** An element of a free contour with several solutions, or with contradicting values. */
   freeChosen: {};
   freeUnsolved: { form: string };
   arcImpossible: {};
   radiusCompensation: { side: "RL" | "RR" };
-  /**
-   * RL or RR with a turning tool whose tip orientation names no side: the direction of the compensation is not defined.
-   */
+  /** RL or RR with a tip orientation that names no side: the direction of the compensation is undefined. */
   compensationUndefined: { side: "RL" | "RR"; orientation: number };
   /** RL to RR or back without R0 between. */
   sideChanged: {};
   /** APPR without an element behind it, DEP without one before it. */
   approachWithoutContour: { form: string };
-  /** DZL and DXL of the table: the control counts with them, so the tip stays on the path. */
+  /** DZL and DXL of the table: the control includes them, so the tip stays on the path. */
   lengthDelta: { tool: number };
   /** The path is that of a tool of radius 0. */
   toolRadiusUnknown: { tool: string };
-  /** The words of this block are recalled from the manual, not checked against a printed page. */
+  /** The words of this block are recalled, not verified on a printed page. */
   wordsRecalled: { what: string };
   programEndMissing: {};
   tooManyBlocks: { limit: number };
   tooManyMoves: { limit: number };
   contourTooLong: { limit: number };
   tooManyOperations: { limit: number };
-  /** Findings of one code that are not listed, from this place on. */
+  /** Number of findings of one code that are not listed from here on. */
   moreAlike: { code: string; count: number };
   callsTooDeep: { limit: number };
   programsTooDeep: { limit: number };
   /** M2 or M30 in a program that is called. */
   endInCalled: { word: string };
-  /** A program that is called and was not opened with this one. */
+  /** A called program that was not opened. */
   programNotOpened: { file: string };
   /** FN 14: the control stops with this error; null when its number is not known. */
   errorRaised: { error: number | null };

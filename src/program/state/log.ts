@@ -15,19 +15,19 @@ import type { Unit } from "./units.ts";
 
 const NO_SHIFT_POINT: Pt = { z: axial(0), r: radius(0) };
 
-/** The text of a program that was called, behind the blocks of those before it. */
+/** A called program, appended behind the earlier texts. */
 interface CalledText {
   readonly file: ProgramFile;
   readonly unit: Unit;
   readonly numbers: readonly number[];
   readonly lines: readonly number[];
-  /** The block of the program itself that has called it last; -1 before any. */
+  /** Block of the main program with the latest call; -1 before any. */
   readonly caller: number;
 }
 
 const IN_PROGRAM = {};
 
-/** What is noted one after the other. */
+/** Lists that a run appends to. */
 interface Noted {
   readonly steps: Step;
   readonly stepBlocks: number;
@@ -39,17 +39,17 @@ interface Noted {
   readonly spindles: Run["spindles"][number];
   readonly findings: RunFinding;
   readonly unproved: Unproved;
-  /** Blanks that were stated after something had been cut. */
+  /** Blanks stated after the first cut. */
   readonly stated: Stated;
 }
 
-/** What a run has done and said so far. Never changed in place. */
+/** Steps and findings of a run so far. Immutable. */
 export interface LogState extends Readonly<{ [List in keyof Noted]: Grown<Noted[List]> }> {
-  /** The blank before the first that was stated later. */
+  /** Blank before the first restated one. */
   readonly firstBlank: readonly Ring[] | null;
-  /** What turning has taken so far. */
+  /** Turning time so far, s. */
   readonly seconds: number;
-  /** What was taken beside the motions. */
+  /** Time outside of motions, s. */
   readonly beside: SecondsBeside;
   readonly said: GrownSet<string>;
   readonly left: GrownSet<string>;
@@ -76,7 +76,7 @@ export const emptyLog = (): LogState => ({
   texts: [],
 });
 
-/** Adds what a run does and says, each at its block, to what it has done and said so far. */
+/** Records steps and findings of a run, each at its block. */
 export class Log {
   private readonly draft: Changing<LogState>;
 
@@ -112,7 +112,7 @@ export class Log {
     Object.assign(this.draft, { [list]: lists[list].with(item) });
   }
 
-  /** Notes steps of a block, and what they take together. */
+  /** Adds the steps of a block and their total time. */
   move(steps: readonly Step[], seconds: number, index: number): void {
     const block = this.inProgram(index);
     this.draft.seconds += seconds;
@@ -120,7 +120,7 @@ export class Log {
     this.draft.stepBlocks = this.draft.stepBlocks.withAll(steps.map(() => block));
   }
 
-  /** The text of a program that has been called before. */
+  /** Unit of a program that was called before. */
   unitOf(program: Program): Unit | undefined {
     return this.draft.texts.find(({ file }) => file.program === program)?.unit;
   }
@@ -132,18 +132,18 @@ export class Log {
     this.draft.texts = [...this.draft.texts, text];
   }
 
-  /** Notes that a block, of the program itself or of one that it has called, calls a program or reads it. */
+  /** Records a block that calls or reads another program. */
   calledBy(index: number, unit: Unit): void {
     const caller = this.inProgram(index);
     this.draft.texts = this.draft.texts.map((text) => (text.unit === unit ? { ...text, caller } : text));
   }
 
-  /** The number of a block; of a block of another program, that of the block that called it. */
+  /** Number of a block; in a called program that of the calling block. */
   numberOf(index: number): number | undefined {
     return this.input.numbers[this.inProgram(index)];
   }
 
-  /** The line of a block, in the same way. */
+  /** Line of a block; in a called program that of the calling block. */
   private startOf(index: number): number {
     return this.input.lines[this.inProgram(index)] ?? 1;
   }
@@ -156,24 +156,24 @@ export class Log {
     return this.isOwn(index) ? undefined : this.draft.texts.findLast(({ unit }) => unit.from <= index);
   }
 
-  /** The block of the program itself: the one that called, for a block of another. */
+  /** Main-program block: the block itself, or the calling block of a called program. */
   inProgram(index: number): number {
     return this.textOf(index)?.caller ?? index;
   }
 
-  /** Where the block of a step stands that is not one of the program itself. */
+  /** File and line of a block in a called program. */
   lineOf(index: number): Pick<Step, "file" | "line"> {
     const { inFile } = this.inFile(index, 0);
     return inFile ? { file: inFile.file, line: inFile.line } : IN_PROGRAM;
   }
 
-  /** The file of a block that is not one of the program itself. */
+  /** File of a block in a called program. */
   fileOf(index: number): { readonly file?: string } {
     const text = this.textOf(index);
     return text ? { file: text.file.name } : IN_PROGRAM;
   }
 
-  /** Notes a finding at a block, once however often the block runs. `within` counts lines inside the block. */
+  /** Records a finding at a block, once even if the block repeats. `within` counts lines inside the block. */
   say(issue: Issue | ProgramIssue, index: number | null, within = 0, operation: number | null = null): void {
     const key = `${index} ${issue.code} ${issue.at ?? ""} ${operation ?? ""} ${operation === null ? "" : JSON.stringify(issue.data)}`;
     if (this.draft.said.has(key)) return;
@@ -189,13 +189,13 @@ export class Log {
     this.note("findings", { issue, ...place, operation });
   }
 
-  /** Adds time that no motion takes, s. */
+  /** Adds time outside of motions, s. */
   takes(what: keyof SecondsBeside, seconds: number): void {
     const { beside } = this.draft;
     if (seconds > 0) this.draft.beside = { ...beside, [what]: beside[what] + seconds };
   }
 
-  /** Notes from which point the program counts at the step that comes next. */
+  /** Records the datum of the next step. */
   countsFrom(x: number, z: number): void {
     const { datums } = this.draft;
     const last = datums.last?.at ?? NO_SHIFT_POINT;
@@ -205,7 +205,7 @@ export class Log {
     this.draft.datums = before.with({ step, at });
   }
 
-  /** Notes how the spindle turns at the step that comes next. */
+  /** Records the spindle state of the next step. */
   turnsAt(spindle: Spindle | null, backwards: boolean): void {
     const { last } = this.draft.spindles,
       turnsBack = last?.backwards ?? false;
@@ -213,14 +213,14 @@ export class Log {
     this.note("spindles", { step: this.steps.length, spindle, ...(backwards && { backwards }) });
   }
 
-  /** Where a block stands in the text that it is from. */
+  /** Block number and line in the block's own text. */
   placeOf(index: number): { readonly block: number; readonly line: number; readonly file?: string } {
     const { inFile } = this.inFile(index, 0);
     if (inFile) return { ...inFile, block: inFile.block ?? 0 };
     return { block: this.numberOf(index) ?? 0, line: this.startOf(index) };
   }
 
-  /** Where a finding stands in the file of a called program. */
+  /** Place of a finding in the file of a called program. */
   private inFile(index: number, within: number): Pick<RunFinding, "inFile"> {
     const text = this.textOf(index);
     if (!text) return IN_PROGRAM;
@@ -228,7 +228,7 @@ export class Log {
     return { inFile: { file: text.file.name, block: text.numbers[at] ?? 0, line: (text.lines[at] ?? 1) + within } };
   }
 
-  /** Says which labels of a text are set again. */
+  /** Reports labels that a text sets twice. */
   saySetTwice({ setTwice }: Unit): void {
     for (const [label, index] of setTwice)
       this.say(programIssue("labelTwice", "error", { label: String(label) }), index);
@@ -238,7 +238,7 @@ export class Log {
     this.say(programIssue("notSimulated", severity, { what }), index);
   }
 
-  /** Notes a finding where it is met first, and nowhere else. */
+  /** Records a finding at its first place only. */
   sayOnce(issue: Issue | ProgramIssue, index: number): void {
     const key = `once ${issue.code} ${issue.at ?? ""}`;
     if (this.draft.said.has(key)) return;
@@ -246,19 +246,19 @@ export class Log {
     this.say(issue, index);
   }
 
-  /** Notes that from here on nothing is proved, once for each block. `what` as the program spells it. */
+  /** Marks the run as unverified from here on, once per block. `what` as the program spells it. */
   leaveUnproved(what: string, index: number): void {
     const block = this.numberOf(index) ?? 0;
     const key = `${this.isOwn(index) ? block : index} ${what}`;
     if (this.draft.left.has(key)) return;
     this.draft.left = this.draft.left.with(key);
-    // The first of all says from where on nothing is proved; a list of all that follow would fill the memory.
+    // The first entry decides where verification ends; listing all others would fill the memory.
     if (this.unproved.length < MOST_ALIKE)
       this.note("unproved", { step: this.steps.length, block, what, ...this.fileOf(index) });
     this.say(programIssue("notProved", "warning", { what }), index);
   }
 
-  /** Notes that from the step that comes next on another blank stands in the chuck. */
+  /** Records a new blank from the next step on. */
   states(
     rings: readonly Ring[],
     { what, before }: { readonly what: string; readonly before: readonly Ring[] },
@@ -277,7 +277,7 @@ export class Log {
     return [...fewAlike(this.read(missing)), ...fewAlike(findings.toSorted(order))].sort(order);
   }
 
-  /** What the reader found, less what is also said as a missing parameter. */
+  /** Findings of the reader, except those also reported as missing parameters. */
   private *read(missing: ReadonlySet<number | null>): Generator<RunFinding> {
     for (const i of eachIssue(this.input.program))
       if (!(i.code === "wordMissing" && missing.has(i.line))) yield this.located(i);

@@ -3,7 +3,7 @@ import { speedAt, withinLimit, type RapidRate } from "../../kernel/time/time.ts"
 import type { MachineData, MachineTimed, OfAxes, SpindleTurns } from "../machine/machine-data.ts";
 import type { Modal } from "./modal.ts";
 
-/** What rapids are timed with: what the machine states of its axes, else one rate along the path. */
+/** Rapid rates for times: those of the machine's axes, else one rate along the path. */
 function rapidRateOf({ rapid, machine }: MachineTimed): RapidRate {
   const { rapid: rates, acceleration } = machine ?? {};
   if (!rates) return rapid;
@@ -14,12 +14,12 @@ function rapidRateOf({ rapid, machine }: MachineTimed): RapidRate {
   return { x: axis("x"), z: axis("z") };
 }
 
-/** What a machine makes of what is programmed, in time. */
+/** Times and speeds of a machine for programmed values. */
 export class MachineClock {
-  /** What rapids are timed with. */
+  /** Rapid rates for times. */
   readonly rapid: RapidRate;
   private readonly data: MachineData["spindle"];
-  /** What it makes of programmed spindles: the same one stays the same. */
+  /** Limited spindles by programmed spindle, so that the same one stays identical. */
   private readonly known = new WeakMap<Spindle, Spindle>();
 
   constructor(timed: MachineTimed) {
@@ -27,7 +27,7 @@ export class MachineClock {
     this.data = timed.machine?.spindle;
   }
 
-  /** A spindle as it turns: as programmed, and no faster than the machine lets it. */
+  /** A programmed spindle, limited to the machine's maximum speed. */
   limited(spindle: Spindle | null): Spindle | null {
     if (!spindle || !this.data) return spindle;
     const made = this.known.get(spindle) ?? withinLimit(spindle, this.data.most);
@@ -36,9 +36,8 @@ export class MachineClock {
   }
 
   /**
-   * Seconds until the spindle turns as is programmed now, at a distance of `r` mm from the axis: from rest, from
-   * another speed, or from turning the other way. Along a cut at constant cutting speed it follows by itself. Null
-   * where it turns so already.
+   * Seconds until the spindle reaches the programmed state at a distance of `r` mm from the axis: from rest, another
+   * speed, or reverse. Along a cut at constant surface speed it follows without delay. Null where nothing changes.
    */
   runUp(
     { turns, backwards, runsAs, spindle: programmed }: Modal,

@@ -25,13 +25,13 @@ import { stepOf, timed, type TimedSteps } from "./step-of.ts";
 import { isSkipped, unitFrom, type Unit } from "./units.ts";
 
 /**
- * A run while blocks are executed: it begins with a state, and `state` is what it has become. What it holds are
- * immutable values that others take the place of, so that no state which it has had ever changes.
+ * A run while blocks are executed: starts from a state; `state` is the current one. Its members are immutable values
+ * that are replaced, so earlier states never change.
  */
 export class Machine {
   readonly log: Log;
   readonly known: KnownValues;
-  /** The contours that turning and milling are gathering. */
+  /** Contours under construction, of turning and milling. */
   readonly turnGuide: Guide;
   readonly millGuide: Guide;
 
@@ -48,7 +48,7 @@ export class Machine {
     this.millGuide = { ...state.millGuide };
   }
 
-  /** What the run is now, as a value that stays as it is. */
+  /** Snapshot of the current state. */
   get state(): RunState {
     const { draft, log, known, turnGuide, millGuide } = this;
     return {
@@ -60,12 +60,12 @@ export class Machine {
     };
   }
 
-  /** Puts other values in the place of those that the state holds. */
+  /** Replaces members of the state. */
   change(change: Partial<Omit<RunState, "log" | "known" | "turnGuide" | "millGuide">>): void {
     Object.assign(this.draft, change);
   }
 
-  /** The state as far as it is not handed to one of the above. */
+  /** The state without the parts held by log, parameters and guides. */
   get run(): Omit<RunState, "log" | "known" | "turnGuide" | "millGuide"> {
     return this.draft;
   }
@@ -86,12 +86,12 @@ export class Machine {
     return this.draft.unit;
   }
 
-  /** What is in force. */
+  /** Modal state. */
   get now(): Modal {
     return this.draft.now;
   }
 
-  /** Where the tool stands. */
+  /** Tool position. */
   get place(): Whereabouts {
     return this.draft.place;
   }
@@ -100,20 +100,20 @@ export class Machine {
     return this.known.parameters;
   }
 
-  /** A block is run, or read as part of a contour. */
+  /** Records that a block is run, or read as part of a contour. */
   visit(index: number): void {
     const { visited } = this.input.looks;
     if (visited[index] === 0) visited[index] = this.draft.executed;
   }
 
-  /** The statement of a block that does not run yet, for one that hangs on what comes. */
+  /** Statement of a later block, for a block that depends on what follows. */
   foresee(index: number): Statement | undefined {
     const { foreseen } = this.input.looks;
     if (foreseen[index] === 0) foreseen[index] = this.draft.executed;
     return this.blocks[index]?.statement;
   }
 
-  /** Notes that the definition of a cycle was taken up, or called. */
+  /** Records that a cycle definition was reached, or called. */
   define(index: number): void {
     this.change({ definitions: this.draft.definitions.with(index) });
   }
@@ -127,7 +127,7 @@ export class Machine {
     this.draft.next = next;
   }
 
-  /** Changes what decides which blocks come behind it. */
+  /** Changes the flow: returns, repetitions, ending. */
   go(change: Partial<Flow>): void {
     this.draft.flow = { ...this.draft.flow, ...change };
   }
@@ -136,7 +136,7 @@ export class Machine {
     return this.unit.labels;
   }
 
-  /** The text of a file beside the program, for a block that names it; null when it was not opened with it. */
+  /** Unit of a file that a block names; null when it was not opened. */
   unitOfFile(name: string, index: number): Unit | null {
     const found = this.shop.files?.find(fileKey(name));
     if (!found) return null;
@@ -166,35 +166,35 @@ export class Machine {
     return null;
   }
 
-  /** Changes what is in force. Most blocks leave most of it as it is, and a long program has many blocks. */
+  /** Changes the modal state. Most blocks leave most of it unchanged, and a long program has many blocks. */
   set(change: Partial<Modal>): void {
     const names = Object.keys(change) as (keyof Modal)[];
     if (names.some((name) => change[name] !== this.now[name])) this.draft.now = { ...this.now, ...change };
   }
 
-  /** Changes where the tool stands. */
+  /** Changes the tool position. */
   setPlace(change: Partial<Whereabouts>): void {
     this.draft.place = { ...this.place, ...change };
   }
 
-  /** Changes what is in force for a mill. */
+  /** Changes the modal state of milling. */
   setMill(change: Partial<Milling>): void {
     this.set({ mill: { ...this.now.mill, ...change } });
   }
 
-  /** The number of a value, or null with an issue at the block. */
+  /** Number of a value, or null with an issue at the block. */
   number(value: Value, index: number): number | null {
     return this.settle(valueOf(value, this.parameters), index);
   }
 
-  /** Something else has moved the machine: no position is known. */
+  /** The machine moved in an unknown way: all positions are unknown. */
   loseAll(): void {
     this.endBrought();
     this.setPlace({ ...NOT_PLACED, lost: "unproved", held: this.place.held, milled: this.place.milled });
     this.millGuide.here = null;
   }
 
-  /** A number that was worked out, or null with an issue at the block. */
+  /** A computed number, or null with an issue at the block. */
   settle(result: number | Trouble, index: number): number | null {
     if (typeof result === "number") return result;
     const unknown = result.kind === "unset" ? this.known.reasonOf(result.name) : null;
@@ -222,7 +222,7 @@ export class Machine {
     return (this.now.inch ? n * (this.now.perRevolution ? INCH : INCH / 10) : n) as Feed;
   }
 
-  /** The spindle as it turns: as programmed, and no faster than the machine lets it. */
+  /** The programmed spindle, limited to the machine's maximum speed. */
   get spindle(): Spindle | null {
     return this.clock.limited(this.now.spindle);
   }
@@ -236,12 +236,12 @@ export class Machine {
     return pointIn("lathe", this.place.at);
   }
 
-  /** Ends the run at a block, because the program goes beyond what is simulated: what follows is not proved. */
+  /** Ends the run at a block, because the program exceeds a limit: the rest is unverified. */
   stop(why: ProgramIssue, index: number): void {
     if (this.draft.full) return;
     this.change({ full: true });
     this.log.say(why, index);
-    // An element that waits for a corner stands before the end and is still run.
+    // An element waiting for a corner precedes the end and is still run.
     const step = this.log.steps.length + (this.place.held ? 1 : 0);
     this.log.note("unproved", {
       step,
@@ -269,13 +269,13 @@ export class Machine {
     return !this.draft.full;
   }
 
-  /** How many moves a tool may still turn. */
+  /** Turning moves left before the limit. */
   get room(): number {
     const turned = this.log.steps.length;
     return Math.min(MOST_TURNED, MOST_MOVES - this.log.milled.length) - turned;
   }
 
-  /** Whether turning and milling together may move once more; ends the run when not. */
+  /** Whether one more turning move fits the common limit; ends the run when not. */
   roomForMove(index: number): boolean {
     if (this.room > 0) return true;
     const limit = this.log.steps.length < MOST_TURNED ? MOST_MOVES : MOST_TURNED;
@@ -283,7 +283,7 @@ export class Machine {
     return false;
   }
 
-  /** A tool that was brought somewhere and does not go on from there is judged where it stands. */
+  /** A tool that arrived somewhere without moving on is checked at that position. */
   endBrought(): void {
     const { brought, sure } = this.place;
     if (brought === null) return;
@@ -292,7 +292,7 @@ export class Machine {
     this.setPlace({ brought: null });
   }
 
-  /** What is meant with a cut at a block. */
+  /** Intent of a cut at a block. */
   private intentOf(index: number, isCompensated: boolean): Pick<Step, "intent"> {
     this.draft.said = saidOf(this.blocks, index, this.draft.said);
     return intentOf(this.blocks, this.draft.said, isCompensated);
@@ -317,10 +317,7 @@ export class Machine {
     this.take(timed([stepOf(motion, this.spindle, this.clock.rapid)]), index);
   }
 
-  /**
-   * Adds motions of the tool, for which there is room, and what they take: the first of them goes on from where it was
-   * brought.
-   */
+  /** Adds motions within the limit, and their time: the first one continues from where the tool arrived. */
   take({ steps, seconds }: TimedSteps, index: number): void {
     const [first] = steps;
     if (!first) return;

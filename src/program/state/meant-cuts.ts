@@ -3,23 +3,21 @@ import type { Block } from "../../nc/program.ts";
 import type { Statement } from "../../nc/statement.ts";
 
 /**
- * What a comment says of a cut below the contour of a cycle: it is meant. Behind its block, or before the first block
- * of the cut.
+ * Comment that marks a cut below the contour of a cycle as intended: behind its block, or before the first block of the
+ * cut.
  */
 export const MEANT = "INTENDED CUT";
 
 const says = (comment: string | null): boolean => comment !== null && comment.trim().toUpperCase().startsWith(MEANT);
 
-/** Blocks of which a cut is made. */
+/** Blocks that form a cut. */
 const CUTTING: ReadonlySet<Statement["kind"]> = new Set(["path", "free", "chamfer", "approach", "comment", "empty"]);
 
-/**
- * Whether a block goes on with the cut that the one before it has begun: a rapid ends it, and so does anything else.
- */
+/** Whether a block continues the previous cut: a rapid or any other block ends it. */
 const goesOn = ({ statement: s }: Block): boolean =>
   CUTTING.has(s.kind) && !(s.kind === "path" && s.words.feed === "max");
 
-/** Index of the first block of the cut that a block belongs to: a comment in front of it counts for the whole of it. */
+/** Index of the first block of a cut: a comment before it counts for the whole cut. */
 export function beginOfCut(blocks: readonly Block[], index: number): number {
   let begin = index;
   while (begin > 0 && goesOn(blocks[begin - 1] as Block)) begin -= 1;
@@ -31,13 +29,13 @@ const COMPENSATED = { intent: "compensated" } as const;
 const SAID = { intent: "meant" } as const;
 const NONE = {};
 
-/** Whether a comment in front of a cut says that it is meant, as far as the block of it that ran last. */
+/** Whether a comment before the cut marks it as intended, up to its last block run. */
 export interface Said {
   readonly index: number;
   readonly isMeant: boolean;
 }
 
-/** The same at a block; `known`: at the block that cut before it. */
+/** The same at a block; `known`: at the previous block with a cut. */
 export function saidOf(blocks: readonly Block[], index: number, known: Said | null): Said {
   for (let i = index; i >= 0; i -= 1) {
     const block = blocks[i];
@@ -48,7 +46,7 @@ export function saidOf(blocks: readonly Block[], index: number, known: Said | nu
   return { index, isMeant: false };
 }
 
-/** What is meant with the cut of a block. */
+/** Intent of the cut of a block. */
 export function intentOf(
   blocks: readonly Block[],
   { index, isMeant }: Said,

@@ -14,7 +14,7 @@ import { NOWHERE, type MillPlane, type Pole, type Position } from "./path.ts";
 
 type Correction = NonNullable<Tool["correction"]>;
 
-/** How far the datum of the program stands from that of the workpiece, mm; X as a distance, never as a diameter. */
+/** Offset of the program datum from the workpiece datum, mm; X as a distance, never as a diameter. */
 export interface Datum {
   readonly x: Length;
   readonly y: Length;
@@ -23,40 +23,40 @@ export interface Datum {
 
 export const NO_SHIFT: Datum = { x: length(0), y: length(0), z: length(0) };
 
-/** A cycle definition waiting for its call. Numbers as they were when the definition was reached. */
+/** A cycle definition waiting for its call, with its numbers at definition time. */
 export interface Defined {
   readonly index: number;
   readonly cycle: number;
   readonly values: ReadonlyMap<string, number | "auto" | null>;
-  /** Parameters without a number for a reason that has been told. */
+  /** Parameters without a number, for a reported reason. */
   readonly troubled: ReadonlySet<string>;
-  /** Program that the call runs in place of a cycle; null when nobody knows its name. */
+  /** Program that the call runs instead of a cycle; null when its name is unknown. */
   readonly program?: string | null;
 }
 
-/** Where a contour stands: behind a label of a text, or all of that text. */
+/** Source of a contour: a label of a text, or the whole text. */
 export interface ContourSource {
   readonly unit: Unit;
   readonly label: Label | null;
 }
 
-/** Several contours that make one by a rule of milling: how they are joined, and the block that says so. */
+/** Several contours joined by a rule of milling: the operation, and its block. */
 export interface JoinedContours {
   readonly joined: string;
   readonly index: number;
 }
 
-/** A plain path element that waits for the corner behind it. */
+/** A path element that waits for a possible corner block. */
 export interface Held {
   readonly segment: Segment;
   readonly feed: Feed | null;
   readonly index: number;
   readonly corner: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number } | null;
-  /** Its number in the contour that runs on from block to block, from 1. */
+  /** Its number, from 1, in the current contour. */
   readonly element: number;
 }
 
-/** A blank of another form: a box, a body in a file, or one round another axis. */
+/** A blank that is no body of revolution about the spindle axis: a box, a file, or another axis. */
 export type UnturnedBlank =
   | { readonly kind: "box"; readonly index: number; readonly corners: readonly [BoxCorner, BoxCorner] }
   | {
@@ -65,7 +65,7 @@ export type UnturnedBlank =
       readonly form: string;
     };
 
-/** What is in force for a mill, mm. */
+/** Modal state of milling, mm. */
 export interface Milling {
   /** Radius of the tool with its delta; null when no table and no TOOL DEF names it. */
   readonly radius: number | null;
@@ -76,35 +76,26 @@ export interface Milling {
   readonly top: number | null;
 }
 
-/**
- * Where the tool stands between two blocks. X is a diameter, mm. Never changed in place: every move puts a new one in
- * its place.
- */
+/** Tool position between two blocks. X is a diameter, mm. Immutable: every move replaces it. */
 export interface Whereabouts {
   readonly at: Position;
-  /** False after a tool change until the axis is programmed again: nobody knows where the change left it. */
+  /** False after a tool change until the axis is programmed again: the change leaves it anywhere. */
   readonly sure: { readonly x: boolean; readonly z: boolean };
-  /** The block that brought the tool here at rapid, from where nobody knows; null once the tool has moved on. */
+  /** Block of the rapid from an unknown position to here; null once the tool has moved on. */
   readonly brought: number | null;
-  /**
-   * The block that took the tool home in machine coordinates, until the tool is changed: a cut from there is not
-   * proved.
-   */
+  /** Block that moved the tool to machine home, until the next tool change: a cut from there is unverified. */
   readonly home: { readonly index: number; readonly what: string } | null;
-  /** Whether the last point was programmed with both coordinates of its plane; null where nobody asks. */
+  /** Whether the last point named both coordinates of its plane; null where this is not checked. */
   readonly isWhole: boolean | null;
-  /** Why a coordinate is not known any more, when a block that was not run or a fault that was told is the reason. */
+  /** Why a coordinate became unknown: a block not simulated, or a reported fault. */
   readonly lost: UnknownReason | null;
-  /** An element that waits for the corner behind it. */
+  /** Element that waits for a possible corner block. */
   readonly held: Held | null;
   /** The last path element, for tangential arcs. */
   readonly last: Segment | null;
   /** The position of a mill, as programmed. */
   readonly mill: Position;
-  /**
-   * What a mill ran last, for an arc that leaves it tangentially beside the plane of the tool axis; its arc, null for a
-   * line.
-   */
+  /** Last milling motion, for a tangential arc in another plane; its arc, null for a line. */
   readonly milled: {
     readonly from: Position;
     readonly to: Position;
@@ -113,32 +104,32 @@ export interface Whereabouts {
   } | null;
 }
 
-/** How far a run has come. */
+/** Progress of a run. */
 interface Count {
   readonly operations: number;
   readonly steps: number;
 }
 
-/** What had been bored of a blank up to a place of the run; `below` as the plan of a cycle asks for it. */
+/** Bored part of a blank at some progress of the run; `below` as the plan of a cycle uses it. */
 interface Bored extends Count {
-  /** The place since which the blank stands as it is stated. */
+  /** Progress at which the blank was stated. */
   readonly since: Count;
   readonly below: number;
   readonly isBored: boolean;
 }
 
-/** What is in force between two blocks, mm. Never changed in place: a block puts a new one in its place. */
+/** Modal state between two blocks, mm. Immutable: a block replaces it. */
 export interface Modal {
   /** The program's unit of length. */
   readonly inch: boolean;
   readonly turning: boolean;
-  /** As FUNCTION MODE said; null while no block has. */
+  /** Mode of FUNCTION MODE; null before one. */
   readonly mode: "TURN" | "MILL" | null;
-  /** The preset that counts; null before one was named. */
+  /** Active preset; null before one was named. */
   readonly preset: number | null;
-  /** Where the program counts from; all positions below are those of the workpiece. */
+  /** Datum of the program; all positions below are those of the workpiece. */
   readonly datum: Datum;
-  /** Axes whose shift nobody knows: it stands in a table, or in a parameter without a number. */
+  /** Axes with an unknown shift: from a table, or from a parameter without a number. */
   readonly unknownDatum: readonly (keyof Datum)[];
   /** How coordinates are mirrored, turned and scaled about the datum. */
   readonly transform: Transform;
@@ -150,59 +141,59 @@ export interface Modal {
   readonly toolFeed: Feed | null;
   /** How the feed in force was written. */
   readonly feedWord: "F" | "FAUTO";
-  /** The feed and unit that were judged last, so that a modal feed is judged once. */
+  /** Feed and unit checked last, so that a modal feed is checked once. */
   readonly judged: string;
   readonly perRevolution: boolean;
   readonly spindle: Spindle | null;
-  /** The block that says so. */
+  /** Block that set it. */
   readonly spunBy: number | null;
-  /** An M function has started it, or may have. */
+  /** An M function started it, or may have. */
   readonly turns: boolean;
-  /** It turns the other way round: M4 and its like. */
+  /** Reversed: M4 and its like. */
   readonly backwards: boolean;
-  /** How it turned at the last motion since it was started. */
+  /** Spindle state at the last motion since its start. */
   readonly runsAs: SpindleTurns | null;
   /**
-   * The block that started or stopped it last, null before any; how much was left unproved then; and whether a cut has
-   * been blamed since.
+   * Block of the last start or stop, null before any; number of unverified entries then; whether a cut was reported
+   * since.
    */
   readonly spun: { readonly index: number | null; readonly unproved: number; readonly told: boolean };
   /**
-   * A speed that is none of turning: of TOOL CALL, which counts for a drill in the tool spindle, or one whose fault has
-   * been told.
+   * A speed not meant for turning: of TOOL CALL, which counts for a drill in the tool spindle, or one with a reported
+   * fault.
    */
   readonly speedElsewhere: "toolCall" | "told" | null;
-  /** Which way round the spindle turned when a tool cut in a cycle first, by its number: an edge cuts one way only. */
+  /** Spindle direction of each tool at its first cycle, by tool number: an edge cuts in one direction only. */
   readonly ways: ReadonlyMap<number, boolean>;
-  /** Where a Y word of turning has put the tool, mm from the centre; null before any. */
+  /** Tool position by a Y word in turning, mm from the centre; null before any. */
   readonly besideCentre: number | null;
   readonly tool: Tool | null;
-  /** What the tool is called that was changed in last; null before one was. */
+  /** Name of the last tool changed in; null before one. */
   readonly changedTo: string | null;
-  /** True when a TOOL CALL named a tool that can not be used: that has been told. */
+  /** True when a TOOL CALL named an unusable tool, which is reported already. */
   readonly toolRefused: boolean;
   readonly pole: Pole | null;
-  /** What cycle 14, CONTOUR DEF or SEL CONTOUR name. */
+  /** Contours named by cycle 14, CONTOUR DEF or SEL CONTOUR. */
   readonly contours: readonly ContourSource[] | JoinedContours | "unknown";
-  /** File that SEL CONTOUR or CONTOUR DEF names and that is not at hand. */
+  /** Missing file of SEL CONTOUR or CONTOUR DEF. */
   readonly contourFile: string | null;
   /** FUNCTION TURNDATA CORR of the tool in the spindle, mm. */
   readonly corrections: { readonly TCS?: Correction; readonly WPL?: Correction };
-  /** What SEL PGM names; without a name where it hangs on a value that nobody knows. */
+  /** Program of SEL PGM; without a name where that is unknown. */
   readonly selectedProgram: { readonly name: string | null } | null;
   readonly defined: Defined | null;
   /** M89: the defined cycle is called behind every positioning block. */
   readonly callsBehindMoves: boolean;
   readonly blank: readonly Ring[];
-  /** What the work is held by, and the block that states it. */
+  /** Clamping, and the block that states it. */
   readonly clamping: { readonly index: number; readonly made: Clamping } | null;
-  /** How many cycles had been called, and steps run, when the blank was as it is stated. */
+  /** Progress of the run when the blank was stated. */
   readonly blankSince: Count;
-  /** What had been bored of that blank when a cycle was called last. */
+  /** Bored part of that blank at the last cycle call. */
   readonly bored: Bored | null;
-  /** File of the program that states it, null for the one that was started; undefined before a BLK FORM. */
+  /** File of the program that states it, null for the main program; undefined before a BLK FORM. */
   readonly blankIn: string | null | undefined;
-  /** A blank that is no body round the axis of the spindle: what stands for it shows when the program turns. */
+  /** A blank that is no body of revolution: its stock is chosen when turning starts. */
   readonly unturned: UnturnedBlank | null;
   readonly mill: Milling;
 }

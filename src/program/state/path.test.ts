@@ -77,7 +77,7 @@ const codes = (text: string) =>
 const TURNING = "FUNCTION MODE TURN\nTOOL CALL 15\nL X+20 Z+0 F100\nCC X+20 Z-20";
 const MILLING = "TOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S4000\nL X+0 Y+10 Z+5 F100\nCC X-20 Y+10";
 
-describe("what can not be known is told once, and the position is lost until it is programmed again", () => {
+describe("an unknown value is reported once, and the position is unknown until it is programmed again", () => {
   test.each([
     ["an end round the pole", "LP PR+Q1 PA+90", ["parameterUnset@5"]],
     ["a radius", "CR Z-5 X+20 R+Q1 DR+", ["parameterUnset@5"]],
@@ -93,7 +93,7 @@ describe("what can not be known is told once, and the position is lost until it 
     );
     expect(steps.map((s) => [s.from.z, s.move.to.z])).toEqual([[-50, -60]]);
   });
-  test("words round the pole that count from a point which nobody knows", () => {
+  test("polar words that count from an unknown point", () => {
     expect(codes("FUNCTION MODE TURN\nTOOL CALL 15\nCC X+20 Z-20\nLP IPR+5 PA+90 F100")).toEqual(["startUnknown@4"]);
   });
 });

@@ -6,7 +6,7 @@ import type { AxisName, AxisWord, PathKind, PolarWord, Value, Words } from "../.
 import type { ControlRule } from "./issue.ts";
 import { toProgram, toWorkpiece, type CoordinateFrame } from "../tools/coordinates-frame.ts";
 
-/** A place as a program names it, mm; null where nobody knows. X is a diameter while turning. */
+/** A position in program terms, mm; null while unknown. X is a diameter while turning. */
 export interface Position {
   readonly x: number | null;
   readonly y: number | null;
@@ -24,22 +24,20 @@ const AXES_OF = { XY: ["x", "y"], YZ: ["y", "z"], ZX: ["z", "x"], lathe: ["z", "
 /** A plane of a mill. */
 export type MillPlane = Exclude<Plane, "lathe">;
 
-/** CC: its coordinates, those it does not name where the tool stood, and the plane of a mill that it names. */
+/** CC: its coordinates, omitted ones from the tool position, and the milling plane that it names. */
 export interface Pole {
   readonly at: Position;
   readonly plane: MillPlane;
 }
 
-/**
- * The plane of the axes that a block of a mill names: that of the tool axis unless it names Z with one of the others.
- */
+/** Plane of the axes in a milling block: that of the tool axis unless it names Z with another axis. */
 export function planeOfAxes(words: readonly AxisWord[]): MillPlane {
   const has = (axis: AxisName) => words.some((w) => w.axis === axis);
   if (!has("Z") || has("X") === has("Y")) return "XY";
   return has("X") ? "ZX" : "YZ";
 }
 
-/** Where a position lies in a plane; null when a coordinate of it is not known. */
+/** A position as a point of a plane; null when a coordinate is unknown. */
 export function pointIn(plane: Plane, p: Position): Pt | null {
   const [a, b] = AXES_OF[plane];
   const [first, second] = [p[a], p[b]];
@@ -53,35 +51,32 @@ export function coordinatesIn(plane: Plane, to: Pt): Partial<Record<keyof Positi
   return { [a]: to.z, [b]: plane === "lathe" ? toDiameter(to.r) : to.r };
 }
 
-/** What can be wrong with where a path begins, turns about, or runs. */
+/** Faults of a path: its start, its pole, its arc. */
 export type PathFault = "startUnknown" | "poleMissing" | "arcImpossible";
 
-/** How the words of a block become numbers, and who is told what is wrong with them. */
+/** Converts words of a block into numbers and reports faults. */
 export interface WordReader {
-  /** Null where nobody knows the number, which has been told. */
+  /** Null where the number is unknown, which is reported already. */
   readonly number: (value: Value) => number | null;
   /** A length of the program in mm. */
   readonly length: (n: number) => number;
   /**
-   * How far the datum that absolute coordinates of an axis count from stands from that of the positions, "unknown"
-   * where nobody knows; null where no path runs along it.
+   * Offset of the datum of absolute coordinates from that of the positions; "unknown" where unknown, null where no path
+   * runs along the axis.
    */
   readonly shift: (axis: AxisName) => number | "unknown" | null;
-  /** The frame of coordinates that are mirrored, turned or scaled; null where they are at most shifted. */
+  /** Frame of mirrored, rotated or scaled coordinates; null where they are at most shifted. */
   readonly frame: CoordinateFrame | null;
-  /** An axis that no path runs along is named. */
+  /** A word names an axis that no path runs along. */
   readonly aside: (word: AxisWord, n: number) => void;
-  /** A coordinate has no number, for a reason that has been told. */
+  /** A coordinate has no number, for a reported reason. */
   readonly lose: () => void;
   readonly fault: (code: PathFault) => void;
-  /** A printed rule of the control is broken, by these words. */
+  /** Reports words that break a printed rule of the control. */
   readonly rule: (rule: ControlRule, word: string) => void;
 }
 
-/**
- * Reads typed words, lengths in a unit of so many mm; who typed them is told elsewhere what is wrong. A missing number
- * is NaN.
- */
+/** Reads typed words; `unit` in mm. Faults are reported elsewhere. A missing number is NaN. */
 export const plainReader = (unit: number): WordReader => ({
   number: (value) => (typeof value === "number" && !Number.isNaN(value) ? value : null),
   length: (n) => n * unit,
@@ -99,7 +94,7 @@ export interface PathBlock {
   readonly words: Words;
 }
 
-/** What the words of a block count from. */
+/** Reference position and pole of the words of a block. */
 export interface Standing {
   readonly plane: Plane;
   readonly at: Position;
@@ -121,7 +116,7 @@ export function coordinates(read: WordReader, words: readonly AxisWord[], at: Po
   );
 }
 
-/** Where a place of the program lies; an axis that no word moves stays to the last bit where it was. */
+/** Position in the workpiece; an axis without a word keeps its exact previous value. */
 function placed(frame: CoordinateFrame, to: Position, before: Position, axes: readonly AxisName[]): Position {
   const made = toWorkpiece(frame, to);
   const mixed = frame.transform.rotation !== 0 && (axes.includes("X") || axes.includes("Y"));
@@ -132,7 +127,7 @@ function placed(frame: CoordinateFrame, to: Position, before: Position, axes: re
   };
 }
 
-/** Axis words on top of a position in their own coordinates, or in ones shifted against them. */
+/** Applies axis words to a position in the same or in shifted coordinates. */
 function counted(read: WordReader, words: readonly AxisWord[], at: Position, shiftOf: WordReader["shift"]): Position {
   const to = { ...at };
   for (const w of words) {
@@ -155,8 +150,8 @@ function counted(read: WordReader, words: readonly AxisWord[], at: Position, shi
 }
 
 /**
- * The point of PR and PA round a pole in a plane: PR is a true length, PA counts from the first axis towards the
- * second. What is left out keeps the distance or angle of the point before. Null where a number is not known.
+ * Point of PR and PA about a pole: PR is a true length, PA counts from the first axis to the second. An omitted word
+ * keeps the previous distance or angle. Null where a number is unknown.
  */
 export function polarPoint(
   read: WordReader,
@@ -182,7 +177,7 @@ const leans = ({ polarRadius, polarAngle }: Words) => [polarRadius, polarAngle].
 
 const pick = (p: Position, a: keyof Position, b: keyof Position) => ({ [a]: p[a], [b]: p[b] });
 
-/** Where a block ends, by its axes or round the pole; null where its pole is missing, which has been told. */
+/** End of a block, by its axes or about the pole; null where its pole is missing, which is reported already. */
 export function endOf(read: WordReader, { path, words }: PathBlock, { plane, at, pole }: Standing): Position | null {
   const to = coordinates(read, [...words.axes, ...words.linear], at);
   if (!isPolarPath(path)) return to;
@@ -210,17 +205,14 @@ export function endOf(read: WordReader, { path, words }: PathBlock, { plane, at,
 const ARCS: ReadonlySet<PathKind> = new Set(["C", "CR", "CT", "CP", "CTP"]);
 export const isArcPath = (path: PathKind): boolean => ARCS.has(path);
 
-/** An incremental angle turns the way that DR says. */
+/** An incremental angle must have the sign of DR. */
 function signs(read: WordReader, { polarAngle, turn }: Words): void {
   const n = polarAngle?.incremental && turn ? read.number(polarAngle.value) : null;
   if (n !== null && n !== 0 && n > 0 !== (turn === "ccw"))
     read.rule("signOfAngle", `IPA${n > 0 ? "+" : ""}${n} DR${turn === "ccw" ? "+" : "-"}`);
 }
 
-/**
- * The element that a block describes, ending in a point; null where its pole or its radius is missing, which has been
- * told.
- */
+/** Element of a block with a given end point; null where its pole or radius is missing, which is reported already. */
 export function elementOf(read: WordReader, { path, words }: PathBlock, to: Pt, pole: Pt | null): PathElement | null {
   const turn = words.turn ?? "ccw";
   switch (path) {
@@ -242,7 +234,7 @@ export function elementOf(read: WordReader, { path, words }: PathBlock, to: Pt, 
   }
 }
 
-/** Between which points a block runs, round which pole, and behind which segment. */
+/** Start, end, pole and previous segment of a block. */
 export interface Course {
   readonly from: Pt;
   readonly to: Pt;
@@ -250,7 +242,7 @@ export interface Course {
   readonly before: Segment | null;
 }
 
-/** What a block moves along: a line where its arc can not be, which has been told. */
+/** Segment of a block: a line where its arc is impossible, which is reported already. */
 export function segmentOf(read: WordReader, block: PathBlock, { from, to, pole, before }: Course): Segment {
   const element = elementOf(read, block, to, pole) ?? { kind: "line", to };
   const faults: Issue[] = [];

@@ -12,7 +12,7 @@ export interface Travel {
   readonly index: number;
 }
 
-/** A programmed element with what belongs to it. */
+/** A programmed element with its travel, corner and lifts. */
 export interface ChainItem extends Travel {
   readonly segment: PlaneSegment;
   readonly corner?: { readonly element: CornerElement; readonly feed: Feed | null; readonly index: number };
@@ -29,11 +29,11 @@ export interface ApproachCall extends Travel {
   /** APPR: the programmed PA. DEP LCT: the programmed PN; null for the other departures. */
   readonly target: PlanePoint | null;
   readonly pole: PlanePoint | null;
-  /** The feed in force before the block; null when none was programmed. */
+  /** Feed before the block; null when none was programmed. */
   readonly before: number | "rapid" | null;
 }
 
-/** How the tool comes to a contour: it stands there, moves there with an RL or RR block, or approaches. */
+/** How the tool reaches a contour: it is there already, moves there with an RL or RR block, or approaches. */
 export type ChainStart =
   | { readonly kind: "here" }
   | ({ readonly kind: "line"; readonly to: PlanePoint } & Travel)
@@ -43,7 +43,7 @@ export type ChainStart =
       readonly before: Feed | null;
     };
 
-/** Elements that belong together: everything between two changes of RL, RR and R0. */
+/** Elements between two changes of RL, RR and R0. */
 export interface CompensatedChain {
   readonly side: Side;
   readonly start: ChainStart;
@@ -51,7 +51,7 @@ export interface CompensatedChain {
   readonly items: readonly ChainItem[];
 }
 
-/** The last element of a chain that is being built, and those before it. */
+/** Last element of a chain under construction, linked to the earlier ones. */
 export interface ChainEnd {
   readonly item: ChainItem;
   readonly before: ChainEnd | null;
@@ -71,12 +71,12 @@ export function itemsOf(end: ChainEnd | null): readonly ChainItem[] {
   return items.reverse();
 }
 
-/** A chain that is being built. */
+/** A chain under construction. */
 export interface OpenChain extends Omit<CompensatedChain, "items"> {
   readonly end: ChainEnd | null;
 }
 
-/** Where a chain is being built, and where the programmed point (mill centre, or tip) really stands. */
+/** A chain under construction, and the actual position of the programmed point (mill centre, or tip). */
 export interface Guide {
   chain: OpenChain | null;
   here: PlanePoint | null;

@@ -112,7 +112,7 @@ describe("a cycle call", () => {
     expect(
       made(`${SHOULDER}\nL X+75 Z+2 FMAX M89\nL X+76 Z+2 FMAX\nL X+77 Z+2 FMAX M99\nL X+90 FMAX\nM30`).operations,
     ).toHaveLength(3));
-  test("a foreign parameter is said on its own line", () => {
+  test("a foreign parameter is reported on its own line", () => {
     const lines = made(CALLED.replace("Q506=+0", "Q506=+0 ~\nQ999=+5 ~\nQ478=+0.3")).issues.map((f) => f.line);
     expect(lines).toEqual([28, 29]);
   });
@@ -161,7 +161,7 @@ describe("feeds", () => {
     expect(contour([["Q488=+0", "Q488=+0"]])).toEqual([]);
     expect(contour([["Q478=+0.3", "Q478=+0"]])).toEqual(["error feedZero Q478@9"]);
   });
-  test("feeds that nobody means", () => {
+  test("implausible feeds", () => {
     expect(shoulder([["Q478=+0.3", "Q478=+300"]])).toEqual(["warning feedUnlikely Q478@7"]);
     expect(shoulder([], { m136: "" })).toEqual(["warning feedUnlikely Q478@6", "warning feedUnlikely Q505@6"]);
     expect(
@@ -187,7 +187,7 @@ describe("feeds", () => {
   });
 });
 
-describe("a fault is told once, with its cause", () => {
+describe("a fault is reported once, with its cause", () => {
   test.each<[string, string, string[], Frame?]>([
     ["the program runs into its contour", FREE_CALLED.replace("M30\n", ""), ["error runsIntoLabel@12"], FACING],
     ["no tool", CALLED, ["error noToolCalled@8"], { tool: "" }],
@@ -229,7 +229,7 @@ describe("a fault is told once, with its cause", () => {
     ],
   ])("%s", (_, body, expected, frame) => expect(said(body, frame)).toEqual(expected));
 
-  test("the number of the element is told, not always the first", () => {
+  test("the actual number of the element is reported, not always the first", () => {
     const element = (body: string) =>
       made(`L X+100 Z+10 F0.2\nL X+60\nL Z-10\nL X+62\nRND R5\nL Z-20\n${body}M30`).issues.find(
         (f) => f.issue.code === "cornerElementTooLong",

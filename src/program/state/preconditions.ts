@@ -6,20 +6,20 @@ import { isUnlikely } from "./block-feed.ts";
 import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { Machine } from "./machine.ts";
 
-/** No tool for this block. Where a TOOL CALL named one that can not be used, that has been told. */
+/** Reports a block without a tool, unless its TOOL CALL is reported as unusable. */
 export function noTool(machine: Machine, index: number): void {
   if (!machine.now.toolRefused) machine.log.say(programIssue("noToolCalled", "error", {}), index);
 }
 
-/** Line of a parameter inside its definition, from 0: the first time it stands there, or the second. */
+/** Line of a parameter in its definition, from 0: its first or second occurrence. */
 export function lineOfParameter(raw: string, q: string, time = 1): number {
   const found = [...raw.matchAll(new RegExp(String.raw`(?:^|[\r\n]|[ \t])[ \t]*${q}(?![\d])`, "gi"))][time - 1];
   return found ? raw.slice(0, found.index + 1).split(/\r\n|\n|\r/).length - 1 : 0;
 }
 
 /**
- * Parameters that the cycle does not have, and those that stand twice: a control refuses the first and takes the last
- * of the others.
+ * Reports parameters that the cycle lacks, and duplicates: a control refuses the former and takes the last of the
+ * latter.
  */
 export function foreignParameters(machine: Machine, cycle: Cycle, names: readonly string[], index: number): void {
   const raw = machine.blocks[index]?.raw ?? "";
@@ -39,7 +39,7 @@ export function foreignParameters(machine: Machine, cycle: Cycle, names: readonl
 const isCut = (m: Move): m is Extract<Move, { kind: "feed" | "arc" }> => m.kind === "feed" || m.kind === "arc";
 const standsStill = (moves: readonly Move[]) => moves.filter((m) => isCut(m) && !(m.feed > 0)).length;
 
-/** Feeds of a cycle's values that its path runs with and that can not be meant, each at its parameter. */
+/** Implausible feeds of a cycle that its path uses, each at its parameter. */
 export function unlikelyFeeds<P extends Params>(
   cycle: Cycle<P>,
   values: Values<P>,
@@ -57,7 +57,7 @@ export function unlikelyFeeds<P extends Params>(
     if (still === 0) break;
     const value = read(q);
     if (value === undefined || (value === "auto" ? (machine.now.toolFeed ?? 0) : value) > 0) continue;
-    // A parameter is at fault when another value of it, and of those before it, lets more of the path move.
+    // A parameter is at fault when correcting it and those before it makes more of the path move.
     const mended = { ...now, [q]: feedNumber(1) };
     const left = standsStill(planned(mended));
     if (left >= still) continue;

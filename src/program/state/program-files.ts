@@ -1,6 +1,6 @@
 import type { Program } from "../../nc/program.ts";
 
-/** A program that lies beside the one that runs. */
+/** A program that was opened with the main program. */
 export interface ProgramFile {
   readonly name: string;
   readonly program: Program;
@@ -12,10 +12,7 @@ export interface ProgramFiles {
   find(key: string): ProgramFile | null;
 }
 
-/**
- * What file names are compared by: the folder does not count, nor the case, and a name without an ending is that of a
- * program.
- */
+/** Comparison key of a file name: without folder and case; a name without extension is that of a program. */
 export function fileKey(name: string): string {
   const bare = name
     .trim()
@@ -24,7 +21,7 @@ export function fileKey(name: string): string {
   return bare === "" || bare.includes(".") ? bare : `${bare}.H`;
 }
 
-/** The name that the second line of cycle 12 gives a program: `PGM TNC:\DRILL.H`, or the name alone. */
+/** Program name in the second line of cycle 12: `PGM TNC:\DRILL.H`, or the name alone. */
 export const nameInCycle = (text: string): string =>
   text
     .replace(/^PGM[ \t]+/i, "")

@@ -3,33 +3,30 @@ import { MachineClock } from "./machine-clock.ts";
 import type { Shop } from "./shop.ts";
 import { unitFrom, type Unit } from "./units.ts";
 
-/**
- * When a run first looked at each block of its program: how many blocks had been executed then; 0 for one that it did
- * not look at.
- */
+/** Number of executed blocks when a run first read each block; 0 for unread blocks. */
 export interface Looks {
   /** Blocks that were run, or read as part of a contour. */
   readonly visited: Uint32Array;
-  /** Blocks that were looked at from another one before them. */
+  /** Blocks read ahead by an earlier block. */
   readonly foreseen: Uint32Array;
 }
 
-/** What a run is made of, and what follows from that alone. */
+/** Inputs of a run, and what follows from them alone. */
 export interface RunInput {
   readonly program: Program;
   readonly shop: Shop;
-  /** What the machine makes of rapids and speeds. */
+  /** Times and speeds of the machine. */
   readonly clock: MachineClock;
   /** The program as the text that runs first. */
   readonly unit: Unit;
   /** Number of each block, and its line in the text. */
   readonly numbers: readonly number[];
   readonly lines: readonly number[];
-  /** Filled in while it runs. */
+  /** Filled during the run. */
   readonly looks: Looks;
 }
 
-/** `before`: what a run that this one goes on from was made of, and how many blocks that one had executed there. */
+/** `before`: input of the run that this one continues, and its number of executed blocks there. */
 export function runInput(
   program: Program,
   shop: Shop,
@@ -48,7 +45,7 @@ export function runInput(
   };
 }
 
-/** How many blocks had been executed when a run first looked at a block; Infinity where it did not. */
+/** Number of executed blocks when a run first read a block; Infinity for an unread block. */
 export function firstLook({ looks: { visited, foreseen } }: RunInput, index: number): number {
   return Math.min(visited[index] || Infinity, foreseen[index] || Infinity);
 }

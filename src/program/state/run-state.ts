@@ -15,57 +15,54 @@ import type { Unit } from "./units.ts";
 /** Where a call goes on when it comes back. */
 export interface Return {
   readonly on: number;
-  /** Of a program that was called: what it goes back to. */
+  /** Of a called program: the calling program's state. */
   readonly caller: { readonly unit: Unit; readonly inch: boolean; readonly locals: Locals } | null;
-  /** The call that it stands in. */
+  /** The enclosing call. */
   readonly outer: Return | null;
 }
 
-/**
- * How a program came to its end: the block that ended it and its word, or none when the text ran out or a bound was
- * met.
- */
+/** How a program ended: the block and its word; no word when the text ran out or a limit was reached. */
 export interface Ending {
   readonly index: number;
   readonly word: string | null;
 }
 
-/** What decides which block comes next. */
+/** State that decides which block comes next. */
 export interface Flow {
-  /** The innermost call that has not come back. */
+  /** Innermost open call. */
   readonly returns: Return | null;
-  /** Repetitions that are left, by the block of their call. */
+  /** Remaining repetitions, by the block of their call. */
   readonly repeats: ReadonlyMap<number, number>;
-  /** A jump hung on a value that nobody knows: the control may have gone another way. */
+  /** A jump depended on an unknown value: the control may continue elsewhere. */
   readonly guessed: boolean;
-  /** A fault that has been told stopped the program, or took its end away. */
+  /** A reported fault stopped the program, or removed its end. */
   readonly told: boolean;
   /** Null while the program runs. */
   readonly ending: Ending | null;
 }
 
-/** A run between two blocks: what is in force, what was said and done. Never changed in place. */
+/** State of a run between two blocks: modal state, findings, steps. Immutable. */
 export interface RunState {
-  /** The blocks of the program, and behind them those of the programs that it has called. */
+  /** Blocks of the main program, followed by those of called programs. */
   readonly blocks: readonly Block[];
   /** The block that comes next. */
   readonly next: number;
   readonly flow: Flow;
   /** The text that runs. */
   readonly unit: Unit;
-  /** The program that the last block has called: it runs next. */
+  /** Program called by the last block: it runs next. */
   readonly enters: Unit | null;
   readonly now: Modal;
-  /** Where the tool stands. */
+  /** Tool position. */
   readonly place: Whereabouts;
   readonly known: Known;
   readonly log: LogState;
   /** Radii of TOOL DEF lines, mm. */
   readonly radii: Table<Label, number>;
-  /** Blocks of definitions that were taken up, and of those that were called. */
+  /** Blocks of definitions reached, and of those called. */
   readonly definitions: GrownSet<number>;
   readonly called: GrownSet<number>;
-  /** The contours that turning and milling are gathering. */
+  /** Contours under construction, of turning and milling. */
   readonly turnGuide: Readonly<Guide>;
   readonly millGuide: Readonly<Guide>;
   /** The blank that is traced, and the first step that has not cut it yet. */
@@ -74,11 +71,11 @@ export interface RunState {
   readonly freeRun: FreeRun | null;
   /** FPOL that counts until another does. */
   readonly freePole: StatementOf<"free"> | null;
-  /** What was said of the cut that was run last. */
+  /** Comment on the last cut. */
   readonly said: Said | null;
   /** Blocks executed, those of contours that cycles read included. */
   readonly executed: number;
-  /** A bound was met: nothing is run any more. */
+  /** A limit was reached: the run ends. */
   readonly full: boolean;
 }
 

@@ -18,13 +18,13 @@ import type { ApproachRun, PlaneStep } from "../tools/plane-types.ts";
 /** A finding of any layer with its place in the program. */
 export interface RunFinding {
   readonly issue: Issue | NcIssue | ProgramIssue;
-  /** Number of the block, as printed or counted on; null when it concerns the whole program. */
+  /** Number of the block, printed or counted; null when the finding concerns the whole program. */
   readonly block: number | null;
   /** Line in the text, from 1; null when it concerns the whole program. */
   readonly line: number | null;
   /** Index into `Run.operations` when it belongs to a cycle call. */
   readonly operation: number | null;
-  /** Where it stands in the file of a called program; `block` and `line` are those of the call then. */
+  /** Place in a called file; `block` and `line` are then those of the call. */
   readonly inFile?: { readonly file: string; readonly block: number | null; readonly line: number };
 }
 
@@ -43,7 +43,7 @@ export interface Operation {
   /** Number of the block that defines it, and that definition's line (from 1). */
   readonly definedIn: number;
   readonly definedLine: number;
-  /** File of the called program that defines it, which block and line are of then; absent for the program itself. */
+  /** Called file with the definition, whose block and line are given; absent for the main program. */
   readonly definedFile?: string;
   readonly cycle: number;
   readonly tool: Tool;
@@ -59,83 +59,70 @@ export interface Operation {
   readonly lastStep: number;
   /** Issues of the values, the tool and the plan. */
   readonly issues: readonly Issue[];
-  /**
-   * Where each segment of the contour that it was given is written, in programmed order; absent where it follows none.
-   */
+  /** Line of each segment of its contour, in programmed order; absent without a contour. */
   readonly contourLines?: readonly TextLine[];
-  /**
-   * What the cycle was called with, so that it can be planned again with another tool; null when its values make none.
-   */
+  /** Inputs of the call, to plan it again with another tool; null when its values are invalid. */
   readonly call: {
     readonly values: Values<Params>;
     readonly given: Given;
     readonly autoFeed: Feed | null;
-    /** The tip at the call as the program counts it, and how far its datum stands from that of the workpiece. */
+    /** Tip at the call in program coordinates, and the offset of the datum from that of the workpiece. */
     readonly start: Pt;
     readonly datum: Pick<Datum, "x" | "z">;
   } | null;
 }
 
-/**
- * Seconds that pass beside the motions: tool changes, the spindle getting to its speed, dwells that are blocks of their
- * own.
- */
+/** Seconds outside of motions: tool changes, spindle run-up, dwell blocks. */
 export interface SecondsBeside {
   readonly toolChange: number;
   readonly spindle: number;
   readonly dwell: number;
 }
 
-/** What a time can contain, in the order in which it is told. */
+/** Parts of a running time, in display order. */
 export const TIME_PARTS = ["cutting", "rapid", "dwell", "acceleration", "toolChange", "spindle"] as const;
 export type TimePart = (typeof TIME_PARTS)[number];
 
-/** What the running time was worked out with. */
+/** Basis of the running time. */
 export interface Timing {
   readonly beside: SecondsBeside;
   readonly contains: readonly TimePart[];
   /** Name of the machine whose data were used; null without one. */
   readonly machine: string | null;
-  /** What its spindle can give. */
+  /** Data of its spindle. */
   readonly turning: SpindleData | null;
   /** Rapid rates, mm/min: of each axis, or one along the path. */
   readonly rates: number | { readonly x: number; readonly z: number };
 }
 
-/** What a program does: everything that simulation, pictures and reports are made from. Plain data. */
+/** Result of running a program: the basis of simulation, pictures and reports. Plain data. */
 export interface Run {
   readonly program: { readonly name: string; readonly unit: "mm" | "inch"; readonly blocks: number };
   /** Outlines of the blank in the half plane, outer rings counter-clockwise; empty when the program states none. */
   readonly blank: readonly Ring[];
-  /** What the work is held by; null where the program states nothing. */
+  /** Clamping; null where the program states none. */
   readonly clamping: Clamped | null;
   /** The box that BLK FORM 0.1 and 0.2 state, for what is milled; null for other forms. */
   readonly cuboid: Cuboid | null;
-  /** Blanks that the program states after it has begun to cut, in the order of the steps. */
+  /** Blanks stated after the first cut, in step order. */
   readonly stated: readonly Stated[];
   readonly operations: readonly Operation[];
   readonly steps: readonly Step[];
   /** For each step the index of its block in the parsed program, which stays unique when block numbers do not. */
   readonly stepBlocks: readonly number[];
-  /** What is milled in the X/Y plane: the path of the tool centre. */
+  /** Milling in the X/Y plane: the path of the tool centre. */
   readonly plane: readonly PlaneStep[];
   /** Every APPR and DEP with its points, in both planes, in the order they ran. */
   readonly approaches: readonly ApproachRun[];
-  /**
-   * Where a turning program counts from, from a step on, in the order of the steps; empty when that is the workpiece
-   * zero throughout.
-   */
+  /** Datum of a turning program from a step on, in step order; empty when it is always the workpiece zero. */
   readonly datums: readonly { readonly step: number; readonly at: Pt }[];
-  /**
-   * How the spindle turns, from a step on, in the order of the steps; null until a speed was programmed. M4 turns it
-   * backwards.
-   */
+  /** Spindle state from a step on, in step order; null until a speed is programmed. M4 reverses it. */
   readonly spindles: readonly { readonly step: number; readonly spindle: Spindle | null; readonly backwards?: true }[];
-  /** What was not simulated though it can move the path or the stock, in the order it was met. */
+  /** Blocks not simulated that can change path or stock, in run order. */
   readonly unproved: readonly Unproved[];
   /** All findings in the order of the text, those of operations included. */
   readonly issues: readonly RunFinding[];
-  /** Whole running time, as far as `timing` says. */
+  /** Total running time in s, as far as `timing` covers it. */
   readonly seconds: number;
   readonly timing: Timing;
 }

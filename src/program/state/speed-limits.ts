@@ -6,16 +6,16 @@ import { programIssue, type ProgramIssue } from "./issue.ts";
 import type { Modal } from "./modal.ts";
 
 /**
- * Above this no material that is turned is cut, m/min: 0.8 km/min, the highest of makers' tables for aluminium, rounded
+ * Highest cutting speed of any turned material, m/min: 0.8 km/min, the highest of makers' tables for aluminium, rounded
  * up.
  */
 const FASTEST_CUT = 0.8 * 1000;
-/** Without machine data: a lathe that turns faster than this with a chuck is rare, rpm. */
+/** Speed limit without machine data, rpm: few lathes with a chuck turn faster. */
 const FASTEST_SPINDLE = 5000;
 
 const cuts = ({ move }: Step): boolean => move.kind === "feed" || move.kind === "arc";
 
-/** How near to the axis a move comes, by its ends, mm: 0 where it crosses it. */
+/** Smallest distance of a move's ends from the axis, mm: 0 where it crosses the axis. */
 const nearestOf = ({ from, move }: Step) =>
   from.r * move.to.r <= 0 && (from.r !== 0 || move.to.r !== 0) ? 0 : Math.min(Math.abs(from.r), Math.abs(move.to.r));
 
@@ -23,8 +23,8 @@ const farthestOf = ({ from, move }: { readonly from: Step["from"]; readonly move
   Math.max(Math.abs(from.r), Math.abs(move.to.r));
 
 /**
- * What the speed in force makes of motions, each to be said at its SPIN block. `most`: highest speed of the machine,
- * rpm; without it only what no machine does is told.
+ * Speed faults of motions, each for its SPIN block. `most`: highest speed of the machine, rpm; without it only speeds
+ * beyond any machine are reported.
  */
 export function speedFaults({ spindle }: Modal, steps: readonly Step[], most: number | undefined): ProgramIssue[] {
   const cutting = spindle ? steps.filter(cuts) : [];
@@ -36,7 +36,7 @@ export function speedFaults({ spindle }: Modal, steps: readonly Step[], most: nu
   if (spindle.kind === "constant") {
     const { speed } = spindle;
     if (most !== undefined && speed > most) found.push(unlikely(speed, most, "machine", "S"));
-    // Plain moves at feed may run beside the work.
+    // Plain feed moves may run outside the material.
     const surface = cutting.reduce(
       (best, s) => (s.operation === null ? best : Math.max(best, cuttingSpeedAt(speed, farthestOf(s)))),
       0,

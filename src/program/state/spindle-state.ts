@@ -4,22 +4,21 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import type { Modal } from "./modal.ts";
 
 /**
- * Whether a tool cuts backwards; undefined where nobody knows. A drill cuts forwards, any other edge the way in which
- * it has cut before. A tap may be a left-hand one, and leaves its thread with the spindle turning back.
+ * Whether a tool needs a reversed spindle; undefined while unknown. A drill cuts forwards, any other edge as in its
+ * first cut. A tap may be left-hand, and retracts with the spindle reversed.
  */
 const cutsBackwards = ({ ways }: Modal, tool: Tool): boolean | undefined =>
   isDrill(tool) ? (tool.TYPE === "TAP" ? undefined : false) : ways.get(tool.T);
 
-/** What a run knows beside what is in force: how much it has left unproved so far, and the number of each block. */
+/** Run data besides the modal state: number of unverified entries, and block numbers. */
 interface Known {
   readonly unproved: { readonly length: number };
   numberOf(index: number): number | undefined;
 }
 
 /**
- * Why the spindle surely does not turn as a cut with a tool needs it; null where it does. Silent where blocks came
- * before that nobody here knows: any of them may have started the spindle, or set a speed. `wanted`: whether the cut
- * needs it backwards, as its cycle says.
+ * Why the spindle surely does not turn as a cut needs it; null where it does. Silent after unknown blocks: any of them
+ * may have started the spindle or set a speed. `wanted`: whether the cut needs reverse, as its cycle says.
  */
 export function idleSpindle(now: Modal, known: Known, tool: Tool, wanted = cutsBackwards(now, tool)): Idle | null {
   const { unproved } = known;
@@ -33,13 +32,13 @@ export function idleSpindle(now: Modal, known: Known, tool: Tool, wanted = cutsB
   return turns && wanted !== undefined && wanted !== backwards ? { how: "hand", by } : null;
 }
 
-/** What is known of a motion beside its way: it is compensated, or a hole has to be there for it. */
+/** Data of a motion besides its path: compensated, or in need of a hole. */
 export interface GivenForStep {
   readonly isCompensated?: boolean;
   readonly hole?: NeededHole | null;
 }
 
-/** What a feed move asks of spindle and stock; a spindle that has been told is not told again. */
+/** Spindle fault and hole needed by a feed move; a reported spindle fault is not repeated. */
 export function demands(
   now: Modal,
   known: Known,

@@ -1,10 +1,10 @@
 import type { Spindle, Step } from "../../kernel/time/step.ts";
 import { secondsOf, type RapidRate } from "../../kernel/time/time.ts";
 
-/** What moves along, and the block that says so. */
+/** A motion without its time, and its block. */
 export type Motion = Omit<Step, "seconds" | "broughtBy">;
 
-/** Motions that follow one another, and what all of them take. */
+/** Consecutive motions, and their total time. */
 export interface TimedSteps {
   readonly steps: readonly Step[];
   readonly seconds: number;

@@ -2,13 +2,13 @@ import type { Clamping } from "../../kernel/area/clamping.ts";
 import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Step } from "../../kernel/time/step.ts";
 
-/** A blank that is cut by the steps of a run while it runs. Never changed in place. */
+/** A blank that is cut by the steps during a run. Immutable. */
 export interface TracedBlank {
-  /** What stands. */
+  /** Remaining stock. */
   readonly stock: readonly Ring[];
-  /** The same behind steps, without what has come off. */
+  /** The blank after some steps, without loose pieces. */
   cut(steps: readonly Step[]): TracedBlank;
 }
 
-/** Begins to cut a blank: the simulation does it, and is handed to the run by whoever knows both. */
+/** Starts tracing a blank. The simulation implements it; a caller that knows both injects it. */
 export type Tracing = (blank: readonly Ring[], clamping: Clamping | null) => TracedBlank;

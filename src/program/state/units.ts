@@ -3,14 +3,14 @@ import type { Label } from "../../nc/words.ts";
 import { namesIn } from "./contour-names.ts";
 
 /**
- * One text of a run: the program itself, or one that it calls. The blocks of all of them stand behind one another, so
- * that an index names one block of the run, whichever text it is from.
+ * One text of a run: the main program, or a called one. The blocks of all texts follow one another, so an index
+ * identifies a block of any text.
  */
 export interface Unit {
   /** Name of its file; null for the program itself. */
   readonly file: string | null;
   readonly program: Program;
-  /** Its blocks: from the first to the one before `to`. */
+  /** Its blocks, `to` excluded. */
   readonly from: number;
   readonly to: number;
   readonly labels: ReadonlyMap<Label, number>;
@@ -21,7 +21,7 @@ export interface Unit {
   readonly setTwice: readonly (readonly [label: Label, index: number])[];
 }
 
-/** A block behind a skip mark while the switch for them is on. */
+/** A block with a skip mark while skipping is on. */
 export const isSkipped = (block: Block | undefined, skipMarked: boolean): boolean =>
   skipMarked && (block?.skip ?? false);
 

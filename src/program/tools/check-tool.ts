@@ -1,7 +1,7 @@
 import { issue, type Issue } from "../../kernel/plan/issue.ts";
 import { type Tool, TOOL_TYPES } from "../../kernel/plan/tool.ts";
 
-/** A row of the tool table as it may come from a file or a form: any cell may be empty. mm and degrees. */
+/** A row of the tool table from a file or a form: any cell may be empty. mm and degrees. */
 export type ToolRow = { readonly [C in keyof Tool]?: Tool[C] | number | string | null };
 
 interface Limits {
@@ -20,10 +20,10 @@ const numberIn = (row: ToolRow, column: keyof Tool): number | null => {
 const isEmpty = (row: ToolRow, column: keyof Tool) =>
   row[column] === undefined || row[column] === null || row[column] === "";
 
-/** Smallest radius of a round insert: with none there is no insert. */
+/** Smallest radius of a round insert. */
 const LEAST_ROUND = 0.001;
 
-/** Smallest point angle of a thread: a wedge of no angle is no wedge, degrees. */
+/** Smallest point angle of a thread insert, degrees. */
 const LEAST_POINT = 1;
 
 function tip(row: ToolRow): Issue[] {

@@ -4,16 +4,16 @@ type Axis = "x" | "y" | "z";
 type Each<T> = Readonly<Record<Axis, T>>;
 const AXES: readonly Axis[] = ["x", "y", "z"];
 
-/** A place, mm; null where nobody knows. Of a mill: X is a distance. */
+/** A position, mm; null while unknown. X is a distance, as for a mill. */
 type Place = Each<number | null>;
 
-/** What a program does to its coordinates besides shifting the datum. */
+/** Transform of the program coordinates besides the datum shift. */
 export interface Transform {
-  /** Axes that count the other way. */
+  /** Mirrored axes. */
   readonly mirror: Each<boolean>;
-  /** Turn of the X/Y plane, degrees from X towards Y. */
+  /** Rotation of the X/Y plane, degrees from X towards Y. */
   readonly rotation: number;
-  /** Factors, and the place that they leave where it is. */
+  /** Factors, and their fixed point. */
   readonly scale: Each<number>;
   readonly centre: Each<number>;
 }
@@ -26,18 +26,18 @@ export const NO_TRANSFORM: Transform = {
 };
 
 /**
- * From coordinates of a program to those of the workpiece: scaled about the centre, turned, mirrored, shifted. Read
- * from the workpiece that is the order in which a control takes them up: datum, mirror, rotation, scale.
+ * Conversion from program to workpiece coordinates: scaled about the centre, rotated, mirrored, shifted. In reverse
+ * this is the order of a control: datum, mirror, rotation, scale.
  */
 export interface CoordinateFrame {
   readonly shift: Each<number>;
   readonly transform: Transform;
 }
 
-/** A turn within one turn; whole turns are nothing. */
+/** An angle reduced to one turn. */
 const withinATurn = (degrees: number) => degrees - 360 * Math.floor(degrees / 360);
 
-/** A transform as it counts: what changes nothing is none. */
+/** Normalizes a transform, so that one without effect equals none. */
 export function settledTransform(t: Transform): Transform {
   const rotation = withinATurn(t.rotation);
   const neutral = rotation === 0 && AXES.every((a) => !t.mirror[a] && t.scale[a] === 1);
@@ -71,13 +71,13 @@ const eachOf = (p: Place, change: (n: number, axis: Axis) => number): Place => (
   z: p.z === null ? null : change(p.z, "z"),
 });
 
-/** Where a place of the program lies on the workpiece. */
+/** Converts a program position to the workpiece. */
 export function toWorkpiece({ shift, transform: t }: CoordinateFrame, p: Place): Place {
   const scaled = eachOf(p, (n, a) => t.centre[a] + t.scale[a] * (n - t.centre[a]));
   return eachOf(turned(scaled, t.rotation), (n, a) => shift[a] + (t.mirror[a] ? -n : n));
 }
 
-/** How the program counts a place of the workpiece. */
+/** Converts a workpiece position to the program. */
 export function toProgram({ shift, transform: t }: CoordinateFrame, p: Place): Place {
   const unmirrored = eachOf(p, (n, a) => (t.mirror[a] ? shift[a] - n : n - shift[a]));
   return eachOf(turned(unmirrored, -t.rotation), (n, a) => t.centre[a] + (n - t.centre[a]) / t.scale[a]);
@@ -86,13 +86,15 @@ export function toProgram({ shift, transform: t }: CoordinateFrame, p: Place): P
 const AXES_OF = { XY: ["x", "y"], YZ: ["y", "z"], ZX: ["z", "x"] } as const;
 type FramePlane = keyof typeof AXES_OF;
 
-/** True when what turns left in a plane of the program turns right on the workpiece: sides and arcs change theirs. */
+/**
+ * True when left turns in a plane of the program become right turns on the workpiece: sides and arc directions change.
+ */
 export function isFlipped(t: Transform, plane: FramePlane): boolean {
   const [a, b] = AXES_OF[plane];
   return t.mirror[a] !== t.mirror[b];
 }
 
-/** What lengths in a plane grow by; null where its circles become ellipses, or leave it. */
+/** Scale factor of lengths in a plane; null where circles become ellipses or leave the plane. */
 export function growthIn(t: Transform, plane: FramePlane): number | null {
   const [a, b] = AXES_OF[plane];
   return t.scale[a] === t.scale[b] && (plane === "XY" || t.rotation === 0) ? t.scale[a] : null;

@@ -124,14 +124,14 @@ describe("the datum is shifted", () => {
   ])("%s: %j", (lines, expected) => expect(unproved(turned(lines))).toEqual(expected));
 });
 
-test("a value that a cycle can not have where it acts is told at its line; it is never called, and no call is missed", () => {
+test("an invalid value of a cycle that acts at its definition is reported at its line; no call is missing", () => {
   const done = turned("CYCL DEF 800 ADAPT ~\nQ497=+400 ~\nQ530=+4 ~\nQ531=+0");
   const told = done.issues.map((f) => `${f.issue.code} ${"at" in f.issue ? f.issue.at : ""}@${f.line}`);
   expect(told.filter((t) => t.includes("Q"))).toEqual(["outOfRange Q497@9", "notAChoice Q530@10"]);
   expect(done.issues.map((f) => f.issue.code)).not.toContain("cycleNeverCalled");
 });
 
-describe("positions that nobody knows are not invented", () => {
+describe("unknown positions are not invented", () => {
   test("M91 and M92: no steps until both axes are programmed again", () => {
     expect(
       path(turned("L Z-1 R0 FMAX M91\nL X-1 Y-1 R0 FMAX M91\nL X+90 FMAX\nL IZ+3 FMAX\nL Z+5 FMAX\nL Z+4 FMAX")),
@@ -180,7 +180,7 @@ describe("positions that nobody knows are not invented", () => {
     );
     expect(plane(begun)).toEqual([]);
     expect(path(turned("TOOL CALL 2\nL IZ+5 FMAX\nL IX+5 FMAX\nL X+90 FMAX\nL Z+1 FMAX\nL Z+2 FMAX"))).toEqual([
-      // Where the tool before was brought to.
+      // The last position of the previous tool.
       "rapid 100 50",
       "rapid 90 2",
     ]);

@@ -15,14 +15,14 @@ export interface CutMaterial {
   /** Kienzle: N/mm², and the exponent of chip thickness. */
   readonly kc11: number;
   readonly mc: number;
-  /** m/min and mm a turn. */
+  /** m/min and mm/rev. */
   readonly roughSpeed: number;
   readonly roughFeed: number;
   readonly finishSpeed: number;
   readonly finishFeed: number;
 }
 
-/** What a shop cuts with. */
+/** Cutting data of a shop. */
 export interface CuttingTable {
   /** Power of the spindle, kW. */
   readonly power: number;
@@ -51,7 +51,7 @@ const ROWS: readonly Row[] = [
   ["x2crnimo", "X2CrNiMo17-12-2 (1.4404)", "M", 2150, 0.2, 120, 0.25, 160, 0.12],
   ["gjl250", "EN-GJL-250 (5.1301)", "K", 1160, 0.26, 180, 0.35, 240, 0.18],
   ["gjs600", "EN-GJS-600-3 (5.3201)", "K", 1350, 0.28, 150, 0.3, 200, 0.15],
-  // 8e2, for the plain number is also that of a cycle
+  // 8e2, since the plain number is also a cycle number
   ["almgsi", "EN AW-6082 (AlMgSi1)", "N", 8e2, 0.25, 400, 0.35, 600, 0.15],
   ["brass", "CuZn39Pb3 (CW614N)", "N", 700, 0.27, 300, 0.3, 400, 0.12],
   ["tial6v4", "TiAl6V4 (3.7165)", "S", 1245, 0.24, 50, 0.2, 65, 0.1],
@@ -59,7 +59,7 @@ const ROWS: readonly Row[] = [
   ["100cr6", "100Cr6, 60 HRC (1.3505)", "H", 4700, 0.25, 110, 0.12, 150, 0.08],
 ];
 
-/** The table that the app comes with: starting values, to be replaced by those of the shop. */
+/** The shipped table: starting values, to be replaced by those of the shop. */
 export const usualTable: CuttingTable = {
   power: 11,
   materials: ROWS.map(([id, name, group, kc11, mc, roughSpeed, roughFeed, finishSpeed, finishFeed]) => ({
@@ -99,7 +99,7 @@ const shape = z.object({
     .check(z.minLength(1), z.maxLength(MOST)),
 });
 
-/** A shop's table from text; null where it is none. Never throws. */
+/** Reads a shop's table from text; null when invalid. Never throws. */
 export function readCuttingTable(text: string): CuttingTable | null {
   try {
     const read = shape.safeParse(JSON.parse(text));

@@ -1,7 +1,7 @@
 import { hullOf } from "../../kernel/cutter/holder.ts";
 import type { Holder } from "../../kernel/plan/tool.ts";
 
-/** The corners of a head as they are typed: parts with a semicolon between, corners with a blank, each as Z/X in mm. */
+/** Corners of a head as typed: parts separated by a semicolon, corners by a blank, each as Z/X in mm. */
 export const writeHead = (head: Holder["head"]): string =>
   (head ?? []).map((part) => part.map(([z, x]) => `${z}/${x}`).join(" ")).join("; ");
 
@@ -22,11 +22,11 @@ function corner(text: string): Corner | null {
   return Math.abs(z) <= FAR && Math.abs(x) <= FAR ? [z, x] : null;
 }
 
-/** Whether corners make parts that have an area, as many as can be kept. */
+/** Whether corners form parts with an area, within the limits. */
 export const soundHead = (head: readonly (readonly Corner[])[]): boolean =>
   head.length <= MOST_PARTS && head.every((part) => part.length <= MOST_CORNERS && hullOf(part).length > 2);
 
-/** Reads a typed head: its parts, none for an empty text, null when it makes no outline. */
+/** Reads a typed head: its parts, none for an empty text, null when invalid. */
 export function readHead(text: string): readonly (readonly Corner[])[] | null {
   if (text.trim() === "") return [];
   const parts = text
@@ -38,7 +38,7 @@ export function readHead(text: string): readonly (readonly Corner[])[] | null {
   return soundHead(parts) ? parts : null;
 }
 
-/** Reads the axis of a shank: empty leaves it to the orientation of the tool; null is no axis. */
+/** Reads the axis of a shank: empty follows the tool orientation; null when invalid. */
 export const readAxis = (text: string): "X" | "Z" | "" | null => {
   const axis = text.trim().toUpperCase();
   return axis === "X" || axis === "Z" || axis === "" ? axis : null;

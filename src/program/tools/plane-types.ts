@@ -13,9 +13,7 @@ import type { Transform } from "./coordinates-frame.ts";
  */
 export type Control = "TNC 640" | "TNC7";
 
-/**
- * A position of a mill, mm: its centre in the plane, its end in the axis. `z` is null as long as no block has named it.
- */
+/** A position of a mill, mm: its centre in the plane, its end in the axis. `z` is null until a block names it. */
 export interface Spot {
   readonly x: number;
   readonly y: number;
@@ -30,7 +28,7 @@ export interface PlaneStep {
   readonly centre?: PlanePoint;
   readonly turn?: Turn;
   /**
-   * Of an arc in a plane beside that of the tool axis: the centre in the axes of that plane, the turn from its first to
+   * For an arc in a plane that contains the tool axis: the centre in the axes of that plane, the turn from its first to
    * its second.
    */
   readonly side?: {
@@ -41,13 +39,13 @@ export interface PlaneStep {
   /** Absent on a rapid. */
   readonly feed?: number;
   readonly feedUnit?: FeedUnit;
-  /** Radius of the tool, mm; 0 when nobody knows it. */
+  /** Tool radius, mm; 0 when unknown. */
   readonly radius: number;
   /** Number of the block, and its index in the parsed program. */
   readonly block: number;
   readonly index: number;
   readonly seconds: number;
-  /** How many steps of turning ran before it: their order in a program that does both. */
+  /** Number of turning steps before it: gives the order in a program that turns and mills. */
   readonly turned: number;
 }
 
@@ -67,43 +65,43 @@ export interface ApproachRun {
    */
   readonly points: NamedPoints;
   readonly toolRadius: number;
-  /** Of CT and LCT, degrees; its centre as the points. */
+  /** Arc of CT and LCT, degrees; its centre like the points. */
   readonly arc: {
     readonly centre: PlanePoint;
     readonly radius: number;
     readonly angle: number;
     readonly turn: Turn;
   } | null;
-  /** What it was calculated from, for a dialog that tries other values; in the path of the tool centre. */
+  /** Inputs of its calculation, for a dialog that tests other values; in the path of the tool centre. */
   readonly request: ApproachRequest;
-  /** The programmed contour that it belongs to. */
+  /** Its programmed contour. */
   readonly contour: readonly PlaneSegment[];
-  /** From the tool centre to the programmed point: nothing for a mill. */
+  /** Vector from the tool centre to the programmed point: zero for a mill. */
   readonly tip: PlanePoint;
-  /** How far the datum of the program stands from that of the workpiece, in the plane. */
+  /** Offset of the program datum from the workpiece datum, in the plane. */
   readonly datum: PlanePoint;
-  /** How the program's coordinates are mirrored, turned and scaled besides. */
+  /** Mirror, rotation and scale of the program coordinates. */
   readonly transform: Transform;
   /** CC at the block. */
   readonly pole: PlanePoint | null;
-  /** Feed in force before the block, in its unit; "rapid", or null when none was programmed. */
+  /** Feed before the block, in its unit; "rapid", or null when none was programmed. */
   readonly feedBefore: number | "rapid" | null;
-  /** Where the tool centre's way cuts into the contour, and what would make it free. */
+  /** Where the path of the tool centre cuts into the contour, and a value that avoids it. */
   readonly cut: ContourCut | null;
   readonly free: FreeWay | null;
 }
 
-/** A milling tool of the table: what the path needs of it, mm. */
+/** Data of a milling tool that the path needs, mm. */
 export interface Mill {
   readonly T: number;
   readonly NAME: string;
   readonly R: number;
   readonly DR?: number;
-  /** Of a tool that can bore on the axis of the spindle. */
+  /** Type of a tool that can drill on the spindle axis. */
   readonly TYPE?: DrillType;
   /** Point angle, degrees. */
   readonly "T-ANGLE"?: number;
-  /** Length of its edges. */
+  /** Cutting edge length. */
   readonly LCUTS?: number;
   readonly PITCH?: number;
 }

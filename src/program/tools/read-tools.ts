@@ -5,7 +5,7 @@ import { checkTool } from "./check-tool.ts";
 import { soundHead } from "./holder-cells.ts";
 import type { Mill } from "./plane-types.ts";
 
-/** A cell that may be left out or written as null. */
+/** An optional cell, which may be null. */
 const cell = z.number().nullish();
 /** Parts of a head, each by its corners [Z, X]. */
 const head = z
@@ -40,7 +40,7 @@ const row = z.object({
     })
     .nullish(),
 });
-/** A milling tool: any row with a radius R that names none of the turning types. */
+/** A milling tool: any row with a radius R and no turning type. */
 const mill = z.object({
   T: z.number().min(0).max(32767.9),
   NAME: z.string().max(32).nullish(),
@@ -70,7 +70,7 @@ type MillCells = z.infer<typeof mill>;
 type Row = z.infer<typeof mill> | z.infer<typeof row>;
 const isMill = (r: Row): r is z.infer<typeof mill> => "R" in r;
 
-/** What a run needs of a milling tool; an empty cell is absent, and so is a length or pitch of 0. */
+/** Data of a milling tool for a run; an empty cell is absent, and so is a length or pitch of 0. */
 export function millOf(cells: MillCells): Mill {
   const type = DRILL_TYPES.find((each) => each === cells.TYPE?.toUpperCase());
   return {
@@ -87,18 +87,15 @@ export function millOf(cells: MillCells): Mill {
   };
 }
 
-/** Tools that can cut, and for the others what is wrong with their columns. */
+/** Valid tools, and the issues of the others. */
 export interface ShopTools {
   readonly tools: readonly Tool[];
   readonly refused: ReadonlyMap<number, readonly Issue[]>;
-  /** Milling tools, of which only the radius counts. */
+  /** Milling tools; only their radius counts. */
   readonly mills?: readonly Mill[];
 }
 
-/**
- * Reads the text of a tools file. A file that is no table gives `problem`; a row with impossible columns is refused
- * alone.
- */
+/** Reads a tools file. An invalid file gives `problem`; a row with invalid columns is refused alone. */
 export function readTools(text: string): ShopTools | { readonly problem: string } {
   let json: unknown;
   try {
@@ -131,7 +128,7 @@ export function readTools(text: string): ShopTools | { readonly problem: string 
   return { tools, refused, ...(mills.length > 0 && { mills }) };
 }
 
-/** A table over another: rows of the same number are replaced. */
+/** Merges a table into another: rows with the same number are replaced. */
 export function over(base: readonly Tool[], table: ShopTools): ShopTools {
   const mills = table.mills ?? [];
   const replaced = new Set([...table.tools.map((t) => t.T), ...table.refused.keys(), ...mills.map((m) => m.T)]);

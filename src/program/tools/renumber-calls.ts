@@ -2,7 +2,7 @@ import { withBlock } from "../../nc/edit.ts";
 import type { Program } from "../../nc/program.ts";
 import type { KeptTools } from "./tool-difference.ts";
 
-/** What a call of a number calls afterwards: an index behind the point stays; null where it is none of them. */
+/** New number of a tool call: the index behind the point stays; null where it is not renumbered. */
 function callAfter(called: number, moved: KeptTools["moved"]): number | null {
   const exact = moved.find(({ from }) => from === called);
   if (exact) return exact.to;
@@ -11,7 +11,7 @@ function callAfter(called: number, moved: KeptTools["moved"]): number | null {
   return whole ? Number(index === undefined ? whole.to : `${whole.to}.${index}`) : null;
 }
 
-/** The program with other numbers in its tool calls, and how many blocks changed. All else stays to the letter. */
+/** Renumbers the tool calls of a program, and counts the changed blocks. Everything else stays unchanged. */
 export function withCalls(
   program: Program,
   moved: KeptTools["moved"],

@@ -7,11 +7,11 @@ import type { Pt, Ring } from "../../kernel/geometry/point.ts";
 import { axial, radius } from "../../kernel/units.ts";
 import { shippedTools } from "./shipped-tools.ts";
 
-/** What a pocket leaves of the insert at least, mm. */
+/** Smallest overhang of the insert over its pocket, mm. */
 const LEAST = 0.3;
 const tools = shippedTools.map((tool) => [tool.NAME, tool] as const);
 
-/** How far a corner lies behind the nearest cutting edge, the edges drawn on for ever. */
+/** Distance of a corner behind the nearest cutting edge, with the edges extended indefinitely. */
 const behindEdges = (tool: (typeof shippedTools)[number], p: Pt) => {
   const edges = insertShape(tool).filter(
     (e) => e.kind === "line" && (e.feature === "mainEdge" || e.feature === "secondaryEdge"),
@@ -47,7 +47,7 @@ describe("a shipped holder", () => {
   test.each(tools)("%s stays inside its insert where the edge is, and its parts hang together", (_, tool) => {
     const outlines = holderOutlines(tool);
     const insert = insertOutline(tool, 1e-3);
-    // The tooth of a thread insert stands free; its holder begins where it ends.
+    // The tooth of a thread insert is free; its holder begins behind it.
     const held = tool.TYPE === "THREAD" ? insert.map(({ z, r }) => ({ z, r: r + Math.sign(r) }) as Pt) : insert;
     expect(areaOf(intersection([outlines[0] as Ring], [held]))).toBeGreaterThan(1);
     const near: Ring = insert.filter((p) => Math.hypot(p.z, p.r) < 1.5);

@@ -3,7 +3,7 @@ import { length } from "../../kernel/units.ts";
 
 type Corner = readonly [z: number, x: number];
 
-/** The shank: across, along, from the tip to its near corner, and its axis. mm. */
+/** The shank: width, length, distance from the tip to its near corner, and axis. mm. */
 interface Shank {
   readonly width: number;
   readonly length: number;
@@ -33,9 +33,9 @@ const blade = (half: number, depth: number, up: 1 | -1): readonly Corner[] => [
 ];
 
 /*
- * Holders as catalogues list them by their ISO designation: shank 25×25 or 20×20 with f = 32 or, for neutral ones, the
- * tip in the middle; M is 150 mm long, K 125, P 170, Q 180, R 200. Bars: shank diameter and f, the tip's distance from
- * the axis of the bar. The head stays 1 mm inside the edges of its insert and runs back to the shank.
+ * Catalogue holders by ISO designation: shank 25×25 or 20×20 with f = 32 or, for neutral ones, the tip in the middle; M
+ * is 150 mm long, K 125, P 170, Q 180, R 200. Bars: shank diameter and f, the distance of the tip from the bar axis.
+ * The head stays 1 mm inside the edges of its insert and runs back to the shank.
  */
 
 /** PDJNR 2525M15: 93°, f 32. `seat` are the two corners under the edges, `top` the one at the end of the main edge. */

@@ -22,7 +22,7 @@ const tool = (T: number, NAME: string, TYPE: ToolType, TO: TipOrientation, RS: n
   ...(shippedHolders[T] && { holder: shippedHolders[T] }),
 });
 
-/** The tools every installation starts with. Lengths mm, angles degrees. */
+/** Default tools of every installation. Lengths mm, angles degrees. */
 export const shippedTools: readonly Tool[] = [
   tool(1, "CNMG-80-R08", "ROUGH", 1, 0.8, { angles: [95, 80], cut: 12 }),
   tool(2, "DNMG-55-R08", "ROUGH", 1, 0.8, { angles: [93, 55], cut: 12 }),

@@ -47,7 +47,7 @@ const differing = (a: string, b: string) => {
   return bs.filter((line, i) => line !== as[i]);
 };
 
-describe("a table that comes back", () => {
+describe("a table written back", () => {
   test.each([
     ["turning", TURNING],
     ["milling", MILLING],
@@ -100,7 +100,7 @@ describe("a table that comes back", () => {
     expect(next).toMatchObject({ changed: 3, added: 0, removed: 0 });
   });
 
-  test("what is longer than its column keeps what it had and is said; a number gives up decimals first", () => {
+  test("text too long for its column keeps its old value and is reported; a number loses decimals first", () => {
     const next = again(
       MILLING,
       changed(imported(MILLING), "7", { NAME: "A-NAME-OF-TWENTY-CHA", L: "101.12345", DR: "-0.12345" }),

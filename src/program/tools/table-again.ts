@@ -19,19 +19,19 @@ import { cellOf, hasFile, isMillEntry, readEntry, type TableOrigin, type ToolEnt
 import { sameList, shippedList } from "./tool-list.ts";
 import { written } from "./tool-table-text.ts";
 
-/** A table file as it was brought, with the changes of its tools. */
+/** The imported table file with the changes of its tools. */
 export interface TableAgain {
   readonly text: string;
   readonly changed: number;
   readonly added: number;
   readonly removed: number;
-  /** Tools as they ship, which are of no shop: they are not added. */
+  /** Unchanged shipped tools, which belong to no shop and are not added. */
   readonly shipped: number;
-  /** Cells whose text is longer than their column: they keep what they had, an added one stays empty. */
+  /** Cells too long for their column: they keep their old text, in a new row they stay empty. */
   readonly tooLong: readonly { readonly tool: string; readonly column: string }[];
 }
 
-/** How a column is written in a file. */
+/** Number format of a column in a file. */
 interface Manner {
   /** Numbers have a comma. */
   readonly comma: boolean;
@@ -55,13 +55,10 @@ function mannerOf(layout: TableLayout, title: Title): Manner {
   };
 }
 
-/** Decimals that an inch has more than a millimetre. */
+/** Additional decimals in an inch table. */
 const MORE_IN_INCH = 1;
 
-/**
- * A value of a row as the file would write it; fewer decimals where the column is narrow, null where it does not fit at
- * all.
- */
+/** A value in the format of the file; fewer decimals where the column is narrow, null where it does not fit. */
 function fitted(layout: TableLayout, title: Title, manner: Manner, text: string, before: string): string | null {
   const room = title.to === Infinity ? Infinity : title.to - title.from - 1;
   const fits = (cell: string) => (cell.length <= room ? cell : null);
@@ -84,7 +81,7 @@ function fitted(layout: TableLayout, title: Title, manner: Manner, text: string,
   return null;
 }
 
-/** A line with one cell written anew; every other character stays where it is, and the line as long as it was. */
+/** Replaces one cell of a line; all other characters and the length of the line stay. */
 function withCell(line: string, { from, to }: Title, cell: string, right: boolean): string {
   const [before, old, behind] = [line.padEnd(from).slice(0, from), line.slice(from, to), line.slice(to)];
   if (right) return `${before}${cell.padStart(to - from - 1)} ${behind}`;
@@ -99,7 +96,7 @@ interface Writer {
   readonly tooLong: { readonly tool: string; readonly column: string }[];
 }
 
-/** The line of a row: cells that say the same stay as they are written. */
+/** Writes a row into its line: cells with an unchanged meaning stay as written. */
 function lineOf({ layout, manners, tooLong }: Writer, line: string, entry: ToolEntry): string {
   const fresh = line.trim() === "";
   const had = rowIn(layout, line) ?? {};
@@ -128,7 +125,7 @@ const isUsable = (entry: ToolEntry) => {
 const isShipped = (entry: ToolEntry) =>
   shippedList.some((each) => each.cells["T"] === cellOf(entry, "T") && sameList([each], [entry]));
 
-/** The number that a line of a table names, tool or not. */
+/** Number in a line of a table, whether it holds a tool or not. */
 function numberIn(layout: TableLayout, line: string): number | null {
   const title = layout.titles.find((each) => each.name === "T");
   const cell = title ? cellIn(line, title) : "";
@@ -136,9 +133,8 @@ function numberIn(layout: TableLayout, line: string): number | null {
 }
 
 /**
- * A table file once more, with what became of its tools: changed cells are written in place, deleted tools are left
- * out, new ones stand in the order of their numbers; all other lines, columns and characters stay. Rows that are not
- * sound keep the line that they had. Null when the text is no table.
+ * Writes the tools back into their table file: changed cells in place, deleted tools removed, new ones inserted by
+ * number; all other lines, columns and characters stay. Invalid rows keep their line. Null when the text is no table.
  */
 export function tableAgain(origin: TableOrigin, list: readonly ToolEntry[]): TableAgain | null {
   const layout = tableLayoutOf(origin.text);
@@ -197,7 +193,7 @@ export function tableAgain(origin: TableOrigin, list: readonly ToolEntry[]): Tab
   };
 }
 
-/** The row that the milling table has of a turning tool takes the name that the tool has now. */
+/** Updates the name of a turning tool in its row of the milling table. */
 function turnedName(writer: Writer, line: string, names: ReadonlyMap<number, string>): string {
   const { layout, manners, tooLong } = writer;
   const title = layout.titles.find((each) => each.name === "NAME");
@@ -213,7 +209,7 @@ function turnedName(writer: Writer, line: string, names: ReadonlyMap<number, str
   return line;
 }
 
-/** The files of a kind that rows of a list came from, the one with most of them first. */
+/** Source files of the rows of a list, of one kind; the most frequent one first. */
 export function originsOf(list: readonly ToolEntry[], milling: boolean): TableOrigin[] {
   const found = new Map<string, { readonly origin: TableOrigin; readonly rows: number }>();
   for (const entry of list) {

@@ -13,34 +13,34 @@ import {
 import type { ToolEntry } from "./tool-entry.ts";
 
 /*
- * How a table of the control is laid out in its file, read from the file itself: a BEGIN line, perhaps a description, a
- * line of titles, and every cell beginning under its title. Reasons: docs/decisions, the tool-table layout.
+ * Layout of a table file of the control, read from the file itself: a BEGIN line, an optional description, a line of
+ * titles, and cells aligned under their titles. Reasons: docs/decisions, the tool-table layout.
  */
 
-/** In the table of milling tools the type stands under a title of its own. */
+/** The milling table has its own title for the type. */
 export type TableColumn = ToolColumn | MillColumn | "TYP";
 export const MILL_FILE = ["T", "NAME", "L", "R", "DL", "DR", "TYP", "LCUTS", "T-ANGLE", "PITCH"] as const;
-/** How the control calls the types that count here: by a word, in older tables by its number. */
+/** Type names of the control: a word, in older tables a number. */
 export const MILL_WORDS: readonly { readonly type: DrillType; readonly words: readonly [string, ...string[]] }[] = [
   { type: "DRILL", words: ["DRILL", "1"] },
   { type: "TAP", words: ["TAP", "2"] },
   { type: "CENTER", words: ["CENT", "CENTER", "4"] },
 ];
 
-/** A column by its title, with the characters that belong to it: from the title to the next one. */
+/** A column by its title, with its character range: from the title to the next one. */
 export interface Title {
   readonly name: string;
   readonly from: number;
   readonly to: number;
 }
 
-/** A table file as it is laid out. */
+/** Layout of a table file. */
 export interface TableLayout {
-  /** Its lines as they are, and what ends each of them. */
+  /** Its lines, and the line end of each. */
   readonly lines: readonly string[];
   readonly ends: readonly string[];
   readonly titles: readonly Title[];
-  /** The first line of a tool, and the one behind the last. */
+  /** First line with a tool, and the line after the last. */
   readonly first: number;
   readonly last: number;
   readonly inch: boolean;
@@ -60,7 +60,7 @@ function titlesOf(line: string): Title[] {
   }));
 }
 
-/** A description of the columns may stand between the first line and the titles. */
+/** Skips an optional description between the first line and the titles. */
 function afterDescription(lines: readonly string[], at: number): number {
   const first = lines[at] ?? "";
   const close = /#STRUCTBEGIN/i.test(first) ? "#" : /TableDescription/i.test(first) ? ")" : null;
@@ -74,7 +74,7 @@ const isMillTable = (titles: readonly Title[]) =>
   ["T", "R"].every((name) => titles.some((title) => title.name === name)) &&
   !titles.some((title) => title.name === "TO" || title.name === "RS");
 
-/** Reads how a table is laid out; null when it does not begin as one, and the columns that it lacks. */
+/** Reads the layout of a table; null for other files, and the missing columns of an incomplete table. */
 export function tableLayoutOf(text: string): TableLayout | { readonly lacks: readonly string[] } | null {
   const pieces = text.split(/(\r\n|\n|\r)/);
   const lines = pieces.filter((_, i) => i % 2 === 0);
@@ -105,15 +105,15 @@ export function tableLayoutOf(text: string): TableLayout | { readonly lacks: rea
 const isOf = <C extends TableColumn>(columns: readonly C[], name: string): name is C =>
   columns.some((column) => column === name);
 
-/** The columns of a table that have a place here. */
+/** Columns of a table that are supported here. */
 export const knownColumns = (milling: boolean): readonly TableColumn[] =>
   milling ? [...MILL_FILE, "TYPE"] : TOOL_COLUMNS;
 
-/** The titles of a table that have no place here. */
+/** Titles of a table without support here. */
 export const unknownTitles = ({ titles, milling }: TableLayout): string[] =>
   titles.map((title) => title.name).filter((name) => !isOf(knownColumns(milling), name));
 
-/** What stands under a title. */
+/** Text under a title. */
 export const cellIn = (line: string, { from, to }: Title): string => line.slice(from, to).trim();
 
 /** The type of a row of the milling table: its column has either title. */
@@ -122,10 +122,10 @@ const typeIn = (cells: Readonly<Record<string, string>>) => cells["TYP"] ?? cell
 export const millTypeOf = (word: string) =>
   MILL_WORDS.find(({ words }) => words.includes(word.toUpperCase()))?.type ?? MILL;
 
-/** Whether a word of the milling table stands for a turning tool, whose data are in the other table. */
+/** Whether a type of the milling table is a turning tool, whose data are in the other table. */
 export const isTurnWord = (word: string): boolean => /TURN|^29$/i.test(word);
 
-/** Places of a milling table that hold no tool of its own: empty ones, and turning tools. */
+/** Rows of a milling table without a mill: empty places, and turning tools. */
 function isNoMill(cells: Readonly<Record<string, string>>): boolean {
   if (isTurnWord(typeIn(cells))) return true;
   return (
@@ -134,7 +134,7 @@ function isNoMill(cells: Readonly<Record<string, string>>): boolean {
   );
 }
 
-/** A number without the zeros at its end. */
+/** A number without trailing zeros. */
 export const shortNumber = (value: number, decimals: number): string => {
   const text = value
     .toFixed(decimals)
@@ -146,7 +146,7 @@ export const shortNumber = (value: number, decimals: number): string => {
 /** A number as tables write it, with a point or a comma. */
 export const TABLE_NUMBER = /^[+-]?(\d+([.,]\d*)?|[.,]\d+)$/;
 
-/** A cell as one would have typed it: decimal point, no plus sign, millimetres; "-" stands for an empty one. */
+/** A cell as typed: decimal point, no plus sign, millimetres; "-" means empty. */
 export function typedCell(column: TableColumn, cell: string, inch: boolean): string {
   if (column === "NAME") return cell;
   if (cell === "-") return "";
@@ -158,7 +158,7 @@ export function typedCell(column: TableColumn, cell: string, inch: boolean): str
   return String(value === 0 ? 0 : value);
 }
 
-/** A line of a table as a row; null when it holds no tool of this table. */
+/** A line of a table as a row; null without a tool of this table. */
 export function rowIn({ titles, milling, inch }: TableLayout, line: string): ToolEntry["cells"] | null {
   if (line.trim() === "") return null;
   const raw = Object.fromEntries(titles.map((title) => [title.name, cellIn(line, title)]));
@@ -171,7 +171,7 @@ export function rowIn({ titles, milling, inch }: TableLayout, line: string): Too
   return cells;
 }
 
-/** Turning tools that a milling table names, by their number: they have a row there too. */
+/** Turning tools named in a milling table, by number. */
 export function turningNames(layout: TableLayout): ReadonlyMap<number, string> {
   const found = new Map<number, string>();
   if (!layout.milling) return found;
@@ -186,10 +186,10 @@ export function turningNames(layout: TableLayout): ReadonlyMap<number, string> {
   return found;
 }
 
-/** The word that a table of milling tools has for a type. */
+/** Word of a type in a milling table. */
 export const wordOfMill = (type: string | undefined): string =>
   MILL_WORDS.find((each) => each.type === type)?.words[0] ?? MILL;
 
-/** The cell of a row that stands under a title. */
+/** Cell of a row under a title. */
 export const cellNameOf = (title: string, milling: boolean): CellName =>
   milling && title === "TYP" ? "TYPE" : (title as CellName);

@@ -29,18 +29,18 @@ export type HolderNumber = (typeof HOLDER_NUMBERS)[number];
 export const HOLDER_CELLS = [...HOLDER_NUMBERS, "axis", "head"] as const;
 export type HolderCell = (typeof HOLDER_CELLS)[number];
 /**
- * Columns of a milling tool beside T and NAME: length, radius, and what is added to both; how long the edges of a drill
- * are, and the pitch of a tap. The point angle of a drill stands under T-ANGLE.
+ * Columns of a milling tool besides T and NAME: length, radius, their deltas, cutting edge length of a drill, pitch of
+ * a tap. The point angle of a drill is in T-ANGLE.
  */
 export const MILL_COLUMNS = ["L", "R", "DL", "DR", "LCUTS", "PITCH"] as const;
 export type MillColumn = (typeof MILL_COLUMNS)[number];
 export type NumberColumn = Exclude<ToolColumn, "NAME" | "TYPE"> | MillColumn;
 export type CellName = ToolColumn | MillColumn | HolderCell;
-/** What stands as the type of a milling tool that is no drill. */
+/** Type of a milling tool that is no drill. */
 export const MILL = "MILL";
 /** Types of the table of milling tools. */
 export const MILL_TYPES = [MILL, ...DRILL_TYPES] as const;
-/** Columns of that table behind T, NAME and the type, in their order. */
+/** Columns of that table after T, NAME and the type, in order. */
 export const MILL_TABLE = [
   "R",
   "DR",
@@ -52,15 +52,13 @@ export const MILL_TABLE = [
 ] as const satisfies readonly NumberColumn[];
 
 /**
- * What a column of numbers holds. The ranges are recalled (tag K1, K2), not read on a printed page: what is printed for
- * DXL, DYL and DZL, ±999.9999, belongs to the compensation table `.tco` (TNC7 basic, 81762x-19).
+ * Rules of a number column. The ranges are recalled (tag K1, K2), not read on a printed page: the printed values for
+ * DXL, DYL and DZL, ±999.9999, belong to the compensation table `.tco` (TNC7 basic, 81762x-19).
  */
 export interface ColumnRule {
   readonly kind: "length" | "angle" | "number";
   readonly range: Field["range"];
-  /**
-   * Decimals that the control keeps. What is typed with more stays as it is; tables are printed and shown with these.
-   */
+  /** Decimals of the control. More typed decimals are kept; tables are printed and shown with these. */
   readonly decimals: number;
 }
 
@@ -111,13 +109,13 @@ export const isToolType = (text: string): text is ToolType => TOOL_TYPES.some((t
 export const isDrillType = (text: string): text is DrillType => DRILL_TYPES.some((type) => type === text);
 export const isMillType = (text: string): boolean => MILL_TYPES.some((type) => type === text);
 
-/** What a cell may hold in the row of a tool of a type. */
+/** Rule of a cell for a tool type. */
 export function ruleOf(cell: NumberColumn | HolderNumber, type = ""): ColumnRule {
   if (isHolderNumber(cell)) return HOLDER_RULES[cell];
   return cell === "T-ANGLE" && isDrillType(type) ? POINT : COLUMN_RULES[cell];
 }
 
-/** Columns that shape the insert of some types only; all others hold for every type. */
+/** Columns that shape the insert of some types only; all others apply to every type. */
 const SHAPING: Partial<Record<CellName, readonly (ToolType | DrillType)[]>> = {
   "T-ANGLE": ["ROUGH", "FINISH", "DRILL", "CENTER"],
   "P-ANGLE": ["ROUGH", "FINISH", "THREAD"],
@@ -128,7 +126,7 @@ const SHAPING: Partial<Record<CellName, readonly (ToolType | DrillType)[]>> = {
   PITCH: ["TAP"],
 };
 
-/** Whether a column means anything for a type; an unknown type leaves all of them open. */
+/** Whether a column applies to a type; with an unknown type all do. */
 export function applies(column: CellName, type: string): boolean {
   const types: readonly string[] | undefined = SHAPING[column];
   return !types || !(isToolType(type) || isMillType(type)) || types.includes(type);

@@ -40,7 +40,7 @@ test("free numbers are taken as they are, others as it was chosen", () => {
   ];
   const ways: Record<string, KeepAs> = { x1: "mine", x3: "free", "x7.1": "theirs" };
   const { list, added, replaced, moved } = keptBeside(mine, theirs, ({ entry }) => ways[entry.id] ?? "mine");
-  // Number 2 is used by the work itself, so it is not free for another of its tools.
+  // Number 2 is used by the job itself, so it is not free for another of its tools.
   expect(moved).toEqual([{ from: 3, to: 5 }]);
   expect([added, replaced]).toEqual([2, 1]);
   expect(list.map(({ cells }) => [cells.T, cells.RS, cells.ORI])).toEqual([

@@ -2,25 +2,25 @@ import { HOLDER_CELLS, MILL_COLUMNS, TOOL_COLUMNS, type CellName } from "./tool-
 import { cellOf, readEntry, type ToolEntry } from "./tool-entry.ts";
 import { freeNumber, newId, type ToolList } from "./tool-list.ts";
 
-/** A row that comes from elsewhere, beside the row that has its number here; null where the number is free. */
+/** An incoming row, and the existing row with its number; null where the number is free. */
 export interface ToolBeside {
   readonly entry: ToolEntry;
   readonly number: number | null;
   readonly mine: ToolEntry | null;
-  /** Cells that say something else here, in the order of the table. */
+  /** Differing cells, in the order of the table. */
   readonly differs: readonly CellName[];
 }
 
 const CELLS: readonly CellName[] = [...new Set<CellName>([...TOOL_COLUMNS, ...MILL_COLUMNS, ...HOLDER_CELLS])];
 
-/** A cell as it counts: `0,80` is 0.8. */
+/** Normalized text of a cell: `0,80` is 0.8. */
 function meant(entry: ToolEntry, cell: CellName): string {
   const text = cellOf(entry, cell).trim();
   const number = Number(text.replace(",", "."));
   return text !== "" && Number.isFinite(number) ? String(number) : text;
 }
 
-/** The rows of a table that came from elsewhere, each beside the row of its number in another one. */
+/** Pairs each incoming row with the existing row of its number. */
 export function toolsBeside(theirs: ToolList, mine: ToolList): readonly ToolBeside[] {
   const byNumber = new Map<number, ToolEntry>();
   for (const entry of mine) {
@@ -35,10 +35,10 @@ export function toolsBeside(theirs: ToolList, mine: ToolList): readonly ToolBesi
   });
 }
 
-/** What becomes of a row whose number stands for another tool here. */
+/** What to do with an incoming row whose number is another tool here. */
 export type KeepAs = "mine" | "theirs" | "free";
 
-/** Rows kept beside those of a table, and the numbers that they had to give up for others. */
+/** The merged rows, and the numbers that changed. */
 export interface KeptTools {
   readonly list: ToolList;
   readonly added: number;
@@ -46,7 +46,7 @@ export interface KeptTools {
   readonly moved: readonly { readonly from: number; readonly to: number }[];
 }
 
-/** Keeps rows beside those of a table: at their numbers where these are free, as it was chosen where they are not. */
+/** Adds incoming rows to a table: at their own numbers where free, else as chosen. */
 export function keptBeside(mine: ToolList, theirs: ToolList, choice: (beside: ToolBeside) => KeepAs): KeptTools {
   let list = mine;
   let [added, replaced] = [0, 0];
@@ -63,7 +63,7 @@ export function keptBeside(mine: ToolList, theirs: ToolList, choice: (beside: To
       list = list.map((row) => (row === other ? { id: other.id, cells: entry.cells } : row));
       replaced++;
     } else if (choice(beside) === "free") {
-      // A number that the work itself uses is not free for another of its tools.
+      // A number used by the job itself is not free for another of its tools.
       const to = freeNumber([...list, ...theirs]);
       add({ ...entry.cells, T: String(to) });
       moved.push({ from: number, to });
@@ -72,7 +72,7 @@ export function keptBeside(mine: ToolList, theirs: ToolList, choice: (beside: To
   return { list, added, replaced, moved };
 }
 
-/** Rows of a work with other numbers in place of some. */
+/** Renumbers tool rows of a job. */
 export const renumberedTools = (list: ToolList, moved: KeptTools["moved"]): ToolList =>
   list.map((entry) => {
     const found = moved.find(({ from }) => from === readEntry(entry).number);

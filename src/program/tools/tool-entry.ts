@@ -20,25 +20,22 @@ import {
   type ToolColumn,
 } from "./tool-columns.ts";
 
-/** A table file of the control that rows came from, kept so that it can go out again with nothing else changed. */
+/** Source file of table rows, kept so that it can be exported with nothing else changed. */
 export interface TableOrigin {
   readonly name: string;
   readonly text: string;
   readonly encoding: "utf-8" | "windows-1252";
 }
 
-/**
- * A table file, its text out of sight of whatever writes rows down one by one: it would stand there once for each of
- * them.
- */
+/** A table file with a non-enumerable text: otherwise serializing rows one by one would repeat it in each. */
 export function tableOrigin(name: string, text: string, encoding: TableOrigin["encoding"]): TableOrigin {
   return Object.defineProperty({ name, text, encoding }, "text", { enumerable: false });
 }
 
-/** Whether a row still has the whole file that it came from: a row written down by itself and read again has not. */
+/** Whether a row still has its complete source file: a row that was serialized alone has not. */
 export const hasFile = ({ line }: ToolEntry): boolean => typeof line?.origin.text === "string";
 
-/** The line of a table file that a row came from. */
+/** Source line of a row in a table file. */
 export interface TableLine {
   readonly origin: TableOrigin;
   readonly at: number;
@@ -73,7 +70,7 @@ export const cellOf = (entry: ToolEntry, cell: CellName): string => entry.cells[
 
 export const isMillEntry = (entry: ToolEntry): boolean => isMillType(cellOf(entry, "TYPE"));
 
-/** A tool as a row that one would have typed. */
+/** A tool as a typed row. */
 export function entryOf(tool: Tool, id: string): ToolEntry {
   const cells: Partial<Record<CellName, string>> = {};
   for (const column of TOOL_COLUMNS) {
@@ -101,7 +98,7 @@ function nameIssues(text: string): Issue[] {
   return NAME.test(text) ? [] : [issue("toolName", "warning", { text, max: LONGEST_NAME }, "NAME")];
 }
 
-/** One number: its value, null when empty, or what is wrong with it. */
+/** One number: its value, null when empty, or its issue. */
 function numberOf(cell: NumberColumn | HolderNumber, text: string, type: string): number | null | Issue {
   const { value, issue: found } = readText({ ...ruleOf(cell, type), id: cell, optional: true, decimals: null }, text);
   return found?.code === "outOfRange"
@@ -114,7 +111,7 @@ interface Numbers {
   readonly issues: readonly Issue[];
 }
 
-/** All numbers of a row. What its type has no use for is taken when it is sound and never complained about. */
+/** All numbers of a row. Cells that do not apply to its type are taken when valid and never reported. */
 function numbersOf(entry: ToolEntry): Numbers {
   const type = cellOf(entry, "TYPE");
   const values: Partial<Record<NumberColumn | HolderNumber, number>> = {};
@@ -130,7 +127,7 @@ function numbersOf(entry: ToolEntry): Numbers {
   return { values, issues };
 }
 
-/** A holder is there as soon as one of its cells is filled; its sides are then needed, its offsets are 0 when empty. */
+/** A holder exists as soon as one of its cells is filled; its sides are then required, empty offsets are 0. */
 function holderIssues(entry: ToolEntry): Issue[] {
   if (!HOLDER_CELLS.some((cell) => cellOf(entry, cell).trim() !== "")) return [];
   const [axis, head] = [cellOf(entry, "axis"), cellOf(entry, "head")];
@@ -143,17 +140,17 @@ function holderIssues(entry: ToolEntry): Issue[] {
   ];
 }
 
-/** Of several findings at a column the first one stays. */
+/** Keeps the first issue of each column. */
 function firstOfEach(all: readonly Issue[]): Issue[] {
   const found = new Map<string | undefined, Issue>();
   for (const each of all) if (!found.has(each.at)) found.set(each.at, each);
   return [...found.values()];
 }
 
-/** Smallest radius of a drill: without one it makes no bore. */
+/** Smallest radius of a drill. */
 const LEAST_DRILL = 0.001;
 
-/** Reads the row of a milling tool or a drill: its radius is needed, and must be left with its delta. */
+/** Reads the row of a milling tool or a drill: its radius is required, and must stay positive with its delta. */
 function readMill(entry: ToolEntry): EntryReading {
   const type = cellOf(entry, "TYPE");
   const drill = isDrillType(type) ? type : null;
@@ -184,7 +181,7 @@ function readMill(entry: ToolEntry): EntryReading {
   };
 }
 
-/** Reads one row, of a turning tool or of a milling tool. A value that it offers for a cell has been tried there. */
+/** Reads one row, of a turning or milling tool. Offered values have been tested. */
 export function readEntry(entry: ToolEntry): EntryReading {
   const read = isMillEntry(entry) ? readMill : readTurning;
   const reading = read(entry);
@@ -225,7 +222,7 @@ function readTurning(entry: ToolEntry): EntryReading {
   return { tool: sound ? (row as unknown as Tool) : null, mill: null, number: T ?? null, issues: kept };
 }
 
-/** What nobody knows of the flanks of an insert, at its column. */
+/** Reports unknown flank data of an insert, at its column. */
 function flanks(type: string, values: Numbers["values"]): Issue[] {
   if (type === "THREAD" && values.CUTLENGTH === undefined)
     return [issue("toothAssumed", "info", { height: USUAL_TOOTH }, "CUTLENGTH")];

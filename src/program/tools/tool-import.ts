@@ -2,36 +2,36 @@ import type { CellName } from "./tool-columns.ts";
 import { cellOf, isMillEntry, readEntry, type TableLine, type ToolEntry } from "./tool-entry.ts";
 import { mergedTools, type ToolList } from "./tool-list.ts";
 
-/** Rows of one or more files that are to come into the table. */
+/** Rows of one or more files to be imported. */
 export interface IncomingTools {
   readonly rows: readonly ToolEntry["cells"][];
-  /** Where each row stands in a table of the control. */
+  /** Source line of each row in a table of the control. */
   readonly lines: readonly (TableLine | undefined)[];
-  /** The cells that the file of each row has columns for; undefined where it has all. */
+  /** Cells with a column in the file of each row; undefined for all. */
   readonly columns: readonly (readonly CellName[] | undefined)[];
-  /** Names that a table of milling tools has of turning tools, by their number. */
+  /** Names of turning tools in a milling table, by number. */
   readonly names: ReadonlyMap<number, string>;
 }
 
-/** What a file changes of one tool. */
+/** Changes of one tool by a file. */
 export interface ImportChange {
   readonly tool: ToolEntry;
   readonly cells: readonly { readonly cell: CellName; readonly from: string; readonly to: string }[];
 }
 
-/** What happens when files are taken over. */
+/** Effect of an import. */
 export interface ImportPlan {
   readonly fresh: readonly ToolEntry[];
   readonly changed: readonly ImportChange[];
-  /** Tools that come as they already are. */
+  /** Number of unchanged tools. */
   readonly same: number;
-  /** Tools that come with an error. */
+  /** Imported tools with an error. */
   readonly wrong: readonly ToolEntry[];
   /** The table afterwards. */
   readonly list: ToolList;
 }
 
-/** A turning tool without a name takes the one that the table of milling tools has for it. */
+/** A turning tool without a name takes its name from the milling table. */
 function withNames(list: ToolList, names: IncomingTools["names"]): ToolList {
   if (names.size === 0) return list;
   return list.map((entry) => {
@@ -56,7 +56,7 @@ const isSound = (entry: ToolEntry) => {
   return tool !== null || mill !== null;
 };
 
-/** The rows that have a number which the table does not have. */
+/** Rows with a new number. */
 function onlyNew(list: ToolList, { rows, lines, columns, names }: IncomingTools): IncomingTools {
   const taken = new Set(list.map((entry) => readEntry(entry).number));
   const at = rows.flatMap((cells, i) => (taken.has(readEntry({ id: "", cells }).number) ? [] : [i]));
@@ -64,7 +64,7 @@ function onlyNew(list: ToolList, { rows, lines, columns, names }: IncomingTools)
   return { rows: kept(rows), lines: kept(lines), columns: kept(columns), names };
 }
 
-/** A tool keeps the cells that the file has no column for, among them the holder in most files. */
+/** A tool keeps the cells without a column in the file, in most files those of the holder. */
 function completed(list: ToolList, { rows, columns }: IncomingTools): IncomingTools["rows"] {
   const known = new Map(list.map((entry) => [readEntry(entry).number, entry]));
   return rows.map((cells, i) => {
@@ -75,7 +75,7 @@ function completed(list: ToolList, { rows, columns }: IncomingTools): IncomingTo
   });
 }
 
-/** What becomes of the table when rows come in: all of them, or those with new numbers only. */
+/** Plans an import: all rows, or those with new numbers only. */
 export function planImport(list: ToolList, incoming: IncomingTools, choice: "all" | "new"): ImportPlan {
   const wanted = choice === "new" ? onlyNew(list, incoming) : incoming;
   const merged = mergedTools(list, completed(list, wanted), wanted.lines).list;

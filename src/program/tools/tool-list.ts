@@ -16,7 +16,7 @@ import {
 /** All rows of the table, in its order. */
 export type ToolList = readonly ToolEntry[];
 
-/** A table read: what can be called, what is refused and why, and the reading of each row by its id. */
+/** Reading of a table: callable tools, refused ones with reasons, and the reading of each row by its id. */
 export interface ToolListReading {
   readonly table: ShopTools;
   /** The milling tools of the table with all their columns. */
@@ -27,7 +27,7 @@ export interface ToolListReading {
 /** The table that every installation starts with. */
 export const shippedList: ToolList = shippedTools.map((tool) => entryOf(tool, `r${tool.T}`));
 
-/** An id that no row has. */
+/** A free row id. */
 export function newId(list: ToolList): string {
   const taken = new Set(list.map((entry) => entry.id));
   let n = list.length + 1;
@@ -35,7 +35,7 @@ export function newId(list: ToolList): string {
   return `r${n}`;
 }
 
-/** The lowest whole number above `from` that no row has. */
+/** Lowest free whole number above `from`. */
 export function freeNumber(list: ToolList, from = 0): number {
   const taken = new Set(list.map((entry) => readOnce(entry).number));
   let n = Math.floor(from) + 1;
@@ -43,7 +43,7 @@ export function freeNumber(list: ToolList, from = 0): number {
   return n;
 }
 
-/** Away from its row a finding must name its column itself. */
+/** Away from its row an issue must name its column. */
 function naming(found: Issue): Issue {
   if (found.code === "toolName") return found;
   const held = HOLDER_CELLS.some((cell) => cell === found.at);
@@ -54,7 +54,7 @@ function naming(found: Issue): Issue {
 
 const known = new WeakMap<ToolEntry, EntryReading>();
 
-/** A row read, once for each state of the row. */
+/** Reads a row, cached per state. */
 function readOnce(entry: ToolEntry): EntryReading {
   const before = known.get(entry);
   if (before) return before;
@@ -64,7 +64,8 @@ function readOnce(entry: ToolEntry): EntryReading {
 }
 
 /**
- * Reads every row. Of two rows with one number the first keeps it, and both say so: either may be the one to change.
+ * Reads every row. Of two rows with one number the first keeps it, and both are reported: either may be the one to
+ * change.
  */
 export function readList(list: ToolList): ToolListReading {
   const rows = new Map<string, EntryReading>();
@@ -105,8 +106,8 @@ export function readList(list: ToolList): ToolListReading {
 }
 
 /**
- * Rows that come from a file, over the table: a row of the same number takes the place of the old one, others follow.
- * `lines` says where in a table of the control each row stands.
+ * Merges rows of a file into the table: equal numbers are replaced, others appended. `lines`: source line of each row
+ * in a table of the control.
  */
 export function mergedTools(
   list: ToolList,
@@ -144,7 +145,7 @@ export function mergedTools(
 const sameLine = ({ line: a }: ToolEntry, { line: b }: ToolEntry) =>
   a === b || (a?.at === b?.at && a?.origin.name === b?.origin.name && a?.origin.text === b?.origin.text);
 
-/** The same table: the same cells in the same rows, whatever their ids. */
+/** Whether two tables have the same cells in the same rows, regardless of ids. */
 export const sameList = (a: ToolList, b: ToolList): boolean =>
   a === b ||
   (a.length === b.length &&
@@ -160,12 +161,12 @@ export const sameList = (a: ToolList, b: ToolList): boolean =>
       );
     }));
 
-/** A row without the file it came from, which stays on this device. */
+/** A row without its source file, which stays on this device. */
 const bareRow = (entry: ToolEntry): ToolEntry => (entry.line ? { id: entry.id, cells: entry.cells } : entry);
 
 /**
- * The rows that calls find, in their order: by number, the index behind the point aside, or by name. Every row where
- * `calls` is null. They go along with a work, without the files they came from.
+ * Rows matched by calls, in order: by number without index, or by name. Every row where `calls` is null. They are
+ * exported with a job, without their source files.
  */
 export function rowsCalled(list: ToolList, calls: readonly (number | string)[] | null): ToolList {
   if (calls === null) return list.map(bareRow);

@@ -16,8 +16,8 @@ import type { MillTool, ToolEntry } from "./tool-entry.ts";
 import type { TableFile } from "./tool-table-text.ts";
 
 /*
- * Tools as a sheet: one title line, one line a tool, cells parted by comma, semicolon or tab. Columns have the names of
- * the control, in any order; the cells of a holder have `HOLDER.` in front.
+ * Tools as a sheet: one title line, one line per tool, cells separated by comma, semicolon or tab. Columns have the
+ * names of the control, in any order; holder cells are prefixed with `HOLDER.`.
  */
 
 const HOLDER = "HOLDER.";
@@ -27,7 +27,7 @@ const titleOf = (cell: CellName): string =>
 const cellOfTitle = new Map(COLUMNS.map((cell) => [titleOf(cell), cell]));
 const BOM = "\uFEFF";
 
-/** Lines of a sheet as cells. A cell in quotes may hold anything, a quote in it stands twice. Never throws. */
+/** Splits a sheet into cells. A quoted cell may hold anything, with doubled quotes. Never throws. */
 function cellsOfSheet(text: string, separator: string): string[][] {
   const lines: string[][] = [[]];
   let cell = "";
@@ -55,14 +55,14 @@ function cellsOfSheet(text: string, separator: string): string[][] {
   return lines.filter((line) => line.some((each) => each !== ""));
 }
 
-/** What parts the cells of the first line: what stands in it most often outside of quotes. */
+/** Separator of the cells: the most frequent one in the first line outside of quotes. */
 function separatorOf(line: string): string {
   const bare = line.replaceAll(/"[^"]*"/g, "");
   const [first = ","] = [";", "\t", ","].sort((a, b) => bare.split(b).length - bare.split(a).length);
   return first;
 }
 
-/** A number as the columns have it, whatever sign it has between whole and part. */
+/** A number with a decimal point, from either decimal sign. */
 const typed = (cell: string) => (TABLE_NUMBER.test(cell) ? cell.replace(",", ".").replace(/^\+/, "") : cell);
 
 function rowOf(titles: readonly (CellName | null)[], line: readonly string[]): ToolEntry["cells"] {
@@ -81,7 +81,7 @@ function rowOf(titles: readonly (CellName | null)[], line: readonly string[]): T
   return Object.fromEntries(Object.entries(cells).filter(([cell]) => columns.some((each) => each === cell)));
 }
 
-/** Whether a text may be a sheet of tools: its title line names T and one more column. */
+/** Titles of a possible tool sheet: its first line names T and one more column. */
 function titlesIn(line: readonly string[]): readonly (CellName | null)[] | null {
   const titles = line.map((cell) => cellOfTitle.get(cell.toUpperCase().replaceAll(/\s+/g, "")) ?? null);
   return titles.includes("T") && titles.filter((title) => title !== null).length > 1 ? titles : null;
@@ -106,14 +106,14 @@ export function readTableCsv(text: string): TableFile {
   };
 }
 
-/** How a sheet is written: as spreadsheets of a language with decimal comma expect it, or with point and comma. */
+/** Format of a sheet: with decimal comma for spreadsheets that expect it, or with point and comma. */
 export type SheetManner = "comma" | "point";
 
 function quoted(text: string, separator: string): string {
   return text.includes(separator) || /["\r\n]|^\s|\s$/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/** Writes tools as a sheet, milling tools behind the others. Nothing is rounded. */
+/** Writes tools as a sheet, milling tools last. Nothing is rounded. */
 export function writeTableCsv(tools: readonly Tool[], mills: readonly MillTool[], manner: SheetManner): string {
   const separator = manner === "comma" ? ";" : ",";
   const number = (value: string | number | undefined) =>

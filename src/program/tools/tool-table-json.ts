@@ -14,8 +14,7 @@ import { readTableCsv } from "./tool-table-csv.ts";
 import { readTableText, type TableFile } from "./tool-table-text.ts";
 
 /**
- * Writes tools as the tools file of the `verify` command, one tool a line, milling tools behind the others. Nothing is
- * rounded.
+ * Writes tools as the tools file of the `verify` command, one tool per line, milling tools last. Nothing is rounded.
  */
 export function writeTableJson(tools: readonly Tool[], mills: readonly MillTool[] = []): string {
   const lines = tools.map((tool) => {
@@ -29,10 +28,10 @@ export function writeTableJson(tools: readonly Tool[], mills: readonly MillTool[
 const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
-/** A cell as text; what is neither text nor a number becomes text that its column complains about. */
+/** A cell as text; other values become text that its column reports. */
 const asText = (value: unknown): string => (typeof value === "string" ? value : (JSON.stringify(value) ?? ""));
 
-/** Corners of a head as they are typed; anything else becomes text that its cell complains about. */
+/** Corners of a head as typed; other values become text that its cell reports. */
 const isPair = (c: unknown) => Array.isArray(c) && c.length === 2 && c.every((n) => typeof n === "number");
 const isHead = (value: unknown): value is NonNullable<Holder["head"]> =>
   Array.isArray(value) && value.every((part) => Array.isArray(part) && part.every(isPair));
@@ -57,7 +56,7 @@ function cellsOf(row: Readonly<Record<string, unknown>>, leftOut: Set<string>): 
   return cells;
 }
 
-/** Reads a tools file cell by cell, so that a row with a wrong cell comes in and shows it. */
+/** Reads a tools file cell by cell, so that rows with a wrong cell are imported and shown. */
 export function readTableJson(text: string): TableFile {
   let json: unknown;
   try {

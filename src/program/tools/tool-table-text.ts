@@ -15,12 +15,12 @@ import { ruleOf, TOOL_COLUMNS, type CellName } from "./tool-columns.ts";
 import type { MillTool, ToolEntry } from "./tool-entry.ts";
 
 /*
- * The tables of turning and of milling tools as files of the control, written in one form and read in any
- * (`table-layout.ts`). Nobody has printed this file in a manual; the layout is that of the other tables of the control.
- * Reasons: docs/decisions, the tool-table layout.
+ * Turning and milling tables as files of the control, written in one layout and read in any (`table-layout.ts`). No
+ * manual prints this file; the layout is that of other tables of the control. Reasons: docs/decisions, the tool-table
+ * layout.
  */
 
-/** Characters of each column with the space behind it. */
+/** Width of each column in characters, with the trailing space. */
 const WIDTHS: Readonly<Record<TableColumn, number>> = {
   T: 8,
   NAME: 33,
@@ -77,12 +77,12 @@ function table<C extends TableColumn>(
 }
 
 /**
- * Writes tools as the control's table, in millimetres; numbers are rounded to what its columns keep. A holder has no
- * column.
+ * Writes tools as a table of the control, in millimetres; numbers are rounded to the resolution of its columns. A
+ * holder has no column.
  */
 export const writeTableText = (tools: readonly Tool[]): string => table("TOOLTURN.TRN", TOOL_COLUMNS, tools);
 
-/** Writes milling tools as the control's tool table, with the columns that count here. */
+/** Writes milling tools as a tool table of the control, with the columns used here. */
 export const writeMillText = (mills: readonly MillTool[]): string =>
   table(
     "TOOL.T",
@@ -90,17 +90,16 @@ export const writeMillText = (mills: readonly MillTool[]): string =>
     mills.map((mill) => ({ ...mill, TYP: wordOfMill(mill.TYPE) })),
   );
 
-/** Rows of a file with the names of what has no place in this table; or why it is none. */
+/** Rows of a file with the names of unsupported columns; or why it is invalid. */
 export type TableFile =
   | {
       readonly rows: readonly ToolEntry["cells"][];
       readonly leftOut: readonly string[];
       readonly cutShort: boolean;
-      /** The cells that the file has a column for; without it there are columns for all. */
+      /** Cells with a column in the file; absent for all. */
       readonly columns?: readonly CellName[];
       /**
-       * Of a table of the control: which one, in which line each row stands, and the turning tools that a milling table
-       * names.
+       * For a table of the control: which one, the line of each row, and the turning tools named in a milling table.
        */
       readonly table?: {
         readonly milling: boolean;
@@ -111,9 +110,7 @@ export type TableFile =
   | { readonly problem: "notATable" | "noRows" }
   | { readonly problem: "columnsMissing"; readonly columns: readonly string[] };
 
-/**
- * Reads a table as the control keeps it, with other columns and in another order too; decimal comma and INCH included.
- */
+/** Reads a table of the control, also with other columns or order; decimal comma and INCH included. */
 export function readTableText(text: string): TableFile {
   const layout = tableLayoutOf(text);
   if (!layout) return { problem: "notATable" };

@@ -183,7 +183,7 @@ describe("the list", () => {
   test("the shipped rows are the shipped tools", () =>
     expect(readList(shippedList).table).toEqual({ tools: shippedTools, refused: new Map() }));
 
-  test("of two rows with one number the first keeps it, the second is told a free one", () => {
+  test("of two rows with one number the first keeps it, the second is offered a free one", () => {
     const twice = [...shippedList, { id: newId(shippedList), cells: { ...shippedList[0]?.cells } }];
     const { table: read, rows } = readList(twice);
     expect(read.tools).toEqual(shippedTools);

@@ -6,11 +6,11 @@ import type { Segment } from "../../kernel/geometry/point.ts";
 import type { Tool, ToolType } from "../../kernel/plan/tool.ts";
 import { checkTool } from "./check-tool.ts";
 
-/** A tool with what it leaves: length of contour, mm, that its shape keeps it from, its nose radius aside. */
+/** A tool with the contour length in mm that its shape cannot reach, its nose radius aside. */
 export interface ToolFit {
   readonly tool: Tool;
   readonly makesContour: boolean;
-  /** False when no cutting move could be planned with it. */
+  /** False when no cutting move can be planned. */
   readonly cuts: boolean;
   readonly unreached: number;
 }
@@ -18,7 +18,7 @@ export interface ToolFit {
 /** Length along the path, mm; a chord stands for an arc: it only ranks. */
 const chord = ({ from, to }: Segment) => Math.hypot(to.z - from.z, to.r - from.r);
 
-/** What another tool could do better. A limit, a forbidden plunge and an oversize are the cycle's own choice. */
+/** Reasons that another tool may remove. A limit, a forbidden plunge and an oversize are choices of the cycle. */
 const OF_TOOL: ReadonlySet<Reason | null> = new Set<Reason | null>([
   "mainEdge",
   "secondaryEdge",
@@ -29,7 +29,7 @@ const OF_TOOL: ReadonlySet<Reason | null> = new Set<Reason | null>([
 const unreached = (plan: Plan) =>
   plan.reach.reduce((sum, { path, reason }) => sum + (OF_TOOL.has(reason) ? chord(path) : 0), 0);
 
-/** Shorter stretches are no reason to change the tool, mm. */
+/** Shorter sections are no reason to change the tool, mm. */
 const NEGLIGIBLE = 0.01;
 
 const AGAINST_TOOL = new Set([
@@ -44,7 +44,7 @@ const AGAINST_TOOL = new Set([
   "nothingToCut",
 ]);
 
-/** What a plan says about its tool. A notice (a reduced infeed) is no obstacle; a warning about the tool is one. */
+/** Fit of a tool from its plan. A notice (a reduced infeed) is no obstacle; a warning about the tool is one. */
 export function fitOf(tool: Tool, plan: Plan): ToolFit {
   const left = unreached(plan);
   const refused = plan.issues.some(
@@ -54,7 +54,7 @@ export function fitOf(tool: Tool, plan: Plan): ToolFit {
   return { tool, makesContour: !refused && cuts && left < NEGLIGIBLE, cuts, unreached: left };
 }
 
-/** Which tools a turner takes first for a kind of cycle; those not named come last. */
+/** Usual tool types per kind of cycle, best first; others come last. */
 const USUAL: Readonly<Record<Group, readonly ToolType[]>> = {
   special: [],
   longitudinal: ["ROUGH", "FINISH", "BUTTON", "RECTURN"],
@@ -64,10 +64,10 @@ const USUAL: Readonly<Record<Group, readonly ToolType[]>> = {
   thread: ["THREAD"],
 };
 
-/** Whether a turner takes a tool of this type for a kind of cycle at all. */
+/** Whether this tool type is usual for a kind of cycle. */
 export const isUsualTool = (group: Group, { TYPE }: Tool): boolean => USUAL[group].some((each) => each === TYPE);
 
-/** Place of a tool in the usual order of its cycle's group. */
+/** Rank of a tool in the usual order of a kind of cycle. */
 function usualRank(group: Group, { TYPE }: Tool): number {
   const place = USUAL[group].findIndex((each) => each === TYPE);
   return place < 0 ? USUAL[group].length : place;
@@ -77,7 +77,10 @@ function usualRank(group: Group, { TYPE }: Tool): number {
 export const usualFirst = (group: Group, tools: readonly Tool[]): readonly Tool[] =>
   tools.toSorted((a, b) => usualRank(group, a) - usualRank(group, b));
 
-/** All tools, best first: those that make the contour in the usual order, then those that cut, by what they leave. */
+/**
+ * All tools, best first: those that machine the whole contour in the usual order, then those that cut, by residual
+ * length.
+ */
 export function rankTools<P extends Params>(
   cycle: Cycle<P>,
   values: Values<P>,
@@ -96,7 +99,7 @@ export function rankTools<P extends Params>(
     );
 }
 
-/** A tool that makes the contour, other than the one chosen; null when none of them does. */
+/** Another tool that machines the whole contour; null without one. */
 export function betterTool<P extends Params>(
   cycle: Cycle<P>,
   values: Values<P>,

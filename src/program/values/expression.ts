@@ -3,7 +3,7 @@ import { NUMBER_PARAMETER } from "../../nc/value.ts";
 /** Values of Q parameters by upper-case name: "Q5", "QL1", "QR3". */
 export type KnownParameters = Readonly<Record<string, number>>;
 
-/** What typed text is where a number is expected; `computed` where it is a sum. */
+/** Typed text where a number is expected; `computed` for a sum. */
 export type Expression =
   | { readonly kind: "number"; readonly value: number; readonly computed: boolean }
   | { readonly kind: "empty" }
@@ -14,7 +14,7 @@ export type Expression =
   | { readonly kind: "badExpression"; readonly text: string }
   | { readonly kind: "unknownParameter"; readonly name: string };
 
-/** Longer texts are refused: nobody types them, and the depth of nesting stays bounded. */
+/** Longer texts are refused: nobody types them, and the limit bounds the nesting depth. */
 const LONGEST = 200;
 
 type Token = { readonly kind: "value"; readonly value: number } | { readonly kind: "sign"; readonly sign: string };
@@ -25,10 +25,10 @@ class Unknown {
 const TOKEN = String.raw`\s*(?:(\d+(?:[.,]\d*)?|[.,]\d+)|(${NUMBER_PARAMETER})|([-+*/()]))\s*`;
 const WHOLE_PARAMETER = new RegExp(String.raw`(?<![\w.,])${NUMBER_PARAMETER}(?!\w)`, "gi");
 
-/** Typed signs as a keyboard has them. */
+/** Replaces typographic signs by those of a keyboard. */
 export const spelling = (text: string) => text.trim().replace(/[−–]/g, "-").replace(/[×·]/g, "*").replace(/÷/g, "/");
 
-/** Splits into numbers and signs; null when something else stands there. */
+/** Splits into numbers and signs; null for anything else. */
 function tokens(text: string, known: KnownParameters): Token[] | Unknown | null {
   const found: Token[] = [];
   const pattern = new RegExp(TOKEN, "iy");
@@ -84,8 +84,8 @@ function evaluate(list: readonly Token[]): number {
 }
 
 /**
- * Reads a number with point or comma, a Q parameter, or a sum of both with + - * / ( ).
- * Empty stays empty; what cannot be read is said, never guessed.
+ * Reads a number with point or comma, a Q parameter, or a sum of both with + - * / ( ). Empty stays empty; unreadable
+ * text is reported, never guessed.
  */
 export function readExpression(typed: string, known: KnownParameters = {}): Expression {
   const text = spelling(typed);
@@ -101,6 +101,6 @@ export function readExpression(typed: string, known: KnownParameters = {}): Expr
   return { kind: sum ? "badExpression" : "notANumber", text: typed.trim() };
 }
 
-/** Names of the Q parameters in a typed text, in the order in which they stand there. */
+/** Q parameters in a typed text, in their order. */
 export const parametersIn = (typed: string): readonly string[] =>
   typed.length > LONGEST ? [] : [...typed.matchAll(WHOLE_PARAMETER)].map(([name]) => name.toUpperCase());

@@ -5,40 +5,40 @@ import { parameterOf } from "../../nc/value.ts";
 import { type KnownParameters, readExpression, spelling } from "./expression.ts";
 
 /**
- * What one field takes, wherever it is typed: a prompt, a word of a block, the set-up, a row, a cell of the tool table.
+ * Rules of one field, wherever it is typed: a prompt, a word of a block, the set-up, a row, a cell of the tool table.
  */
 export interface Field {
-  /** Where its findings stand: a Q number, a word, "start.x", a column. */
+  /** Place of its findings: a Q number, a word, "start.x", a column. */
   readonly id: string;
-  /** What its value measures, and so its unit; a bare number has none. */
+  /** Kind of its value, which gives the unit; "number" has none. */
   readonly kind: Param["kind"] | "number";
   readonly range: readonly [min: number, max: number];
   readonly choices?: readonly number[];
   /** May stay empty. */
   readonly optional: boolean;
-  /** Decimals that are kept of the value; null keeps it as typed. */
+  /** Decimals kept; null keeps the value as typed. */
   readonly decimals: number | null;
-  /** Written with an I in front it counts from the position before. */
+  /** With a leading I the value is incremental. */
   readonly increments?: boolean;
   /** A feed that may be FMAX. */
   readonly rapid?: boolean;
 }
 
-/** What is typed into a field. Never 0 where nothing stands there. */
+/** Reading of a field. An empty field is never 0. */
 export interface FieldReading {
-  /** The number, as the field keeps it; null while there is none, and for FAUTO and FMAX. */
+  /** The rounded number; null without one, and for FAUTO and FMAX. */
   readonly value: number | null;
-  /** The same as NC text has it: a Q parameter that stands there alone stays one. */
+  /** The same in NC terms: a single Q parameter stays a parameter. */
   readonly written: Value | "auto" | "max" | null;
   readonly incremental: boolean;
-  /** True for a sum: the field shows its value once it is left. */
+  /** True for a sum: on blur the field shows its value. */
   readonly computed: boolean;
   readonly empty: boolean;
-  /** What is wrong, with the nearest value that is not. */
+  /** The issue, with the nearest valid value. */
   readonly issue: Issue | null;
 }
 
-/** What a field without anything in it says. */
+/** Reading of an empty field. */
 export const nothing: FieldReading = {
   value: null,
   written: null,
@@ -49,7 +49,7 @@ export const nothing: FieldReading = {
 };
 export const wrong = (found: Issue): FieldReading => ({ ...nothing, empty: false, issue: found });
 
-/** A number without bounds, which may be left out. */
+/** An optional number without limits. */
 export const anyNumber: Field = {
   id: "",
   kind: "number",
@@ -58,16 +58,16 @@ export const anyNumber: Field = {
   decimals: null,
 };
 
-/** A number rounded to what a control keeps; never −0. */
+/** A number rounded to the control's resolution; never −0. */
 export const kept = (n: number, decimals: number): number => Number(n.toFixed(decimals)) || 0;
 
 const nearestOf = (choices: readonly number[], n: number) =>
   choices.reduce((best, next) => (Math.abs(next - n) < Math.abs(best - n) ? next : best));
 
-/** What of a field says which numbers it takes. */
+/** Members of a field that limit its numbers. */
 type Taken = Pick<Field, "id" | "range" | "choices"> & Partial<Pick<Field, "kind">>;
 
-/** What is wrong with a number in a field, with the nearest one that it takes; null when it can be used. */
+/** Issue of a number in a field, with the nearest valid one; null when valid. */
 export function checkNumber({ id, kind, range: [min, max], choices }: Taken, n: number): Issue | null {
   if (choices)
     return choices.includes(n)
@@ -86,7 +86,7 @@ export function feedWord(typed: string): "auto" | "max" | null {
   return word === "auto" || word === "max" ? word : null;
 }
 
-/** The only way from typed text to a value. Empty stays missing; what cannot be read is said, never guessed. */
+/** The only conversion from typed text to a value. Empty stays missing; unreadable text is reported, never guessed. */
 export function readText(field: Field, typed: string, known: KnownParameters = {}): FieldReading {
   const text = typed.trim();
   if (text === "") return { ...nothing, issue: field.optional ? null : issue("missing", "error", {}, field.id) };
@@ -118,10 +118,7 @@ export function readText(field: Field, typed: string, known: KnownParameters = {
   }
 }
 
-/**
- * What a typed sum comes to, as one types it; null for anything else. It takes the place of the sum when its field is
- * left.
- */
+/** Result of a typed sum, as text; null for anything else. It replaces the sum on blur. */
 export function sumOf(typed: string): string | null {
   const { computed, value } = readText({ ...anyNumber, decimals: 6 }, typed);
   return computed && value !== null ? String(value) : null;

@@ -29,7 +29,7 @@ const CALLS: Readonly<Record<string, (n: number) => number>> = {
   SGN: Math.sign,
 };
 
-/** The number of a value; trouble when its parameter was never set. */
+/** Number of a value; trouble for an unset parameter. */
 export function valueOf(value: Value, parameters: Parameters): number | Trouble {
   if (typeof value === "number") return value;
   const found = parameters.get(value.parameter);
@@ -37,7 +37,7 @@ export function valueOf(value: Value, parameters: Parameters): number | Trouble 
   return value.negative ? -found : found;
 }
 
-/** The text of a formula of texts; trouble when a parameter of it holds none. */
+/** Text of a text formula; trouble for a parameter without text. */
 export function textOf(f: TextFormula, parameters: Parameters, texts: Texts): string | Trouble {
   switch (f.kind) {
     case "quoted":
@@ -76,10 +76,10 @@ export function textOf(f: TextFormula, parameters: Parameters, texts: Texts): st
   }
 }
 
-/** Joined texts longer than any control keeps would fill the memory in a loop. */
+/** Limit of joined texts, far beyond any control: a loop would fill the memory. */
 const LONGEST_TEXT = 10_000;
 
-/** What a text says as a number; positions count from 0, and what is not found stands behind the end. */
+/** Number from a text function; positions count from 0, a missing text is at the end. */
 function numberOfText(f: Extract<Formula, { kind: "ofText" }>, parameters: Parameters, texts: Texts): number | Trouble {
   const source = textOf(f.source, parameters, texts);
   if (typeof source !== "string") return source;
@@ -94,7 +94,7 @@ function numberOfText(f: Extract<Formula, { kind: "ofText" }>, parameters: Param
   return at < 0 ? source.length : at;
 }
 
-/** Works out the right side of an assignment. Angles are in degrees, as on the control. */
+/** Evaluates the right side of an assignment. Angles in degrees, as on the control. */
 export function formulaOf(f: Formula, parameters: Parameters, texts: Texts = NO_TEXTS): number | Trouble {
   const result = compute(f, parameters, texts);
   return typeof result === "number" && !Number.isFinite(result) ? { kind: "notFinite" } : result;

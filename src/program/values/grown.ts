@@ -1,15 +1,15 @@
-/* Collections that never change: one that is added to is another one, and both share what they have in common. */
+/* Persistent collections: adding returns a new collection that shares its items with the old one. */
 
-/** A value of its own that is changed, until it is as it stays. */
+/** A writable copy of a state, until it is finished. */
 export type Changing<State> = { -readonly [Key in keyof State]: State[Key] };
 
-/** Items that lists share; none is added any more once they were handed out. */
+/** Items shared by lists; frozen once they were handed out. */
 interface Shared<T> {
   readonly items: T[];
   isHandedOut?: true;
 }
 
-/** A list that is only added to. Lists that have grown from one another share their items. */
+/** An append-only list. Its versions share their items. */
 export class Grown<T> {
   constructor(
     private readonly shared: Shared<T> = { items: [] },
@@ -26,7 +26,7 @@ export class Grown<T> {
 
   withAll(added: readonly T[]): Grown<T> {
     const { items, isHandedOut } = this.shared;
-    // Where another list has grown from this one already, the items behind it are not of this one.
+    // The items beyond this list's length belong to another version.
     const isOwn = items.length === this.length && !isHandedOut;
     const shared = isOwn ? this.shared : { items: items.slice(0, this.length) };
     for (const item of added) shared.items.push(item);
@@ -37,12 +37,12 @@ export class Grown<T> {
     return new Grown(this.shared, Math.max(0, this.length - 1));
   }
 
-  /** A copy of the items from one on. */
+  /** A copy of the items from an index on. */
   slice(from = 0): T[] {
     return this.shared.items.slice(from, this.length);
   }
 
-  /** All items, for those who do not change them. */
+  /** All items without copying; callers must not change them. */
   all(): readonly T[] {
     if (this.shared.items.length > this.length) return this.slice();
     this.shared.isHandedOut = true;
@@ -50,7 +50,7 @@ export class Grown<T> {
   }
 }
 
-/** A set that is only added to, in the order of its values. */
+/** An append-only set, in insertion order. */
 export class GrownSet<T> {
   constructor(
     private readonly order = new Map<T, number>(),
@@ -74,7 +74,7 @@ export class GrownSet<T> {
   }
 }
 
-/** An entry that was set, or taken away, since a map was copied. */
+/** An entry set or deleted since the last copy of the map. */
 interface Entry<K, V> {
   readonly key: K;
   readonly value: V | undefined;
@@ -82,10 +82,10 @@ interface Entry<K, V> {
   readonly count: number;
 }
 
-/** Entries that are looked through one by one; with more of them the map is copied. */
+/** Entries searched linearly; beyond this number the map is copied. */
 const MOST_ENTRIES = 32;
 
-/** A map of which some entries change often. */
+/** A persistent map with a few frequently changed entries. */
 export class Table<K, V> {
   constructor(
     private readonly base: ReadonlyMap<K, V> = new Map(),

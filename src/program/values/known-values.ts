@@ -1,31 +1,28 @@
 import { Table, type Changing } from "./grown.ts";
 
-/** Why something is not known: a block was not run, or a fault that was told. */
+/** Why a value is unknown: a block not simulated, or a reported fault. */
 export type UnknownReason = "unproved" | "told";
 
-/** Parameters that touch probe cycles write their results into. */
+/** Result parameters of touch probe cycles. */
 const RESULT = /^Q(?:1(?!08|13)\d\d|9[5-9]\d)$/;
-/**
- * Parameters that the control itself keeps: what the machine, its tool and its probes say. A program that reads them is
- * no fault.
- */
+/** Parameters set by the control: data of the machine, its tool and its probes. Reading them is no fault. */
 const KEPT_BY_CONTROL = /^Q1\d\d$/;
-/** Of those the two that a program alone can tell: radius of the tool, and unit of the program. */
+/** The two of them that follow from the program: tool radius, and unit of the program. */
 const [TOOL_RADIUS, UNIT] = ["Q108", "Q113"] as const;
-/** Parameters that count in one subprogram or program only. */
+/** Parameters local to one subprogram or program. */
 const LOCAL = /^QL/;
 
-/** What is known of the Q parameters. Never changed in place. */
+/** Known Q parameters. Immutable. */
 export interface Known {
   readonly parameters: Table<string, number>;
-  /** What the QS parameters hold. */
+  /** Texts of the QS parameters. */
   readonly texts: Table<string, string>;
   readonly forgotten: Table<string, UnknownReason>;
-  /** Parameters that SQL BIND has tied to a column: a fetch writes into them. */
+  /** Parameters bound to a column by SQL BIND: a fetch writes into them. */
   readonly bound: ReadonlySet<string>;
-  /** True once a touch probe has run: parameters that hold results are set, nobody here knows to what. */
+  /** True after a touch probe cycle: result parameters have unknown values. */
   readonly probed: boolean;
-  /** Why the last value without a number had none. */
+  /** Why the last value without a number is unknown. */
   readonly trouble: UnknownReason;
 }
 
@@ -38,7 +35,7 @@ export const NOTHING_KNOWN: Known = {
   trouble: "told",
 };
 
-/** Local parameters of a program, and why some of them are not known. */
+/** Local parameters of a program, and why some are unknown. */
 export interface Locals {
   readonly parameters: ReadonlyMap<string, number>;
   readonly forgotten: ReadonlyMap<string, UnknownReason>;
@@ -47,10 +44,7 @@ export interface Locals {
 const localsIn = <V>(table: Table<string, V>): ReadonlyMap<string, V> =>
   new Map([...table.toMap()].filter(([name]) => LOCAL.test(name)));
 
-/**
- * What is known of the Q parameters while a program runs: a value that nobody knows is another thing than one that was
- * never set.
- */
+/** Q parameters during a run. An unknown value differs from one never set. */
 export class KnownValues {
   private readonly draft: Changing<Known>;
 
@@ -100,15 +94,13 @@ export class KnownValues {
     this.draft.bound = new Set([...this.bound, ...names]);
   }
 
-  /**
-   * What the control keeps of the tool that is called, in the unit of the program; null when nobody knows its radius.
-   */
+  /** Stores the radius of the called tool, in the program's unit; null when it is unknown. */
   setToolRadius(radius: number | null): void {
     if (radius === null) this.forget(TOOL_RADIUS);
     else this.set(TOOL_RADIUS, radius);
   }
 
-  /** What the control keeps of the program that was started. */
+  /** Stores the unit of the main program. */
   setUnit(inch: boolean): void {
     this.set(UNIT, inch ? 1 : 0);
   }
@@ -118,7 +110,7 @@ export class KnownValues {
     this.holdNothing(name, undefined);
   }
 
-  /** Nobody knows what a parameter holds from here on. */
+  /** The value of a parameter is unknown from here on. */
   forget(name: string, reason: UnknownReason = "unproved"): void {
     this.holdNothing(name, reason);
   }
@@ -129,19 +121,19 @@ export class KnownValues {
     this.draft.forgotten = this.draft.forgotten.with(name, reason);
   }
 
-  /** A touch probe has run: what its result parameters held before counts no more. */
+  /** A touch probe has run: earlier values of its result parameters are void. */
   probe(): void {
     const kept = [...this.parameters.toMap()].filter(([name]) => !RESULT.test(name));
     this.draft.probed = true;
     this.draft.parameters = new Table(new Map(kept));
   }
 
-  /** The numbers of local parameters do not count inside a contour. */
+  /** Removes the numbers of local parameters, which do not count inside a contour. */
   hideLocals(): void {
     for (const name of localsIn(this.parameters).keys()) this.parameters = this.parameters.with(name, undefined);
   }
 
-  /** Takes the local parameters away. */
+  /** Removes and returns the local parameters. */
   takeLocals(): Locals {
     const { parameters, forgotten } = this.draft;
     const locals = { parameters: localsIn(parameters), forgotten: localsIn(forgotten) };
@@ -149,26 +141,26 @@ export class KnownValues {
     return locals;
   }
 
-  /** Puts local parameters in the place of those that are there. */
+  /** Replaces the local parameters. */
   putLocals({ parameters, forgotten }: Locals): void {
     this.takeLocals();
     parameters.forEach((value, name) => this.set(name, value));
     forgotten.forEach((reason, name) => this.forget(name, reason));
   }
 
-  /** Why nobody knows what a parameter holds; null when its value is known, or none was ever set. */
+  /** Why a parameter is unknown; null when it is known or was never set. */
   reasonOf(name: string): UnknownReason | null {
     if (this.parameters.has(name) || this.texts.has(name)) return null;
     const unknown = KEPT_BY_CONTROL.test(name) || (this.draft.probed && RESULT.test(name));
     return this.draft.forgotten.get(name) ?? (unknown ? "unproved" : null);
   }
 
-  /** True when a parameter holds a value, false when none was ever set, null when nobody knows. */
+  /** True when a parameter has a value, false when it was never set, null when unknown. */
   isSet(name: string): boolean | null {
     return this.parameters.has(name) || this.texts.has(name) ? true : this.reasonOf(name) ? null : false;
   }
 
-  /** True when the last value without a number hangs on a block that was not run. */
+  /** True when the last value without a number depends on a block not simulated. */
   get isUnproved(): boolean {
     return this.trouble === "unproved";
   }

@@ -9,62 +9,62 @@ import type { Params, Values } from "../../cycles/params.ts";
 import { useOf, worksAcross } from "../../cycles/use.ts";
 import { beginsAtTip, valuesFor, type Wanted } from "../../cycles/wanted.ts";
 
-/** What is known of a work while its prompts are being answered. mm. */
+/** Known data of a job while its prompts are being answered, mm. */
 export interface KnownSoFar {
-  /** The values that can be read, by Q. */
+  /** Readable values, by Q. */
   readonly typed: Readonly<Partial<Record<string, number | "auto">>>;
-  /** Of a free-contour cycle: its contour; null while there is none. */
+  /** Contour of a free-contour cycle; null without one. */
   readonly contour: readonly Segment[] | null;
-  /** Where the tip stands at the call, as far as somebody has said so. */
+  /** Tip at the call, as far as set. */
   readonly tip: { readonly z: number | null; readonly r: number | null };
-  /** The blank, as far as somebody has said so; its bore 0 where it is solid. */
+  /** The blank, as far as set; bore 0 where it is solid. */
   readonly blank: { readonly outside: number | null; readonly bore: number | null; readonly front: number | null };
 }
 
-/** What a work will probably be: what is typed, and the rest as it would usually be to that. */
+/** Estimate of a part: typed values, completed by usual ones. */
 export interface LikelyWork {
   /** A value for every parameter. */
   readonly values: Readonly<Record<string, number>>;
-  /** The corner where the contour begins, and the one across: its depth and its end. */
+  /** First corner of the contour, and the opposite one: its depth and end. */
   readonly from: Pt;
   readonly to: Pt;
-  /** Round the finished contour. */
+  /** Box around the finished contour. */
   readonly box: Box;
-  /** It takes its depth along the axis. */
+  /** The depth is along the axis. */
   readonly across: boolean;
   readonly inside: boolean;
   readonly shape: TurnedShape;
-  /** Pitch of a thread, mm; 0 of anything else. */
+  /** Thread pitch, mm; 0 without a thread. */
   readonly pitch: number;
-  /** A free contour has a cylinder on its largest diameter, which is to be turned as well. */
+  /** A free contour with a cylinder on its largest diameter, which is turned too. */
   readonly ringed: boolean;
-  /** Its contour stands there, and is none of a usual size. */
+  /** Its contour is drawn, not assumed. */
   readonly drawn: boolean;
 }
 
-/** Where the face of a part stands as long as nobody says otherwise, Z mm. */
+/** Default Z of the face, mm. */
 const FRONT = 0;
-/** What stays at least inside a step whose end nobody has given, as a share of the diameter where it begins. */
+/** Smallest core inside a step without a typed end, as a share of its start diameter. */
 const CORE = 0.5;
-/** How long a contour is taken to be that nobody has drawn yet, mm. */
+/** Assumed length of a contour not drawn yet, mm. */
 const UNDRAWN = 50;
 
 const number = (value: number | "auto" | undefined): number | null => (typeof value === "number" ? value : null);
 
-/** The ends of a contour of its own: typed ones stay, a missing one lies as far from its partner as in the example. */
+/** Ends of a cycle's own contour: a missing one is as far from its partner as in the example. */
 function likelyEnds(cycle: Cycle, { typed, tip, blank }: KnownSoFar): { readonly from: Pt; readonly to: Pt } {
   const usual = firstValues(cycle);
   const simple = beginsAtTip(cycle);
   const grooves = cycle.group === "recessTurning" || cycle.group === "recessing";
   const example = {
-    // A simple cycle begins on the surface of its blank; a groove in a face at the edge where its tip stands.
+    // A simple cycle begins on the blank surface; a groove in a face at the edge at its tip.
     d1: usual["Q491"] ?? Number(grooves && worksAcross(cycle) ? cycle.setup.start.x : cycle.setup.blank.outside),
     d2: usual["Q493"] ?? usual["Q491"] ?? 0,
     z1: usual["Q492"] ?? (grooves && !worksAcross(cycle) ? Number(cycle.setup.start.z) : FRONT),
     z2: usual["Q494"] ?? 0,
   };
   const [deep, long] = [example.d1 - example.d2, Math.abs(example.z1 - example.z2) || UNDRAWN];
-  // A diameter that nobody can turn says nothing yet.
+  // An impossible diameter is ignored.
   const across = (q: string) => {
     const d = number(typed[q]);
     return d !== null && d > 0 ? d : null;
@@ -75,7 +75,7 @@ function likelyEnds(cycle: Cycle, { typed, tip, blank }: KnownSoFar): { readonly
   const first = simple ? (tipDiameter ?? outside) : across("Q491");
   const d1 = first ?? (d2 === null ? example.d1 : d2 + deep);
   const end = d2 ?? Math.max(d1 - deep, d1 * CORE);
-  // A shoulder begins at the face, and so does what nobody has given a place.
+  // A shoulder begins at the face, and so does anything without a position.
   const begins = simple ? (tip.z ?? (grooves ? null : blank.front)) : number(typed["Q492"]);
   const ahead = z2 === null ? FRONT : grooves || z2 >= FRONT ? z2 + long : FRONT;
   const z1 = begins ?? ahead;
@@ -83,9 +83,7 @@ function likelyEnds(cycle: Cycle, { typed, tip, blank }: KnownSoFar): { readonly
   return { from: corner(d1, z1), to: corner(end, z2 ?? z1 - long) };
 }
 
-/**
- * Whether a free contour is turned in a bore: it falls from the face on, or lies in the wall of the bore that is there.
- */
+/** Whether a free contour is turned in a bore: it descends from the face, or lies on the wall of an existing bore. */
 function contourInside(points: readonly Pt[], bore: number | null): boolean {
   const [a, b] = [points[0], points.at(-1)];
   if (!a || !b) return false;
@@ -96,14 +94,14 @@ function contourInside(points: readonly Pt[], bore: number | null): boolean {
   return front.r > back.r + SAME;
 }
 
-/** Whether a contour runs along its largest diameter, and not only up to it. */
+/** Whether a contour runs along its largest diameter, not only up to it. */
 const isRinged = (points: readonly Pt[], { high }: Box) =>
   points.some((p, i) => {
     const before = points[i - 1];
     return before !== undefined && p.r > high - SAME && before.r > high - SAME && Math.abs(p.z - before.z) > SAME;
   });
 
-/** The work that typed values describe, as far as they do; what is missing is what is usual beside them. */
+/** Estimates the part that typed values describe; missing values become the usual ones. */
 export function likelyWork(cycle: Cycle, known: KnownSoFar): LikelyWork {
   const { typed, contour, blank } = known;
   const across = worksAcross(cycle);

@@ -18,7 +18,7 @@ interface Called {
 
 const signed = (n: number) => (n < 0 ? String(n) : `+${n}`);
 
-/** What run and stock say of one call, notes aside. */
+/** Findings of run and stock for one call, without notes. */
 function told({ cycle: number, change, tool, blank, start, unit = "MM" }: Called) {
   const cycle = cycleByNumber(number);
   if (!cycle) throw new Error(`no cycle ${number}`);
@@ -54,7 +54,7 @@ const codes = (called: Called) => told(called).map(({ code }) => code);
 const ofType = (type: string, orientations: readonly number[]): number =>
   shippedTools.find(({ TYPE, TO }) => TYPE === type && orientations.includes(TO))?.T ?? 0;
 
-describe("a sign that is impossible is asked for, and nothing else is said of the operation", () => {
+describe("an impossible sign is questioned, and nothing else is reported for the operation", () => {
   test.each([
     [812, 55],
     [811, 55],
@@ -69,18 +69,18 @@ describe("a sign that is impossible is asked for, and nothing else is said of th
     expect(found).toMatchObject([{ code: "endInFront", at: "Q494", data: { value: end, nearest: -end } }]);
   });
 
-  test("it is an error where no path came of it, as what it stands for would have been", () => {
+  test("it is an error where no path results, like the findings it replaces", () => {
     expect(told({ cycle: 812, change: { Q494: 55 } })[0]?.severity).toBe("error");
     expect(told({ cycle: 841, change: { Q494: 50 } })[0]?.severity).toBe("warning");
   });
 
-  test("what is wrong with the contour in either case is said behind it", () => {
+  test("contour faults that remain either way follow it", () => {
     expect(codes({ cycle: 812, change: { Q494: 55, Q500: 500 } })).toEqual(["endInFront", "elementTooLong"]);
     expect(codes({ cycle: 872, change: { Q494: 50 } })).toEqual(["endInFront"]);
   });
 });
 
-describe("an order that is impossible is asked for", () => {
+describe("an impossible order is questioned", () => {
   test.each([
     ["X", 812, { Q491: 50, Q493: 75 }, "Q491", { start: 50, end: 75, other: "Q493" }],
     ["Z", 812, { Q492: -55, Q494: 0 }, "Q492", { start: -55, end: 0, other: "Q494" }],
@@ -93,7 +93,7 @@ describe("an order that is impossible is asked for", () => {
   });
 });
 
-describe("what can be meant is not asked for", () => {
+describe("plausible values are not questioned", () => {
   test("a blank that reaches so far in front", () => {
     expect(
       codes({ cycle: 812, change: { Q492: 80, Q494: 25 }, blank: "D75 L100 DIST+80", start: "X+75 Z+82" }),

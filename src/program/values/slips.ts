@@ -11,32 +11,32 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { toDiameter, radius } from "../../kernel/units.ts";
 import type { Judge } from "./tried.ts";
 
-/** Tips that point away from the chuck: whoever takes such a tool means to work that way. */
+/** Tips that point away from the chuck: such a tool is chosen to work that way. */
 const AWAY: ReadonlySet<number> = new Set([3, 4, 5]);
-/** A contour begins this far in front of the blank at most, mm. */
+/** Largest distance of a contour start in front of the blank, mm. */
 const AHEAD = 5;
 
-/** The ends of the blank along Z, as the program counts. */
+/** Ends of the blank along Z, in program coordinates. */
 interface Reach {
   readonly front: number;
   readonly back: number;
 }
 
-/** What an end in front of the work shows in. */
+/** Data to detect an end in front of the blank. */
 export interface EndAsked {
   readonly cycle: Cycle;
-  /** The values that can be used, by Q. */
+  /** Valid values, by Q. */
   readonly values: Readonly<Partial<Record<string, number | "auto">>>;
-  /** Z where the contour begins and ends. */
+  /** Z of the contour's start and end. */
   readonly from: number;
   readonly to: number;
-  /** Null where nobody has set the blank, or nobody knows it. */
+  /** Null while the blank is unset or unknown. */
   readonly blank: (Pick<Reach, "front"> & Partial<Reach>) | null;
-  /** Null where nobody has chosen it. */
+  /** Null while none is chosen. */
   readonly tool: Tool | null;
 }
 
-/** The parameters that say where a contour lies in X, or in Z. */
+/** Parameters with the position of a contour in X, or in Z. */
 export const endsAlong = (cycle: Cycle, kind: "diameter" | "axial"): readonly string[] =>
   Object.entries<Param>(cycle.params)
     .filter(([, p]) => p.kind === kind && p.drawn && !p.incremental)
@@ -46,7 +46,7 @@ const endOf = (cycle: Cycle): string | undefined =>
   Object.keys(cycle.params).find((name) => cycle.params[name]?.text === "endZ");
 
 /**
- * An end that lies in front of its start and of the blank, where there is no material unless its minus was forgotten.
+ * Reports an end in front of its start and of the blank: no material is there, so its minus sign is probably missing.
  */
 export function endInFront({ cycle, values, from, to, blank, tool }: EndAsked): Issue | null {
   const q = endOf(cycle),
@@ -59,10 +59,7 @@ export function endInFront({ cycle, values, from, to, blank, tool }: EndAsked): 
   return issue("endInFront", "warning", { value, nearest: -value }, q);
 }
 
-/**
- * The two parameters of an axis that can be exchanged; null where a cycle has only one of them, or takes them in any
- * order.
- */
+/** Exchangeable start and end parameters of an axis; null where a cycle has only one of them, or takes any order. */
 function endsOf(cycle: Cycle, axis: "X" | "Z"): readonly [string, string] | null {
   const isGroove = cycle.group === "recessTurning" || cycle.group === "recessing",
     across = worksAcross(cycle);
@@ -75,21 +72,21 @@ const isSame = (a: Issue, b: Issue): boolean => a.code === b.code && a.at === b.
 
 const isRefused = (issues: readonly Issue[]): boolean => issues.some(({ severity }) => severity === "error");
 
-/** What is known where a cycle is called. */
+/** Data of a cycle call. */
 export interface CallAsked<P extends Params> {
   readonly cycle: Cycle<P>;
   readonly values: Values<P>;
   readonly setting: Pick<Setting, "tool" | "start" | "blank" | "solid">;
   readonly judge: Judge<P>;
-  /** What the outline says to the values as they are, and what the plan says. */
+  /** Issues of the outline and of the plan for the values. */
   readonly outlined: readonly Issue[];
   readonly planned: readonly Issue[];
 }
 
 /**
- * A dimension of the drawing whose sign, or whose order with another one, is impossible for tool and blank: it is asked
- * for only where the other sign brings no new error, or the other order none at all. It explains whatever tool and path
- * say; behind it stands what is wrong with the contour in either case. Null where the values can be meant.
+ * Finds a dimension whose sign or order is impossible for tool and blank. Reported only where the other sign brings no
+ * new error, or the other order none at all. It explains all findings of tool and path; contour faults that remain
+ * either way follow it. Null where the values may be intended.
  */
 export function slipAtCall<P extends Params>(asked: CallAsked<P>): readonly Issue[] | null {
   const { cycle, values, setting, judge, outlined } = asked;
@@ -115,7 +112,7 @@ export function slipAtCall<P extends Params>(asked: CallAsked<P>): readonly Issu
     if (mends(inFront, found, after))
       return [{ ...inFront, severity }, ...outlined.filter((each) => after.some((a) => isSame(a, each)))];
   }
-  // Whoever takes a tool that does it means the order.
+  // With a tool for that direction, the order is intended.
   if (!box || severity === "warning") return null;
   const isInBlank = (axis: "X" | "Z", ...ends: readonly number[]) =>
     axis === "X" ? Math.max(...ends) <= toDiameter(radius(box.high)) + SAME : Math.min(...ends) >= box.left - SAME;

@@ -2,23 +2,20 @@ import type { Cycle } from "../../cycles/define.ts";
 import { firstValues } from "../../cycles/first-values.ts";
 import type { Param } from "../../cycles/params.ts";
 
-/** What a suggestion goes by besides the cycle: the faces of a blank that somebody has set, ⌀ and Z, mm. */
+/** Context of a suggestion: the faces of a set blank, ⌀ and Z, mm. */
 export interface SuggestionContext {
   readonly blank: { readonly outside: number | null; readonly bore: number | null; readonly front: number | null };
-  /** Feeds are per revolution: those that are usual here are. */
+  /** Feeds are per revolution, like the usual values. */
   readonly perRevolution: boolean;
-  /** Values of the same parameter in the operation before, by Q. */
+  /** Values of the previous operation, by Q. */
   readonly before?: Readonly<Partial<Record<string, number>>>;
 }
 
-/**
- * What a turner enters where nothing else is wanted: an angle, a corner radius, an element of a corner that is not
- * there.
- */
+/** Default of plain parameters: an angle, a corner radius, an absent corner element. */
 const isPlain = ({ kind, rounds, shown }: Param) =>
   rounds || (kind === "angle" && shown === "outline") || shown === "element";
 
-/** A position or a measure that the drawing gives: nobody can suggest it. */
+/** A position or dimension of the drawing: it cannot be suggested. */
 const isOfDrawing = ({ kind, shown, sizes, text }: Param) =>
   sizes === undefined &&
   (kind === "diameter" ||
@@ -27,8 +24,8 @@ const isOfDrawing = ({ kind, shown, sizes, text }: Param) =>
     text === "blankAllowance");
 
 /**
- * What an unanswered prompt may be answered with, for somebody to take: the face where a start is asked for, the usual
- * value of what is no size of the drawing, or what the operation before had there. Null where only the drawing knows.
+ * Suggestion for an open prompt: the face for a start, the usual value where the drawing does not decide, or the
+ * previous operation's value. Null where only the drawing decides.
  */
 export function suggestedValue(
   cycle: Cycle,

@@ -38,7 +38,7 @@ const angle = fc.oneof(
   fc.constantFrom(0, 30, 89.9999, 90, -1),
 );
 const size = fc.oneof(mm(0, 40), mm(-1, 2), fc.constantFrom(0, 1000));
-/** Values that often do not go together, or not with the tool. */
+/** Values that often conflict with each other or with the tool. */
 const odd = {
   Q491: fc.oneof(mm(20, 100), fc.constantFrom(75, 50)),
   Q493: fc.oneof(mm(0, 100), fc.constantFrom(75, 50)),
@@ -72,8 +72,8 @@ const cases = fc.constantFrom(812, 812, 820, 852, 852).chain((cycle) => {
   });
 });
 
-describe("a value that is offered", () => {
-  test("removes what it is offered for and adds no error", () => {
+describe("an offered value", () => {
+  test("removes its finding and adds no error", () => {
     let offers = 0;
     fc.assert(
       fc.property(cases, ({ cycle, tool, x, z, changes }) => {
@@ -94,7 +94,7 @@ describe("a value that is offered", () => {
     expect(offers).toBeGreaterThan(50);
   });
 
-  test("is none of the drawing: it names the limit, and nothing that would change the part", () => {
+  test("is never a dimension of the drawing: only the limit is named", () => {
     const tooLong = at(
       issuesOf(812, { ...example(812), Q495: 0, Q500: 60, Q502: 0.5 }, 1, [75, 2]),
       "elementTooLong",
@@ -125,7 +125,7 @@ describe("a value that is offered", () => {
     ]);
   });
 
-  test("is an infeed with which a setter gets done, and a value that he would type", () => {
+  test("is an infeed with few enough passes, and a round value", () => {
     const fine = at(issuesOf(812, { ...example(812), Q463: 0.001 }, 1, [75, 2]), "tooManyPasses", "Q463");
     expect(fine && offerOf(fine)).toBe(0.2);
     const none = at(issuesOf(812, { ...example(812), Q463: 0 }, 1, [75, 2]), "outOfRange", "Q463");

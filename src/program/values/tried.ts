@@ -9,7 +9,7 @@ import { checkNumber } from "./field.ts";
 import { LEAST_INFEED, MOST_INFEED, MOST_PASSES_OFFERED, SETTERS_INFEEDS, typable } from "./typable.ts";
 
 /**
- * What a cycle says to values, and how many moves it took to say it. `passes`: of its roughing; null where no path was
+ * Issues of a cycle for some values, and the number of planned moves. `passes`: of its roughing; null where no path was
  * planned.
  */
 export interface Judgement {
@@ -22,8 +22,8 @@ export interface Judgement {
 export type Judge<P extends Params> = (values: Values<P>, start?: Pt) => Judgement;
 
 /**
- * Asks a cycle about values: what its outline says and, with a setting, what its plan says; a contour that can not be
- * is said without a path. Null where a contour of a subprogram is missing.
+ * Evaluates values of a cycle: its outline and, with a setting, its plan; an impossible contour is reported without a
+ * path. Null where a contour of a subprogram is missing.
  */
 export function judgeOf<P extends Params>(cycle: Cycle<P>, setting: Setting | null, given: Given): Judge<P> | null {
   if (cycle.contour === "free" && given.contour === null) return null;
@@ -37,25 +37,25 @@ export function judgeOf<P extends Params>(cycle: Cycle<P>, setting: Setting | nu
 }
 
 type Kept = Readonly<Record<string, number | "auto">>;
-/** Whether a value works; null where finding out would cost too much. */
+/** Whether a value works; null where testing costs too much. */
 type Works = (value: number) => boolean | null;
 
-/** Moves that may be planned to look for one value; then the search gives up. */
+/** Limit of planned moves in the search for one value. */
 const MOST_MOVES = 5000;
-/** How much farther each next probe lies from the offered value. */
+/** Growth of the distance between probes and the offered value. */
 const STRIDE = 4;
-/** Halvings that bring a value found to the grid. */
+/** Bisections from a found value to the grid. */
 const HALVINGS = 20;
-/** What divides the work into passes: another value that nobody would wait for is no offer. */
+/** Parameters that determine the number of passes: a value with too many passes is not offered. */
 const DIVIDES: ReadonlySet<Param["shown"]> = new Set<Param["shown"]>(["infeed", "depthLimit", "overlap"]);
 
-/** Rounds to the grid of a parameter, within its range. */
+/** Rounds to the resolution of a parameter, within its range. */
 function gridOf({ decimals, range: [min, max] }: Param): (value: number) => number {
   const scale = 10 ** decimals;
   return (value) => Math.round(Math.min(max, Math.max(min, value)) * scale) / scale + 0;
 }
 
-/** The smallest infeed of those that setters type which works; it needs few passes, so it is cheap to try. */
+/** Smallest usual infeed that works; cheap to test, as it needs few passes. */
 function smallestInfeed(param: Param, works: Works): number | null {
   const kept = gridOf(param);
   const sizes = SETTERS_INFEEDS.filter((size) => kept(size) === size);
@@ -63,7 +63,7 @@ function smallestInfeed(param: Param, works: Works): number | null {
   return (bad < 0 ? sizes.at(-1) : sizes[bad - 1]) ?? null;
 }
 
-/** The nearest value to `offer` that works and that a setter would type; null when the search finds none. */
+/** Nearest value to `offer` that works and is round; null when the search finds none. */
 function search(param: Param, offer: number, from: number | null, works: Works): number | null {
   const kept = gridOf(param);
   if (param.choices) {
@@ -73,7 +73,7 @@ function search(param: Param, offer: number, from: number | null, works: Works):
     return others.find((each) => works(each) === true) ?? null;
   }
   const first = kept(offer);
-  // A tiny one costs more moves to try than all that setters type.
+  // A tiny infeed costs more moves to test than all usual ones.
   if (DIVIDES.has(param.shown) && from !== null && from < first)
     return first >= LEAST_INFEED && works(first) ? typed(first, 1) : smallestInfeed(param, works);
   const way = Math.sign(first - (from ?? first)) || -1;
@@ -94,9 +94,9 @@ function search(param: Param, offer: number, from: number | null, works: Works):
   }
   return null;
 
-  /** A value rounded on, away from what does not work, where that works as well. */
+  /** The value rounded away from failing ones, where the result works too. */
   function typed(value: number, on: number): number {
-    // What a profile asks for is no limit that may be passed.
+    // A value required by a profile must not be exceeded.
     if (param.kind === "count" || param.shown === "threadDepth") return value;
     return typable(value, on).find((each) => kept(each) === each && works(each) === true) ?? value;
   }
@@ -113,10 +113,10 @@ function between(bad: number, good: number, kept: (value: number) => number, wor
   return yes;
 }
 
-/** Codes of a value whose sign may be what is wrong with it. */
+/** Codes where a wrong sign may be the cause. */
 const BY_SIGN: ReadonlySet<Issue["code"]> = new Set<Issue["code"]>(["outOfRange", "diameterNegative"]);
 
-/** The value with the other sign, where that is what may have been meant. */
+/** The value with the other sign, where that may be intended. */
 function otherSign({ code, data }: Issue): number | null {
   return BY_SIGN.has(code) && "value" in data && typeof data.value === "number" && data.value !== 0
     ? -data.value
@@ -124,11 +124,9 @@ function otherSign({ code, data }: Issue): number | null {
 }
 
 /**
- * Every value that a finding offers for a parameter is tried before it is offered: rounded to what somebody would type,
- * it must remove the finding and bring no new error. Where it does not, the nearest value that does is looked for, and
- * where there is none the finding offers nothing. A dimension of the drawing is never offered, only its other sign
- * where that of the value is impossible. `kept` holds the values that can be used; while others are missing only the
- * range can be tried.
+ * Tests every value that a finding offers: rounded, it must remove the finding without a new error. Otherwise offers
+ * the nearest value that does, or none. A dimension of the drawing is never offered, only its other sign where the
+ * typed one is impossible. `kept`: valid values; while others are missing only the range is tested.
  */
 export function triedOffers<P extends Params>(
   params: P,
@@ -162,7 +160,7 @@ export function triedOffers<P extends Params>(
     const now = "value" in each.data && typeof each.data.value === "number" ? each.data.value : kept[q];
     return withOffer(each, search(param, offer, typeof now === "number" ? now : null, works));
   };
-  /** A diameter or a Z of the start point. */
+  /** Tests an offered ⌀ or Z of the start point. */
   const triedStart = (each: Issue, offer: number): Issue => {
     const isX = each.at === "start.x";
     if (!judge || !start || !(isX || each.at === "start.z") || !Object.keys(params).every((name) => name in kept))

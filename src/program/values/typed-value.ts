@@ -6,8 +6,8 @@ import { anyNumber, feedWord, kept, readText } from "./field.ts";
 export const POSITION_DECIMALS = 3;
 
 /**
- * A typed number as a value of NC text, rounded to what the control keeps; null when it is none. A Q parameter stays
- * one; a sum with Q parameters is worked out with the known values, since NC text takes no sums there.
+ * A typed number as a value of NC text, rounded to the control's resolution; null for anything else. A Q parameter
+ * stays one; a sum with Q parameters is evaluated, since NC text has no sums there.
  */
 export function typedValue(typed: string, decimals = POSITION_DECIMALS, known: KnownParameters = {}): Value | null {
   const { written } = readText({ ...anyNumber, decimals }, typed, known);
@@ -25,29 +25,27 @@ const BLOCK_DECIMALS = 4;
 /** A number that is typed into a block. */
 export const blockValue = (typed: string, decimals = BLOCK_DECIMALS): Value | null => typedValue(typed, decimals);
 
-/** A value of NC text as one types it: no plus sign; empty where there is none. */
+/** A value of NC text as typed: no plus sign; empty without one. */
 export function valueAsTyped(value: Value | null | undefined): string {
   if (value === null || value === undefined) return "";
   return typeof value === "number" ? String(value) : (value.negative ? "-" : "") + value.parameter;
 }
 
-/** A position as one types it, rounded to what a control keeps. */
+/** A position as typed, rounded to the control's resolution. */
 export const positionAsTyped = (n: number): string => String(kept(n, POSITION_DECIMALS));
 
-/** What stands behind a Q of a cycle, as one types it. */
+/** Value of a cycle parameter as typed. */
 export const parameterAsTyped = (value: CycleParameter["value"] | undefined): string =>
   typeof value === "string" ? `F${value.toUpperCase()}` : valueAsTyped(value);
 
-/** A feed as one types it. */
+/** A feed as typed. */
 export function feedAsTyped(feed: FeedWord | null | undefined): string {
   if (feed === null || feed === undefined) return "";
   if (feed === "max" || feed === "auto") return `F${feed.toUpperCase()}`;
   return (feed.unit === "F" ? "" : feed.unit) + valueAsTyped(feed.value);
 }
 
-/**
- * A typed feed: empty, FMAX, FAUTO, a number, or with F, FU or FZ in front of it; undefined where it can not be read.
- */
+/** A typed feed: empty, FMAX, FAUTO, or a number with optional F, FU or FZ; undefined when unreadable. */
 export function typedFeed(typed: string): FeedWord | null | undefined {
   const text = typed.trim();
   if (text === "") return null;

@@ -9,7 +9,7 @@ import { cuttingForce, cuttingPower, depthForPower, feedForRz, heldDownTo, rpmFo
 
 const steel = { kc11: 2220, mc: 0.14 };
 
-/* Worked out by hand (logarithms), not by these functions. */
+/* Calculated by hand (logarithms), not by these functions. */
 test("speed and diameter", () => {
   expect(rpmFor(187, 43.7)).toBeCloseTo(1362.1, 1);
   expect(heldDownTo(173, 2350)).toBeCloseTo(23.433, 2);
@@ -59,7 +59,7 @@ const calm: Advised = {
 const codes = (change: Partial<Advised>) =>
   advise({ ...calm, ...change }).map(({ code, at, better }) => `${code} ${at} ${String(better)}`);
 
-test("calm values get no advice; each rule speaks on its own", () => {
+test("moderate values get no advice; each rule applies on its own", () => {
   expect(codes({})).toEqual([]);
   expect(codes({ depth: 2.74, values: { ...calm.values, Q463: 2.9 } })).toEqual(["depthOverEdge Q463 2.733"]);
   expect(codes({ values: { ...calm.values, Q478: 0.31 } })).toEqual(["feedOverNose Q478 0.296"]);
@@ -70,7 +70,7 @@ test("calm values get no advice; each rule speaks on its own", () => {
   expect(codes({ spindle: { kind: "surface", cuttingSpeed: 311, limit: 6000 } })).toEqual([`speedFar ${SPINDLE} 190`]);
 });
 
-test("the spindle of the machine bears what its power and its torque give where it turns slowest", () => {
+test("the machine's spindle is limited by power and torque at its slowest speed", () => {
   expect(codes({ machine: { most: 4000 }, table: { ...usualTable, power: 4.3 } })).toEqual(["power Q463 1.801"]);
   expect(codes({ machine: { most: 4000, power: 4.3 } })).toEqual(["power Q463 1.801"]);
   expect(codes({ machine: { most: 4000, power: 11 }, table: { ...usualTable, power: 4.3 } })).toEqual([]);
@@ -88,7 +88,7 @@ test("the spindle of the machine bears what its power and its torque give where 
   expect(codes({ machine: flat(55), largest: 97.3 })).toEqual(["power Q463 1.475"]);
 });
 
-test("what is not known is not judged: feeds a minute, FAUTO, a round spindle speed, a blade", () => {
+test("unknown values get no advice: feeds per minute, FAUTO, a constant rpm, a parting blade", () => {
   const loud = { Q463: 3.9, Q478: 0.6, Q505: 0.4 };
   expect(codes({ values: loud, perRevolution: false, depth: 2.07 })).toEqual([]);
   expect(codes({ values: { Q463: 2.1, Q478: "auto", Q505: "auto" } })).toEqual([]);
@@ -103,7 +103,7 @@ test("what is not known is not judged: feeds a minute, FAUTO, a round spindle sp
   ).toEqual([]);
 });
 
-test("a shop's table is read back as it was written, and anything else is refused", () => {
+test("a shop's table is read back as written, and anything else is refused", () => {
   const own = { power: 7.3, materials: [{ ...material, id: "own", name: "Shaft steel", roughSpeed: 143 }] };
   expect(readCuttingTable(writeCuttingTable(own))).toEqual(own);
   expect(readCuttingTable("{}")).toBeNull();

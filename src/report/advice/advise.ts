@@ -11,7 +11,7 @@ import { powerAt, type SpindleData } from "../../program/machine/machine-data.ts
 import type { CuttingTable, CutMaterial } from "../../program/tools/cutting-table.ts";
 import { cuttingPower, depthForPower, EDGE_USED, FEED_OF_NOSE, feedForRz, heldDownTo } from "./formulas.ts";
 
-/** What a cycle is asked about: its values, and what stands round them. */
+/** The values of a cycle and their context, on which advice is based. */
 export interface Advised {
   readonly cycle: Pick<Cycle, "params" | "group">;
   readonly values: SomeValues;
@@ -22,23 +22,26 @@ export interface Advised {
   readonly depth: number;
   /** The smallest diameter that is cut, mm. */
   readonly smallest: number;
-  /** The largest one, mm: there the spindle turns slowest. */
+  /** The largest diameter, mm, where the spindle is slowest. */
   readonly largest: number;
-  /** What the spindle of the machine can give; null where nobody has said so, and then the table says it. */
+  /** Data of the machine's spindle; null where not entered, then the cutting table applies. */
   readonly machine: SpindleData | null;
   readonly material: CutMaterial;
   readonly table: CuttingTable;
 }
 
 interface AdviceData {
-  /** More of the edge cuts than it should. */
+  /** The depth of cut uses too much of the cutting edge. */
   readonly depthOverEdge: { readonly depth: number; readonly edge: number; readonly most: number };
   readonly feedOverNose: { readonly feed: number; readonly nose: number; readonly most: number };
   /** µm */
   readonly rough: { readonly rz: number; readonly feed: number; readonly nose: number; readonly wanted: number };
   /** kW */
   readonly power: { readonly power: number; readonly most: number; readonly speed: number };
-  /** Below this diameter the speed limit ends the constant cutting speed; what is left of it at the smallest one. */
+  /**
+   * Below this diameter the speed limit ends the constant cutting speed; `left`: cutting speed at the smallest
+   * diameter.
+   */
   readonly speedLimited: {
     readonly limit: number;
     readonly heldTo: number;
@@ -50,7 +53,7 @@ interface AdviceData {
 }
 export type AdviceCode = keyof AdviceData;
 
-/** One piece of advice. `at` is the Q that it stands at, or the spindle; `better` the value that would do. */
+/** One piece of advice. `at`: its Q parameter, or the spindle; `better`: a recommended value. */
 export type Advice = {
   [C in AdviceCode]: {
     readonly code: C;
@@ -60,13 +63,13 @@ export type Advice = {
   };
 }[AdviceCode];
 
-/** The place of advice on the spindle. */
+/** Value of `at` for advice on the spindle. */
 export const SPINDLE = "spindle";
 /** Theoretical roughness that is usual for a finished surface, µm. */
 const USUAL_RZ = 6.3;
-/** So far from the starting value a cutting speed is worth a word, as a factor. */
+/** Deviation factor from the recommended cutting speed that gives advice. */
 const FAR = 1.6;
-/** The angle that an edge has to its path where the tool does not say it. */
+/** Default angle between edge and path, degrees, where the tool table has none. */
 const LEAD = 90;
 
 const qOf = ({ params }: Advised["cycle"], topic: Topic): string | null =>
@@ -154,6 +157,6 @@ function ofSpindle({ spindle, smallest, material }: Advised): readonly Advice[] 
   ];
 }
 
-/** What is risky about the values of a cycle, by rules of the trade: never more than a remark. */
+/** Advice on risky values of a cycle, by rules of thumb: never more than a remark. */
 export const advise = (asked: Advised): readonly Advice[] =>
   [ofEdge, ofFeed, ofSurface, ofPower, ofSpindle].flatMap((rule) => rule(asked));

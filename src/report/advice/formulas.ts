@@ -1,12 +1,9 @@
 /*
- * Rules of the trade as plain formulas (decision 0032 names their sources). What comes of them are estimates: they know
- * neither the coating of an insert nor the machine. Lengths mm, feeds mm a turn, speeds m/min, forces N, power kW.
+ * Rules of thumb as plain formulas (sources: decision 0032). The results are estimates, without insert coating and
+ * machine. Lengths mm, feeds mm/rev, speeds m/min, forces N, power kW.
  */
 
-/**
- * Coefficients of a material after Kienzle: force for 1 mm² of a chip 1 mm thick, N/mm², and how it grows for thin
- * ones.
- */
+/** Kienzle coefficients of a material: force for 1 mm² of a chip 1 mm thick, N/mm², and its increase for thin chips. */
 export interface Kienzle {
   readonly kc11: number;
   readonly mc: number;
@@ -37,13 +34,13 @@ export const cuttingForce = (of: Kienzle, depth: number, feed: number, lead = ri
 export const cuttingPower = (of: Kienzle, depth: number, feed: number, speed: number, lead = right): number =>
   (cuttingForce(of, depth, feed, lead) * speed) / PER_MINUTE;
 
-/** The depth at which the power is what there is. */
+/** The depth of cut that uses the available power. */
 export const depthForPower = (of: Kienzle, power: number, feed: number, speed: number, lead = right): number =>
   power / cuttingPower(of, 1, feed, speed, lead);
 
-/** The feed that leaves a theoretical roughness, µm, with a nose: Rz = f² / 8r. */
+/** The feed for a theoretical roughness, µm, with a nose radius: Rz = f² / 8r. */
 export const feedForRz = (rz: number, nose: number): number => Math.sqrt((8 * nose * rz) / MM);
 
-/** The part of its nose radius that a roughing feed may have, and the part of its edge that may cut. */
+/** Greatest roughing feed as a share of the nose radius, and greatest engaged share of the edge. */
 export const FEED_OF_NOSE = 0.8;
 export const EDGE_USED = 2 / 3;

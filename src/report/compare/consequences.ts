@@ -5,7 +5,7 @@ import { fileKey } from "../../program/state/program-files.ts";
 import type { Run } from "../../program/state/run-types.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 
-/** What a stretch of a program does: passes, the deepest infeed in mm, seconds, and mm² that stay. */
+/** The effects of a stretch of a program: passes, deepest infeed in mm, seconds, residual material in mm². */
 export interface Effects {
   readonly passes: number;
   readonly infeed: number;
@@ -13,21 +13,21 @@ export interface Effects {
   readonly residue: number;
 }
 
-/** What an operation did before and does now; null where it was not, or is not, run. */
+/** The effects of an operation before and after a change; null where it does not run. */
 export interface Consequence {
   readonly before: Effects | null;
   readonly after: Effects | null;
 }
 
-/** A program with what came of it. */
+/** A program run with its simulation. */
 export interface Ran {
   readonly run: Run;
   readonly simulation: Pick<Simulation, "proof">;
 }
 
 /**
- * The effects of each operation that a text defines, by its place in it; -1: of what belongs to none. `file` is that of
- * a called program, null for the one that runs.
+ * The effects of each operation defined in a text, by its index; -1: moves outside operations. `file`: a called
+ * program, null for the main one.
  */
 export function effectsByUnit(
   { run, simulation }: Ran,
@@ -61,7 +61,7 @@ export function effectsByUnit(
   return effects;
 }
 
-/** What the whole program does. */
+/** The effects of the whole program. */
 export const effectsOf = ({ run, simulation }: Ran): Effects => ({
   passes: run.operations.reduce((sum, { plan }) => sum + plan.passes, 0),
   infeed: run.operations.reduce((most, { plan }) => Math.max(most, plan.infeed), 0),
@@ -69,17 +69,16 @@ export const effectsOf = ({ run, simulation }: Ran): Effects => ({
   residue: simulation.proof.residual.reduce((sum, { area }) => sum + area, 0),
 });
 
-/** The consequences for one compared operation. */
 export const consequenceOf = (
   { a, b }: ComparedOperation,
   before: ReadonlyMap<number, Effects>,
   after: ReadonlyMap<number, Effects>,
 ): Consequence => ({ before: before.get(a?.place ?? -1) ?? null, after: after.get(b?.place ?? -1) ?? null });
 
-/** Less than this shows on no display: mm, s, mm². */
+/** Smaller differences are not displayed: mm, s, mm². */
 const SHOWN = { infeed: 0.0005, seconds: 0.05, residue: 0.005 } as const;
 
-/** The effects that differ so that it shows, in the order in which they are told. */
+/** The effects with a displayed difference, in display order. */
 export function changedEffects({ before, after }: Consequence): readonly (keyof Effects)[] {
   if (!before || !after) return before || after ? ["infeed", "passes", "seconds", "residue"] : [];
   const differs = (name: keyof Effects) =>

@@ -17,13 +17,10 @@ import type { Simulation } from "../../sim/simulation.ts";
 import { demonstrate, type Demonstrated } from "./demonstrate.ts";
 import { makesPath, type RanProgram } from "./shown-effect.ts";
 
-/**
- * Runs of a cycle that its prompts share, by the values that stand in it: most are shown with the example itself among
- * them.
- */
+/** Runs of a cycle by their values, shared by its prompts: most demonstrations include the example itself. */
 const made = new Map<string, RanProgram>();
 
-/** A run whose stock is cut only where somebody looks at it: of most values plan and time say enough. */
+/** A run that simulates its stock lazily: for most values plan and time are enough. */
 function ran(cycle: Cycle, values: Readonly<Record<string, number | "auto">>): RanProgram {
   const job = exampleJob(cycle);
   const typed = Object.fromEntries(
@@ -59,15 +56,14 @@ function shown(cycle: Cycle, q: string): Promise<Demonstrated<RanProgram> | null
 }
 
 /**
- * What cannot be seen in any situation of its cycle: how many of its values look like another one, and the reason its
- * page gives.
+ * Parameters without a visible effect in any situation: how many values look alike, and the reason given on their page.
  */
 const ALIKE: Readonly<Record<string, Topic>> = {
   "815 Q486": "cuttingLines",
   "840 Q499": "reverse",
   "850 Q499": "reverse",
 };
-/** Choices that the tool or the start point of the example does not allow: their cards say what is wrong. */
+/** Choices that tool or start point of the example do not allow: their cards show the error. */
 const REFUSED: readonly string[] = [
   "810 Q499",
   "815 Q499",
@@ -105,7 +101,7 @@ describe.each(cuttingCycles.map((cycle) => [cycle.number, cycle] as const))(
 
 test("a limit lies through the contour, from the side of the start point, and the other one out of its way", async () => {
   const found = await shown(cuttingCycles.find(({ number }) => number === 820) as Cycle, "Q480");
-  // The printed contour lies between X20 and X75, its lowest point at Z-24.1; the tool stands at X75 Z2.
+  // The printed contour runs between X20 and X75, its lowest point at Z-24.1; the tool is at X75 Z2.
   expect(found?.needed).toMatchObject({ Q479: 1, Q482: expect.closeTo(-26.1, 1) as number });
   const passes =
     found?.ran.map(({ outcome }) => outcome.run.steps.filter(({ move }) => move.pass !== undefined).length) ?? [];

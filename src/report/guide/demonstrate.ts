@@ -5,24 +5,24 @@ import { situationsOf, type ShownWith } from "./situations.ts";
 import { finestOf, type Candidates } from "./three-values.ts";
 import { waysApart } from "./ways-apart.ts";
 
-/** One of the values that a parameter is shown with, and what came of it. */
+/** One demonstrated value of a parameter, with its run. */
 export interface ValueRun<R> {
   readonly value: number | "auto";
-  /** It is the one that the others are compared with. */
+  /** True for the value that the others are compared with. */
   readonly isUsual: boolean;
   readonly outcome: R;
 }
 
-/** A parameter at its values, and whether each of them can be told from the others. */
+/** A parameter with its demonstrated values, and how many of them look alike. */
 export interface Demonstrated<R> {
   readonly usual: number | "auto";
   readonly needed: Readonly<Record<string, number>>;
   readonly ran: readonly ValueRun<R>[];
-  /** Values that look like another one. */
+  /** Number of values that look like another one. */
   readonly unseen: number;
 }
 
-/** What a parameter is shown with: values of its cycle, all of them, and what the cycle is given beside them. */
+/** The parameter to demonstrate, with all values of its cycle and the cycle's context. */
 export interface ShownPrompt {
   readonly cycle: Cycle;
   readonly q: string;
@@ -30,7 +30,7 @@ export interface ShownPrompt {
   readonly given: Given;
 }
 
-/** Whether somebody who looks at two runs side by side sees a difference: in numbers, in the path, or in the part. */
+/** Whether two runs differ visibly: in numbers, in the path, or in the part. */
 function looksDifferent(a: RanProgram, b: RanProgram): boolean {
   const passes = ({ run }: RanProgram) => run.operations.reduce((sum, { plan }) => sum + plan.passes, 0);
   if (passes(a) !== passes(b) || Math.abs(a.run.seconds - b.run.seconds) >= LEAST_SEEN.seconds) return true;
@@ -41,16 +41,16 @@ function looksDifferent(a: RanProgram, b: RanProgram): boolean {
   );
 }
 
-/** What is wrong with a value that makes no path. */
+/** The issues of a run as text, to compare values without a path. */
 const said = ({ run }: RanProgram) => JSON.stringify(run.issues.map(({ issue }) => issue));
 
-/** Values that make no path are told apart by what is said of them. */
+/** Values without a path differ by their issues. */
 const differs = (a: RanProgram, b: RanProgram): boolean => {
   const [one, other] = [makesPath(a), makesPath(b)];
   return one && other ? looksDifferent(a, b) : one !== other || said(a) !== said(b);
 };
 
-/** Values halfway to others, where one of the three makes no path or looks like another. */
+/** Intermediate values, for when one of the three makes no path or looks like another. */
 function between(usual: number | "auto", decimals: number, ran: readonly ValueRun<unknown>[]): readonly number[] {
   if (usual === "auto") return [];
   const others = ran.flatMap(({ value }) => (value === "auto" || value === usual ? [] : [value]));
@@ -58,7 +58,7 @@ function between(usual: number | "auto", decimals: number, ran: readonly ValueRu
     others.map((value) => rounded(Number((usual + share * (value - usual)).toFixed(decimals)))),
   );
 }
-/** Of the way from the usual value to another one. */
+/** Shares of the distance from the usual value to another one. */
 const SHARES = [0.5, 1.5, 0.25, 0.1];
 
 /** A small, a usual and a large value. */
@@ -119,8 +119,9 @@ async function shownIn<R extends RanProgram>(
 }
 
 /**
- * Runs a cycle with the values that show a parameter, in the first situation in which each of them can be told from the
- * others; else in the one in which most can. Null where none makes a path. `run` runs it with some values changed.
+ * Runs a cycle with values that demonstrate a parameter, in the first situation in which all of them differ visibly,
+ * else in the one with the most visible values. Null where none makes a path. `run`: runs the cycle with some values
+ * changed.
  */
 export async function demonstrate<R extends RanProgram>(
   asked: ShownPrompt,
@@ -135,6 +136,6 @@ export async function demonstrate<R extends RanProgram>(
   return best;
 }
 
-/** How many of the values are seen; one that makes no path says at least why. */
+/** How many values are visible; one without a path counts half, since it shows its error. */
 const worthOf = ({ ran, unseen }: Demonstrated<RanProgram>): number =>
   ran.reduce((sum, { outcome }) => sum + (makesPath(outcome) ? 1 : 0.5), -unseen);

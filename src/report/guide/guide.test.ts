@@ -39,7 +39,7 @@ test("a small, the usual and a large value of each kind", () => {
   expect(shown(861, "Q510", { Q510: 0.9 })).toEqual(["0.45", "[0.9]", "0.99"]);
 });
 
-test("values that say nothing alone get what they need, and oversizes are shown before finishing takes them", () => {
+test("values without an effect of their own get the values they need, and oversizes are shown before finishing", () => {
   expect(neededFor(cycle(812), "Q504", { Q503: 0, Q504: 0.3, Q215: 0 })).toEqual({ Q503: 1 });
   expect(neededFor(cycle(812), "Q504", { Q503: 2, Q504: 0.3, Q215: 0 })).toEqual({});
   expect(neededFor(cycle(820), "Q480", { Q479: 0, Q480: 31, Q215: 0 })).toEqual({ Q479: 1 });
@@ -56,9 +56,9 @@ test("what a deeper infeed changes, in the numbers of the runs", () => {
   expect(change.rz).toBeCloseTo(0, 6);
 });
 
-test("what a corner radius changes is seen from near, and the rule of the nose tells the roughness", () => {
+test("the effect of a corner radius is shown close up, and the nose radius gives the roughness", () => {
   const [usual, round] = [ran(812), ran(812, { Q500: "5.3" })];
-  // A fillet of r leaves (1 − π/4)·r² in a right corner; here the surface leans by 5 degrees.
+  // A fillet of r leaves (1 − π/4)·r² in a right corner; here the surface slopes by 5 degrees.
   expect(shownChange(round, usual).part).toBeGreaterThan(0.8 * (1 - Math.PI / 4) * (5.3 ** 2 - 1.5 ** 2));
   const near = shownBox([usual, round]),
     far = shownBox([usual, ran(812, { Q463: "1.3" })]);
@@ -66,7 +66,7 @@ test("what a corner radius changes is seen from near, and the rule of the nose t
   expect(shownEffect(ran(812, { Q505: "0.17" })).rz).toBeCloseTo((1000 * 0.17 ** 2) / (8 * 0.8), 2);
 });
 
-test("each numbered step has its piece, and the repeating one all further rounds", () => {
+test("each numbered step has its stretch, and the repeating step all further rounds", () => {
   const { steps } = ran(812).run;
   const pieces = stepPieces(cycle(812), steps, 0);
   expect(pieces.map(({ run: of, number, piece }) => `${of[0]}${number}${piece ? "" : "-"}`).join(" ")).toBe(
@@ -87,7 +87,7 @@ test("each numbered step has its piece, and the repeating one all further rounds
   ).toEqual([3, 4, 5, 6]);
 });
 
-test("a piece begins at its first move, ends behind its last one and never goes back", () => {
+test("a stretch begins at its first move, ends after its last one and never goes back", () => {
   const { steps } = ran(820).run;
   for (const { piece } of stepPieces(cycle(820), steps, 0)) {
     if (!piece) continue;

@@ -3,21 +3,21 @@ import { pathOf, travelOf } from "../../kernel/time/time.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import type { StepPiece } from "./step-pieces.ts";
 
-/** How fast a piece is shown, mm a second: it tells the order of things and not their time. */
+/** Playback speed, mm/s: it shows the order of moves, not their real time. */
 const SHOWN = { rapid: 150, feed: 30 };
-/** A piece lasts no shorter and no longer, s. */
+/** Least and greatest duration of a stretch, s. */
 const SHORTEST = 1.2;
 const LONGEST = 9;
 
-/** A piece of a run in the time in which it is shown. */
+/** Playback time of a stretch of a run. */
 export interface PieceTime {
   /** s */
   readonly lasts: number;
-  /** Where the run stands after so many seconds of the piece. */
+  /** The position in the run after some seconds of playback. */
   readonly at: (seconds: number) => PlayPosition;
 }
 
-/** Time for a piece of a run, long pieces faster than short ones. */
+/** Playback time of a stretch of a run; long ones play faster. */
 export function pieceTime(
   steps: readonly Pick<Step, "from" | "move">[],
   { from, to }: NonNullable<StepPiece["piece"]>,

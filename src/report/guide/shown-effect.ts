@@ -9,40 +9,40 @@ import { roughnessOf } from "../../sim/load/roughness.ts";
 import type { Simulation } from "../../sim/simulation.ts";
 import { ownWays, waysApart } from "./ways-apart.ts";
 
-/** A program that was run and proved. */
+/** A program that was run and simulated. */
 export interface RanProgram {
   readonly run: Run;
   readonly simulation: Simulation;
 }
 
-/** What one value makes of a cycle, in numbers. */
+/** The effect of one value on a cycle, in numbers. */
 export interface ShownEffect {
   readonly passes: number;
   /** The infeed as divided, mm. */
   readonly infeed: number;
   readonly seconds: number;
-  /** What stays beyond the contour, mm². */
+  /** Residual material, mm². */
   readonly residual: number;
-  /** The greatest theoretical roughness that a nose leaves, µm; null where none is known. */
+  /** The greatest theoretical roughness from the nose radius, µm; null where unknown. */
   readonly rz: number | null;
   /** Errors and warnings, the gravest first. */
   readonly issues: readonly RunFinding["issue"][];
 }
 
-/** What one value changes against another: numbers of the first less those of the second. */
+/** Differences between two values: the first less the second. */
 export interface ShownChange {
   readonly passes: number;
   readonly seconds: number;
   readonly residual: number;
   /** Null where one of the two is not known. */
   readonly rz: number | null;
-  /** What is part here and not there, and the other way round, mm². */
+  /** Area in which the two parts differ, mm². */
   readonly part: number;
-  /** How far the tool leaves in one the ways that it has in the other, mm. */
+  /** Greatest distance between the two tool paths, mm. */
   readonly way: number;
 }
 
-/** Smaller differences of two runs are not seen: seconds, mm², µm, mm. */
+/** Smaller differences between two runs are not visible: seconds, mm², µm, mm. */
 export const LEAST_SEEN = { seconds: 0.05, area: 0.01, rz: 0.05, way: 0.1 } as const;
 
 const WEIGHT = { error: 0, warning: 1, info: 2 } as const;
@@ -70,14 +70,13 @@ export function shownEffect({ run, simulation }: RanProgram): ShownEffect {
   };
 }
 
-/** Where two parts differ, slivers of rounding left out. */
+/** The areas in which two parts differ, without rounding slivers. */
 export const differing = (a: RanProgram, b: RanProgram): readonly Ring[] =>
   opened(
     [...difference(a.simulation.final, b.simulation.final), ...difference(b.simulation.final, a.simulation.final)],
     SLIVER,
   );
 
-/** What one run changes against another. */
 export function shownChange(a: RanProgram, b: RanProgram): ShownChange {
   const [one, other] = [shownEffect(a), shownEffect(b)];
   return {
@@ -90,14 +89,14 @@ export function shownChange(a: RanProgram, b: RanProgram): ShownChange {
   };
 }
 
-/** A difference of the part shows in a picture of no less than so many mm. */
+/** Least size of a picture that shows a difference of the part, mm. */
 const LEAST = 8;
-/** Space round what is looked at, of its size. */
+/** Margin of the picture, as a share of its content. */
 const ROUND_IT = 0.14;
 
 /**
- * The box of the part that all pictures of a parameter show: where the parts differ, or else the ways of the tool, or
- * else where it cuts. mm, half plane.
+ * The box shown by all pictures of a parameter: where the parts differ, else where the tool paths differ, else where
+ * the tool cuts. mm, half plane.
  */
 export function shownBox(all: readonly RanProgram[]): Box {
   const [first] = all;

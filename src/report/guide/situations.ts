@@ -5,36 +5,36 @@ import { boxOf } from "../../kernel/area/box.ts";
 import { rounded, toDiameter } from "../../kernel/units.ts";
 import { neededFor, threeValues, type Candidates } from "./three-values.ts";
 
-/** A parameter with the other values that it is shown with. */
+/** A situation in which a parameter is demonstrated: other values changed, and the values to show. */
 export interface ShownWith {
-  /** Other values that are changed so that something is seen, by Q. */
+  /** Other values changed to make the effect visible, by Q. */
   readonly needed: Readonly<Record<string, number>>;
-  /** Null: the value that stands there already is the usual one. */
+  /** Null: the present value is the usual one. */
   readonly usual: number | null;
   readonly values: readonly Candidates[];
 }
 
 type Known = Readonly<Record<string, number | "auto">>;
 
-/** Where a limit is put, as shares of the contour seen from the side that is not machined. */
+/** Positions of a limit, as shares of the contour from the unmachined side. */
 const LIMITS_AT = [0.2, 0.45, 0.75] as const;
-/** A limit that is to be in nobody's way lies this far behind the contour, mm. */
+/** Distance of an ineffective limit behind the contour, mm. */
 const OUT_OF_THE_WAY = 2;
-/** Angles that a value which is asked for elsewhere is given, degrees. */
+/** Angles tried for a value that only some choices use, degrees. */
 const ANGLES = [5, 12, 1.5] as const;
-/** Parts of the infeed, or of the overlap, with which a value may act where it does not at the usual one. */
+/** Shares of the infeed or overlap with which a value may have an effect that it lacks at the usual one. */
 const OTHERWISE: Partial<Record<Topic, { readonly of: Topic; readonly times: readonly number[] }>> = {
   direction: { of: "infeed", times: [1.6, 2.5] },
   comb: { of: "overlap", times: [0.75, 0.6, 0.5] },
   cuttingLines: { of: "infeed", times: [0.5, 0.3] },
 };
-/** How fine a proposed place is, mm. */
+/** Rounds a proposed position to 0.1 mm. */
 const tenth = (value: number) => rounded(Number(value.toFixed(1)));
 
 const withTopic = ({ params }: Pick<Cycle, "params">, topic: Topic) =>
   Object.entries<Param>(params).find(([, param]) => param.shown === topic)?.[0];
 
-/** Limits across the contour of a cycle, from the side on which the tool stands at the call; null where it has none. */
+/** Limits across the contour of a cycle, from the side of the tool at the call; null without a contour. */
 function limitsOver(cycle: Cycle, values: Known, given: Given) {
   const [switched, across, along] = [
     withTopic(cycle, "limits"),
@@ -49,13 +49,13 @@ function limitsOver(cycle: Cycle, values: Known, given: Given) {
     away: tenth(write(isBeyond ? low - OUT_OF_THE_WAY : high + OUT_OF_THE_WAY)),
     span: high - low,
   });
-  // A place between the two ends of the contour counts as the side that most of the contour lies on.
+  // A start between the two ends of the contour counts as on the side of most of the contour.
   const x = of(box.low, box.high, given.start.r >= (box.low + box.high) / 2, (r) => toDiameter(r as never));
   const z = of(box.left, box.right, given.start.z >= (box.left + box.right) / 2, (place) => place);
   return { switched, across: { q: across, ...x }, along: { q: along, ...z } };
 }
 
-/** How the limits of a cycle are shown: one through its contour, the other one out of the way. */
+/** Situations for the limits of a cycle: one through its contour, the other one ineffective. */
 function limitSituations(cycle: Cycle, q: string, values: Known, given: Given): readonly ShownWith[] {
   const limits = limitsOver(cycle, values, given);
   if (!limits) return [];
@@ -78,7 +78,7 @@ function limitSituations(cycle: Cycle, q: string, values: Known, given: Given): 
   ];
 }
 
-/** What is asked for only where a choice wants it, and is empty here, is given something to say. */
+/** Values for parameters that only some choices use and that are empty here. */
 function dependents(cycle: Cycle, q: string, values: Known): readonly Readonly<Record<string, number>>[] {
   const idle = Object.entries<Param>(cycle.params).filter(
     ([other, param]) => param.counts?.q === q && param.kind === "angle" && values[other] === neutralOf(param),
@@ -86,7 +86,7 @@ function dependents(cycle: Cycle, q: string, values: Known): readonly Readonly<R
   return idle.length === 0 ? [] : ANGLES.map((angle) => Object.fromEntries(idle.map(([other]) => [other, angle])));
 }
 
-/** The other values that make a parameter count, each way that its choice allows. */
+/** Other values that give a parameter an effect, one set per choice. */
 function waysToCount(cycle: Cycle, q: string, values: Known): readonly Readonly<Record<string, number>>[] {
   const first = neededFor(cycle, q, values);
   const counts = cycle.params[q]?.counts;
@@ -97,8 +97,8 @@ function waysToCount(cycle: Cycle, q: string, values: Known): readonly Readonly<
 }
 
 /**
- * With which other values a parameter is shown, the best first: as they are, then so that it counts, then where it acts
- * more than there. `values` are those of its cycle, all of them, `given` what it is given beside them.
+ * The situations in which to demonstrate a parameter, best first: unchanged, then with an effect, then with a larger
+ * effect. `values`: all values of its cycle; `given`: the cycle's context.
  */
 export function situationsOf(cycle: Cycle, q: string, values: Known, given: Given): readonly ShownWith[] {
   const param = cycle.params[q];

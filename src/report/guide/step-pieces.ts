@@ -2,26 +2,26 @@ import { repeatedIn } from "../../cycles/acts-in.ts";
 import type { Cycle } from "../../cycles/define.ts";
 import type { Step } from "../../kernel/time/step.ts";
 
-/** A numbered step of the manual and the piece of a run that shows it. */
+/** A numbered step of the manual with the stretch of a run that shows it. */
 export interface StepPiece {
   readonly run: "rough" | "finish";
   /** As the manual counts, from 1. */
   readonly number: number;
-  /** Indices into the steps of the run, the last one not included; null where this run has nothing of it. */
+  /** Step indices of the run, end exclusive; null where the run does not contain it. */
   readonly piece: { readonly from: number; readonly to: number } | null;
 }
 
 type Numbered = Pick<Step, "move" | "operation">;
 
-/** Index of the first step from `from` on that holds; the length where none does. */
+/** Index of the first matching step from `from` on; the length without one. */
 function next(steps: readonly Numbered[], from: number, holds: (step: Numbered) => boolean): number {
   const found = steps.findIndex((step, i) => i >= from && holds(step));
   return found < 0 ? steps.length : found;
 }
 
 /**
- * The first time that each numbered step of a cycle runs in one of its calls, and for the step that repeats the others
- * all that comes between the first round and the next step.
+ * The first occurrence of each numbered step in one call of a cycle. For the step that repeats the others, everything
+ * between the first round and the next step.
  */
 export function stepPieces(
   cycle: Pick<Cycle, "group" | "steps">,

@@ -3,14 +3,14 @@ import type { Cycle } from "../../cycles/define.ts";
 import type { Kind, Param } from "../../cycles/params.ts";
 import { rounded } from "../../kernel/units.ts";
 
-/** One of the values that a parameter is shown with: candidates, the first that makes a path is taken. */
+/** One demonstrated value of a parameter: candidates, of which the first with a path is used. */
 export interface Candidates {
   readonly tried: readonly (number | "auto")[];
-  /** It is the value that the others are compared with. */
+  /** True for the value that the others are compared with. */
   readonly isUsual: boolean;
 }
 
-/** Parts of the usual value, the farthest first. */
+/** Shares of the usual value, the farthest first. */
 type Shares = readonly number[];
 const LESS: Shares = [0.25, 0.4, 0.6, 0.8];
 const MORE: Shares = [4, 2.5, 1.6, 1.2];
@@ -37,7 +37,7 @@ const SHARES: Partial<Record<Kind, readonly [less: Shares, more: Shares]>> = {
   count: [[0.5], [2]],
   revolutions: [[0], [3]],
 };
-/** What a value that is 0 is compared with, in the unit of its kind. */
+/** Values compared with a value of 0, in the unit of its kind. */
 const FROM_ZERO: Partial<Record<Kind, readonly [number, number]>> = {
   feed: [0.1, 0.2],
   radial: [0.5, 1.5],
@@ -48,24 +48,24 @@ const FROM_ZERO: Partial<Record<Kind, readonly [number, number]>> = {
   revolutions: [1, 3],
   count: [1, 3],
 };
-/** How far a place on the part is moved, of the way to the other end of the contour. */
+/** Shift of a position on the part, as a share of the distance to the other end of the contour. */
 const MOVED: Shares = [0.4, 0.25, 0.12, 0.06];
-/** A place that has no other end: this part of it, and no less than so many mm. */
+/** Span of a position without another end: this share of it, and at least so many mm. */
 const ALONE = 0.3;
 const LEAST_SPAN = 10;
-/** What an insert is tilted by while it turns is small, mm: less than its place on the part would be moved. */
+/** Variation of the tilt of an insert in the cut, mm: smaller than the shift of a position on the part. */
 const TILTED = 0.2;
-/** Decimals of the values that are tried. */
+/** Decimals of candidate values. */
 const FINE = { place: 1, value: 3 } as const;
 
-/** Decimals that a value of a parameter is tried with: a count that is not whole is refused. */
+/** Decimals of candidate values of a parameter: counts are whole. */
 export const finestOf = ({ kind, decimals }: Pick<Param, "kind" | "decimals">): number =>
   kind === "count" ? 0 : Math.min(decimals, FINE.value);
 
 const to = (value: number, decimals: number) => rounded(Number(value.toFixed(decimals)));
 const inRange = ({ range: [min, max] }: Param, values: readonly number[]) => values.filter((v) => v >= min && v <= max);
 
-/** The longest way from a place to another one of its kind. */
+/** The greatest distance from a position to another one of its kind. */
 function spanOf(cycle: Pick<Cycle, "params">, q: string, values: SomeValues, usual: number): number {
   const kind = cycle.params[q]?.kind;
   const others = Object.entries<Param>(cycle.params).flatMap(([other, param]) => {
@@ -79,8 +79,8 @@ function spanOf(cycle: Pick<Cycle, "params">, q: string, values: SomeValues, usu
 }
 
 /**
- * The values that show what a parameter does: a small one, the usual one and a large one, or all meanings of a choice.
- * `values` are those that its cycle has, among them the usual one; "auto" is compared with feeds.
+ * The values that demonstrate a parameter: a small, the usual and a large one, or all options of a choice. `values`:
+ * all values of its cycle, with the usual one; "auto" is compared with feeds.
  */
 export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: SomeValues): readonly Candidates[] {
   const param = cycle.params[q];
@@ -122,11 +122,11 @@ export function threeValues(cycle: Pick<Cycle, "params">, q: string, values: Som
   return [...one(times(less)), ...one([usual], true), ...one(times(more))];
 }
 
-/** Roughing alone shows what it leaves: finishing would take it. */
+/** Parameters shown with roughing alone, since finishing would remove their effect. */
 const LEFT_BY_ROUGHING: ReadonlySet<Param["shown"]> = new Set(["oversizeDiameter", "oversizeZ", "smoothing"]);
 const ROUGHING = 1;
 
-/** Other values of the cycle that a parameter needs so that its effect is seen, by Q: none where it is seen already. */
+/** Other values of the cycle that make a parameter's effect visible, by Q; empty where it already is. */
 export function neededFor(
   cycle: Pick<Cycle, "params">,
   q: string,

@@ -2,21 +2,19 @@ import { part, type Pt, type Segment } from "../../kernel/geometry/point.ts";
 import { pathOf } from "../../kernel/time/time.ts";
 import type { Run } from "../../program/state/run-types.ts";
 
-/** Ways nearer than this lie on each other in a picture, mm. */
+/** Paths nearer than this coincide in a picture, mm. */
 const ON_EACH_OTHER = 0.05;
-/**
- * Places that are looked at on a way, and on all ways of a run together: an own program may have thousands of moves.
- */
+/** Sample points on a path, and on all paths of a run: an own program may have thousands of moves. */
 const PLACES = [0, 0.2, 0.4, 0.6, 0.8, 1];
 const MOST_PLACES = 240;
 
-/** The ways of the tool in the cycles of a run. */
+/** The tool paths in the cycles of a run. */
 const waysOf = (run: Run): readonly Segment[] =>
   run.steps.flatMap(({ from, move, operation }) => (operation === null ? [] : [pathOf(from, move)]));
 
 const keyOf = (way: Segment) => JSON.stringify(way);
 
-/** Ways of the first that no way of the second lies on, each with the greatest distance found, mm. */
+/** Paths of the first run that coincide with none of the second, each with the greatest distance found, mm. */
 function missing(
   ways: readonly Segment[],
   others: readonly Segment[],
@@ -40,10 +38,7 @@ function missing(
     });
 }
 
-/**
- * How far the tool leaves in one run the ways that it has in the other, mm; 0 where both go the same ways, in whatever
- * order.
- */
+/** The greatest distance between the tool paths of two runs, mm; 0 where both have the same paths, in any order. */
 export function waysApart(a: Run, b: Run): number {
   const [one, other] = [waysOf(a), waysOf(b)];
   if (one.length === 0 || other.length === 0) return 0;
@@ -54,7 +49,7 @@ export function waysApart(a: Run, b: Run): number {
   );
 }
 
-/** The ends of the ways that one run has and the other has not. */
+/** The ends of the paths of one run that the other does not have. */
 export function ownWays(a: Run, b: Run): readonly Pt[] {
   const others = waysOf(b);
   return others.length === 0 ? [] : missing(waysOf(a), others).flatMap(({ way }) => [way.from, way.to]);

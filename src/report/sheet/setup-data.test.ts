@@ -92,7 +92,7 @@ test("awkward numbers: start, speed, feeds, preset", () => {
   expect(data.files).toEqual(["SECOND.H"]);
 });
 
-test("a tool that is called again stands once, with what it switches on; one that the table lacks is named", () => {
+test("a tool called twice is listed once, with its M functions; one missing from the table is named", () => {
   const data = dataOf(PART);
   expect(data.tools.map(({ called, tool, mill }) => [called, tool?.T ?? null, mill])).toEqual([
     ["1", 1, null],
@@ -102,7 +102,7 @@ test("a tool that is called again stands once, with what it switches on; one tha
   expect(data.toolChanges).toBe(3);
 });
 
-test("nothing calculated yet: what the text says is there, what only a run knows is not", () => {
+test("before the first run the data from the text is there, data from the run is not", () => {
   const data = setupData({ program: parse(PART), run: null, tools: shippedTools, mills });
   expect(data.name).toBe("AWKWARD");
   expect(data.operations[0]).toMatchObject({ title: "SHOULDER", start: null, spindle: null, passes: 0, seconds: 0 });
@@ -140,7 +140,7 @@ test("a milled program has its mill and its feeds", () => {
   ]);
 });
 
-test("cycles that nobody here knows are named", () => {
+test("unknown cycles are named", () => {
   expect(dataOf(PART.replace("811 SHOULDER, LONGITDNL.", "1999 OWN")).unknownCycles).toEqual([1999]);
 });
 

@@ -29,7 +29,7 @@ export interface SheetOperation {
   readonly block: number | null;
   /** Index in `SetupData.tools`; null without a tool. */
   readonly tool: number | null;
-  /** Where its first cycle is called; null where nothing was run. */
+  /** Tool position at its first cycle call; null before a run. */
   readonly start: Pt | null;
   readonly spindle: Spindle | null;
   readonly feeds: readonly SheetFeed[];
@@ -43,40 +43,40 @@ export interface SheetOperation {
 export interface SheetTool {
   /** Its number or name as the program calls it. */
   readonly called: string;
-  /** The row of the table of turning tools, or what a drill is there. */
+  /** The row of the turning tool table, or the drill. */
   readonly tool: Tool | null;
-  /** The row of the table of milling tools. */
+  /** The row of the milling tool table. */
   readonly mill: Mill | null;
-  /** What TOOL DEF states of it, in the unit of the program; null where it stands in no TOOL DEF. */
+  /** Its TOOL DEF data, in the unit of the program; null without TOOL DEF. */
   readonly defined: { readonly length: number | null; readonly radius: number | null } | null;
-  /** M functions that switch the spindle on while it is in use, and those of the coolant. */
+  /** M functions for spindle and coolant while the tool is in use. */
   readonly spindle: readonly number[];
   readonly coolant: readonly number[];
 }
 
-/** What a setter has to know of a program, as data. */
+/** The data that a setter needs for a program. */
 export interface SetupData {
   readonly name: string;
   readonly unit: LengthUnit;
   readonly blocks: number;
   readonly operations: readonly SheetOperation[];
   readonly tools: readonly SheetTool[];
-  /** Sizes of a box that is the blank of milling, along X, Y and Z, mm; null without one. */
+  /** Size of a box-shaped milling blank along X, Y and Z, mm; null without one. */
   readonly box: readonly [x: number, y: number, z: number] | null;
   /** Calls of another tool, the first one included. */
   readonly toolChanges: number;
   readonly seconds: number;
-  /** The presets that it activates, by their numbers as written. */
+  /** Activated presets, as written. */
   readonly presets: readonly string[];
-  /** Where it counts from, away from the workpiece zero, each once. */
+  /** Datum shifts from the workpiece zero, each once. */
   readonly shifts: readonly Pt[];
-  /** Files that it names: programs, contours, blanks. */
+  /** Referenced files: programs, contours, blanks. */
   readonly files: readonly string[];
-  /** Cycles that nobody here knows: kept, and not simulated. */
+  /** Unknown cycles, not simulated. */
   readonly unknownCycles: readonly number[];
 }
 
-/** What it is made of. `run` is null while nothing was calculated. */
+/** Inputs of the setup data; `run` is null before the first calculation. */
 export interface SetupInput {
   readonly program: Program;
   readonly run: Run | null;
@@ -88,7 +88,7 @@ const PRESET = 247;
 const PRESET_NUMBER = "Q339";
 const [SPINDLE, COOLANT] = KEPT_ON.map(({ on }) => on);
 
-/** Nearer datums are one, mm. */
+/** Datums nearer than this are equal, mm. */
 const ONE = 0.0005;
 
 /** Feeds of the cuts of steps, each once, in the order in which they are first used. */
@@ -159,7 +159,7 @@ interface Placed {
   readonly operation: SheetOperation;
 }
 
-/** What a setter has to know of a program, from its text and what came of running it. */
+/** The setup data of a program, from its text and its run. */
 export function setupData({ program, run, tools, mills }: SetupInput): SetupData {
   const all = operationsOf(program);
   const numbers = blockNumbers(program),
@@ -272,7 +272,7 @@ export function setupData({ program, run, tools, mills }: SetupInput): SetupData
   };
 }
 
-/** Cycles that are no machining: datums, coordinates, stops, contours. */
+/** Cycles without machining: datums, coordinates, stops, contours. */
 const isPlain = (cycle: number): boolean => cycle < 200 || cycle === PRESET;
 
 /** The block that a program begins with. */

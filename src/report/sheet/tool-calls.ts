@@ -9,9 +9,9 @@ import type { Run } from "../../program/state/run-types.ts";
 export interface SheetCall {
   readonly index: number;
   readonly called: string;
-  /** It turns: its number is one of the table of turning tools. */
+  /** True for a turning tool: its number is in the turning tool table. */
   readonly turns: boolean;
-  /** The tool that ran behind it, where the program ran. */
+  /** The tool used after the call; null before a run. */
   readonly ran: Tool | null;
 }
 
@@ -25,16 +25,15 @@ export const isNamed =
   ({ T, NAME }: { readonly T: number; readonly NAME: string }): boolean =>
     String(T) === called || NAME === called;
 
-/** A parameter says only while it runs which tool it calls. */
+/** Whether the tool comes from a parameter, known only while the program runs. */
 export const isParameter = (called: string): boolean => /^Q[LRS]?\d+$/.test(called);
 
-/** The speed that a tool call states, where nothing else says one. */
+/** The spindle speed stated in a tool call. */
 export const speedOf = (s: Statement | undefined): Spindle | null =>
   s?.kind === "toolCall" && typeof s.speed === "number" && s.speed > 0 ? { kind: "constant", speed: s.speed } : null;
 
 /**
- * The tool calls of a program in their order, each with what ran behind it; tools of called programs where they are
- * first used.
+ * The tool calls of a program in order, each with the tool used after it; tools of called programs where first used.
  */
 export function toolCallsOf({ blocks }: Program, run: Run | null, end: number): readonly SheetCall[] {
   const at = blocks.flatMap(({ statement }, index) => {
@@ -44,7 +43,7 @@ export function toolCallsOf({ blocks }: Program, run: Run | null, end: number): 
   const ranIn = (called: string, from: number, to: number): Tool | null => {
     const found = run?.stepBlocks.findIndex((block) => block >= from && block < to) ?? -1;
     const tool = found < 0 ? null : (run?.steps[found]?.tool ?? null);
-    // A tool that nobody has is stood in for by another one.
+    // An unknown tool is replaced by another one in the run.
     return tool && (isParameter(called) || isNamed(called)(tool)) ? tool : null;
   };
   const turnsAt = (index: number) => {
@@ -68,7 +67,7 @@ export function toolCallsOf({ blocks }: Program, run: Run | null, end: number): 
   return [...own, ...others].sort((a, b) => a.index - b.index);
 }
 
-/** What TOOL DEF states of a tool, where it is a number. */
+/** The TOOL DEF data of a tool, where given as numbers. */
 export function definedIn(
   { blocks }: Program,
   called: string,

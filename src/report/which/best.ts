@@ -1,6 +1,6 @@
 import type { Tried } from "./try-way.ts";
 
-/** Less than this is no difference, mm²: no operator sees it. */
+/** Smaller differences do not count, mm²: no operator sees them. */
 const NO_DIFFERENCE = 0.05;
 
 const apart = (a: Tried, b: Tried) => {
@@ -8,11 +8,11 @@ const apart = (a: Tried, b: Tried) => {
   return Math.abs(left) < NO_DIFFERENCE ? 0 : left;
 };
 
-/** Best first: what works, then what leaves least, then what takes least time. */
+/** Sorts best first: working options, then least residual material, then least time. */
 export const bestFirst = (tried: readonly Tried[]): readonly Tried[] =>
   tried.toSorted((a, b) => Number(b.works) - Number(a.works) || apart(a, b) || a.seconds - b.seconds);
 
-/** The best way and what speaks for it; null where none works. */
+/** The best option and its advantages; null where none works. */
 export function bestOf(
   tried: readonly Tried[],
 ): { readonly id: string; readonly because: "only" | "least" | "fast" } | null {

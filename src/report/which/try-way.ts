@@ -15,25 +15,25 @@ import { simulate } from "../../sim/simulate.ts";
 import { verdictOf, type Judged } from "../verdict.ts";
 import type { Proposal } from "./ways.ts";
 
-/** What comes of one way to make what is wanted. */
+/** The result of one option to make the wanted shape. */
 export interface Tried {
   readonly id: string;
   readonly passes: number;
   readonly seconds: number;
-  /** What stays of it, mm²: the same measure for every way. Null for a thread, whose form is no area. */
+  /** Residual material, mm²: the same measure for every option. Null for a thread, whose form is no area. */
   readonly stays: number | null;
-  /** Why, as its own cycle sees it, the largest first. */
+  /** Reasons for the residual material, the largest first. */
   readonly reasons: readonly { readonly reason: Reason; readonly area: number }[];
   readonly judged: Judged;
   /** Errors and warnings, the gravest first. */
   readonly issues: readonly RunFinding["issue"][];
-  /** Most of it stays: whatever is proved, that is no way to make it. */
+  /** Most of the shape is left: no valid option, whatever the verdict. */
   readonly leavesMost: boolean;
-  /** It cuts, and nothing is wrong with it. */
+  /** True when the option cuts without faults. */
   readonly works: boolean;
 }
 
-/** The part of what is wanted that may stay at most. */
+/** Greatest share of the wanted area that may be left. */
 const MOST_LEFT = 0.5;
 
 const WEIGHT: Readonly<Record<Issue["severity"], number>> = { error: 0, warning: 1, info: 2 };
@@ -45,8 +45,8 @@ function summed(residual: readonly { readonly reason: Reason; readonly area: num
 }
 
 /**
- * Runs the program of one way and looks at what it leaves; `stock` is what stands in the chuck, where that is no plain
- * blank.
+ * Runs the program of one option and measures its residual material; `stock`: the stock in the chuck, where it is no
+ * plain blank.
  */
 export function tryWay({ id, job }: Proposal, wanted: Wanted, stock: readonly Ring[] | null, shop: Shop): Tried {
   const made = run(parse(wantedText(job, wanted, ncLabels(job.ncLanguage))), shop);

@@ -12,31 +12,31 @@ import { readDraft } from "../../program/job/read-draft.ts";
 import { jobFor, tipAtCall, withValue } from "../../program/job/wanted-job.ts";
 import { isUsualTool, rankTools } from "../../program/tools/which-tool.ts";
 
-/** One way to make what is wanted: a cycle with its values, and a tool. */
+/** One option to make the wanted shape: a cycle with its values, and a tool. */
 export interface Proposal {
   readonly id: string;
   readonly job: SetJob;
   readonly tool: Tool;
-  /** The value in which it differs from another way with the same cycle. */
+  /** The value in which it differs from another option with the same cycle. */
   readonly choice: { readonly q: string; readonly value: number } | null;
 }
 
-/** Ways that are looked at side by side; more say less. */
+/** Most options to compare; more would be confusing. */
 const MOST = 8;
-/** Cycles among them. */
+/** Most cycles among them. */
 const MOST_CYCLES = 4;
 
-/** Choices of a cycle that change its way over the same contour. */
+/** Choices of a cycle that change its path over the same contour. */
 const COMPARED: ReadonlySet<Topic> = new Set<Topic>(["smoothing", "direction", "cuttingLines", "comb", "infeedType"]);
 
-/** In which order the kinds of cycles are looked at. */
+/** The order in which kinds of cycles are proposed. */
 const ORDER: Readonly<Record<Wanted["site"], readonly Group[]>> = {
   outside: ["longitudinal", "recessTurning", "recessing", "transverse", "thread"],
   inside: ["longitudinal", "recessTurning", "recessing", "transverse", "thread"],
   face: ["transverse", "recessTurning", "recessing", "longitudinal", "thread"],
 };
 
-/** Whether a cycle works from the side on which the shape is open. A step is open on two. */
+/** Whether a cycle works from an open side of the shape. A step has two. */
 function isOpenTo(cycle: Cycle, { site, shape }: Wanted): boolean {
   if (shape === "thread") return site !== "face" || cycle.params["Q461"] !== undefined;
   const recess = cycle.group === "recessTurning" || cycle.group === "recessing";
@@ -44,7 +44,7 @@ function isOpenTo(cycle: Cycle, { site, shape }: Wanted): boolean {
   return either || worksAcross(cycle) === (site === "face");
 }
 
-/** Cycles that make what is wanted, the simplest of each kind, the likeliest first. */
+/** Cycles that make the wanted shape, the simplest of each kind, the likeliest first. */
 export function cyclesFor(wanted: Wanted): readonly Cycle[] {
   const able = catalogue.filter(
     (c) => useOf(c).shapes.includes(wanted.shape) && isOpenTo(c, wanted) && canLean(c, wanted),
@@ -56,12 +56,12 @@ export function cyclesFor(wanted: Wanted): readonly Cycle[] {
   return simplest.toSorted((a, b) => follows(b) - follows(a) || place(a) - place(b)).slice(0, MOST_CYCLES);
 }
 
-/** What of an insert decides what it leaves. */
+/** The size of an insert that determines its residual material. */
 const sizeOf = (tool: Tool) => (isBar(tool) ? cuttingWidth(tool) : noseRadius(tool));
 
 /**
- * The tool that fits a work best, and the next one with an insert of another size. Where none makes it, the usual kind
- * says why.
+ * The tool that fits the job best, and the next one with an insert of another size. Where none fits, the usual kind
+ * shows the reason.
  */
 function toolsFor(cycle: Cycle, job: SetJob, tools: readonly Tool[]): readonly Tool[] {
   const { values } = readDraft(cycle, job.drafts[job.cycle] ?? {});
@@ -89,8 +89,8 @@ const choicesOf = (cycle: Cycle) =>
   });
 
 /**
- * The ways to compare, without repetition, at most eight: each cycle with the tool that fits best; then, beginning with
- * the likeliest cycle, its other choices and another tool.
+ * The options to compare, without duplicates, at most eight: each cycle with the tool that fits best; then, from the
+ * likeliest cycle on, its other choices and another tool.
  */
 export function waysFor(wanted: Wanted, stock: readonly Ring[] | null, tools: readonly Tool[]): readonly Proposal[] {
   const made = cyclesFor(wanted).map((cycle) => {

@@ -39,7 +39,7 @@ describe("the ways that are proposed", () => {
     ["a thread in a bore", { site: "inside", shape: "thread", from: corner(42, 0), to: corner(42, -18.3) }],
     ["a groove in a face", { site: "face", shape: "groove", to: corner(48.71, -9.231) }],
   ];
-  test.each(asked)("%s is made by some way that is proved, and there are two to compare", (_, given) => {
+  test.each(asked)("%s has a verified option, and two to compare", (_, given) => {
     const { ways, tried } = compared(wanted(given));
     expect(ways.length).toBeGreaterThan(1);
     expect(ways.length).toBeLessThanOrEqual(8);
@@ -84,7 +84,7 @@ test("a groove narrower than every tool says so with each way", () => {
   }
 });
 
-test("a part that has its shape is turned faster by passes that follow it, in a blank that has it too", () => {
+test("a near-net-shape blank is turned faster by contour-parallel passes", () => {
   const of = wanted({ to: corner(58.71, -41.237), allowance: length(2.3) });
   const { ways, tried } = compared(of);
   const follows = (id: string) => {
@@ -99,7 +99,7 @@ test("a part that has its shape is turned faster by passes that follow it, in a 
   expect(solid.every((each) => each.seconds > fastest(ids))).toBe(true);
 });
 
-test("the holder that meets a wall higher than its insert is no way", () => {
+test("a holder that hits a wall higher than its insert is no option", () => {
   const { tried } = compared(wanted({ to: corner(20.3, -41.237), allowance: length(3.1) }));
   const [worst] = bestFirst(tried).slice(-1);
   expect(worst?.judged.reasons.map((r) => r.kind)).toContain("holderContact");

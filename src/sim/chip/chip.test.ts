@@ -17,7 +17,7 @@ const cut = (to: Pt, f: number, feedUnit: "mm/rev" | "mm/min" = "mm/rev") =>
   ({ kind: "feed", to, feed: feed(f), feedUnit, ...rough }) as const;
 const rapid = (to: Pt) => ({ kind: "rapid", to, ...rough }) as const;
 
-/** A run of moves with one tool, and the chip at any moment of it. */
+/** A run of moves with one tool, and its chip at any moment. */
 function work(
   tool: Tool,
   start: Pt,
@@ -43,28 +43,28 @@ function work(
 
 const CNMG = tools[1] as Tool;
 const sharp = { ...CNMG, RS: length(0) };
-/** What a sharp insert of 80° at 95° leaves as a mark of its feed, of the square of the feed. */
+/** Area of the feed mark left by a sharp 80° insert at 95°, divided by the feed squared. */
 const MARK = 1 / (2 / Math.tan(Math.PI / 36) - 2 * Math.tan(Math.PI / 36));
 const areaAt = (depth: number, f: number) => depth * f - MARK * f ** 2;
 const pass = work(CNMG, at(3, 22.24), [cut(at(-41.7, 22.24), 0.317), rapid(at(3, 25))]);
 
-test("a pass outside takes depth times feed, as thick as the entering angle says", () => {
+test("an outside pass cuts depth times feed; the entering angle gives the chip thickness", () => {
   const chip = work(sharp, at(3, 22.24), [cut(at(-41.7, 22.24), 0.317)])(0, 0.6);
   expect(chip?.feed).toBe(0.317);
   expect(chip?.depth).toBeCloseTo(2.13, 3);
   expect(chip?.area).toBeCloseTo(areaAt(2.13, 0.317), 4);
-  // 95° between edge and feed: f · sin κ, and ap / sin κ along the main edge; the other one cuts along the last mark of
-  // the feed.
+  // 95° between edge and feed: f · sin κ, and ap / sin κ along the main edge. The secondary edge cuts along the
+  // previous feed mark.
   expect(chip?.thickest.size).toBeCloseTo(0.317 * Math.sin((95 * Math.PI) / 180), 3);
   const [sin95, sin80] = [95, 80].map((angle) => Math.sin((angle * Math.PI) / 180)) as [number, number];
   expect(chip?.width).toBeCloseTo(2.13 / sin95 + (0.317 * sin95) / sin80, 3);
 });
 
-test("a nose keeps depth and thickness, and makes the edge in contact longer", () => {
+test("a nose radius keeps depth and thickness, and lengthens the engaged edge", () => {
   const chip = pass(0, 0.6);
   expect(chip?.depth).toBeCloseTo(2.13, 3);
   expect(chip?.area).toBeCloseTo(2.13 * 0.317, 1);
-  // Somewhere on the nose the edge stands square to the feed.
+  // At some point of the nose the edge is square to the feed.
   expect(chip?.thickest.size).toBeGreaterThan(0.3158);
   expect(chip?.thickest.size).toBeLessThan(0.31701);
   expect(chip?.width).toBeGreaterThan(2.3);
@@ -72,7 +72,7 @@ test("a nose keeps depth and thickness, and makes the edge in contact longer", (
   for (const p of chip?.contact[0] ?? []) expect(Math.abs(p.z)).toBeLessThan(1.01);
 });
 
-test("rapids, air and the way back over a finished surface have no chip", () => {
+test("rapids, air cuts and the return over a finished surface have no chip", () => {
   expect(pass(0, 0.01)).toBeNull();
   expect(pass(1, 0.5)).toBeNull();
   const twice = work(CNMG, at(3, 22.24), [
@@ -86,11 +86,11 @@ test("rapids, air and the way back over a finished surface have no chip", () => 
   expect(twice(4, 0.5)).toBeNull();
 });
 
-test("the first turn in the stock takes what has come in, and the turn reaches back over moves that join", () => {
+test("the first revolution cuts only what has entered, and a revolution spans joined moves", () => {
   const whole = work(sharp, at(3, 22.24), [cut(at(-20, 22.24), 0.317)]);
   const inside = (way: number) => (3 + way) / 23;
   const begun = whole(0, inside(0.1));
-  // The edge leans back by 5°: of the depth only the lower end has come in.
+  // The edge leans back by 5°, so only its lower end has entered the stock.
   expect(begun?.area).toBeCloseTo(0.1 ** 2 / (2 * Math.tan(Math.PI / 36)) - MARK * 0.1 ** 2, 4);
   const parted = work(sharp, at(3, 22.24), [
     cut(at(-9.9, 22.24), 0.317),
@@ -108,7 +108,7 @@ test("a feed in mm/min counts with the speed of the spindle", () => {
   expect(chip?.area).toBeCloseTo(areaAt(2.13, 0.317), 4);
 });
 
-test("a blade that plunges takes its width times its feed, and all of its edge cuts", () => {
+test("a plunging blade cuts its width times its feed with its whole edge", () => {
   const blade = tools[9] as Tool;
   const chip = work(blade, at(-20.3, 27), [cut(at(-20.3, 19.1), 0.083)])(0, 0.7);
   expect(chip?.depth).toBeCloseTo(3, 3);
@@ -158,7 +158,7 @@ test("a thread takes its infeed on both flanks, once a turn", () => {
   expect(sameChip(second, chip(4, 0.53))).toBe(true);
 });
 
-test("seeking back and forth gives the same chip as going on", () => {
+test("seeking back and forth gives the same chip as playing on", () => {
   const moves = [
     cut(at(-41.7, 23.1), 0.3),
     rapid(at(3, 25)),

@@ -16,39 +16,38 @@ import { boundsOfChip, contactLength, reachAlong, thickestOf, type Thickness } f
 import { oneTurnBack } from "./one-turn.ts";
 
 /**
- * The chip of a moment in the half plane: what the insert covers now and did not one turn of the spindle earlier, of
- * the stock that stood there. All places are relative to the tip, so that the chip of an even cut does not change while
- * the tool moves. mm.
+ * The chip at one moment in the half plane: stock under the insert now that it did not cover one spindle revolution
+ * earlier. Places are relative to the tip, so that the chip of an even cut does not change. mm.
  */
 export interface Chip {
   readonly rings: readonly Ring[];
-  /** The parts of the cutting edge that bound it. */
+  /** The engaged parts of the cutting edge. */
   readonly contact: readonly (readonly Pt[])[];
-  /** Where it is thickest, square to the edge. */
+  /** The greatest thickness, square to the edge. */
   readonly thickest: Thickness;
-  /** Length of the edge in contact. */
+  /** Length of the engaged edge. */
   readonly width: number;
-  /** How far it reaches square to the feed: the depth of cut, of a plunging blade its width. Of a thread the infeed. */
+  /** Depth of cut: the extent square to the feed. Width of a plunging blade, infeed of a thread. */
   readonly depth: number;
-  /** Way of the tip in one turn; of a thread its lead. */
+  /** Feed per revolution; the lead of a thread. */
   readonly feed: number;
   /** mm². */
   readonly area: number;
 }
 
-/** What the chip of a moment depends on. */
+/** Inputs for the chip at any moment. */
 export interface ChipWork {
   readonly steps: readonly Step[];
   /** Convex, counter-clockwise, relative to the tip. */
   readonly outlineOf: (tool: Tool) => Ring;
   readonly spindles: readonly SpindleFrom[];
-  /** The stock as it is when a step begins. */
+  /** The stock at the start of a step. */
   readonly before: (step: number) => Present;
 }
 
 const movedBy = (ring: Ring, z: number, r: number): Ring => ring.map((p) => at(p.z + z, p.r + r));
 
-/** What an insert takes of the stock before a step, less what is covered in that step up to a fraction of it. */
+/** The stock under an insert at the start of a step, less what the step covers up to a fraction. */
 function taken(insert: Ring, now: Present, step: Step, outline: Ring, fraction: number): Ring[] {
   if (!now.meets(convexPieceOf(insert))) return [];
   const there = intersection(inBox(now.base, boxBeyond([insert])), [insert]);
@@ -70,7 +69,7 @@ function extentAlong(rings: readonly Ring[], way: Pt): number {
   return Math.max(0, most - least);
 }
 
-/** Rings without those that are nowhere thicker than chords and grid leave them. */
+/** Rings without slivers that are only chord and grid error. */
 const thick = (rings: readonly Ring[]): Ring[] =>
   rings.filter(
     (ring) => areaOf([ring]) > SLIVER * SLIVER && areaOf([ring]) > (SLIVER * part.apart(...diagonal(ring))) / 2,
@@ -140,10 +139,10 @@ export function chipAt({ steps, outlineOf, spindles, before }: ChipWork, positio
   return chipOf(found, outline, tip, step, { feed, along: part.direction(path, tip) });
 }
 
-/** Farther apart than this, two chips are drawn anew, mm. */
+/** Chips that differ by more than this are redrawn, mm. */
 const ALIKE = 5e-4;
 
-/** Whether two chips look the same: an even cut gives the same chip again and again but for the grid. */
+/** Whether two chips look the same: the chips of an even cut differ only by the grid. */
 export function sameChip(a: Chip | null, b: Chip | null): boolean {
   if (!a || !b) return a === b;
   const near = (p: number, q: number) => Math.abs(p - q) <= ALIKE;

@@ -5,9 +5,7 @@ import type { PlayPosition } from "../simulation.ts";
 import type { Player } from "../stock.ts";
 import { chipAt, type Chip } from "./chip.ts";
 
-/**
- * Gives the chip at any moment of a run. The one that was asked for last is kept: picture and readout ask for the same.
- */
+/** Returns the chip at any moment of a run. The last chip is cached, since view and readout ask for the same one. */
 export function chipsOf(
   steps: readonly Step[],
   spindles: readonly SpindleFrom[],

@@ -2,12 +2,9 @@ import { hypotenuse } from "../../kernel/geometry/vectors.ts";
 import { at, part, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import { GRID } from "../../kernel/tolerance.ts";
 
-/** Two places on the grid of the polygon engine are on one straight side when they are this near to it, mm. */
+/** Tolerance for two grid points to lie on one straight side, mm. */
 const ON_SIDE = 3 * GRID;
-/**
- * The free side of a chip is looked at every so many mm for how far it is from the edge, about so many times in all at
- * most.
- */
+/** Sample spacing along the free side of a chip, mm, and the greatest number of samples (about). */
 const EVERY = 0.25;
 const MOST = 64;
 
@@ -19,7 +16,7 @@ export interface OutlineSide {
 
 const sidesOf = (ring: Ring): OutlineSide[] => ring.map((from, i) => ({ from, to: ring[(i + 1) % ring.length] as Pt }));
 
-/** Tells which sides of a ring a place lies on. */
+/** Returns the indices of the ring's sides that a point lies on. */
 function onSides(ring: Ring): (p: Pt) => number[] {
   const lines = sidesOf(ring).map(({ from, to }) => ({
     from,
@@ -38,17 +35,14 @@ function onSides(ring: Ring): (p: Pt) => number[] {
   };
 }
 
-/**
- * The outline of a chip in two: lines from point to point where it bounds on the insert, and the sides where it does
- * not.
- */
+/** The outline of a chip in two parts: polylines along the insert, and the free sides. */
 export interface Bounded {
   /** The parts of the insert's outline that bound the chip. */
   readonly contact: readonly (readonly Pt[])[];
   readonly free: readonly OutlineSide[];
 }
 
-/** Tells the cutting edge in contact from what the chip has in common with the stock before. */
+/** Separates the engaged cutting edge from the free sides of a chip. */
 export function boundsOfChip(chip: readonly Ring[], insert: Ring): Bounded {
   const touching = onSides(insert),
     contact: Pt[][] = [],
@@ -77,7 +71,7 @@ export function boundsOfChip(chip: readonly Ring[], insert: Ring): Bounded {
 export interface Thickness {
   /** mm. */
   readonly size: number;
-  /** On the edge, and square to it across the chip. */
+  /** A point on the edge, and the point opposite, square to the edge. */
   readonly from: Pt;
   readonly to: Pt;
 }
@@ -86,8 +80,8 @@ const linesIn = (contact: Bounded["contact"]): OutlineSide[] =>
   contact.flatMap((line) => line.slice(1).map((to, i) => ({ from: line[i] as Pt, to })));
 
 /**
- * Where a chip is thickest: the place on its free side that is farthest from the edge in contact, square to it; beside
- * the ends of the edge there is nothing to be square to. Null where no edge is in contact.
+ * The greatest chip thickness: the point on the free side farthest from the engaged edge, measured square to it. Points
+ * beyond the ends of the edge do not count. Null without an engaged edge.
  */
 export function thickestOf({ contact, free }: Bounded): Thickness | null {
   const edge = linesIn(contact),
@@ -114,7 +108,7 @@ export function thickestOf({ contact, free }: Bounded): Thickness | null {
   return best;
 }
 
-/** How far a chip reaches from its edge along the line of a direction, mm: of a thread the infeed. */
+/** How far a chip extends from its edge along a direction, mm: the infeed of a thread. */
 export function reachAlong({ contact, free }: Bounded, way: Pt): number {
   let most = 0;
   for (const { from, to } of linesIn(contact)) {
@@ -127,9 +121,7 @@ export function reachAlong({ contact, free }: Bounded, way: Pt): number {
   return most;
 }
 
-/**
- * How far a straight line from a place goes before it meets a side, in lengths of `way`; Infinity where it meets none.
- */
+/** Distance from a point to the first side in a direction, in lengths of `way`; Infinity without a hit. */
 function farAlong(p: Pt, way: Pt, sides: readonly OutlineSide[]): number {
   let nearest = Infinity;
   for (const { from, to } of sides) {
@@ -144,6 +136,6 @@ function farAlong(p: Pt, way: Pt, sides: readonly OutlineSide[]): number {
   return nearest;
 }
 
-/** Length of lines from point to point, mm. */
+/** Length of the engaged edge, mm. */
 export const contactLength = ({ contact }: Bounded): number =>
   linesIn(contact).reduce((sum, { from, to }) => sum + part.apart(from, to), 0);

@@ -4,10 +4,10 @@ import { pathOf, travelOf } from "../../kernel/time/time.ts";
 import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "../load/spindles.ts";
 import type { PlayPosition } from "../simulation.ts";
 
-/** Moves that one turn of the spindle is followed back over: shorter ones than that are a contour of points. */
+/** Most moves within one revolution: shorter moves are a contour of points. */
 const MOST = 24;
 
-/** Turns of the spindle in a whole move; not a number where none are known. */
+/** Spindle revolutions in a whole move; NaN where unknown. */
 function turnsOf({ from, move }: Step, spindle: ReturnType<typeof spindleAt>): number {
   if (move.kind === "feed" && move.dwell !== undefined) return move.dwell;
   if (move.kind === "thread") return turnsIn(from, move);
@@ -15,8 +15,8 @@ function turnsOf({ from, move }: Step, spindle: ReturnType<typeof spindleAt>): n
 }
 
 /**
- * The moment one turn of the spindle earlier, over the cuts of the same tool that lead to this one; where they began
- * less than a turn ago, the beginning of the first of them. Null where the feed of a turn is not known.
+ * The moment one revolution earlier, across the joined cuts of the same tool. Where those began less than a revolution
+ * ago, the start of the first. Null where the feed per revolution is unknown.
  */
 export function oneTurnBack(
   steps: readonly Step[],

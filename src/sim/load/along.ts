@@ -11,7 +11,7 @@ import { sweptBy } from "../sweep.ts";
 import { takenBy } from "./engaged.ts";
 import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "./spindles.ts";
 
-/** What is looked at along the path. */
+/** Inputs of the tool load. */
 export interface LoadInput {
   readonly blank: readonly Ring[];
   readonly stated?: readonly Stated[];
@@ -20,20 +20,20 @@ export interface LoadInput {
 }
 
 /**
- * What a tool bears along its feeds, in columns: one row for each stretch of a move where little changes, in the order
- * of the path. Not a number where something is not known.
+ * The tool load along the feeds, in columns: one row per stretch of a move with little change, in path order. NaN where
+ * unknown.
  */
 export interface PathLoad {
   readonly count: number;
   readonly step: Int32Array;
-  /** The stretch as fractions of the way of its move. */
+  /** Start and end as fractions of the path of the move. */
   readonly from: Float64Array;
   readonly to: Float64Array;
-  /** What is taken, square to the path, mm: for a straight cut its depth of cut, for a plunge its width. */
+  /** Cut square to the path, mm: the depth of cut of a straight cut, the width of a plunge. */
   readonly depth: Float64Array;
-  /** What one turn takes, mm² of the half plane: depth times feed. */
+  /** Cut per revolution, mm² of the half plane: depth times feed. */
   readonly chip: Float64Array;
-  /** mm a turn. */
+  /** mm/rev. */
   readonly feed: Float64Array;
   /** m/min at the tip. */
   readonly speed: Float64Array;
@@ -42,16 +42,16 @@ export interface PathLoad {
   readonly limited: Uint8Array;
 }
 
-/** Length of a stretch, mm, while there are not more of them than this in all moves together. */
+/** Length of a stretch, mm, and the most stretches in total; beyond that they are longer. */
 const STRETCH = 0.75;
 const MOST_STRETCHES = 20_000;
-/** Stretches of one straight move, and of one arc, which costs more. */
+/** Most stretches of a straight move, and of an arc, which costs more. */
 const MOST_STRAIGHT = 400;
 const MOST_ROUND = 48;
-/** Neighbours are one stretch when they differ by less: a share of the value, and for depths mm. */
+/** Neighbours that differ by less are joined: a share of the value, and for depths mm. */
 const SAME_SHARE = 0.02;
 const SAME_DEPTH = 0.01;
-/** Moves that are cut before others may have their turn. */
+/** Moves cut between two yields. */
 const AT_ONCE = 32;
 
 interface Row {
@@ -81,7 +81,7 @@ const cuts = ({ move, from }: Step) => {
   return travel > SAME ? travel : 0;
 };
 
-/** The stretches of one feed, each with what it takes, square to the path; neighbours that are alike in one. */
+/** The stretches of one feed with their cut square to the path; similar neighbours are joined. */
 function rowsOf(step: Step, index: number, depths: Float64Array, spindle: ReturnType<typeof spindleAt>): Row[] {
   const rows: Row[] = [];
   const point = part.pointsOn(pathOf(step.from, step.move)),
@@ -123,9 +123,8 @@ function columnsOf(rows: readonly Row[]): PathLoad {
 }
 
 /**
- * Cuts the stock once more and measures what each stretch of each feed takes from it. It takes as long as a simulation;
- * between two rests of the generator a few moves are cut, so that whoever runs it can do something else meanwhile, or
- * stop. Threads have no depth.
+ * Cuts the stock once more and measures the cut of each stretch of each feed. This takes as long as a simulation, so
+ * the generator yields after every few moves. Threads have no depth.
  */
 export function* loadAlong({ blank, stated = [], steps, spindles }: LoadInput): Generator<void, PathLoad, void> {
   const outlines = outlinesOf(),

@@ -28,7 +28,7 @@ const outwards = flat.heading(Math.PI / 2);
 const microns = (tool: Tool, feed: number, out = outwards) =>
   1000 * (cuspOf(insertShape(tool), out, feed)?.height ?? NaN);
 
-test("the rule and the circle: f²/8r, and what the rule leaves out", () => {
+test("rule of thumb and circle: f²/8r and its error", () => {
   expect(rzByRule(0.23, 0.8)).toBeCloseTo(8.265625, 9);
   expect(rzOfCircle(0.23, 0.8)).toBeCloseTo(8.3089, 3);
   expect(rzOfCircle(0.799, 0.4)).toBeGreaterThan(rzByRule(0.799, 0.4) * 1.9);
@@ -53,8 +53,8 @@ test("a sharp insert leaves a saw tooth: f / (cot κ + cot κ')", () => {
   expect(cusp?.height).toBeCloseTo(0.37 / (cot(75) + cot(180 - 75 - 62)), 8);
 });
 
-test("an edge beside the nose takes part once the feed reaches it, and leaves less than the rule", () => {
-  // Five degrees beside the surface: the nose forms it alone up to f = 2·r·sin 5°, 0.139 mm.
+test("an edge next to the nose takes part once the feed reaches it, and leaves less than the rule", () => {
+  // At five degrees to the surface the nose forms it alone up to f = 2·r·sin 5°, 0.139 mm.
   const tool = insert(0.8, 95, 80);
   expect(cuspOf(insertShape(tool), outwards, 0.138)?.by).toBe("nose");
   expect(cuspOf(insertShape(tool), outwards, 0.141)?.by).toBe("partly");
@@ -62,12 +62,12 @@ test("an edge beside the nose takes part once the feed reaches it, and leaves le
   expect(microns(tool, 0.41)).toBeGreaterThan(0.4 * rzByRule(0.41, 0.8));
 });
 
-test("a straight edge along the surface leaves no cusp, and beside it the corner does", () => {
+test("a straight edge along the surface leaves no cusp, but at an angle the corner does", () => {
   expect(cuspOf(insertShape(bar), outwards, 0.17)).toEqual({ height: 0, by: "edge", nose: null });
   expect(cuspOf(insertShape(bar), flat.heading(radians(52)), 0.03)?.by).toBe("nose");
   expect(cuspOf(insertShape(bar), flat.heading(radians(52)), 0.03)?.nose).toBe(0.2);
 });
 
-test("no feed, and a feed wider than the tool, say nothing", () => {
+test("no cusp without a feed, or with a feed wider than the tool", () => {
   for (const feed of [0, NaN, Infinity, 40]) expect(cuspOf(insertShape(bar), outwards, feed)).toBeNull();
 });

@@ -10,28 +10,28 @@ const { angleOf, dot, scaled, sum } = flat;
 const MICRONS = 1000;
 
 /**
- * The height that a nose leaves between two turns, µm, by the rule of thumb of the trade: Rz ≈ f²/(8·r). It holds while
- * the feed is well below twice the radius and the nose alone forms the surface. Feed in mm a turn, radius in mm.
+ * The cusp height between two revolutions, µm, by the rule of thumb Rz ≈ f²/(8·r). It holds while the feed is well
+ * below twice the radius and the nose alone forms the surface. Feed in mm/rev, radius in mm.
  */
 export const rzByRule = (feed: number, nose: number): number => (MICRONS * feed * feed) / (8 * nose);
 
-/** Theoretical roughness from which on a surface is rough, not finished, µm. */
+/** Theoretical roughness from which a surface counts as rough, not finished, µm. */
 export const ROUGH_RZ = 10;
 
 /**
- * The same of the circle itself, µm: r − √(r² − f²/4); not a number beyond f = 2r, where neighbouring turns no longer
- * meet on the nose.
+ * The exact cusp height of the circle, µm: r − √(r² − f²/4); NaN beyond f = 2r, where neighbouring revolutions no
+ * longer meet on the nose.
  */
 export const rzOfCircle = (feed: number, nose: number): number =>
   MICRONS * (nose - Math.sqrt(nose * nose - (feed * feed) / 4));
 
-/** What stays between two turns of a tool that goes along a straight surface. */
+/** The cusp between two revolutions of a tool along a straight surface. */
 export interface Cusp {
-  /** Of the outline of the insert itself, mm. */
+  /** Height from the insert's outline, mm. */
   readonly height: number;
   /**
-   * What forms the surface: the nose alone; the nose and an edge beside it, or both flanks, which leaves less than the
-   * rule says; or a straight edge that lies along the surface.
+   * What forms the surface: the nose alone; the nose with an edge, or both flanks ("partly", lower than the rule says);
+   * or a straight edge along the surface.
    */
   readonly by: "nose" | "partly" | "edge";
   /** Radius of the nose where it takes part, mm. */
@@ -75,14 +75,14 @@ function widest(
   return first && last ? { width: last.along - first.along, ends: [first.edge, last.edge] } : null;
 }
 
-/** The lowest height that is looked at, mm: far below any surface. */
+/** The lowest height of the search, mm: far below any surface. */
 const LOWEST = 1e-6;
 const HALVINGS = 40;
 
 /**
- * What stays between two turns: the height at which the insert is as wide as the feed, seen along the surface. `out`
- * points from the work into the open (length 1), `feed` in mm a turn. Null where there is no feed, or the insert is
- * narrower than it everywhere.
+ * The cusp between two revolutions: the height at which the insert is as wide as the feed, seen along the surface.
+ * `out` points out of the work (length 1), `feed` in mm/rev. Null without a feed, or where the insert is narrower than
+ * the feed everywhere.
  */
 export function cuspOf(shape: Convex, out: Flat, feed: number): Cusp | null {
   if (!(feed > 0) || !Number.isFinite(feed)) return null;

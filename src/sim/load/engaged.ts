@@ -8,10 +8,10 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { scanCrossings } from "../scan.ts";
 import { sweptBy, type Sweep } from "../sweep.ts";
 
-/** Lines along the way on which an area is looked at. */
+/** Sample lines along the path. */
 const LINES = 96;
 
-/** A ring as seen along a way: z along it from its beginning, r across it. */
+/** A ring in the coordinates of a path: z along it from its start, r across it. */
 function seenAlong(ring: Ring, from: Pt, way: Pt): Ring {
   return ring.map((p) => {
     const d = part.difference(p, from);
@@ -20,9 +20,9 @@ function seenAlong(ring: Ring, from: Pt, way: Pt): Ring {
 }
 
 /**
- * What of an area a tool takes in each of `count` equal parts of a straight way, mm². Each point is taken when the
- * front of the tool comes to it; so what lies side by side on a line along the way is counted where the front is by
- * then. What the tool stands in when it sets out is no chip, and is left out.
+ * The area cut in each of `count` equal parts of a straight path, mm². Each point is cut when the front of the tool
+ * reaches it, so points on one line along the path count where the front is at that time. The area under the tool at
+ * the start is no chip and does not count.
  */
 export function takenAlong(area: readonly Ring[], outline: Ring, from: Pt, to: Pt, count: number): Float64Array {
   const parts = new Float64Array(count);
@@ -54,7 +54,7 @@ export function takenAlong(area: readonly Ring[], outline: Ring, from: Pt, to: P
   return parts.map((taken) => taken * exact);
 }
 
-/** The same in a curved way, by what is gone at the end of each part. */
+/** The same for a curved path, from the area removed at the end of each part. */
 function takenRound(step: Step, outline: Ring, now: Present, count: number, whole: number): Float64Array {
   let before = 0;
   return Float64Array.from({ length: count }, (_, i) => {
@@ -65,7 +65,7 @@ function takenRound(step: Step, outline: Ring, now: Present, count: number, whol
   });
 }
 
-/** What a feed takes from the stock in each of `count` equal parts of its way, mm² of the half plane. */
+/** The stock cut by a feed in each of `count` equal parts of its path, mm² of the half plane. */
 export function takenBy(step: Step, outline: Ring, sweep: Sweep, now: Present, count: number): Float64Array {
   const area = inStock([sweep], now);
   if (area.length === 0) return new Float64Array(count);

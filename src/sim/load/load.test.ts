@@ -92,7 +92,7 @@ describe("what is taken along the path", () => {
     expect(rowAt(load, 0, 0.02).depth).toBe(0);
   });
 
-  test("the second of two passes is measured in what the first has left, not from its infeed", () => {
+  test("the second pass is measured in the stock left by the first, not by its infeed", () => {
     const steps = stepsOf(rougher, at(2, 30), [
       cut(-41, 30),
       rapid(-40, 33),
@@ -105,7 +105,7 @@ describe("what is taken along the path", () => {
     expect(Math.abs(rowAt(load, 4, 0.95).depth - 4.27)).toBeLessThan(0.02);
   });
 
-  test("air is no depth, and the same again finds nothing left", () => {
+  test("air cuts have no depth, nor does repeating a cut", () => {
     const steps = stepsOf(rougher, at(2, 30), [
       cut(-41, 30),
       rapid(-40, 33),
@@ -118,8 +118,8 @@ describe("what is taken along the path", () => {
     expect(load.step).not.toContain(1);
   });
 
-  test("a cone: square to the path, however the infeed was given", () => {
-    // Twice the same taper of 17 degrees, the second 1.1 mm deeper along the normal.
+  test("a taper: square to the path, regardless of the infeed direction", () => {
+    // The same taper of 17 degrees twice, the second 1.1 mm deeper along the normal.
     const slope = radians(17),
       [sin, cos] = [Math.sin(slope), Math.cos(slope)];
     const on = (s: number, deeper: number) => at(3 - s * cos - deeper * sin, 24 + s * sin - deeper * cos);
@@ -136,7 +136,7 @@ describe("what is taken along the path", () => {
     expect(rowAt(load, 4, 0.5).depth).toBeCloseTo(1.1, 2);
   });
 
-  test("an arc within an arc: the ring between them, by the way of the tip", () => {
+  test("an arc within an arc: the ring between them, divided by the path of the tip", () => {
     // A button about one centre, from the face: its edge goes from 17 mm to 17.7 mm round it.
     const arc = (size: number): Move => ({
       kind: "arc",
@@ -164,7 +164,7 @@ describe("what is taken along the path", () => {
     expect(rowAt(loadOf(blank, stepsOf(bar, at(-20, 33), [cut(-20, 24)])), 0, 0.6).depth).toBeCloseTo(3, 3);
   });
 
-  test("a feed in mm/min is told by the turn, and a spindle without a speed tells none", () => {
+  test("a feed in mm/min is converted to mm/rev; without a spindle speed it is unknown", () => {
     const steps = stepsOf(rougher, at(2, 30), [cut(-41, 30, 187, "mm/min")]);
     const { feed, chip, speed, limited } = rowAt(loadOf(blank, steps), 0, 0.5);
     expect(feed).toBeCloseTo(187 / 913, 9);
@@ -174,7 +174,7 @@ describe("what is taken along the path", () => {
     expect(rowAt(loadOf(blank, steps, null), 0, 0.5)).toMatchObject({ feed: NaN, chip: NaN, speed: NaN });
   });
 
-  test("facing with a limit: the cutting speed is held down to one diameter, and falls with it from there", () => {
+  test("facing with a speed limit: the cutting speed is constant down to one diameter, then falls", () => {
     const spindle: Spindle = { kind: "surface", cuttingSpeed: 187, limit: 1900 };
     const load = loadOf([box(-60, 0, 1.3, 31)], stepsOf(rougher, at(0, 33), [cut(0, -0.8)]), spindle);
     const fractionAt = (r: number) => (33 - r) / 33.8;
@@ -188,7 +188,7 @@ describe("what is taken along the path", () => {
     expect(rowAt(load, 0, fractionAt(20)).depth).toBeCloseTo(1.3, 2);
   });
 
-  test("facing without a limit: speed, feed and depth stay, and the spindle turns ever faster", () => {
+  test("facing without a limit: cutting speed, feed and depth are constant while the spindle speeds up", () => {
     const spindle: Spindle = { kind: "surface", cuttingSpeed: 183, limit: 0 };
     const load = loadOf(
       [box(-60, 0, 1.3, 30.5)],
@@ -200,12 +200,12 @@ describe("what is taken along the path", () => {
         rpm = 183_000 / (2 * Math.PI * r);
       expect([row.speed, row.feed]).toEqual([expect.closeTo(183, 9), 0.17]);
       expect(row.depth).toBeCloseTo(1.3, 2);
-      // A stretch is 0.75 mm, within which the speed is told once.
+      // One stretch (0.75 mm) has one speed.
       expect(Math.abs(row.rpm / rpm - 1)).toBeLessThan(0.75 / r + 0.02);
     }
   });
 
-  test("a thread has a feed by its lead and no depth", () => {
+  test("a thread has its lead as feed, and no depth", () => {
     const thread: Move = {
       kind: "thread",
       to: at(-20, 30),
@@ -219,7 +219,7 @@ describe("what is taken along the path", () => {
     expect([depth, feed]).toEqual([NaN, 1.75]);
   });
 
-  test("ten thousand small moves have a row each at most, and one long way not more than its share", () => {
+  test("ten thousand small moves have at most one row each, and one long path no more than its share", () => {
     const moves = Array.from({ length: 10_000 }, (_, i) => cut(2 - i * 0.004, 30 + (i % 2) * 0.01));
     const load = loadOf([box(-60, 0, 0, 29)], stepsOf(rougher, at(2, 30), moves));
     expect(load.count).toBeLessThanOrEqual(moves.length);
@@ -238,7 +238,7 @@ describe("the roughness of what is left", () => {
     const { final } = simulate({ blank, steps, operations: [], unproved: [] });
     return roughnessOf(final, steps, from);
   };
-  /** The stretch of the surface that goes through a place. */
+  /** The stretch of the surface at a point. */
   const through = (stretches: ReturnType<typeof roughOf>, z: number, r: number) =>
     stretches.find(({ points }) =>
       points.slice(1).some((to, i) => part.distanceTo({ kind: "line", from: points[i] as Pt, to }, at(z, r)) < 0.01),
@@ -246,7 +246,7 @@ describe("the roughness of what is left", () => {
 
   const blank = [box(-60, 0, 0, 31.37)];
 
-  test("the last feed along it says it, with its own feed; what was never turned has none", () => {
+  test("roughness comes from the last feed along the surface; unmachined surfaces have none", () => {
     const steps = stepsOf(copier, at(2, 30), [
       cut(-41, 30),
       rapid(-40, 33),
@@ -265,7 +265,7 @@ describe("the roughness of what is left", () => {
     );
   });
 
-  test("cones and arcs are seen as what they are", () => {
+  test("tapers and arcs are measured along their own direction", () => {
     const round: Move = {
       ...cut(0, 0, 0.141),
       kind: "arc",
@@ -300,7 +300,7 @@ describe("the roughness of what is left", () => {
     expect(rzAt(9)).toBeCloseTo(rzByRule(211 / 1900, 0.4), 6);
   });
 
-  test("not by the nose: the bottom and the walls of a groove, and a thread", () => {
+  test("the bottom and walls of a groove and a thread are not formed by the nose", () => {
     const found = roughOf(blank, stepsOf(bar, at(-20, 33), [cut(-20, 24.2), rapid(-20, 33)]));
     expect(through(found, -20, 24.2)).toMatchObject({ by: "shape", rz: null });
     expect(through(found, -21.5, 28)).toMatchObject({ by: "edge", rz: null });
@@ -316,7 +316,7 @@ describe("the roughness of what is left", () => {
     expect(roughOf(blank, stepsOf(copier, at(4, 30.9), [thread])).map(({ by }) => by)).toContain("thread");
   });
 
-  test("without a speed a feed in mm/min says nothing", () => {
+  test("without a spindle speed a feed in mm/min gives no roughness", () => {
     const found = roughOf(blank, stepsOf(copier, at(2, 30), [cut(-41, 30, 187, "mm/min")]), []);
     expect(through(found, -20, 30)).toMatchObject({ by: "unknown", rz: null });
   });

@@ -13,36 +13,32 @@ import { feedPerTurn, rpmAt, spindleAt, type SpindleFrom } from "./spindles.ts";
 import { madeBy, surfaceOf, type Made } from "./surface.ts";
 
 /**
- * What forms a stretch of the finished surface: the nose alone, or with an edge beside it ("partly"); a straight edge
- * along the surface; the shape of the tool where it only stood; a thread; a drill; nothing that is known, because there
- * is no feed a turn.
+ * What forms a stretch of the finished surface: the nose alone, or with an edge ("partly"); a straight edge along the
+ * surface; the shape of a tool at the end of its move; a thread; a drill; or unknown, without a feed per revolution.
  */
 export type FormedBy = Cusp["by"] | "shape" | "thread" | "drill" | "unknown";
 
-/** A stretch of the finished surface that one move made. */
+/** A stretch of the finished surface made by one move. */
 export interface RoughStretch {
   readonly points: Ring;
-  /** The moment at which the tool stood over its middle. */
+  /** The moment at which the tool was at its middle. */
   readonly position: PlayPosition;
   readonly block: number;
   readonly operation: number | null;
   readonly by: FormedBy;
   /**
-   * Theoretical Rz, µm: f²/(8·r) of the nose alone, the height of the outline where an edge takes part; null where
-   * neither says it.
+   * Theoretical Rz, µm: f²/(8·r) for the nose alone, the outline's cusp height where an edge takes part; null
+   * otherwise.
    */
   readonly rz: number | null;
-  /** Of the circle of the nose, or of the outline of the insert, µm. */
+  /** Exact cusp height of the nose circle or of the insert's outline, µm. */
   readonly exact: number | null;
-  /** Feed, mm a turn, and radius of the nose, mm. */
+  /** Feed, mm/rev, and nose radius, mm. */
   readonly feed: number;
   readonly nose: number | null;
 }
 
-/**
- * Feeds and directions that differ by less are the same for a height, and it is worked out once: mm, and parts of a
- * direction.
- */
+/** Rounding of feeds (mm) and directions, so that equal cusps are computed once. */
 const ALIKE = 1e4;
 
 type Formed = Pick<RoughStretch, "by" | "rz" | "exact" | "feed" | "nose">;
@@ -80,12 +76,12 @@ function forming(spindles: readonly SpindleFrom[]) {
   };
 }
 
-/** Shorter pieces are rounding of an outline and take on what lies before them, mm. */
+/** Shorter pieces are rounding of an outline and join the piece before them, mm. */
 const NO_PIECE = 0.05;
 
 const joins = (a: Pt, b: Pt) => part.apart(a, b) <= SAME;
 
-/** How much of a move is done when its tip stands at a place of its path. */
+/** The fraction of a move at which its tip is at a point of its path. */
 function fractionOf(step: Step, tip: Pt): number {
   const path = pathOf(step.from, step.move),
     long = part.lengthOf(path);
@@ -93,8 +89,8 @@ function fractionOf(step: Step, tip: Pt): number {
 }
 
 /**
- * The theoretical roughness of a finished surface: each stretch of it with the move that made it. What no move has made
- * is left out. `first` is the first step since the work is held as it is.
+ * The theoretical roughness of a finished surface: its machined stretches, each with the move that made it. `first`:
+ * the first step in the present clamping.
  */
 export function roughnessOf(
   stock: readonly Ring[],

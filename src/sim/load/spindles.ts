@@ -2,11 +2,11 @@ import type { Move } from "../../kernel/plan/move.ts";
 import type { Spindle } from "../../kernel/time/step.ts";
 import { speedAt } from "../../kernel/time/time.ts";
 
-/** How the spindle turns, from a step on; null until a speed was programmed. In the order of the steps. */
+/** The spindle from a step on, in step order; null until a speed was programmed. */
 export interface SpindleFrom {
   readonly step: number;
   readonly spindle: Spindle | null;
-  /** The other way round than M3 turns it. */
+  /** Against the direction of M3. */
   readonly backwards?: true;
 }
 
@@ -20,23 +20,21 @@ function entryAt(spindles: readonly SpindleFrom[], step: number): SpindleFrom | 
   return spindles[low - 1];
 }
 
-/** How the spindle turns at a step. */
+/** The spindle at a step. */
 export const spindleAt = (spindles: readonly SpindleFrom[], step: number): Spindle | null =>
   entryAt(spindles, step)?.spindle ?? null;
 
-/** Whether it turns the other way round than M3 turns it. */
+/** Whether the spindle turns against the direction of M3. */
 export const turnsBack = (spindles: readonly SpindleFrom[], step: number): boolean =>
   entryAt(spindles, step)?.backwards ?? false;
 
-/** Spindle speed, rpm, at `r` mm from the axis; not a number where none is known, or none is fast enough. */
+/** Spindle speed, rpm, at `r` mm from the axis; NaN where unknown or unlimited. */
 export function rpmAt(spindle: Spindle | null, r: number): number {
   const rpm = spindle ? speedAt(spindle, r) : 0;
   return rpm > 0 && Number.isFinite(rpm) ? rpm : NaN;
 }
 
-/**
- * Feed in mm a turn of a move at a spindle speed in rpm; not a number for a rapid, and where the speed is not known.
- */
+/** Feed per revolution of a move at a spindle speed in rpm, mm; NaN for rapids and unknown speeds. */
 export function feedPerTurn(move: Move, rpm: number): number {
   if (move.kind === "rapid") return NaN;
   if (move.kind === "thread") return Math.abs(move.pitch);

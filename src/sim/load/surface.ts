@@ -9,18 +9,15 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { moved, support } from "../../kernel/reach/convex.ts";
 import { touchIndex } from "../touch-index.ts";
 
-/**
- * A surface is looked at in pieces of this length, mm, or longer ones where it is so long that there would be more than
- * MOST.
- */
+/** Length of surface pieces, mm, and their greatest number; longer surfaces get longer pieces. */
 const PIECE = 0.5;
 const MOST = 4000;
-/** Stock and path are chords: a tool this near to a surface has made it, mm. */
+/** Tolerance for a tool to have made a surface, mm: stock and path are chords. */
 const TOUCH = SLIVER;
-/** A move goes along a surface when their directions differ by less, as a sine. */
+/** A move runs along a surface when the sine of their angle is below this. */
 const ALONG = 0.1;
 
-/** A short straight piece of the surface of a stock, the work on its left as the outline runs. */
+/** A short straight piece of a stock's surface, with the work on its left. */
 export interface SurfacePiece {
   readonly from: Pt;
   readonly to: Pt;
@@ -28,17 +25,17 @@ export interface SurfacePiece {
   readonly out: Flat;
 }
 
-/** What made a piece of a surface. */
+/** A surface piece with the move that made it. */
 export interface Made extends SurfacePiece {
-  /** Index of the last feed that touched it, or null where none did: as it was put into the chuck. */
+  /** Index of the last feed that touched it; null: unmachined in this clamping. */
   readonly step: number | null;
-  /** Where the tip stood over the middle of the piece. */
+  /** Tip position at the middle of the piece. */
   readonly tip: Pt;
-  /** The tool went along it; else it stood there at the beginning or the end of its move, and left its shape. */
+  /** True when the tool moved along the piece; else it left its shape at the start or end of its move. */
   readonly along: boolean;
 }
 
-/** The outlines of a stock in short pieces; what lies on the axis is no surface. */
+/** The outlines of a stock in short pieces, without the axis. */
 export function surfaceOf(stock: readonly Ring[]): SurfacePiece[] {
   const edges = stock
     .flatMap((ring) => ring.map((to, i) => ({ from: ring[(i + ring.length - 1) % ring.length] as Pt, to })))
@@ -63,13 +60,10 @@ function farthest(shape: Convex, out: Flat): readonly Flat[] {
 }
 
 const cross = (a: Pt, b: Pt, p: Pt) => (b.z - a.z) * (p.r - a.r) - (b.r - a.r) * (p.z - a.z);
-/** Places on an edge that are tried against an arc. */
+/** Sample points of an edge tested against an arc, as fractions. */
 const TRIED = [0, 0.25, 0.5, 0.75, 1] as const;
 
-/**
- * The place on a path nearest to one of the places that a tip may have, where that is near enough; null where it never
- * is.
- */
+/** The path point nearest to one of the possible tip positions, within tolerance; null where there is none. */
 function tipOn(path: Segment, tips: readonly Pt[]): Pt | null {
   const [first, last] = [tips[0] as Pt, tips.at(-1) as Pt];
   const span: Segment = { kind: "line", from: first, to: last };
@@ -83,7 +77,7 @@ function tipOn(path: Segment, tips: readonly Pt[]): Pt | null {
   return apart ? part.pointOn(path, a / (a - b)) : null;
 }
 
-/** Where a tip stood on the path of a move while it touched a piece; null where nothing but its shape can say so. */
+/** The tip position on a move's path where it touched a piece; null where only the tool's shape can have touched it. */
 function tipOver({ out, from, to }: SurfacePiece, path: Segment, shape: Convex): Pt | null {
   const middle = at((from.z + to.z) / 2, (from.r + to.r) / 2);
   return tipOn(
@@ -93,8 +87,8 @@ function tipOver({ out, from, to }: SurfacePiece, path: Segment, shape: Convex):
 }
 
 /**
- * Which move made which piece of a surface: the same one that the picture shows it with, the last feed that has it on
- * the edge of what it swept. `first` is the index of the first step since the stock was put into the chuck as it is.
+ * The move that made each piece of a surface: the last feed that has the piece on the edge of its sweep, as in the
+ * picture. `first`: index of the first step in the present clamping.
  */
 export function madeBy(pieces: readonly SurfacePiece[], steps: readonly Step[], first = 0): Made[] {
   const touched = touchIndex(steps),

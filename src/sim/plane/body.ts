@@ -6,8 +6,8 @@ import { SAME } from "../../kernel/tolerance.ts";
 import type { BodyHeights } from "./depths.ts";
 
 /**
- * What a mill cuts, seen from above. Areas of the plane are rings as everywhere (z of a point is X here, r is Y).
- * Both given: the block after it was turned, which is what lies in both.
+ * A milled body, seen from above. Areas of the plane are rings as elsewhere (z of a point is X here, r is Y). With both
+ * fields set, the body is their intersection: a block that was turned.
  */
 export interface MilledBody {
   readonly block: Cuboid | null;
@@ -15,7 +15,7 @@ export interface MilledBody {
   readonly turned: readonly Ring[] | null;
 }
 
-/** How far the polygons of round tools and round blanks may leave their circles, mm: finer than a picture shows. */
+/** Chord error of round tools and round blanks, mm: finer than the picture shows. */
 export const PLANE_CHORD = 0.005;
 
 /** A circle round X0 Y0 as a counter-clockwise ring. */
@@ -28,7 +28,7 @@ export function roundRing(radius: number, chord = PLANE_CHORD): Ring {
 /** Higher than anything on a machine, mm. */
 const HIGH = 1e5;
 
-/** From which radius to which a turned body has material above a height, joined and in order. */
+/** The radius ranges in which a turned body has material above a height, joined and in order. */
 function spansAbove(section: readonly Ring[], height: number): readonly (readonly [number, number])[] {
   const above =
     height === -Infinity
@@ -56,7 +56,7 @@ function roundsAbove(section: readonly Ring[], height: number): Ring[] {
   });
 }
 
-/** The area over which a body reaches above a height, mm; -Infinity: over which there is anything of it. */
+/** The area in which a body reaches above a height, mm; -Infinity: the whole body. */
 export function standingAbove({ block, turned }: MilledBody, height: number): Ring[] {
   const rounds = turned && roundsAbove(turned, height);
   if (!block) return rounds ?? [];
@@ -66,7 +66,10 @@ export function standingAbove({ block, turned }: MilledBody, height: number): Ri
   return rounds ? intersection(rounds, [side]) : [side];
 }
 
-/** The heights of the faces of a section that look up, mm: of its outline, material on the left, what goes outwards. */
+/**
+ * The heights of upward faces of a section, mm: the segments of its outline that run outwards, with material on the
+ * left.
+ */
 const facesOf = (section: readonly Ring[]): readonly number[] =>
   section.flatMap((ring) =>
     ring.flatMap((to, i) => {
@@ -75,7 +78,7 @@ const facesOf = (section: readonly Ring[]): readonly number[] =>
     }),
   );
 
-/** Between which heights a body stands, and those of its flat shoulders; null where there is none. */
+/** Bottom, top and flat shoulders of a body; null without a body. */
 export function heightsOf(body: MilledBody): BodyHeights | null {
   const { block, turned } = body,
     section = turned && turned.length > 0 ? boxAround(turned) : null;

@@ -1,22 +1,22 @@
 import { spotOn, type MillMotion } from "../../kernel/plane/mill-motion.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 
-/** More depths than an eye tells apart by their tone are put together, but for this many at least. */
+/** The most depths shown in different tones, and the least number of them beside shoulders. */
 const MOST_DEPTHS = 5,
   LEAST_DEPTHS = 2;
 
-/** Between which heights a body stands, and the heights of its flat shoulders between them, mm. */
+/** Bottom and top of a body and its flat shoulders between them, mm. */
 export interface BodyHeights {
   readonly bottom: number;
   readonly top: number;
   readonly shoulders: readonly number[];
 }
 
-/** Heights that are told apart, mm, the highest first. */
+/** Heights shown in different tones, mm, the highest first. */
 export interface ToldHeights {
-  /** Those that the program goes to. */
+  /** Depths that the program mills to. */
   readonly depths: readonly number[];
-  /** Shoulders over the deepest of them: what is milled there is told from what only stands lower. */
+  /** Shoulders above the deepest of them, to distinguish a milled shoulder from a turned one. */
   readonly shoulders: readonly number[];
   /** Both in order, each once. */
   readonly heights: readonly number[];
@@ -27,8 +27,8 @@ const inOrder = (heights: readonly number[]): readonly number[] =>
   [...new Map(heights.map((z) => [Math.round(z / SAME), z]))].sort(([a], [b]) => b - a).map(([, z]) => z);
 
 /**
- * The heights by which a milled body is told: those that its program goes to between top and bottom. Of more than
- * MOST_DEPTHS, shoulders counted, some of them, evenly; each stands for what is deeper than the one before it.
+ * The heights shown for a milled body: depths of its program between top and bottom. Above MOST_DEPTHS (with shoulders)
+ * an even selection; each represents everything deeper than the one before it.
  */
 export function toldHeights(motions: readonly MillMotion[], { bottom, top, shoulders }: BodyHeights): ToldHeights {
   const all = inOrder(
@@ -49,9 +49,9 @@ export function toldHeights(motions: readonly MillMotion[], { bottom, top, shoul
 }
 
 /**
- * What is told apart of a body: where it stands above each of these heights, mm. The first is its top, and what reaches
- * up to that is untouched; the last is its bottom, so that what does not stand there is milled through. `hasLower`:
- * some of it is lower than all heights without being milled, and is told apart as well.
+ * The limits of the areas shown: where the body reaches above each height, mm. Area up to the first (top) is
+ * unmachined; area below the last (bottom) is milled through. `hasLower`: some of it is lower than all heights without
+ * being milled, and is shown separately.
  */
 export const heightLimits = (
   heights: readonly number[],

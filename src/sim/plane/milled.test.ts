@@ -35,7 +35,7 @@ function milled(motions: readonly MillMotion[], body: MilledBody = BLOCK) {
   stock.advance(Infinity);
   return stock;
 }
-/** What stands above each limit, what the running motion has swept taken away. */
+/** The area above each limit, less the sweep of the running motion. */
 const areas = ({ standing, swept }: MilledMoment) =>
   standing.map((rings, i) => areaOf(difference(rings, swept[i] ?? [])));
 const atEnd = (motions: readonly MillMotion[], body?: MilledBody) =>
@@ -65,7 +65,7 @@ describe("what a round tool takes of a block", () => {
     const [round] = atEnd([arc([40.3 + 11.7, 24.6, -2.9])]);
     near(WHOLE - (round ?? 0), 2 * Math.PI * 11.7 * 2 * 4.3);
   });
-  test("counts once where passes overlap, and not at all beside the block or above it", () => {
+  test("counts once where passes overlap, and not outside the block or above it", () => {
     const pass = feed([21.7, 23.1, -3.2], [58.4, 23.1, -3.2]);
     const other = feed([58.4, 26.4, -3.2], [21.7, 26.4, -3.2]);
     const [above] = atEnd([pass, other, pass]);
@@ -75,11 +75,11 @@ describe("what a round tool takes of a block", () => {
     near(WHOLE - (above ?? 0), both);
     expect(atEnd([feed([-9, 20, -3.2], [-9, 40, -3.2]), feed([10, 20, 0.6], [60, 20, 0.6])])[0]).toBeCloseTo(WHOLE, 6);
   });
-  test("is what lies over the block of a way across its edge", () => {
+  test("is only the part over the block when the path crosses its edge", () => {
     const [above] = atEnd([feed([-30, 24, -1.1], [110, 24, -1.1])]);
     near(WHOLE - (above ?? 0), 85.6 * 8.6);
   });
-  test("is told by its depth: the deepest pass counts, and what goes through the bottom is gone", () => {
+  test("has a depth: the deepest pass counts, and below the bottom the material is gone", () => {
     const shallow = feed([0, 24, -2.2], [80, 24, -2.2]),
       deep = feed([30.4, 24, -7.7], [49.1, 24, -7.7]);
     const through = feed([40, 24, -19.4], [40, 24, -19.4], 2.1);
@@ -96,15 +96,15 @@ describe("what a round tool takes of a block", () => {
     near(WHOLE - (first ?? 0), capsule(18.7, 4.3));
     near(WHOLE - (second ?? 0), Math.PI * 2.1 ** 2);
   });
-  test("of a way that goes down is only where its end is in the material", () => {
-    // Enters half way: from Z4.6 to Z-3.4 the top at Z0.6 is reached after 4 of 8 mm.
+  test("of a ramp is only where the tool end is in the material", () => {
+    // It enters half way: from Z4.6 to Z-3.4 the top at Z0.6 is reached after 4 of 8 mm.
     const [above] = atEnd([feed([20, 24, 4.6], [60, 24, -3.4])]);
     near(WHOLE - (above ?? 0), capsule(20, 4.3));
   });
-  test("is nothing where nobody knows the height or the radius", () => {
+  test("is nothing where height or radius are unknown", () => {
     expect(atEnd([feed([20, 24, null], [60, 24, null]), feed([20, 24, -3], [60, 24, -3], 0)])[0]).toBeCloseTo(WHOLE, 6);
   });
-  test("reaches between the ends of an arc beside the plane", () => {
+  test("reaches between the ends of an arc in a side plane", () => {
     const dip: MillMotion = {
       ...feed([20, 24, 2.6], [44, 24, 2.6]),
       kind: "arc",
@@ -116,7 +116,7 @@ describe("what a round tool takes of a block", () => {
   });
 });
 
-test("at any moment it is what was swept until then, in whatever order moments are asked for", () => {
+test("at any moment it is the sweep up to then, in whatever order moments are queried", () => {
   const zigzag = Array.from({ length: 130 }, (_, i) =>
     feed([2 + i * 0.55, i % 2 ? 44.1 : 6.3, -1.7 - (i % 3)], [2 + (i + 1) * 0.55, i % 2 ? 6.3 : 44.1, -1.7 - (i % 3)]),
   );
@@ -138,7 +138,7 @@ function slot(x: number, y: number, toX: number, toY: number): Ring {
   return [at(x - dx, y - dy), at(toX - dx, toY - dy), at(toX + dx, toY + dy), at(x + dx, y + dy)];
 }
 
-test("is cut a bit at a time, and shown as far as it is", () => {
+test("is cut in small batches, and shown as far as it is cut", () => {
   const motions = Array.from({ length: 9 }, (_, i) => feed([5, 5 + i * 4.1, -2], [75, 5 + i * 4.1, -2]));
   const stock = milledStock({ motions, bodies: [{ step: 0, body: BLOCK }] });
   expect(stock?.advance(3)).toBe(false);
@@ -167,7 +167,7 @@ describe("a round body", () => {
       [3, [small - hole, small - hole, large - flat - hole, large - hole, large]],
     ] as const)
       at(step).forEach((area, i) => near(area, expected[i] ?? 0));
-    // Between the shoulder and what was asked for lie 1.6 mm of air, then 0.2 of material.
+    // From the shoulder down, 1.6 mm of air, then 0.2 mm of material.
     const [, , shoulder] = atEnd(
       [across, feed([-30, 17.2, -15.5], [30, 17.2, -15.5], 1.6), feed([0, 0, -24.6], [0, 0, -24.6], 3.3)],
       {
@@ -179,13 +179,13 @@ describe("a round body", () => {
     const came = stock.at({ step: 3, fraction: 0 }).came.map((rings) => areaOf(rings));
     [small, 0, large - small, 0, 0].forEach((area, i) => (area === 0 ? expect(came[i]).toBe(0) : near(came[i], area)));
   });
-  test("with a bore is a ring, and a block that was turned what lies in both", () => {
+  test("with a bore is a ring; a turned block is the intersection of both", () => {
     const tube: readonly Ring[] = [[at(-30, 7.6), at(0, 7.6), at(0, 33.8), at(-30, 33.8)]];
     near(atEnd([], { block: null, turned: tube })[0], Math.PI * (33.8 ** 2 - 7.6 ** 2));
     const square = { left: -24.1, right: 24.1, low: -24.1, high: 24.1, bottom: -30, top: 1.4 };
     near(atEnd([], { block: square, turned: tube })[0], squareInCircle(24.1, 33.8) - Math.PI * 7.6 ** 2);
   });
-  test("that is turned between two cuts loses what is turned away, and keeps what was milled", () => {
+  test("that is turned between two cuts loses the turned area and keeps the milled one", () => {
     const full: readonly Ring[] = [[at(-30, 0), at(0, 0), at(0, 30), at(-30, 30)]],
       thin: readonly Ring[] = [[at(-30, 0), at(0, 0), at(0, 22), at(-30, 22)]];
     const motions = [feed([-40, 0, -3], [40, 0, -3], 5), feed([-40, 40, -3], [40, 40, -3], 5)];
@@ -209,13 +209,13 @@ describe("a round body", () => {
 
 describe("a rapid", () => {
   const slotted = feed([10, 24, -4.4], [70, 24, -4.4]);
-  test("through material that stands is noted with where it runs", () => {
+  test("through material is reported with its place", () => {
     const found = milled([slotted, rapid([70, 24, -4.4], [70, 40, -4.4])]).rapids();
     expect(found.map(({ step }) => step)).toEqual([1]);
-    // The bar and its round end, less what the end of the slot had taken: a square and a quarter of its circle.
+    // The bar and its round end, less the end of the slot: a square and a quarter of its circle.
     near(areaOf(found[0]?.rings ?? []), 16 * 8.6 + (Math.PI / 2) * 4.3 ** 2 - 4.3 ** 2 - (Math.PI / 4) * 4.3 ** 2);
   });
-  test("in its own slot, above the top, or deeper than nothing is none", () => {
+  test("in its own slot, above the top, or without a depth is none", () => {
     expect(
       milled([
         slotted,
@@ -237,7 +237,7 @@ test("without a body there is nothing to draw", () => {
   expect(milledStock({ motions: [], bodies: [{ step: 0, body: { block: null, turned: [] } }] })).toBeNull();
 });
 
-test("of many depths some are told apart, all of them depths of the program", () => {
+test("of many depths some are shown, all of them depths of the program", () => {
   const steps = Array.from({ length: 17 }, (_, i) => feed([0, 20, -0.7 * (i + 1)], [70, 20, -0.7 * (i + 1)]));
   const { depths } = milled(steps);
   expect(depths).toHaveLength(5);

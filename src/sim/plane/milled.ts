@@ -13,64 +13,61 @@ import { heightLimits, toldHeights, type ToldHeights } from "./depths.ts";
 import { sweeper, type Sweeper } from "./swept-below.ts";
 
 /**
- * What is milled: motions of round flat tools, and the body from each of some motions on, the first from the beginning.
+ * Inputs of milling: motions of flat end mills, and the bodies with the motion each is valid from, the first from the
+ * start.
  */
 export interface MilledInput {
   readonly motions: readonly MillMotion[];
   readonly bodies: readonly { readonly step: number; readonly body: MilledBody }[];
 }
 
-/** A body as it stands at a moment. */
+/** A body at one moment. */
 export interface MilledMoment {
-  /**
-   * Where it stands above each limit, as it was when the running motion began. Never changed: the same array is the
-   * same area.
-   */
+  /** The area above each limit at the start of the running motion. Never mutated: the same array is the same area. */
   readonly standing: readonly (readonly Ring[])[];
-  /** What the running motion has swept below each limit since, by the non-zero rule; empty where it meets nothing. */
+  /** The sweep of the running motion below each limit, by the non-zero rule; empty where it meets nothing. */
   readonly swept: readonly (readonly Ring[])[];
-  /**
-   * Where the body came from under the mill between each limit and the one before it: what still stands there is not
-   * milled.
-   */
+  /** The initial area between each limit and the one before it: the part of it that remains is not milled. */
   readonly came: readonly (readonly Ring[])[];
 }
 
-/** The area above each limit at a moment, what the running motion has swept taken away. */
+/** The area above each limit at a moment, less the sweep of the running motion. */
 export const areasAt = ({ standing, swept }: Pick<MilledMoment, "standing" | "swept">): readonly (readonly Ring[])[] =>
   standing.map((rings, i) => (swept[i]?.length ? difference(rings, swept[i]) : rings));
 
-/** A rapid that runs through material that surely stands. */
+/** A rapid that surely runs through material. */
 export interface RapidThrough {
   readonly step: number;
   readonly rings: readonly Ring[];
 }
 
 /**
- * A body that is milled, in the plane: for each limit the area over which it stands above. It is told from above only:
- * no overhang, no rest of a ball or a point. Cutting it takes time, so it is cut a bit at a time; a moment that is not
- * reached yet is shown as far as it is.
+ * A milled body in the plane: for each limit, the area above it. Seen from above only, so without overhangs and without
+ * residue of ball or pointed tools. Cutting takes time and is done in small batches; a moment not reached yet is shown
+ * as far as it is cut.
  */
 export interface MilledStock extends ToldHeights {
   readonly bottom: number;
   readonly top: number;
-  /** The heights that areas are told above, and whether something is lower than all heights without being milled. */
+  /**
+   * The heights above which areas are computed, and whether something is lower than all of them without being milled.
+   */
   readonly limits: readonly number[];
   readonly hasLower: boolean;
   /** Motions that are cut so far. */
   readonly reached: () => number;
-  /** Cuts on by some motions; true when all are cut. */
+  /** Cuts some more motions; true when all are cut. */
   readonly advance: (motions: number) => boolean;
   readonly at: (position: PlayPosition) => MilledMoment;
-  /** False where turning takes material away between two motions. */
+  /** False where turning removes material between two motions. */
   readonly isSameBody: (one: number, other: number) => boolean;
-  /** Of what has been cut so far. */
+  /** Rapids through material, among the motions cut so far. */
   readonly rapids: () => readonly RapidThrough[];
 }
 
-/** Motions between two marks; fewer where their sweeps have many corners. */
+/** Motions between two marks; fewer where the sweeps have many corners. */
 const MARK = { motions: 40, pieces: 600 } as const;
-/** More places than this are not looked for. */
+/** Most rapids reported. */
 const MOST_RAPIDS = 50;
 
 /** The area above one limit, cut motion by motion. */
@@ -79,12 +76,12 @@ interface Layer {
   readonly marks: StockMarks;
 }
 
-/** What stands at the top stands above a hair below it; above the bottom stands everything. */
+/** The area above a limit. The top counts from a hair below it, and everything is above the bottom. */
 function standingOn(body: MilledBody, limit: number, { bottom, top }: Pick<MilledStock, "bottom" | "top">): Ring[] {
   return standingAbove(body, limit <= bottom ? -Infinity : limit >= top ? top - SAME : limit - SAME);
 }
 
-/** Between each limit and the one before it the area over which a body reaches that high and no higher. */
+/** The area in which a body ends between each limit and the one before it. */
 function cameFrom(
   body: MilledBody,
   limits: readonly number[],
@@ -94,7 +91,7 @@ function cameFrom(
   return areas.map((area, i) => (i === 0 ? area : real(difference(area, areas[i - 1] ?? []))));
 }
 
-/** Begins to cut; null where there is no body. */
+/** Starts cutting; null without a body. */
 export function milledStock({ motions, bodies }: MilledInput): MilledStock | null {
   const first = bodies[0],
     heights = first && heightsOf(first.body);
@@ -117,7 +114,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
     marked = 0;
 
   const came = bodies.map(({ step, body }) => ({ step, areas: cameFrom(body, limits, heights) }));
-  /** What another body leaves of areas: turning takes material away between two cuts of a mill. */
+  /** The areas left within another body: turning removes material between two milling cuts. */
   const taken = (body: MilledBody, before: readonly (readonly Ring[])[] | null) =>
     limits.map((limit, i) => {
       const own = standingOn(body, limit, heights),
@@ -131,7 +128,9 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
   };
 
   const sweeps = sweeper();
-  /** A cut as deep as a limit leaves what it is the height of, but for the bottom: that is milled through. */
+  /**
+   * A cut exactly as deep as a limit leaves the material at that height, except at the bottom, which is milled through.
+   */
   const swept = (m: MillMotion, limit: number, fraction?: number) =>
     sweeps(m, limit + (limit <= bottom ? SAME : -SAME), fraction);
 
@@ -196,10 +195,7 @@ export function milledStock({ motions, bodies }: MilledInput): MilledStock | nul
   };
 }
 
-/**
- * The area of one layer at the beginning of any motion: from the nearest mark before it, or on from where it was asked
- * last.
- */
+/** The area of one layer at the start of any motion, from the nearest mark or from the last query. */
 function layerPlayer(
   motions: readonly MillMotion[],
   marks: readonly Checkpoint[],
@@ -207,7 +203,7 @@ function layerPlayer(
 ): (step: number) => readonly Ring[] {
   let now: { mark: number; next: number; cut: Cutting } | null = null;
   let given: { readonly cut: Cutting; readonly pieces: number; readonly area: readonly Ring[] } | null = null;
-  /** The same array as long as nothing of it is taken: a picture draws that again without looking at it. */
+  /** Returns the same array until something is cut: the picture then skips the comparison. */
   const areaOf = (cut: Cutting): readonly Ring[] => {
     if (given?.cut !== cut || given.pieces !== cut.pieces) given = { cut, pieces: cut.pieces, area: cut.stock() };
     return given.area;

@@ -5,16 +5,13 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { coveredOn, type Sweep } from "../sweep.ts";
 import { roundRing, PLANE_CHORD } from "./body.ts";
 
-/** Straight pieces that an arc beside the plane is taken as. */
+/** Chords of an arc in a side plane. */
 const SIDE_PIECES = 48;
 
-/** Part of a motion by fractions of its way. */
+/** Part of a motion, as fractions of its path. */
 type Span = readonly [from: number, to: number];
 
-/**
- * Where on its way a motion with an even slope is below a height or a hair above it, up to `fraction`; null where it
- * never is.
- */
+/** The part of a straight ramp that is below a height or a hair above it, up to `fraction`; null where none is. */
 function spanBelow({ z: from }: MillSpot, { z: to }: MillSpot, height: number, fraction: number): Span | null {
   const [a, b] = [from ?? to, to ?? from];
   if (a === null || b === null) return null;
@@ -26,7 +23,7 @@ function spanBelow({ z: from }: MillSpot, { z: to }: MillSpot, height: number, f
   return span[1] >= span[0] ? span : null;
 }
 
-/** Part of a way; an arc whose ends fall together stands still, and is no whole circle. */
+/** Part of a path; an arc with coincident ends is empty, not a full circle. */
 function partOf(way: PlaneSegment, from: number, to: number): PlaneSegment {
   if (from <= 0 && to >= 1) return way;
   const [begin, end] = [plane.pointOn(way, from), plane.pointOn(way, to)];
@@ -35,17 +32,17 @@ function partOf(way: PlaneSegment, from: number, to: number): PlaneSegment {
     : { ...way, from: begin, to: end };
 }
 
-/** An arc beside the plane as straight motions. */
+/** An arc in a side plane as straight motions. */
 function pieces(m: MillMotion): readonly MillMotion[] {
   const { side: _, ...plain } = m;
   const spots = Array.from({ length: SIDE_PIECES + 1 }, (_each, i) => spotOn(m, i / SIDE_PIECES));
   return spots.slice(1).map((to, i) => ({ ...plain, from: spots[i] ?? to, to }));
 }
 
-/** What a round flat tool sweeps in the plane while its end is below a height, mm, up to a fraction of a motion. */
+/** The sweep of a flat end mill in the plane while its end is below a height, mm, up to a fraction of a motion. */
 export type Sweeper = (m: MillMotion, height: number, fraction?: number) => readonly Sweep[];
 
-/** Remembers the outlines of all tools, and the sweeps of one motion: below several heights it is mostly the same. */
+/** Caches the outlines of all tools and the sweeps of one motion, which are mostly equal for several heights. */
 export function sweeper(): Sweeper {
   const tools = new Map<number, Ring>();
   let last: { readonly m: MillMotion; readonly bySpan: Map<string, Sweep> } | null = null;
@@ -62,7 +59,7 @@ export function sweeper(): Sweeper {
     return sweep;
   };
   const below: Sweeper = (m, height, fraction = 1) => {
-    // Where nobody knows the radius or the height, nobody knows what is swept.
+    // Without a known radius or height there is no sweep.
     if (!(m.radius > 0) || !(fraction > 0)) return [];
     if (m.side) {
       const done = fraction * SIDE_PIECES;

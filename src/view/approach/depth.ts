@@ -10,19 +10,19 @@ export interface DepthStrip {
   readonly low: number;
   /** Where Z0 lies in the strip, 0 … 1; null outside. */
   readonly zero: number | null;
-  /** For each motion where it begins, and where the last one ends: parts of the whole path. */
+  /** The start of each motion, then the end of the last one: shares of the whole path. */
   readonly begins: readonly number[];
 }
 
 const n = (v: number) => String(Math.round(v * 1e4) / 1e4 + 0);
 
 /**
- * A strip of more motions is drawn by columns: finer than a picture has points, each from its highest to its lowest
- * place.
+ * With more motions than this, a strip is drawn by columns: finer than the pixels of a picture, each from its highest
+ * to its lowest point.
  */
 const COLUMNS = 6000;
 
-/** Lines from one place of the strip to the next, as one path for each way of moving. */
+/** Lines from one point of the strip to the next, as one path per way of moving. */
 function drawn(
   motions: readonly MillMotion[],
   begins: readonly number[],
@@ -37,7 +37,7 @@ function drawn(
   return paths;
 }
 
-/** The same by columns: no single motion of so many can be told from the next. */
+/** The same by columns, for motions too many to tell apart. */
 function drawnByColumns(
   motions: readonly MillMotion[],
   begins: readonly number[],

@@ -9,7 +9,7 @@ import type { ApproachSpeech } from "./speech.ts";
 import { ROUND } from "../../kernel/tolerance.ts";
 import { rounded } from "../../kernel/units.ts";
 
-/** From the measured line to its dimension, pixels. */
+/** Distance from the measured line to its dimension, pixels. */
 const ASIDE = 24;
 
 const moved = (p: Place, x: number, y: number, k: number): Place => ({ x: p.x + x * k, y: p.y + y * k });
@@ -97,7 +97,7 @@ function angleItem(tag: Tag, text: string, arc: Arc): Item {
   return { q: "CCA", candidates };
 }
 
-/** LEN, or R and the centre angle, at the element they measure. `active` is the word that is being asked for. */
+/** LEN, or R and the centre angle, at the element they measure. `active` is the word of the current prompt. */
 export function dimensionItems(
   result: Approach,
   camera: Camera,

@@ -20,10 +20,10 @@ export function handlesOf({ shape, departing, arc }: Approach, polarWithoutPole:
   return [...(isNamed ? [end] : []), ...(shape === "LCT" ? [] : [own]), ...(arc ? (["centre"] as const) : [])];
 }
 
-/** Values follow the pointer in steps one can type. */
+/** Dragged values snap to a grid of values that one can type. */
 const onGrid = (value: number, grid: number) => rounded(Math.round(value / grid) * grid) + 0;
 
-/** The centre angle from a ray to another one in the turn of the arc, degrees. */
+/** The centre angle from one ray to another in the turn of the arc, degrees. */
 function angleTo(contact: PlanePoint, p: PlanePoint, turn: "cw" | "ccw"): number {
   const angle = inDegrees(Math.atan2(cross(contact, p), dot(contact, p))) * (turn === "ccw" ? 1 : -1);
   return angle <= 0 ? angle + 360 : angle;

@@ -46,7 +46,7 @@ describe.each(forms.map((f) => [`${f.departing ? "DEP" : "APPR"} ${f.shape}`, f]
       speech,
     });
 
-    test("is possible, and drawn as it was", async () => {
+    test("is valid, and matches its golden drawing", async () => {
       expect(result.issues).toEqual([]);
       await expect(approachSvg(drawing)).toMatchFileSnapshot(`goldens/${name.replace(" ", "-")}.svg`);
     });
@@ -60,13 +60,13 @@ describe.each(forms.map((f) => [`${f.departing ? "DEP" : "APPR"} ${f.shape}`, f]
       }
     });
 
-    test("names every point, each text for itself", () => {
+    test("names every point, without overlapping texts", () => {
       const texts = drawing.marks.flatMap((m) => (m.kind === "text" ? [m.text] : []));
       for (const point of Object.keys(result.points)) expect(texts.join()).toContain(point);
       expect(drawing.marks.map((m) => ("d" in m ? m.d : "")).join()).not.toMatch(/NaN|Infinity/);
     });
 
-    test("a handle that is dragged to a place of its line or circle gives the value that brings it there", () => {
+    test("dragging a handle along its line or circle gives the value that puts it there", () => {
       const handle = request.departing ? "PN" : "PH";
       if (request.shape === "LCT") return;
       const other = approach({

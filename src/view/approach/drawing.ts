@@ -20,7 +20,7 @@ export interface ApproachScene {
   readonly toolRadius: number;
   /** The way to PH runs at rapid. */
   readonly rapidBefore: boolean;
-  /** The word that is being asked for; null draws everything quiet. */
+  /** The word of the current prompt; null draws everything quiet. */
   readonly active: string | null;
   readonly size: Size;
   /** Small pictures carry names without coordinates and no dimensions. */
@@ -45,7 +45,7 @@ const quiet: Tag = { q: null, active: false };
 const LARGE = { left: 76, right: 76, top: 32, bottom: 32 };
 const SMALL = { left: 20, right: 20, top: 22, bottom: 22 };
 
-/** The tangent in PA or PE, a little further than the tool reaches. */
+/** The tangent in PA or PE, a little longer than the tool's reach. */
 function tangentLine(scene: ApproachScene, camera: Camera, contact: PlanePoint): Mark {
   const far = Math.max(scene.toolRadius * 1.25, 34 / camera.scale);
   const { tangent } = scene.result;
@@ -56,7 +56,7 @@ function tangentLine(scene: ApproachScene, camera: Camera, contact: PlanePoint):
   );
 }
 
-/** The right angle between contour and way of the perpendicular forms. */
+/** The right-angle mark between contour and path in the perpendicular forms. */
 function squareMark({ result }: ApproachScene, camera: Camera, contact: PlanePoint, outer: PlanePoint): Mark {
   const k = 9 / camera.scale;
   const long = Math.hypot(outer.x - contact.x, outer.y - contact.y) || 1;
@@ -65,7 +65,7 @@ function squareMark({ result }: ApproachScene, camera: Camera, contact: PlanePoi
   return stroke(quiet, "thin", polyline([a, beyond(a, away, k), c].map((p) => onScreen(camera, p))));
 }
 
-/** An arrow half way along a leg, that says which way it is run. */
+/** An arrow half way along a leg that shows its direction. */
 function legArrow(tag: Tag, leg: PlaneSegment, camera: Camera): Mark[] {
   const [a, b] = [...along([leg], 16)].slice(8, 10).map((p) => onScreen(camera, p));
   const ends = [onScreen(camera, leg.from), onScreen(camera, leg.to)] as const;

@@ -3,13 +3,13 @@ import { plane, towardsTool, type PlanePoint, type PlaneSegment, type Side } fro
 
 const { apart, beyond, direction } = plane;
 
-/** Where a form shall be put: next to which contour, with which tool. */
+/** Where to put a form: at which contour, with which tool. */
 export interface FormPlace {
   /** Behind APPR, or before DEP. */
   readonly contour: readonly PlaneSegment[];
   readonly side: Side;
   readonly toolRadius: number;
-  /** Where the tool comes from, or leaves to; null where nobody knows. */
+  /** Where the tool comes from or leaves to; null if unknown. */
   readonly outside: PlanePoint | null;
 }
 
@@ -22,7 +22,7 @@ export interface SuggestedForm {
 }
 
 const SHAPES: readonly ApproachShape[] = ["LT", "LN", "CT", "LCT"];
-/** Lengths that are offered, mm. */
+/** Lengths to suggest, mm. */
 const STEPS = [1, 2, 3, 5, 8, 10, 12, 15, 20, 25, 30, 40, 50, 60, 80, 100];
 
 const atLeast = (size: number) => STEPS.find((s) => s >= size) ?? Math.ceil(size);

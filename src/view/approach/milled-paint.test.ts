@@ -13,7 +13,7 @@ const square = (left: number, low: number, size: number): Ring => [
 const COLOURS = { ground: "ground", hatch: "hatch", edge: "edge", step: "step" };
 const CAMERA = { scale: 3.5, zero: { x: 21, y: 402 }, xUp: true };
 
-/** A pen that notes fills with the boxes of what they fill, and what is taken away. */
+/** A pen that records fills with the boxes of what they fill, and cleared areas. */
 function noting() {
   const said: string[] = [];
   let spots: (readonly [number, number])[] = [],
@@ -63,7 +63,7 @@ const painted = (
   return said;
 };
 
-test("what is deepest is painted first, then what stands higher, then what the running motion sweeps; through is empty", () => {
+test("the deepest area is painted first, then higher ones, then the sweep of the running motion; through holes are empty", () => {
   expect(painted({ x: 0, y: 0, width: 600, height: 500 })).toEqual([
     "clear within 1",
     "deep 21 52 371 402",
@@ -75,7 +75,7 @@ test("what is deepest is painted first, then what stands higher, then what the r
   ]);
 });
 
-test("a shoulder that is not milled is hatched in the tone of its height", () => {
+test("an unmilled shoulder is hatched in the tone of its height", () => {
   const shouldered: MilledMoment = {
     ...moment,
     swept: [[], [], []],
@@ -91,7 +91,7 @@ test("a shoulder that is not milled is hatched in the tone of its height", () =>
   ]);
 });
 
-test("rings that do not come near the patch are left out", () => {
+test("rings away from the patch are left out", () => {
   // Right of X70: nothing of the two upper areas.
   expect(painted({ x: 310, y: 100, width: 40, height: 40 }).slice(1)).toEqual([
     "deep 21 52 371 402",
@@ -103,7 +103,7 @@ test("rings that do not come near the patch are left out", () => {
   ]);
 });
 
-test("few depths are as far apart as can be", () => {
+test("few depths use tones as far apart as possible", () => {
   expect([1, 2, 3, 5].map((depths) => Array.from({ length: depths }, (_, i) => toneOfDepth(i, depths)))).toEqual([
     [2],
     [0, 4],

@@ -5,20 +5,20 @@ import type { MilledMoment } from "../../sim/plane/milled.ts";
 import type { Camera } from "../camera.ts";
 import type { Patch, Pen } from "../material/pen.ts";
 
-/** What milled stock is painted with, as CSS colours. */
+/** Colours of milled stock, as CSS colours. */
 export interface MilledColours {
-  /** What reaches up to the top, and the hatch of all that is not milled. */
+  /** The top surface, and the hatch of everything that is not milled. */
   readonly ground: string;
   readonly hatch: string;
-  /** Round the body; round what is milled, and the hatch of lower shoulders, whose tones are darker. */
+  /** Outline of the body and of milled areas, and the hatch of lower shoulders, whose tones are darker. */
   readonly edge: string;
   readonly step: string;
 }
 
-/** Tones of milled areas that the page has, the first the least deep. */
+/** Number of tones for milled areas, the first the least deep. */
 export const TONES = 5;
 
-/** Which of the tones a depth has: the shallowest and the deepest are as far apart as can be. */
+/** The tone of a depth: the shallowest and the deepest are as far apart as possible. */
 export const toneOfDepth = (depth: number, depths: number): number =>
   depths < 2 ? Math.floor(TONES / 2) : Math.round((depth * (TONES - 1)) / (depths - 1));
 
@@ -35,11 +35,11 @@ function known(ring: Ring): Box {
 interface Sheet {
   readonly pen: Pen;
   readonly camera: Camera;
-  /** What is painted, in the plane. */
+  /** The painted area, in the plane. */
   readonly seen: Box;
 }
 
-/** Rings as the path of the pen; those that do not come near the patch are left out. */
+/** Traces rings as the path of the pen; rings away from the patch are left out. */
 function trace({ pen, camera: { scale, zero }, seen }: Sheet, rings: readonly Ring[]): void {
   pen.beginPath();
   for (const ring of rings) {
@@ -56,7 +56,7 @@ function trace({ pen, camera: { scale, zero }, seen }: Sheet, rings: readonly Ri
   }
 }
 
-/** Lines that stand on the picture and not in the patch, so that patches meet without a seam. */
+/** Hatch lines fixed to the picture instead of the patch, so that patches meet without a seam. */
 function hatch(pen: Pen, { x, y, width, height }: Patch, colour: string): void {
   pen.beginPath();
   for (let c = Math.floor((x - y - height) / HATCH) * HATCH; c < x + width - y; c += HATCH) {
@@ -68,16 +68,16 @@ function hatch(pen: Pen, { x, y, width, height }: Patch, colour: string): void {
   pen.stroke();
 }
 
-/** Milled stock as it is painted: the moment, and the tone of each depth as a CSS colour. */
+/** Milled stock to paint: the moment, and the tone of each depth as a CSS colour. */
 export interface Milled {
   readonly moment: MilledMoment;
   readonly tones: readonly string[];
 }
 
 /**
- * Paints a patch of milled stock anew, seen from above with X to the right and Y upwards: first what is deepest, over
- * it what stands higher, hatched what is not milled, however high it came. Nothing outside the patch is touched; what
- * is milled through stays empty.
+ * Repaints a patch of milled stock, seen from above with X to the right and Y upwards: the deepest areas first, higher
+ * ones over them; areas that are not milled are hatched at any height. Nothing outside the patch is touched; through
+ * holes stay empty.
  */
 export function paintMilled(
   pen: Pen,
@@ -121,7 +121,7 @@ export function paintMilled(
     pen.lineWidth = i === last ? 2 : 1;
     pen.stroke();
   }
-  // The running motion, over what stood when it began.
+  // The running motion, over the stock as it was when the motion began.
   swept.forEach((rings, i) => {
     if (rings.length === 0) return;
     pen.save();

@@ -23,7 +23,7 @@ const LOOK: MilledLook = {
   origin: { x: 7, y: 20, width: 180, height: 80 },
 };
 
-/** A painter of a stock that is cut by so many motions, and the patches that it has painted. */
+/** A painter of a stock that is cut by the first so many motions, and the patches that it paints. */
 function painting(cut: number) {
   const stock = milledStock({ motions: MOTIONS, bodies: [{ step: 0, body: { block: BLOCK, turned: null } }] });
   if (!stock) throw new Error("no stock");
@@ -33,7 +33,7 @@ function painting(cut: number) {
   const pen = new Proxy({} as Pen, {
     set: () => true,
     get: (_, key) => (x: number, y: number, width: number, height: number) => {
-      // What is painted anew is emptied first; what is milled through is emptied later.
+      // Repainting first clears the patch; through holes are cleared later.
       if (key === "clearRect" && isFirst) patches.push({ x, y, width, height });
       isFirst = key === "setTransform" || (isFirst && key !== "clearRect");
     },
@@ -41,7 +41,7 @@ function painting(cut: number) {
   return { painter: milledPainter(MOTIONS, stock), stock, pen, patches };
 }
 
-test("what is painted of a later moment is where the mill went since, within what is painted on", () => {
+test("a later moment repaints only where the mill moved since, within the painted area", () => {
   const { painter, pen, patches } = painting(3);
   painter.all(pen, LOOK);
   expect(painter.follow(pen, LOOK, { step: 1, fraction: 0.5 })).toBe(true);
@@ -57,7 +57,7 @@ test("nothing is painted where no motion ran", () => {
   expect(patches).toEqual([]);
 });
 
-test("what was shown as far as it was cut is painted whole when it is cut further", () => {
+test("stock shown before its cut was complete is repainted in full once it is cut further", () => {
   const { painter, stock, pen, patches } = painting(0);
   painter.goTo({ step: 3, fraction: 0 });
   painter.all(pen, LOOK);

@@ -7,29 +7,29 @@ import { patchOf, patchWithin } from "../material/touched.ts";
 import { paintMilled, type MilledColours } from "./milled-paint.ts";
 import { milledBetween } from "./touched-plane.ts";
 
-/** How milled stock is looked at: `origin` is the part of the picture that is painted on. */
+/** View settings of milled stock: `origin` is the painted part of the picture. */
 export interface MilledLook {
   readonly camera: Camera;
   readonly colours: MilledColours;
   /** The tone of each depth, as a CSS colour. */
   readonly tones: readonly string[];
-  /** Pixels of the device for one of the page. */
+  /** Device pixels per CSS pixel. */
   readonly ratio: number;
   readonly origin: Patch;
 }
 
-/** Paints milled stock at one moment after the other, and of the later ones only what differs. */
+/** Paints milled stock at successive moments; later moments repaint only the differences. */
 export interface MilledPainter {
   /** Goes to another moment without painting. */
   readonly goTo: (position: PlayPosition) => void;
   readonly at: () => PlayPosition;
-  /** Paints all of it as it is at the moment. */
+  /** Paints everything at the current moment. */
   readonly all: (pen: Pen, look: MilledLook) => void;
-  /** Goes to another moment and paints what looks different there; false when nothing does. */
+  /** Goes to another moment and repaints the differences; false if there are none. */
   readonly follow: (pen: Pen, look: MilledLook, position: PlayPosition) => boolean;
 }
 
-/** A painter that stands at the start of a run. */
+/** A painter at the start of a run. */
 export function milledPainter(
   motions: readonly MillMotion[],
   stock: Pick<MilledStock, "at" | "isSameBody" | "reached">,
@@ -53,7 +53,7 @@ export function milledPainter(
       const before = now,
         was = reached;
       goTo(position);
-      // What was painted before it was cut as far is another stock than that of its moment.
+      // A picture painted before the stock was cut up to its moment is outdated.
       const isWhole = was >= before.step && stock.isSameBody(before.step, now.step);
       const touched = isWhole ? milledBetween(motions, before, now) : "all";
       const patch =

@@ -8,15 +8,15 @@ import { onScreen } from "./frame.ts";
 import { pointItem, type ShownPoint } from "./points.ts";
 import type { ApproachSpeech } from "./speech.ts";
 
-/** More approaches than this carry their names without coordinates. */
+/** With more approaches than this, names have no coordinates. */
 const FEW = 3;
-/** Never more points than this with a name. */
+/** Limit of named points. */
 const MOST = 40;
-/** A name that would stand farther from its point is left out: the list below the picture has it. */
+/** A name farther from its point than this is left out: the list below the picture has it. */
 const FAR = 4;
 const ORDER: readonly PointName[] = ["PS", "PH", "PA", "PE", "PN"];
 
-/** A named point with the texts that stand beside it. */
+/** A named point with the texts beside it. */
 export interface NamedPlace extends ShownPoint {
   readonly marks: readonly Mark[];
 }

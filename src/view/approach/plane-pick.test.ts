@@ -26,7 +26,7 @@ const motions = [
 const leads: readonly NamedLead[] = [{ index: 4, points: { PS: { x: -8.5, y: -11 }, PA: { x: -8.5, y: 6.4 } } }];
 
 describe("pointing in the working plane", () => {
-  test("means the nearest motion and its moment there", () => {
+  test("picks the nearest motion and its moment there", () => {
     expect(motionAt(motions, [], at(-9.1, 20), 2)).toEqual({
       step: 2,
       fraction: expect.closeTo((20 - 6.4) / 54.9, 6) as number,
@@ -37,15 +37,15 @@ describe("pointing in the working plane", () => {
     });
     expect(motionAt(motions, [], at(6.6, 61.3), 2)).toBeNull();
   });
-  test("a named point means its approach, though the contour begins there too", () => {
+  test("picks the approach of a named point, though the contour begins there too", () => {
     expect(motionAt(motions, [], at(-8.9, 6.9), 2)?.step).toBe(2);
     expect(motionAt(motions, leads, at(-8.9, 6.9), 2)).toEqual({ step: 1, fraction: expect.closeTo(1, 2) as number });
     expect(motionAt(motions, leads, at(-8.9, 9.1), 2)?.step).toBe(2);
   });
 });
 
-describe("what two moments of the stock differ in", () => {
-  test("is round the way of the tool between them, the whole of a motion that ended", () => {
+describe("the box in which the stock of two moments differs", () => {
+  test("covers the tool path between them, and the whole of a motion that ended", () => {
     expect(milledBetween(motions, { step: 0, fraction: 0.25 }, { step: 0, fraction: 0.75 })).toEqual({
       left: -20 + 11.5 / 4 - 4.5,
       right: -8.5 - 11.5 / 4 + 4.5,
@@ -60,7 +60,7 @@ describe("what two moments of the stock differ in", () => {
       high: expect.closeTo(-11 + 17.4 / 2 + 4.5, 9) as number,
     });
   });
-  test("is nothing where no time goes by, and all where too much does", () => {
+  test("is null when no time passes, and everything when too much does", () => {
     expect(milledBetween(motions, { step: 4, fraction: 0 }, { step: 4, fraction: 0 })).toBeNull();
     expect(milledBetween(motions, { step: 0, fraction: 0 }, { step: 999, fraction: 0 })).toBe("all");
   });

@@ -7,7 +7,7 @@ import { fractionNear, nearestStep, type Looked } from "../pick.ts";
 
 const MILLED: Looked<MillMotion> = { wayOf: (m) => partSegment(wayOf(m)), cuts: (m) => !isRapid(m) };
 
-/** An APPR or DEP, as far as it can be pointed at. */
+/** An APPR or DEP, with the points that can be picked. */
 export interface NamedLead {
   readonly index: number;
   readonly points: NamedPoints;
@@ -40,8 +40,8 @@ const ofBlock =
     motions[step]?.index === index;
 
 /**
- * The motion that is meant by a place, within `reach` mm, and its moment that is nearest: by a named point a motion of
- * its approach or departure, else the nearest one. Null where none is near.
+ * The motion picked at a place, within `reach` mm, and its nearest moment: near a named point a motion of that approach
+ * or departure, else the nearest motion. Null if none is near.
  */
 export function motionAt(
   motions: readonly MillMotion[],

@@ -17,19 +17,19 @@ export interface PlaneScene {
 
 export const PLANE_ROLES: readonly PlaneRole[] = ["contour", "rapid", "feed", "lead"];
 
-/** The place of a moment of a run; null in an empty one. */
+/** The place of the tool at a moment of a run; null in an empty run. */
 export function spotAt(motions: readonly MillMotion[], step: number, fraction: number): MillSpot | null {
   const running = motions[step];
   return running ? spotOn(running, fraction) : (motions.at(-1)?.to ?? null);
 }
 
-/** Space round everything, mm per mm of its size. */
+/** Margin, mm per mm of size. */
 const AIR = 0.04;
 const EMPTY: Bounds = { left: -10, right: 110, low: -10, high: 110 };
 
 const ARC_PARTS = [0.25, 0.5, 0.75];
 
-/** Box round what the tool reaches on all motions; null without one. */
+/** The box of everything that the tool reaches on all motions; null without motions. */
 function reachOf(motions: readonly MillMotion[]): Bounds | null {
   let left = Infinity,
     right = -Infinity,
@@ -51,10 +51,7 @@ function reachOf(motions: readonly MillMotion[]): Bounds | null {
   return left <= right && low <= high ? { left, right, low, high } : null;
 }
 
-/**
- * The still part of the picture: contours, and the path told apart by what it is. `leads` are the blocks of APPR and
- * DEP.
- */
+/** The static part of the picture: contours, and the path split by role. `leads` are the blocks of APPR and DEP. */
 export function planeScene(
   motions: readonly MillMotion[],
   contours: readonly (readonly PlaneSegment[])[],

@@ -31,10 +31,10 @@ export function shownPoints(result: Approach, camera: Camera): readonly ShownPoi
 }
 
 const LINE = 15;
-/** From a point to its text, pixels. */
+/** Distance from a point to its text, pixels. */
 const AWAY = 13;
 
-/** The text beside a point, with eight places to stand; those away from the middle of the picture first. */
+/** The text beside a point, with eight candidate places; those away from the middle of the picture first. */
 export function pointItem(
   p: ShownPoint,
   speech: ApproachSpeech,

@@ -8,7 +8,7 @@ const lead = { points: { PS: { x: 10, y: 30 }, PH: { x: 6, y: 21 }, PA: { x: 3, 
 const camera = (scale: number): Camera => ({ scale, xUp: true, zero: { x: 0, y: 0 } });
 
 describe("points of an approach in the picture of the lathe", () => {
-  it("are told while they stand apart, and not from farther away", () => {
+  it("are shown while they are apart, and hidden when zoomed out", () => {
     expect(withRoom([lead], camera(3))).toEqual([lead]);
     expect(withRoom([lead], camera(1))).toEqual([]);
   });

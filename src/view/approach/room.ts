@@ -5,10 +5,10 @@ import type { Camera } from "../camera.ts";
 
 const { apart } = plane;
 
-/** Dots nearer than this lie on each other, pixels. */
+/** Dots nearer than this overlap, pixels. */
 const NEAREST = 9;
 
-/** Approaches whose different points stand apart at this zoom; from farther away none of their points is told. */
+/** Approaches whose points are apart at this zoom; when zoomed out, the points of an approach are hidden together. */
 export const withRoom = <A extends { readonly points: NamedPoints }>(
   approaches: readonly A[],
   camera: Camera,

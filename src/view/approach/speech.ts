@@ -1,6 +1,6 @@
 import type { PlanePoint } from "../../kernel/plane/plane.ts";
 
-/** Numbers of an approach in the way of the screen language. */
+/** Number format of approaches in the screen language. */
 export interface ApproachSpeech {
   /** A length, at most three decimals. */
   readonly number: (value: number) => string;

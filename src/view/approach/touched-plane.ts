@@ -5,10 +5,10 @@ import type { PlayPosition } from "../../sim/simulation.ts";
 import { grownBounds, joined } from "../bounds.ts";
 import type { Bounds } from "../camera.ts";
 
-/** Motions between two moments of which each is looked at; beyond that many everything counts as touched. */
+/** Limit of motions between two moments that are checked one by one; with more, everything counts as touched. */
 const MOST_MOTIONS = 200;
 
-/** What a motion reaches from one fraction of its way on: of an arc all of it. */
+/** The area that a motion reaches between two fractions of its way; an arc counts whole. */
 function reachFrom(m: MillMotion, begin: number, end: number): Bounds {
   const way = wayOf(m);
   const run = way.kind === "line" ? plane.line(plane.pointOn(way, begin), plane.pointOn(way, end)) : way;
@@ -16,9 +16,9 @@ function reachFrom(m: MillMotion, begin: number, end: number): Bounds {
 }
 
 /**
- * The box in which the milled stock of two moments may differ, mm: where tools went between them; null when that is
- * nowhere, "all" when it is too much to be worth a look. A motion that ended between them counts whole: its edges are
- * drawn when it is done.
+ * The box in which the milled stock of two moments may differ, mm: the tool paths between them. Null if there are none,
+ * "all" if there are too many to check. A motion that ended between the moments counts whole: its edges are drawn when
+ * it is done.
  */
 export function milledBetween(
   motions: readonly MillMotion[],

@@ -42,7 +42,7 @@ test("a diameter stands at the right edge at the height of its point, Z under it
   expect((z?.box.y ?? 0) + (z?.box.height ?? 0)).toBeLessThan(size.height - 22);
 });
 
-test("texts stand near the contour where the sheet is larger than it", () => {
+test("on a sheet larger than the contour texts stay near the contour", () => {
   const at = point(-23.617, 8.715);
   const [x, z] = placedDimensions({ ...sheet, free: { x: 500, y: 300 } }, [
     asked("x", { kind: "diameter", at }),
@@ -52,7 +52,7 @@ test("texts stand near the contour where the sheet is larger than it", () => {
   expect(z?.box.y).toBe(300);
 });
 
-test("two diameters that are nearly the same are moved apart; one too many is left out, but never one of the chosen element", () => {
+test("two nearly equal diameters are moved apart; without room one is left out, but never one of the chosen element", () => {
   const near = [8.715, 8.9, 9.1, 9.35].map((r, i) => asked(`x${i}`, { kind: "diameter", at: point(-10, r) }));
   const placed = placedDimensions(sheet, near);
   expect(placed).toHaveLength(4);
@@ -79,7 +79,7 @@ test("a length runs beside its element with an arrowhead at each end", () => {
   );
 });
 
-test("a text rather stands on the other side than on the contour", () => {
+test("a text moves to the other side rather than cover the contour", () => {
   const from = point(-40.3, 15),
     to = point(-11.9, 15),
     [a] = [toScreen(sheet.camera, point(-26.1, 15))];
@@ -90,13 +90,13 @@ test("a text rather stands on the other side than on the contour", () => {
   expect(down?.box.y).toBeGreaterThan(a.y);
 });
 
-test("what lies outside the picture has no dimension unless it is chosen", () => {
+test("a dimension outside the picture is left out unless its element is chosen", () => {
   const far = point(-500, 10);
   expect(placedDimensions(sheet, [asked("far", { kind: "axial", at: far })])).toEqual([]);
   expect(placedDimensions(sheet, [asked("far", { kind: "axial", at: far }, true)])).toHaveLength(1);
 });
 
-test("every text lies whole on the sheet, clear of the scales and of all others that are not chosen", () => {
+test("every text is fully on the sheet, clear of the scales and of all texts that are not chosen", () => {
   const number = (min: number, max: number) => fc.integer({ min: min * 1000, max: max * 1000 }).map((n) => n / 1000);
   const at = fc.record({ z: number(-60, 3), r: number(0.3, 31) }).map(({ z, r }) => point(z, r));
   const measured = fc.oneof(

@@ -16,11 +16,11 @@ export interface AskedDimension {
   readonly key: string;
   readonly text: string;
   readonly measured: Measured;
-  /** It stands in any case, as those of the chosen element do; the others only where there is room. */
+  /** Always placed, as for the chosen element; others only where there is room. */
   readonly needed: boolean;
 }
 
-/** A dimension on the sheet: where its text stands, its thin lines and its filled arrowheads; CSS pixels. */
+/** A dimension on the sheet: the box of its text, its thin lines and its filled arrowheads; CSS pixels. */
 export interface PlacedDimension {
   readonly key: string;
   readonly box: LabelBox;
@@ -32,15 +32,15 @@ export interface PlacedDimension {
 export interface DimensionSheet {
   readonly camera: Camera;
   readonly size: Size;
-  /** What the scales take of the left and the lower edge. */
+  /** Space that the scales take at the left and the lower edge. */
   readonly scales: { readonly left: number; readonly below: number };
-  /** Least size of a text that can be pressed. */
+  /** Least size of a text that can be clicked. */
   readonly target: Size;
   /** Boxes that no text may cover. */
   readonly kept: readonly LabelBox[];
   /** Left and upper edge of the areas that the contour leaves free: diameters stand on the right, positions below. */
   readonly free: Place;
-  /** Places along the contour, which a text should rather not cover. */
+  /** Points along the contour that a text should avoid. */
   readonly avoid: readonly Place[];
 }
 
@@ -54,7 +54,7 @@ const GAP = 6,
 const OFFSETS = [30, 52, 76, 104] as const;
 const ARC = 38;
 
-/** A place for a text. Its lines are drawn where it is taken: most are not. */
+/** A candidate place for a text. Its lines are only drawn once it is taken: most are not. */
 interface Candidate extends Pick<PlacedDimension, "box"> {
   readonly draw: () => Pick<PlacedDimension, "lines" | "arrows">;
 }
@@ -207,7 +207,7 @@ function candidates(sheet: DimensionSheet, { text, measured }: AskedDimension): 
   }
 }
 
-/** Whether what is measured is in sight: dimensions of points outside the picture would lie at its edges. */
+/** Whether the measured place is visible: dimensions of points outside the picture would crowd its edges. */
 function inSight({ camera, size }: DimensionSheet, { measured }: AskedDimension): boolean {
   const points =
     measured.kind === "length"
@@ -225,18 +225,18 @@ const shared = (a: LabelBox, b: LabelBox): number =>
   Math.max(0, Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x)) *
   Math.max(0, Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y));
 
-/** What covering one place of the contour counts, in steps to the next candidate. */
+/** Cost of covering one point of the contour, in steps to the next candidate. */
 const COVERING = 2;
 
-/** The first candidate, unless a later one covers that much less of the contour. */
+/** The first candidate, unless a later one covers enough less of the contour to be worth the steps. */
 function clearest(covered: (box: LabelBox) => number, possible: readonly Candidate[]): Candidate | undefined {
   const cost = ({ box }: Candidate, i: number) => i + COVERING * covered(box);
   return possible.map((c, i) => ({ c, cost: cost(c, i) })).sort((a, b) => a.cost - b.cost)[0]?.c;
 }
 
 /**
- * Puts dimensions on the drawing, those of the chosen element first: each where its text covers no other. One of the
- * chosen element that finds no free place takes the one that covers least; of the others it is left out.
+ * Places dimensions on the drawing, those of the chosen element first, each where its text covers no other. Without a
+ * free place, a dimension of the chosen element takes the place that covers least; others are left out.
  */
 export function placedDimensions(sheet: DimensionSheet, asked: readonly AskedDimension[]): PlacedDimension[] {
   const taken: LabelBox[] = [...sheet.kept],

@@ -27,7 +27,7 @@ test("a boring bar is cut off at the right edge", () => {
   expect(found?.width).toBeCloseTo(20 * 3.7, 9);
 });
 
-test("no break where the end is in sight, where the tool is away, and without a holder", () => {
+test("no break if the end of the shank is visible, the tool is out of the picture, or it has no holder", () => {
   const far = { ...camera, scale: 0.9 };
   expect(breakOf(tool(1), at(-10.3, 30.1), far, seen)).toBeNull();
   expect(breakOf(tool(1), at(900, 30.1), camera, seen)).toBeNull();

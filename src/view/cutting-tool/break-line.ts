@@ -6,7 +6,7 @@ import { toScreen, type Bounds, type Camera, type Place } from "../camera.ts";
 import type { Seen } from "../edge-mark.ts";
 
 /**
- * Where a shank leaves the picture: the middle of the break, which way the shank goes on there, and how wide it is,
+ * Where a shank leaves the picture: the middle of the break, the direction in which the shank continues, and its width,
  * pixels.
  */
 export interface Broken {
@@ -18,7 +18,7 @@ export interface Broken {
 
 const shanks = new WeakMap<Tool, Bounds | null>();
 
-/** The box round the shank of a tool, from its tip; null without one. Asked for with each picture. */
+/** The box round the shank of a tool, from its tip; null without a shank. Cached, because every picture needs it. */
 function shankOf(tool: Tool): Bounds | null {
   const known = shanks.get(tool);
   if (known !== undefined) return known;
@@ -28,7 +28,8 @@ function shankOf(tool: Tool): Bounds | null {
 }
 
 /**
- * Where the shank of a tool leaves what is seen, its tip at a place; null where its end is in sight, or nothing of it.
+ * Where the shank of a tool with its tip at a place leaves the visible area; null if the end of the shank is visible,
+ * or nothing of it.
  */
 export function breakOf(tool: Tool, tip: Pt, camera: Camera, seen: Seen): Broken | null {
   const shank = shankOf(tool);
@@ -60,8 +61,8 @@ const [WAVE, OVER] = [4, 3];
 const n = (v: number) => Math.round(v * 10) / 10;
 
 /**
- * A break drawn for a shank that goes on to the right: the line, and the ground of `deep` pixels that hides what lies
- * behind it.
+ * A break for a shank that continues to the right: the line, and `deep` pixels of background that hide what is behind
+ * it.
  */
 export function breakData(width: number, deep: number): { readonly line: string; readonly ground: string } {
   const half = n(width / 2 + OVER),

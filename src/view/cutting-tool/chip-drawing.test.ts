@@ -28,7 +28,7 @@ const longest = work.steps.reduce(
 );
 const moment: PlayPosition = { step: longest, fraction: 0.437 };
 
-test("a moment of contact, as it is drawn", async () => {
+test("a moment of contact matches its golden drawing", async () => {
   const chip = chips(moment),
     tip = tipAt(work.steps, moment),
     tool = work.steps[longest]?.tool;

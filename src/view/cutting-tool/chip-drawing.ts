@@ -19,9 +19,9 @@ const lineData = (line: readonly Pt[]) =>
 export const drawnChip = (chip: Chip | null): DrawnChip =>
   chip ? { area: ringData(chip.rings), edge: chip.contact.map(lineData).join("") } : NO_CHIP;
 
-/** A chip whose thickness is smaller on the screen has no room for its numbers, pixels. */
+/** A chip thinner than this on the screen has no room for its numbers, pixels. */
 const LEAST = 7;
-/** From the edge to the first letter, and half the ticks at the ends of the measure, pixels. */
+/** Distance from the edge to the text, and half the ticks at the ends of the measure, pixels. */
 const [BESIDE, TICK] = [16, 3];
 
 /** The measure of a chip's thickness on the screen, pixels from the tip. */
@@ -34,7 +34,7 @@ export interface ChipMeasure {
 
 const n = (v: number) => Math.round(v * 10) / 10;
 
-/** Where the thickness of a chip is written at a scale of so many pixels a mm; null where it is too thin to be seen. */
+/** Where the thickness of a chip is written, at a scale in pixels per mm; null if the chip is too thin to see. */
 export function chipMeasure({ thickest: { from, to, size } }: Chip, scale: number, xUp: boolean): ChipMeasure | null {
   if (size * scale < LEAST) return null;
   const place = (p: Pt): Place => ({ x: p.z * scale, y: (xUp ? -1 : 1) * p.r * scale });

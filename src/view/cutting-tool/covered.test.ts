@@ -12,7 +12,7 @@ const work = silhouetteOf([
   [at(-63.7, 4.1), at(0.7, 4.1), at(0.7, 25.3), at(-31.2, 25.3), at(-31.2, 38.5), at(-63.7, 38.5)],
 ]);
 
-/** Whether a place is shown by a value of `clip-path`: on how many lines of its polygon it looks. */
+/** Whether a value of `clip-path` shows a place, by counting the polygon's sides that a ray from the place crosses. */
 function shows(clip: string, { x, y }: Place): boolean {
   const corners = clip
     .replace("polygon(evenodd, ", "")
@@ -34,7 +34,7 @@ const seenOf = (section: "half" | "outside", p: Pt, look: Camera = camera) => {
   return [shows(seen, place), shows(other, place)];
 };
 
-test("boring bars and drills lie inward, what turns outside does not", () => {
+test("boring bars and drills lie inward, tools for outside turning do not", () => {
   expect(shippedTools.filter(liesInward).map(({ NAME }) => NAME)).toMatchInlineSnapshot(`
     [
       "BORE-CCMT-80-R04",
@@ -45,7 +45,7 @@ test("boring bars and drills lie inward, what turns outside does not", () => {
   `);
 });
 
-test("from outside the work hides what is nearer to the axis than its edge, on both sides of it", () => {
+test("from outside, the work hides everything nearer to the axis than its edge, on both sides", () => {
   expect(seenOf("outside", at(-47.3, 33))).toEqual([false, true]);
   expect(seenOf("outside", at(-47.3, -33))).toEqual([false, true]);
   expect(seenOf("outside", at(-12.4, 33))).toEqual([true, false]);

@@ -5,10 +5,10 @@ import { at } from "../../kernel/geometry/point.ts";
 import { toolBox } from "./drawing.ts";
 import type { Silhouette } from "./silhouette.ts";
 
-/** Where a tool that the work may cover is seen, and where the rest of it is, as values of CSS `clip-path`. */
+/** The visible part of a tool that the work may cover, and the rest of it, as values of CSS `clip-path`. */
 export interface Windows {
   readonly seen: string;
-  /** The second part; from outside only the edges of it are drawn, behind the work. */
+  /** The rest; from outside only its edges are drawn, behind the work. */
   readonly other: string;
 }
 
@@ -25,7 +25,7 @@ const boxOf = (width: number, top: number, bottom: number): Place[] => [
   { x: 0, y: bottom },
 ];
 
-/** What lies in an odd number of areas, each of them going back to its first place and that of the first area. */
+/** The points inside an odd number of areas, each area closed back to its first place and to that of the first area. */
 function inOne(areas: readonly (readonly Place[])[]): string {
   const [first] = areas[0] ?? [],
     round = areas.flatMap((area) => [...area, ...area.slice(0, 1), ...(first ? [first] : [])]);
@@ -34,9 +34,9 @@ function inOne(areas: readonly (readonly Place[])[]): string {
 }
 
 /**
- * The windows through which a tool is seen that the work may cover. A half section is open on the tool's side of the
- * axis; on the other side, and in a view from outside on both, the work covers what lies nearer to the axis than its
- * edge. Null where all of the tool is seen.
+ * The clip windows of a tool that the work may cover. A half section is open on the tool's side of the axis; on the
+ * other side, and in a view from outside on both sides, the work covers everything nearer to the axis than its edge.
+ * Null if the whole tool is visible.
  */
 export function windowsOf(
   section: SectionKind,

@@ -25,23 +25,20 @@ describe("tools of the table as drawings", () => {
   });
 });
 
-test.each(tools)(
-  "tool %i is drawn with the outline that is simulated, its land inside and its pocket under it",
-  (_, tool) => {
-    const roles = rolesOf(tool);
-    expect(roles.indexOf("holder")).toBe(0);
-    expect(roles.indexOf("pocket")).toBeLessThan(roles.indexOf("insert"));
-    expect(roles.indexOf("relief")).toBeGreaterThan(roles.indexOf("insert"));
-    expect(dataOf(tool, isBar(tool) ? "rest" : "insert")).toBe(ringData([insertOutline(tool, CHORD)]));
-  },
-);
+test.each(tools)("tool %i is drawn with its simulated outline, its land inside and its pocket under it", (_, tool) => {
+  const roles = rolesOf(tool);
+  expect(roles.indexOf("holder")).toBe(0);
+  expect(roles.indexOf("pocket")).toBeLessThan(roles.indexOf("insert"));
+  expect(roles.indexOf("relief")).toBeGreaterThan(roles.indexOf("insert"));
+  expect(dataOf(tool, isBar(tool) ? "rest" : "insert")).toBe(ringData([insertOutline(tool, CHORD)]));
+});
 
 test("a tool without a holder has none drawn, and no pocket", () => {
   const { holder: _, ...bare } = cnmg;
   expect(rolesOf(bare)).toEqual(["insert", "relief", "screw", "screw", "drive"]);
 });
 
-test("a blade shows its insert where it stands out, and how far its edge is counted", () => {
+test("a blade shows the part of its insert that sticks out, and the length of its edge", () => {
   expect(rolesOf(blade)).toEqual(["holder", "pocket", "rest", "insert", "relief"]);
   expect(holderOutlines(blade)).toHaveLength(2);
   // 2 mm wide: 4.8 mm of it.
@@ -51,20 +48,20 @@ test("a blade shows its insert where it stands out, and how far its edge is coun
   expect(rolesOf(bare)).toEqual(["insert", "relief"]);
 });
 
-test("an insert whose flanks nobody knows is a guess behind its nose", () => {
+test("an insert with unknown flanks is a guess behind its nose", () => {
   const { "P-ANGLE": _, ...unknown } = cnmg;
   expect(rolesOf(unknown)).toContain("guess");
   expect(rolesOf(unknown)).not.toContain("insert");
 });
 
-test("a correction moves all of it", () => {
+test("a tool correction moves all shapes", () => {
   const moved = toolBox({ ...cnmg, correction: { z: length(0.31), r: length(-0.17) } }),
     there = toolBox(cnmg);
   expect((moved?.left ?? 0) - (there?.left ?? 0)).toBeCloseTo(0.31, 9);
   expect((moved?.high ?? 0) - (there?.high ?? 0)).toBeCloseTo(-0.17, 9);
 });
 
-test("a drill has its axis and its grooves", () => {
+test("a drill has its axis and its flutes", () => {
   const drill: Tool = { T: 31, NAME: "DRILL-10", TYPE: "DRILL", TO: 9, RS: length(0), R: length(5) };
   expect(rolesOf(drill)).toEqual(["insert", "relief", "centre"]);
 });

@@ -30,7 +30,7 @@ const SCREW = 0.24;
 const OUT_OF_BLADE = 2.4;
 /** Corners of the drive of a screw. */
 const CORNERS = 6;
-/** The grooves of a drill run round it in so many diameters. */
+/** Lead of the flutes of a drill, in diameters. */
 const LEAD = 3.2;
 
 /** The centre of an area. */
@@ -62,7 +62,7 @@ function circleData({ z, r }: Pt, radius: number): string {
 
 const lineData = (from: Pt, to: Pt) => `${startData(from)}L${startData(to).slice(1)}`;
 
-/** The part of a blade's insert that stands out of its blade; all of it where nothing holds it. */
+/** The part of a blade's insert that sticks out of its blade; all of it without a holder. */
 export function outOfBlade(tool: Tool, ring: Ring): Ring {
   const edge = insertShape(tool).find((e) => e.feature === "width");
   if (!isBar(tool) || !tool.holder || edge?.kind !== "line") return ring;
@@ -72,12 +72,12 @@ export function outOfBlade(tool: Tool, ring: Ring): Ring {
     inwards = part.leftOf(part.direction({ kind: "line", from, to }, from));
   const { left, right, low, high } = boxOf(ring),
     deep = Math.min(right - left, high - low) * OUT_OF_BLADE;
-  // The part towards the edge lies to the right of the same line drawn deeper in.
+  // The part towards the edge is to the right of the same line moved inwards.
   const front = rightOf(ring, part.beyond(from, inwards, deep), part.beyond(to, inwards, deep));
   return front.length > 2 ? front : ring;
 }
 
-/** Hole and clamp of an insert: a screw or a lever, which the table does not say. */
+/** Hole and clamp of an insert: a screw or a lever; the tool table does not say which. */
 function clampOf(ring: Ring): ToolShape[] {
   const centre = centreOf(ring),
     room = depthIn(ring, centre);
@@ -91,7 +91,7 @@ function clampOf(ring: Ring): ToolShape[] {
   ];
 }
 
-/** The grooves of a drill from the side, and its axis. */
+/** The flutes of a drill from the side, and its axis. */
 function groovesOf(ring: Ring): ToolShape[] {
   const { left, right, low, high } = boxOf(ring),
     size = high - low,
@@ -107,7 +107,7 @@ function groovesOf(ring: Ring): ToolShape[] {
   ];
 }
 
-/** The axis of a boring bar, which is round, where its shank lies along Z and it cuts outwards. */
+/** The axis of a round boring bar, if its shank lies along Z and it cuts outwards. */
 function axisOf(tool: Tool): ToolShape[] {
   const shank = holderOutlines(tool).at(-1),
     { u, v } = tipDirection(tool.TO);
@@ -117,7 +117,7 @@ function axisOf(tool: Tool): ToolShape[] {
   return [{ role: "centre", d: lineData(at(left - over, (low + high) / 2), at(right + over, (low + high) / 2)) }];
 }
 
-/** Where the head of a holder joins its shank: the near end of the shank, as far as it lies inside. */
+/** Where the head of a holder joins its shank: the near end of the shank, as far as it is inside the holder. */
 function seamOf(tool: Tool, whole: readonly Ring[]): ToolShape[] {
   const shank = holderOutlines(tool).at(-1);
   if (!shank || !tool.holder?.head?.length) return [];
@@ -138,9 +138,8 @@ function seamOf(tool: Tool, whole: readonly Ring[]): ToolShape[] {
 }
 
 /**
- * A tool as the shapes that draw it, from back to front: its holder in one piece, the pocket, the insert with its land,
- * and how it is held. The outlines are those that are simulated; a tool without a holder has none drawn. Lengths of a
- * shank are those of the table.
+ * A tool as shapes, from back to front: the holder in one piece, the pocket, the insert with its land, and its clamp.
+ * The outlines are the simulated ones; a tool without a holder has none drawn. Shank lengths come from the tool table.
  */
 export function toolShapes(tool: Tool): readonly ToolShape[] {
   const ring = insertOutline(tool, CHORD),
@@ -161,7 +160,7 @@ export function toolShapes(tool: Tool): readonly ToolShape[] {
   shapes.push({ role: flanksUnknown(tool) ? "guess" : "insert", d: ringData([front]) });
   const land = offset([front], -room * LAND);
   if (land.length > 0 && !flanksUnknown(tool)) shapes.push({ role: "relief", d: ringData(land) });
-  // Of a thread insert the tooth alone is known, and that is not where its screw is.
+  // Of a thread insert only the tooth is known, and its screw is elsewhere.
   const unclamped = isBar(tool) || tool.TYPE === "THREAD" || flanksUnknown(tool);
   return unclamped ? shapes : [...shapes, ...clampOf(front)];
 }

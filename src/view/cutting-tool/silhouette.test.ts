@@ -3,7 +3,7 @@ import { at } from "../../kernel/geometry/point.ts";
 import { shippedTools } from "../../program/tools/shipped-tools.ts";
 import { liesBehind, silhouetteOf } from "./silhouette.ts";
 
-/** A disc with a boss before it and a groove in its face, and a ring that stands alone further left. */
+/** A disc with a boss in front of it and a groove in its face, and a separate ring further left. */
 const groove = [at(-31.3, 42), at(-31.3, 35.5), at(-20.7, 35.5)];
 const disc = [
   at(-58, 0),
@@ -41,7 +41,7 @@ test("the bore of a tube does not show either", () => {
   expect(silhouetteOf([outer, bore]).every((p) => p.r === 45)).toBe(true);
 });
 
-test("a face grooving blade is behind the work in its groove, and before it over the boss", () => {
+test("a face grooving blade is behind the work in its groove, and in front of it over the boss", () => {
   const blade = named("FACE-RECTURN-3"),
     silhouette = silhouetteOf([disc]);
   expect(liesBehind(blade, [at(-20.1, 36)], silhouette)).toBe(false);

@@ -8,8 +8,8 @@ import type { Tool } from "../../kernel/plan/tool.ts";
 import { toolBox } from "./drawing.ts";
 
 /**
- * The upper edge of the work as it is seen from the side, from left to right: at each Z the largest radius that it has
- * there, 0 where it has none.
+ * The upper edge of the work seen from the side, from left to right: the largest radius at each Z, 0 where there is no
+ * work.
  */
 export type Silhouette = readonly Pt[];
 
@@ -39,14 +39,14 @@ function firstFrom(ascending: readonly number[], least: number): number {
 }
 
 /**
- * The silhouette of work whose section is given, outlines that do not cross one another, mm. Without work it is empty.
+ * The silhouette of the work from the outlines of its section, which do not cross one another, mm; empty without work.
  */
 export function silhouetteOf(rings: readonly Ring[]): Silhouette {
   const edges = edgesOf(rings),
     marks = [...new Set(edges.flatMap(([a, b]) => [a.z, b.z]))].sort((a, b) => a - b);
   const top: (Edge | null)[] = marks.slice(1).map(() => null),
     high = top.map(() => 0);
-  // Outlines do not cross: between two corners the edge that is farthest out in the middle is so everywhere.
+  // Outlines do not cross: between two corners the edge that is outermost in the middle is outermost everywhere.
   for (const edge of edges) {
     for (let i = firstFrom(marks, edge[0].z); (marks[i + 1] ?? Infinity) <= edge[1].z; i += 1) {
       const r = radiusAt(edge, ((marks[i] as number) + (marks[i + 1] as number)) / 2);
@@ -64,11 +64,11 @@ export function silhouetteOf(rings: readonly Ring[]): Silhouette {
   return line;
 }
 
-/** A tool that only touches the work shares less with it than this, mm². */
+/** A tool that only touches the work overlaps it by less than this, mm². */
 const TOUCHED = 0.1;
 
 /**
- * Whether some of a tool with its tip at one of the places lies behind the work: nearer to the axis than the work's
+ * Whether part of a tool, with its tip at one of the places, is behind the work: nearer to the axis than the work's
  * edge there.
  */
 export function liesBehind(tool: Tool, tips: readonly Pt[], silhouette: Silhouette): boolean {

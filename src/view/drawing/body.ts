@@ -4,7 +4,7 @@ import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 import type { Place } from "../camera.ts";
 import { lineThrough, onPaperGrid, type PrintShape } from "./paper.ts";
 
-/** A thread in a surface: where it begins and ends, the radius of its ground, mm, where it has one, and its name. */
+/** A thread in a surface: its start and end, its root radius, mm, if it has one, and its name. */
 export interface PrintThread {
   readonly from: Pt;
   readonly to: Pt;
@@ -12,17 +12,17 @@ export interface PrintThread {
   readonly name: string;
 }
 
-/** A corner of the outline lies on the silhouette, or on the axis, within this, mm. */
+/** Tolerance for a corner of the outline on the silhouette or on the axis, mm. */
 const ON = 0.02;
-/** Outlines are drawn to within this, mm on paper. */
+/** Chord tolerance of outlines, mm on paper. */
 const FINE = 0.004;
-/** Looks beside a corner for material, mm. */
+/** Offset of the probes for material beside a corner, mm. */
 export const BESIDE = 0.02;
-/** How finely the ends of a thread's line are looked for, mm. */
+/** Step of the search for the ends of a thread's line, mm. */
 const STEP_IN = 0.05;
-/** On a part that is longer than a lathe they are looked for less finely. */
+/** Limit of steps: a part longer than a lathe is searched in coarser ones. */
 const MOST_STEPS = 40_000;
-/** An edge that goes along the axis by less is upright, mm: the first chord of an arc goes along it by a thousandth. */
+/** An edge that is shorter along the axis is upright, mm: the first chord of an arc is a thousandth long there. */
 const UPRIGHT = 0.00001;
 
 export const mirroredAt = (p: Pt): Pt => at(p.z, -p.r);
@@ -41,11 +41,11 @@ export function spanAt(rings: readonly Ring[], z: number): { readonly high: numb
   return high >= low ? { high, low } : null;
 }
 
-/** Whether something of a part is not seen from outside: a bore, or a recess in a face. */
+/** Whether part of the body is hidden from outside: a bore, or a recess in a face. */
 export const isHollow = (body: readonly Ring[]): boolean =>
   body.some((ring) => ring.some((p) => p.r > ON && !isOutmost(body, p)));
 
-/** Lines of rings without what lies on the axis or on the break. */
+/** Lines of rings, except on the axis or on the break. */
 function drawnEdges(ring: Ring, broken: number | null): Pt[][] {
   const hidden = (a: Pt, b: Pt) =>
     (Math.abs(a.r) < ON && Math.abs(b.r) < ON) ||
@@ -63,7 +63,7 @@ function drawnEdges(ring: Ring, broken: number | null): Pt[][] {
   return lines;
 }
 
-/** A line by hand where the blank goes on. */
+/** A freehand break line where the blank continues. */
 function breakLine(x: number, top: number, bottom: number): string {
   const step = (bottom - top) / 4,
     by = 1.1;
@@ -74,7 +74,7 @@ function breakLine(x: number, top: number, bottom: number): string {
   return `M${onPaperGrid(x)} ${onPaperGrid(top)}${curve.join("")}`;
 }
 
-/** A level line without its ends that stand out of the part, as over a chamfer. */
+/** A level line without its ends outside the part, as over a chamfer. */
 function within(body: readonly Ring[], ends: readonly [Pt, Pt]): readonly [Pt, Pt] {
   const { left, right } = boxAround([...body]);
   const [a, b] = ends.map(({ z, r }) => at(Math.min(right, Math.max(left, z)), r)) as [Pt, Pt];
@@ -99,7 +99,7 @@ interface BodyView {
   readonly threads: readonly PrintThread[];
 }
 
-/** The part itself: hatch above the axis where it is hollow, its outline, and the edges that one sees. */
+/** The part itself: hatched above the axis if it is hollow, its outline, and its visible edges. */
 export function bodyShapes(
   body: readonly Ring[],
   { broken, isHollow: hollow, onPaper, scale, threads }: BodyView,
@@ -108,7 +108,7 @@ export function bodyShapes(
   const shapes: PrintShape[] = [];
   if (hollow) shapes.push({ role: "section", d: fine.map((ring) => `${lineThrough(ring.map(onPaper))}Z`).join("") });
   const edges = fine.flatMap((ring) => drawnEdges(ring, broken));
-  // From outside the bore is not seen: below the axis only what no material lies above.
+  // From outside the bore is hidden: below the axis, only points without material above them.
   const isSilhouette = (line: readonly Pt[]) => line.filter((p) => isOutmost(body, p));
   const lower = edges
     .map((line) => (hollow ? isSilhouette(line) : line).map(mirroredAt))
@@ -127,7 +127,7 @@ export function bodyShapes(
   for (const { from, to, ground } of threads) {
     if (ground === null) continue;
     const line = within(body, [at(from.z, ground), at(to.z, ground)]);
-    // The thread of a bore is not seen from outside.
+    // The thread of a bore is hidden from outside.
     const below = hollow && ground > from.r ? "" : lineThrough(line.map((p) => onPaper(mirroredAt(p))));
     shapes.push({ role: "thin", d: lineThrough(line.map(onPaper)) + below });
   }

@@ -3,20 +3,20 @@ import { FIGURES } from "../sheet/sizes.ts";
 import { NEXT, nominalWidth, onPaperGrid as n, SMALL, STACKED, widthOf, type PrintText } from "./paper.ts";
 import type { WorkshopPrint } from "./workshop-drawing.ts";
 
-/** A fact of a title block, with what it is called. */
+/** A fact of a title block, with its label. */
 export interface TitleCell {
   readonly label: string;
   readonly text: string;
 }
 
-/** What stands under a drawing on its sheet. */
+/** The title block under a drawing. */
 export interface SheetTitle {
   readonly name: TitleCell;
   readonly facts: readonly TitleCell[];
   readonly notes: readonly string[];
 }
 
-/** Letters of labels and notes, and of the name, mm on paper; those of facts are as large as figures. */
+/** Letter sizes of labels and notes, and of the name, mm on paper; facts are as large as figures. */
 const LABEL = 2.4,
   NAME = 4.2;
 /** Height of a row of the title block and of a line of notes; air in a cell; edge of the paper round the frame, mm. */
@@ -29,7 +29,7 @@ const escaped = (text: string) => text.replace(/&/g, "&amp;").replace(/</g, "&lt
 const needs = ({ label, text }: TitleCell, size: number) =>
   Math.max(textWidth(label, LABEL), textWidth(text, size)) + PAD + PAD;
 
-/** Things one after the other in rows that are no wider than there is room; each has one at least. */
+/** Items in consecutive rows, none wider than the room; each row has at least one item. */
 function inRows<T>(all: readonly T[], wide: (each: T) => number, room: number): T[][] {
   const rows: T[][] = [];
   let taken = Infinity;
@@ -63,7 +63,7 @@ export function titleBlock(
   const cells = rows.flatMap((row, i) => {
     const free = width - row.reduce((sum, { cell, size }) => sum + Math.min(width, needs(cell, size)), 0);
     let x = 0;
-    // What is over is the name's; in a row without it each has its share.
+    // The name takes the remaining width; in a row without it all cells share it.
     return row.map(({ cell, size }): PlacedCell => {
       const extra = i > 0 ? free / row.length : cell === name ? free : 0,
         own = Math.min(width, needs(cell, size)) + extra;
@@ -111,7 +111,7 @@ function written(text: PrintText): string {
 }
 
 /**
- * A drawing on its sheet as a file that needs no other: one unit is a millimetre, black on white; `frame`: inside of
+ * A drawing on its sheet as a self-contained file: one unit is a millimetre, black on white; `frame` is the inside of
  * its frame, mm.
  */
 export function drawingSvg(

@@ -13,17 +13,17 @@ import {
   type PrintText,
 } from "./paper.ts";
 
-/** A note that a leader joins to a place of the part. */
+/** A note joined to a place of the part by a leader. */
 export interface Leader {
   readonly size: PrintSize;
   /** Where it points, mm on paper. */
   readonly to: Place;
-  /** It is a surface mark: the sign stands before the text. */
+  /** A surface mark: its symbol precedes the text. */
   readonly isMark: boolean;
 }
 
 /**
- * Gap between notes, and between shafts and texts below them; room of a shaft that goes by; the sign for surfaces; mm
+ * Gap between notes, and between shafts and texts below them; room of a passing shaft; size of the surface symbol; mm
  * on paper.
  */
 const GAP = 2.5,
@@ -37,7 +37,7 @@ const SHORT = 1.1;
 
 const wide = ({ size, isMark }: Leader): number => widthOf(size) + (isMark ? 2.2 * SIGN : 0);
 
-/** The sign of a turned surface: a tick, closed because material is taken away, with its line over the value. */
+/** The symbol of a turned surface: a tick, closed because material is removed, with its line over the value. */
 export function surfaceSign(apex: Place, width: number): string {
   const [x, y] = [apex.x, apex.y],
     half = SIGN / 2,
@@ -52,26 +52,26 @@ export function surfaceSign(apex: Place, width: number): string {
 interface Row {
   readonly leader: Leader;
   readonly row: number;
-  /** Where the leader rises between texts below all rows; null where there are none. */
+  /** X at which the leader rises between the texts below all rows; null without such texts. */
   readonly between: number | null;
-  /** Where the leader rises at each row up to its own. */
+  /** X at which the leader rises at each row up to its own. */
   readonly ways: readonly number[];
 }
 
-/** A text that stands below all rows, among the leaders that go by. */
+/** A text below all rows, between the leaders that pass it. */
 export interface TextBelow {
   readonly at: number;
   readonly size: number;
 }
 
-/** Notes in rows with the texts below them: `middles` are the places of these. */
+/** Notes in rows, with the texts below them: `middles` are the places of those texts. */
 interface LaidRows {
   readonly rows: readonly Row[];
   readonly count: number;
   readonly middles: readonly number[];
 }
 
-/** Notes in so many rows, or null where they have no room. */
+/** Notes in so many rows, or null if they do not fit. */
 function inRows(leaders: readonly Leader[], rows: number, width: number, below: readonly TextBelow[]): LaidRows | null {
   const placed = leaders.map((leader, i) => ({
     leader,
@@ -107,7 +107,7 @@ function inRows(leaders: readonly Leader[], rows: number, width: number, below: 
   return { rows: placed, count: rows, middles };
 }
 
-/** How many rows the notes need; as many as are left out have no room at all. */
+/** Notes in as few rows as they need; notes that are left out have no room at all. */
 export function leaderRows(leaders: readonly Leader[], width: number, below: readonly TextBelow[]): LaidRows {
   const sorted = [...leaders].sort((a, b) => a.to.x - b.to.x);
   for (let n = sorted.length; n > 0; n -= 1) {
@@ -119,7 +119,7 @@ export function leaderRows(leaders: readonly Leader[], width: number, below: rea
   return inRows([], 0, width, below) ?? { rows: [], count: 0, middles: [] };
 }
 
-/** Notes in rows above a level, each joined to its place; `band`: top and bottom of the texts below them. */
+/** Draws notes in rows above a level, each joined to its place; `band`: top and bottom of the texts below them. */
 export function drawnLeaders(
   rows: readonly Row[],
   bottom: number,

@@ -22,9 +22,9 @@ export interface PrintLength {
   readonly from: Place;
 }
 
-/** More than so many stand on one line, as they add up; fewer stand each on a line of its own. */
+/** Up to this many lengths each have a line of their own; more share one line as running dimensions. */
 const MOST_LINES = 4;
-/** Air between part and extension line; an extension line goes on past its dimension line; mm on paper. */
+/** Gap between part and extension line; overshoot of an extension line past its dimension line; mm on paper. */
 export const AIR = 0.8;
 const PAST = 1.2,
   FIRST = 7;
@@ -35,23 +35,26 @@ export interface DrawnLengths {
   readonly texts: readonly PrintText[];
   /** How far they reach from the part, mm on paper. */
   readonly reach: number;
-  /** A line that goes by crosses a text, which has no other place. */
+  /** A passing line crosses a text that has no other place. */
   readonly isCrossed: boolean;
 }
 
-/** Where lengths stand: from an edge of the part, below it or above it, on paper of a width. */
+/** The room for lengths: from an edge of the part, below or above it, on paper of a width. */
 interface LengthRoom {
   readonly zero: Place;
   readonly edge: number;
   readonly side: "below" | "above";
   readonly width: number;
-  /** Lines that go by, from which texts keep clear where they can. */
+  /** Passing lines that texts avoid where possible. */
   readonly clear: readonly (readonly Place[])[];
-  /** Where turned texts stand, from the left, where all of them do; without it each as near to its line as it can. */
+  /**
+   * Places of the turned texts, from the left, if all texts are turned; without it each is as near to its line as
+   * possible.
+   */
   readonly middles?: readonly number[];
 }
 
-/** Where lines go through a level. */
+/** Where lines cross a level. */
 const through = (lines: readonly (readonly Place[])[], y: number): number[] =>
   lines.flatMap((line) =>
     line.slice(1).flatMap((b, i) => {
@@ -60,13 +63,13 @@ const through = (lines: readonly (readonly Place[])[], y: number): number[] =>
     }),
   );
 
-/** How finely a place for a text is looked for, and how far beside its line, mm on paper. */
+/** Step of the search for a text's place, and its limit beside the line, mm on paper. */
 const FINE = 0.5,
   FAR = 30;
 
 /**
- * The middle of a text for a line between two places: that of the line, or the nearest to it where no other line goes
- * through the text, or beside the line, behind its arrows; on paper of a width.
+ * The middle of the text of a line between two places: the middle of the line, else the nearest point where no other
+ * line crosses the text, else beside the line, behind its arrows; on paper of a width.
  */
 function clearMiddle([a, b]: readonly [number, number], wide: number, stops: readonly number[], width: number): number {
   const middle = (a + b) / 2,
@@ -76,14 +79,14 @@ function clearMiddle([a, b]: readonly [number, number], wide: number, stops: rea
   const along = steps.filter((by) => by <= free).flatMap((by) => [middle + by, middle - by]);
   const beside = steps.flatMap((by) => [b + out + by, a - out - by]);
   const isClear = (x: number) => stops.every((stop) => Math.abs(stop - x) > wide / 2);
-  // A text that is longer than its line stands beside it, over the end of the arrow.
+  // A text longer than its line goes beside it, over the end of the arrow.
   const places = wide > b - a - 2 * ARROW.long ? beside : [...along, ...beside];
-  // The sheet ends where it ends, however short the line at its edge.
+  // Texts stay on the sheet, however short the line at its edge.
   const onSheet = places.filter((x) => x - wide / 2 >= 0 && x + wide / 2 <= width);
   return onSheet.find(isClear) ?? onSheet[0] ?? middle;
 }
 
-/** Lengths from the zero edge; the shortest stands nearest. */
+/** Lengths from the zero edge; the shortest is nearest to the part. */
 export function drawnLengths(lengths: readonly PrintLength[], room: LengthRoom): DrawnLengths {
   if (lengths.length === 0) return { shapes: [], texts: [], reach: 0, isCrossed: false };
   const {
@@ -107,7 +110,7 @@ function inParallel(lengths: readonly PrintLength[], { zero, edge, side, width, 
     ];
     shapes.push(...dimensionLine(a, b), extension(from, down, y));
     const wide = widthOf(size) + 1;
-    // Lines that go by, and the extension lines of those that stand farther out.
+    // Passing lines, and the extension lines of lengths farther out.
     const stops = [
       ...[y - LINE.plain / 2, y, y - tallOf(size)].flatMap((level) => through(clear, level)),
       ...lengths.slice(i + 1).map((other) => other.from.x),
@@ -131,13 +134,10 @@ const extension = ({ x, y }: Place, down: number, end: number): PrintShape => ({
   ]),
 });
 
-/** From the part to the feet of turned texts, mm on paper. */
+/** From the part to the lower ends of turned texts, mm on paper. */
 export const TO_FEET = FIRST + 5;
 
-/**
- * The turned texts that lengths have where they add up, from the left; none where each stands on a line of its own
- * unless they must.
- */
+/** The turned texts of running dimensions, from the left; none if each length has its own line, unless forced. */
 export const turnedTexts = (
   lengths: readonly PrintLength[],
   must: boolean,

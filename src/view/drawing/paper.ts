@@ -25,7 +25,7 @@ export interface PrintText extends PrintSize {
   readonly box: LabelBox;
 }
 
-/** Deviations are this much smaller than the nominal. */
+/** Size of deviations, as a share of the nominal's. */
 export const SMALL = 0.72;
 /** Gap between nominal and deviations, and how far these stand above and below its middle, mm on paper. */
 export const NEXT = 0.6,
@@ -42,7 +42,7 @@ export const isStacked = (size: PrintSize): boolean => size.upper !== undefined 
 export const tallOf = (size: PrintSize): number => (isStacked(size) ? LINE.stacked : LINE.plain);
 export const nominalWidth = (size: PrintSize): number => textWidth(size.text, FIGURES);
 
-/** What a text takes along its line, mm on paper. */
+/** Length of a text along its line, mm on paper. */
 export function widthOf(size: PrintSize): number {
   const behind = Math.max(textWidth(size.upper ?? "", FIGURES * SMALL), textWidth(size.lower ?? "", FIGURES * SMALL));
   return nominalWidth(size) + (behind > 0 ? NEXT + behind : 0);
@@ -55,7 +55,7 @@ export function arrow(tip: Place, dx: number, dy: number): string {
   return `${lineThrough([tip, side(ARROW.wide), side(-ARROW.wide)])}Z`;
 }
 
-/** Air round the letters in the box of a text, mm on paper. */
+/** Padding round the letters in the box of a text, mm on paper. */
 const IN_BOX = 0.6;
 
 /** Whether one of the lines goes through the letters of a text. */

@@ -17,7 +17,7 @@ test("bevels at both ends of an outline are chamfers, and corners count as if th
   expect(positions.map(({ z }) => z)).toEqual([-31.3]);
 });
 
-test("an end of a cone is the hundredth that it lies at but for what was rounded off", () => {
+test("an end of a cone within rounding of a hundredth is at that hundredth", () => {
   const { cylinders } = printFeatures(
     chain(at(0, 0), at(0, 14.2), at(-9.1, 15.0509), at(-20, 17.2541), at(-31.3, 17.2573), at(-31.3, 30)),
   );

@@ -16,10 +16,10 @@ export type PrintCorner =
       readonly size: number;
     };
 
-/** What a print gives sizes to, of one outline. */
+/** The features of one outline that a drawing dimensions. */
 export interface PrintFeatures {
   readonly cylinders: readonly PrintCylinder[];
-  /** Positions along the axis, each with the point that its dimension begins at. */
+  /** Positions along the axis, each with the point where its dimension begins. */
   readonly positions: readonly Pt[];
   readonly corners: readonly PrintCorner[];
 }
@@ -55,7 +55,7 @@ function runsInto(a: Segment | undefined, b: Segment | undefined): boolean {
   return Math.abs(p.z * q.r - p.r * q.z) < SMOOTH && p.z * q.z + p.r * q.r > 0;
 }
 
-/** The broken corner that a segment between two others is. */
+/** A segment between two others as a broken corner; null if it is none. */
 function cornerOf(
   before: Segment | undefined,
   s: Segment,
@@ -68,7 +68,7 @@ function cornerOf(
     return size <= most && (runsInto(before, s) || runsInto(s, after)) ? { kind: "radius", at: middle, size } : null;
   }
   if (isLevel(s) || isUpright(s) || Math.max(long(s), tall(s)) > most / 2) return null;
-  // The first one may begin at the free end, the last one runs out on the blank.
+  // The first segment may begin at the free end, and the last one may run out onto the blank.
   if (!before && !after) return null;
   if (before?.kind === "arc" || after?.kind === "arc") return null;
   if (before && !isLevel(before) && !isUpright(before) && part.lengthOf(before) < part.lengthOf(s)) return null;
@@ -77,7 +77,9 @@ function cornerOf(
   return { kind: "chamfer", at: middle, size: long(s), angle: (Math.atan2(tall(s), long(s)) * 180) / Math.PI };
 }
 
-/** Hundredths of a length and of a ⌀; an end of a cone is the next of them where it is this near, mm. */
+/**
+ * Steps per mm of a length and of a radius (hundredths of the ⌀); an end of a cone this near to a step snaps to it, mm.
+ */
 const GRID = { z: 100, r: 200 } as const,
   AS_NEAR = 0.0012;
 const tidied = (value: number, grid: number): number => {
@@ -86,7 +88,7 @@ const tidied = (value: number, grid: number): number => {
 };
 const tidy = (p: Pt): Pt => at(tidied(p.z, GRID.z), tidied(p.r, GRID.r));
 
-/** Lines on both sides of a broken corner go on to where they meet, as if it were sharp. */
+/** Extends the lines on both sides of a broken corner to where they meet, as if it were sharp. */
 function sharpened(pieces: readonly Piece[]): Segment[] {
   const main: { segment: Segment; broken: boolean }[] = [];
   let broken = false;

@@ -48,7 +48,7 @@ const ONE = 0.005;
 /** A size belongs to a feature whose value is this near, mm. */
 const BELONGS = 0.5;
 
-/** A diameter with the stretch that has it, and where it is dimensioned. */
+/** A diameter with its stretch along Z, and the place of its dimension. */
 export interface Across {
   readonly r: number;
   readonly left: number;
@@ -66,7 +66,7 @@ function toleranced(text: string, found: TolerancedSize | undefined, words: Prin
 
 const spelled = ({ text, upper = "", lower = "" }: PrintSize) => [text, upper, lower].join(" ");
 
-/** The deviations of a diameter: those of a size at a place of its stretch. */
+/** Deviations of a diameter: those of a size within its stretch. */
 const sizeAcross = (
   sizes: readonly TolerancedSize[],
   kind: "diameter" | "bore",
@@ -98,7 +98,7 @@ function cornerSize(corner: PrintCorner, words: PrintWords): PrintSize {
   return { text: corner.kind === "radius" ? words.radius(corner.size) : words.chamfer(corner.size, corner.angle) };
 }
 
-/** Corners of one size get one note, at the first of them from the free end, with their number. */
+/** Corners of one size share one note, at the first of them from the free end, with their number. */
 export function cornersOf(
   corners: readonly PrintCorner[],
   words: PrintWords,
@@ -117,17 +117,14 @@ export function cornersOf(
   }));
 }
 
-/** Where a thread ends on its own surface, which no edge shows: not where it runs out in a groove. */
+/** Where a thread ends on its own surface, without an edge; not where it runs out in a groove. */
 const runOut = (rings: readonly Ring[], { from, to }: PrintThread): readonly Pt[] =>
   [from, to].filter((p) => {
     const span = spanAt(rings, p.z);
     return span !== null && [span.high, span.low].some((r) => Math.abs(r - p.r) < ONE);
   });
 
-/**
- * The positions that need a length from Z0, with their deviations; `end`: that of the part, where it is drawn to its
- * end.
- */
+/** The positions that need a length from Z0, with their deviations; `end` is the end of the part, if it is drawn. */
 export function positionsOf(
   work: PrintedPart,
   features: readonly PrintFeatures[],
@@ -153,11 +150,11 @@ export function positionsOf(
   return made;
 }
 
-/** Deviations of a Z as those of the length that it is: behind Z0 a smaller Z is a greater length. */
+/** Deviations of a Z as deviations of a length: behind Z0 a smaller Z is a greater length. */
 const outwards = (size: TolerancedSize): TolerancedSize =>
   size.nominal < 0 ? { ...size, upper: 0 - size.lower, lower: 0 - size.upper } : size;
 
-/** The surface marks: one for all that is turned, or each at the longest surface of its stretch. */
+/** The surface marks: one for all turned surfaces, or each at the longest surface of its stretch. */
 export function surfaceMarks(work: PrintedPart, outer: PrintFeatures, inner: PrintFeatures) {
   const turned = [...work.outside, ...work.bore].flatMap((s) => [s.from.z, s.to.z]);
   const [low, high] = [Math.min(...turned), Math.max(...turned)];

@@ -34,7 +34,7 @@ import {
 export interface ListedSize {
   readonly kind: "diameter" | "bore" | "length" | "chamfer" | "radius" | "thread" | "mark" | "blank";
   readonly size: PrintSize;
-  /** Z of the place that it belongs to; both ends where it is a stretch; mm. */
+  /** Z of its place, both ends of a stretch; mm. */
   readonly at: readonly number[];
 }
 
@@ -46,25 +46,25 @@ export interface WorkshopPrint {
   readonly shapes: readonly PrintShape[];
   readonly texts: readonly PrintText[];
   readonly list: readonly ListedSize[];
-  /** The mark that all turned surfaces have, as text; null where none holds for all. */
+  /** The mark of all turned surfaces, as text; null if they have no common one. */
   readonly general: string | null;
-  /** Notes that had no room: they stand in the list. */
+  /** Number of notes without room: the list has them. */
   readonly left: number;
 }
 
 /** Nearer values are one, mm. */
 const ONE = 0.005;
-/** The stub of the blank that is drawn behind the part, as a share of its length, and at least so much, mm. */
+/** The stub of the blank drawn behind the part, as a share of the part's length, and its minimum, mm. */
 const STUB = { share: 0.14, least: 4 } as const;
 /** Edges of the paper; from the part to the first dimension, and from one to the next beside the part, mm on paper. */
 const EDGE = 3,
   FIRST = 6,
   NEXT_TO = 1.6;
-/** Least width of the part itself, with which a drawing of many diameters grows wider than its room, mm on paper. */
+/** Least width of the part itself: a drawing of many diameters grows wider than its room to keep it, mm on paper. */
 const LEAST = 72;
-/** How far the line of a bore goes on behind its text, mm on paper. */
+/** How far the line of a bore continues behind its text, mm on paper. */
 const PAST_TEXT = 2;
-/** How far a leader stands above the part, and the centre line goes past it, mm on paper. */
+/** How far a leader is above the part, and how far the centre line extends past it, mm on paper. */
 const ABOVE = 6,
   AXIS_PAST = 4;
 
@@ -81,7 +81,7 @@ function isFree(rings: readonly Ring[], r: number, z: number, end: number, isBor
   });
 }
 
-/** The part of the blank that is drawn: a stub of it behind what is turned, where it goes on for longer. */
+/** Start of the drawn part of the blank: a stub behind the turned part, if the blank is longer. */
 function shownFrom(work: PrintedPart): number {
   const box = boxAround([...work.blank]);
   const turned = [...work.outside, ...work.bore].flatMap((s) => [s.from.z, s.to.z]);
@@ -99,13 +99,10 @@ export interface PrintRoom {
   readonly scale?: DrawingScale;
 }
 
-/** So much more height is tried at first: few parts need all rows of notes and lengths. */
+/** Extra height of the first try: few parts need all rows of notes and lengths. */
 const HOPED = 40;
 
-/**
- * The same for a sheet that it may not leave: at the largest usual scale at which all of it has room. Sizes in mm on
- * paper.
- */
+/** The same for a sheet of fixed size: at the largest usual scale at which everything fits. Sizes in mm on paper. */
 export function drawingOnSheet(
   work: PrintedPart,
   words: PrintWords,
@@ -122,18 +119,18 @@ export function drawingOnSheet(
 }
 
 /**
- * The wanted part of a task as on a shop print, for a width and a greatest height, mm on paper: above the axis in
- * section where it is hollow, below it from outside; diameters beside it, lengths from Z0 below, notes with leaders
- * above. Null where there is no part.
+ * The target part of a task as a workshop drawing, for a width and a greatest height, mm on paper: above the axis in
+ * section if it is hollow, below it from outside; diameters beside it, lengths from Z0 below, notes with leaders above.
+ * Null without a part.
  */
 export function workshopDrawing(work: PrintedPart, words: PrintWords, room: PrintRoom): WorkshopPrint | null {
   if (work.rings.length === 0) return null;
   const plain = laidOut(work, words, room, false);
-  // Lengths of a bore that leaders cross stand upright between them.
+  // Lengths of a bore that leaders cross are turned upright between them.
   return plain.isCrossed ? laidOut(work, words, room, true).print : plain.print;
 }
 
-/** The same with the lengths of what is not seen from outside on lines of their own, or upright. */
+/** The same, with the lengths of features hidden from outside on lines of their own, or upright. */
 function laidOut(
   work: PrintedPart,
   words: PrintWords,
@@ -188,7 +185,7 @@ function laidOut(
     return isFree(body, a.r, a.left, box.left, a.isBore) && (broken === null || !a.isBore) ? "left" : "above";
   };
   const shown = across.filter((a) => !onThread(a));
-  // A text that is longer than its diameter would stand across its own lines: it is a note.
+  // A text longer than its diameter would cross its own lines: it becomes a note.
   const isShort = ({ r, size }: Across, factor: number) => r * factor < widthOf(size) / 2 + AIR;
   const besides = (list: readonly Across[]) =>
     list.reduce((sum, { size }) => sum + tallOf(size) + NEXT_TO, list.length > 0 ? FIRST : EDGE) + EDGE;
@@ -235,9 +232,9 @@ function laidOut(
     listed.push({ kind: "mark", size: { text: words.roughness(most) }, at: stretch });
 
   const half = Math.max(highest * k, ...[...right, ...left].map(({ size }) => widthOf(size) / 2));
-  // What is not seen from outside gets its lengths above, where it is cut.
+  // Features hidden from outside get their lengths above, in the section.
   const breaks = [0, ...outer.corners.map(({ size }) => size)];
-  // Where a corner is broken the edge itself is within the material: it is seen as far on as the break goes.
+  // At a broken corner the edge itself is inside the material: it counts as visible within the size of the break.
   const isSeen = (p: Pt) =>
     breaks.some((by) => isOutmost(body, at(p.z - by, p.r)) || isOutmost(body, at(p.z + by, p.r)));
   const inside = positions.filter(({ from: p }) => !isSeen(p));
@@ -300,7 +297,7 @@ function laidOut(
   const beside = (list: readonly Across[], side: 1 | -1) => {
     let x = onPaper(at(side > 0 ? box.right : box.left, 0)).x + side * (FIRST - NEXT_TO);
     for (const { size, r, left: a, right: b, isBore } of list) {
-      // The text stands on the left of its line, where one reads it from the right of the sheet.
+      // The text is on the left of its line, to be read from the right of the sheet.
       const tall = tallOf(size);
       const at0 = side > 0 ? x + tall + NEXT_TO : x - NEXT_TO;
       const [upper, lower] = [at(side > 0 ? b : a, r), at(side > 0 ? b : a, -r)].map(onPaper) as [Place, Place];
@@ -315,7 +312,7 @@ function laidOut(
         });
       const top = { x: at0, y: upper.y },
         text = (y: number) => writtenAt(size, { x: at0 - tall / 2 - 0.4, y }, true);
-      // Leaders come from above: a text that one would cross stands lower.
+      // Leaders come from above: a text that one would cross moves down.
       const down = Array.from(
         { length: Math.max(1, Math.floor(lower.y - axis - widthOf(size) / 2)) },
         (_, by) => axis + by,

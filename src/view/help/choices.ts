@@ -14,9 +14,9 @@ const screen = (c: Context, points: readonly Pt[]) => points.map((p) => toScreen
 const passMarks = (c: Context, l: Lettering): Mark[] =>
   c.passes.map((p) => stroke(l, "pass", polyline(screen(c, p.line))));
 
-/** Passes that stand for all, evenly spread, so that their ends can be told apart. */
+/** A sample of evenly spaced passes, so that their ends can be told apart. */
 const some = (c: Context, every: number): Context["passes"] => c.passes.filter((_, i) => i % every === 0);
-/** At so many passes from each other there are four of them at most. */
+/** Step of a sample of four passes at most. */
 const fourth = (c: Context): number => Math.max(1, Math.ceil(c.passes.length / 4));
 
 /** What is cut: the area, the contour, or the contour with its oversize. */
@@ -84,7 +84,7 @@ export function plunging(c: Context, l: Lettering): Explanation {
   return only((paths.length > 0 ? paths : [besides(c, c.outline.contour)]).flatMap((path) => pathMarks(c, l, path)));
 }
 
-/** The switch of the limits: both lines, strong when they hold. */
+/** The switch for the limits: both lines, strong while the limits apply. */
 export function limits(c: Context, l: Lettering): Explanation {
   const tag = { ...l, active: true };
   const [x, z] = [qOf(c.params, "limitDiameter"), qOf(c.params, "limitZ")];
@@ -99,13 +99,13 @@ export function limits(c: Context, l: Lettering): Explanation {
   );
 }
 
-/** Cutting both ways in turn, or always the way of the contour. */
+/** Cutting in alternating directions, or always along the contour. */
 export function direction(c: Context, l: Lettering): Explanation {
-  // An odd number apart, so that those that run back show too.
+  // An odd step, so that return passes show too.
   const every = fourth(c) + 1 - (fourth(c) % 2);
   return only(some(c, every).flatMap((p) => pathMarks(c, l, [p.from, p.to])));
 }
 
-/** All passes along the contour, as one of the two ways divides what stands on it. */
+/** All passes along the contour, as the chosen option divides the stock on it. */
 export const cuttingLines = (c: Context, l: Lettering): Explanation =>
   only([filled(l, "cut", polygon(screen(c, c.plan.area))), ...passMarks(c, l)]);

@@ -3,15 +3,12 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { coarsened } from "../../kernel/area/clip.ts";
 import { part, type Segment } from "../../kernel/geometry/point.ts";
 
-/**
- * A contour with more elements is drawn by fewer: planning it as it is takes longer than anybody waits for a help
- * picture.
- */
+/** A contour with more elements is simplified: planning it exactly takes too long for a help picture. */
 const MANY = 150;
-/** What no help picture shows, of the size of the contour. */
+/** Detail too fine for a help picture, as a share of the contour's size. */
 const FINE = 1 / 1200;
 
-/** A contour for a help picture: one of very many elements by straight lines, which nobody can tell from it there. */
+/** A contour for a help picture; one with very many elements is replaced by straight lines that look the same there. */
 export function coarseContour(contour: Given["contour"]): Given["contour"] {
   if (!contour || contour.length <= MANY) return contour;
   const { left, right, low, high } = boxAround([contour.flatMap((s) => [s.from, s.to])]);

@@ -10,7 +10,7 @@ import { SAME } from "../../kernel/tolerance.ts";
 
 const { pointOn } = part;
 
-/** What the drawing beside the contour table shows. */
+/** Input of the drawing beside the contour table. */
 export interface ContourRequest {
   readonly contour: readonly Segment[];
   readonly rowOfSegment: readonly number[];
@@ -19,9 +19,9 @@ export interface ContourRequest {
   readonly faulty: ReadonlySet<number>;
   readonly active: number | null;
   readonly size: Size;
-  /** How part space lies in the drawing; without one the contour fills it. */
+  /** The camera; without one the contour fills the drawing. */
   readonly camera?: Camera | null;
-  /** Room round a contour that fills the drawing. */
+  /** Margin round a contour that fills the drawing. */
   readonly margin?: Margin;
   readonly xUp?: boolean;
   /** What the drawing shows beside the contour: the blank. */
@@ -42,15 +42,13 @@ export interface ContourPicture {
     readonly label: Place | null;
     readonly faulty: boolean;
   }[];
-  /**
-   * Places along the contour, which other texts should not cover, and the boxes of the numbers, which they must not.
-   */
+  /** Points along the contour that other texts should avoid, and the boxes of the numbers, which they must avoid. */
   readonly avoid: readonly Place[];
   readonly kept: readonly LabelBox[];
 }
 
 const MARGIN: Margin = { left: 26, right: 26, top: 22, bottom: 22 };
-/** Farther away than this many contour sizes the axis is left out, so that the contour stays large. */
+/** Beyond this distance, in contour sizes, the axis is left out, so that the contour stays large. */
 const NEAR_AXIS = 2;
 
 function cameraFor(points: readonly Pt[], size: Size, margin: Margin, xUp: boolean): Camera {
@@ -64,13 +62,13 @@ function cameraFor(points: readonly Pt[], size: Size, margin: Margin, xUp: boole
   return fitted(box, size, margin, xUp);
 }
 
-/** How much of what lies beside the contour is shown round it, as a share of the contour's size. */
+/** How much of the surroundings is shown round the contour, as a share of its size. */
 const ROUND_ABOUT = 0.35;
 
-/** A contour of fewer points than this has no size yet that could say how large to draw it. */
+/** A contour with fewer points has no size yet from which to choose the scale. */
 const FEW = 3;
 
-/** The points that lie beside the contour, moved to where they widen its picture only so far. */
+/** The surrounding points, moved close enough to widen the picture only so far. */
 function nearby(points: readonly Pt[], beside: readonly Pt[]): readonly Pt[] {
   const own = boundsOf(points);
   if (!own || points.length < FEW) return beside;
@@ -81,7 +79,7 @@ function nearby(points: readonly Pt[], beside: readonly Pt[]): readonly Pt[] {
   );
 }
 
-/** A place for a number beside its point that covers no other number and as little of the line as can be. */
+/** A place for a number beside its point that covers no other number and as little of the line as possible. */
 function labelPlace(
   at: Place,
   text: string,
@@ -139,7 +137,8 @@ function gridPath(camera: Camera, size: Size, step: { readonly z: number; readon
 }
 
 /**
- * Places along the contour that texts keep clear of, about: the many elements of a long one are short on the screen.
+ * Approximate limit of points that texts avoid along a contour: the many elements of a long one are short on the
+ * screen.
  */
 const MOST_PLACES = 4800;
 
@@ -171,7 +170,7 @@ export function contourDrawing(request: ContourRequest): ContourPicture {
   const elements = [...rows].map(([row, { own }]) => ({ row, faulty: faulty.has(row), d: segmentPath(own, camera) }));
   const corners = contour.flatMap((s, i) => {
     const row = rowOfSegment[i] ?? 0;
-    // A recess has many segments and one number.
+    // A recess has many segments but one number.
     return ends[row] === null && rows.get(row)?.first === i ? [{ row, at: pointOn(s, 0.5) }] : [];
   });
   const drawnRows = new Set([...stops, ...corners].map((s) => s.row));

@@ -8,7 +8,7 @@ import type { Lettering } from "./dimensions.ts";
 import { arrowHead, circle, dense, polygon, polyline, segmentPath, type Mark } from "./marks.ts";
 import { filled, stroke, value } from "./stroke.ts";
 
-/** An element smaller than this on the screen is shown magnified while it is asked for, pixels. */
+/** An element smaller than this on the screen is magnified while its prompt is active, pixels. */
 const SMALL = 13;
 /** What share of the lens the element fills. */
 const SHARE = 0.75;

@@ -6,11 +6,11 @@ import { FIRST, spot, TRACK, type Layout } from "./layout.ts";
 import { arcPath, arrowHead, polyline, type Mark } from "./marks.ts";
 import { between, extension, filled, SHORT, stroke, TAIL, value, type Tag } from "./stroke.ts";
 
-/** What a dimension says, and how. */
+/** The text of a dimension, and how it is drawn. */
 export interface Lettering extends Tag {
   readonly q: string;
   readonly text: string;
-  /** Drawn larger than it is. */
+  /** Drawn larger than to scale. */
   readonly underlined?: boolean;
 }
 
@@ -30,7 +30,7 @@ const candidate = (
 const width = (l: Lettering) => textWidth(l.text, SIZE.strong);
 const range = (n: number) => Array.from({ length: n }, (_, i) => i);
 
-/** A dimension line with the tails that a short one has outside. */
+/** A dimension line with the outside tails of a short one. */
 function tailed(p: Place, q: Place): LabelBox {
   const box = lineBox(p, q);
   const long = Math.hypot(q.x - p.x, q.y - p.y);
@@ -258,7 +258,7 @@ const stairs = (a: Place, b: Place): LabelBox[] =>
     return lineBox(p(k / 6), p((k + 1) / 6));
   });
 
-/** All the places where a dimension of the outline could stand. */
+/** All candidate places for a dimension of the outline. */
 export function dimensionItem(layout: Layout, d: Dimension, l: Lettering): Item {
   const s = (p: Parameters<typeof spot>[1]) => spot(layout, p);
   switch (d.form) {

@@ -1,7 +1,7 @@
 import { mirrors, toFlat, toPart, type Frame } from "../../kernel/geometry/flat.ts";
 import type { Pt } from "../../kernel/geometry/point.ts";
 
-/** How strategy space lies in the drawing, and whether the tool goes into a groove. */
+/** The orientation of strategy space in the drawing, and whether the tool goes into a groove. */
 export interface HelpFrame extends Frame {
   readonly sunk: boolean;
 }

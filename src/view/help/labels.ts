@@ -9,7 +9,7 @@ export interface LabelBox {
   readonly height: number;
 }
 
-/** Where one dimension could stand: its marks, the box of its text, and lines no other text may cover. */
+/** A candidate place of a dimension: its marks, the box of its text, and lines that no other text may cover. */
 export interface Candidate {
   readonly marks: readonly Mark[];
   readonly label: LabelBox;
@@ -18,11 +18,11 @@ export interface Candidate {
   readonly cost: number;
 }
 
-/** One dimension with its possible places; the first of equal cost wins. */
+/** A dimension with its candidate places; of equal cost the first wins. */
 export interface Item {
   readonly q: string;
   readonly candidates: readonly Candidate[];
-  /** Left out rather than placed at a higher cost. */
+  /** Highest cost; above it the dimension is left out. */
   readonly most?: number;
 }
 
@@ -35,10 +35,7 @@ export interface Placed {
   readonly lines: readonly LabelBox[];
 }
 
-/**
- * Text sizes, pixels: grey and active. Boxes are counted with the larger, so that nothing moves when one becomes
- * active.
- */
+/** Text sizes, pixels: grey and active. Boxes use the larger one, so that nothing moves when a text becomes active. */
 export const SIZE = { quiet: 12, strong: 14, caption: 12 } as const;
 
 /** Width of a text in the figures' font (every letter 0.6 of its size; signs from other fonts a whole). */
@@ -75,7 +72,7 @@ export interface Sheet {
   readonly avoid: readonly Place[];
   /** Areas no text may touch. */
   readonly kept: readonly LabelBox[];
-  /** What each crossing of two dimension lines counts; not at all when left out. */
+  /** Cost of each crossing of two dimension lines; no cost when left out. */
   readonly crossing?: number;
 }
 
@@ -83,8 +80,8 @@ const covered = (b: LabelBox, places: readonly Place[]) =>
   places.reduce((n, p) => n + (p.x > b.x && p.x < b.x + b.width && p.y > b.y && p.y < b.y + b.height ? 1 : 0), 0);
 
 /**
- * How much two lines disturb each other: not at all, by crossing once, or by running on top of each other like four
- * crossings.
+ * How much two lines conflict: not at all, once where they cross, or like four crossings where they run on top of each
+ * other.
  */
 function met(a: LabelBox, b: LabelBox): 0 | 1 | 4 {
   if (!labelsOverlap(a, b)) return 0;
@@ -93,7 +90,7 @@ function met(a: LabelBox, b: LabelBox): 0 | 1 | 4 {
   return upright || level ? 4 : 1;
 }
 
-/** A candidate whose text is moved, the shortest way, to where it stands whole on the sheet, right of a left edge. */
+/** A candidate whose text is moved the shortest way to where it is fully on the sheet, right of a left edge. */
 function movedInside(c: Candidate, left: number, { width, height }: Sheet): Candidate {
   const inside = (at: number, long: number, low: number, high: number) => Math.max(low, Math.min(at, high - long)) - at;
   const [dx, dy] = [inside(c.label.x, c.label.width, left, width), inside(c.label.y, c.label.height, 0, height)];
@@ -109,8 +106,8 @@ function movedInside(c: Candidate, left: number, { width, height }: Sheet): Cand
 }
 
 /**
- * The place of a dimension that must show although it fits nowhere: its text is moved onto the sheet, off the areas
- * kept free on its left.
+ * The place of a dimension that must be shown although it fits nowhere: its text is moved onto the sheet, clear of the
+ * kept areas on its left.
  */
 export function forced(item: Item, sheet: Sheet): Placed | null {
   const left = Math.max(0, ...sheet.kept.filter((b) => b.x <= 0).map((b) => b.x + b.width));
@@ -119,8 +116,8 @@ export function forced(item: Item, sheet: Sheet): Placed | null {
 }
 
 /**
- * Places dimensions in order, each where its text covers no other text nor dimension line; what finds no place is left
- * out. Those that stand already stay.
+ * Places dimensions in order, each where its text covers no other text or dimension line; a dimension without a place
+ * is left out. Dimensions already placed stay.
  */
 export function arrange(items: readonly Item[], sheet: Sheet, standing: readonly Placed[] = []): Placed[] {
   const out: Placed[] = [...standing];

@@ -7,7 +7,7 @@ import type { LabelBox } from "./labels.ts";
 import { endWays, type DrawnExtent } from "./section.ts";
 import { STEP } from "../../kernel/units.ts";
 
-/** Where everything goes: the camera, the drawing's box on the screen and the spindle axis. */
+/** The layout: the camera, the drawing's box on the screen and the spindle axis. */
 export interface Layout {
   readonly camera: Camera;
   readonly size: Size;
@@ -15,7 +15,7 @@ export interface Layout {
   readonly box: LabelBox;
   /** Where the contour begins and ends across the screen, pixels. */
   readonly contour: { readonly left: number; readonly right: number };
-  /** Height of the spindle axis on the screen, pixels; with `broken` it stands nearer than it is. */
+  /** Height of the spindle axis on the screen, pixels; with `broken` the axis is drawn nearer than to scale. */
   readonly axisY: number;
   readonly broken: boolean;
   /** Part space that the drawing shows, mm. */
@@ -27,20 +27,21 @@ export const TRACK = 19;
 /** From the drawing to the first dimension line, pixels. */
 export const FIRST = 15;
 
-/** The axis is drawn where it is as long as it lies nearer to the contour than this many contour sizes. */
+/** Up to this distance from the contour, in contour sizes, the axis is drawn to scale. */
 const NEAR_AXIS = 1.6;
 /**
- * It may be drawn nearer from this many contour sizes on, where that makes the drawing larger by at least this factor.
+ * From this distance on, in contour sizes, the axis may be drawn nearer, if that enlarges the drawing by at least this
+ * factor.
  */
 const WORTH = { distance: 0.45, factor: 1.3 } as const;
-/** How far below the contour a nearer axis and the end of the part stand, in contour sizes. */
+/** Distance of a nearer axis, and of the end of the part, below the contour, in contour sizes. */
 const NEARER = { axis: 0.36, part: 0.22 } as const;
-/** How far the part goes on behind the contour, in contour sizes. */
+/** How far the part continues behind the contour, in contour sizes. */
 const BEHIND = 0.16;
 /** A dimension's far end is drawn where it is up to this many contour sizes away; farther ones end at the edge. */
 const NEAR_DATUM = 0.9;
 
-/** Bounds of contour and dimensions, leaving out far datums. */
+/** Bounds of contour and dimensions, without far datums. */
 function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { core: Bounds; span: number } {
   const core = boundsOf(points) ?? { left: -50, right: 0, low: 0, high: 25 };
   const span = Math.max(core.right - core.left, core.high - core.low, STEP);
@@ -51,7 +52,7 @@ function subject(points: readonly Pt[], dimensions: readonly Dimension[]): { cor
   return { core: wide, span };
 }
 
-/** What the drawing shows of part space. */
+/** The area of part space that the drawing shows. */
 function reachOf(
   f: HelpFrame,
   line: readonly Pt[],
@@ -79,7 +80,7 @@ function reachOf(
   };
 }
 
-/** How many dimension lines each side of the drawing will need, from the forms of the dimensions. */
+/** Number of dimension lines on each side of the drawing, from the forms of the dimensions. */
 function tracks(dimensions: readonly Dimension[], more: { readonly top: number; readonly right: number }) {
   const count = (form: Dimension["form"]) => dimensions.filter((d) => d.form === form).length;
   return {

@@ -10,7 +10,7 @@ export type Line =
 interface Belongs {
   /** The parameter this mark explains; null for the drawing itself. */
   readonly q: string | null;
-  /** True on the marks of the parameter that is being asked for. */
+  /** True for the marks of the active parameter. */
   readonly active: boolean;
 }
 

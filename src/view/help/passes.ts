@@ -7,10 +7,7 @@ import { pathOf } from "../../kernel/time/time.ts";
 import { outward } from "./frame.ts";
 import { drawnLine } from "./section.ts";
 
-/**
- * One cut at one level, or of a cycle that runs along the contour one pass: where it begins and where it ends, part
- * space.
- */
+/** One cut at one level, or one pass of a cycle along the contour: its start and its end, part space. */
 export interface Pass {
   readonly pass: number;
   readonly level: number;
@@ -20,7 +17,7 @@ export interface Pass {
   readonly line: readonly Pt[];
 }
 
-/** More lines than this would be a grey area. */
+/** Limit of lines; more would be a grey area. */
 const MOST = 60;
 
 /** The cuts of roughing. */
@@ -44,7 +41,7 @@ function parallels(f: Frame, moves: readonly Move[]): Pass[] {
   });
 }
 
-/** Of each pass what runs level at its depth; the ways in and out lie above it. */
+/** The level part of each pass, at its depth; the ways in and out lie above it. */
 function levels(f: Frame, moves: readonly Move[]): Pass[] {
   const level: Pass[] = [];
   const depths = new Map<number, number>();
@@ -59,10 +56,7 @@ function levels(f: Frame, moves: readonly Move[]): Pass[] {
   return level.filter((p) => p.level < (depths.get(p.pass) ?? p.level) + SAME);
 }
 
-/**
- * The cuts of roughing that go straight into the material, each from where it begins to its ground: in the order they
- * are made.
- */
+/** The roughing cuts straight into the material, each from its start to its bottom, in machining order. */
 export function plungesOf(f: Frame, moves: readonly Move[]): Pass[] {
   const found: Pass[] = [];
   let [begin, last]: [Pt | null, number] = [null, -1];

@@ -37,16 +37,16 @@ export interface HelpRequest {
   readonly params: Params;
   readonly values: Numbers;
   /**
-   * Those of the values that somebody typed; the others are there to draw with, and only their Q is written. All of
-   * them when left out.
+   * The values that somebody typed; the others only serve the drawing, and show their Q alone. All values when left
+   * out.
    */
   readonly typed?: Numbers;
-  /** The contour is not the operator's own: none of its numbers is written. */
+  /** The contour is not the operator's own: its numbers are not written. */
   readonly isBorrowed?: boolean;
   readonly outline: Outline;
   /** What the cycle plans for a point there. */
   readonly plan: Plan;
-  /** The Q that is asked for; null draws everything grey. */
+  /** The Q of the current prompt; null draws everything grey. */
   readonly active: string | null;
   /** CSS pixels. */
   readonly size: Size;
@@ -60,7 +60,7 @@ export interface HelpDrawing {
   readonly labels: readonly LabelBox[];
 }
 
-/** Topics whose dimension is drawn grey while another parameter is asked for. */
+/** Topics whose dimension is drawn grey while another parameter is active. */
 const ALWAYS: readonly Topic[] = [
   "outline",
   "clearance",
@@ -71,11 +71,11 @@ const ALWAYS: readonly Topic[] = [
   "oversizeDiameter",
   "oversizeZ",
 ];
-/** What a dimension rather does than cross another one's line: this much of its own cost. */
+/** Cost of crossing the line of another dimension. */
 const CROSSING = 1.5;
-/** A quiet dimension that would cost more than this is left out. */
+/** A quiet dimension with a higher cost than this is left out. */
 const QUIET_MOST = 30;
-/** Of these, what stays when the diagrams of a choice need room. */
+/** The topics of `ALWAYS` that stay when the diagrams of a choice need room. */
 const CALM: readonly Topic[] = ALWAYS.slice(0, 6);
 
 const explanations: Readonly<Record<Topic, (c: Context, l: Lettering) => explain.Explanation>> = {
@@ -165,7 +165,7 @@ function contextOf(request: HelpRequest, size: Size, indent: number): Context {
   };
 }
 
-/** The diagrams of a choice stand below the drawing or at its left, where they leave it larger. */
+/** The diagrams of a choice go below the drawing or to its left, whichever leaves the drawing larger. */
 function besideTiles(request: HelpRequest, count: number): { readonly c: Context; readonly column: number } {
   const { width, height } = request.size;
   const row = contextOf(request, { width, height: Math.max(60, height - TILE_ROW) }, 0);
@@ -177,7 +177,7 @@ function besideTiles(request: HelpRequest, count: number): { readonly c: Context
     : { c: row, column: 0 };
 }
 
-/** Part, contour, blank and axis: what is there whatever is asked. */
+/** Part, contour, blank and axis: these are always drawn. */
 function ground(c: Context): Mark[] {
   const none = { q: null, active: false };
   const at = (p: Parameters<typeof toScreen>[1]) => toScreen(c.layout.camera, p);
@@ -202,7 +202,7 @@ function ground(c: Context): Mark[] {
   ];
 }
 
-/** Places on the drawing's strong lines and below the axis, a few pixels apart, for texts to keep away from. */
+/** Points on the drawing's strong lines and below the axis, a few pixels apart, that texts should avoid. */
 function strongPlaces(c: Context): Place[] {
   const at = (p: Parameters<typeof toScreen>[1]) => toScreen(c.layout.camera, p);
   const axis = dense([
@@ -217,8 +217,8 @@ function strongPlaces(c: Context): Place[] {
 }
 
 /**
- * When a dimension of the outline gets its place, 0 … 3: short lengths stand nearer to the part, leaders find a place
- * almost anywhere.
+ * The order in which dimensions of the outline are placed, 0 … 3: short lengths go nearest to the part, leaders come
+ * last because they fit almost anywhere.
  */
 function turnOf(d: Dimension): number {
   switch (d.form) {
@@ -236,7 +236,8 @@ function turnOf(d: Dimension): number {
 }
 
 /**
- * Quiet dimensions keep their places; the active one comes first where it would otherwise find none, and always shows.
+ * Quiet dimensions keep their places; the active one is placed first if it would find no place otherwise, and is always
+ * shown.
  */
 function arranged(items: readonly Item[], active: string | null, sheet: Sheet): Placed[] {
   const placed = arrange(items, sheet);
@@ -249,7 +250,7 @@ function arranged(items: readonly Item[], active: string | null, sheet: Sheet): 
   return last ? [last, ...arrange(others, { ...sheet, kept: [...sheet.kept, last.label] })] : first;
 }
 
-/** What the lens covers moves, everything else stays. */
+/** Moves the dimensions that the lens covers; all others stay. */
 function besideLens(
   items: readonly Item[],
   placed: readonly Placed[],
@@ -319,7 +320,7 @@ export function helpDrawing(request: HelpRequest): HelpDrawing {
   };
 }
 
-/** The element that the active parameter sizes, when it is too small to see. */
+/** The element that the active parameter sizes, if it is too small to see. */
 function smallFeature(c: Context, active: string): { at: Parameters<typeof toScreen>[1]; mm: number } | null {
   const partner = partnerOf(c.params, active);
   const d = c.outline.dimensions.find((o) => o.q === active) ?? c.outline.dimensions.find((o) => o.q === partner);

@@ -11,7 +11,7 @@ import { plungesOf, type Pass } from "./passes.ts";
 import { pathMarks, type Explanation } from "./process.ts";
 import { stroke } from "./stroke.ts";
 
-/* What the recessing cycles ask for, drawn on the plunges that they plan for a point. */
+/* Parameters of the recessing cycles, drawn on the plunges that the cycle plans for a point. */
 
 const NOTHING: Explanation = { under: [], item: null };
 const mm = (c: Context, pixels: number) => pixels / c.layout.camera.scale;
@@ -22,7 +22,7 @@ const pointed = (c: Context, l: Lettering, at: Pt): Item => ({
   q: l.q,
   candidates: leader(l, spot(c.layout, at), spot(c.layout, raised(c, at, mm(c, 20)))),
 });
-/** Without a plunge a value still points at the corner of the area. */
+/** Fallback without a plunge: the value points at the corner of the area. */
 const nowhere = (c: Context, l: Lettering): Explanation => ({ under: [], item: pointed(c, l, c.section.corner) });
 
 /** The deepest plunges side by side, from the first one on. */
@@ -33,7 +33,7 @@ function plunges(c: Context): Pass[] {
   return full.length > 1 ? full : all;
 }
 
-/** The side step between two neighbours. */
+/** The lateral offset between two neighbours. */
 export function sideStep(c: Context, l: Lettering): Explanation {
   if (!l.active) return NOTHING;
   const [a, ...others] = plunges(c);
@@ -59,7 +59,7 @@ export function solidFeed(c: Context, l: Lettering): Explanation {
   return { under: pathMarks(c, l, [first.from, first.to]), item: pointed(c, l, middle) };
 }
 
-/** The ground of a plunge, where the tool stands still. */
+/** The bottom of a plunge, where the tool dwells. */
 export function dwell(c: Context, l: Lettering): Explanation {
   if (!l.active) return NOTHING;
   const [first] = plunges(c);
@@ -68,7 +68,7 @@ export function dwell(c: Context, l: Lettering): Explanation {
   return { under: [...lines(c, l, [first]), ring], item: pointed(c, l, first.to) };
 }
 
-/** One bite of a plunge; 0: all of it. */
+/** One infeed step of a plunge; 0: the whole depth at once. */
 export function depthLimit(c: Context, l: Lettering): Explanation {
   if (!l.active) return NOTHING;
   const [first] = plunges(c);
@@ -91,7 +91,7 @@ export function depthLimit(c: Context, l: Lettering): Explanation {
   };
 }
 
-/** Out of the second plunge: straight, or first towards the one before. */
+/** Retraction from the second plunge: straight, or first towards the previous one. */
 export function retraction(c: Context, l: Lettering): Explanation {
   const [a, b] = plunges(c);
   const from = b ?? a;
@@ -106,7 +106,7 @@ export function retraction(c: Context, l: Lettering): Explanation {
   return { under: [...lines(c, l, [from]), ...pathMarks(c, l, [from.to, ...lean, out])], item: null };
 }
 
-/** The order of the plunges: the first four of them, each drawn a little shorter than the one before. */
+/** The order of the plunges: the first four of them, each drawn a little shorter than the previous one. */
 export function comb(c: Context, l: Lettering): Explanation {
   const order = plunges(c).slice(0, 4);
   return { under: order.flatMap((p, i) => pathMarks(c, l, [p.from, raised(c, p.to, mm(c, 7 * i))])), item: null };

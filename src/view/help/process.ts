@@ -22,7 +22,7 @@ export interface Explanation {
   readonly item: Item | null;
 }
 
-/** A small length is drawn at least so wide while it is asked for, and so wide while it is not, pixels. */
+/** Least drawn width of a small length while its prompt is active, and at other times, pixels. */
 const SHOWN = { active: 8, quiet: 3 } as const;
 /** Distance of a drawn tool path from the contour, pixels. */
 const BESIDE = 6;
@@ -33,7 +33,7 @@ const pointed = (c: Context, l: Lettering, at: Pt, towards: Pt): Item => ({
   q: l.q,
   candidates: leader(l, spot(c.layout, at), spot(c.layout, towards)),
 });
-/** A point a little out of the material from another. */
+/** A point a little outside the material, from another point. */
 const outside = (c: Context, p: Pt): Pt => pointAt(c.frame, along(c.frame, p), outward(c.frame, p) + mm(c, 20));
 
 /** A tool path with an arrowhead at its end. */
@@ -54,17 +54,17 @@ export function pathMarks(c: Context, tag: Tag, points: readonly Pt[]): Mark[] {
 const kept = (c: Context, contour: readonly Segment[], z: number, r: number): Segment[] =>
   keptOver(contour, c.frame, { z: mm(c, z), r: mm(c, r) });
 
-/** The contour as the finishing cut runs, a little beside the drawn line; farther off where oversize is left. */
+/** The path of the finishing cut, a little beside the drawn contour; farther off where oversize is left. */
 export const besides = (c: Context, contour: readonly Segment[], pixels: number = BESIDE): Pt[] =>
   drawnLine(kept(c, contour, pixels, pixels));
 
-/** The elements of the contour that fall in machining direction, as they follow each other. */
+/** The falling elements of the contour in machining direction, in runs of consecutive ones. */
 export const falling = (c: Context): Segment[][] =>
   fallingRuns(c.outline.contour.map((s) => segmentToFlat(c.frame, s))).map((run) =>
     run.map((s) => segmentToPart(c.frame, s)),
   );
 
-/** The band that oversize leaves, drawn wider than it is; both components, or only the one asked for. */
+/** The band of the oversize, drawn wider than to scale; both components, or only the requested one. */
 export function bandMarks(c: Context, tag: Tag, which: "diameter" | "z" | "both", pixels: number): Mark[] {
   const outer = drawnLine(kept(c, c.outline.contour, which === "diameter" ? 0 : pixels, which === "z" ? 0 : pixels));
   const band = [...c.section.line, ...outer.toReversed()];
@@ -105,7 +105,7 @@ export function infeed(c: Context, l: Lettering): Explanation {
   };
 }
 
-/** A place on the contour, and another so many mm square to it. */
+/** A point on the contour, and another one `by` mm square to it. */
 function beside(c: Context, by: number): { readonly at: Pt; readonly off: Pt } {
   const { element, at } = longest(c, () => true);
   const away = element ? part.scaled(part.leftOf(part.direction(element, at)), openSide(c.frame)) : part.point(0, 1);
@@ -122,7 +122,7 @@ function infeedBeside(c: Context, l: Lettering): Explanation {
   };
 }
 
-/** What stands on the contour before the cycle, square to it. */
+/** The allowance on the contour before the cycle, square to it. */
 export function allowance(c: Context, l: Lettering): Explanation {
   const value = numberOf(c.values, l.q);
   const { at, off } = beside(c, Math.max(value, mm(c, 1)));
@@ -254,12 +254,12 @@ export function depthCompensation(c: Context, l: Lettering): Explanation {
   };
 }
 
-/** Dearer places of a quiet diameter lie in the middle of the contour. */
+/** Highest cost of a quiet diameter: dearer places lie in the middle of the contour. */
 const OUTSIDE = 19;
 
 /**
- * Where a free contour begins and ends: not values of the cycle, so they belong to no parameter. What both ends share
- * is said once.
+ * Dimensions of the start and the end of a free contour: not values of the cycle, so they belong to no parameter. A
+ * value that both ends share is written once.
  */
 export function plainDimensions(c: Context): Item[] {
   if (c.outline.dimensions.some((d) => shownAs(c.params, d.q) === "outline")) return [];
@@ -276,7 +276,7 @@ export function plainDimensions(c: Context): Item[] {
   ]);
 }
 
-/** A dimension of the outline; a parameter that has none on this contour points at the end it belongs to. */
+/** A dimension of the outline; a parameter without one on this contour points at the end it belongs to. */
 export function outlined(c: Context, l: Lettering, partner: string | null): Explanation {
   const own = c.outline.dimensions.filter((d) => d.q === l.q || d.q === partner);
   const d = own.find((o) => o.q === l.q) ?? own[0];
@@ -292,7 +292,7 @@ export function outlined(c: Context, l: Lettering, partner: string | null): Expl
   return { under: [stroke(l, "frame", circle(spot(c.layout, at), 6))], item: pointed(c, l, at, outside(c, at)) };
 }
 
-/** The element a leader points at, strong while it is asked for. */
+/** The element a leader points at, strong while its parameter is active. */
 function elementMarks(c: Context, l: Lettering, d: Dimension): Mark[] {
   if (!l.active || d.form !== "leader") return [];
   const found = elementAt(c, d.at);
@@ -314,5 +314,5 @@ export function nearestElement(
   return best;
 }
 
-/** The contour element that a leader means. */
+/** The contour element at which a leader points. */
 export const elementAt = (c: Context, at: Pt) => nearestElement(c.outline.contour, at);

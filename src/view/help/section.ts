@@ -4,7 +4,7 @@ import { ROUND, SAME } from "../../kernel/tolerance.ts";
 
 const { flattenedChain } = part;
 
-/** The drawn section: polygons in part space, and what bounds them. */
+/** The drawn section: polygons in part space, and their boundaries. */
 export interface Section {
   /** The contour as points. */
   readonly line: readonly Pt[];
@@ -56,8 +56,8 @@ export function blankOver(f: HelpFrame, line: readonly Pt[]): { readonly blank: 
 }
 
 /**
- * Which way the part goes on behind the ends of a contour: the deeper end falls away from the open side, others go on
- * along the cut.
+ * The directions in which the part continues behind the ends of a contour: the deeper end falls away from the open
+ * side, other ends continue along the cut.
  */
 export function endWays(
   f: HelpFrame,
@@ -69,7 +69,7 @@ export function endWays(
   return { first: !f.sunk && rise > SAME ? "in" : "back", last: !f.sunk && rise < -SAME ? "in" : "feed" };
 }
 
-/** How far the part reaches from a point in a direction of the frame, to the edge of the drawing. */
+/** The point where the part meets the edge of the drawing, from a point in a direction of the frame. */
 function toEdge(f: HelpFrame, p: Pt, way: "feed" | "back" | "in", reach: DrawnExtent): Pt {
   const u = along(f, p),
     v = outward(f, p);
@@ -80,7 +80,7 @@ function toEdge(f: HelpFrame, p: Pt, way: "feed" | "back" | "in", reach: DrawnEx
   return way === "feed" ? pointAt(f, Math.max(...us, u), v) : pointAt(f, Math.min(...us, u), v);
 }
 
-/** The section of a contour inside a drawing. The part goes on behind it: to the axis, or to a break line. */
+/** The section of a contour inside a drawing. The part continues behind it: to the axis, or to a break line. */
 export function sectionOf(f: HelpFrame, line: readonly Pt[], reach: DrawnExtent): Section {
   const { blank, corner } = blankOver(f, line);
   const start = line[0],

@@ -17,7 +17,7 @@ const box: fc.Arbitrary<LabelBox> = fc.record({
   height: fc.double({ min: 0, max: 60, noNaN: true }),
 });
 
-test("places are counted as if all of them were looked at", () => {
+test("the grid counts the same places as a full search", () => {
   fc.assert(
     fc.property(fc.array(place, { maxLength: 80 }), fc.array(box, { minLength: 1, maxLength: 20 }), (places, boxes) => {
       const count = placesOn(SHEET, places);
@@ -29,7 +29,7 @@ test("places are counted as if all of them were looked at", () => {
   );
 });
 
-test("a box is taken where it covers any of those that stand", () => {
+test("a box is taken if it overlaps any box on the sheet", () => {
   fc.assert(
     fc.property(fc.array(box, { maxLength: 20 }), fc.array(box, { minLength: 1, maxLength: 20 }), (standing, boxes) => {
       const taken = boxesOn(SHEET, standing.slice(0, 5));

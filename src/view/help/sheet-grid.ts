@@ -5,7 +5,7 @@ import { labelsOverlap } from "./labels.ts";
 /** Side of a cell, pixels: about as high as a text. */
 const CELL = 16;
 
-/** The cells of a sheet. What lies outside counts to the cells along its edges. */
+/** The cells of a sheet. Places outside belong to the cells along its edges. */
 function cellsOf({ width, height }: Size) {
   const columns = Math.max(1, Math.ceil(width / CELL)),
     rows = Math.max(1, Math.ceil(height / CELL));
@@ -21,9 +21,7 @@ function cellsOf({ width, height }: Size) {
   };
 }
 
-/**
- * Counts places of a sheet inside a box, its edges left out. Only those of the cells that the box covers are looked at.
- */
+/** Counts the places of a sheet inside a box, its edges left out. Only the cells that the box covers are searched. */
 export function placesOn(size: Size, places: readonly Place[]): (box: LabelBox) => number {
   const cells = cellsOf(size),
     ends = new Uint32Array(cells.count + 1);
@@ -49,14 +47,14 @@ export function placesOn(size: Size, places: readonly Place[]): (box: LabelBox) 
   };
 }
 
-/** Boxes that stand on a sheet. */
+/** Boxes on a sheet. */
 export interface TakenBoxes {
   readonly take: (box: LabelBox) => void;
-  /** Whether a box shares any area with one that stands there. */
+  /** Whether a box shares any area with one on the sheet. */
   readonly isTaken: (box: LabelBox) => boolean;
 }
 
-/** Keeps boxes by the cells that they cover: only neighbours are asked for each other. */
+/** Stores boxes by the cells that they cover, so that only neighbours are compared. */
 export function boxesOn(size: Size, standing: readonly LabelBox[] = []): TakenBoxes {
   const cells = cellsOf(size),
     byCell = new Map<number, LabelBox[]>();

@@ -2,7 +2,7 @@ import type { Place } from "../camera.ts";
 import { SIZE } from "./labels.ts";
 import { arrowHead, polyline, type Fill, type Line, type Mark } from "./marks.ts";
 
-/** Whose mark it is. */
+/** The owner of a mark. */
 export interface Tag {
   readonly q: string | null;
   readonly active: boolean;
@@ -35,7 +35,7 @@ export const caption = (tag: Tag, place: Place, text: string): Mark => ({
   role: "caption",
 });
 
-/** Under this length the arrows of a dimension stand outside and point inwards, pixels. */
+/** Below this length the arrows of a dimension are outside and point inwards, pixels. */
 export const SHORT = 20;
 /** Length of the tails that a short dimension has outside, pixels. */
 export const TAIL = 13;

@@ -1,7 +1,7 @@
 import type { HelpDrawing } from "./picture.ts";
 import { px, type Mark } from "./marks.ts";
 
-/** Classes of a mark: its role, and whether it is the one asked for. */
+/** Classes of a mark: its role, and whether it is active. */
 export const classOf = (m: Mark): string => {
   return m.active ? `${roleOf(m)} active` : roleOf(m);
 };

@@ -10,13 +10,13 @@ import { filled, stroke } from "./stroke.ts";
 
 const mm = (c: Context, pixels: number) => pixels / c.layout.camera.scale;
 
-/** The way of the tool along the thread: what a choice is about, while it is asked for. */
+/** The path of the tool along the thread, drawn for a choice while its prompt is active. */
 export const alongThread = (c: Context, l: Lettering): Explanation => ({
   under: l.active ? pathMarks(c, l, besides(c, c.outline.contour)) : [],
   item: null,
 });
 
-/** The start of the thread, and a point so many pixels out of the material over it. */
+/** The start of the thread, and a point so many pixels above it, out of the material. */
 function beginning(c: Context, pixels: number): { readonly at: Pt; readonly over: Pt } {
   const at = c.section.line[0] ?? c.section.corner;
   return { at, over: pointAt(c.frame, along(c.frame, at), outward(c.frame, at) + mm(c, pixels)) };
@@ -43,10 +43,10 @@ export function startingAngle(c: Context, l: Lettering): Explanation {
   };
 }
 
-/** More arrows than this tell no more. */
+/** Limit of arrows: more add no information. */
 const MOST = 6;
 
-/** One arrow into the material for each start, beside each other. */
+/** One arrow into the material for each start, side by side. */
 export function starts(c: Context, l: Lettering): Explanation {
   if (!l.active) return { under: [], item: null };
   const { at } = beginning(c, 0);
@@ -60,7 +60,7 @@ export function starts(c: Context, l: Lettering): Explanation {
   return { under: arrows.flat(), item: { q: l.q, candidates: leader(l, spot(c.layout, at), spot(c.layout, last)) } };
 }
 
-/** The way at finished depth, there and back. */
+/** The path at finished depth, there and back. */
 export function airCuts(c: Context, l: Lettering): Explanation {
   if (!l.active) return { under: [], item: null };
   const way = besides(c, c.outline.contour);

@@ -14,7 +14,7 @@ type Stroke =
 const TILE = { width: 62, height: 50, least: 42, gap: 8, top: 2 } as const;
 /** Height of the row that holds the diagrams. */
 export const TILE_ROW = TILE.height + 8;
-/** How many diagrams stand in a column of a height, how tall each is, and how wide all columns are, pixels. */
+/** How many diagrams fit into a column of a height, how tall each is, and how wide all columns are, pixels. */
 export function columnsFor(
   count: number,
   height: number,
@@ -150,7 +150,7 @@ const known = ([u, v]: Spot): Stroke => ({
     [u - 0.06, v + 0.07],
   ],
 });
-/** A line of which a point is known, the angle, and of the other point the height or the place. */
+/** A line with a known point, the angle, and the height or the place of the other point. */
 const tapered = (at: "start" | "end", other: "height" | "place"): Stroke[] => {
   const [a, b] = SLOPE as [Spot, Spot];
   const [point, open] = at === "start" ? [a, b] : [b, a];

@@ -1,6 +1,6 @@
 import type { Params, Topic } from "../../cycles/params.ts";
 
-/** How a parameter is shown; what is none is a plain dimension. */
+/** How a parameter is shown; by default as a plain dimension. */
 export const shownAs = (params: Params, q: string): Topic => params[q]?.shown ?? "outline";
 
 /** The Q of a cycle that is shown in this way. */

@@ -9,7 +9,7 @@ import { hasLoad, type AlongPath } from "./values.ts";
 
 /** All stretches of one class as one path in part space. */
 export interface LoadLine {
-  /** Of the scale; null for what no number is told of. */
+  /** Tone of the scale; null where no value is known. */
   readonly tone: number | null;
   /** The spindle is at its limit. */
   readonly limited: boolean;
@@ -17,7 +17,7 @@ export interface LoadLine {
   readonly d: string;
 }
 
-/** A scale and what is drawn by it: one path a class, and where a limit counts one more, however long the program. */
+/** A scale and its paths: one per class, and one more per class for stretches at a limit, however long the program. */
 export interface LoadDrawing {
   readonly scale: Scale;
   readonly lines: readonly LoadLine[];
@@ -58,8 +58,8 @@ function between(path: Segment, from: number, to: number): Segment {
 }
 
 /**
- * A value along the path, of the moves that are shown. Depth, chip and feed begin at nothing, the cutting speed where
- * it is least. `size`: one of what it is told in.
+ * A value along the path of the shown moves. Depth, chip and feed start at zero, the cutting speed at its minimum.
+ * `size`: one display unit.
  */
 export function drawingAlong(
   load: PathLoad,
@@ -91,8 +91,8 @@ export function drawingAlong(
 }
 
 /**
- * The roughness of the finished surface; where the nose does not tell it, the line has no tone. `size`: one of what it
- * is told in, µm.
+ * The roughness of the finished surface; where the nose radius does not determine it, the line has no tone. `size`: one
+ * display unit, µm.
  */
 export function drawingOfSurface(stretches: readonly RoughStretch[], size = 1): LoadDrawing {
   const scale = scaleOf(

@@ -20,7 +20,7 @@ describe("classes by round numbers", () => {
     [0, 0.00041, [0, 0.0001, 0.0002, 0.0003, 0.0004, 0.0005]],
   ])("%f to %f", (low, high, bounds) => expect(scaleOf(low, high).bounds).toEqual(bounds));
 
-  test("what is the same everywhere is one class in the middle tone; nothing at all too", () => {
+  test("a constant value is one class in the middle tone; so is no value at all", () => {
     expect(scaleOf(187, 187.4).bounds).toEqual([187, 187.4]);
     expect(classTone(scaleOf(187, 187.4), 0)).toBe(3);
     expect(classesOf(scaleOf(0, 0))).toBe(1);
@@ -132,7 +132,7 @@ describe("values along the path", () => {
     expect(drawingAlong(load, "depth", steps, (step) => step === 2).lines).toHaveLength(2);
   });
 
-  test("what a limit holds down has a line of its own", () => {
+  test("stretches at a limit have a line of their own", () => {
     const { lines } = drawingAlong(load, "speed", steps, () => true);
     expect(lines.filter(({ limited }) => limited).map(({ d }) => d)).toEqual(["M-14 19.2L-14 9"]);
   });
@@ -163,7 +163,7 @@ describe("values of the surface", () => {
     stretch([at(-33, 30), at(-40, 30)], 1.13, 2, 0.5, 1),
   ];
 
-  test("of stretches that are as rough the longest is named", () => {
+  test("of equally rough stretches the longest is named", () => {
     expect(roughestOf(stretches).map(({ value, operation }) => [value, operation])).toEqual([
       [6.26, 0],
       [1.13, 1],
@@ -171,13 +171,13 @@ describe("values of the surface", () => {
     expect(roughestOf(stretches)[0]?.place).toEqual(at(-31, 21.5));
   });
 
-  test("what no number is told of has a line without a tone, at the bottom", () => {
+  test("stretches without a value have a line without a tone, at the bottom", () => {
     const { lines } = drawingOfSurface(stretches);
     expect(lines.map(({ tone }) => tone)).toEqual([null, 1, 6]);
     expect(lines[0]?.d).toBe("M-33 21.5L-33 30");
   });
 
-  test("the stretch under a pointer, above the axis and below it, and the one that is being made", () => {
+  test("the stretch under a pointer, above the axis and below it, and the stretch of the running move", () => {
     expect(stretchNear(stretches, at(-20, -21.8), 0.5)).toBe(stretches[1]);
     expect(stretchNear(stretches, at(-20, 23), 0.5)).toBeNull();
     expect(stretchOfStep(stretches, { step: 0, fraction: 0.2 })).toBe(stretches[0]);

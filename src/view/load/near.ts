@@ -11,9 +11,7 @@ const apartFrom = ({ points }: RoughStretch, place: Pt): number =>
       Infinity,
     );
 
-/**
- * The stretch of a surface nearest to a place, within `reach` mm; on the other side of the axis it is the same surface.
- */
+/** The stretch of a surface nearest to a place, within `reach` mm; places below the axis are mirrored. */
 export function stretchNear(stretches: readonly RoughStretch[], { z, r }: Pt, reach: number): RoughStretch | null {
   const place = part.point(z, Math.abs(r));
   let [best, nearest]: [RoughStretch | null, number] = [null, reach];
@@ -24,7 +22,7 @@ export function stretchNear(stretches: readonly RoughStretch[], { z, r }: Pt, re
   return best;
 }
 
-/** The stretch that is being made at a moment: of those of its move the one whose middle is nearest in time. */
+/** The stretch that is cut at a moment: of the stretches of the move, the one whose middle is nearest in time. */
 export function stretchOfStep(
   stretches: readonly RoughStretch[],
   { step, fraction }: PlayPosition,

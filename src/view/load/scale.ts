@@ -12,12 +12,12 @@ export interface Scale {
   readonly bounds: readonly number[];
 }
 
-/** Without what doubles add to a multiple of a round number. */
+/** Removes the floating-point error of a multiple of a round number. */
 const clean = (value: number) => Number(value.toPrecision(12));
 
 /**
- * At most seven classes of the same size that hold all from `low` to `high`; one class where all is the same. The
- * bounds are round when they are told in units of `unit`.
+ * At most seven classes of equal size that cover `low` to `high`; one class if all values are the same. The bounds are
+ * round in units of `unit`.
  */
 export function scaleOf(low: number, high: number, unit = 1): Scale {
   return unit === 1

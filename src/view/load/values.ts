@@ -5,7 +5,7 @@ import type { PathLoad } from "../../sim/load/along.ts";
 import type { RoughStretch } from "../../sim/load/roughness.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 
-/** What is told along the path. */
+/** Quantities shown along the path. */
 export const ALONG_PATH = ["depth", "chip", "feed", "speed"] as const;
 export type AlongPath = (typeof ALONG_PATH)[number];
 
@@ -21,16 +21,15 @@ export interface LoadPlace {
 }
 
 /**
- * Whether a tool cuts in a row: it takes something, or threads, of which no depth is told. What it does in the air is
- * no load.
+ * Whether a tool cuts in a row: it removes material, or it threads, where no depth is known. Cutting air is no load.
  */
 export const isCutting = (load: PathLoad, row: number): boolean => !((load.depth[row] ?? 0) <= 0);
 
-/** Whether a row has something to show. */
+/** Whether a row has a value to show. */
 export const hasLoad = (load: PathLoad, of: AlongPath, row: number): boolean =>
   isCutting(load, row) && Number.isFinite(load[of][row]);
 
-/** The row that covers a moment; null where the tool feeds nothing. */
+/** The row of a moment; null where the tool does not feed. */
 export function rowAt({ count, step, from, to }: PathLoad, position: PlayPosition): number | null {
   let [low, high] = [0, count];
   while (low < high) {
@@ -63,8 +62,8 @@ export function placeOfStretch({ points, position, block, operation, rz }: Rough
 }
 
 /**
- * The place of the greatest value of each operation, in their order, and null for moves outside them. Where a spindle
- * comes to its limit, that of the least cutting speed instead: there it is missed by most.
+ * The place of the greatest value of each operation, in their order, and null for moves outside operations. If a
+ * spindle reaches its limit, the place of the least cutting speed instead, where the shortfall is greatest.
  */
 export function greatestAlong(load: PathLoad, of: AlongPath, steps: readonly Step[]): LoadPlace[] {
   const best = new Map<number | null, number>();
@@ -82,13 +81,13 @@ export function greatestAlong(load: PathLoad, of: AlongPath, steps: readonly Ste
   return inOrder([...best.values()].flatMap((row) => placeOfRow(load, of, row, steps) ?? []));
 }
 
-/** Heights that differ by a smaller share are as rough as each other. */
+/** Heights that differ by a smaller share count as equally rough. */
 const AS_ROUGH = 0.005;
 const wayOf = ({ points: [first, ...others] }: RoughStretch): number =>
   others.reduce((sum, p, i) => sum + part.apart(others[i - 1] ?? first ?? p, p), 0);
 
 /**
- * The roughest place of each operation that made a piece of the finished surface: of stretches that are as rough the
+ * The roughest place of each operation that cut a piece of the finished surface; of equally rough stretches the
  * longest.
  */
 export function roughestOf(stretches: readonly RoughStretch[]): LoadPlace[] {
@@ -105,9 +104,7 @@ export function roughestOf(stretches: readonly RoughStretch[]): LoadPlace[] {
 
 const inOrder = (places: readonly LoadPlace[]) => [...places].sort((a, b) => a.position.step - b.position.step);
 
-/**
- * The worst of several: the greatest, or for the cutting speed the least that a limit holds down, where there is one.
- */
+/** The worst of several places: the greatest value, or at a spindle limit the least cutting speed. */
 export function worstOf(places: readonly LoadPlace[]): LoadPlace | null {
   const held = places.filter(({ limited }) => limited);
   if (held.length > 0) return held.reduce((a, b) => (b.value < a.value ? b : a));

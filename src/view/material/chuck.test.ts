@@ -9,7 +9,7 @@ const clamping: Clamping = { kind: "chuckOutside", diameter: 63.4, length: 21, f
 const stated = { clamping, bodies: clampingBodies(clamping, blank) };
 const chuck = chuckDrawing(blank, material, stated);
 
-test("what is not stated is a plane at the rear end, and nothing that could be taken for a chuck", () => {
+test("without a stated clamping there is a plane at the rear end, and nothing that looks like a chuck", () => {
   const { unstated, turned, jaws, flanks, backs, all } = chuckDrawing(blank, material, null);
   expect(unstated?.plane).toEqual([at(-73.4, 0), at(-73.4, 31.7)]);
   for (const [from, to] of unstated?.hatch ?? []) expect([from.z, to.z < from.z]).toEqual([-73.4, true]);
@@ -23,7 +23,7 @@ test("the plane of a tube begins at its bore", () => {
   expect(unstated?.plane).toEqual([at(-10, 4), at(-10, 9)]);
 });
 
-test("what is stated is drawn where it is checked", () => {
+test("a stated clamping is drawn where collisions are checked", () => {
   expect(chuck.unstated).toBeNull();
   const drawn = (part: string) =>
     stated.bodies.filter((b) => b.part === part).flatMap(({ rings }) => rings.map((r) => r.map((p) => [p.z, p.r])));
@@ -32,7 +32,7 @@ test("what is stated is drawn where it is checked", () => {
   expect(chuck.seen.left).toBeLessThan(-73.4);
 });
 
-test("the jaw to the viewer is a third of a turn on: on the other side, half as far out", () => {
+test("the jaw facing the viewer is a third of a turn on: on the other side, half as far out", () => {
   const middle = (points: readonly (readonly [number, number])[]) =>
     points.reduce((sum, [, r]) => sum + r, 0) / points.length;
   const outer = Math.max(...chuck.jaws.flat().map(([, r]) => r));

@@ -9,37 +9,34 @@ import { heldPlane, type HeldPlane } from "../held-plane.ts";
 export type ChuckPoint = readonly [z: number, r: number];
 
 /**
- * What holds the work as it is seen from the side, with one jaw in the plane of the cut: what is stated, to scale, and
- * nothing else.
+ * The clamping seen from the side, with one jaw in the plane of the cut: the stated bodies to scale, and nothing else.
  */
 export interface ChuckDrawing {
-  /** Where nothing is stated: the plane at the rear end. */
+  /** The plane at the rear end, if no clamping is stated. */
   readonly unstated: HeldPlane | null;
-  /** Chuck, collet, driver and tailstock: bodies that turn, as outlines of one half. */
+  /** Chuck, collet, driver and tailstock: bodies of revolution, as outlines of one half. */
   readonly turned: readonly (readonly ChuckPoint[])[];
   /** The jaw on the tool's side. */
   readonly jaws: readonly (readonly ChuckPoint[])[];
-  /**
-   * The jaw that stands to the viewer, a third of a turn on: its flank, and its stepped back from the work outwards.
-   */
+  /** The jaw facing the viewer, a third of a turn on: its flank, and its outward faces, step by step. */
   readonly flanks: readonly (readonly ChuckPoint[])[];
   readonly backs: readonly (readonly ChuckPoint[])[];
-  /** What no tool goes beyond. */
+  /** The limit that no tool may cross. */
   readonly limit: { readonly z?: number; readonly r?: number } | null;
   /** Everything that is drawn. */
   readonly all: Bounds;
-  /** What of it all should be in the picture. */
+  /** The part of the clamping that should be in the picture. */
   readonly seen: Bounds;
 }
 
 /** The jaw a third of a turn on is seen under this angle: its radius shortened by the cosine, its width by the sine. */
 const [SHORT, WIDE] = [-Math.cos((2 * Math.PI) / 3), Math.sin((2 * Math.PI) / 3)];
-/** What is shown behind the grip and beside the blank, as a part of the radius of the blank. */
+/** Extent shown behind the grip and beside the blank, as a share of the blank's radius. */
 const [BEHIND, BESIDE] = [0.35, 0.5];
 
 const placesOf = (ring: Ring): readonly ChuckPoint[] => ring.map(({ z, r }) => [z, r]);
 
-/** The drawing of what holds a blank; of a plane at its rear end where nothing is stated. */
+/** The drawing of a blank's clamping; a plane at the blank's rear end if none is stated. */
 export function chuckDrawing(blank: readonly Ring[], material: Bounds, clamped: Clamped | null): ChuckDrawing {
   if (!clamped) {
     const unstated = heldPlane(blank, material);
@@ -56,7 +53,7 @@ export function chuckDrawing(blank: readonly Ring[], material: Bounds, clamped: 
   const jaws = rings.flatMap(({ isJaw, ring }) => (isJaw ? [ring] : []));
   const half = (jawWidth(size) / 2) * WIDE,
     turned = (z: number, r: number, to: number): ChuckPoint => [z, -r * SHORT + to];
-  // What of a jaw looks outwards is seen from the side of the next one.
+  // The outward faces of a jaw are visible on the jaw facing the viewer.
   const outwards = jaws.flatMap((ring) =>
     ring.flatMap((p, i) => {
       const q = ring[(i + 1) % ring.length] ?? p;

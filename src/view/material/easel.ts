@@ -4,12 +4,12 @@ import { shadeStops, slopeNumber, slopeOf, type Facing } from "./shade.ts";
 import type { Texture } from "./surfaces.ts";
 
 /**
- * How the work is looked at: cut above the axis and whole below it, cut on both sides, or whole. The cut lies on the
- * tool's side.
+ * The view of the work: cut above the axis and whole below it, cut on both sides, or whole. The cut is on the tool's
+ * side.
  */
 export type SectionKind = "half" | "full" | "outside";
 
-/** What the material is painted with, as CSS colours; those of steel and chuck as `#rrggbb`. */
+/** Colours of the material, as CSS colours; those of steel and chuck as `#rrggbb`. */
 export interface MaterialColours {
   readonly ground: string;
   readonly hatch: string;
@@ -22,14 +22,14 @@ export interface MaterialColours {
   readonly chuckLight: string;
 }
 
-/** Where a painter works: on what, how it lies there, and with which colours. */
+/** Where a painter draws: the pen, the camera and the colours. */
 export interface Easel {
   readonly pen: Pen;
   readonly camera: Camera;
   readonly colours: MaterialColours;
-  /** Pixels of the device for one of the page. */
+  /** Device pixels per CSS pixel. */
   readonly ratio: number;
-  /** Where the corner of the canvas lies in the picture. */
+  /** The corner of the canvas in the picture. */
   readonly origin: Place;
 }
 
@@ -54,14 +54,14 @@ export function halvesOf(section: SectionKind, xUp: boolean): readonly [Half, Ha
   ];
 }
 
-/** Back to the pixels of the page. */
+/** Sets the pen to CSS pixels. */
 export const asPage = ({ pen, ratio, origin: { x, y } }: Easel): void =>
   pen.setTransform(ratio, 0, 0, ratio, -x * ratio, -y * ratio);
 
-/** What is shaded: steel that is worked on, or the chuck. */
+/** The shaded body: the work, or the chuck. */
 export type Body = "steel" | "chuck";
 
-/** Gradients that a pen has made already, for the colours they were made with. */
+/** Cached gradients of a pen, for the colours that they were made with. */
 const brushes = new WeakMap<Pen, { readonly colours: MaterialColours; readonly made: Map<string, object> }>();
 
 /** A brush for the shade across a radius, from 0 at the axis to 1 at the edge along y. */
@@ -85,12 +85,14 @@ export function brush({ pen, colours }: Easel, body: Body, slope: number, textur
   return gradient;
 }
 
-/** Lays a shade across the radius: y counts from the axis, 1 is `r` mm from it on one side of the picture. */
+/**
+ * Scales the pen to shade across the radius: y starts at the axis, and 1 is `r` mm from it on one side of the picture.
+ */
 export function acrossRadius({ pen, camera, ratio, origin }: Easel, down: 1 | -1, r: number): void {
   pen.setTransform(ratio, 0, 0, ratio * down * r * camera.scale, -origin.x * ratio, ratio * (camera.zero.y - origin.y));
 }
 
-/** Begins a way through places of one half, mm, distances from the axis positive. */
+/** Begins a path through points of one half, mm; distances from the axis are positive. */
 export function trace(
   { pen, camera: { scale, zero } }: Easel,
   down: 1 | -1,

@@ -9,7 +9,7 @@ export interface DrawnLine {
   readonly r1: number;
 }
 
-/** The stretch of an edge that is seen over some columns. */
+/** The visible stretch of an edge over some columns. */
 export interface SeenEdge extends DrawnLine {
   readonly edge: number;
   /** Where the surface begins below it: 0, or the wall of material between it and the axis. */
@@ -17,8 +17,8 @@ export interface SeenEdge extends DrawnLine {
 }
 
 /**
- * An edge as far as it is seen from column `from` to column `to` (not included); it goes on to its end where that is
- * near.
+ * The visible stretch of an edge from column `from` to column `to` (exclusive); it continues to the end of the edge if
+ * that is near.
  */
 function stretch(
   { edges }: Boundary,
@@ -38,7 +38,7 @@ function stretch(
   return { edge, z0, z1, r0: rAt(z0), r1: rAt(z1), low };
 }
 
-/** What is seen of the outside, from left to right. */
+/** The visible outside, from left to right. */
 export function seenOutside(boundary: Boundary, columns: Columns): readonly SeenEdge[] {
   const out: SeenEdge[] = [];
   let from = 0;
@@ -52,7 +52,7 @@ export function seenOutside(boundary: Boundary, columns: Columns): readonly Seen
   return out;
 }
 
-/** What is seen of the walls of hollows behind the cut, from left to right. */
+/** The visible walls of hollows behind the cut, from left to right. */
 export function seenInside(boundary: Boundary, columns: Columns): readonly SeenEdge[] {
   const out: SeenEdge[] = [];
   const open = new Map<number, { from: number; low: number }>();
@@ -69,7 +69,7 @@ export function seenInside(boundary: Boundary, columns: Columns): readonly SeenE
   return out;
 }
 
-/** Lines where the outside changes its direction: as on a drawing they run from the axis to the edge. */
+/** Lines where the outside changes direction: as on a drawing they run from the axis to the edge. */
 export function turnsOutside({ corners }: Boundary, { left, width, count, edge }: Columns): readonly DrawnLine[] {
   return corners.flatMap(({ z, r, before, after }) => {
     const j = Math.floor((z - left) / width);
@@ -81,7 +81,7 @@ export function turnsOutside({ corners }: Boundary, { left, width, count, edge }
   });
 }
 
-/** Lines where a wall of a hollow changes its direction, from what lies below it outwards. */
+/** Lines where a wall of a hollow changes direction, from the material below it outwards. */
 export function turnsInside({ corners }: Boundary, { left, width, gaps }: Columns): readonly DrawnLine[] {
   return corners.flatMap(({ z, r, before, after }) => {
     const j = Math.floor((z - left) / width);
@@ -95,7 +95,7 @@ export function turnsInside({ corners }: Boundary, { left, width, gaps }: Column
 /** Feed lines closer than this are not drawn; from the second distance on they have their full strength, pixels. */
 export const FEED_LINES = { none: 3, full: 9 } as const;
 
-/** An edge lies along the way of its move when its direction differs by less than this, radians. */
+/** An edge lies along its move if their directions differ by less than this, radians. */
 export const FEED_ALONG = 0.02;
 
 /** Feed lines of one strength 0 … 1. */
@@ -105,8 +105,8 @@ export interface FeedLines {
 }
 
 /**
- * The marks of the feed on what is seen of rough surfaces, one a turn of the work, where they began to be cut; none
- * where the scale (pixels per mm) brings them too close together to be told apart.
+ * The feed marks on visible rough surfaces, one per revolution, counted from where the cut began; none if the scale
+ * (pixels per mm) is too small to tell them apart.
  */
 export function feedLines({ edges }: Boundary, seen: readonly SeenEdge[], scale: number): readonly FeedLines[] {
   return seen.flatMap(({ edge, z0, r0, z1, r1, low }) => {

@@ -34,6 +34,6 @@ const CASES = [
   ],
 ] as const;
 
-test.each(CASES)("what is seen from outside of %s", (_, rings, wanted) => {
+test.each(CASES)("the outside view of %s", (_, rings, wanted) => {
   expect(outsideData(rings)).toBe(wanted);
 });

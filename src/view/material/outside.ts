@@ -4,14 +4,14 @@ import { seenOutside, type DrawnLine } from "./lines.ts";
 import { boundaryIn, columnsOf } from "./scan.ts";
 import { UNTOUCHED } from "./surfaces.ts";
 
-/** Columns in which a stock is looked at; what is narrower than one of them is not told apart. */
+/** Columns in the scan of a stock; details narrower than one column are lost. */
 const COLUMNS = 4096;
 
 const START = { step: 0, fraction: 0 };
 
 /**
- * What is seen of a stock from outside, as SVG path data in part space: from the axis along the upper outline and back
- * to the axis.
+ * The outer outline of a stock as SVG path data in part space: from the axis along the upper outline and back to the
+ * axis.
  */
 export function outsideData(rings: readonly Ring[]): string {
   const box = boundsOf(rings.flat());

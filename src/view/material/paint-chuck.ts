@@ -1,7 +1,7 @@
 import type { ChuckDrawing, ChuckPoint } from "./chuck.ts";
 import { acrossRadius, asPage, brush, trace, type Half, type SectionKind, type Easel } from "./easel.ts";
 
-/** What holds the work is not looked at: its edges are quieter. */
+/** Opacity of the clamping's edges, which are quieter than those of the work. */
 const QUIET = 0.6;
 
 function area(easel: Easel, down: 1 | -1, places: readonly ChuckPoint[], fill: string): void {
@@ -23,7 +23,7 @@ function line(easel: Easel, down: 1 | -1, places: readonly ChuckPoint[]): void {
   easel.pen.stroke();
 }
 
-/** A body that turns, from outside. */
+/** A body of revolution from outside. */
 function turned(easel: Easel, { down, facing }: Half, places: readonly ChuckPoint[]): void {
   const { pen, colours } = easel;
   pen.beginPath();
@@ -39,7 +39,7 @@ function turned(easel: Easel, { down, facing }: Half, places: readonly ChuckPoin
   pen.globalAlpha = 1;
 }
 
-/** The plane at which a blank is held nobody knows how. */
+/** The plane at the rear end of a blank whose clamping is not stated. */
 function plane(easel: Easel, down: 1 | -1, { plane, hatch }: NonNullable<ChuckDrawing["unstated"]>): void {
   const { pen, colours } = easel;
   pen.strokeStyle = colours.edge;
@@ -58,7 +58,7 @@ function plane(easel: Easel, down: 1 | -1, { plane, hatch }: NonNullable<ChuckDr
     );
 }
 
-/** What holds the work, behind it. */
+/** Paints the clamping, behind the work. */
 export function paintChuck(
   easel: Easel,
   halves: readonly [Half, Half],
@@ -73,7 +73,7 @@ export function paintChuck(
   for (const { down } of halves) if (chuck.unstated) plane(easel, down, chuck.unstated);
 }
 
-/** The limit that is stated, dashed across the picture. */
+/** The stated limit, dashed across the picture. */
 function limits(easel: Easel, halves: readonly [Half, Half], { limit, all }: ChuckDrawing): void {
   if (!limit) return;
   const { pen, colours } = easel,
@@ -95,7 +95,10 @@ function limits(easel: Easel, halves: readonly [Half, Half], { limit, all }: Chu
   pen.setLineDash([]);
 }
 
-/** The jaw before the work: a full section has cut it away, a half section what of it reaches over the axis. */
+/**
+ * The jaw in front of the work: a full section cuts it away, a half section cuts away the part that reaches over the
+ * axis.
+ */
 export function paintFrontJaw(
   easel: Easel,
   halves: readonly [Half, Half],

@@ -12,7 +12,7 @@ function way({ pen }: Easel, places: readonly ScreenPoint[]): void {
 const FLANK = 0.34;
 const CREST = 0.55;
 
-/** Which part of the half turn lies in a half of the picture: the tool's side is the first quarter. */
+/** The part of the half turn shown in a half of the picture: the tool's side is the first quarter. */
 const turnsOf = (isToolSide: boolean): HalfTurn => (isToolSide ? [0, 0.5] : [0.5, 1]);
 
 /** A thread on the outside of a half, or on the wall of a hollow behind the cut. */

@@ -24,7 +24,7 @@ export interface Material {
   /** Its section, outer rings counter-clockwise, mm. */
   readonly rings: readonly Ring[];
   readonly section: SectionKind;
-  /** The moment, and what made the surfaces until then. */
+  /** The moment, and the origin of the surfaces up to it. */
   readonly now: PlayPosition;
   readonly surfaces: Surfaces;
   readonly chuck: ChuckDrawing | null;
@@ -32,12 +32,12 @@ export interface Material {
 
 /** Pixels between two hatch lines, along the edge of the picture. */
 const HATCH = 10;
-/** Columns of the device that are looked at beside a patch. */
+/** Device columns scanned beside a patch. */
 const BESIDE = 3;
 /** An edge that rises less than this across the columns of a run is level there, pixels of the device. */
 const LEVEL = 0.2;
 
-/** Columns of a patch, one a pixel of the device, with the boundary in and beside them. */
+/** Columns of a patch, one per device pixel, with the boundary in and beside them. */
 function columnsIn({ rings, surfaces, now }: Material, { camera, ratio }: Easel, { x, width }: Patch) {
   const first = Math.floor(x * ratio) - BESIDE,
     count = Math.ceil((x + width) * ratio) + BESIDE - first;
@@ -49,7 +49,7 @@ function columnsIn({ rings, surfaces, now }: Material, { camera, ratio }: Easel,
 }
 
 /**
- * The angle of an edge to the axis, positive where it looks at the free end. Outside, rings run to the left; inside, to
+ * The angle of an edge to the axis, positive if the edge faces the free end. Outside, rings run to the left; inside, to
  * the right.
  */
 function slopeAt({ edges }: Boundary, e: number, isInside: boolean): number {
@@ -106,7 +106,7 @@ function shades(
       slope = slopeAt(boundary, edge, half.isCut);
     pen.fillStyle = brush(easel, "steel", slope, texture, half.isCut ? "hole" : half.facing);
     acrossRadius(easel, half.down, r);
-    // A pixel more over the axis leaves no seam between the halves.
+    // One more pixel over the axis avoids a seam between the halves.
     const begin = low > 0 ? low / r : -1 / (r * camera.scale);
     pen.fillRect((first + from) / ratio, begin, (to - from) / ratio, 1 - begin);
   };
@@ -126,7 +126,7 @@ function strokes(easel: Easel, down: 1 | -1, lines: readonly DrawnLine[]): void 
   easel.pen.stroke();
 }
 
-/** Marks of the feed, edges across, and the outline where it is no cut. */
+/** Feed marks, edges across, and the outline where it is not cut. */
 function drawing(
   easel: Easel,
   { down, isCut }: Half,
@@ -152,7 +152,7 @@ function drawing(
   if (!isCut) strokes(easel, down, seen);
 }
 
-/** Rings without what lies beyond a window along Z: places in a row on one side of it become two. */
+/** Traces rings without the points beyond a window along Z: a row of points on one side of it becomes two. */
 function traceNear(easel: Easel, down: 1 | -1, rings: readonly Ring[], left: number, right: number): void {
   const beyond = (z: number) => (z < left ? -1 : Number(z > right));
   for (const ring of rings) {
@@ -186,7 +186,7 @@ function cutFace(easel: Easel, down: 1 | -1, rings: readonly Ring[], { x, y, wid
   pen.fill("evenodd");
   pen.save();
   pen.clip("evenodd");
-  // The lines stand on the work: they go with it, and regions meet without a seam.
+  // The hatch is fixed to the work: it moves along, and regions meet without a seam.
   const begin = (zero.x + zero.y) % HATCH;
   pen.beginPath();
   for (let c = begin + Math.floor((x + y - begin) / HATCH) * HATCH; c < x + width + y + height; c += HATCH) {
@@ -203,13 +203,13 @@ function cutFace(easel: Easel, down: 1 | -1, rings: readonly Ring[], { x, y, wid
   pen.stroke();
 }
 
-/** Whether a patch may show something of what holds the work. */
+/** Whether a patch may show part of the clamping. */
 const isNear = ({ all, limit }: ChuckDrawing, { zero, scale }: Camera, { x }: Patch) =>
   x <= zero.x + Math.max(all.right, limit?.z ?? all.right) * scale + BESIDE;
 
 /**
- * Paints a patch of the picture anew: what was there is taken away, nothing outside it is touched. The pen
- * counts in pixels of the page, from the corner of the picture, before and after.
+ * Repaints a patch of the picture: clears it first, and touches nothing outside it. The pen counts in CSS pixels from
+ * the corner of the picture, before and after.
  */
 export function paintMaterial(
   pen: Pen,

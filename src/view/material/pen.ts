@@ -3,7 +3,7 @@ export interface PenGradient {
   addColorStop(offset: number, colour: string): void;
 }
 
-/** What a painter needs of a canvas: the drawing context of a browser has all of it. */
+/** The part of a canvas that a painter needs: the drawing context of a browser has all of it. */
 export interface Pen {
   fillStyle: string | object;
   strokeStyle: string | object;
@@ -11,7 +11,7 @@ export interface Pen {
   globalAlpha: number;
   save(): void;
   restore(): void;
-  /** From the pixels of the page to those of the device. */
+  /** From CSS pixels to device pixels. */
   setTransform(a: number, b: number, c: number, d: number, e: number, f: number): void;
   clearRect(x: number, y: number, width: number, height: number): void;
   fillRect(x: number, y: number, width: number, height: number): void;
@@ -27,7 +27,7 @@ export interface Pen {
   stroke(): void;
 }
 
-/** A part of the picture, pixels of the page from its top left corner. */
+/** A part of the picture, CSS pixels from its top left corner. */
 export interface Patch {
   readonly x: number;
   readonly y: number;

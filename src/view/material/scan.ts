@@ -36,10 +36,10 @@ function isSharp(a: StockSide, b: StockSide): boolean {
   return turn > (Math.max(hypotenuse(az, ar), hypotenuse(bz, br)) > SHORT ? TURN : SHORT_TURN);
 }
 
-/** Where a ring is begun: at its left end, which is in the chuck, so that nothing that is worked on is torn apart. */
+/** Where a ring begins: at its left end, which is in the chuck, so that no machined surface is split. */
 const leftmost = (ring: Ring) => ring.reduce((best, p, i) => (p.z < (ring[best]?.z ?? Infinity) ? i : best), 0);
 
-/** The edges between two places on Z, each with what made it. */
+/** The edges between two places on Z, each with its origin. */
 export function boundaryIn(
   rings: readonly Ring[],
   surfaces: Surfaces,
@@ -58,7 +58,7 @@ export function boundaryIn(
         q = vertex(i + 1);
       return p && q ? { z0: p.z, r0: p.r, z1: q.z, r1: q.r } : null;
     };
-    /** Index of the first and the last edge of the side before, and of the first side. */
+    /** Index of the first and the last edge of the previous side, and of the first side. */
     let before = -1,
       first = -1,
       sideBefore: StockSide | null = null;
@@ -102,7 +102,7 @@ export interface Gap {
   readonly edge: number;
 }
 
-/** The stock in equal columns along Z, each looked at in its middle. */
+/** The stock in equal columns along Z, each sampled in its middle. */
 export interface Columns {
   readonly left: number;
   readonly width: number;
@@ -111,7 +111,7 @@ export interface Columns {
   readonly top: Float64Array;
   /** The edge there; −1 where there is none. */
   readonly edge: Int32Array;
-  /** What is hollow under it, from the axis outwards. */
+  /** The hollows below it, from the axis outwards. */
   readonly gaps: readonly (readonly Gap[])[];
 }
 

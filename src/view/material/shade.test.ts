@@ -13,7 +13,7 @@ test("a cylinder is darkest at its edge, and brightest at a third", () => {
   }
 });
 
-test("what is finished is lighter than what is rough, and that than what came from the mill", () => {
+test("finished surfaces are lighter than rough ones, and those than raw ones", () => {
   for (const u of [0.02, 0.33, 0.71]) {
     const [raw, rough, finished] = (["raw", "rough", "finished"] as const).map((texture) =>
       lightness(u, 0, texture, "lit"),
@@ -23,7 +23,7 @@ test("what is finished is lighter than what is rough, and that than what came fr
   }
 });
 
-test("cones are told apart by where they look, a hole is dark where it is deep, and halves meet without a step", () => {
+test("cones differ by the direction they face, a hole is dark where it is deep, and halves meet without a step", () => {
   const at = (degrees: number) => lightness(0.5, (degrees * Math.PI) / 180, "rough", "lit");
   expect(at(-41)).toBeLessThan(at(0) - 0.05);
   expect(Math.abs(at(27) - at(-27))).toBeGreaterThan(0.1);

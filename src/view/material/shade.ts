@@ -1,12 +1,12 @@
 import type { Texture } from "./surfaces.ts";
 
 /**
- * How light round steel is. The work is seen square to its axis; a place on it is told by `u`, its distance from the
- * axis as a share of the radius there (0: it looks at the viewer, 1: the edge), and by how its surface leans along the
+ * Shading of round steel. The work is seen square to its axis; a place on it is given by `u`, its distance from the
+ * axis as a share of the radius there (0: it faces the viewer, 1: the edge), and by the slope of its surface along the
  * axis.
  */
 
-/** What a shade is mixed from, as `#rrggbb`. */
+/** The colours of a shade, as `#rrggbb`. */
 export interface Steel {
   readonly dark: string;
   readonly base: string;
@@ -16,7 +16,7 @@ export interface Steel {
 /** Which side of a body is seen: the lit half of its outside, the other half, or the wall of a hole behind the cut. */
 export type Facing = "lit" | "away" | "hole";
 
-/** Where the one soft light stands over the lit half: at a third of the radius. */
+/** The position of the one soft light over the lit half: at a third of the radius. */
 const LIGHT = Math.asin(1 / 3);
 /** How much of the light comes along the axis, from the free end of the work. */
 const ALONG = 0.4;
@@ -26,7 +26,7 @@ interface Gloss {
   readonly shine: number;
   readonly sharp: number;
 }
-/** A finished surface is light and shines; a rough one is dull, and what came from the mill is duller. */
+/** A finished surface is light and shines, a rough one is dull, and a raw one is duller. */
 const GLOSS: Readonly<Record<Texture, Gloss>> = {
   raw: { ground: 0.44, shine: 0.02, sharp: 8 },
   rough: { ground: 0.52, shine: 0.12, sharp: 12 },
@@ -35,8 +35,8 @@ const GLOSS: Readonly<Record<Texture, Gloss>> = {
 };
 
 /**
- * Lightness 0 … 1 of a place: `slope` is the angle of the surface to the axis, radians, positive where it looks at the
- * free end.
+ * Lightness 0 … 1 of a place: `slope` is the angle of the surface to the axis, radians, positive if it faces the free
+ * end.
  */
 export function lightness(u: number, slope: number, texture: Texture, facing: Facing): number {
   const { ground, shine, sharp } = GLOSS[texture];
@@ -71,7 +71,7 @@ export function mixed(a: string, b: string, share: number): string {
 export const steelAt = ({ dark, base, light }: Steel, value: number): string =>
   value < 0.5 ? mixed(dark, base, value * 2) : mixed(base, light, value * 2 - 1);
 
-/** Where a shade is worked out, as shares of the radius; between them it is straight. */
+/** Sample places of a shade, as shares of the radius; the shade is linear between them. */
 const STOPS = [0, 0.08, 0.16, 0.24, 0.3, 0.34, 0.4, 0.48, 0.58, 0.68, 0.77, 0.85, 0.91, 0.955, 0.985, 1] as const;
 
 /** The shade across the radius, from the axis to the edge, as stops of a gradient. */

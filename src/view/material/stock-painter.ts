@@ -11,17 +11,17 @@ import { patchWithin, touchedBetween, turnedPatchOf } from "./touched.ts";
 /** A run whose stock is painted. */
 export interface PaintedRun {
   readonly steps: readonly Step[];
-  /** The same rings as long as nothing is cut. */
+  /** Returns the same rings as long as nothing is cut. */
   readonly stockAt: (position: PlayPosition) => readonly Ring[];
   /** False when the program states another blank between two positions. */
   readonly isSameBlank: (one: PlayPosition, other: PlayPosition) => boolean;
-  /** What made the surfaces of the stock. */
+  /** The origin of the stock's surfaces. */
   readonly surfaces: Surfaces;
 }
 
 /**
- * How a stock is looked at: `origin` is the part of the picture that is painted on, `ground` the one that shows what
- * stands there without the work, `room` all of it that can be seen.
+ * View settings of a stock: `origin` is the painted part of the picture, `ground` the part that shows the surroundings
+ * without the work, `room` everything visible.
  */
 export interface StockLook extends Pick<Material, "section" | "chuck">, Pick<Easel, "colours" | "ratio"> {
   readonly camera: Camera;
@@ -30,20 +30,20 @@ export interface StockLook extends Pick<Material, "section" | "chuck">, Pick<Eas
   readonly room: Patch;
 }
 
-/** Paints the stock of a run at one moment after the other, and of the later ones only what differs. */
+/** Paints the stock of a run at successive moments; later moments repaint only the differences. */
 export interface StockPainter {
   /** Goes to another moment without painting. */
   readonly goTo: (position: PlayPosition) => void;
-  /** The moment, and the stock at it. */
+  /** The current moment, and the stock at it. */
   readonly at: () => PlayPosition;
   readonly rings: () => readonly Ring[];
-  /** Paints all of it as it is at the moment. */
+  /** Paints everything at the current moment. */
   readonly all: (pen: Pen, look: StockLook) => void;
-  /** Goes to another moment and paints what looks different there; false when nothing does. */
+  /** Goes to another moment and repaints the differences; false if there are none. */
   readonly follow: (pen: Pen, look: StockLook, position: PlayPosition) => boolean;
 }
 
-/** A blank that nothing moves at. */
+/** A run of a blank without any move. */
 export const untouchedRun = (blank: readonly Ring[]): PaintedRun => ({
   steps: [],
   stockAt: () => blank,
@@ -52,7 +52,7 @@ export const untouchedRun = (blank: readonly Ring[]): PaintedRun => ({
 });
 
 /**
- * Paints what stands there without the work on a pen for the ground of a look, and leaves out where the work is
+ * Paints the surroundings without the work onto a pen for the ground, and leaves out the area where the work is
  * painted.
  */
 export function paintShop(pen: Pen, look: StockLook): void {
@@ -63,17 +63,17 @@ export function paintShop(pen: Pen, look: StockLook): void {
   pen.clearRect(x, y, width, height);
 }
 
-/** How far from the axis there is material, mm. */
+/** Largest radius with material, mm. */
 export const farthest = (rings: readonly Ring[]): number =>
   rings.reduce((most, ring) => ring.reduce((far, p) => Math.max(far, p.r), most), 0);
 
-/** Whether nothing but rapids runs between two positions: they leave surfaces as they are. */
+/** Whether only rapids run between two positions: they leave surfaces unchanged. */
 const onlyRapids = (steps: readonly Step[], one: PlayPosition, other: PlayPosition) =>
   steps
     .slice(Math.min(one.step, other.step), Math.max(one.step, other.step) + 1)
     .every((step) => step.move.kind === "rapid");
 
-/** A painter that stands at the start of a run. */
+/** A painter at the start of a run. */
 export function stockPainter({ steps, stockAt, isSameBlank, surfaces }: PaintedRun): StockPainter {
   let now: PlayPosition = { step: 0, fraction: 0 };
   let rings = stockAt(now);

@@ -60,7 +60,7 @@ test("each level of the outside knows the move that made it, and its feed a turn
   ]);
 });
 
-test("while a move runs, it has made what lies behind the tool and no more", () => {
+test("a running move has made the surface behind the tool and no more", () => {
   expect(outside({ step: 4, fraction: 0.5 })).toEqual([
     [25.3, "raw", 0],
     [22.37, "rough", 0.31],
@@ -72,7 +72,7 @@ test("while a move runs, it has made what lies behind the tool and no more", () 
   ]);
 });
 
-test("a path block that was typed is finished where its feed and the nose leave little, by the minute as by the turn", () => {
+test("a typed path block finishes if its feed and the nose leave little, with feeds per minute as per revolution", () => {
   // A nose of 0.8 mm leaves 10 µm at 0.2530 mm a turn; 960 turns a minute.
   const typed = { phase: "position", run: "rough", step: 0 } as const,
     side: StockSide = { z0: 0.8, r0: 22.37, z1: -29, r1: 22.37 };
@@ -92,12 +92,12 @@ test("a path block that was typed is finished where its feed and the nose leave 
   expect([look(0.2529, "mm/rev"), look(0.2531, "mm/rev")]).toEqual(["finished", "rough"]);
   expect([look(242.8, "mm/min"), look(243, "mm/min")]).toEqual(["finished", "rough"]);
   expect(look(100, "mm/min", {}, null)).toBe("rough");
-  // What a cycle does beside its cuts finishes nothing, however slow; nor does an edge without a nose.
+  // Moves of a cycle other than its cuts finish nothing, however slow; nor does an edge without a nose.
   expect(look(0.1, "mm/rev", { operation: 0 })).toBe("rough");
   expect(look(0.1, "mm/rev", { tool: { ...tool, RS: length(0) } })).toBe("rough");
 });
 
-test("a side that two moves made is told apart where they meet", () => {
+test("a side made by two moves is split where they meet", () => {
   const twice: Step[] = [
     steps[1],
     { ...(steps[4] as Step), move: { ...(moves[4] as Move), to: at(-11.3, 22.37) }, from: at(2.3, 22.37) },
@@ -115,7 +115,7 @@ const moment = fc.record({
   fraction: fc.constantFrom(0, 0.013, 0.41, 0.97),
 });
 
-test("what was asked before changes no answer", () => {
+test("earlier queries change no answer", () => {
   const asked = surfacesOf(example.steps);
   let sides = 0;
   fc.assert(
@@ -133,7 +133,7 @@ test("what was asked before changes no answer", () => {
   expect(sides).toBeGreaterThan(100);
 });
 
-test("a run that begins as another one, or is a part of it, has the surfaces that it has alone", () => {
+test("a run that begins like another one, or is a part of it, has the same surfaces as on its own", () => {
   const { steps: all } = example,
     turned = all.map((step, i): Step => (i % 7 === 3 ? { ...step, operation: null } : step));
   let surfaces = surfacesOf(all),

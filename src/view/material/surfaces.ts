@@ -9,21 +9,21 @@ import { feedPerTurn, rpmAt } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { touchIndex, type TouchIndex } from "../../sim/touch-index.ts";
 
-/** How a stretch of a boundary looks: as it came, rough, finished, or a flank of a thread. */
+/** Look of a stretch of a boundary: unmachined, rough, finished, or a flank of a thread. */
 export type Texture = "raw" | "rough" | "finished" | "thread";
 
-/** What made a stretch of the boundary. */
+/** The origin of a stretch of the boundary. */
 export interface Maker {
   readonly texture: Texture;
   /** Index of the move; −1 where nothing has cut yet. */
   readonly step: number;
-  /** Way of the tool in one turn of the work, mm; for a thread its lead. 0 where nobody knows. */
+  /** Feed per revolution, mm; for a thread its lead. 0 if unknown. */
   readonly pitch: number;
-  /** Where along Z the move began: its marks count from there. */
+  /** Z where the move began: its feed marks count from there. */
   readonly from: number;
-  /** The direction of its way, as a vector of length 1: what its flank left beside that has no marks. */
+  /** Direction of the move, as a vector of length 1: surfaces left by the tool's flank have no feed marks. */
   readonly way: readonly [z: number, r: number];
-  /** Of a thread: left-handed ones are told. */
+  /** Hand of a thread: left-handed threads are announced. */
   readonly hand: ThreadHand;
 }
 
@@ -35,7 +35,7 @@ export interface StockSide {
   readonly r1: number;
 }
 
-/** A piece of one side with what made it; `begin` and `end` are fractions of the side. */
+/** A piece of one side with its origin; `begin` and `end` are fractions of the side. */
 export interface SurfaceStretch {
   readonly begin: number;
   readonly end: number;
@@ -43,14 +43,14 @@ export interface SurfaceStretch {
 }
 
 /**
- * Tells what made the boundary of the stock of a run. Answers depend on the question alone; what was asked before is
- * only found faster.
+ * Finds the origin of the stock's surfaces in a run. Answers depend on the query alone; earlier queries only make it
+ * faster.
  */
 export interface Surfaces {
   readonly of: (side: StockSide, now: PlayPosition) => readonly SurfaceStretch[];
-  /** The greatest lead of the threads that have been begun, mm; 0 where there is none. */
+  /** The greatest lead of the threads begun so far, mm; 0 without threads. */
   readonly lead: (now: PlayPosition) => number;
-  /** Those of another run, which are sooner told where it begins as this one does. */
+  /** The surfaces of another run; cached sides are reused as far as both runs begin alike. */
   readonly again: (
     steps: readonly Step[],
     spindleOf: (step: number) => Spindle | null,
@@ -62,14 +62,14 @@ const RAW: Maker = { texture: "raw", step: -1, pitch: 0, from: 0, way: [0, 0], h
 
 /** Sides shorter than this were made by one move, mm. */
 const ONE = 0.3;
-/** Stretches are told apart down to this length, mm. */
+/** Stretches are split down to this length, mm. */
 const FINE = 0.1;
-/** Where a side is looked at, as shares of it. */
+/** Sample places on a side, as shares of it. */
 const LOOKS = [0.03, 0.5, 0.97] as const;
-/** Sides that are remembered. */
+/** Limit of cached sides. */
 const MOST = 20_000;
 
-/** Way in one turn of the work, mm; 0 where it is not known. */
+/** Feed per revolution, mm; 0 if unknown. */
 function perTurnOf({ move, from }: Step, spindle: Spindle | null): number {
   const way = feedPerTurn(move, rpmAt(spindle, from.r));
   return Number.isFinite(way) ? way : 0;
@@ -81,8 +81,8 @@ function wayOf({ from, move: { to } }: Step): readonly [number, number] {
 }
 
 /**
- * Whether a cut finishes. A cycle says what its cuts are for; a path block does not, and is held to the height that its
- * feed and the nose of its tool leave between two turns.
+ * Whether a cut finishes. A cycle states the purpose of its cuts; a path block does not, and is judged by the height
+ * that its feed and nose radius leave between two revolutions.
  */
 function finishes({ move, tool, operation }: Step, perTurn: number): boolean {
   if (operation !== null || move.phase !== "position") return move.phase === "finish";
@@ -96,7 +96,7 @@ function textureOf(step: Step, perTurn: number): Texture {
 }
 
 interface Known extends StockSide {
-  /** The last move that had begun when this was found, and how far. */
+  /** The last move that had begun when this was found, and its fraction. */
   last: number;
   fraction: number;
   readonly newest: number;
@@ -116,9 +116,9 @@ const handOfStep = ({ move, from }: Step, backwards: boolean): ThreadHand =>
   move.kind === "thread" ? handOf(from, move, backwards) : 1;
 
 /**
- * Builds what tells the surfaces of a run. A stretch was made by the latest cutting move whose sweep has it on its
- * edge: what a finishing cut runs along is finished, though it took nothing there. `spindleOf` turns feeds per minute
- * into feeds per turn, `isBackwards` tells the hand of threads.
+ * Builds the surfaces of a run. A stretch was made by the latest cutting move with the stretch on the edge of its
+ * sweep: a surface that a finishing cut passes is finished, even if the cut removed nothing there. `spindleOf` turns
+ * feeds per minute into feeds per revolution, `isBackwards` decides the hand of threads.
  */
 export const surfacesOf = (
   steps: readonly Step[],
@@ -126,11 +126,11 @@ export const surfacesOf = (
   isBackwards: (step: number) => boolean = () => false,
 ): Surfaces => surfacesBy(touchIndex(steps), steps, spindleOf, isBackwards);
 
-/** Steps of calls that stay the same are the very same; between them there are rapids, which make no surface. */
+/** Steps of unchanged calls keep their identity; between them there are rapids, which make no surface. */
 const isAlike = (a: Step, b: Step | undefined): boolean =>
   a === b || (a.move.kind === "rapid" && b?.move.kind === "rapid");
 
-/** What was told of the sides of a run. */
+/** Cached sides of the previous run. */
 interface Former {
   readonly steps: readonly Step[];
   readonly sides: readonly Known[];
@@ -147,7 +147,7 @@ function surfacesBy(
   const known = new Map<number, Known>();
   let former = before;
 
-  /** A side that was made by steps that both runs begin with is told by them, until a later step touches it. */
+  /** Reuses sides that were made by steps common to both runs, until a later step touches them. */
   function remember({ steps: others, sides }: Former): void {
     const last = steps.findIndex((step, i) => !isAlike(step, others[i])) - 1;
     const common = last < -1 ? steps.length - 1 : last;
@@ -169,7 +169,7 @@ function surfacesBy(
     const have = made.get(step) ?? {
       texture: textureOf(s, perTurn),
       step,
-      // The marks of an arc stand at no even distance along the axis.
+      // The marks of an arc are not evenly spaced along the axis.
       pitch: s.move.kind === "arc" ? 0 : perTurn,
       from: s.from.z,
       way: wayOf(s),
@@ -206,7 +206,7 @@ function surfacesBy(
 
   function stillTrue(k: Known, last: number, now: PlayPosition): boolean {
     if (last < k.last || (last === k.last && now.fraction < k.fraction)) return k.newest < last;
-    // What was told apart is told apart anew: a later move may have come between.
+    // Split sides are split again: a later move may have come between.
     if (k.stretches.length > 1 && (last !== k.last || now.fraction !== k.fraction)) return false;
     if (LOOKS.some((t) => makerAt(k, t, now, k.last - 1) > k.newest)) return false;
     k.last = last;
@@ -239,5 +239,5 @@ function surfacesBy(
   };
 }
 
-/** The surfaces of a blank that nobody has touched. */
+/** The surfaces of an uncut blank. */
 export const UNTOUCHED: Surfaces = surfacesOf([]);

@@ -11,13 +11,11 @@ interface State {
   lineWidth: number;
   globalAlpha: number;
   dashes: readonly number[];
-  /** Groups that are open because of clips. */
+  /** Number of open groups, because of clips. */
   groups: number;
 }
 
-/**
- * A pen whose strokes become SVG text: what a painter paints, to be kept and compared. It counts in pixels of the page.
- */
+/** A pen that records what a painter paints as SVG text, to be stored and compared. It counts in CSS pixels. */
 export function svgPen(size: Size): { readonly pen: Pen; readonly text: () => string } {
   const defs: string[] = [],
     body: string[] = [],

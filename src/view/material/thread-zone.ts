@@ -2,7 +2,7 @@ import type { ThreadHand } from "../../kernel/time/thread-turns.ts";
 import type { Camera } from "../camera.ts";
 import type { Boundary, SurfaceEdge } from "./scan.ts";
 
-/** A stretch of the boundary with grooves of a thread in it. */
+/** A stretch of the boundary with the grooves of a thread. */
 export interface ThreadZone {
   readonly left: number;
   readonly right: number;
@@ -14,7 +14,7 @@ export interface ThreadZone {
   readonly profile: readonly { readonly z: number; readonly r: number }[];
 }
 
-/** What lies between two grooves is crest; the gap may be this much longer than a lead. */
+/** The crest between two grooves may be longer than a lead by this factor. */
 const LOOSE = 1.2;
 
 const runsLeft = (edges: readonly SurfaceEdge[]) => edges.reduce((sum, e) => sum + e.z1 - e.z0, 0) < 0;
@@ -62,19 +62,18 @@ export function threadZones({ edges }: Boundary): readonly ThreadZone[] {
   return out;
 }
 
-/** Points of a helix are drawn at so many places of a half turn. */
+/** Points of a drawn helix per half turn. */
 const PIECES = 14;
 
-/** A part of the half turn that is seen: 0 in the plane of the cut, on the tool's side, 1 opposite to it. */
+/** The visible part of the half turn: 0 in the plane of the cut, on the tool's side, 1 opposite to it. */
 export type HalfTurn = readonly [from: number, to: number];
 
 /** A place on the screen. */
 export type ScreenPoint = readonly [x: number, y: number];
 
 /**
- * The curve that a point of the profile draws on the body. Of a right-handed thread the front, seen from the side, runs
- * away to the right on its way down, whichever side the tool is on; the far wall of a hole shows the other half of the
- * turn.
+ * The curve of a point of the profile on the body. On a right-handed thread the front, seen from the side, runs to the
+ * right on its way down, whichever side the tool is on; the far wall of a hole shows the other half of the turn.
  */
 export function helix(
   camera: Camera,
@@ -91,7 +90,7 @@ export function helix(
   });
 }
 
-/** A flank as it is seen: looking to the free end or away from it. */
+/** A visible flank: facing the free end or away from it. */
 export interface Flank {
   readonly looksRight: boolean;
   readonly outline: readonly ScreenPoint[];
@@ -127,7 +126,9 @@ function directionAt(profile: ThreadZone["profile"], i: number): number {
   return a && b ? Math.sign(b.r - a.r) : 0;
 }
 
-/** The edge of the body at one end of the half turn, as a line from left to right; it goes on level beyond the zone. */
+/**
+ * The edge of the body at one end of the half turn, as a line from left to right; it continues level beyond the zone.
+ */
 export function silhouette(camera: Camera, zone: ThreadZone, turn: 0 | 1): readonly ScreenPoint[] {
   const { profile, lead } = zone,
     [first, last] = [profile[0], profile.at(-1)];

@@ -21,8 +21,8 @@ const moment = fc.record({
   fraction: fc.double({ min: 0, max: 1, noNaN: true }),
 });
 /**
- * What rounding to the grid of the polygon engine leaves: where a cut ends on a long edge, all of that edge turns by
- * part of a grid line, so a sliver as long as the edge and thinner than two grid lines differs.
+ * Rounding to the grid of the polygon engine: where a cut ends on a long edge, the whole edge turns by part of a grid
+ * line, so that a sliver as long as the edge and thinner than two grid lines differs.
  */
 const isSliver = (ring: Ring) => Math.abs(areaOfRing(ring)) < GRID * aroundOf(ring);
 const aroundOf = (ring: Ring) => ring.reduce((sum, p, i) => sum + sizeBetween(p, ring[(i + 1) % ring.length] as Pt), 0);
@@ -34,7 +34,7 @@ const ringOf = ({ left, right, low, high }: Bounds): Ring => [
   at(left, high),
 ];
 
-test("what differs between two moments lies in the box that was touched", () => {
+test("all differences between two moments lie in the touched box", () => {
   let compared = 0;
   fc.assert(
     fc.property(moment, moment, (one, other) => {
@@ -59,7 +59,7 @@ test("what differs between two moments lies in the box that was touched", () => 
   expect(compared).toBeGreaterThan(20);
 });
 
-test("moments far apart are not looked at one by one, and the same moment touches nothing", () => {
+test("distant moments are not compared move by move, and the same moment touches nothing", () => {
   const long = Array.from({ length: 1000 }, (_, i) => made.steps[i % made.steps.length]).flatMap((step) => step ?? []);
   expect(touchedBetween(long, { step: 3, fraction: 0.4 }, { step: 871, fraction: 0.1 })).toBe("all");
   expect(touchedBetween(made.steps, { step: 7, fraction: 0 }, { step: 7, fraction: 0 })).toBeNull();
@@ -99,7 +99,7 @@ test("a patch covers its box on whole pixels of the device, whichever way X grow
   });
 });
 
-test("a patch covers what looks different on both sides, on whole pixels of the device", () => {
+test("a patch covers the visible differences on both sides, on whole pixels of the device", () => {
   const camera = fitted(
     { left: -63.7, right: 11.3, low: 0, high: 41.9 },
     { width: 731, height: 433 },
@@ -137,7 +137,7 @@ test.each([
   [1.25, 4],
   [1.1, 10],
   [4 / 3, 3],
-])("where %s pixels of a device are one of the page, a patch lies on whole ones of both", (ratio, whole) => {
+])("at %s device pixels per CSS pixel a patch covers whole pixels of both", (ratio, whole) => {
   const camera = { scale: 3.713, zero: { x: 211.37, y: 97.81 }, xUp: true };
   const { x, y, width, height } = turnedPatchOf(
     { left: -21.37, right: -4.81, low: 17.03, high: 22.9 },
@@ -151,7 +151,7 @@ test.each([
   for (const edge of [x, y, width, height]) expect(edge / whole).toBeCloseTo(Math.round(edge / whole), 9);
   expect(camera.zero.x - 21.37 * camera.scale - x).toBeLessThanOrEqual(3 + whole);
 });
-test("on a device without such pixels it lies on its own", () => {
+test("on a device without common whole pixels a patch uses device pixels alone", () => {
   const camera = { scale: 3.7, zero: { x: 211.3, y: 97 }, xUp: true };
   const { x } = turnedPatchOf(
     { left: -21.37, right: 0, low: 0, high: 22.9 },
@@ -162,7 +162,7 @@ test("on a device without such pixels it lies on its own", () => {
   expect(x * Math.SQRT2).toBeCloseTo(Math.round(x * Math.SQRT2), 9);
 });
 
-test("a blank that is stated parts what lies before it from what lies behind", () => {
+test("a newly stated blank separates the moments before it from those after it", () => {
   const marks = sameBlank({
     checkpoints: [
       { step: 0, stock: null },

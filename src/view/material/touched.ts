@@ -9,7 +9,7 @@ import { toScreen, type Bounds, type Camera } from "../camera.ts";
 import type { ChuckDrawing } from "./chuck.ts";
 import type { Patch } from "./pen.ts";
 
-/** Inserts are flattened this coarse, mm; the boxes are as much larger. */
+/** Chord tolerance of inserts, mm; the boxes are larger by it. */
 const COARSE = 0.05;
 const NOTHING: Bounds = { left: 0, right: 0, low: 0, high: 0 };
 const inserts = new WeakMap<Tool, Bounds>();
@@ -22,11 +22,11 @@ function insertBox(tool: Tool): Bounds {
   return made;
 }
 
-/** Between two looks at an arc it leaves their box by no more than this share of its size. */
+/** Samples of an arc, and the share of their box's size by which the arc may leave the box. */
 const ARC_LOOKS = 8;
 const BULGE = 0.05;
 
-/** The box round the tip's way through a step between two fractions. */
+/** The box round the tip's path through a step between two fractions. */
 function wayBox({ from, move }: Step, begin: number, end: number): Bounds | null {
   const path = pathOf(from, move);
   if (path.kind !== "arc") return boundsOf([part.pointOn(path, begin), part.pointOn(path, end)]);
@@ -37,12 +37,12 @@ function wayBox({ from, move }: Step, begin: number, end: number): Bounds | null
   return box && grownBounds(box, BULGE * Math.max(box.right - box.left, box.high - box.low));
 }
 
-/** Moves between two moments of which each is looked at; beyond that many everything counts as touched. */
+/** Limit of moves between two moments that are checked one by one; with more, everything counts as touched. */
 const MOST_STEPS = 400;
 
 /**
- * The box in which the stock of two moments of a run may differ, mm: where inserts went between them; null when that is
- * nowhere, "all" when it lies too far apart to be worth a look.
+ * The box in which the stock of two moments of a run may differ, mm: the area of the inserts between them. Null if
+ * there is none, "all" if the moments are too far apart to check.
  */
 export function touchedBetween(steps: readonly Step[], one: PlayPosition, other: PlayPosition): Bounds | "all" | null {
   const swap = other.step < one.step || (other.step === one.step && other.fraction < one.fraction);
@@ -67,16 +67,16 @@ export function touchedBetween(steps: readonly Step[], one: PlayPosition, other:
   return box;
 }
 
-/** Pixels round a box that its edge lines need. */
+/** Margin of a box for its edge lines, pixels. */
 const EDGE = 3;
 
-/** More pixels of the page than this do not become whole ones of a device together; by this they may miss it. */
+/** Limit of CSS pixels tried for a whole number of device pixels, and the tolerance of that number. */
 const MOST_WHOLE = 20,
   MISSES = 1 / 1000;
 
 /**
- * The fewest pixels of the page that are whole ones of a device with `ratio` to one: a canvas that begins between two
- * pixels of either is drawn beside its place, and leaves a seam to the one under it.
+ * The fewest CSS pixels that are whole device pixels at `ratio`: a canvas that begins between two pixels is drawn off
+ * its place, and leaves a seam to the canvas below.
  */
 function wholePixels(ratio: number): number {
   for (let n = 1; n <= MOST_WHOLE; n += 1) if (Math.abs(n * ratio - Math.round(n * ratio)) < MISSES) return n;
@@ -84,8 +84,8 @@ function wholePixels(ratio: number): number {
 }
 
 /**
- * The part of the picture that shows a box, with room for edge lines; on whole pixels of a device that has `ratio` to
- * one of the page, or on every so many of the page.
+ * The part of the picture that shows a box, with room for edge lines; on whole device pixels at `ratio`, or on
+ * multiples of `whole` CSS pixels.
  */
 export function patchOf({ left, right, low, high }: Bounds, camera: Camera, ratio: number, whole = 1 / ratio): Patch {
   const [a, b] = [toScreen(camera, at(left, low)), toScreen(camera, at(right, high))];
@@ -97,8 +97,8 @@ export function patchOf({ left, right, low, high }: Bounds, camera: Camera, rati
 }
 
 /**
- * The patch that looks different when the stock differs in a box. Round steel is shaded from the axis to its edge on
- * both sides, no farther out than `outer` mm, and a thread shows on its other side as much as `along` mm away.
+ * The patch that changes if the stock changes in a box. Round steel is shaded from the axis to its edge on both sides,
+ * no farther out than `outer` mm, and a thread shows on its other side up to `along` mm away.
  */
 export function turnedPatchOf(
   { left, right, high }: Bounds,
@@ -110,7 +110,7 @@ export function turnedPatchOf(
   return patchOf({ left: left - along, right: right + along, low: -far, high: far }, camera, ratio, wholePixels(ratio));
 }
 
-/** The patch that shows what holds the work. */
+/** The patch that shows the clamping. */
 export const chuckPatch = ({ all, limit }: ChuckDrawing, camera: Camera, ratio: number): Patch => {
   const far = limit ? all.high * 1.5 : all.high,
     right = Math.max(all.right, limit?.z ?? all.right);
@@ -122,7 +122,7 @@ export const chuckPatch = ({ all, limit }: ChuckDrawing, camera: Camera, ratio: 
   );
 };
 
-/** What of a patch lies in another one; null when nothing does. */
+/** The part of a patch inside another one; null if there is none. */
 export function patchWithin(patch: Patch, room: Patch): Patch | null {
   const x = Math.max(room.x, patch.x),
     y = Math.max(room.y, patch.y);

@@ -5,7 +5,7 @@ import type { Figure } from "./figure.ts";
 /** The drawing that dimensions of measurements are put on: pixels of a screen, or mm on paper. */
 export interface DimensionPaper {
   readonly camera: Camera;
-  /** How many of its units a pixel of a usual screen is: all gaps, arrows and letters go with it. */
+  /** Units of the paper per pixel of a usual screen: all gaps, arrows and letters scale with it. */
   readonly unit: number;
 }
 
@@ -19,7 +19,7 @@ export interface DimensionLines {
 const GAP = 3,
   PAST = 5;
 const ARROW = { long: 9, half: 1.9 } as const;
-/** An arrow that points inwards has a tail this long behind it. */
+/** Length of the tail behind an arrow that points inwards, pixels. */
 const TAIL = 8;
 /** Half of the mark of a centre. */
 const CENTRE = 5;
@@ -42,8 +42,7 @@ function arrow(tip: Place, way: Place, unit: number): string {
 }
 
 /**
- * A dimension line between two ends with its arrows, inside where they have room and else outside, drawn on to the
- * text.
+ * A dimension line between two ends with its arrows, inside if they fit and otherwise outside, extended to the text.
  */
 function spanned(a: Place, b: Place, text: Place, unit: number): DimensionLines {
   const { way, long } = to(a, b),
@@ -74,7 +73,7 @@ function between(a: Place, b: Place, text: Place, across: Place, unit: number): 
   return { lines: extension(a, p, unit) + extension(b, q, unit) + own.lines, arrows: own.arrows };
 }
 
-/** Right across the axis, from a surface to the same one below. */
+/** Across the axis, from a surface to its mirror image below. */
 function diameter(
   { camera, unit }: DimensionPaper,
   { at: { z, r } }: Figure & { readonly kind: "diameter" },
@@ -83,7 +82,7 @@ function diameter(
   return between(toScreen(camera, at(z, r)), toScreen(camera, at(z, -r)), text, RIGHT, unit);
 }
 
-/** Right across a circle, through its middle. */
+/** Across a circle, through its centre. */
 function circle(
   { camera, unit }: DimensionPaper,
   figure: Figure & { readonly kind: "circle" },
@@ -127,10 +126,7 @@ function arcLine(centre: Place, far: number, start: number, sweep: number): stri
   return `M${spot(a)}A${n(far)} ${n(far)} 0 ${Math.abs(sweep) > Math.PI ? 1 : 0} ${sweep > 0 ? 0 : 1} ${spot(b)}`;
 }
 
-/**
- * The directions of an angle on the paper: where the first one points, and how far it is to the second, radians with
- * sign.
- */
+/** The legs of an angle on the paper: direction of the first one, and the signed angle to the second, radians. */
 export function opening({ camera }: DimensionPaper, { vertex, ways }: Figure & { readonly kind: "angle" }) {
   const centre = toScreen(camera, vertex);
   const turned = (way: Pt): number => bearing(minus(toScreen(camera, part.sum(vertex, way)), centre));

@@ -30,7 +30,7 @@ test("nudging stays on whole thousandths", () => {
   expect(nudged(at(10.00004, -0.12345), 0.1, 0)).toEqual(at(10, -0.023));
 });
 
-test("what a ruler reads for a value: places for positions, ways for sizes", () => {
+test("a ruler reads places for positions and distances for sizes", () => {
   const [first, second] = [at(12.46, -41.37), at(30.11, -3.17)];
   const between = measure(first, second);
   expect(measuredFor("diameter", first, null)).toBe(24.92);
@@ -43,7 +43,7 @@ test("what a ruler reads for a value: places for positions, ways for sizes", () 
   expect(measuredFor("feed", first, between)).toBeNull();
 });
 
-test("what was measured goes where a value of that sort is asked for, on the grid of the control", () => {
+test("a measured value fits values of its kind, on the grid of the control", () => {
   expect(gaugedFor("diameter", "diameter", 41.23456)).toBe(41.235);
   expect(gaugedFor("diameter", "length", 41.23456)).toBeNull();
   expect(gaugedFor("radial", "depth", 3.0004)).toBe(3);

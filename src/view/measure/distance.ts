@@ -12,7 +12,7 @@ import {
   toRadius,
 } from "../../kernel/units.ts";
 
-/** What lies between two places. */
+/** The distance between two places. */
 export interface Distance {
   /** Difference of X as a diameter, mm, with its sign. */
   readonly dx: Diameter;
@@ -30,8 +30,8 @@ export const measure = (from: Pt, to: Pt): Distance => ({
 });
 
 /**
- * What a ruler reads for a value of a kind: a place for positions, the way between two places for sizes; null where it
- * reads none.
+ * The reading of a ruler for a kind of value: a place for positions, the distance between two places for sizes; null
+ * for other kinds.
  */
 export function measuredFor(kind: Kind, place: Pt | null, between: Distance | null): number | null {
   switch (kind) {
@@ -52,27 +52,29 @@ export function measuredFor(kind: Kind, place: Pt | null, between: Distance | nu
   }
 }
 
-/** What goes into a size without a place. */
+/** Kinds of measurement that fit a size without a place. */
 const TAKES: Partial<Record<Kind, readonly MeasuredKind[]>> = {
   diameter: ["diameter"],
   radial: ["depth"],
   length: ["length", "depth", "distance", "radius", "wall"],
 };
 
-/** What a finished measurement gives a value of a kind, mm or degrees; null where it says nothing of it. */
+/** A finished measurement as a value of a kind, mm or degrees; null if it does not fit. */
 export function gaugedFor(kind: Kind, measured: MeasuredKind, value: number): number | null {
   if (kind === "angle") return measured === "angle" ? roundedAngle(value) : null;
   const fits: readonly MeasuredKind[] = TAKES[kind] ?? [];
   return fits.includes(measured) ? rounded(value) : null;
 }
 
-/** How a block counts: in mm or in units of so many mm, from a zero that lies here on the workpiece. */
+/** How a block counts: in units of `unit` mm, from a datum at `zero` on the workpiece. */
 export interface Counting {
   readonly unit: number;
   readonly zero: Pt;
 }
 
-/** A value of a kind, mm or degrees and from the workpiece zero, as a block says it, on the grid of the control. */
+/**
+ * A value of a kind, mm or degrees and from the workpiece zero, in the units of a block, on the grid of the control.
+ */
 export function counted(kind: Kind, value: number, { unit, zero }: Counting): number {
   if (kind === "angle") return value;
   const from = kind === "diameter" ? toDiameter(zero.r) : kind === "axial" ? zero.z : 0;

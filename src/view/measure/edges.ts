@@ -6,16 +6,15 @@ import { CHORD, SAME } from "../../kernel/tolerance.ts";
 export type Chain = readonly Segment[];
 
 /**
- * What a picture has to measure, in the two axes of the picture: z to the right and r upwards. A milled plane says X as
- * z and Y as r (`partPoint` of `kernel/plane.ts`) and is not turned. Everything in `view/measure` works in these,
- * whatever they are called.
+ * The measurable geometry of a picture, in its two axes: z to the right and r upwards. In a milled plane z is X, r is Y
+ * (`partPoint` of `kernel/plane/plane.ts`), and nothing is turned. All of `view/measure` uses these names.
  */
 export interface Measurable {
   /** r counts from a spindle axis: diameters can be measured, and there is nothing on the axis. */
   readonly isTurned: boolean;
   readonly contours: readonly Chain[];
   readonly blank: readonly Chain[];
-  /** The stock as it stands at the moment that is shown. */
+  /** The stock at the moment that is shown. */
   readonly stock: readonly Chain[];
   /** Ends of moves. */
   readonly path: readonly Pt[];
@@ -23,7 +22,7 @@ export interface Measurable {
 
 export const NOTHING_MEASURABLE: Measurable = { isTurned: true, contours: [], blank: [], stock: [], path: [] };
 
-/** In the order in which they are preferred. */
+/** Owners of edges, the preferred first. */
 const OWNERS = ["contour", "blank", "stock"] as const;
 const chainsOf = (drawing: Measurable, of: MeasuredEdge["of"]): readonly Chain[] =>
   of === "contour" ? drawing.contours : drawing[of];
@@ -32,7 +31,7 @@ const chainsOf = (drawing: Measurable, of: MeasuredEdge["of"]): readonly Chain[]
 const onAxis = ({ kind, from, to }: Segment): boolean =>
   kind === "line" && Math.abs(from.r) < SAME && Math.abs(to.r) < SAME;
 
-/** The elements of a drawing that a tool of measuring takes hold of: of contours, blank, stock. */
+/** The elements that measuring tools can snap to: of contours, blank, stock. */
 export const measurableEdges = (drawing: Measurable): readonly MeasuredEdge[] =>
   OWNERS.flatMap((of) =>
     chainsOf(drawing, of).flatMap((segments, chain) => {
@@ -45,9 +44,7 @@ export const measurableEdges = (drawing: Measurable): readonly MeasuredEdge[] =>
     }),
   );
 
-/**
- * The segment that a measured edge is now; undefined where its contour does not consist of the same elements any more.
- */
+/** The current segment of a measured edge; undefined if its contour no longer consists of the same elements. */
 export function segmentNow(drawing: Measurable, edge: MeasuredEdge): Segment | undefined {
   const segment = chainsOf(drawing, edge.of)[edge.chain]?.[edge.element];
   return segment?.kind === edge.segment.kind && shapeOf(drawing, edge) === edge.shape ? segment : undefined;
@@ -57,8 +54,8 @@ const PRIME = 31,
   MANY = 0x7fffffff;
 
 /**
- * What the contours of an owner consist of: another number of them, or of lines and arcs in this one, gives another
- * text.
+ * The elements of an owner's contours as a text: another number of contours, or of lines and arcs in this one, gives
+ * another text.
  */
 function shapeOf(drawing: Measurable, { of, chain }: Pick<MeasuredEdge, "of" | "chain">): string {
   const chains = chainsOf(drawing, of),
@@ -67,12 +64,9 @@ function shapeOf(drawing: Measurable, { of, chain }: Pick<MeasuredEdge, "of" | "
   return [chains.length, own.length, kinds].join("/");
 }
 
-/**
- * Points of a flattened arc lie this near to its circle, mm: rounded to the grid of the polygon engine, and a little
- * more.
- */
+/** Points of a flattened arc are this near to its circle, mm: the grid of the polygon engine, and a little more. */
 const ON_ARC = 0.0004;
-/** Fewer chords than this are corners of their own. */
+/** Fewer chords than this are separate corners. */
 const FEWEST = 4;
 /** Two chords of one arc turn by no more than this, radians. */
 const BEND = 0.5;
@@ -105,9 +99,7 @@ interface Found extends Circle {
   readonly turn: number;
 }
 
-/**
- * The circle of the points from one to another; the ends may be cut within their chord. Null where they lie on none.
- */
+/** The circle through the points from one to another, whose end chords may be cut; null if there is none. */
 function circleOf(points: readonly Pt[], first: number, last: number): Circle | null {
   const [a, b, c] = [points[first + 1], points[(first + last) >> 1], points[last - 1]];
   const circle = a && b && c ? circleThrough(a, b, c) : null;
@@ -121,7 +113,7 @@ function circleOf(points: readonly Pt[], first: number, last: number): Circle | 
   return circle;
 }
 
-/** The farthest point up to which those from one on turn as the chords of one arc do. */
+/** The farthest point up to which the outline turns like the chords of one arc. */
 function turningUntil(points: readonly Pt[], first: number): { readonly last: number; readonly turn: number } {
   const [a, b, c] = [points[first], points[first + 1], points[first + 2]];
   if (!a || !b || !c) return { last: first, turn: 0 };
@@ -148,7 +140,7 @@ function arcFrom(points: readonly Pt[], first: number): Found | null {
   return null;
 }
 
-/** Without points in the middle of straight lines. */
+/** Removes points in the middle of straight lines. */
 function withoutFlat(ring: Ring): Pt[] {
   return ring.filter((p, i) => {
     const [a, c] = [ring[(i + ring.length - 1) % ring.length], ring[(i + 1) % ring.length]];
@@ -159,8 +151,8 @@ function withoutFlat(ring: Ring): Pt[] {
 const ROUNDED = 0.00002;
 
 /**
- * The outline of a polygon as lines and arcs: chords that lie on one circle, as material removal makes them of the arcs
- * of tools and contours, become that arc again. It begins at the sharpest corner, so that no arc is cut in two.
+ * The outline of a polygon as lines and arcs: chords on one circle, which material removal makes from the arcs of tools
+ * and contours, become that arc again. It begins at the sharpest corner, so that no arc is split.
  */
 export function chainOfRing(ring: Ring): Chain {
   const clean = withoutFlat(ring);

@@ -4,7 +4,7 @@ import { ROUND, SAME } from "../../kernel/tolerance.ts";
 import { inDegrees, toDiameter } from "../../kernel/units.ts";
 import { onSide, halfOf } from "./snap.ts";
 
-/** What a dimension is drawn from, mm. */
+/** The geometry that a dimension is drawn from, mm. */
 export type Figure =
   /** Across the spindle axis. */
   | { readonly kind: "diameter"; readonly at: Pt }
@@ -50,16 +50,14 @@ function toAxis(place: MeasuredPlace, isTurned: boolean): Gauged | null {
   };
 }
 
-/** From where two lines meet towards a place on one of them. */
+/** The leg from the intersection of two lines towards a place on one of them. */
 function armOf([from, to]: readonly [Pt, Pt], place: Pt, vertex: Pt): { readonly way: Pt; readonly long: number } {
   const end = part.apart(place, vertex) > SAME ? place : part.apart(from, vertex) > part.apart(to, vertex) ? from : to;
   const way = part.unit(part.difference(end, vertex));
   return { way, long: Math.max(0, ...[from, to].map((p) => part.dot(part.difference(p, vertex), way))) };
 }
 
-/**
- * The angle between two edges, on the sides where they were pointed at; nothing between edges that run side by side.
- */
+/** The angle between two edges, on the sides where they were picked; null for parallel edges. */
 function between(first: MeasuredPlace, second: MeasuredPlace, isTurned: boolean): Gauged | null {
   const [one, two] = [lineOf(first, isTurned), lineOf(second, isTurned)];
   if (!one || !two) return null;
@@ -80,7 +78,7 @@ const arcOf = (place: MeasuredPlace, isTurned: boolean): { readonly centre: Pt; 
 };
 
 /**
- * What a tool of measuring reads from its places; null where they make none, as two edges that run side by side make no
+ * The value that a measuring tool reads from its places; null if they give none, such as two parallel edges for an
  * angle. `isTurned`: the second axis counts from a spindle axis.
  */
 export function gauged(kind: MeasuredKind, places: readonly MeasuredPlace[], isTurned: boolean): Gauged | null {

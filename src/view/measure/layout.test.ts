@@ -36,7 +36,7 @@ const ends = (d: string) =>
 describe("dimensions over the picture", () => {
   const standing = standingMeasurements(paper, some);
 
-  test("all of them stand, on the picture, in their order, clear of each other and of what is kept free", () => {
+  test("all dimensions are on the picture, in their order, clear of each other and of kept boxes", () => {
     expect(standing.map(({ id }) => id)).toEqual(some.map(({ id }) => id));
     const boxes = [...paper.kept, ...standing.map(({ box }) => box)];
     for (const [i, a] of boxes.entries()) for (const b of boxes.slice(i + 1)) expect(labelsOverlap(a, b)).toBe(false);
@@ -48,7 +48,7 @@ describe("dimensions over the picture", () => {
     }
   });
 
-  test("as long as there is room no line runs through a text, and none strikes one that the drawing has", () => {
+  test("while there is room no line crosses a text, neither of a measurement nor of the drawing", () => {
     const through = ({ id, lines }: (typeof standing)[number]) =>
       standing
         .filter(
@@ -63,7 +63,7 @@ describe("dimensions over the picture", () => {
         )
         .map(({ id: other }) => `${id} through ${other}`);
     expect(standing.flatMap(through)).toEqual([]);
-    // The first place of a length is in line with a text of the drawing, which its line would strike.
+    // The first place of a length is in line with a text of the drawing, which its line would cross.
     const length = asked("1", { kind: "along", from: at(-54.87, 23.1), to: at(-1.15, 8.5) }, "53.720");
     const [plain] = standingMeasurements({ ...paper, kept: [] }, [length]),
       y = plain?.middle.y ?? 0;
@@ -72,7 +72,7 @@ describe("dimensions over the picture", () => {
     expect(Math.abs((clear?.middle.y ?? y) - y)).toBeGreaterThan(8);
   });
 
-  test("a text that was put by hand stands there, whatever lies there, and its dimension goes with it", () => {
+  test("a text placed by hand stays there, whatever it covers, and its dimension follows", () => {
     const put = at(-37.3, 31.9),
       [one] = standingMeasurements(paper, [{ ...some[2]!, put }]);
     expect(one?.middle).toEqual(toScreen(camera, put));
@@ -125,7 +125,7 @@ describe("dimensions over the picture", () => {
     ));
 });
 
-test("on the sheet they are as large as its figures, in frames with round ends, clear of the dimensions that it has", () => {
+test("on the sheet they are as large as its figures, in frames with round ends, clear of the sheet's own dimensions", () => {
   const kept = [{ x: 80, y: 20, width: 20, height: 60 }];
   const made = measuredOnPaper(some, {
     camera: { scale: 0.83, zero: { x: 71.3, y: 44.1 }, xUp: true },

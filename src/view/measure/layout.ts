@@ -4,18 +4,18 @@ import { labelsOverlap, textWidth, type LabelBox } from "../help/labels.ts";
 import { dimensionLines, opening, type DimensionLines, type DimensionPaper } from "./dimension.ts";
 import type { Figure } from "./figure.ts";
 
-/** A dimension that is to be put on a drawing. */
+/** A dimension to place on a drawing. */
 export interface AskedMeasurement {
   readonly id: string;
   readonly figure: Figure;
   readonly text: string;
   /** A second, smaller line under it; empty for none. */
   readonly caption: string;
-  /** The middle of its text where it was put by hand, mm of the part. */
+  /** The middle of its text if placed by hand, mm of the part. */
   readonly put?: Pt;
 }
 
-/** A dimension where it stands: the middle and the box of its text, its lines. In the measure of the paper. */
+/** A placed dimension: the middle and the box of its text, and its lines, in the units of the paper. */
 export interface StandingMeasurement extends DimensionLines {
   readonly id: string;
   readonly text: string;
@@ -27,7 +27,7 @@ export interface StandingMeasurement extends DimensionLines {
 /** A drawing with the room it has. */
 export interface MeasurementPaper extends DimensionPaper {
   readonly size: Size;
-  /** What scales and edges take of it. */
+  /** Space that scales and edges take. */
   readonly edges: { readonly left: number; readonly right: number; readonly top: number; readonly bottom: number };
   /** Boxes that no text may cover. */
   readonly kept: readonly LabelBox[];
@@ -39,10 +39,10 @@ const PAD = 10,
   TALL = 20;
 /** Letters of a caption, and the line that it takes. */
 const CAPTION = { text: 11, tall: 13 } as const;
-/** Where texts may stand beside what they measure, pixels: the first line, and from line to line. */
+/** Offset of a text from its measured geometry, pixels: of the first line, and from line to line. */
 const OFF = 26,
   ROW = 24;
-/** Beyond an arrow that points inwards. */
+/** Space beyond an arrow that points inwards, pixels. */
 const OUTSIDE = 32;
 const ROWS = [0, 1, 2, 3, 4, 5] as const;
 
@@ -52,7 +52,7 @@ const boxAt = (middle: Place, { text, caption }: AskedMeasurement, unit: number)
   return { x: middle.x - width / 2, y: middle.y - height / 2, width, height };
 };
 
-/** From the nearest on to either side. */
+/** Offsets to either side, the nearest first. */
 const sides = (step: number, count: number): readonly number[] =>
   Array.from({ length: 2 * count + 1 }, (_, i) => (i % 2 ? 1 : -1) * Math.ceil(i / 2) * step);
 
@@ -92,7 +92,7 @@ function beside(a: Place, b: Place, wide: number, unit: number): Place[] {
   );
 }
 
-/** Round a tip, the nearest first. */
+/** Places round a tip, the nearest first. */
 function round(tip: Place, centre: Place, wide: number, unit: number): Place[] {
   const out = Math.atan2(tip.y - centre.y, tip.x - centre.x);
   return ROWS.slice(0, 4).flatMap((row) =>
@@ -105,8 +105,8 @@ function round(tip: Place, centre: Place, wide: number, unit: number): Place[] {
 }
 
 /**
- * The directions in which the text of an angle could stand, from its first leg on: within it, or beside it where it is
- * narrow.
+ * The directions in which the text of an angle may be placed, from its first leg: within the angle, or beside it if the
+ * angle is narrow.
  */
 function waysOf(sweep: number, far: number): readonly number[] {
   const beside = (OUTSIDE / far) * (Math.sign(sweep) || 1),
@@ -114,7 +114,7 @@ function waysOf(sweep: number, far: number): readonly number[] {
   return Math.abs(sweep) * far < TALL + OFF ? out : [...[0.5, 0.3, 0.7].map((share) => share * sweep), ...out];
 }
 
-/** The places where the text of a dimension could stand, the best first. */
+/** Candidate places for the text of a dimension, the best first. */
 function middles(paper: MeasurementPaper, figure: Figure, wide: number): Place[] {
   const { camera, unit } = paper;
   switch (figure.kind) {
@@ -161,7 +161,7 @@ const isInside = (b: LabelBox, { size, edges }: MeasurementPaper): boolean =>
   b.x + b.width <= size.width - edges.right &&
   b.y + b.height <= size.height - edges.bottom;
 
-/** A middle moved the shortest way to where its box is whole on the paper. */
+/** A middle moved the shortest way to where its box is fully on the paper. */
 function movedInside(p: Place, box: LabelBox, { size, edges }: MeasurementPaper): Place {
   const inside = (v: number, half: number, low: number, high: number) => Math.max(low + half, Math.min(v, high - half));
   return {
@@ -170,7 +170,7 @@ function movedInside(p: Place, box: LabelBox, { size, edges }: MeasurementPaper)
   };
 }
 
-/** The first of those for which a number is the least. */
+/** The first item with the least number. */
 function leastOf<Each>(all: readonly Each[], numberOf: (each: Each) => number): Each | undefined {
   let best: Each | undefined,
     least = Infinity;
@@ -183,7 +183,7 @@ function leastOf<Each>(all: readonly Each[], numberOf: (each: Each) => number): 
   return best;
 }
 
-/** The straight pieces of path data; of an arc its chord. */
+/** The straight pieces of path data; an arc counts as its chord. */
 function piecesOf(lines: string): readonly (readonly [Place, Place])[] {
   const pieces: [Place, Place][] = [];
   let last: Place | null = null;
@@ -212,15 +212,13 @@ function runsThrough([a, b]: readonly [Place, Place], { x, y, width, height }: L
   return low < high;
 }
 
-/** A dimension where it stands, with the pieces of its lines. */
+/** A placed dimension, with the pieces of its lines. */
 interface Standing {
   readonly made: StandingMeasurement;
   readonly pieces: readonly (readonly [Place, Place])[];
 }
 
-/**
- * How many texts and lines run through each other, between one dimension and others with the boxes that are kept free.
- */
+/** How many texts and lines cross each other, between one dimension and others with the kept boxes. */
 function crossings(
   { made: { box }, pieces }: Standing,
   others: readonly Standing[],
@@ -233,7 +231,7 @@ function crossings(
   );
 }
 
-/** The best place for a dimension among others that stand. */
+/** The best place for a dimension among the placed ones. */
 function placed(paper: MeasurementPaper, each: AskedMeasurement, others: readonly Standing[]): Standing | undefined {
   const { unit } = paper,
     taken = [...paper.kept, ...others.map(({ made }) => made.box)];
@@ -261,10 +259,9 @@ function standing(paper: MeasurementPaper, each: AskedMeasurement, middle: Place
 }
 
 /**
- * Puts dimensions on a drawing, in their order: where a text was put by hand it stands, the others each where they
- * cover no other text, and of such places the first in which the fewest lines run through texts; one that finds no free
- * place takes that where it covers least. Then each through which a line of a later one runs looks for its place once
- * more.
+ * Places dimensions on a drawing, in their order: a text placed by hand stays; each of the others goes where it covers
+ * no other text, and of such places to the first with the fewest crossings of lines and texts. Without a free place it
+ * takes the one that covers least. Then each dimension that a later one's line crosses is placed once more.
  */
 export function standingMeasurements(
   paper: MeasurementPaper,

@@ -38,7 +38,7 @@ function taken(kind: MeasuredKind, on: Measurable, ...pointed: readonly Pt[]): r
 const value = (kind: MeasuredKind, on: Measurable, ...pointed: readonly Pt[]): number | undefined =>
   gauged(kind, taken(kind, on, ...pointed), on.isTurned)?.value;
 
-describe("what a tool takes hold of", () => {
+describe("snapping of measuring tools", () => {
   const snapping = snappingOf(drawing({ path: [at(3.2, 9.1)], blank: [[line(at(2.2, 26.05), at(-60, 26.05))]] }));
   test.each<[string, Pt, ReturnType<typeof snapAt>["spot"], Pt]>([
     ["a corner before the edge that it ends", at(-1.3, 8.8), "corner", at(-1.15, 8.5)],
@@ -55,7 +55,7 @@ describe("what a tool takes hold of", () => {
     expect(part.apart(found.at, on)).toBeLessThan(1e-9);
   });
 
-  test("what stands of the blank is measured as the blank, not as the stock of a moment; a caliper takes hold of no ends of moves", () => {
+  test("what remains of the blank is measured as the blank, not as the stock of a moment; a caliper does not snap to ends of moves", () => {
     const bar = [line(at(2.2, 26.05), at(-60, 26.05))];
     const both = snappingOf(drawing({ blank: [bar], stock: [bar], path: [at(-33.3, 26.4)] }));
     expect(snapAt(both, at(-33.3, 26.3), REACH, "surface").edge?.of).toBe("blank");
@@ -87,7 +87,7 @@ describe("what a tool takes hold of", () => {
   });
 });
 
-describe("what is read", () => {
+describe("measured values", () => {
   const bore: Measurable = drawing({
     contours: [[line(at(0, 15.255), at(-22.1, 15.255)), line(at(-22.1, 15.255), at(-22.1, 9.8))]],
   });
@@ -227,7 +227,7 @@ describe("after a change", () => {
     expect(now?.isOld).toBe(false);
   });
 
-  test("with other elements only what still lies where it was is as it was; the rest is old and keeps its value", () => {
+  test("with other elements, only places that still lie on an edge are current; the rest is old and keeps its value", () => {
     const without = changed(8.5, -14.87).filter((s) => s.kind === "line");
     const on = { ...drawing({ contours: [without] }), printOf: printOf("") };
     expect(readMeasurement(made("diameter", at(-7.77, 8.6)), on)).toMatchObject({ value: 17, isOld: false });
@@ -241,7 +241,7 @@ describe("after a change", () => {
     expect(readMeasurement(made("diameter", at(-7.77, 8.6)), moved)).toMatchObject({ value: 17, isOld: true });
   });
 
-  test("stock is that of its moment as long as its print is; an end of a move as long as it is one", () => {
+  test("a measurement of stock is current while its fingerprint is unchanged; an end of a move while that end exists", () => {
     const place: MeasuredPlace = { at: at(-3.3, 9.25), spot: "free" },
       path: MeasuredPlace = { at: at(1.7, 4.4), spot: "path" };
     const moment: MeasuredMoment = { step: 12, fraction: 0.25, block: 31, print: "abc" };
@@ -255,7 +255,7 @@ describe("after a change", () => {
   });
 });
 
-test("a wrong use says which: edges side by side, no distance that way, the same place", () => {
+test("a failed pick says why: parallel edges, no distance in that direction, the same place", () => {
   const beside = line(at(-2.31, 30.7), at(-9.74, 30.7)),
     far = drawing({ contours: [[...shaft, beside]] }),
     snapping = snappingOf(far);

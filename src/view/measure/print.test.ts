@@ -21,7 +21,7 @@ const moment = (index: number, fraction = 0) => ({ step: index, fraction, block:
 const print = (of: Parameters<typeof printsOf>[0], ...asked: Parameters<ReturnType<typeof printsOf>>) =>
   printsOf(of)(...asked);
 
-test("what comes after a moment changes nothing of its stock; what was before it does", () => {
+test("moves after a moment do not change its fingerprint; moves before it do", () => {
   const later = { ...made, steps: [...steps.slice(0, 2), step(-15.2, 20.999)] };
   expect(print(later, moment(2))).toBe(print(made, moment(2)));
   expect(print(later, moment(2, 0.3))).not.toBe(print(made, moment(2, 0.3)));
@@ -41,7 +41,7 @@ test("another nose is another stock, another name or holder is not", () => {
   ).toBe(print(made, moment(1)));
 });
 
-test("the end is the end of whatever there is; a moment that is no more has no print; the order of asking changes nothing", () => {
+test("the end is always the last moment; a moment that no longer exists has no fingerprint; the order of queries does not matter", () => {
   const longer = { ...made, steps: [...steps, step(-20, 19)] },
     end = { step: 3, fraction: 0 };
   expect(print(longer, end)).not.toBe(print(made, end));
@@ -59,7 +59,7 @@ test("a blank that is stated on the way counts from its step on", () => {
   expect(print({ ...made, stated }, moment(2))).not.toBe(print(made, moment(2)));
 });
 
-test("milled stock is another one after another way, from another body, and not for what is turned later", () => {
+test("milled stock changes with another path or another body, but not with later turning", () => {
   const spot = (x: number, y: number) => ({ x, y, z: -2.7 });
   const motion = {
     kind: "feed",

@@ -4,7 +4,7 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import type { Stated, Step } from "../../kernel/time/step.ts";
 import type { Tool } from "../../kernel/plan/tool.ts";
 
-/** What makes the stock of a program. */
+/** The inputs that determine the stock of a program. */
 export interface StockMaker {
   readonly blank: readonly Ring[];
   readonly stated: readonly Stated[];
@@ -15,12 +15,12 @@ const BASIS = 2_166_136_261,
   PRIME = 16_777_619,
   FINE = 1e4;
 
-/** One number more in a print. */
+/** Adds one number to a fingerprint. */
 const added = (print: number, value: number): number => Math.imul(print ^ Math.round(value * FINE), PRIME) >>> 0;
 const withRings = (print: number, rings: readonly Ring[]): number =>
   rings.reduce((sum, ring) => ring.reduce((own, { z, r }) => added(added(own, z), r), added(sum, ring.length)), print);
 
-/** What of a tool cuts: its holder takes no stock, and its name does nothing. */
+/** The cutting part of a tool: its holder removes no stock, and its name has no effect. */
 function toolPrint(tool: Tool): number {
   const { holder: _, NAME: __, ...cuts } = tool;
   return [...JSON.stringify(cuts)].reduce((sum, c) => added(sum, c.codePointAt(0) ?? 0), BASIS);
@@ -33,7 +33,7 @@ function withMove(print: number, { from, move }: Step): number {
 
 type PrintOf = (moment: Omit<MeasuredMoment, "print">) => string | null;
 
-/** Prints along steps: `withStep` adds what one does, `begun` what is stated before another. */
+/** Fingerprints along steps: `withStep` adds one step, `begun` the blanks stated before another. */
 function printsAlong<S>(
   steps: readonly S[],
   start: number,
@@ -55,9 +55,9 @@ function printsAlong<S>(
 }
 
 /**
- * Prints of the stock at moments of a program: two moments with the same print have the same stock, since all that was
- * done until then is the same. A moment without a block is the end, however many steps there are. Asked for again,
- * nothing is counted twice.
+ * Fingerprints of the stock at moments of a program: two moments with the same fingerprint have the same stock, since
+ * everything done until then is the same. A moment without a block is the end, however many steps there are. Partial
+ * results are cached.
  */
 export function printsOf({ blank, stated, steps }: StockMaker): PrintOf {
   const tools = new Map<Tool, number>();
@@ -75,11 +75,11 @@ export function printsOf({ blank, stated, steps }: StockMaker): PrintOf {
   );
 }
 
-/** A height that nobody knows, in a print: no program goes there, mm. */
+/** Number for an unknown height, mm: no program goes there. */
 const NO_HEIGHT = 1e6;
 
 const turnPrint = (turn: MillMotion["turn"]): number => (turn === "cw" ? 1 : 2);
-/** A line adds nothing for its way, so that no arc is taken for one. */
+/** The numbers of an arc; a line adds none, so that it never matches an arc. */
 function wayPrint({ centre, turn, side }: MillMotion): readonly number[] {
   if (side)
     return [
@@ -101,11 +101,11 @@ function withMotion(print: number, m: MillMotion): number {
   );
 }
 
-/** A motion of a program that may turn as well: after which of its steps. */
+/** A motion of a program that may also turn: `turned` counts the turning steps before it. */
 type MilledMotion = MillMotion & { readonly turned: number };
 
 /**
- * The same of milled stock: `blank` are its outlines in the plane, those of each height; `turned` makes the body that
+ * The same for milled stock: `blank` are its outlines in the plane, those of each height; `turned` makes the body that
  * is milled.
  */
 export function printsOfMilled(blank: readonly Ring[], motions: readonly MilledMotion[], turned: StockMaker): PrintOf {

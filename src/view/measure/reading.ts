@@ -5,22 +5,22 @@ import { segmentNow, type Measurable } from "./edges.ts";
 import { gauged, type Gauged } from "./figure.ts";
 import { onSide, halfOf } from "./snap.ts";
 
-/** What measurements are read from again after each change. */
+/** The current geometry from which measurements are read after each change. */
 export interface MeasuredWork extends Measurable {
-  /** The print of the stock of a moment; null where the program has no such moment. */
+  /** The fingerprint of the stock of a moment; null if the program has no such moment. */
   readonly printOf: (moment: Omit<MeasuredMoment, "print">) => string | null;
 }
 
-/** A measurement as it is now. */
+/** A measurement, read from the current geometry. */
 export interface MeasurementNow extends Gauged {
   readonly measurement: Measurement;
-  /** What it was taken from is not there any more: the value is that of before the change. */
+  /** The geometry it was taken from is gone: the value is the previous one. */
   readonly isOld: boolean;
 }
 
 /**
- * Where a place of a segment lies on the one that this became: an end at that end, the rest at the same share of the
- * way.
+ * Maps a place on a segment to the changed segment: an end to the same end, other places to the same share of the
+ * length.
  */
 function carried(was: Segment, is: Segment, p: Pt, spot: MeasuredPlace["spot"]): Pt | null {
   if (spot === "centre") return is.kind === "arc" ? is.centre : null;
@@ -32,7 +32,7 @@ function carried(was: Segment, is: Segment, p: Pt, spot: MeasuredPlace["spot"]):
 
 const isAt = (a: Pt, b: Pt): boolean => part.apart(a, b) < SAME;
 
-/** An edge of the drawing that still holds the place in the same way, whatever became of the rest. */
+/** An edge of the drawing that still carries the place in the same way, whatever else has changed. */
 function heldBy(
   drawing: Measurable,
   { of, segment: was }: MeasuredEdge,
@@ -53,7 +53,7 @@ function heldBy(
   return null;
 }
 
-/** A place where it is now; null where it is gone. */
+/** The current position of a place; null if it is gone. */
 function placeNow(measured: MeasuredWork, place: MeasuredPlace): MeasuredPlace | null {
   const { at: p, spot, edge } = place;
   if (spot === "free") return place;
@@ -69,9 +69,9 @@ function placeNow(measured: MeasuredWork, place: MeasuredPlace): MeasuredPlace |
 }
 
 /**
- * A measurement as it is now. Places on the contour or the blank go with the element that they were taken from; stock
- * of a moment is the same as long as all that made it is. What is gone is read as it was, and said to be old. Null
- * where it never made a value.
+ * Reads a measurement from the current geometry. Places on the contour or the blank follow the element they were taken
+ * from; stock of a moment is current while everything that made it is unchanged. A measurement without its geometry
+ * keeps its value and is marked as old. Null if it never had a value.
  */
 export function readMeasurement(measurement: Measurement, measured: MeasuredWork): MeasurementNow | null {
   const { kind, places, moment } = measurement;

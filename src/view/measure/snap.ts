@@ -3,7 +3,7 @@ import { at, part, type Pt } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { measurableEdges, type Measurable } from "./edges.ts";
 
-/** What a tool takes hold of. */
+/** The kind of geometry that a tool snaps to. */
 export type Grip = "point" | "surface" | "arc" | "line" | "wall";
 const GRIPS: Readonly<Record<MeasuredKind, Grip>> = {
   diameter: "surface",
@@ -14,19 +14,16 @@ const GRIPS: Readonly<Record<MeasuredKind, Grip>> = {
   angle: "line",
   wall: "wall",
 };
-/** What the tool of a kind takes hold of; without a spindle axis a diameter is that of an arc. */
+/** The kind of geometry that a measuring tool snaps to; without a spindle axis a diameter is that of an arc. */
 export const gripOf = (kind: MeasuredKind, { isTurned }: Pick<Measurable, "isTurned">): Grip =>
   kind === "diameter" && !isTurned ? "arc" : GRIPS[kind];
 
-/**
- * Of edges that lie on one another the finished contour is meant, then the blank: what this share of the reach makes of
- * them.
- */
+/** Handicap of edges that lie on one another, as a share of the reach: the finished contour wins, then the blank. */
 const BEHIND = { contour: 0, blank: 0.06, stock: 0.12 } as const;
-/** How much farther than a corner an arc or a line may be when nothing else is asked for. */
+/** How much farther than a corner an arc or a line may be, if the tool takes nothing else. */
 const FAR = 2.5;
 
-/** On the mirrored side of a turned part the same edges lie below the axis. */
+/** On a turned part the same edges are mirrored below the axis. */
 const mirror = (p: Pt): Pt => at(p.z, -p.r);
 export const halfOf = ({ isTurned }: Pick<Measurable, "isTurned">, p: Pt): 1 | -1 => (isTurned && p.r < 0 ? -1 : 1);
 export const onSide = (p: Pt, side: 1 | -1): Pt => (side < 0 ? mirror(p) : p);
@@ -38,7 +35,7 @@ interface Found {
   readonly away: number;
 }
 
-/** Keeps the nearest of what it is offered. */
+/** Keeps the nearest of the offered places. */
 function nearest(reach: number) {
   let best: Found | null = null;
   return {
@@ -86,7 +83,7 @@ function snappedAbove(
   return corner.get() ?? centre.get() ?? path.get() ?? edge.get();
 }
 
-/** What a snapping picture has ready: its edges, once for many places. */
+/** The prepared edges of a picture, for many snaps. */
 export interface Snapping {
   readonly drawing: Measurable;
   readonly edges: readonly MeasuredEdge[];
@@ -94,8 +91,8 @@ export interface Snapping {
 export const snappingOf = (drawing: Measurable): Snapping => ({ drawing, edges: measurableEdges(drawing) });
 
 /**
- * What a tool of measuring takes hold of at a place, within `reach` mm: a corner before the centre of an arc, that
- * before the end of a move, that before the nearest point of an edge. Where there is nothing, the place itself.
+ * The place that a measuring tool snaps to, within `reach` mm: a corner before the centre of an arc, that before the
+ * end of a move, that before the nearest point of an edge. Without any of them, the place itself.
  */
 export function snapAt({ drawing, edges }: Snapping, place: Pt, reach: number, grip: Grip): MeasuredPlace {
   const side = halfOf(drawing, place);
@@ -106,7 +103,7 @@ export function snapAt({ drawing, edges }: Snapping, place: Pt, reach: number, g
 /** The middle of an edge, as a place on it. */
 const middleOf = (each: MeasuredEdge): MeasuredPlace => taken(each, part.pointOn(each.segment, 0.5), "edge");
 
-/** The places that a tool takes hold of, in the order in which keys walk them; each once. */
+/** The places that a tool snaps to, in the order in which keys step through them; each once. */
 export function stopsOf({ drawing, edges }: Snapping, grip: Grip): readonly MeasuredPlace[] {
   const seen = new Set<string>(),
     stops: MeasuredPlace[] = [];

@@ -6,10 +6,11 @@ import type { Snapping } from "./snap.ts";
 import { wallAt } from "./wall.ts";
 
 /**
- * Why a tool measures nothing: the place is none for it, the two have no distance its way, the two edges never meet.
+ * Why a pick measures nothing: the place does not suit the tool, the two have no distance in its direction, or the two
+ * edges never meet.
  */
 export type PickedNothing = "nothing" | "level" | "parallel";
-/** What a place that was picked leads to: a second one is waited for, something is measured, or nothing is. */
+/** The result of a pick: a second place is needed, the measurement is complete, or there is none. */
 export type Picked =
   { readonly waits: MeasuredPlace } | { readonly measured: readonly MeasuredPlace[] } | PickedNothing;
 
@@ -19,12 +20,12 @@ const sameEdge = (a: MeasuredPlace, b: MeasuredPlace): boolean =>
   a.edge.chain === b.edge.chain &&
   a.edge.element === b.edge.element;
 
-/** How near to the axis a place means the axis, as a share of where the edge lies, and mm. */
+/** A place beside all edges stands for the spindle axis. */
 const onAxis = ({ edge, spot }: MeasuredPlace): boolean => edge === undefined && spot === "free";
 
 /**
- * A place was picked with a tool of measuring, `first` before it where the tool waits for a second one. Angles: the
- * same edge again, or a place beside all edges, means the angle to the axis.
+ * The result of picking a place with a measuring tool; `first` is the place picked before it, if the tool needs two.
+ * Angles: the same edge again, or a place beside all edges, stands for the angle to the axis.
  */
 export function pickedWith(
   kind: MeasuredKind,
@@ -35,7 +36,7 @@ export function pickedWith(
   switch (kind) {
     case "diameter":
       if (!snapping.drawing.isTurned && place.edge?.segment.kind !== "arc") return "nothing";
-      // A caliper closes on a surface: beside all of them it would measure where the pointer happened to be.
+      // A caliper closes on a surface: elsewhere it would measure wherever the pointer happened to be.
       return !place.edge || (snapping.drawing.isTurned && Math.abs(place.at.r) < SAME)
         ? "nothing"
         : { measured: [place] };

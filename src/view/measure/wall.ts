@@ -3,10 +3,10 @@ import { part, type Pt } from "../../kernel/geometry/point.ts";
 import { SAME } from "../../kernel/tolerance.ts";
 import { onSide, halfOf, type Snapping } from "./snap.ts";
 
-/** A ray is as long as no part is, mm. */
+/** Length of a ray, longer than any part, mm. */
 const FAR = 1e5;
 
-/** The nearest place where a ray from an edge meets another one; null where there is none. */
+/** The nearest place where a ray from an edge meets another edge; null if there is none. */
 function hit(edges: readonly MeasuredEdge[], from: Pt, way: Pt): MeasuredPlace | null {
   const ray = { kind: "line", from, to: part.beyond(from, way, FAR) } as const;
   let best: { readonly place: MeasuredPlace; readonly away: number } | null = null;
@@ -22,9 +22,8 @@ function hit(edges: readonly MeasuredEdge[], from: Pt, way: Pt): MeasuredPlace |
 }
 
 /**
- * The thickness of the material under a place of its outline, square to it: that place and the one across. Outer
- * outlines run counter-clockwise, so that material lies on their left. Null where the material goes on to the spindle
- * axis.
+ * The wall thickness at a place of the outline, square to it: that place and the opposite one. Outer outlines run
+ * counter-clockwise, so that material lies on their left. Null if the material continues to the spindle axis.
  */
 export function wallAt(
   { drawing, edges }: Snapping,

@@ -19,7 +19,7 @@ test("a chuck that is cut off near the work has no edge where it goes on", () =>
   expect(upright).not.toContain(-115);
 });
 
-test("of a centre in front of the work no edge lies on the axis, nor where it is cut off", () => {
+test("a centre in front of the work has no edge on the axis, nor where it is cut off", () => {
   const { edges } = near({
     kind: "centres",
     diameter: 20,

@@ -7,15 +7,15 @@ import type { Bounds } from "../camera.ts";
 /** How much of a clamping is drawn over the blank and beside it, as parts of the radius of the blank. */
 const [OUT, ALONG] = [1, 0.5];
 
-/** What of a clamping stands near the work: its areas, and their edges without those along which it is cut off. */
+/** The clamping near the work: its areas, and their edges except where it is cut off. */
 export interface ClampingNear {
   readonly areas: readonly Ring[];
   readonly edges: readonly (readonly [Pt, Pt])[];
 }
 
 /**
- * What holds a blank, cut off not far from it: a chuck is far larger than most parts. No edge is drawn where it goes
- * on.
+ * The clamping of a blank, cut off near it, because a chuck is far larger than most parts. No edge is drawn where the
+ * clamping continues.
  */
 export function clampingNear(
   { clamping: { face, length, tailstock }, bodies }: Clamped,

@@ -2,15 +2,15 @@ import { boxAround } from "../../kernel/area/box.ts";
 import { isInside } from "../../kernel/area/clip.ts";
 import { at, part, type Pt, type Ring, type Segment } from "../../kernel/geometry/point.ts";
 
-/** A diameter of the finished part: the point that its line begins at, and whether material lies inside of it. */
+/** A diameter of the finished part: the point where its line begins, and whether there is material inside. */
 export interface DiameterFeature {
   readonly at: Pt;
   readonly outside: boolean;
-  /** It is that of the blank. */
+  /** It belongs to the blank. */
   readonly ofBlank?: true;
   /** What a thread adds to it. */
   readonly thread?: { readonly lead: number; readonly starts: number };
-  /** Millimetres of the part that have it: what is left out first is what shows least. */
+  /** Length of the part with this diameter, mm: the shortest are left out first. */
   readonly extent: number;
 }
 
@@ -36,13 +36,13 @@ export interface TurnedContour {
 const ONE = 0.005;
 /** Straight along an axis within this, mm. */
 const LEVEL = 0.001;
-/** A contour that the part keeps this near is a contour of the finished part: an oversize may still stand on it, mm. */
+/** A contour this near to the part is a contour of the finished part: oversize may still be on it, mm. */
 const NEAR = 0.8;
-/** Looks to either side of a surface for material, mm. */
+/** Offset of the probes for material on either side of a surface, mm. */
 const ASIDE = 1;
 /**
- * Cones and arcs shorter than this share of the part's size are edges that are broken, no features; nor are shorter
- * sides of grooves.
+ * Cones and arcs shorter than this share of the part's size are broken edges, not features; nor are shorter sides of
+ * grooves.
  */
 const SHORT = 0.05,
   SIDE = 0.02;
@@ -61,7 +61,7 @@ function edgesOf(rings: readonly Ring[]): readonly Segment[] {
 const middleOf = (from: Pt, to: Pt): Pt => part.pointOn({ kind: "line", from, to }, 0.5);
 const rightEnd = (a: Pt, b: Pt): Pt => (a.z >= b.z ? a : b);
 
-/** The features of the contours that the finished part has; where the program turns none, those of the part itself. */
+/** The features of the contours on the finished part; if the program turns none, those of the part itself. */
 export function featuresOf(
   contours: readonly TurnedContour[],
   finished: readonly Ring[],
@@ -128,7 +128,7 @@ export function featuresOf(
   return withBlank({ diameters, positions }, blank);
 }
 
-/** The sizes of the blank that the part does not have as well. */
+/** The sizes of the blank that are not also sizes of the part. */
 function withBlank({ diameters, positions }: Features, blank: readonly Ring[]): Features {
   if (blank.length === 0) return { diameters, positions };
   const { left, right, high, low } = boxAround([...blank]);

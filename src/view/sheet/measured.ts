@@ -12,8 +12,8 @@ export interface SheetMeasurement {
 }
 
 /**
- * What a measurement is on paper: its lines, its arrows, a frame with round ends, as prints give what was checked, and
- * its text in it.
+ * A measurement on paper: its lines and arrows, and its text in a frame with round ends, as drawings mark inspected
+ * dimensions.
  */
 export interface PaperMeasurement {
   readonly lines: string;
@@ -36,7 +36,7 @@ function frameOf({ x, y, width, height }: LabelBox): string {
 /** Free edge of the drawing, mm on paper. */
 const EDGE = 1;
 
-/** Measurements on a drawing of both halves of a part, clear of the texts that it has. Lengths in mm on paper. */
+/** Measurements on a drawing of both halves of a part, clear of the drawing's texts. Lengths in mm on paper. */
 export function measuredOnPaper(
   measured: readonly SheetMeasurement[],
   paper: {

@@ -16,12 +16,12 @@ import { spread } from "./spread.ts";
 /** What is drawn. Part space, mm. */
 export interface DrawnWork {
   readonly blank: readonly Ring[];
-  /** What is left of it at the end. */
+  /** The part at the end. */
   readonly finished: readonly Ring[];
   readonly contours: readonly TurnedContour[];
-  /** What holds it; null or absent where that is not stated. */
+  /** The clamping; null or absent if not stated. */
   readonly clamping?: Clamped | null;
-  /** What was measured on it; nothing where absent. */
+  /** Measurements on the part; none if absent. */
   readonly measured?: readonly SheetMeasurement[];
 }
 
@@ -71,7 +71,7 @@ export interface PartDrawing {
   /** From back to front. */
   readonly shapes: readonly DrawnShape[];
   readonly texts: readonly DrawnText[];
-  /** Dimensions that had no room. */
+  /** Number of dimensions without room. */
   readonly left: number;
 }
 
@@ -101,7 +101,7 @@ function arrow(tip: Place, dx: number, dy: number): string {
 
 const wide = (text: string): number => textWidth(text, FIGURES) + 1;
 
-/** Without what lies so near to a larger feature that no line between them shows on paper, mm. */
+/** Features closer to a larger one than this are left out, mm: no line between them would show on paper. */
 const APART = 0.35;
 const distinct = <F extends { readonly extent: number }>(
   features: readonly F[],
@@ -112,7 +112,7 @@ const distinct = <F extends { readonly extent: number }>(
       !features.some((other) => other.extent > f.extent && f.extent === 0 && Math.abs(along(other) - along(f)) < APART),
   );
 
-/** Those that show most, in the order of the paper, as many as have room. */
+/** The features that show most, as many as have room, in the order of the paper. */
 function placed<F extends { readonly extent: number }>(
   features: readonly F[],
   along: (feature: F) => number,
@@ -133,10 +133,10 @@ function placed<F extends { readonly extent: number }>(
   return [];
 }
 
-/** Lower than this a surface lies on the axis, mm. */
+/** Below this radius a surface is on the axis, mm. */
 const ON_AXIS = 0.0005;
 
-/** A ring as lines that leave out what lies on the axis, where two halves meet. */
+/** A ring as lines, without the sides on the axis, where two halves meet. */
 function offAxis(ring: Ring): readonly (readonly Pt[])[] {
   const isOn = (i: number) =>
     [ring[i], ring[(i + 1) % ring.length]].every((p) => p !== undefined && Math.abs(p.r) < ON_AXIS);
@@ -155,7 +155,7 @@ function offAxis(ring: Ring): readonly (readonly Pt[])[] {
   return lines;
 }
 
-/** Lines across the bore at its shoulders, which one sees behind the cut. */
+/** Lines across the bore at its shoulders, visible behind the cut. */
 function boreEdges(
   finished: readonly Ring[],
   positions: readonly PositionFeature[],
@@ -182,10 +182,10 @@ const standsBelow = (ring: Ring, p: Pt): boolean =>
     );
   });
 
-/** Looks for material to either side of a corner, mm. */
+/** Offset of the probes for material on either side of a corner, mm. */
 const BESIDE = 0.01;
 
-/** A corner of the part, no point of a flattened arc: the sine of the turn at it. */
+/** A corner of the part rather than a point of a flattened arc: the sine of the turn at it. */
 const SHARP = 0.3;
 
 function isCorner(ring: Ring, i: number): boolean {
@@ -212,8 +212,8 @@ function zeroSign({ x, y }: Place): readonly DrawnShape[] {
 
 /**
  * A set-up to scale within a width and a greatest height, mm on paper: blank, chuck, finished part in section, zero,
- * with diameters in a column on the right and positions in a row below, none over another. Null where there is nothing
- * to draw.
+ * with diameters in a column on the right and positions in a row below, without overlaps. Null if there is nothing to
+ * draw.
  */
 export function partDrawing(
   work: DrawnWork,

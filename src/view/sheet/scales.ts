@@ -19,9 +19,7 @@ interface Extent {
   readonly tall: number;
 }
 
-/**
- * The largest of the usual scales at which a thing has room, all mm; the smallest of them where it has room at none.
- */
+/** The largest of the usual scales at which a thing fits, all mm; the smallest of them if it fits at none. */
 export function usualScale(thing: Extent, room: Extent): DrawingScale {
   const fits = (scale: DrawingScale) =>
     thing.wide * factorOf(scale) <= room.wide && thing.tall * factorOf(scale) <= room.tall;

@@ -19,7 +19,7 @@ test("labels with room stay where they are", () => {
   expect(second).toBeCloseTo(11.9, 9);
 });
 
-test("two that push each other share the way", () => {
+test("two labels that push each other share the shift", () => {
   const [first = 0, second = 0] =
     spread(
       [
@@ -34,12 +34,12 @@ test("two that push each other share the way", () => {
   expect((first + second) / 2).toBeCloseTo(10.6, 9);
 });
 
-test("one that hangs over the end is drawn in", () => {
+test("a label beyond the end is moved in", () => {
   expect(spread([{ at: 19.5, size: 4 }], 0, 20, GAP)).toEqual([18]);
   expect(spread([{ at: -3, size: 5 }], 0, 20, GAP)).toEqual([2.5]);
 });
 
-test("no room is said", () => {
+test("too little room gives null", () => {
   expect(
     spread(
       [
@@ -65,7 +65,7 @@ test("no room is said", () => {
   expect(spread([], 0, 1, GAP)).toEqual([]);
 });
 
-test("whatever is wanted: in order, whole, apart, and moved only where another or the end stands in the way", () => {
+test("in any case labels are in order, whole, apart, and moved only if another label or the end is in the way", () => {
   const label = fc.record({
     at: fc.double({ min: -40, max: 240, noNaN: true }),
     size: fc.double({ min: 0.5, max: 19, noNaN: true }),

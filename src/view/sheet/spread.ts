@@ -1,21 +1,21 @@
-/** A label on a line: where its middle would stand best, and how much of the line it takes. */
+/** A label on a line: the preferred place of its middle, and the length it takes. */
 export interface OnLine {
   readonly at: number;
   readonly size: number;
 }
 
-/** Rounding of sums: what is smaller is no lack of room. */
+/** Rounding of sums: a smaller overlap is no lack of room. */
 const SUM = 1e-9;
 
 /**
  * The middles of labels between `low` and `high`, in their order (rising), none nearer to the next than `gap`, and each
- * as near to where it would stand best as the others let it; null where they have no room. Neighbours that push each
- * other share the way.
+ * as near to its preferred place as the others allow; null if they do not fit. Neighbours that push each other share
+ * the shift.
  */
 export function spread(labels: readonly OnLine[], low: number, high: number, gap: number): readonly number[] | null {
   const [first, last] = [labels[0], labels.at(-1)];
   if (!first || !last) return [];
-  // With what stands before each taken off, "no overlap" is "not falling".
+  // With the space of all earlier labels subtracted, "no overlap" becomes "not falling".
   let behind = 0;
   const before = labels.map(({ size }, i) => {
     const previous = labels[i - 1];

@@ -35,7 +35,7 @@ function pictured(insert: readonly Ring[], held: readonly Ring[], box: Bounds, {
     { wide: wide - AIR - AIR, tall: tall - AIR - AIR },
   );
   const k = factorOf(scale);
-  // The picture stands about the middle of the insert; the holder is cut off at its edge.
+  // The picture is centred on the insert; the holder is cut off at its edge.
   const middle = { z: (box.left + box.right) / 2, x: (box.low + box.high) / 2 };
   const tip = { x: wide / 2 - middle.z * k, y: tall / 2 + middle.x * k };
   const onPaper = (rings: readonly Ring[]) =>

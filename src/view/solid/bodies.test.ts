@@ -7,7 +7,7 @@ import { colouredBodies } from "./bodies.ts";
 
 const box = (z0: number, r0: number, z1: number, r1: number): Ring => [at(z0, r0), at(z1, r0), at(z1, r1), at(z0, r1)];
 const blank = [box(-60.3, 0, 0, 21.7)];
-/** A stock with a notch, which is a gouge of step 3, and a rim that should have gone. */
+/** A stock with a notch, which is a gouge of step 3, and a rim that should have been removed. */
 const stock: Ring = [
   [-60.3, 0],
   [0, 0],
@@ -44,7 +44,7 @@ const left: Simulation["proof"]["residual"] = [
   },
 ];
 
-test("before the move that gouges all is steel; after it a skin round the gouge is told apart, and nothing is lost", () => {
+test("before the gouging move all is steel; after it a skin round the gouge is separate, and nothing is lost", () => {
   const before = colouredBodies(
     [stock],
     { ...run, steps: Array.from({ length: 9 }) as never },
@@ -64,7 +64,7 @@ test("before the move that gouges all is steel; after it a skin round the gouge 
   expect(areaOf(after.steel) + areaOf(after.gouge)).toBeCloseTo(areaOf([stock]), 2);
 });
 
-test("what stays is a body of its own at the end of the run, and not before", () => {
+test("residual material is a separate body at the end of the run, and not before", () => {
   const whole = {
     ...run,
     findings: [],
@@ -77,7 +77,7 @@ test("what stays is a body of its own at the end of the run, and not before", ()
   expect(areaOf(residual) + areaOf(steel)).toBeCloseTo(areaOf(blank), 3);
 });
 
-test("no skin of steel lies over what stays or what was gouged, however their outlines lean", () => {
+test("no skin of steel covers residual material or gouges, however their outlines slope", () => {
   const leans = (by: number): Ring => [
     at(-39.5555, 19.9),
     at(-28.6248, 20.9576 + by),
@@ -91,7 +91,7 @@ test("no skin of steel lies over what stays or what was gouged, however their ou
     const rest = { ...run.proof, residual: left.map((each) => ({ ...each, ring: leans(by) })) };
     const stays = colouredBodies([cone], { ...run, findings: [], proof: rest, steps }, end, 60);
     expect(stays.residual).toHaveLength(1);
-    // What was cut out is open to the outside: a hole in the steel would be covered by a skin of it.
+    // The removed area is open to the outside: a hole in the steel would mean that a skin covers it.
     expect(stays.steel.filter((ring) => areaOf([ring]) < 0)).toEqual([]);
     const gouged = colouredBodies(
       [cone],

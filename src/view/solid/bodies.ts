@@ -6,23 +6,23 @@ import { lessPlainCuts, machiningArea } from "../../sim/finished.ts";
 import { madeOf } from "../../sim/made.ts";
 import type { PlayPosition, SimulatedOperation, Simulation } from "../../sim/simulation.ts";
 
-/** What of the stock is shown in which colour, as areas of the half plane that do not overlap. */
+/** The stock by colour, as areas of the half plane that do not overlap. */
 export interface ColouredBodies {
   readonly steel: readonly Ring[];
-  /** What the operations should have taken and left. */
+  /** Material that the operations should have removed. */
   readonly residual: readonly Ring[];
-  /** The skin where something ran into the part or the stock. */
+  /** The skin where the part or the stock was damaged. */
   readonly gouge: readonly Ring[];
 }
 
 /** How thick the skin of a gouge is, mm and as a share of the size of the part: enough to be seen in the section. */
 const SKIN = { least: 0.1, share: 0.004 } as const;
-/** Residual material is cut out so much wider, mm, that no skin of steel is left over it. */
+/** Residual material is cut out wider by this, mm, so that no skin of steel covers it. */
 const OVER = 0.02;
 /** Outlines are shown with corners no farther than this from the true ones, mm. */
 const SHOWN = 0.004;
 
-/** The stock of a moment, divided by what is to be seen on it. Places of faults count from the move that made them. */
+/** The stock of a moment, divided by colour. Faults count from the move that caused them. */
 export function colouredBodies(
   stock: readonly Ring[],
   simulation: Simulation,
@@ -47,9 +47,8 @@ export function colouredBodies(
 }
 
 /**
- * What of the stock lies in areas made so much wider (mm), and the rest of it. Both are cut along the same line, which
- * runs on beyond the stock: were one taken off the other along the boundary of the stock, a skin without thickness
- * would be left over it.
+ * The stock inside and outside of areas that are widened by so many mm. Both are cut along the same line, which
+ * continues beyond the stock: subtracting along the boundary of the stock would leave a skin without thickness.
  */
 function dividedBy(
   stock: readonly Ring[],
@@ -66,9 +65,9 @@ export const statedSteps = ({ checkpoints }: Pick<Simulation, "checkpoints">): r
   checkpoints.flatMap(({ isStated, step }) => (isStated ? [step] : []));
 
 /**
- * The finished part as it should come off the machine: the blank less what the operations together take away, and less
- * what moves outside of them took. A blank that is stated later counts from its step on. Empty where there is no blank
- * or nothing takes anything away.
+ * The finished part as it should come off the machine: the blank less everything that the operations, and the moves
+ * outside of them, remove. A later stated blank counts from its step on. Empty without a blank, or if nothing is
+ * removed.
  */
 export function finishedBody(simulation: Simulation, operations: readonly SimulatedOperation[]): readonly Ring[] {
   const { blank, last } = lastHeld(simulation, operations);
@@ -77,8 +76,8 @@ export function finishedBody(simulation: Simulation, operations: readonly Simula
 }
 
 /**
- * The part of a program that states no contour: what its moves leave of the blank that is in the chuck at the end.
- * Empty where they take nothing away.
+ * The part of a program without a contour: what its moves leave of the last blank in the chuck. Empty if they remove
+ * nothing.
  */
 export function leftBody(simulation: Simulation): readonly Ring[] {
   const { blank } = lastHeld(simulation, []);
@@ -86,7 +85,7 @@ export function leftBody(simulation: Simulation): readonly Ring[] {
   return areaOf(blank) - areaOf(made) > SLIVER ? made : [];
 }
 
-/** The blank that is in the chuck at the end, and what is done to it. */
+/** The last blank in the chuck, and its machining. */
 function lastHeld(simulation: Simulation, operations: readonly SimulatedOperation[]) {
   const stated = simulation.checkpoints.findLast((mark) => mark.isStated),
     first = stated?.step ?? 0;
@@ -94,9 +93,7 @@ function lastHeld(simulation: Simulation, operations: readonly SimulatedOperatio
   return { last, blank: stated ? statedBlank(simulation, first) : simulation.blank };
 }
 
-/**
- * The blank less what all operations but threads take away: no thread of the finished part is in what lies beyond it.
- */
+/** The blank less what all operations except threads remove: no thread of the finished part lies outside of it. */
 export function withoutThreads(simulation: Simulation, operations: readonly SimulatedOperation[]): readonly Ring[] {
   const { blank, last } = lastHeld(simulation, operations);
   return difference(blank, machiningArea(last.filter(({ plan }) => !plan.thread)));
@@ -107,5 +104,5 @@ function statedBlank({ checkpoints }: Simulation, step: number): readonly Ring[]
   return mark?.stock ? unpacked(mark.stock) : [];
 }
 
-/** Whether an area is more than dust of the polygon engine. */
+/** Whether an area is more than the rounding slivers of the polygon engine. */
 export const isBody = (rings: readonly Ring[]): boolean => areaOf(rings) > SLIVER;

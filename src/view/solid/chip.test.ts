@@ -13,7 +13,7 @@ test("a chip is filled with its area, and its edge runs from place to place of i
     const [a, b, c] = [0, 1, 2].map((k) => positions.subarray(3 * (index[t + k] ?? 0)));
     if (a && b && c) area += Math.abs((b[0]! - a[0]!) * (c[2]! - a[2]!) - (b[2]! - a[2]!) * (c[0]! - a[0]!)) / 2;
   }
-  // By the rule of the surveyor, from the corners above.
+  // Shoelace formula, with the corners above.
   expect(area).toBeCloseTo(0.5056, 4);
   expect(contact.length).toBe(6);
   expect([contact[0], contact[2], contact[3], contact[5]].map((n) => Number(n?.toFixed(4)))).toEqual([

@@ -1,12 +1,11 @@
 import type { Chip } from "../../sim/chip/chip.ts";
 import { trianglesOf } from "./fill.ts";
 
-/** A chip lies over the face of the insert, mm, so that the two are told apart. */
+/** Offset of a chip above the face of the insert, mm, so that both remain visible. */
 const OVER = 0.02;
 
 /**
- * A chip as a filled area in the plane in which the tool works, relative to the tip, and the edge that cuts it as
- * pieces. mm.
+ * A chip as a filled area in the working plane of the tool, relative to the tip, and its cutting edge in pieces. mm.
  */
 export interface ChipInSpace {
   readonly positions: Float32Array;

@@ -12,16 +12,16 @@ import { stlOf } from "./stl.ts";
 /** Fewest chords of a full turn in a file: a prism with so many sides lacks less than a thousandth of its cylinder. */
 const LEAST_CHORDS = 96;
 
-/** A body that is to be written. */
+/** A body to export. */
 export interface WrittenBody {
   readonly rings: readonly Ring[];
-  /** The same with its threads taken out; null where there are none. */
+  /** The same body with its threads taken out; null if it has none. */
   readonly threads: ThreadedStock | null;
 }
 
 /**
- * A body as it is written: its surface within SOLID_CHORD of the true one, closed. `hasRings`: threads are rings,
- * because they could not be made helices.
+ * A body for export: its closed surface, within SOLID_CHORD of the true one. `hasRings`: threads are rings, because
+ * they could not be made helices.
  */
 export function bodyMesh({ rings, threads }: WrittenBody): { readonly mesh: Mesh; readonly hasRings: boolean } {
   const plain = simplified(rings, CHORD),

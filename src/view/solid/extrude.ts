@@ -3,7 +3,7 @@ import type { Ring } from "../../kernel/geometry/point.ts";
 import { trianglesOf } from "./fill.ts";
 import { MeshBuilder, type Mesh } from "./mesh.ts";
 
-/** A plate: an outline of the half plane drawn out square to it, from `back` to `front` (mm towards the operator). */
+/** A plate: an outline of the half plane extruded square to it, from `back` to `front` (mm towards the operator). */
 export function extruded(outline: Ring, back: number, front: number): Mesh {
   const ring = areaOfRing(outline) < 0 ? [...outline].reverse() : outline;
   const build = new MeshBuilder(),

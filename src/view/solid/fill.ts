@@ -2,12 +2,11 @@ import { areaOfRing } from "../../kernel/area/area.ts";
 import { at, type Pt, type Ring } from "../../kernel/geometry/point.ts";
 
 /*
- * Triangles that fill an area. Holes are joined to the outline round them by a cut, then corners whose triangle holds
- * no other corner are taken off one by one. No corner is added, so what is built on both sides of an outline fits
- * together.
+ * Triangulation of an area. Holes are joined to the outline round them by a cut, then corners whose triangle contains
+ * no other corner are clipped one by one. No corner is added, so that surfaces built on both sides of an outline match.
  */
 
-/** A corner in the outline that is left. */
+/** A corner of the remaining outline. */
 interface Corner {
   readonly p: Pt;
   /** Place in the list of all points. */
@@ -62,7 +61,7 @@ const looksInside = ({ prev, p, next }: Corner, to: Pt) =>
     ? turn(p, next.p, to) >= 0 && turn(prev.p, p, to) >= 0
     : turn(p, next.p, to) >= 0 || turn(prev.p, p, to) >= 0;
 
-/** The corner of an outline that is seen from a point inside it, straight towards +Z or as near to that as may be. */
+/** The corner of an outline visible from a point inside it, straight towards +Z or as near to that as possible. */
 function seenFrom(p: Pt, outline: Corner): Corner | null {
   let hit = Infinity;
   let near: Corner | null = null;
@@ -104,8 +103,8 @@ function joinHole(outline: Corner, hole: Corner): void {
 }
 
 /**
- * Takes corners off until nothing is left. An outline that touches itself may have no true ear: then the next convex
- * corner goes.
+ * Clips ears until nothing is left. An outline that touches itself may have no true ear: then the next convex corner is
+ * clipped.
  */
 function clipEars(start: Corner, out: number[]): void {
   let count = [...around(start)].length;

@@ -24,7 +24,7 @@ const moves: readonly Move[] = [
   { kind: "feed", to: at(-11.3, 21.13), feed: feed(0.12), feedUnit: "mm/rev", ...finish },
   { kind: "rapid", to: at(-11.3, 26), ...finish },
   { kind: "rapid", to: at(-15.3, 26), ...finish },
-  // Runs over what the first cut left and takes nothing there.
+  // Passes over the surface of the first cut without removing anything.
   { kind: "rapid", to: at(-15.3, 22.37), ...finish },
   { kind: "feed", to: at(-24.9, 22.37), feed: feed(0.12), feedUnit: "mm/rev", ...finish },
 ];
@@ -39,7 +39,7 @@ const steps = moves.map((move, i) => ({
 const player = playerOf(simulate({ blank: [BLANK], steps, operations: [], unproved: [] })),
   surfaces = surfacesOf(steps);
 
-/** The level sides of what is turned, by radius: from where to where they look how, and the turns told at both ends. */
+/** The level sides of the turned stock, by radius: their range, their look, and the turns at both ends. */
 function level(step: number, tones: readonly TonedSide[] = []) {
   const now = { step, fraction: 0 },
     rings = player.at(now),
@@ -71,7 +71,7 @@ function level(step: number, tones: readonly TonedSide[] = []) {
   return { of: [...out.keys()].sort(), out, textures: told.textures };
 }
 
-test("what came, what was roughed and what was finished is told at every corner, and parted where it changes", () => {
+test("every corner knows its texture, and sides are split where the texture changes", () => {
   expect(level(0)).toMatchObject({ of: ["raw 25.30 -63.7"], textures: ["raw"] });
   expect(level(3)).toMatchObject({ of: ["raw 25.30 -63.7", "rough 22.37 -29.0"], textures: ["raw", "rough"] });
   // The nose, 0.8 mm, touches a level surface so much before the tip.
@@ -84,7 +84,7 @@ test("what came, what was roughed and what was finished is told at every corner,
   ]);
 });
 
-test("marks of the feed lie one turn of the work apart, on rough surfaces only", () => {
+test("feed marks are one turn of the work apart, on rough surfaces only", () => {
   const { out } = level(3),
     [from, to, first, last] = out.get("rough 22.37 -29.0") ?? expect.fail("it was roughed");
   expect(Math.abs(last - first)).toBeCloseTo((to - from) / PITCH, 3);
@@ -95,8 +95,7 @@ test("marks of the feed lie one turn of the work apart, on rough surfaces only",
 });
 
 /**
- * What is told of the finished surface: the finest cut in two tones, the level that was run over again in one from its
- * middle on.
+ * Tones of the finished surface: the finest cut in two tones, the level that was cut again in one from its middle on.
  */
 const TONES: readonly TonedSide[] = [
   { z0: -0.42, r0: 21.13, z1: -4.7, r1: 21.13, tone: 0 },
@@ -110,8 +109,8 @@ const TONES: readonly TonedSide[] = [
   { z0: -19.35, r0: 22.37, z1: -29.03, r1: 22.37, tone: 3 },
 ];
 
-test("a surface has the tone of what is told of it where it is as it will stay, and is parted where that changes", () => {
-  // Marks of the feed stay where a tone is.
+test("a surface has its tone where it is final, and is split where the tone changes", () => {
+  // Feed marks remain under a tone.
   expect(level(steps.length, TONES).of).toEqual([
     "finished (0) 21.13 -4.7",
     "finished (3) 22.37 -24.1",
@@ -125,11 +124,11 @@ test("a surface has the tone of what is told of it where it is as it will stay, 
   const { out } = level(steps.length, TONES),
     [, , first, last] = out.get("rough (3) 22.37 -29.0") ?? expect.fail("it has a tone");
   expect(Math.abs(last - first)).toBeGreaterThan(10);
-  // Before the last cuts nothing lies where the finest one will be.
+  // Before the last cuts the finest surface does not exist yet.
   expect(level(3, TONES).of).toEqual(["raw 25.30 -63.7", "rough (3) 22.37 -29.0", "rough 22.37 -19.4"]);
 });
 
-test("what runs back along a surface, or lies beside it, tells nothing of it", () => {
+test("an edge that runs backwards or lies beside a surface gives it no tone", () => {
   const aside = TONES.flatMap(({ z0, r0, z1, r1, tone }) => [
     { z0: z1, r0: r1, z1: z0, r1: r0, tone },
     { z0, r0: r0 + 0.05, z1, r1: r1 + 0.05, tone },
@@ -137,7 +136,7 @@ test("what runs back along a surface, or lies beside it, tells nothing of it", (
   expect(level(steps.length, aside).of).toEqual(level(steps.length).of);
 });
 
-test("a side too short to be seen between two tones is no speck without one; at the end of a tone it has none", () => {
+test("a side too short to see takes a tone between two tones; at the end of a tone it has none", () => {
   const outline: Ring = [
     at(0, 5),
     at(-4.1, 5),

@@ -6,7 +6,7 @@ import { boundaryIn } from "../material/scan.ts";
 import type { Maker, StockSide, Surfaces, Texture } from "../material/surfaces.ts";
 import type { TonedSide } from "./tones.ts";
 
-/** Textures by the number that stands for them; 0 stands for a surface of which nobody knows. */
+/** Textures by their number; 0 is a surface of unknown origin. */
 export const LOOKS = [null, "raw", "rough", "thread", "finished"] as const satisfies readonly (Texture | null)[];
 
 /** How a piece of a surface looks. */
@@ -14,30 +14,30 @@ export interface SideLook {
   readonly texture: Texture;
   /** Which turn of the work left a place, where the feed left marks; null where it left none. */
   readonly turnAt: ((p: Pt) => number) | null;
-  /** The tone of a scale by which something is told of it; null where nothing is. */
+  /** The tone of a scale that colours it; null without one. */
   readonly tone: number | null;
 }
 
-/** Tells how the surfaces of a stock look. */
+/** The look of a stock's surfaces. */
 export interface StockLooks {
   /** Where the look of a straight piece of an outline changes, from its beginning on. */
   readonly changes: (p: Pt, q: Pt) => readonly Pt[];
-  /** The look of a straight piece of an outline; null where it is none of the stock: a cut face. */
+  /** The look of a straight piece of an outline; null for a cut face, which is no surface of the stock. */
   readonly of: (p: Pt, q: Pt) => SideLook | null;
-  /** What there is to be seen of, in the order of `LOOKS`. */
+  /** The visible textures, in the order of `LOOKS`. */
   readonly textures: readonly Texture[];
 }
 
-/** An outline that is shown lies no farther from that of the stock, mm: what was left out of it, and rounding. */
+/** Largest distance of a shown outline from that of the stock, mm: simplification and rounding. */
 const BESIDE = 0.008;
 /** Looks change at corners of the outline when they are no farther from them, mm. */
 const CORNER = 0.02;
-/** Slices along Z in which pieces are looked for. */
+/** Slices along Z that speed up the search for pieces. */
 const SLICES = 128;
 
 /**
- * What is said of a place on a surface, as two numbers for each corner: a look is its texture, and all textures more
- * for each tone.
+ * The look of a place on a surface as two numbers for each corner: the texture's number plus the number of textures for
+ * each tone, and the turn.
  */
 export const lookAt = (look: SideLook | null | undefined, p: Pt): readonly [look: number, turn: number] =>
   look
@@ -54,8 +54,8 @@ const turnsOf =
     Math.abs(way[0]) < FEED_ALONG ? p.r / (pitch * Math.abs(way[1])) : (p.z - from) / (pitch * way[0]);
 
 /**
- * Where on the piece from `p` to `q` an edge of the stock lies, as shares of it; null where it lies beside it or runs
- * back.
+ * The stretch of the piece from `p` to `q` on which an edge of the stock lies, as shares; null if the edge lies beside
+ * it or runs backwards.
  */
 function shareOn(p: Pt, q: Pt, { z0, r0, z1, r1 }: StockSide): readonly [number, number] | null {
   const [dz, dr] = [q.z - p.z, q.r - p.r],
@@ -81,7 +81,7 @@ interface Stretch<Edge> {
   readonly edge: Edge;
 }
 
-/** Finds which edges lie on a piece of an outline, stretch by stretch along it. */
+/** Finds the edges that lie on a piece of an outline, stretch by stretch along it. */
 function stretchesOf<Edge extends StockSide>(edges: readonly Edge[]): (p: Pt, q: Pt) => readonly Stretch<Edge>[] {
   const [left, right] = edges.reduce(
     ([l, h], e) => [Math.min(l, e.z0, e.z1), Math.max(h, e.z0, e.z1)],
@@ -115,7 +115,7 @@ const longest = <Edge>(all: readonly Stretch<Edge>[]) =>
     null,
   );
 
-/** The tone of most of a piece; null where less than half of it has one. */
+/** The tone of most of a piece; null if less than half of it has one. */
 function toneOf(stretches: readonly Stretch<TonedSide>[]): number | null {
   const total = new Map<number, number>();
   for (const {
@@ -129,8 +129,7 @@ function toneOf(stretches: readonly Stretch<TonedSide>[]): number | null {
 }
 
 /**
- * Where along a piece its tone changes, also to none: shares of it. `near`: stretches no farther apart follow each
- * other.
+ * The shares of a piece at which its tone changes, also to none. Stretches no farther apart than `near` are contiguous.
  */
 function toneChanges(stretches: readonly Stretch<TonedSide>[], near: number): readonly number[] {
   return stretches.flatMap(({ from, to, edge }, k) => {
@@ -142,8 +141,8 @@ function toneChanges(stretches: readonly Stretch<TonedSide>[], near: number): re
 }
 
 /**
- * The looks of a stock at a moment, told by what made it as in the section, and in tones what else is told of its
- * surface.
+ * The looks of a stock at a moment: textures by the origin of its surfaces, as in the section, and tones by another
+ * quantity.
  */
 export function finishOf(
   stock: readonly Ring[],

@@ -27,7 +27,7 @@ function jawsOf(diameter: number, size: number) {
 }
 
 describe("the jaws of the chuck", () => {
-  test("are not there where no clamping is stated", () =>
+  test("do not exist without a stated clamping", () =>
     expect(chuckParts([[at(-9, 0), at(0, 0), at(0, 5)]], null)).toBeNull());
 
   test.each([
@@ -35,7 +35,7 @@ describe("the jaws of the chuck", () => {
     [20.4, 160],
     [75, 200],
     [230, 315],
-  ])("stay in their own third of the turn round a bar of ⌀%f", (diameter, size) => {
+  ])("stay in their own third of a turn round a bar of ⌀%f", (diameter, size) => {
     const corners = jawsOf(diameter, size);
     expect(corners.length).toBeGreaterThan(100);
     for (const { x, y } of corners) expect(Math.abs(Math.atan2(y, x))).toBeLessThan((57 * Math.PI) / 180);
@@ -48,7 +48,7 @@ describe("the jaws of the chuck", () => {
     expect(Math.max(...across) - Math.min(...across)).toBeCloseTo(jawWidth(200), 4);
   });
 
-  test("whose sides run together enclose what they should", () => {
+  test("with converging sides enclose the right volume", () => {
     // As high as it is long: 3.1 mm at 0.6 over the axis. Twice the half width, over the radius.
     const { mesh } = jawOf([at(-3.1, 0.6), at(0, 0.6), at(0, 3.7), at(-3.1, 3.7)], 2.8);
     expect(volumeOf(mesh)).toBeCloseTo(3.1 * (1.4 * (2 ** 2 - 0.6 ** 2) + 2 * 2.8 * (3.7 - 2)), 2);

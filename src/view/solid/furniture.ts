@@ -14,18 +14,18 @@ import { jawOf } from "./jaw.ts";
 import type { Mesh } from "./mesh.ts";
 import { chordsFor, revolved, wholeMesh } from "./revolve.ts";
 
-/** What stands round the work: bodies with their edges as lines. */
+/** A body near the work, with its edges as lines. */
 export interface DrawnPart {
   readonly role: "chuck" | "jaw" | "insert" | "holder";
   readonly mesh: Mesh;
   readonly edges: Float32Array;
 }
 
-/** Outlines of tools are drawn with chords within this, mm. */
+/** Chord tolerance of tool outlines, mm. */
 const FINE = 0.02;
-/** A holder lies so much lower than the face of its insert, as a part of the thickness of the insert. */
+/** How much lower a holder is than the face of its insert, as a share of the insert's thickness. */
 const LOWER = 0.25;
-/** Thickness of an insert as a part of its size, and between which it stays, mm. */
+/** Thickness of an insert as a share of its size, and its limits, mm. */
 const THICK = { share: 0.3, least: 1.5, most: 6 } as const;
 
 /** Coordinates turned round the spindle axis by an angle in radians. */
@@ -49,7 +49,7 @@ const turnedMesh = ({ positions, normals, index }: Mesh, angle: number): Mesh =>
 /** Where the three jaws stand, from X up over the operator: none in the quarter that may be cut away. Radians. */
 export const JAWS = [-15, 105, 225].map((degrees) => (degrees * Math.PI) / 180);
 /**
- * The bodies that hold a blank, three jaws or others, and what of them should be seen; none of them where nothing is
+ * The bodies of a clamping, three jaws or others, and the part of them that should be visible; null if no clamping is
  * stated.
  */
 export function chuckParts(
@@ -84,9 +84,9 @@ function upperHalf(ring: Ring): readonly Ring[] {
 }
 
 /**
- * A tool with its tip in the zero point: the insert as a plate whose face lies in the plane of the spindle, the holder
- * below it; a drill as a body of revolution. The outlines are those that the simulation cuts and checks with; how thick
- * they are is not known and for the eye only.
+ * A tool with its tip at the zero point: the insert as a plate whose face lies in the plane of the spindle, the holder
+ * below it; a drill as a body of revolution. The outlines are those of simulation and checks; thicknesses are unknown
+ * and for display only.
  */
 export function toolParts(tool: Tool): DrawnPart[] {
   const insert = insertOutline(tool, FINE),

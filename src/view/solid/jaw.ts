@@ -25,7 +25,7 @@ const cornered = (ring: Ring, radius: number): Ring =>
     return [p, at(p.z + ((radius - p.r) / (q.r - p.r)) * (q.z - p.z), radius)];
   });
 
-/** What of an outline lies between two radii, mm. */
+/** The part of an outline between two radii, mm. */
 function between(ring: Ring, low: number, high: number): readonly Ring[] {
   if (high <= low) return [];
   const { left, right } = boxOf(ring);

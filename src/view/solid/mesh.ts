@@ -9,9 +9,7 @@ export interface Mesh {
   readonly normals: Float32Array;
   /** Three corners for each triangle. */
   readonly index: Uint32Array;
-  /**
-   * How the surface looks at each corner, where that is known: as `lookAt` says it, and the turn that left it, or 0.
-   */
+  /** The look at each corner, if known: the two numbers of `lookAt`, or 0. */
   readonly looks?: Float32Array;
 }
 
@@ -37,7 +35,7 @@ export function joinedMeshes(meshes: readonly Mesh[]): Mesh {
   return looks ? { positions, normals, index, looks } : { positions, normals, index };
 }
 
-/** What a closed surface encloses, mm³: positive when its triangles show outwards. */
+/** The volume of a closed surface, mm³: positive if its triangles face outwards. */
 export function volumeOf({ positions: p, index }: Mesh): number {
   let sum = 0;
   for (let i = 0; i < index.length; i += 3) {

@@ -26,7 +26,7 @@ function moments(text: string) {
 }
 const printed = readFileSync("tests/programs/cycle-831.h", "utf8");
 
-test("whichever way a moment is come to, its body is the same, and a thread in it is a helix from its first cut on", () => {
+test("a moment has the same body however it is reached, and a thread is a helix from its first cut on", () => {
   const { steps, at } = moments(printed),
     first = steps.findIndex(({ move }) => move.kind === "thread");
   const places = [first + 0.6, first + 8.31, steps.length, first + 3, first + 0.6].map((n) => ({
@@ -48,7 +48,7 @@ test("a thread in a cone is a helix while its first turns are cut", () => {
   expect(moment.map(({ hasRings }) => hasRings)).toEqual([false, false, false]);
 });
 
-test("what was turned away after the thread is gone from it", () => {
+test("material turned off after the thread is missing from it", () => {
   const cut = "9.1 L X+40 Z+3 FMAX\n9.2 L X+28.6 F0.2\n9.3 L Z-9.3\n9.4 L X+50\n9.5 L Z+30 FMAX\n";
   const { steps, at } = moments(printed.replace("10 L X+60", `${cut}10 L X+60`));
   expect(at({ step: steps.length, fraction: 0 }).hasRings).toBe(false);
@@ -61,14 +61,14 @@ test("a program without threads has none", () => {
 test.each([
   ["830", 11, 1000],
   ["832", 1, 0],
-])("what should have been taken between the grooves of cycle %s is told where it was left", (cycle, least, corners) => {
+])("residual material between the grooves of cycle %s is coloured where it remains", (cycle, least, corners) => {
   const { steps, at, residual, leftAt } = moments(readFileSync(`tests/programs/cycle-${cycle}.h`, "utf8"));
   const { bodies, hasRings } = at({ step: steps.length, fraction: 0 });
   expect(hasRings).toBe(false);
   const left = leftAt({ step: steps.length, fraction: 0 });
   expect(residual.length).toBeGreaterThanOrEqual(least);
   const told = bodies.filter(({ role }) => role === "residual").map(({ solid }) => solid);
-  // In the half plane of the stock, with x upwards and y = 0, as much is told as was left.
+  // In the half plane of the stock, with x upwards and y = 0, the coloured area equals the residual area.
   const area = told.reduce((sum, { section: { positions: p, index, normals } }) => {
     let all = sum;
     for (let t = 0; t < index.length; t += 3) {
@@ -79,7 +79,7 @@ test.each([
     }
     return all;
   }, 0);
-  // The fine lines of the helix lie beside the corners of the stock by as much as is asked for.
+  // The fine lines of the helix may differ from the corners of the stock by the requested tolerance.
   expect(Math.abs(area / areaOf(left) - 1)).toBeLessThan(0.08);
   const cut = Math.max(...told.map(({ surface }) => surface.index.length));
   expect(cut).toBeGreaterThanOrEqual(corners);

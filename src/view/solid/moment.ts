@@ -7,16 +7,16 @@ import { revolved, type Solid } from "./revolve.ts";
 import type { RunThreads, ThreadedStock } from "./thread-cuts.ts";
 import { threadedBody, type ThreadTurning } from "./threaded.ts";
 
-/** A body of the work by what it is made of, which decides its colour. */
+/** A body of the work, with the role that decides its colour. */
 export interface MomentBody {
   readonly role: keyof ColouredBodies;
   readonly solid: Solid;
 }
 
-/** What is to be seen of a moment. */
+/** The visible state of a moment. */
 export interface Moment {
   readonly stock: readonly Ring[];
-  /** Null as long as nothing is proved: all is steel then. */
+  /** Null until the program is verified: all is steel until then. */
   readonly simulation: Simulation | null;
   readonly threads: RunThreads | null;
   readonly position: PlayPosition;
@@ -24,12 +24,10 @@ export interface Moment {
   readonly size: number;
 }
 
-/** What is told by colour lies in no groove when it is farther from all of them, mm. */
+/** Coloured areas farther than this from all grooves, mm, lie in none of them. */
 const APART = 0.05;
 
-/**
- * The steel of a moment with its threads, and what of them should have been taken; null where they can be rings only.
- */
+/** The steel of a moment with its threads, and the residual material between them; null if they can only be rings. */
 function withThreads(
   all: ColouredBodies,
   { stock, base, cuts }: ThreadedStock & Pick<Moment, "stock">,
@@ -38,7 +36,7 @@ function withThreads(
 ) {
   const grooves = boxAround(difference(base, stock)),
     near = (ring: Ring) => gapBetween(boxAround([ring]), grooves) <= APART;
-  // A gouge is a skin, and a groove goes through it.
+  // A gouge is a skin, and a groove would cut through it.
   if (all.gouge.some(near)) return null;
   const between = all.residual.filter(near),
     whole = coloured(base).steel;
@@ -50,15 +48,15 @@ function withThreads(
   );
   return body && { ...body, rest: all.residual.filter((ring) => !near(ring)) };
 }
-/** What was left between grooves is joined to what fills them, mm. */
+/** Residual material between grooves is widened by this to join their filling, mm. */
 const GAP = 0.05;
 
-/** The bodies of a moment, and what is to be said of their threads. */
+/** The bodies of a moment, and facts about their threads to announce. */
 export interface MomentBodies {
   readonly bodies: readonly MomentBody[];
-  /** A thread in them is rings, because it could not be made a helix. */
+  /** Some thread is drawn as rings, because it could not be made a helix. */
   readonly hasRings: boolean;
-  /** A thread in them is left-handed. */
+  /** Some thread is left-handed. */
   readonly hasLeft: boolean;
 }
 

@@ -56,7 +56,7 @@ test("named views show the whole body in any picture, and not small", () => {
   );
 });
 
-test("what lies under the finger goes along with it", () => {
+test("the point under the finger follows it", () => {
   const size = { width: 731, height: 517 },
     view = orbited(namedView("iso", bounds, size), 0.31, -0.2),
     moved = slid(view, 37, -21, size);
@@ -84,7 +84,7 @@ test("the way between two views turns the shorter way round and ends exactly", (
   expect(viewBetween(front, end, 0)).toEqual(front);
 });
 
-test("a place is seen where its ray crosses the picture, and not at all from beside it", () => {
+test("a place is projected where its ray crosses the picture; beside or behind the eye it is not", () => {
   const size = { width: 731, height: 517 },
     view = slid(orbited(namedView("iso", bounds, size), 0.31, -0.2), 44, 13, size);
   expect(projected(view, size, view.centre)).toEqual({ x: 365.5, y: 258.5 });
@@ -98,7 +98,7 @@ test("a place is seen where its ray crosses the picture, and not at all from bes
   expect(projected(view, size, [behind[0] + eye[0], behind[1] + eye[1], behind[2] + eye[2]])).toBeNull();
 });
 
-test("brought to a place the eye looks at it from where it stood, and nearer", () => {
+test("moving to a place keeps the direction of view and comes nearer", () => {
   const size = { width: 731, height: 517 },
     view = orbited(namedView("iso", bounds, size), 0.31, -0.2);
   const near = nearTo(view, { left: -31.2, right: -30.4, low: 19.9, high: 20.3 }, false);

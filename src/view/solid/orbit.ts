@@ -3,9 +3,9 @@ import type { Bounds, Place, Size } from "../camera.ts";
 /** A place or a direction in the axes of the machine, mm: x up, y towards the operator, z along the spindle. */
 export type SpacePoint = readonly [x: number, y: number, z: number];
 
-/** From where a body is looked at. */
+/** The position of the eye that looks at a body. */
 export interface Orbit {
-  /** What the eye turns round. */
+  /** The centre of rotation. */
   readonly centre: SpacePoint;
   /** Round the vertical: 0 looks from the operator, a quarter turn from the tailstock at the face. Radians. */
   readonly turn: number;
@@ -18,7 +18,7 @@ export interface Orbit {
 export const NAMED_VIEWS = ["iso", "front", "end"] as const;
 export type NamedView = (typeof NAMED_VIEWS)[number];
 
-/** Height of what is seen, as an angle: small, so that lengths stay comparable. */
+/** Vertical field of view, radians: small, so that lengths stay comparable. */
 export const FIELD = (16 * Math.PI) / 180;
 
 const ANGLES: Readonly<Record<NamedView, { readonly turn: number; readonly rise: number }>> = {
@@ -27,7 +27,7 @@ const ANGLES: Readonly<Record<NamedView, { readonly turn: number; readonly rise:
   end: { turn: Math.PI / 2, rise: 0 },
 };
 
-/** Never quite from above, where up and ahead are the same. */
+/** Just below straight above, where up and ahead are the same. */
 const HIGHEST = Math.PI / 2 - 0.02;
 const clamped = (n: number, low: number, high: number) => Math.min(high, Math.max(low, n));
 
@@ -48,7 +48,7 @@ export function eyeOf(orbit: Orbit): SpacePoint {
   return [centre[0] + eye[0] * distance, centre[1] + eye[1] * distance, centre[2] + eye[2] * distance];
 }
 
-/** Turned by angles, radians; beyond straight above or below it does not go. */
+/** Turned by angles, radians, but not beyond straight above or below. */
 export const orbited = (orbit: Orbit, turn: number, rise: number): Orbit => ({
   ...orbit,
   turn: orbit.turn + turn,
@@ -58,18 +58,18 @@ export const orbited = (orbit: Orbit, turn: number, rise: number): Orbit => ({
 /** Nearest and farthest eye, mm. */
 const DISTANCE = { nearest: 0.5, farthest: 50_000 } as const;
 
-/** Nearer by a factor. */
+/** Moved nearer by a factor. */
 export const approached = (orbit: Orbit, factor: number): Orbit => ({
   ...orbit,
   distance: clamped(orbit.distance / factor, DISTANCE.nearest, DISTANCE.farthest),
 });
 
-/** What one pixel shows at the centre, mm. */
+/** Size of one pixel at the centre, mm. */
 export const pixelAt = ({ distance }: Orbit, size: Size): number =>
   (2 * distance * Math.tan(FIELD / 2)) / Math.max(1, size.height);
 
 /**
- * Where a place is seen in a picture, pixels from its upper left corner; null for what lies beside or behind the eye.
+ * The position of a place in a picture, pixels from its upper left corner; null for a place beside or behind the eye.
  */
 export function projected(orbit: Orbit, size: Size, place: SpacePoint): Place | null {
   const { eye, right, up } = axesOf(orbit),
@@ -82,7 +82,7 @@ export function projected(orbit: Orbit, size: Size, place: SpacePoint): Place | 
   return { x: size.width / 2 + along(right) * perMm, y: size.height / 2 - along(up) * perMm };
 }
 
-/** From the same side, but near a box of the half plane: the body round it is seen as well. */
+/** From the same direction, but close to a box of the half plane: the body round it is visible as well. */
 export function nearTo(orbit: Orbit, { left, right, low, high }: Bounds, down: boolean): Orbit {
   const size = Math.max(right - left, high - low),
     far = size * NEAR + NEAREST;
@@ -90,7 +90,7 @@ export function nearTo(orbit: Orbit, { left, right, low, high }: Bounds, down: b
   return { ...orbit, centre: [down ? -middle : middle, 0, (left + right) / 2], distance: far };
 }
 
-/** What is seen moves along by so many pixels. */
+/** Moved by so many pixels. */
 export function slid(orbit: Orbit, dx: number, dy: number, size: Size): Orbit {
   const { right, up } = axesOf(orbit),
     mm = pixelAt(orbit, size),
@@ -106,14 +106,14 @@ function cornersOf({ left, right, low, high }: Bounds, isFlat: boolean): readonl
   return [left, right].flatMap((z) => sides.map((a): SpacePoint => [high * Math.cos(a), high * Math.sin(a), z]));
 }
 
-/** How far the eye stays from a place that it is brought to: in sizes of it, and mm at least. */
+/** Distance of the eye from a place that it moves to: in sizes of the place, and in mm at least. */
 const NEAR = 9;
 const NEAREST = 60;
 
 /** Free space round a body, as a share of the picture. */
 const AIR = 1.12;
 
-/** How often a view is centred anew: moving it sideways changes a little of what is near and what is far. */
+/** How often a view is centred again: moving it sideways changes the perspective a little. */
 const CENTRED = 3;
 
 /**
@@ -155,7 +155,7 @@ export function namedView(view: NamedView, bounds: Bounds, size: Size, isFlat = 
 /** Angle brought to within half a turn of another one. */
 const nearAngle = (angle: number, other: number) => angle - 2 * Math.PI * Math.round((angle - other) / (2 * Math.PI));
 
-/** On the way from one view to another, 0 … 1; it begins and ends gently and turns the shorter way round. */
+/** A view on the way between two views, 0 … 1: it starts and stops gently and turns the shorter way round. */
 export function viewBetween(from: Orbit, to: Orbit, share: number): Orbit {
   const k = clamped(share, 0, 1),
     eased = k * k * (3 - 2 * k),

@@ -33,7 +33,7 @@ test("lines lie in the plane of the tool, by their form, the last first; arcs ar
   for (const i of onArc) expect(Math.hypot((places[i] ?? 0) - 26.2, (places[i + 2] ?? 0) + 17.7)).toBeCloseTo(3.3, 4);
 });
 
-test("only what is shown is there, and what is to come can be counted", () => {
+test("only shown moves are there, and upcoming pieces can be counted", () => {
   expect(pathInSpace(steps, (step) => step === 1).map(({ role, sources }) => [role, [...sources]])).toEqual([
     ["feed", [1]],
   ]);
@@ -50,7 +50,7 @@ test("segments keep their places", () => {
   expect([...sources]).toEqual([0]);
 });
 
-test("what cannot be told apart is drawn once, as the piece that is made last; all else stays", () => {
+test("indistinguishable pieces are drawn once, as the last of them; all others stay", () => {
   fc.assert(
     fc.property(
       fc.array(fc.tuple(...[0, 1, 2, 3].map(() => fc.double({ min: -83.7, max: 61.3, noNaN: true }))), {

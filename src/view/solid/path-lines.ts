@@ -14,7 +14,7 @@ export interface SpaceLines {
   readonly sources: Int32Array;
 }
 
-/** Paths as pieces in space. From the last to the first: so what is still to come is always at the beginning. */
+/** Paths as pieces in space, from the last to the first, so that upcoming pieces are always at the beginning. */
 function linesOf(paths: readonly { readonly path: Segment; readonly source: number }[]): SpaceLines {
   const places: number[] = [],
     sources: number[] = [];
@@ -53,7 +53,7 @@ export function pathInSpace(
 export const segmentsInSpace = (segments: readonly Segment[]): SpaceLines =>
   linesOf(segments.map((path, source) => ({ path, source })));
 
-/** How many of the pieces belong to a step or a later one: they are the first ones. */
+/** How many pieces belong to a step or a later one; they come first. */
 export function piecesFrom({ sources }: SpaceLines, step: number): number {
   let [low, high] = [0, sources.length];
   while (low < high) {
@@ -68,8 +68,8 @@ export function piecesFrom({ sources }: SpaceLines, step: number): number {
 const CELLS = 2 ** 13;
 
 /**
- * Only those pieces that can be told apart where ends in the same square of `fine` mm are one place; of several that
- * cannot, the one that is made last. All of them where they reach over too many such squares.
+ * Only the pieces that can be told apart if ends in the same square of `fine` mm count as one place; of several equal
+ * pieces, the one made last. All pieces if they span too many squares.
  */
 export function thinned(lines: SpaceLines, fine: number): SpaceLines {
   const { places, sources } = lines;

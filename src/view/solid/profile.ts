@@ -19,13 +19,13 @@ export interface Profile {
   readonly sides: readonly (readonly [number, number])[];
   /** Corners that are seen as an edge, as places in `points`. */
   readonly sharp: readonly number[];
-  /** How each side looks, where that was asked for; no two sides that look unlike have a place in common. */
+  /** The look of each side, if requested; sides that look different have no place in common. */
   readonly looks: readonly (SideLook | null)[];
 }
 
 /** Two chords of one arc never bend more than this at their joint, radians; other corners are sharp. */
 const BEND = 0.8;
-/** So far an arc may lie beside two chords, mm, to be taken for one: more than any arc was flattened to. */
+/** Two chords are one arc if that arc is no farther from them than this, mm: more than any flattening tolerance. */
 const FLAT = 0.012;
 
 interface Side {
@@ -40,13 +40,16 @@ function isSmooth(a: Side, b: Side): boolean {
   return Math.abs(bend) < BEND && (Math.min(a.long, b.long) * Math.abs(bend)) / 8 < FLAT;
 }
 
-/** Points nearer to the axis than a control can tell lie on it. */
+/** Points nearer to the axis than the control's resolution lie on it. */
 const settled = (p: Pt): Pt => (p.r < SAME ? at(p.z, 0) : p);
 
 const isAlike = (a: SideLook | null | undefined, b: SideLook | null | undefined) =>
   a?.texture === b?.texture && a?.tone === b?.tone && !a?.turnAt && !b?.turnAt;
 
-/** A side without a tone that is shorter than this between two with one has that before it, mm: it would be a speck. */
+/**
+ * A side without a tone that is shorter than this, mm, and between two sides with one takes the tone before it: it
+ * would be a speck.
+ */
 const SPECK = 0.15;
 
 /** The looks of sides, one after the other round an outline, without specks. */
@@ -60,7 +63,8 @@ function unspecked(looks: readonly (SideLook | null)[], sides: readonly Side[]):
 }
 
 /**
- * An outline (material to the left) as smooth and sharp places; null when it encloses nothing. `finish` has parted it.
+ * An outline (material to the left) as smooth and sharp places; null if it encloses nothing. `ring` must have been
+ * split by `finish`.
  */
 export function profileOf(ring: Ring, finish?: StockLooks): Profile | null {
   const corners = ring.map(settled).filter((p, i, all) => {

@@ -6,7 +6,7 @@ import { profileOf, type Profile } from "./profile.ts";
 
 /** A solid of revolution, ready to be shown or written. Surface and section together are closed. */
 export interface Solid {
-  /** What was turned: the outlines, revolved. */
+  /** The revolved outlines. */
   readonly surface: Mesh;
   /** The two faces of the cut; empty in a whole body. */
   readonly section: Mesh;
@@ -20,7 +20,7 @@ export interface Turning {
   readonly chords: number;
   /** The quarter between X up and the operator is cut away. */
   readonly quarterCut: boolean;
-  /** How the surfaces of the stock look; absent where nobody wants to know. */
+  /** The look of the stock's surfaces; absent if not needed. */
   readonly finish?: StockLooks;
 }
 
@@ -88,7 +88,7 @@ function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<ty
         q = b * rows + row,
         far = b * rows + next,
         over = a * rows + next;
-      // A triangle of which two corners lie in one place on the axis is none.
+      // A triangle with two corners at one place on the axis is empty.
       if (!toAxis) {
         index[n++] = p;
         index[n++] = q;
@@ -113,7 +113,7 @@ function surfaceOf(profile: Profile, turning: Turning, directions: ReturnType<ty
   return { ...mesh, looks };
 }
 
-/** Both faces of the cut: outlines of the one that stands upright, and of the one that lies towards the operator. */
+/** Both faces of the cut: outlines of the upright one, and of the one towards the operator. */
 export function cutFaces(standing: readonly Ring[], lying: readonly Ring[]): Mesh {
   const build = new MeshBuilder();
   for (const [rings, upright] of [
@@ -164,8 +164,8 @@ function edgesOf(
 
 /**
  * The body that rings of the half plane make when they turn round the spindle axis: outer rings counter-clockwise,
- * holes clockwise, several rings several bodies. What lies on the axis is closed there; what would lie beyond it is
- * taken for lying on it.
+ * holes clockwise, several rings several bodies. Outlines on the axis are closed there; places beyond it count as on
+ * it.
  */
 export function revolved(rings: readonly Ring[], turning: Turning): Solid {
   const profiles = rings.flatMap(

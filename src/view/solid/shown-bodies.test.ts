@@ -9,13 +9,13 @@ import { surfacesOf } from "../material/surfaces.ts";
 import { shownBodies } from "./shown-bodies.ts";
 
 const printed = (cycle: string) => readFileSync(`tests/programs/cycle-${cycle}.h`, "utf8");
-/** Cuts into the part once the cycle is done. */
+/** Cuts into the part after the cycle. */
 const gouging = printed("810").replace(
   "12 L Z+52 R0 FMAX",
   "12 L X+30 Z-30 F0.2\n12.1 L X+90 FMAX\n12.2 L Z+52 R0 FMAX",
 );
 
-/** What is told of a program, after a share of its steps. */
+/** The facts announced for a program after a share of its steps. */
 function toldOf(text: string, share: number) {
   const made = run(parse(text), { tools: shippedTools, rapid: 8000 }),
     simulation = simulate(made),
@@ -33,12 +33,12 @@ function toldOf(text: string, share: number) {
 }
 
 test.each([
-  ["what stays", printed("810"), 1, ["residual"]],
-  ["what stays, half way", printed("810"), 0.5, []],
-  ["what was gouged", printed("814"), 1, ["gouge"]],
-  ["before the gouge", printed("814"), 0, []],
+  ["residual material", printed("810"), 1, ["residual"]],
+  ["residual material, half way", printed("810"), 0.5, []],
+  ["contour damage", printed("814"), 1, ["gouge"]],
+  ["contour damage, before the cut", printed("814"), 0, []],
   ["both", gouging, 1, ["residual", "gouge"]],
   ["nothing", printed("822"), 1, []],
-])("%s is named when it is in the picture, and no sooner", (_, text, share, marked) =>
+])("%s is announced once it is visible, and no sooner", (_, text, share, marked) =>
   expect(toldOf(text, share).marked).toEqual(marked),
 );

@@ -7,47 +7,47 @@ import type { RunThreads } from "./thread-cuts.ts";
 import type { ThreadTurning } from "./threaded.ts";
 import type { TonedSide } from "./tones.ts";
 
-/** What bodies of a run are made from. */
+/** The data from which the bodies of a run are built. */
 export interface TurnedRun {
-  /** Null as long as nothing is proved: all is steel then. */
+  /** Null until the program is verified: all is steel until then. */
   readonly simulation: Simulation | null;
   readonly threads: RunThreads | null;
   readonly surfaces: Surfaces;
 }
 
-/** What is asked for: a moment, and how it is to be seen. */
+/** A request for bodies: the moment, and the view settings. */
 export interface BodiesAsked {
   readonly position: PlayPosition;
   /** Size of the part, mm. */
   readonly size: number;
   readonly turning: Omit<ThreadTurning, "finish">;
-  /** What is told of surfaces by tones; it is seen where they are as they will stay. */
+  /** Tones of surfaces, visible where the surfaces are final. */
   readonly tones?: readonly TonedSide[];
 }
 
-/** What is to be said of what is seen. */
+/** Facts to announce about the shown bodies. */
 export interface SolidTold {
   /** Threads are drawn as rings, because they cannot be drawn as helices. */
   readonly rings: boolean;
   readonly leftHanded: boolean;
   readonly textures: readonly Texture[];
-  /** What is told apart from steel by its colour. */
+  /** The roles visible in a colour of their own. */
   readonly marked: readonly ToldRole[];
 }
 
-/** What a colour of its own stands for: what stayed, and where something ran into part or stock. */
+/** A role with a colour of its own: residual material, or damage to the part or the stock. */
 export type ToldRole = Exclude<MomentBody["role"], "steel">;
 const MARKED = ["residual", "gouge"] as const satisfies readonly ToldRole[];
 
 const isSeen = ({ solid }: MomentBody) => solid.surface.index.length > 0;
 
-/** The bodies of a moment, ready to be drawn, with what is to be said of them. */
+/** The bodies of a moment, ready to be drawn, with the facts to announce. */
 export interface ShownBodies {
   readonly bodies: readonly MomentBody[];
   readonly told: SolidTold;
 }
 
-/** What is to be seen of a stock. The one place that makes it, on the page as in the worker. */
+/** Builds the visible bodies of a stock, both on the page and in the worker. */
 export function shownBodies(
   stock: readonly Ring[],
   { simulation, threads, surfaces }: TurnedRun,
@@ -62,7 +62,7 @@ export function shownBodies(
   return { bodies, told: { rings: hasRings, leftHanded: hasLeft, textures: finish.textures, marked } };
 }
 
-/** What can be handed from one thread to the other without a copy. */
+/** Buffers that can be transferred from one thread to the other without a copy. */
 export const buffersOf = ({ bodies }: ShownBodies): ArrayBuffer[] => [
   ...new Set(
     bodies.flatMap(({ solid: { surface, section, edges } }) =>

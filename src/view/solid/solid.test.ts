@@ -17,9 +17,7 @@ const round = Array.from({ length: 80 }, (_, i) =>
   at(-20 + 7.3 * Math.cos((i * Math.PI) / 40), 9.1 + 7.3 * Math.sin((i * Math.PI) / 40)),
 );
 
-/**
- * For every edge how often it is run through in one way less how often in the other, and how many triangles have it.
- */
+/** For every edge, how often it is run through in one direction less the other, and how many triangles have it. */
 function edgeBook(mesh: Mesh) {
   const p = mesh.positions,
     book = new Map<string, { sum: number; count: number }>();
@@ -62,7 +60,7 @@ const surfaceTurned = (rings: readonly Ring[]) =>
   );
 /** Farther than any corner of the bodies here, a power of two, mm. */
 const SIZE = 128;
-/** What a polygon with so many corners has of its circle. */
+/** The area of a polygon with so many corners, as a share of its circle. */
 const polygonShare = (chords: number) => (chords / (2 * Math.PI)) * Math.sin((2 * Math.PI) / chords);
 
 const bodies: readonly (readonly [string, readonly Ring[]])[] = [
@@ -75,7 +73,7 @@ const bodies: readonly (readonly [string, readonly Ring[]])[] = [
 ];
 
 describe("a revolved body", () => {
-  test.each(bodies)("%s is closed, shows outwards and has its volume, whole and cut", (_, rings) => {
+  test.each(bodies)("%s is closed, faces outwards and has its volume, whole and cut", (_, rings) => {
     const chords = 116;
     const whole = wholeMesh(revolved(rings, { chords, quarterCut: false })),
       cut = wholeMesh(revolved(rings, { chords, quarterCut: true }));
@@ -131,7 +129,7 @@ describe("a revolved body", () => {
     expect(chordsFor(24.85)).toBe(80);
   });
 
-  test("what lies a hair beyond the axis is closed on it; outlines without area make nothing", () => {
+  test("points slightly beyond the axis are closed on it; outlines without area make nothing", () => {
     const over = ring([-5, -0.00005], [3, 0.00002], [3, 6.6], [-5, 6.6]);
     expect(isWatertight(wholeMesh(revolved([over], { chords: 32, quarterCut: true })))).toBe(true);
     expect(revolved([ring([0, 1], [2, 1])], { chords: 32, quarterCut: true }).surface.index.length).toBe(0);

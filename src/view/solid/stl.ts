@@ -1,19 +1,19 @@
 import type { Mesh } from "./mesh.ts";
 
-/** Bytes of the head of a file and of a triangle. */
+/** Bytes of the header of a file, and of a triangle. */
 const HEAD = 80;
 const EACH = 50;
 
 /**
- * A closed surface as a binary STL file: mm, Z along the spindle, X up, one after the other its triangles with the
- * direction they show to. The name stands in the head, as far as it is plain letters. Format: the facets of the
- * original StereoLithography interface.
+ * A closed surface as a binary STL file: mm, Z along the spindle, X up; its triangles in sequence, each with its
+ * normal. The header has the name, other than printable ASCII replaced. Format: the facets of the original
+ * StereoLithography interface.
  */
 export function stlOf({ positions, index }: Mesh, name: string): Uint8Array<ArrayBuffer> {
   const count = index.length / 3;
   const bytes = new Uint8Array(HEAD + 4 + EACH * count),
     view = new DataView(bytes.buffer);
-  // A head that began with "solid" would be taken for the form in letters.
+  // A header that begins with "solid" would be taken for the ASCII form.
   const head = `binary STL, mm, Z along the spindle: ${name}`.replace(/[^\x20-\x7e]/g, "_").slice(0, HEAD);
   for (let i = 0; i < head.length; i += 1) bytes[i] = head.charCodeAt(i);
   view.setUint32(HEAD, count, true);

@@ -10,11 +10,11 @@ import { turnsBack, type SpindleFrom } from "../../sim/load/spindles.ts";
 import type { PlayPosition } from "../../sim/simulation.ts";
 import { sweptBy } from "../../sim/sweep.ts";
 
-/** One cut along a thread, as far as it has come. */
+/** One cut along a thread, up to the current moment. */
 export interface ThreadCut {
   readonly from: Pt;
   readonly move: ThreadMove;
-  /** Turns of the spindle that are done, and those of the whole cut. */
+  /** Turns of the spindle done so far, and those of the whole cut. */
   readonly done: number;
   readonly turns: number;
   readonly hand: ThreadHand;
@@ -32,28 +32,28 @@ export interface ThreadedStock {
 /** The threads of a run. */
 export interface RunThreads {
   /**
-   * A stock of a moment, taken apart into what was turned and the grooves in it; null where no groove has been begun.
-   * `within`: nothing is filled beyond it.
+   * The stock of a moment, split into the turned body and the grooves in it; null before the first groove. `within`:
+   * nothing is filled beyond it.
    */
   readonly of: (stock: readonly Ring[], now: PlayPosition, within?: readonly Ring[]) => ThreadedStock | null;
 }
 
-/** What else decides what threads of a run are there. */
+/** Further inputs that determine the threads of a run. */
 export interface ThreadsOf {
-  /** The steps from which on another blank is in the chuck, which knows nothing of what was cut before. */
+  /** The steps from which on another blank is in the chuck, without the earlier cuts. */
   readonly stated?: readonly number[];
-  /** How the spindle turns; forwards where nobody says. */
+  /** The direction of the spindle; forwards if not given. */
   readonly spindles?: readonly SpindleFrom[];
 }
 
-/** Cuts that follow each other with one tool in one operation. */
+/** Consecutive cuts with one tool in one operation. */
 interface Group {
   readonly first: number;
   last: number;
   readonly steps: number[];
 }
 
-/** Grooves are filled so much farther than they were cut, mm, that filling and stock join. */
+/** Grooves are filled farther than they were cut by this, mm, so that filling and stock join. */
 const JOIN = 0.01;
 /** Without gaps that are thinner than twice that. */
 const joinedUp = (area: readonly Ring[]): readonly Ring[] => offset(offset(area, JOIN), -JOIN);
@@ -80,8 +80,8 @@ function groupsOf(steps: readonly Step[]): readonly Group[] {
 }
 
 /**
- * The threads of a run; null where it has none. `stockAt` is asked once for each of them, for what stood there before
- * its first cut.
+ * The threads of a run; null if it has none. `stockAt` is called once for each of them, for the stock before its first
+ * cut.
  */
 export function runThreads(
   steps: readonly Step[],
@@ -111,7 +111,7 @@ export function runThreads(
     return fill;
   };
 
-  /** What of a filling nobody has turned away since. */
+  /** The part of a filling that has not been turned off since. */
   function stillThere(fill: readonly Ring[], from: number, now: PlayPosition): readonly Ring[] {
     if (fill.length === 0) return fill;
     const box = boxAround(fill),
@@ -149,8 +149,8 @@ export function runThreads(
       );
       if (begun.length === 0) return null;
       const filling = begun.flatMap((group) => [...stillThere(fillOf(group), group.first + 1, now)]);
-      // What is filled up to another outline than that of the stock leaves hairs of air along it, in which a surface
-      // would lie double.
+      // Filling up to another outline than that of the stock leaves hairline gaps along it, in which a surface would be
+      // doubled.
       const base = within ? joinedUp(union(stock, intersection(filling, within))) : union(stock, filling);
       return { base, cuts: begun.flatMap(({ steps: all }) => all.flatMap((i) => cutOf(i, now))) };
     },

@@ -4,9 +4,9 @@ import type { ThreadHand } from "../../kernel/time/thread-turns.ts";
 import type { ThreadCut } from "./thread-cuts.ts";
 
 /*
- * How deep threads reach. A height is a radius outside and a radius taken negative in a bore, so that a groove always
- * goes down. The half plane of the stock is at 0; a share of a turn leads on over the operator. Every cut passes every
- * half plane once a turn.
+ * How deep threads reach. A height is a radius outside and a negative radius in a bore, so that a groove always goes
+ * down. The half plane of the stock is at 0; a share of a turn leads on over the operator. Every cut passes every half
+ * plane once a turn.
  */
 
 /** Outside, or on the wall of a bore. */
@@ -44,7 +44,7 @@ export interface ThreadFloor {
   readonly hand: ThreadHand;
   /** Height of the floor at a place of a half plane; Infinity where no groove is. */
   readonly at: (z: number, share: number) => number;
-  /** Height of what tools have cut all round where they stood still at the end of the thread; Infinity beside it. */
+  /** Height cut all round by tools that stood still at the end of the thread; Infinity beside it. */
   readonly stopsAt: (z: number) => number;
   /**
    * What crosses a helix that is at `z` in the half plane of the stock: one height for each turn of each cut that
@@ -57,12 +57,9 @@ export interface ThreadFloor {
   readonly endless: (z: number) => number;
   /** How far grooves reach along Z in a surface of a height; null where they do not reach that deep. */
   readonly reach: (height: number) => readonly [left: number, right: number] | null;
-  /** Middle of what was cut. */
+  /** Middle of the cut range. */
   readonly middle: number;
-  /**
-   * By how much grooves rise to the right, as a part of the way; null where they do not agree, as where a thread runs
-   * out.
-   */
+  /** Slope of the grooves to the right, as a share of the way; null if grooves differ, such as at a run-out. */
   readonly slope: number | null;
 }
 
@@ -104,7 +101,7 @@ function edgeAt(edge: Pass["edge"], z: number): number {
   return wide > 0 ? a[1] + ((b[1] - a[1]) * (z - a[0])) / wide : Math.min(a[1], b[1]);
 }
 
-/** Between which places an edge lies lower than a height over its tip. */
+/** The range in which an edge is lower than a height over its tip. */
 function edgeWithin(edge: Pass["edge"], over: number): readonly [number, number] | null {
   let [left, right] = [Infinity, -Infinity];
   const add = (z: number) => {
@@ -171,7 +168,7 @@ function floorOf(own: readonly ThreadCut[], mirrored: ThreadHand): ThreadFloor |
     hand: ThreadHand = first.hand === mirrored ? 1 : -1;
   const lead = first.move.pitch,
     passes = own.map((cut) => passOf(cut, side));
-  // What runs out at the end is another cut, and short.
+  // The run-out at the end is a separate, short cut.
   const longest = Math.max(...passes.map((p) => p.turns)),
     main = passes.filter((p) => p.turns > longest / 2);
   const ends = main.flatMap((p) => [p.z, p.z + p.along * p.turns]);
@@ -233,7 +230,7 @@ function floorOf(own: readonly ThreadCut[], mirrored: ThreadHand): ThreadFloor |
       }, Infinity),
     bends: (z, height) =>
       main.flatMap((p) => {
-        // Heights count where the pass is, which on a cone is not where it began.
+        // Heights count at the place of the pass, which on a cone is not where it began.
         const there = p.height + p.rise * ((z - p.z) / p.along),
           cut = edgeWithin(p.edge, height - there);
         if (!cut) return [];

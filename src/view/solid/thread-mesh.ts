@@ -9,7 +9,7 @@ export interface Strip {
   readonly r: readonly [Float64Array, Float64Array];
   /** Directions out of the material at both rows (z, r), for where the strip has no width; null: always its own. */
   readonly smooth: readonly [readonly [number, number], readonly [number, number]] | null;
-  /** What is said of how it looks at both rows. */
+  /** The encoded look at both rows. */
   readonly looks: readonly [ReturnType<typeof lookAt>, ReturnType<typeof lookAt>];
 }
 
@@ -41,7 +41,7 @@ export function stripMesh(
         long = Math.hypot(dz, dr);
       if (long > SAME) [nz, nr] = [dr / long, -dz / long];
     };
-    // A strip that begins without width has the direction that it takes on.
+    // A strip that begins without width takes the direction of its first width.
     if (!smooth) {
       for (let column = first + count; column >= first; column -= 1) own(column);
     }
@@ -66,7 +66,7 @@ export function stripMesh(
         q = p + rows,
         far = q + 1,
         over = p + 1;
-      // Where rows end at one place, and on the axis, a triangle may be none.
+      // Where rows end at one place, and on the axis, a triangle may be empty.
       if (!equal(p, q) && !equal(q, far) && !equal(p, far)) {
         index[n++] = p;
         index[n++] = q;

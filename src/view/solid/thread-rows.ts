@@ -17,11 +17,11 @@ export interface ThreadRows {
   readonly columns: number;
   readonly z: Float64Array;
   readonly height: Float64Array;
-  /** Rows along which two flanks, or a flank and a crest, meet in an edge that stands out. */
+  /** Rows along which two flanks, or a flank and a crest, meet in a convex edge. */
   readonly crests: readonly boolean[];
 }
 
-/** How finely grooves are followed. */
+/** Resolution of grooves. */
 export interface ThreadFineness {
   /** Chords of a turn. */
   readonly chords: number;
@@ -31,7 +31,7 @@ export interface ThreadFineness {
   readonly most: number;
 }
 
-/** A lead is looked at in so many places, besides those at which an insert has its corners. */
+/** Samples per lead, besides the corners of an insert. */
 const LOOKS = 48;
 /** A bend of more than this is an edge, radians. */
 const EDGE = 0.35;
@@ -43,7 +43,7 @@ interface Place {
   readonly height: number;
 }
 
-/** The places of a line without which it would be farther from itself than `within`. */
+/** The points of a line that are needed to keep it within `within` of its original. */
 function needed(line: readonly Place[], within: number): readonly Place[] {
   const first = line[0],
     last = line.at(-1);
@@ -78,8 +78,8 @@ function leadFrom(
 }
 
 /**
- * One lead of the thread in the surface of a side, as places that are needed to show it; the last one is the first of
- * the next lead.
+ * One lead of the thread in the surface of a side, as the places needed to show it; the last one is the first of the
+ * next lead.
  */
 function period(floor: ThreadFloor, { left, right, heights: [a, b] }: ThreadedSide, within: number): Places {
   const { lead } = floor,
@@ -88,7 +88,7 @@ function period(floor: ThreadFloor, { left, right, heights: [a, b] }: ThreadedSi
   const surface = (z: number) => a + slope * (z - left),
     over = (p: Place | undefined) => (p ? p.height - surface(p.z) : -Infinity);
   const line = leadFrom(floor, begin, surface, floor.endless);
-  // It begins at its highest place, so that a crest is not lost between two leads.
+  // It begins at its highest place, so that no crest is lost between two leads.
   const top = line.slice(0, -1).reduce((best, p, i) => (over(p) > over(line[best]) ? i : best), 0);
   const on = (p: Place): Place => ({ z: p.z + lead, height: p.height + slope * lead });
   const first = needed([...line.slice(top, -1), ...line.slice(0, top + 1).map(on)], within);
@@ -96,10 +96,10 @@ function period(floor: ThreadFloor, { left, right, heights: [a, b] }: ThreadedSi
   return besides(first, floor, { left, right, surface, within });
 }
 
-/** So many leads are looked at where no two are alike. */
+/** Number of leads sampled if no two are alike. */
 const WINDOWS = 8;
 
-/** More places of a lead: those that are needed elsewhere in the thread, where grooves are not as deep. */
+/** Extra places of a lead: those needed elsewhere in the thread, where grooves are less deep. */
 function besides(
   first: Places,
   floor: ThreadFloor,
@@ -165,7 +165,7 @@ function lowest(tracks: readonly HelixTrack[], share: number, most: number): num
   return least;
 }
 
-/** Of tracks that go all round and rise alike the lowest one is enough. */
+/** Removes redundant tracks: of those that go all round and rise alike the lowest one is enough. */
 function fewer(tracks: readonly HelixTrack[]): readonly HelixTrack[] {
   const whole: HelixTrack[] = [],
     rest: HelixTrack[] = [];

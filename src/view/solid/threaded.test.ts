@@ -69,7 +69,7 @@ const volumeTurned = (rings: readonly Ring[]) =>
   ) *
   (Math.PI / 3);
 
-/** How many edges are run through more often in one way than in the other, and how many have not two triangles. */
+/** How many edges are run through more often in one direction, and how many do not have two triangles. */
 function openEdges({ positions: p, index }: Mesh) {
   const book = new Map<string, { sum: number; count: number }>(),
     name = (i: number) => [0, 1, 2].map((k) => p[3 * i + k]).join(" ");
@@ -156,7 +156,7 @@ describe.each(works)("%s", (_, work, moment) => {
     expect(Math.abs(volumeOf(mesh) / share - wanted)).toBeLessThan(0.01 * grooves);
   });
 
-  test("has its hand: a quarter of a turn over the operator its section is what the moves cut there, in its mirror image back", () => {
+  test("has its hand: its section a quarter of a turn over the operator is what the moves cut there, and in the mirror image the other way round", () => {
     for (const [hand, share] of [
       [1, 0.25],
       [-1, -0.25],

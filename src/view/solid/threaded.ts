@@ -15,9 +15,7 @@ import { threadRows, type ThreadRows } from "./thread-rows.ts";
 
 /** How a body with threads is made. */
 export interface ThreadTurning extends Turning {
-  /**
-   * 1: as they were cut; −1 where the picture is a mirror image, so that threads in it are made the other way round.
-   */
+  /** 1: as they were cut; −1 if the picture is a mirror image, so that its threads are mirrored. */
   readonly hand: ThreadHand;
   /** How far a flank may lie from the true one, mm. */
   readonly within: number;
@@ -26,8 +24,7 @@ export interface ThreadTurning extends Turning {
 }
 
 /**
- * How finely threads are followed, on the screen as in a file: how far flanks may lie from the true ones, mm, and the
- * most corners of all of them.
+ * Resolution of threads, on the screen as in a file: tolerance of flanks, mm, and the limit of corners of all of them.
  */
 export const THREAD_FINENESS = {
   resting: { within: 0.015, most: 90_000 },
@@ -36,8 +33,8 @@ export const THREAD_FINENESS = {
 } as const;
 
 /**
- * The section of a threaded body may miss that of the stock by this much of the grooves, or by what flanks may lie
- * beside all along it.
+ * Tolerance of a threaded body's section against that of the stock: this share of the grooves, or the tolerance of
+ * flanks all along them.
  */
 const AMISS = 0.03;
 const isAmiss = (area: number, grooves: number, cuts: ThreadedStock["cuts"], within: number) =>
@@ -52,7 +49,7 @@ const facing = (p: Pt, q: Pt): ThreadSide | null => {
   return q.z < p.z ? 1 : -1;
 };
 
-/** The threads that reach a straight piece of the outline, and between which places. */
+/** The threads that reach a straight piece of the outline, and their range. */
 function reachesOn(p: Pt, q: Pt, floors: Floors) {
   const side = facing(p, q);
   return floors.flatMap((floor) => {
@@ -64,7 +61,7 @@ function reachesOn(p: Pt, q: Pt, floors: Floors) {
   });
 }
 
-/** An outline with corners where grooves begin and end, and where the look of what lies beside them changes. */
+/** An outline with corners where grooves begin and end, and where the look beside the grooves changes. */
 function parted(ring: Ring, floors: Floors, finish: StockLooks | undefined): Ring {
   return ring.flatMap((p, i) => {
     const q = ring[(i + 1) % ring.length] ?? p,
@@ -86,9 +83,9 @@ function parted(ring: Ring, floors: Floors, finish: StockLooks | undefined): Rin
 
 interface Surfaces {
   readonly strips: readonly Strip[];
-  /** Of those the ones between rows of a thread, with places of each in the half plane of the stock. */
+  /** The strips between rows of a thread, with places of each in the half plane of the stock. */
   readonly told: ReadonlyMap<Strip, readonly Pt[]>;
-  /** Rows that are seen as lines, with the columns between which they are. */
+  /** Rows drawn as lines, with the columns in which they are visible. */
   readonly lines: readonly {
     readonly z: Float64Array;
     readonly r: Float64Array;
@@ -114,7 +111,7 @@ function rowsOn(profile: Profile, floors: Floors, { chords, within, most }: Thre
       { left: low.z, right: high.z, heights: [side * low.r, side * high.r] },
       { chords, within, most },
     );
-    // Two threads in one place are none that can be drawn.
+    // Two threads in one place cannot be drawn.
     failed ||= made === null || other !== undefined;
     return made && { side, rows: made, lead: floor.hand * floor.lead };
   });
@@ -137,7 +134,7 @@ const THREAD = lookAt({ texture: "thread", turnAt: null, tone: null }, at(0, 0))
 
 const same = (n: number, columns: number) => new Float64Array(columns).fill(n);
 
-/** Where a strip is looked at, as shares of its width. */
+/** Sample places of a strip, as shares of its width. */
 const LOOKS = [0.15, 0.5, 0.85] as const;
 
 /** Where places of a strip would be in the half plane of the stock, from the first quarter in which it has a width. */
@@ -151,7 +148,7 @@ function placesOf({ z, r }: Strip, chords: number, lead: number): readonly Pt[] 
   return [];
 }
 
-/** What an outline sweeps, with its grooves; null where they are too many. */
+/** The surface swept by an outline, with its grooves; null if they are too many. */
 function surfacesOf(profile: Profile, floors: Floors, threading: ThreadTurning): Surfaces | null {
   const { points, sides } = profile,
     columns = threading.chords + 1,
@@ -245,18 +242,17 @@ function linesOf(
   return Float32Array.from(out);
 }
 
-/** Rings told by colour are this much wider, mm, so that what lies on their edge lies in them. */
+/** Coloured rings are wider by this, mm, so that places on their edge lie in them. */
 const EDGE = 0.03;
 
-/** A threaded body, and what of it is told by colour. */
+/** A threaded body, and the part of it in another colour. */
 export interface ThreadedBody {
   readonly plain: Solid;
   readonly told: Solid | null;
 }
 
 /**
- * Takes what lies in `rings`, areas of the half plane of the stock between the grooves, apart from the rest; for the
- * screen only.
+ * Splits off the strips inside `rings`, areas of the half plane of the stock between the grooves; for the screen only.
  */
 function toldApart(
   all: readonly Surfaces[],
@@ -301,15 +297,15 @@ function toldApart(
 }
 
 /**
- * A stock with its threads as helices, as they lie in its section. Null where that is not to be had, and the rings of
- * the section have to do: leads that cross each other, threads along a face, too many turns, or a section that would
- * not be that of the stock.
+ * A stock with its threads as helices, as in its section. Null if that is impossible, and the rings of the section
+ * serve instead: leads that cross each other, threads along a face, too many turns, or a section that differs from that
+ * of the stock.
  */
 export function threaded(stock: readonly Ring[], threads: ThreadedStock, threading: ThreadTurning): Solid | null {
   return threadedBody(stock, threads, threading)?.plain ?? null;
 }
 
-/** The same, in which rings of the half plane that grooves are cut through are a body of their own. */
+/** The same, with rings of the half plane that grooves cut through as a separate body. */
 export function threadedBody(
   stock: readonly Ring[],
   { base, cuts }: ThreadedStock,

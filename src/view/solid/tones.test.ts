@@ -3,7 +3,7 @@ import { at } from "../../kernel/geometry/point.ts";
 import type { FormedBy, RoughStretch } from "../../sim/load/roughness.ts";
 import { tonedSides } from "./tones.ts";
 
-/** From 0 to 7 µm, of which each has a tone. */
+/** From 0 to 7 µm, one tone for each micrometre. */
 const scale = { bounds: [0, 1, 2, 3, 4, 5, 6, 7] };
 const stretch = (
   rz: number | null,
@@ -92,7 +92,7 @@ const cases: readonly (readonly [string, readonly RoughStretch[], readonly Row[]
     ],
   ],
   [
-    "and what runs back",
+    "and so does a change of direction",
     [
       stretch(1, [
         [0, 7],
@@ -123,7 +123,7 @@ const cases: readonly (readonly [string, readonly RoughStretch[], readonly Row[]
     ],
   ],
   [
-    "other numbers of a class do not",
+    "other values of a class do not",
     [
       stretch(1.2, [
         [0, 7],
@@ -137,7 +137,7 @@ const cases: readonly (readonly [string, readonly RoughStretch[], readonly Row[]
     [[0, 7, -2, 7, 1]],
   ],
   [
-    "where no number is told there is none",
+    "a stretch without a value has none",
     [
       stretch(null, [
         [0, 7],

@@ -3,7 +3,7 @@ import type { RoughStretch } from "../../sim/load/roughness.ts";
 import { classAt, classTone, type Scale } from "../load/scale.ts";
 import type { StockSide } from "../material/surfaces.ts";
 
-/** A straight piece of the surface with the tone of the scale that tells something of it. */
+/** A straight piece of the surface, with its tone of the scale. */
 export interface TonedSide extends StockSide {
   readonly tone: number;
 }
@@ -24,16 +24,13 @@ function goesOn({ z0, r0, z1, r1 }: StockSide, from: Pt, to: Pt): boolean {
 }
 
 /**
- * A flat between two flanks of a thread: it winds round the body, and before the thread is cut it would be a ring of
- * many.
+ * A flat between two flanks of a thread: it winds round the body, and before the thread is cut it would be one of many
+ * rings.
  */
 const isLand = (stretches: readonly RoughStretch[], i: number): boolean =>
   stretches[i - 1]?.by === "thread" && stretches[i + 1]?.by === "thread";
 
-/**
- * What is told by tones of a surface, in as few straight pieces as it has; where no number is told, and in threads,
- * there are none.
- */
+/** The tones of a surface, in as few straight pieces as possible; none where no value is known, and none in threads. */
 export function tonedSides(stretches: readonly RoughStretch[], scale: Scale): readonly TonedSide[] {
   const sides: TonedSide[] = [];
   stretches.forEach(({ points, rz }, i) => {

@@ -3,7 +3,7 @@ import { useSettings, type Settings } from "./settings.ts";
 const dark = () => matchMedia("(prefers-color-scheme: dark)");
 const still = () => matchMedia("(prefers-reduced-motion: reduce)");
 
-/** True when nothing should move by itself: asked for by the system or by the switch. */
+/** True if nothing should move by itself, by the setting of the system or of the app. */
 export const reducedMotion = (settings: Pick<Settings, "motion">): boolean =>
   settings.motion === "reduced" || (typeof matchMedia === "function" && still().matches);
 
@@ -13,7 +13,7 @@ function apply(settings: Settings): void {
   root.dataset["theme"] = settings.theme === "system" ? (dark().matches ? "dark" : "light") : settings.theme;
   root.dataset["size"] = settings.presentation ? "presentation" : "usual";
   root.dataset["motion"] = reducedMotion(settings) ? "reduced" : "full";
-  // What a home screen says of the page; there is none while it is developed.
+  // The manifest in the language of the page, for the home screen; absent during development.
   const manifest = document.querySelector("link[rel=manifest]");
   const name = `./manifest.${settings.language}.webmanifest`;
   if (manifest && manifest.getAttribute("href") !== name) manifest.setAttribute("href", name);

@@ -5,24 +5,24 @@ import { loadTexts, type PartName, type PartTexts } from "../../../i18n/parts.ts
 import { never } from "../../../kernel/never.ts";
 import { untilHere } from "../parts.ts";
 
-/** Something that the page has in each language, and fetches in one when it is first needed there. */
+/** A value for each language, fetched when it is first needed in that language. */
 export interface ByLanguage<T> {
-  /** What was fetched or provided; undefined before. */
+  /** The value if it is loaded, else undefined. */
   readonly here: (language: Language) => T | undefined;
   readonly provide: (language: Language, value: T) => void;
-  /** Fetches it once. Fails where it does not come; then the next call fetches again. */
+  /** Fetches it once. After a failure the next call fetches again. */
   readonly fetch: (language: Language) => Promise<T>;
-  /** The same as one promise for each language, which waits as long as it takes. */
+  /** The same as one promise per language, which retries as long as it takes. */
   readonly wait: (language: Language) => Promise<T>;
-  /** That promise, where somebody waits for it or has waited. */
+  /** That promise, if `wait` was called. */
   readonly waited: (language: Language) => Promise<T> | undefined;
 }
 
-/** What has come is used without another wait. */
+/** Marks a fulfilled promise so that React's `use` reads it without suspending. */
 export const atOnce = <T>(coming: Promise<T>): void =>
   void coming.then((value) => Object.assign(coming, { status: "fulfilled", value }));
 
-/** Everything that was asked for so far, in any language. */
+/** Everything requested so far, in any language. */
 const asked = new Set<Pick<ByLanguage<unknown>, "here" | "fetch">>();
 
 export function byLanguage<T>(load: (language: Language) => Promise<T>): ByLanguage<T> {
@@ -58,7 +58,7 @@ export function byLanguage<T>(load: (language: Language) => Promise<T>): ByLangu
   return self;
 }
 
-/** Fetches in a language what the page has asked for in another, and what it asks for meanwhile. */
+/** Fetches in a new language all that the page uses, and what it requests meanwhile. */
 export async function fetchAsked(language: Language): Promise<void> {
   for (;;) {
     const lacked = [...asked].filter((each) => each.here(language) === undefined);
@@ -68,8 +68,7 @@ export async function fetchAsked(language: Language): Promise<void> {
 }
 
 /**
- * What a part says on the page: the first screen also has the names of the cycles, which the build takes out of the
- * other parts.
+ * The texts of a part. The first screen also has the names of the cycles, which the build takes out of the other parts.
  */
 export type Said<N extends PartName> = N extends "first"
   ? PartTexts<"first"> & { readonly menu: MenuWords }
@@ -83,7 +82,7 @@ const loaders: { readonly [N in PartName]?: (language: Language) => Promise<Said
 };
 const parts = new Map<PartName, ByLanguage<unknown>>();
 
-/** A part of the texts. The one that most of the page is made of is "workplace". */
+/** A part of the texts. Most of the page is in "workplace". */
 export function partOf<N extends PartName>(name: N): ByLanguage<Said<N>> {
   const part = parts.get(name) ?? byLanguage<unknown>(loaders[name] ?? ((language) => loadTexts(language, name)));
   parts.set(name, part);
@@ -96,6 +95,6 @@ export const fetchTexts = <N extends PartName = "workplace">(
   name = "workplace" as N,
 ): Promise<Said<N>> => partOf(name).fetch(language);
 
-/** A part in a language that has been fetched: the settings change their language only after that. */
+/** A part in a language that is loaded: the settings change the language only after that. */
 export const texts = <N extends PartName = "workplace">(language: Language, name = "workplace" as N): Said<N> =>
   partOf(name).here(language) ?? never("a language before its texts", language, name);

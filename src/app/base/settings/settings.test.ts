@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { ISO_GROUPS, readCuttingTable, writeCuttingTable } from "../../../program/tools/cutting-table.ts";
 import { firstSettings, readSettings } from "./settings.ts";
 
-test("settings survive, and what does not fit keeps its first value", () => {
+test("settings are restored, and invalid ones get their default", () => {
   const first = firstSettings();
   expect(readSettings({ ...first, language: "fr", theme: "dark", xDown: true })).toEqual({
     ...first,
@@ -14,10 +14,10 @@ test("settings survive, and what does not fit keeps its first value", () => {
   expect(readSettings({ fullSection: true })).toEqual({ ...first, section: "full" });
 });
 
-test.each([undefined, null, [], 7])("damaged settings %j are none", (raw) => expect(readSettings(raw)).toBeNull());
+test.each([undefined, null, [], 7])("damaged settings %j are refused", (raw) => expect(readSettings(raw)).toBeNull());
 
-test("the largest cutting data that are taken are kept as well", () => {
-  // Names in characters that JSON writes with six, and numbers with all their digits.
+test("the largest valid cutting data are stored as well", () => {
+  // Names of characters that JSON escapes with six, and numbers with all their digits.
   const name = "\u0001".repeat(80);
   const numbers = {
     kc11: 2217.123456789123,

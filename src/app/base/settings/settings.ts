@@ -6,24 +6,24 @@ import type { Control } from "../../../program/tools/plane-types.ts";
 import { keptData } from "../kept.ts";
 import { fetchAsked } from "./loaded-texts.ts";
 
-/** Longest cutting data, characters: more than the largest table that is taken has. */
+/** Longest cutting data, characters: more than the largest valid table needs. */
 const LONGEST_CUTTING = 200_000;
 
-/** Cut above the axis and whole below it, cut on both sides, or whole. */
+/** Half section (cut above the axis only), full section, or outside view. */
 export const SECTION_VIEWS = ["half", "full", "outside"] as const;
 export type SectionView = (typeof SECTION_VIEWS)[number];
 
-/** All paths, or those of what runs now: its cycle call, its phase, its pass; or none. */
+/** All paths, or those of the current cycle call, phase or pass; or none. */
 export const SHOWN_PATHS = ["all", "operation", "phase", "pass", "none"] as const;
 
-/** Nothing, the roughness of the finished surface, or what the tool bears along its path. */
+/** No colour map, roughness of the finished surface, or load of the tool along its path. */
 export const SHOWN_COLOURS = ["none", "roughness", "depth", "chip", "feed", "speed"] as const;
 
 export const PAPERS = ["a4", "letter"] as const;
 
 const CONTROLS: readonly Control[] = ["TNC 640", "TNC7"];
 
-/** The first screen language that the browser asks for and that we have. */
+/** The first of the browser's languages that the app has. */
 function browserLanguage(): Language {
   const asked = typeof navigator === "undefined" ? [] : (navigator.languages ?? []);
   for (const tag of asked) {
@@ -33,11 +33,11 @@ function browserLanguage(): Language {
   return "en";
 }
 
-/** Letter where the browser's first language is that of a country that prints on it. */
+/** Letter if the browser's first language is that of a country that uses it. */
 const usualPaper = () =>
   typeof navigator !== "undefined" && /-(?:US|CA|MX)$/.test(navigator.language) ? "letter" : "a4";
 
-/** A choice, a switch and a text; what does not fit keeps its first value. */
+/** A choice, a switch and a text; invalid values get the default. */
 const oneOf = <T extends string>(all: readonly T[], first: NoInfer<T> | (() => NoInfer<T>)) =>
   z.catch(z.enum(all as readonly [T, ...T[]]), first as () => T);
 const flag = (first: boolean) => z.catch(z.boolean(), first);
@@ -46,49 +46,49 @@ const text = (first: string) => z.catch(z.string().check(z.maxLength(LONGEST_CUT
 const shape = z.object({
   /** Language of the screen. */
   language: oneOf(LANGUAGES, browserLanguage),
-  /** Light, dark, or as the system says. */
+  /** Light, dark, or that of the system. */
   theme: oneOf(["system", "light", "dark"], "system"),
-  /** Motion as the system says, or none. */
+  /** Motion as in the system, or reduced. */
   motion: oneOf(["system", "reduced"], "system"),
-  /** Large type and thick lines, for a class or from afar. */
+  /** Large type and thick lines for a presentation. */
   presentation: flag(false),
   /** How APPR and DEP move in the tool axis. */
   control: oneOf(CONTROLS, "TNC 640"),
   /** How new programs are written for the machine. */
   output: z.catch(z.custom<NcOutput>(isNcOutput), NC_OUTPUTS.manual),
-  /** What times are worked out with: a machine file as text, empty for none. */
+  /** Machine file for times, as text; empty for none. */
   machine: text(""),
-  /** The program text takes part of the screen, or is folded away. */
+  /** The program text is hidden. */
   programFolded: flag(false),
   /** X grows downwards in the lathe view (tool behind the spindle axis seen from the operator). */
   xDown: flag(false),
   /** How the lathe view shows the work. */
   section: oneOf(SECTION_VIEWS, "half"),
-  /** The turned body is shown in space in place of its section, and a quarter of it is cut away there. */
+  /** The part is shown as a 3D body instead of a section, with a quarter cut away. */
   solid: flag(false),
   quarterCut: flag(true),
   /** Which paths the lathe view shows. */
   paths: oneOf(SHOWN_PATHS, "all"),
-  /** What the lathe view tells by colour along path or surface. */
+  /** Colour map of the path or surface in the lathe view. */
   colours: oneOf(SHOWN_COLOURS, "none"),
-  /** Paper of the setup sheet, and whether the program stands behind it. */
+  /** Paper of the setup sheet, and whether the program is appended. */
   paper: oneOf(PAPERS, usualPaper),
   sheetProgram: flag(true),
-  /** The setup sheet shows what was measured. */
+  /** The setup sheet shows the measurements. */
   sheetMeasured: flag(true),
-  /** The steps of the manual stand as a list under the picture, or as one line. */
+  /** The steps of the manual are a list under the picture, or one line. */
   stepList: flag(true),
-  /** Values of the work are advised on. */
+  /** Advice on the values of the work is shown. */
   advice: flag(true),
-  /** Material of a work that names none, by its id; the shop's own cutting data as text, empty for those that ship. */
+  /** Id of the default material; the shop's own cutting data as text, empty for the shipped ones. */
   material: text("c45"),
   cutting: text(""),
 });
 
-/** Choices of this device, beside the work itself. */
+/** Settings of this device, which are no part of a work. */
 export type Settings = Readonly<z.output<typeof shape>>;
 
-/** Until the work could be seen from outside there was a switch for its full section. */
+/** Before the outside view existed there was a switch for the full section. */
 const kept = z.pipe(
   z.transform((raw: unknown) =>
     z.object({ fullSection: z.literal(true) }).safeParse(raw).success ? { ...(raw as object), section: "full" } : raw,
@@ -96,13 +96,10 @@ const kept = z.pipe(
   shape,
 );
 
-/**
- * Settings from data that anybody may have written: what does not fit keeps its first value. Null where they are no
- * settings at all.
- */
+/** Settings from untrusted data: invalid ones get their default. Null if the data are no settings at all. */
 export const readSettings = (raw: unknown): Settings | null => kept.safeParse(raw).data ?? null;
 
-/** What is set before anybody chooses. */
+/** Default settings. */
 export const firstSettings = (): Settings => shape.parse({});
 
 const KEPT = keptData<Settings>("settings", kept);
@@ -110,15 +107,15 @@ const KEPT = keptData<Settings>("settings", kept);
 export const useSettings = create<Settings>(() => KEPT.get() ?? firstSettings());
 
 /**
- * Changes the screen language once its texts are here; where they cannot be fetched it stays as it is, and that is
- * said.
+ * Changes the screen language once its texts are loaded. If they cannot be fetched the language stays, and a notice
+ * says so.
  */
 export async function changeLanguage(language: Language): Promise<void> {
   await fetchAsked(language);
   changeSettings({ language });
 }
 
-/** Changes settings and keeps them; a browser that refuses storage keeps them for this visit only. */
+/** Changes settings and stores them; if storage is refused they last for this visit only. */
 export function changeSettings(change: Partial<Settings>): void {
   useSettings.setState(change);
   KEPT.set(useSettings.getState());

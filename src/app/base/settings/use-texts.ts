@@ -3,23 +3,20 @@ import type { PartName } from "../../../i18n/parts.ts";
 import { fetchTexts, partOf, type ByLanguage, type Said } from "./loaded-texts.ts";
 import { useSettings } from "./settings.ts";
 
-/** Something in the screen language, following the language switch. What uses it is not shown before it is here. */
+/** A value in the current screen language. Suspends until it is loaded. */
 export function useByLanguage<T>(of: ByLanguage<T>): T {
   const language = useSettings((s) => s.language);
-  // A component that has waited is rendered once more and must ask the same promise: React fails over its further hooks
-  // otherwise.
+  // A component that has suspended is rendered once more and must use the same promise: otherwise React fails at its
+  // further hooks.
   const waited = of.waited(language);
   return waited ? use(waited) : (of.here(language) ?? use(of.wait(language)));
 }
 
-/**
- * A part of the texts in the screen language; without a name the one of the workplaces. What uses it is not shown
- * before it is here.
- */
+/** A part of the texts in the screen language, by default that of the workplaces. Suspends until it is loaded. */
 export const useTexts = <N extends PartName = "workplace">(name = "workplace" as N): Said<N> =>
   useByLanguage(partOf(name));
 
-/** The same, null until it is here: where something is shown without it. */
+/** The same without suspending: null until it is loaded. */
 export function useTextsSoon<N extends PartName>(name: N): Said<N> | null {
   const language = useSettings((s) => s.language);
   const [, showAgain] = useReducer((n: number) => n + 1, 0);

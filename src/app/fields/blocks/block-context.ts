@@ -3,7 +3,7 @@ import type { Statement } from "../../../nc/statement.ts";
 import type { KnownParameters } from "../../../program/values/expression.ts";
 import { formulaOf } from "../../../program/values/formula.ts";
 
-/** Q parameters as they are set in front of a block, read from top to bottom without following calls. */
+/** Q parameter values before a block, read top to bottom without following calls. */
 export function parametersBefore(program: Program, index: number): KnownParameters {
   const known = new Map<string, number>();
   for (const { statement: s } of program.blocks.slice(0, index)) {
@@ -17,7 +17,7 @@ export function parametersBefore(program: Program, index: number): KnownParamete
 const functionsOf = (s: Statement): readonly number[] =>
   "words" in s && "functions" in s.words ? s.words.functions : [];
 
-/** True when feeds in front of a block count per revolution. */
+/** True when feeds before a block are per revolution (M136). */
 export function perRevolutionBefore(program: Program, index: number): boolean {
   for (let i = index; i >= 0; i -= 1) {
     const block = program.blocks[i];

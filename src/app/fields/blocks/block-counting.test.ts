@@ -41,7 +41,7 @@ test("a block of an inch program takes inches, with one decimal more", () => {
   expect(counted("diameter", 60.334, made("MM", ";"))).toBe(60.334);
 });
 
-test("positions count from the zero that holds at the call, sizes do not", () => {
+test("positions refer to the datum active at the call, sizes do not", () => {
   const shifted = made("MM", "TRANS DATUM AXIS X+4.2 Z-7.3");
   expect(counted("axial", -20.02, shifted)).toBe(-12.72);
   expect(counted("diameter", 60.334, shifted)).toBe(56.134);

@@ -8,7 +8,7 @@ import { useShownBeside } from "../../document/shown-file.ts";
 import { countsInches } from "./block-prompts.ts";
 import { useSession } from "./session.ts";
 
-/** How a cycle block counts: in the unit of its program, from the zero that holds where it is called first. */
+/** Unit and datum of a cycle block: the unit of its program, and the datum active at its first call. */
 export function countingOf(program: Program, index: number, run: Run | null, file: string | null): Counting {
   const line = startLines(program)[index];
   const call = run?.operations.find(
@@ -21,7 +21,7 @@ export function countingOf(program: Program, index: number, run: Run | null, fil
   };
 }
 
-/** The same of the open block, followed by a component. */
+/** Unit and datum of the open block, as a hook. */
 export function useBlockCounting(run: Run | null): Counting {
   const program = useSession((s) => s.reading.program),
     index = useSession((s) => s.index),

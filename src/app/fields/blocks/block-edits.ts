@@ -3,7 +3,7 @@ import { parse } from "../../../nc/parse.ts";
 import type { Block, Program } from "../../../nc/program.ts";
 import type { Statement } from "../../../nc/statement.ts";
 
-/** A stretch of text in the place of another, offsets of the old text. */
+/** A text replacement; offsets are in the old text. */
 export interface TextChange {
   readonly from: number;
   readonly to: number;
@@ -12,11 +12,11 @@ export interface TextChange {
 
 const lineEndOf = (raw: string) => /(?:\r\n|\n|\r)$/.exec(raw)?.[0] ?? "";
 const withoutEnd = (raw: string) => raw.slice(0, raw.length - lineEndOf(raw).length);
-/** The block with another number, where it has one. */
+/** Replaces the number of a block that has one. */
 const numbered = (raw: string, number: number | null) =>
   number === null ? raw : raw.replace(/^([^\S\r\n]*\/?[^\S\r\n]*)\d+/, `$1${number}`);
 
-/** Only what differs between two texts, ends alike left out; null where nothing differs. */
+/** The smallest replacement between two texts; null if they are equal. */
 function difference(before: string, after: string, offset: number): TextChange | null {
   if (before === after) return null;
   const most = Math.min(before.length, after.length);
@@ -27,7 +27,7 @@ function difference(before: string, after: string, offset: number): TextChange |
   return { from: offset + front, to: offset + before.length - back, insert: after.slice(front, after.length - back) };
 }
 
-/** What has to change in the text to get from one program to the other; blocks that are alike stay untouched. */
+/** Text replacements that turn one program into another; equal blocks stay untouched. */
 export function changesBetween(before: Program, after: Program): readonly TextChange[] {
   const [a, b] = [before.blocks, after.blocks];
   let front = 0;
@@ -50,13 +50,13 @@ export function changesBetween(before: Program, after: Program): readonly TextCh
   return changes;
 }
 
-/** A block put in behind another one, in the style of its surroundings. */
+/** Inserts a block after another one, in the style of its surroundings. */
 export const inserted = (program: Program, index: number, statement: Statement): Program =>
   withInserted(program, index, statement);
 
 export const removed = (program: Program, index: number): Program => withoutBlocks(program, index);
 
-/** The block once more behind itself, letter by letter. */
+/** Duplicates a block, character by character. */
 export function duplicated(program: Program, index: number): Program {
   const block = program.blocks[index];
   if (!block) return program;
@@ -70,7 +70,7 @@ export function duplicated(program: Program, index: number): Program {
   return renumbered({ blocks: program.blocks.toSpliced(index, 1, first, second) }, index + 2);
 }
 
-/** Changes places with the next block; the numbers stay where they are. */
+/** Swaps a block with the next one; the block numbers stay in place. */
 export function exchanged(program: Program, index: number): Program {
   const [a, b] = [program.blocks[index], program.blocks[index + 1]];
   if (!a || !b) return program;

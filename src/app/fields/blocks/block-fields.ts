@@ -20,7 +20,7 @@ import {
 } from "../../../program/values/typed-value.ts";
 import type { WordField } from "./field.ts";
 
-/** How a value of a statement is shown in a field, and what typed text is; undefined where it cannot be read. */
+/** Shows a value in a field, and reads typed text; undefined if the text cannot be read. */
 interface Entry<T> {
   readonly numeric?: true;
   shown(value: T): string;
@@ -59,7 +59,7 @@ const ENTRIES: { readonly [E in keyof Typed]: Entry<Typed[E]> } = {
 /** A statement as one line of text, without number. */
 export const statementLine = (s: Statement): string => statementLines(s, LAYOUTS.tnc7)[0] ?? "";
 
-/** The fields of the blocks of a grammar: what is asked for follows from their declarations, how it is typed from here. */
+/** Dialog fields of a grammar's blocks: the grammar declares them, this file says how values are typed. */
 export function fieldsIn<S extends { readonly kind: string }>(grammar: Grammar<S>) {
   const lineOf = (s: S) => grammar.lines(s, LAYOUTS.tnc7)[0] ?? "";
   const typedField = (field: Field<S>): WordField<S> => {
@@ -98,7 +98,7 @@ const klartextFields = fieldsIn(klartext);
 export function fieldsOf(s: Statement): readonly WordField[] {
   const fields = klartextFields(s);
   if (s.kind !== "cycle" || !isKept(s.cycle)) return fields;
-  // What a parameter of a cycle that is kept is called where the program does not say it.
+  // Parameter names of a cycle that is not simulated, for parameters without text in the program.
   const labels = keptLabels(s.cycle);
   return fields.map((field, i) =>
     s.parameters[i]?.label === null

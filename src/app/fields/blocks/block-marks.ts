@@ -4,7 +4,7 @@ import { blockNumbers, type Program } from "../../../nc/program.ts";
 import { blockAt } from "../../../nc/reread.ts";
 import { blockRange, cursorBlock, readingField } from "./reading-field.ts";
 
-/** Marks the block whose move runs; null takes the mark away. */
+/** Marks the block of the running move; null clears the mark. */
 export const setRunning = StateEffect.define<number | null>();
 
 const openLine = Decoration.line({ class: "nc-open" });
@@ -22,7 +22,7 @@ function linesOf(state: EditorState, index: number | null, mark: Decoration): De
   return Decoration.set(lines);
 }
 
-/** All lines of the block in which the cursor stands. */
+/** All lines of the block at the cursor. */
 const openBlock = EditorView.decorations.compute(["doc", "selection"], (state) =>
   linesOf(state, cursorBlock(state), openLine),
 );
@@ -38,7 +38,7 @@ const runningField = StateField.define<DecorationSet>({
 
 const optionalLine = Decoration.line({ class: "nc-optional" });
 
-/** Lines of the blocks in sight that stand behind a skip mark: while the switch is on they are left out. */
+/** Visible lines of blocks with a skip mark, which are not run while the switch is on. */
 function optionalIn({ state, visibleRanges }: EditorView): DecorationSet {
   const reading = state.field(readingField);
   const { program, starts } = reading;
@@ -77,7 +77,7 @@ class NumberMarker extends GutterMarker {
   }
 }
 
-/** Counted numbers of blocks that stand without one; those that are printed need no second one. */
+/** Counted numbers for blocks without a printed one. */
 const countedNumbers = gutter({
   class: "nc-counted",
   lineMarker(view, line) {

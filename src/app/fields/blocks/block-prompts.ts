@@ -21,12 +21,12 @@ import { blockValue, parameterAsTyped } from "../../../program/values/typed-valu
 
 type CycleStatement = Extract<Statement, { kind: "cycle" }>;
 
-/** The prompts of a cycle block: what its text holds, with what is just being typed over it. */
+/** The prompts of a cycle block: the values of its text, overridden by the text being typed. */
 export function readingOfBlock(program: Program, index: number, typed: Draft): JobReading | null {
   const s = program.blocks[index]?.statement;
   const cycle = s?.kind === "cycle" ? cycleByNumber(s.cycle) : undefined;
   if (!cycle || s?.kind !== "cycle") return null;
-  // A list of older software runs with what the control fills in.
+  // For a parameter list of older software, use the values that the control fills in.
   const filled = Object.entries<Param>(cycle.params).flatMap(([q, { filledIn }]) =>
     filledIn === null ? [] : [[q, String(filledIn)]],
   );
@@ -48,7 +48,7 @@ export function readingOfBlock(program: Program, index: number, typed: Draft): J
   };
 }
 
-/** What a parameter takes, and what its text is called where it is put in. */
+/** What a parameter accepts, and its text when it is inserted. */
 interface Asked {
   readonly kind: Param["kind"] | "number";
   readonly optional: boolean;
@@ -57,7 +57,7 @@ interface Asked {
   readonly label?: string;
 }
 
-/** The parameters of a cycle in their order, whoever describes it: the catalogue, or the operator. */
+/** The parameters of a cycle in order, from the catalogue or the operator's description. */
 function askedOf(number: number): Readonly<Record<string, Asked>> {
   const known = cycleByNumber(number)?.params;
   if (known) return known;
@@ -65,7 +65,7 @@ function askedOf(number: number): Readonly<Record<string, Asked>> {
   return Object.fromEntries(own.map((p) => [p.q, { ...ownField(p), decimals: OWN_DECIMALS, label: p.prompt }]));
 }
 
-/** The program with another value in a cycle block; the same program where the text can not be read as one. */
+/** Sets a value in a cycle block; returns the same program if the text is no value. */
 export function withPrompt(program: Program, index: number, q: string, text: string): Program {
   const s = program.blocks[index]?.statement;
   if (s?.kind !== "cycle") return program;
@@ -81,15 +81,15 @@ export function withPrompt(program: Program, index: number, q: string, text: str
 export const countsInches = ({ blocks }: Program): boolean =>
   blocks.some(({ statement }) => statement.kind === "begin" && statement.unit === "INCH");
 
-/** A length, mm, as a program counts. */
+/** Converts mm to the unit of a program. */
 export const inProgram = (program: Program, mm: number): number =>
   valueInProgram({ kind: "length" }, mm, countsInches(program));
 
-/** How many decimals the control keeps of a parameter; undefined where nobody says. */
+/** Decimals that the control keeps for a parameter; undefined if unknown. */
 const decimalsIn = (program: Program, param: Asked | undefined): number | undefined =>
   param && countsInches(program) ? decimalsInInches(param) : param?.decimals;
 
-/** What stands in the text for a prompt that is left out; null where it may not be. */
+/** The value to write for an omitted prompt; null if it must not be omitted. */
 function leftOut(s: CycleStatement, q: string): number | null {
   if (askedOf(s.cycle)[q]?.optional) return 0;
   const param = cycleByNumber(s.cycle)?.params[q];
@@ -99,7 +99,7 @@ function leftOut(s: CycleStatement, q: string): number | null {
   return param && saysNothing(param, known) ? neutralOf(param) : null;
 }
 
-/** A missing parameter is put where the catalogue or the description has it. */
+/** Sets a parameter. A missing one is inserted in the order of the catalogue or the description. */
 function withParameter(s: CycleStatement, q: string, value: CycleParameter["value"]): CycleStatement {
   if (s.parameters.some((p) => p.q === q))
     return { ...s, parameters: s.parameters.map((p) => (p.q === q ? { ...p, value } : p)) };
@@ -109,7 +109,7 @@ function withParameter(s: CycleStatement, q: string, value: CycleParameter["valu
   return { ...s, parameters: s.parameters.toSpliced(before + 1, 0, { q, value, label: asked[q]?.label ?? null }) };
 }
 
-/** What was found in the lines of a block, and what is wrong with its prompts as typed; none twice. */
+/** Findings in the lines of a block and problems of its typed prompts, without duplicates. */
 export function problemsOfBlock(
   program: Program,
   index: number,

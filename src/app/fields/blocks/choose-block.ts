@@ -10,7 +10,7 @@ import { isPresent } from "./present.ts";
 import { blockRange } from "./reading-field.ts";
 import { sessionView, useSession } from "./session.ts";
 
-/** What the open block stands for in the picture; null where no block is open. */
+/** The path of the open block; null if no block is open. */
 function choiceOfOpenBlock(): PathChoice | null {
   const view = sessionView();
   const {
@@ -25,10 +25,10 @@ function choiceOfOpenBlock(): PathChoice | null {
   return { kind: "blocks", span: blockSpan(program, index), line };
 }
 
-/** A block is opened for something that is chosen already: the tool stays where it is. */
+/** True while a block opens because its path was chosen; the tool then stays where it is. */
 let isChosen = false;
 
-/** Opens a block by `open` without choosing it again: it was chosen in the picture. */
+/** Opens a block that was chosen in the picture, without choosing it again. */
 export function openChosen(open: () => void): void {
   isChosen = true;
   try {
@@ -38,7 +38,7 @@ export function openChosen(open: () => void): void {
   }
 }
 
-/** The block that is open in the text is chosen: its path is marked, and the tool goes to where it begins. */
+/** Chooses the open block: marks its path and moves the tool to its start. */
 export function chooseOpenBlock(): void {
   const { pictured: shown, newest } = useOutcome.getState();
   const choice = isChosen ? null : choiceOfOpenBlock();
@@ -48,8 +48,8 @@ export function chooseOpenBlock(): void {
 }
 
 /**
- * There is another run. Blocks may stand elsewhere in a changed text: what is marked goes along with the open one. What
- * was chosen before there was any is shown now.
+ * Called for a new run. Marks the open block, whose index may have changed, or makes the choice that came before the
+ * first run.
  */
 export function followOpenBlock(): void {
   const { choice, isEarly } = useSelection.getState();
@@ -57,7 +57,7 @@ export function followOpenBlock(): void {
   if (choice?.kind !== "blocks" && choice?.kind !== "inFile") return;
   if (isEarly) {
     const { pictured } = useOutcome.getState();
-    // The picture is not there yet: the steps of its run are, to be gone to.
+    // The picture is not drawn yet, but the steps of its run are known, so playback can seek.
     if (isPresent(pictured) && pictured.run.steps.length > 0)
       playback.dispatch({ do: "load", track: trackOf(pictured.run.steps) });
     return chooseOpenBlock();

@@ -19,14 +19,11 @@ import { ownCycle } from "../../document/own-reading.ts";
 import { unitOf } from "../dialog/write-value.ts";
 import { readingField } from "./reading-field.ts";
 
-/**
- * What a parameter is called and takes: of the catalogue in the words of the screen, of an own cycle in those of its
- * description.
- */
+/** Name and help of a parameter: from the catalogue in the screen language, or from the description of an own cycle. */
 interface Known {
   readonly q: string;
   readonly name: string;
-  /** What stands behind it where it is put in. */
+  /** Text after its value when it is inserted. */
   readonly text: string;
   readonly help: () => HTMLElement;
 }
@@ -37,11 +34,11 @@ interface Defined {
   readonly continued: boolean;
 }
 
-/** The cycle that the block at an offset defines, and the parameters that stand there. */
+/** The cycle that the block at an offset defines, and the parameters in that block. */
 function cycleAt(state: EditorState, offset: number): Defined | null {
   const reading = state.field(readingField);
   let index = blockAt(reading, offset);
-  // What is just being typed behind a cycle may not belong to it yet.
+  // A line being typed after a cycle may not belong to it yet.
   while (
     index > 0 &&
     reading.program.blocks[index]?.number === null &&
@@ -64,7 +61,7 @@ const rangeText = (t: Texts, language: Language, param: Param): string =>
       ) +
       ` ${t.dialog.units[unitOf(param, true)]}`;
 
-/** A parameter in words: what it asks, its range, its choices, what it does. */
+/** Help of a parameter: question, range, choices and effect. */
 function helpElement(
   t: Texts,
   title: string,
@@ -109,7 +106,7 @@ function ownParameter(
   };
 }
 
-/** The parameters of a cycle in their order, whoever describes it. */
+/** The parameters of a cycle in order, from the catalogue or the operator's description. */
 function parametersOf(t: Texts, language: Language, number: number): readonly Known[] {
   const labels = ncLabels(ncLanguageOf(language));
   const known = cycleByNumber(number);

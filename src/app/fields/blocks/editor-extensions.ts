@@ -12,11 +12,11 @@ import { cycleHelp } from "./cycle-help.ts";
 import { klartext } from "./nc-language.ts";
 import { readingField } from "./reading-field.ts";
 
-/** Copying or cutting what is marked, where that is the whole program with faults in it. */
+/** Intercepts copy and cut when the selection is the whole program and it has faults. */
 const holdBack = (event: ClipboardEvent, { state }: EditorView): boolean =>
   guardCopy(event, state.selection.ranges.map((range) => state.sliceDoc(range.from, range.to)).join("\n"));
 
-/** What follows the screen language. */
+/** Extensions that depend on the screen language. */
 const inLanguage = new Compartment();
 
 const worded = (t: Texts, language: Language): Extension => [
@@ -31,12 +31,12 @@ const worded = (t: Texts, language: Language): Extension => [
   EditorState.phrases.of({ Diagnostics: t.findings.title, "No diagnostics": t.findings.none, close: t.page.close }),
 ];
 
-/** Puts hover help, completion and names into a screen language. */
+/** Switches hover help, completion and names to a screen language. */
 export const inWords = (t: Texts, language: Language) => inLanguage.reconfigure(worded(t, language));
 
 /**
- * Everything the text editor is made of. Undo and redo have no keys here: the page's own go to the same history.
- * `mixedEnds`: line ends differ, so that carriage returns stay characters of their lines.
+ * All extensions of the text editor. It binds no undo keys: those of the page use the same history. `mixedEnds`: line
+ * ends differ, so carriage returns stay characters of their lines.
  */
 export const editorExtensions = (mixedEnds: boolean): Extension => [
   ...(mixedEnds ? [EditorState.lineSeparator.of("\n")] : []),

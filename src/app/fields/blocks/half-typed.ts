@@ -7,12 +7,11 @@ import type { TextUpdate } from "./text-view.ts";
 import { rememberingLast } from "../../base/once.ts";
 
 /*
- * A number of which one digit is typed is no value yet, or a wrong one, and what comes behind it in the program would
- * be run as if the operation were not there. A block that was right keeps its last good picture until it is right
- * again, or until somebody leaves it.
+ * While a number is typed it is briefly missing or wrong, and the blocks after it would run as if the operation did not
+ * exist. So a block that was valid keeps its last valid picture until it is valid again or is left.
  */
 
-/** The block that was right and is not, by its index; null while there is none. */
+/** Index of the block that became invalid while typing; null if there is none. */
 let half: number | null = null;
 
 function isWrongWith(program: Program, index: number, draft: Draft): boolean {
@@ -21,7 +20,7 @@ function isWrongWith(program: Program, index: number, draft: Draft): boolean {
   return (block !== undefined && block.issues.length > 0) || (read !== null && read.reading.values === null);
 }
 
-/** Whether a block cannot be run as its text stands. */
+/** True if the text of a block cannot be run. */
 const isWrong = rememberingLast((program: Program, index: number): boolean => isWrongWith(program, index, {}));
 
 function note(index: number | null): void {
@@ -29,10 +28,10 @@ function note(index: number | null): void {
   holdPicture(index !== null);
 }
 
-/** Another text is open, or none. */
+/** Called when another text opens, or none. */
 export const forgetHalf = (): void => note(null);
 
-/** Looks at a change of the text, before the changed text is run. */
+/** Checks a change of the text before that text is run. */
 export function watchText({ startState, state, docChanged }: TextUpdate): void {
   const index = cursorBlock(state);
   if (!docChanged) {
@@ -43,12 +42,12 @@ export function watchText({ startState, state, docChanged }: TextUpdate): void {
   note(wasRight && isWrong(state.field(readingField).program, index) ? index : null);
 }
 
-/** Looks at what is typed into prompts; `program`: the text of their block, which has what can be read of them. */
+/** Checks what is typed into prompts. `program`: the text of their block, with all values that can be read. */
 export function watchTyped(program: Program, index: number, isWrongTyped: boolean): void {
   if (half === null && isWrong(program, index)) return;
   note(isWrongTyped ? index : null);
 }
 
-/** The same of the prompts of a cycle. */
+/** Checks the typed prompts of a cycle. */
 export const watchDraft = (program: Program, index: number, draft: Draft): void =>
   watchTyped(program, index, isWrongWith(program, index, draft));

@@ -3,8 +3,7 @@ import { EditorState, type Extension } from "@codemirror/state";
 import { fromEditor, type LineEnds } from "./line-ends.ts";
 
 /**
- * The text of a file with its own history. It outlives its editor, so that undo reaches it again when the file is
- * opened again.
+ * The text of a file with its undo history. It outlives its editor, so undo still works when the file is opened again.
  */
 export interface HeldText {
   readonly work: string;
@@ -14,25 +13,25 @@ export interface HeldText {
   state: EditorState;
 }
 
-/** What a text is held under. */
+/** Key of a text in the cache. */
 export const heldAs = ({ work, file }: Pick<HeldText, "work" | "file">): string => `${work} ${file}`;
 
-/** Texts as their files have them: a long one is not put together each time it is asked for. */
+/** File texts by document, so that a long text is joined only once. */
 const files = new WeakMap<EditorState["doc"], string>();
 
-/** A text as its file has it. */
+/** The text with the line ends of its file. */
 export function fileText({ state: { doc }, ends }: Pick<HeldText, "state" | "ends">): string {
   const known = files.get(doc) ?? fromEditor(doc.toString(), ends);
   files.set(doc, known);
   return known;
 }
 
-/** What outlasts a reload of a text, beside itself and its cursor. */
+/** Editor state that survives a reload, besides text and cursor. */
 const KEPT = { history: historyField };
 
-/** History and cursor of a text as a file can hold them; the text itself lies with its work. */
+/** History and cursor as JSON; the text itself is stored with its work. */
 export const writtenState = (state: EditorState): unknown => ({ ...(state.toJSON(KEPT) as object), doc: "" });
 
-/** The same text with that history and cursor. Throws where they are none of it. */
+/** The same text with that history and cursor. Throws if they do not fit the text. */
 export const withHistory = (written: unknown, { doc }: EditorState, extensions: Extension): EditorState =>
   EditorState.fromJSON({ ...(written as object), doc: doc.toString() }, { extensions }, KEPT);

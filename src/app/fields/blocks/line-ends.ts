@@ -1,4 +1,4 @@
-/** How the lines of a text end: all alike, or mixed. An editor keeps lines; the bytes must come back as they were. */
+/** Line ends of a text, uniform or mixed. The editor works on lines; saving must restore the original bytes. */
 export type LineEnds = "\n" | "\r\n" | "\r" | "mixed";
 
 /** Line ends of a text; a text of one line counts as ending in \n. */

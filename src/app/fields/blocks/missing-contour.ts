@@ -10,7 +10,7 @@ import { blocksOfStatements } from "../../../program/edits/operation-edits.ts";
 import { proposedOperation } from "../../../program/job/proposed-operation.ts";
 import { ringOf } from "../../../program/job/wanted-job.ts";
 
-/** The cylinder that a program states in numbers; none where it states something else. */
+/** The cylindrical blank of a program, if its values are numbers. */
 function cylinderOf({ blocks }: Program) {
   const s = blocks.find(({ statement }) => statement.kind === "blankCylinder")?.statement;
   if (s?.kind !== "blankCylinder" || s.outside?.measure !== "D") return [];
@@ -19,7 +19,7 @@ function cylinderOf({ blocks }: Program) {
   return [ringOf({ outside: String(outside), bore: "0", length: String(length), allowance: String(front) })];
 }
 
-/** The program with a contour to begin with behind a label at its end; null where no cycle is meant that takes one. */
+/** Adds a starting contour under a label at the end of the program; null if the cycle takes no contour. */
 export function withContour(program: Program, number: number, label: Label): Program | null {
   const cycle = cycleByNumber(number);
   if (cycle?.contour !== "free") return null;
@@ -39,7 +39,7 @@ export function withContour(program: Program, number: number, label: Label): Pro
   ]);
 }
 
-/** Cycle 14 that names a label, in front of the block at `index`. */
+/** Inserts cycle 14 with a label before the block at `index`. */
 export function withContourNamed(program: Program, index: number, label: number, language: Language): Program {
   const { title, label: word } = ncLabels(ncLanguageOf(language)).contour;
   const named: readonly Statement[] = [

@@ -18,7 +18,7 @@ const marks = Object.fromEntries(KINDS.map((kind) => [kind, Decoration.mark({ cl
   Record<TokenKind, Decoration>
 >;
 
-/** Lines whose words are known, and how many of them are kept. */
+/** Cache of scanned lines, and its size. */
 const known = new Map<string, readonly Token[]>();
 const MOST = 2000;
 
@@ -29,7 +29,7 @@ function wordsOf(line: string): readonly Token[] {
   return words;
 }
 
-/** The colours of the lines that are seen: a line says by itself what its words are. */
+/** Colours of the visible lines. Each line can be scanned on its own. */
 function coloured({ state: { doc }, visibleRanges }: EditorView): DecorationSet {
   const made = new RangeSetBuilder<Decoration>();
   for (const { from, to } of visibleRanges) {
@@ -42,7 +42,7 @@ function coloured({ state: { doc }, visibleRanges }: EditorView): DecorationSet 
   return made.finish();
 }
 
-/** Klartext, coloured line by line by the reader's own scanner. */
+/** Syntax colouring for Klartext, with the scanner of the reader. */
 export const klartext: Extension = ViewPlugin.fromClass(
   class {
     decorations: DecorationSet;

@@ -15,10 +15,10 @@ import { useShownBeside } from "../../document/shown-file.ts";
 import { findingsShown } from "../../document/shown-findings.ts";
 import { heldWhileTyping } from "../../base/typing.ts";
 
-/** What is typed into the prompts of the open block; the text has it as soon as it can be read. */
+/** Text typed into the prompts of the open block. It is written to the program as soon as it can be read. */
 interface Typed {
   readonly draft: Draft;
-  /** The state of the text and the block it was typed into: a text that was changed elsewhere counts for more. */
+  /** The text state and block it was typed into; a later change of the text wins. */
   readonly reading: Reading | null;
   readonly index: number;
 }
@@ -29,7 +29,7 @@ const none: readonly Issue[] = [];
 const draftIn = ({ draft, reading, index }: Typed, session: Session): Draft =>
   reading === session.reading && index === session.index ? draft : untyped;
 
-/** The prompts of the open block with their texts; null where it is a cycle that nobody has described. */
+/** The prompts of the open block with their texts; null for a cycle without a description. */
 export function openPrompts(): { readonly ids: readonly string[]; readonly draft: Draft } | null {
   const session = useSession.getState();
   const {
@@ -43,7 +43,7 @@ export function openPrompts(): { readonly ids: readonly string[]; readonly draft
   return own && { ids: own.parameters.map(({ q }) => q), draft: own.draft };
 }
 
-/** The prompts of the open block and what is wrong with it, followed by a component. */
+/** The prompts of the open block and its problems, as a hook. */
 export function useOpenBlock(): {
   readonly read: JobReading | null;
   readonly own: OwnBlock | null;
@@ -68,7 +68,7 @@ export function useOpenBlock(): {
   return { read, own, problems };
 }
 
-/** Holds what is typed, as the text took it. */
+/** Stores the typed text with the text state that it led to. */
 function noteTyped(draft: Draft, index: number): void {
   const { reading } = useSession.getState();
   useTyped.setState({ draft, reading, index });

@@ -9,25 +9,25 @@ import { indexOf } from "./repairs.ts";
 
 /** One operation of the list. */
 export interface OperationRow {
-  /** Its place among all, from 0. */
+  /** Index among all operations, from 0. */
   readonly unit: number;
-  /** Words of its structure comment; null where it has none. */
+  /** Text of its structure item; null without one. */
   readonly title: string | null;
   /** Numbers of its cycles. */
   readonly cycles: readonly number[];
   /** Number or name of its tool as the program says it; null without one. */
   readonly tool: string | null;
-  /** The row of the table that it means. */
+  /** The row of the tool table. */
   readonly known: Tool | null;
   readonly inherits: boolean;
   readonly isOff: boolean;
   readonly tie: Tie | null;
-  /** Its blocks, with those that begin and end it where it alone has them. */
+  /** Block range, including opening and closing blocks that belong to this operation alone. */
   readonly from: number;
   readonly to: number;
-  /** The block that opens with it: its cycle, or its first. */
+  /** Block that the row opens: its cycle, or its first block. */
   readonly opens: number;
-  /** What its calls did; null where none was run. */
+  /** Result of its calls; null if none was run. */
   readonly done: Done | null;
   readonly findings: { readonly count: number; readonly severity: Severity } | null;
   readonly blocks: readonly { readonly index: number; readonly number: number; readonly text: string }[];
@@ -39,7 +39,7 @@ export function openingBlock(program: Program, unit: number): number | null {
   return own ? (own.definitions[0] ?? own.from) : null;
 }
 
-/** Seconds that the blocks of a stretch run. */
+/** Run time of a block range, s. */
 function secondsIn({ run }: Outcome, from: number, to: number): number {
   const turned = run.steps.reduce((sum, step, i) => {
     const block = run.stepBlocks[i] ?? -1;
@@ -59,7 +59,7 @@ function added(all: readonly (Done | undefined)[]): Done | null {
       }));
 }
 
-/** The operations of a text as the list shows them; `outcome` is of this text, and `entries` are found in it. */
+/** The operations of a text for the list; `outcome` and `entries` belong to that text. */
 export function operationRows(
   program: Program,
   {
@@ -101,7 +101,7 @@ export function operationRows(
         return s?.kind === "cycle" || s?.kind === "cycleLine" ? [s.cycle] : [];
       }),
       tool,
-      // The number of a mill may be that of a turning tool, which it is not.
+      // A milling cutter may have the number of a turning tool.
       known: isMilled ? null : (tools.find(({ T, NAME }) => String(T) === tool || NAME === tool) ?? null),
       inherits: own.inherits,
       isOff: isOff(program, own),

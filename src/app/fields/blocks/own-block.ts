@@ -7,23 +7,23 @@ import type { Draft } from "../../../program/job/read-draft.ts";
 import { parameterAsTyped } from "../../../program/values/typed-value.ts";
 import { parametersBefore, perRevolutionBefore } from "./block-context.ts";
 
-/** A parameter of a block: described, or only there in its text. */
+/** A parameter of a block, with a description or only in the text. */
 export interface OwnPrompt extends OwnParameter {
   readonly described: boolean;
 }
 
-/** The block of a cycle that the operator has described, with what is just being typed over its text. */
+/** A block of an own cycle, with the text being typed. */
 export interface OwnBlock {
   readonly own: OwnCycle;
   readonly parameters: readonly OwnPrompt[];
   readonly draft: Draft;
   readonly readings: Readonly<Record<string, FieldReading>>;
   readonly issues: readonly Issue[];
-  /** Its feeds count per revolution. */
+  /** Its feeds are per revolution. */
   readonly perRevolution: boolean;
 }
 
-/** What the text of a block has beyond its description: any value is right there. */
+/** Parameters in the text that the description does not have; any value is accepted. */
 const undescribed = (s: StatementOf<"cycle">, own: OwnCycle): readonly OwnPrompt[] =>
   s.parameters
     .filter(

@@ -19,11 +19,11 @@ const changed = (id: string, change: (entry: OwnEntry) => OwnEntry, place: strin
 export const isFull = (list: OwnList): boolean => list.length >= OWN_SIZES.cycles;
 export const hasRoom = (entry: OwnEntry): boolean => entry.parameters.length < OWN_SIZES.parameters;
 
-/** The typed text of number or name. */
+/** Sets the typed number or name. */
 export const setHead = (id: string, field: "number" | "name", text: string): void =>
   changed(id, (entry) => ({ ...entry, [field]: text }), `own ${id} ${field}`);
 
-/** The typed text of one field of a parameter. */
+/** Sets the typed text of a parameter field. */
 export const setOwnParameter = (id: string, parameter: string, change: Partial<Omit<OwnParameterEntry, "id">>): void =>
   changed(
     id,
@@ -31,7 +31,7 @@ export const setOwnParameter = (id: string, parameter: string, change: Partial<O
     `own ${id} ${parameter} ${Object.keys(change).join()}`,
   );
 
-/** A description with the next free number; gives its id. */
+/** Adds a description with the next free number; returns its id. */
 export function addOwn(): string {
   const { list } = useOwn.getState();
   const id = freeId(list, "c");
@@ -43,7 +43,7 @@ export function addOwn(): string {
   return id;
 }
 
-/** The description of the cycle of a block: the one that there is, or what its text proposes; gives its id. */
+/** Describes the cycle of a block: the existing description, or one proposed from its text. Returns its id. */
 export function describeBlock(s: StatementOf<"cycle">): string {
   const { list } = useOwn.getState();
   const { rows } = libraryOf(list);
@@ -54,7 +54,7 @@ export function describeBlock(s: StatementOf<"cycle">): string {
   return id;
 }
 
-/** The same once more, under it, with the next free number; gives the id of the copy. */
+/** Duplicates a description below the original with the next free number; returns the id of the copy. */
 export function duplicateOwn(id: string): string {
   const { list } = useOwn.getState();
   const at = list.findIndex((each) => each.id === id);
@@ -66,7 +66,7 @@ export function duplicateOwn(id: string): string {
   return copy;
 }
 
-/** Takes a description out; gives the id of the one that is then in its place, null when none is left. */
+/** Removes a description; returns the id of the one now in its place, null if none is left. */
 export function removeOwn(id: string): string | null {
   const { list } = useOwn.getState();
   const at = list.findIndex((each) => each.id === id);
@@ -74,7 +74,7 @@ export function removeOwn(id: string): string | null {
   return (list[at + 1] ?? list[at - 1])?.id ?? null;
 }
 
-/** Another parameter at the end; its Q number goes on from the last one. Gives its id. */
+/** Adds a parameter at the end with the next Q number; returns its id. */
 export function addParameter(entry: OwnEntry): string {
   const id = freeId(entry.parameters, "p");
   const last = /^\s*Q?(\d{1,4})\s*$/i.exec(entry.parameters.at(-1)?.q ?? "")?.[1];
@@ -90,7 +90,7 @@ export function addParameter(entry: OwnEntry): string {
 export const removeParameter = (id: string, parameter: string): void =>
   changed(id, (entry) => ({ ...entry, parameters: entry.parameters.filter((p) => p.id !== parameter) }));
 
-/** Puts a parameter one place on or back; the order is that of prompts and text. */
+/** Moves a parameter one place; prompts and text follow this order. */
 export function moveParameter(id: string, parameter: string, by: 1 | -1): void {
   changed(id, (entry) => {
     const at = entry.parameters.findIndex((p) => p.id === parameter);
@@ -101,7 +101,7 @@ export function moveParameter(id: string, parameter: string, by: 1 | -1): void {
   });
 }
 
-/** Descriptions of a file, over those of the list: one step of undo. Null where the list has no room for them. */
+/** Imports descriptions of a file over those of the list, as one step of undo; null if the list has no room. */
 export function takeEntries(entries: OwnList): { readonly replaced: number; readonly added: number } | null {
   const made = mergedLibrary(useOwn.getState().list, entries);
   if (made.list.length > OWN_SIZES.cycles) return null;

@@ -3,7 +3,7 @@ import { shownFile } from "../../document/shown-file.ts";
 import { useEditor } from "../../document/store.ts";
 import { sessionText } from "./session.ts";
 
-/** True when a result was made from the work as it stands now, the text in the editor included. */
+/** True if a result belongs to the current work, including the text in the editor. */
 export function isPresent<Made extends Outcome | Planned>(outcome: Made | null): outcome is Made {
   const { program } = useEditor.getState();
   return (

@@ -8,14 +8,14 @@ import { kindOf } from "./block-kind.ts";
 import type { BlockKind } from "../../../nc/blocks/names.ts";
 import { isDefinedIn } from "../../document/shown-findings.ts";
 
-/** What the list of parts can be narrowed to. */
+/** Filters of the list of parts. */
 export type PartFilter = NonNullable<BlockDefinition["part"]>;
 
 /** What an executed cycle call did. */
 export interface Done {
   readonly passes: number;
   readonly seconds: number;
-  /** mm² of the half plane that stay. */
+  /** Residual material, mm² of the half plane. */
   readonly residue: number;
 }
 
@@ -23,21 +23,21 @@ export interface Done {
 export interface Part {
   /** Index of its block. */
   readonly index: number;
-  /** Number as printed, or counted. */
+  /** Block number, printed or counted. */
   readonly number: number;
   readonly kind: BlockKind;
   readonly filter: PartFilter;
-  /** Its words, without number. */
+  /** Text of the block without its number. */
   readonly text: string;
-  /** Cycles: what each of their calls did, added up; null where none was executed. */
+  /** Cycles: sum over their calls; null if none was executed. */
   readonly done: Done | null;
   /** Tool calls: number or name of the tool; null elsewhere. */
   readonly tool: string | null;
-  /** A cycle that acts where it stands, and is not called. */
+  /** A DEF-active cycle, which needs no call. */
   readonly acts: boolean;
 }
 
-/** What ends a subprogram, and the further lines of an old cycle, are no parts of their own. */
+/** A subprogram end and the further lines of an old cycle are not listed. */
 const isPart = (s: Statement): boolean =>
   !(s.kind === "label" && s.label === 0) && !(s.kind === "cycleLine" && s.line > 0 && s.cycle !== 14);
 
@@ -46,8 +46,8 @@ export const firstLine = (raw: string): string =>
   (/^\s*\/?\s*(?:\d+(?![\d.,])\s*)?(.*?)\s*~?\s*(?:[\r\n]|$)/.exec(raw)?.[1] ?? "").replace(/\s+/g, " ");
 
 /**
- * What the calls of each definition in one text did, by the line of the definition; `file` is that of a called program.
- * A call that makes no path has done nothing.
+ * Results of the calls of each definition in one text, by the line of the definition. `file`: name of a called program.
+ * A call without a path has no result.
  */
 export function doneByLine({ run, simulation }: Outcome, file: string | null): ReadonlyMap<number, Done> {
   const all = new Map<number, Done>();

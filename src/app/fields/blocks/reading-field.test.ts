@@ -29,7 +29,7 @@ test("a text of one endless line and an empty one are read to their end", () => 
   expect(isRead(stateOf(""))).toBe(true);
 });
 
-test("what is typed before a long text has been read to its end is read like the rest", () => {
+test("text typed before a long text is fully read is read like the rest", () => {
   const edit = fc.record({
     at: fc.double({ min: 0, max: 1, noNaN: true }),
     near: fc.boolean(),

@@ -14,28 +14,28 @@ function changeOf(tr: Transaction): Change | null {
   return to < 0 ? null : { from, to, length: toNew - fromNew };
 }
 
-/** So much of a long text is read before it is shown, and so much at a time behind that, characters. */
+/** Characters of a long text that are read before it is shown, and per piece after that. */
 const AT_FIRST = 100_000;
 const AT_A_TIME = 400_000;
 
-/** Where a piece of about that many characters ends: behind a line. */
+/** End of a piece of about that many characters, at a line end. */
 const pieceEnd = (doc: Text, offset: number): number =>
   Math.min(doc.length, doc.lineAt(Math.min(doc.length, offset)).to + 1);
 
 const endOf = (reading: Reading): number => reading.starts.at(-1) ?? 0;
 
-/** Reads on in a text that has not been read to its end. */
+/** Reads the next piece of a text. */
 const readOn = StateEffect.define<null>();
 
-/** A change as the part of the text sees it that has been read; null where it lies behind that part. */
+/** The part of a change inside the text read so far; null if the change is behind it. */
 function seen({ from, to, length }: Change, end: number, whole: boolean): Change | null {
   if (whole || to < end) return { from, to, length };
   return from >= end ? null : { from, to: end, length: 0 };
 }
 
 /**
- * The blocks of the text, read again near each change, so that they are right at every keystroke. Of a long text the
- * first blocks are there at once; `readFurther` brings the others.
+ * The blocks of the text, re-read around each change so that they are current at every keystroke. A long text starts
+ * with its first blocks; `readFurther` reads the others.
  */
 export const readingField = StateField.define<Reading>({
   create: ({ doc }) => readingOf(doc.sliceString(0, pieceEnd(doc, AT_FIRST))),
@@ -53,10 +53,10 @@ export const readingField = StateField.define<Reading>({
 /** True when every block of the text has been read. */
 export const isRead = (state: EditorState): boolean => endOf(state.field(readingField)) === state.doc.length;
 
-/** The next piece of a long text, as a change of its state. */
+/** Transaction that reads the next piece of a long text. */
 export const readFurther = { effects: readOn.of(null) } as const;
 
-/** Index of the block in which the cursor stands; -1 in an empty text. */
+/** Index of the block at the cursor; -1 in an empty text. */
 export const cursorBlock = (state: EditorState): number =>
   blockAt(state.field(readingField), state.selection.main.head);
 
@@ -76,7 +76,7 @@ export function parameterAt(state: EditorState, offset: number): string | null {
   return PARAMETER_LINE.exec(state.doc.lineAt(offset).text)?.[1]?.toUpperCase() ?? null;
 }
 
-/** Offset of a Q parameter that has a line of its own in a block; the beginning of the block where it has none. */
+/** Offset of a Q parameter's line in a block; the start of the block if it has none. */
 export function parameterOffset(
   state: EditorState,
   block: { readonly from: number; readonly to: number },

@@ -1,6 +1,6 @@
 import type { Program } from "../../../nc/program.ts";
 
-/** A change of the program that mends a finding: a value taken, a block put in, a word written, something taken out. */
+/** A change that fixes a finding: sets a value, inserts a block, writes a word or removes something. */
 export interface Repair {
   readonly kind: "take" | "insert" | "write" | "remove" | "tie" | "meant";
   /** The value, the block or the word, as the program writes it; a value as a number. */
@@ -10,6 +10,6 @@ export interface Repair {
   readonly next: () => Program;
   /** Index of the block that opens afterwards. */
   readonly open: number;
-  /** Its values are only a beginning: its dialog opens. */
+  /** Its values are placeholders, so its dialog opens. */
   readonly asks?: boolean;
 }

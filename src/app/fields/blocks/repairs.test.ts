@@ -43,7 +43,7 @@ Q484=+0.2 ;OVERSIZE IN Z ~
 Q505=+0.19 ;FINISHING FEED RATE ~
 Q506=+0 ;CONTOUR SMOOTHING${q}`;
 
-/** Blocks one a line; a whole program that is right. */
+/** The blocks of a correct program, one a line. */
 const RIGHT = [
   "BEGIN PGM A MM",
   "BLK FORM CYLINDER Z D61.3 L80 DIST+0",
@@ -80,7 +80,7 @@ Q480=+0 ~
 Q482=+0 ~
 Q506=+0`;
 
-/** What is wrong, in which program, and the block, word or value that is offered first. */
+/** Finding, program, and the block, word or value that is offered first. */
 const cases: readonly (readonly [code: string, text: string, offered: string | number])[] = [
   [
     "spindleStopped",
@@ -104,11 +104,11 @@ const cases: readonly (readonly [code: string, text: string, offered: string | n
 
 const codes = (text: string) => findingsOf(null, outcomeOf(text)).map(({ issue }) => issue.code as string);
 
-test("the program that the cases are made of is right", () => {
+test("the program on which the cases are based is correct", () => {
   expect(findingsOf(null, outcomeOf(numbered(RIGHT))).filter(({ issue }) => issue.severity === "error")).toEqual([]);
 });
 
-test.each(cases)("%s is mended by what is offered", (code, text, offered) => {
+test.each(cases)("%s is fixed by the offered repair", (code, text, offered) => {
   const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === code);
   if (!entry) throw new Error(`not found: ${code}; found: ${codes(text).join(" ")}`);
   const [repair] = repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual);
@@ -116,19 +116,19 @@ test.each(cases)("%s is mended by what is offered", (code, text, offered) => {
   expect(codes(print(repair?.next() ?? parse(text)))).not.toContain(code);
 });
 
-test("a value is taken without touching anything else", () => {
+test("setting a value changes nothing else", () => {
   const text = changed(cycle812(), cycle812().replace("Q463=+2.3", "Q463=+1200"));
   const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === "outOfRange");
   const [repair] = entry ? repairsOf(parse(text), entry, "en", NC_OUTPUTS.manual) : [];
   expect(repair && print(repair.next())).toBe(text.replace("Q463=+1200", "Q463=+5"));
 });
 
-test("another tool is called where the call before it stands", () => {
+test("another tool replaces the tool of the previous call", () => {
   const text = numbered(RIGHT);
   expect(print(withTool(parse(text), 9, 4))).toBe(text.replace("TOOL CALL 1", "TOOL CALL 4"));
 });
 
-test("M303 joins the block that positions, which keeps what it has; a block that is full or stops gives it one of its own", () => {
+test("M303 is added to the positioning block, which keeps its functions; if that is full or stops, M303 gets a new block", () => {
   const mended = (position: string) => {
     const text = changed("L X+61.3 Y+0 Z+2 FMAX M303", position);
     const entry = findingsOf(null, outcomeOf(text)).find(({ issue }) => issue.code === "spindleStopped");
@@ -142,7 +142,7 @@ test("M303 joins the block that positions, which keeps what it has; a block that
   expect(mended("L X+61.3 Y+0 Z+2 FMAX M8 M5")).toEqual(around("L X+61.3 Y+0 Z+2 FMAX M8 M5", "M303"));
 });
 
-test("in an inch program a value is offered, and said, in inches: what the tool can cut at once is no foot", () => {
+test("in an inch program a value is offered and shown in inches: the infeed limit of a tool is not a foot", () => {
   const text = readFileSync("tests/programs/shoulder-inch.h", "utf8").replace("Q463=+0.1181", "Q463=+0.9");
   const outcome = outcomeOf(text),
     entry = findingsOf(null, outcome).find(({ issue }) => issue.code === "infeedOverCutLength");
@@ -156,7 +156,7 @@ test("in an inch program a value is offered, and said, in inches: what the tool 
   expect(mend(text.replace(" INCH\n1", " MM\n1"))?.text).toBe(12);
 });
 
-test("ends that are exchanged are exchanged back in one step", () => {
+test("swapped ends are swapped back in one step", () => {
   const before = changed(
     cycle812(),
     cycle812()

@@ -33,7 +33,7 @@ const lastOf = (program: Program, before: number, is: (s: Statement) => boolean)
 export const toolCallBefore = (program: Program, index: number): number =>
   lastOf(program, index, (s) => s.kind === "toolCall" && s.tool !== null);
 
-/** The program with another tool called before a block. */
+/** Changes the tool call before a block. */
 export function withTool(program: Program, index: number, tool: number): Program {
   const at = toolCallBefore(program, index);
   const s = program.blocks[at]?.statement;
@@ -47,17 +47,17 @@ function placeOfMode(program: Program, index: number): number {
   return tool > mode ? tool : mode >= 0 ? mode + 1 : placeBehindFrame(program, index);
 }
 
-/** Behind the last of program begin, blank and mode: a tool call there comes before every positioning. */
+/** After BEGIN PGM, blank and mode, so that the tool call comes before all positioning. */
 const placeBehindFrame = (program: Program, index: number): number =>
   lastOf(program, index, (s) => s.kind === "begin" || s.kind === "mode" || klartext.has(s, "blank")) + 1;
 
-/** Behind a definition and the block that positions to its start point. */
+/** After a definition and the block that positions to its start point. */
 function placeOfCall(program: Program, definition: number): number {
   const next = program.blocks[definition + 1]?.statement;
   return definition + (next?.kind === "path" ? 2 : 1);
 }
 
-/** Before the first subprogram behind the last call of the main program, or before its end. */
+/** Before the first subprogram after the last call of the main program, or before the program end. */
 function placeOfEnd(program: Program): number {
   const { blocks } = program;
   const last = blocks.findLastIndex(({ statement: s }) => s.kind === "cycleCall" || s.kind === "toolCall");
@@ -96,7 +96,7 @@ function contourLines(program: Program, language: Language): readonly Statement[
   ];
 }
 
-/** The last block that switched radius compensation on, with R0 in its place. */
+/** Puts R0 into the last block that switched radius compensation on. */
 function withoutCompensation(program: Program, index: number): Repair | null {
   const at = lastOf(
     program,
@@ -110,7 +110,7 @@ function withoutCompensation(program: Program, index: number): Repair | null {
   return { kind: "write", text: "R0", block: String(blockNumbers(program)[at] ?? ""), next, open: at };
 }
 
-/** The definition without a parameter that does not belong to it, or that stands twice. */
+/** Removes a parameter that is not part of the definition, or is there twice. */
 function withoutParameter(program: Program, index: number, q: string): Repair | null {
   const s = program.blocks[index]?.statement;
   if (s?.kind !== "cycle") return null;
@@ -125,7 +125,7 @@ function withoutParameter(program: Program, index: number, q: string): Repair | 
   };
 }
 
-/** Another start point of a call: in the block that positions for it, or in one of its own right before the call. */
+/** Changes the start point of a call: in its positioning block, or in a new block right before the call. */
 function withStart(program: Program, index: number, start: { readonly x: number; readonly z: number }): Repair {
   const [x, z] = [inProgram(program, start.x), inProgram(program, start.z)];
   const axes = [
@@ -164,10 +164,10 @@ const toolCallOf = (tool: number): Statement => ({
   extra: [],
 });
 
-/** How far from the blank a start point stands that nobody has chosen, ⌀ and Z, mm. */
+/** Distance of a proposed start point from the blank, in ⌀ and Z, mm. */
 const CLEAR = 2;
 
-/** A start point beside the blank right before a call that has none, with the spindle on. */
+/** Inserts a start point outside the blank, with the spindle on, before a call that has none. */
 function withKnownStart(program: Program, index: number, spindleOn: number): Repair | null {
   const called = program.blocks[index]?.statement;
   const blank = program.blocks.find(({ statement: s }) => s.kind === "blankCylinder")?.statement;
@@ -195,13 +195,10 @@ function withKnownStart(program: Program, index: number, spindleOn: number): Rep
   return asking([insertion(program, index, [start], index)])[0] ?? null;
 }
 
-/** How many M functions a block takes on every control. */
+/** M functions per block that every control accepts. */
 const MOST_FUNCTIONS = 2;
 
-/**
- * The function that starts the spindle in the block that positions for a call, or in one of its own right before the
- * call.
- */
+/** Starts the spindle in the positioning block of a call, or in a new block right before the call. */
 function withSpindleStarted(program: Program, call: number, spindleOn: number): Repair {
   const moves = program.blocks[call]?.statement.kind === "path" ? call : call - 1;
   const block = program.blocks[moves];
@@ -218,7 +215,7 @@ function withSpindleStarted(program: Program, call: number, spindleOn: number): 
   return { kind: "write", text: `M${spindleOn}`, block: String(blockNumbers(program)[moves] ?? ""), next, open: moves };
 }
 
-/** Another length or radius of an approach or departure. */
+/** Changes the length or radius of an approach or departure. */
 function withLead(program: Program, index: number, word: "LEN" | "R", mm: number): Repair | null {
   const s = program.blocks[index]?.statement,
     value = inProgram(program, mm);
@@ -239,7 +236,7 @@ const FIRST_LABEL = 1;
 
 const asking = (repairs: readonly Repair[]): readonly Repair[] => repairs.map((repair) => ({ ...repair, asks: true }));
 
-/** The changes of the program that mend a finding, surest first; none where only the operator can know. */
+/** Changes that fix a finding, most certain first; none if only the operator can decide. */
 export function repairsOf(
   program: Program,
   entry: FindingEntry,

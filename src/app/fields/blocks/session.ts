@@ -29,31 +29,31 @@ import { heldWhileTyping } from "../../base/typing.ts";
 import { restartable } from "../../base/once.ts";
 import { TYPING } from "../../base/waits.ts";
 
-/** What the panels beside the text show: the blocks, and which one is open. */
+/** State for the panels: the blocks, and the open one. */
 export interface Session {
   readonly reading: Reading;
   /** Index of the open block; -1 in an empty program. */
   readonly index: number;
-  /** The Q parameter whose line the cursor stands in. */
+  /** The Q parameter on the cursor's line. */
   readonly parameter: string | null;
-  /** Counts up with each block that was opened by the operator. */
+  /** Incremented when the operator opens a block. */
   readonly opened: number;
-  /** Counts up with each block that was pointed at in the text. */
+  /** Incremented when a block is clicked in the text. */
   readonly pointed: number;
-  /** Counts up with each text that is put into the editor in place of another. */
+  /** Incremented when another text replaces the one in the editor. */
   readonly put: number;
 }
 
-/** Marks a change that a dialog made: the panels follow at once, and the text keeps its place. */
+/** Marks a change by a dialog: the panels update at once, and the text does not scroll. */
 const dialogEdit = Annotation.define<boolean>();
 
 const none: Session = { reading: readingOf(""), index: -1, parameter: null, opened: 0, pointed: 0, put: 0 };
 export const useSession = heldWhileTyping<Session>(() => none);
 
-/** Whether the blocks are those of a text: before one is opened there are none, which is no empty program. */
+/** False before a text is opened; having no blocks then does not mean an empty program. */
 export const ofText = ({ reading }: Session): boolean => reading !== none.reading;
 
-/** Texts that are held after they were left. */
+/** Texts that stay cached after they were left. */
 const HELD = 8;
 const texts = new Map<string, Text>();
 
@@ -64,7 +64,7 @@ const [panels, calculation, reading] = [restartable(), restartable(), restartabl
 /** The text in the editor as its file has it; null when none is open. */
 export const sessionText = (): string | null => (open ? fileText(open) : null);
 
-/** Hands the text to keeping and calculation now. */
+/** Flushes the text to saving and calculation. */
 export function handOverText(): void {
   calculation.stop();
   const { program, work } = useEditor.getState();
@@ -75,7 +75,7 @@ export function handOverText(): void {
   setProgram(withText(program, open.file, text));
 }
 
-/** Goes one step through the history of a text, in its editor when it is open; another one is opened to be seen. */
+/** One undo or redo step of a text. A text that is not in the editor is shown. */
 function go(text: Text, command: StateCommand): boolean {
   if (texts.get(heldAs(text)) !== text || useEditor.getState().work !== text.work) return false;
   if (view && open === text) return command(view.get());
@@ -89,7 +89,7 @@ function go(text: Text, command: StateCommand): boolean {
   return true;
 }
 
-/** Notes what was typed as a step of the page's history, where the text's own begins a new one. */
+/** Adds typing to the page's history when the history of the text starts a new step. */
 function noteTyping(text: Text, before: EditorState): void {
   const more = undoDepth(text.state) > undoDepth(before);
   if (more) note(stepOf(text));
@@ -131,7 +131,7 @@ function onChange(update: TextUpdate): void {
     if (open && !update.transactions.some((tr) => tr.isUserEvent("undo") || tr.isUserEvent("redo")))
       noteTyping(open, update.startState);
   }
-  // What the page plans at once is seen at once.
+  // A short program is planned on the page, so its text is flushed at once.
   if (update.docChanged && calculating.plansOnPage(update.state.doc.length)) handOverText();
   const more = update.state.field(readingField) !== update.startState.field(readingField);
   if (!more && !update.selectionSet) return;
@@ -143,7 +143,7 @@ function onChange(update: TextUpdate): void {
 
 const extensionsOf = (ends: LineEnds) => editorExtensions(ends === "mixed");
 
-/** The text of a file, with the history it has when it was open before and is still the same. */
+/** The text of a file, with its cached history if the text is unchanged. */
 function textOf({ name, text }: WorkFile, work: string): Text {
   const file = fileKey(name);
   const held = texts.get(heldAs({ work, file }));
@@ -152,7 +152,7 @@ function textOf({ name, text }: WorkFile, work: string): Text {
   return { work, file, ends, state: EditorState.create({ doc: toEditor(text, ends), extensions: extensionsOf(ends) }) };
 }
 
-/** Takes up the text that is to be shown, and holds it for later. */
+/** Returns the text of the shown file and caches it. */
 function takeUp(program: ProgramWork, work: string): Text {
   const text = textOf(shownFile(program), work);
   forgetHalf();
@@ -162,7 +162,7 @@ function takeUp(program: ProgramWork, work: string): Text {
   return text;
 }
 
-/** Reads a long text to its end, piece by piece, so that the page answers in between. */
+/** Reads a long text piece by piece, so that the page stays responsive. */
 function readToEnd(): void {
   reading.stop();
   if (!open || isRead(open.state)) return;
@@ -172,7 +172,7 @@ function readToEnd(): void {
   });
 }
 
-/** Reads the shown text to its end now: a place far down in it is to be shown. */
+/** Reads the whole text now, to show a place far down. */
 export function readWhole(): void {
   while (view && open && !isRead(open.state)) view.get().dispatch(readFurther);
 }
@@ -183,7 +183,7 @@ textKeepers.add((work) =>
   ),
 );
 
-/** Puts the texts of a work back with the histories and cursors that they had before the page was loaded again. */
+/** Restores the texts of a work with their histories and cursors after a reload. */
 function resumeTexts(program: ProgramWork, work: string): void {
   takeKeptSteps((kept) => {
     for (const { file, state } of kept) {
@@ -200,7 +200,7 @@ function resumeTexts(program: ProgramWork, work: string): void {
   });
 }
 
-/** Opens a program in an editor; what was open before is left. */
+/** Opens a program in an editor and closes the previous one. */
 export function openSession(program: ProgramWork, work: string): EditorView {
   closeSession();
   resumeTexts(program, work);
@@ -211,7 +211,7 @@ export function openSession(program: ProgramWork, work: string): EditorView {
   return view.get();
 }
 
-/** Puts the text that is to be shown into the editor, where that is another file, or one that was changed elsewhere. */
+/** Loads the shown file into the editor if it is another file or was changed elsewhere. */
 function putShown(): void {
   const { program, work } = useEditor.getState();
   if (!view || !open || !program || open.work !== work) return;
@@ -226,10 +226,7 @@ function putShown(): void {
   useSession.setState((s) => ({ put: s.put + 1 }));
 }
 
-/**
- * From now on the editor goes along when another file is to be shown, or the shown one changes elsewhere: it is
- * replaced, or undone.
- */
+/** Keeps the editor in step with the shown file when another one is chosen or it changes elsewhere. */
 export function followShown(): () => void {
   const stops = [
     onShown(() => {
@@ -257,10 +254,10 @@ export function closeSession(): void {
 }
 
 export const sessionView = (): EditorView | null => view?.get() ?? null;
-/** What its editor is on the page, whether or not it shows the newest text yet. */
+/** DOM element of the editor, even if it does not show the newest text yet. */
 export const sessionDom = (): HTMLElement | null => view?.dom ?? null;
 
-/** Makes a change of the text by a dialog. Changes at the same place, one after the other, are one step of undo. */
+/** Changes the text from a dialog. Successive changes at the same place are one step of undo. */
 export function dispatchEdit(spec: TransactionSpec, place: string | null): void {
   if (!view || !open) return;
   const on = goesOn(place);
@@ -268,13 +265,13 @@ export function dispatchEdit(spec: TransactionSpec, place: string | null): void 
     open.state.update({
       ...spec,
       annotations: [dialogEdit.of(true), ...(on ? [] : [isolateHistory.of("before")])],
-      // The history joins what goes on with a composition to its step, however long it takes.
+      // The history merges a composition into one step, however long it takes.
       userEvent: on ? "input.type.compose" : "input.dialog",
     }),
   );
 }
 
-/** Puts a changed program in place of the open one, as one step of undo; only what differs changes in the text. */
+/** Replaces the open program as one step of undo; only the differences change in the text. */
 export function editProgram(next: Program, place: string | null, openIndex: number | null = null): void {
   if (!open) return;
   const changes = changesBetween(open.state.field(readingField).program, next);
@@ -282,7 +279,7 @@ export function editProgram(next: Program, place: string | null, openIndex: numb
   if (openIndex !== null) openBlock(openIndex);
 }
 
-/** Changes the text that would be shown, while another page stands in place of its editor: one step of undo. */
+/** Changes the shown text while another page replaces its editor, as one step of undo. */
 export function editUnshown(change: (program: Program) => Program): void {
   const { program, work } = useEditor.getState();
   if (view || !program || work === null) return;
@@ -302,7 +299,7 @@ export function editUnshown(change: (program: Program) => Program): void {
   setProgram(withText(program, text.file, fileText(text)));
 }
 
-/** Opens a block: the cursor goes there, and the text shows it. */
+/** Opens a block: moves the cursor there and scrolls it into view. */
 export function openBlock(index: number, parameter: string | null = null, byDialog = false): void {
   if (!view || !open) return;
   const range = blockRange(open.state, index);

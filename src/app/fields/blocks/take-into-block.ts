@@ -6,7 +6,7 @@ import { kindOf } from "./block-kind.ts";
 import type { BlockKind } from "../../../nc/blocks/names.ts";
 import { editUnshown } from "./session.ts";
 
-/** Writes a text into a word of a block whose form was open, while another page stands in its place. */
+/** Writes a word of the block whose form was open, while another page is shown. */
 export const writeIntoBlock = (line: number, kind: BlockKind, word: string, text: string): void =>
   editUnshown((program) => {
     const index = startLines(program).indexOf(line),

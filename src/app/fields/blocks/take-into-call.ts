@@ -3,7 +3,7 @@ import type { OpenCall } from "../../place/open-call.ts";
 import { withPrompt } from "./block-prompts.ts";
 import { editUnshown } from "./session.ts";
 
-/** Writes a value into a cycle block whose prompts were open, while another page stands in their place. */
+/** Writes a value of the cycle block whose prompts were open, while another page is shown. */
 export const takeIntoCall = ({ cycle, line }: Pick<OpenCall, "cycle" | "line">, q: string, text: string): void =>
   editUnshown((program) => {
     const index = startLines(program).indexOf(line),

@@ -7,10 +7,7 @@ import { positionAsTyped } from "../../../program/values/typed-value.ts";
 import { parametersBefore } from "./block-context.ts";
 import { editUnshown } from "./session.ts";
 
-/**
- * Writes a size, mm or degrees, into an APPR or DEP block whose prompts were open, while another page stands in their
- * place.
- */
+/** Writes a size, mm or degrees, of the APPR or DEP block whose prompts were open, while another page is shown. */
 export const writeIntoForm = (line: number, word: ApproachWord, size: number): void =>
   editUnshown((program) => {
     const index = startLines(program).indexOf(line),

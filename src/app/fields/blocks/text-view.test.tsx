@@ -26,7 +26,7 @@ function opened() {
   return { view, told, put, now: () => state.doc.toString() };
 }
 
-test("what a dialog changes while somebody types is told at once, and in the editor behind the picture", () => {
+test("a dialog's change while typing is reported at once, and is in the editor after the next frame", () => {
   const { view, told, put, now } = opened(),
     editor = view.get();
   whileTyping(() => put("1"));
@@ -38,7 +38,7 @@ test("what a dialog changes while somebody types is told at once, and in the edi
   expect(told).toHaveLength(2);
 });
 
-test("whoever asks for the editor finds the newest text in it", () => {
+test("getting the editor updates it to the newest text", () => {
   const { view, put, now } = opened();
   whileTyping(() => put("4"));
   expect(view.get().state.doc.toString()).toBe(now());
@@ -46,7 +46,7 @@ test("whoever asks for the editor finds the newest text in it", () => {
   expect(view.get().state.doc.toString()).toBe(now());
 });
 
-test("what an editor that is behind does by itself tears nothing apart", () => {
+test("an editor that is behind cannot damage the text by its own changes", () => {
   const { view, told, put, now } = opened(),
     editor = view.get();
   whileTyping(() => put("7"));
@@ -56,7 +56,7 @@ test("what an editor that is behind does by itself tears nothing apart", () => {
   expect(told.at(-1)?.state.doc.toString()).toBe(`5${now().slice(1)}`);
 });
 
-test("another text is shown in place of one that the editor has not taken in", () => {
+test("another text replaces one that the editor does not have yet", () => {
   const { view, put } = opened(),
     other = EditorState.create({ doc: "7 M30\n" });
   whileTyping(() => put("3"));

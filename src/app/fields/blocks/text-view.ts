@@ -2,26 +2,25 @@ import type { EditorState, Transaction } from "@codemirror/state";
 import { EditorView, type ViewUpdate } from "@codemirror/view";
 import { behindTyping } from "../../base/typing.ts";
 
-/** What has become of a text, in its editor or on the way there. */
+/** A change of a text, whether or not the editor shows it yet. */
 export type TextUpdate = Pick<ViewUpdate, "state" | "startState" | "transactions" | "docChanged" | "selectionSet">;
 
 /**
- * The editor of a text. What a dialog changes while somebody types there is in the text at once, and in the editor with
- * the next picture.
+ * The editor of a text. A dialog's change while typing is in the text at once, and in the editor with the next frame.
  */
 export interface TextView {
-  /** The editor, which knows the whole text. */
+  /** The editor, updated to the newest text. */
   readonly get: () => EditorView;
-  /** What the editor is on the page. */
+  /** DOM element of the editor. */
   readonly dom: HTMLElement;
-  /** A change that a dialog makes of the newest state of the text. */
+  /** Applies a dialog's change to the newest text state. */
   readonly edit: (made: Transaction) => void;
   /** Shows another text. */
   readonly put: (state: EditorState) => void;
   readonly destroy: () => void;
 }
 
-/** Makes an editor. `onChange` is told of each change once, when it is made. */
+/** Creates an editor. `onChange` is called once for each change, when it is made. */
 export function createTextView(begin: EditorState, onChange: (change: TextUpdate) => void): TextView {
   let behind: readonly Transaction[] = [];
   const catchUp = () => {
@@ -32,7 +31,7 @@ export function createTextView(begin: EditorState, onChange: (change: TextUpdate
   const view = new EditorView({
     state: begin,
     dispatchTransactions(made) {
-      // What an editor does by itself while it is behind was meant for an older text.
+      // An editor that is behind acts on an older text, so its own changes are dropped.
       if (behind.length > 0) return catchUp();
       view.update(made);
       onChange(changeOf(made));

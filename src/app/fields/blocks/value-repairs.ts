@@ -6,7 +6,7 @@ import { valueInProgram } from "../../../program/blocks/cycle-values.ts";
 import { countsInches, withPrompt } from "./block-prompts.ts";
 import type { Repair } from "./repair.ts";
 
-/** What a finding at a value of a cycle offers: that value, or the two that are exchanged. */
+/** Repairs for a finding at a cycle value: the value it offers, or two values swapped. */
 export function valueRepairs(entry: FindingEntry, program: Program, index: number): readonly Repair[] {
   const { issue, at } = entry,
     nearest = nearestOf(entry),

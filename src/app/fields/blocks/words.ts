@@ -8,7 +8,7 @@ import { NO_AREA } from "../../findings/effect/effect.ts";
 import type { Done } from "./program-parts.ts";
 import type { OperationRow } from "./operation-rows.ts";
 
-/** What a cycle is called on the screen, behind its number. */
+/** Screen name of a cycle, without its number. */
 export function cycleWords(t: Texts, cycle: number): string {
   const name = cycleByNumber(cycle)
     ? t.cycles.of[cycle as CycleNumber].name
@@ -18,11 +18,11 @@ export function cycleWords(t: Texts, cycle: number): string {
   return `${cycle} ${name}`.trim();
 }
 
-/** What an operation is called: its structure comment, its cycle, or that it is cut without one. */
+/** Title of an operation: its structure item, its cycle, or cutting without a cycle. */
 export const titleOf = (t: Texts, { title, cycles }: Pick<OperationRow, "title" | "cycles">): string =>
   title ?? (cycles.length > 0 ? cycles.map((cycle) => cycleWords(t, cycle)).join(" · ") : t.operations.withoutCycle);
 
-/** Passes, time and what stays, in a line. */
+/** Passes, time and residual material in one line. */
 export function doneWords(t: Texts, lengths: Lengths, { passes, seconds, residue }: Done): string {
   const time = t.page.effect.duration(
     Math.floor(Math.round(seconds) / 60),

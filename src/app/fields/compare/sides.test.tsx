@@ -19,7 +19,7 @@ afterEach(() => {
   changeSettings({ control: "TNC 640" });
 });
 
-test("a kept work is compared with what it brings along itself, else with what is set on the device", () => {
+test("a saved work is compared with its own tools and settings, else with those of the device", () => {
   toolRecord.replace(withRs("0.7"));
   begin({ ...exampleJob(cycle), tools: withRs("0.3") }, "open");
   const carried = asProgram({ ...exampleJob(cycle), tools: withRs("0.9"), control: "TNC7" });
@@ -30,7 +30,7 @@ test("a kept work is compared with what it brings along itself, else with what i
   expect(radius(program)).toBe(1.1);
 });
 
-test("a cycle that nobody has chosen a tool for calls one of its own tools, not one of the open work", () => {
+test("a cycle without a chosen tool calls one of its own tools, not one of the open work", () => {
   const unset = { ...exampleJob(cycle), ...UNSET };
   const numbered = shippedList.map((row) => ({ ...row, cells: { ...row.cells, T: String(Number(row.cells.T) + 60) } }));
   begin({ ...unset, tools: numbered }, "open");
@@ -39,7 +39,7 @@ test("a cycle that nobody has chosen a tool for calls one of its own tools, not 
   expect(called(present)).toBe(called(bare) + 60);
 });
 
-test("the open work as it was opened, and another text in its place, have the tools and the control that it has now", () => {
+test("the open work as it was opened, and another text for it, use its present tools and control", () => {
   begin({ ...exampleJob(cycle), tools: withRs("0.3") }, "open");
   edit((job) => ({ ...job, parameters: { Q5: "7.3" } }));
   setHandedOn({ tools: withRs("0.5"), control: "TNC7" });

@@ -7,14 +7,14 @@ import { shopOf } from "../../document/work-tools.ts";
 import { fileKey } from "../../../program/state/program-files.ts";
 import { broughtBy, filesOf, isProgram, withText, type ProgramWork, type Work } from "../../document/work.ts";
 
-/** A work as a program, with what it brings along: that of a cycle as it is printed. */
+/** A work as a program with its tools and settings; a cycle job is printed. */
 export function asProgram(work: Work): ProgramWork {
   if (isProgram(work)) return work;
   const text = printedText(work, shopOf(work).table.tools);
   return { name: `${programName(text)}.h`, text, encoding: "utf-8", ...broughtBy(work) };
 }
 
-/** The open work as it stands now; null where none is open. */
+/** The open work in its current state; null if none is open. */
 export function presentProgram(): ProgramWork | null {
   handOver();
   const { job, program } = useEditor.getState();
@@ -22,23 +22,20 @@ export function presentProgram(): ProgramWork | null {
   return open && asProgram(open);
 }
 
-/** The other program with the name it is told by; null: the open work as it was opened. */
+/** The other program and its name. A null name means the open work as it was opened. */
 export interface Other {
   readonly name: string | null;
   readonly program: ProgramWork;
 }
 
-/**
- * The open work as it was when it was opened, with the tools and the control that it has now; null where that is not
- * known.
- */
+/** The open work as it was opened, with its present tools and control; null if not known. */
 export function openedProgram(): ProgramWork | null {
   const { work } = useEditor.getState();
   const opened = work === null ? null : asOpened(work);
   return opened && asProgram(withHandedOn(opened, broughtBy(handedOn(useEditor.getState()))));
 }
 
-/** The open work as it was when it was opened, where something of it has changed since. */
+/** The open work as it was opened, if it has changed since. */
 export function changedSinceOpened(present: ProgramWork): Other | null {
   const program = openedProgram();
   return program && (program.text !== present.text || filesOf(program) !== filesOf(present))
@@ -46,13 +43,13 @@ export function changedSinceOpened(present: ProgramWork): Other | null {
     : null;
 }
 
-/** The open work with another text in place of the one that is shown. */
+/** The open work with another text for the shown file. */
 export function withOtherText(present: ProgramWork, text: string): ProgramWork {
   const { program } = useEditor.getState();
   return withText(present, fileKey(program ? shownFile(program).name : present.name), text);
 }
 
-/** The text of a file of the device; null where it can not be read as one. */
+/** Text of a file on the device; null if it is no text. */
 export async function textOfFile(file: File): Promise<string | null> {
   if (file.size > LARGEST_PROGRAM) return null;
   try {

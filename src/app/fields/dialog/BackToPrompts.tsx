@@ -4,7 +4,7 @@ import { openPrompt, usePlace } from "../../place/place.ts";
 import type { JobReading } from "../../document/reading.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** From the contour back to the prompts: to the one that was left, or past the one that asked for the contour. */
+/** Back from the contour to the prompt that was left, or past the contour prompt to the first of the cycle. */
 export function BackToPrompts({ read: { job, cycle } }: { readonly read: JobReading }) {
   const {
     dialog: { contour: t },

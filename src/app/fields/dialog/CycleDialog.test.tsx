@@ -57,7 +57,7 @@ test("ENT takes each value and ends with the copy button", async () => {
   expect(document.activeElement).toBe(screen.getByRole("button", { name: /^Copy the program/ }));
 });
 
-test("ENT passes by what has no effect; arrows go there, NO ENT leaves it out, and what was typed is kept", async () => {
+test("ENT skips prompts without effect; arrows reach them, NO ENT omits them, and typed text is kept", async () => {
   const user = userEvent.setup();
   const size = prompts.find((q) => cycle.params[q]?.sizes !== undefined) ?? "";
   const element = cycle.params[size]?.sizes ?? "";
@@ -80,7 +80,7 @@ test("ENT passes by what has no effect; arrows go there, NO ENT leaves it out, a
   await screen.findByText("1 prompt open");
 });
 
-test("arrows and Tab move, in front of the first prompt through the set-up, whose first place stays", async () => {
+test("arrows and Tab move, before the first prompt through the set-up, and stop at its first prompt", async () => {
   const user = userEvent.setup();
   await user.keyboard("{ArrowDown}{ArrowDown}{ArrowUp}");
   expect(shows(prompts[1] ?? "")).toBe(true);
@@ -98,7 +98,7 @@ test("arrows and Tab move, in front of the first prompt through the set-up, whos
   expect(shows(axial)).toBe(true);
 });
 
-test("a value that is typed takes the place of the one that stood there, at once", async () => {
+test("a typed value replaces the previous one at once", async () => {
   const user = userEvent.setup();
   goTo(diameter);
   await screen.findByDisplayValue(typed(diameter) ?? "");
@@ -129,7 +129,7 @@ test("a sum becomes its value when the field is left, a Q parameter stays", asyn
   expect(typed(diameter)).toBe("38.5");
 });
 
-test("Escape brings back the value as it was when the prompt opened", async () => {
+test("Escape restores the value from when the prompt opened", async () => {
   const user = userEvent.setup();
   goTo(diameter);
   const before = typed(diameter) ?? "";
@@ -188,7 +188,7 @@ test.each([
   ["out of range", () => angle, "-5", /Use 5/],
   ["no number", () => diameter, "abc", null],
   ["missing", () => diameter, "", null],
-])("%s is said at the field while it is typed, and never stops the typing", async (_, q, text, nearest) => {
+])("%s gives a message at the field while typing, and never stops the typing", async (_, q, text, nearest) => {
   const user = userEvent.setup();
   goTo(q());
   await screen.findByDisplayValue(typed(q()) ?? "");
@@ -227,7 +227,7 @@ test("prompts are asked in the language of the screen, with its decimal sign", a
   expect(screen.getByRole("button", { name: new RegExp(`^${feed} .*0,250 mm/U`) })).toBeTruthy();
 });
 
-test("a fault that leaves no path is said at the prompt that shapes the contour, in front of what else is said there", async () => {
+test("a fault without a path is shown first at the prompt that shapes the contour", async () => {
   const end = prompts.findLast((q) => cycle.params[q]?.kind === "diameter") ?? "";
   goTo(end);
   setPrompt(end, "213.7");

@@ -12,7 +12,7 @@ import { commandsOf, openSuggestions, type PromptSession } from "./session.ts";
 
 const ICONS = { bad: "error", doubt: "warning", none: "info", plain: "check", good: "check" } as const;
 
-/** The end of the dialog: what is still open, what is wrong, or the program to take along. */
+/** End of the dialog: open prompts, problems, or the program to export. */
 export function DialogDone({ session, inBlock }: { readonly session: PromptSession; readonly inBlock: boolean }) {
   const {
     dialog: { done: t, active },

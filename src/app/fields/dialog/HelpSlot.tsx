@@ -9,7 +9,7 @@ import type { JobReading } from "../../document/reading.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** In place of a picture: what a cycle does where it stands. */
+/** Text instead of a picture for a DEF-active cycle. */
 function ActingWords({ cycle }: { readonly cycle: number }) {
   const { name, description, notes } = useTexts().cycles.of[cycle as CycleNumber];
   return (
@@ -21,7 +21,7 @@ function ActingWords({ cycle }: { readonly cycle: number }) {
   );
 }
 
-/** The help picture beside the prompts: this contour, the open prompt's dimension strong. */
+/** Help picture of this contour with the dimension of the open prompt highlighted. */
 export function HelpSlot({
   read: typed,
   q,
@@ -31,8 +31,7 @@ export function HelpSlot({
   readonly q: string | null;
   readonly onPick: (q: string, taken: boolean) => void;
 }) {
-  // What is typed is drawn on the lathe first, and here when that is on the screen; so is a prompt that is opened,
-  // whose field comes first.
+  // Deferred: after a keystroke the lathe view is drawn first, and after opening a prompt its field.
   const late = useLater(typed),
     lateQ = useLater(q);
   const [read, active] = late.cycle === typed.cycle ? [late, lateQ] : [typed, q];
@@ -43,7 +42,7 @@ export function HelpSlot({
     [isBorrowed, read],
   );
   const wrong = read.reading.issues.some((found) => found.code !== "missing");
-  // What acts where it is defined has no contour to draw.
+  // A DEF-active cycle has no contour to draw.
   if (read.cycle.acts) return <ActingWords cycle={read.cycle.number} />;
   return (
     <div className="help-slot">

@@ -43,7 +43,7 @@ export function writingKeys(
   return (id) => keys[id] ?? written(id, id, id);
 }
 
-/** A key; with `tabbed` false the keyboard does not visit it, since its field would lose the keyboard. */
+/** A key; `tabbed: false` keeps it out of the tab order, so that its field keeps the focus. */
 export const padButton = ({ label, name, press, className = "", disabled = false }: PadKey, tabbed = true) => (
   <button
     key={name}

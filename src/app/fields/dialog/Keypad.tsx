@@ -14,15 +14,13 @@ interface Props {
   readonly input: RefObject<HTMLInputElement | null>;
 }
 
-/** The keys in their rows: a calculator with the keys of the control beside it, and the keys of path words. */
+/** Rows of keys: a calculator with the keys of the control, or the keys of path words. */
 const ROWS = {
   sums: "7 8 9 / ( up erase 4 5 6 * ) down noEnter 1 2 3 - Q cancel end sign 0 point + enter".split(" "),
   words: "7 8 9 up erase noEnter end 4 5 6 down sign point I 1 2 3 0 enter".split(" "),
 } as const;
 
-/**
- * The keys of the control for fingers, docked under the open prompt. Of a choice among digits only its own are there.
- */
+/** Touch keypad docked below the open prompt. A choice among digits shows only its own digits. */
 export function Keypad({ session, prompt, input }: Props) {
   const {
     dialog: { keys: t, keypad },

@@ -11,7 +11,7 @@ const rowOf = ({ letter, name, text, unit, soft }: PromptGroup) => ({
   shown: { text, unit, soft },
 });
 
-/** Whether a prompt has a row: of a group that is not open only the first has one. */
+/** True if a prompt has a row; a closed group shows only its first prompt. */
 function isOwnRow(field: Prompt, fields: readonly Prompt[], active: string | null): boolean {
   const { group } = field;
   if (!group || fields.some((f) => f.id === active && f.group?.id === group.id)) return true;

@@ -4,10 +4,7 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { commandsOf, type Prompt, type PromptSession } from "./session.ts";
 import { inScreenWriting } from "./write-value.ts";
 
-/**
- * What can be done at a prompt beside answering it: keep what is proposed, go to a place beside the dialog, leave the
- * set-up.
- */
+/** Actions of a prompt besides its value: confirm the proposal, open a place outside the dialog, leave the set-up. */
 export function PromptSteps({ session, prompt }: { readonly session: PromptSession; readonly prompt: Prompt }) {
   const { setup, dialog: t } = useTexts();
   const language = useSettings((s) => s.language);

@@ -11,10 +11,7 @@ const SIZE = { width: 150, height: 62 } as const;
 /** Hues of the first and of the last pass, degrees. */
 const HUES = { first: 205, last: 25 } as const;
 
-/**
- * The groove of the thread that the cycle in this line of a program plans, or of the job where there is none: each chip
- * in its colour.
- */
+/** Thread profile of the cycle in this program line, or of the job without a line, with each chip in its colour. */
 export function ThreadPicture({ line }: { readonly line: number | null }) {
   const {
     dialog: { sizes: t },

@@ -46,7 +46,7 @@ test("a size by its name fills pitch, depth, diameter and one start, in one step
   expect(draft()).toEqual(before);
 });
 
-test("a tap takes the size, and a name that no standard has is said to be none", async () => {
+test("a tap sets the size, and a name that no standard has gives a message", async () => {
   const user = userEvent.setup();
   const field = await screen.findByRole("searchbox", { name: "Nominal size" });
   await user.type(field, "G½");

@@ -6,10 +6,10 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { ThreadPicture } from "./ThreadPicture.tsx";
 import "./thread-sizes.css";
 
-/** More names than this are not shown: one more letter leaves fewer. */
+/** Most names shown; another letter narrows the list. */
 const SHOWN = 6;
 
-/** A thread by its name: what is typed finds it, a tap fills the prompts. */
+/** Finds a thread by its name and fills the prompts. */
 export function ThreadSizes({
   line,
   take,
@@ -31,7 +31,7 @@ export function ThreadSizes({
     take(size);
     setTaken(size);
     type("");
-    // The list goes, and with it what was pressed.
+    // The list closes, and the focused button with it.
     input.current?.focus({ preventScroll: true });
   };
   return (

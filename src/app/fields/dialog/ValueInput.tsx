@@ -10,12 +10,12 @@ interface Props {
   readonly prompt: Prompt;
   readonly describedBy: string;
   readonly invalid: boolean;
-  /** The page's own keypad is there: the system's must not cover the picture. */
+  /** The page shows its own keypad, so the device keyboard stays closed. */
   readonly ownKeypad: boolean;
   readonly input: RefObject<HTMLInputElement | null>;
 }
 
-/** The large value of the open prompt. Every keystroke reaches the work; leaving the field settles it. */
+/** The large value of the open prompt. Every keystroke updates the work; leaving the field evaluates sums. */
 export function ValueInput({
   session,
   prompt: { id, name, suggestion },
@@ -33,7 +33,7 @@ export function ValueInput({
   });
   useLayoutEffect(() => opened(), [id, session.opened.focus]);
 
-  // A placeholder that is covered by a value would get its style anew with each digit.
+  // A placeholder hidden by a value would be restyled with each digit.
   const placeholder = suggestion && text === "" ? inScreenWriting(language, suggestion.text) : undefined;
   return (
     <div className="value-box">

@@ -1,16 +1,16 @@
 import { create } from "zustand";
 
-/** The pane of the view that help pictures go to, where the screen has one; null where they stand among the prompts. */
+/** The pane for help pictures; null if they are shown among the prompts. */
 export const useHelpDock = create<{
   readonly dock: HTMLElement | null;
-  /** A help picture stands in it. */
+  /** A help picture is in it. */
   readonly filled: boolean;
 }>(() => ({ dock: null, filled: false }));
 
 /** Ref of the pane. */
 export const holdHelpDock = (dock: HTMLElement | null): void => useHelpDock.setState({ dock });
 
-/** A help picture stands in the pane from now on. Gives what says that it does not any more. */
+/** Marks the pane as filled. Returns the function that clears the mark. */
 export function fillHelpDock(): () => void {
   useHelpDock.setState({ filled: true });
   return () => useHelpDock.setState({ filled: false });

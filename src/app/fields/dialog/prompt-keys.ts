@@ -27,7 +27,7 @@ export function onPromptTab(event: KeyboardEvent<HTMLElement>, session: PromptSe
   event.stopPropagation();
 }
 
-/** Keys of the control on a keyboard. What is not one of them is left to the field. */
+/** Keys of the control on a keyboard. All other keys are left to the field. */
 export function onPromptKey(event: KeyboardEvent<HTMLElement>, session: PromptSession): void {
   if (event.ctrlKey || event.metaKey || event.altKey || event.nativeEvent.isComposing) return;
   const { enter, step, finish, cancel, noEntry } = commandsOf(session);

@@ -14,19 +14,19 @@ export interface Prompt {
   readonly about: string;
   /** Its page in the guide, where it has one. */
   readonly page?: readonly string[];
-  /** What its input is called. */
+  /** Accessible name of its input. */
   readonly name: string;
   readonly unit: string;
   /** Smallest and largest value; null where it has none. */
   readonly range: string | null;
-  /** What holds besides the range: optional, incremental. */
+  /** Notes besides the range: optional, incremental. */
   readonly notes: readonly string[];
   /** Why its description is not certain. */
   readonly doubt: string | null;
   /** Printed values with their meanings, where only these may be taken. */
   readonly choices: readonly { readonly value: string; readonly meaning: string }[] | null;
   readonly optional: boolean;
-  /** The other values say that it has no effect: ENT passes it by, and it may be left out. */
+  /** Has no effect with the other values: ENT skips it, and it may be omitted. */
   readonly idle: boolean;
   /** May have an I in front. */
   readonly increments: boolean;
@@ -35,20 +35,17 @@ export interface Prompt {
   readonly decimals: number;
   /** What the list of prompts shows. */
   readonly shown: { readonly text: string; readonly unit: string; readonly soft: boolean };
-  /**
-   * What may stand in the field while it is empty: ENT takes it, unless it `holds` already as long as nobody enters
-   * anything.
-   */
+  /** Suggestion for the empty field. ENT takes it; `holds`: it is used anyway while the field is empty. */
   readonly suggestion?: { readonly text: string; readonly holds: boolean } | undefined;
-  /** Prompts of the set-up, in front of those of the cycle: a group is one row of the list while none of it is open. */
+  /** Set-up group, before the prompts of the cycle; a closed group is one row of the list. */
   readonly group?: PromptGroup;
-  /** It has no value of its own: only the way to another place. */
+  /** Has no value, only an action. */
   readonly bare?: true;
-  /** A place beside the dialog that it leads to; `needed`: ENT goes there first. */
+  /** A place outside the dialog that it leads to; `needed`: ENT goes there first. */
   readonly action?: { readonly label: string; readonly run: () => void; readonly needed: boolean };
 }
 
-/** What of the description of a value a prompt takes over as it stands. */
+/** Properties that a prompt copies from the description of its value. */
 type PromptField = Pick<Prompt, "id"> & Partial<Pick<Prompt, "letter" | "optional" | "increments" | "decimals">>;
 
 /** The texts of a prompt; `label`: in the list, where that is not the question. */
@@ -92,7 +89,7 @@ export interface PromptGroup {
   readonly text: string;
   readonly unit: string;
   readonly soft: boolean;
-  /** Place in the set-up, and how many it has. */
+  /** Position in the set-up, and number of positions. */
   readonly at: readonly [number, number];
 }
 
@@ -102,7 +99,7 @@ export interface Opened {
   readonly id: string | null;
   /** The text as it was when the prompt opened, for Escape. */
   readonly before: string;
-  /** Counts up each time the open field should take the keyboard. */
+  /** Incremented when the open field should take the focus. */
   readonly focus: number;
 }
 
@@ -118,25 +115,22 @@ export interface PromptSession {
   readonly picture: ReactNode;
   readonly opened: Opened;
   readonly open: (id: string | null, before: string) => void;
-  /** True where a prompt that opens may take the keyboard. */
+  /** True if a prompt may take the focus when it opens. */
   readonly mayFocus: () => boolean;
   /** The set-up has fields for the values of Q parameters. */
   readonly asksParameters: boolean;
-  /** What has no effect once a prompt is answered so; asked before the answer is there to be read. */
+  /** Prompts without effect once a prompt has this answer; called before the answer is stored. */
   readonly idleWith?: (id: string, text: string) => (other: string) => boolean;
   /** Takes several answers in one step of undo. */
   readonly setAll?: (texts: Readonly<Record<string, string>>) => void;
-  /** The keys under fingers: those of a calculator, or those of path words. */
+  /** Touch keypad: calculator or path words. */
   readonly keypad: "sums" | "words";
 }
 
 export const openPromptOf = ({ fields, opened }: PromptSession): Prompt | null =>
   fields.find((f) => f.id === opened.id) ?? null;
 
-/**
- * What an empty prompt is suggested to be answered with; null where it is answered, or where the suggestion counts
- * already.
- */
+/** Suggestion for an empty prompt; null if it is answered or the suggestion is used anyway. */
 export function suggestionFor(
   { draft }: Pick<PromptSession, "draft">,
   { id, suggestion, idle }: Prompt,
@@ -144,7 +138,7 @@ export function suggestionFor(
   return suggestion && !suggestion.holds && !idle && (draft[id] ?? "").trim() === "" ? suggestion.text : null;
 }
 
-/** All suggestions for prompts that nobody has answered yet, without those that the others leave without effect. */
+/** Suggestions for all unanswered prompts that have an effect. */
 export function openSuggestions(session: PromptSession): Readonly<Record<string, string>> {
   const all = session.fields.flatMap((f) => {
     const text = suggestionFor(session, f);
@@ -153,7 +147,7 @@ export function openSuggestions(session: PromptSession): Readonly<Record<string,
   return Object.fromEntries(all.filter(([id]) => !all.some(([other, text]) => session.idleWith?.(other, text)(id))));
 }
 
-/** A text as it stays when its field is left: a sum becomes its value, one with a Q parameter once that has a value. */
+/** The text after its field is left: a sum becomes its value; with a Q parameter only if that has a value. */
 function settled(reading: FieldReading | undefined, text: string): string {
   const { value, written, computed, incremental } = reading ?? {
     value: null,
@@ -170,21 +164,21 @@ function settled(reading: FieldReading | undefined, text: string): string {
 
 /** What the keys of the control do in a dialog. */
 export interface PromptCommands {
-  /** The open prompt is left: its text settles, and what is typed next is a new step of undo. */
+  /** Leaves the open prompt: evaluates its text and starts a new step of undo. */
   readonly leave: () => void;
   /** Opens a prompt after leaving the one before it. */
   readonly goTo: (id: string | null) => void;
-  /** ENT: the next prompt that has an effect; behind the last one the dialog is at its end. */
+  /** ENT: the next prompt that has an effect; after the last one the dialog ends. */
   readonly enter: () => void;
-  /** The prompt `by` places further on; past the last one the dialog is at its end, before the first it stays. */
+  /** Moves by `by` prompts; the dialog ends after the last one and stays at the first. */
   readonly step: (by: number) => void;
-  /** NO ENT: the prompt is left out, where it may be. */
+  /** NO ENT: omits the prompt, if allowed. */
   readonly noEntry: () => void;
   /** END: the rest stays as it is. */
   readonly finish: () => void;
   /** Escape: the value as it was when the prompt opened. */
   readonly cancel: () => void;
-  /** Takes a value by a button: a step of undo of its own. */
+  /** Sets a value by a button, as its own step of undo. */
   readonly take: (text: string) => void;
 }
 

@@ -11,7 +11,7 @@ import type { JobReading } from "../../document/reading.ts";
 import { promptOf, type Prompt } from "./session.ts";
 import { inScreenWriting } from "./write-value.ts";
 
-/** The prompts of the set-up in the order in which a setter has it, each with the word that the control has for it. */
+/** Set-up prompts in the order of a setter's work, each with the control's word. */
 const PLACES = [
   { id: "blank.outside", letter: "D", field: SETUP_FIELDS.outside, group: "blank" },
   { id: "blank.bore", letter: "DI", field: SETUP_FIELDS.bore, group: "blank" },
@@ -32,12 +32,12 @@ const PLACES = [
   readonly group: string;
 }[];
 
-/** The place that a dialog of a new work begins at. */
+/** First prompt of a new work. */
 export const FIRST_PLACE: SetupPlace = PLACES[0].id;
 
 export const isSetupPlace = (id: string): id is SetupPlace => PLACES.some((place) => place.id === id);
 
-/** The value of a place as the work has it, set or proposed. */
+/** Value of a set-up prompt, set or proposed. */
 function valueAt({ job }: JobReading, id: SetupPlace): string {
   const { blank, start } = job;
   const texts: Readonly<Record<SetupPlace, string>> = {
@@ -52,7 +52,7 @@ function valueAt({ job }: JobReading, id: SetupPlace): string {
   return texts[id];
 }
 
-/** Writes what was typed at a place; an empty text makes it proposed again. */
+/** Writes a set-up value; an empty text restores the proposal. */
 export function setPlace(id: SetupPlace, text: string): void {
   const number = text.trim();
   if (id === "tool") {
@@ -64,7 +64,7 @@ export function setPlace(id: SetupPlace, text: string): void {
   else setBlank(field as keyof JobReading["job"]["blank"], text);
 }
 
-/** The set-up as prompts of the dialog: with what is typed, how it reads, and what is proposed where nothing is. */
+/** Set-up prompts with typed text, reading and proposal. */
 export interface SetupPrompts {
   readonly fields: readonly Prompt[];
   readonly draft: Readonly<Record<string, string>>;

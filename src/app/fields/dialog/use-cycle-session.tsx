@@ -19,19 +19,19 @@ import { isSetupPlace, setPlace, setupPrompts } from "./setup-prompts.ts";
 import { promptOf, type Prompt, type PromptSession } from "./session.ts";
 import { unitOf, writeValue } from "./write-value.ts";
 
-/** A cycle block of a program: what is wrong with it only, and how its prompts are written into its text. */
+/** A cycle block of a program: its own problems, and how its prompts are written to its text. */
 export interface PromptedBlock {
   /** Its first line in the text, from 1. */
   readonly line: number;
   readonly problems: readonly FindingEntry[];
-  /** Its program counts in inches. */
+  /** Its program is in inches. */
   readonly inches: boolean;
   readonly set: (q: string, text: string) => void;
   /** Several prompts in one step of undo. */
   readonly setAll: (texts: Readonly<Record<string, string>>) => void;
 }
 
-/** What suggestions go by: the blank, where somebody has set it. */
+/** Context of suggestions: the blank, if it is set. */
 function suggestionContext({ job, setup }: JobReading): SuggestionContext {
   const set = (place: SetupPlace, text: string) =>
     setup && !setup.proposed.has(place) ? readText(anyNumber, text).value : null;
@@ -130,8 +130,8 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
     return t.dialog.value(at, param ? t.params[param.text as ParamTextId].label : "");
   };
   /**
-   * A fault that leaves no path and has no prompt of its own: it is said at those that shape the contour, and at one
-   * that was changed.
+   * A fault without a path and without its own prompt is shown at the prompts that shape the contour, and at a changed
+   * one.
    */
   const isPathless = (entry: FindingEntry, id: string): boolean =>
     isError(entry) &&
@@ -141,7 +141,9 @@ export function useCycleSession(read: JobReading, block: PromptedBlock | null): 
       (id in cycle.params && id === opened.prompt && draft[id] !== opened.before));
   const set: PromptSession["set"] =
     block?.set ?? ((id, text) => (isSetupPlace(id) ? setPlace(id, text) : setPrompt(id, text)));
-  /** A pressed dimension opens its prompt; taken, its value goes into the open one, as a step of undo of its own. */
+  /**
+   * A click on a dimension opens its prompt; a long press puts its value into the open one, as its own step of undo.
+   */
   const onPick = (q: string, taken: boolean) => {
     const into = opened.prompt;
     if (!taken || into === null || into === q || cycle.params[into]?.choices) return openPrompt(q, draft[q] ?? "");

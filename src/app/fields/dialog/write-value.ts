@@ -44,6 +44,6 @@ const units: Readonly<Record<Exclude<Kind, "feed">, UnitName>> = {
   revolutions: "revolutions",
 };
 
-/** What the value of a parameter is measured in. */
+/** Unit of a parameter. */
 export const unitOf = (param: Param, perRevolution: boolean): UnitName =>
   param.kind === "feed" ? (perRevolution && !param.perMinute ? "perRevolution" : "perMinute") : units[param.kind];

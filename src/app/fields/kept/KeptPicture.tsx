@@ -4,7 +4,7 @@ import { Drawing } from "../chooser/Drawing.tsx";
 import { menuCycle } from "../chooser/menu.ts";
 import { PartPicture } from "./PartPicture.tsx";
 
-/** A work in small: the part as it was last seen, or what its cycle makes. */
+/** Thumbnail of a work: the part as last seen, or the pictogram of its cycle. */
 export function KeptPicture({ seen, cycle }: { readonly seen: Thumbnail | undefined; readonly cycle: number | null }) {
   const id = useId();
   if (seen) return <PartPicture of={seen} />;

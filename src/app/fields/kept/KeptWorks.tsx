@@ -10,7 +10,7 @@ import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { KeptPicture } from "./KeptPicture.tsx";
 
-/** Works that are listed here; all of them have a page of their own. */
+/** Works listed here; the page of all works has the rest. */
 const FIRST = 8;
 
 /** Opens a work of the list at its beginning. */
@@ -19,7 +19,7 @@ export async function openKept(work: string): Promise<void> {
   await openWork(work);
 }
 
-/** Takes a work out of the list; false where another tab has it. The code for that comes when it is asked for. */
+/** Deletes a work; false if another tab has it open. The code is loaded on demand. */
 async function removeKept(work: string): Promise<boolean> {
   const { removeWorks } = await import("../../records/works.ts");
   return (await removeWorks([work])).gone.length > 0;

@@ -1,6 +1,6 @@
 import type { Thumbnail } from "../../../view/thumbnail.ts";
 
-/** A finished part in half section within what it was turned from; decoration, its name stands beside it. */
+/** Half section of a finished part inside its blank. Decorative, since the name is next to it. */
 export function PartPicture({ of }: { readonly of: Thumbnail | undefined }) {
   return (
     <svg className="part-picture" viewBox={(of?.box ?? [0, 0, 1, 1]).join(" ")} aria-hidden="true" focusable="false">

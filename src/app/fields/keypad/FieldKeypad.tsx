@@ -12,16 +12,13 @@ const ROWS = {
   open: "7 8 9 / ( up erase 4 5 6 * ) down letters 1 2 3 - ? ready sign 0 point + enter".split(" "),
 } as const;
 
-/**
- * The keys of the prompts for the number field that has the keyboard, at the lower edge of the page, which makes room
- * for them.
- */
+/** Keypad for the focused number field at the lower edge of the page, which makes room for it. */
 export function FieldKeypad({
   field,
   onLetters,
 }: {
   readonly field: HTMLInputElement;
-  /** The keyboard of the device is wanted for this field. */
+  /** Requests the device keyboard for this field. */
   readonly onLetters: (field: HTMLInputElement) => void;
 }) {
   const {

@@ -27,7 +27,7 @@ function Fields({ start = ["12.5", "-7"] }: { readonly start?: readonly string[]
   );
 }
 const field = (name: string) => screen.getByRole<HTMLInputElement>("textbox", { name });
-/** A finger on a field: the press, then the keyboard goes there. */
+/** Taps a field: pointer press, then focus. */
 function touch(input: HTMLElement, pointerType = "touch") {
   fireEvent.pointerDown(input, { pointerType });
   input.focus();
@@ -35,7 +35,7 @@ function touch(input: HTMLElement, pointerType = "touch") {
 const key = (name: string) => fireEvent.click(screen.getByRole("button", { name }));
 const keypad = () => screen.queryByRole("group", { name: "Keypad" });
 
-test("a finger on a number field brings the keypad and keeps the keyboard of the device away; a name keeps it", async () => {
+test("tapping a number field opens the keypad instead of the device keyboard; a name field keeps that", async () => {
   render(<Fields />);
   touch(field("field 1"));
   expect(await screen.findByRole("group", { name: "Keypad" })).toBeTruthy();
@@ -45,7 +45,7 @@ test("a finger on a number field brings the keypad and keeps the keyboard of the
   expect(field("name").inputMode).toBe("");
 });
 
-test("a finger on something else meets it where it stands: the keypad goes a picture later", async () => {
+test("tapping something else hits it in place: the keypad closes a frame later", async () => {
   render(<Fields />);
   touch(field("field 1"));
   await screen.findByRole("group", { name: "Keypad" });
@@ -55,14 +55,14 @@ test("a finger on something else meets it where it stands: the keypad goes a pic
   await waitFor(() => expect(keypad()).toBeNull());
 });
 
-test("a mouse does not bring it", async () => {
+test("a mouse does not open it", async () => {
   render(<Fields />);
   touch(field("field 1"), "mouse");
   await new Promise((done) => requestAnimationFrame(done));
   expect(keypad()).toBeNull();
 });
 
-test("digits take the place of what is selected, the sign changes anywhere, a sum can be typed", async () => {
+test("digits replace the selection, the sign changes anywhere, a sum can be typed", async () => {
   render(<Fields />);
   touch(field("field 1"));
   fireEvent.click(field("field 1"));
@@ -76,7 +76,7 @@ test("digits take the place of what is selected, the sign changes anywhere, a su
   expect(document.activeElement).toBe(field("field 1"));
 });
 
-test("a field that got the keyboard after the finger had left: the first digit takes the place of the text, and none is lost", async () => {
+test("a field that is focused after the tap: the first digit replaces the text, and none is lost", async () => {
   render(<Fields />);
   touch(field("field 1"));
   await screen.findByRole("group", { name: "Keypad" });
@@ -84,7 +84,7 @@ test("a field that got the keyboard after the finger had left: the first digit t
   expect(field("field 1").value).toBe("48.5");
 });
 
-test("ENT goes on to the next number field and puts the keypad away behind the last; a question mark leaves a value open", async () => {
+test("ENT goes to the next number field and closes the keypad after the last one; a question mark leaves a value open", async () => {
   render(<Fields />);
   touch(field("field 1"));
   await screen.findByRole("group", { name: "Keypad" });
@@ -100,7 +100,7 @@ test("ENT goes on to the next number field and puts the keypad away behind the l
   await waitFor(() => expect(keypad()).toBeNull());
 });
 
-test("letters: the keyboard of the device comes for this field, until it is left", async () => {
+test("letters: the device keyboard opens for this field, until it is left", async () => {
   render(<Fields />);
   touch(field("field 1"));
   await screen.findByRole("group", { name: "Keypad" });
@@ -113,7 +113,7 @@ test("letters: the keyboard of the device comes for this field, until it is left
   await waitFor(() => expect(field("field 1").inputMode).toBe("none"));
 });
 
-test("typing is heard by the field, the caret stays behind what was written, and what the field does with Enter goes first", () => {
+test("typing fires the field's events, the caret stays behind the text, and the field's own Enter action goes first", () => {
   let entered = 0;
   function One() {
     const [text, setText] = useState("3,75");

@@ -6,16 +6,16 @@ import { numberFieldOf } from "./field-typing.ts";
 const FieldKeypad = lazyPart(async () => ({ default: (await import("./FieldKeypad.tsx")).FieldKeypad }));
 
 /**
- * Brings the keypad to every number field of the app (an input marked with `data-number`) where fingers work, and keeps
- * the keyboard of the device away from it, which would cover the picture. Fields for names keep that keyboard.
+ * Shows the keypad for every number field (an input with `data-number`) on touch, and suppresses the device keyboard,
+ * which would cover the picture. Fields for names keep that keyboard.
  */
 export function NumberKeys() {
   const [field, setField] = useState<HTMLInputElement | null>(null);
   /** The last press was by a finger or a pen. */
   const touched = useRef(false);
-  /** The field that was just come to. */
+  /** The field that just got the focus. */
   const fresh = useRef<HTMLInputElement | null>(null);
-  /** The field for which the keyboard of the device was asked for. */
+  /** The field that uses the device keyboard. */
   const spelled = useRef<HTMLInputElement | null>(null);
 
   useEffect(() => {
@@ -33,19 +33,19 @@ export function NumberKeys() {
         setField(focused);
       }
     };
-    // As in the prompts, what is typed first takes the place of what stands there; the next touch sets the caret. The
-    // field may have moved away under the finger when its keypad came.
+    // As in the prompts, the first digit replaces the value; the next tap sets the caret. The field may have moved
+    // under the finger when its keypad opened.
     const onClick = () => {
       if (fresh.current !== null && fresh.current === document.activeElement) fresh.current.select();
       fresh.current = null;
     };
-    // A key that is the first click since then writes over the old text: selected behind it, its digit would be lost to
-    // the next one.
+    // If a key is the first click after that, it replaces the old text. Selecting after it would let the next digit
+    // replace its own.
     const onKey = ({ target }: MouseEvent) => {
       if (target instanceof Element && target.closest(".field-keypad")) onClick();
     };
-    // A field that is taken out of the page is not always left first. The page moves when the keypad goes: only when
-    // the tap that took the keyboard elsewhere has met what it was for.
+    // A removed field does not always blur first. The page moves when the keypad closes, so that waits until the tap
+    // that moved the focus has hit its target.
     const onLeave = () =>
       requestAnimationFrame(() => {
         if (spelled.current && document.activeElement !== spelled.current) {

@@ -2,8 +2,8 @@ import { flushSync } from "react-dom";
 import type { EntryState } from "../number/number-entry.ts";
 
 /**
- * Which letters a number field takes beside digits: "words" parameters, "open" also a question mark for what is not
- * given.
+ * Letters a number field accepts besides digits: "words" for parameters, "open" also a question mark for an unknown
+ * value.
  */
 export type NumberLetters = "words" | "open";
 
@@ -17,10 +17,7 @@ const numberFields = (root: ParentNode): readonly HTMLInputElement[] =>
 export const numberFieldOf = (target: EventTarget | null): HTMLInputElement | null =>
   target instanceof HTMLInputElement && target.dataset["number"] !== undefined ? target : null;
 
-/**
- * What of the page a field belongs to: the open dialog, or all of it. A keypad outside a modal dialog could not be
- * pressed.
- */
+/** Container of a field: its dialog, or the page. A keypad outside a modal dialog could not be clicked. */
 export const scopeOf = (field: HTMLElement): HTMLElement => field.closest<HTMLElement>("dialog") ?? document.body;
 
 /** The text of a field with its selection. */
@@ -31,7 +28,7 @@ export const fieldEntry = (field: HTMLInputElement): EntryState => ({
   negative: false,
 });
 
-/** Writes into a field as if it were typed: whoever listens to it hears the same. */
+/** Writes into a field with the same events as typing. */
 export function writeEntry(field: HTMLInputElement, { text, from, to }: EntryState): void {
   if (text !== field.value) {
     const set = Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set;
@@ -43,7 +40,7 @@ export function writeEntry(field: HTMLInputElement, { text, from, to }: EntrySta
   field.setSelectionRange(from, to);
 }
 
-/** The keyboard goes to the next or previous number field; false at either end. */
+/** Focuses the next or previous number field; false at either end. */
 export function stepField(field: HTMLInputElement, by: 1 | -1): boolean {
   const fields = numberFields(scopeOf(field)),
     next = fields[fields.indexOf(field) + by];
@@ -52,7 +49,7 @@ export function stepField(field: HTMLInputElement, by: 1 | -1): boolean {
   return next !== undefined;
 }
 
-/** ENT: what the field itself does with Enter, or else the next field; behind the last one the keypad goes away. */
+/** ENT: the field's own Enter action, or else the next field; after the last one the keypad closes. */
 export function enterField(field: HTMLInputElement): void {
   const event = new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true });
   flushSync(() => field.dispatchEvent(event));

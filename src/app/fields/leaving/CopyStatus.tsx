@@ -9,7 +9,7 @@ import { useLengths } from "../../calculation/lengths.ts";
 import { blockCount } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** What is to be known of a program that is not all well. */
+/** Warning for a program with faults or open prompts. */
 function doubtOf(verdict: ShownVerdict, { dialog, findings }: Texts, lengths: Lengths): string {
   if (verdict.faults > 0) return findings.leaving.withFaults(verdict.faults);
   if (verdict.open > 0) return `${dialog.done.open(verdict.open)}.`;
@@ -19,7 +19,7 @@ function doubtOf(verdict: ShownVerdict, { dialog, findings }: Texts, lengths: Le
   ].join(" ");
 }
 
-/** What was taken along, with the verdict on it; read out. `otherwise` is said while nothing was copied. */
+/** What was copied, with its verdict, as a live status. `otherwise` is the text before anything is copied. */
 export function CopyStatus({ otherwise = "" }: { readonly otherwise?: string }) {
   const t = useTexts();
   const lengths = useLengths();

@@ -3,10 +3,10 @@ import type { FindingsHost } from "../../findings/host.ts";
 import { lazyPart } from "../../base/parts.ts";
 import { useLeaving } from "./leaving.ts";
 
-/** Seldom needed. */
+/** Loaded on demand, since it is rarely needed. */
 const LeavingQuestion = lazyPart(async () => ({ default: (await import("./LeavingQuestion.tsx")).LeavingQuestion }));
 
-/** Stands in the way of a program with faults, once for each way out; closing it keeps the program here. */
+/** Asks before a program with faults is exported; closing the dialog cancels the export. */
 export function LeavingDialog({ cycleOf }: Pick<FindingsHost, "cycleOf">) {
   const id = useId();
   const asking = useLeaving((l) => l.asking);

@@ -7,13 +7,13 @@ import type { FindingsHost } from "../../findings/host.ts";
 import { verdictReasons } from "../../findings/verdict-words.ts";
 import type { Asking } from "./leaving.ts";
 
-/** Faults that are spelled out; the list of findings has them all. */
+/** Most faults listed; the findings have all of them. */
 const MOST = 4;
 
 /** The workplace knows which cycle a finding is about. */
 type Props = Pick<FindingsHost, "cycleOf">;
 
-/** What is wrong with a program that is about to go, and the ways on. */
+/** Faults of a program about to be exported, and the choices. */
 export function LeavingQuestion({
   asking: { way, verdict, faults, unchecked, answer },
   id,

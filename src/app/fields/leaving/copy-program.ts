@@ -3,7 +3,7 @@ import { leavingText, printedText } from "../../document/printed.ts";
 import { copyText } from "../../findings/copy.ts";
 import { mayLeave } from "./leaving.ts";
 
-/** Copies a program, or the part of it that was marked; one with faults only when the operator means it. */
+/** Copies a program or its selected part; one with faults only after confirmation. */
 export async function copyProgram(program: string, marked = program): Promise<void> {
   const verdict = await mayLeave("copy", program);
   if (verdict) await copyText(marked, verdict);

@@ -6,28 +6,26 @@ import type { ShownVerdict } from "../../findings/verdict.ts";
 import { readJob } from "../../document/reading.ts";
 import { useEditor } from "../../document/store.ts";
 
-/** The ways in which a program leaves the page. */
+/** Ways to export a program. */
 export type Way = "copy" | "save" | "download" | "share";
 
-/** The question that stands before a program with faults leaves. */
+/** The question before a program with faults is exported. */
 export interface Asking {
   readonly way: Way;
   readonly verdict: ShownVerdict;
   /** What is wrong, worst first. */
   readonly faults: readonly FindingEntry[];
-  /** No result for this very text came in time. */
+  /** No result for this text came in time. */
   readonly unchecked: boolean;
   readonly answer: (go: boolean) => void;
 }
 
 export const useLeaving = create<{ readonly asking: Asking | null }>(() => ({ asking: null }));
 
-/**
- * How long a program that is still being calculated is waited for, ms: browsers forget soon that a button was pressed.
- */
+/** Longest wait for a running calculation, ms. Browsers soon forget the click that copying needs. */
 const PATIENCE = 3000;
 
-/** Resolves when the result for a text is there; false when it does not come in time, or can not come at all. */
+/** Resolves to true when the result for a text is there, to false when it is late or impossible. */
 function calculated(text: string): Promise<boolean> {
   const { job, program } = useEditor.getState();
   const isThere = () => {
@@ -50,8 +48,8 @@ function calculated(text: string): Promise<boolean> {
 }
 
 /**
- * Asks before a program with faults leaves the page; resolves to the verdict that goes with it, or to null when it is
- * to stay. One that is not wholly proved may leave unasked, but the verdict is said.
+ * Asks before a program with faults is exported; resolves to its verdict, or to null if cancelled. A program that is
+ * only partly verified is exported without asking, but its verdict is shown.
  */
 export async function mayLeave(way: Way, text: string): Promise<ShownVerdict | null> {
   const checked = await calculated(text);

@@ -2,13 +2,13 @@ import { presentFindings } from "../../findings/use-findings.ts";
 import { copyJob, copyProgram } from "./copy-program.ts";
 import { useEditor } from "../../document/store.ts";
 
-/** True when a piece of text is a whole program: to take it along is to copy the program, however it is done. */
+/** True if a text is a whole program, so that copying it exports the program. */
 const isWholeProgram = (text: string): boolean =>
   (/BEGIN PGM/.test(text) && /END PGM/.test(text)) || (/^%\S+ G7[01]/m.test(text) && /^N99999999 %/m.test(text));
 
 /**
- * Ctrl+C and the like on text that holds the whole program: with faults in it the browser's own copying is held back,
- * and the question comes first. What is shown as in the manual goes as the file. True when it was held back.
+ * Handles copying a selection that holds the whole program: with faults the browser's copy is stopped and the question
+ * comes first. A program shown as in the manual is copied as its file. Returns true if stopped.
  */
 export function guardCopy(event: ClipboardEvent, marked: string): boolean {
   const { faults, open } = presentFindings().verdict;

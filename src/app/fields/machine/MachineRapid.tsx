@@ -3,7 +3,7 @@ import { useSettings } from "../../base/settings/settings.ts";
 import { timeContents } from "../../findings/effect/time-contents.ts";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
 
-/** Says in place of the rapid rate that the machine states its own. */
+/** Shown instead of the rapid rate when the machine states its own. */
 export function MachineRapid() {
   const t = useTextsSoon("machine");
   const language = useSettings((s) => s.language);

@@ -21,13 +21,13 @@ import {
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import "./machine.css";
 
-/** The data without the name: what makes one of the examples. */
+/** Machine data without the name, to compare with the examples. */
 const valuesOf = ({ name: _, ...values }: MachineData): string => JSON.stringify(values);
 
 const exampleOf = (machine: MachineData | null) =>
   machine && EXAMPLE_MACHINE_NAMES.find((name) => valuesOf(EXAMPLE_MACHINES[name]) === valuesOf(machine));
 
-/** The machine of this device: a preset, its values, and all of it as a file, out and in. */
+/** Machine of this device: preset, values, export and import. */
 export function MachineSection() {
   const t = useTextsSoon("machine");
   return t && <Section t={t} />;
@@ -51,7 +51,7 @@ function Section({ t }: { readonly t: MachineTexts }) {
     setDraft(next && draftOfMachine(next));
     changeSettings({ machine: next ? writeMachine(next) : "" });
   };
-  /** What is typed wrong stays in its field; the last data that were right stay in force. */
+  /** Invalid text stays in its field; the last valid data stay in force. */
   const type = (next: MachineDraft) => {
     setDraft(next);
     const found = readMachineDraft(next);
@@ -139,7 +139,7 @@ function Section({ t }: { readonly t: MachineTexts }) {
   );
 }
 
-/** Which values belong together, and how each is counted. */
+/** Groups of values and their units. */
 const GROUPS = {
   rapid: [
     ["rapidX", "rate"],
@@ -172,7 +172,7 @@ interface FormProps {
   readonly type: (draft: MachineDraft) => void;
 }
 
-/** Enter in a form of the settings would close them. */
+/** Enter in a form would close the settings. */
 function keepOpen(event: KeyboardEvent): void {
   if (event.key === "Enter") event.preventDefault();
 }

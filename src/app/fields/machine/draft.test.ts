@@ -12,7 +12,7 @@ const problems = (change: Partial<MachineDraft>) => {
   return "problems" in read ? read.problems.map(({ kind, at }) => `${kind} ${at}`) : [];
 };
 
-test("what is empty is not in the machine, and sums and decimal commas are read", () => {
+test("empty fields are left out of the machine, and sums and decimal commas are read", () => {
   expect(readMachineDraft({ ...bare, rapidX: "24000", rapidZ: "2*15000", toolChange: "1,5", most: " " })).toEqual({
     machine: { name: "A", rapid: { x: 24_000, z: 30_000 }, toolChange: 1.5 },
   });
@@ -33,7 +33,7 @@ test.each<[Partial<MachineDraft>, readonly string[]]>([
     ["missing spindle.most", "missing spindle.torque.1.speed"],
   ],
   [{ accelerationX: "2", accelerationZ: "2" }, ["alone acceleration"]],
-])("%j is told at its field", (change, expected) => expect(problems(change)).toEqual(expected));
+])("%j gives a message at its field", (change, expected) => expect(problems(change)).toEqual(expected));
 
 test("a problem is found by its place, and another place has none", () => {
   const read = readMachineDraft({ ...bare, toolChange: "601" });

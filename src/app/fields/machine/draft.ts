@@ -7,7 +7,7 @@ import {
   type ReadMachine,
 } from "../../../program/machine/machine-file.ts";
 
-/** The numbers of the form beside the torque curve, each with the place of its value in the file. */
+/** Numbers of the form, except the torque curve, each with its path in the file. */
 export const MACHINE_FIELDS = {
   rapidX: "rapid.x",
   rapidZ: "rapid.z",
@@ -48,16 +48,16 @@ export const draftOfMachine = ({ name, rapid, acceleration, toolChange, spindle 
   torque: (spindle?.torque ?? []).map(({ speed, torque }) => ({ speed: typed(speed), torque: typed(torque) })),
 });
 
-/** A typed number; a text that is none stays what it is, for the file to refuse. */
+/** A typed number; other text is passed on for the file check to reject. */
 const valueOf = (text: string): number | string | undefined =>
   text.trim() === "" ? undefined : (readText(anyNumber, text).value ?? text);
 
-/** A group of values; none where nothing of it is typed. */
+/** A group of values; undefined if all are empty. */
 function group<T extends object>(values: T): T | undefined {
   return Object.values(values).some((value) => value !== undefined) ? values : undefined;
 }
 
-/** What is typed, read by the rules of the file. */
+/** Reads the form by the rules of the file. */
 export function readMachineDraft(draft: MachineDraft): ReadMachine {
   const of = (field: MachineField) => valueOf(draft[field]);
   const torque = draft.torque.map((point) => ({ speed: valueOf(point.speed), torque: valueOf(point.torque) }));
@@ -78,6 +78,6 @@ export function readMachineDraft(draft: MachineDraft): ReadMachine {
   );
 }
 
-/** What is wrong at a place of the file, where anything is. */
+/** The problem at a path of the file, if any. */
 export const problemAt = (problems: readonly MachineProblem[], at: string): MachineProblem | undefined =>
   problems.find((problem) => problem.at === at);

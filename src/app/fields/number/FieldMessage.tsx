@@ -13,17 +13,17 @@ interface Props {
   readonly problem: Pick<FindingEntry, "issue">;
   /** Decimals that the control keeps of the value. */
   readonly decimals: number;
-  /** The field it belongs to, where that is another one than the one it stands at. */
+  /** Name of its field, if shown at another one. */
   readonly place?: string;
-  /** Not done wrong, only not done yet: said calmly. */
+  /** Not wrong, only not filled in yet: shown without alarm. */
   readonly calm?: boolean;
-  /** Takes the nearest value that works. */
+  /** Sets the nearest valid value. */
   readonly onTake?: (nearest: number) => void;
   /** The set-up has a field for the value of a Q parameter that is missing. */
   readonly parameterField?: boolean;
 }
 
-/** What is wrong with a field, and a button that takes the nearest value that works. */
+/** Problem of a field, with a button that sets the nearest valid value. */
 export function FieldMessage({ problem, decimals, place, calm = false, onTake, parameterField = false }: Props) {
   const t = useTexts();
   const say = useIssueText();

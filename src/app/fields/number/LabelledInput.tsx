@@ -2,21 +2,21 @@ import { useId, type ReactNode } from "react";
 import { NumberInput, type NumberInputProps } from "./NumberInput.tsx";
 
 interface Props extends NumberInputProps {
-  /** Of the whole field, which lays out its parts. */
+  /** Class of the whole field, which lays out its parts. */
   readonly className: string;
   readonly label: ReactNode;
-  /** Beside the label. */
+  /** Next to the label. */
   readonly more?: ReactNode;
   readonly unit?: ReactNode;
-  /** Behind the unit. */
+  /** After the unit. */
   readonly button?: ReactNode;
-  /** What holds while the field is empty. */
+  /** Value used while the field is empty. */
   readonly hint?: ReactNode;
-  /** What is wrong with it, read out when it changes. */
+  /** Problems, read out when they change. */
   readonly messages: ReactNode;
 }
 
-/** A field with its label, its unit, and what is said about it below. */
+/** A field with label and unit, and its messages below. */
 export function LabelledInput({ className, label, more, unit, button, hint, messages, ...input }: Props) {
   const id = useId();
   const name = <label htmlFor={id}>{label}</label>;

@@ -8,7 +8,7 @@ import { NumberInput, type NumberInputProps } from "./NumberInput.tsx";
 beforeEach(() => changeSettings({ language: "en" }));
 afterEach(cleanup);
 
-/** A field with its text, which is left by a button beside it. */
+/** A field, and a button that takes the focus from it. */
 function Field({ start = "", ...props }: Partial<NumberInputProps> & { readonly start?: string }) {
   const [text, setText] = useState(start);
   return (
@@ -52,7 +52,7 @@ test("a minus is over when the field shows another value", async () => {
   expect(input().value).toBe("7");
 });
 
-test("a sum is worked out when the field is left, unless the field does that itself", async () => {
+test("a sum is evaluated when the field is left, unless the field does that itself", async () => {
   await typed("1.5*2");
   await userEvent.click(screen.getByRole("button"));
   expect(input().value).toBe("3");
@@ -62,7 +62,7 @@ test("a sum is worked out when the field is left, unless the field does that its
   expect(input().value).toBe("1.5*2");
 });
 
-test("the decimal sign is that of the screen, and what is typed literally stays so", async () => {
+test("the decimal sign is that of the screen, and literal text stays as typed", async () => {
   changeSettings({ language: "de" });
   expect(await typed("{Shift}", { start: "1.5" })).toBe("1,5");
   cleanup();
@@ -80,7 +80,7 @@ test("the keypad is that of a number, and none where nothing but text is typed",
   expect(input().dataset["number"]).toBe(undefined);
 });
 
-test("keys of its owner come first, and without the sign key a minus is typed", async () => {
+test("key handlers of the owner come first, and without the sign key a minus is typed", async () => {
   expect(await typed("1-", { onKeyDown: (event) => event.key === "-" && event.preventDefault() })).toBe("1");
   cleanup();
   expect(await typed("1-", { signed: false })).toBe("1-");

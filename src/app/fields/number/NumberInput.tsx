@@ -10,9 +10,9 @@ export interface NumberInputProps extends Omit<
   "type" | "value" | "onChange" | "onBlur" | "onFocus"
 > {
   readonly text: string;
-  /** Takes the text at each keystroke, and the value of a sum when the field is left. */
+  /** Called with the text at each keystroke, and with the value of a sum on blur. */
   readonly onText: (text: string) => void;
-  /** When the field is left, after a sum was worked out. */
+  /** Called on blur, after a sum was evaluated. */
   readonly onLeave?: () => void;
   /**
    * "typed" is taken literally: no sign key, no sums, no decimal sign of the screen. So is "text", which does not look
@@ -22,17 +22,17 @@ export interface NumberInputProps extends Omit<
   /** The minus key changes the sign, wherever the caret is. */
   readonly signed?: boolean;
   readonly sums?: boolean;
-  /** Which keypad comes up under fingers; by default one of its own for a number, none for text. */
+  /** Touch keypad; by default the app's own for a number, none for text. */
   readonly keypad?: NumberLetters | "none";
-  /** All is selected when the field takes the keyboard. */
+  /** Selects all on focus. */
   readonly selects?: boolean;
-  /** Which value it shows, where the same field goes on to show another one. */
+  /** Key of the shown value, if the same field shows several in turn. */
   readonly of?: string;
 }
 
 /**
- * The field for a number, an expression or a word: every one of the page. Attributes of an input element are passed on
- * to it.
+ * The input for a number, an expression or a word, used everywhere on the page. Attributes of an input element are
+ * passed on to it.
  */
 export function NumberInput({
   text,
@@ -81,10 +81,10 @@ export function NumberInput({
   );
 }
 
-/** The minus key of a number field; `end`: what it began is over, since something else was typed. */
+/** Minus key of a number field; `end` resets it after other input. */
 function useSignKey(of: string | undefined, text: string, onText: (text: string) => void) {
   const negative = useRef(false);
-  /** What stood in the field when the last key was a minus that changed its sign. */
+  /** Text before the last key, if that was a minus that changed its sign. */
   const minuend = useRef<string | null>(null);
   const pending = useRef<(() => void) | null>(null);
   useLayoutEffect(() => {

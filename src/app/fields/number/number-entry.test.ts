@@ -54,7 +54,7 @@ test.each(["6|0", "[60]", "-60|", "|", "60+3|"])("minus in %s begins no sum", (b
   expect(minuendOf(entry(before))).toBeNull(),
 );
 
-test("digits take the place of what is selected", () => expect(insert(entry("[75]"), "8").text).toBe("8"));
+test("digits replace the selection", () => expect(insert(entry("[75]"), "8").text).toBe("8"));
 test("erase takes the selection, or one character", () => {
   expect(erase(entry("[75]")).text).toBe("");
   expect(erase(entry("7|5")).text).toBe("5");

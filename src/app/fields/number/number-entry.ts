@@ -4,7 +4,7 @@ export interface EntryState {
   /** Selected characters: from, to; equal when it is only a caret. */
   readonly from: number;
   readonly to: number;
-  /** The minus key was the first one on a value that was selected as a whole: a digit now begins a negative number. */
+  /** The minus key came first on a fully selected value: the next digit begins a negative number. */
   readonly negative: boolean;
 }
 
@@ -13,15 +13,15 @@ const plainNumber = /^\s*[+-]?\d*[.,]?\d*\s*$/;
 /** True when minus means "change the sign" here; in a sum it is an ordinary minus. */
 export const isPlainNumber = (text: string): boolean => plainNumber.test(text);
 
-/** The whole number is selected, with or without its sign: what is typed next takes its place. */
+/** The whole number is selected, with or without its sign: the next input replaces it. */
 const allSelected = ({ text, from, to }: EntryState) =>
   from < to && to === text.length && /^[+-]?$/.test(text.slice(0, from));
 
 const caretAt = (text: string, at: number): EntryState => ({ text, from: at, to: at, negative: false });
 
 /**
- * The same number with the other sign; the caret stays at its digit. Of a number that was selected as a whole the
- * digits stay selected, so that digits typed next take the place of its digits and keep the sign that is seen.
+ * Toggles the sign; the caret stays at its digit. If the whole number was selected, its digits stay selected, so that
+ * new digits replace them and keep the new sign.
  */
 export function toggleSign(entry: EntryState): EntryState {
   const { text, from, to } = entry;
@@ -40,32 +40,32 @@ export function minus(entry: EntryState): EntryState {
 }
 
 /**
- * A digit behind a minus that changed the sign of the number before it: a sum is typed, as 60-2. `minuend` is what
- * stood there before the minus; null where the digit just goes on with the number.
+ * A digit after a minus that changed the sign: a subtraction is typed, as 60-2. `minuend` is the text before the minus.
+ * Null if the digit just continues the number.
  */
 export const subtracted = ({ text, from }: EntryState, minuend: string, digit: string): EntryState | null =>
   text === `-${minuend}` && from === text.length
     ? caretAt(`${minuend}-${digit}`, minuend.length + 1 + digit.length)
     : null;
 
-/** What a minus at its end may be taken from: digits that were typed, with the caret behind them. */
+/** The minuend for a minus at the end: typed digits with the caret behind them; else null. */
 export const minuendOf = ({ text, from, to }: EntryState): string | null =>
   from === to && to === text.length && /^\d+[.,]?\d*$/.test(text) ? text : null;
 
-/** One character, or several, in place of what is selected. */
+/** Replaces the selection by one or more characters. */
 export function insert(entry: EntryState, characters: string): EntryState {
   if (entry.negative && allSelected(entry)) return caretAt(`-${characters}`, characters.length + 1);
   const text = entry.text.slice(0, entry.from) + characters + entry.text.slice(entry.to);
   return caretAt(text, entry.from + characters.length);
 }
 
-/** The I in front of an incremental value: put there, or taken away. */
+/** Toggles the I of an incremental value. */
 export const toggleIncremental = ({ text, from, to }: EntryState): EntryState =>
   /^I/i.test(text)
     ? { text: text.slice(1), from: 0, to: text.length - 1, negative: false }
     : { text: `I${text}`, from: from + 1, to: to + 1, negative: false };
 
-/** Takes away what is selected, or the character before the caret. */
+/** Deletes the selection, or the character before the caret. */
 export function erase(entry: EntryState): EntryState {
   const from = entry.from === entry.to ? Math.max(0, entry.from - 1) : entry.from;
   return caretAt(entry.text.slice(0, from) + entry.text.slice(entry.to), from);

@@ -16,7 +16,7 @@ import { shownBeside, shownFile, showFile } from "../../document/shown-file.ts";
 
 const pgm = (lines: string) => `0 BEGIN PGM S MM\n${lines}\nEND PGM S MM\n`;
 
-/** Files of the device; jsdom gives their bytes only when asked in its own way. */
+/** Device files; jsdom needs its own way to read their bytes. */
 function chosen(texts: Readonly<Record<string, string>>) {
   return plainFiles(
     Object.entries(texts).map(([name, text]) =>
@@ -66,7 +66,7 @@ test("one file is a program alone; several are one work, and the one that no oth
   expect(useNotices.getState().notices).toEqual([]);
 });
 
-test("several programs that no other calls are not forced into one work: which is opened is asked", async () => {
+test("with several programs that no other calls, it asks which to open", async () => {
   const texts = {
     "a.h": pgm("CALL PGM SUB"),
     "b.h": pgm("L X+2\nCALL PGM TNC:\\sub\\SUB.H"),
@@ -93,7 +93,7 @@ test("several programs that no other calls are not forced into one work: which i
   expect(useNotices.getState().notices).toEqual([]);
 });
 
-test("programs that all call each other are one work, and that it is not clear which one runs is said", async () => {
+test("programs that all call each other are one work, with a notice that the main program is unclear", async () => {
   await openFiles(chosen({ "a.h": pgm("CALL PGM B"), "b.h": pgm("CALL PGM A") }));
   expect(names()).toEqual(["a.h", "b.h"]);
   expect(useNotices.getState().notices).toEqual(["mainUnsure"]);
@@ -107,7 +107,7 @@ test("of two files with one name the first counts", async () => {
   ]);
 });
 
-test("a file that can not be read is said, and the others are opened", async () => {
+test("an unreadable file gives a notice, and the others are opened", async () => {
   const broken = plainFiles([fileOf("folder", () => Promise.reject(new Error("a folder")), 10)]);
   expect(await openFiles([...chosen({ "a.h": pgm("L X+1") }), ...broken])).toBe("opened");
   expect(names()).toEqual(["a.h"]);
@@ -116,7 +116,7 @@ test("a file that can not be read is said, and the others are opened", async () 
   expect(names()).toEqual(["a.h"]);
 });
 
-test("files that are too large together are not opened, nor put beside a program", async () => {
+test("files that are too large together are neither opened nor added to a program", async () => {
   const large = plainFiles(
     ["a.h", "b.h"].map((name) => fileOf(name, async () => new ArrayBuffer(1), LARGEST_PROGRAM / 2 + 1)),
   );
@@ -128,7 +128,7 @@ test("files that are too large together are not opened, nor put beside a program
   expect(useNotices.getState().notices).toEqual(["fileTooLarge"]);
 });
 
-test("what a program calls and does not have is missing until it is added; taking it back is one step", async () => {
+test("a called file is missing until it is added, which is one step of undo", async () => {
   await openFiles(
     chosen({ "main.h": pgm("CALL PGM TNC:\\work\\cut\nCALL PGM CUT.H\nCALL PGM B"), "b.h": pgm("L X+1") }),
   );
@@ -144,7 +144,7 @@ test("what a program calls and does not have is missing until it is added; takin
   expect(names()).toEqual(["main.h", "b.h", "CUT.H"]);
 });
 
-test("what is dropped on a program that waits for it belongs to it; anything else is a work of its own", async () => {
+test("a missing file dropped on a program is added to it; any other file opens as a new work", async () => {
   const drop = (texts: Readonly<Record<string, string>>) =>
     openDropped({
       items: [],
@@ -163,7 +163,7 @@ test("what is dropped on a program that waits for it belongs to it; anything els
   expect(useEditor.getState().work).not.toBe(work);
 });
 
-test("the file that is shown is the program where it is none of the work's", async () => {
+test("the main program is shown if the shown file is not part of the work", async () => {
   await openFiles(chosen({ "main.h": pgm("CALL PGM CUT"), "cut.h": pgm("L X+1") }));
   expect(shownFile(program()).name).toBe("main.h");
   showFile("CUT.H");

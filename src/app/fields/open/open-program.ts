@@ -17,10 +17,10 @@ import { handleOf, plainFiles, type Chosen, type FileHandle } from "../../record
 import { LARGEST_PROGRAM } from "../../base/limits.ts";
 import { missingFiles } from "../../calculation/missing-files.ts";
 
-/** Opens a program as work of its own; what was open stays on the device. */
+/** Opens a program as a new work; the previous one stays saved. */
 export const openProgram = (program: ProgramWork): void => startWork(program);
 
-/** What became of files that were to be opened. */
+/** Result of opening files. */
 export type Opening = "opened" | "tooLarge" | "unreadable";
 
 interface Read {
@@ -35,8 +35,7 @@ interface Read {
 }
 
 /**
- * The texts of chosen files; of two with one name the first counts. A translated one is not written back to where it
- * came from.
+ * Reads chosen files; of two with the same name the first counts. A file translated from DIN/ISO is not written back.
  */
 async function read(chosen: readonly Chosen[]): Promise<Read> {
   const all = await Promise.all(
@@ -61,7 +60,7 @@ async function read(chosen: readonly Chosen[]): Promise<Read> {
   };
 }
 
-/** Notes the files of the device that the open work came from, so that it can be saved back to them. */
+/** Stores the file handles of the open work, so that it can be saved back. */
 async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
   const { work } = useEditor.getState();
   if (work === null || handles.length === 0) return;
@@ -69,7 +68,7 @@ async function remember({ handles }: Pick<Read, "handles">): Promise<void> {
   for (const { name, handle, bytes } of handles) await keepHandle(work, name, handle, bytes);
 }
 
-/** Opens a work that was read, with the way back to its files. */
+/** Opens a read work with its file handles. */
 function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): void {
   openProgram(work);
   const keys = new Set(textsOf(work).map(({ name }) => fileKey(name)));
@@ -77,8 +76,8 @@ function openRead(work: ProgramWork, { handles }: Pick<Read, "handles">): void {
 }
 
 /**
- * Opens files together: as one work where one program calls the others, the rest beside it. Where several programs
- * could run, which is asked; closing the question opens none.
+ * Opens files as one work if one program calls the others. If several could be the main program, it asks which; closing
+ * the question opens none.
  */
 async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent, "files">): Promise<boolean> {
   const { files } = found;
@@ -109,7 +108,7 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
     works: free.map(({ index: at, calls }) => workOf(at, calls)),
     skipped,
     isCut,
-    // The first of them is opened last: it is the one that is seen.
+    // The first one is opened last, so that it is the one shown.
     open: (works) => works.toReversed().forEach((work) => openRead(work, found)),
     together: () => openRead(whole, found),
   });
@@ -118,7 +117,7 @@ async function openTogether(found: Read, { skipped, isCut }: Omit<FolderContent,
 
 const sizeOf = (chosen: readonly Chosen[]): number => chosen.reduce((sum, { file }) => sum + file.size, 0);
 
-/** Opens files of the device as one work. What was open before stays open when they can not be. */
+/** Opens files as one work; on failure the previous work stays open. */
 export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
   const [first] = chosen;
   if (first && isArchiveName(first.file.name)) {
@@ -130,10 +129,7 @@ export async function openFiles(chosen: readonly Chosen[]): Promise<Opening> {
   return openRest(chosen, { skipped: 0, isCut: false });
 }
 
-/**
- * Opens tasks and results, told by the name that they are saved under, or by what stands in them; false for other
- * files.
- */
+/** Opens tasks and results, recognised by file name or content; false for other files. */
 async function openTaught(files: readonly File[]): Promise<boolean> {
   const { areTaught, openTaughtFiles } = await untilHere(taughtFilesSlot.fetch);
   if (!files.some(({ name }) => /\.turnwise-(?:task|result)\b.*\.json$/i.test(name)) && !(await areTaught(files)))
@@ -154,7 +150,7 @@ async function openRest(chosen: readonly Chosen[], leftOut: Omit<FolderContent, 
   }
 }
 
-/** Opens what lies in a folder. What is left out of it is said. */
+/** Opens the files of a folder, with a notice about skipped ones. */
 export async function openFolder({ files, ...leftOut }: FolderContent): Promise<Opening> {
   const opening = await openRest(files, leftOut);
   if (opening === "opened" && (leftOut.skipped > 0 || leftOut.isCut) && !useChoice.getState().choice)
@@ -162,9 +158,7 @@ export async function openFolder({ files, ...leftOut }: FolderContent): Promise<
   return opening;
 }
 
-/**
- * Puts files beside the open program, as one step of undo. A single one may stand under the name by which it is called.
- */
+/** Adds files to the open program as one step of undo. `name`: the name by which a single file is called. */
 export async function addFiles(chosen: readonly Chosen[], name: string | null = null): Promise<void> {
   const { program, work } = useEditor.getState();
   if (!program || chosen.length === 0) return;
@@ -179,10 +173,7 @@ export async function addFiles(chosen: readonly Chosen[], name: string | null = 
   if (!found.whole) notice("fileUnreadable");
 }
 
-/**
- * Opens text that was pasted or printed; what the work that it was printed from runs with, and how it is written, goes
- * along.
- */
+/** Opens pasted or printed text, with the tools, settings and output format of the work it was printed from. */
 export function openText(text: string, { output, ...brought }: HandedOn & Pick<ProgramWork, "output"> = {}): void {
   const file = { name: fileNameOf(text), text, encoding: "utf-8" } as const;
   const open = (made: WorkFile) => openProgram({ ...made, ...broughtBy(brought), ...(output && { output }) });
@@ -190,19 +181,16 @@ export function openText(text: string, { output, ...brought }: HandedOn & Pick<P
   else open(file);
 }
 
-/** What is dropped on a program that waits for just these files belongs to it. */
+/** True if the open program is missing all of the dropped files. */
 function areWaitedFor(chosen: readonly Chosen[]): boolean {
   const { program } = useEditor.getState();
   const missing = new Set(program ? missingFiles(program, useOutcome.getState().newest).map(fileKey) : []);
   return chosen.every(({ file }) => missing.has(fileKey(file.name)));
 }
 
-/**
- * Opens what was dropped on the page, with the right to write it back where the browser gives it. What can not be
- * opened is said.
- */
+/** Opens dropped files, with write access where the browser grants it. A failure shows a notice. */
 export async function openDropped(data: DataTransfer): Promise<void> {
-  // What is dropped can only be asked for at once.
+  // Drop data can only be read synchronously.
   const items = [...data.items].filter((each) => each.kind === "file");
   const entries = items.map((each) => each.webkitGetAsEntry?.() ?? null);
   const handles = items.map(handleOf);

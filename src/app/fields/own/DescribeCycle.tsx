@@ -7,7 +7,7 @@ import { showOwn } from "../../place/place.ts";
 import { libraryOf } from "../../document/own-reading.ts";
 import { useOwn } from "../../document/own-store.ts";
 
-/** The way from a block whose cycle nobody here knows to its description, which the text of the block proposes. */
+/** Button from a block with an unknown cycle to its description, proposed from the text of the block. */
 export function DescribeCycle({ statement }: { readonly statement: StatementOf<"cycle"> }) {
   const t = useTexts("tables").own;
   const list = useOwn((s) => s.list);

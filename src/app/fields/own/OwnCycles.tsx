@@ -10,7 +10,7 @@ import { useOwnCycles } from "../../document/own-reading.ts";
 
 interface Rows {
   readonly cycles: readonly OwnCycle[];
-  /** The cycle that the Tab key comes to. */
+  /** Cycle that is the tab stop. */
   readonly turn: number | null;
   readonly way: string;
   readonly onTake: (cycle: OwnCycle) => void;
@@ -97,10 +97,10 @@ const fits = ({ number, name }: OwnCycle, sought: string): boolean =>
     .filter((word) => word !== "")
     .every((word) => (/^\d+$/.test(word) ? String(number).startsWith(word) : plain(name).includes(word)));
 
-/** Its texts come with it: what stands beside it does not wait for them. */
+/** Suspends on its own texts, so that its neighbours need not wait. */
 const later = (shown: ReactNode) => <Suspense>{shown}</Suspense>;
 
-/** The own cycles beside those of the catalogue: as a group, or those that fit what is sought. */
+/** Own cycles next to the catalogue: as a group, or those that match the search. */
 export function useOwnOffer(way: string, onTake: (cycle: OwnCycle) => void): More {
   const {
     page: { start },

@@ -40,7 +40,7 @@ beforeEach(() => {
 });
 afterEach(cleanup);
 
-test("a block is read by its description: what is missing, and what the text has beyond it", () => {
+test("a block is read by its description, with missing and additional parameters", () => {
   const read = reading();
   expect(read?.parameters.map(({ q, described }) => `${q} ${described}`)).toEqual([
     "Q1711 true",
@@ -57,7 +57,7 @@ test("a block is read by its description: what is missing, and what the text has
   expect(reading()).toBeNull();
 });
 
-test("a value changes only its characters, and a missing one is put in its place with its prompt", () => {
+test("a value changes only its own characters, and a missing one is inserted in order with its prompt text", () => {
   expect(print(withPrompt(program, 2, "Q1711", "44.5"))).toBe(TEXT.replace("+31.70", "+44.5"));
   expect(print(withPrompt(program, 2, "Q1713", "fmax"))).toBe(TEXT.replace("= F AUTO", "= FMAX"));
   expect(print(withPrompt(program, 2, "Q1790", "7"))).toBe(TEXT.replace("Q1790=-4", "Q1790=+7"));
@@ -76,7 +76,7 @@ function Typed() {
   );
 }
 
-test("it asks one prompt at a time with range and choices, offers the nearest value, and says that nobody runs the cycle", async () => {
+test("it asks one prompt at a time with range and choices, offers the nearest value, and says that the cycle is not simulated", async () => {
   openPrompt("Q1711", "31.7");
   render(<Typed />);
   const user = userEvent.setup();

@@ -10,10 +10,10 @@ import { ClampingFields } from "../setup/ClampingFields.tsx";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import "../setup/clamping.css";
 
-/** A blank that nothing is known of, mm. */
+/** Assumed size of an unknown blank, mm. */
 const SOME_BLANK = { left: -80, right: 0, high: 30 };
 
-/** What the open program is held by: a comment behind its blank, which each change writes. */
+/** Clamping of the open program, written as a comment after its blank. */
 export function ClampingDialog({ done }: { readonly done: () => void }) {
   const t = useTextsSoon("clamping");
   const [draft, keep] = useState(() => clampingIn(useSession.getState().reading.program)?.draft ?? null);

@@ -6,7 +6,7 @@ import { useEditor } from "../../document/store.ts";
 import { useCopying } from "../../findings/copy.ts";
 import { useFileKind } from "../../document/output.ts";
 
-/** Copies the program, and says so on its own face. It is the main button only while nothing is wrong. */
+/** Copies the program and confirms it on the button. It is the main button only without faults. */
 export function CopyButton({ main = false, long = false }: { readonly main?: boolean; readonly long?: boolean }) {
   const t = useTexts().page.text;
   const job = useEditor((s) => s.job);

@@ -2,7 +2,7 @@ import { useLayoutEffect, useRef } from "react";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeCopying, useCopying } from "../../findings/copy.ts";
 
-/** Where the clipboard is refused: the text, selected, to be copied by hand. */
+/** Shown when the clipboard is refused: the selected text, to copy by hand. */
 export function CopyByHand() {
   const t = useTexts("first").page;
   const text = useCopying((c) => c.text);

@@ -2,12 +2,12 @@ import { Icon } from "../../base/Icon.tsx";
 
 interface Props {
   readonly text: string;
-  /** What is shown is no file that a control loads. */
+  /** The shown text is not a file that a control loads. */
   readonly warns?: boolean;
   readonly cure?: { readonly name: string; readonly go: () => void };
 }
 
-/** One line above the ways out of a program: which control it is for, and in which form it leaves. */
+/** Line above the export buttons: target control and file format. */
 export function FileNote({ text, warns = false, cure }: Props) {
   return (
     <p className={`small program-file${warns ? " field-message warning" : " soft"}`}>

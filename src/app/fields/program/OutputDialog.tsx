@@ -16,7 +16,7 @@ import { useEditor } from "../../document/store.ts";
 import { setOutput, useOutput } from "../../document/output.ts";
 import "./output.css";
 
-/** How the open program is written for one machine; each choice holds at once, and undo takes it back. */
+/** Output settings of the open program; each change applies at once and can be undone. */
 export function OutputDialog({ done }: { readonly done: () => void }) {
   const words = useTextsSoon("output");
   return words && <Opened words={words} done={done} />;
@@ -147,9 +147,7 @@ interface FunctionProps {
   readonly set: (value: number | null) => void;
 }
 
-/**
- * An M function by its number. What is typed and is none stays in the field, and the last one that was stays in force.
- */
+/** An M function by its number. Invalid text stays in the field while the last valid number applies. */
 function FunctionNumber({ name, value, wrong, hint, set }: FunctionProps) {
   const id = useId();
   const [typed, type] = useState<string | null>(null);

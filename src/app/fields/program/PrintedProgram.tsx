@@ -4,10 +4,10 @@ import { printedText } from "../../document/printed.ts";
 import { handOver, useEditor } from "../../document/store.ts";
 import { useIsoFile } from "../../document/output.ts";
 
-/** Widest picture on paper, px of CSS: what A4 and Letter have between their margins. */
+/** Widest picture on paper, CSS px: fits between the margins of A4 and Letter. */
 const PAPER = 690;
 
-/** A picture keeps the size that it was drawn for; a wider one is made to fit. */
+/** Pictures keep the size they were drawn for; wider ones are scaled to fit. */
 function fixPictures(): void {
   for (const stage of document.querySelectorAll<HTMLElement>(".lathe-stage, .plane-stage")) {
     const { width, height } = stage.getBoundingClientRect();
@@ -25,7 +25,7 @@ function present(iso: string | null): string {
   return program?.text ?? "";
 }
 
-/** The whole program for a print of the workplace, whose text scrolls, folds away, or stands in another section. */
+/** The whole program for printing, since the workplace may scroll or hide its text. */
 export function PrintedProgram() {
   const [text, take] = useState<string | null>(null);
   const iso = useIsoFile(useEditor((s) => s.job))?.text ?? null;

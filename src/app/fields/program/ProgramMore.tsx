@@ -10,7 +10,7 @@ import { printedText, programName } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { isProgram, type Work } from "../../document/work.ts";
 
-/** Fetched when it is first opened. */
+/** Loaded when first opened. */
 const HandOnDialog = lazyPart(async () => ({ default: await handOnSlot.fetch() }));
 const PartExport = lazyPart(async () => ({ default: await exportSlot.fetch() }));
 const TurnRound = lazyPart(async () => ({ default: (await import("./TurnRound.tsx")).TurnRound }));
@@ -19,13 +19,13 @@ const ClampingDialog = lazyPart(async () => ({ default: (await import("./Clampin
 const OutputDialog = lazyPart(async () => ({ default: (await import("./OutputDialog.tsx")).OutputDialog }));
 const TeachDialog = lazyPart(async () => ({ default: await teachSlot.fetch() }));
 
-/** A work on its way out, with the verdict that goes with it. */
+/** A work to share, with its verdict. */
 interface Leaving {
   readonly open: Work;
   readonly verdict: ShownVerdict;
 }
 
-/** The open work with the verdict on it; null where one with faults is to stay. */
+/** The open work with its verdict; null if sharing was cancelled. */
 async function leaving(): Promise<Leaving | null> {
   handOver();
   const { job, program } = useEditor.getState();
@@ -42,7 +42,7 @@ function openText(): string {
   return job ? printedText(job) : "";
 }
 
-/** The name of the open program without its ending: files made of it begin with it. */
+/** Name of the open program without extension, for files made from it. */
 function openStem(): string {
   handOver();
   const { job, program } = useEditor.getState();
@@ -50,7 +50,7 @@ function openStem(): string {
   return job ? programName(printedText(job)) : "";
 }
 
-/** What else can be made of the open program, below its ways out; what a workplace has of its own comes last. */
+/** More actions for the open program; those of the workplace come last. */
 export function ProgramMore({ showBlock, children }: { readonly showBlock: ShowBlock; readonly children?: ReactNode }) {
   const {
     page: { text: t },

@@ -25,7 +25,7 @@ import { useFileKind, useShownText } from "../../document/output.ts";
 import { ProgramMore } from "./ProgramMore.tsx";
 import { ProgramText } from "./ProgramText.tsx";
 
-/** Number of the block whose move stands at the playback's position; null before and after the run. */
+/** Block number at the playback position; null before and after the run. */
 function useRunningBlock(): number | null {
   const shown = useOutcome((s) => s.pictured);
   return useReadPlayback(playback, (store) => {
@@ -35,7 +35,7 @@ function useRunningBlock(): number | null {
   });
 }
 
-/** The program as the control writes it: to read, to copy, to take along. */
+/** The program as the control writes it: to read, copy and export. */
 export function ProgramPanel({ read, foldable }: { readonly read: JobReading; readonly foldable: boolean }) {
   const {
     page: { text: t, programs: open },

@@ -4,7 +4,7 @@ import { KEEPS_KEYBOARD } from "../../place/place.ts";
 import { printedBlocks } from "../../document/printed.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** A line of the program, by the number of its block, and the parameter that stands on it. */
+/** A program line: block number, and the parameter on it. */
 export interface ChosenLine {
   readonly block: number;
   readonly q: string | null;
@@ -12,10 +12,7 @@ export interface ChosenLine {
 
 const qOfLine = (line = ""): string | null => /^\s*(Q\d+)=/.exec(line)?.[1] ?? null;
 
-/**
- * Scrolls a row into sight where it is not, with the next picture: to ask earlier where it lies costs an arrangement of
- * its own.
- */
+/** Scrolls a row into view with the next frame; measuring earlier would force a layout. */
 function showWithPicture(frame: HTMLElement | null, which: string): () => void {
   const picture = requestAnimationFrame(() => {
     const row = frame?.querySelector<HTMLElement>(which);
@@ -36,7 +33,7 @@ interface BlockProps {
   readonly q: string | null;
 }
 
-/** One block. Of a long program only those that are others are rendered anew. */
+/** One block, memoised so that only changed ones re-render. */
 const Block = memo(function Block({ number, text, runs, isChosen, q }: BlockProps) {
   const t = useTexts().page.text,
     lines = text.split("\n");
@@ -56,7 +53,7 @@ const Block = memo(function Block({ number, text, runs, isChosen, q }: BlockProp
   );
 });
 
-/** The text as the control writes it, one list item a block; the running one is marked and kept in sight. */
+/** The text as the control writes it, one list item per block; the running one is marked and kept in view. */
 export function ProgramText({
   text,
   running,
@@ -65,7 +62,7 @@ export function ProgramText({
 }: {
   readonly text: string;
   readonly running: number | null;
-  /** The line that was pointed at. */
+  /** The clicked line. */
   readonly chosen: ChosenLine | null;
   readonly choose: (line: ChosenLine) => void;
 }) {
@@ -79,7 +76,7 @@ export function ProgramText({
   const press = (pressed: EventTarget) => {
     const line = pressed instanceof Element && pressed.closest("code"),
       block = line && line.closest<HTMLElement>("[data-block]");
-    // Marking text with the mouse to copy it is no choice.
+    // Selecting text to copy it chooses no line.
     if (!block || getSelection()?.isCollapsed === false) return;
     choose({ block: Number(block.dataset["block"]), q: qOfLine(line.textContent) });
   };

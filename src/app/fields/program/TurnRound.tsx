@@ -22,10 +22,10 @@ import { broughtBy } from "../../document/work.ts";
 import { outputInUse } from "../../document/output.ts";
 import "./turn-round.css";
 
-/** What can be left on a face, mm: more is another part. */
+/** Largest allowance on a face, mm. */
 const MOST_ALLOWANCE = 100;
 
-/** Makes the program of the next clamping out of what the open one leaves; `text`: the open one. */
+/** Creates the program for the second clamping from the stock that the open one leaves; `text`: the open one. */
 export function TurnRound({ text, done }: { readonly text: string; readonly done: () => void }) {
   const words = useTextsSoon("second-side");
   return words && <Opened words={words} text={text} done={done} />;
@@ -33,7 +33,7 @@ export function TurnRound({ text, done }: { readonly text: string; readonly done
 
 type Lack = keyof SecondSideTexts["lack"];
 
-/** What the open program leaves, once it is calculated as it stands; otherwise why there is nothing to turn round. */
+/** Result of the open program, if it is current and usable; otherwise the reason why not. */
 function leftBy({ newest, planned, paused, stage }: OutcomeState, text: string): Outcome | Lack {
   if (paused) return "older";
   if (!newest || newest.text !== text || planned || stage !== null) return "beginning";
@@ -77,7 +77,7 @@ interface ChoiceProps {
   readonly off: readonly (readonly Ring[])[];
 }
 
-/** Opens the new program as a work of its own, with the tools and the way of writing of the one before. */
+/** Opens the new program as a new work with the tools and output settings of the previous one. */
 function openTurned(text: string): void {
   const { job, program } = useEditor.getState(),
     before = job ?? program;
@@ -97,7 +97,7 @@ function Choice({ words: t, outcome: { run, simulation, text }, held, off }: Cho
     lengths = useLengths(run),
     { unit, per } = lengths;
   const pieces = useMemo(() => [held, ...off], [held, off]);
-  // What came off goes on; what is left in the chuck then is the rest of the bar.
+  // The cut-off piece is the default; the piece left in the chuck is then the rest of the bar.
   const [chosen, choose] = useState(off.length > 0 ? 1 : 0),
     [typed, type] = useState("0");
   const { value, issue } = readText({ ...anyNumber, optional: false, range: [0, MOST_ALLOWANCE / per] }, typed);

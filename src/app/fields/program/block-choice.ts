@@ -3,7 +3,7 @@ import { blockNumbers, startLines } from "../../../nc/program.ts";
 import { blockSpan } from "../../../program/run/block-span.ts";
 import type { PathChoice } from "../../../program/run/path-index.ts";
 
-/** What a block of a job's program stands for in the picture. */
+/** Path of a block in the program of a job. */
 export function choiceOfBlock(text: string, block: number): PathChoice | null {
   const program = parse(text);
   const index = blockNumbers(program).indexOf(block);

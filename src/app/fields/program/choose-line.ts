@@ -7,16 +7,13 @@ import { NOTHING_SELECTED, useSelection } from "../../document/selected.ts";
 import { chooseLine } from "../../pictures/selection.ts";
 import type { ChosenLine } from "./ProgramText.tsx";
 
-/**
- * A line of the program was pointed at: it is marked, its prompt opens, the tool goes to its block, and the path of
- * that is marked.
- */
+/** Chooses a program line: marks it and its path, opens its prompt and moves the tool to its block. */
 export async function chooseJobLine(read: JobReading, line: ChosenLine): Promise<void> {
   const text = printedText(read.job);
   if (line.q !== null && read.cycle.params[line.q]) showPrompt(line.q, read.draft[line.q] ?? "");
   const marked = { ...line, prompt: usePlace.getState().prompt };
   useSelection.setState({ ...NOTHING_SELECTED, line: marked });
-  // Reading a program is fetched when a line is first pointed at: to type values nothing of it is needed.
+  // The program reader is loaded on the first click; typing values does not need it.
   const { choiceOfBlock } = await import("./block-choice.ts");
   if (useSelection.getState().line !== marked) return;
   const { pictured: shown } = useOutcome.getState();
@@ -24,7 +21,7 @@ export async function chooseJobLine(read: JobReading, line: ChosenLine): Promise
   if (choice) chooseLine(shown?.text === text ? shown.run : null, choice, marked);
 }
 
-/** The line that is marked in the program: the one pointed at, or that of the open prompt in its place. */
+/** The marked program line: the clicked one, or that of the open prompt. */
 export function useChosenLine(read: JobReading): ChosenLine | null {
   const line = useSelection((s) => s.line);
   const prompt = usePlace((p) => p.prompt);
@@ -36,9 +33,9 @@ export function useChosenLine(read: JobReading): ChosenLine | null {
     : { block: definition, q: prompt };
 }
 
-/** A move was pointed at in the picture: the prompt that decides most about it opens. */
+/** Opens the prompt that most affects a clicked move. */
 export function openAsked(read: JobReading, step: number, byKey = false): void {
-  // Beside the contour table its element is chosen, and it stays.
+  // In the contour section the element is chosen instead.
   if (usePlace.getState().section === "contour") return;
   const { pictured: shown } = useOutcome.getState();
   const { operation = null, move } = shown?.run.steps[step] ?? {};

@@ -1,7 +1,7 @@
 import "./prompt-more.css";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** The ways to the guide of all cycles and to the words of the trade. */
+/** Links to the guide of all cycles and to the glossary. */
 export function GuideLinks() {
   const t = useTexts("guide");
   return (

@@ -22,10 +22,7 @@ const scopeOf = (
   return { glossary, of: new Map(texts.map((text, i) => [text, parts[i] ?? []])) };
 };
 
-/**
- * The texts of a page in the order in which they are read: each word of the glossary leads to it where it is used
- * first.
- */
+/** The texts of a page in reading order; each glossary term is linked at its first use. */
 export function SaidOnPage({
   texts,
   before,
@@ -33,9 +30,9 @@ export function SaidOnPage({
   children,
 }: {
   readonly texts: readonly string[];
-  /** Texts of the pages before, whose words are known. */
+  /** Texts of previous pages, whose terms are not linked again. */
   readonly before?: readonly string[];
-  /** The word that they explain themselves. */
+  /** Term that the texts themselves explain. */
   readonly but?: TermId | null;
   readonly children: ReactNode;
 }) {
@@ -48,7 +45,7 @@ export function SaidOnPage({
   return <PageTerms value={scope}>{children}</PageTerms>;
 }
 
-/** The way from a word to what it means. */
+/** Link from a term to its glossary entry. */
 function TermLink({ term, text, meaning }: { readonly term: TermId; readonly text: string; readonly meaning: string }) {
   return (
     <a
@@ -65,7 +62,7 @@ function TermLink({ term, text, meaning }: { readonly term: TermId; readonly tex
   );
 }
 
-/** A text of the page round it, with its ways to the glossary; `plain` puts what is no such word. */
+/** A text of the surrounding page with glossary links; `plain` renders the rest. */
 export function Said({ text, plain }: { readonly text: string; readonly plain?: (text: string) => ReactNode }) {
   const scope = useContext(PageTerms),
     parts = scope?.of.get(text);
@@ -79,7 +76,7 @@ export function Said({ text, plain }: { readonly text: string; readonly plain?: 
   );
 }
 
-/** Sentences of the page round them, one below the other. */
+/** Texts of the surrounding page as a list. */
 export const SaidList = ({ texts, className }: { readonly texts: readonly string[]; readonly className?: string }) => (
   <ul className={className}>
     {texts.map((text) => (

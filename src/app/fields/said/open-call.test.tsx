@@ -22,7 +22,7 @@ const text = printedText(exampleJob(cycle));
 const made = run(parse(text), { tools: shippedTools, rapid: 10_000 });
 const first = made.operations[0] ?? never("no call");
 const FURTHER_DOWN = first.definedLine + 41;
-/** A second call, whose pass is deeper than the spindle can pull. */
+/** A second call with a deeper infeed than the spindle can cut. */
 const deep: Operation = {
   ...first,
   definedLine: FURTHER_DOWN,
@@ -41,7 +41,7 @@ beforeEach(() => {
 });
 afterEach(cleanup);
 
-test("advice at a prompt and the pages of its cycle speak of the open block's call", async () => {
+test("advice at a prompt and the pages of its cycle refer to the open block's call", async () => {
   render(<PromptMore page={["guide", "812", "Q463"]} name="Q463" />);
   await screen.findByRole("button", { name: "More about Q463" });
   const usual = String(first.call?.values["Q463"]);

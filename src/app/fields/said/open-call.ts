@@ -7,8 +7,8 @@ import { useOpenCall } from "../../place/open-call.ts";
 type Placed = Pick<Operation, "cycle" | "definedLine" | "definedFile">;
 
 /**
- * Whether the guide of a cycle speaks of a call: of those of the open block where it is such a cycle, else of any, the
- * first counts.
+ * Whether a cycle's guide refers to a call: to one of the open block if that is this cycle, else to any. The first
+ * match counts.
  */
 export function speaksOf(cycle: number): (each: Placed) => boolean {
   const { call } = useOpenCall.getState();
@@ -17,7 +17,7 @@ export function speaksOf(cycle: number): (each: Placed) => boolean {
   return (each) => each.cycle === cycle && each.definedLine === call.line && isDefinedIn(each, file);
 }
 
-/** The same, followed by a component. */
+/** The same as a hook. */
 export function useSpeaksOf(cycle: number): (each: Placed) => boolean {
   useOpenCall();
   useShownBeside();

@@ -10,7 +10,7 @@ import { usingParameters } from "../../../features/guide/term-uses.ts";
 const marked = (...of: Parameters<typeof termParts>) =>
   termParts(...of).map((parts) => parts.map(({ text, term }) => (term === null ? text : `[${text}|${term}]`)).join(""));
 
-test("a word leads to the glossary where it is used first, the longest name counts", () => {
+test("a term links to the glossary at its first use, and the longest name counts", () => {
   expect(marked(["The nose radius stays.", "Each pass, three passes; the nose radius again."], en)).toEqual([
     "The [nose radius|noseRadius] stays.",
     "Each [pass|pass], three passes; the nose radius again.",
@@ -23,7 +23,7 @@ test("a word leads to the glossary where it is used first, the longest name coun
   ]);
 });
 
-test("words are found as they stand in sentences of each language, and nothing is lost", () => {
+test("terms are found in sentences of each language, and no text is lost", () => {
   expect(marked(["Zwei Aufmaße; aufmaßlos; der Schneidenradius"], de)).toEqual([
     "Zwei [Aufmaße|oversize]; aufmaßlos; der [Schneidenradius|noseRadius]",
   ]);
@@ -57,7 +57,7 @@ test("words are found as they stand in sentences of each language, and nothing i
   }
 });
 
-test("a parameter that leads to a word is among its uses once", () => {
+test("a parameter that leads to a term is among its uses once", () => {
   const uses = usingParameters("infeed");
   expect(uses.map(({ q }) => q)).toContain("Q463");
   expect(new Set(uses.map(({ text }) => text)).size).toBe(uses.length);

@@ -1,13 +1,13 @@
 import { TERMS, type GlossaryTexts, type TermId } from "../../../i18n/glossary-text.ts";
 
-/** A piece of a text; the word of the glossary that it is, where it is one. */
+/** A piece of text, and its glossary term if it is one. */
 export interface TermPart {
   readonly text: string;
   readonly term: TermId | null;
 }
 
 const escaped = (text: string) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, String.raw`\$&`);
-/** A name without what stands in brackets behind it, each of several apart. */
+/** Splits a name into its alternatives, without the part in brackets. */
 const namesOf = (name: string) =>
   name
     .replace(/\s*[（(].*$/u, "")
@@ -20,7 +20,7 @@ interface Sought {
   readonly long: number;
 }
 
-/** How the words of a glossary are found in sentences, the longest first: a nose radius is no radius. */
+/** Patterns of all terms, longest first, so that "nose radius" is not found as "radius". */
 function soughtIn(glossary: GlossaryTexts): readonly Sought[] {
   const { formsOf, capitals, apart } = glossary.words;
   const [before, behind] = apart ? [String.raw`(?<![\p{L}\d-])`, String.raw`(?![\p{L}\d-])`] : ["", ""];
@@ -44,8 +44,8 @@ interface Found {
 }
 
 /**
- * Texts of a page in the order in which they are read, each in pieces: a word of the glossary is one where it is used
- * first. Words in `before` were used on a page before; `but` is the word that the text itself explains.
+ * Splits the texts of a page, in reading order, into pieces; a term counts at its first use. `before`: texts of
+ * previous pages. `but`: term that the text itself explains.
  */
 export function termParts(
   texts: readonly string[],

@@ -16,7 +16,7 @@ import { useSettings } from "../../base/settings/settings.ts";
 import { useEditor } from "../../document/store.ts";
 import { useSpeaksOf } from "./open-call.ts";
 
-/** The cutting data of this device: the shop's own, or those that ship. */
+/** The cutting data of this device: the shop's own, or the default ones. */
 export function useCuttingTable(): CuttingTable {
   const text = useSettings((s) => s.cutting);
   return useMemo(() => (text === "" ? null : readCuttingTable(text)) ?? usualTable, [text]);
@@ -25,7 +25,7 @@ export function useCuttingTable(): CuttingTable {
 const named = ({ materials }: CuttingTable, id: string | undefined): CutMaterial | undefined =>
   materials.find((each) => each.id === id);
 
-/** What the open work is turned from, or works that name nothing; `own` is the id that the work itself names. */
+/** Material of the open work, or the default material; `own` is the id stated by the work. */
 export function useMaterialOfWork(): { readonly material: CutMaterial; readonly own: string | undefined } {
   const table = useCuttingTable();
   const own = useEditor(({ job, program }) => (job ?? program)?.material);
@@ -34,7 +34,7 @@ export function useMaterialOfWork(): { readonly material: CutMaterial; readonly 
   return { material: named(table, own) ?? named(table, device) ?? first, own: named(table, own) && own };
 }
 
-/** What is said about one call of a cycle. */
+/** Advice for one call of a cycle. */
 export interface AdvisedCall extends Pick<Operation, "definedLine" | "definedFile"> {
   readonly operation: number;
   readonly cycle: number;
@@ -42,7 +42,7 @@ export interface AdvisedCall extends Pick<Operation, "definedLine" | "definedFil
 }
 
 type CutDiameters = Pick<Advised, "smallest" | "largest">;
-/** By plans, which stay the same objects from run to run where nothing of them changes. */
+/** Cached by plan; unchanged plans keep their identity between runs. */
 const diameters = new WeakMap<Plan, CutDiameters>();
 
 /** The diameters between which an operation cuts, mm. */
@@ -89,7 +89,7 @@ export function useAdvisedCalls(): readonly AdvisedCall[] {
   }, [run, isOpen, table, material]);
 }
 
-/** Advice on one parameter of a cycle: in the call that the guide speaks of. */
+/** Advice on one parameter of a cycle, for the call that the guide refers to. */
 export function useAdviceOn(cycle: number, q: string): readonly Advice[] {
   const isMeant = useSpeaksOf(cycle);
   return (

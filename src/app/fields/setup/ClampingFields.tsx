@@ -18,7 +18,7 @@ interface Props {
   readonly draft: ClampingDraft | null;
   /** `place` names what changes, so that typing in it is one step of undo. */
   readonly set: (draft: ClampingDraft | null, place: string | null) => void;
-  /** What a clamping is begun with. */
+  /** Initial values of a clamping. */
   readonly propose: () => ClampingDraft;
   readonly inch?: boolean;
 }
@@ -29,7 +29,7 @@ const CENTRE: readonly ClampingWord[] = ["QUILL", "TIP", "ANGLE"];
 const WORDS = CLAMPING_WORDS.flatMap((word) => (word === CENTRE[0] ? (["tailstock", word] as const) : [word]));
 const DIAMETERS: ReadonlySet<ClampingWord> = new Set(["D", "SIZE", "QUILL", "LIMITX"]);
 
-/** What the work is held by: nothing is stated, and that is said, or kind and values. */
+/** Clamping of the workpiece: not stated, or kind and values. */
 export function ClampingFields({ draft, set, propose, inch = false }: Props) {
   const t = useTextsSoon("clamping");
   if (!t) return null;

@@ -6,10 +6,10 @@ import type { JobReading } from "../../document/reading.ts";
 import { ClampingFields } from "./ClampingFields.tsx";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
 
-/** A blank that nothing is known of, mm. */
+/** Assumed size of an unknown blank, mm. */
 const SOME_BLANK = { left: -80, right: 0, high: 30 };
 
-/** What a job is held by. */
+/** Clamping of a job. */
 export function JobClamping({ read: { job } }: { readonly read: JobReading }) {
   const t = useTextsSoon("clamping");
   const blank = useOutcome((s) => s.shown?.run.blank);

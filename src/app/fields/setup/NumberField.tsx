@@ -16,15 +16,15 @@ interface Props {
   readonly unit: string;
   readonly text: string;
   readonly onText: (text: string) => void;
-  /** Its id is the place that findings name; also how the keyboard is sent here. */
+  /** Its id is the place that findings name, and the target for the focus. */
   readonly field: Field;
-  /** What an empty field asks for, calmly: it is not done wrong, only not done yet. */
+  /** Hint for an empty field that is not filled in yet. */
   readonly ask?: string;
-  /** What holds as long as the field is empty. */
+  /** Value used while the field is empty. */
   readonly proposal?: string | undefined;
 }
 
-/** What is wrong with a typed number, in the words of the set-up; null when it can be used. */
+/** Problem of a typed number; null if it is valid. */
 function wrongNumber(field: Field, text: string): "missing" | "notANumber" | "negative" | "positive" | null {
   const found = readText(field, text).issue;
   if (!found) return null;
@@ -33,9 +33,7 @@ function wrongNumber(field: Field, text: string): "missing" | "notANumber" | "ne
   return found.data.min === 0 ? "negative" : "positive";
 }
 
-/**
- * One number of the set-up: typed text goes to the work at each keystroke, sums are worked out when the field is left.
- */
+/** One number of the set-up. Each keystroke updates the work; sums are evaluated on blur. */
 export function NumberField({ name, unit, text: said, onText, field, ask, proposal }: Props) {
   const t = useTexts();
   const input = useRef<HTMLInputElement>(null);

@@ -37,7 +37,7 @@ test("each field is one step of undo", async () => {
   expect(job().blank.outside).toBe(outside);
 });
 
-test("minus over a selected number begins a negative one, a sum is worked out when the field is left", async () => {
+test("minus over a selected number begins a negative one, a sum is evaluated when the field is left", async () => {
   const user = userEvent.setup();
   field("Start Z").select();
   field("Start Z").focus();
@@ -60,7 +60,7 @@ test.each([
   expect(screen.getByText(said)).toBeTruthy();
 });
 
-test("an empty field shows what is proposed for the values, and keeps it when asked to", async () => {
+test("an empty field shows the proposal for the values, and can confirm it", async () => {
   const user = userEvent.setup();
   await user.clear(field("Length"));
   await waitFor(() => expect(Number(field("Length").placeholder)).toBeGreaterThan(40));
@@ -84,7 +84,7 @@ test("spindle, feed unit and tool are chosen by name", async () => {
   expect(job().tool).toBe(2);
 });
 
-test("a finding leads the keyboard to its field", async () => {
+test("a finding focuses its field", async () => {
   goToField("setup", "start.z");
   await screen.findByRole("textbox", { name: "Start Z" });
   expect(document.activeElement).toBe(field("Start Z"));

@@ -16,13 +16,13 @@ import { NumberField } from "./NumberField.tsx";
 import { ToolSummary } from "./ToolSummary.tsx";
 import { ToolTable } from "./ToolTable.tsx";
 
-/** Fetched where a machine states its rapid rates. */
+/** Loaded if a machine states its rapid rates. */
 const MachineRapid = lazyPart(async () => ({ default: (await import("../machine/MachineRapid.tsx")).MachineRapid }));
 const SetupStart = lazyPart(async () => ({ default: await setupStartSlot.fetch() }));
 
 const JobClamping = lazyPart(async () => ({ default: (await import("./JobClamping.tsx")).JobClamping }));
 
-/** What a part of the set-up is called, with the way to its pages of the guide. */
+/** Heading of a set-up section, with a link to its guide pages. */
 function Legend({ name, page }: { readonly name: string; readonly page: string }) {
   return (
     <>
@@ -34,7 +34,7 @@ function Legend({ name, page }: { readonly name: string; readonly page: string }
   );
 }
 
-/** The Q parameters that stand in the prompts, each with its value; nothing while none does. */
+/** Fields for the Q parameters used in the prompts. */
 function ParameterFields({ read: { job } }: { readonly read: JobReading }) {
   const t = useTexts().setup.parameters;
   const used = usedParameters(job);
@@ -58,14 +58,14 @@ function ParameterFields({ read: { job } }: { readonly read: JobReading }) {
   );
 }
 
-/** Everything round the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
+/** Everything besides the cycle: tool, blank, start point, spindle, feed unit, rapid rate. */
 export function SetupPanel({ read }: { readonly read: JobReading }) {
   const { setup: t, cycles } = useTexts();
   const fits = useFits();
   const { spindle, perRevolution, rapid } = read.job;
   const isOfMachine = useOutcome((s) => typeof s.pictured?.run.timing.rates === "object");
   const { blank, start } = read.job;
-  /** A place as it was typed, with what is proposed for it where nobody has. */
+  /** Typed text of a set-up value, and its proposal if it is empty. */
   const placeOf = (place: SetupPlace, value: string) =>
     read.setup?.proposed.has(place) ? { text: "", proposal: value } : { text: value, proposal: undefined };
   return (

@@ -16,7 +16,7 @@ import { ToolWords } from "./tool-words.tsx";
 /** Edge length of the insert drawing, px. */
 const DRAWING = 64;
 
-/** The chosen tool, whether it can make the contour, and one that can where it cannot. */
+/** The chosen tool, whether it suits the contour, and a suitable tool if not. */
 export function ToolSummary({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
   const { setup } = useTexts();
   const t = setup.tool;

@@ -12,7 +12,7 @@ import { ToolWords, useToolDetails, useToolVerdict } from "./tool-words.tsx";
 /** Edge length of an insert drawing, px. */
 const DRAWING = 40;
 
-/** The tools of the table, each drawn to scale, with what it can do on this contour. */
+/** The tools of the table, drawn to scale, with their suitability for this contour. */
 export function ToolTable({ read, fits }: { readonly read: JobReading; readonly fits: readonly ToolFit[] | null }) {
   const t = useTexts().setup.tool;
   const tools = useToolList();

@@ -26,7 +26,7 @@ export function useToolDetails(): (tool: Tool) => string {
   };
 }
 
-/** What a tool can do on the open contour, in a few words. */
+/** Suitability of a tool for the open contour, in a few words. */
 export function useToolVerdict(): (fit: ToolFit) => string {
   const t = useTexts().setup.tool;
   const language = useSettings((s) => s.language);
@@ -34,7 +34,7 @@ export function useToolVerdict(): (fit: ToolFit) => string {
     fit.makesContour ? t.makes : fit.unreached > 0 ? t.leaves(formatNumber(language, fit.unreached, 2)) : t.cannot;
 }
 
-/** A tool in two lines, and whether it makes the open contour once that is known. */
+/** A tool in two lines, with its suitability for the open contour once that is known. */
 export function ToolWords({ tool, fit }: { readonly tool: Tool; readonly fit: ToolFit | undefined }) {
   const details = useToolDetails();
   return (

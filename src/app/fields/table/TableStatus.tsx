@@ -2,25 +2,23 @@ import { undoStep } from "../../document/history.ts";
 import { Icon } from "../../base/Icon.tsx";
 import { Message } from "../../base/Message.tsx";
 
-/** What came of a file, or of a change: sentences, and whether the table was changed. */
+/** Result of an import or a change: sentences, and whether the table changed. */
 export interface TableSaid {
   readonly sentences: readonly string[];
   readonly failed: boolean;
   readonly changed: boolean;
 }
 
-/** What a change of a table of the device came to, with a way back. */
+/** Status of a table change, with an undo button. */
 export function TableStatus({
   said,
   undo,
   done,
 }: {
   readonly said: TableSaid | null;
-  /**
-   * The word on the button that takes it back; its name says what, as the top line has a button of that word as well.
-   */
+  /** Text of the undo button. Its accessible name says what is undone, since the top line has an undo button too. */
   readonly undo: string;
-  /** It was taken back. */
+  /** Called after the undo. */
   readonly done: () => void;
 }) {
   return (

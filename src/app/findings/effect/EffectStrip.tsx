@@ -15,7 +15,7 @@ import { PinButton } from "./Pinned.tsx";
 import { TimeName } from "./TimeName.tsx";
 import { MoreFaults, useChanges } from "./Was.tsx";
 
-/** What the values do, while they are typed: passes, real infeed, time, chip, what stays, and the proof. */
+/** Effect of the values while they are typed: passes, actual infeed, time, chip, residual material, and the verdict. */
 export function EffectStrip({ read }: { readonly read: JobReading }) {
   const texts = useTexts(),
     { page: t, findings: words } = texts;
@@ -26,7 +26,7 @@ export function EffectStrip({ read }: { readonly read: JobReading }) {
   const checking = useChecking();
   const verdict = useVerdict();
   const effect = shown && effectNow(shown, proved);
-  // A thread has no feed of its own: its chip grows and shrinks from pass to pass.
+  // A thread has no chip of one size: it changes from pass to pass.
   const cuts = read.cycle.group !== "thread";
   const chip = shown && chipArea(read, cutAtOnce(shown));
   const number = (value: number | null | undefined, decimals: number) =>

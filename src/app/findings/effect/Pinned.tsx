@@ -7,7 +7,7 @@ import { pin, useCompared } from "./before.ts";
 /** Fetched when a setting is pinned. */
 const PinnedValues = lazyPart(async () => ({ default: (await import("./PinnedValues.tsx")).PinnedValues }));
 
-/** Keeps the present setting, to see others against it. */
+/** Pins the present setting as a reference. */
 export function PinButton() {
   const { pin: t } = useTexts().page.effect;
   const pinned = useCompared((c) => c.pinned !== null);

@@ -29,7 +29,7 @@ function useChangedPrompts(pinned: Editor | null): readonly Row[] {
   });
 }
 
-/** Two settings side by side: the pinned one and the present one, with the way back. */
+/** The pinned and the present setting side by side, with a button that restores the pinned one. */
 export function PinnedValues() {
   const t = useTexts();
   const lengths = useLengths();
@@ -41,7 +41,7 @@ export function PinnedValues() {
   if (!pinned || !shown || !pictured) return null;
   const { pin: words, ...names } = t.page.effect;
   const now = settingOf(shown, pictured);
-  // What neither setting knows is no row: a thread has no chip of one size.
+  // A number that neither setting has gets no row: a thread has no chip of one size.
   const numbers = COMPARED.filter((name) => name !== "chip" || pinned.chip !== null || now.chip !== null).map(
     (name): Row => ({
       name: names[name],

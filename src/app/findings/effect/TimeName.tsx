@@ -4,7 +4,7 @@ import { lazyPart } from "../../base/parts.ts";
 /** Fetched when a time is first shown. */
 const TimeParts = lazyPart(async () => ({ default: (await import("./TimeParts.tsx")).TimeParts }));
 
-/** What a running time is called, with the way to what it is made of. */
+/** The label of a machining time, with a button to its breakdown. */
 export function TimeName({ name }: { readonly name: string }) {
   return (
     <>

@@ -11,7 +11,7 @@ import { durationText } from "./changes.ts";
 import { timeCauses, timeContents } from "./time-contents.ts";
 import "./time-parts.css";
 
-/** The way from a running time to what it is made of. */
+/** The button from a machining time to its breakdown. */
 export function TimeParts() {
   const t = useTextsSoon("machine");
   const run = useOutcome((s) => s.pictured?.run);

@@ -5,10 +5,10 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { settingOf, useCompared, type MeasuredSetting } from "./before.ts";
 import { changeText, numberText, type ComparedNumber } from "./changes.ts";
 
-/** What style sheets write beside a number: what it was in front of it, by how much it changed behind it. */
+/** Attributes that style sheets show beside a number: the previous value before it, or the difference after it. */
 type Change = { readonly "data-was": string } | { readonly "data-by": string };
 
-/** The two settings that are compared; null while one of them is not known. */
+/** The two compared settings; null while one of them is not known. */
 function useBoth(): readonly [before: MeasuredSetting, now: MeasuredSetting] | null {
   const { before, pinned } = useCompared();
   const shown = useOutcome((s) => s.shown);
@@ -20,9 +20,7 @@ function useBoth(): readonly [before: MeasuredSetting, now: MeasuredSetting] | n
   }, [compared, shown, pictured, dimmed]);
 }
 
-/**
- * What the present values have changed, against the pinned setting, or else the one at which the open prompt opened.
- */
+/** Changes of the present values against the pinned setting, or else the one when the open prompt was opened. */
 export function useChanges(): { readonly changed: (name: ComparedNumber) => Change | null } {
   const t = useTexts();
   const lengths = useLengths();
@@ -36,7 +34,7 @@ export function useChanges(): { readonly changed: (name: ComparedNumber) => Chan
   };
 }
 
-/** Gouges and collisions that the present values have made or taken away. */
+/** Change of the number of gouges and collisions. */
 export function MoreFaults() {
   const t = useTexts();
   const lengths = useLengths();

@@ -7,21 +7,21 @@ import { closeStep } from "../../document/steps.ts";
 import { changeProgram, edit, useEditor, type Editor } from "../../document/store.ts";
 import { chipArea, cutAtOnce, effectNow, type Effect } from "./effect.ts";
 
-/** A setting with what came of it, to compare another one with. */
+/** A setting with its results, for comparison. */
 export interface MeasuredSetting {
   readonly outcome: Outcome;
   readonly effect: Effect;
   readonly chip: number | null;
-  /** Gouges, rapids in material, and what else the simulation met. */
+  /** Number of gouges, rapids through material and other findings of the simulation. */
   readonly faults: number;
 }
 
-/** What the present setting is compared with. */
+/** The settings that the present one is compared with. */
 interface Compared {
-  /** The text at the moment when the open prompt opened, and what came of it once that is known. */
+  /** The text when the open prompt was opened, and its result once that is known. */
   readonly text: string | null;
   readonly before: MeasuredSetting | null;
-  /** The setting that was pinned, with the work that it is. */
+  /** The pinned setting, with its state of the work. */
   readonly pinned: (MeasuredSetting & { readonly work: Editor }) | null;
 }
 
@@ -30,7 +30,7 @@ export const useCompared = create<Compared>(() => NOTHING);
 
 const textOf = ({ job, program }: Editor): string | null => (job ? printedText(job) : (program?.text ?? null));
 
-/** A result with its numbers; those of the run are of a newer path where one is planned that is not proved yet. */
+/** A result with its numbers; those of the run are from a newer planned path if there is one. */
 export function settingOf(outcome: Outcome, made: Outcome | Planned = outcome): MeasuredSetting {
   const { job } = useEditor.getState();
   const read = job && readJob(job);
@@ -42,19 +42,19 @@ export function settingOf(outcome: Outcome, made: Outcome | Planned = outcome): 
   };
 }
 
-/** The newest result, where it is that of a text. */
+/** The newest result, if it belongs to this text. */
 function resultOf(text: string | null): MeasuredSetting | null {
   const { newest } = useOutcome.getState();
   return newest !== null && newest.text === text ? settingOf(newest) : null;
 }
 
-/** The comparison begins anew: with the work as it stands now. */
+/** Restarts the comparison from the present state of the work. */
 export function compareFromHere(): void {
   const text = textOf(useEditor.getState());
   useCompared.setState({ text, before: resultOf(text) });
 }
 
-/** From now on each change is compared with the state in which the open prompt was when it opened. */
+/** Compares each change with the state when the open prompt was opened. */
 export function followComparing(): () => void {
   compareFromHere();
   const stops = [
@@ -75,14 +75,14 @@ export function followComparing(): () => void {
   };
 }
 
-/** Keeps the present setting to compare others with, or lets it go. */
+/** Pins the present setting as a reference, or unpins it. */
 export function pin(on: boolean): void {
   const work = useEditor.getState();
   const now = on ? resultOf(textOf(work)) : null;
   useCompared.setState({ pinned: now && { ...now, work } });
 }
 
-/** The work becomes what it was when it was pinned, in one step of undo. */
+/** Restores the pinned state of the work, in one step of undo. */
 export function takeBackPinned(): void {
   const { pinned } = useCompared.getState();
   const { job, program } = pinned?.work ?? {};

@@ -14,7 +14,7 @@ const setting = (effect: Partial<MeasuredSetting["effect"]>, more: Partial<Measu
     ...more,
   }) as MeasuredSetting;
 
-test("a number that changed says what it was, a time by how much", () => {
+test("a changed number shows its previous value, a time the difference", () => {
   const [before, now] = [
     setting({}),
     setting({ passes: 7, infeed: 1.7512, seconds: 101.27, residual: 0.137 }, { chip: null, faults: 3 }),
@@ -25,13 +25,13 @@ test("a number that changed says what it was, a time by how much", () => {
   expect(said).toEqual(["5", "2.452", "+16.7 s", "0.74", "none", "0"]);
   expect(changeText(t, lengthsOf("de", "mm"), now, before, "time")).toContain("−16,7");
 });
-test("what is written the same has not changed", () => {
+test("numbers that are written the same have not changed", () => {
   const [before, now] = [setting({}), setting({ infeed: 2.4519, seconds: 84.6401 })];
   expect(changeText(t, en, before, now, "infeed")).toBeNull();
   expect(changeText(t, en, before, now, "time")).toBeNull();
   expect(changeText(t, en, before, now, "passes")).toBeNull();
 });
-test("a time that changed much is in hours and minutes, and an area keeps two digits however small it is", () => {
+test("a large change of time is in hours and minutes, and a small area keeps two digits", () => {
   const [before, now] = [setting({}), setting({ seconds: 14_740.31 }, { chip: 0.0018 })];
   expect(changeText(t, en, before, now, "time")).toBe("+4 h 4 min");
   expect(changeText(t, en, now, setting({ seconds: 14_646.2 }), "time")).toBe("−1 min 34 s");
@@ -44,7 +44,7 @@ test("a time that changed much is in hours and minutes, and an area keeps two di
     "2.50",
   ]);
 });
-test("long times are in minutes, and what is not known is a dash", () => {
+test("long times are in minutes, and an unknown value is a dash", () => {
   expect(numberText(t, en, setting({ seconds: 84.61 }), "time")).toBe("1 min 25 s");
   expect(numberText(t, en, setting({ seconds: 7.34 }), "time")).toBe("7.3 s");
   expect(numberText(t, en, setting({ seconds: 3599.6 }), "time")).toBe("1 h 0 min");

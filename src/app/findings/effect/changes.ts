@@ -4,7 +4,7 @@ import { formatFixed } from "../../../i18n/number.ts";
 import type { Texts } from "../../../i18n/index.ts";
 import type { MeasuredSetting } from "./before.ts";
 
-/** The numbers that are compared, in the order in which they stand. */
+/** The compared numbers, in display order. */
 export const COMPARED = ["passes", "infeed", "time", "chip", "residual", "faults"] as const;
 export type ComparedNumber = (typeof COMPARED)[number];
 
@@ -23,14 +23,14 @@ export function durationText({ page }: Texts, language: Language, seconds: numbe
   );
 }
 
-/** A smaller area is written with more decimals, so that two of its digits are seen, mm². */
+/** Smaller areas have more decimals, so that two digits are seen, mm². */
 const SMALL = 0.1;
 
 /** Decimals of an area, mm². */
 export const areaDecimals = (mm2: number): number =>
   mm2 > 0 && mm2 < SMALL ? Math.min(5, 1 - Math.floor(Math.log10(mm2))) : 2;
 
-/** One number of a setting as it is written. */
+/** One number of a setting as text. */
 export function numberText(t: Texts, lengths: Lengths, setting: MeasuredSetting, name: ComparedNumber): string {
   const value = valueOf(setting, name),
     { effect: words } = t.page;
@@ -42,10 +42,7 @@ export function numberText(t: Texts, lengths: Lengths, setting: MeasuredSetting,
   return name === "time" ? durationText(t, language, value) : formatFixed(language, value, 0);
 }
 
-/**
- * What stands beside a number that another setting has changed: what it was, or for a time by how much. Null where it
- * is the same.
- */
+/** The previous value of a changed number, for a time the difference. Null if it is the same. */
 export function changeText(
   t: Texts,
   lengths: Lengths,

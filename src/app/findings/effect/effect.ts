@@ -5,14 +5,14 @@ import type { Run } from "../../../program/state/run-types.ts";
 import type { Outcome, Planned } from "../../calculation/outcome.ts";
 import type { JobReading } from "../../document/reading.ts";
 
-/** What a program does, in numbers. */
+/** The effect of a program in numbers. */
 export interface Effect {
   /** Roughing passes of all operations. */
   readonly passes: number;
-  /** Infeed as divided, mm: of the first operation. */
+  /** Actual infeed of the first operation, mm. */
   readonly infeed: number;
   readonly seconds: number;
-  /** mm² of the half plane; null where an operation makes no path, because what stays of it was not looked at. */
+  /** Residual material in the half plane, mm²; null if an operation makes no path and was not checked. */
   readonly residual: number | null;
 }
 
@@ -22,7 +22,7 @@ const area = (value: number) => (value < NO_AREA ? 0 : value);
 
 const effects = new WeakMap<Outcome, Effect>();
 
-/** What is known of a program from its run alone. */
+/** The numbers that a run alone gives. */
 const ofRun = (run: Run): Omit<Effect, "residual"> => ({
   passes: run.operations.reduce((sum, o) => sum + o.plan.passes, 0),
   infeed: run.operations[0]?.plan.infeed ?? 0,
@@ -44,22 +44,22 @@ export function effectOf(outcome: Outcome): Effect {
 }
 
 /**
- * The same of what is only planned: what stayed before stands until the new proof is there; null where nothing was
- * proved yet.
+ * The same for a planned run: the previous residual material stays until the new check is done; null before the first
+ * check.
  */
 export function effectNow(made: Outcome | Planned, proved: Outcome | null): Effect {
   if (made.simulation) return effectOf(made);
   return { ...ofRun(made.run), residual: proved && effectOf(proved).residual };
 }
 
-/** What is cut at once, mm: a plunge is as wide as its tool and goes down by the feed, whatever its bites are. */
+/** Depth of cut, mm: the infeed, for a plunge the tool width (its chip thickness is the feed, whatever its infeeds). */
 export function cutAtOnce({ run }: Pick<Outcome, "run">): number {
   const call = run.operations[0];
   const plunges = call && cycleByNumber(call.cycle)?.group === "recessing";
   return plunges ? (call.tool.CUTWIDTH ?? 0) : (call?.plan.infeed ?? 0);
 }
 
-/** What is cut at once times roughing feed per revolution, mm²; null where the feed per revolution is not known. */
+/** Depth of cut times roughing feed per revolution, mm²; null if the feed per revolution is unknown. */
 export function chipArea({ job, cycle, reading }: JobReading, atOnce: number): number | null {
   const roughing = Object.entries(cycle.params).find(([, p]) => p.text === "roughingFeed")?.[0];
   const feed = roughing === undefined ? undefined : reading.perField[roughing]?.value;

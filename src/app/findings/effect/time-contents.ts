@@ -8,7 +8,7 @@ const CAUSES = ["cutting", "rapid", "dwell", "toolChange", "spindle"] as const;
 const ALWAYS: readonly (typeof CAUSES)[number][] = ["cutting", "rapid"];
 const LACKED = ["acceleration", "toolChange", "spindle"] as const satisfies readonly TimePart[];
 
-/** Where the time of a run goes: each cause with its seconds, those that take none left out. */
+/** The time of a run by cause, in seconds; causes without time are left out. */
 export function timeCauses(t: MachineTexts["time"], run: Run): readonly (readonly [name: string, seconds: number])[] {
   const times = timesOf(run);
   return CAUSES.filter((cause) => times[cause] > 0 || ALWAYS.includes(cause)).map((cause) => [
@@ -17,7 +17,7 @@ export function timeCauses(t: MachineTexts["time"], run: Run): readonly (readonl
   ]);
 }
 
-/** What a time was worked out with, and what it does not contain. */
+/** The data that a time is calculated with, and what it does not include. */
 export function timeContents(
   t: MachineTexts["time"],
   { timing: { machine, rates, contains } }: Run,

@@ -4,11 +4,11 @@ import { classOf } from "../../../view/help/svg.ts";
 
 interface Props {
   readonly marks: readonly Mark[];
-  /** Makes ids of hatches and clips this picture's own. */
+  /** Prefix that makes ids of hatches and clips unique. */
   readonly id: string;
 }
 
-/** The hatches of the part (45°) and of what is cut (the other way). */
+/** The hatches of the part (45°) and of the cut material (135°). */
 export function Hatches({ id }: { readonly id: string }) {
   return (
     <defs>

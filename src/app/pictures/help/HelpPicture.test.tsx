@@ -33,7 +33,7 @@ const picture = (
 const name = () => screen.getByRole("img").getAttribute("aria-label") ?? "";
 const active = () => [...document.querySelectorAll("svg text.active")].map((e) => e.textContent);
 
-test("its name says in words what is dimensioned and its value", () => {
+test("its name has the active dimension and its value in words", () => {
   const { rerender } = render(picture(example, "Q491"));
   expect(name()).toMatch(/Highlighted: Q491 Start ⌀, diameter 75 mm\.$/);
   rerender(picture({ ...example, Q492: -0.5 }, "Q492", "de"));
@@ -44,14 +44,14 @@ test("its name says in words what is dimensioned and its value", () => {
   expect(name()).toContain("FAUTO");
 });
 
-test("the active dimension stands in the picture with its value", () => {
+test("the active dimension is in the picture with its value", () => {
   const { rerender } = render(picture(example, "Q494"));
   expect(active()).toEqual(["Z−55"]);
   rerender(picture({ ...example, Q494: -40.25 }, "Q494", "de"));
   expect(active()).toEqual(["Z−40,25"]);
 });
 
-test("impossible values leave the last possible drawing, dimmed, and it says so", () => {
+test("invalid values leave the last valid drawing, dimmed, with a note", () => {
   const { rerender } = render(picture({ ...example, Q491: 80 }, "Q491"));
   expect(active()).toEqual(["⌀80"]);
   rerender(picture({ ...example, Q491: 50 }, "Q491", "en"));
@@ -62,7 +62,7 @@ test("impossible values leave the last possible drawing, dimmed, and it says so"
   expect(screen.getByRole("img").classList.contains("dimmed")).toBe(false);
 });
 
-test("a value that is missing shows its Q number, and no number that nobody typed is there", () => {
+test("a missing value shows its Q number, and no number that nobody typed", () => {
   const { rerender } = render(picture(null, "Q491"));
   expect(active()).toEqual(["Q491"]);
   expect(name()).toContain("no value yet");
@@ -75,7 +75,7 @@ test("a value that is missing shows its Q number, and no number that nobody type
   expect(screen.getByRole("img").classList.contains("dimmed")).toBe(false);
 });
 
-test("a value that is taken away leaves the drawing as it was, with its Q number", () => {
+test("a removed value leaves the drawing unchanged, with its Q number", () => {
   const { rerender } = render(picture(example, "Q494"));
   const contour = () => document.querySelector("svg .line-contour")?.getAttribute("d");
   const before = contour();

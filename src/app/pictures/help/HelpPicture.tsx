@@ -17,18 +17,18 @@ import "./help.css";
 
 interface Props {
   readonly cycle: Cycle;
-  /** All values of the cycle; null while one is missing or no number. */
+  /** All values of the cycle; null if one is missing or no number. */
   readonly values: Numbers | null;
-  /** Values that can be read so far. */
+  /** Values that can be read. */
   readonly partial?: Numbers;
-  /** One of the prompts holds what is no value: until it does, the last drawing stays. */
+  /** A prompt has an invalid value; until it is valid the last drawing stays. */
   readonly wrong?: boolean;
   readonly given: Given;
-  /** The contour is there to draw with; the operator has none yet. */
+  /** The contour is an example; the operator has none yet. */
   readonly isBorrowed?: boolean;
   readonly activeQ: string | null;
   readonly language: Language;
-  /** A dimension was pressed: the parameter that it shows. `taken`: its value is wanted for the open prompt. */
+  /** A dimension was clicked. `q`: the parameter that it shows. `taken`: put its value into the open prompt. */
   readonly onPick?: (q: string, taken: boolean) => void;
 }
 
@@ -41,7 +41,7 @@ interface Drawn {
   readonly plan: Plan;
 }
 
-/** What these values draw, with others in place of those that are missing; null while they make no contour. */
+/** The drawing of these values, with fallbacks for missing ones; null if they make no contour. */
 function drawnBy(
   { cycle, given, isBorrowed }: Required<Pick<Props, "cycle" | "given" | "isBorrowed">>,
   typed: Numbers,
@@ -69,7 +69,7 @@ interface SheetProps extends Pick<Props, "cycle" | "activeQ" | "language"> {
   readonly height: number;
 }
 
-/** The drawing of what was planned: a part of its own, so that a slow device may do something else between the two. */
+/** The drawing of the planned contour, separate so that a slow device can do other work in between. */
 function HelpSheet({ id, cycle, shown, activeQ, language, width, height }: SheetProps) {
   const t = texts(language);
   const drawing = useMemo(
@@ -96,8 +96,8 @@ function HelpSheet({ id, cycle, shown, activeQ, language, width, height }: Sheet
 }
 
 /**
- * A shop drawing of the contour that the values describe, the active prompt's dimension strong. A value that is missing
- * is drawn with its Q number in place of a measure. What can not be drawn leaves the last possible drawing, dimmed.
+ * A shop drawing of the contour with the dimension of the active prompt highlighted. A missing value shows its Q number
+ * instead of a measure. Invalid values leave the last valid drawing, dimmed.
  */
 export function HelpPicture(props: Props) {
   const { cycle, values, partial, wrong = false, given: exact, isBorrowed = false, activeQ, language, onPick } = props;
@@ -109,7 +109,7 @@ export function HelpPicture(props: Props) {
   const said = values ?? partial ?? NOTHING;
   const [whole, setWhole] = useState<{ readonly cycle: Cycle; readonly values: Numbers } | null>(null);
   const [last, setLast] = useState<Drawn | null>(null);
-  // Where nothing is missing nothing is filled in from before.
+  // If all values are there, no previous ones are needed.
   const before = !values && whole?.cycle === cycle ? whole.values : null;
   const kept = last?.cycle === cycle ? last : null;
   const now = useMemo(
@@ -118,7 +118,7 @@ export function HelpPicture(props: Props) {
   );
   if (now && now !== last) setLast(now);
   if (now && values && whole?.values !== values) setWhole({ cycle, values });
-  // Where nothing was possible so far, what can be drawn of the values, or of the cycle.
+  // Without a valid drawing so far, draw what the values allow, or the example of the cycle.
   const isFirst = !now && !kept;
   const first = useMemo(() => {
     const of = { cycle, given, isBorrowed };

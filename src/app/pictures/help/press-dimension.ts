@@ -1,9 +1,9 @@
 import { useRef, type PointerEvent } from "react";
 
-/** Dimensions are thin: a press so far beside one still means it, pixels, nearest first. */
+/** Dimensions are thin, so a click within these distances still counts, pixels, nearest first. */
 const RINGS = [0, 4, 8, 12] as const;
 const DIRECTIONS = 8;
-/** A press that is held this long takes the value instead of opening its prompt, ms. */
+/** A press longer than this takes the value instead of opening its prompt, ms. */
 const LONG = 500;
 
 interface At {
@@ -11,7 +11,7 @@ interface At {
   readonly y: number;
 }
 
-/** The parameter whose dimension lies under or near a place of the window; null where there is none. */
+/** The parameter of the dimension at or near a place of the window; null if there is none. */
 export function dimensionAt({ x, y }: At): string | null {
   for (const ring of RINGS) {
     for (let i = 0; i < (ring === 0 ? 1 : DIRECTIONS); i += 1) {

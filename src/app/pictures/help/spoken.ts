@@ -5,7 +5,7 @@ import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber } from "../../../i18n/number.ts";
 import type { Numbers } from "../../../view/help/lettering.ts";
 
-/** A value with what it measures, in words: "diameter 75 mm", "1, chamfer". */
+/** A value and its dimension in words: "diameter 75 mm", "1, chamfer". */
 export function valueInWords(texts: Texts, language: Language, params: Params, q: string, values: Numbers): string {
   const param = params[q],
     value = values[q],
@@ -18,7 +18,7 @@ export function valueInWords(texts: Texts, language: Language, params: Params, q
   return say.choice(number, ("choices" in words ? words.choices[value] : undefined) ?? "");
 }
 
-/** What the picture shows, for those who do not see it. */
+/** Text alternative of the picture. */
 export function pictureInWords(
   texts: Texts,
   language: Language,

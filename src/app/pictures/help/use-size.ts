@@ -3,8 +3,8 @@ import type { Size } from "../../../view/camera.ts";
 import { usePageUnit } from "../../base/unit.ts";
 
 /**
- * The size of an element in the units that drawings are lettered for (CSS pixels over the page's unit), kept up to
- * date; a guess until it is measured. A drawing whose view box has this size grows with the page.
+ * The current size of an element in the units of lettering (CSS pixels over the page's unit); a guess until it is
+ * measured. A drawing with this view box grows with the page.
  */
 export function useSize(element: RefObject<HTMLElement | null>, guess: Size): Size {
   const unit = usePageUnit();

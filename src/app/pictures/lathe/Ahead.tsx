@@ -9,18 +9,18 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { stretchesOf } from "./use-paths.ts";
 
 /*
- * Path and contour are drawn with the key that changes them; the rest of the picture follows when they are painted.
+ * Path and contour are drawn with the key that changes them; the rest of the picture follows after the paint.
  */
 
-/** The newest run of the open work, as long as the picture is still one of before it. */
+/** The newest run of the open work, while the picture still shows a previous one. */
 export function useAhead(of: Run | null): Run | null {
   const newest = useOutcome.atOnce((s) => s.pictured?.run ?? null);
   return of && newest !== of ? newest : null;
 }
 
 /**
- * The lines of the path, those of a newer run where there is one. `of`: what the picture shows; null where it is of no
- * open work.
+ * The lines of the path, from a newer run if there is one. `of`: the run of the picture; null if it is not of the open
+ * work.
  */
 export const NewestPath = memo(function NewestPath({
   of,
@@ -44,7 +44,7 @@ export const NewestPath = memo(function NewestPath({
   );
 });
 
-/** The finished contour, that of a newer run where there is one. */
+/** The finished contour, from a newer run if there is one. */
 export function NewestContour({
   of,
   shapes,

@@ -12,7 +12,7 @@ import type { Viewport } from "./viewport.ts";
 /** Widths of the scales at the left and the lower edge, units of the page. */
 export const SCALE_LEFT = 46;
 export const SCALE_BELOW = 22;
-/** Least distance of two marks, units of the page. */
+/** Smallest distance of two marks, units of the page. */
 const APART = { z: 72, x: 44 };
 
 /** Grid and scales: Z along the lower edge, X as diameter along the left one, the spindle axis as a chain line. */
@@ -26,7 +26,7 @@ export const LatheAxes = memo(function LatheAxes({
   return <CameraAxes camera={useCamera(viewport)} size={viewport.size()} part={part} unit={usePageUnit()} />;
 });
 
-/** The same for a picture that keeps its camera itself. */
+/** Grid and scales of a picture that handles its camera itself. */
 export function CameraAxes({
   camera,
   size: { width, height },
@@ -36,7 +36,7 @@ export function CameraAxes({
   readonly camera: Camera;
   readonly size: Size;
   readonly part: "grid" | "scales";
-  /** How much larger than written its letters are, in the measure of the size. */
+  /** Scale factor of its letters, in the measure of the size. */
   readonly unit?: number;
 }) {
   const { language, per, unit: counted } = useLengths(),

@@ -10,7 +10,7 @@ import type { Viewport } from "./viewport.ts";
 /** From the edge of the picture to the break, pixels. */
 const INSET = 14;
 
-/** Where a shank leaves the picture it is cut off with a break line, which goes along the edge with the tool. */
+/** The break line where a shank leaves the picture. It moves along the edge with the tool. */
 export function BreakLine({
   viewport,
   tool,

@@ -6,13 +6,13 @@ import type { Camera } from "../../../view/camera.ts";
 import type { Moving } from "../../calculation/moving.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** Half the cross at the theoretical tip, and the scale from which on there is room for it, pixels and pixels a mm. */
+/** Half size of the cross at the theoretical tip, pixels, and the scale from which it is shown, pixels per mm. */
 const CROSS = 4;
 const NEAR = 40;
 
 /**
- * The chip that is cut and the edge that cuts it, over the tool that carries it. Its shapes are relative to the tip and
- * change only where the chip does, which an even cut does not; its numbers no oftener than they can be read.
+ * The chip and the cutting edge, over the tool. Its shapes are relative to the tip and change only with the chip, so
+ * not during an even cut. Its numbers change no faster than they can be read.
  */
 export function ChipSheet({
   viewport,

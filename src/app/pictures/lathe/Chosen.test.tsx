@@ -15,7 +15,7 @@ afterEach(() => {
   clearSelection();
 });
 
-test("a chosen call keeps the forms of its moves", () => {
+test("a chosen call keeps the line styles of its moves", () => {
   const cycle = cycleByNumber(812);
   if (!cycle) throw new Error("no cycle");
   const made = run(parse(printedText(exampleJob(cycle))), { tools: shippedTools, rapid: 10_000 });

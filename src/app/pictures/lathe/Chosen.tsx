@@ -4,7 +4,7 @@ import { segmentData, stretchData } from "../../../view/path.ts";
 import { toolpath } from "../../../view/scene.ts";
 import { useMarked } from "../selection.ts";
 
-/** What is chosen, over the path: moves, each in the form that it has there, and elements of the contour. */
+/** The choice, drawn over the path: moves in their own line style, and elements of the contour. */
 export function ChosenPath({ run }: { readonly run: Run }) {
   const { stretches, contour } = useMarked(run);
   const shapes = useMemo(
@@ -25,14 +25,14 @@ export function ChosenPath({ run }: { readonly run: Run }) {
   );
 }
 
-/** The move under the pointer; it changes without rendering the view. */
+/** Store of the move under the pointer, which changes without rendering the view. */
 export interface Hover {
   readonly get: () => number | null;
   readonly set: (step: number | null) => void;
   readonly subscribe: (listener: () => void) => () => void;
 }
 
-/** A new one, over nothing. */
+/** Creates one, over no move. */
 export function createHover(): Hover {
   const listeners = new Set<() => void>();
   let over: number | null = null;
@@ -50,7 +50,7 @@ export function createHover(): Hover {
   };
 }
 
-/** The move that a press would choose. */
+/** The move that a click would choose. */
 export function HoveredMove({ run, hover }: { readonly run: Run; readonly hover: Hover }) {
   const over = useSyncExternalStore(hover.subscribe, hover.get);
   const step = over === null ? undefined : run.steps[over];

@@ -6,13 +6,13 @@ import { useCompared } from "../../findings/effect/before.ts";
 import { reducedMotion } from "../../base/settings/appearance.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 
-/** How long the path stays to be seen that a change has replaced, ms. */
+/** How long the previous path stays visible after a change, ms. */
 const STAYS = 2000;
-/** It goes in so many steps, ms apart: each of them has the whole picture painted. */
+/** Number of fade steps, and their interval, ms; each repaints the whole picture. */
 const STEPS = 3,
   STEP = 250;
 
-/** Longer paths have no ghost: a change must be seen at once, characters of path data. */
+/** Longer paths have no ghost, because a change must be visible at once; characters of path data. */
 const MOST = 400_000;
 
 function pathOf({ shapes }: Pick<Scene, "shapes">): readonly Shape[] {
@@ -22,7 +22,7 @@ function pathOf({ shapes }: Pick<Scene, "shapes">): readonly Shape[] {
 const sameShapes = (a: readonly Shape[], b: readonly Shape[]) =>
   a.length === b.length && a.every(({ d }, i) => d === b[i]?.d);
 
-/** Comes back when the next step is due; where time is held, with its next picture. */
+/** Schedules the next fade step; with a stopped clock, at its next frame. */
 function soon(clock: Clock, go: (now: number) => void): () => void {
   if (!clock.flows) return clock.frame(go);
   const timer = setTimeout(() => go(clock.now()), STEP);
@@ -38,9 +38,8 @@ const Lines = ({ shapes, className }: { readonly shapes: readonly Shape[]; reado
 );
 
 /**
- * The path before the last change: it stays for two seconds and fades at their end, or without motion goes at once.
- * Faded by the browser from its beginning it would have all of the picture looked at 60 times a second, while the next
- * key waits.
+ * The path before the last change. It stays for two seconds and then fades, or disappears at once with reduced motion.
+ * A CSS fade would repaint the whole picture 60 times a second while the next key waits.
  */
 function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock }) {
   const motion = useSettings((s) => s.motion);
@@ -75,10 +74,7 @@ function Former({ scene, clock }: { readonly scene: Scene; readonly clock: Clock
   );
 }
 
-/**
- * The path of the pinned setting, for as long as it is pinned; made as that of the picture is, so that the same path is
- * the same lines.
- */
+/** The path of the pinned reference. It is made like that of the picture, so that an equal path gives equal lines. */
 function Pinned({ scene }: { readonly scene: Scene }) {
   const run = useCompared((c) => c.pinned?.outcome.run ?? null);
   const [drawn, draw] = useState<{ readonly of: typeof run; readonly shapes: readonly Shape[] }>({
@@ -91,7 +87,7 @@ function Pinned({ scene }: { readonly scene: Scene }) {
   ) : null;
 }
 
-/** Paths of other settings, under the tool: the one before the last change, and the pinned one. */
+/** Paths of other settings, under the tool: the previous and the pinned one. */
 export function GhostPaths({ scene, clock }: { readonly scene: Scene; readonly clock: Clock }) {
   return (
     <>

@@ -1,4 +1,4 @@
-/** Line icons of the lathe view, 24 units square; decoration only, the name stands in the button's label. */
+/** Line icons of the lathe view, 24 units square. Decorative, since the button has the name. */
 const strokes = {
   play: "M8 5l11 7-11 7z",
   pause: "M8 5v14M16 5v14",

@@ -1,6 +1,6 @@
 import { Glyph, type GlyphName } from "./Glyph.tsx";
 
-/** A button that shows a glyph and is called by its name; with a text beside it where there is room. */
+/** A button with a glyph and an accessible name, and with text where there is room. */
 export function GlyphButton({
   glyph,
   name,
@@ -16,12 +16,12 @@ export function GlyphButton({
   readonly onPress: () => void;
   /** For switches: on or off. */
   readonly pressed?: boolean;
-  /** For a button that folds something: open or closed. */
+  /** For a button that expands something. */
   readonly expanded?: boolean;
   readonly disabled?: boolean;
-  /** Its name, or a shorter one. */
+  /** Visible text: its name, or a shorter one. */
   readonly text?: string;
-  /** What is worth knowing before it is pressed. */
+  /** Tooltip. */
   readonly hint?: string;
 }) {
   return (

@@ -6,10 +6,10 @@ import { SCALE_LEFT } from "./Axes.tsx";
 import { useCamera } from "./use-camera.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** From the short lines to the text, and the height of a text, pixels. */
+/** Distance of the text from the short lines, and its height, pixels. */
 const [GAP, HIGH] = [6, 12];
 
-/** Beside the plane at the rear end: that nothing is stated of what holds the work. */
+/** Note at the plane of the rear end that the clamping is not stated. */
 export function HeldNote({
   viewport,
   plane: {
@@ -25,7 +25,7 @@ export function HeldNote({
   const left = Math.min(...hatch.flat().map(({ z }) => z));
   const { x, y } = toScreen(camera, at(left, 0));
   const place = Math.max(SCALE_LEFT + HIGH, x - GAP);
-  // A text that would stand on the work itself says nothing of its end.
+  // A text over the workpiece would not refer to its end.
   if (place > toScreen(camera, top).x) return null;
   return (
     <text

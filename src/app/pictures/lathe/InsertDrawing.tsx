@@ -9,20 +9,17 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { DrawnTool } from "./DrawnTool.tsx";
 import "./lathe.css";
 
-/** How much of the holder is drawn beside the insert, in lengths of the insert: the head and where the shank begins. */
+/** How much of the holder is drawn, in insert lengths: the head and the start of the shank. */
 const BESIDE = 1.6;
 
-/** The box of a tool's insert with the near end of its holder. */
+/** Bounds of a tool's insert and the near end of its holder. */
 export function heldBounds(tool: Tool): Bounds {
   const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
   const near = grownBounds(insert, BESIDE * Math.max(insert.right - insert.left, insert.high - insert.low));
   return common(joined(insert, boundsOf(holderOutlines(tool).flat())) ?? insert, near);
 }
 
-/**
- * A tool's insert (and holder, where the tool has one) to scale, Z to the right, X up, the theoretical tip as a small
- * cross.
- */
+/** A tool's insert, with holder if it has one, to scale: Z to the right, X up, a small cross at the theoretical tip. */
 export function InsertDrawing({
   tool,
   width = 48,
@@ -35,11 +32,10 @@ export function InsertDrawing({
   readonly width?: number;
   readonly height?: number;
   /**
-   * Millimetres that the drawing's smaller side stands for, for several tools in one scale; without it the insert fills
-   * the drawing.
+   * Millimetres along the smaller side, to draw several tools in one scale; by default the insert fills the drawing.
    */
   readonly span?: number;
-  /** The drawing frames the holder too, not the insert alone. */
+  /** Frames the holder too, not only the insert. */
   readonly whole?: boolean;
 }) {
   const t = useTexts().lathe,

@@ -12,13 +12,10 @@ import type { Viewport } from "./viewport.ts";
 
 /** Height of a text, pixels. */
 const ROW = 15;
-/**
- * How texts stand in a picture: the room of one, and how far below the upper edge and its notes the first row is,
- * pixels.
- */
+/** Layout of texts: width of one, and distance of the first row from the upper edge with its notes, pixels. */
 const LARGE = { wide: 104, top: 44 },
   SMALL = { wide: 58, top: 18 };
-/** A picture less wide or high than this has room for the numbers alone, pixels. */
+/** A picture smaller than this shows only the numbers, pixels. */
 const ROOM = { width: 480, height: 240 };
 
 const valueText = (lengths: Lengths, { axis, value }: KnownPosition): string =>
@@ -26,7 +23,7 @@ const valueText = (lengths: Lengths, { axis, value }: KnownPosition): string =>
 /** A typed position as a drawing writes it, with its Q: Q491 ⌀61.37. */
 const positionText = (lengths: Lengths, p: KnownPosition): string => `${p.q} ${valueText(lengths, p)}`;
 
-/** What is known of a contour, in words. */
+/** The known data of a contour, in words. */
 export function knownText(
   t: Texts["lathe"],
   lengths: Lengths,
@@ -38,7 +35,7 @@ export function knownText(
   return said.length > 0 ? t.known.soFar(said.join(", ")) : t.known.nothing;
 }
 
-/** Each text in the first row or column that is free there. */
+/** Places each text in the first free row or column. */
 function spread(places: readonly number[], apart: number): readonly number[] {
   const rows: number[][] = [];
   return places.map((place) => {
@@ -50,8 +47,8 @@ function spread(places: readonly number[], apart: number): readonly number[] {
 }
 
 /**
- * The position that the open prompt asks for, as a line through a picture that has its path; as long as the values make
- * no contour, all of them.
+ * Line at the position of the open prompt, in a picture that has its path; at all positions while the values make no
+ * contour.
  */
 export function AskedMarks({ viewport, known }: { readonly viewport: Viewport; readonly known: KnownWork }) {
   const asked = usePlace((p) => p.prompt),
@@ -66,7 +63,7 @@ export function AskedMarks({ viewport, known }: { readonly viewport: Viewport; r
   );
 }
 
-/** The positions that are typed so far as lines through the picture, and the corners that they make. */
+/** Lines at the positions typed so far, and the corners that they make. */
 export function KnownMarks({
   viewport,
   known: {

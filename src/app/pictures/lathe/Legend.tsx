@@ -2,16 +2,16 @@ import { memo } from "react";
 import { PATH_ROLES, type Shape } from "../../../view/scene.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** What lines, holder and clamping stand for: only those that are there. */
+/** Meaning of lines, holder and clamping, for those that are shown. */
 export const Legend = memo(function Legend({
   shapes,
   holder,
   clamping,
 }: {
   readonly shapes: readonly Shape[];
-  /** A tool that moves has one. */
+  /** A moving tool has a holder. */
   readonly holder: boolean;
-  /** How the work is held is drawn as it is stated, or as a plane where it is not; null: nothing is held. */
+  /** Clamping as stated, or as a plane if unstated; null: no clamping. */
   readonly clamping: "stated" | "unstated" | null;
 }) {
   const t = useTexts().lathe,

@@ -23,7 +23,7 @@ const tenths = (pixels: number) => Math.round(10 * pixels) / 10;
 const startAt = ({ x, y }: Place): string =>
   `M${x - 6} ${y}a6 6 0 1 1 12 0a6 6 0 1 1 -12 0M${x - 10} ${y}h20M${x} ${y - 10}v20`;
 
-/** All start points as one path, counted from the zero point: while the picture is only moved it stays the same. */
+/** All start points as one path, relative to the zero point, so that panning leaves it unchanged. */
 function Starts({ camera, starts }: { readonly camera: Camera; readonly starts: readonly Pt[] }) {
   const { scale, xUp, zero } = camera;
   const lines = useMemo(() => {
@@ -41,8 +41,8 @@ function Starts({ camera, starts }: { readonly camera: Camera; readonly starts: 
 }
 
 /**
- * The point that the program counts from as quartered circle, the workpiece zero as a thin ring when that is another
- * one, and each start point as a cross in a ring. What they say is in the name of the picture.
+ * The active datum as a quartered circle, the workpiece zero as a thin ring if it differs, and each start point as a
+ * cross in a ring. The name of the picture says the same in words.
  */
 export function Marks({
   viewport,

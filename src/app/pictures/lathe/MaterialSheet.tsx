@@ -3,10 +3,9 @@ import { followScene, type SheetMemory, type SheetScene } from "./follow-scene.t
 import { useTheme } from "../../base/use-theme-colours.ts";
 
 /**
- * The chuck on a ground that is painted for another look at it only, and the work on a canvas no larger than the blank.
- * With each picture the browser copies every canvas that can be painted on, touched or not: so the ground only shows a
- * bitmap. While it plays the work is painted where the tool is: by the worker on a layer of its own as soon as that
- * shows it, until then and where it cannot by the page.
+ * The chuck, on a background repainted only for another view, and the workpiece on a canvas no larger than the blank.
+ * With each frame the browser copies every canvas that can be painted, so the background is a bitmap. During playback
+ * the material is painted near the tool: by the worker on its own layer once that is ready, else by the page.
  */
 export function MaterialSheet({ viewport, moving, blank, section, chuck }: Omit<SheetScene, "theme">) {
   const ground = useRef<HTMLCanvasElement>(null),

@@ -6,10 +6,10 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { kindText, runningFeed, phaseText, placeText } from "./running.ts";
 import { useReadPlayback } from "./use-playback.ts";
 
-/** Rows at a time: thousands would be slow to build and no easier to read. */
+/** Rows per page: thousands would be slow to build and hard to read. */
 const PAGE = 50;
 
-/** One move; a press goes to its beginning. Drawn again only when it begins or ends to run. */
+/** One move; a click goes to its start. Rendered again only when it starts or stops running. */
 const MoveRow = memo(function MoveRow({
   index,
   step: { move, block },

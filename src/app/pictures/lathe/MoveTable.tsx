@@ -4,10 +4,10 @@ import { lazyPart } from "../../base/parts.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
-/** Fetched when it is first unfolded. */
+/** Loaded when first expanded. */
 const MoveRows = lazyPart(async () => ({ default: (await import("./MoveRows.tsx")).MoveRows }));
 
-/** All moves in words and numbers, folded until asked for. */
+/** All moves in words and numbers, collapsed by default. */
 export function MoveTable({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
   const t = useTexts().lathe;
   const [open, setOpen] = useState(false);

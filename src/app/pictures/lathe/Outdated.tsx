@@ -1,7 +1,7 @@
 import { useOutcome } from "../../calculation/outcome.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** Over a dimmed picture: what it is. */
+/** Label over a dimmed picture. */
 export function Outdated() {
   const t = useTexts().lathe;
   const isBeginning = useOutcome((s) => s.pictured?.isBeginning ?? false);

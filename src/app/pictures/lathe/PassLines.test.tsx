@@ -12,12 +12,12 @@ import { printedText } from "../../document/printed.ts";
 import { PassLines } from "./PassLines.tsx";
 import { createPlaybackStore } from "../../calculation/playback-store.ts";
 
-/** A picture of the clock, ms. */
+/** A frame of the clock, ms. */
 const PICTURE = 16;
 
 afterEach(cleanup);
 
-test("passes run and fade with the playback, forwards and back, and rest while it races", () => {
+test("passes run and fade with the playback, forwards and back, and stay unchanged at high speed", () => {
   const cycle = cycleByNumber(811);
   if (!cycle) throw new Error("no cycle");
   const { steps } = run(parse(printedText(exampleJob(cycle))), { tools: shippedTools, rapid: 10_000 });

@@ -4,12 +4,12 @@ import type { Shape } from "../../../view/scene.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
 /**
- * Pictures between two changes of the lines while it plays: the whole drawing is painted anew with each; of a long
- * path, seldom.
+ * Frames between two changes of the lines during playback. Each change repaints the whole drawing, so a long path
+ * changes rarely.
  */
 const PICTURES = { usual: 8, long: 60 } as const;
 
-/** The lines of a stretch: those of one that has not changed are left as they are. */
+/** The lines of a stretch; unchanged ones are not rendered again. */
 const StretchLines = memo(function StretchLines({ shapes }: { readonly shapes: readonly Shape[] }) {
   return (
     <g>
@@ -21,8 +21,8 @@ const StretchLines = memo(function StretchLines({ shapes }: { readonly shapes: r
 });
 
 /**
- * The path by its passes: what is to come is quiet, what runs is strong, what is done fades. Only where a pass begins
- * or ends is a class changed, and while it plays fast not with every one.
+ * The path by its passes: coming ones faint, the running one strong, done ones faded. A class changes only where a pass
+ * begins or ends, and at high speed not for each pass.
  */
 export const PassLines = memo(function PassLines({
   stretches,

@@ -19,7 +19,7 @@ import { World } from "./World.tsx";
 /** Pixels between two hatch lines. */
 const HATCH = 7;
 
-/** A path with more letters than this takes a weak device longer to draw than one picture lasts. */
+/** Path data longer than this takes a slow device more than one frame to draw, characters. */
 const LONG_PATH = 40_000;
 
 const Still = memo(function Still({ shapes, mirror }: { readonly shapes: readonly Shape[]; readonly mirror: boolean }) {
@@ -44,7 +44,7 @@ const Rings = memo(function Rings({
   return <path className={`shape-${role}`} d={ringData(rings)} {...(fill && { style: { fill } })} />;
 });
 
-/** The hatch keeps its pitch on the screen whatever the zoom. */
+/** The hatch keeps its pitch on the screen at every zoom. */
 function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly id: string }) {
   const defs = useRef<SVGDefsElement>(null);
   useEffect(() => {
@@ -74,10 +74,10 @@ function ResidualHatch({ viewport, id }: { readonly viewport: Viewport; readonly
   );
 }
 
-/** So far a drawing goes at most, mm. */
+/** Largest extent of a drawing, mm. */
 const FAR = 100_000;
 
-/** Leaves out what lies behind the outer surface of the finished part; what lies along that surface stays. */
+/** Hides what is behind the outer surface of the finished part; lines along that surface stay. */
 function BeforeSurface({ id, moving }: { readonly id: string; readonly moving: Moving }) {
   const { steps, stockAt } = moving;
   const d = useMemo(() => outsideData(stockAt({ step: steps.length, fraction: 0 })), [steps, stockAt]);
@@ -101,9 +101,9 @@ function BeforeSurface({ id, moving }: { readonly id: string; readonly moving: M
 const NOTHING: readonly Ring[] = [];
 
 /**
- * Section of the work with path and tool, in sheets from back to front: grid, material, drawing, tool, what is written
- * over it. The drawing is painted once, however long the path. While it plays the material is painted where the tool
- * is, and the tool's sheet is moved.
+ * Section of the workpiece with path and tool, in layers from back to front: grid, material, drawing, tool, texts. The
+ * drawing is painted once, however long the path. During playback only the material near the tool is painted, and the
+ * layer of the tool moves.
  */
 export function Picture({
   of = null,
@@ -121,30 +121,27 @@ export function Picture({
   name,
   children,
 }: {
-  /**
-   * What is shown of the open work: a newer run of it is drawn with the key that made it, as far as path and contour
-   * go.
-   */
+  /** The shown run of the open work. Path and contour of a newer one are drawn at once. */
   readonly of?: Run | null;
   readonly viewport: Viewport;
   readonly scene: Scene;
   readonly moving: Moving | null;
-  /** The blank and the tool at its start, as long as nothing moves. */
+  /** The blank and the tool at its start, while nothing moves. */
   readonly waiting: Waiting | null;
-  /** Where the part was cut, and what stays, in part space. */
+  /** Contour damage and residual material, in part space. */
   readonly gouges: readonly Ring[];
   readonly residual: readonly Ring[];
   readonly section: SectionView;
-  /** The lines of the path that are shown. */
+  /** The visible lines of the path. */
   readonly path: readonly PathStretch[];
-  /** Paths of other settings, in part space: under the path. */
+  /** Paths of other settings, in part space, under the path. */
   readonly ghosts: React.ReactNode;
-  /** What is chosen, in part space: over the path. */
+  /** The choice, in part space, over the path. */
   readonly chosen: React.ReactNode;
-  /** What is pointed at, in part space: under the tool. */
+  /** The hovered move, in part space, under the tool. */
   readonly hovered: React.ReactNode;
   readonly name: string;
-  /** What stands in screen space above the picture. */
+  /** Content in screen space over the picture. */
   readonly children: React.ReactNode;
 }) {
   const id = useId(),

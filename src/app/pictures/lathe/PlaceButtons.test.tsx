@@ -18,7 +18,7 @@ const place: LookAt = {
   issue: null,
 };
 
-test("a mark in space has its name, is chosen by keyboard, and stays at its place when the eye moves", async () => {
+test("a mark in the 3D view has a name, is chosen by keyboard, and stays at its place when the eye moves", async () => {
   const eye = createEye(clock, () => true),
     choose = vi.fn();
   eye.setSize({ width: 640, height: 400 });
@@ -31,7 +31,7 @@ test("a mark in space has its name, is chosen by keyboard, and stays at its plac
   expect(choose).toHaveBeenCalledWith(place);
   const before = Number.parseFloat(mark.style.left);
   act(() => eye.slide(31, 0));
-  // What is nearer than the centre goes a little farther.
+  // A place nearer than the centre moves a little further.
   expect((Number.parseFloat(mark.style.left) - before) / 31).toBeCloseTo(1.05, 1);
   act(() => eye.slide(5000, 0));
   expect(screen.queryByRole("button")).toBeNull();

@@ -5,25 +5,22 @@ import { SCALE_BELOW, SCALE_LEFT } from "./Axes.tsx";
 import type { LookAt } from "./places.ts";
 import { useSeeing, type Seeing } from "./seeing.ts";
 
-/** Never more marks than this on the picture; the list has them all. */
+/** Most marks in the picture; the list has them all. */
 const MOST = 40;
-/** Radius of the ring round a finding, pixels. */
+/** Radius of the ring around a finding, pixels. */
 const RING = 9;
-/**
- * Width of the tools where they float over the right edge of the picture, and of the one button of a phone in its
- * corner, pixels.
- */
+/** Width of the tools that float over the right edge, and of the single button in the corner on a phone, pixels. */
 export const TOOLS = 56;
 
 interface Badge {
   readonly place: LookAt;
-  /** The place itself, and the middle of its mark, pixels. */
+  /** The place, and the centre of its mark, pixels. */
   readonly at: Place;
   readonly left: number;
   readonly top: number;
 }
 
-/** The marks of all places that are in the picture. */
+/** The marks of all visible places. */
 export function badgesOf(places: readonly LookAt[], { at: seenAt, size }: Seeing): readonly Badge[] {
   const { width, height } = size(),
     seen = { left: SCALE_LEFT, right: width, top: 0, bottom: height - SCALE_BELOW };
@@ -40,9 +37,7 @@ export function badgesOf(places: readonly LookAt[], { at: seenAt, size }: Seeing
   return put.map((each, i) => ({ ...each, left: badges[i]?.x ?? each.at.x, top: badges[i]?.y ?? each.at.y }));
 }
 
-/**
- * One of each row of badges that stand at the same spot, the chosen one before others, and how many more it stands for.
- */
+/** One badge for those at the same spot, preferring the chosen one, and how many more it stands for. */
 function sharedBadges(badges: readonly Badge[], chosen: LookAt | null): readonly (Badge & { readonly more: number })[] {
   const spots = new Map<string, Badge[]>();
   for (const badge of badges) {
@@ -101,10 +96,10 @@ export function PlaceButtons({
   );
 }
 
-/** The ring round each finding and the leader from each place to its mark. */
+/** The ring around each finding, and the leader from each place to its mark. */
 export function PlaceLines({ seeing, places }: { readonly seeing: Seeing; readonly places: readonly LookAt[] }) {
   const drawn = badgesOf(places, useSeeing(seeing));
-  /** Each from the edge of a ring or from the place itself to the middle of its mark, which lies over it. */
+  /** From the edge of a ring, or the place itself, to the centre of its mark, which covers the end. */
   const leaders = (kind: LookAt["kind"], from: number) =>
     drawn
       .filter(({ place }) => place.kind === kind)

@@ -11,14 +11,14 @@ import { useSaid, useSpoken } from "./use-said.ts";
 
 const FIELDS = ["x", "z", "feed", "speed"] as const;
 
-/** The moment in words, and the chip that is cut in it. */
+/** The moment in words, and its chip. */
 interface Said extends Running {
   readonly chip: string;
 }
 
 const textOfCell = (now: Said | null, says: string): string | null => now?.[says as keyof Said] ?? null;
 
-/** Live position, feed, spindle speed, phase, pass and the manual's step; the numbers change without rendering. */
+/** Live position, feed, spindle speed, phase, pass and step of the manual; updated without rendering. */
 export function Readout({
   run,
   playback,
@@ -65,7 +65,7 @@ export function Readout({
   );
 }
 
-/** The same in a sentence, read out: at once when something was pressed, now and then while it plays. */
+/** The same in a sentence for screen readers: at once after an input, now and then during playback. */
 export function SpokenStatus({
   run,
   playback,
@@ -86,7 +86,7 @@ export function SpokenStatus({
   );
 }
 
-/** One sentence about the moment that is shown. */
+/** One sentence about the shown moment. */
 export function statusText(
   texts: ReturnType<typeof useTexts>,
   lengths: Lengths,

@@ -19,14 +19,14 @@ const stepsOf = (number: number) => {
   return run(parse(printedText(exampleJob(cycle))), { tools: shippedTools, rapid: 10_000 }).steps;
 };
 const [one, other] = [stepsOf(811), stepsOf(821)];
-/** A step that both have, and that is not the same move in both. */
+/** A step that is a different move in both. */
 const AT = 3;
 const running = (box: HTMLElement) => box.querySelector(".shape-running")?.getAttribute("d");
 const dataOf = (steps: typeof one) => stretchData(steps.slice(AT, AT + 1));
 
 afterEach(cleanup);
 
-test("the running move is that of the work that is open, at the same place of the playback too", () => {
+test("the running move belongs to the open work, also at the same playback position", () => {
   const playback = createPlaybackStore(manualClock());
   playback.dispatch({ do: "load", track: trackOf(one) });
   playback.dispatch({ do: "seek", position: { step: AT, fraction: 0.5 } });

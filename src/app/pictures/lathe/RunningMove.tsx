@@ -4,7 +4,7 @@ import { stretchData } from "../../../view/path.ts";
 import { stepIndex, type Moving } from "../../calculation/moving.ts";
 import { useEachPicture } from "./use-playback.ts";
 
-/** The running move in its own strength. */
+/** The running move, highlighted. */
 export function RunningMove({ moving: { steps, playback } }: { readonly moving: Moving }) {
   const running = useRef<SVGPathElement>(null),
     drawn = useRef<Step | null>(null);

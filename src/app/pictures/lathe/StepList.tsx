@@ -6,7 +6,9 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { mostSteps, nearestCycle, runningSteps } from "./running.ts";
 import { useReadPlayback } from "./use-playback.ts";
 
-/** The steps that the manual numbers for what runs, the running one marked; a press goes to the first move of one. */
+/**
+ * The manual's numbered steps of the running operation, with the current one marked; a click goes to its first move.
+ */
 export function StepList({ run, playback }: { readonly run: Run; readonly playback: PlaybackStore }) {
   const texts = useTexts(),
     t = texts.lathe.stepList,
@@ -15,8 +17,8 @@ export function StepList({ run, playback }: { readonly run: Run; readonly playba
     const { operation, move } = run.steps[store.get().position.step] ?? {};
     return operation === null || move === undefined ? null : `${operation} ${move.run} ${move.step}`;
   });
-  // The picture over the list keeps its size: between the cycles the steps of the next one stay, with none of them
-  // marked, and a cycle with fewer steps than another one of the program has the room of that one.
+  // The picture above the list keeps its size: between cycles the steps of the next one are shown unmarked, and a
+  // shorter list gets the height of the longest one.
   const near = useReadPlayback(playback, (store) => nearestCycle(run, store.get().position.step));
   const steps =
     near === null ? [] : runningSteps(texts, run, near, index === null ? null : playback.get().position.step);

@@ -10,15 +10,15 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { glide } from "../../calculation/glide.ts";
 import { useEachReading, usePlayback } from "./use-playback.ts";
 
-/** What a timeline is made from: a run, or the part of one that a view shows. */
+/** Data of a timeline: a run, or the part of one that a view shows. */
 export interface TimedRun extends Pick<Run, "operations"> {
   readonly steps: readonly (TimedStep & { readonly seconds: number })[];
 }
 
-/** Moves of a playhead in a second. */
+/** Playhead updates per second. */
 export const JERKS = 10;
 
-/** Time of the whole run: cutting and rapids, boundaries of moves, operations by name. Dragging it scrubs. */
+/** Timeline of the whole run: cutting and rapids, boundaries of moves, names of operations. Dragging scrubs. */
 export function Timeline({ run, playback }: { readonly run: TimedRun; readonly playback: PlaybackStore }) {
   const t = useTexts().lathe,
     language = useSettings((s) => s.language);

@@ -6,8 +6,8 @@ import type { Viewport } from "./viewport.ts";
 const CORNER: Place = { x: 0, y: 0 };
 
 /**
- * Carries what it holds where the tip goes, its origin at the tip: a part of the page that looks where the camera
- * looks, and in it one that goes along by transforms, which cost no layout and no painting.
+ * Moves its content with the tip: an outer element follows the camera, an inner one the tip, by transforms that cost no
+ * layout and no painting.
  */
 export function TipCarrier({
   viewport,

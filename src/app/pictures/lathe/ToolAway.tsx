@@ -19,10 +19,10 @@ import { placeText } from "./running.ts";
 import { seenFlat } from "./seeing.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** From the edge to the mark, size of the text, its lines, and the ground round it, pixels. */
+/** Distance of the mark from the edge, text size, line height, and padding of the background, pixels. */
 const [INSET, TEXT, LINE, GROUND] = [14, 12, 15, 3];
 
-/** Half of the marks of start points and zero, pixels. */
+/** Half size of the marks of start points and zero, pixels. */
 const MARK = 12;
 
 const boxRound = ({ x, y }: Place, half: number): LabelBox => ({
@@ -32,7 +32,7 @@ const boxRound = ({ x, y }: Place, half: number): LabelBox => ({
   height: 2 * half,
 });
 
-/** Where a blank stands in the picture, on both sides of the axis. */
+/** Bounds of a blank in the picture, on both sides of the axis. */
 function workBox(ring: Ring, { zero, scale }: Camera): LabelBox | null {
   const box = boundsOf(ring);
   if (!box) return null;
@@ -46,8 +46,8 @@ function workBox(ring: Ring, { zero, scale }: Camera): LabelBox | null {
 }
 
 /**
- * An arrow at the edge of the picture to a tool that stands outside it, with the place where it is: two short lines on
- * a free ground. `kept`: room that others take.
+ * Arrow at the edge of the picture to a tool outside it, with its position in two short lines on a free spot. `kept`:
+ * areas taken by others.
  */
 export function ToolAway({
   viewport,
@@ -87,7 +87,7 @@ export function ToolAway({
       areas: readonly LabelBox[] = [];
     let isShown = false,
       row = 0;
-    /** The mark of a place, beside what lies over the corner of the picture. */
+    /** The mark of a place, clear of what covers the corner of the picture. */
     const markOf = (at: Place) => {
       const mark = edgeMark(at, room);
       if (!mark || !corner || mark.at.x < corner.x - INSET || mark.at.y > corner.height + INSET) return mark;

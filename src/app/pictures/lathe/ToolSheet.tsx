@@ -18,28 +18,28 @@ import { stepIndex, type Moving } from "../../calculation/moving.ts";
 import { usePlayback } from "./use-playback.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** A step is nearly over: what it cuts is gone, and going on from there costs nothing anew. */
+/** A step is almost done: its material is removed, and going on from there costs nothing. */
 const NEARLY = 1 - SAME_STEP;
 const NO_EDGE: Silhouette = [];
-/** Pixels round the drawing of a tool for its lines. */
+/** Margin around a tool drawing for its lines, pixels. */
 const LINE = 4;
-/** As much of a holder is drawn as fits into this many pictures. */
+/** A holder is drawn up to this many picture sizes. */
 const PICTURES = 1.5;
 
-/** The box of an insert and the one of the whole tool. */
+/** Bounds of the insert, and of the whole tool. */
 function boxesOf(tool: Tool): { readonly insert: Bounds; readonly all: Bounds } {
   const insert = boundsOf(insertOutline(tool, CHORD)) ?? { left: -1, right: 1, low: -1, high: 1 };
   return { insert, all: toolBox(tool) ?? insert };
 }
 
-/** Where a tool stands, and what tells of it. */
+/** Position of a tool, and its data. */
 interface Standing {
   readonly viewport: Viewport;
   readonly tool: Tool;
   readonly carrying: Carrying;
 }
 
-/** A tool on a sheet no larger than itself, drawn anew for another tool or another zoom. */
+/** A tool on a sheet no larger than itself, redrawn for another tool or zoom. */
 function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
   const sheet = useRef<SVGSVGElement>(null),
     world = useRef<SVGGElement>(null);
@@ -76,7 +76,7 @@ function Sheet({ viewport, tool }: Pick<Standing, "viewport" | "tool">) {
   );
 }
 
-/** A tool that the work may cover: seen where the section is open and out of the work, or as edges behind it. */
+/** A tool that the workpiece may cover: visible at the open section and outside the workpiece, edges only behind it. */
 function CoveredTool({
   section,
   edge,
@@ -117,7 +117,7 @@ function CoveredTool({
   );
 }
 
-/** A tool, and what is drawn over it at its tip: the work never covers that. */
+/** A tool, and what is drawn over it at its tip, which the workpiece never covers. */
 function StandingTool({
   section,
   edge,
@@ -125,7 +125,7 @@ function StandingTool({
   ...standing
 }: Standing & {
   readonly section: SectionView;
-  /** The edge of the work as it is seen; asked for only where the work may cover the tool. */
+  /** The visible edge of the workpiece; called only if the workpiece may cover the tool. */
   readonly edge: () => Silhouette;
   readonly children?: React.ReactNode;
 }) {
@@ -145,7 +145,7 @@ function StandingTool({
   );
 }
 
-/** Insert and holder of the running move, with the chip that it takes. */
+/** Insert and holder of the running move, with its chip. */
 export function RunningTool({
   viewport,
   moving,
@@ -173,7 +173,7 @@ export function RunningTool({
   );
 }
 
-/** The tool where it stands at the call of the cycle. */
+/** The tool at the start point of the cycle. */
 export function WaitingTool({
   viewport,
   tool,

@@ -15,7 +15,7 @@ import type { Viewport } from "./viewport.ts";
 /** Zoom per press. */
 export const ZOOM = 1.4;
 
-/** One of a few: a list with its word, or with its glyph alone where the bar has no room for words. */
+/** A select box: with its text, or with only its glyph where the bar has no room. */
 function Choice<Value extends string>({
   name,
   glyph,
@@ -30,7 +30,7 @@ function Choice<Value extends string>({
   readonly value: Value;
   readonly all: readonly Value[];
   readonly words: Readonly<Record<Value, string>>;
-  /** What is nothing to call out. */
+  /** Value that needs no emphasis. */
   readonly quiet?: Value;
   readonly onChoose: (value: Value) => void;
 }) {
@@ -55,7 +55,7 @@ function Choice<Value extends string>({
   );
 }
 
-/** How the picture is looked at: which section, X up or down, ruler, zoom and fit. */
+/** View settings: section, X up or down, ruler, zoom and fit. */
 export function ViewBar({
   viewport,
   measuring,
@@ -64,9 +64,9 @@ export function ViewBar({
 }: {
   readonly viewport: Viewport;
   readonly measuring: MeasuringShown;
-  /** Asks which cycle makes the contour; null where there is none. */
+  /** Finds a cycle for the contour; null without a contour. */
   readonly onWhich: (() => void) | null;
-  /** What stands between the switches and the zoom. */
+  /** Content between the switches and the zoom. */
   readonly children: React.ReactNode;
 }) {
   const t = useTexts().lathe,

@@ -9,7 +9,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-test("what is drawn anew under a moving hand is told to be coarse, until the hand rests", () => {
+test("a redraw while panning is marked as coarse until the hand rests", () => {
   const viewport = createViewport(true);
   const { container } = render(
     <svg>
@@ -20,7 +20,7 @@ test("what is drawn anew under a moving hand is told to be coarse, until the han
   );
   const isCoarse = () => container.querySelector("g")?.classList.contains("coarse");
   act(() => viewport.zoom(1.7));
-  // What lies there is only shifted.
+  // What is drawn there is only shifted.
   expect(isCoarse()).toBe(false);
   act(() => viewport.zoom(1.7));
   expect(isCoarse()).toBe(true);

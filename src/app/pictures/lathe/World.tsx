@@ -5,7 +5,7 @@ import type { Viewport } from "./viewport.ts";
 
 const CORNER: Place = { x: 0, y: 0 };
 
-/** Lays a sheet that is drawn for a camera, its corner at a place of the picture, to where the picture looks now. */
+/** Shifts a sheet drawn for one camera to where the picture looks now. `x`, `y`: its corner in the picture. */
 export function shiftSheet(
   { style }: ElementCSSInlineStyle,
   viewport: Viewport,
@@ -19,8 +19,8 @@ export function shiftSheet(
 }
 
 /**
- * Follows the camera with one attribute: a group whose content is drawn in part space. `shifts`: the sheet that it is
- * alone on goes along while a hand moves the picture, and is drawn anew when the hand rests.
+ * A group in part space that follows the camera by one attribute. `shifts`: the sheet that it is alone on shifts during
+ * panning, and is redrawn at rest.
  */
 export function World({
   viewport,

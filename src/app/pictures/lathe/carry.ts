@@ -6,17 +6,17 @@ import { tipAt } from "../../../view/tip.ts";
 import { glide, type Gliding } from "../../calculation/glide.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
-/** A tip that something on the page goes along with. */
+/** A tip that page elements follow. */
 export interface Carrying {
-  /** Where it stands now; null: nowhere. */
+  /** Its position; null: nowhere. */
   readonly tip: () => Pt | null;
-  /** Calls when it has moved; returns what ends it. */
+  /** Calls the listener after each move; returns the function that stops it. */
   readonly follow: (listener: () => void) => () => void;
-  /** Takes an element along: `place` gives the transform that lays it where it belongs; null where that is nowhere. */
+  /** Moves an element with the tip. `place` gives its transform; null if it has no place. */
   readonly carry: (element: HTMLElement, place: (tip: Pt) => string | null) => Gliding;
 }
 
-/** A place of its own at each moment of a playback; within some steps its way is round. */
+/** A tip with a position for each moment of a playback; in `isRound` steps it moves along an arc. */
 export const movingTip = (
   playback: PlaybackStore,
   tipOf: (position: PlayPosition) => Pt | null,

@@ -8,7 +8,7 @@ export function layOver({ style }: HTMLCanvasElement, { x, y, width, height }: P
   style.height = `${height}px`;
 }
 
-/** The same, with so many pixels for each point of the page. */
+/** The same, with `ratio` pixels per CSS pixel. */
 export function fitCanvas(element: HTMLCanvasElement, part: Patch, ratio: number): void {
   const { width, height } = part;
   const [wide, tall] = [Math.round(width * ratio), Math.round(height * ratio)];

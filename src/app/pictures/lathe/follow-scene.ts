@@ -37,15 +37,15 @@ const COLOURS = {
 } as const satisfies Record<keyof MaterialColours, string>;
 
 const NOWHERE: Patch = { x: 0, y: 0, width: 0, height: 0 };
-/** Where nothing stands round the work: a bitmap has a pixel at least. */
+/** Used if nothing is around the workpiece, since a bitmap has at least one pixel. */
 const SPECK: Patch = { x: 0, y: 0, width: 1, height: 1 };
 
-/** So long the worker may paint for another look before the page does it, ms: what is drawn is shifted meanwhile. */
+/** Time for the worker to repaint before the page does it, ms; meanwhile the old picture is shifted. */
 const PATIENCE = 150;
 
 const isSamePlace = (a: PlayPosition, b: PlayPosition) => a.step === b.step && a.fraction === b.fraction;
 
-/** What the worker paints for a look, or null when it does not, or not soon. */
+/** The worker's picture for a view; null if it has none, or not in time. */
 async function stockPictures(of: KnownOutcome, look: StockLook, position: PlayPosition): Promise<StockPictures | null> {
   const late = new Promise<null>((done) => setTimeout(() => done(null), PATIENCE));
   try {
@@ -56,42 +56,42 @@ async function stockPictures(of: KnownOutcome, look: StockLook, position: PlayPo
 }
 
 /**
- * The canvases of a sheet from back to front: what stands round the work, the work as the page paints it, and as the
- * worker gave it.
+ * The canvases of a sheet from back to front: surroundings of the workpiece, workpiece painted by the page, workpiece
+ * painted by the worker.
  */
 export interface SheetCanvases {
   readonly under: HTMLCanvasElement;
   readonly over: HTMLCanvasElement;
   readonly given: HTMLCanvasElement;
-  /** Where the worker's own layer is laid over them while it plays. */
+  /** Container of the worker's own layer, which covers them during playback. */
   readonly holder: HTMLElement;
 }
 
-/** What a sheet shows. */
+/** Content of a sheet. */
 export interface SheetScene {
   readonly viewport: Viewport;
   readonly moving: Moving | null;
-  /** What stands there before anything moves. */
+  /** The blank before anything moves. */
   readonly blank: readonly Ring[];
   readonly section: SectionView;
   readonly chuck: ChuckDrawing | null;
   readonly theme: number;
 }
 
-/** For what the canvases are laid: how it is looked at, and the parts of the picture they cover. */
+/** What the canvases were painted for: the view, and the parts of the picture they cover. */
 type Laid = Pick<StockLook, "camera" | "room" | "ratio"> & { readonly work: Patch; readonly ground: Patch };
 
-/** What the canvases show, kept from one scene to the next: painted again only when that is something else. */
+/** What the canvases show, kept between scenes, so that only changes are repainted. */
 export interface SheetMemory {
   ground: string;
   work: readonly unknown[];
-  /** Where they lie, and how it is painted; null before the first picture. */
+  /** Their position, and how they were painted; null before the first picture. */
   laid: (Laid & { readonly style: string }) | null;
 }
 
 /**
- * Paints a scene, and follows its camera and its playback; returns what ends that. A scene that only has another stock
- * than the one before is painted by the worker, which has that stock, and the page shows it when it is there.
+ * Paints a scene and follows its camera and playback; returns the function that stops it. If only the stock differs
+ * from the previous scene, the worker, which has that stock, paints it, and the page shows it once ready.
  */
 export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: SheetMemory): () => void {
   const { under, over, given, holder } = canvases,
@@ -116,12 +116,12 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   });
   let { camera, room, ratio, work, ground } = memory.laid ?? nowhere();
   const style = JSON.stringify([theme, section, chuck]);
-  /** True as long as the canvases show the scene of before. */
+  /** True while the canvases show the previous scene. */
   let isOld = true;
-  /** The camera for which the worker is painting. */
+  /** The camera the worker is painting for. */
   let awaited: Camera | null = null;
   const look = (): StockLook => ({ section, chuck, camera, colours, ratio, origin: work, ground, room });
-  /** What is to be painted where the picture is to be drawn for. */
+  /** The view to paint next. */
   const nextLook = (): StockLook => {
     const next = { ...look(), camera: viewport.drawn(), room: drawnRoom(viewport.size()), ratio: viewport.ratio() };
     return {
@@ -130,7 +130,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
       ground: (chuck && patchWithin(chuckPatch(chuck, next.camera, next.ratio), next.room)) ?? SPECK,
     };
   };
-  /** Looks where the picture is to be drawn for; what is painted from now on is painted for that. */
+  /** Switches to the view that the picture is drawn for; later painting uses it. */
   const turn = () => {
     ({ camera, room, ratio, origin: work, ground } = nextLook());
     memory.laid = { camera, room, ratio, work, ground, style };
@@ -146,7 +146,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     over.style.visibility = which === "own" ? "" : "hidden";
     given.style.visibility = which === "given" ? "" : "hidden";
   };
-  /** Before anything is painted on what the worker has given, it is copied. */
+  /** Copies the worker's picture before painting on it. */
   const own = () => {
     if (shows === "own") return;
     if (shows === "given") {
@@ -157,7 +157,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     show("own");
   };
   const groundKey = () => JSON.stringify([theme, section, chuck, camera, room, ratio, work]);
-  // A planned path has the stock of before: nothing is painted then, whatever step of the new path that is.
+  // A planned path keeps the previous stock, so no step of it needs painting.
   const workKey = () => [
     painter.rings(),
     moving?.surfaces,
@@ -191,7 +191,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     fitCanvas(over, work, ratio);
     painter.all(pen, look());
   };
-  /** Shows what the worker has painted. */
+  /** Shows the worker's picture. */
   const take = ({ work: stock, shop: around }: StockPictures, position: PlayPosition) => {
     awaited = null;
     played?.stop();
@@ -205,7 +205,7 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
     show("given");
     if (playback?.shown() !== position) paintMoved();
   };
-  /** Has the work painted for where the picture looks now; what is painted for before is shifted there until then. */
+  /** Has the workpiece painted for the present view; until then the old picture is shifted. */
   const lookAnew = async (of: KnownOutcome, position: PlayPosition) => {
     const next = nextLook();
     awaited = next.camera;
@@ -226,14 +226,14 @@ export function followScene(canvases: SheetCanvases, scene: SheetScene, memory: 
   let waits = false;
   const paintMoved = () => {
     if (!playback) return;
-    // What the worker paints is soon there, and followed to where it has moved by then.
+    // The worker's picture is ready soon, and then follows to the current position.
     if (isOld && awaited && !playback.get().playing) return;
     if (isOld) paintAll();
     if (played?.follow(look)) {
       if (shows === "given") own();
       return show("played");
     }
-    // The eye follows the tool: while it plays the material follows with every second picture.
+    // The eye follows the tool, so during playback the material may follow every second frame.
     waits = !waits && playback.get().playing;
     if (waits || (shows !== "played" && isSamePlace(painter.at(), playback.shown()))) return;
     own();

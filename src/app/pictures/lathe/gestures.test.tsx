@@ -23,7 +23,7 @@ beforeEach(() => {
 });
 afterEach(() => deaf());
 
-test("a mouse that rests is not heard of, though the browser tells of it again after a layout", () => {
+test("a resting mouse is ignored, although the browser repeats its event after a layout", () => {
   fireEvent.pointerMove(element, mouse(31, 47, 7));
   fireEvent.pointerMove(element, mouse(31, 47));
   vi.spyOn(element, "getBoundingClientRect").mockReturnValue(new DOMRect(0, 13, 300, 200));
@@ -34,7 +34,7 @@ test("a mouse that rests is not heard of, though the browser tells of it again a
   expect(hover).toHaveBeenLastCalledWith({ x: 32, y: 47 });
 });
 
-test("nor is one under which the picture came to be; one that comes in, or comes back, is", () => {
+test("so is one under which the picture appears; one that enters, or comes back, is not", () => {
   fireEvent(element, new PointerEvent("pointerenter", { ...mouse(31, 47), movementX: 0, movementY: 0 }));
   fireEvent.pointerMove(element, mouse(31, 47));
   expect(hover).not.toHaveBeenCalled();

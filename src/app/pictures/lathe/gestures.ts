@@ -1,24 +1,22 @@
 import { panned, pinched, type Place } from "../../../view/camera.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** What the picture does with a pointer beside looking around. */
+/** Pointer actions of a picture besides panning and zooming. */
 export interface Touches {
-  /** A press without a drag. */
+  /** A click without a drag. */
   readonly tap: (at: Place) => void;
-  /** The pointer moves over the picture without pressing. */
+  /** The pointer hovers over the picture. */
   readonly hover: (at: Place | null) => void;
-  /**
-   * Takes drags of one pointer for itself, from where they began to where they are; null leaves them to looking around.
-   */
+  /** Handles drags of one pointer, from their start to the current place; null leaves them to panning. */
   readonly drag?: ((from: Place, to: Place, done: boolean, byFinger?: boolean) => void) | null;
 }
 
-/** A pointer that moved less than this was a tap, pixels. */
+/** A pointer that moved less than this is a click, pixels. */
 const TAP = 6;
 /** Zoom per wheel pixel. */
 const WHEEL = 0.0015;
 
-/** Wheel zooms, one pointer drags, two pinch. Returns what takes it all off again. */
+/** Wheel zooms, one pointer pans, two pinch. Returns the function that removes the listeners. */
 export function listenToGestures(
   element: Element & GlobalEventHandlers,
   viewport: Viewport,
@@ -27,12 +25,12 @@ export function listenToGestures(
   const down = new Map<number, Place>();
   let begun: Place | null = null;
   let dragged = false;
-  /** A drag that is not looking around, by where it began. */
+  /** Start of a drag that is not panning. */
   let drawn: Place | null = null;
 
-  /** Where the mouse was heard of last, on the page. */
+  /** Last position of the mouse on the page. */
   let rests: Place | null = null;
-  /** Browsers tell of a mouse again where it rests when something comes or goes under it: nobody moved it. */
+  /** Browsers repeat mouse events at the same position when something appears or disappears under it. */
   const isResting = ({ pointerType, clientX: x, clientY: y }: PointerEvent): boolean => {
     const before = rests;
     rests = { x, y };

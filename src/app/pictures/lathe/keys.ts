@@ -4,7 +4,7 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { ZOOM } from "./ViewBar.tsx";
 import type { Viewport } from "./viewport.ts";
 
-/** One press of an arrow with Shift moves the picture by this much, pixels. */
+/** An arrow key with Shift pans the picture by this much, pixels. */
 const PAN = 40;
 const PANS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [PAN, 0],
@@ -13,13 +13,13 @@ const PANS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, -PAN],
 };
 
-/** What a key press in the lathe view was typed into. */
+/** A key press in the lathe view, and its target. */
 export interface Typed {
   readonly key: string;
   readonly shift: boolean;
   /** Lower-case name of the element that has the focus. */
   readonly element: string;
-  /** The focus lies in the picture itself. */
+  /** The focus is in the picture itself. */
   readonly picture: boolean;
 }
 
@@ -29,7 +29,7 @@ const takes = ({ element, key }: Typed) =>
   element === "textarea" ||
   ((element === "button" || element === "summary") && (key === " " || key === "Enter"));
 
-/** Does what a key stands for; true when it did something. Ruler keys go first, then playback and zoom. */
+/** Handles a key; true if it did something. Ruler keys go first, then playback and zoom. */
 export function pressKey(typed: Typed, playback: PlaybackStore, viewport: Viewport, measuring: Measuring): boolean {
   const { key, shift } = typed,
     pan = PANS[key];

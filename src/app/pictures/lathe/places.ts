@@ -9,24 +9,24 @@ import { useFindings } from "../../findings/use-findings.ts";
 import { useIssueText } from "../../calculation/issue-text.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** A finding of the list that is to be seen in the picture. */
+/** A finding of the list with a place in the picture. */
 export interface LookAt {
   readonly id: string;
-  /** "told": said by the learner, before anything was seen. */
+  /** "told": predicted by the learner before seeing the result. */
   readonly kind: FindingSpot["kind"] | "told";
-  /** Number of a finding, letter of a region that stays. */
+  /** Number of a finding, letter of a region of residual material. */
   readonly mark: string;
   readonly place: Pt;
   readonly bounds: Bounds;
-  /** What and where, in a sentence. */
+  /** Text and place in one sentence. */
   readonly line: string;
-  /** The moment at which it is to be seen. */
+  /** The moment at which it is visible. */
   readonly position: PlayPosition;
-  /** Null of what a task shows. */
+  /** Null for a mark of a task. */
   readonly issue: AnyIssue | null;
 }
 
-/** A finding as a place of a picture; null where it has none there. `said`: what it says in words. */
+/** A finding as a place of a picture; null if it has none there. `said`: its text. */
 export function lookAtOf(
   { id, issue, block, spot }: FindingEntry,
   plane: FindingSpot["plane"],

@@ -13,11 +13,11 @@ import { layOver } from "./fit-canvas.ts";
 import { isOnCourse, type PlayCourse } from "../../calculation/glide.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
-/** The stock as the worker paints it while it plays, on a layer of its own over the one that the page paints. */
+/** The stock painted by the worker during playback, on its own layer over that of the page. */
 export interface PlayedLayer<Look> {
-  /** Follows the playback; true while the layer shows the stock, so that the page need not. */
+  /** Follows the playback; true while the layer shows the stock, so that the page need not paint it. */
   readonly follow: (look: () => Look) => boolean;
-  /** Shows nothing, until it is to follow again. */
+  /** Hides the layer until it follows again. */
   readonly stop: () => void;
   readonly canvas: () => HTMLCanvasElement | null;
 }
@@ -44,7 +44,7 @@ function layerIn(holder: HTMLElement): Layer {
   return made;
 }
 
-/** What the worker does not know, or cannot paint on, is left to the page. */
+/** Leaves stock that the worker does not know, or cannot paint, to the page. */
 function drop(holder: HTMLElement): void {
   layers.get(holder)?.canvas.remove();
   layers.delete(holder);
@@ -53,13 +53,13 @@ function drop(holder: HTMLElement): void {
 const canPaint = () =>
   typeof HTMLCanvasElement !== "undefined" && "transferControlToOffscreen" in HTMLCanvasElement.prototype;
 
-/** The open work by its version, when it is the one whose steps are played: the worker has it. */
+/** The version of the open work, if its steps are being played: the worker has that work. */
 export function knownOf(steps: readonly Step[]): KnownOutcome | null {
   const { shown } = useOutcome.getState();
   return shown?.run.steps === steps ? { version: shown.version, moves: steps.length } : null;
 }
 
-/** What plays, as the worker knows it: has it painted for a look. */
+/** Asks the worker to paint the playback for a view. */
 export type PlayedByWorker<Look> = (
   engine: Remote<Engine>,
   on: PlayedOn,
@@ -80,13 +80,13 @@ async function ask<Look>(layer: Layer, play: PlayedByWorker<Look>, look: Look, c
   }
 }
 
-/** How the worker plays the turned steps of the open work; null where it does not know them. */
+/** How the worker plays the turning steps of the open work; null if it does not know them. */
 export function playedSteps(steps: readonly Step[]): PlayedByWorker<StockLook> | null {
   const of = knownOf(steps);
   return of && ((engine, ...asked) => engine.play(of, ...asked));
 }
 
-/** A layer in an element of the page that follows a playback of what the worker knows. */
+/** A layer in an element that follows a playback known to the worker. */
 export function playedLayer<Look extends Pick<StockLook, "origin">>(
   holder: HTMLElement,
   playback: PlaybackStore,

@@ -13,7 +13,7 @@ import type { Chip } from "../../../sim/chip/chip.ts";
 import type { PlayPosition } from "../../../sim/simulation.ts";
 import { tipAt } from "../../../view/tip.ts";
 
-/** What is said about a moment of a run, as words and numbers of the screen language. */
+/** Texts about a moment of a run, as words and numbers of the screen language. */
 export interface Running {
   readonly x: string;
   readonly z: string;
@@ -26,13 +26,13 @@ export interface Running {
   readonly block: string;
 }
 
-/** A place as the control shows it: X as diameter. */
+/** A position as the control shows it: X as diameter. */
 export const placeText = (lengths: Lengths, p: Pt) => ({
   x: lengths.position(toDiameter(p.r)),
   z: lengths.position(p.z),
 });
 
-/** Feed with its unit, that it is a rapid, or how long a dwell takes. */
+/** Feed with its unit, rapid traverse, or the duration of a dwell. */
 export function runningFeed(t: Texts["lathe"], lengths: Lengths, move: Move): string {
   if (move.kind === "rapid") return t.rapid;
   if (move.kind === "thread") return `${lengths.number(Math.abs(move.pitch))} ${lengths.words(t.perTurn)}`;
@@ -40,11 +40,11 @@ export function runningFeed(t: Texts["lathe"], lengths: Lengths, move: Move): st
   return `${lengths.number(move.feed)} ${lengths.words(move.feedUnit === "mm/rev" ? t.perTurn : t.perMinute)}`;
 }
 
-/** What a move is, in a word. */
+/** Kind of a move, in a word. */
 export const kindText = (t: Texts["lathe"], move: Move): string =>
   move.kind === "feed" && move.dwell !== undefined ? t.kinds.dwell : t.kinds[move.kind];
 
-/** Phase in words; plunging is said with it. */
+/** Phase in words, including plunging. */
 export const phaseText = (t: Texts["lathe"], move: Move): string =>
   move.plunging ? `${t.phases[move.phase]}, ${t.plunging}` : t.phases[move.phase];
 
@@ -64,12 +64,15 @@ export function stepText(t: Texts, operation: Operation | undefined, move: Move)
 export interface ManualStep {
   readonly number: number;
   readonly words: string;
-  /** Its first move in the phase that runs; null where it moves nothing. */
+  /** Its first move in the running phase; null if it has none. */
   readonly first: number | null;
   readonly runs: boolean;
 }
 
-/** For each step the first one of its phase; between two cycles that of the next one. Looked up with every picture. */
+/**
+ * Per step, the first step of its phase; between two cycles, that of the next one. Cached, since each frame looks it
+ * up.
+ */
 const phases = new WeakMap<Run["steps"], Int32Array>();
 const NO_PHASE = -1;
 
@@ -90,9 +93,7 @@ function phasesOf(steps: Run["steps"]): Int32Array {
   return first;
 }
 
-/**
- * A move of the phase that runs, or between two cycles the first of the one that comes; null where no cycle has any.
- */
+/** A step of the running phase, or between two cycles the first step of the next one; null if no cycle has any. */
 export function nearestCycle(run: Run, step: number): number | null {
   const known = phases.get(run.steps) ?? phasesOf(run.steps);
   phases.set(run.steps, known);
@@ -100,7 +101,7 @@ export function nearestCycle(run: Run, step: number): number | null {
   return first === NO_PHASE ? null : first;
 }
 
-/** The numbered steps of the sequence that a move belongs to; none outside the cycles. `now` is the move that runs. */
+/** The manual's numbered steps of the sequence of a move; none outside the cycles. `now`: the running move. */
 export function runningSteps(t: Texts, run: Run, index: number, now: number | null): readonly ManualStep[] {
   const { operation: at, move } = run.steps[index] ?? {};
   const running = now === null ? undefined : run.steps[now]?.move.step;
@@ -120,7 +121,7 @@ export function runningSteps(t: Texts, run: Run, index: number, now: number | nu
   }));
 }
 
-/** The most steps that any cycle of a run has numbered. */
+/** Largest number of steps of any cycle in a run. */
 export function mostSteps(t: Texts, { operations }: Run): number {
   const all: Partial<Record<number, CyclesTexts["of"][keyof CyclesTexts["of"]]>> = t.cycles.of;
   return operations.reduce(
@@ -140,8 +141,8 @@ function spindleOf(run: Run, index: number): Spindle | null {
 }
 
 /**
- * The chip of a moment in one line; nothing without one. The feed of a turn is said where the one beside it is a feed
- * of a minute.
+ * The chip of a moment in one line; empty without one. It includes the feed per revolution if the readout shows the
+ * feed per minute.
  */
 export function chipText(lengths: Lengths, chip: Chip | null, move: Move | undefined): string {
   if (!chip || !move) return "";
@@ -153,7 +154,7 @@ export function chipText(lengths: Lengths, chip: Chip | null, move: Move | undef
   );
 }
 
-/** What to say about a position; null when the run has no moves. */
+/** Texts about a position; null if the run has no moves. */
 export function runningText(t: Texts, lengths: Lengths, run: Run, position: PlayPosition): Running | null {
   const index = Math.min(position.step, run.steps.length - 1),
     step = run.steps[index],

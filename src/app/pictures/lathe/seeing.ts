@@ -3,19 +3,19 @@ import type { Pt } from "../../../kernel/geometry/point.ts";
 import { toScreen, type Place, type Size } from "../../../view/camera.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** Where places of the half plane are seen in a picture, flat or in space: for marks over it. */
+/** Maps places of the half plane to pixels of a picture, flat or in space, for marks over it. */
 export interface Seeing {
-  /** Another object whenever places are seen elsewhere. */
+  /** Returns another object whenever the mapping changes. */
   readonly get: () => object;
   readonly subscribe: (listener: () => void) => () => void;
   readonly size: () => Size;
-  /** Pixels from the upper left corner; null for what cannot be seen. */
+  /** Pixels from the upper left corner; null if not visible. */
   readonly at: (place: Pt) => Place | null;
 }
 
 const flat = new WeakMap<Viewport, Seeing>();
 
-/** How the section is seen. */
+/** The mapping of the section view. */
 export function seenFlat(viewport: Viewport): Seeing {
   const known = flat.get(viewport);
   const { get, subscribe, size } = viewport,
@@ -24,7 +24,7 @@ export function seenFlat(viewport: Viewport): Seeing {
   return seeing;
 }
 
-/** Renders anew whenever places are seen elsewhere. */
+/** Re-renders whenever the mapping changes. */
 export function useSeeing(seeing: Seeing): Seeing {
   useSyncExternalStore(seeing.subscribe, seeing.get);
   return seeing;

@@ -2,15 +2,15 @@ import { create } from "zustand";
 import type { Pt, Ring } from "../../../kernel/geometry/point.ts";
 import type { LookAt } from "./places.ts";
 
-/** What a task shows in the picture in place of the findings, and whether a press there names a place. */
+/** Marks of a task in the picture, instead of the findings; a click may name a place. */
 export interface ToldPicture {
   readonly places: readonly LookAt[];
-  /** What is missing, and what was left, in part space. */
+  /** Missing and residual material, in part space. */
   readonly missing: readonly Ring[];
   readonly left: readonly Ring[];
-  /** Takes a place that was pointed at; null where a press chooses a move, as ever. */
+  /** Called with a clicked place; null if a click chooses a move as usual. */
   readonly take: ((place: Pt) => void) | null;
 }
 
-/** Null where no task has anything to show. */
+/** Null if no task has marks. */
 export const useTold = create<{ readonly told: ToldPicture | null }>(() => ({ told: null }));

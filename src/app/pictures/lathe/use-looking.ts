@@ -5,19 +5,16 @@ import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import type { Viewport } from "./viewport.ts";
 import type { LookAt } from "./places.ts";
 
-/** What a picture does to show a place, and everything again. */
+/** Shows a place, or everything again. */
 type Looks = Pick<Viewport, "fit" | "show">;
 
-/** Several pictures of one work look at the same place. */
+/** Applies the same view to several pictures of one work. */
 export const lookingAt = (pictures: readonly (Looks | null)[]): Looks => ({
   fit: () => pictures.forEach((each) => each?.fit()),
   show: (bounds) => pictures.forEach((each) => each?.show(bounds)),
 });
 
-/**
- * The place that is looked at, chosen in the list or in the picture: the picture goes near it, and playback to its
- * moment.
- */
+/** The chosen place: the picture zooms to it, and playback seeks its moment. */
 export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>(
   places: readonly P[],
   viewport: Looks,
@@ -26,15 +23,15 @@ export function useLooking<P extends Pick<LookAt, "id" | "bounds" | "position">>
   const { id, count } = useChosen();
   const chosen = places.find((place) => place.id === id) ?? null;
   const look = useEffectEvent(() => {
-    // A picture that comes up later stays as it is, and what the other one shows is not looked for here.
+    // A picture that opens later keeps its view, and a place of the other picture is ignored here.
     if (count <= useChosen.getState().shown || (id !== null && !chosen)) return;
     useChosen.setState({ shown: count });
     if (!chosen) return viewport.fit();
-    // Steps of what was proved are not those of a path that is still to be proved.
+    // The steps of the simulated run are not those of a path that is only planned yet.
     if (!useOutcome.getState().planned) playback.dispatch({ do: "seek", position: chosen.position });
     viewport.show(chosen.bounds);
   });
-  // Only a new choice moves the picture: a place that is found again after a change of values leaves it where it is.
+  // Only a new choice moves the picture; a place that is found again after a change of values does not.
   useEffect(() => look(), [count]);
   return { chosen, choose: (place: Pick<LookAt, "id"> | null) => chooseFinding(place?.id ?? null) };
 }

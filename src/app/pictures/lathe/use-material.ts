@@ -8,13 +8,13 @@ import { UNTOUCHED, type Surfaces } from "../../../view/material/surfaces.ts";
 import { surfacesOfRun, type Moving } from "../../calculation/moving.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
-/** A run with its simulation; without one as long as it is only planned. */
+/** A run with its simulation, or without one while it is only planned. */
 export interface LatheResult {
   readonly run: Run;
   readonly simulation: Simulation | null;
 }
 
-/** A run that is proved: its steps and operations are those of its simulation. */
+/** A simulated run: its steps and operations are those of its simulation. */
 export interface ProvedResult {
   readonly run: Run;
   readonly simulation: Simulation;
@@ -32,19 +32,15 @@ const sameRings = (a: readonly Ring[], b: readonly Ring[]): boolean =>
     (ring, i) => ring.length === b[i]?.length && ring.every((p, k) => p.z === b[i]?.[k]?.z && p.r === b[i]?.[k]?.r),
   );
 
-/**
- * The stock of a planned run as long as nobody has cut it: that of before as it stood, or a blank that is another one
- * now.
- */
+/** The stock of a planned run before its simulation: the previous stock, or the new blank if that changed. */
 interface Uncut {
   readonly run: Run;
   readonly stock: readonly Ring[];
 }
 
 /**
- * The material of a result. While a run is only planned the picture keeps the stock that it had, as it stood at the
- * moment of the last change; `proved` is the newest result with a simulation, whose findings stay until those of the
- * new one are there.
+ * The material of a result. While a run is only planned the picture keeps its stock, as it was at the last change.
+ * `proved`: the newest simulated result, whose findings stay until the new ones are there.
  */
 export function useMaterial(
   result: LatheResult | null,

@@ -8,7 +8,7 @@ import { useSettings } from "../../base/settings/settings.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { usePlayback } from "./use-playback.ts";
 
-/** The lines of the path that are shown, and which moves are among them. */
+/** The visible lines of the path, and which moves they include. */
 export interface ShownPath {
   readonly stretches: readonly PathStretch[];
   readonly has: (step: number) => boolean;
@@ -29,7 +29,7 @@ interface Passes {
 const known = new WeakMap<Run, Passes>();
 const lines: KnownLines = new WeakMap();
 
-/** The path of a run by its passes, and whole; made once of each run. */
+/** The path of a run by its passes, and whole; cached per run. */
 export function stretchesOf(run: Run): Passes {
   const have = known.get(run);
   if (have) return have;
@@ -39,12 +39,12 @@ export function stretchesOf(run: Run): Passes {
   return made;
 }
 
-// Lines of a long work that was planned at rest are there with its first key.
+// The lines of a long work that was planned while idle are ready for its first key.
 hearsAhead.add(stretchesOf);
 
 /**
- * What the settings show of a run, `all` of whose passes are drawn: new lines only where another call, phase or pass
- * begins.
+ * The part of a run that the settings show. `all`: all of its passes. The lines change only where another call, phase
+ * or pass begins.
  */
 export function useShownPath(run: Run, all: readonly PathStretch[], playback: PlaybackStore): ShownPath {
   const asked = useSettings((s) => s.paths);

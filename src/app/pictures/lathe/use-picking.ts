@@ -8,12 +8,10 @@ import { useEditor } from "../../document/store.ts";
 import { useTold } from "./told.ts";
 import type { Viewport } from "./viewport.ts";
 
-/** A pointer this near to a move means that move, pixels. */
+/** Distance at which a pointer picks a move, pixels. */
 const NEAR = 10;
 
-/**
- * Choosing in the picture: a press takes the tool to the move under it, a mouse over it shows which one that would be.
- */
+/** Choosing in the picture: a click takes the tool to the move under it, hovering shows which one that would be. */
 export function usePicking({
   run,
   viewport,
@@ -22,7 +20,7 @@ export function usePicking({
 }: {
   readonly run: Run;
   readonly viewport: Viewport;
-  /** The moves that are there to be pointed at. */
+  /** The visible moves. */
   readonly shown: (step: number) => boolean;
   readonly onMove: ((step: number) => void) | undefined;
 }): { readonly hover: Hover; readonly over: (at: Place | null) => void; readonly tap: (at: Place) => void } {

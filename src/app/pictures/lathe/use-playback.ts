@@ -7,13 +7,13 @@ export const usePlayback = <T extends string | number | boolean | null>(
   pick: (store: PlaybackStore) => T,
 ): T => useSyncExternalStore(store.subscribe, () => pick(store));
 
-/** The same for lists that are read: while it plays they render no oftener than they can be read. */
+/** The same for lists: during playback they render no faster than they can be read. */
 export const useReadPlayback = <T extends string | number | boolean | null>(
   store: PlaybackStore,
   pick: (store: PlaybackStore) => T,
 ): T => useSyncExternalStore(store.subscribeReader, () => pick(store));
 
-/** Runs at once and after each change, without rendering: for what changes with every picture. */
+/** Runs at once and after each change, without rendering, for what changes with every frame. */
 export function useEachPicture(store: PlaybackStore, paint: () => void): void {
   useEffect(() => {
     paint();

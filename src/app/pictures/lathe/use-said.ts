@@ -3,7 +3,7 @@ import type { Clock } from "../../base/clock.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 import { useEachReading } from "./use-playback.ts";
 
-/** What stands in an element with one text, without a new node for each text. */
+/** Writes the text of an element, without a new node for each text. */
 function write(element: Element, text: string): void {
   const { firstChild } = element;
   if (firstChild instanceof Text) firstChild.data = text;
@@ -11,8 +11,8 @@ function write(element: Element, text: string): void {
 }
 
 /**
- * Writes what is said about the moment into the elements of a group, each by its `data-says`, without rendering and
- * only where it changes. `textOf` gives the text of one of them for the moment that is shown.
+ * Writes texts about the moment into the elements of a group, each by its `data-says`, without rendering and only where
+ * they change. `textOf`: text of one element for the shown moment.
  */
 export function useSaid<T>(
   playback: PlaybackStore,
@@ -36,13 +36,10 @@ export function useSaid<T>(
   return group;
 }
 
-/** Least time between two sentences for a screen reader while it plays, ms. */
+/** Shortest time between two sentences for a screen reader during playback, ms. */
 const PAUSE = 2500;
 
-/**
- * A sentence about the moment, to be read out: a new one at once when something was pressed, now and then while it
- * plays.
- */
+/** A sentence about the moment for screen readers: at once after an input, now and then during playback. */
 export function useSpoken(playback: PlaybackStore, clock: Clock, sentence: () => string): string {
   const [said, say] = useState("");
   const last = useRef(-PAUSE);

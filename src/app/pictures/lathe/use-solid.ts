@@ -6,15 +6,15 @@ import type { Zooming } from "../solid/SolidView.tsx";
 import type { Moving, Waiting } from "../../calculation/moving.ts";
 import type { LatheResult } from "./use-material.ts";
 
-/** The view of the turned body in space: what it shows while it is asked for, and what zooms it once it is drawn. */
+/** The 3D view: its content while it is open, and its zoom once drawn. */
 export interface SolidPlace {
   readonly work: ShownWork | null;
-  /** Null as long as the section is what is seen. */
+  /** Null while the section is shown. */
   readonly drawn: Zooming | null;
   readonly setDrawn: (drawn: Zooming | null) => void;
 }
 
-/** Measuring is done in the section, so that is shown meanwhile. */
+/** Measuring works in the section, so that is shown meanwhile. */
 export function useSolid({
   run,
   shown,

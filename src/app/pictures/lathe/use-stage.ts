@@ -2,10 +2,7 @@ import { useEffect, useEffectEvent, useRef, type RefObject } from "react";
 import { listenToGestures, type Touches } from "./gestures.ts";
 import type { Viewport } from "./viewport.ts";
 
-/**
- * The element of the picture: the size of its `share` from the left goes to the viewport, its pointers to zoom, pan and
- * the ruler.
- */
+/** The element of the picture. The viewport gets the size of its left `share`; pointers zoom, pan and measure. */
 export function useStage(viewport: Viewport, touches: Touches, share = 1): RefObject<HTMLDivElement | null> {
   const stage = useRef<HTMLDivElement>(null),
     now = useEffectEvent(() => touches);

@@ -13,7 +13,7 @@ function opened() {
   return { viewport, begun: viewport.get() };
 }
 
-test("what is drawn stays behind a hand that moves the picture, and catches up when it rests", () => {
+test("the drawing is shifted while panning, and catches up at rest", () => {
   const { viewport, begun } = opened(),
     heard: boolean[] = [];
   expect(viewport.drawn()).toBe(begun);
@@ -28,7 +28,7 @@ test("what is drawn stays behind a hand that moves the picture, and catches up w
   expect(heard).toEqual([...Array<boolean>(7).fill(false), true]);
 });
 
-test("it is drawn anew where nothing lies ready, and where its pixels would become coarse", () => {
+test("it is redrawn where nothing is ready, and where its pixels would become coarse", () => {
   const { viewport } = opened();
   const steps = {
     left: { dx: -41.3, dy: 0 },
@@ -51,7 +51,7 @@ test("it is drawn anew where nothing lies ready, and where its pixels would beco
   }
 });
 
-test("a hand that zooms out finds what is drawn for further out, and has it drawn less often", () => {
+test("zooming out draws for a view further out, and so less often", () => {
   const { viewport } = opened(),
     drawn = new Set([viewport.drawn()]);
   for (let move = 0; move < 12; move += 1) {
@@ -64,7 +64,7 @@ test("a hand that zooms out finds what is drawn for further out, and has it draw
   expect(viewport.drawn()).toBe(viewport.get());
 });
 
-/** All that is seen lies in what is drawn. */
+/** The drawing covers all of the visible part. */
 function expectReady(viewport: ReturnType<typeof createViewport>) {
   const room = drawnRoom(SIZE);
   for (const seen of [
@@ -81,7 +81,7 @@ function expectReady(viewport: ReturnType<typeof createViewport>) {
   }
 }
 
-test("whatever else turns the picture draws it anew at once", () => {
+test("any other change of the view redraws at once", () => {
   const { viewport } = opened();
   const others = [
     () => viewport.fit(),
@@ -97,7 +97,7 @@ test("whatever else turns the picture draws it anew at once", () => {
   }
 });
 
-test("a shifted drawing lies where it would be drawn", () => {
+test("a shifted drawing is where it would be drawn", () => {
   const { begun } = opened(),
     now = panned(zoomed(begun, 1.37, { x: 97, y: 311 }), -41.9, 17.3);
   const { x, y, grown } = sheetShift(begun, now),
@@ -107,7 +107,7 @@ test("a shifted drawing lies where it would be drawn", () => {
   expect(99.1 * grown + y).toBeCloseTo(wantedY, 9);
 });
 
-test("what is painted under a moving hand has a pixel a point, and those of the screen when it rests", () => {
+test("while panning a canvas has one pixel per CSS pixel, and the screen's pixels at rest", () => {
   vi.stubGlobal("devicePixelRatio", 2.5);
   const { viewport } = opened(),
     heard: (readonly [ratio: number, isNew: boolean])[] = [];
@@ -119,7 +119,7 @@ test("what is painted under a moving hand has a pixel a point, and those of the 
   expect(viewport.ratio()).toBe(2.5);
   for (let move = 0; move < 2; move += 1) viewport.zoom(1.53);
   vi.advanceTimersByTime(500);
-  // The second is drawn anew, and the rest once more, though the camera has not moved since.
+  // The second is redrawn, and once more at rest, although the camera has not moved since.
   expect(heard).toEqual([
     [2.5, false],
     [1, true],
@@ -131,7 +131,7 @@ test("what is painted under a moving hand has a pixel a point, and those of the 
   expect(viewport.ratio()).toBe(1);
   viewport.fit();
   expect(viewport.ratio()).toBe(2.5);
-  // So large a picture is copied too long even so.
+  // Such a large picture takes too long to copy even then.
   viewport.setSize({ width: 2517, height: 1683 });
   viewport.zoom(7);
   expect(viewport.ratio()).toBe(0.5);

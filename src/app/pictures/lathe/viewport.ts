@@ -13,59 +13,58 @@ import {
   type Size,
 } from "../../../view/camera.ts";
 
-/** Where the picture looks, shared by its layers. */
+/** The camera of the picture, shared by its layers. */
 export interface Viewport {
   readonly get: () => Camera;
   /**
-   * The camera that a drawing is drawn for. While a hand moves the picture it stays behind, and the drawing is only
-   * shifted to where the picture looks now; it catches up when the hand rests, or looks where nothing is drawn.
+   * The camera that the drawing was made for. During panning it stays behind and the drawing is only shifted; it
+   * catches up at rest, or where nothing is drawn.
    */
   readonly drawn: () => Camera;
   /**
-   * Pixels for each point of the page in a canvas that is painted for that camera. What has to be painted under a
-   * moving hand has one at most: a canvas is copied to be seen, and that of a fine screen is copied too long. At rest
-   * it is painted anew.
+   * Canvas pixels per CSS pixel for that camera. While panning at most one, since copying a fine canvas takes too long;
+   * at rest it is repainted at full resolution.
    */
   readonly ratio: () => number;
-  /** Drawn under a moving hand, to be drawn finely when it rests. */
+  /** Drawn while panning, to be redrawn finely at rest. */
   readonly isCoarse: () => boolean;
   readonly size: () => Size;
   readonly subscribe: (listener: () => void) => () => void;
-  /** Looks elsewhere, by hand: from now on the picture is not fitted by itself. */
+  /** Moves the view by hand; from then on it is not fitted automatically. */
   readonly look: (camera: Camera) => void;
   readonly zoom: (factor: number, at?: Place) => void;
   readonly fit: () => void;
-  /** Looks at a box with some room round it, by hand. */
+  /** Zooms to a box with a margin, by hand. */
   readonly show: (bounds: Bounds) => void;
   readonly setSize: (size: Size) => void;
-  /** What fitting shows. A picture that is still fitted follows, but not for every small change. */
+  /** Sets the box for fitting. A fitted picture follows, but not for every small change. */
   readonly setBounds: (bounds: Bounds) => void;
   readonly setXUp: (xUp: boolean) => void;
 }
 
-/** When the camera has rested so long, what was only shifted is drawn anew, ms. */
+/** After this rest of the camera a shifted drawing is redrawn, ms. */
 const RESTS = 140;
-/** So much of its width and height lies ready on each side of a picture. */
+/** Share of width and height drawn beyond each side of a picture. */
 const AROUND = 0.2;
-/** Shifted pixels may grow so much; a hand that zooms out finds the next picture drawn for so much further out. */
+/** Largest zoom of a shifted drawing; while zooming out the next one is drawn for this much further out. */
 const GROWS = 2.2,
   AHEAD = 1.5;
 
-/** What is painted while a hand moves the picture has a pixel for each point at most, and no more of them than this. */
+/** While panning: most canvas pixels per CSS pixel, and most pixels in total. */
 const COARSE = 1,
   MOST_COARSE = 2_500_000;
 
-/** Every device has whole pixels for so many of the page. */
+/** So many CSS pixels are whole device pixels on every device. */
 const WHOLE = 4;
 
-/** The part of a picture that is drawn, with what lies ready round it, in its pixels. */
+/** The drawn part of a picture including its margin, in picture pixels. */
 export function drawnRoom({ width, height }: Size): Patch {
   const beside = WHOLE * Math.round((AROUND * width) / WHOLE),
     over = WHOLE * Math.round((AROUND * height) / WHOLE);
   return { x: -beside, y: -over, width: beside + width + beside, height: over + height + over };
 }
 
-/** Whether a drawing for one camera still does where another one looks. */
+/** True if a drawing for one camera can still be used for another. */
 function does(drawn: Camera, now: Camera, size: Size): boolean {
   const room = drawnRoom(size),
     { from, to, grown } = seenFrom(drawn, now, size);
@@ -73,7 +72,7 @@ function does(drawn: Camera, now: Camera, size: Size): boolean {
   return drawn.xUp === now.xUp && grown <= GROWS && isInside;
 }
 
-/** Pixels for each point under a moving hand; whole parts of a pixel stay whole. */
+/** Canvas pixels per CSS pixel while panning; quarters of a pixel stay whole. */
 function coarseRatio(size: Size): number {
   const { width, height } = drawnRoom(size),
     most = Math.sqrt(MOST_COARSE / (width * height));
@@ -82,7 +81,7 @@ function coarseRatio(size: Size): number {
 
 const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 
-/** Scales along two edges and buttons along the top need their room, units of the page. */
+/** Margins for the scales along two edges and the buttons at the top, units of the page. */
 function marginOf(size: Size): Margin {
   const unit = pageUnit();
   const { left, right, top, bottom } =
@@ -92,10 +91,10 @@ function marginOf(size: Size): Margin {
   return { left: left * unit, right: right * unit, top: top * unit, bottom: bottom * unit };
 }
 
-/** A fitted picture keeps its camera while the new box still fills most of it. */
+/** A fitted picture keeps its camera while the new box fills at least this share of it. */
 const FILLS = 0.6;
 
-/** Room round a place that is looked at, as a share of its size on each side. */
+/** Margin around a shown place, as a share of its size on each side. */
 const ROOM = 0.75;
 
 function withRoom({ left, right, low, high }: Bounds): Bounds {
@@ -107,7 +106,7 @@ const holds = (outer: Bounds, inner: Bounds) =>
   inner.left >= outer.left && inner.right <= outer.right && inner.low >= outer.low && inner.high <= outer.high;
 const measure = (b: Bounds) => Math.max(b.right - b.left, b.high - b.low);
 
-/** A new viewport that shows 100 mm of axis until it is told more. */
+/** A new viewport that shows 100 mm of axis by default. */
 export function createViewport(xUp: boolean): Viewport {
   let size: Size = { width: 640, height: 400 };
   let bounds = START;
@@ -131,7 +130,7 @@ export function createViewport(xUp: boolean): Viewport {
       middle = { x: size.width / 2, y: size.height / 2 };
     if (!stays) isCoarse = true;
     set(next, stays ? drawn : next.scale < camera.scale ? zoomed(next, 1 / AHEAD, middle) : next);
-    // What is drawn for a camera is told apart by it.
+    // Drawings are identified by their camera object.
     if (isCoarse || drawn !== camera) rest = setTimeout(() => set(isCoarse ? { ...camera } : camera), RESTS);
   };
   const refit = () => {

@@ -7,14 +7,14 @@ import "./load.css";
 export interface LoadLinesProps {
   readonly of: Told;
   readonly run: Run;
-  /** The moves that are there to be seen. */
+  /** The visible moves. */
   readonly shown: (step: number) => boolean;
 }
 
-/** A line of a class: its colour and its width, or that no number is told of it. */
+/** CSS class of a line: its tone, or without a value. */
 export const toneClass = (tone: number | null) => (tone === null ? "load-untold" : `load-tone-${tone}`);
 
-/** What is told, in part space: one path a class over a rim that sets it off, however long the program. */
+/** The colour map in part space: one path per class over a contrasting rim, however long the program. */
 export const LoadLines = memo(function LoadLines({ of, run, shown }: LoadLinesProps) {
   const drawing = useLoadDrawing(run, of, shown);
   return (

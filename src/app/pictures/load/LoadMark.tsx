@@ -11,13 +11,13 @@ export interface LoadMarkProps {
   readonly seeing: Seeing;
 }
 
-/** The mark of the worst place, pixels: its half size, and how far beside it the number stands. */
+/** Mark of the highest value, pixels: its half size, and the distance of its number. */
 const HALF = 9;
 const ASIDE = 14;
-/** Size of the number, and the ground round it, pixels. */
+/** Size of the number, and padding of its background, pixels. */
 const [TEXT, GROUND] = [12, 3];
 
-/** The worst place, marked and with its value. */
+/** The place of the highest value, with its number. */
 export function LoadMark({ of, run, seeing }: LoadMarkProps) {
   const t = useTexts("load"),
     lengths = useLengths();

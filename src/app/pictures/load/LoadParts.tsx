@@ -7,21 +7,20 @@ import type { LoadStripProps } from "./LoadStrip.tsx";
 import type { LoadTableProps } from "./LoadTable.tsx";
 
 /*
- * Roughness and load by colour, where they stand in the lathe view. Nothing is fetched, worked out or drawn before
- * colours are chosen.
+ * Colour map of roughness and load in the lathe view. Nothing is loaded, calculated or drawn before it is switched on.
  */
 const Lines = lazyPart(async () => ({ default: (await import("./LoadLines.tsx")).LoadLines }));
 const Mark = lazyPart(async () => ({ default: (await import("./LoadMark.tsx")).LoadMark }));
 const Strip = lazyPart(async () => ({ default: (await import("./LoadStrip.tsx")).LoadStrip }));
 const Table = lazyPart(async () => ({ default: (await import("./LoadTable.tsx")).LoadTable }));
 
-/** The quantity that is told, or null. */
+/** The quantity of the colour map, or null. */
 function useToldLoad() {
   const colours = useSettings((s) => s.colours);
   return colours === "none" ? null : colours;
 }
 
-/** What is drawn in part space, over the path. */
+/** Lines in part space, over the path. */
 function ToldLines(props: Omit<LoadLinesProps, "of">) {
   const of = useToldLoad();
   return (
@@ -33,7 +32,7 @@ function ToldLines(props: Omit<LoadLinesProps, "of">) {
   );
 }
 
-/** The mark of the worst place. */
+/** The mark of the highest value. */
 function ToldMark(props: Omit<LoadMarkProps, "of">) {
   const of = useToldLoad();
   return (
@@ -57,7 +56,7 @@ function ToldStrip(props: Omit<LoadStripProps, "of">) {
   );
 }
 
-/** The list. */
+/** The table of the highest values. */
 function ToldTable(props: Omit<LoadTableProps, "of">) {
   const of = useToldLoad();
   return (

@@ -16,14 +16,14 @@ function Sample({ tone, limited = false }: { readonly tone: number | null; reado
   );
 }
 
-/** The classes with their numbers, and what else lines mean that are there. */
+/** The classes with their numbers, and the other line styles in use. */
 export function LoadScale({ of, drawing: { scale, lines } }: { readonly of: Told; readonly drawing: LoadDrawing }) {
   const t = useTexts("load"),
     lengths = useLengths(),
     unit = lengths.words(t.units[of]);
   const bounds = scale.bounds.map((bound) => loadNumber(lengths, of, bound)),
     last = classesOf(scale) - 1;
-  // Each class is at least as wide as its number: those of an inch are long.
+  // Each class is at least as wide as its number, which is long in inches.
   const minWidth = `${Math.max(...bounds.map((bound) => bound.length)) + 1}ch`,
     end = `${bounds[last + 1]} ${unit}`;
   const limited = lines.find((line) => line.limited);

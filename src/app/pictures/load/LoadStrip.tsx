@@ -36,13 +36,13 @@ export interface LoadStripProps {
   readonly viewport: Viewport;
   readonly playback: PlaybackStore;
   readonly pointed: Pointed;
-  /** The moves that are there to be pointed at. */
+  /** The visible moves. */
   readonly shown: (step: number) => boolean;
 }
 
-/** Values rest for so long before they are measured, ms: while somebody types, the path comes first. */
+/** Values must be unchanged this long before they are measured, ms; while typing, the path comes first. */
 const REST = 200;
-/** A pointer this near means a line, pixels. */
+/** Distance at which a pointer picks a line, pixels. */
 const NEAR = 10;
 
 interface Asked {
@@ -52,7 +52,7 @@ interface Asked {
   readonly load: MeasuredLoad;
 }
 
-/** What is told of a moment; empty where the tool cuts nothing. */
+/** Text about a moment; empty if the tool cuts nothing. */
 function momentText({ t, lengths, of, load: { path, surface } }: Asked, position: PlayPosition): string {
   if (of === "roughness") {
     const stretch = surface && stretchOfStep(surface, position);
@@ -62,7 +62,7 @@ function momentText({ t, lengths, of, load: { path, surface } }: Asked, position
   return path && row !== null ? rowText(t, lengths, of, path, row) : "";
 }
 
-/** What is told of a place under the pointer; empty where nothing lies there. */
+/** Text about the place under the pointer; empty if there is no line. */
 function pointedText(asked: Asked, run: Run, place: Pt, reach: number, shown: (step: number) => boolean): string {
   const {
     t,
@@ -78,7 +78,7 @@ function pointedText(asked: Asked, run: Run, place: Pt, reach: number, shown: (s
   return step === null ? "" : momentText(asked, positionNear(run.steps, step, place));
 }
 
-/** Has what is told measured, a little after the run is proved. */
+/** Starts measuring the quantity a little after the simulation. */
 function useMeasuring(run: Run, what: "surface" | "path"): void {
   const isProved = useOutcome((s) => s.shown?.run === run);
   useEffect(() => {
@@ -88,7 +88,7 @@ function useMeasuring(run: Run, what: "surface" | "path"): void {
   }, [run, what, isProved]);
 }
 
-/** The scale of what is told by colour, its value where the tool or the pointer is, and the worst place. */
+/** Scale of the colour map, the value at the tool or pointer, and the highest value. */
 export function LoadStrip({ of, run, viewport, playback, pointed, shown }: LoadStripProps) {
   const t = useTexts("load"),
     lengths = useLengths();

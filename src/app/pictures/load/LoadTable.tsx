@@ -12,7 +12,7 @@ export interface LoadTableProps {
   readonly playback: PlaybackStore;
 }
 
-/** The same in words: the greatest value of each operation, and where it is. */
+/** The colour map in words: the highest value of each operation, and its place. */
 export function LoadTable({ of, run, playback }: LoadTableProps) {
   const t = useTexts("load"),
     { lathe } = useTexts(),

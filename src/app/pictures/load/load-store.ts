@@ -6,12 +6,12 @@ import { loadRequestOf, type KnownOutcome, type LoadRequest } from "../../calcul
 import { useOutcome } from "../../calculation/outcome.ts";
 import { askAgain } from "../../calculation/worker-life.ts";
 
-/** What was measured of a run, as far as it was asked. */
+/** Measured data of a run, as far as requested. */
 export interface MeasuredLoad {
   readonly run: Run | null;
   readonly path: PathLoad | null;
   readonly surface: readonly RoughStretch[] | null;
-  /** The last question had no answer. */
+  /** The last request failed. */
   readonly failed: boolean;
 }
 
@@ -21,7 +21,7 @@ export const useMeasuredLoad = create<MeasuredLoad>(() => NONE);
 const put = (run: Run, found: Partial<MeasuredLoad>): void =>
   useMeasuredLoad.setState((known) => ({ ...(known.run === run ? known : { ...NONE, run }), failed: false, ...found }));
 
-/** Asks by the number of the outcome; where the worker does not have it any more, all of it is sent. */
+/** Asks by the number of the outcome; sends the whole run if the worker no longer has it. */
 async function answerTo<T>(
   run: Run,
   question: (of: KnownOutcome | LoadRequest) => Promise<T | null>,
@@ -33,7 +33,7 @@ async function answerTo<T>(
   return question(has ? known : loadRequestOf(shown));
 }
 
-/** Has a run measured, unless that is known: its surface, or what its tools bear along the path. */
+/** Measures a run if not known yet: its surface, or the load along the path. */
 export async function measureLoad(run: Run, what: "surface" | "path"): Promise<void> {
   const known = useMeasuredLoad.getState();
   if (known.run === run && known[what]) return;

@@ -1,13 +1,13 @@
 import type { Pt } from "../../../kernel/geometry/point.ts";
 
-/** A place of the work under the pointer; it changes without rendering the view. */
+/** Store of the place under the pointer, which changes without rendering the view. */
 export interface Pointed {
   readonly get: () => Pt | null;
   readonly set: (place: Pt | null) => void;
   readonly subscribe: (listener: () => void) => () => void;
 }
 
-/** A new one, nowhere. */
+/** Creates one without a place. */
 export function createPointed(): Pointed {
   const listeners = new Set<() => void>();
   let place: Pt | null = null;

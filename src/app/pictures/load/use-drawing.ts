@@ -8,8 +8,8 @@ import { loadSize, useLoadOf, type Told } from "./use-load.ts";
 const EVERY = () => true;
 
 /**
- * The lines by colour and their scale; null until they are known, and for nothing. Without paths the colours show all
- * of them.
+ * The lines of the colour map and their scale; null until known, or without a quantity. If paths are hidden the colours
+ * show all moves.
  */
 export function useLoadDrawing(
   run: Run,

@@ -9,22 +9,22 @@ import { greatestAlong, roughestOf, worstOf, type AlongPath, type LoadPlace } fr
 import { placeText } from "../lathe/running.ts";
 import { useMeasuredLoad, type MeasuredLoad } from "./load-store.ts";
 
-/** A quantity that colours tell. */
+/** A quantity of the colour map. */
 export type Told = AlongPath | "roughness";
 
-/** What was measured of a run; of an older run nothing. */
+/** Measured data of this run; null for an older one. */
 export function useLoadOf(run: Run): MeasuredLoad | null {
   const measured = useMeasuredLoad();
   return measured.run === run ? measured : null;
 }
 
-/** The run that numbers are told of: as long as a change is not measured, the one before it. */
+/** The run that the numbers belong to: the previous one until a change is measured. */
 export function useMeasuredRun(run: Run): Run {
   const last = useMeasuredLoad((m) => m.run);
   return last?.program.name === run.program.name ? last : run;
 }
 
-/** The places of the greatest values, one for each operation, and the worst of them; null until they are known. */
+/** The places of the highest value of each operation, and of all; null until known. */
 export function useGreatest(
   run: Run,
   of: Told,
@@ -43,13 +43,13 @@ const FINE = 10;
 /** µm in a mm, and µin in an inch by a thousand. */
 const MICRONS = 1000;
 
-/** One of what a quantity is told in: µm or µin, mm or inch, mm² or inch², m/min. */
+/** Size of the unit of a quantity: µm or µin, mm or inch, mm² or inch², m/min. */
 export function loadSize({ unit, per }: Lengths, of: Told): number {
   if (of === "speed" || unit === "mm") return 1;
   return of === "roughness" ? per / MICRONS : of === "chip" ? per ** 2 : per;
 }
 
-/** A value with as many decimals as it deserves. */
+/** A value with the decimals of its quantity. */
 export function loadNumber(lengths: Lengths, of: Told, value: number): string {
   const { language } = lengths;
   if (of === "speed") return formatNumber(language, value, DECIMALS.speed);
@@ -63,7 +63,7 @@ export function loadNumber(lengths: Lengths, of: Told, value: number): string {
 export const loadValue = (t: LoadTexts, lengths: Lengths, of: Told, value: number): string =>
   `${loadNumber(lengths, of, value)} ${lengths.words(t.units[of])}`;
 
-/** What is told of a row of the path: the value, and what belongs to it. */
+/** Text of a row of the path: the value, and its details. */
 export function rowText(t: LoadTexts, lengths: Lengths, of: AlongPath, load: PathLoad, row: number): string {
   const value = load[of][row] ?? NaN,
     rpm = load.rpm[row] ?? NaN;
@@ -75,10 +75,10 @@ export function rowText(t: LoadTexts, lengths: Lengths, of: AlongPath, load: Pat
   return parts.join(" · ");
 }
 
-/** Where the circle differs from the rule by more than this share, its value is told as well. */
+/** Share by which the circle must differ from the rule for its value to be shown too. */
 const DIFFERS = 0.02;
 
-/** What is told of a stretch of the surface: the value, where it comes from, or why there is none. */
+/** Text of a stretch of the surface: the value and its origin, or why there is none. */
 export function stretchText(t: LoadTexts, lengths: Lengths, { rz, exact, by, feed, nose }: RoughStretch): string {
   if (rz === null) return t.by[by];
   const parts = [loadValue(t, lengths, "roughness", rz), t.by[by]];

@@ -23,11 +23,11 @@ import type { MeasureSource } from "./source.ts";
 import "./measure.css";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** Half the size of a mark, and how far beside it its name stands, pixels. */
+/** Half size of a mark, and distance of its name, pixels. */
 const MARK = 5,
   CROSS = 12,
   ASIDE = 10;
-/** Nearer to the right edge its name stands on the left of a mark, pixels. */
+/** Closer than this to the right edge a name is left of its mark, pixels. */
 const ROOM = 150;
 
 const marks: Readonly<Record<MeasuredPlace["spot"], string>> = {
@@ -38,14 +38,14 @@ const marks: Readonly<Record<MeasuredPlace["spot"], string>> = {
   free: "",
 };
 
-/** The edge that the cross has hold of, within half a pixel. */
+/** The edge that the cross is snapped to, within half a pixel. */
 function heldEdge({ edge, at: p }: MeasuredPlace, camera: Camera, isTurned: boolean): string {
   if (!edge) return "";
   const side = halfOf({ isTurned }, p);
   return polyline(part.flattened(edge.segment, 0.5 / camera.scale).map((each) => toScreen(camera, onSide(each, side))));
 }
 
-/** Cross, what it has hold of, and the first place. */
+/** Cross, its snapped edge, and the first place. */
 function Cross({
   state: { cross, first },
   camera,
@@ -84,10 +84,10 @@ function Cross({
   );
 }
 
-/** Room round the texts, units of the page. */
+/** Margin around texts, units of the page. */
 const AIR = 6;
 
-/** What was measured in a picture, as dimensions over it, and the tools while it measures. */
+/** Measurements as dimensions over a picture, and the tools while measuring. */
 export function MeasureLayer({
   viewport,
   measuring,
@@ -107,7 +107,7 @@ export function MeasureLayer({
     state = useStore(measuring.state);
   const sourceNow = useEffectEvent(() => source),
     textsNow = useEffectEvent(() => t);
-  // Before the tools are seen: whoever sees them presses their keys.
+  // Before the tools are visible, because their keys work as soon as they are.
   useLayoutEffect(
     () => measuring.serve(measureHand(measuring, { viewport, source: () => sourceNow(), texts: () => textsNow() })),
     [measuring, viewport],

@@ -31,7 +31,7 @@ const TOOLS: Readonly<Record<MeasuredKind, string>> = {
   wall: "M4 5h16M4 19h16M12 5v14M9.5 8.5L12 5l2.5 3.5M9.5 15.5L12 19l2.5-3.5",
 };
 
-/** With a tool in hand the keys belong to the picture. */
+/** While a tool is active the keys go to the picture. */
 const toPicture = (element: HTMLElement): void =>
   element.closest<HTMLElement>(".lathe-stage")?.focus({ preventScroll: true });
 
@@ -42,7 +42,7 @@ interface Tools {
   readonly t: MeasureTexts;
 }
 
-/** The tools as one field, where a row of them has no room. */
+/** The tools as a select box, where a row has no room. */
 function ToolChoice({ kind, choose, source, t }: Tools) {
   return (
     <select
@@ -89,14 +89,14 @@ function ToolBar({ kind, choose, source, t }: Tools) {
   );
 }
 
-/** What a tool waits for, or why it measured nothing. */
+/** What a tool needs next, or why it measured nothing. */
 function hintOf(t: MeasureTexts, kind: MeasuredKind, { first, said }: MeasureState, isTurned: boolean): string {
   if (said) return said;
   if (first) return kind === "angle" ? t.pickSecondEdge : t.pickSecond;
   return kind === "diameter" && !isTurned ? t.pickCircle : t.pick[kind];
 }
 
-/** What the open prompt could take of what was measured, as its block counts; null where it is of another sort. */
+/** A measured value for the open prompt, in the unit and datum of its block; null if it is of another kind. */
 function offered(target: MeasuredTarget | null, state: MeasureState, value: number | undefined): number | null {
   const found = offeredPlain(target, state, value);
   return target && found !== null ? counted(target.kind, found, target.counts) : null;
@@ -118,7 +118,7 @@ function offeredPlain(
   return measuredFor(target.kind, (to ?? from).at, to ? measure(from.at, to.at) : null);
 }
 
-/** Where the cross stands, or how far it is from the first place. */
+/** Position of the cross, or its distance from the first place. */
 function Numbers({
   state: { cross, first, done },
   value,
@@ -174,7 +174,7 @@ function Numbers({
   );
 }
 
-/** Everything that was measured, for eyes, ears and fingers: each can be taken away, and all of it. */
+/** The list of measurements, which can be removed one by one or all at once. */
 function MeasuredList({
   readings,
   words,
@@ -233,8 +233,8 @@ function MeasuredList({
 }
 
 /**
- * The tools of measuring over the picture, what they read, and the list of what was measured. `kept` is told the room
- * it takes.
+ * The measuring tools over the picture, their reading, and the list of measurements. `kept` is called with the area it
+ * takes.
  */
 export function MeasurePanel({
   measuring,
@@ -263,7 +263,7 @@ export function MeasurePanel({
     const element = panel.current;
     if (!element || typeof ResizeObserver === "undefined") return;
     const watch = new ResizeObserver(() => {
-      // An open list lies over the picture for a moment: nothing moves out of its way.
+      // An open list covers the picture for a moment; nothing moves out of its way.
       if (element.querySelector("details[open]")) return;
       kept({ x: element.offsetLeft, y: element.offsetTop, width: element.offsetWidth, height: element.offsetHeight });
     });
@@ -271,12 +271,12 @@ export function MeasurePanel({
     return () => watch.disconnect();
   }, [kept]);
   const { kind } = state;
-  // What was measured last, as it is now; taken away again it is not shown any more.
+  // The last measurement with its present value; not shown once removed.
   const own = readings.find(({ measurement }) => measurement.places === state.done?.places),
     done = own ? state.done : null;
   const into = offered(target, { ...state, done }, own?.value);
   const result = own ? (words.get(own.measurement.id)?.name ?? "") : "";
-  // What was said of the list holds until something is picked.
+  // A message about the list stays until the next pick.
   const said = spoken.after === state ? spoken.text : "";
   const tools: Tools = { kind, choose: measuring.choose, source, t };
   return (

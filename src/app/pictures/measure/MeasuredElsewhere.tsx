@@ -1,7 +1,7 @@
 import "./measure.css";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** Over a picture that cannot show what was measured: how much there is, and where it is seen. */
+/** Note over a picture that cannot show measurements: how many there are, and where to see them. */
 export const MeasuredElsewhere = ({ count }: { readonly count: number }) => {
   const t = useTexts("measure");
   return (

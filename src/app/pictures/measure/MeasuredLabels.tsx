@@ -7,13 +7,13 @@ import { Icon } from "../../base/Icon.tsx";
 import { type MeasurementWords } from "./measure-words.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** A text on its way to another place. */
+/** A label while it is dragged. */
 export interface Moved {
   readonly id: string;
   readonly to: Pt;
 }
 
-/** A press that moves less than this is no drag; one arrow key moves by this much; pixels. */
+/** A press that moves less is no drag; step of an arrow key; pixels. */
 const TAP = 4,
   STEP = 8;
 const ARROWS: Readonly<Record<string, Place>> = {
@@ -25,10 +25,10 @@ const ARROWS: Readonly<Record<string, Place>> = {
 
 const put = ({ id, to }: Moved): void =>
   setMeasured((list) => list.map((each) => (each.id === id ? { ...each, text: to } : each)), `measured ${id}`);
-/** Takes a measurement off the picture. */
+/** Removes a measurement from the picture. */
 export const removeMeasurement = (id: string): void => setMeasured((list) => list.filter((each) => each.id !== id));
 
-/** The text of one measurement: it is dragged to where it reads best, and taken away. */
+/** The label of one measurement, which can be dragged and removed. */
 function MeasuredLabel({
   standing: { id, text, caption, middle, box },
   name,
@@ -112,7 +112,7 @@ function MeasuredLabel({
   );
 }
 
-/** The texts of all measurements of a picture. */
+/** The labels of all measurements of a picture. */
 export function MeasuredLabels({
   standing,
   words,

@@ -23,7 +23,7 @@ test.each([
   ["fr", /^Mesures\s: 2\./],
   ["zh", /^测量结果：2。/],
 ] as const)(
-  "over a body in space it is said in %s how much was measured in the section, and nothing where nothing was",
+  "over the 3D view a note in %s says how much was measured in the section, if anything",
   async (language, words) => {
     changeSettings({ language });
     expect(screen.queryByRole("status")).toBeNull();

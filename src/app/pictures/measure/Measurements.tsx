@@ -6,10 +6,10 @@ import { useEditor } from "../../document/store.ts";
 import type { MeasuringShown } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";
 
-/** Fetched when something is measured, or was. */
+/** Loaded once something is or was measured. */
 const MeasureLayer = lazyPart(async () => ({ default: (await import("./MeasureLayer.tsx")).MeasureLayer }));
 
-/** What was measured in a picture, over it, and the tools while it measures. Stands inside of the stage. */
+/** Measurements over a picture, and the tools while measuring. Rendered inside the stage. */
 export function Measurements(props: {
   readonly viewport: Viewport;
   readonly measuring: MeasuringShown;
@@ -25,12 +25,12 @@ export function Measurements(props: {
   );
 }
 
-/** Fetched when a body is looked at of which something was measured. */
+/** Loaded when the 3D view of a measured work is shown. */
 const MeasuredElsewhere = lazyPart(async () => ({
   default: (await import("./MeasuredElsewhere.tsx")).MeasuredElsewhere,
 }));
 
-/** What was measured in the section stays; over the body in space it is said where it is to be seen. */
+/** Measurements stay in the section; the 3D view says where to see them. */
 export function MeasuredInSection() {
   const count = useEditor((s) => measuredIn(s).filter(({ plane }) => plane === "ZX").length);
   return (

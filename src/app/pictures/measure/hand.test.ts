@@ -59,7 +59,7 @@ const [cycle] = cuttingCycles;
 if (!cycle) throw new Error("the catalogue is empty");
 beforeEach(() => begin(exampleJob(cycle), "work"));
 
-test("a hand that is faster than the screen: nothing is drawn between tool, edges and pick", () => {
+test("inputs faster than the screen: nothing is drawn between tool, edges and pick", () => {
   const { press } = measuringShaft();
   // Corner, middle of the chamfer, corner, middle of the cylinder; the arc; the cone.
   expect(press("d", "n", "n", "Enter", "n", "n", "Enter", "r", "n", "Enter", "a", "p", "Enter", "Enter")).not.toContain(
@@ -68,7 +68,7 @@ test("a hand that is faster than the screen: nothing is drawn between tool, edge
   expect(measured()).toEqual(["diameter 15.850", "diameter 17.000", "radius 1.600", "angle 5.000"]);
 });
 
-test("keys that come before the tools are done by them, in their order; Escape leaves, and nothing of before is done later", () => {
+test("keys pressed before the tools are loaded run afterwards, in order; Escape leaves, and drops them", () => {
   const first = measuringShaft({ served: false });
   expect(first.press("d", "n", "n", "n", "n", "Enter", "+", "Home")).toEqual([
     true,
@@ -92,7 +92,7 @@ test("keys that come before the tools are done by them, in their order; Escape l
   expect(measured()).toEqual(["diameter 17.000"]);
 });
 
-test("a tap and a drag that come before the tools are done by them", () => {
+test("a tap and a drag before the tools are loaded run afterwards", () => {
   const { measuring, serve, tap } = measuringShaft({ served: false });
   measuring.choose("diameter");
   tap(at(-7.3, 8.52));
@@ -105,14 +105,14 @@ describe("the first key", () => {
   test.each([
     ["n", at(0, 7.35)],
     ["p", at(-41.3, 23.33)],
-  ])("%s goes to an end of what there is, whatever lies in the middle of the picture", (key, end) => {
+  ])("%s goes to an end of the edges, whatever is in the centre of the picture", (key, end) => {
     const { measuring, press, cross } = measuringShaft();
     measuring.choose("diameter");
     press(key);
     expect(cross()).toEqual(end);
   });
 
-  test("Enter, where the middle of the picture is empty, shows the cross on an edge of its sort: Enter again takes that", () => {
+  test("Enter with an empty centre shows the cross on an edge of its kind; Enter again picks it", () => {
     const { measuring, press } = measuringShaft();
     measuring.choose("angle");
     press("Enter");
@@ -121,7 +121,7 @@ describe("the first key", () => {
     expect(measured()).toHaveLength(1);
   });
 
-  test("Enter shows the cross and measures nothing that nobody saw", () => {
+  test("Enter shows the cross and measures nothing invisible", () => {
     const { press, cross } = measuringShaft();
     press("Enter");
     expect(cross()).toBeDefined();
@@ -130,7 +130,7 @@ describe("the first key", () => {
 });
 
 describe("a mouse over the picture", () => {
-  test("that is not moved, or trembles, leaves the cross to the keys", () => {
+  test("that does not move, or trembles, leaves the cross to the keys", () => {
     const { measuring, press, over, cross } = measuringShaft();
     measuring.choose("diameter");
     over(at(-30.1, 22.3));
@@ -143,7 +143,7 @@ describe("a mouse over the picture", () => {
     expect(cross()).toEqual(at(-1.15, 8.5));
   });
 
-  test("that was never heard of before the keys has to be moved as well", () => {
+  test("that sent no event before the keys has to move as well", () => {
     const { measuring, press, over, cross } = measuringShaft();
     measuring.choose("diameter");
     press("n");
@@ -153,7 +153,7 @@ describe("a mouse over the picture", () => {
     expect(cross()?.r).toBe(8.5);
   });
 
-  test("that taps has the cross again", () => {
+  test("that clicks takes the cross back", () => {
     const { measuring, press, over, tap, cross } = measuringShaft();
     measuring.choose("diameter");
     press("n");
@@ -163,7 +163,7 @@ describe("a mouse over the picture", () => {
   });
 });
 
-test("another tool lets the first place go, the same one keeps it; off and on begins anew", () => {
+test("another tool drops the first place, the same one keeps it; off and on starts over", () => {
   const { measuring, press } = measuringShaft();
   press("l", "n", "Enter", "l");
   expect(measuring.state.getState().first?.at).toEqual(at(0, 7.35));
@@ -174,7 +174,7 @@ test("another tool lets the first place go, the same one keeps it; off and on be
   expect(measuring.state.getState()).toMatchObject({ kind: "depth", cross: null });
 });
 
-test("keys walk what is drawn now: another contour between two of them is the one that is walked", () => {
+test("keys walk the present drawing, also when the contour changes between two of them", () => {
   const { press, cross, redraw } = measuringShaft();
   press("d", "n", "n", "n");
   redraw(shaft.slice(1));
@@ -183,7 +183,7 @@ test("keys walk what is drawn now: another contour between two of them is the on
   expect(cross()).toEqual(at(-41.3, 23.33));
 });
 
-test("what is measured twice stands there once, and in the air a caliper says that there is nothing", () => {
+test("a repeated measurement is listed once, and a caliper in the air says that there is nothing", () => {
   const { measuring, press, tap } = measuringShaft();
   press("d");
   tap(at(-7.3, 8.5));

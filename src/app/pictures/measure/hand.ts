@@ -15,14 +15,14 @@ import { holds } from "../../base/use-media.ts";
 import { TOOL_KEYS, type MeasureHand, type Measuring, type MeasureState } from "./measuring.ts";
 import type { MeasureSource } from "./source.ts";
 
-/** A pointer this near to a corner or an edge means it, and a finger, units of the page. */
+/** Distance at which a pointer snaps to a corner or an edge, and a finger, units of the page. */
 const REACH = 12,
   FINGER = 22;
-/** The cross stands this far over the finger that moves it, units of the page. */
+/** Distance of the cross above the finger that moves it, units of the page. */
 const OVER = 64;
-/** One arrow key, pixels. */
+/** Step of an arrow key, pixels. */
 const NUDGE = 2;
-/** A mouse that was moved less than this since a key moved the cross was not moved on purpose, pixels. */
+/** After a key has moved the cross, a smaller mouse movement is ignored, pixels. */
 const TREMBLES = 4;
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [-1, 0],
@@ -32,7 +32,7 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
 };
 
 const KINDS = Object.keys(TOOL_KEYS) as MeasuredKind[];
-/** The tools that a plane of milling has a use for: its thickness in the plane nobody asks for. */
+/** The tools for a picture; a milled plane needs no thickness. */
 export const toolsOf = (source: MeasureSource): readonly MeasuredKind[] =>
   KINDS.filter((kind) => source.plane === "ZX" || kind !== "wall");
 
@@ -41,7 +41,7 @@ interface Snapped {
   readonly moment: MeasuredMoment | null;
 }
 
-/** The edges of the picture, made anew only for another drawing or another moment. */
+/** The edges of the picture, cached per drawing and moment. */
 function snappingIn(sourceNow: () => MeasureSource): () => Snapped {
   let kept: { readonly source: MeasureSource; readonly key: string; readonly made: Snapped } | null = null;
   return () => {
@@ -68,13 +68,13 @@ function snappingIn(sourceNow: () => MeasureSource): () => Snapped {
 const nextId = (list: readonly Measurement[]): string =>
   String(1 + list.reduce((most, { id }) => Math.max(most, Number(id) || 0), 0));
 
-/** What is measured twice stands on the picture once. */
+/** A repeated measurement is shown once. */
 const isSame = (a: Omit<Measurement, "id">, b: Omit<Measurement, "id">): boolean =>
   a.kind === b.kind &&
   a.plane === b.plane &&
   JSON.stringify([a.places, a.moment]) === JSON.stringify([b.places, b.moment]);
 
-/** What there is to measure, and where; all of it as it is shown now. */
+/** The measurable content of the picture, as it is shown now. */
 export interface MeasurePlace {
   readonly viewport: Viewport;
   readonly source: () => MeasureSource;
@@ -82,8 +82,7 @@ export interface MeasurePlace {
 }
 
 /**
- * What pointers and keys do while a picture measures: cross, places, and the finished measurement, which goes to the
- * work.
+ * Pointers and keys of a measuring picture: cross, places, and the finished measurement, which is added to the work.
  */
 export function measureHand(
   { state, choose }: Pick<Measuring, "state" | "choose">,
@@ -115,9 +114,7 @@ export function measureHand(
   };
   const takesTwo = () => ["length", "depth", "distance", "angle"].includes(get().kind);
 
-  /**
-   * Where the mouse was heard of last, and where it stood when keys took the cross; it gets it back when it is moved.
-   */
+  /** Last position of the mouse, and its position when keys took over the cross; moving it takes the cross back. */
   let mouse: Place | null = null,
     stood: Place | null = null,
     hasKeys = false;
@@ -144,10 +141,7 @@ export function measureHand(
     const stop = cross ? nextStop(stops, cross.at, way) : stops.at(way > 0 ? 0 : -1);
     byKeys(stop ? { cross: stop, said: "" } : { said: texts().none[gripNow()] });
   };
-  /**
-   * Where the cross begins that Enter asks for: in the middle, or for a tool that takes hold of edges at the one
-   * nearest to it.
-   */
+  /** Start of the cross after Enter: the centre, or for a tool that snaps to edges the nearest edge. */
   const middle = (): MeasuredPlace => {
     const { width, height } = viewport.size(),
       place = held({ x: width / 2, y: height / 2 }, REACH),
@@ -166,7 +160,7 @@ export function measureHand(
     const { cross, first } = get(),
       grip = gripNow(),
       isPlace = grip === "point" || grip === "surface";
-    // What nobody sees is not measured: the cross is shown first.
+    // Nothing invisible is measured, so the cross is shown first.
     if (!cross) return byKeys({ cross: middle() });
     keysTake();
     pick(

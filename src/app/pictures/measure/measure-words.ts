@@ -17,16 +17,16 @@ export function otherText(t: MeasureTexts, { language, unit }: Lengths, kind: Me
   return unit === "mm" ? t.inch(formatFixed(language, value / INCH, 4)) : `${formatFixed(language, value, 3)} mm`;
 }
 
-/** Which moment's stock was measured. */
+/** The moment of the measured stock. */
 export function stockMomentText(t: MeasureTexts, { block, pass }: MeasuredMoment): string {
   if (block === undefined) return t.atEnd;
   return pass === undefined ? t.moment(String(block)) : t.momentPass(String(block), String(pass));
 }
 
-/** What is said of a measurement. */
+/** Texts of a measurement. */
 export interface MeasurementWords {
   readonly text: string;
-  /** Under the text: its moment, or that it is old; empty where neither is to be said. */
+  /** Below the text: its moment, or that it is outdated; empty if neither applies. */
   readonly caption: string;
   /** All of it in one line. */
   readonly name: string;

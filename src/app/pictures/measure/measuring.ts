@@ -4,16 +4,16 @@ import type { MeasuredKind, MeasuredPlace } from "../../../kernel/plan/measured.
 import type { LabelBox } from "../../../view/help/labels.ts";
 import type { Touches } from "../lathe/gestures.ts";
 
-/** Where measuring is. */
+/** State of measuring. */
 export interface MeasureState {
   readonly on: boolean;
   readonly kind: MeasuredKind;
-  /** What the cross has hold of. */
+  /** Place that the cross is snapped to. */
   readonly cross: MeasuredPlace | null;
   readonly first: MeasuredPlace | null;
-  /** What was measured last with this tool. */
+  /** The last measurement of this tool. */
   readonly done: { readonly kind: MeasuredKind; readonly places: readonly MeasuredPlace[] } | null;
-  /** Why nothing was measured; empty where nothing is to be said. */
+  /** Why nothing was measured; empty without a message. */
   readonly said: string;
 }
 
@@ -27,36 +27,33 @@ export const TOOL_KEYS: Readonly<Record<MeasuredKind, string>> = {
   angle: "a",
   wall: "w",
 };
-/** What else measures: the next edge, the one before, a pick, and the ways of the cross. */
+/** Other keys: next and previous edge, pick, and moving the cross. */
 const OTHER_KEYS: readonly string[] = ["n", "p", "enter", "arrowleft", "arrowright", "arrowup", "arrowdown"];
 const KEYS: ReadonlySet<string> = new Set([...Object.values(TOOL_KEYS), ...OTHER_KEYS]);
 
-/**
- * What pointers and keys do while something is measured. It comes with the tools of measuring, which are fetched when
- * asked for.
- */
+/** Pointer and key handlers while measuring. They come with the measuring tools, which are loaded on demand. */
 export interface MeasureHand extends Touches {
   readonly drag: NonNullable<Touches["drag"]>;
-  /** True when the key was meant for measuring. */
+  /** True if the key was for measuring. */
   readonly key: (name: string) => boolean;
 }
 
-/** Measuring in one picture, of a turned part as of a milled plane. */
+/** Measuring in one picture, of a turned part or a milled plane. */
 export interface Measuring extends MeasureHand {
   /**
-   * The one place that says where measuring is. Whatever is pressed reads it and writes it at once, and never what was
-   * drawn last: two presses may come before the first of them is drawn.
+   * The single state of measuring. Inputs read and write it at once, never the last rendered state, since two inputs
+   * may come before the first is rendered.
    */
   readonly state: StoreApi<MeasureState>;
-  /** The room that measured numbers take in the picture: what moves about there keeps off it. */
+  /** The areas of the measured numbers; moving elements avoid them. */
   readonly labels: StoreApi<readonly LabelBox[]>;
   readonly choose: (kind: MeasuredKind) => void;
   readonly toggle: () => void;
-  /** Takes pointers and keys over, from the tools of measuring. Gives the way to give them back. */
+  /** Registers the handlers of the measuring tools. Returns the function that removes them. */
   readonly serve: (hand: MeasureHand) => () => void;
 }
 
-/** The same, as it is drawn. */
+/** The same, as rendered. */
 export interface MeasuringShown extends Measuring {
   readonly on: boolean;
 }
@@ -67,7 +64,7 @@ const NOTHING_HELD: Omit<MeasureState, "on" | "kind"> = { cross: null, first: nu
 export function createMeasuring(): Measuring {
   const state = createStore<MeasureState>(() => ({ on: false, kind: "distance", ...NOTHING_HELD }));
   let served: MeasureHand | null = null;
-  /** What was pressed and tapped while the tools were on their way: they do it when they are there. */
+  /** Inputs that came before the tools were loaded; they run once the tools are there. */
   let early: readonly ((hand: MeasureHand) => void)[] = [];
   const byHand = (act: (hand: MeasureHand) => void) => {
     if (served) act(served);
@@ -111,8 +108,8 @@ export function createMeasuring(): Measuring {
 }
 
 /**
- * Measuring in a picture. The picture gives pointers and keys to this while it is on (`useStage`, `pressKey`), and
- * shows `Measurements` inside of its stage, with a `MeasureSource` that says what there is to measure.
+ * Measuring in a picture. The picture passes pointers and keys on while this is on (`useStage`, `pressKey`), and
+ * renders `Measurements` in its stage with a `MeasureSource` of its content.
  */
 export function useMeasuring(): MeasuringShown {
   const [measuring] = useState(createMeasuring),

@@ -6,7 +6,7 @@ import { measuredIn } from "../../document/edits.ts";
 import { useEditor } from "../../document/store.ts";
 import type { MeasurableRun } from "./source.ts";
 
-/** The measurements of a plane as they are now. */
+/** The measurements of a plane with their present values. */
 export function readIn(
   list: readonly Measurement[],
   { plane, contours, blank, path, printOf }: MeasurableRun,
@@ -25,7 +25,7 @@ export function readIn(
   return own.flatMap((each) => readMeasurement(each, work) ?? []);
 }
 
-/** Those of the open work in a picture. */
+/** The measurements of the open work in a picture. */
 export function useReadings(source: MeasurableRun): readonly MeasurementNow[] {
   const list = useEditor(measuredIn);
   return useMemo(() => readIn(list, source), [list, source]);

@@ -9,24 +9,24 @@ import type { MeasuredWork } from "../../../view/measure/reading.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
 /**
- * What a picture has to measure. The pieces of measuring know no more of a picture than this and its viewport: the two
- * axes are z to the right and r upwards, whatever they are called. A milled plane ("XY") gives X as z and Y as r
- * (`partPoint`, `partSegment`); in it nothing is mirrored and a diameter is that of a circle.
+ * Measurable content of a picture. Measuring knows only this and the viewport. Axes are always z to the right and r up:
+ * a milled plane ("XY") gives X as z and Y as r (`partPoint`, `partSegment`), without mirroring, and its diameters are
+ * those of circles.
  */
 export interface MeasureSource {
   readonly plane: "ZX" | "XY";
   readonly contours: readonly Chain[];
   readonly blank: readonly Ring[];
-  /** Ends of moves; asked for when something is measured. */
+  /** Ends of moves; called when something is measured. */
   readonly path: () => readonly Pt[];
-  /** The moment that is shown, as long as it rests; null where its stock is not known. */
+  /** The shown moment while it rests; null if its stock is not known. */
   readonly moment: () => Omit<MeasuredMoment, "print"> | null;
   /** The stock of that moment. */
   readonly stock: () => readonly Ring[];
   readonly printOf: MeasuredWork["printOf"];
 }
 
-/** What a run has to measure in one of its planes, without the stock of a moment. */
+/** Measurable content of a run in one plane, without the stock of a moment. */
 export type MeasurableRun = Pick<MeasureSource, "plane" | "contours" | "blank" | "path" | "printOf">;
 
 /** The lathe's half plane of a run: contours, and the ends of its motions. */
@@ -38,14 +38,14 @@ export const measurableRun = (run: Run): MeasurableRun => ({
   printOf: printsOf(run),
 });
 
-/** What the lathe has to measure. */
+/** Measurable content of the lathe. */
 export function useLatheSource({
   run,
   stockAt,
   playback,
 }: {
   readonly run: Run;
-  /** The stock of this very run; null while it is not known. */
+  /** The stock of this run; null if not known. */
   readonly stockAt: ((position: PlayPosition) => readonly Ring[]) | null;
   readonly playback: PlaybackStore;
 }): MeasureSource {

@@ -7,7 +7,7 @@ import type { Viewport } from "../lathe/viewport.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import type { CutPlace } from "./plane-places.ts";
 
-/** The start and end points that the check proposes: a cross in a ring, with its coordinates. */
+/** Start and end points that the check proposes: a cross in a ring, with coordinates. */
 export function FreePoints({
   viewport,
   places,

@@ -11,10 +11,10 @@ import { followProgramSides, showSide, showsPlane, switchSide, useAskedView } fr
 import "./approach.css";
 
 const fetchPlane = async () => ({ default: (await import("./PlaneView.tsx")).PlaneView });
-/** Fetched for a program that mills. */
+/** Loaded for a program that mills. */
 const PlaneView = lazyPart(fetchPlane);
 
-/** The picture goes along with what is chosen in the list of findings, and with what is played. */
+/** Switches the picture with the chosen finding and with playback. */
 function useSides(run: Run | null, playback: PlaybackStore): void {
   const { id, count, shown } = useChosen(),
     entries = useFindings();
@@ -28,7 +28,7 @@ function useSides(run: Run | null, playback: PlaybackStore): void {
   );
 }
 
-/** What a program does: the lathe, or the working plane where it mills. A program with both has a switch. */
+/** The picture of a program: the lathe, or the working plane for milling. A program with both has a switch. */
 export function MachineView(props: ComponentProps<typeof LatheView>) {
   const t = useTexts();
   const asked = useAskedView((v) => v.asked);
@@ -37,7 +37,7 @@ export function MachineView(props: ComponentProps<typeof LatheView>) {
   useSides(run ?? null, playback);
   const plane = result !== null && showsPlane(result.run, asked);
   const both = run !== undefined && run.plane.length > 0 && run.steps.length > 0;
-  // Playing goes over to it without a word: what is milled would be over before it is here.
+  // Playback switches to it unasked, so it is loaded early: otherwise the milling would be over before it is here.
   useEffect(() => (both ? fetchAtRest(fetchPlane) : undefined), [both]);
   return (
     <div className="machine-view">

@@ -14,18 +14,15 @@ interface Milling {
   readonly playback: PlaybackStore;
 }
 
-/** Pixels round the circle for its line, and the arms of the cross in its centre. */
+/** Margin around the circle for its line, and the arms of the cross in its centre, pixels. */
 const LINE = 4,
   CROSS = 6;
 
-/** The motion that is shown: at the end the last one. */
+/** The shown motion; at the end the last one. */
 const shownMotion = (steps: readonly PlaneStep[], playback: PlaybackStore) =>
   steps[Math.min(playback.shown().step, steps.length - 1)];
 
-/**
- * The mill from above on a sheet no larger than itself: drawn anew for another radius or another zoom, else only
- * carried.
- */
+/** The mill from above on a sheet no larger than itself: redrawn for another radius or zoom, else only moved. */
 export function MillSheet({ viewport, steps, playback }: Milling & { readonly viewport: Viewport }) {
   const sheet = useRef<SVGSVGElement>(null),
     body = useRef<SVGCircleElement>(null);
@@ -72,7 +69,7 @@ export function MillSheet({ viewport, steps, playback }: Milling & { readonly vi
   );
 }
 
-/** The running motion in its own strength; while it plays it is told no oftener than it can be read. */
+/** The running motion, highlighted; during playback it changes no faster than it can be read. */
 export function RunningMotion({ steps, playback }: Milling) {
   const running = useRef<SVGPathElement>(null),
     drawn = useRef<PlaneStep | null>(null);

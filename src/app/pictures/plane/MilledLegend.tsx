@@ -5,7 +5,7 @@ import { MOST_MILLED, type NoStock } from "../../calculation/cut-milled.ts";
 import { toneName } from "./follow-milled.ts";
 import type { GrowingStock } from "./milled.ts";
 
-/** Which tone is how deep, in a corner of the picture; without stock why there is none. */
+/** Legend of the depth tones in a corner of the picture; without stock, the reason. */
 export function MilledLegend({ milled }: { readonly milled: GrowingStock | NoStock }) {
   const t = useTexts().approach.milled,
     lengths = useLengths();

@@ -3,10 +3,7 @@ import type { Run } from "../../../program/state/run-types.ts";
 import type { RapidThrough } from "../../../sim/plane/milled.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/**
- * What is to be known of the milled stock that is drawn: that nothing is proved with it, and what it shows all the
- * same.
- */
+/** Notes on the drawn milled stock: it is not verified, and the rapids that it shows nevertheless. */
 export function MilledNotes({ run, rapids }: { readonly run: Run; readonly rapids: readonly RapidThrough[] }) {
   const t = useTexts().approach.milled;
   const blocks = useMemo(

@@ -3,9 +3,8 @@ import { useTheme } from "../../base/use-theme-colours.ts";
 import { followMilled, type MilledMemory, type MilledScene } from "./follow-milled.ts";
 
 /**
- * Milled stock on a canvas no larger than the blank: painted whole for another look at it, and only where the tool is
- * while it plays; by the worker on a layer of its own as soon as that shows it, until then and where it cannot by the
- * page.
+ * Milled stock on a canvas no larger than the blank: painted whole for another view, and only near the tool during
+ * playback; by the worker on its own layer once that is ready, else by the page.
  */
 export function MilledSheet({ viewport, steps, playback, milled }: MilledScene) {
   const canvas = useRef<HTMLCanvasElement>(null),

@@ -9,7 +9,7 @@ import type { Viewport } from "../lathe/viewport.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { usePageUnit } from "../../base/unit.ts";
 
-/** Least distance of two marks, units of the page. */
+/** Smallest distance of two marks, units of the page. */
 const APART = { x: 72, y: 44 };
 
 /** Grid and scales of the working plane: X along the lower edge, Y along the left one, both axes as chain lines. */

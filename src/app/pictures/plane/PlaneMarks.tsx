@@ -7,7 +7,7 @@ import { segmentData } from "../../../view/path.ts";
 import type { Hover } from "../lathe/Chosen.tsx";
 import { useMilledMarks } from "../selection.ts";
 
-/** The milled motions of what is chosen, over the path. */
+/** The milled motions of the choice, over the path. */
 export function ChosenMotions({ run }: { readonly run: Run }) {
   const stretches = useMilledMarks(run);
   const d = useMemo(
@@ -20,7 +20,7 @@ export function ChosenMotions({ run }: { readonly run: Run }) {
   return d && <path className="shape-marked" d={d} />;
 }
 
-/** The motion that a press would choose. */
+/** The motion that a click would choose. */
 export function HoveredMotion({ run, hover }: { readonly run: Run; readonly hover: Hover }) {
   const over = useSyncExternalStore(hover.subscribe, hover.get),
     motion = over === null ? undefined : run.plane[over];

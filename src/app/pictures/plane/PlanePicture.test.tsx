@@ -30,7 +30,7 @@ function planned(version: number, length: number) {
   return { version, text, run: run(parse(text), { tools: [], rapid: 10_000 }), simulation: null };
 }
 
-test("the lines of the path are drawn with the key, before the rest of the picture hears of it", () => {
+test("the lines of the path are drawn with the key, before the rest of the picture updates", () => {
   const before = planned(1, 10),
     after = planned(2, 25);
   takePlanned(before);

@@ -14,10 +14,10 @@ import { MillSheet, RunningMotion } from "./MillSheet.tsx";
 import { PlaneAxes } from "./PlaneAxes.tsx";
 import { planeOfRun } from "../../calculation/plane-run.ts";
 
-/** Lines that lie on milled stock have a light edge, so that they are seen on its darkest tone. */
+/** Lines over milled stock have a light edge, to be visible on its darkest tone. */
 const EDGED: readonly PlaneRole[] = ["rapid", "feed", "lead"];
 
-/** Contours and path, those of a newer run where there is one: they are drawn with the key that changes them. */
+/** Contours and path, from a newer run if there is one, drawn with the key that changes them. */
 const NewestLines = memo(function NewestLines({ of }: { readonly of: Run }) {
   const {
     scene: { shapes },
@@ -33,8 +33,8 @@ const NewestLines = memo(function NewestLines({ of }: { readonly of: Run }) {
 });
 
 /**
- * Blank, contours, path and mill in the working plane, in sheets from back to front. The drawing is painted once; while
- * it plays the stock is painted where the tool is, and the tool's sheet is moved.
+ * Blank, contours, path and mill in the working plane, in layers from back to front. The drawing is painted once;
+ * during playback only the stock near the tool is painted, and the layer of the tool moves.
  */
 export function PlanePicture({
   viewport,
@@ -51,13 +51,13 @@ export function PlanePicture({
   readonly run: Run;
   readonly playback: PlaybackStore;
   readonly milled: GrowingStock | NoStock;
-  /** Where rapids run through material that stands. */
+  /** Rapids through material. */
   readonly rapids: readonly RapidThrough[];
-  /** What is chosen, over the path, and what is pointed at, over all of it. */
+  /** The choice, over the path, and the hovered motion, over everything. */
   readonly chosen: React.ReactNode;
   readonly hovered: React.ReactNode;
   readonly name: string;
-  /** What stands in screen space above the picture. */
+  /** Content in screen space over the picture. */
   readonly children: React.ReactNode;
 }) {
   const { plane: steps } = run;

@@ -29,8 +29,8 @@ const Names = memo(function Names({
 });
 
 /**
- * PS, PH, PA, PE and PN of approaches and departures, with their coordinates where there is room. While a hand moves
- * the picture each goes along with its point; they find new places when the hand rests.
+ * PS, PH, PA, PE and PN of approaches and departures, with coordinates where there is room. While panning each label
+ * moves with its point; at rest they are placed again.
  */
 export function PlanePoints({
   viewport,
@@ -43,7 +43,7 @@ export function PlanePoints({
   readonly approaches: readonly ApproachRun[];
   readonly speech: ApproachSpeech;
   readonly id: string;
-  /** Leaves out some for a look at them. */
+  /** Leaves out some for a view. */
   readonly choose?: (approaches: readonly ApproachRun[], camera: Camera) => readonly ApproachRun[];
 }) {
   const camera = useCamera(viewport),

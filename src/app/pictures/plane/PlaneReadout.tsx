@@ -11,7 +11,7 @@ import { useSaid, useSpoken } from "../lathe/use-said.ts";
 import { useLengths } from "../../calculation/lengths.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** What is said about a moment of a milling program. */
+/** Texts about a moment of a milling program. */
 interface Moment {
   readonly x: string;
   readonly y: string;
@@ -21,7 +21,7 @@ interface Moment {
   readonly block: string;
 }
 
-/** Position, feed, and what the motion is for; null in an empty run. */
+/** Position, feed and purpose of the motion; null in an empty run. */
 export function momentText(
   t: Texts,
   lengths: Lengths,
@@ -51,7 +51,7 @@ export function momentText(
 
 const textOfCell = (now: Moment | null, says: string): string | null => now?.[says as keyof Moment] ?? null;
 
-/** Live position, feed and block; the numbers change without rendering. */
+/** Live position, feed and block; updated without rendering. */
 export function PlaneReadout({
   steps,
   approaches,
@@ -100,7 +100,7 @@ export const momentSentence = (...given: Parameters<typeof momentText>): string 
     : given[0].lathe.pictureEmpty;
 };
 
-/** The same read out: at once when something was pressed, now and then while it plays. */
+/** The same for screen readers: at once after an input, now and then during playback. */
 export function SpokenMoment({
   steps,
   approaches,

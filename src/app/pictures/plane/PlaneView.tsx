@@ -51,7 +51,7 @@ import { Outdated } from "../lathe/Outdated.tsx";
 const NO_TIP = { x: 0, y: 0 };
 
 /**
- * The working plane of a milling program: contours, the path of the tool centre with its named points, the height over
+ * The working plane of a milling program: contours, the path of the tool centre with its named points, the height along
  * the path, playback.
  */
 export function PlaneView({
@@ -62,11 +62,11 @@ export function PlaneView({
   onMove,
 }: {
   readonly result: LatheResult;
-  /** The picture is older than what was typed. */
+  /** The picture is older than the typed values. */
   readonly dimmed: boolean;
   readonly playback: PlaybackStore;
   readonly clock: Clock;
-  /** Called with the index of a motion that was pointed at, after the tool went there. */
+  /** Called with the index of a clicked motion, after the tool went there. */
   readonly onMove?: MovePointed | undefined;
 }) {
   const texts = useTexts(),
@@ -109,7 +109,7 @@ export function PlaneView({
   useEffect(() => viewport.setBounds(joined(scene.bounds, blank) ?? scene.bounds), [scene, blank, viewport]);
 
   const resting = usePlayback(playback, (s) => (s.get().playing ? -1 : s.get().position.step));
-  /** Enter in the picture chooses the motion that runs, and its dialog takes the keyboard. */
+  /** Enter in the picture chooses the running motion and focuses its dialog. */
   const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
     const { position } = playback.get(),
       step = Math.min(position.step, steps.length - 1);

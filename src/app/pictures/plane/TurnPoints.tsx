@@ -8,12 +8,12 @@ import { approachSpeech } from "./speech.ts";
 import "../help/help.css";
 import "./approach.css";
 
-/** They are places of the theoretical tip already. */
+/** The points are already those of the theoretical tip. */
 const NO_TIP = { x: 0, y: 0 };
 
 /**
- * PS, PH, PA, PE and PN of the approaches of a turning tool, in the picture of the lathe; gone while they would lie on
- * each other.
+ * PS, PH, PA, PE and PN of the approaches of a turning tool, in the picture of the lathe; hidden where they would
+ * overlap.
  */
 export function TurnPoints({
   viewport,

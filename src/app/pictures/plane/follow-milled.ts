@@ -25,14 +25,14 @@ const COLOURS = {
 
 const NOWHERE: Patch = { x: 0, y: 0, width: 0, height: 0 };
 
-/** So long the worker may paint for another look before the page does it, ms: what is drawn is shifted meanwhile. */
+/** Time for the worker to repaint before the page does it, ms; meanwhile the old picture is shifted. */
 const PATIENCE = 150;
 
-/** The page's name for the tone of a depth. */
+/** The CSS property of the tone of a depth. */
 export const toneName = (depth: number, depths: number): string => `--milled-${toneOfDepth(depth, depths) + 1}`;
 
 /**
- * The canvases of a sheet: as the page paints it, as the worker gave it, and where the worker's own layer is laid over
+ * The canvases of a sheet: painted by the page, painted by the worker, and the container of the worker's own layer over
  * them.
  */
 export interface MilledCanvases {
@@ -41,7 +41,7 @@ export interface MilledCanvases {
   readonly holder: HTMLElement;
 }
 
-/** What a sheet shows. */
+/** Content of a sheet. */
 export interface MilledScene {
   readonly viewport: Viewport;
   readonly steps: readonly PlaneStep[];
@@ -49,22 +49,19 @@ export interface MilledScene {
   readonly milled: GrowingStock;
 }
 
-/** What the canvases show, kept from one scene to the next. */
+/** What the canvases show, kept between scenes. */
 export interface MilledMemory {
-  /**
-   * For what camera and how finely, and on what part of the picture; null where that is not what is to be seen any
-   * more.
-   */
+  /** Camera, resolution and origin of the painted picture; null once that is outdated. */
   painted: { readonly camera: Camera; readonly ratio: number; readonly origin: Patch } | null;
 }
 
-/** The open work by its version, when it is the one whose milling is shown: the worker has it. */
+/** The version of the open work, if its milling is shown: the worker has that work. */
 function knownOf(steps: readonly PlaneStep[]): KnownMilling | null {
   const { shown } = useOutcome.getState();
   return shown?.run.plane === steps ? { version: shown.version, motions: steps.length } : null;
 }
 
-/** What the worker paints for a look, or null when it does not, or not soon. */
+/** The worker's picture for a view; null if it has none, or not in time. */
 async function milledPicture(of: KnownMilling, look: MilledLook, position: PlayPosition): Promise<ImageBitmap | null> {
   const late = new Promise<null>((done) => setTimeout(() => done(null), PATIENCE));
   try {
@@ -74,7 +71,7 @@ async function milledPicture(of: KnownMilling, look: MilledLook, position: PlayP
   }
 }
 
-/** Paints milled stock, and follows its camera and its playback; returns what ends that. */
+/** Paints milled stock and follows its camera and playback; returns the function that stops it. */
 export function followMilled(
   { over, given, holder }: MilledCanvases,
   scene: MilledScene,
@@ -104,7 +101,7 @@ export function followMilled(
     ratio: viewport.ratio(),
   };
   let shows: "own" | "given" | "played" = given.style.visibility === "" ? "given" : "own";
-  /** The camera for which the worker is painting, and how far the stock was cut that was painted. */
+  /** The camera the worker is painting for, and the progress of the painted stock. */
   let awaited: Camera | null = null,
     reached = 0;
   const look = (): MilledLook => ({ camera, colours, tones, ratio, origin });
@@ -132,7 +129,7 @@ export function followMilled(
     over.style.visibility = which === "own" ? "" : "hidden";
     given.style.visibility = which === "given" ? "" : "hidden";
   };
-  /** Before anything is painted on what the worker has given, it is copied. */
+  /** Copies the worker's picture before painting on it. */
   const own = () => {
     if (shows === "given") {
       fitCanvas(over, origin, ratio);
@@ -152,7 +149,7 @@ export function followMilled(
     show("own");
     shift();
   };
-  /** Shows what the worker has painted. */
+  /** Shows the worker's picture. */
   const take = (picture: ImageBitmap, position: PlayPosition) => {
     awaited = null;
     played.stop();
@@ -164,7 +161,7 @@ export function followMilled(
     shift();
     if (playback.shown() !== position) paintMoved();
   };
-  /** Has it painted for where the picture looks now; what is painted for before is shifted there until then. */
+  /** Has the stock painted for the present view; until then the old picture is shifted. */
   const lookAnew = async (of: KnownMilling, position: PlayPosition) => {
     const next = nextLook();
     awaited = next.camera;
@@ -202,7 +199,7 @@ export function followMilled(
     paintAll();
   };
   painter.goTo(playback.shown());
-  // After a change of the program the stock of before stays until the new one is cut as far.
+  // After a change of the program the previous stock stays until the new one is cut as far.
   if (memory.painted && stock.reached() < playback.shown().step) show(shows);
   else paintAll();
   follow();

@@ -5,19 +5,19 @@ import type { Bounds } from "../../../view/camera.ts";
 import type { LatheResult } from "../lathe/use-material.ts";
 import { cutFor, uncutStock, type NoStock } from "../../calculation/cut-milled.ts";
 
-/** Milled stock that is cut bit by bit while the page rests between two pictures. */
+/** Milled stock that is cut in slices while the page is idle. */
 export interface GrowingStock {
   readonly stock: MilledStock;
-  /** The box round the blank, with a little air. */
+  /** Bounds of the blank, with a margin. */
   readonly blank: Bounds | null;
-  /** Calls when more of it is cut; returns what ends it. */
+  /** Calls the listener when more of it is cut; returns the function that stops it. */
   readonly subscribe: (listener: () => void) => () => void;
 }
 
-/** How long is cut between two pictures, and rested then, ms. */
+/** Duration of a slice of cutting, and of the pause after it, ms. */
 const SLICE = { cuts: 6, rests: 4 } as const;
 
-/** Air round the blank, mm per mm of it. */
+/** Margin around the blank, mm per mm of it. */
 const AIR = 0.03;
 
 function growing(
@@ -30,16 +30,16 @@ function growing(
 
 const NO_RAPIDS: readonly RapidThrough[] = [];
 
-/** The stock that the tool of a milled program leaves, and the rapids through it as soon as all of it is cut. */
+/** The stock that a milling program leaves, and the rapids through it once all of it is cut. */
 export function useMilledStock(result: LatheResult): {
   readonly milled: GrowingStock | NoStock;
   readonly rapids: readonly RapidThrough[];
 } {
   const [held, hold] = useState(result);
-  // What turning leaves is known when that is proved; until then the stock of before stays.
+  // The turned stock is known after the simulation; until then the previous stock stays.
   const newest = result.simulation || result.run.steps.length === 0 ? result : held;
   if (newest !== held) hold(newest);
-  // A proof says nothing new of a program that does not turn: what is cut for its path stays.
+  // A simulation adds nothing for a program without turning, so its milled stock stays.
   const { run } = newest,
     simulation = run.steps.length > 0 ? newest.simulation : null;
   const made = useMemo(() => growing(run, simulation), [run, simulation]);

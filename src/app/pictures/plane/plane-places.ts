@@ -1,12 +1,12 @@
 import type { PlanePoint } from "../../../kernel/plane/plane.ts";
 import type { LookAt } from "../lathe/places.ts";
 
-/** A place where a tool cuts a contour, with the start or end point that is free where the check proposes one. */
+/** A place where a tool cuts a contour, with the free start or end point if the check proposes one. */
 export interface CutPlace extends LookAt {
   readonly free: { readonly at: PlanePoint; readonly point: "PS" | "PN" } | null;
 }
 
-/** What a finding of the check of approach and departure proposes beside its place. */
+/** The proposed point of an approach or departure finding, added to its place. */
 export function cutPlace(place: LookAt): CutPlace {
   const { issue } = place;
   return issue?.code === "approachCutsContour" && issue.data.freeY !== undefined

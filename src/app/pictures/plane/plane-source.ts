@@ -12,7 +12,10 @@ import type { MeasurableRun, MeasureSource } from "../measure/source.ts";
 const groundOf = ({ cuboid, blank }: Run): readonly Ring[] =>
   standingAbove({ block: cuboid, turned: cuboid ? null : blank }, -Infinity);
 
-/** What a run mills, without the stock of a moment: contours of approaches, and the ends of its motions. */
+/**
+ * Measurable content of a milling run, without the stock of a moment: contours of approaches, and the ends of its
+ * motions.
+ */
 export const measurablePlane = (run: Run): MeasurableRun => ({
   plane: "XY",
   contours: run.approaches.filter((each) => each.plane === "XY").map(({ contour }) => contour.map(partSegment)),
@@ -21,9 +24,7 @@ export const measurablePlane = (run: Run): MeasurableRun => ({
   printOf: printsOfMilled([...run.blank, ...groundOf(run)], run.plane, run),
 });
 
-/**
- * What the working plane of milling has to measure: contours, the outline of the blank, milled edges, ends of motions.
- */
+/** Measurable content of the working plane: contours, the outline of the blank, milled edges, ends of motions. */
 export function usePlaneSource(run: Run, stock: MilledStock | null, playback: PlaybackStore): MeasureSource {
   return useMemo(
     () => ({

@@ -5,10 +5,10 @@ import type { Run } from "../../../program/state/run-types.ts";
 import { trackOf } from "../../../view/playback.ts";
 import type { PlaybackStore } from "../../calculation/playback-store.ts";
 
-/** Which picture of a program that both turns and mills is shown; null leaves it to the program. */
+/** The chosen picture of a program with turning and milling; null leaves it to the program. */
 interface AskedView {
   readonly asked: MachineSide | null;
-  /** By the switch: then it stays while the program is played, until something is chosen that the other one shows. */
+  /** Chosen by the switch: stays during playback, until something of the other picture is chosen. */
   readonly byHand: boolean;
 }
 
@@ -16,28 +16,25 @@ export const useAskedView = create<AskedView>(() => ({ asked: null, byHand: fals
 
 type Paths = Pick<Run, "plane" | "steps" | "stepBlocks">;
 
-/** True where the working plane is shown: what is milled cannot be seen in the section of the lathe. */
+/** True if the working plane is shown; milling cannot be seen in the section of the lathe. */
 export const showsPlane = (run: Paths, asked: MachineSide | null): boolean =>
   run.plane.length > 0 && (run.steps.length === 0 || asked === "plane");
 
 const shownSide = (run: Paths): MachineSide => (showsPlane(run, useAskedView.getState().asked) ? "plane" : "lathe");
 
-/** The block that a step of the shown picture comes from, as its index in the program; null in an empty one. */
+/** Index of the block of a step of the shown picture; null in an empty program. */
 export function shownBlock(run: Paths, step: number): number | null {
   if (shownSide(run) === "plane") return run.plane[Math.min(step, run.plane.length - 1)]?.index ?? null;
   return run.stepBlocks[Math.min(step, run.steps.length - 1)] ?? null;
 }
 
-/**
- * Shows one picture. Steps count in its path from now on, so that a seek goes where it says before the picture is
- * there.
- */
+/** Shows one picture. Steps refer to its path from now on, so that a seek is right before the picture is there. */
 function show(run: Paths, playback: PlaybackStore, side: MachineSide, byHand: boolean): void {
   playback.dispatch({ do: "load", track: trackOf(side === "plane" ? run.plane : run.steps) });
   useAskedView.setState({ asked: side, byHand });
 }
 
-/** The other picture was asked for by the switch: it begins at the same moment of the program. */
+/** Switches the picture at the same moment of the program. */
 export function switchSide(run: Paths, playback: PlaybackStore, side: MachineSide): void {
   if (shownSide(run) === side) return useAskedView.setState({ asked: side, byHand: true });
   const step = momentOn(run, side, playback.get().position.step);
@@ -45,19 +42,21 @@ export function switchSide(run: Paths, playback: PlaybackStore, side: MachineSid
   playback.dispatch({ do: "seek", position: { step, fraction: 0 } });
 }
 
-/** Something is looked at that one of the pictures shows: that one is shown. */
+/** Shows the picture that has the chosen item. */
 export function showSide(run: Paths, playback: PlaybackStore, side: MachineSide): void {
   if (run.plane.length > 0 && run.steps.length > 0 && shownSide(run) !== side) show(run, playback, side, false);
 }
 
-/** A choice shows the picture that it can be seen in; true where that is the working plane. */
+/** Shows the picture of a choice; true for the working plane. */
 export function showChoice(run: Run, playback: PlaybackStore, choice: PathChoice): boolean {
   const side = sideOfChoice(run, choice);
   if (side !== null) showSide(run, playback, side);
   return shownSide(run) === "plane";
 }
 
-/** While a program is played, the picture goes over to the one in which it goes on. Returns what ends that. */
+/**
+ * Switches the picture during playback to the one in which the program continues. Returns the function that stops it.
+ */
 export function followProgramSides(run: Paths, playback: PlaybackStore): () => void {
   let last = playback.get();
   return playback.subscribe(() => {

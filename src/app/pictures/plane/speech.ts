@@ -7,8 +7,8 @@ import type { ApproachSpeech } from "../../../view/approach/speech.ts";
 const { sum } = plane;
 
 /**
- * Words the picture numbers of a plane: X and Y of a mill; X as diameter and Z in turning. `tip` is where the
- * programmed point stands.
+ * Number texts of a plane's picture: X and Y of a mill; X as diameter and Z in turning. `tip`: offset of the programmed
+ * point.
  */
 export function approachSpeech(lengths: Lengths, plane: WorkingPlane, tip: PlanePoint): ApproachSpeech {
   const signed = (n: number) => lengths.signed(n).replace("-", "−");

@@ -6,7 +6,7 @@ import type { Handle } from "../../../view/approach/drag.ts";
 
 /** Dragging the handles of a drawing. */
 export interface Dragging {
-  /** The camera while something is dragged: the picture keeps still. */
+  /** The camera during a drag, so that the picture does not move. */
   readonly camera: Camera | null;
   readonly handle: Handle | null;
   readonly begin: (handle: Handle, camera: Camera, event: PointerEvent<SVGElement>) => void;
@@ -14,7 +14,7 @@ export interface Dragging {
   readonly end: (event: PointerEvent<SVGElement>) => void;
 }
 
-/** Follows a pointer that took a handle; `onMove` gets the place in the working plane. */
+/** Follows a pointer that drags a handle; `onMove` gets the place in the working plane. */
 export function useDrag(onMove: (handle: Handle, to: PlanePoint, camera: Camera) => void): Dragging {
   const [held, hold] = useState<{ readonly handle: Handle; readonly camera: Camera } | null>(null);
   return {
@@ -38,7 +38,7 @@ export function useDrag(onMove: (handle: Handle, to: PlanePoint, camera: Camera)
   };
 }
 
-/** Steps in which a dragged value moves: as fine as the picture shows them apart, mm. */
+/** Grid of a dragged value: as fine as the picture can show, mm. */
 export function gridOf(camera: Camera): number {
   return [0.01, 0.05, 0.1, 0.5, 1, 5, 10].find((grid) => grid * camera.scale >= 3) ?? 10;
 }

@@ -7,12 +7,11 @@ import type { MovePointed } from "../lathe/LatheView.tsx";
 import type { Viewport } from "../lathe/viewport.ts";
 import { chooseMilled } from "../selection.ts";
 
-/** A pointer this near to a motion or to a named point means it, pixels. */
+/** Distance at which a pointer picks a motion or a named point, pixels. */
 const NEAR = 10;
 
 /**
- * Choosing in the working plane: a press takes the tool to the motion under it, a mouse over it shows which one that
- * would be.
+ * Choosing in the working plane: a click takes the tool to the motion under it, hovering shows which one that would be.
  */
 export function usePlanePicking({
   run,
@@ -21,7 +20,7 @@ export function usePlanePicking({
   onMove,
 }: {
   readonly run: Run;
-  /** Approaches and departures: their named points stand for them. */
+  /** Approaches and departures, chosen by their named points. */
   readonly leads: readonly NamedLead[];
   readonly viewport: Viewport;
   readonly onMove: MovePointed | undefined;

@@ -3,24 +3,21 @@ import type { BodiesWanted } from "../../calculation/bodies.ts";
 import type { KnownOutcome } from "../../calculation/load-request.ts";
 import { askWorker } from "../../calculation/worker-life.ts";
 
-/** So long the worker may make bodies, or be at something else, before the page makes them itself, ms. */
+/** Time for the worker to make bodies before the page makes them itself, ms. */
 const PATIENCE = 1200;
 
-/** What to do with an answer: bodies that are others than before, the same as before, or none. */
+/** Handler of an answer: new bodies, the same as before, or none. */
 export type BodiesTaken = (made: ShownBodies | "same" | null) => void;
 
-/**
- * Has bodies made in the worker, which has the open work: a thread takes longer to be made than a picture may. One
- * question is on its way at a time.
- */
+/** Makes bodies in the worker, which has the open work: a thread takes longer than a frame. One request at a time. */
 export interface BodySource {
   readonly isAsked: () => boolean;
   readonly ask: (of: KnownOutcome, wanted: Omit<BodiesWanted, "hasLast">, take: BodiesTaken) => void;
-  /** What was given is not what is shown any more, and what is on its way is not wanted. */
+  /** Discards the shown bodies and the request under way. */
   readonly forget: () => void;
 }
 
-/** A source that has given nothing yet. */
+/** A source without bodies yet. */
 export function bodySource(): BodySource {
   let [asked, hasLast]: [object | null, boolean] = [null, false];
   return {

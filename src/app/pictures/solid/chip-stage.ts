@@ -5,21 +5,21 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import { sameChip, type Chip } from "../../../sim/chip/chip.ts";
 import { chipInSpace } from "../../../view/solid/chip.ts";
 
-/** How much of the chip's colour is accent, as in the section; how thick the edge in contact is, pixels. */
+/** Share of accent in the chip's colour, as in the section; width of the cutting edge, pixels. */
 const ACCENT = 0.38;
 const EDGE = 3;
 
-/** The chip of the moment and the edge that cuts it, relative to the tip. */
+/** The current chip and its cutting edge, relative to the tip. */
 export interface ChipStage {
   readonly group: Group;
   readonly set: (chip: Chip | null) => void;
-  /** How much of a side of the canvas is drawn: the edge is as much finer. */
+  /** Share of each side of the canvas that is drawn; the edge gets thinner with it. */
   readonly setShare: (share: number) => void;
   readonly setColours: (accent: string, surface: string) => void;
   readonly dispose: () => void;
 }
 
-/** Nothing of it is on the graphics card as long as no chip is cut. */
+/** Uses no graphics memory while no chip is cut. */
 export function createChipStage(): ChipStage {
   const group = new Group();
   const before = { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1, side: DoubleSide } as const;

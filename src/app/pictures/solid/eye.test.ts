@@ -13,7 +13,7 @@ function opened(still = false) {
 }
 const TURN = 0.173;
 
-test("who asks for a view and turns it before it is there gets both", () => {
+test("choosing a view and turning it before it is reached gives both", () => {
   const { clock, eye } = opened(),
     wanted = opened(true).eye;
   wanted.go("front");
@@ -26,7 +26,7 @@ test("who asks for a view and turns it before it is there gets both", () => {
   expect(eye.get()).toEqual(wanted.get());
 });
 
-test("once it is there a hand goes on from what is seen", () => {
+test("after that a hand continues from the visible view", () => {
   const { clock, eye } = opened();
   eye.go("end");
   clock.advance(500);
@@ -36,7 +36,7 @@ test("once it is there a hand goes on from what is seen", () => {
   expect(eye.get().turn).toBeCloseTo(there.turn + 2 * TURN, 9);
 });
 
-test("with reduced motion a view is there at once", () => {
+test("with reduced motion a view changes at once", () => {
   const { clock, eye } = opened(true);
   eye.go("end");
   const there = eye.get();
@@ -45,7 +45,7 @@ test("with reduced motion a view is there at once", () => {
   expect(eye.get()).toBe(there);
 });
 
-test("lines without a body fill the view that has nothing else to show", () => {
+test("lines without a body fill the view", () => {
   const { eye } = opened(true),
     round = eye.get();
   eye.setBounds({ ...BOUNDS, low: 13.1 }, true);

@@ -13,35 +13,35 @@ import {
 import type { Clock } from "../../base/clock.ts";
 import type { Seeing } from "../lathe/seeing.ts";
 
-/** From where the body is looked at, followed by what draws it. */
+/** The viewpoint, followed by what draws the body. */
 export interface Eye {
   readonly get: () => Orbit;
   readonly size: () => Size;
   readonly subscribe: (listener: () => void) => () => void;
-  /** By angles in radians, at once: it follows a finger. */
+  /** Turns by angles in radians, at once, as it follows a finger. */
   readonly turn: (turn: number, rise: number) => void;
   readonly slide: (dx: number, dy: number) => void;
   readonly zoom: (factor: number) => void;
   readonly go: (view: NamedView) => void;
-  /** The view it last went to by name, so that the whole body is seen. */
+  /** Returns to the last named view, so that the whole body is visible. */
   readonly fit: () => void;
-  /** Near to a box of the half plane, from the side from which it looks; `down`: X grows downwards. */
+  /** Zooms to a box of the half plane, from its side; `down`: X grows downwards. */
   readonly show: (bounds: Bounds, down: boolean) => void;
   readonly setSize: (size: Size) => void;
-  /** What there is to be seen; `isFlat`: no body, only lines in the plane in which the tool works. */
+  /** Sets the visible bounds; `isFlat`: only lines in the plane of the tool, no body. */
   readonly setBounds: (bounds: Bounds, isFlat?: boolean) => void;
-  /** Ends a movement that is under way. */
+  /** Ends the running movement. */
   readonly end: () => void;
 }
 
-/** How long a movement to a named view lasts, ms. */
+/** Duration of a movement to a named view, ms. */
 const WAY = 200;
 const START: Bounds = { left: -80, right: 20, low: 0, high: 40 };
 
 const isSame = (a: Bounds, b: Bounds) =>
   a.left === b.left && a.right === b.right && a.low === b.low && a.high === b.high;
 
-/** An eye that looks at an angle. `still`: without motion it is there at once. */
+/** Creates an eye in the isometric view. `still`: without motion views change at once. */
 export function createEye(clock: Clock, still: () => boolean): Eye {
   let size: Size = { width: 640, height: 400 };
   let bounds = START;
@@ -51,7 +51,7 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
   const named = () => namedView(name, bounds, size, flat);
   let orbit = named();
   let stop: (() => void) | null = null;
-  /** Where a movement that is under way ends. */
+  /** Goal of the running movement. */
   let goal: Orbit | null = null;
   const listeners = new Set<() => void>();
   const set = (next: Orbit) => {
@@ -62,7 +62,7 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
     stop?.();
     stop = goal = null;
   };
-  /** What a hand does goes on from where a movement would have ended: who asks for a view and turns it gets both. */
+  /** A hand continues from the goal of a movement, so that choosing a view and turning it both count. */
   const look = (change: (from: Orbit) => Orbit) => {
     const from = goal ?? orbit;
     end();
@@ -120,7 +120,7 @@ export function createEye(clock: Clock, still: () => boolean): Eye {
   };
 }
 
-/** How places of the section are seen from an eye: in the plane in which the tool works. `down`: X grows downwards. */
+/** Maps places of the section to the view of an eye, in the plane of the tool. `down`: X grows downwards. */
 export const seenInSpace = ({ get, subscribe, size }: Eye, down: boolean): Seeing => ({
   get,
   subscribe,

@@ -4,16 +4,13 @@ import { SCALE_TONES } from "../../../view/load/scale.ts";
 import { FEED_LINES } from "../../../view/material/lines.ts";
 import { TONED } from "./tone.ts";
 
-/** How a surface differs from steel: towards light or dark, −1 … 1, and how it shines as a part of what steel does. */
+/** How a surface differs from steel: lighter or darker, −1 … 1, and its shine as a share of that of steel. */
 interface Gloss {
   readonly ground: number;
   readonly shine: number;
 }
 
-/**
- * As in the section: a finished surface is light and shines, a rough one is dull, and what came from the mill is
- * duller.
- */
+/** As in the section: a finished surface is light and shiny, a rough one dull, a milled one duller. */
 const GLOSS: Readonly<Record<`${(typeof LOOKS)[number]}`, Gloss>> = {
   null: { ground: 0, shine: 1 },
   raw: { ground: -0.34, shine: 0.1 },
@@ -21,19 +18,19 @@ const GLOSS: Readonly<Record<`${(typeof LOOKS)[number]}`, Gloss>> = {
   thread: { ground: 0, shine: 1 },
   finished: { ground: 0.3, shine: 2.4 },
 };
-/** How strong a mark of the feed is. */
+/** Strength of feed marks. */
 const MARK = 0.3;
-/** How a surface shines of which something is told by colour: little, so that the colour is that of the scale. */
+/** Shine of a surface with colour map: little, so that its colour stays that of the scale. */
 const TOLD_SHINE = 0.4;
 
-/** Colours of the page of which those of steel are made. */
+/** Page colours from which those of steel are made. */
 export interface SteelColours {
   readonly steel: string;
   readonly dark: string;
   readonly light: string;
 }
 
-/** The colour of a surface in light that is as bright as white. */
+/** The colour of a surface in white light. */
 export function groundOf(texture: `${(typeof LOOKS)[number]}`, { steel, dark, light }: SteelColours): Color {
   const { ground } = GLOSS[texture];
   return new Color(steel).lerp(new Color(ground < 0 ? dark : light), Math.abs(ground));
@@ -44,14 +41,14 @@ const list = (of: (gloss: Gloss) => number) => LOOKS.map((name) => of(GLOSS[`${n
 /** Steel as it was made: raw, rough with the marks of its feed at their pitch, threaded, or finished. */
 export interface FinishedSteel {
   readonly material: MeshPhongMaterial;
-  /** `tones`: of the scale, from the least to the most. */
+  /** `tones`: of the scale, from lowest to highest. */
   readonly colours: (of: SteelColours & { readonly line: string; readonly tones: readonly string[] }) => void;
 }
 
-/** The attribute in which a corner says how its surface looks. */
+/** The vertex attribute of a surface's look. */
 export const LOOKS_ATTRIBUTE = "looks";
 
-/** Phong's steel, made dull or bright by what each corner says of itself. */
+/** A Phong material whose shine is set per vertex. */
 export function finishedSteel(): FinishedSteel {
   const material = new MeshPhongMaterial({
     shininess: 28,

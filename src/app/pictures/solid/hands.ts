@@ -16,10 +16,7 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
 const VIEWS = { 1: "iso", 2: "front", 3: "end" } as const;
 const isView = (key: string): key is `${keyof typeof VIEWS}` => key in VIEWS;
 
-/**
- * What a key does to the eye; false when it is none of its keys. Arrows turn it, with Shift they slide it; digits are
- * named views.
- */
+/** Handles a key of the eye; false if it has none. Arrows turn, with Shift they pan; digits choose named views. */
 export function eyeKey(eye: Eye, { key, shiftKey }: Pick<KeyboardEvent, "key" | "shiftKey">): boolean {
   const arrow = ARROWS[key];
   if (arrow && shiftKey) eye.slide(-arrow[0] * KEY.slide, arrow[1] * KEY.slide);
@@ -33,8 +30,8 @@ export function eyeKey(eye: Eye, { key, shiftKey }: Pick<KeyboardEvent, "key" | 
 }
 
 /**
- * One pointer turns, two slide and zoom; so does the wheel, and the right or middle button slides. The picture below
- * hears nothing of it. Returns what takes it all off again.
+ * One pointer turns, two pan and zoom; so does the wheel, and the right or middle button pans. The picture below gets
+ * none of these events. Returns the function that removes the listeners.
  */
 export function listenToHands(element: HTMLElement, eye: Eye): () => void {
   const down = new Map<number, Place>(),

@@ -5,10 +5,10 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import type { PathRole } from "../../../view/scene.ts";
 import { piecesFrom, thinned, type SpaceLines } from "../../../view/solid/path-lines.ts";
 
-/** What lines stand for: a form of the path, or a tone of what is told by colour; null where no number is told. */
+/** Meaning of lines: a line style of the path, or a tone of the colour map; null without a value. */
 export type LineLook = { readonly role: PathRole } | { readonly tone: number | null };
 
-/** Lines of one look. Those of the path fade when they are done. */
+/** Lines of one look. Those of the path fade once done. */
 export interface StageLines extends SpaceLines {
   readonly look: LineLook;
 }
@@ -34,7 +34,7 @@ interface Form {
   readonly dash?: readonly [number, number];
 }
 
-/** The forms of the drawing, pixels. */
+/** The line styles of the drawing, pixels. */
 const FORMS: Readonly<Record<PathRole, Form>> = {
   rapid: { wide: 1, dash: [6, 4] },
   feed: { wide: 1.5 },
@@ -45,31 +45,26 @@ const FORMS: Readonly<Record<PathRole, Form>> = {
 };
 const TONES = [1.5, 2.25, 3, 3.5, 4.25, 5, 5.75] as const;
 const UNTOLD: Form = { wide: 2, dash: [2, 3] };
-/**
- * How strong lines are: of what is to come, of what is done, and of the path where something else is told by colour.
- */
+/** Opacity of lines: coming, done, and the path under a colour map. */
 const STRENGTH = { coming: 0.75, done: 0.22, under: 0.2, told: 1 } as const;
 
-/**
- * Where there are more pieces, those that cannot be told apart are drawn once: ends closer together than this are not,
- * pixels.
- */
+/** With more pieces than this, pieces that look alike are drawn once: ends closer than this are the same, pixels. */
 const MANY = 4000,
   FINE = 1;
 
-/** How fine a path of many pieces is drawn, mm: one of a few steps, since each is made anew. */
+/** Resolution of a path with many pieces, mm: one of a few steps, since each is built separately. */
 const fineness = (pixel: number): number => 2 ** Math.floor(Math.log2(FINE * pixel));
 
 /** Lines on the stage. */
 export interface PathStage {
   readonly group: Group;
   readonly set: (lines: readonly StageLines[]) => void;
-  /** The step that runs. */
+  /** Sets the running step. */
   readonly runs: (step: number) => void;
   readonly setColours: (colours: LineColours) => void;
-  /** What one pixel shows, mm. */
+  /** Sets the size of one pixel, mm. */
   readonly setPixel: (mm: number) => void;
-  /** How much of a side of the canvas is drawn: lines are as much finer. */
+  /** Share of each side of the canvas that is drawn; lines get thinner with it. */
   readonly setShare: (share: number) => void;
   readonly dispose: () => void;
 }
@@ -84,7 +79,7 @@ function colourOf(look: LineLook, colours: LineColours): string {
   return look.tone === null ? colours.untold : colours[`tone${look.tone}` as keyof LineColours];
 }
 
-/** Pieces and how far along each begins and ends, mm, for dashes. */
+/** Pieces with their distances along the path at both ends, mm, for dashes. */
 function geometryOf({ places }: SpaceLines): LineSegmentsGeometry {
   const geometry = new LineSegmentsGeometry(),
     along = new Float32Array(places.length / 3);
@@ -100,16 +95,14 @@ function geometryOf({ places }: SpaceLines): LineSegmentsGeometry {
   return geometry;
 }
 
-/** The same pieces, of which another number may be drawn. */
+/** The same pieces with a draw count of their own. */
 function sharing(geometry: LineSegmentsGeometry): LineSegmentsGeometry {
   const other = new LineSegmentsGeometry();
   for (const [name, attribute] of Object.entries(geometry.attributes)) other.setAttribute(name, attribute);
   return other;
 }
 
-/**
- * The lines of the work. Of two that lie on each other the first one is seen, and none is seen twice, however faint.
- */
+/** The lines of the work. Of two overlapping ones the first is visible, and none is blended twice. */
 export function createPathStage(): PathStage {
   const group = new Group();
   let drawn: readonly { readonly line: LineSegments2; readonly of: StageLines; readonly fades: boolean }[] = [];
@@ -126,7 +119,7 @@ export function createPathStage(): PathStage {
   };
   const put = (of: StageLines, geometry: LineSegmentsGeometry, opacity: number, fades: boolean) => {
     const { wide, dash } = formOf(of.look);
-    // Where X grows downwards the world is turned over, and a line would show its back.
+    // With X downwards the world is mirrored, and a line would show its back.
     const material = new LineMaterial({
       linewidth: wide,
       transparent: true,

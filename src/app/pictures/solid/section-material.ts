@@ -1,9 +1,9 @@
 import { Color, ShaderMaterial, type ColorRepresentation } from "three";
 
-/** A section face as on paper: a flat ground with fine lines at 45°, as far apart on the screen as in the drawing. */
+/** A section face as on paper: plain background with fine lines at 45°, spaced on the screen as in the drawing. */
 export interface Hatched {
   readonly material: ShaderMaterial;
-  /** Colours of ground and lines. */
+  /** Colours of background and lines. */
   readonly colours: (ground: ColorRepresentation, line: ColorRepresentation) => void;
   /** From one line to the next, mm. */
   readonly pitch: (mm: number) => void;
@@ -33,7 +33,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** `lean`: 1 falls to the right, −1 rises. `weight`: how thick a line is, pixels. */
+/** `lean`: 1 falls to the right, −1 rises. `weight`: line width, pixels. */
 export function hatched(lean: 1 | -1, weight: number): Hatched {
   const [ground, line, pitch] = [{ value: new Color() }, { value: new Color() }, { value: 1 }];
   const uniforms = { ground, line, pitch, lean: { value: lean }, weight: { value: weight } };

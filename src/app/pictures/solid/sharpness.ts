@@ -1,28 +1,22 @@
 /**
- * Pictures that come later than this after they were asked for, ms, are drawn with fewer pixels while something moves:
- * after so many, of which a very late one counts as a few; then how many fewer, and the fewest. After so many that come
- * soon there are more again.
+ * Frames later than this after their request, ms, lower the resolution while something moves: number of late frames,
+ * weight of a very late one, factor of a step, lowest share. After enough early frames it rises again.
  */
 const SLOW = { ms: 40, pictures: 6, few: 3, by: 0.7, least: 0.4 } as const;
 const SOON = { ms: 24, pictures: 90 } as const;
-/**
- * Fewer pixels that do not bring pictures to so much of their lateness before are given back: something else is slow.
- */
+/** A lower resolution that does not reduce the delay to this share is undone: something else is slow. */
 const WORTH = 0.85;
 
-/** How sharp pictures may be while something moves. */
+/** The resolution of frames while something moves. */
 export interface Sharpness {
-  /**
-   * Takes note of how long a picture took, ms; returns the share of the pixels along each side, 0 … 1, for what comes
-   * next.
-   */
+  /** Records the time of a frame, ms; returns the share of pixels along each side, 0 … 1, for the next one. */
   readonly took: (ms: number) => number;
 }
 
-/** Learns from picture to picture. */
+/** Adapts from frame to frame. */
 export function createSharpness(): Sharpness {
   let [share, late, soon, sum, count] = [1, 0, 0, 0, 0];
-  /** The share before the last step down, and how late pictures were there on average. */
+  /** The share before the last step down, and the average delay there. */
   let before: { readonly share: number; readonly ms: number } | null = null;
   let isWorth = true;
   const next = (to: number) => {

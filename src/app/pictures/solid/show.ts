@@ -24,14 +24,14 @@ import type { StageLines } from "./path-stage.ts";
 import { createSharpness } from "./sharpness.ts";
 import type { SolidStage } from "./stage.ts";
 
-/** What is to be seen. */
+/** Content of the view. */
 export interface ShownWork {
   readonly moving: Moving | null;
   readonly simulation: Simulation | null;
-  /** The blank and the tool at its start, as long as nothing moves. */
+  /** The blank and the tool at its start, while nothing moves. */
   readonly waiting: Waiting | null;
   readonly blank: readonly Ring[];
-  /** What holds it; null where that is not stated. */
+  /** Its clamping; null if not stated. */
   readonly clamping: Clamped | null;
   readonly steps: readonly Step[];
   readonly spindles: readonly SpindleFrom[];
@@ -40,44 +40,43 @@ export interface ShownWork {
 
 export const NOTHING_TOLD: SolidTold = { rings: false, leftHanded: false, textures: [], marked: [] };
 
-/** Brings work and eye onto a stage, and draws only when something has changed. */
+/** Connects work and eye to a stage, and draws only after changes. */
 export interface Show {
   readonly setWork: (work: ShownWork) => void;
   readonly setLines: (lines: readonly StageLines[]) => void;
-  /** What is told of surfaces by tones. */
+  /** Sets the tones of surfaces in the colour map. */
   readonly setTones: (tones: readonly TonedSide[]) => void;
   readonly setLook: (look: { readonly quarterCut: boolean; readonly xDown: boolean }) => void;
-  /** The canvas, and how much of it lies below the picture: buttons are there. */
+  /** Sets the size of the canvas, and how much of it is below the picture, under the buttons. */
   readonly setSize: (size: Size, below: number) => void;
-  /** Something else has changed: colours, the context. */
+  /** Redraws after another change: colours, the context. */
   readonly refresh: () => void;
   readonly end: () => void;
 }
 
-/** Chords of a full turn while the body changes with every picture: roundness is told from its light then. */
+/** Chords of a full turn while the body changes with every frame; shading then gives the roundness. */
 const QUICK = 64;
 /**
- * While it plays a body is built anew after so many times what building it takes, so that most of the time is left for
- * pictures.
+ * During playback a body is rebuilt after this many times its build time, so that most of the time is left for frames.
  */
 const PAUSE = 3;
-/** Most pixels that are drawn, and the finest ratio of them to those of the page. */
+/** Most pixels drawn, and the highest ratio to CSS pixels. */
 const PIXELS = { most: 2_600_000, ratio: 2 } as const;
-/** After so long without a picture, or after so many times what the last one took, everything is drawn sharp. */
+/** Without a frame for this time, or this many times the last frame time, everything is drawn sharp. */
 const REST = { ms: 160, times: 3 } as const;
 
 const nothingMoves = (): readonly Ring[] => [];
 
-/** `tell` hears what is to be said of what is seen, whenever that changes. */
+/** `tell` is called with the notes on the picture whenever they change. */
 export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (told: SolidTold) => void): Show {
   let work: ShownWork | null = null;
   let threads: RunThreads | null = null;
   let [quarterCut, xDown] = [true, false];
-  /** What is told of surfaces, and how often that has changed. */
+  /** Tones of surfaces, and a counter of their changes. */
   let [tones, toneTurn]: [readonly TonedSide[], number] = [[], 0];
   let [box, seen]: [Bounds | null, Bounds | null] = [null, null];
   let [drawnRings, drawnKey, drawnTool]: [readonly Ring[], string, Tool | null] = [[], "", null];
-  /** The moment whose stock is seen, and how. */
+  /** The moment of the shown stock, and its look. */
   let seenAt: { readonly moving: Moving; readonly position: PlayPosition; readonly look: string } | null = null;
   const source = bodySource();
   let [builtAt, cost] = [-Infinity, 0];
@@ -101,10 +100,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     if (!isSameTold(now, told)) tell((told = now));
   }
 
-  /**
-   * How a moment is to be seen; `look` names all of it that is no stock. Where X grows downwards the picture is a
-   * mirror image.
-   */
+  /** The view of a moment; `look` names all of it except the stock. With X downwards the picture is mirrored. */
   function wanted({ moving, simulation, steps }: ShownWork) {
     const position = atOf(moving),
       high = box?.high ?? 1,
@@ -128,13 +124,13 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     return { look, key: `${look} ${moment}`, asked };
   }
 
-  /** Builds the bodies of the moment on the page, unless they are the ones that are there. */
+  /** Builds the bodies of the moment on the page, unless they are already there. */
   function buildHere(of: ShownWork): void {
     const { moving, simulation, waiting } = of,
       { look, key, asked } = wanted(of),
       { position } = asked;
     const rings = moving ? moving.stockAt(position) : (waiting?.blank ?? nothingMoves());
-    // Of a run that is only planned the stock of before is seen, with its threads and colours.
+    // A planned run shows the previous stock, with its threads and colours.
     const stands = moving && !simulation && seenAt?.look === look && seenAt.moving.stockAt(seenAt.position) === rings;
     if (stands || (rings === drawnRings && key === drawnKey)) return;
     source.forget();
@@ -145,7 +141,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     seenAt = moving && { moving, position, look };
   }
 
-  /** Has the bodies of the moment made, in the worker where that knows the work. */
+  /** Gets the bodies of the moment, from the worker if it knows the work. */
   function build(): void {
     changed = false;
     const now = work,
@@ -186,7 +182,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     stage.setShare(share);
   }
 
-  /** Fewer pixels where pictures come too slowly after they were asked for; returns how long this one took. */
+  /** Lowers the resolution if frames are late; returns the time of this frame. */
   function mind(now: number): number {
     const took = now - Math.max(lastPicture, askedAt),
       goesOn = playing() || askedAt - lastPicture < REST.ms;
@@ -230,7 +226,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
     askedAt = stopwatch();
     asked = clock.frame(picture);
   }
-  /** Brings what is there to the eye: a body all round, or lines on the side on which the tool works. */
+  /** Fits the view: to a whole body, or to lines on the side of the tool. */
   function fit(): void {
     if (!seen) return;
     const isFlat = work?.blank.length === 0;
@@ -286,7 +282,7 @@ export function createShow(stage: SolidStage, eye: Eye, clock: Clock, tell: (tol
       canvas = { size, below };
       eye.setSize({ width: size.width, height: Math.max(1, size.height - below) });
       stage.setSize(canvas.size, canvas.below, sharpRatio(canvas.size));
-      // A canvas that changes its size is empty: it is drawn before anybody sees that.
+      // Resizing clears a canvas, so it is redrawn before anybody sees that.
       asked?.();
       picture();
     },

@@ -46,39 +46,39 @@ export const STAGE_COLOURS = {
   ...LINE_COLOURS,
 } as const;
 
-/** Bodies, light and eye on a canvas. Nothing is drawn but by `draw`. */
+/** Bodies, light and eye on a canvas. Only `draw` draws. */
 export interface SolidStage {
-  /** The canvas, and how much of it lies below the picture, pixels of the page. */
+  /** Sets the size of the canvas, and how much of it is below the picture, CSS pixels. */
   readonly setSize: (size: Size, below: number, ratio: number) => void;
   /**
-   * How much of it is drawn along each side, 0 … 1; that is shown larger. A canvas of another size would be another
-   * buffer on the graphics card, and the page would wait for it.
+   * Share drawn along each side, 0 … 1, which is scaled up. Another canvas size would need another buffer on the
+   * graphics card, and the page would wait for it.
    */
   readonly setShare: (share: number) => void;
   readonly setColours: (colours: Readonly<Record<keyof typeof STAGE_COLOURS, string>>) => void;
   readonly setBodies: (bodies: readonly MomentBody[]) => void;
   readonly setChuck: (parts: readonly DrawnPart[]) => void;
   readonly setTool: (parts: readonly DrawnPart[]) => void;
-  /** Where the tip of the tool is, mm; null: there is none. */
+  /** Position of the tool tip, mm; null without a tool. */
   readonly placeTool: (tip: { readonly z: number; readonly r: number } | null) => void;
-  /** What the running cut takes off; null where it takes nothing. */
+  /** The chip of the running cut; null if there is none. */
   readonly setChip: (chip: Chip | null) => void;
-  /** Path, or what is told by colour along it. */
+  /** Path and colour map. */
   readonly setLines: (lines: readonly StageLines[]) => void;
-  /** The step that runs: lines before it are done. */
+  /** Sets the running step; lines before it are done. */
   readonly setStep: (step: number) => void;
-  /** X grows downwards. */
+  /** Mirrors the view so that X grows downwards. */
   readonly turnOver: (down: boolean) => void;
-  /** `reach`: no body is farther from the centre, mm. */
+  /** `reach`: largest distance of a body from the centre, mm. */
   readonly draw: (orbit: Orbit, size: Size, reach: number) => void;
-  /** Gives everything on the graphics card back. */
+  /** Frees all resources of the graphics card. */
   readonly dispose: () => void;
 }
 
 /** Pixels between two lines of a hatch. */
 const HATCH = 8;
 /**
- * What stays is a layer too thin to be told by lines of a hatch: its ground has its colour, and lines are paler by
+ * Residual material is too thin for hatch lines to show it: its background has its colour, and the lines are paler by
  * this, 0 … 1.
  */
 const PALE = 0.3;
@@ -92,7 +92,7 @@ function geometryOf({ positions, normals, index, looks }: Mesh): BufferGeometry 
   return geometry;
 }
 
-/** A surface that lies a hair behind the lines on it. */
+/** A surface slightly behind the lines on it. */
 const shaded = (shininess: number, specular: number) =>
   new MeshPhongMaterial({ shininess, specular, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
 
@@ -107,7 +107,7 @@ function clear(group: Group): void {
   }
 }
 
-/** A stage on a canvas; null where the browser has no WebGL to give. */
+/** A stage on a canvas; null without WebGL. */
 export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   const context = canvas.getContext("webgl2", { alpha: true, antialias: true });
   if (!context) return null;
@@ -117,7 +117,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
     camera = new PerspectiveCamera((FIELD * 180) / Math.PI, 1, 1, 1000);
   const key = new DirectionalLight(0xffffff, LIGHT.key);
   key.position.set(...LIGHT.from);
-  // It shines along with the eye: its aim would stay where the work is, and it would shine from the eye itself.
+  // The light and its target move with the eye; otherwise it would aim at the workpiece from the eye itself.
   camera.add(key, key.target);
   camera.up.set(1, 0, 0);
   const world = new Group(),
@@ -142,10 +142,10 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
   const sections = { steel: hatched(-1, 1), residual: hatched(1, 1), gouge: hatched(-1, 1) };
   const lines = { work: drawnLine(0.55), parts: drawnLine(0.4) };
 
-  /** All of it is looked at: to ask whether it is in sight takes a walk over all its corners. */
+  /** Everything is in view; culling would walk all vertices. */
   const put = (group: Group, body: Triangles | LineSegments) => {
     body.frustumCulled = false;
-    // Bodies are put in order by their distance, for which another walk over all corners would be taken.
+    // Bodies are sorted by distance, which would walk all vertices again.
     (body.geometry as BufferGeometry).boundingSphere = EVERYWHERE;
     group.add(body);
   };
@@ -247,8 +247,7 @@ export function createStage(canvas: HTMLCanvasElement): SolidStage | null {
       for (const each of [...Object.values(surfaces), ...Object.values(lines)]) each.dispose();
       for (const { material } of Object.values(sections)) material.dispose();
       renderer.dispose();
-      // A browser gives few contexts, and takes the oldest one away for the next: one that is not needed any more goes
-      // at once.
+      // A browser has few contexts and drops the oldest for a new one, so an unused one is released at once.
       if (!canvas.isConnected) renderer.forceContextLoss();
     },
   };

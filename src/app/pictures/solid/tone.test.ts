@@ -6,7 +6,7 @@ import { groundOf } from "./finish-material.ts";
 import { chuckTones, LIGHT, toned } from "./tone.ts";
 
 const sheet = readFileSync(join("src", "app", "base", "styles", "tokens.css"), "utf8");
-/** The colours of an appearance: dark ones stand below light ones. */
+/** The colours of a theme; the sheet has the dark ones after the light ones. */
 function tokensOf(theme: "light" | "dark"): (name: string) => string {
   const from = theme === "light" ? 0 : sheet.indexOf(':root[data-theme="dark"]');
   return (name) =>
@@ -14,7 +14,7 @@ function tokensOf(theme: "light" | "dark"): (name: string) => string {
 }
 
 const [x, y, z] = LIGHT.from;
-/** What a surface of colour 1 sends when it is square to the eye, square to the light, and turned away from it. */
+/** Light from a surface of colour 1 that faces the eye, faces the light, or is turned away from it. */
 const SEEN = {
   eye: (LIGHT.around + (LIGHT.key * z) / Math.hypot(x, y, z)) / Math.PI,
   light: (LIGHT.around + LIGHT.key) / Math.PI,
@@ -44,7 +44,7 @@ describe.each(["light", "dark"] as const)("in the %s appearance", (theme) => {
     },
   );
 
-  test("work, jaws and chuck are three things at the face, and none of them is the page", () => {
+  test("workpiece, jaws and chuck differ at the face, and from the page", () => {
     const [raw, finished] = [sent(groundOf("raw", steel), "eye"), toned(sent(groundOf("finished", steel), "eye"))];
     const [body, jaw] = [sent(chuck.chuck, "eye"), sent(chuck.jaw, "eye")];
     for (const [a, b] of [
@@ -61,7 +61,7 @@ describe.each(["light", "dark"] as const)("in the %s appearance", (theme) => {
   });
 });
 
-test("light is toned without a step and in its order, and never gets as bright as a page", () => {
+test("light is toned continuously and monotonically, and never as bright as the page", () => {
   expect(toned(0.317)).toBe(0.317);
   for (let light = 0; light < 3; light += 0.0137) {
     expect(toned(light + 0.0137)).toBeGreaterThan(toned(light));

@@ -1,23 +1,23 @@
 import { Color } from "three";
 
 /**
- * One light from over the operator's left shoulder (along these axes of the eye: right, up, towards it), and what comes
- * from all sides: a face square to the eye has about its colour, one square to the light is a quarter brighter.
+ * One light over the operator's left shoulder (along these axes of the eye: right, up, towards it), and ambient light:
+ * a face square to the eye has about its colour, one square to the light is a quarter brighter.
  */
 export const LIGHT = { from: [-0.15, 0.5, 1], key: 0.69 * Math.PI, around: 0.56 * Math.PI } as const;
 
 /**
- * What light (linear, 1 is white) steel sends to the eye at most, and from where on it comes nearer to that ever more
+ * Most light (linear, 1 is white) that steel sends to the eye, and the level from which it approaches that ever more
  * slowly.
  */
 const TONE = { knee: 0.6, most: 0.82 } as const;
 const SPAN = TONE.most - TONE.knee;
 
-/** The light that is shown of what steel sends: it never is as bright as a white page. Linear, 1 is white. */
+/** The displayed light for the light of steel: never as bright as a white page. Linear, 1 is white. */
 export const toned = (light: number): number =>
   light <= TONE.knee ? light : TONE.knee + SPAN * (1 - Math.exp((TONE.knee - light) / SPAN));
 
-/** The same for the graphics card: the brightest part of a colour is toned, and its hue stays. */
+/** The same as a shader: tones the brightest channel and keeps the hue. */
 export const TONED = `
   float brightest = max(outgoingLight.r, max(outgoingLight.g, outgoingLight.b));
   if (brightest > ${TONE.knee.toFixed(3)}) {
@@ -26,20 +26,17 @@ export const TONED = `
     )}))) / brightest;
   }`;
 
-/** Colours of the page of which those of the chuck are made. */
+/** Page colours from which those of the chuck are made. */
 export interface ChuckColours {
   readonly chuck: string;
   readonly chuckDark: string;
   readonly steelLight: string;
 }
 
-/** How far the body of the chuck is darker than the chuck of the drawing, and its jaws lighter, 0 … 1. */
+/** How much darker the body is than the chuck of the drawing, and how much lighter its jaws, 0 … 1. */
 const APART = { body: 0.3, jaw: 0.2 } as const;
 
-/**
- * Body and jaws of the chuck: darker and lighter than raw steel, so that all three are told apart where no shade parts
- * them.
- */
+/** Body and jaws of the chuck: darker and lighter than raw steel, so that all three differ without shading. */
 export const chuckTones = ({
   chuck,
   chuckDark,

@@ -5,14 +5,14 @@ import { untilHere } from "../../base/parts.ts";
 import { byLanguage } from "../../base/settings/loaded-texts.ts";
 import { useByLanguage } from "../../base/settings/use-texts.ts";
 
-/** A task as the list of lessons knows it. */
+/** Entry of a task in the lesson list. */
 export interface TaskEntry {
   readonly id: string;
   readonly kind: Task["kind"];
   readonly title: string;
 }
 
-/** A lesson as the list knows it. */
+/** Entry of a lesson in the list. */
 export interface LessonEntry {
   readonly id: string;
   readonly number: number;
@@ -22,7 +22,7 @@ export interface LessonEntry {
   readonly tasks: readonly TaskEntry[];
 }
 
-/** What is told of all lessons without opening any. */
+/** Index of all lessons, without their content. */
 export interface CourseIndex {
   readonly lessons: readonly LessonEntry[];
 }
@@ -40,12 +40,12 @@ const found = (files: typeof lessons, ends: (name: string) => boolean) =>
 /** Whether a task of this id ships with the page. */
 const shipsWithPage = (id: string): boolean => found(tasks, (name) => name === id) !== undefined;
 
-/** Of an id, so that a mark still fits before it. */
+/** Longest id that leaves room for a prefix. */
 const LONGEST_OWN = 57;
 
 /**
- * A task from outside: one that has the id of a task of the course gets one of its own, always the same. Neither
- * progress nor works nor results of the two are mixed.
+ * An imported task. An id that a course task has is replaced, always in the same way, so that progress, works and
+ * results of the two stay apart.
  */
 export const fromOutside = (task: Task): Task =>
   shipsWithPage(task.id) ? { ...task, id: `own-${task.id.slice(0, LONGEST_OWN)}` } : task;

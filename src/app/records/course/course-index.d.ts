@@ -1,7 +1,6 @@
 /* eslint-disable @typescript-eslint/consistent-type-imports -- A declared module cannot import from a file beside it. */
 /**
- * Made by the build out of the files of lessons and tasks (scripts/course-index.ts): the list of lessons waits for none
- * of them.
+ * Generated from the files of lessons and tasks (scripts/course-index.ts), so that the lesson list need not load them.
  */
 declare module "virtual:course-index" {
   /** The number of each lesson, by its id. */

@@ -4,12 +4,12 @@ import { record } from "../../base/record.ts";
 import { editRecord } from "../../document/edit-record.ts";
 import { isAmong, type LearnerFile } from "./result-rows.ts";
 
-/** Most files of results that are gathered. */
+/** Most files of results in the table. */
 const MOST = 500;
 const file = z.object({ file: z.string().check(z.maxLength(300)), result: resultShape });
 const NONE: readonly LearnerFile[] = [];
 
-/** The results of learners that were opened on this device, in the order in which they came. */
+/** Learner results opened on this device, in order of arrival. */
 export const resultRecord = record({
   key: "course-results",
   version: 1,
@@ -20,15 +20,15 @@ export const resultRecord = record({
 });
 export const useGathered = resultRecord.use;
 
-/** Puts results beside those that are there; what goes can be taken back. */
+/** Adds results; they can be removed again. */
 export function gather(files: readonly LearnerFile[]): void {
   if (files.length > 0) resultRecord.put([...resultRecord.now(), ...files].slice(-MOST));
 }
 
-/** Lets one file, or all of them, go from the table. */
+/** Removes one file, or all, from the table. */
 export const dropGathered = (gone: LearnerFile | null): void =>
   editRecord(resultRecord, (list) => (gone === null ? NONE : list.filter((each) => each !== gone)));
 
-/** Results of another device that are not here beside those that are. */
+/** Results of this device, plus the missing ones of another. */
 export const mergedResults = (mine: readonly LearnerFile[], brought: readonly LearnerFile[]): readonly LearnerFile[] =>
   [...mine, ...brought.filter(({ result }) => !isAmong(mine, result))].slice(-MOST);

@@ -3,21 +3,21 @@ import { formShape, type MadeTask } from "../../../course/made/made-form.ts";
 import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
 
-/** A form as it was left, a mark of the program that it was filled in from, and when, ms since 1970. */
+/** A form as it was left, the fingerprint of its program, and when, ms since 1970. */
 export interface KeptForm {
   readonly form: MadeTask;
   readonly print: string;
   readonly at: number;
 }
-/** Forms by what they are of: a work of this device, or a kept task that is being changed. */
+/** Forms by source: a work of this device, or a saved task that is being edited. */
 export type KeptForms = Readonly<Record<string, KeptForm>>;
 
-/** Most forms that are kept; the oldest give way. */
+/** Most forms kept; the oldest are dropped. */
 const MOST = 40;
 const form = z.object({ form: formShape, print: z.string(), at: z.number() });
 const NONE: KeptForms = {};
 
-/** The forms that are filled in on this device: one that is closed, or lost with its page, loses nothing. */
+/** Forms being filled in on this device, so that closing one or reloading loses nothing. */
 export const formRecord = record({
   key: "course-forms",
   version: 1,
@@ -44,17 +44,16 @@ const newest = (list: KeptForms): KeptForms =>
       .slice(0, MOST),
   );
 
-/** Keeps a form as it stands. */
+/** Saves the current state of a form. */
 export const keepForm = (key: string, form: MadeTask, print: string): void =>
   formRecord.put(newest({ ...formRecord.now(), [key]: { form, print, at: time() } }));
 
-/** Lets a form go: what it was for is done. */
+/** Deletes a form that is done. */
 export const forgetForm = (key: string): void =>
   formRecord.put(Object.fromEntries(Object.entries(formRecord.now()).filter(([other]) => other !== key)));
 
 /**
- * Forms of another device that are not here beside those that are. `nameHere`: what a work is called here that had
- * another name there.
+ * Forms of this device, plus the missing ones of another. `nameHere`: name here of a work that had another name there.
  */
 export function mergedForms(mine: KeptForms, brought: KeptForms, nameHere: ReadonlyMap<string, string>): KeptForms {
   const keyHere = (key: string) => {

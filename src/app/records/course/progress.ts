@@ -16,7 +16,7 @@ import { time } from "../../base/clock.ts";
 import { record } from "../../base/record.ts";
 import { editRecord } from "../../document/edit-record.ts";
 
-/** How far this device's learner has come. */
+/** Course progress on this device. */
 export const progressRecord = record({
   key: "course",
   version: 1,
@@ -29,7 +29,7 @@ export const useLearning = progressRecord.use;
 
 const change = (by: (progress: CourseProgress) => CourseProgress): void => progressRecord.put(by(progressRecord.now()));
 
-/** What is known of a task, by its id. */
+/** Progress of a task, by its id. */
 export const useTaskProgress = (task: string): TaskProgress => useLearning((s) => progressOfTask(s.list, task));
 
 /** An answer to a task was checked, whether it passed or not. */
@@ -38,11 +38,11 @@ export const noteTry = (task: string): void => change((now) => withTry(now, task
 export const noteHint = (task: string, stage: number): void => change((now) => withHint(now, task, stage));
 /** The solution of a task was shown. */
 export const noteSolution = (task: string): void => change((now) => withSolution(now, task));
-/** An answer passed. Which way it counts as follows from the hints and the solution that were shown before. */
+/** An answer passed. The hints and the solution that were shown before decide how it counts. */
 export const notePass = (task: string, worth: Omit<PassedAnswer, "when"> = {}): void =>
   change((now) => withPass(now, task, { ...worth, when: time() }));
 /** A page of a lesson was opened. */
 export const noteLessonPage = (at: CourseMark): void => change((now) => withPlace(now, at));
 
-/** The course begins anew: one step, which undo takes back. */
+/** Restarts the course, as one step of undo. */
 export const beginCourseAnew = (): void => editRecord(progressRecord, () => NO_PROGRESS);

@@ -43,7 +43,7 @@ const inFiles = (...all: readonly HandedResult[]): readonly LearnerFile[] =>
   all.map((result, i) => ({ file: `${i}.json`, result }));
 const compare = (a: string, b: string) => a.localeCompare(b, "en");
 
-test("rows of several learners are sorted by any column, and by none as they came", () => {
+test("rows of several learners are sorted by any column, or in order of arrival", () => {
   const rows = resultRows(inFiles(zoe, none, ada));
   const again = new Map<string, Again>([
     ["0 pin", "fails"],
@@ -61,7 +61,7 @@ test("rows of several learners are sorted by any column, and by none as they cam
   expect(resultRows(inFiles(none))).toEqual([]);
 });
 
-test("of a task that a learner handed in twice the newest counts and the others stay; who has no name is another each time", () => {
+test("if a learner handed a task in twice the newest counts and the others stay; each result without a name is another learner", () => {
   const later = { ...ada, name: " ada  ", made: ada.made + 7, tasks: [task("disc", { tries: 5 }), task("bush")] };
   const all = inFiles(later, ada, zoe, { ...none, tasks: [task("pin")] }, { ...none, tasks: [task("pin")] });
   expect(learnerCount(all)).toBe(4);
@@ -80,7 +80,7 @@ test("of a task that a learner handed in twice the newest counts and the others 
   ).toEqual([true, false, false]);
 });
 
-test("the same file is known again", () => {
+test("the same file is recognised", () => {
   expect(isAmong(inFiles(ada, zoe), { ...zoe })).toBe(true);
   expect(isAmong(inFiles(ada), { ...ada, made: ada.made + 1 })).toBe(false);
 });
@@ -96,11 +96,11 @@ test.each([
   ["a;b", `"a;b"`],
   ["a\r\n=b", "a =b"],
   ["Zoé", "Zoé"],
-])("%s is text in a sheet", (text, cell) => {
+])("%s is text in a CSV file", (text, cell) => {
   expect(sheetCell(text, { separator: ";", decimal: "," })).toBe(cell);
 });
 
-test("a sheet is written as the spreadsheets of a language read it", () => {
+test("a CSV file is written as the spreadsheets of a language read it", () => {
   const rows = [
     ["Ada", 61.7],
     ["", null],

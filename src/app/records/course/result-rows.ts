@@ -2,25 +2,25 @@ import type { HandedResult, TaskResult } from "../../../course/made/result.ts";
 import { stateOfTask, type TaskState } from "../../../course/progress.ts";
 
 /**
- * What a program comes to when it is run here; "unknown" where this device does not have its task, "foretold" where a
- * task has none, "stopped" where the run came to no end.
+ * Result of running a program here; "unknown": this device does not have its task, "foretold": the task has no program,
+ * "stopped": the run did not finish.
  */
 export type Again = "passes" | "fails" | "unknown" | "foretold" | "none" | "stopped";
 
-/** Results of one learner as they came; without a file's name where they came by a link. */
+/** Results of one learner; without a file name if they came by a link. */
 export interface LearnerFile {
   readonly file: string;
   readonly result: HandedResult;
 }
 
-/** One task of one learner, as one file has it. */
+/** One task of one learner, from one file. */
 export interface ResultRow {
   readonly key: string;
   /** As typed; empty where none was. */
   readonly name: string;
   /** When it was handed in, ms since 1970. */
   readonly made: number;
-  /** The same learner handed in the same task later: that one counts. */
+  /** The same learner handed in the same task again later, and that result counts. */
   readonly earlier: boolean;
   readonly state: TaskState;
   readonly result: TaskResult;
@@ -29,23 +29,17 @@ export interface ResultRow {
 /** A name with one blank between its words. */
 export const plainName = (name: string): string => name.trim().replace(/\s+/g, " ");
 
-/**
- * Who handed something in, whatever the case of the name and the blanks in it; who typed no name is somebody of their
- * own each time.
- */
+/** Key of a learner, ignoring case and extra blanks; each result without a name counts as another learner. */
 const learnerOf = (name: string, index: number): string => {
   const plain = plainName(name).normalize("NFKC").toLowerCase();
   return plain === "" ? `#${index}` : `=${plain}`;
 };
 
-/** How many learners there are. */
+/** Number of learners. */
 export const learnerCount = (all: readonly LearnerFile[]): number =>
   new Set(all.map(({ result }, i) => learnerOf(result.name, i))).size;
 
-/**
- * Rows in the order in which the files came. Of a task that was handed in more than once the newest counts, of one age
- * the last.
- */
+/** Rows in order of arrival. If a task was handed in repeatedly the newest counts, or the last of equal age. */
 export function resultRows(all: readonly LearnerFile[]): readonly ResultRow[] {
   const rows = all.flatMap(({ result: { name, made, tasks } }, i) =>
     tasks.map((result) => ({
@@ -65,11 +59,11 @@ export function resultRows(all: readonly LearnerFile[]): readonly ResultRow[] {
   }));
 }
 
-/** Whether a file of results is among those that are there. */
+/** True if these results are already in the list. */
 export const isAmong = (all: readonly LearnerFile[], one: HandedResult): boolean =>
   all.some(({ result }) => JSON.stringify(result) === JSON.stringify(one));
 
-/** Columns that rows can be sorted by, as they stand in the table. */
+/** Sortable columns, in the order of the table. */
 export const RESULT_COLUMNS = [
   "name",
   "made",
@@ -86,7 +80,7 @@ export const RESULT_COLUMNS = [
 ] as const;
 export type ResultColumn = (typeof RESULT_COLUMNS)[number];
 
-/** Columns of numbers, which are written to the right. */
+/** Columns of numbers, aligned right. */
 export const NUMBERS: readonly ResultColumn[] = ["tries", "hints", "time", "steps", "machining", "score"];
 
 const STATES: readonly TaskState[] = ["alone", "hints", "solution", "tried", "new"];
@@ -94,7 +88,7 @@ const AGAIN: readonly Again[] = ["passes", "fails", "foretold", "none", "unknown
 
 type Sorted = string | number;
 
-/** What a row is sorted by; what is missing comes last. */
+/** Sort value of a row; missing values come last. */
 function sortedBy({ name, made, state, result }: ResultRow, column: ResultColumn, again: Again | undefined): Sorted {
   switch (column) {
     case "name":
@@ -124,13 +118,13 @@ function sortedBy({ name, made, state, result }: ResultRow, column: ResultColumn
   }
 }
 
-/** How rows are put in order: what came of running each of them here, and how texts of the language compare. */
+/** Sort options: the rerun result of each row, and the text order of the language. */
 export interface SortedHow {
   readonly again: ReadonlyMap<string, Again>;
   readonly compare: (a: string, b: string) => number;
 }
 
-/** Rows in the order of a column; rows that are the same there keep their order. `down`: the greatest first. */
+/** Rows sorted by a column; equal rows keep their order. `down`: descending. */
 export function sortedRows(
   rows: readonly ResultRow[],
   column: ResultColumn | null,
@@ -147,15 +141,15 @@ export function sortedRows(
 /** Marks a file as UTF-8 for spreadsheets. */
 const BOM = "\uFEFF";
 
-/** How the cells of a sheet are written. */
+/** Format of CSV cells. */
 interface SheetHow {
   readonly separator: string;
   readonly decimal: string;
 }
 
 /**
- * One cell of a sheet. A text that a spreadsheet would run as a formula gets an apostrophe in front, which shows that
- * it is text; numbers stay numbers.
+ * One cell of a CSV file. Text that a spreadsheet would run as a formula gets an apostrophe in front, which marks it as
+ * text; numbers stay numbers.
  */
 export function sheetCell(value: string | number | null, { separator, decimal }: SheetHow): string {
   if (value === null) return "";
@@ -166,7 +160,7 @@ export function sheetCell(value: string | number | null, { separator, decimal }:
 }
 
 /**
- * A table as a sheet. `decimal`: that of the language; with a comma the cells are parted by semicolons, as its
+ * A table as CSV. `decimal`: decimal sign of the language; with a comma, cells are separated by semicolons, as its
  * spreadsheets expect.
  */
 export function resultsCsv(

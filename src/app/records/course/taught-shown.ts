@@ -6,24 +6,21 @@ import { isAmong, type LearnerFile } from "./result-rows.ts";
 import type { FieldFault } from "../../../course/read-task.ts";
 
 /**
- * Why nothing was read: more than is opened, of a newer edition, of another kind, no JSON (`line`: where that is seen,
- * from 1), cut or altered on its way, fields that are wrong, or a file that the browser does not give.
+ * Why a file was not read: too large, a newer edition, another kind, no JSON (`line`: where, from 1), cut or altered,
+ * wrong fields, or not readable by the browser.
  */
 export type TaughtProblem =
   | { readonly kind: "tooLarge" | "newer" | "foreign" | "damaged" | "unreadable" }
   | { readonly kind: "notJson"; readonly line: number | null }
   | { readonly kind: "fields"; readonly faults: readonly FieldFault[] };
 
-/** A file that brought no results, by its name, and why: it is here already, holds a task, or cannot be read. */
+/** A file without new results, and why: it is here already, holds a task, or cannot be read. */
 export interface FileLeftOut {
   readonly file: string;
   readonly why: { readonly kind: "twice" } | { readonly kind: "task" } | TaughtProblem;
 }
 
-/**
- * Something of a course that came from outside, shown before anything becomes of it. `left`: fields of a task that
- * nobody knows.
- */
+/** A task or results from outside, shown before they are used. `left`: unknown fields of a task. */
 export type TaughtShown =
   | { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] }
   | { readonly kind: "results"; readonly leftOut: readonly FileLeftOut[] }
@@ -37,13 +34,10 @@ export const showProblem = (file: string, problem: TaughtProblem): void =>
   useTaughtShown.setState({ shown: { kind: "problem", file, problem } });
 export const leaveTaught = (): void => useTaughtShown.setState({ shown: null });
 
-/** A file of results, by its name; or why it brings none. */
+/** Results of a named file, or why it has none. */
 export type NamedResult = { readonly file: string; readonly result: HandedResult } | FileLeftOut;
 
-/**
- * Shows the gathered results, and what came beside them; each file once. What became of files that came before stays to
- * be seen.
- */
+/** Adds the new results and shows the table with the files left out, each once. Files left out before stay listed. */
 export function showResults(come: readonly NamedResult[] = []): void {
   const { shown } = useTaughtShown.getState();
   const list = resultRecord.now();

@@ -13,7 +13,7 @@ const task = (id: string, title = "A") =>
   });
 const ids = () => taughtRecord.now().map(({ id, words }) => `${id} ${words.en?.title}`);
 
-test("tasks are kept once, the newest first, a changed one in place of the old one; each is a step of undo", () => {
+test("tasks are saved once, newest first, a changed one replaces the old one; each is a step of undo", () => {
   keepTask(task("pin"));
   keepTask(task("disc"));
   keepTask(task("pin", "C"));
@@ -28,7 +28,7 @@ test("tasks are kept once, the newest first, a changed one in place of the old o
   expect(taughtRecord.read(taughtRecord.write(taughtRecord.now()))).toEqual(taughtRecord.now());
 });
 
-test("a damaged list is none", () => {
+test("a damaged list is empty", () => {
   expect(taughtRecord.read({ version: 1, tasks: [{ id: "x" }] })).toBe(null);
   expect(taughtRecord.read(undefined)).toBe(null);
 });

@@ -3,11 +3,11 @@ import { taskSchema, type Task } from "../../../course/task.ts";
 import { record } from "../../base/record.ts";
 import { editRecord } from "../../document/edit-record.ts";
 
-/** Most tasks that are kept. */
+/** Most saved tasks. */
 const MOST = 200;
 const NONE: readonly Task[] = [];
 
-/** The tasks that came from outside and are kept on this device, the newest first. */
+/** Imported tasks saved on this device, newest first. */
 export const taughtRecord = record({
   key: "course-tasks",
   version: 1,
@@ -18,19 +18,19 @@ export const taughtRecord = record({
 });
 export const useTaught = taughtRecord.use;
 
-/** Of an id, so that a number still fits behind it. */
+/** Longest id that leaves room for a number. */
 const LONGEST_STEM = 52;
 
 const change = (to: readonly Task[]): void => editRecord(taughtRecord, () => to.slice(0, MOST));
 
-/** Keeps a task; an older one of its id gives way. One step, which undo takes back. */
+/** Saves a task in place of one with the same id, as one step of undo. */
 export function keepTask(task: Task): void {
   const list = taughtRecord.now();
   if (list.some((each) => JSON.stringify(each) === JSON.stringify(task))) return;
   change([task, ...list.filter(({ id }) => id !== task.id)]);
 }
 
-/** A second task like a kept one, beside it: with an id of its own, and named as a copy in each of its languages. */
+/** Duplicates a saved task below it with a new id; the title says that it is a copy, in each language. */
 export function copyTask(task: Task, copyOf: (title: string) => string): void {
   const list = taughtRecord.now();
   const stem = task.id.slice(0, LONGEST_STEM);
@@ -43,9 +43,9 @@ export function copyTask(task: Task, copyOf: (title: string) => string): void {
   change([...list.slice(0, index + 1), { ...task, id, words }, ...list.slice(index + 1)]);
 }
 
-/** Lets a kept task go. What was made of it stays. */
+/** Deletes a saved task. Works made from it stay. */
 export const removeTask = (id: string): void => change(taughtRecord.now().filter((task) => task.id !== id));
 
-/** Tasks of another device that are not here behind those that are. */
+/** Tasks of this device, then the missing ones of another. */
 export const mergedTasks = (mine: readonly Task[], brought: readonly Task[]): readonly Task[] =>
   [...mine, ...brought.filter(({ id }) => !mine.some((task) => task.id === id))].slice(0, MOST);

@@ -17,7 +17,7 @@ beforeEach(() => {
   workedRecord.put({});
 });
 
-test("time counts while a task is open and in sight, and for that task alone", () => {
+test("time counts while a task is open and visible, and only for that task", () => {
   open("pin");
   pass(0);
   pass(1703);

@@ -13,7 +13,7 @@ type WorkedTasks = Readonly<Record<string, Worked>>;
 
 const NONE: WorkedTasks = {};
 
-/** What was worked in each task on this device, by its id. */
+/** Working time in each task on this device, by its id. */
 export const workedRecord = record({
   key: "course-worked",
   version: 1,
@@ -37,17 +37,17 @@ function add(id: string, more: Partial<Worked>): void {
   });
 }
 
-/** The task that is open and in sight; null while there is none. */
+/** The open task while the page is visible; else null. */
 function openTask(): string | null {
   const { job, program } = useEditor.getState();
   return document.visibilityState === "visible" ? ((job ?? program)?.task?.id ?? null) : null;
 }
 
-/** How often running time is written down, ms. */
+/** Interval at which running time is saved, ms. */
 const EVERY = 10_000;
 let since: { readonly id: string; readonly at: number } | null = null;
 
-/** Adds what has passed, and goes on with the task that is open now. */
+/** Adds the elapsed time, and restarts the count for the open task. */
 export function countWork(): void {
   const now = time(),
     id = openTask();
@@ -55,7 +55,7 @@ export function countWork(): void {
   since = id === null ? null : { id, at: now };
 }
 
-/** Counts the time of open tasks from now on. Called once. */
+/** Starts counting the time of open tasks. Called once. */
 export function startWorkingTime(): void {
   countWork();
   useEditor.subscribe((is, was) => {
@@ -71,7 +71,7 @@ export function startWorkingTime(): void {
   setInterval(countWork, EVERY);
 }
 
-/** What was worked here and elsewhere: the same work may stand in both, so the more counts. */
+/** Merges working times. The same work may be in both, so the larger one counts. */
 export function mergedWorked(mine: WorkedTasks, brought: WorkedTasks): WorkedTasks {
   const all = { ...mine };
   for (const [id, { ms, steps }] of Object.entries(brought)) {

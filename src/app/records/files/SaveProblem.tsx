@@ -4,7 +4,7 @@ import type { SaveBack, SaveHow } from "./save-back.ts";
 import { useTextsSoon } from "../../base/settings/use-texts.ts";
 import { ModalDialog } from "../../base/ModalDialog.tsx";
 
-/** What stands in the way of saving. */
+/** Why saving failed. */
 export type Obstacle = Exclude<SaveBack, { readonly kind: "written" | "closed" }>;
 
 interface Props {
@@ -18,7 +18,7 @@ interface Props {
   readonly done: () => void;
 }
 
-/** A file that was not written, with why, and what can be done. Closing it leaves everything as it is. */
+/** Says why a file was not written, and offers what can be done. Closing it changes nothing. */
 export function SaveProblem({ file, obstacle, canSave, onSave, onDownload, onCompare, done }: Props) {
   const t = useTextsSoon("files");
   const dialog = useRef<HTMLDialogElement>(null);

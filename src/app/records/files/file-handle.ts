@@ -22,22 +22,22 @@ interface FilePickers {
 }
 
 const pickers = (): FilePickers => window as FilePickers;
-/** Endings of programs, and of the points and tables beside them. */
+/** Extensions of programs, point files and tables. */
 export const ENDINGS: readonly string[] = [".h", ".H", ".i", ".I", ".hc", ".hu", ".d", ".tab", ".pnt", ".txt"];
 const types = [{ description: "Klartext", accept: { "text/plain": ENDINGS } }];
-/** Files of works, tasks and results, which can be opened but are saved elsewhere. */
+/** Backups, tasks and results: opened here, saved elsewhere. */
 const works = { description: "Turnwise", accept: { "application/zip": [".zip"], "application/json": [".json"] } };
 
 export const canOpenFiles = (): boolean => typeof pickers().showOpenFilePicker === "function";
 export const canSaveFiles = (): boolean => typeof pickers().showSaveFilePicker === "function";
 
-/** A file that was chosen, with the right to write it back where the browser gives it. */
+/** A chosen file, with write access if the browser grants it. */
 export interface Chosen {
   readonly file: File;
   readonly handle: FileHandle | null;
 }
 
-/** Files without that right. */
+/** Files without write access. */
 export const plainFiles = (files: FileList | readonly File[] | null): readonly Chosen[] =>
   Array.from(files ?? [], (file) => ({ file, handle: null }));
 

@@ -32,7 +32,7 @@ test("programs and tables of all folders are taken, outer ones first; hidden fil
   ).toEqual({ names: ["MAIN.H", "points.PNT", "x.h"], skipped: 2, isCut: false });
 });
 
-test("more files, larger ones or deeper folders than are taken at once are left out, and said", async () => {
+test("files and folders beyond the limits are left out, and reported", async () => {
   const many = await namesIn(
     folder(
       "many",
@@ -53,7 +53,7 @@ test("more files, larger ones or deeper folders than are taken at once are left 
   expect([names.length, names.includes("lost.h"), isCut]).toEqual([DEEPEST_FOLDER, false, true]);
 });
 
-test("what can not be read is counted, and the rest is taken", async () => {
+test("unreadable files are counted, and the others are taken", async () => {
   const broken = { ...file("b.h"), getFile: () => Promise.reject(new Error("gone")) };
   const { files, skipped } = await filesOfDrop([
     { handle: file("a.h"), entry: null },
@@ -62,7 +62,7 @@ test("what can not be read is counted, and the rest is taken", async () => {
   expect([files.map((each) => each.file.name), skipped]).toEqual([["a.h"], 1]);
 });
 
-test("a plain question for a folder is held to the same rules", async () => {
+test("a folder input follows the same rules", async () => {
   const listed = (path: string) =>
     Object.defineProperty(new File(["1"], path.replace(/.*\//, "")), "webkitRelativePath", { value: path });
   const { files, skipped } = await filesOfList(

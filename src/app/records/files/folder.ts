@@ -1,12 +1,12 @@
 import { ENDINGS, type Chosen, type FileHandle, type FolderHandle } from "./file-handle.ts";
 import { DEEPEST_FOLDER, LARGEST_PROGRAM, MOST_FILES } from "../../base/limits.ts";
 
-/** What was found in a folder. */
+/** Content of a folder. */
 export interface FolderContent {
   readonly files: readonly Chosen[];
   /** Files that are no program texts, by their names: hidden ones are not counted. */
   readonly skipped: number;
-  /** The folder holds more than is taken at once. */
+  /** The folder exceeds the limits. */
   readonly isCut: boolean;
 }
 
@@ -14,7 +14,7 @@ const isHidden = (name: string): boolean => name.startsWith(".") || name.startsW
 const ours = new Set(ENDINGS.map((ending) => ending.toUpperCase()));
 const isOurs = (name: string): boolean => ours.has(/\.[^.]*$/.exec(name)?.[0].toUpperCase() ?? "");
 
-/** One member of a folder, whichever way the browser shows it. */
+/** A member of a folder, independent of the browser API. */
 type Member =
   | { readonly kind: "folder"; readonly name: string; readonly members: () => Promise<readonly Member[]> }
   | {
@@ -23,7 +23,7 @@ type Member =
       readonly file: () => Promise<Chosen>;
     };
 
-/** Goes through folders, the outer files first, and stops at the limits. What can not be read is left out. */
+/** Walks folders, outer files first, up to the limits. Unreadable members are left out. */
 async function gather(roots: readonly Member[]): Promise<FolderContent> {
   const files: Chosen[] = [];
   let [skipped, size, isCut] = [0, 0, false];
@@ -96,13 +96,10 @@ const memberOfEntry = (entry: FileSystemEntry): Member =>
         }),
       };
 
-/** What lies in a folder that was chosen. */
+/** Files of a chosen folder. */
 export const filesOfFolder = (folder: FolderHandle): Promise<FolderContent> => gather([memberOfHandle(folder)]);
 
-/**
- * What lies in files and folders that were dropped together; by handles where the browser gives them, otherwise by
- * entries.
- */
+/** Files of dropped files and folders: by handles if the browser has them, else by entries. */
 export const filesOfDrop = (
   dropped: readonly { readonly handle: FileHandle | FolderHandle | null; readonly entry: FileSystemEntry | null }[],
 ): Promise<FolderContent> =>
@@ -113,7 +110,7 @@ export const filesOfDrop = (
     }),
   );
 
-/** What a plain question for a folder gave: all files in it, with their paths. */
+/** Files of a folder input: all of them, with their paths. */
 export const filesOfList = (list: FileList | readonly File[] | null): Promise<FolderContent> =>
   gather(
     Array.from(list ?? []).flatMap((file): readonly Member[] => {

@@ -4,11 +4,11 @@ import { notice } from "../../base/notices.ts";
 import { useSettings } from "../../base/settings/settings.ts";
 import type { WorkFile } from "../../document/work.ts";
 
-/** Whether a text may be DIN/ISO: its reader, which knows, is fetched only then. */
+/** True if a text may be DIN/ISO; only then its reader, which decides, is loaded. */
 export const mayBeIso = (text: string): boolean =>
   !/BEGIN PGM/i.test(text) && /^[ \t\ufeff]*(?:%|\/?N?\d*[ \t]*G[ \t]*\d)/im.test(text);
 
-/** A text file as the page works on it: one in DIN/ISO becomes Klartext under the same name, and that is said. */
+/** A text file as Klartext. DIN/ISO is converted under the same name, with a notice. */
 export async function asKlartext(file: WorkFile): Promise<WorkFile> {
   if (!mayBeIso(file.text)) return file;
   const [{ isIsoText }, { klartextOfIso }, { isoNames }, { ncLabels }, { LAYOUTS }] = await untilHere(() =>

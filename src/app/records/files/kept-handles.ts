@@ -2,7 +2,7 @@ import { fileKey } from "../../../program/state/program-files.ts";
 import { database } from "../../base/database.ts";
 import type { FileHandle } from "./file-handle.ts";
 
-/** A file of the device that a file of a work came from or was saved to, and what it held then. */
+/** Device file that a file of a work came from or was saved to, with its state at that time. */
 export interface KeptFile {
   readonly handle: FileHandle;
   /** Milliseconds since 1970, as the file said. */
@@ -15,7 +15,7 @@ export interface KeptFile {
 const GAP = " ";
 const nameOf = (work: string, file: string): string => `${work}${GAP}${fileKey(file)}`;
 
-/** Those of this page: browsers that keep no handles still write back until the page is left. */
+/** Handles of this page. Browsers that store no handles still save back until the page is closed. */
 const held = new Map<string, KeptFile>();
 const kept = database("files");
 
@@ -24,7 +24,7 @@ async function hashOf(bytes: BufferSource): Promise<string> {
   return Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-/** Keeps the way to a file of the device with what it holds now. */
+/** Stores the handle of a device file with its present state. */
 export async function keepHandle(work: string, file: string, handle: FileHandle, bytes: BufferSource): Promise<void> {
   try {
     const { lastModified, size } = await handle.getFile();
@@ -36,7 +36,7 @@ export async function keepHandle(work: string, file: string, handle: FileHandle,
   }
 }
 
-/** The way to the file of the device that belongs to a file of a work; null where none is known. */
+/** Stored handle of the device file for a file of a work; null if unknown. */
 export async function keptHandle(work: string, file: string): Promise<KeptFile | null> {
   const known = held.get(nameOf(work, file));
   if (known) return known;
@@ -47,13 +47,13 @@ export async function keptHandle(work: string, file: string): Promise<KeptFile |
   }
 }
 
-/** True where the file holds other bytes than those that were read or written last. */
+/** True if the file has changed since it was last read or written. */
 export async function hasChanged({ modified, size, hash }: KeptFile, now: File): Promise<boolean> {
   if (now.lastModified === modified && now.size === size) return false;
   return now.size !== size || (await hashOf(await now.arrayBuffer())) !== hash;
 }
 
-/** Forgets the files of works that are no longer kept. */
+/** Deletes the handles of works that no longer exist. */
 export async function forgetHandles(works: ReadonlySet<string>): Promise<void> {
   try {
     for (const key of await kept.keys()) {

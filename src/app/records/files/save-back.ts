@@ -3,10 +3,7 @@ import type { WorkFile } from "../../document/work.ts";
 import { askWhere, type FileHandle } from "./file-handle.ts";
 import { hasChanged, keepHandle, keptHandle } from "./kept-handles.ts";
 
-/**
- * What became of saving a file of a work. "changed": the file on the device holds something else by now, which `bytes`
- * are.
- */
+/** Result of saving a file of a work. "changed": the device file was changed meanwhile; `bytes` is its content. */
 export type SaveBack =
   | { readonly kind: "written" }
   | { readonly kind: "closed" }
@@ -16,10 +13,10 @@ export type SaveBack =
       readonly bytes: Uint8Array<ArrayBuffer>;
     };
 
-/** Whether a file that changed on the device is written over, or another one is asked for. */
+/** Whether to overwrite a changed device file, or to ask for another one. */
 export type SaveHow = "careful" | "overwrite" | "elsewhere";
 
-/** The right to write, asked for where it is not given yet. */
+/** Asks for write permission where it is missing. */
 async function mayWrite(handle: FileHandle): Promise<boolean> {
   const readwrite = { mode: "readwrite" } as const;
   const given = (await handle.queryPermission?.(readwrite)) ?? "granted";
@@ -42,8 +39,8 @@ async function write(
 }
 
 /**
- * Saves a file of a work to the file of the device that it came from, asking where when none is known. What somebody
- * else has written there meanwhile is never written over unasked.
+ * Saves a file of a work to the device file it came from, or asks where. Changes made there meanwhile are never
+ * overwritten without asking.
  */
 export async function saveBack(work: string, { name, text, encoding }: WorkFile, how: SaveHow): Promise<SaveBack> {
   const bytes = encode(text, encoding);
@@ -63,10 +60,7 @@ export async function saveBack(work: string, { name, text, encoding }: WorkFile,
   }
 }
 
-/**
- * The bytes of the file of the device that a file of a work belongs to; null where there is none, or it may not be
- * read.
- */
+/** Bytes of the device file for a file of a work; null if there is none, or it may not be read. */
 export async function bytesOnDevice(work: string, name: string): Promise<Uint8Array<ArrayBuffer> | null> {
   try {
     const known = await keptHandle(work, name);

@@ -16,12 +16,12 @@ import { sheetTitleOf, type Titled } from "./title-words.ts";
 import { TitleBlock } from "./TitleBlock.tsx";
 import { useSheetZoom } from "./use-sheet-zoom.ts";
 
-/** Inside of the frame of a sheet that lies, and what the drawing has of it above its title block, mm. */
+/** Inside of the frame of a landscape sheet, and the part of it above the title block, mm. */
 const SHEETS = {
   a4: { width: 277, height: 190, drawing: 158 },
   letter: { width: 259, height: 195, drawing: 163 },
 } as const;
-/** Pixels for a millimetre at which figures are read without effort; air around the sheet, pixels. */
+/** Pixels per millimetre at which figures are readable; margin around the sheet, pixels. */
 const READABLE = 3.4,
   AIR = 24;
 
@@ -30,12 +30,12 @@ interface Props {
   readonly drawn: DrawnTask;
   readonly words: PrintWords;
   readonly t: CourseDrawingTexts;
-  /** Name of its file, without an ending. */
+  /** File name without extension. */
   readonly stem: string;
   readonly onClose: () => void;
 }
 
-/** A workshop drawing over the whole page as the sheet that is printed: to scale, with its title block. */
+/** A workshop drawing over the whole page, as the printed sheet: to scale, with its title block. */
 export function DrawingSheet({ titled, drawn, words, t, stem, onClose }: Props) {
   const dialog = useRef<HTMLDialogElement>(null),
     frame = useRef<HTMLDivElement>(null);

@@ -30,7 +30,7 @@ function Written({ text }: { readonly text: PrintText }) {
   );
 }
 
-/** The picture of a workshop drawing; `list`: the element that has its sizes as a list. */
+/** The picture of a workshop drawing; `list`: id of the element with the sizes as a list. */
 export function DrawnPrint({
   print,
   name,

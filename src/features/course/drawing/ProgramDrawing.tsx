@@ -17,14 +17,14 @@ import { printWords } from "./print-words.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "./drawing.css";
 
-/** The part that comes of a program: as its cycles and moves want it, or where it calls no cycle as it is made. */
+/** The part of a program: as its cycles and moves define it, or, without cycles, as it is machined. */
 function drawnOf(outcome: Outcome, known: Task | null) {
   const { run, simulation } = outcome;
   const wanted = finishedBody(simulation, run.operations);
   return drawnProgram(outcome, isBody(wanted) ? wanted : madeOf(simulation), known);
 }
 
-/** Why there is no drawing, in its place. */
+/** The reason, in place of a missing drawing. */
 function NoDrawing({ name, text, done }: { readonly name: string; readonly text: string; readonly done: () => void }) {
   const t = useTexts("course-drawing");
   const dialog = useRef<HTMLDialogElement>(null);
@@ -39,9 +39,7 @@ function NoDrawing({ name, text, done }: { readonly name: string; readonly text:
   );
 }
 
-/**
- * The workshop drawing of the part that the open program makes, made of its own contours; large, to print and to save.
- */
+/** The workshop drawing of the open program's part, from its own contours; large, to print and to save. */
 export function ProgramDrawing({ stem, done }: { readonly stem: string; readonly done: () => void }) {
   const t = useTexts("course-drawing");
   const language = useSettings((s) => s.language);

@@ -2,7 +2,7 @@ import type { CourseDrawingTexts } from "../../../i18n/en/course-drawing.ts";
 import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
 import type { ListedSize } from "../../../view/drawing/workshop-drawing.ts";
 
-/** The sizes of a drawing as a list, for those who do not see it, and for notes that had no room. */
+/** The sizes of a drawing as a list, for screen readers, and for notes without room. */
 export function SizeList({
   id,
   list,

@@ -16,19 +16,19 @@ import { sheetTitleOf } from "./title-words.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "./drawing.css";
 
-/** Pixels for a millimetre on paper: figures of 3 mm are as large as the small text of the page. */
+/** Pixels per millimetre on paper: 3 mm figures are as large as the small text of the page. */
 const PIXELS = 4.2;
 /** Narrowest and widest paper, and its greatest height, mm. */
 const PAPER = { narrow: 84, wide: 178, height: 128 } as const;
 
-/** What is drawn of a task, and the name that stands in its title block. */
+/** The drawn parts of a task, and the title for the title block. */
 export type DrawableTask = Pick<Task, "id" | "part" | "sizes" | "rules" | "material"> & {
   readonly words: Task["words"];
 };
 
 /**
- * The wanted part of a task as on a shop print, with its title block and its sizes as a list, and on a sheet of its
- * own, large and for the printer. Language: that of the screen.
+ * The target part of a task as a shop drawing, with title block and list of sizes, and as a separate sheet, large and
+ * for printing. In the screen language.
  */
 export function WorkshopDrawing({ task, language }: { readonly task: DrawableTask; readonly language: Language }) {
   const t = useTexts("course-drawing");
@@ -57,7 +57,7 @@ export function WorkshopDrawing({ task, language }: { readonly task: DrawableTas
           <Icon name="print" /> {t.large}
         </button>
       </div>
-      {/* A finger or the mouse may press the drawing itself; keyboard and screen reader have the button. */}
+      {/* The drawing itself is clickable; keyboard and screen reader use the button. */}
       <div
         className="workshop-paper"
         ref={frame}

@@ -3,7 +3,7 @@ import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber, formatSigned } from "../../../i18n/number.ts";
 import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
 
-/** A minus as long as a plus is wide. */
+/** A minus sign with the width of a plus. */
 const typeset = (text: string): string => text.replace(/^-/, "−");
 
 /** Numbers of a workshop drawing in a language. */
@@ -16,7 +16,7 @@ export function printWords(t: CourseDrawingTexts, language: Language): PrintWord
     deviation: (value) => (value === 0 ? "0" : typeset(formatSigned(language, value))),
     both: (value) => `±${number(Math.abs(value))}`,
     radius: (value) => t.radius(number(value)),
-    // On a cone it goes along the axis by a little less than it was given: hundredths are what is measured.
+    // The axial value on a cone is slightly less than the given one, so hundredths are shown.
     chamfer: (size, angle) => t.chamfer(formatNumber(language, size, 2), formatNumber(language, angle, 1)),
     roughness: (value) => t.micrometres(number(value)),
   };

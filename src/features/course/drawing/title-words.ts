@@ -6,17 +6,17 @@ import type { SheetTitle } from "../../../view/drawing/drawing-svg.ts";
 import type { PrintWords } from "../../../view/drawing/print-sizes.ts";
 import type { WorkshopPrint } from "../../../view/drawing/workshop-drawing.ts";
 
-/** What stands in a title block beside the drawing itself. */
+/** The entries of a title block besides the drawing. */
 export interface Titled {
   readonly name: string;
   readonly number: string;
   /** Name of the material; undefined: any steel. */
   readonly material: string | undefined;
-  /** What is to be known of the drawing beside its own notes. */
+  /** Additional notes of the drawing. */
   readonly notes?: readonly string[];
 }
 
-/** What a title block is made of. */
+/** Inputs of a title block. */
 export interface TitleSource {
   readonly titled: Titled;
   readonly drawn: DrawnTask;

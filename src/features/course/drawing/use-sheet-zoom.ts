@@ -10,33 +10,33 @@ import {
 } from "react";
 import type { Place } from "../../../view/camera.ts";
 
-/** One press of a button or key, and the greatest picture, pixels for a millimetre. */
+/** Zoom factor of a button or key, and largest scale, pixels per millimetre. */
 const STEP = 1.25,
   MOST = 16;
 /** Zoom per wheel pixel. */
 const WHEEL = 0.0025;
 
 export interface SheetZoom {
-  /** Pixels for a millimetre, in page units. */
+  /** Pixels per millimetre, in page units. */
   readonly scale: number;
   readonly larger: () => void;
   readonly smaller: () => void;
   /** Shows all of it. */
   readonly whole: () => void;
-  /** Pressed twice: what lies there so that it is read, and all of it again. */
+  /** Double click: the clicked place at readable scale, then the whole sheet again. */
   readonly turn: (event: MouseEvent) => void;
   readonly onKeyDown: (event: KeyboardEvent) => void;
 }
 
 /**
- * How large a sheet stands in a frame that scrolls: at first `fit`, at which all of it is seen, and never smaller;
- * pressed twice so that it is `readable`. Two fingers and the wheel with Ctrl zoom about the place they are at, the
- * mouse drags; one finger and the arrow keys scroll.
+ * Zoom of a sheet in a scrolling frame: at first, and at least, `fit`, which shows all of it; a double click zooms to
+ * `readable`. Two fingers and the wheel with Ctrl zoom about their place, the mouse drags; one finger and the arrow
+ * keys scroll.
  */
 export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, readable: number): SheetZoom {
   const [chosen, choose] = useState<number | null>(null);
   const scale = Math.min(MOST, Math.max(fit, chosen ?? fit));
-  /** The place of the sheet that stays where it is, as shares of its extent, and where that is in the frame. */
+  /** The fixed point of the zoom, as shares of the sheet, and its position in the frame. */
   const kept = useRef<{ readonly share: Place; readonly at: Place } | null>(null);
   const boxes = (node: HTMLElement) =>
     [node, node.firstElementChild ?? node].map((each) => each.getBoundingClientRect()) as [DOMRect, DOMRect];
@@ -95,7 +95,7 @@ export function useSheetZoom(frame: RefObject<HTMLElement | null>, fit: number, 
       },
       { passive: false, signal },
     );
-    // One finger scrolls as everywhere; two would zoom the whole page.
+    // One finger scrolls natively; two would zoom the whole page.
     const hold = (event: TouchEvent) => {
       const [a, b] = [...event.touches];
       if (!a || !b) return;

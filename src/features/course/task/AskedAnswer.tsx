@@ -6,7 +6,7 @@ import { NumberInput } from "../../../app/fields/number/NumberInput.tsx";
 
 interface AskedProps {
   readonly prediction: Prediction;
-  /** Takes the answer as it is typed. */
+  /** Gets the answer at each keystroke. */
   readonly put: (text: string) => void;
   readonly text: string;
   readonly choices: readonly string[];

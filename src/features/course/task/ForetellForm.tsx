@@ -13,7 +13,7 @@ import { setTold, taskOfWork } from "../../../app/document/work-task.ts";
 
 const NO_TEXTS: readonly string[] = [];
 
-/** A block that is pointed at while its number is asked for is the answer. */
+/** While a question asks for a block number, pointing at a block answers it. */
 function usePointedBlock(question: number, asks: boolean): void {
   const isProgram = useEditor((s) => s.program !== null);
   useEffect(() => {
@@ -36,7 +36,7 @@ function usePointedBlock(question: number, asks: boolean): void {
   }, [question, asks, isProgram]);
 }
 
-/** Where the assignment stands in the place of the work: the way to what is pointed at for an answer. */
+/** If the assignment covers the work: the button that shows the work, to point at the answer. */
 function ToPointed({ kind, t }: { readonly kind: ReturnType<typeof answerKindOf>; readonly t: CourseTaskTexts }) {
   const isNarrow = useMedia("narrow");
   const isOpen = useTaskView((v) => v.open);
@@ -48,7 +48,7 @@ function ToPointed({ kind, t }: { readonly kind: ReturnType<typeof answerKindOf>
   );
 }
 
-/** What is asked before the run, one question at a time. */
+/** The questions before the run, one at a time. */
 export function ForetellForm({
   task,
   t,
@@ -69,7 +69,7 @@ export function ForetellForm({
   const [lacking, lack] = useState<number | null>(null);
   const form = useRef<HTMLFormElement>(null);
   const isTyping = useRef(false);
-  // Who goes on with Enter in a field types on in that of the next question; who presses the button stays on it.
+  // After Enter in a field, the field of the next question gets focus; after a click, the button keeps it.
   useEffect(() => {
     if (!isTyping.current) return;
     isTyping.current = false;
@@ -82,12 +82,12 @@ export function ForetellForm({
     return each !== undefined && toldBy(each, told[i] ?? "") !== null;
   };
   const show = (next: number) => useTaskView.setState({ question: next });
-  /** What is not answered yet may be passed over; whoever asks for the run is told what still lacks. */
+  /** Open answers can be skipped; requesting the run names the first one that is missing. */
   const goOn = () => {
     const open = predict.findIndex((_, i) => !isSaid(i)),
       next = isLast ? open : question + 1;
     if (next < 0) {
-      // Where the assignment stands in the place of the work, the run comes in sight with what it says of the answers.
+      // If the assignment covers the work, the work is shown again with the run and the results.
       if (isNarrow) useTaskView.setState({ open: false });
       return void showRun(task);
     }

@@ -10,11 +10,12 @@ import { foretellAgain } from "./check.ts";
 import { placeWords } from "./mark-words.ts";
 import { useTaskView } from "./task-view.ts";
 
-/** Decimals of sizes, areas and times beside a told one. */
+/** Decimals of sizes, areas and times next to a predicted value. */
 const DECIMALS = 2;
 
 /**
- * What was told beside the truth, in a sentence. A block that was told wrongly is not given away: it is sought again.
+ * The prediction and the actual result, in a sentence. The right block is not revealed after a wrong one: the learner
+ * tries again.
  */
 function comparedText(
   { prediction, told, truth, right }: ComparedAnswer,
@@ -38,7 +39,7 @@ function comparedText(
   return say(`${formatNumber(language, Number(told))}${unit}`, number(truth.value));
 }
 
-/** What was foretold, beside what is so: the run is in the picture. */
+/** The predictions and the actual results, while the picture shows the run. */
 export function ForetoldResult({ t, words }: { readonly t: CourseTaskTexts; readonly words: TaskWords }) {
   const language = useSettings((s) => s.language);
   const foretold = useTaskView((v) => v.foretold);

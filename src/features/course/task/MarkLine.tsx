@@ -7,10 +7,10 @@ import { Icon } from "../../../app/base/Icon.tsx";
 import { markId, showMark } from "./show-mark.ts";
 import { useTaskView } from "./task-view.ts";
 
-/** The colour and form of a mark are those that it has in the picture. */
+/** Marks have the same colour and shape as in the picture. */
 const badgeOf = ({ rule }: TaskMark): string => (rule === "residue" ? "badge-residual" : "badge-finding");
 
-/** One thing that is wrong: where, and which step. The picture goes there, and on to the next. */
+/** One mark: what is wrong, where, and which step. A click shows the place; the next button goes on. */
 export function MarkLine({
   marks,
   say,
@@ -31,10 +31,10 @@ export function MarkLine({
     useTaskView.setState({ place: index });
     void showMark(next, index, run);
   };
-  // The first one is shown when the check has found it.
+  // After a check, the first mark is shown.
   const begin = useEffectEvent(() => go(Math.min(place, marks.length - 1)));
   useEffect(() => begin(), [marks]);
-  // A mark that is pressed in the picture is the one that is told.
+  // A mark clicked in the picture is shown in the line.
   const follow = useEffectEvent((id: string | null) => {
     const index = marks.findIndex((_, i) => markId(i) === id);
     if (index >= 0 && index !== place) go(index);

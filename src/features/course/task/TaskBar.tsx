@@ -9,7 +9,7 @@ import "./task.css";
 
 startWorkingTime();
 
-/** What is asked of the work that is open, and what became of it. */
+/** The assignment of the open work, and its result. */
 export function TaskBar({ work }: { readonly work: string }) {
   const t = useTexts("course-task");
   const task = useTaskFile();

@@ -23,10 +23,10 @@ interface Props {
   readonly words: TaskWords;
 }
 
-/** A task may be the first of the course that is read. */
+/** A task may be the first page of the course that is read: no glossary term was introduced before. */
 const NOTHING: readonly string[] = [];
 
-/** One goal with its tick; `met`: undefined where that is not known. */
+/** One goal with its tick; `met`: undefined while unknown. */
 function Ticked({
   met,
   t,
@@ -48,10 +48,7 @@ function Ticked({
   );
 }
 
-/**
- * The sizes that stand on the drawing as one goal: unfolded each of them, first those that are wrong, with what they
- * are and where.
- */
+/** The sizes on the drawing as one goal; unfolded, each size, wrong ones first, with its measured value and place. */
 function DrawnSizes({
   task,
   t,
@@ -88,7 +85,7 @@ function DrawnSizes({
   );
 }
 
-/** What the task wants, ticked off after the first check. Beside a drawing the sizes that stand on it are one goal. */
+/** The goals of the task, ticked after the first check. The sizes on a drawing are one goal. */
 function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDrawing: boolean }) {
   const language = useSettings((s) => s.language);
   const { live, foretold } = useTaskView();
@@ -119,7 +116,7 @@ function Goals({ task, t, hasDrawing }: Omit<Props, "words"> & { readonly hasDra
   );
 }
 
-/** The score of a drawing, and what would be better. */
+/** The score of a drawing task, and how to improve it. */
 function Scored({ t }: Pick<Props, "t">) {
   const language = useSettings((s) => s.language);
   const score = useTaskView((v) => v.checked?.judgement.score);
@@ -147,11 +144,11 @@ function Scored({ t }: Pick<Props, "t">) {
   );
 }
 
-/** What is asked, what is to be reached, help one step at a time, and where it goes on. */
+/** Assignment, goals, help step by step, and the next task. */
 export function TaskBody({ task, t, words }: Props) {
   const language = useSettings((s) => s.language);
   const veiled = useEditor((s) => taskOfWork(s)?.veiled ?? false);
-  // An instructor's words need not have the sizes: the part is shown.
+  // The texts of an instructor's task may lack the sizes, so the part is shown.
   const isFromOutside = useEditor((s) => taskOfWork(s)?.file !== undefined);
   const hasDrawing = task.part !== undefined && (task.kind === "drawing" || isFromOutside);
   return (

@@ -12,7 +12,7 @@ interface Around {
   readonly next: TaskEntry | null;
 }
 
-/** The lesson of a task, and the task that follows it: in its lesson, or the first of a later one. */
+/** The lesson of a task, and the next task: in its lesson, or the first of a later one. */
 export function aroundTask(lessons: readonly LessonEntry[], id: string): Around {
   const all = lessons.flatMap((lesson) => lesson.tasks.map((task) => ({ lesson, task })));
   const index = all.findIndex(({ task }) => task.id === id);
@@ -25,7 +25,7 @@ async function begin(id: string): Promise<void> {
   if (task) await beginTask(task);
 }
 
-/** Begins the task that follows; nothing where there is none. */
+/** Starts the next task; nothing if there is none. */
 function NextTask({ next, t }: { readonly next: TaskEntry | null; readonly t: CourseTaskTexts }) {
   return (
     next && (
@@ -36,10 +36,7 @@ function NextTask({ next, t }: { readonly next: TaskEntry | null; readonly t: Co
   );
 }
 
-/**
- * Under the line of a passed task as long as what is asked is folded: what was learned, one press away, and the next
- * task.
- */
+/** Below the line of a passed task while the assignment is folded: what you learned, and the next task. */
 export function PassedLine({
   task,
   t,
@@ -62,7 +59,7 @@ export function PassedLine({
   );
 }
 
-/** What was learned when it is passed, the next task, and the way back to the lesson. */
+/** After passing: what you learned, the next task, and the link to the lesson. */
 export function TaskOnward({
   task,
   t,

@@ -22,13 +22,10 @@ import { useTaskPicture } from "./use-task-picture.ts";
 import { useTaskView } from "./task-view.ts";
 import { taskOfWork } from "../../../app/document/work-task.ts";
 
-/** Rest after a result before the goals are looked at again, ms. */
+/** Debounce after a result before the goals are judged again, ms. */
 const QUIET = 400;
 
-/**
- * After the first check the goals follow the work, quietly; and what was said of an older state is no longer shown in
- * the picture.
- */
+/** After the first check the goals update in the background; marks of a stale check are removed from the picture. */
 function useFollowing(task: Task): void {
   const newest = useOutcome((s) => s.newest);
   const job = useEditor((s) => s.job);
@@ -36,7 +33,7 @@ function useFollowing(task: Task): void {
   const checked = useTaskView((v) => v.checked);
   const section = usePlace((p) => p.section);
   const prompt = usePlace((p) => p.prompt);
-  // Not while a value is typed: what is tapped must not move away.
+  // Not while a value is typed: targets must not move away.
   useEffect(lookAgain, [section, prompt]);
   useEffect(() => {
     if (!checked) return undefined;
@@ -49,7 +46,7 @@ function useFollowing(task: Task): void {
   }, [task, newest, job, program, checked]);
 }
 
-/** A task over its work: one line with what comes next, and unfolded what is asked. */
+/** A task above its work: one line with the next step, and the unfolded assignment. */
 export function TaskPanel({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
   const texts = useTexts();
   const language = useSettings((s) => s.language);
@@ -65,7 +62,7 @@ export function TaskPanel({ task, t }: { readonly task: Task; readonly t: Course
   const passed = usePassedNow(task);
   useFollowing(task);
   useTaskPicture(task, t, language, marks, say);
-  /** Where there is little room the work stands back for what is asked. */
+  /** With little room, the assignment replaces the work. */
   const alone = useMedia("narrow") && open;
   const asks = task.predict !== undefined && task.predict.length > 0;
   useEffect(() => {

@@ -12,10 +12,10 @@ import { cycleByNumber } from "../../../cycles/index.ts";
 import { useTaskProgress } from "../../../app/records/course/progress.ts";
 import { useTaskView, type NotReady } from "./task-view.ts";
 
-/** Names of empty prompts that are said at once; the others follow when these are answered. */
+/** Empty prompts named at once; the others follow once these have values. */
 const NAMED = 3;
 
-/** Opens the first thing that is still empty. */
+/** Opens the first empty prompt. */
 function goToLacking(lacks: NotReady): void {
   const { job } = useEditor.getState();
   if (lacks.why === "noContour") return showSection("contour");
@@ -23,7 +23,7 @@ function goToLacking(lacks: NotReady): void {
   if (job && q !== undefined) openPrompt(q, draftOf(job)[q] ?? "");
 }
 
-/** What a check says that could not judge yet: never a try. */
+/** Why a check could not judge yet; that never counts as a try. */
 function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTaskTexts }) {
   const texts = useTexts();
   const cycle = useEditor((s) => s.job && cycleByNumber(s.job.cycle));
@@ -46,7 +46,7 @@ function Lacking({ lacks, t }: { readonly lacks: NotReady; readonly t: CourseTas
   );
 }
 
-/** Whether the last check, or the run after what was foretold, passed the work as it stands. */
+/** Whether the last check, or the run after the predictions, passed the current work. */
 export function usePassedNow({ kind }: Task): boolean {
   const { checked, stale, foretold } = useTaskView();
   if (stale) return false;
@@ -55,10 +55,7 @@ export function usePassedNow({ kind }: Task): boolean {
     : kind === "predict" && foretold !== null && foretold.length > 0 && foretold.every(({ right }) => right);
 }
 
-/**
- * How it stands, in one line: not ready, so many goals open, passed. Said as it changes by a check, not while somebody
- * works.
- */
+/** The status in one line: not ready, number of open goals, or passed. Announced after a check, not while editing. */
 export function TaskStatus({ task, t }: { readonly task: Task; readonly t: CourseTaskTexts }) {
   const language = useSettings((s) => s.language);
   const { checking, notReady, checked, stale, foretold } = useTaskView();

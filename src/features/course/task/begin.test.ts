@@ -14,14 +14,14 @@ const task = taskSchema.parse({
   words: { en: { title: "A", ask: "B", hints: ["1", "2", "3"], questions: ["How many?"] } },
 });
 
-test("a task that asks first begins veiled, with the tools that it allows and nothing of its own file", () => {
+test("a task with predictions starts with the run hidden, with the allowed tools and without its own file", () => {
   const work = workOfTask(task);
   expect(work.task).toEqual({ id: "how-many", veiled: true });
   expect(work.tools?.map(({ cells }) => cells.T)).toEqual(["3"]);
   expect(isProgram(work) && work.text).toBe("0 BEGIN PGM A MM\n1 END PGM A MM\n");
 });
 
-test("a task from outside brings its file along, over saving and handing on", () => {
+test("a received task includes its file, through saving and sharing", () => {
   const work = plainWork(JSON.parse(JSON.stringify(workOfTask(task, true))));
   expect(taskSchema.parse(work?.task?.file)).toEqual(task);
 });

@@ -10,10 +10,12 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { isProgram, type Work } from "../../../app/document/work.ts";
 import { unfoldNext } from "./task-view.ts";
 
-/** A task foretells before anything runs, and a fault is to be found by reading first. */
+/** The run is hidden until all predictions are made. */
 const isVeiled = ({ predict = [] }: Task): boolean => predict.length > 0;
 
-/** The work that a task begins with. `fromOutside`: it does not ship with the page, and goes along with the work. */
+/**
+ * The work that a task starts with. `fromOutside`: the task does not ship with the page, so the work includes its file.
+ */
 export function workOfTask(task: Task, fromOutside = false): Work {
   const start = startOfTask(task);
   const brought = {
@@ -26,18 +28,18 @@ export function workOfTask(task: Task, fromOutside = false): Work {
   return { name: start.name, text: start.text, encoding: "utf-8", ...brought };
 }
 
-/** The newest kept work of a task; undefined where it was never begun on this device, or nothing of it is left. */
+/** The newest stored work of a task; undefined if there is none on this device. */
 export const keptOfTask = (id: string): string | undefined =>
   useKeeping.getState().works.find(({ task }) => task === id)?.work;
 
-/** The first prompt that nothing is given for; where all of it is given, the first of all. */
+/** The first prompt without a value; if all have one, the first prompt. */
 function firstToAnswer(job: Job): string | null {
   const asked = Object.keys(cycleByNumber(job.cycle)?.params ?? {}),
     draft = draftOf(job);
   return asked.find((q) => !draft[q]) ?? asked[0] ?? null;
 }
 
-/** Begins a task anew, as a work of its own. */
+/** Starts a task with a new work. */
 export function beginTaskAnew(task: Task, fromOutside = false): void {
   unfoldNext();
   const work = workOfTask(task, fromOutside);
@@ -47,7 +49,7 @@ export function beginTaskAnew(task: Task, fromOutside = false): void {
   usePlace.setState({ section: "prompts", prompt, before: draftOf(work)[prompt ?? ""] ?? "", field: null });
 }
 
-/** Goes on with what was made of a task on this device, or begins it. */
+/** Resumes the newest stored work of a task, or starts the task. */
 export async function beginTask(task: Task, fromOutside = false): Promise<void> {
   await refreshWorks();
   unfoldNext();

@@ -17,14 +17,14 @@ import { workOfTask } from "./begin.ts";
 import { useTaskView, type NotReady } from "./task-view.ts";
 import { changeTask, taskOfWork } from "../../../app/document/work-task.ts";
 
-/** Whether a result is that of the open work as it stands. */
+/** Whether a result belongs to the current state of the open work. */
 export function isOfWork(outcome: Outcome | null): outcome is Outcome {
   const { job, program } = useEditor.getState();
   if (!outcome) return false;
   return program ? isMadeFrom(outcome, program) : job !== null && outcome.text === printedText(job);
 }
 
-/** The result of the open work as it stands, when it is there; null where it does not come. */
+/** Waits for the result of the current state of the open work; null if it fails or another work is opened. */
 function presentAnswer(): Promise<Outcome | null> {
   const { work } = useEditor.getState();
   return new Promise((done) => {
@@ -43,7 +43,7 @@ function presentAnswer(): Promise<Outcome | null> {
   });
 }
 
-/** What the open work still lacks before it can be judged; null when it is whole. */
+/** What the open work needs before it can be judged; null if nothing. */
 function lacking(): NotReady | null {
   const { job } = useEditor.getState();
   const read = job && readJob(job);
@@ -54,7 +54,7 @@ function lacking(): NotReady | null {
   return open.length > 0 ? { why: "empty", at: open } : { why: "notRun" };
 }
 
-/** What a check found lacking is no longer said once it is there. */
+/** Clears the note of a missing value once it is there. */
 export function lookAgain(): void {
   const { notReady } = useTaskView.getState();
   if (notReady?.why !== "empty" && notReady?.why !== "noContour") return;
@@ -69,10 +69,10 @@ const cuts = ({ run }: Answer): boolean => run.steps.some(({ move }) => move.kin
 const areRight = (answers: readonly ComparedAnswer[] | null, task: Task): boolean =>
   (task.predict ?? []).every((_, i) => answers?.[i]?.right === true);
 
-/** A picture of the page comes between: a long check is seen to be one. */
+/** Waits for a paint, so that a long check shows its progress text. */
 const painted = (): Promise<void> => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
 
-/** Judges the open work as it stands, and counts it as a try. */
+/** Judges the current state of the open work, and counts it as a try. */
 export async function checkTask(task: Task): Promise<void> {
   const { work } = useEditor.getState();
   handOver();
@@ -99,7 +99,7 @@ export async function checkTask(task: Task): Promise<void> {
   });
 }
 
-/** How the goals stand now: asked quietly after the first check, and counted as nothing. */
+/** Updates the goals after the first check, without counting a try. */
 export function judgeQuietly(task: Task): void {
   const { checked } = useTaskView.getState();
   const { newest } = useOutcome.getState();
@@ -109,7 +109,7 @@ export function judgeQuietly(task: Task): void {
 
 const begun = new WeakMap<Task, Answer>();
 
-/** What the program of a task does as it was when the task began. */
+/** The result of the program that the task starts with. */
 async function answerAtStart(task: Task): Promise<Answer | null> {
   const known = begun.get(task);
   if (known) return known;
@@ -118,7 +118,7 @@ async function answerAtStart(task: Task): Promise<Answer | null> {
   return made;
 }
 
-/** Holds what was foretold to the truth; null where that does not come. */
+/** Compares the predictions with the actual run; null if that is not available. */
 export async function compareForetold(task: Task): Promise<readonly ComparedAnswer[] | null> {
   const { work } = useEditor.getState();
   const truth = await answerAtStart(task);
@@ -130,12 +130,12 @@ export async function compareForetold(task: Task): Promise<readonly ComparedAnsw
   return answers;
 }
 
-/** Shows the run: everything was foretold. Where nothing else is asked that is the try. */
+/** Shows the run once all predictions are made. In a task of predictions only, this counts as the try. */
 export async function showRun(task: Task): Promise<void> {
   changeTask(({ veiled: _, ...told }) => told);
-  // What is known of the run is of another veil.
+  // The cached result belongs to the hidden run.
   calculation.recalculate();
-  // What is shown now is no change of what was hidden.
+  // Showing the run is not a change of values.
   void presentAnswer().then(compareFromHere);
   const answers = await compareForetold(task);
   if (!answers || task.kind !== "predict") return;
@@ -143,7 +143,7 @@ export async function showRun(task: Task): Promise<void> {
   if (areRight(answers, task)) notePass(task.id);
 }
 
-/** Asks once more what was foretold wrongly, with the run hidden again. */
+/** Asks the wrong predictions again, with the run hidden. */
 export function foretellAgain(): void {
   const { foretold } = useTaskView.getState();
   const isRight = (i: number) => foretold?.[i]?.right === true;

@@ -5,7 +5,7 @@ import type { Language } from "../../../i18n/languages.ts";
 import { formatNumber, formatSigned } from "../../../i18n/number.ts";
 import { writer } from "../../../i18n/write.ts";
 
-/** A deviation with its sign; nothing but 0 where there is none. */
+/** A deviation with its sign; 0 has none. */
 const deviation = (language: Language, value: number) => (value === 0 ? "0" : formatSigned(language, value));
 
 /** A nominal size with its deviations: 40 ±0.02, 40 0/-0.05. */
@@ -20,14 +20,14 @@ export function toleranced(
   return `${formatNumber(language, nominal)} ${limits}`;
 }
 
-/** A size of the made part, with where it is measured. */
+/** A size of the machined part, with its place of measurement. */
 export const sizeGoal = (t: CourseTaskTexts, language: Language, size: TaskSize): string =>
   t.is.size[size.kind](
     toleranced(language, size),
     size.kind === "face" ? formatNumber(language, size.at) : formatSigned(language, size.at),
   );
 
-/** What a parameter is asked to be. */
+/** The required value of a parameter. */
 export function valueGoal(
   t: CourseTaskTexts,
   language: Language,

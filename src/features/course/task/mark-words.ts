@@ -10,12 +10,12 @@ import { thicknessOf } from "../../../sim/extent.ts";
 import { issueText } from "../../../app/calculation/issue-text.ts";
 import { sizeGoal, toleranced, valueGoal } from "./goal-words.ts";
 
-/** Decimals of thicknesses: the second says no more of a place than the first. */
+/** Decimals of thicknesses. */
 const THICK = 2;
-/** From this share of a pitch on it is another one. */
+/** Relative deviation from which a pitch counts as wrong. */
 const OTHER_PITCH = 0.02;
 
-/** What the words of a mark are made of. */
+/** Inputs of the words of a mark. */
 export interface MarkWording {
   readonly t: CourseTaskTexts;
   readonly texts: Texts;
@@ -24,7 +24,7 @@ export interface MarkWording {
   readonly answer: Answer;
 }
 
-/** What a tool did when it made a mark: the block, and in a cycle the pass. */
+/** The cause of a mark: the block, and in a cycle the pass. */
 function causeOf({ block, step }: TaskMark, { t, answer: { run } }: MarkWording): string | null {
   if (block === undefined) return null;
   const move = step === undefined ? undefined : run.steps[step]?.move;
@@ -32,7 +32,7 @@ function causeOf({ block, step }: TaskMark, { t, answer: { run } }: MarkWording)
   return move?.pass === undefined ? t.where.block(String(block)) : t.where.pass(String(block), String(move.pass));
 }
 
-/** What was measured in place of a size or a surface of the drawing. */
+/** The measured value of a size or a surface of the drawing. */
 function measuredText(
   { rule, value, limit, size: entry }: TaskMark,
   { t, language, task }: Pick<MarkWording, "t" | "language" | "task">,
@@ -47,13 +47,13 @@ function measuredText(
     : wrong.size[size.kind](number(value), toleranced(language, size));
 }
 
-/** The same with its place on the part. */
+/** The measured value with its place on the part. */
 export function placedText(mark: TaskMark, wording: Pick<MarkWording, "t" | "language" | "task">): string {
   const said = measuredText(mark, wording);
   return mark.place ? wording.t.where.at(said, ...placeWords(wording.language, mark.place)) : said;
 }
 
-/** What is wrong with a thread: that there is none, its pitch, or that it is not whole. */
+/** A thread fault: missing, wrong pitch, or incomplete. */
 function threadText(
   { about, value = 0, limit }: TaskMark,
   { t: { wrong }, language }: Pick<MarkWording, "t" | "language">,
@@ -120,18 +120,16 @@ function what(mark: TaskMark, { t, texts, language, task, answer }: MarkWording)
   }
 }
 
-/** ⌀ and Z of a place, as they stand in a sentence. */
+/** Diameter and Z of a place, for a sentence. */
 export const placeWords = (language: Language, { z, r }: NonNullable<TaskMark["place"]>): readonly [string, string] => [
   formatNumber(language, toDiameter(r), THICK),
   formatSigned(language, z, THICK),
 ];
 
-/** A sentence that has its own place already. */
+/** Rules whose sentence already contains the place. */
 const SAYS_PLACE: ReadonlySet<string> = new Set(["errors", "clean"]);
 
-/**
- * What is wrong, where on the part, and which step did it: "0.4 mm too much was cut at ⌀42, Z-18: block 22, pass 3".
- */
+/** Fault, place on the part, and the step that caused it: "0.4 mm too much was cut at ⌀42, Z-18: block 22, pass 3". */
 export function markText(mark: TaskMark, wording: MarkWording): string {
   const { t, language } = wording;
   const said = what(mark, wording);

@@ -10,7 +10,7 @@ afterEach(() => {
   closeSession();
 });
 
-test("a block is told when it is pointed at, not when its text comes into the editor late or once more", () => {
+test("a block is reported when it is pointed at, not when its text is loaded late or again", () => {
   const told: number[] = [];
   begin({ name: "A.h", text: TEXT, encoding: "utf-8" }, "w");
   const { program } = useEditor.getState();

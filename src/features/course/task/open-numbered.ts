@@ -3,7 +3,7 @@ import { openChosen } from "../../../app/fields/blocks/choose-block.ts";
 import { openBlock, readWhole, useSession } from "../../../app/fields/blocks/session.ts";
 import { showFile } from "../../../app/document/shown-file.ts";
 
-/** Opens the block of a number in the text of the open program; the tool stays where it is. */
+/** Opens the block with a number in the text of the open program; the tool stays in place. */
 export function openNumbered(block: number, q: string | null): void {
   showFile(null);
   readWhole();
@@ -12,8 +12,8 @@ export function openNumbered(block: number, q: string | null): void {
 }
 
 /**
- * Tells the number of each block that is pointed at in the text or in the list of its parts. A text that comes into the
- * editor points at none.
+ * Reports the number of each block that is pointed at in the text or in the list of parts. Loading a text reports
+ * nothing.
  */
 export function followPointed(tell: (block: number) => void): () => void {
   return useSession.subscribe((now, before) => {

@@ -10,19 +10,19 @@ import { readJob } from "../../../app/document/reading.ts";
 import { chooseLine, choosePath } from "../../../app/pictures/selection.ts";
 import { useEditor } from "../../../app/document/store.ts";
 
-/** A cut is seen when it has been made, a rapid before it runs into the steel. */
+/** Fraction of the step: a cut is shown once made, a rapid before it enters material. */
 const SEEN = { cut: 0.999, rapid: 0 } as const;
 
-/** The moment at which a mark is to be seen: what stays, at the end. */
+/** The moment that shows a mark; residual material is shown at the end. */
 export function momentOf({ rule, step }: TaskMark, { steps }: Run): PlayPosition {
   if (rule === "residue" || step === undefined) return { step: steps.length, fraction: 0 };
   return { step, fraction: rule === "rapid" || rule === "holder" ? SEEN.rapid : SEEN.cut };
 }
 
-/** Name of a mark among what can be looked at in the picture. */
+/** Id of a mark in the picture. */
 export const markId = (index: number): string => `task ${index}`;
 
-/** Goes to a mark: its block is marked in the program, the tool goes to its moment, the picture to its place. */
+/** Shows a mark: selects its block in the program, seeks to its moment, and moves the picture to its place. */
 export async function showMark(mark: TaskMark, index: number, run: Run): Promise<void> {
   const { job, program, work } = useEditor.getState();
   const choice = mark.step === undefined ? null : choiceOf(run, mark.step);

@@ -2,7 +2,7 @@ import { create } from "zustand";
 import type { Answer, TaskJudgement } from "../../../course/judge/judgement.ts";
 import type { ComparedAnswer } from "../../../course/told.ts";
 
-/** What came of a check. */
+/** The result of a check. */
 export interface CheckedAnswer {
   readonly answer: Answer;
   readonly judgement: TaskJudgement;
@@ -10,28 +10,28 @@ export interface CheckedAnswer {
 }
 
 /**
- * Why a check says nothing yet: empty prompts (by their names), a fault in one of them, no contour, nothing that cuts,
+ * Why a check cannot judge yet: empty prompts (by their names), a fault in one of them, no contour, nothing that cuts,
  * no result.
  */
 export type NotReady =
   { readonly why: "empty"; readonly at: readonly string[] } | { readonly why: "noContour" | "noRun" | "notRun" };
 
-/** What the panel of the open task shows; it belongs to the page, not to the work. */
+/** View state of the task panel; it belongs to the page, not to the work. */
 export interface TaskView {
-  /** Key of the work that this is of. */
+  /** Key of the work that this state belongs to. */
   readonly work: string | null;
   /** The assignment is unfolded. */
   readonly open: boolean;
   readonly checking: boolean;
   readonly notReady: NotReady | null;
   readonly checked: CheckedAnswer | null;
-  /** Something was changed since the check. */
+  /** The work has changed since the check. */
   readonly stale: boolean;
-  /** How the goals stand now, after the first check. */
+  /** The goals of the current work, after the first check. */
   readonly live: TaskJudgement | null;
-  /** What was foretold beside what is so, once the run was shown. */
+  /** The predictions and the actual results, once the run is shown. */
   readonly foretold: readonly ComparedAnswer[] | null;
-  /** The place that is looked at, from 0, and the question that is asked. */
+  /** The shown mark, from 0, and the current question, from 0. */
   readonly place: number;
   readonly question: number;
 }
@@ -51,9 +51,9 @@ const NOTHING: TaskView = {
 
 export const useTaskView = create<TaskView>(() => NOTHING);
 
-/** Nothing is known of another work. What was unfolded before it was opened stays so. */
+/** Resets the state for another work. An assignment unfolded in advance stays unfolded. */
 export const viewTask = (work: string): void =>
   useTaskView.setState((now) => (now.work === work ? now : { ...NOTHING, work, open: now.work === null && now.open }));
 
-/** The next task that is opened shows its assignment. */
+/** The next opened task starts with its assignment unfolded. */
 export const unfoldNext = (): void => useTaskView.setState({ ...NOTHING, open: true });

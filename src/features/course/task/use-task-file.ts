@@ -5,8 +5,8 @@ import { fetchTask, fromOutside } from "../../../app/records/course/content.ts";
 import { taskOfWork } from "../../../app/document/work-task.ts";
 
 /**
- * The task that the open work is: of its own file, or of the course. "none": its file is not here, or damaged; null: on
- * its way.
+ * The task of the open work: from the work itself, or of the course. "none": its file is missing or damaged; null:
+ * pending.
  */
 export function useTaskFile(): Task | "none" | null {
   const id = useEditor((s) => taskOfWork(s)?.id ?? "");

@@ -17,7 +17,7 @@ import { markId, momentOf } from "./show-mark.ts";
 import { useTaskView } from "./task-view.ts";
 import { setTold, taskOfWork } from "../../../app/document/work-task.ts";
 
-/** Decimals of a place that was pointed at, mm. */
+/** Decimals of a pointed place, mm. */
 const POINTED = 1;
 const NO_RINGS: readonly Ring[] = [];
 const NO_TEXTS: readonly string[] = [];
@@ -25,7 +25,7 @@ const NO_TEXTS: readonly string[] = [];
 type Shown = Omit<LookAt, "issue">;
 const lookAt = (shown: Shown): LookAt => ({ ...shown, issue: null });
 
-/** The places of what is wrong, with the numbers that the list has. */
+/** The places of the marks, with the numbers of the list. */
 export function markPlaces(
   marks: readonly TaskMark[],
   { run }: Answer,
@@ -50,7 +50,7 @@ export function markPlaces(
 
 const START = { step: 0, fraction: 0 } as const;
 
-/** A told place as a mark in the picture. */
+/** A predicted place as a mark in the picture. */
 const toldPlace = (place: Pt, question: number, line: string): LookAt =>
   lookAt({
     id: `told ${question}`,
@@ -62,7 +62,7 @@ const toldPlace = (place: Pt, question: number, line: string): LookAt =>
     position: START,
   });
 
-/** What was told and where it is, side by side. */
+/** Predicted and actual places. */
 function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts): Omit<ToldPicture, "take"> {
   const { shown } = useOutcome.getState();
   const places = compared.flatMap(({ prediction, told, truth }, i): readonly LookAt[] => {
@@ -94,9 +94,7 @@ function comparedPlaces(compared: readonly ComparedAnswer[], t: CourseTaskTexts)
   return { places, missing: rings(false), left: rings(true) };
 }
 
-/**
- * Shows in the picture what the panel tells: places that are told, the truth beside them, or what a check has found.
- */
+/** Shows the places of the panel in the picture: predicted places, actual places, or the marks of a check. */
 export function useTaskPicture(
   task: Task,
   t: CourseTaskTexts,

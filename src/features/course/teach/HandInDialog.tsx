@@ -17,7 +17,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText } from "./WordFields.tsx";
 import "./teach.css";
 
-/** A name as a part of a file's name. */
+/** A name, made safe for a file name. */
 const inFile = (name: string): string =>
   name
     .trim()
@@ -25,7 +25,7 @@ const inFile = (name: string): string =>
     .replace(/^-|-$/g, "")
     .slice(0, 40) || "results";
 
-/** Gathers what was done in tasks, as a file or a link to hand on. */
+/** Collects the results of tasks in a file or a link, to hand in. */
 export function HandInDialog({ done }: { readonly done: () => void }) {
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);

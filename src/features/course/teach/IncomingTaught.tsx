@@ -4,7 +4,7 @@ import { useTaughtShown } from "../../../app/records/course/taught-shown.ts";
 
 const TaughtDialog = lazyPart(async () => ({ default: (await import("./TaughtDialog.tsx")).TaughtDialog }));
 
-/** A task or results that came from outside, until somebody closes them. */
+/** A received task or results, until the dialog is closed. */
 export function IncomingTaught() {
   const waits = useTaughtShown((s) => s.shown !== null);
   return (

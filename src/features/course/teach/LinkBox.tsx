@@ -8,10 +8,10 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "../../../app/base/modal.css";
 
-/** The address of this page, without anything behind `#`. */
+/** The address of this page, without the fragment. */
 export const pageAddress = (): string => location.href.replace(/[?#].*$/, "");
 
-/** A link to copy, with what keeps it from being opened where it goes. */
+/** A link to copy, with a warning if it may not open elsewhere. */
 export function LinkBox({ link, copies }: { readonly link: string; readonly copies?: () => void }) {
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);

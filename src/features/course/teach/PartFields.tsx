@@ -7,11 +7,11 @@ import { sizeChoices } from "./size-choices.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
-/** Blank and outlines of the wanted part, taken from the program or typed. */
+/** Blank and outlines of the target part, taken from the program or typed. */
 export function PartFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
   const t = useTexts("course-teach");
   const { blank, outside, bore, threads } = made;
-  // What was chosen stays chosen as long as the part still has it.
+  // A selection is kept as long as the part still has it.
   const put = (part: Partial<Pick<typeof made, "blank" | "outside" | "bore">>, isStep = false) => {
     const offered = sizeChoices(wantedPart(partOfMade({ blank, outside, bore, threads, ...part })));
     change(

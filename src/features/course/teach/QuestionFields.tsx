@@ -18,18 +18,18 @@ import { placeWords } from "../task/mark-words.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
-/** What a fresh question asks, as far as it is not asked yet. */
+/** Proposed kinds of a new question, unless already asked. */
 const OFFERED: readonly AskedKind[] = ["passes", "infeed", "choice", "seconds"];
 
 interface QuestionsProps extends FormPart {
-  /** The run of what lies open; null where nothing does. */
+  /** The run of the start program; null without one. */
   readonly begun: Answer | null;
-  /** The text of the answer. */
+  /** The text of the solution. */
   readonly solution: string;
   readonly truths: readonly (Truth | null)[];
 }
 
-/** What is asked before the run. What is right is told by the run, as it is typed. */
+/** The questions before the run. The correct answer comes from the run, at each keystroke. */
 export function QuestionFields({ made, change, begun, solution, truths }: QuestionsProps) {
   const t = useTexts("course-teach");
   const sign = useSettings((s) => decimalSign(s.language));
@@ -46,7 +46,7 @@ export function QuestionFields({ made, change, begun, solution, truths }: Questi
   };
   const put = (index: number, some: Partial<QuestionDraft>) =>
     change({ questions: questions.map((each, i) => (i === index ? { ...each, ...some } : each)) });
-  /** Words that were proposed and not typed over follow what is asked, and where. */
+  /** Proposed wording that was not edited follows the kind and place of the question. */
   const isProposed = ({ ask: asked, at, text }: QuestionDraft) => text.trim() === "" || text === worded(asked, at);
   const ask = (index: number, draft: QuestionDraft, next: AskedKind) => {
     const now = proposed(next);
@@ -189,10 +189,10 @@ function OneQuestion({ index, draft, truth, begun, put, ask, remove }: OneProps)
   );
 }
 
-/** Decimals of what the run says. */
+/** Decimals of results of the run. */
 const DECIMALS = 2;
 
-/** What is right, as the run has it; of a choice and of a block the instructor says it. */
+/** The correct answer from the run; for a choice and a block the instructor enters it. */
 function TruthTold({ truth, begun }: { readonly truth: Truth; readonly begun: Answer }) {
   const t = useTexts("course-teach");
   const language = useSettings((s) => s.language);

@@ -7,13 +7,12 @@ import { boundsOf } from "../../../view/bounds.ts";
 import { ringData, segmentData } from "../../../view/path.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** Space round the part, and how large a mark is, shares of its length. */
+/** Margin around the part, and size of a mark, as shares of its length. */
 const AIR = 0.05,
   MARK = 0.012;
 
 /**
- * The half section before the run, with the contours of its cycles: a press names a place. `within`: how far it may be
- * off, mm.
+ * The half section before the run, with the contours of its cycles: a click enters a place. `within`: tolerance, mm.
  */
 export function QuestionPicture({
   begun: { run },

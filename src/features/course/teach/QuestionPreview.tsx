@@ -16,8 +16,8 @@ import { QuestionPicture } from "./QuestionPicture.tsx";
 import "../task/task.css";
 
 /**
- * What the learner is asked, one question after the other, over the part before its run. It can be answered, and shows
- * what is right.
+ * The learner's view of the questions, one at a time, over the part before its run. Accepts answers, and shows the
+ * correct ones.
  */
 export function QuestionPreview({
   questions,
@@ -114,13 +114,13 @@ function Asked({
   );
 }
 
-/** Decimals of what the run says. */
+/** Decimals of results of the run. */
 const DECIMALS = 2;
 
 const unitOf = ({ foretell: { units } }: CourseTaskTexts, ask: string): string =>
   ask in units ? units[ask as keyof typeof units] : "";
 
-/** What is right, in words. */
+/** The correct answer, in words. */
 function Right({
   truth,
   draft,

@@ -8,7 +8,7 @@ import { plainName, type LearnerFile, type ResultRow } from "../../../app/record
 import type { FileLeftOut } from "../../../app/records/course/taught-shown.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** Files that brought nothing, each with its reason. */
+/** Files without a result, each with its reason. */
 export function LeftOut({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
   const { results: words } = useTexts("course-teach");
   const problemOf = useProblemWords();
@@ -34,7 +34,7 @@ interface FilesProps {
   readonly day: (made: number) => string;
 }
 
-/** The files that the table is made of: what each brought, what of it counts, and the way to take it out again. */
+/** The files of the table: their contents, which results count, and a button to remove each. */
 export function ResultFiles({ files, rows, day }: FilesProps) {
   const t = useTexts("course-teach"),
     { results: words } = t;

@@ -4,7 +4,7 @@ import { NUMBERS, type ResultColumn, type ResultRow } from "../../../app/records
 import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** One task of one learner, with the way to its program. `waits`: it is being run. */
+/** One task of one learner, with a button for its program. `waits`: its run is pending. */
 export function ResultLine({
   row: { result, earlier },
   columns,

@@ -3,7 +3,7 @@ import { NUMBERS, type ResultColumn, type ResultRow } from "../../../app/records
 import { ResultLine } from "./ResultLine.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** The column that a table is sorted by. `down`: the greatest first. */
+/** The column that sorts the table. `down`: the greatest first. */
 export interface ResultSort {
   readonly column: ResultColumn;
   readonly down: boolean;
@@ -20,7 +20,7 @@ interface TableProps {
   readonly sortBy: (sort: ResultSort) => void;
 }
 
-/** Results as a table; its first column stays in sight where the table is wider than the screen. */
+/** Results as a table; its first column stays visible if the table is wider than the screen. */
 export function ResultTable({ title, rows, columns, heads, text, waits, sort, sortBy }: TableProps) {
   const { results: words } = useTexts("course-teach");
   return (

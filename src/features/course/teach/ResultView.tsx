@@ -24,8 +24,8 @@ import { useResultCells } from "./use-result-cells.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
 /**
- * What learners handed in, as a table that is sorted, printed and saved as a sheet; each program is run once more and
- * can be opened.
+ * The results of learners as a table: sort, print, export as a spreadsheet; each program is run again and can be
+ * opened.
  */
 export function ResultView({ leftOut }: { readonly leftOut: readonly FileLeftOut[] }) {
   const t = useTexts("course-teach"),

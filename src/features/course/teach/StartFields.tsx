@@ -5,7 +5,7 @@ import { linesOfText, programOfMade, promptsOf } from "../../../course/made/made
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { TeachText, type FormPart } from "./WordFields.tsx";
 
-/** What lies open when the task begins. */
+/** The start program of the task. */
 export function StartFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
   const t = useTexts("course-teach");
   const name = useId();

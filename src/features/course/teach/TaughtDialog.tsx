@@ -17,10 +17,10 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { Task } from "../../../course/task.ts";
 import "./teach.css";
 
-/** Most fields that are named at once. */
+/** Most fields named at once. */
 const MOST_LEFT = 12;
 
-/** What came from outside: a task, before it is kept or begun; or results that a learner handed in. */
+/** A received task, before it is kept or started; or received results of a learner. */
 export function TaughtDialog() {
   const shown = useTaughtShown((s) => s.shown);
   switch (shown?.kind) {

@@ -5,7 +5,7 @@ import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts"
 import { leaveTaught } from "../../../app/records/course/taught-shown.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** Why a file or a link opens nothing: of a task that was written by hand, field by field. */
+/** Why a file or a link opens nothing; for a task written by hand, field by field. */
 export function TaughtProblemView({ file, problem }: { readonly file: string; readonly problem: TaughtProblem }) {
   const t = useTexts("course-teach"),
     { problem: words } = t;

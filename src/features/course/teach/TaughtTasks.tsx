@@ -19,7 +19,7 @@ import "./teach.css";
 const TeachDialog = lazyPart(async () => ({ default: (await import("./TeachDialog.tsx")).TeachDialog }));
 const HandInDialog = lazyPart(async () => ({ default: (await import("./HandInDialog.tsx")).HandInDialog }));
 
-/** The tasks that came from outside, below the lessons, and the way to hand in what was done. */
+/** The received tasks, below the lessons, and the button to hand in results. */
 export function TaughtTasks() {
   const t = useTextsSoon("course-teach");
   const language = useSettings((s) => s.language);

@@ -12,12 +12,12 @@ import { keepTask, useTaught } from "../../../app/records/course/taught.ts";
 import { taskLink, taughtFile } from "./taught-files.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** Most marks that are told at once. */
+/** Most marks listed. */
 const MOST_TOLD = 6;
 
 /**
- * Whether the answer passes its own task; then it is tried and handed out. What goes out is kept here too, so that
- * answers to it can be run when they come back.
+ * Whether the answer passes its own task; then the task can be tried and shared. A shared task is also kept here, so
+ * that results can be run when they come back.
  */
 export function TeachCheck({
   task,
@@ -32,11 +32,11 @@ export function TeachCheck({
   readonly task: Task | readonly MadeFault[];
   readonly judged: TaskJudgement | null;
   readonly isIdle: boolean;
-  /** It only asks questions: there is no answer to judge. */
+  /** It has questions only: there is no answer to judge. */
   readonly foretells: boolean;
-  /** Numbers, from 1, of questions that are not whole, and of those that ask for something that is not there. */
+  /** Numbers, from 1, of incomplete questions, and of those whose answer does not exist. */
   readonly lacking: Readonly<Record<"questions" | "truth", readonly number[]>>;
-  /** What the form is kept under, and whether it changes a kept task. */
+  /** Storage key of the form, and whether it changes a kept task. */
   readonly formKey: string;
   readonly isChange: boolean;
   readonly done: () => void;
@@ -50,7 +50,7 @@ export function TeachCheck({
   );
   const wrong = judged?.marks.filter(({ passed }) => !passed) ?? [];
   const ready = whole && (foretells || (judged?.passed && !isIdle)) ? whole : null;
-  /** A changed task that is kept needs no form any more: it is filled in from the task again. */
+  /** A kept task needs no stored form: the form is filled in from the task next time. */
   const keep = (kept: Task) => {
     keepTask(kept);
     if (isChange) forgetForm(formKey);

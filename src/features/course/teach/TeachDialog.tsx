@@ -21,14 +21,14 @@ import { TeachForm, type BegunForm } from "./TeachForm.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import "./teach.css";
 
-/** What a form is made of: the program of a work, or a task that is kept. */
+/** Source of the form: the program of a work, or a kept task. */
 export type TeachSource = { readonly text: string; readonly work: string } | { readonly task: Task };
 
-/** Whether a program makes a part, which can be asked for, and from which block on it mills; null where it does not. */
+/** Whether a program makes a part, and the first block that mills; null if it only turns. */
 const makesPart = ({ run }: Answer): boolean => run.blank.length > 0 && run.steps.length > 0;
 const milledFrom = ({ run }: Answer): number | null => run.plane.find(({ kind }) => kind !== "rapid")?.block ?? null;
 
-/** The material that the open work says it is turned from, where it is one of the shipped list. */
+/** The material of the open work, if it is on the default list. */
 function openMaterial(): MadeTask["material"] {
   const { job, program } = useEditor.getState(),
     open = (job ?? program)?.material;
@@ -67,7 +67,7 @@ function begunForm(source: TeachSource, screen: Language): BegunForm | null {
   };
 }
 
-/** Runs the program once the dialog is painted; null until then, "none" where nothing can be made of it. */
+/** Runs the program once the dialog is painted; null until then, "none" if it makes no task. */
 function useBegun(source: TeachSource): BegunForm | "none" | null {
   const [begun, begin] = useState<BegunForm | "none" | null>(null);
   const [first] = useState(source);
@@ -79,8 +79,7 @@ function useBegun(source: TeachSource): BegunForm | "none" | null {
 }
 
 /**
- * The form that makes a task of a program, or changes one: filled in from it, checked while it is typed, tried and
- * handed out.
+ * The form that makes a task from a program, or changes one: filled in, checked at each keystroke, tried and shared.
  */
 export function TeachDialog({ done, ...source }: TeachSource & { readonly done: () => void }) {
   const t = useTexts("course-teach");

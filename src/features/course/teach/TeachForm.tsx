@@ -36,14 +36,17 @@ import { ToolFields } from "./ToolFields.tsx";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { WordFields } from "./WordFields.tsx";
 
-/** The answer with its form, as it was left or as it is proposed. */
+/** The program and its form, as stored or proposed. */
 export interface BegunForm {
   readonly text: string;
   readonly answer: Answer;
   readonly first: MadeTask;
-  /** The task that is changed; null where a new one is made. */
+  /** The task being changed; null for a new one. */
   readonly base: Task | null;
-  /** What the form is kept under, the mark of the program, and that of the program which it was filled in from. */
+  /**
+   * Storage key of the form, fingerprint of the program, and fingerprint of the program that the form was filled in
+   * from.
+   */
   readonly keptAs: string;
   readonly print: string;
   readonly keptPrint: string;
@@ -56,7 +59,7 @@ export interface BegunForm {
 const NO_QUESTIONS: MadeTask["questions"] = [];
 const KINDS = ["make", "fault", "predict", "drawing"] as const;
 
-/** What the program proposes in place of what was taken from another one; what the instructor decided stays. */
+/** The form with proposals of the changed program; the instructor's decisions stay. */
 function proposedAnew(made: MadeTask, answer: Answer, sign: string): MadeTask {
   const fresh = formWithSign(proposedTask(answer), sign),
     { blank, outside, bore, threads } = fresh;
@@ -70,11 +73,11 @@ function proposedAnew(made: MadeTask, answer: Answer, sign: string): MadeTask {
   return { ...made, blank, outside, bore, threads, rules, prompts, sizes: sizeChoices(wantedPart(partOfMade(fresh))) };
 }
 
-/** Numbers, from 1, of those in a list that something holds for. */
+/** Numbers, from 1, of the items that match. */
 const numbered = <T,>(list: readonly T[], holds: (each: T) => boolean): readonly number[] =>
   list.flatMap((each, i) => (holds(each) ? [i + 1] : []));
 
-/** What is told of a form as it stands: the task, how its answer is judged, and what is true of its questions. */
+/** Results for the current form: the task, the judgement of its answer, and the answers to its questions. */
 function useChecked(settled: MadeTask, { answer, base, language, print }: BegunForm) {
   const mark = print.split(" ").at(1) ?? "";
   const task = useMemo(

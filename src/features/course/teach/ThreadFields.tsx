@@ -15,8 +15,7 @@ export function ThreadFields({ made, change, answer }: FormPart & { readonly ans
   const number = (value: number) => formatNumber(language, value);
   const put = (at: number, some: Partial<ThreadDraft>) => {
     const next = threads.map((thread, i) => (i === at ? { ...thread, ...some } : thread));
-    // An outline that was not typed over shows the crest of a thread that is asked for, and the grooves of one that is
-    // not.
+    // An unedited outline shows the crest of a selected thread, and the grooves of an unselected one.
     const was = outlinesFrom(answer, "made", threads);
     const again =
       some.on !== undefined && was.outside === outside && was.bore === bore ? outlinesFrom(answer, "made", next) : {};

@@ -6,7 +6,7 @@ import { shippedTools } from "../../../program/tools/shipped-tools.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import type { FormPart } from "./WordFields.tsx";
 
-/** Which tools the learner finds in the table: those of the answer, a choice that holds others as well, or all. */
+/** The learner's tools: those of the answer, a selection with others, or all. */
 export function ToolFields({ made, change, answer }: FormPart & { readonly answer: Answer }) {
   const t = useTexts("course-teach");
   const name = useId();

@@ -3,10 +3,10 @@ import type { MadeTask } from "../../../course/made/made-form.ts";
 import { asksBefore } from "../../../course/made/made-task.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** What each part of the form is given: the form as it is, and what changes it. */
+/** Props of each part of the form: its current state, and the setter. */
 export interface FormPart {
   readonly made: MadeTask;
-  /** `isStep`: something goes that was typed; it can be taken back. */
+  /** `isStep`: removes typed content, so undo is offered. */
   readonly change: (some: Partial<MadeTask>, isStep?: boolean) => void;
 }
 

@@ -17,12 +17,15 @@ import type { Again } from "../../../app/records/course/result-rows.ts";
 import { taughtRecord } from "../../../app/records/course/taught.ts";
 import { countWork, workedIn } from "../../../app/records/course/working-time.ts";
 
-/** A task by its id: one that was handed out, or one of the course; null where this device has none. */
+/** A task by its id: a kept one, or one of the course; null if this device has none. */
 export async function taskOfId(id: string): Promise<Task | null> {
   return taughtRecord.now().find((task) => task.id === id) ?? fetchTask(id);
 }
 
-/** What a program comes to in a task, run as every device runs it, beside the page; null where that cannot be said. */
+/**
+ * The verdict on a program in a task, from a background run with the same settings on every device; null if the run
+ * fails.
+ */
 export async function verdictHere(task: Task, program: string): Promise<TaskResult["verdict"]> {
   const answer = await outcomeBeside(
     { name: `${task.id}.h`, text: program, encoding: "utf-8", tools: shippedList },
@@ -33,7 +36,7 @@ export async function verdictHere(task: Task, program: string): Promise<TaskResu
   return { passed, refused: [...new Set(marks.filter((mark) => !mark.passed).map(({ rule }) => rule))] };
 }
 
-/** What a result that was handed in comes to on this device, with the task as it has it. */
+/** The verdict on a received result on this device, with the device's version of the task. */
 export async function runAgain({ id, program }: TaskResult): Promise<Again> {
   const task = await taskOfId(id);
   if (task?.kind === "predict") return "foretold";
@@ -44,7 +47,7 @@ export async function runAgain({ id, program }: TaskResult): Promise<Again> {
   return verdict.passed ? "passes" : "fails";
 }
 
-/** The last program that was made in a task on this device. */
+/** The newest program for a task on this device. */
 async function lastProgram(id: string): Promise<string | null> {
   const work = keptOfTask(id),
     kept = work === undefined ? null : await readWork(work);
@@ -54,7 +57,7 @@ async function lastProgram(id: string): Promise<string | null> {
 
 const SECOND = 1000;
 
-/** How one task went. */
+/** The result of one task. */
 export async function resultOf(id: string, progress: CourseProgress, language: Language): Promise<TaskResult> {
   const task = await taskOfId(id),
     program = await lastProgram(id);

@@ -1,7 +1,7 @@
 import { LARGEST_TAUGHT, readTaught, readTaughtLink, saysTaught, type ReadTaught } from "./taught-files.ts";
 import { showProblem, showResults, showTask, type NamedResult } from "../../../app/records/course/taught-shown.ts";
 
-/** Shows the task or the results of a link, or says why it carries none. */
+/** Shows the task or the results of a link, or why it has none. */
 export function openTaughtLink(hash: string): void {
   show("", readTaughtLink(hash));
 }
@@ -21,7 +21,7 @@ async function readFile(file: File): Promise<ReadTaught> {
   }
 }
 
-/** Shows results out of files, beside those that are there; what is none is named. */
+/** Adds results from files to those shown; files without results are named. */
 export async function addResults(files: readonly File[]): Promise<void> {
   showResults(
     await Promise.all(
@@ -36,11 +36,11 @@ export async function addResults(files: readonly File[]): Promise<void> {
 
 const BEGINNING = 4096;
 
-/** Whether one of several files says that it is a task, or results, whatever its name. */
+/** Whether one of several files contains a task or results, whatever its name. */
 export async function areTaught(files: readonly File[]): Promise<boolean> {
   for (const file of files.filter(({ name }) => /\.json$/i.test(name))) {
     try {
-      // Of a file that is larger than what is opened its beginning tells what it is.
+      // A file over the size limit is recognized by its beginning.
       if (saysTaught(await (file.size > LARGEST_TAUGHT ? file.slice(0, BEGINNING) : file).text())) return true;
     } catch {
       return false;
@@ -49,7 +49,7 @@ export async function areTaught(files: readonly File[]): Promise<boolean> {
   return false;
 }
 
-/** Shows the task of a file, or the results of one or several; what is none is said. */
+/** Shows the task of a file, or the results of one or several; files with neither are reported. */
 export async function openTaughtFiles(files: readonly File[]): Promise<void> {
   const [first, ...others] = files;
   if (!first) return;

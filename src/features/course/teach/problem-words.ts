@@ -3,11 +3,11 @@ import type { TaughtProblem } from "../../../app/records/course/taught-shown.ts"
 import { LARGEST_TAUGHT } from "./taught-files.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 
-/** Most faults that are told at once. */
+/** Most faults listed. */
 const MOST_TOLD = 10;
 const MEGABYTE = 1_000_000;
 
-/** Says why a file or a link brings nothing: a sentence, and what is wrong with each of its fields. */
+/** Why a file or a link opens nothing: a sentence, and the fault of each field. */
 export function useProblemWords(): (problem: TaughtProblem) => readonly string[] {
   const { problem: words } = useTexts("course-teach");
   const ofField = ({ path, kind, wanted }: FieldFault): string => {

@@ -4,13 +4,13 @@ import type { WantedPart } from "../../../course/wanted-part.ts";
 import { radius, rounded, toDiameter } from "../../../kernel/units.ts";
 import { printFeatures } from "../../../view/drawing/print-features.ts";
 
-/** A size is offered where the part has it within this, mm. */
+/** Tolerance within which the part has an offered size, mm. */
 const TRUE = 0.01;
-/** How far from a corner a face is measured, mm on the radius. */
+/** Distance from a corner at which a face is measured, mm on the radius. */
 const ASIDE = 0.3;
 const MOST = 24;
 
-/** The sizes of a part that can be asked for: its diameters in the middle of their stretch, and its faces. */
+/** The sizes of a part to choose from: its diameters in the middle of their length, and its faces. */
 export function sizeChoices({ outside, bore, rings }: WantedPart): readonly SizeDraft[] {
   const offered = (kind: SizeDraft["kind"], at: number, nominal: number): SizeDraft[] => {
     const found = sizeOn(rings, kind, at);

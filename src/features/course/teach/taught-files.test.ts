@@ -37,7 +37,7 @@ const result = readResult({
   ],
 });
 
-test("a task and results come out of a link and of a file as they went in", () => {
+test("a task and results survive a link and a file", () => {
   if (!result) throw new Error("no result");
   const page = "https://example.org/turnwise/";
   for (const [link, content] of [
@@ -57,7 +57,7 @@ test("a task and results come out of a link and of a file as they went in", () =
   expect(readTaught(taughtFile(result))).toEqual({ kind: "result", result });
 });
 
-test("what is altered, cut, larger than is opened or of a newer edition is told apart, and nothing throws", () => {
+test("altered, truncated, oversized and newer content is reported separately, and nothing throws", () => {
   const hash = taskLink("", task);
   expect(readTaughtLink(hash.slice(0, -9))).toEqual({ kind: "damaged" });
   expect(readTaughtLink(`${hash.slice(0, 40)}!${hash.slice(41)}`)).toEqual({ kind: "damaged" });
@@ -82,7 +82,7 @@ test("what is altered, cut, larger than is opened or of a newer edition is told 
   expect(readTaught(`\uFEFF${taughtFile(task)}`)).toMatchObject({ kind: "task" });
 });
 
-test("a task from outside with the id of a task of the course gets an id of its own, the same each time", () => {
+test("a received task with the id of a course task gets another id, the same each time", () => {
   const alike = { ...task, id: "l02-sharper-corner" },
     own = { ...task, id: "own-l02-sharper-corner" };
   for (const read of [readTaught(taughtFile(alike)), readTaughtLink(taskLink("", alike)), readTaught(taughtFile(own))])

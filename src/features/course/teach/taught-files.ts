@@ -5,26 +5,26 @@ import { TASK_FORMAT, type Task } from "../../../course/task.ts";
 import { packedForLink, unpackedFromLink } from "../../../app/records/link.ts";
 import { fromOutside } from "../../../app/records/course/content.ts";
 
-/** Forms of the links; newer ones have higher numbers. */
+/** Prefixes with versions of the links; newer ones have higher numbers. */
 const TASK_MARK = "#t1=",
   RESULT_MARK = "#r1=";
-/** Largest file of a task or of results, and most text that a link unpacks to, characters. */
+/** Largest file of a task or of results, and longest unpacked text of a link, characters. */
 export const LARGEST_TAUGHT = 4_000_000;
 
-/** What was read, or why nothing was. `left`: fields that nobody knows. */
+/** The content, or why there is none. `left`: unknown fields. */
 export type ReadTaught =
   | { readonly kind: "task"; readonly task: Task; readonly left: readonly string[] }
   | { readonly kind: "result"; readonly result: HandedResult }
   | TaughtProblem;
 
-/** Links that carry a task, or results. `page`: the address without anything behind `#`. */
+/** Links with a task, or results. `page`: the address without the fragment. */
 export const taskLink = (page: string, task: Task): string => page + TASK_MARK + packedForLink(task);
 export const resultLink = (page: string, result: HandedResult): string => page + RESULT_MARK + packedForLink(result);
 
-/** The same as files. */
+/** Task or results as a file. */
 export const taughtFile = (content: Task | HandedResult): string => `${JSON.stringify(content, null, 1)}\n`;
 
-/** A format of this product with a higher number than the one that is read here. */
+/** A format of this product with a higher version than this page reads. */
 function isNewer(format: unknown): boolean {
   const [name, number] = typeof format === "string" ? format.split("/") : [];
   return [TASK_FORMAT, RESULT_FORMAT].some(
@@ -34,7 +34,7 @@ function isNewer(format: unknown): boolean {
 
 const BOM = /^\uFEFF/;
 
-/** The line in which a text stops being JSON, as far as the browser says it. */
+/** The line in which JSON syntax breaks, if the browser reports it. */
 function lineOf(error: unknown, text: string): number | null {
   const said = error instanceof Error ? error.message : "";
   const [, line] = /\bline (\d+)/.exec(said) ?? [],
@@ -43,7 +43,7 @@ function lineOf(error: unknown, text: string): number | null {
   return position === undefined ? null : text.slice(0, Number(position)).split("\n").length;
 }
 
-/** What a text holds as JSON. */
+/** The JSON value of a text. */
 function parsed(text: string): { readonly raw: unknown } | TaughtProblem {
   const plain = text.replace(BOM, "");
   try {
@@ -70,11 +70,11 @@ export function readTaught(text: string): ReadTaught {
   return "task" in read ? { kind: "task", task: fromOutside(read.task), left: read.left } : { kind: "fields", ...read };
 }
 
-/** Whether a text that is named as JSON says that it is a task, or results. */
+/** Whether a text that claims to be JSON contains a task, or results. */
 export const saysTaught = (text: string): boolean =>
   /^\uFEFF?\s*\{/.test(text) && /"format"\s*:\s*"turnwise-(?:task|result)\//.test(text);
 
-/** Reads the part of a link behind `#`. Never throws, and never unpacks more than it opens. */
+/** Reads the fragment of a link. Never throws, and never unpacks more than its limit. */
 export function readTaughtLink(hash: string, most = LARGEST_TAUGHT): ReadTaught {
   const [mark, form] = /^#[tr](\d+)=/.exec(hash) ?? [];
   if (mark === undefined) return { kind: "damaged" };
@@ -83,7 +83,7 @@ export function readTaughtLink(hash: string, most = LARGEST_TAUGHT): ReadTaught 
     const text = unpackedFromLink(hash.slice(mark.length), most);
     if (text === null) return { kind: "tooLarge" };
     const read = readTaught(text);
-    // What was packed here was whole: a text that is none was cut or altered on its way.
+    // The packed text was valid JSON: invalid text was truncated or altered on its way.
     return read.kind === "notJson" || read.kind === "foreign" ? { kind: "damaged" } : read;
   } catch {
     return { kind: "damaged" };

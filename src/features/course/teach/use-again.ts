@@ -2,10 +2,10 @@ import { useEffect, useState } from "react";
 import { runAgain } from "./hand-in.ts";
 import type { Again, ResultRow } from "../../../app/records/course/result-rows.ts";
 
-/** What was found of results that were run here: those that come later do not run the others again. */
+/** Cached reruns, so that later results do not run the earlier ones again. */
 const found = new WeakMap<ResultRow["result"], Again>();
 
-/** Runs each program once more, one after the other; by the keys of the rows. */
+/** Reruns each program, one after the other; by the keys of the rows. */
 export function useAgain(rows: readonly ResultRow[]): ReadonlyMap<string, Again> {
   const [again, say] = useState<ReadonlyMap<string, Again>>(new Map());
   useEffect(() => {
@@ -14,7 +14,7 @@ export function useAgain(rows: readonly ResultRow[]): ReadonlyMap<string, Again>
       const all = new Map<string, Again>();
       for (const { key, result } of rows) {
         const is = found.get(result) ?? (await runAgain(result));
-        // What could not be run may be so another time.
+        // A failed run is retried another time.
         if (is !== "stopped" && is !== "unknown") found.set(result, is);
         all.set(key, is);
         if (gone) return;

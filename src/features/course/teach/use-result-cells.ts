@@ -6,13 +6,13 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 const MINUTE = 60;
 const two = (n: number): string => String(n).padStart(2, "0");
 
-/** Day and time of the device as a spreadsheet reads them in each language: 2026-11-23 14:05. */
+/** Local day and time as spreadsheets of any language read them: 2026-11-23 14:05. */
 function sheetDay(made: number): string {
   const day = new Date(made);
   return `${day.getFullYear()}-${two(day.getMonth() + 1)}-${two(day.getDate())} ${two(day.getHours())}:${two(day.getMinutes())}`;
 }
 
-/** How the cells of results are written, on the screen and in a sheet. */
+/** The texts of result cells, on the screen and in the export. */
 export function useResultCells(again: ReadonlyMap<string, Again>) {
   const { results: words } = useTexts("course-teach");
   const language = useSettings((s) => s.language);
@@ -59,7 +59,7 @@ export function useResultCells(again: ReadonlyMap<string, Again>) {
       score: result.score === null ? "–" : number(result.score),
     };
   };
-  /** The cell of a sheet: numbers stay numbers. */
+  /** The cell of the export: numbers stay numbers. */
   const plain = (row: ResultRow, column: ResultColumn): string | number | null => {
     const { result } = row;
     const cells: Partial<Record<ResultColumn, string | number | null>> = {

@@ -13,16 +13,14 @@ import { useEditor } from "../../../app/document/store.ts";
 import { ApproachDialog } from "./ApproachDialog.tsx";
 import { isFresh, markFresh } from "../../../app/fields/blocks/fresh-block.ts";
 
-/**
- * The dialog of the open APPR or DEP block of the program. One that was just put in begins with the choice of its form.
- */
+/** The dialog of the open APPR or DEP block of the program. A new block starts with the choice of its form. */
 export function ApproachBlock({ problems }: { readonly problems: readonly FindingEntry[] }) {
   const {
     reading: { program },
     index,
   } = useSession();
   const made = useOutcome((s) => s.newest?.run ?? null);
-  // The approaches of a run are known by the blocks of the program that called.
+  // The approaches of a run are listed by the calling blocks of the program.
   const run = useShownBeside() === null ? made : null;
   const [fresh] = useState(() => isFresh(index));
   useEffect(() => markFresh(null), []);

@@ -7,7 +7,7 @@ import { FormCard } from "./FormCard.tsx";
 import "../../../app/pictures/help/help.css";
 import "../../../app/pictures/plane/approach.css";
 
-/** A corner to show the forms at, while there is no contour next to the block. */
+/** A sample corner for the forms, if there is no contour next to the block. */
 const CORNER: readonly PlaneSegment[] = [
   { kind: "line", from: { x: 0, y: 60 }, to: { x: 0, y: 0 } },
   {
@@ -18,14 +18,14 @@ const CORNER: readonly PlaneSegment[] = [
 ];
 const SAMPLE_RADIUS = 8;
 
-/** All eight forms at the same contour, side by side, to choose from. */
+/** All eight forms at the same contour, to choose from. */
 export function ApproachChooser({
   context,
   chosen,
   onChoose,
 }: {
   readonly context: ApproachContext;
-  /** The form that the block has now. */
+  /** The present form of the block. */
   readonly chosen: { readonly shape: string; readonly departing: boolean } | null;
   readonly onChoose: (form: SuggestedForm) => void;
 }) {

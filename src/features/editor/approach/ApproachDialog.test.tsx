@@ -23,7 +23,7 @@ const TEXT = `0 BEGIN PGM P MM
 8 END PGM P MM
 `;
 
-/** The dialog of one block on a program of its own; `now` is the text after the newest change. */
+/** Renders the dialog of one block of a program; `now` is the text after the newest change. */
 function shown(index: number) {
   const now = { block: "" };
   function Page() {
@@ -56,7 +56,7 @@ test("the drawing names its points with their coordinates, and follows what is t
   expect(await screen.findByRole("img", { name: /PH at X−5 Y−10/ })).toBeDefined();
 });
 
-test("what is wrong is said at its prompt and leaves the block as it was", async () => {
+test("an error is shown at its prompt and leaves the block unchanged", async () => {
   const now = shown(4);
   await userEvent.click(screen.getByRole("button", { name: /^LEN length/ }));
   await userEvent.clear(open());
@@ -68,7 +68,7 @@ test("what is wrong is said at its prompt and leaves the block as it was", async
   expect(now.block).toContain("LEN10");
 });
 
-test("what is typed before the page shows the key before it goes by the block as it stands", async () => {
+test("typing before the previous key is rendered uses the newest block", async () => {
   const program = { now: parse(TEXT) };
   const blockOf = () => program.now.blocks[4]?.statement;
   const shownBlock = blockOf();
@@ -104,7 +104,7 @@ test("the keys of the control walk through the prompts to the end", async () => 
   expect(now.block).toBe("7 DEP LT LEN10");
 });
 
-test("another form is chosen from all eight at the same contour; what both know stays", async () => {
+test("another form is chosen from all eight at the same contour; common values stay", async () => {
   const now = shown(4);
   await userEvent.click(screen.getByRole("button", { name: "Change function" }));
   expect(screen.getAllByRole("button", { name: /^(APPR|DEP) L?[CLT][NT]?T?:/ })).toHaveLength(8);

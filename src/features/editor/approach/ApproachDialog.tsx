@@ -19,16 +19,16 @@ import { useApproachSession, useTypedApproach } from "./use-approach-session.tsx
 
 interface Props {
   readonly statement: ApproachStatement;
-  /** The block as it stands, where that is shown a moment after it was typed. */
+  /** The newest block, which is rendered a moment after typing. */
   readonly newest?: () => ApproachStatement;
-  /** What stands round the block: `approachContext` makes it from program and run. */
+  /** The surroundings of the block: `approachContext` makes them from program and run. */
   readonly context: ApproachContext;
-  /** What the last run found at this block. */
+  /** Findings of the last run at this block. */
   readonly found?: readonly FindingEntry[];
-  /** Begins with the choice of a form. */
+  /** Starts with the choice of a form. */
   readonly choosing?: boolean;
-  /** Changes with the same place, one after the other, are one step of undo; null is a step of its own. */
-  /** The prompt that it begins with, and what hears of each that opens. */
+  /** Consecutive changes with the same place are one step of undo; null is a separate step. */
+  /** The first open prompt, and the callback for each one opened. */
   readonly begins?: string | null;
   readonly onOpen?: (word: string | null) => void;
   readonly onChange: (next: ApproachStatement, place: string | null) => void;
@@ -38,10 +38,7 @@ interface Props {
 const weight = { error: 0, warning: 1, info: 2 } as const;
 const placed = (issue: Issue): FindingEntry => entryAt(issue, issue.at ?? null, null);
 
-/**
- * Everything about one block, worst first, nothing twice: what its words say, what its geometry says, what the run
- * found.
- */
+/** All issues of one block, worst first, without duplicates: of its words, its geometry and the run. */
 function approachProblems(
   reading: ApproachReading,
   made: readonly Issue[],
@@ -54,7 +51,7 @@ function approachProblems(
   return [...all.values()].sort((a, b) => weight[a.issue.severity] - weight[b.issue.severity]);
 }
 
-/** The end of the dialog: what is still wrong. */
+/** The end of the dialog: the remaining faults. */
 function ApproachDone({ session }: { readonly session: PromptSession }) {
   const {
     dialog: { active, done: t },
@@ -77,7 +74,7 @@ function ApproachDone({ session }: { readonly session: PromptSession }) {
   );
 }
 
-/** The dialog of an APPR or DEP block: one prompt open, the drawing of its values, all other prompts one line each. */
+/** The dialog of an APPR or DEP block: one open prompt, the drawing of its values, all other prompts one line each. */
 export function ApproachDialog({
   statement,
   newest = () => statement,

@@ -20,7 +20,7 @@ import "../../../app/pictures/plane/approach.css";
 
 const { direction, scaled } = plane;
 
-/** Elements of a long contour farther away than this are not in the picture, mm. */
+/** Farther elements of a long contour are left out of the picture, mm. */
 const FARTHEST = 500;
 
 /**
@@ -38,7 +38,7 @@ export function ApproachPicture({
   /** "APPR LT" */
   readonly name: string;
   readonly form: ApproachForm;
-  /** Null leaves the last picture, dimmed. */
+  /** Null keeps the last picture, dimmed. */
   readonly ready: ReadyApproach | null;
   readonly context: ApproachContext;
   readonly active: ApproachWord | null;

@@ -13,10 +13,10 @@ import { approachSpeech } from "../../../app/pictures/plane/speech.ts";
 
 const SIZE = { width: 200, height: 132 };
 const NO_TIP: PlanePoint = { x: 0, y: 0 };
-/** Elements of the contour farther away than this many tool radii are not in a small picture. */
+/** Farther elements of the contour are left out of a small picture, in tool radii. */
 const NEAR = 40;
 
-/** One form as a small picture with its name, to take. */
+/** One form as a small picture with its name, to choose. */
 export function FormCard({
   suggested,
   contour,

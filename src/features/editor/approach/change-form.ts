@@ -10,7 +10,7 @@ import type { SuggestedForm } from "../../../view/approach/forms.ts";
 
 const text = (n: number | undefined, unit: number) => (n === undefined ? "" : positionAsTyped(n / unit));
 
-/** The block with another form. What both forms know stays as typed; what is new takes values that fit the contour. */
+/** The block with another form. Values common to both forms stay as typed; new ones get values that fit the contour. */
 export function withForm(
   statement: ApproachStatement,
   taken: SuggestedForm,

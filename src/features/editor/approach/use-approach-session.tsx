@@ -18,7 +18,7 @@ import { useSettings } from "../../../app/base/settings/settings.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { heldWhileTyping } from "../../../app/base/typing.ts";
 
-/** What is typed into the prompts of one block. */
+/** The typed values of one block. */
 export interface TypedApproach {
   readonly draft: ApproachDraft;
   readonly reading: ApproachReading;
@@ -30,7 +30,7 @@ const same = (a: ApproachStatement, b: ApproachStatement) =>
   a.departing === b.departing &&
   JSON.stringify(approachDraft(a)) === JSON.stringify(approachDraft(b));
 
-/** What the prompts of a block hold: what was typed, unless the block was changed elsewhere and says something else. */
+/** The values of the prompts: as typed, unless the block was changed elsewhere. */
 const shownDraft = (
   statement: ApproachStatement,
   { plane, parameters }: ApproachContext,
@@ -39,9 +39,9 @@ const shownDraft = (
   same(approachStatement(statement, plane, typed, parameters), statement) ? typed : approachDraft(statement);
 
 /**
- * Typed text of a block. What can be read goes into the block at once; what can not stays in its prompt. A block that
- * was changed elsewhere (undo, its text) takes the place of what was typed. `newest`: the block as it stands, which is
- * shown a moment after it was typed. `onTyped` is told whether all that is typed can be read.
+ * Typed text of a block. Readable values go into the block at once; others stay in their prompt. A block changed
+ * elsewhere (undo, its text) replaces the typed text. `newest`: the newest block, which is rendered a moment after
+ * typing. `onTyped` gets whether all typed values are readable.
  */
 export function useTypedApproach(
   statement: ApproachStatement,
@@ -68,7 +68,7 @@ export function useTypedApproach(
   };
 }
 
-/** What a word is measured in. */
+/** The unit of a word. */
 function unitText(t: Texts, { kind }: ApproachField, inch: boolean): string {
   const long = inch ? "inch" : "mm";
   switch (kind) {
@@ -92,7 +92,7 @@ interface Shown {
   readonly typed: TypedApproach;
   readonly findings: readonly FindingEntry[];
   readonly picture: (open: ApproachWord | null) => ReactNode;
-  /** The prompt that it begins with; the first one where the form has none such. */
+  /** The first open prompt; the first one if the form lacks it. */
   readonly begins?: string | null;
 }
 
@@ -116,7 +116,7 @@ export function useApproachSession({
     before: first ? (draft[first] ?? "") : "",
     focus: 0,
   });
-  // Another form may have no such word.
+  // The new form may lack this word.
   const open = fields.find((f) => f.id === opened.id)?.id ?? (opened.id === null ? null : first);
 
   const shownOf = (f: ApproachField): Prompt["shown"] => {
@@ -153,7 +153,7 @@ export function useApproachSession({
     readings: reading,
     findings,
     set: (id, text) => typed.set({ [id]: text }),
-    // What belongs to the block as a whole, or to a word that has no prompt, is said at every prompt.
+    // Issues of the block as a whole, or of a word without a prompt, are shown at every prompt.
     besides: () =>
       findings.flatMap((entry) => {
         if (entry.at === null) return [{ entry }];

@@ -12,7 +12,7 @@ interface Props {
   readonly onText: (text: string) => void;
 }
 
-/** True when a typed number can be used, a sum too. */
+/** True if the typed number is valid; a sum is, too. */
 export const isUsable = (field: Field, text: string): boolean => readText(field, text).issue === null;
 
 /** One number of a dialog that is not part of the work yet. */

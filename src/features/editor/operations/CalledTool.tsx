@@ -20,7 +20,7 @@ interface Props {
   readonly change: (next: Statement) => void;
 }
 
-/** The tool that a block calls, drawn and named, and the way to another one. */
+/** The tool that a block calls, drawn and named, and the button to change it. */
 export function CalledTool({ statement, change }: Props) {
   const t = useTexts();
   const [choosing, choose] = useState(false);

@@ -32,7 +32,7 @@ import "./operations.css";
 
 const WhichCycle = lazyPart(async () => ({ default: await whichSlot.fetch() }));
 
-/** What the new operation finds: the blank, and what runs before its place. */
+/** The proposed job for a new operation, from the blank and the operations before its place. */
 function proposalFor(cycle: Cycle, behind: number | null): SetJob {
   const { newest } = useOutcome.getState();
   const { program } = useSession.getState().reading;

@@ -19,29 +19,29 @@ const DRAWING = 32;
 interface Props {
   readonly row: OperationRow;
   readonly last: boolean;
-  /** The open block is one of its. */
+  /** The open block belongs to this operation. */
   readonly isCurrent: boolean;
-  /** Its blocks and what can be done with it are shown. */
+  /** Its blocks and actions are unfolded. */
   readonly isOpen: boolean;
   readonly index: number;
   readonly onAct: (what: OperationAct) => void;
-  /** It was dragged to the place of another one. */
+  /** It was dropped at the place of another one. */
   readonly onDrop: (to: number) => void;
 }
 
-/** Marks the place where what is dragged would go; none for null. */
+/** Marks the drop place; none for null. */
 function markPlace(list: Element | null, to: number | null): void {
   [...(list?.children ?? [])].forEach((item, i) => item.classList.toggle("is-target", i === to));
 }
 
-/** The place in the list over which a pointer is. */
+/** Index of the place under the pointer. */
 function placeAt(list: Element | null, y: number): number {
   const items = [...(list?.children ?? [])];
   const found = items.findIndex((item) => y < item.getBoundingClientRect().bottom);
   return found < 0 ? items.length - 1 : found;
 }
 
-/** One operation: what it is, what it did, what can be done with it, and its blocks. */
+/** One operation: its name, results, actions and blocks. */
 export function OperationItem({ row, last, isCurrent, isOpen, index, onAct, onDrop }: Props) {
   const t = useTexts();
   const words = t.operations;

@@ -26,7 +26,7 @@ import "./operations.css";
 
 const ToolDialog = lazyPart(async () => ({ default: (await import("./ToolDialog.tsx")).ToolDialog }));
 
-/** The operations of the shown text, each with what can be done with it as a whole. */
+/** The operations of the shown text, each with its actions. */
 export function OperationList({ filter }: { readonly filter: ReactNode }) {
   const t = useTexts();
   const words = t.operations;

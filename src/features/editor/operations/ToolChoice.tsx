@@ -9,16 +9,14 @@ import { useToolList } from "../../../app/document/work-tools.ts";
 const DRAWING = 40;
 
 interface Props {
-  /** What each tool can do; null while nobody knows. */
+  /** The suitability of each tool; null while unknown. */
   readonly fits: readonly ToolFit[] | null;
-  /** The tool that is taken now, by number or name. */
+  /** The present tool, by number or name. */
   readonly taken: string | null;
   readonly onTake: (tool: number) => void;
 }
 
-/**
- * All tools as buttons, drawn, with their names: those that make the contour first, the others with what they leave.
- */
+/** All tools as buttons, drawn and named: suitable ones first, the others with the residual material they leave. */
 export function ToolChoice({ fits, taken, onTake }: Props) {
   const t = useTexts();
   const tools = useToolList();

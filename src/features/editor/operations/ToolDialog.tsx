@@ -8,17 +8,17 @@ import { ToolChoice } from "./ToolChoice.tsx";
 import "./operations.css";
 
 interface Props {
-  /** What the tool is for. */
+  /** Purpose of the tool. */
   readonly title: string;
-  /** The tool that is called now, as the program says it. */
+  /** The called tool, as the program writes it. */
   readonly taken: string | null;
-  /** Index of the block that defines the cycle: its call is tried with each tool. */
+  /** Index of the block that defines the cycle: its call is simulated with each tool. */
   readonly line: number;
   readonly done: () => void;
   readonly onTake: (tool: number) => void;
 }
 
-/** The tools of the table for an operation, those that make its contour first. */
+/** The tools of the table for an operation, suitable ones first. */
 export function ToolDialog({ title, taken, line, done, onTake }: Props) {
   const t = useTexts().operations;
   const dialog = useRef<HTMLDialogElement>(null);

@@ -16,7 +16,7 @@ import { openingBlock } from "../../../app/fields/blocks/operation-rows.ts";
 
 const present = (): Program => useSession.getState().reading.program;
 
-/** Puts a changed program in place as one step of undo, with an operation open; what is refused changes nothing. */
+/** Applies an edited program as one step of undo, with an operation open; a refusal changes nothing. */
 function put(next: Program | Refusal, unit: number): Refusal | null {
   if (isRefused(next)) return next;
   editProgram(next, null, openingBlock(next, unit));
@@ -30,7 +30,7 @@ export const removeOperation = (unit: number): Refusal | null =>
 export const retoolOperation = (unit: number, tool: number): Refusal | null =>
   put(retooledOperation(present(), unit, tool), unit);
 
-/** Behind skip marks an operation is left out once the switch for them is on: both are one step. */
+/** Toggles the skip marks of an operation. They only act with their switch on, so both are one step. */
 export function switchOperation(unit: number): Refusal | null {
   const program = present();
   const own = operationsOf(program).units[unit];

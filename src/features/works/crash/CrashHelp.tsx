@@ -7,7 +7,7 @@ import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { ReportList } from "./ReportList.tsx";
 import "../works.css";
 
-/** What helps after a fault of the page: the work as a file, everything as a file, and the report to copy. */
+/** Help after an error of the page: the work as a file, a backup, and the report to copy. */
 export function CrashHelp() {
   const { reports } = useTexts("device");
   const [said, say] = useState("");

@@ -5,7 +5,7 @@ import { useEditor } from "../../../app/document/store.ts";
 import { useTexts } from "../../../app/base/settings/use-texts.ts";
 import { forgetReports, reportText, useReports } from "../../../app/records/reports.ts";
 
-/** The text of the open work; null where there is none that can be printed. */
+/** The text of the open work; null if it cannot be printed. */
 function openText(): string | null {
   const { job, program } = useEditor.getState();
   try {
@@ -21,7 +21,7 @@ const copy = (text: string): Promise<"copied" | "notCopied"> =>
     () => "notCopied" as const,
   );
 
-/** The faults that were noted on this device: looked at, copied, deleted. */
+/** The error reports of this device: view, copy, delete. */
 export function ReportList({ open = false }: { readonly open?: boolean }) {
   const { reports: t } = useTexts("device");
   const language = useSettings((s) => s.language);
