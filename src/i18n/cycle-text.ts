@@ -3,9 +3,9 @@ import type { KeptNumber } from "../cycles/kept-cycles.ts";
 import type { CycleNumber } from "../cycles/index.ts";
 import type { Evidence, Kind } from "../cycles/params.ts";
 
-/** What the screen says about one cycle, in our own words after its manual page. */
+/** The screen texts of one cycle, in our own words after its manual page. */
 export interface CycleText {
-  /** Heading: what it is called in the trade. */
+  /** Heading: its trade name. */
   readonly name: string;
   /** One sentence for the menu. */
   readonly summary: string;
@@ -16,21 +16,21 @@ export interface CycleText {
   readonly notes: readonly string[];
 }
 
-/** Texts about cycles. A cycle of the catalogue without its texts is a compile error in each language. */
+/** Texts of the cycles. A cycle of the catalogue without texts is a compile error in each language. */
 export interface CyclesTexts {
   readonly groups: Readonly<Record<Group, string>>;
   readonly evidence: Readonly<Record<Evidence, string>>;
-  /** What a value measures, in a word or two. */
+  /** The quantity of a value, in a word or two. */
   readonly kinds: Readonly<Record<Kind, string>>;
-  /** Status line while a move runs: number of the step, how many there are, what it does. */
+  /** Status line during a move: number of the step, number of steps, what the step does. */
   readonly roughStep: (step: number, of: number, text: string) => string;
   readonly finishStep: (step: number, of: number, text: string) => string;
   /** Before step 1. */
   readonly positioning: string;
-  /** Those that are read and kept, and not run. */
+  /** Cycles that are read and preserved, not simulated. */
   readonly kept: Readonly<Record<KeptNumber, string>>;
   readonly of: Readonly<Record<CycleNumber, CycleText>>;
 }
 
-/** Texts of some of them: those of one group. */
+/** Texts of some cycles: those of one group. */
 export type CycleTexts = Partial<Record<CycleNumber, CycleText>>;

@@ -1,4 +1,4 @@
-/** The words that the glossary explains, by a key that is part of their address. */
+/** The terms of the glossary, by a key that is part of their address. */
 export const TERMS = [
   "blank",
   "stock",
@@ -53,23 +53,23 @@ export const TERMS = [
 
 export type TermId = (typeof TERMS)[number];
 
-/** A word and what it means, in one to three sentences. */
+/** A term and its meaning, in one to three sentences. */
 export interface Term {
   readonly name: string;
   readonly text: string;
-  /** Another word that means it as well: what is said in the shop. */
+  /** A synonym: the shop word. */
   readonly also?: string;
-  /** A pattern of what stands before the name where it is this term, for a name that mostly means something else. */
+  /** A pattern for the text before the name, for a name that usually has another meaning. */
   readonly where?: string;
 }
 
-/** How names of the glossary stand in sentences of a language. */
+/** How glossary names appear in sentences of a language. */
 export interface WordForms {
-  /** A pattern of a name and of what becomes of it in a sentence. */
+  /** A pattern that matches a name and its inflected forms. */
   readonly formsOf: (name: string) => string;
-  /** Names have capitals, and a word that is spelled alike without one is another. */
+  /** Names are capitalized, and a word without its capital is another word. */
   readonly capitals: boolean;
-  /** Words stand apart from each other. */
+  /** Words are separated by spaces. */
   readonly apart: boolean;
 }
 

@@ -16,7 +16,7 @@ import type { SetupTexts } from "./en/workplace/setup.ts";
 import type { ToolsTexts } from "./en/tables/tools.ts";
 import { LANGUAGES, type Language } from "./languages.ts";
 
-/** What the first screen says, beside the names of the cycles. */
+/** Texts of the first screen, except the names of the cycles. */
 export interface FirstTexts {
   readonly page: PageTexts;
   readonly chooser: ChooserTexts;
@@ -40,7 +40,7 @@ export interface Texts extends FirstTexts {
   readonly cycles: CyclesTexts;
 }
 
-/** Those of the tables that the device keeps, tools and own cycles: they come when one of them is shown. */
+/** Texts of the stored tables, tools and own cycles: loaded when one of them is shown. */
 export interface TableTexts {
   readonly tools: ToolsTexts;
   readonly own: OwnTexts;
@@ -56,5 +56,5 @@ const all = Object.fromEntries(
   ]),
 ) as Readonly<Record<Language, Texts & TableTexts>>;
 
-/** Both in a screen language, without waiting: for reports, scripts and tests. */
+/** All texts in a screen language, synchronously: for reports, scripts and tests. */
 export const texts = (language: Language): Texts & TableTexts => all[language];

@@ -1,8 +1,8 @@
 import { NC_LANGUAGES, type NcLanguage } from "../nc/nc-languages.ts";
 
 /**
- * The languages of the screen, a line for each: its own name, its decimal sign, and what stands between the items of a
- * list. The name of the line is the language tag, and the folder beside this file that holds its texts.
+ * The screen languages, one per line: own name, decimal sign, and list separator. The key is the language tag and the
+ * folder next to this file with the texts.
  */
 export const SCREEN_LANGUAGES = {
   en: { name: "English", decimal: ".", comma: ", " },
@@ -13,18 +13,16 @@ export const SCREEN_LANGUAGES = {
 export type Language = keyof typeof SCREEN_LANGUAGES;
 export const LANGUAGES = Object.keys(SCREEN_LANGUAGES) as readonly Language[];
 
-/** True for a language setting that may come from outside (saved work, browser). */
+/** True for a valid language setting from outside (saved program, browser). */
 export const isLanguage = (name: string): name is Language => Object.hasOwn(SCREEN_LANGUAGES, name);
 
-/** The language of NC text for somebody who reads the screen in a language: English where controls do not have it. */
+/** The language of NC text for a screen language: English where controls do not have it. */
 export const ncLanguageOf = (screen: Language): NcLanguage => NC_LANGUAGES.find((each) => each === screen) ?? "en";
 
-/** The languages that lessons and tasks are told in, in the order in which one stands in for another. */
+/** The languages of lessons and tasks, in fallback order. */
 export const LESSON_LANGUAGES = ["en", "de", "fr", "zh"] as const;
 export type LessonLanguage = (typeof LESSON_LANGUAGES)[number];
 
-/**
- * The language in which somebody who reads the screen in a language writes a task: English where tasks do not have it.
- */
+/** The language of a task written in a screen language: English where tasks do not have it. */
 export const lessonLanguageOf = (screen: Language): LessonLanguage =>
   LESSON_LANGUAGES.find((each) => each === screen) ?? "en";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { lengthsIn } from "./lengths.ts";
 
-test("an inch program hears of lengths, areas and units in inches, with one decimal more", () => {
+test("an inch program shows lengths, areas and units in inches, with one more decimal", () => {
   const { number, fixed, position, signed, area, fixedArea, words } = lengthsIn("de", "inch", 25.4);
   expect([number(37.465), number(0.3), fixed(0.178, 3), position(-95.0011), signed(52)]).toEqual([
     "1,475",
@@ -16,7 +16,7 @@ test("an inch program hears of lengths, areas and units in inches, with one deci
   );
 });
 
-test("a program in mm hears of what it is", () => {
+test("a program in mm shows values unchanged", () => {
   const { number, fixed, position, area, words } = lengthsIn("en", "mm", 1);
   expect([number(37.465), fixed(0.178, 2), position(-95.0011), area(0.456, 2), words("mm/rev")]).toEqual([
     "37.465",

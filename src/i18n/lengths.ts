@@ -2,10 +2,10 @@ import type { LengthUnit } from "../kernel/units.ts";
 import type { Language } from "./languages.ts";
 import { formatFixed, formatNumber, formatPosition, formatSigned } from "./number.ts";
 
-/** Who is spoken to: somebody whose program counts in a unit, or, with a language alone, in mm. */
+/** The reader: a program's unit with its language, or a language alone for mm. */
 export type Spoken = Language | Lengths;
 
-/** Decimals that a length in inches has more than in millimetres, and an area. */
+/** Additional decimals of a length in inches compared with millimetres, and of an area. */
 const MORE = 1,
   MORE_OF_AREA = 3;
 
@@ -13,8 +13,8 @@ const MORE = 1,
 const CUBIC_CM = 1000;
 
 /**
- * How lengths are told to somebody whose program counts in a unit. They come in mm, areas in mm², feeds in mm;
- * `decimals` are those of millimetres.
+ * How lengths are written for a program's unit. Input: lengths and feeds in mm, areas in mm²; `decimals` are those of
+ * millimetres.
  */
 export interface Lengths {
   readonly language: Language;
@@ -29,7 +29,7 @@ export interface Lengths {
   readonly fixedArea: (mm2: number, decimals: number) => string;
   /** cm³ of a body, with its unit. */
   readonly volume: (cm3: number) => string;
-  /** A text with units in it, as the program counts: inch for mm, inch² for mm², µin for µm. */
+  /** A text with its units converted to the program's: inch for mm, inch² for mm², µin for µm. */
   readonly words: (text: string) => string;
 }
 

@@ -6,27 +6,24 @@ import type { ShopWords } from "./shop-words.ts";
 
 const shop = import.meta.glob<ShopWords>("./*/first/shop-words.ts", { eager: true, import: "shopWords" });
 
-/** What the menu says about one cycle. */
+/** The menu texts of one cycle. */
 export interface MenuWord {
   readonly name: string;
   readonly summary: string;
-  /** What the control writes behind its number. */
+  /** The name that the control writes after the number. */
   readonly nc: string;
 }
 
-/** Names of groups and cycles in one language, without what only their dialogs say. */
+/** Names of groups and cycles in one language, without the texts of dialogs. */
 export interface MenuWords {
   readonly groups: Readonly<Record<Group, string>>;
   readonly of: Readonly<Record<number, MenuWord>>;
-  /** Names of the cycles that a program keeps and that are not run. */
+  /** Names of the cycles that a program preserves and that are not simulated. */
   readonly kept: Readonly<Record<number, string>>;
   readonly shop: ShopWords;
 }
 
-/**
- * Takes the words of the menu out of all texts. The build does that, so that the first screen loads nothing else of
- * them.
- */
+/** Extracts the menu texts from all texts. The build does this, so that the first screen loads no other texts. */
 export function menuWords(language: Language): MenuWords {
   const { groups, of, kept } = texts(language).cycles;
   const { cycleName } = ncLabels(ncLanguageOf(language));

@@ -3,7 +3,7 @@ import type { NcIssue } from "../nc/issue.ts";
 import type { ProgramIssue } from "../program/state/issue.ts";
 import type { Write } from "./write.ts";
 
-/** A finding of any layer. Those of the text have a line and a column instead of a field. */
+/** A finding of any layer. Findings of the text have a line and a column instead of a field. */
 export type AnyIssue = Issue | (NcIssue & { readonly at?: undefined }) | ProgramIssue;
 export type AnyCode = AnyIssue["code"];
 
@@ -13,9 +13,9 @@ export type Sentences = {
 };
 
 export interface MessagesTexts {
-  /** Why material stays, as it follows "left by". */
+  /** Why material is left, as a phrase after "left by". */
   readonly reasons: Readonly<Record<Reason, string>>;
-  /** A place with the number of further ones, as it follows "at". */
+  /** A place with the number of further places, as a phrase after "at". */
   readonly morePlaces: (place: string, more: number) => string;
   readonly of: Sentences;
 }

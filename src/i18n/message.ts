@@ -6,10 +6,10 @@ import type { AnyIssue } from "./message-texts.ts";
 import { messageIn, sentenceOf } from "./sentence.ts";
 import type { Write } from "./write.ts";
 
-/** The sentence of a finding; `kind` is what its field measures, so that a diameter is written with its sign. */
+/** The sentence of a finding; `kind` is the quantity of its field, so that a diameter gets its sign. */
 export const message = (spoken: Spoken, found: AnyIssue, kind?: Kind): string =>
   messageIn(texts(typeof spoken === "string" ? spoken : spoken.language), spoken, found, kind);
 
-/** The sentence of a finding with numbers as a writer makes them. */
+/** The sentence of a finding, with numbers formatted by a writer. */
 export const messageWith = (language: Language, found: AnyIssue, write: Write): string =>
   sentenceOf(texts(language), found, write);

@@ -1,7 +1,7 @@
 import type { ParamTextId } from "../cycles/index.ts";
 import type { Kind } from "../cycles/params.ts";
 
-/** What is often done wrong with a value: of its kind, and of some parameters in particular. */
+/** Common mistakes with a value: by its kind, and for some parameters in particular. */
 export interface MistakesTexts {
   readonly kinds: Readonly<Record<Kind, readonly string[]>>;
   readonly of: Partial<Readonly<Record<ParamTextId, readonly string[]>>>;

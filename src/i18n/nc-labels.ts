@@ -7,14 +7,14 @@ import type { NcWord, NcWords } from "./nc-words.ts";
 /** A control set to Chinese prints English words (printed on a TNC7 page). */
 const all: Readonly<Record<NcLanguage, NcWords>> = { en, de, fr, zh: en };
 
-/** False for a language in which the control prints the words of another. */
+/** False for a language in which the control prints another language's words. */
 export const hasOwnWords = (language: NcLanguage): boolean => language === "en" || all[language] !== en;
 
-/** What a printer of NC text asks for. Nothing here is a sentence. */
+/** The words that a printer of NC text needs. No sentences. */
 export interface NcLabels {
-  /** Name behind the number in the CYCL DEF line; empty for a cycle that has none. */
+  /** Name after the number in the CYCL DEF line; empty for a cycle without a name. */
   cycleName(cycle: number): string;
-  /** Label behind the semicolon, by the text key of the parameter in the catalogue; empty for an unknown key. */
+  /** Label after the semicolon, by the text key of the parameter in the catalogue; empty for an unknown key. */
   label(text: string): string;
   /** Cycle 14: `CYCL DEF 14.0 ${title}`, `CYCL DEF 14.1 ${label}2`. */
   readonly contour: { readonly title: string; readonly label: string };

@@ -1,18 +1,18 @@
 import type { ChoiceTextId, ParamTextId } from "../cycles/index.ts";
 
-/** What the screen says about one parameter. */
+/** The screen texts of one parameter. */
 export interface ParamText {
   /** The question as the control asks it. */
   readonly prompt: string;
-  /** True when this prompt is printed in a manual page of this language; false where we word it ourselves. */
+  /** True when a manual page of this language prints this prompt; false where we word it ourselves. */
   readonly printed: boolean;
-  /** A few words for an answered prompt and in front of a message. */
+  /** A few words for an answered prompt and before a message. */
   readonly label: string;
-  /** What the value does, in one to three sentences. */
+  /** The effect of the value, in one to three sentences. */
   readonly explanation: string;
 }
 
-/** A choice also says what each of its numbers means. */
+/** A choice also explains each of its numbers. */
 export interface ChoiceText extends ParamText {
   readonly choices: Readonly<Record<number, string>>;
 }
@@ -20,5 +20,5 @@ export interface ChoiceText extends ParamText {
 /** A parameter of the catalogue without its texts is a compile error in each language. */
 export type ParamsTexts = { readonly [T in ParamTextId]: T extends ChoiceTextId ? ChoiceText : ParamText };
 
-/** Texts of some of them: what one group of cycles has for itself. */
+/** Texts of some parameters: those of one group of cycles. */
 export type SomeParamTexts = Partial<ParamsTexts>;

@@ -2,9 +2,7 @@
 import type { Language } from "./languages.ts";
 import type { Shape } from "./shape.ts";
 
-/**
- * The files of a language's folder. Each exports its texts and nothing else, and is fetched where it is first needed.
- */
+/** The files of a language's folder. Each exports only its texts, and is fetched on first use. */
 interface English {
   readonly advice: typeof import("./en/advice.ts");
   readonly clamping: typeof import("./en/clamping.ts");
@@ -22,6 +20,7 @@ interface English {
   readonly "guide-blocks": typeof import("./en/guide-blocks.ts");
   readonly "guide-places": typeof import("./en/guide-places.ts");
   readonly handed: typeof import("./en/handed.ts");
+  readonly keys: typeof import("./en/keys.ts");
   readonly load: typeof import("./en/load.ts");
   readonly machine: typeof import("./en/machine.ts");
   readonly measure: typeof import("./en/measure.ts");
@@ -44,7 +43,7 @@ export type PartTexts<N extends PartName> = Shape<English[N][keyof English[N]]>;
 
 type File = Readonly<Record<string, unknown>>;
 const first = import.meta.glob<File>("./*/first.ts");
-/** What a language has beside it: a page that shows one language knows the files of no other. */
+/** The texts of the other languages: a page that shows one language knows the files of no other. */
 const others = import.meta.glob<Readonly<Record<string, () => Promise<File>>>>("./*/parts.ts", { import: "parts" });
 
 /** Fetches a part of the texts of a language. */

@@ -3,16 +3,16 @@ import { messageWith } from "./message.ts";
 import type { AnyIssue } from "./message-texts.ts";
 import { isLength, writer, type Write } from "./write.ts";
 
-/** How a number of a finding is told: as a length, mm, or as an area, mm². */
+/** Quantity of a number in a finding: a length, mm, or an area, mm². */
 export type Printed = "length" | "area";
 
-/** Numbers are told apart by so little, which changes no sentence. */
+/** A difference that distinguishes numbers without changing a sentence. */
 const MARK = 1e-9;
 
 /**
- * Which numbers of a finding its sentence prints as lengths or areas, by their names in its data. The sentence itself
- * says so: it is made with a writer that notes what it is given. What it prints otherwise, as speeds, counts and
- * angles, is the same in any unit.
+ * The numbers of a finding that its sentence prints as lengths or areas, by their names in its data. The sentence
+ * itself shows this: it is formatted with a writer that records its inputs. Speeds, counts and angles are the same in
+ * any unit.
  */
 export function printedLengths(found: AnyIssue, kind?: Kind): ReadonlyMap<string, Printed> {
   const names = new Map<number, string>();

@@ -4,18 +4,15 @@ import type { Spoken } from "./lengths.ts";
 import type { AnyIssue } from "./message-texts.ts";
 import { writer, type Write } from "./write.ts";
 
-/** Words of an approach that have a range, by what they measure. */
+/** Words of an approach with a range, by their quantity. */
 const OF_APPROACH: Readonly<Partial<Record<string, Kind>>> = { LEN: "length", R: "length", CCA: "angle" };
 
-/** What the value of a finding measures: that of its parameter, or of a word of its block. */
+/** The quantity of a finding's value: that of its parameter, or of a word of its block. */
 export function measureOf({ code, at }: AnyIssue, kind?: Kind): Kind | undefined {
   return kind ?? (code === "outOfRange" && at !== undefined ? OF_APPROACH[at] : undefined);
 }
 
-/**
- * The sentence of a finding in texts at hand. One that was met in several places names the first of them and counts the
- * others.
- */
+/** The sentence of a finding in loaded texts. A finding with several places names the first and counts the others. */
 export function messageIn(inTexts: Pick<Texts, "messages">, spoken: Spoken, found: AnyIssue, kind?: Kind): string {
   const write = writer(spoken, measureOf(found, kind));
   const more = "places" in found.data && typeof found.data.places === "number" ? found.data.places - 1 : 0;
@@ -23,7 +20,7 @@ export function messageIn(inTexts: Pick<Texts, "messages">, spoken: Spoken, foun
   return sentenceOf(inTexts, found, more > 0 ? { ...write, place } : write);
 }
 
-/** The sentence of a finding with numbers as a writer makes them. */
+/** The sentence of a finding, with numbers formatted by a writer. */
 export function sentenceOf({ messages }: Pick<Texts, "messages">, found: AnyIssue, write: Write): string {
   const sentence = messages.of[found.code] as (data: object, write: Write) => string;
   return sentence(found.data, write);

@@ -1,6 +1,6 @@
 /**
- * The shape of a set of texts: the same keys and arguments, any words. English is written first, the others fit its
- * shape.
+ * The shape of a set of texts: same keys and arguments, any words. English is written first; the other languages must
+ * match its shape.
  */
 export type Shape<T> = T extends string
   ? string

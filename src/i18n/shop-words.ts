@@ -1,11 +1,11 @@
 import type { Group } from "../cycles/define.ts";
 
-/** Words of the shop that no name of a cycle holds, for the search. */
+/** Shop terms for the search that no cycle name contains. */
 export interface ShopWords {
-  /** What one asks for when any cycle of a group may be meant. */
+  /** Terms that match every cycle of a group. */
   readonly groups: Readonly<Record<Group, readonly string[]>>;
-  /** What one asks for when the contour is a subprogram. */
+  /** Terms that match the cycles of a contour subprogram. */
   readonly free: readonly string[];
-  /** Words for the same thing: whoever types one finds the others too. */
+  /** Synonyms: typing one finds the others too. */
   readonly same: readonly (readonly string[])[];
 }

@@ -6,9 +6,7 @@ import type { NotCovered } from "../program/iso-codes/tool-code.ts";
 type Named<K extends string> = Readonly<Record<K, string>>;
 type NotesOf<N, V> = { readonly [K in Extract<CodeNote, N>["is"]]: V };
 
-/**
- * Texts of the reading of tool codes. They come with the tool table. Numbers come as they are written on the screen.
- */
+/** Texts of the reading of tool codes, loaded with the tool table. Numbers arrive as formatted for the screen. */
 export interface ToolCodeTexts {
   readonly label: string;
   readonly hint: string;
@@ -19,7 +17,7 @@ export interface ToolCodeTexts {
   readonly taken: (code: string, n: number) => string;
   readonly readName: (code: string) => string;
   readonly empty: string;
-  /** Stands for the corners of a head. */
+  /** Placeholder for the corners of a head. */
   readonly outline: string;
   readonly newOutline: string;
   readonly notCovered: Named<NotCovered>;

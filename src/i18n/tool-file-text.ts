@@ -1,4 +1,4 @@
-/** Texts of what files bring into the tool table and take out of it. They come with the tool table. */
+/** Texts of importing and exporting tool files, loaded with the tool table. */
 export interface ToolFileTexts {
   readonly title: (files: string) => string;
   readonly fresh: (n: number) => string;
@@ -13,7 +13,7 @@ export interface ToolFileTexts {
   readonly takeAll: (n: number) => string;
   readonly takeNew: (n: number) => string;
   readonly cancel: string;
-  /** What the file itself keeps of columns that have no place here. */
+  /** Columns that the table does not show and the file preserves. */
   readonly keptInFile: (names: string) => string;
   readonly leftOut: (names: string) => string;
   readonly taken: (files: string, fresh: number, changed: number) => string;

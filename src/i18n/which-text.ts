@@ -2,11 +2,11 @@ import type { TurnedShape } from "../cycles/define.ts";
 import type { Site } from "../cycles/wanted.ts";
 import type { Reason } from "../kernel/plan/issue.ts";
 
-/** Texts of the question which cycle makes a shape. They come with its dialog. */
+/** Texts of the cycle search by shape, loaded with its dialog. */
 export interface WhichTexts {
   readonly title: string;
   readonly lead: string;
-  /** With a place in braces for each choice. */
+  /** The sentence, with a placeholder in braces for each choice. */
   readonly sentence: string;
   readonly site: { readonly label: string; readonly of: Readonly<Record<Site, string>> };
   readonly shape: { readonly label: string; readonly of: Readonly<Record<TurnedShape, string>> };
@@ -14,7 +14,7 @@ export interface WhichTexts {
   readonly measures: Readonly<Record<"d1" | "d2" | "z1" | "z2" | "angle" | "pitch" | "allowance", string>>;
   readonly threadDiameter: string;
   readonly degrees: string;
-  /** What is wrong between two numbers. */
+  /** Faults between two numbers. */
   readonly faults: Readonly<Record<"notSmaller" | "notLarger" | "same" | "contour", string>>;
   readonly stretch: {
     readonly title: string;

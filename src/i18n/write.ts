@@ -2,17 +2,14 @@ import type { Kind } from "../cycles/params.ts";
 import { lengthsIn, type Spoken } from "./lengths.ts";
 import { formatNumber } from "./number.ts";
 
-/**
- * Numbers inside sentences, in the way of one language and in the unit of the program that is spoken of. X data are
- * diameters, mm.
- */
+/** Formats numbers in sentences for a language and for the unit of the program. X data are diameters, mm. */
 export interface Write {
   /** A plain number. */
   readonly number: (value: number) => string;
-  /** A length, mm, as the program counts; with its unit. */
+  /** A length, mm, in the program's unit; with that unit. */
   readonly size: (mm: number, decimals?: number) => string;
   readonly length: (mm: number) => string;
-  /** A value of the field in question: with ⌀ where it is a diameter, with ° where it is an angle. */
+  /** A value of the field concerned: with ⌀ for a diameter, with ° for an angle. */
   readonly value: (value: number) => string;
   readonly diameter: (value: number) => string;
   readonly angle: (value: number) => string;
@@ -24,14 +21,14 @@ export interface Write {
   readonly text: (text: string) => string;
   /** A place: X⌀50 Z-20. */
   readonly place: (x: number, z: number) => string;
-  /** A place of the working plane: X-5 Y+5 while milling, X⌀50 Z-20 in turning. */
+  /** A place in the working plane: X-5 Y+5 in milling, X⌀50 Z-20 in turning. */
   readonly spot: (x: number, y: number | undefined, z: number | undefined) => string;
 }
 
-/** Longer quotations say no more. */
+/** Longer quotations are cut, characters. */
 const LONGEST = 40;
 
-/** What is no length and counts the same in any program. A feed is told as the program is read. */
+/** Quantities other than lengths, the same in any unit. A feed is shown as the program is read. */
 const NO_LENGTH: ReadonlySet<string | undefined> = new Set([
   "choice",
   "angle",
@@ -43,18 +40,18 @@ const NO_LENGTH: ReadonlySet<string | undefined> = new Set([
   undefined,
 ]);
 
-/** Whether what a field measures is a length, so that it counts in the unit of the program. */
+/** Whether a field measures a length, so that it is shown in the unit of the program. */
 export const isLength = (kind: Kind | undefined): boolean => !NO_LENGTH.has(kind);
 
 const isDiameter = (kind: Kind | undefined) => kind === "diameter" || kind === "oversizeDiameter";
 
-/** Formats numbers for a language and the unit of a program; `kind` is what the field in question measures. */
+/** Formats numbers for a language and the unit of a program; `kind` is the quantity of the field concerned. */
 export function writer(spoken: Spoken, kind?: Kind): Write {
   const lengths = typeof spoken === "string" ? lengthsIn(spoken, "mm", 1) : spoken,
     { language, number: size, signed } = lengths;
   const number = (value: number) => formatNumber(language, value);
   const diameter = (value: number) => `⌀${size(value)}`;
-  /** Four decimals: some limits have them, and they must not be rounded past themselves. */
+  /** Four decimals: some limits have them, and rounding must not move a value past its limit. */
   const full = (value: number) => formatNumber(language, value, 4);
   const angle = (value: number) => `${full(value)}°`;
   const exact = !isLength(kind) ? full : (value: number) => size(value, 4),

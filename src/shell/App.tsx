@@ -30,7 +30,7 @@ import { fetchToolPage } from "../features/tools/index.ts";
 import { fetchWhichCycle } from "../features/which/index.ts";
 import { fetchBringInDialog, fetchElsewherePage, fetchWorksPage } from "../features/works/index.ts";
 
-/** Parts that are fetched when they are first shown, together with the texts that they need. */
+/** Fetches a part together with the texts that it needs. */
 const later =
   <M,>(fetch: () => Promise<M>) =>
   async (): Promise<M> =>
@@ -52,6 +52,7 @@ const CoursePage = lazyPart(async () => ({ default: (await fetchCourse()).Course
 const ElsewherePage = lazyPart(async () => ({ default: (await fetchElsewherePage()).ElsewherePage }));
 /** Fetched with their texts when somebody asks. */
 const ChooseProgram = lazyPart(async () => ({ default: (await fetchChooseProgram()).ChooseProgram }));
+const KeySheet = lazyPart(async () => ({ default: (await import("../app/fields/keys/KeySheet.tsx")).KeySheet }));
 const CompareDialog = lazyPart(async () => ({ default: (await fetchCompareDialog()).CompareDialog }));
 const WhichCycle = lazyPart(async () => ({ default: (await fetchWhichCycle()).WhichCycle }));
 const fetchSheet = later(fetchSheetPage);
@@ -66,7 +67,7 @@ const UpdateBar = lazyPart(async () => ({ default: (await fetchUpdateBar()).Upda
 
 const Start = () => <StartPage course={<CourseEntrance />} />;
 
-/** The workplace of the open job or program. A job of a cycle that this edition does not know is none. */
+/** The workplace of the open job or program; nothing for a job with a cycle that this edition lacks. */
 function OpenWork() {
   const t = useTexts("first").page;
   const hasJob = useEditor((s) => s.job !== null && menuCycle(s.job.cycle) !== undefined);
@@ -102,7 +103,7 @@ const PAGES: Readonly<Record<Page["page"], ComponentType>> = {
   guide: GuidePage,
 };
 
-/** The page: the top line, what is seen, and what lies over it. */
+/** The page: the header, the page on top, and dialogs. */
 export function App() {
   const ready = useKeeping((k) => k.ready);
   const name = useEditor((s) => s.job?.name ?? s.program?.name);
@@ -140,11 +141,11 @@ export function App() {
       )}
       {ready && over && (
         <Suspense>
-          {over.dialog === "which" ? (
-            <WhichCycle done={closeOver} region={over.region} />
-          ) : (
+          {over.dialog === "which" && <WhichCycle done={closeOver} region={over.region} />}
+          {over.dialog === "comparison" && (
             <CompareDialog done={closeOver} showBlock={over.showBlock} against={over.against} />
           )}
+          {over.dialog === "keys" && <KeySheet done={closeOver} place={over.place} />}
         </Suspense>
       )}
       <IncomingWork />

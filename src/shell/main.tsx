@@ -25,6 +25,7 @@ import "../app/base/styles/layout.css";
 import "../app/base/styles/dialog.css";
 import "../app/base/styles/panels.css";
 import "../app/base/styles/start.css";
+import { onKeysKey } from "../app/fields/keys/keys-key.ts";
 import { startOfflineLater } from "../features/offline/first.ts";
 
 z.config({ jitless: true });
@@ -33,7 +34,8 @@ followAppearance();
 followMissing();
 startOfflineLater();
 document.addEventListener("keydown", onHistoryKey);
-/** What is kept beside the work: its history in this tab, and its picture. The first screen waits for neither. */
+document.addEventListener("keydown", onKeysKey);
+/** Starts saving the history in this tab and the picture of the work. The first screen waits for neither. */
 async function keepBeside(): Promise<void> {
   const [{ startKeepingSteps, takeKeptSteps }, { startKeepingPictures }] = await untilHere(() =>
     Promise.all([import("../app/records/keep-steps.ts"), import("../app/records/keep-pictures.ts")]),
@@ -42,7 +44,7 @@ async function keepBeside(): Promise<void> {
   startKeepingSteps();
   startKeepingPictures();
   const { works } = useKeeping.getState();
-  // Works of a newer edition are not in the list, but they are here.
+  // Works of a newer edition are on the device, but not in the list.
   if (useNotices.getState().notices.includes("newerWorks")) return;
   const { forgetHandles } = await untilHere(() => import("../app/records/files/kept-handles.ts"));
   await forgetHandles(new Set(works.map(({ work }) => work)));
@@ -54,7 +56,7 @@ const askedWork =
   asked?.page === "work" ? asked.work : asked?.page === "start" || asked?.page === "course" ? null : undefined;
 void resume(askedWork).then(async () => {
   resumePrompt();
-  // A work that is not here was said to be missing.
+  // A missing work has already been announced.
   if (asked && !(asked.page === "work" && asked.work !== useEditor.getState().work)) await goTo(asked);
   startKeeping();
   void keepBeside();

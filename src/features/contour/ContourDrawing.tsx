@@ -24,12 +24,12 @@ import { gridSpacing, type GridStep } from "./snap.ts";
 import { useDrawing, type DrawingMode } from "./use-drawing.ts";
 import { useWheel } from "./use-wheel.ts";
 
-/** What the drawing on the large canvas has beside the contour. */
+/** Additions of the drawing on the large canvas. */
 export interface Canvas {
   readonly blank: readonly Ring[];
-  /** What stands before the tools. */
+  /** Controls in front of the tools. */
   readonly lead: ReactNode;
-  /** What stands in the middle while there is no element. */
+  /** Hint in the middle while there is no element. */
   readonly empty: ReactNode;
 }
 
@@ -62,7 +62,7 @@ const faultyRows = (reading: RowsReading) =>
   );
 
 /**
- * An element, and the wider line that a pointer finds it by. Of a thousand only those that moved are rendered again.
+ * An element, and the wider line that catches the pointer. Memoized: of a thousand elements only the moved ones render.
  */
 const ElementLine = memo(
   ({
@@ -96,7 +96,7 @@ interface PointProps {
   readonly labelY: ReturnType<typeof px> | null;
 }
 
-/** Where an element ends, with its number where there is room. */
+/** The end of an element, with its number if there is room. */
 const PointMark = memo(({ row, x, y, active, faulty, corner, labelX, labelY }: PointProps) => (
   <g className={`point${active ? " active" : ""}${faulty ? " faulty" : ""}`}>
     <circle className="dot" cx={x} cy={y} r={corner ? 2.5 : 4.5} />
@@ -110,10 +110,7 @@ const PointMark = memo(({ row, x, y, active, faulty, corner, labelX, labelY }: P
 ));
 PointMark.displayName = "PointMark";
 
-/**
- * The contour of the table, to look at and to edit: arcs as arcs, points numbered and to be dragged, faults at their
- * element.
- */
+/** The editable drawing of the contour: arcs as arcs, draggable numbered points, faults at their elements. */
 export function ContourDrawing({ rows, reading, active, language, canvas, onPick, onRows, onEdited }: Props) {
   const t = texts(language).contour,
     keysId = useId();
@@ -208,7 +205,14 @@ export function ContourDrawing({ rows, reading, active, language, canvas, onPick
       <div
         className={`contour-drawing mode-${mode}`}
         ref={box}
-        {...(large && { tabIndex: 0, role: "group", "aria-label": t.canvas, "aria-describedby": keysId, onKeyDown })}
+        {...(large && {
+          tabIndex: 0,
+          role: "group",
+          "aria-label": t.canvas,
+          "aria-describedby": keysId,
+          "data-keys": "contourDrawing",
+          onKeyDown,
+        })}
       >
         <svg
           className="contour-sheet"

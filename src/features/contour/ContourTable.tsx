@@ -1,3 +1,4 @@
+import { KeysButton } from "../../app/fields/keys/KeysButton.tsx";
 import { memo, useCallback, useEffect, useEffectEvent, useLayoutEffect, useRef, useState } from "react";
 import { texts } from "../../app/base/settings/loaded-texts.ts";
 import type { Language } from "../../i18n/languages.ts";
@@ -16,18 +17,18 @@ import "./contour.css";
 
 interface Props {
   readonly rows: readonly ContourRow[];
-  /** `place` names the field that is typed into, so that typing is one step of undo; null for a change of its own. */
+  /** `place` names the field, so that typing is one step of undo; null for a separate step. */
   readonly onChange: (rows: readonly ContourRow[], place: string | null) => void;
   readonly language: Language;
-  /** The drawing stands elsewhere, on the large canvas. */
+  /** The drawing is on the large canvas, not here. */
   readonly apart?: boolean;
 }
 
-/** From so many elements on, drawing and table are told of a digit behind its picture. */
+/** From this many elements on, drawing and table get a digit after it is painted. */
 const LONG = 100;
 const FINE: readonly RowIssue[] = [];
 
-/** The contour subprogram as a table, with its drawing unless that stands elsewhere. */
+/** The contour subprogram as a table, with its drawing unless that is on the large canvas. */
 export const ContourTable = memo(Table);
 
 function Table({ rows, onChange, language, apart = false }: Props) {
@@ -37,11 +38,11 @@ function Table({ rows, onChange, language, apart = false }: Props) {
     activeId = active === null ? null : (rows[active]?.id ?? null);
   const asked = useContourPlace((p) => p.keyboard);
   const [said, setSaid] = useState({ text: "", times: 0 });
-  /** Says what was done, also when the same is done again. */
+  /** Announces an edit, also if the same one is repeated. */
   const say = (text: string) => setSaid((old) => ({ text, times: old.times + 1 }));
   const reading = readRows(rows);
   const focusRow = useRowFocus(table);
-  /** The newest rows: those of a digit that is being drawn are not rendered yet. */
+  /** The newest rows: a digit just typed is not rendered yet. */
   const now = useRef({ rows, onChange });
   useLayoutEffect(() => {
     now.current = { rows, onChange };
@@ -64,7 +65,7 @@ function Table({ rows, onChange, language, apart = false }: Props) {
     say(done);
     onChange(edited.rows, null);
   };
-  /** An edit in the drawing leaves the keyboard where it is: a field that takes it would scroll the drawing away. */
+  /** An edit in the drawing leaves focus where it is: focusing a field would scroll the drawing away. */
   const drawn = (edited: Edited) => {
     chooseElement(edited.focus);
     say(t.done.added);
@@ -137,12 +138,20 @@ function Table({ rows, onChange, language, apart = false }: Props) {
               language={language}
               onTake={(taken) => edit({ rows: taken, focus: taken[0]?.id ?? null }, t.done.added)}
             />
+            <KeysButton place="contourTable" />
           </RowTools>
           {details && <p className="small soft">{t.detailsAbout}</p>}
           {rows.length === 0 ? (
             <p className="soft">{t.empty}</p>
           ) : (
-            <table role="table" ref={table} aria-label={t.table} className="contour-table" onKeyDown={onKeyDown}>
+            <table
+              role="table"
+              ref={table}
+              aria-label={t.table}
+              className="contour-table"
+              data-keys="contourTable"
+              onKeyDown={onKeyDown}
+            >
               <thead role="rowgroup">
                 <tr role="row">
                   <th role="columnheader" scope="col">
@@ -183,7 +192,6 @@ function Table({ rows, onChange, language, apart = false }: Props) {
               </tbody>
             </table>
           )}
-          <p className="small soft contour-keys">{t.keys}</p>
           <p className="small soft">{t.intro}</p>
           <p role="status" className="unseen">
             <span key={said.times}>{said.text}</span>
@@ -194,7 +202,7 @@ function Table({ rows, onChange, language, apart = false }: Props) {
   );
 }
 
-/** The field that has the keyboard, so that it keeps it when its row moves. */
+/** The focused field, so that focus follows its row when the row moves. */
 function fieldInUse(table: HTMLElement | null): string | undefined {
   const at = document.activeElement;
   return at instanceof HTMLElement && table?.contains(at) ? at.dataset["field"] : undefined;

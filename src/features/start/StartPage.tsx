@@ -11,22 +11,22 @@ import { KeptWorks, openKept } from "../../app/fields/kept/KeptWorks.tsx";
 import { openExample, ProgramStart } from "./ProgramStart.tsx";
 import { usePictures } from "./use-pictures.ts";
 
-/** They come a moment after the rest, into places that are kept for them. */
+/** Loaded after the rest, into reserved space. */
 const Welcome = lazyPart(async () => ({ default: (await import("./Welcome.tsx")).Welcome }));
 
-/** Needs the catalogue, which is fetched while the operator looks. */
+/** Needs the catalogue, which is loaded in the background. */
 const fetchBegin = () => import("./begin.ts");
 
-/** What is typed on the first screen goes to its search, wherever the keyboard is. */
+/** Typing anywhere on the first screen goes to its search. */
 function typeIntoSearch(page: HTMLElement, event: KeyboardEvent): void {
   const { key, target } = event;
-  const isTyped = key.length === 1 && key !== " " && !event.ctrlKey && !event.metaKey && !event.altKey;
+  const isTyped = key.length === 1 && key !== " " && key !== "?" && !event.ctrlKey && !event.metaKey && !event.altKey;
   if (!isTyped || document.querySelector("dialog[open]") || (target as HTMLElement).closest("input, select, textarea"))
     return;
   page.querySelector<HTMLInputElement>("input[type=search]")?.focus();
 }
 
-/** Saved works and examples that a search finds beside the cycles. */
+/** Stored works and examples that a search finds besides the cycles. */
 function useMore(): More {
   const { start: t, examples } = useTexts("first").page;
   const works = useKeeping((k) => k.works);
@@ -56,13 +56,13 @@ function useMore(): More {
   };
 }
 
-/** The first screen: earlier work, what the page is, and the ways to new work. */
+/** The first screen: stored works, an introduction, and the ways to start a work. */
 export function StartPage({ course }: { readonly course: ReactNode }) {
   const t = useTexts("first");
   const going = useRef(false);
   const pictures = usePictures();
   const more = useMore();
-  // Who was here before comes for the work: what the page is stands behind it. It keeps its place while somebody looks.
+  // Returning visitors come for their works, so the introduction comes after them. It keeps its place during the visit.
   const [returns] = useState(() => useKeeping.getState().works.length > 0 || useRecent.getState().cycles.length > 0);
   useEffect(() => {
     void refreshWorks();
@@ -75,7 +75,7 @@ export function StartPage({ course }: { readonly course: ReactNode }) {
     return () => document.removeEventListener("keydown", onKey);
   }, []);
 
-  /** Pressed twice while the catalogue is on its way, it still begins one work. */
+  /** Clicked twice while the catalogue is loading, the button still starts one work. */
   const start = async (cycle: number, withExample: boolean) => {
     if (going.current) return;
     going.current = true;

@@ -29,6 +29,7 @@ export const courseTask = {
   count: (n, of) => `${n} von ${of}`,
   hint: (n) => `Tipp ${n} von 3`,
   showHint: (n) => `Tipp ${n} von 3 zeigen`,
+  hintAfterTry: "Den letzten Tipp gibt es nach dem ersten gezählten Versuch.",
   solution: "Lösung",
   showSolution: "Lösung zeigen",
   sure: "Die Lösung wird neben Ihrem Programm gezeigt; Ihr Programm bleibt unverändert. Die Aufgabe gilt dann als mit gezeigter Lösung gelöst.",

@@ -2,7 +2,10 @@ import type { GlossaryTexts } from "../glossary-text.ts";
 
 const UMLAUTS: Readonly<Record<string, string>> = { a: "ä", au: "äu", o: "ö", u: "ü" };
 
-/** A noun with its endings, and its plural where that changes within: Satz, Sätze; Span, Späne; Zyklus, Zyklen. */
+/**
+ * A pattern of a noun with its endings, and its plural where that changes the stem: Satz, Sätze; Span, Späne; Zyklus,
+ * Zyklen.
+ */
 function formsOf(name: string): string {
   const umlauted = name.replace(/(au|[aou])(?=[^aeiouäöü]+$)/u, (vowel) => UMLAUTS[vowel] ?? vowel);
   return `(?:${name}(?:e[nsr]?|n|s|ern)?|${umlauted}en?|${name.replace(/us$/u, "en")})`;

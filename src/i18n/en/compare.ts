@@ -1,6 +1,6 @@
 import type { Shape } from "../shape.ts";
 
-/** Two programs set against each other. */
+/** Comparison of two programs. */
 export const compare = {
   title: "Compare programs",
   with: "Compare with",

@@ -33,6 +33,7 @@ export const courseTask = {
   count: (n: number, of: number) => `${n} of ${of}`,
   hint: (n: number) => `Hint ${n} of 3`,
   showHint: (n: number) => `Show hint ${n} of 3`,
+  hintAfterTry: "The last hint is available after the first counted try.",
   solution: "Solution",
   showSolution: "Show the solution",
   sure: "The solution is shown next to your program, which is not changed. The exercise then counts as passed with the solution shown.",

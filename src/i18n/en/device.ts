@@ -1,6 +1,6 @@
 import type { Shape } from "../shape.ts";
 
-/** All works of a device, what is kept there, archives, works in other tabs, and reports of faults. */
+/** All programs of a device, its stored data, backups, programs in other tabs, and error reports. */
 export const device = {
   works: {
     count: (n: number) => (n === 1 ? "1 program on this device" : `${n} programs on this device`),

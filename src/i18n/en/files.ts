@@ -1,6 +1,6 @@
 import type { Shape } from "../shape.ts";
 
-/** Files of the device: what stands in the way of saving, and several programs at once. */
+/** Files of the device: obstacles to saving, and several programs at once. */
 export const files = {
   changed: {
     title: (file: string) => `${file} has changed on the device`,

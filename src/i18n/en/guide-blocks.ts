@@ -3,8 +3,8 @@ import { blockKinds } from "./guide-blocks/kinds.ts";
 import { blockWords } from "./guide-blocks/words.ts";
 
 /**
- * Pages of the guide for the blocks of a program and for the words that one fills in there. A word is named by its
- * field; where it means something of its own in one kind of block, by both: "call.label".
+ * Pages of the guide for the blocks of a program and for the words in them. A word is named by its field; where one
+ * kind of block gives it a special meaning, by both: "call.label".
  */
 export const guideBlocks = {
   title: "Blocks of a program",

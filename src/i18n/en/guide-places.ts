@@ -1,9 +1,6 @@
 import type { Shape } from "../shape.ts";
 
-/**
- * Pages of the guide for prompts that are no parameter of a cycle. Each has what it is, and what is often done wrong
- * with it.
- */
+/** Pages of the guide for prompts other than cycle parameters: what each prompt is, and common mistakes. */
 export const guidePlaces = {
   other: "Other prompts",
   setup: "Set-up",

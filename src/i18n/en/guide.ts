@@ -1,6 +1,6 @@
 import type { Shape } from "../shape.ts";
 
-/** The guide: pages of parameters and cycles, and what leads to them from a prompt. Numbers arrive as text. */
+/** The guide: pages of parameters and cycles, and the links from a prompt. Numbers arrive as text. */
 export const guide = {
   more: "More",
   moreAbout: (q: string) => `More about ${q}`,

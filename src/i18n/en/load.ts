@@ -1,7 +1,7 @@
 import type { Shape } from "../shape.ts";
 
 /**
- * Roughness and load by colour: the scale, what is told of a place, and the list of the greatest values. Numbers arrive
+ * Roughness and load by colour: the scale, the values at a place, and the list of the greatest values. Numbers arrive
  * as text.
  */
 export const load = {

@@ -1,6 +1,6 @@
 import type { Shape } from "../shape.ts";
 
-/** Machine data, and the running time that is worked out with them. */
+/** Machine data, and the running time calculated from them. */
 export const machineTexts = {
   title: "Machine",
   lead: "Used for running times and spindle speeds. Empty fields are not counted.",

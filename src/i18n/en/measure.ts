@@ -11,7 +11,7 @@ export const measure = {
     angle: "Angle",
     wall: "Wall",
   },
-  /** What the tool is for, and its key. */
+  /** Purpose and key of each tool. */
   toolHints: {
     diameter: "Diameter at a point (D)",
     length: "Length from face to face (L)",

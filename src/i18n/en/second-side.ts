@@ -1,6 +1,6 @@
 import type { Shape } from "../shape.ts";
 
-/** Texts of the next clamping: a program whose blank is what this one leaves. */
+/** Texts of the next clamping: a program whose blank is the part that this program leaves. */
 export const secondSide = {
   title: "Second side",
   lead: "The result of this program becomes the blank of a new program: mirrored, with its zero point on the new face. This program is not changed.",

@@ -31,6 +31,7 @@ export const courseTask = {
   count: (n, of) => `${n} sur ${of}`,
   hint: (n) => `Indice ${n} sur 3`,
   showHint: (n) => `Montrer l’indice ${n} sur 3`,
+  hintAfterTry: "La dernière aide est disponible après le premier essai compté.",
   solution: "Solution",
   showSolution: "Montrer la solution",
   sure: "La solution s’affiche à côté de votre programme, qui reste inchangé. L’exercice comptera comme réussi, solution montrée.",

@@ -62,7 +62,7 @@ export const glossary: GlossaryTexts = typeset({
     text:
       "Distance d’une rainure à la suivante. Avec plusieurs filets, la course par tour est le pas multiplié par le " +
       "nombre de filets.",
-    // Mostly half of "not".
+    // Usually part of a negation.
     where: "(?<=(?:le|du|un|au|Le|Du|Un|Au) )",
   },
   runIn: {
@@ -138,7 +138,7 @@ export const glossary: GlossaryTexts = typeset({
   pass: {
     name: "Passe",
     text: "Une coupe d’ébauche à une profondeur, de la prise de passe au retrait.",
-    // A verb as well.
+    // Also a verb.
     where: "(?:(?=passes)|(?<=^|(?:la|une|aucune|chaque|cette|de|par|sans|longue|seule|même|[ei]ère|ième) ))",
   },
   infeed: {
@@ -207,7 +207,7 @@ export const glossary: GlossaryTexts = typeset({
     text:
       "Usiner dans la matière le long d’un flanc descendant ou tout droit. Q487 autorise la plongée, Q488 est " +
       "l’avance de plongée.",
-    // What "est plongée" is no plunging.
+    // "est plongée" is no plunging.
     where: "(?<!(?:est|sont|être) )",
   },
   limit: {

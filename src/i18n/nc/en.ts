@@ -1,6 +1,6 @@
 import type { NcWords } from "../nc-words.ts";
 
-/** English NC text, as printed on pages of the TNC7 (cycles 800, 815, 820); what no page shows is tagged K. */
+/** English NC text, as printed on pages of the TNC7 (cycles 800, 815, 820); other words are tagged K. */
 export const en = {
   cycles: {
     810: { text: "TURN CONTOUR LONG.", evidence: "K1" },

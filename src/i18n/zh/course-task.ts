@@ -24,6 +24,7 @@ export const courseTask = {
   count: (n, of) => `第 ${n} 处，共 ${of} 处`,
   hint: (n) => `提示 ${n}/3`,
   showHint: (n) => `显示提示 ${n}/3`,
+  hintAfterTry: "第一次计入的尝试之后可查看最后一条提示。",
   solution: "答案",
   showSolution: "显示答案",
   sure: "答案显示在您的程序旁边，您的程序不变。之后通过会记为“看答案后通过”。",

@@ -14,7 +14,7 @@ const all = LANGUAGES.map(menuWords);
 const found = (typed: string, words: readonly MenuWords[] = all) => findCycles(menu, typed, words);
 const groupsOf = (typed: string) => new Set(found(typed).map(({ group }) => group));
 
-describe("what is typed finds", () => {
+describe("typed text finds", () => {
   test.each(menu.map(({ number }) => number))("%i by its number first", (number) =>
     expect(found(String(number))[0]?.number).toBe(number),
   );
@@ -47,7 +47,7 @@ describe("what is typed finds", () => {
   ])("by %s one of %s", (typed, group) => expect(groupsOf(typed)).toContain(group));
 
   test("the name of DIN/ISO", () => expect(found("G820")).toEqual(found("820")));
-  test("only what fits every word", () => {
+  test("only cycles that match every word", () => {
     expect(found("shoulder xyzzy")).toEqual([]);
     expect(found("82 contour").every(({ number }) => String(number).startsWith("82"))).toBe(true);
   });
@@ -56,7 +56,7 @@ describe("what is typed finds", () => {
     expect(found("épaulement", all.slice(0, 1))).toEqual([]));
 });
 
-describe("what cannot be chosen here is found with the reason", () => {
+describe("cycles that cannot be chosen here are found with the reason", () => {
   const beside = (typed: string, inProgram: boolean) =>
     findElsewhere(notHere(inProgram), typed, all).map(({ number, why }) => `${number} ${why}`);
 
@@ -64,7 +64,7 @@ describe("what cannot be chosen here is found with the reason", () => {
     expect(beside(String(number), false)).toEqual([`${number} acts`]);
     expect(beside(String(number), true)).toEqual([]);
   });
-  test.each(kept.map((number) => [number]))("%i is kept, wherever it is looked for", (number) => {
+  test.each(kept.map((number) => [number]))("%i is not simulated, wherever it is searched", (number) => {
     for (const inProgram of [false, true]) expect(beside(String(number), inProgram)).toEqual([`${number} kept`]);
     for (const words of all) expect(beside(words.kept[number] ?? "", true)).toContain(`${number} kept`);
   });
@@ -80,7 +80,7 @@ describe("what cannot be chosen here is found with the reason", () => {
     render(<CycleChooser inProgram={inProgram} ways={[{ name: "Take", short: "Take", go: () => undefined }]} />);
     await user.type(screen.getByRole("searchbox"), typed);
   };
-  test("the start page says where 800 is put in", async () => {
+  test("the start page says where 800 can be inserted", async () => {
     await searchFor("800", false);
     expect(screen.getByRole("status").textContent?.trim()).toMatch(
       /^Cycle 800, .*: takes effect only within a program\./,
@@ -90,7 +90,7 @@ describe("what cannot be chosen here is found with the reason", () => {
     await searchFor("800", true);
     expect(screen.getByRole("button", { name: /^Cycle 800, .*: Take$/ })).toBeDefined();
   });
-  test("a program says of 880 that it is kept", async () => {
+  test("a program says that 880 is not simulated", async () => {
     await searchFor("880", true);
     expect(screen.getByRole("status").textContent?.trim()).toMatch(
       /^Cycle 880, Gear hobbing: shown in a program but not simulated/,
@@ -117,7 +117,7 @@ describe("the chooser", () => {
     expect(taken).toEqual([last]);
   });
 
-  test("what was taken stands first among those used last, and is kept on the device", async () => {
+  test("the chosen cycle is first among the last used ones, and is saved on the device", async () => {
     const user = userEvent.setup();
     for (const number of [first, last])
       await user.click(screen.getByRole("button", { name: new RegExp(`^Cycle ${number}, .*: Take$`) }));
@@ -138,7 +138,7 @@ describe("the chooser", () => {
     expect(screen.getAllByRole("region").length).toBe(new Set(menu.map(({ group }) => group)).size);
   });
 
-  test("a group folds away", async () => {
+  test("a group collapses", async () => {
     const user = userEvent.setup();
     const [head] = screen.getAllByRole("button", { expanded: true });
     const before = screen.getAllByRole("listitem").length;

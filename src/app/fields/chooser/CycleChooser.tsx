@@ -1,7 +1,7 @@
 import { useMemo, useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import { Message } from "../../base/Message.tsx";
 import { useTexts } from "../../base/settings/use-texts.ts";
-import { useFingers, useMedia } from "../../base/use-media.ts";
+import { useMedia } from "../../base/use-media.ts";
 import { CycleGroup } from "./CycleGroup.tsx";
 import { CycleRow, type CycleWay } from "./CycleRow.tsx";
 import { onChooserKey } from "./chooser-keys.ts";
@@ -12,10 +12,7 @@ import { findCycles, findElsewhere } from "./search.ts";
 import { useMenuWords } from "./use-menu-words.ts";
 import "./chooser.css";
 
-/**
- * Cycles beside those of the catalogue: what fits the words that are sought (null: all), and `isFirst` when Enter would
- * take its best.
- */
+/** Rows besides the catalogue: those that match the search (null: all). `isFirst`: Enter takes the best of them. */
 export type More = (
   sought: string | null,
   turn: number | null,
@@ -28,19 +25,19 @@ export type More = (
 
 interface Props {
   readonly ways: readonly CycleWay[];
-  /** Beside other things: one column, and the groups folded. */
+  /** Next to other content: one column, groups collapsed. */
   readonly narrow?: boolean;
-  /** A cycle that is chosen is put into a program. */
+  /** The chosen cycle is inserted into a program. */
   readonly inProgram?: boolean;
-  /** The search takes the keyboard at once. */
+  /** Focuses the search at once. */
   readonly focus?: boolean;
   readonly more?: More;
-  /** What the search is called, and how it counts, where it finds more than cycles. */
+  /** Label of a search that finds more than cycles. */
   readonly search?: string;
   readonly found?: (n: number) => string;
 }
 
-/** All cycles, in the groups of the control: by search, by group, or those that were used last. */
+/** All cycles in the groups of the control, with search and the last used ones. */
 export function CycleChooser({
   ways: given,
   narrow = false,
@@ -56,13 +53,13 @@ export function CycleChooser({
     menu: names,
   } = useTexts("first");
   const phone = useMedia("slim");
-  const fingers = useFingers();
   const [typed, type] = useState("");
   const [searching, search] = useState(false);
   const [turn, giveTurn] = useState<number | null>(null);
   const words = useMenuWords(searching);
   const sought = typed.trim();
   const cycles = useMemo(() => offered(inProgram), [inProgram]);
+  const verified = cycles.filter(({ recalled }) => !recalled).map(({ number }) => number);
   const found = useMemo(() => (sought === "" ? null : findCycles(cycles, sought, words)), [cycles, sought, words]);
   const others = more?.(found && sought, turn, found?.length === 0);
   const count = (found?.length ?? 0) + (others?.count ?? 0);
@@ -98,6 +95,7 @@ export function CycleChooser({
       ref={box}
       role="group"
       aria-label={t.cycles}
+      data-keys="cycles"
       onKeyDown={(event) => onChooserKey(event, input.current)}
       onFocus={({ target }) => {
         const row = target.closest<HTMLElement>(".cycle-row");
@@ -130,7 +128,7 @@ export function CycleChooser({
             {t[why](nameOf(number))}
           </Message>
         ))}
-        {!found && (fingers ? t.languages : `${t.languages} ${t.keys}`)}
+        {!found && t.languages}
       </div>
       {found ? (
         <ul className="cycle-rows">
@@ -151,6 +149,9 @@ export function CycleChooser({
           {menuGroups(cycles).map(([group, own]) => (
             <CycleGroup key={group} group={group} cycles={own} ways={ways} turn={turn} startsOpen={!narrow && !phone} />
           ))}
+          <p className="small soft cycle-evidence">
+            {t.evidence(verified.join(", "))} <a href="#/guide">{t.evidenceLink}</a>
+          </p>
         </>
       )}
       {others?.shown}

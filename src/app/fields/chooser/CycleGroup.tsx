@@ -9,12 +9,12 @@ interface Props {
   readonly group: Group;
   readonly cycles: readonly MenuCycle[];
   readonly ways: readonly CycleWay[];
-  /** The cycle that the Tab key comes to. */
+  /** Cycle that is the tab stop. */
   readonly turn: number | null;
   readonly startsOpen: boolean;
 }
 
-/** The cycles of one group under its name, which folds them away. */
+/** The cycles of one group; its heading collapses them. */
 export function CycleGroup({ group, cycles, ways, turn, startsOpen }: Props) {
   const { chooser: t, menu } = useTexts("first");
   const [chosen, choose] = useState<boolean | null>(null);

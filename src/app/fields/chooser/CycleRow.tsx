@@ -3,11 +3,11 @@ import { useTexts } from "../../base/settings/use-texts.ts";
 import { Drawing } from "./Drawing.tsx";
 import type { MenuCycle } from "./menu.ts";
 
-/** What can be done with a cycle: the first of them by pressing its row, the others by a button of their own. */
+/** An action for a cycle: the first one by clicking the row, the others by their own buttons. */
 export interface CycleWay {
-  /** What it does, for its name. */
+  /** Full name of the action. */
   readonly name: string;
-  /** What its own button says. */
+  /** Text on its button. */
   readonly short: string;
   readonly go: (cycle: number) => void;
 }
@@ -17,9 +17,9 @@ interface Props {
   readonly ways: readonly CycleWay[];
   /** Enter takes it while a search is typed. */
   readonly first: boolean;
-  /** Its group is said, where it does not stand under it. */
+  /** Shows the group, for a row outside its group. */
   readonly grouped: boolean;
-  /** The Tab key comes here; the arrow keys go to the others. */
+  /** Tab stop; arrow keys reach the other rows. */
   readonly inTurn: boolean;
 }
 
@@ -27,7 +27,6 @@ interface Props {
 export function CycleRow({ cycle, ways, first, grouped, inTurn }: Props) {
   const {
     page: { start },
-    chooser: t,
     menu,
   } = useTexts("first");
   const id = useId();
@@ -57,11 +56,6 @@ export function CycleRow({ cycle, ways, first, grouped, inTurn }: Props) {
           </span>
           <span className="cycle-summary small soft" id={id}>
             {grouped && <span className="cycle-of">{menu.groups[cycle.group]}:</span>} {words?.summary}
-            {cycle.recalled && (
-              <span className="recalled-mark" title={start.unconfirmed}>
-                {t.recalled}
-              </span>
-            )}
           </span>
         </span>
       </button>

@@ -1,6 +1,6 @@
 import { PICTOGRAM, type Pictogram } from "../../../view/pictogram-box.ts";
 
-/** Stripes that show how the tool goes; once on the page, each drawing takes its own by name. */
+/** Stripe patterns for the cutting direction, defined once on the page and referenced by name. */
 const STRIPES: Readonly<Record<Pictogram["passes"], string>> = {
   along: "M0 2H6",
   across: "M2 0V6",
@@ -8,7 +8,7 @@ const STRIPES: Readonly<Record<Pictogram["passes"], string>> = {
   profile: "",
 };
 
-/** A cycle as a small section of the part; decoration only, its name stands beside it. */
+/** Small section drawing of a cycle. Decorative, since the name is next to it. */
 export function Drawing({
   of,
   id,

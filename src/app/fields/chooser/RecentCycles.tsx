@@ -5,7 +5,7 @@ import type { CycleWay } from "./CycleRow.tsx";
 import type { MenuCycle } from "./menu.ts";
 import { useRecent } from "./recent.ts";
 
-/** The cycles that were chosen last, as one row. */
+/** The last chosen cycles in one row. */
 export function RecentCycles({
   offered,
   ways,

@@ -1,9 +1,9 @@
 import type { KeyboardEvent } from "react";
 
 const ROW = ".cycle-take";
-const isText = (key: string) => key.length === 1 && key !== " ";
+const isText = (key: string) => key.length === 1 && key !== " " && key !== "?";
 
-/** The nearest of the elements in a direction; of those at the same height the one that stands most alike. */
+/** The nearest element in a direction; at the same height the one most nearly aligned. */
 function nearest(from: DOMRect, all: readonly HTMLElement[], down: boolean): HTMLElement | undefined {
   const far = (box: DOMRect) => (down ? box.top - from.bottom : from.top - box.bottom);
   const aside = (box: DOMRect) => Math.abs(box.left - from.left);
@@ -16,8 +16,8 @@ function nearest(from: DOMRect, all: readonly HTMLElement[], down: boolean): HTM
 }
 
 /**
- * Arrow keys in the chooser: up and down from row to row and from group to group, left and right through the buttons of
- * the rows. What is typed on a row goes on in the search.
+ * Arrow keys in the chooser: up and down between rows and groups, left and right between the buttons of the rows.
+ * Letters typed on a row go to the search.
  */
 export function onChooserKey(event: KeyboardEvent<HTMLElement>, search: HTMLInputElement | null): void {
   const { key, target, currentTarget: box } = event;

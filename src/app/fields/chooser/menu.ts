@@ -2,25 +2,22 @@ import { acting, kept, menu } from "virtual:cycle-menu";
 import type { Group } from "../../../cycles/define.ts";
 import type { Pictogram } from "../../../view/pictogram-box.ts";
 
-/** What the page knows of a cycle while the catalogue is not here. */
+/** Cycle data that is available before the catalogue is loaded. */
 export interface MenuCycle {
   readonly number: number;
   readonly group: Group;
   /** Its contour is a subprogram. */
   readonly free: boolean;
-  /** No page that we hold prints its list of parameters. */
+  /** Its parameter list is not verified against a manual. */
   readonly recalled: boolean;
-  /** What it makes of its example, outside and, where it can, inside. */
+  /** Pictograms of its example, outside and, where possible, inside. */
   readonly pictograms: readonly Pictogram[];
 }
 
-/** As the control shows them. */
+/** In the order of the control. */
 const GROUPS: readonly Group[] = ["special", "longitudinal", "transverse", "recessTurning", "recessing", "thread"];
 
-/**
- * The cycles that can be chosen: to begin a work, or to be put into a program, where those that act there are offered
- * too.
- */
+/** Cycles that can start a work, or be inserted into a program; only the latter include DEF-active cycles. */
 export const offered = (inProgram: boolean): readonly MenuCycle[] => (inProgram ? [...acting, ...menu] : menu);
 
 /** The groups that have a cycle, with their cycles in menu order. */
@@ -29,7 +26,7 @@ export const menuGroups = (cycles: readonly MenuCycle[]): readonly (readonly [Gr
     ([, own]) => own.length > 0,
   );
 
-/** A cycle of the control that cannot be chosen here, and why: it acts in a program, or is kept in one and not run. */
+/** A cycle that cannot be chosen here, with the reason: DEF-active, or not simulated. */
 export interface Elsewhere {
   readonly number: number;
   readonly why: "acts" | "kept";

@@ -1,7 +1,7 @@
 import type { MenuWords } from "../../../i18n/menu-words.ts";
 import type { Elsewhere, MenuCycle } from "./menu.ts";
 
-/** Letters without accents and case: what is typed at a machine has neither. */
+/** Lower case without accents, since text typed at a machine has neither. */
 export const plain = (text: string): string =>
   text
     .normalize("NFD")
@@ -11,21 +11,21 @@ export const plain = (text: string): string =>
     .replaceAll("œ", "oe")
     .replaceAll("’", "'");
 
-/** How well a cycle fits a word, best first; null where it does not. */
+/** How well a cycle matches a word; 0 is best. */
 type Rank = 0 | 1 | 2 | 3;
 
-/** Shorter beginnings say too little to stand for the other words of the same thing. */
+/** Fewest letters for which synonyms are searched. */
 const ENOUGH = 3;
 const isCjk = (word: string) => /\p{Script=Han}/u.test(word);
 
-/** The word, and all words for the same thing where it is the beginning of one. */
+/** The word, and the synonyms of any word that it begins. */
 function meant(word: string, languages: readonly MenuWords[]): readonly string[] {
   const enough = isCjk(word) || word.length >= ENOUGH;
   const same = languages.flatMap(({ shop }) => shop.same.map((words) => words.map(plain)));
   return [word, ...(enough ? same.filter((words) => words.some((each) => each.startsWith(word))).flat() : [])];
 }
 
-/** A word that was typed, and what it stands for. */
+/** A typed word with its synonyms. */
 interface Sought {
   readonly word: string;
   readonly words: readonly string[];
@@ -49,14 +49,14 @@ function rankOf(cycle: MenuCycle, { word, words }: Sought, languages: readonly M
   return within(of.flatMap(({ summary, nc }) => [summary, nc])) ? 3 : null;
 }
 
-/** Words as they are compared; the G number by which DIN/ISO calls a cycle is its number. */
+/** Search words, normalised. A DIN/ISO G number becomes the cycle number. */
 const wordsOf = (typed: string): readonly string[] =>
   plain(typed)
     .split(/[\s,;]+/)
     .filter((word) => word !== "")
     .map((word) => word.replace(/^g(?=\d)/, ""));
 
-/** Those that fit everything that was typed by their number or name, in any of these languages. */
+/** Cycles whose number or name matches all typed words, in any of these languages. */
 export function findElsewhere(
   cycles: readonly Elsewhere[],
   typed: string,
@@ -71,7 +71,7 @@ export function findElsewhere(
   });
 }
 
-/** The cycles that fit everything that was typed, the best first, in any of these languages. */
+/** Cycles that match all typed words in any of these languages, best first. */
 export function findCycles(
   menu: readonly MenuCycle[],
   typed: string,

@@ -4,7 +4,7 @@ import { LANGUAGES } from "../../../i18n/languages.ts";
 import type { MenuWords } from "../../../i18n/menu-words.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 
-/** The words to search in: those of the screen, and those of the other languages once somebody searches. */
+/** Words to search: the screen language, and the other languages once a search starts. */
 export function useMenuWords(searching: boolean): readonly MenuWords[] {
   const { menu } = useTexts("first");
   const [others, take] = useState<readonly MenuWords[]>([]);

@@ -61,7 +61,6 @@ export function CycleDialog({
         session={session}
         name={t.form}
         listName={t.list}
-        hint={t.help}
         head={head}
         done={<DialogDone session={session} inBlock={block !== null} />}
       />

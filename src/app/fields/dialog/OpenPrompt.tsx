@@ -5,6 +5,7 @@ import { useSettings } from "../../base/settings/settings.ts";
 import { useTexts } from "../../base/settings/use-texts.ts";
 import { closeStep } from "../../document/steps.ts";
 import { isSetupPlace } from "./setup-prompts.ts";
+import { KeysButton } from "../keys/KeysButton.tsx";
 import { MoreLater } from "../said/MoreLater.tsx";
 import { FieldMessage } from "../number/FieldMessage.tsx";
 import { ChoiceInput } from "./ChoiceInput.tsx";
@@ -21,7 +22,7 @@ interface Props {
   readonly input: RefObject<HTMLInputElement | null>;
 }
 
-/** The open prompt, large: question, value, unit, range, what is wrong, what it does. */
+/** The open prompt with question, value, unit, range, problems and help. */
 export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
   const t = useTexts();
   const id = useId();
@@ -84,6 +85,7 @@ export function OpenPrompt({ session, prompt, ownKeypad, input }: Props) {
                 fields.filter((f) => !f.group).length,
               )}
         </span>
+        <KeysButton place="prompts" />
       </header>
       {prompt.bare && <p className="bare-value number">{prompt.shown.text}</p>}
       {prompt.choices ? (

@@ -12,18 +12,18 @@ interface Props {
   readonly session: PromptSession;
   readonly name: string;
   readonly listName: string;
-  /** What stands in place of the open prompt at the end. */
+  /** Shown instead of the open prompt at the end. */
   readonly done: ReactNode;
-  /** Under the list, where there is a keyboard. */
-  readonly hint: string;
+  /** Below the list, on devices with a keyboard. */
+  readonly hint?: string;
   /** Above the prompts. */
   readonly head?: ReactNode;
-  /** In place of the prompts, while something else is asked. */
+  /** Replaces the prompts while something else is asked. */
   readonly instead?: ReactNode;
   readonly className?: string;
 }
 
-/** A dialog as the control leads through it: one prompt open, all others one line each, a picture of what they say. */
+/** Dialog as on the control: one prompt open, all others on one line each, with a picture. */
 export function PromptDialog({ session, name, listName, done, hint, head, instead, className = "" }: Props) {
   const fingers = useFingers();
   const input = useRef<HTMLInputElement>(null);
@@ -32,7 +32,7 @@ export function PromptDialog({ session, name, listName, done, hint, head, instea
     fills = dock !== null && !instead;
   useLayoutEffect(() => (fills ? fillHelpDock() : undefined), [fills]);
   return (
-    <div className={`cycle-dialog ${className}`.trim()} role="form" id="prompts" aria-label={name}>
+    <div className={`cycle-dialog ${className}`.trim()} role="form" id="prompts" data-keys="prompts" aria-label={name}>
       {head}
       {instead ?? (
         <>
@@ -42,7 +42,7 @@ export function PromptDialog({ session, name, listName, done, hint, head, instea
             {dock ? createPortal(session.picture, dock) : session.picture}
             <div className="prompt-list-box" onKeyDown={(event) => onPromptKey(event, session)}>
               <PromptList session={session} name={listName} />
-              {!fingers && <p className="small soft dialog-keys">{hint}</p>}
+              {hint !== undefined && !fingers && <p className="small soft dialog-hint">{hint}</p>}
             </div>
           </div>
         </>

@@ -89,19 +89,13 @@ function useOwnSession({ block, problems, set }: Props): PromptSession {
   };
 }
 
-/** The dialog of a cycle that the operator has described: it asks as any other, and says that nobody here runs it. */
+/** Dialog of an own cycle, with a note that it is not simulated. */
 export function OwnDialog(props: Props) {
   const { dialog: t } = useTexts();
   const session = useOwnSession(props);
   return (
     <CycleInWork value={null}>
-      <PromptDialog
-        session={session}
-        name={t.form}
-        listName={t.list}
-        hint={t.help}
-        done={<DialogDone session={session} inBlock />}
-      />
+      <PromptDialog session={session} name={t.form} listName={t.list} done={<DialogDone session={session} inBlock />} />
     </CycleInWork>
   );
 }

@@ -59,9 +59,9 @@ import { createViewport } from "./viewport.ts";
 import "./lathe.css";
 import { Outdated } from "./Outdated.tsx";
 
-/** Fetched for a program that has approaches. */
+/** Loaded for a program with approaches. */
 const TurnPoints = lazyPart(async () => ({ default: (await import("../plane/TurnPoints.tsx")).TurnPoints }));
-/** Fetched when the turned body is looked at in space. */
+/** Loaded on demand: paths of other settings, the 3D view. */
 const GhostPaths = lazyPart(async () => ({ default: (await import("./Ghost.tsx")).GhostPaths }));
 const SolidView = lazyPart(async () => ({ default: (await import("../solid/SolidView.tsx")).SolidView }));
 const WhichCycle = lazyPart(async () => ({ default: await whichSlot.fetch() }));
@@ -95,7 +95,7 @@ const partsOf = (run: Run): SceneParts => ({
   steps: run.steps,
 });
 
-/** What is known without a run: blank, contour as far as it is typed, and where the tool starts. */
+/** Scene parts known without a run: blank, contour as far as typed, and the start of the tool. */
 function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run): Partial<SceneParts> {
   const { contour, sketch, positions } = outline;
   const alone = positions.map(({ axis, value }): Pt =>
@@ -105,12 +105,10 @@ function knownParts({ blank, start, tool, outline, points }: KnownWork, run: Run
   const waits = start && run.steps.length === 0 ? { at: start, tool } : null;
   return { contours: [contour], sketch, near, waits, ...(run.blank.length === 0 && { blank }) };
 }
-/** A move was pointed at; `byKey`: with the keyboard, which goes along to its dialog. */
+/** A move was clicked. `byKey`: chosen by keyboard, so its dialog gets the focus. */
 export type MovePointed = (step: number, byKey?: boolean) => void;
 
-/**
- * The lathe: picture, playback, timeline, findings. Keeps showing the last result it was given, dimmed when told so.
- */
+/** The lathe: picture, playback, timeline, findings. Keeps showing the last result, dimmed if `dimmed`. */
 export function LatheView({
   result,
   known = null,
@@ -120,15 +118,13 @@ export function LatheView({
   onMove,
 }: {
   readonly result: LatheResult | null;
-  /**
-   * What is typed so far: drawn as long as there is no contour in the result, and then the position of the open prompt.
-   */
+  /** Values typed so far: drawn while the result has no contour, then only the position of the open prompt. */
   readonly known?: KnownWork | null;
-  /** The picture is older than what was typed. */
+  /** The picture is older than the typed values. */
   readonly dimmed: boolean;
   readonly playback: PlaybackStore;
   readonly clock: Clock;
-  /** Called with the index of a move that was pointed at, after the tool went there. */
+  /** Called with the index of a clicked move, after the tool went there. */
   readonly onMove?: MovePointed;
 }) {
   const texts = useTexts(),
@@ -167,15 +163,12 @@ export function LatheView({
   };
   const look = measuring.on ? measuring : { tap, hover: point, drag: null };
   const solid = useSolid({ run, shown: proved, moving, waiting, measures: measuring.on });
-  // Where there is room the section stays, and the body stands beside it.
+  // With enough room, section and 3D view are next to each other.
   const beside = useMedia("vast") && solid.drawn !== null,
     alone = beside ? null : solid.drawn;
   const stage = useStage(viewport, look, beside ? 0.5 : 1);
   const looking = alone ? { ...viewport, ...alone } : viewport;
-  /**
-   * What is behind a button gives the picture back where there is little room; with a tool in hand the keys belong to
-   * the picture.
-   */
+  /** Closes the tools on a small screen to show the picture again; while measuring, the keys go to the picture. */
   const toggle = () => {
     measuring.toggle();
     if (measuring.state.getState().on) stage.current?.focus({ preventScroll: true });
@@ -188,7 +181,7 @@ export function LatheView({
   useEffect(() => viewport.setBounds(scene.bounds), [scene, viewport]);
   useEffect(() => viewport.setXUp(!xDown), [xDown, viewport]);
 
-  /** Enter in the picture chooses the move that runs, and its dialog takes the keyboard. */
+  /** Enter in the picture chooses the running move and focuses its dialog. */
   const chooseByKey = ({ key, picture }: { readonly key: string; readonly picture: boolean }) => {
     const { position } = playback.get(),
       step = Math.min(position.step, run.steps.length - 1);
@@ -267,6 +260,7 @@ export function LatheView({
           role="group"
           aria-label={t.title}
           aria-describedby={keysId}
+          data-keys="picture"
           {...{ [KEEPS_KEYBOARD]: "" }}
         >
           {!alone && (

@@ -23,26 +23,26 @@ import type { StageLines } from "./path-stage.ts";
 import { createStage, STAGE_COLOURS, type SolidStage } from "./stage.ts";
 import "./solid.css";
 
-/** Zoom and fit of whatever is looked at. */
+/** Zoom and fit of the shown view. */
 export type Zooming = Pick<Viewport, "zoom" | "fit" | "show">;
 
 interface Props {
   readonly work: ShownWork;
   readonly run: Run;
-  /** The moves whose lines are shown. */
+  /** The visible moves. */
   readonly lines: (step: number) => boolean;
-  /** What is to be said of the moment. */
+  /** Text about the moment. */
   readonly state: string;
   readonly clock: Clock;
-  /** Findings and what stays, as marks over the body, and the one that is looked at. */
+  /** Findings and residual material, as marks over the body, and the chosen one. */
   readonly places: readonly LookAt[];
   readonly chosen: LookAt | null;
   readonly choose: (place: LookAt | null) => void;
-  /** SolidTold what zooms the view once it is drawn, and null where the section has to take its place. */
+  /** Called with the zoom of the view once it is drawn, and with null if the section has to replace it. */
   readonly onDrawn: (drawn: Zooming | null) => void;
 }
 
-/** The turned body in space. Where that cannot be drawn it says so, and what lies below is seen. */
+/** The turned body in space. If it cannot be drawn the view says so, and the section below stays visible. */
 export function SolidView(props: Props) {
   const t = useTexts("solid"),
     [tries, tryAgain] = useState(0);
@@ -57,7 +57,7 @@ interface Running {
   readonly show: Show;
 }
 
-/** SolidStage, eye and show on a canvas for as long as it is there. */
+/** Creates stage, eye and show on a canvas, for as long as it exists. */
 function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
   const field = useRef<HTMLDivElement>(null),
     canvas = useRef<HTMLCanvasElement>(null);
@@ -107,8 +107,8 @@ function useRunning(clock: Clock, setTrouble: (trouble: Trouble) => void) {
 const NO_TONES: readonly TonedSide[] = [];
 
 /**
- * Path and colours as lines in space: where something is told by colour, the path lies faint under it. What is told of
- * surfaces lies on them as well.
+ * Path and colour map as lines in space; with a colour map the path is faint. Values of surfaces colour the surfaces
+ * too.
  */
 function useTold(
   run: Run,
@@ -136,7 +136,7 @@ function useTold(
   return { lines, tones };
 }
 
-/** What is to be said of the picture itself: what its surfaces stand for, and what is not as in the shop. */
+/** Notes on the picture: the meaning of its surfaces, and deviations from the shop. */
 function Notes({
   told: { textures, marked, rings, leftHanded },
   milled,
@@ -214,6 +214,7 @@ function Tried({
         tabIndex={trouble ? -1 : 0}
         aria-label={t.title}
         aria-describedby={keys}
+        data-keys="solid"
         hidden={trouble !== null}
       >
         <canvas ref={canvas} role="img" aria-label={t.picture(quarterCut, state)} />

@@ -9,7 +9,7 @@ import { broughtBy } from "../../../app/document/work.ts";
 import { Paragraphs } from "../Paragraphs.tsx";
 import { noteHint, noteSolution, useTaskProgress } from "../../../app/records/course/progress.ts";
 
-/** Opens a block of the present work; in prompts there is none to open. */
+/** Opens a block of the current program; a job of prompts has no blocks to open. */
 async function showBlock(_file: string | null, _index: number, number: number): Promise<void> {
   if (!useEditor.getState().program) return;
   const { openNumbered } = await import("./open-numbered.ts");
@@ -17,8 +17,8 @@ async function showBlock(_file: string | null, _index: number, number: number): 
 }
 
 /**
- * Three stages of a hint, one after the other, and then the solution beside the own work. Each is asked for, and
- * counted.
+ * The three stages of the hint, one after the other, then the solution next to the own program. Each is shown on
+ * request, and counted.
  */
 export function TaskHelp({
   task,
@@ -29,13 +29,16 @@ export function TaskHelp({
   readonly t: CourseTaskTexts;
   readonly words: TaskWords;
 }) {
-  const { hints, solution: seen } = useTaskProgress(task.id);
+  const { hints, solution: seen, tries } = useTaskProgress(task.id);
   const [shown, setShown] = useState(0);
   const [sure, ask] = useState(false);
   const [open, setOpen] = useState(false);
   const { solution } = task;
   const stages = Math.max(shown, hints);
   const next = stages + 1;
+  const isLast = next === words.hints.length;
+  // The last hint is the whole way to the answer.
+  const isHeldBack = isLast && next > 1 && tries === 0;
   const name = `${words.title} · ${t.solutionName}`;
   const text = solution && programOfLines(solution);
   return (
@@ -51,7 +54,10 @@ export function TaskHelp({
           <button
             type="button"
             className="button"
+            aria-disabled={isHeldBack}
+            aria-describedby={isHeldBack ? "hint-after-try" : undefined}
             onClick={() => {
+              if (isHeldBack) return;
               setShown(next);
               noteHint(task.id, next);
             }}
@@ -65,6 +71,11 @@ export function TaskHelp({
           </button>
         )}
       </div>
+      {isHeldBack && (
+        <p id="hint-after-try" className="small soft">
+          {t.hintAfterTry}
+        </p>
+      )}
       {sure && (
         <div className="task-sure" role="group" aria-label={t.showSolution}>
           <p>{t.sure}</p>

@@ -5,7 +5,6 @@ export const chooser = {
   search: "Zyklen durchsuchen",
   hint: "Suche nach Nummer, Name oder Fachbegriff",
   languages: "Suche in allen vier Sprachen.",
-  keys: "Pfeiltasten wechseln von Zyklus zu Zyklus.",
   found: (n) => (n === 1 ? "1 Zyklus gefunden." : `${n} Zyklen gefunden.`),
   enter: (cycle) => `Enter wählt ${cycle}.`,
   none: "Kein Zyklus mit diesen Wörtern.",
@@ -16,7 +15,9 @@ export const chooser = {
   recent: "Zuletzt verwendet",
   recentOne: (cycle) => `Zuletzt verwendet: ${cycle}`,
   count: (n) => (n === 1 ? "1 Zyklus" : `${n} Zyklen`),
-  recalled: "Ungeprüft",
+  evidence: (cycles) =>
+    `Die Parameterlisten von ${cycles} sind am Handbuch geprüft. Die der anderen Zyklen an der eigenen Steuerung prüfen.`,
+  evidenceLink: "Hilfe",
   empty: "Ohne Werte",
   insert: "Einfügen",
   back: "Alle Sätze",

@@ -6,6 +6,7 @@ export const page = {
   promise: "HEIDENHAIN-Drehzyklen programmieren: jeden Schnitt sehen, prüfen, Programm exportieren.",
   skipToPrompts: "Zu den Eingaben springen",
   header: "Programm und Einstellungen",
+  keys: "Tastenkürzel",
   undo: "Rückgängig",
   redo: "Wiederholen",
   newProgram: "Neues Programm",
@@ -70,7 +71,6 @@ export const page = {
     forget: (name) => `${name} aus der Liste nehmen`,
     removed: (name) => `${name} wurde entfernt.`,
     changed: (when) => `geändert ${when}`,
-    unconfirmed: "Nicht am Handbuch geprüft; an der Steuerung vergleichen.",
   },
 
   programs: {

@@ -80,9 +80,6 @@ export const contour = {
   remove: (element) => `Element ${element} löschen`,
   moveUp: (element) => `Element ${element} nach oben`,
   moveDown: (element) => `Element ${element} nach unten`,
-  keys:
-    "Enter: nächstes Feld · ↑ ↓: gleiches Feld, nächstes Element · I: inkremental · Alt+↑ ↓: verschieben · Einfg: neues " +
-    "Element · Strg+D: duplizieren · Strg+Entf: löschen · T: tangential · ?: nicht gegeben · R, C: Rundung, Fase",
   done: {
     added: "Element angefügt",
     removed: "Element gelöscht",

@@ -103,7 +103,6 @@ export const dialog = {
     nextField: "Nächstes Feld",
     notGiven: "Fragezeichen: nicht gegeben",
   },
-  help: "Enter: weiter · ↑ ↓: wechseln · Entf: NO ENT · Ende: END · Esc: abbrechen · −: Vorzeichen",
   done: {
     checking: "Wird geprüft …",
     title: "Alle Eingaben erledigt",

@@ -24,7 +24,7 @@ export const editor = {
   operations: "Bearbeitungen",
   toolChanges: "Werkzeugwechsel",
   blocks: "Sätze",
-  /* files of a work */
+  /* files of a program */
   files: {
     title: "Dateien dieses Programms",
     add: "Dateien hinzufügen",

@@ -6,11 +6,10 @@ export const chooser = {
   search: "Search the cycles",
   hint: "Search by number, name or shop term",
   languages: "Search in any of the four languages.",
-  keys: "Arrow keys move from cycle to cycle.",
   found: (n: number) => (n === 1 ? "1 cycle found." : `${n} cycles found.`),
   enter: (cycle: string) => `Enter selects ${cycle}.`,
   none: "No cycle matches these words.",
-  /** Why a cycle cannot be begun or put in here, though the control has it. */
+  /** Why a cycle cannot be selected here, although the control has it. */
   acts: (cycle: string) =>
     `${cycle}: takes effect only within a program. Open a program and insert the cycle there, under Cycle.`,
   kept: (cycle: string) =>
@@ -18,8 +17,10 @@ export const chooser = {
   recent: "Recently used",
   recentOne: (cycle: string) => `Recently used: ${cycle}`,
   count: (n: number) => (n === 1 ? "1 cycle" : `${n} cycles`),
-  /** What a row says of a cycle whose parameter list no page prints. */
-  recalled: "Unverified",
+  /** Which parameter lists are printed in a manual. */
+  evidence: (cycles: string) =>
+    `The parameter lists of ${cycles} are checked against the manual. Check those of all other cycles on your control.`,
+  evidenceLink: "Guide",
   empty: "Blank",
   insert: "Insert",
   back: "All blocks",

@@ -6,6 +6,7 @@ export const page = {
   promise: "Program HEIDENHAIN turning cycles: see every cut, check it, export the program.",
   skipToPrompts: "Skip to the prompts",
   header: "Program and settings",
+  keys: "Keyboard shortcuts",
   undo: "Undo",
   redo: "Redo",
   newProgram: "New program",
@@ -73,7 +74,6 @@ export const page = {
     forget: (name: string) => `Remove ${name} from the list`,
     removed: (name: string) => `${name} was removed.`,
     changed: (when: string) => `changed ${when}`,
-    unconfirmed: "Not verified against a manual; check on your control.",
   },
 
   programs: {

@@ -1,6 +1,6 @@
 import type { Shape } from "../../shape.ts";
 
-/** Cycles of the operator's own: the list, the form of one, and the dialog that it gives. */
+/** The operator's own cycles: the list, the form of a cycle, and the dialog made from it. */
 export const own = {
   back: "Back",
   backLong: "Back to the program",

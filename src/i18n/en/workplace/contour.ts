@@ -80,9 +80,6 @@ export const contour = {
   remove: (element: number) => `Delete element ${element}`,
   moveUp: (element: number) => `Move element ${element} up`,
   moveDown: (element: number) => `Move element ${element} down`,
-  keys:
-    "Enter: next field · ↑ ↓: same field, next element · I: incremental · Alt+↑ ↓: move · Insert: new element · Ctrl+D: " +
-    "duplicate · Ctrl+Delete: delete · T: tangential · ?: not given · R, C: rounding, chamfer",
   done: {
     added: "Element added",
     removed: "Element deleted",

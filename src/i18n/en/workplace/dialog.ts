@@ -103,7 +103,6 @@ export const dialog = {
     nextField: "Next field",
     notGiven: "Question mark: not given",
   },
-  help: "Enter: next · ↑ ↓: move · Del: NO ENT · End: END · Esc: cancel · −: sign",
   done: {
     checking: "Checking …",
     title: "All prompts answered",

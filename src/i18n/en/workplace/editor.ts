@@ -28,7 +28,7 @@ export const editor = {
   toolChanges: "Tool changes",
   blocks: "Blocks",
 
-  /* files of a work */
+  /* files of a program */
   files: {
     title: "Files of this program",
     add: "Add files",

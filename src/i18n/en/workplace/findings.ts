@@ -1,6 +1,8 @@
 import type { Shape } from "../../shape.ts";
 
-/** The list of findings, the verdict on a program, and the question before a program with faults leaves the page. */
+/**
+ * The list of findings, the verdict on a program, and the warning before a program with errors is copied or exported.
+ */
 export const findings = {
   title: "Findings",
   list: "Findings, worst first",

@@ -94,7 +94,7 @@ export const lathe = {
   rapid: "Rapid",
   perTurn: "mm/rev",
   perMinute: "mm/min",
-  /** How long the tool stands still. */
+  /** Dwell of the tool. */
   turns: (n: string) => `${n} rev`,
   rpm: "rpm",
   phases: { position: "Positioning", rough: "Roughing", smooth: "Smoothing", finish: "Finishing", thread: "Threading" },
@@ -103,7 +103,7 @@ export const lathe = {
   stepOnly: (step: string, of: string) => `Step ${step} of ${of}`,
   outside: "Positioning, outside a cycle",
   block: (block: string) => `Block ${block}`,
-  /** What the letters of the chip stand for. */
+  /** Meaning of the letters at the chip. */
   chip: { ap: "depth of cut", f: "feed per revolution", h: "chip thickness", b: "chip width", A: "chip area" },
   atStart: "At the start",
   atEnd: "At the end",

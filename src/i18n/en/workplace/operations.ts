@@ -1,9 +1,6 @@
 import type { Shape } from "../../shape.ts";
 
-/**
- * A program as its operations: the list, what can be done with each, and the dialogs that put one in or begin a
- * program.
- */
+/** A program as its operations: the list, the actions on each, and the dialogs that insert one or start a program. */
 export const operations = {
   list: "Operations",
   none: "No operation yet.",

@@ -5,7 +5,6 @@ export const chooser = {
   search: "Chercher un cycle",
   hint: "Chercher par numéro, nom ou terme d’atelier",
   languages: "Recherche dans les quatre langues.",
-  keys: "Les flèches passent d’un cycle à l’autre.",
   found: (n) => (n === 1 ? "1 cycle trouvé." : `${n} cycles trouvés.`),
   enter: (cycle) => `Entrée choisit ${cycle}.`,
   none: "Aucun cycle ne correspond à ces mots.",
@@ -15,7 +14,9 @@ export const chooser = {
   recent: "Utilisés récemment",
   recentOne: (cycle) => `Utilisé récemment : ${cycle}`,
   count: (n) => (n === 1 ? "1 cycle" : `${n} cycles`),
-  recalled: "Non vérifié",
+  evidence: (cycles) =>
+    `Les listes de paramètres de ${cycles} sont vérifiées d’après le manuel. Vérifiez celles des autres cycles sur votre commande.`,
+  evidenceLink: "Aide",
   empty: "Sans valeurs",
   insert: "Insérer",
   back: "Toutes les séquences",

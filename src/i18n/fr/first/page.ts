@@ -6,6 +6,7 @@ export const page = {
   promise: "Programmer des cycles de tournage HEIDENHAIN : voir chaque passe, contrôler, exporter le programme.",
   skipToPrompts: "Aller au dialogue",
   header: "Programme et réglages",
+  keys: "Raccourcis clavier",
   undo: "Annuler",
   redo: "Rétablir",
   newProgram: "Nouveau programme",
@@ -73,7 +74,6 @@ export const page = {
     forget: (name) => `Retirer ${name} de la liste`,
     removed: (name) => `${name} a été retiré.`,
     changed: (when) => `modifié ${when}`,
-    unconfirmed: "Non vérifié dans un manuel ; à comparer sur la commande.",
   },
 
   programs: {

@@ -80,9 +80,6 @@ export const contour = {
   remove: (element) => `Supprimer l’élément ${element}`,
   moveUp: (element) => `Monter l’élément ${element}`,
   moveDown: (element) => `Descendre l’élément ${element}`,
-  keys:
-    "Entrée : champ suivant · ↑ ↓ : même champ, élément suivant · I : incrémental · Alt+↑ ↓ : déplacer · Inser : nouvel " +
-    "élément · Ctrl+D : dupliquer · Ctrl+Suppr : supprimer · T : tangent · ? : non donné · R, C : arrondi, chanfrein",
   done: {
     added: "Élément ajouté",
     removed: "Élément supprimé",

@@ -104,7 +104,6 @@ export const dialog = {
     nextField: "Champ suivant",
     notGiven: "Point d’interrogation : non donné",
   },
-  help: "Entrée : suite · ↑ ↓ : changer · Suppr : NO ENT · Fin : END · Échap : annuler · − : signe",
   done: {
     checking: "Vérification en cours …",
     title: "Toutes les questions sont traitées",

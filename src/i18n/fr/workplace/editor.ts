@@ -24,7 +24,7 @@ export const editor = {
   operations: "Opérations",
   toolChanges: "Changements d’outil",
   blocks: "Séquences",
-  /* files of a work */
+  /* files of a program */
   files: {
     title: "Fichiers de ce programme",
     add: "Ajouter des fichiers",

@@ -6,6 +6,7 @@ export const page = {
   promise: "海德汉车削循环对话编程：查看每次切削，检查，导出程序。",
   skipToPrompts: "跳到对话",
   header: "程序与设置",
+  keys: "键盘快捷键",
   undo: "撤销",
   redo: "重做",
   newProgram: "新建程序",
@@ -69,7 +70,6 @@ export const page = {
     forget: (name) => `从列表中移除 ${name}`,
     removed: (name) => `已移除 ${name}。`,
     changed: (when) => `修改于 ${when}`,
-    unconfirmed: "未与手册核对，请在数控系统上核对。",
   },
 
   programs: {

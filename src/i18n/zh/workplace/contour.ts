@@ -74,7 +74,6 @@ export const contour = {
   remove: (element) => `删除元素 ${element}`,
   moveUp: (element) => `上移元素 ${element}`,
   moveDown: (element) => `下移元素 ${element}`,
-  keys: "Enter：下一字段 · ↑ ↓：下一元素的同一字段 · I：增量 · Alt+↑ ↓：移动 · Insert：新元素 · Ctrl+D：复制 · Ctrl+Delete：删除 · T：相切 · ?：未给定 · R、C：倒圆、倒角",
   done: { added: "已添加元素", removed: "已删除元素", moved: "已移动元素", duplicated: "已复制元素" },
   dxf: {
     open: "导入 DXF",

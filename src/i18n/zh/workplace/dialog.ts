@@ -101,7 +101,6 @@ export const dialog = {
     nextField: "下一字段",
     notGiven: "问号：未给出",
   },
-  help: "Enter：下一项 · ↑ ↓：移动 · Del：NO ENT · End：END · Esc：取消 · −：正负号",
   done: {
     checking: "正在检查……",
     title: "所有提问已完成",

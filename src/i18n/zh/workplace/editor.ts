@@ -23,7 +23,7 @@ export const editor = {
   operations: "工序",
   toolChanges: "换刀",
   blocks: "程序段",
-  /* files of a work */
+  /* files of a program */
   files: {
     title: "此程序的文件",
     add: "添加文件",

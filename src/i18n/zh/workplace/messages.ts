@@ -2,7 +2,7 @@ import type { MessagesTexts } from "../../message-texts.ts";
 import { running } from "./messages/running.ts";
 import { threads } from "./messages/threads.ts";
 
-/** The value that a finding proposes, if it proposes one. */
+/** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
   value === undefined ? "" : `最接近的有效值：${say(value)}。`;
 

@@ -5,7 +5,7 @@ import { threads } from "./params/threads.ts";
 import { special } from "./params/special.ts";
 
 const printed = true;
-/** Prompts that no Chinese page we have prints: worded in the style of those it prints. */
+/** Prompts that no Chinese page we have prints, worded in the style of the printed ones. */
 const unprinted = false;
 const element = { 0: "无元素", 1: "倒角", 2: "圆角" };
 

@@ -1,7 +1,7 @@
 import type { MessagesTexts } from "../../../message-texts.ts";
 import type { Write } from "../../../write.ts";
 
-/** The value that a finding proposes, if it proposes one. */
+/** The value that a finding proposes, if any. */
 const nearest = (value: number | undefined, say: (value: number) => string) =>
   value === undefined ? "" : ` Nächster gültiger Wert: ${say(value)}.`;
 

@@ -1,0 +1,43 @@
+import { Fragment } from "react";
+import { ModalDialog } from "../../base/ModalDialog.tsx";
+import { useTexts } from "../../base/settings/use-texts.ts";
+import { KEY_LIST, KEY_PLACES, type KeyPlace } from "../../base/key-list.ts";
+import "./keys.css";
+
+/** All keyboard shortcuts by place; those of the place it was opened from come first. */
+export function KeySheet({ place, done }: { readonly place: KeyPlace; readonly done: () => void }) {
+  const t = useTexts("keys");
+  const names: Readonly<Record<string, string>> = t.names;
+  const places = [place, ...KEY_PLACES.filter((other) => other !== place)];
+  return (
+    <ModalDialog title={t.title} done={done} className="modal key-sheet">
+      {places.map((each) => {
+        const does: Readonly<Record<string, string>> = t.does[each];
+        return (
+          <section key={each} aria-labelledby={`keys-${each}`}>
+            <h3 id={`keys-${each}`}>{t.places[each]}</h3>
+            <dl>
+              {Object.entries<readonly string[]>(KEY_LIST[each]).map(([id, keys]) => (
+                <div key={id}>
+                  <dt>
+                    {keys.map((combination) => (
+                      <span key={combination}>
+                        {combination.split(" ").map((key, i) => (
+                          <Fragment key={key}>
+                            {i > 0 && "+"}
+                            <kbd>{names[key] ?? key}</kbd>
+                          </Fragment>
+                        ))}
+                      </span>
+                    ))}
+                  </dt>
+                  <dd>{does[id]}</dd>
+                </div>
+              ))}
+            </dl>
+          </section>
+        );
+      })}
+    </ModalDialog>
+  );
+}
